@@ -1,0 +1,13 @@
+//! How thin adhesive beams peel from a surface.
+//!
+//! Units inside the library: nm and nN, hence 1 nN/nm² = 1 GPa, 1 nN/nm = 1 J/m², 1 nN·nm = 1 aJ.
+//! The rooms stand on one another in this order; each knows only those above it.
+
+pub mod adhesion;
+pub mod analytic;
+pub mod beam;
+pub mod model;
+pub mod report;
+pub mod scene;
+pub mod solve;
+pub mod study;

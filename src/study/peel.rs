@@ -1,0 +1,168 @@
+//! The whole peel of one model: path, special points, error bounds, how it ended.
+
+use crate::model::StripModel;
+
+/// What the user asks of the numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accuracy {
+    /// Relative error wanted of every reported force and displacement.
+    pub relative: f64,
+}
+
+/// Where a path may be stopped although it goes on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Most path points.
+    pub points: usize,
+    /// Most seconds of wall clock; none when absent.
+    pub time_s: Option<f64>,
+    /// Largest grip displacement, nm; none when absent.
+    pub displacement: Option<f64>,
+}
+
+/// How a path ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum End {
+    /// No point of the beam is nearer than 10 r0.
+    Detached,
+    /// The force has come back to zero after a snap-off while an edge still holds.
+    Pivoting,
+    /// The path has returned to u = 0.
+    TurnedBack,
+    /// A bound that the scene sets was reached; which one, in words.
+    Bound(String),
+    /// The computation stopped short; why, with numbers and what to try.
+    Failed(String),
+}
+
+/// One equilibrium of the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathPoint {
+    /// nm
+    pub displacement: f64,
+    /// nN
+    pub force: f64,
+    /// rad
+    pub end_rotation: f64,
+    /// ∫ P du from rest, aJ
+    pub work: f64,
+    /// Negative eigenvalues of the tangent with the grip held at its displacement.
+    pub negative_eigenvalues: usize,
+    /// The same with the force held.
+    pub negative_eigenvalues_load: usize,
+    /// S of the peeling front, nm: the adhesion energy that is left over that of a unit length at rest.
+    pub front: f64,
+    /// Newton iterations it took.
+    pub iterations: usize,
+}
+
+/// Which quantity has a turning point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// du = 0
+    Displacement,
+    /// dP = 0
+    Load,
+}
+
+/// A turning point of the path, located and not sampled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LimitPoint {
+    pub kind: Turn,
+    /// nm
+    pub displacement: f64,
+    /// nN
+    pub force: f64,
+    /// rad
+    pub end_rotation: f64,
+    /// ∫ P du from rest, aJ
+    pub work: f64,
+    /// Bound on the error of `displacement`, nm
+    pub displacement_error: f64,
+    /// Bound on the error of `force`, nN
+    pub force_error: f64,
+    /// It lies between `points[after]` and `points[after + 1]` of the path.
+    pub after: usize,
+}
+
+/// A largest force: at a limit point, or at the end of the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    pub displacement: f64,
+    pub force: f64,
+    pub end_rotation: f64,
+    pub force_error: f64,
+    pub displacement_error: f64,
+}
+
+/// Where the force changes least with the displacement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plateau {
+    pub displacement: f64,
+    pub force: f64,
+}
+
+/// What it took.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Effort {
+    pub points: usize,
+    pub newton_iterations: usize,
+    pub elements: usize,
+    pub order: usize,
+}
+
+/// The axis of the strip at one equilibrium, sampled.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shape {
+    pub x: Vec<f64>,
+    pub y: Vec<f64>,
+    pub rotation: Vec<f64>,
+}
+
+/// The result of one run.
+#[derive(Clone, Debug)]
+pub struct Peel {
+    pub model: StripModel,
+    pub points: Vec<PathPoint>,
+    /// In path order.
+    pub limit_points: Vec<LimitPoint>,
+    pub initiation_peak: Option<Peak>,
+    pub peak: Option<Peak>,
+    pub plateau: Option<Plateau>,
+    /// The first displacement limit point at which u turns back.
+    pub snap_off: Option<LimitPoint>,
+    pub end: End,
+    pub effort: Effort,
+    pub solve_s: f64,
+}
+
+impl Peel {
+    /// The curve between the path points as well, `per_step` intervals a step: (u, P, negative eigenvalues under displacement control).
+    pub fn dense_curve(&self, per_step: usize) -> Vec<(f64, f64, usize)> {
+        let _ = per_step;
+        self.points.iter().map(|p| (p.displacement, p.force, p.negative_eigenvalues)).collect()
+    }
+
+    /// The deformed axis at `points[index]`.
+    pub fn shape(&self, index: usize) -> Shape {
+        let _ = index;
+        Shape::default()
+    }
+}
+
+/// Follows the peel from rest to its end.
+pub fn peel(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> Peel {
+    let _ = (accuracy, bounds);
+    Peel {
+        model: *model,
+        points: Vec::new(),
+        limit_points: Vec::new(),
+        initiation_peak: None,
+        peak: None,
+        plateau: None,
+        snap_off: None,
+        end: End::Failed("not yet".into()),
+        effort: Effort::default(),
+        solve_s: 0.0,
+    }
+}
