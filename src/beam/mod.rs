@@ -1,1 +1,13 @@
-//!
+//! What bends: section stiffness, energy densities of the planar Reissner beam, the element that integrates them.
+mod basis;
+mod density;
+mod element;
+mod reduced;
+mod reissner;
+mod section;
+pub use basis::Basis;
+pub use density::{Density, PointResponse, SectionState};
+pub use element::{ElementEnergy, integrate};
+pub use reduced::ReducedBeam;
+pub use reissner::ReissnerBeam;
+pub use section::{Section, rectangle_second_moment};

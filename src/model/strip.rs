@@ -1,6 +1,8 @@
 //! A uniform strip on a flat half space, lifted at its right end.
 
-use crate::adhesion::LineLoad;
+use crate::adhesion::{HalfSpace, LineLaw, LineLoad};
+use crate::beam::{Density, ReducedBeam, ReissnerBeam, Section, rectangle_second_moment};
+use crate::solve::{Chain, Focus, MOST_FIELDS, Problem, UniformChain};
 
 /// Geometry and material of a uniform strip of rectangular section.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,4 +53,116 @@ pub struct StripModel {
     pub strip: Strip,
     pub adhesion: Adhesion,
     pub grip: Grip,
+}
+
+/// Which unknowns a node has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// y and θ; x is minimised out, the horizontal force is one number. Exact on a flat substrate without friction.
+    TwoField,
+    /// x, y and θ.
+    ThreeField,
+}
+
+impl StripModel {
+    /// EA, GA_s and EI.
+    pub fn section(&self) -> Section {
+        let s = &self.strip;
+        let area = s.height * s.width;
+        Section {
+            axial: s.youngs_modulus * area,
+            shear: s.shear_correction * s.youngs_modulus / (2.0 * (1.0 + s.poissons_ratio)) * area,
+            bending: s.youngs_modulus * rectangle_second_moment(s.height, s.width) * s.bending_stiffness_factor,
+        }
+    }
+
+    /// The line load per width.
+    pub fn line_law(&self) -> LineLaw {
+        LineLaw {
+            half_space: HalfSpace {
+                hamaker_constant: self.adhesion.hamaker_constant,
+                equilibrium_distance: self.adhesion.equilibrium_distance,
+            },
+            height: self.strip.height,
+            line_load: self.adhesion.line_load,
+            far_face: self.adhesion.far_face,
+        }
+    }
+
+    /// Length of the process zone, (EI/k)^(1/4) with k the adhesion's stiffness at rest, nm.
+    pub fn process_length(&self) -> f64 {
+        let law = self.line_law();
+        let stiffness = law.response(law.rest_gap(), 0.0, 1.0).gap_gap * self.strip.width;
+        (self.section().bending / stiffness).powf(0.25)
+    }
+
+    /// What the solver is given, with elements of order 1 to 8.
+    pub fn problem(&self, form: Form, order: usize) -> Problem {
+        let (section, law, width) = (self.section(), self.line_law(), self.strip.width);
+        let r0 = self.adhesion.equilibrium_distance;
+        let process_length = self.process_length();
+        let rotation_scale = (std::env::var("RS").map_or(1.0, |v| v.parse::<f64>().unwrap()) * r0 / process_length).min(1.0);
+        let sliding_held = self.grip.horizontal == Hold::Fixed;
+        let turning_held = self.grip.rotation == Hold::Fixed;
+        let (chain, lead): (Box<dyn Chain>, usize) = match (form, sliding_held) {
+            (Form::TwoField, false) => (two_field(ReducedBeam::<false> { section, law, width }, order), 0),
+            (Form::TwoField, true) => (two_field_held(ReducedBeam::<true> { section, law, width }, order), 0),
+            (Form::ThreeField, _) => (three_field(ReissnerBeam { section, law, width }, order), 1),
+        };
+        let mut rest = [0.0; MOST_FIELDS];
+        let mut rest_slope = [0.0; MOST_FIELDS];
+        let mut held = [false; MOST_FIELDS];
+        let mut scale = [r0; MOST_FIELDS];
+        rest[lead] = law.rest_gap();
+        held[lead + 1] = turning_held;
+        scale[lead + 1] = rotation_scale;
+        if form == Form::ThreeField {
+            rest_slope[0] = 1.0;
+            held[0] = sliding_held;
+        }
+        Problem {
+            chain,
+            length: self.strip.length,
+            rest,
+            rest_slope,
+            driven: lead,
+            rotation: lead + 1,
+            held,
+            scale,
+            rest_adhesion: width * law.rest_energy(),
+            fixed_foci: vec![Focus { center: 0.0, length: process_length, weight: 0.8 }],
+            process_length,
+            height: self.strip.height,
+            conservative: law.has_potential(),
+        }
+    }
+}
+
+/// Picks the chain of the given order, N = order + 1 nodes an element.
+macro_rules! by_order {
+    ($density:expr, $order:expr, $fields:literal, $extra:literal, $pin:expr) => {
+        match $order {
+            1 => Box::new(UniformChain::<_, $fields, 2, { 2 * $fields + $extra }>::new($density, $pin)),
+            2 => Box::new(UniformChain::<_, $fields, 3, { 3 * $fields + $extra }>::new($density, $pin)),
+            3 => Box::new(UniformChain::<_, $fields, 4, { 4 * $fields + $extra }>::new($density, $pin)),
+            4 => Box::new(UniformChain::<_, $fields, 5, { 5 * $fields + $extra }>::new($density, $pin)),
+            5 => Box::new(UniformChain::<_, $fields, 6, { 6 * $fields + $extra }>::new($density, $pin)),
+            6 => Box::new(UniformChain::<_, $fields, 7, { 7 * $fields + $extra }>::new($density, $pin)),
+            7 => Box::new(UniformChain::<_, $fields, 8, { 8 * $fields + $extra }>::new($density, $pin)),
+            _ => Box::new(UniformChain::<_, $fields, 9, { 9 * $fields + $extra }>::new($density, $pin)),
+        }
+    };
+}
+
+fn two_field(density: impl Density<2> + 'static, order: usize) -> Box<dyn Chain> {
+    by_order!(density, order, 2, 1, None)
+}
+
+fn two_field_held(density: impl Density<2> + 'static, order: usize) -> Box<dyn Chain> {
+    by_order!(density, order, 2, 2, None)
+}
+
+/// The left end is held at x = 0; with a sliding grip that carries no force.
+fn three_field(density: impl Density<3> + 'static, order: usize) -> Box<dyn Chain> {
+    by_order!(density, order, 3, 1, Some(0))
 }

@@ -1,5 +1,10 @@
 //! Many runs: the whole peel of one scene, sweeps over a parameter.
+mod follow;
 mod peel;
+mod peel_run;
+mod plateau;
+mod shape;
 mod sweep;
+pub use crate::solve::Turn;
 pub use peel::*;
 pub use sweep::*;

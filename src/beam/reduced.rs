@@ -1,0 +1,123 @@
+//! Reissner's planar beam with x' minimised out: two unknowns a node, the gap and the rotation.
+//!
+//! On a flat substrate without friction nothing acts along x, so the horizontal section force H is one number for the
+//! whole chain: zero where the grip is free to slide, the multiplier of x(L) - x(0) = L where it is held. Minimising
+//! ½EA Γ1² + ½GA_s Γ2² - H x' over x' leaves, with B = cos²θ/EA + sin²θ/GA_s, C = sin²θ/EA + cos²θ/GA_s,
+//! D = sin θ cos θ (1/EA - 1/GA_s) and V = (y' - sin θ - H D)/C,
+//!
+//!   φ(y', θ; H) = ½ C V² - ½ B H² - H cos θ,   ∂φ/∂H = -x' = -(cos θ + H B + V D),
+//!
+//! to which ½EI θ'² and the adhesion bΨ(y, θ) are added. Nothing is neglected.
+
+use super::{Density, PointResponse, Section, SectionState};
+use crate::adhesion::LineLaw;
+
+/// The two-field form of the planar Reissner beam on a flat half space. Fields: gap η = y - h/2 (nm), rotation θ.
+/// The border is H where `HELD`, and counts nothing otherwise.
+#[derive(Clone, Copy, Debug)]
+pub struct ReducedBeam<const HELD: bool> {
+    pub section: Section,
+    pub law: LineLaw,
+    /// Adhering width b, nm
+    pub width: f64,
+}
+
+/// B, C and D of the module's head at one rotation.
+struct Compliance {
+    along: f64,
+    across: f64,
+    mixed: f64,
+}
+
+impl<const HELD: bool> ReducedBeam<HELD> {
+    #[inline(always)]
+    fn compliance(&self, sin: f64, cos: f64) -> Compliance {
+        let (axial, shear) = (1.0 / self.section.axial, 1.0 / self.section.shear);
+        Compliance {
+            along: cos * cos * axial + sin * sin * shear,
+            across: sin * sin * axial + cos * cos * shear,
+            mixed: sin * cos * (axial - shear),
+        }
+    }
+
+    #[inline(always)]
+    fn state(&self, sin: f64, cos: f64, vertical_force: f64, moment: f64, border: f64) -> SectionState {
+        let h = if HELD { border } else { 0.0 };
+        let c = self.compliance(sin, cos);
+        let v = vertical_force;
+        SectionState {
+            horizontal_slope: cos + h * c.along + v * c.mixed,
+            vertical_slope: sin + v * c.across + h * c.mixed,
+            horizontal_force: h,
+            vertical_force: v,
+            moment,
+            curvature: moment / self.section.bending,
+            stored: 0.5 * (c.along * h * h + 2.0 * c.mixed * h * v + c.across * v * v)
+                + 0.5 * moment * moment / self.section.bending,
+        }
+    }
+}
+
+impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
+    #[inline(always)]
+    fn response(&self, [gap, rotation]: [f64; 2], [rise, curvature]: [f64; 2], border: f64) -> PointResponse<2> {
+        let (sin, cos) = rotation.sin_cos();
+        let adhesion = self.law.response(gap, sin, cos);
+        let b = self.width;
+        let ei = self.section.bending;
+        // g sin 2θ and g cos 2θ with g = 1/GA_s - 1/EA: C' = -g sin 2θ, D' = -g cos 2θ
+        let g = 1.0 / self.section.shear - 1.0 / self.section.axial;
+        let (g_sin, g_cos) = (2.0 * g * sin * cos, g * (cos - sin) * (cos + sin));
+        let c = self.compliance(sin, cos);
+        let inverse = 1.0 / c.across;
+        let h = if HELD { border } else { 0.0 };
+
+        let mut v = (rise - sin) * inverse;
+        let mut v_t = (g_sin * v - cos) * inverse;
+        let mut by_rotation = 0.5 * g_sin * v * v - v * cos;
+        let mut by_rotation2 = g_cos * v * v + v * sin;
+        let mut energy = 0.5 * c.across * v * v;
+        let mut response = PointResponse::ZERO;
+        if HELD {
+            v = (rise - sin - h * c.mixed) * inverse;
+            v_t = (g_sin * v - cos + h * g_cos) * inverse;
+            by_rotation = h * sin - 0.5 * g_sin * h * h + 0.5 * g_sin * v * v - v * (cos - h * g_cos);
+            by_rotation2 = h * cos - g_cos * h * h + g_cos * v * v + v * (sin - 2.0 * h * g_sin);
+            energy = 0.5 * c.across * v * v - 0.5 * c.along * h * h - h * cos;
+            let v_h = -c.mixed * inverse;
+            response.by_border = -(cos + h * c.along + v * c.mixed);
+            response.border_border = -(c.along + v_h * c.mixed);
+            response.border_slope = [v_h, 0.0];
+            response.border_value = [0.0, sin - h * g_sin - v_t * c.mixed + v * g_cos];
+        }
+        response.energy = energy + 0.5 * ei * curvature * curvature + b * adhesion.energy;
+        response.adhesion = b * adhesion.energy;
+        response.by_value = [b * adhesion.by_gap, by_rotation + b * adhesion.by_rotation];
+        response.by_slope = [v, ei * curvature];
+        response.value_value = [
+            [b * adhesion.gap_gap, b * adhesion.gap_rotation],
+            [
+                b * adhesion.rotation_gap,
+                by_rotation2 + v_t * v_t * c.across + b * adhesion.rotation_rotation,
+            ],
+        ];
+        response.value_slope = [[0.0, 0.0], [v_t, 0.0]];
+        response.slope_value = [[0.0, v_t], [0.0, 0.0]];
+        response.slope_slope = [[inverse, 0.0], [0.0, ei]];
+        response.adhesion_by_value = [b * adhesion.by_gap, b * adhesion.by_rotation];
+        response
+    }
+
+    fn section_state(&self, [_, rotation]: [f64; 2], [rise, curvature]: [f64; 2], border: f64) -> SectionState {
+        let (sin, cos) = rotation.sin_cos();
+        let c = self.compliance(sin, cos);
+        let h = if HELD { border } else { 0.0 };
+        let v = (rise - sin - h * c.mixed) / c.across;
+        self.state(sin, cos, v, self.section.bending * curvature, border)
+    }
+
+    fn section_state_from_forces(&self, [_, rotation]: [f64; 2], [v, moment]: [f64; 2], border: f64) -> SectionState {
+        let (sin, cos) = rotation.sin_cos();
+        self.state(sin, cos, v, moment, border)
+    }
+}

@@ -1,0 +1,264 @@
+//! Newton's method for one equilibrium under one condition that picks it from the path.
+
+use super::{Equilibrium, PathRow, Problem, ROOT, Root, SolveError, Workspace};
+use crate::beam::ElementEnergy;
+use nalgebra::{SMatrix, SVector};
+
+/// The numbers that tell where on the path an equilibrium lies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Observables {
+    /// S of the peeling front: adhesion energy over that of a unit length at rest, nm
+    pub front: f64,
+    /// u, nm
+    pub displacement: f64,
+    /// θ(0) of the free end, rad
+    pub tip_rotation: f64,
+    /// P, nN
+    pub force: f64,
+    /// θ(L) at the grip, rad; no condition weighs it
+    pub grip_rotation: f64,
+}
+
+impl Observables {
+    /// Sum of the products of what a condition can weigh.
+    pub fn dot(&self, other: &Self) -> f64 {
+        self.front * other.front
+            + self.displacement * other.displacement
+            + self.tip_rotation * other.tip_rotation
+            + self.force * other.force
+    }
+
+    /// The difference to an earlier point.
+    pub fn since(&self, earlier: &Self) -> Self {
+        Self {
+            front: self.front - earlier.front,
+            displacement: self.displacement - earlier.displacement,
+            tip_rotation: self.tip_rotation - earlier.tip_rotation,
+            force: self.force - earlier.force,
+            grip_rotation: self.grip_rotation - earlier.grip_rotation,
+        }
+    }
+}
+
+/// weights · observables = target: displacement control, force control, or a step along the path.
+#[derive(Clone, Copy, Debug)]
+pub struct Condition {
+    pub weights: Observables,
+    pub target: f64,
+}
+
+/// When Newton's iteration ends.
+#[derive(Clone, Copy, Debug)]
+pub struct NewtonOptions {
+    /// Size of the error wanted, relative as in [`Problem::relative_size`].
+    pub tolerance: f64,
+    /// A first update above this is refused: the start was too far away.
+    pub largest_update: f64,
+    pub most_iterations: usize,
+}
+
+/// A converged equilibrium with all that is known about it there.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    pub at: Equilibrium,
+    /// The state on a mesh whose moving focus lies exactly at the front: what predictions combine. On the mesh of `at` the
+    /// focus is where the front was predicted, and that prediction's error would be noise.
+    pub aligned: Vec<f64>,
+    pub observables: Observables,
+    /// Change of the observables along the path, per unit of the condition's target.
+    pub slope: Observables,
+    pub energy: ElementEnergy,
+    /// Negative eigenvalues with the displacement held, and with the force held.
+    pub negative: usize,
+    pub negative_load: usize,
+    pub iterations: usize,
+    /// Distance from the start to the solution, relative as in [`Problem::relative_size`].
+    pub correction: f64,
+}
+
+/// Solves from the start `at`.
+pub fn solve(
+    problem: &Problem,
+    mut at: Equilibrium,
+    condition: &Condition,
+    options: &NewtonOptions,
+    work: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    let fields = problem.fields();
+    let mut row = PathRow { adhesion: condition.weights.front / problem.rest_adhesion, ..PathRow::default() };
+    row.left[problem.rotation] = condition.weights.tip_rotation;
+    let mut update = vec![0.0; at.state.len()];
+    let mut correction = 0.0;
+    let mut previous = f64::INFINITY;
+    for iterations in 1..=options.most_iterations {
+        let root = problem.chain.eliminate(at.configuration(), &row, work)?;
+        let observed = observables(problem, &at, root.energy);
+        let grip = GripBlock::new(problem, &root, &at, condition, &observed);
+        let step = grip.solve(-1.0)?;
+        problem.chain.recover(work, step.border_block(), -1.0, &mut update);
+        let size = problem.relative_size(&update, &at.state);
+        if !size.is_finite() {
+            return Err(SolveError::NotFinite { quantity: "Newton's update", element: 0, position_nm: 0.0 });
+        }
+        if size > options.largest_update || (iterations > 2 && size > 0.9 * previous && size > 1e-9) {
+            return Err(SolveError::NotConverged { update: size, iterations });
+        }
+        for (s, u) in at.state.iter_mut().zip(&update) {
+            *s += u;
+        }
+        at.border += step.border;
+        at.force += step.force;
+        correction += size;
+        // quadratic convergence: what the next update would be
+        let next = if previous.is_finite() { size * (size / previous).powi(2).min(1.0) } else { size };
+        if size <= options.tolerance || next <= options.tolerance || (size < 1e-9 && size > 0.5 * previous) {
+            let tangent = grip.tangent()?;
+            problem.chain.recover(work, tangent.border_block(), 0.0, &mut update);
+            let (energy, adhesion_slope) = problem.chain.energy(at.configuration(), &update);
+            let (negative, negative_load) = grip.inertia(problem, root.negative);
+            let last = at.state.len() - fields;
+            let observables = observables(problem, &at, energy);
+            let ends = problem.ends(observables.front.clamp(0.0, problem.length), at.ends.len() - 1);
+            return Ok(Solution {
+                aligned: problem.chain.shifted(at.configuration(), &ends),
+                observables,
+                slope: Observables {
+                    front: adhesion_slope / problem.rest_adhesion,
+                    displacement: update[last + problem.driven],
+                    tip_rotation: update[problem.rotation],
+                    force: tangent.force,
+                    grip_rotation: update[last + problem.rotation],
+                },
+                energy,
+                negative,
+                negative_load,
+                iterations,
+                correction,
+                at,
+            });
+        }
+        previous = size;
+    }
+    Err(SolveError::NotConverged { update: previous, iterations: options.most_iterations })
+}
+
+/// Where on the path a configuration lies.
+pub fn observables(problem: &Problem, at: &Equilibrium, energy: ElementEnergy) -> Observables {
+    let last = at.state.len() - problem.fields();
+    Observables {
+        front: energy.adhesion / problem.rest_adhesion,
+        displacement: at.state[last + problem.driven] - problem.rest[problem.driven],
+        tip_rotation: at.state[problem.rotation],
+        force: at.force,
+        grip_rotation: at.state[last + problem.rotation],
+    }
+}
+
+/// Unknowns of the last block: fields of the last node, border, force.
+const LAST: usize = ROOT;
+
+/// The root of the chain with grip, border constraint, force and path condition.
+struct GripBlock {
+    matrix: SMatrix<f64, LAST, LAST>,
+    residual: SVector<f64, LAST>,
+    fields: usize,
+    border: bool,
+}
+
+/// Solution of a [`GripBlock`].
+struct GripStep {
+    values: SVector<f64, LAST>,
+    border: f64,
+    force: f64,
+}
+
+impl GripStep {
+    /// Fields of the last node, then the border: what the chain needs to go back.
+    fn border_block(&self) -> &[f64] {
+        self.values.as_slice()
+    }
+}
+
+impl GripBlock {
+    /// Rows: the last node's equations (or its held values), border constraint, path condition; unused rows are unit rows.
+    fn new(problem: &Problem, root: &Root, at: &Equilibrium, condition: &Condition, observed: &Observables) -> Self {
+        let (fields, border) = (problem.fields(), problem.chain.has_border());
+        let known = fields + usize::from(border);
+        let (force, path) = (LAST - 1, LAST - 1);
+        let mut matrix = SMatrix::<f64, LAST, LAST>::identity();
+        let mut residual = SVector::<f64, LAST>::zeros();
+        for i in 0..known {
+            for j in 0..known {
+                matrix[(i, j)] = root.matrix[i][j];
+            }
+            residual[i] = root.matrix[i][known];
+        }
+        matrix[(problem.driven, force)] = -1.0;
+        residual[problem.driven] -= at.force;
+        if border {
+            residual[fields] += problem.length;
+        }
+        for j in 0..known {
+            matrix[(path, j)] = root.matrix[known][j];
+        }
+        matrix[(path, problem.driven)] += condition.weights.displacement;
+        matrix[(path, force)] = condition.weights.force;
+        residual[path] = root.matrix[known][known] + condition.weights.dot(observed) - condition.target;
+        let last = at.state.len() - fields;
+        for f in (0..fields).filter(|&f| problem.held[f]) {
+            matrix.row_mut(f).fill(0.0);
+            matrix[(f, f)] = 1.0;
+            residual[f] = at.state[last + f] - problem.rest[f] - problem.rest_slope[f] * problem.length;
+        }
+        Self { matrix, residual, fields, border }
+    }
+
+    fn step(&self, right: SVector<f64, LAST>) -> Result<GripStep, SolveError> {
+        let values = self.matrix.lu().solve(&right).ok_or(SolveError::SingularGrip)?;
+        let border = if self.border { values[self.fields] } else { 0.0 };
+        Ok(GripStep { border, force: values[LAST - 1], values })
+    }
+
+    fn solve(&self, scale: f64) -> Result<GripStep, SolveError> {
+        self.step(self.residual * scale)
+    }
+
+    /// Change along the path per unit of the condition's target.
+    fn tangent(&self) -> Result<GripStep, SolveError> {
+        let mut right = SVector::<f64, LAST>::zeros();
+        right[LAST - 1] = 1.0;
+        self.step(right)
+    }
+
+    /// Negative eigenvalues of the whole tangent with the displacement held, and with the force held. A border is a
+    /// multiplier: it adds one negative eigenvalue that is none of the structure's.
+    fn inertia(&self, problem: &Problem, chain: usize) -> (usize, usize) {
+        let free = (0..self.fields).filter(|&f| !problem.held[f]);
+        let border = self.border.then_some(self.fields);
+        let held: Vec<usize> = free.clone().filter(|&f| f != problem.driven).chain(border).collect();
+        let loose: Vec<usize> = free.chain(border).collect();
+        let count = |rows: &[usize]| (chain + self.negative_pivots(rows)).saturating_sub(usize::from(self.border));
+        (count(&held), count(&loose))
+    }
+
+    fn negative_pivots(&self, rows: &[usize]) -> usize {
+        let n = rows.len();
+        let mut a = [[0.0; LAST]; LAST];
+        for i in 0..n {
+            for j in 0..n {
+                a[i][j] = self.matrix[(rows[i], rows[j])];
+            }
+        }
+        let mut negative = 0;
+        for k in 0..n {
+            negative += usize::from(a[k][k] < 0.0);
+            for i in k + 1..n {
+                let factor = a[i][k] / a[k][k];
+                for j in k + 1..n {
+                    a[i][j] -= factor * a[k][j];
+                }
+            }
+        }
+        negative
+    }
+}

@@ -1,0 +1,213 @@
+//! The path of equilibria from rest, point by point, through every turning point.
+//!
+//! The path parameter is a linear functional of three observables that do not all turn at once: position of the peeling
+//! front (adhesion energy), displacement of the grip, rotation of the free end. Its weights are renewed at every step
+//! from the tangent, each observable measured by its own recent changes.
+
+use super::predictor::{self, MOST_POINTS};
+use super::{Condition, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
+use std::sync::Arc;
+
+/// How a path is stepped.
+#[derive(Clone, Copy, Debug)]
+pub struct PathOptions {
+    /// Elements of the chain.
+    pub elements: usize,
+    /// Error wanted of a prediction, relative as in [`Problem::relative_size`].
+    pub step_tolerance: f64,
+    /// Error wanted of a solution, likewise.
+    pub tolerance: f64,
+    /// First displacement, nm
+    pub first_displacement: f64,
+}
+
+/// Where a path stopped and why.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("the path cannot be continued from u = {displacement_nm:.6} nm, P = {force:.6} nN (point {point}): after {tries} shorter and shorter steps: {cause}")]
+pub struct PathError {
+    pub point: usize,
+    pub displacement_nm: f64,
+    pub force: f64,
+    pub tries: usize,
+    pub cause: SolveError,
+}
+
+/// A path being followed: an iterator over its points, to be driven and stopped at will. All points stay in it.
+pub struct Path<'p> {
+    problem: &'p Problem,
+    options: PathOptions,
+    points: Vec<Arc<Solution>>,
+    /// Errors at the newest point of predictions through 1, 2, … points.
+    errors: Vec<f64>,
+    work: Workspace,
+    iterations: usize,
+}
+
+/// Most tries of one step, each shorter.
+const MOST_TRIES: usize = 14;
+/// A step is refused when its prediction was wrong by this multiple of the step tolerance.
+const REFUSE: f64 = 12.0;
+/// Most growth of a step.
+const MOST_GROWTH: f64 = 3.5;
+
+impl<'p> Path<'p> {
+    /// A path that starts at rest.
+    pub fn new(problem: &'p Problem, options: PathOptions) -> Self {
+        Self { problem, options, points: Vec::new(), errors: Vec::new(), work: Workspace::default(), iterations: 0 }
+    }
+
+    /// The points so far.
+    pub fn points(&self) -> &[Arc<Solution>] {
+        &self.points
+    }
+
+    /// Distance of the lowest edge of the newest point from the substrate, nm; infinite before there is one.
+    pub fn nearest_edge(&self) -> f64 {
+        self.points.last().map_or(f64::INFINITY, |p| self.problem.nearest(&p.at))
+    }
+
+    /// Newton iterations so far, of refused steps too.
+    pub fn iterations(&self) -> usize {
+        self.iterations
+    }
+
+    fn newton(&self) -> NewtonOptions {
+        NewtonOptions { tolerance: self.options.tolerance, largest_update: 0.5, most_iterations: 9 }
+    }
+
+    /// Computes the next point.
+    pub fn advance(&mut self) -> Result<Arc<Solution>, PathError> {
+        let point = if self.points.is_empty() { self.rest()? } else { self.step()? };
+        self.points.push(Arc::new(point));
+        Ok(self.points[self.points.len() - 1].clone())
+    }
+
+    fn rest(&mut self) -> Result<Solution, PathError> {
+        let condition =
+            Condition { weights: Observables { displacement: 1.0, ..Observables::default() }, target: 0.0 };
+        let start = self.problem.at_rest(self.options.elements);
+        solve(self.problem, start, &condition, &self.newton(), &mut self.work)
+            .inspect(|s| self.iterations += s.iterations)
+            .map_err(|cause| self.stopped(1, cause))
+    }
+
+    fn step(&mut self) -> Result<Solution, PathError> {
+        let newest = self.points[self.points.len() - 1].clone();
+        let weights = self.weights();
+        let (points, labels) = self.labelled(&weights);
+        let (mut count, mut step) = self.choose(&labels);
+        let mut cause = SolveError::SingularGrip;
+        for _ in 0..MOST_TRIES {
+            let start = predictor::combine(
+                self.problem,
+                &points[..count],
+                &predictor::lagrange_weights(&labels[..count], step),
+            );
+            let condition = Condition { weights, target: weights.dot(&newest.observables) + step };
+            match solve(self.problem, start, &condition, &self.newton(), &mut self.work) {
+                Ok(next) => {
+                    self.iterations += next.iterations;
+                    let turned = weights.dot(&next.slope) <= 0.0;
+                    if turned || next.correction > REFUSE * self.options.step_tolerance && points.len() > 1 {
+                        cause = SolveError::NotConverged { update: next.correction, iterations: next.iterations };
+                        step *= 0.4;
+                    } else {
+                        self.errors = predictor::errors(self.problem, &points, &labels, &next, step);
+                        return Ok(next);
+                    }
+                }
+                Err(error) => {
+                    self.iterations += 3;
+                    cause = error;
+                    step *= 0.25;
+                }
+            }
+            count = count.min(3);
+        }
+        Err(self.stopped(MOST_TRIES, cause))
+    }
+
+    /// Weights of the path parameter: the tangent's direction, each observable in units of its recent changes.
+    fn weights(&self) -> Observables {
+        let n = self.points.len();
+        let newest = &self.points[n - 1];
+        if n == 1 {
+            return Observables { displacement: 1.0, ..Observables::default() };
+        }
+        path_weights(self.problem, &self.points[n.saturating_sub(4)..], &newest.slope)
+    }
+
+    /// The newest points, newest first, and their labels relative to the newest; as many as labels keep their order.
+    fn labelled(&self, weights: &Observables) -> (Vec<Arc<Solution>>, Vec<f64>) {
+        let newest = &self.points[self.points.len() - 1];
+        let (mut points, mut labels) = (vec![newest.clone()], vec![0.0f64]);
+        for point in self.points.iter().rev().skip(1).take(MOST_POINTS) {
+            let label = weights.dot(&point.observables.since(&newest.observables));
+            let gap = labels[labels.len() - 1] - label;
+            if gap <= 0.0 || (labels.len() > 1 && gap < 0.02 * -labels[1]) {
+                break;
+            }
+            points.push(point.clone());
+            labels.push(label);
+        }
+        (points, labels)
+    }
+
+    /// How many points to predict from, and the step.
+    fn choose(&self, labels: &[f64]) -> (usize, f64) {
+        if labels.len() == 1 {
+            return (1, if self.points.len() == 1 { self.options.first_displacement } else { 1e-2 });
+        }
+        let most = MOST_GROWTH * -labels[1];
+        let mut best = (labels.len().min(2), 0.5 * -labels[1]);
+        for count in 1..labels.len() {
+            let Some(&error) = self.errors.get(count - 1) else { break };
+            let step = predictor::longest_step(labels, count, error, 0.7 * self.options.step_tolerance, most);
+            if step > best.1 || count == 1 {
+                best = (count, step);
+            }
+        }
+        best
+    }
+
+    fn stopped(&self, tries: usize, cause: SolveError) -> PathError {
+        let last = self.points.last().map(|p| p.observables).unwrap_or_default();
+        PathError {
+            point: self.points.len(),
+            displacement_nm: last.displacement,
+            force: last.force,
+            tries,
+            cause,
+        }
+    }
+}
+
+/// Weights of a path parameter that grows along `direction`, each observable measured by its largest change from point to
+/// point of `stretch`.
+pub fn path_weights(problem: &Problem, stretch: &[Arc<Solution>], direction: &Observables) -> Observables {
+    let mut front = 1e-3 * problem.process_length;
+    let mut displacement = 1e-3 * problem.scale[problem.driven];
+    let mut tip_rotation = 1e-3 * problem.scale[problem.rotation];
+    for pair in stretch.windows(2) {
+        let change = pair[1].observables.since(&pair[0].observables);
+        front = front.max(change.front.abs());
+        displacement = displacement.max(change.displacement.abs());
+        tip_rotation = tip_rotation.max(change.tip_rotation.abs());
+    }
+    let d = direction;
+    let length = (d.front / front).hypot(d.displacement / displacement).hypot(d.tip_rotation / tip_rotation);
+    Observables {
+        front: d.front / (front * front * length),
+        displacement: d.displacement / (displacement * displacement * length),
+        tip_rotation: d.tip_rotation / (tip_rotation * tip_rotation * length),
+        ..Observables::default()
+    }
+}
+
+impl Iterator for Path<'_> {
+    type Item = Result<Arc<Solution>, PathError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        Some(self.advance())
+    }
+}

@@ -1,0 +1,82 @@
+//! Extrapolation along the path with the order and the step that measured errors allow.
+//!
+//! Stored points are compared at equal mesh coordinates, so nothing is interpolated between meshes. Along the path they
+//! are labelled by one linear functional of the observables, the same for all points of one prediction, so that labels
+//! are a smooth function of position.
+
+use super::{Equilibrium, Problem, Solution};
+use std::sync::Arc;
+
+/// The most points an extrapolation uses.
+pub const MOST_POINTS: usize = 8;
+
+/// Lagrange weights at `at` for the nodes `labels`.
+pub fn lagrange_weights(labels: &[f64], at: f64) -> Vec<f64> {
+    (0..labels.len())
+        .map(|i| {
+            (0..labels.len())
+                .filter(|&j| j != i)
+                .map(|j| (at - labels[j]) / (labels[i] - labels[j]))
+                .product()
+        })
+        .collect()
+}
+
+/// Combination of stored points with the given weights; the mesh follows the combined front.
+pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> Equilibrium {
+    let mut at = Equilibrium {
+        ends: Vec::new(),
+        center: 0.0,
+        state: vec![0.0; points[0].aligned.len()],
+        border: 0.0,
+        force: 0.0,
+    };
+    for (point, &weight) in points.iter().zip(weights) {
+        at.center += weight * point.observables.front;
+        at.border += weight * point.at.border;
+        at.force += weight * point.at.force;
+        for (s, p) in at.state.iter_mut().zip(&point.aligned) {
+            *s += weight * p;
+        }
+    }
+    at.center = at.center.clamp(0.0, problem.length);
+    at.ends = problem.ends(at.center, points[0].at.ends.len() - 1);
+    at
+}
+
+/// Errors at `solution` of the extrapolations through the newest 1, 2, … points (newest first, at `labels`), relative as
+/// in [`Problem::relative_size`].
+pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solution: &Solution, at: f64) -> Vec<f64> {
+    let mut update = vec![0.0; solution.at.state.len()];
+    (1..=points.len())
+        .map(|count| {
+            let weights = lagrange_weights(&labels[..count], at);
+            update.copy_from_slice(&solution.aligned);
+            for (point, weight) in points[..count].iter().zip(weights) {
+                for (u, p) in update.iter_mut().zip(&point.aligned) {
+                    *u -= weight * p;
+                }
+            }
+            problem.relative_size(&update, &solution.aligned)
+        })
+        .collect()
+}
+
+/// The longest step that keeps the error of an extrapolation through `count` points at `tolerance`, given the error it
+/// made at the newest point. `labels`: of the newest point (0) and those behind it (negative), newest first.
+///
+/// The error of an extrapolation is proportional to the product of the distances from its points.
+pub fn longest_step(labels: &[f64], count: usize, error: f64, tolerance: f64, most: f64) -> f64 {
+    let product = |at: f64, from: usize| labels[from..from + count].iter().map(|l| at - l).product::<f64>();
+    let before = product(labels[0], 1);
+    let allowed = tolerance * before / error.max(f64::MIN_POSITIVE);
+    if product(most, 0) <= allowed {
+        return most;
+    }
+    let (mut low, mut high) = (0.0, most);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if product(middle, 0) <= allowed { low = middle } else { high = middle }
+    }
+    low
+}

@@ -1,0 +1,168 @@
+//! A stretch of the path between and around two of its points: interpolation of observables and of states.
+
+use super::path::path_weights;
+use super::predictor::{combine, lagrange_weights};
+use super::{Equilibrium, Observables, Problem, Solution};
+use std::sync::Arc;
+
+/// Points around one step of a path, labelled by one path parameter in which all of them go forward.
+#[derive(Clone, Debug)]
+pub struct Stretch {
+    /// Weights of the parameter.
+    pub weights: Observables,
+    /// Ascending labels; that of the step's first point is 0.
+    labels: Vec<f64>,
+    points: Vec<Arc<Solution>>,
+    /// Label of the step's second point.
+    end: f64,
+}
+
+/// Points on either side of a step that a stretch takes in.
+const NEIGHBOURS: usize = 3;
+/// Points that an interpolation uses.
+const USED: usize = 4;
+
+impl Stretch {
+    /// The stretch around the step from `points[index]` to `points[index + 1]`.
+    pub fn around(problem: &Problem, points: &[Arc<Solution>], index: usize) -> Self {
+        let (from, to) = (&points[index], &points[index + 1]);
+        let secant = to.observables.since(&from.observables);
+        let weights = path_weights(problem, &points[index..index + 2], &secant);
+        let label = |p: &Solution| weights.dot(&p.observables.since(&from.observables));
+        let forward = |p: &Solution| weights.dot(&p.slope) > 0.0;
+        let end = label(to);
+        let mut stretch = Self { weights, labels: vec![0.0, end], points: vec![from.clone(), to.clone()], end };
+        for point in points[..index].iter().rev().take(NEIGHBOURS) {
+            if label(point) >= stretch.labels[0] - 0.05 * end || !forward(point) {
+                break;
+            }
+            stretch.labels.insert(0, label(point));
+            stretch.points.insert(0, point.clone());
+        }
+        for point in points[index + 2..].iter().take(NEIGHBOURS) {
+            if label(point) <= stretch.labels[stretch.labels.len() - 1] + 0.05 * end || !forward(point) {
+                break;
+            }
+            stretch.labels.push(label(point));
+            stretch.points.push(point.clone());
+        }
+        stretch
+    }
+
+    /// Label of the step's second point; that of its first is 0.
+    pub fn end(&self) -> f64 {
+        self.end
+    }
+
+    /// The condition's target for the label `at`.
+    pub fn target(&self, at: f64) -> f64 {
+        self.weights.dot(&self.points[0].observables) + at - self.labels[0]
+    }
+
+    /// Takes in a further solution; returns its label.
+    pub fn insert(&mut self, solution: Arc<Solution>) -> f64 {
+        let label = self.weights.dot(&solution.observables.since(&self.points[0].observables)) + self.labels[0];
+        let place = self.labels.partition_point(|&l| l < label);
+        self.labels.insert(place, label);
+        self.points.insert(place, solution);
+        label
+    }
+
+    /// A start for Newton's method at the label `at`.
+    pub fn start(&self, problem: &Problem, at: f64) -> Equilibrium {
+        let used = self.nearest(at, USED + 2);
+        combine(problem, &self.points[used.clone()], &lagrange_weights(&self.labels[used], at))
+    }
+
+    /// The Hermite interpolant of one observable through the points nearest to `near`.
+    pub fn observable(&self, pick: fn(&Observables) -> f64, near: f64) -> Hermite {
+        let used = self.nearest(near, USED);
+        let data = used.map(|i| {
+            let point = &self.points[i];
+            (self.labels[i], pick(&point.observables), pick(&point.slope) / self.weights.dot(&point.slope))
+        });
+        Hermite::new(&data.collect::<Vec<_>>())
+    }
+
+    fn nearest(&self, at: f64, count: usize) -> std::ops::Range<usize> {
+        let n = self.labels.len();
+        let place = self.labels.partition_point(|&l| l < at);
+        let (mut from, mut to) = (place, place);
+        while to - from < count.min(n) {
+            let left = if from > 0 { at - self.labels[from - 1] } else { f64::INFINITY };
+            let right = if to < n { self.labels[to] - at } else { f64::INFINITY };
+            if left <= right { from -= 1 } else { to += 1 }
+        }
+        from..to
+    }
+}
+
+/// Polynomial through values and slopes, in Newton's form.
+#[derive(Clone, Debug)]
+pub struct Hermite {
+    nodes: Vec<f64>,
+    coefficients: Vec<f64>,
+}
+
+impl Hermite {
+    /// From (place, value, slope); places are distinct.
+    pub fn new(data: &[(f64, f64, f64)]) -> Self {
+        let nodes: Vec<f64> = data.iter().flat_map(|d| [d.0, d.0]).collect();
+        let mut table: Vec<f64> = data.iter().flat_map(|d| [d.1, d.1]).collect();
+        let mut coefficients = vec![table[0]];
+        for order in 1..nodes.len() {
+            for i in 0..nodes.len() - order {
+                table[i] = if order == 1 && i % 2 == 0 {
+                    data[i / 2].2
+                } else {
+                    (table[i + 1] - table[i]) / (nodes[i + order] - nodes[i])
+                };
+            }
+            coefficients.push(table[0]);
+        }
+        Self { nodes, coefficients }
+    }
+
+    /// Value, first and second derivative.
+    pub fn at(&self, t: f64) -> (f64, f64, f64) {
+        let (mut value, mut first, mut second) = (0.0, 0.0, 0.0);
+        for (c, node) in self.coefficients.iter().zip(&self.nodes).rev() {
+            second = second * (t - node) + 2.0 * first;
+            first = first * (t - node) + value;
+            value = value * (t - node) + c;
+        }
+        (value, first, second)
+    }
+
+    /// A zero of the first derivative between two places at which it differs in sign.
+    pub fn turning_point(&self, from: f64, to: f64) -> f64 {
+        let (mut low, mut high) = (from, to);
+        let rising = self.at(from).1 < self.at(to).1;
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if (self.at(middle).1 < 0.0) == rising { low = middle } else { high = middle }
+        }
+        0.5 * (low + high)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn hermite_is_exact_for_degree_seven() {
+        let f = |t: f64| (t.powi(7) - 3.0 * t * t + 1.0, 7.0 * t.powi(6) - 6.0 * t, 42.0 * t.powi(5) - 6.0);
+        let data: Vec<_> = [-1.0, 0.2, 0.9, 2.0].iter().map(|&t| (t, f(t).0, f(t).1)).collect();
+        let (value, first, second) = Hermite::new(&data).at(0.5);
+        assert_relative_eq!(value, f(0.5).0, epsilon = 1e-12);
+        assert_relative_eq!(first, f(0.5).1, epsilon = 1e-12);
+        assert_relative_eq!(second, f(0.5).2, epsilon = 1e-11);
+        assert_relative_eq!(
+            Hermite::new(&data).turning_point(0.5, 1.5),
+            (6f64 / 7.0).powf(0.2),
+            max_relative = 1e-12
+        );
+    }
+}

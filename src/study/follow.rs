@@ -1,0 +1,174 @@
+//! One path on one mesh: followed to its end, every turning point on it located, none missed without a word.
+
+use super::{Bounds, End};
+use crate::solve::{
+    Condition, Hermite, Located, NewtonOptions, Observables, Path, PathOptions, Problem, Solution, SolveError, Stretch,
+    Turn, Workspace, locate, solve, solve_on,
+};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// A path with its turning points.
+pub(super) struct Followed {
+    pub points: Vec<Arc<Solution>>,
+    /// In path order, each with the index of the point before it.
+    pub turns: Vec<(Turn, usize, Located)>,
+    pub end: End,
+    pub iterations: usize,
+}
+
+/// Why a path on one mesh cannot be used.
+pub(super) enum Unusable {
+    /// A turning point is not there on twice the elements, or did not converge.
+    Coarse(SolveError),
+    /// The inertia changed without a turning point: a step went over one.
+    Missed { after: usize },
+}
+
+/// Follows the path and locates its turning points.
+pub(super) fn follow(
+    problem: &Problem,
+    options: PathOptions,
+    far: f64,
+    bounds: &Bounds,
+    started: Instant,
+) -> Result<Followed, Unusable> {
+    let mut path = Path::new(problem, options);
+    let end = loop {
+        if let Some(end) = step(&mut path, far, bounds, started) {
+            break end;
+        }
+    };
+    let mut followed =
+        Followed { points: path.points().to_vec(), turns: Vec::new(), end, iterations: path.iterations() };
+    followed.finish(problem);
+    followed.locate_turns(problem)?;
+    followed.check_inertia(problem)?;
+    Ok(followed)
+}
+
+/// Takes one step; the end, if it is reached.
+fn step(path: &mut Path, far: f64, bounds: &Bounds, started: Instant) -> Option<End> {
+    if path.points().len() >= bounds.points {
+        return Some(End::Bound(format!("{} path points", bounds.points)));
+    }
+    if let Some(most) = bounds.time_s
+        && started.elapsed().as_secs_f64() > most
+    {
+        return Some(End::Bound(format!("{most} s of computing")));
+    }
+    let newest = match path.advance() {
+        Ok(newest) => newest,
+        Err(error) => return Some(End::Failed(error.to_string())),
+    };
+    let o = newest.observables;
+    if path.points().len() < 3 {
+        return None;
+    }
+    if path.nearest_edge() > far {
+        return Some(End::Detached);
+    }
+    if o.force <= 0.0 {
+        return Some(End::Pivoting);
+    }
+    if o.displacement <= 0.0 {
+        return Some(End::TurnedBack);
+    }
+    bounds.displacement.filter(|&most| o.displacement > most).map(|most| End::Bound(format!("u = {most} nm")))
+}
+
+impl Followed {
+    /// Moves the last point of a path that crossed P = 0 or u = 0 onto the crossing. Where that fails the point beyond it
+    /// stays: it is an equilibrium too.
+    fn finish(&mut self, problem: &Problem) {
+        let n = self.points.len();
+        let weights = match self.end {
+            End::Pivoting => Observables { force: 1.0, ..Observables::default() },
+            End::TurnedBack => Observables { displacement: 1.0, ..Observables::default() },
+            _ => return,
+        };
+        let (before, beyond) = (&self.points[n - 2], &self.points[n - 1]);
+        let stretch = Stretch::around(problem, &self.points, n - 2);
+        let (from, to) = (weights.dot(&before.observables), weights.dot(&beyond.observables));
+        let start = stretch.start(problem, stretch.end() * from / (from - to));
+        let options = NewtonOptions { tolerance: 1e-10, largest_update: 0.5, most_iterations: 10 };
+        let condition = Condition { weights, target: 0.0 };
+        if let Ok(mut last) = solve(problem, start, &condition, &options, &mut Workspace::default()) {
+            self.iterations += last.iterations;
+            // the condition falls along the path, a slope per unit of it points backwards
+            last.slope = last.slope.times(-1.0);
+            self.points[n - 1] = Arc::new(last);
+        }
+    }
+
+    fn locate_turns(&mut self, problem: &Problem) -> Result<(), Unusable> {
+        let mut work = Workspace::default();
+        for index in 0..self.points.len().saturating_sub(1) {
+            let mut here = Vec::new();
+            let stretch = Stretch::around(problem, &self.points, index);
+            for turn in [Turn::Load, Turn::Displacement] {
+                let brackets = brackets(problem, &self.points, index, &stretch, turn, &mut work)
+                    .map_err(Unusable::Coarse)?;
+                for bracket in brackets {
+                    let located =
+                        locate(problem, stretch.clone(), turn, bracket, &mut work).map_err(Unusable::Coarse)?;
+                    self.iterations += located.iterations;
+                    here.push((turn, index, located));
+                }
+            }
+            here.sort_by(|a, b| {
+                let label = |l: &Located| stretch.weights.dot(&l.observables);
+                label(&a.2).total_cmp(&label(&b.2))
+            });
+            self.turns.append(&mut here);
+        }
+        Ok(())
+    }
+
+    /// Each displacement limit point changes the number of negative eigenvalues by one; nothing else does.
+    fn check_inertia(&self, problem: &Problem) -> Result<(), Unusable> {
+        for (after, pair) in self.points.windows(2).enumerate() {
+            let change = pair[0].negative.abs_diff(pair[1].negative);
+            let turns = self.turns.iter().filter(|t| t.0 == Turn::Displacement && t.1 == after).count();
+            let explained = (turns + change).is_multiple_of(2) && (change <= turns || !problem.conservative);
+            if !explained {
+                return Err(Unusable::Missed { after });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Labels between which the slope of a quantity changes sign on one step: where it differs at the two ends, or, for a pair
+/// of turns within the step, where the cubic through both ends turns and a solution in between confirms it.
+fn brackets(
+    problem: &Problem,
+    points: &[Arc<Solution>],
+    index: usize,
+    stretch: &Stretch,
+    turn: Turn,
+    work: &mut Workspace,
+) -> Result<Vec<(f64, f64)>, SolveError> {
+    let (from, to) = (&points[index], &points[index + 1]);
+    let (pick, end) = (turn.pick(), stretch.end());
+    let (first, last) = (pick(&from.slope), pick(&to.slope));
+    if (first < 0.0) != (last < 0.0) {
+        return Ok(vec![(0.0, end)]);
+    }
+    let along = |p: &Solution| pick(&p.slope) / stretch.weights.dot(&p.slope);
+    let cubic = Hermite::new(&[
+        (0.0, pick(&from.observables), along(from)),
+        (end, pick(&to.observables), along(to)),
+    ]);
+    // the slope of a cubic is extreme where its second derivative, linear in the label, vanishes
+    let (bend_from, bend_to) = (cubic.at(0.0).2, cubic.at(end).2);
+    let extreme = end * bend_from / (bend_from - bend_to);
+    if !(extreme > 0.0 && extreme < end) || (cubic.at(extreme).1 < 0.0) == (first < 0.0) {
+        return Ok(Vec::new());
+    }
+    let between = solve_on(problem, stretch, extreme, work)?;
+    if (pick(&between.slope) < 0.0) == (first < 0.0) {
+        return Ok(Vec::new());
+    }
+    Ok(vec![(0.0, extreme), (extreme, end)])
+}

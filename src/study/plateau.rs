@@ -1,0 +1,76 @@
+//! The plateau of a peel: where the force changes least with the displacement.
+
+use super::follow::Followed;
+use super::{LimitPoint, Plateau};
+use crate::solve::{Problem, Solution, Stretch, Turn, Workspace, solve_on};
+use std::sync::Arc;
+
+/// A plateau is reported where |d ln P / d ln u| is below this.
+const FLAT: f64 = 0.01;
+
+/// d ln P / d ln u at a solution.
+fn steepness(s: &Solution) -> f64 {
+    (s.slope.force * s.observables.displacement) / (s.slope.displacement * s.observables.force)
+}
+
+/// The plateau between the initiation peak and the snap-off (or the end of the path). A load limit point there is flat by
+/// definition; otherwise the least steepness between two rising sides is followed down with further solutions.
+pub(super) fn plateau(
+    problem: &Problem,
+    followed: &Followed,
+    limit_points: &[LimitPoint],
+    peak_after: usize,
+    snap_after: usize,
+) -> Option<Plateau> {
+    let flat = |p: &&LimitPoint| p.kind == Turn::Load && p.after > peak_after && p.after < snap_after;
+    if let Some(p) = limit_points.iter().find(flat) {
+        return Some(Plateau { displacement: p.displacement, force: p.force });
+    }
+    let points = &followed.points;
+    let size = |i: usize| steepness(&points[i]).abs();
+    let least = (peak_after + 2..snap_after)
+        .filter(|&i| size(i) <= size(i - 1) && size(i) <= size(i + 1))
+        .min_by(|&a, &b| size(a).total_cmp(&size(b)))?;
+    let best = descend(problem, points, least);
+    (steepness(&best).abs() < FLAT)
+        .then(|| Plateau { displacement: best.observables.displacement, force: best.observables.force })
+}
+
+/// Follows the least steepness around `points[index]` by parabolas through three solutions. It stops at once where the
+/// steepness is rounding: on a plateau of many process zones the force does not change and no place on it is special.
+fn descend(problem: &Problem, points: &[Arc<Solution>], index: usize) -> Arc<Solution> {
+    let stretch = Stretch::around(problem, points, index);
+    let label = |s: &Solution| stretch.weights.dot(&s.observables.since(&points[index].observables));
+    let mut three: Vec<(f64, f64, Arc<Solution>)> =
+        (index - 1..=index + 1).map(|i| (label(&points[i]), steepness(&points[i]), points[i].clone())).collect();
+    let mut work = Workspace::default();
+    for _ in 0..8 {
+        let best = &three[1];
+        if best.1.abs() < 1e-7 {
+            break;
+        }
+        let vertex = vertex(&three);
+        let (low, high) = (three[0].0, three[2].0);
+        if !(vertex > low && vertex < high) || (vertex - best.0).abs() < 1e-4 * (high - low) {
+            break;
+        }
+        let Ok(solution) = solve_on(problem, &stretch, vertex, &mut work) else { break };
+        let new = (vertex, steepness(&solution), solution);
+        let better = new.1.abs() < best.1.abs();
+        let ahead = vertex > best.0;
+        match (better, ahead) {
+            (true, true) => three = vec![three[1].clone(), new, three[2].clone()],
+            (true, false) => three = vec![three[0].clone(), new, three[1].clone()],
+            (false, true) => three[2] = new,
+            (false, false) => three[0] = new,
+        }
+    }
+    three.swap_remove(1).2
+}
+
+/// Vertex of the parabola through three points.
+fn vertex(p: &[(f64, f64, Arc<Solution>)]) -> f64 {
+    let (a, b) = (p[0].0 - p[1].0, p[2].0 - p[1].0);
+    let (f, g) = (p[0].1 - p[1].1, p[2].1 - p[1].1);
+    p[1].0 + 0.5 * (a * a * g - b * b * f) / (a * g - b * f)
+}
