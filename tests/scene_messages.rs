@@ -264,7 +264,8 @@ fn a_mistake_in_an_override_names_it() {
     says("", "1 nm", &["is not a key"]);
     says("grip.rotation", "fix", &["--set grip.rotation=fix", "\"free\" or \"fixed\""]);
     says("strip.poissons_ratio", "many", &["`strip.poissons_ratio` is \"many\"", "a number between"]);
-    says("strip.length", "1 nm\n[grip]", &["`strip.length`"]);
+    says("strip.length", "1 nm\n[grip]", &["--set strip.length=1 nm\\n[grip]: `strip.length` is \"1 nm\\n[grip]\""]);
+    says("strip.length", &"1".repeat(5000), &["1111…"]);
 }
 
 proptest! {

@@ -70,6 +70,7 @@ Files:
   sweep.csv          one row a value: peak force, plateau, snap-off, work, time, how the path ended; `value` is in
                      nm, GPa, aJ or s, or a plain number, as the key is; a cell is empty where a thing does not occur
   pictures beside it, SVG and PNG
+With --json the object holds scene, title, vary, unit, rows (the columns of sweep.csv) and parameters.
 
 {UNITS}
 
@@ -84,7 +85,13 @@ fn keys() -> String {
     let mut text = "Keys of a scene, for --set and (the numbers) for --vary:\n".to_owned();
     for key in KEYS {
         let sample = format!("{} = {}", key.path(), sample(key));
-        text += &format!("  {sample:<47} {}{}\n", key.about, note(key));
+        let room = 70;
+        let note = match note(key) {
+            note if note.is_empty() => String::new(),
+            note if key.about.len() + note.len() < room => format!(" ({note})"),
+            note => format!("\n{:50}({note})", ""),
+        };
+        text += &format!("  {sample:<47} {}{note}\n", key.about);
     }
     text
 }
@@ -100,10 +107,10 @@ fn sample(key: &Key) -> String {
 
 fn note(key: &Key) -> String {
     match (&key.kind, key.need) {
-        (_, Need::Required) => " (required)".into(),
-        (Kind::Bound(..), _) => " (none unless given)".into(),
-        (Kind::Text(_), _) => " (the name of the file unless given)".into(),
-        (Kind::LineLoad(_) | Kind::Hold(_), _) => format!(" ({})", key.takes()),
+        (_, Need::Required) => "required".into(),
+        (Kind::Bound(..), _) => "none unless given".into(),
+        (Kind::Text(_), _) => "the name of the file unless given".into(),
+        (Kind::LineLoad(_) | Kind::Hold(_), _) => key.takes(),
         _ => String::new(),
     }
 }

@@ -11,7 +11,7 @@ pub struct SceneArgs {
     #[arg(value_name = "SCENE")]
     pub path: PathBuf,
 
-    /// Replaces one key of the scene, such as strip.length="50 nm" or grip.rotation=fixed; may stand more than once
+    /// Replaces a key of the scene, such as strip.length="50 nm"; may stand more than once
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_override)]
     overrides: Vec<(String, String)>,
 }

@@ -22,7 +22,7 @@ pub struct Run {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 
-    /// Prints what summary.json holds, and nothing else; then files are written only where --out says so
+    /// Prints the object of summary.json and nothing else; files are written only if --out is given
     #[arg(long)]
     json: bool,
 }
@@ -54,7 +54,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
 fn write(folder: &Path, scene: &Scene, peel: &Peel, summary: &PeelSummary) -> Result<Vec<PathBuf>, ReportError> {
     let mut files =
         vec![summary.write(folder)?, report::write_curve(folder, peel)?, report::write_limit_points(folder, peel)?];
-    if !peel.points.is_empty() {
+    if peel.points.len() > 1 {
         files.extend(report::draw_peel(peel, &scene.title, folder)?);
     }
     Ok(files)

@@ -59,3 +59,20 @@ impl From<ReportError> for Stop {
         Self::other(error)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_has_its_exit_status() {
+        let status = |stop: Stop| stop.status as u8;
+        assert_eq!(status(Stop::other("x")), 1);
+        assert_eq!(status(Stop::bad_input("x", "y")), 2);
+        assert_eq!(status(Stop::cut_short("x")), 3);
+        let scene = peelkit::scene::Scene::parse("a.toml", "", &[]).unwrap_err();
+        assert_eq!(status(scene.into()), 2);
+        let report = ReportError::Draw { path: "x".into(), reason: "y".into() };
+        assert_eq!(status(report.into()), 1);
+    }
+}

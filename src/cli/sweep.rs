@@ -42,8 +42,7 @@ pub struct Sweep {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 
-    /// Prints one JSON object with scene, vary, unit and rows, and nothing else; then files are written only where
-    /// --out says so
+    /// Prints one JSON object and nothing else; files are written only if --out is given
     #[arg(long)]
     json: bool,
 }
@@ -71,8 +70,9 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let mut files = Vec::new();
     if let Some(folder) = folder {
         files.push(report::write_sweep(&folder, &rows)?);
-        if rows.iter().any(|row| !row.peel.points.is_empty()) {
-            files.extend(report::draw_sweep(&rows, &key.path(), &scene.title, args.log, &folder)?);
+        if rows.iter().any(|row| row.peel.peak.is_some()) {
+            let label = if key.unit().is_empty() { key.path() } else { format!("{} ({})", key.path(), key.unit()) };
+            files.extend(report::draw_sweep(&rows, &label, &scene.title, args.log, &folder)?);
         }
     }
     if args.json {
@@ -143,8 +143,15 @@ fn failures(key: &Key, rows: &[SweepRow]) -> Result<(), Stop> {
     if reasons.is_empty() {
         return Ok(());
     }
-    let count = format!("{} of {} values", reasons.len(), rows.len());
-    Err(Stop::cut_short(format!("{count}\n{}", reasons.join("\n"))))
+    const SHOWN: usize = 10;
+    let mut text = format!("{} of {} values", reasons.len(), rows.len());
+    for reason in reasons.iter().take(SHOWN) {
+        text += &format!("\n{reason}");
+    }
+    if reasons.len() > SHOWN {
+        text += &format!("\nand {} more: the column `end` tells which", reasons.len() - SHOWN);
+    }
+    Err(Stop::cut_short(text))
 }
 
 #[cfg(test)]

@@ -134,6 +134,7 @@ fn short(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use peelkit::study::{self, Bounds, Effort};
 
     #[test]
     fn digits_end_where_the_error_begins() {
@@ -142,6 +143,56 @@ mod tests {
         assert_eq!(with_error(48.2156178228, 2.0), "48 ± 2e0");
         assert_eq!(with_error(0.5, 0.0), "0.5");
         assert_eq!(with_error(0.5, f64::NAN), "0.5");
+    }
+
+    #[test]
+    fn the_summary_of_a_peel_is_laid_out_in_two_columns() {
+        let text = r#"
+            strip = { length = "100 nm", height = "10 nm", youngs_modulus = "2 GPa" }
+            adhesion = { hamaker_constant = "1e-19 J", equilibrium_distance = "0.4 nm" }
+        "#;
+        let scene = Scene::parse("short.toml", text, &[]).unwrap();
+        let bounds = Bounds { points: 1, ..scene.bounds };
+        let snap_off = LimitPoint {
+            kind: Turn::Displacement,
+            displacement: 48.2156178228,
+            force: 0.0375627292,
+            end_rotation: 0.9,
+            work: 3.25,
+            displacement_error: 3e-6,
+            force_error: 4e-9,
+            after: 0,
+        };
+        let made_up = Peel {
+            limit_points: vec![LimitPoint { kind: Turn::Load, ..snap_off }, snap_off],
+            initiation_peak: None,
+            peak: Some(Peak {
+                displacement: 0.2496,
+                force: 0.341121,
+                end_rotation: 0.1,
+                force_error: 1e-5,
+                displacement_error: 1e-3,
+            }),
+            plateau: None,
+            snap_off: Some(snap_off),
+            end: End::Bound("20 points".into()),
+            effort: Effort { points: 20, newton_iterations: 70, elements: 16, order: 4 },
+            solve_s: 0.0042,
+            ..study::peel(&scene.model, &scene.accuracy, &bounds)
+        };
+        let expected = "\
+short
+
+  peak force       0.34112 ± 1e-5 nN at u = 0.250 ± 1e-3 nm
+  initiation peak  none
+  plateau          none
+  snap-off         u = 48.215618 ± 3e-6 nm, work to there 3.250000 aJ
+  limit points     P turns at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
+                   u turns at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
+  end              bound: a bound of the scene was reached: 20 points
+  effort           20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
+";
+        assert_eq!(peel(&scene, &made_up), expected);
     }
 
     #[test]

@@ -2,22 +2,20 @@
 
 use super::ReportError;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// Writes `dir/name`, making the folder where it is missing: beside it first, then renamed. Gives the path.
-pub fn write_file(dir: &Path, name: &str, content: &[u8]) -> Result<PathBuf, ReportError> {
-    let path = dir.join(name);
+/// Writes a file beside its place and then renames it; makes the folder where it is missing.
+pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
+    let dir = path.parent().unwrap_or(Path::new(""));
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
     let part = dir.join(format!(".{name}.{}.part", std::process::id()));
     let written =
-        fs::create_dir_all(dir).and_then(|()| fs::write(&part, content)).and_then(|()| fs::rename(&part, &path));
-    match written {
-        Ok(()) => Ok(path),
-        Err(source) => {
-            // The error is told; that the rest of a failed attempt may stay is not worth a second one.
-            let _ = fs::remove_file(&part);
-            Err(ReportError::Write { path, source })
-        }
-    }
+        fs::create_dir_all(dir).and_then(|()| fs::write(&part, content)).and_then(|()| fs::rename(&part, path));
+    written.map_err(|source| {
+        // The error is told; what a failed attempt may leave behind is not worth a second one.
+        let _ = fs::remove_file(&part);
+        ReportError::Write { path: path.to_path_buf(), source }
+    })
 }
 
 #[cfg(test)]
@@ -29,8 +27,8 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let inner = dir.path().join("a/b");
         for content in ["first", "second"] {
-            let path = write_file(&inner, "x.csv", content.as_bytes()).unwrap();
-            assert_eq!(fs::read_to_string(path).unwrap(), content);
+            write_whole(&inner.join("x.csv"), content.as_bytes()).unwrap();
+            assert_eq!(fs::read_to_string(inner.join("x.csv")).unwrap(), content);
         }
         assert_eq!(fs::read_dir(&inner).unwrap().count(), 1);
     }
@@ -40,7 +38,7 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let blocked = dir.path().join("blocked");
         fs::write(&blocked, "").unwrap();
-        let error = write_file(&blocked, "x.csv", b"").unwrap_err();
+        let error = write_whole(&blocked.join("x.csv"), b"").unwrap_err();
         assert!(error.to_string().contains("blocked"), "{error}");
     }
 }

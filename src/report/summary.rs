@@ -1,7 +1,7 @@
 //! What a run found, as one JSON object: summary.json, and what `--json` prints.
 
 use super::ReportError;
-use super::file::write_file;
+use super::file::write_whole;
 use super::number::{Finite, to_json};
 use super::table::SweepLine;
 use crate::scene::{KEYS, Key, Scene, Value};
@@ -95,6 +95,7 @@ struct Timing {
 }
 
 impl PeelSummary {
+    /// What is told of the peel of this scene.
     pub fn new(scene: &Scene, peel: &Peel) -> Self {
         Self {
             scene: scene.name.clone(),
@@ -130,8 +131,10 @@ impl PeelSummary {
 
     /// Writes summary.json.
     pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
-        let json = self.to_json().map_err(|source| ReportError::Write { path: dir.join("summary.json"), source })?;
-        write_file(dir, "summary.json", json.as_bytes())
+        let path = dir.join("summary.json");
+        let json = self.to_json().map_err(|source| ReportError::Write { path: path.clone(), source })?;
+        write_whole(&path, json.as_bytes())?;
+        Ok(path)
     }
 }
 
@@ -175,6 +178,7 @@ pub struct SweepSummary {
 }
 
 impl SweepSummary {
+    /// What is told of these rows, in which `key` of the scene was varied.
     pub fn new(scene: &Scene, key: &Key, rows: &[SweepRow]) -> Self {
         Self {
             scene: scene.name.clone(),

@@ -1,7 +1,7 @@
 //! The tables: curve.csv, limit_points.csv, sweep.csv. Units stand in the names of the columns.
 
 use super::ReportError;
-use super::file::write_file;
+use super::file::write_whole;
 use super::number::Finite;
 use super::summary::{end_word, turn_word};
 use crate::study::{Peel, SweepRow};
@@ -122,8 +122,10 @@ fn write_table<T: Serialize + Default>(
     name: &str,
     lines: impl Iterator<Item = T>,
 ) -> Result<PathBuf, ReportError> {
-    let text = table(lines).map_err(|source| ReportError::Write { path: dir.join(name), source })?;
-    write_file(dir, name, &text)
+    let path = dir.join(name);
+    let text = table(lines).map_err(|source| ReportError::Write { path: path.clone(), source })?;
+    write_whole(&path, &text)?;
+    Ok(path)
 }
 
 /// The lines below a header; the header alone where there are none.

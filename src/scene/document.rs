@@ -1,7 +1,7 @@
 //! From TOML texts to a scene: finds every key, hands its value over, and says where a problem stands.
 
 use super::Scene;
-use super::error::{Origin, Problem, SceneError};
+use super::error::{Origin, Problem, SceneError, one_line};
 use super::key::{Key, Need, Value};
 use super::keys::{KEYS, find_key, tables};
 use super::near::nearest;
@@ -54,7 +54,8 @@ pub(super) fn read(scene: &mut Scene, text: &str, overrides: &[(String, String)]
 fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, SceneError> {
     let text = format!("{path}={value}");
     let origin = Origin::Override { text: &text };
-    let key = find_key(path).map_err(|problem| origin.error(0..path.len(), &format!("`{path}`"), problem))?;
+    let key =
+        find_key(path).map_err(|problem| origin.error(0..path.len(), &format!("`{}`", one_line(path)), problem))?;
     let parsed = DeValue::parse(value.trim()).ok().map(|value| convert(value.get_ref()));
     let parsed = match parsed {
         Some(parsed @ Value::Text(_)) => parsed,
@@ -121,7 +122,8 @@ fn lookup(file: &Origin, table: &str, found: &Spanned<toml::de::DeString>) -> Re
     } else {
         format!("The keys {} are {}.", place(table), here.join(", "))
     };
-    let subject = if table.is_empty() { format!("`{name}`") } else { format!("`{table}.{name}`") };
+    let shown = one_line(name);
+    let subject = if table.is_empty() { format!("`{shown}`") } else { format!("`{table}.{shown}`") };
     Err(file.error(found.span(), &subject, Problem::new("is not a key of a scene", remedy)))
 }
 
@@ -131,7 +133,7 @@ fn unknown_table(file: &Origin, found: &Spanned<toml::de::DeString>) -> SceneErr
         None => format!("The tables are [{}].", tables().join("], [")),
     };
     let problem = Problem::new("is not a table of a scene", remedy);
-    file.error(found.span(), &format!("[{}]", name_of(found)), problem)
+    file.error(found.span(), &format!("[{}]", one_line(name_of(found))), problem)
 }
 
 /// Says which table or key a scene has to have besides what it has.
@@ -163,5 +165,13 @@ fn not_toml(file: &Origin, text: &str, error: &toml::de::Error) -> SceneError {
     let reason = error.message().lines().collect::<Vec<_>>().join("; ");
     let remedy = "A scene is a TOML file: [table] on a line of its own, below it key = value; \
                   texts and quantities stand in quotes: length = \"100 nm\". `peel new` writes one to start from.";
-    file.error(span, "this", Problem::new(format!("is not TOML: {reason}"), remedy))
+    file.error(span.clone(), &key_on_line(text, span.start), Problem::new(format!("is not TOML: {reason}"), remedy))
+}
+
+/// The key that stands on the line of this place in a text that is not TOML, or "this".
+fn key_on_line(text: &str, at: usize) -> String {
+    let start = text.as_bytes()[..at.min(text.len())].iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
+    let key = text.get(start..).and_then(|line| line.lines().next()?.split_once('=')).map_or("", |(key, _)| key.trim());
+    let is_key = !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || "._-".contains(c));
+    if is_key { format!("`{key}`") } else { "this".to_owned() }
 }

@@ -44,6 +44,14 @@ impl Problem {
     }
 }
 
+/// What a user wrote as it stands in a message: on one line and not too long.
+pub(crate) fn one_line(text: &str) -> String {
+    const LONGEST: usize = 80;
+    let plain = |c: char| if c.is_control() { c.escape_default().collect() } else { c.to_string() };
+    let cut: String = text.chars().take(LONGEST).map(plain).collect();
+    if text.chars().nth(LONGEST).is_some() { cut + "…" } else { cut }
+}
+
 /// A text that a user wrote: the scene's file, or one `--set`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Origin<'a> {
@@ -60,12 +68,12 @@ impl Origin<'_> {
                 let line = 1 + text.as_bytes().iter().take(span.start).filter(|&&byte| byte == b'\n').count();
                 (format!("{name}, line {line}: {subject} {found}"), *name, *text)
             }
-            Self::Override { text } => (format!("--set {text}: {subject} {found}"), "--set", *text),
+            Self::Override { text } => (format!("--set {}: {subject} {found}", one_line(text)), "--set", *text),
         };
         SceneError(Box::new(Message {
             message,
             // A span at the end of a text needs a line to stand on.
-            source_code: NamedSource::new(name, if text.is_empty() { "\n".to_owned() } else { text.to_owned() }),
+            source_code: NamedSource::new(name, format!("{text}\n")),
             span: span.into(),
             label: found,
             remedy,

@@ -1,7 +1,7 @@
 //! One key of a scene: what it takes, where its value goes, and every message about it.
 
 use super::Scene;
-use super::error::Problem;
+use super::error::{Problem, one_line};
 use super::near::nearest;
 use super::quantity::{Dimension, QuantityError, parse_quantity};
 use crate::adhesion::LineLoad;
@@ -13,8 +13,11 @@ use std::fmt;
 pub struct Key {
     /// The table it stands in; empty at the top of the file.
     pub table: &'static str,
+    /// Its name within the table.
     pub name: &'static str,
+    /// Whether a scene has to hold it.
     pub need: Need,
+    /// What it takes.
     pub kind: Kind,
     /// What it means, in a few words.
     pub about: &'static str,
@@ -23,6 +26,7 @@ pub struct Key {
 /// Whether a scene has to hold a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Need {
+    /// A scene without it is refused.
     Required,
     /// What holds without it is what `Scene::empty` holds.
     Optional,
@@ -31,7 +35,9 @@ pub enum Need {
 /// What a key takes, and where in the scene its value goes.
 #[derive(Debug)]
 pub enum Kind {
+    /// A text in quotes.
     Text(fn(&mut Scene) -> &mut String),
+    /// A number without a unit.
     Number(Range, fn(&mut Scene) -> &mut f64),
     /// A positive number with a unit.
     Quantity(Dimension, fn(&mut Scene) -> &mut f64),
@@ -39,14 +45,18 @@ pub enum Kind {
     Bound(Dimension, fn(&mut Scene) -> &mut Option<f64>),
     /// A whole number from 1.
     Count(fn(&mut Scene) -> &mut usize),
+    /// true or false
     Flag(fn(&mut Scene) -> &mut bool),
+    /// A word for the load on the axis.
     LineLoad(fn(&mut Scene) -> &mut LineLoad),
+    /// A word for what the grip does.
     Hold(fn(&mut Scene) -> &mut Hold),
 }
 
 /// The numbers that have a meaning.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Range {
+    /// Above zero.
     Positive,
     /// Both ends excluded.
     Between(f64, f64),
@@ -57,8 +67,11 @@ pub enum Range {
 /// A value as it stands in a TOML text, or as a scene holds it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
+    /// A TOML string.
     Text(String),
+    /// A TOML integer or float; of a scene in the unit of the library.
     Number(f64),
+    /// true or false
     Flag(bool),
     /// Something that no key takes: "a list", "a table", "a date".
     Other(&'static str),
@@ -147,7 +160,10 @@ impl Key {
             Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => {
                 parse_quantity(text, dimension).map_err(|e| self.no_quantity(text, dimension, e))
             }
-            _ => text.trim().parse().map_err(|_| Problem::new(format!("is \"{text}\", not a number"), self.remedy())),
+            _ => text
+                .trim()
+                .parse()
+                .map_err(|_| Problem::new(format!("is {}, not a number", quoted(text)), self.remedy())),
         }
     }
 
@@ -218,45 +234,50 @@ impl Key {
         }
         let near = nearest(found, choices.iter().map(|&(word, _)| word));
         let guess = near.map(|word| format!("Did you mean \"{word}\"? ")).unwrap_or_default();
-        Err(Problem::new(format!("is \"{found}\", which is none of its values"), format!("{guess}{}", self.remedy())))
+        Err(Problem::new(
+            format!("is {}, which is none of its values", quoted(found)),
+            format!("{guess}{}", self.remedy()),
+        ))
     }
 
     fn no_quantity(&self, text: &str, dimension: Dimension, error: QuantityError) -> Problem {
-        let unit = dimension.unit();
         match error {
             QuantityError::NoNumber => {
-                Problem::new(format!("is \"{text}\", which does not begin with a number"), self.remedy())
+                Problem::new(format!("is {}, which does not begin with a number", quoted(text)), self.remedy())
             }
-            QuantityError::NoUnit => Problem::new(
-                format!("is \"{text}\", a number without a unit"),
-                format!("Write \"{} {unit}\" if {unit} is meant. {}", text.trim(), self.remedy()),
-            ),
+            QuantityError::NoUnit => self.no_unit(&quoted(text), &one_line(text.trim()), dimension),
             QuantityError::UnknownUnit { unit, near } => {
                 let guess = near.map(|near| format!("Did you mean \"{near}\"? ")).unwrap_or_default();
                 Problem::new(
-                    format!("is \"{text}\", whose unit \"{unit}\" is not known"),
+                    format!("is {}, whose unit {} is not known", quoted(text), quoted(&unit)),
                     format!("{guess}{}", self.remedy()),
                 )
             }
             QuantityError::WrongDimension { unit, measures } => {
-                Problem::new(format!("is \"{text}\": {unit} measures {measures}, not {dimension}"), self.remedy())
+                Problem::new(format!("is {}: {unit} measures {measures}, not {dimension}", quoted(text)), self.remedy())
             }
         }
+    }
+
+    fn no_unit(&self, found: &str, number: &str, dimension: Dimension) -> Problem {
+        let unit = dimension.unit();
+        let remedy = format!("Write \"{number} {unit}\" if {unit} is meant. {}", self.remedy());
+        Problem::new(format!("is {found}, a number without a unit"), remedy)
     }
 
     fn wrong_type(&self, value: &Value) -> Problem {
         match (&self.kind, value) {
             (Kind::Quantity(dimension, _) | Kind::Bound(dimension, _), Value::Number(number)) => {
-                self.no_quantity(&show(*number), *dimension, QuantityError::NoUnit)
+                self.no_unit(&show(*number), &show(*number), *dimension)
             }
             (Kind::Number(..) | Kind::Count(_), Value::Text(text)) if text.trim().parse::<f64>().is_ok() => {
                 Problem::new(
-                    format!("is \"{text}\", a number in quotes"),
+                    format!("is {}, a number in quotes", quoted(text)),
                     format!("Take the quotes away: {} = {}", self.name, text.trim()),
                 )
             }
             (Kind::Flag(_), Value::Text(text)) if matches!(text.trim(), "true" | "false") => Problem::new(
-                format!("is \"{text}\" in quotes"),
+                format!("is {} in quotes", quoted(text)),
                 format!("Take the quotes away: {} = {}", self.name, text.trim()),
             ),
             _ => Problem::new(format!("is {value}"), self.remedy()),
@@ -271,6 +292,10 @@ fn word<T: Copy + PartialEq>(choices: &[(&'static str, T)], value: T) -> String 
 fn words<T>(choices: &[(&'static str, T)]) -> String {
     let words: Vec<String> = choices.iter().map(|(word, _)| format!("\"{word}\"")).collect();
     words.join(" or ")
+}
+
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", one_line(text))
 }
 
 /// A number as a person writes it.
@@ -302,7 +327,7 @@ impl fmt::Display for Range {
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Self::Text(text) => write!(f, "\"{text}\""),
+            Self::Text(text) => f.write_str(&quoted(text)),
             Self::Number(number) => f.write_str(&show(*number)),
             Self::Flag(flag) => write!(f, "{flag}"),
             Self::Other(what) => write!(f, "{what}"),

@@ -25,11 +25,11 @@ pub static KEYS: &[Key] = &[
 
     key("adhesion", "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H"),
     key("adhesion", "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "equilibrium distance r0 of a pair of molecules"),
-    key("adhesion", "line_load", Optional, Kind::LineLoad(|s| &mut s.model.adhesion.line_load), "line force and moment; the force alone; or the traction at the gap below the axis"),
+    key("adhesion", "line_load", Optional, Kind::LineLoad(|s| &mut s.model.adhesion.line_load), "line force and moment, force alone, or traction blind to tilt"),
     key("adhesion", "far_face", Optional, Kind::Flag(|s| &mut s.model.adhesion.far_face), "whether the upper face of the strip counts"),
 
-    key("grip", "rotation", Optional, Kind::Hold(|s| &mut s.model.grip.rotation), "of the right end"),
-    key("grip", "horizontal", Optional, Kind::Hold(|s| &mut s.model.grip.horizontal), "position of the right end"),
+    key("grip", "rotation", Optional, Kind::Hold(|s| &mut s.model.grip.rotation), "of the right end, where it is pulled"),
+    key("grip", "horizontal", Optional, Kind::Hold(|s| &mut s.model.grip.horizontal), "of the right end; fixed stretches the strip as it lifts"),
 
     key("accuracy", "relative", Optional, Kind::Number(Range::From(1e-11, 1e-2), |s| &mut s.accuracy.relative), "relative error wanted of every force and displacement"),
 

@@ -27,14 +27,37 @@ pub struct Scene {
     pub name: String,
     /// What it is called; the stem of `name` where the text gives no title.
     pub title: String,
+    /// The strip, its adhesion and its grip.
     pub model: StripModel,
+    /// What the user asks of the numbers.
     pub accuracy: Accuracy,
+    /// Where the path may be stopped although it goes on.
     pub bounds: Bounds,
 }
 
 impl Scene {
     /// Reads a scene. `name` is that of the file and stands in every message; `overrides` are keys with values that
     /// replace those of the text (`--set`): a TOML value, or a text without its quotes.
+    ///
+    /// ```
+    /// use peelkit::scene::Scene;
+    ///
+    /// let text = r#"
+    /// [strip]
+    /// length = "0.1 um"
+    /// height = "10 nm"
+    /// youngs_modulus = "2 GPa"
+    /// [adhesion]
+    /// hamaker_constant = "1e-19 J"
+    /// equilibrium_distance = "0.4 nm"
+    /// "#;
+    /// let scene = Scene::parse("strip.toml", text, &[("strip.height".into(), "5 nm".into())])?;
+    /// assert_eq!((scene.model.strip.length, scene.model.strip.height), (100.0, 5.0));
+    ///
+    /// let error = Scene::parse("strip.toml", &text.replace("10 nm", "10"), &[]).unwrap_err();
+    /// assert_eq!(error.to_string(), "strip.toml, line 4: `strip.height` is \"10\", a number without a unit");
+    /// # Ok::<(), peelkit::scene::SceneError>(())
+    /// ```
     pub fn parse(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
         let mut scene = Self::empty(name);
         document::read(&mut scene, text, overrides)?;

@@ -5,7 +5,7 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a s
     let word = word.to_lowercase();
     let slips = 1 + word.chars().count() / 4;
     let slips_to = |candidate: &str| strsim::damerau_levenshtein(&word, &candidate.to_lowercase());
-    // Nearest of all with one slip for a short word would match anything; half of the word has to stand.
+    // Two short words are never far apart: more than half of the word has to be right.
     let near_enough = |slip: usize, candidate: &str| slip <= slips && 2 * slip < candidate.chars().count().max(2);
     candidates
         .into_iter()

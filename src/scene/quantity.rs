@@ -70,9 +70,19 @@ pub enum QuantityError {
     /// The number stands alone.
     NoUnit,
     /// Nobody knows the unit; perhaps another one was meant.
-    UnknownUnit { unit: String, near: Option<&'static str> },
+    UnknownUnit {
+        /// As it was written.
+        unit: String,
+        /// A unit of the right dimension that looks like it.
+        near: Option<&'static str>,
+    },
     /// The unit measures something else.
-    WrongDimension { unit: String, measures: String },
+    WrongDimension {
+        /// As it was written.
+        unit: String,
+        /// "a pressure"
+        measures: String,
+    },
 }
 
 /// Reads `text` as a quantity, in the library's unit of `dimension`.
