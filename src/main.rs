@@ -1,1 +1,7 @@
-fn main() {}
+//! The command `peel`.
+
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::main()
+}

@@ -1,1 +1,104 @@
+//! The text a user writes, and every message about it.
 //!
+//! A scene is a TOML file; quantities are texts with their unit ("100 nm"). [`KEYS`] is the one list of what it may
+//! hold.
+
+mod document;
+mod error;
+mod key;
+mod keys;
+mod near;
+mod quantity;
+
+pub use error::{Problem, SceneError};
+pub use key::{Key, Kind, Need, Range, Value};
+pub use keys::{KEYS, find_key};
+pub use quantity::{Dimension, QuantityError, parse_quantity};
+
+use crate::adhesion::LineLoad;
+use crate::model::{Adhesion, Grip, Hold, Strip, StripModel};
+use crate::study::{Accuracy, Bounds};
+use std::path::Path;
+
+/// A whole scene, every value checked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Where it was read from.
+    pub name: String,
+    /// What it is called; the stem of `name` where the text gives no title.
+    pub title: String,
+    /// The strip, its adhesion and its grip.
+    pub model: StripModel,
+    /// What the user asks of the numbers.
+    pub accuracy: Accuracy,
+    /// Where the path may be stopped although it goes on.
+    pub bounds: Bounds,
+}
+
+impl Scene {
+    /// Reads a scene. `name` is that of the file and stands in every message; `overrides` are keys with values that
+    /// replace those of the text (`--set`): a TOML value, or a text without its quotes.
+    ///
+    /// ```
+    /// use peelkit::scene::Scene;
+    ///
+    /// let text = r#"
+    /// [strip]
+    /// length = "0.1 um"
+    /// height = "10 nm"
+    /// youngs_modulus = "2 GPa"
+    /// [adhesion]
+    /// hamaker_constant = "1e-19 J"
+    /// equilibrium_distance = "0.4 nm"
+    /// "#;
+    /// let scene = Scene::parse("strip.toml", text, &[("strip.height".into(), "5 nm".into())])?;
+    /// assert_eq!((scene.model.strip.length, scene.model.strip.height), (100.0, 5.0));
+    ///
+    /// let error = Scene::parse("strip.toml", &text.replace("10 nm", "10"), &[]).unwrap_err();
+    /// assert_eq!(error.to_string(), "strip.toml, line 4: `strip.height` is \"10\", a number without a unit");
+    /// # Ok::<(), peelkit::scene::SceneError>(())
+    /// ```
+    pub fn parse(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
+        let mut scene = Self::empty(name);
+        document::read(&mut scene, text, overrides)?;
+        Ok(scene)
+    }
+
+    /// A scene that holds the defaults; what has none is NaN until the text gives it.
+    pub(crate) fn empty(name: &str) -> Self {
+        let title = Path::new(name).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let strip = Strip {
+            length: f64::NAN,
+            height: f64::NAN,
+            width: 1.0,
+            youngs_modulus: f64::NAN,
+            poissons_ratio: 0.2,
+            shear_correction: 5.0 / 6.0,
+            bending_stiffness_factor: 1.0,
+        };
+        let adhesion = Adhesion {
+            hamaker_constant: f64::NAN,
+            equilibrium_distance: f64::NAN,
+            line_load: LineLoad::Full,
+            far_face: true,
+        };
+        let grip = Grip { rotation: Hold::Free, horizontal: Hold::Free };
+        Self {
+            name: name.to_owned(),
+            title,
+            model: StripModel { strip, adhesion, grip },
+            accuracy: Accuracy { relative: 1e-6 },
+            bounds: Bounds { points: 20_000, time_s: None, displacement: None },
+        }
+    }
+}
+
+impl Key {
+    /// What holds where a scene does not give the key.
+    pub fn default_value(&self) -> Option<Value> {
+        match self.need {
+            Need::Required => None,
+            Need::Optional => self.value(&Scene::empty("")),
+        }
+    }
+}

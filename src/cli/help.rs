@@ -1,0 +1,116 @@
+//! The long help: enough to work from without the README.
+
+use peelkit::scene::{KEYS, Key, Kind, Need, Value};
+
+pub const EXIT_STATUS: &str = "\
+Exit status:
+  0  done
+  1  something else went wrong, such as a folder that cannot be written
+  2  bad input: the message names the key, the line and what would be right
+  3  the computation stopped short: what was reached is written all the same";
+
+const UNITS: &str = "\
+Quantities are texts with their unit: \"100 nm\", \"0.1 um\", \"2 GPa\", \"2000 MPa\", \"1e-19 J\", \"100 zJ\", \"0.6 eV\".
+Outputs carry the unit in the name: force_nN, displacement_nm, work_aJ (1 aJ = 1 nN nm). A positive force pulls the
+grip away from the surface.";
+
+/// Of `peel --help`.
+pub fn overview() -> String {
+    format!(
+        "\
+Examples:
+  peel new                       writes strip.toml, a commented scene
+  peel run strip.toml            peels it: summary, curve, limit points and pictures in out/strip/
+  peel run strip.toml --set strip.length=\"50 nm\" --set grip.rotation=fixed --json
+  peel sweep strip.toml --vary strip.bending_stiffness_factor --from 1e-4 --to 1e4 --points 33 --log
+
+{UNITS}
+
+{}
+{EXIT_STATUS}",
+        keys()
+    )
+}
+
+/// Of `peel run --help`.
+pub fn run() -> String {
+    format!(
+        "\
+Examples:
+  peel run strip.toml
+  peel run strip.toml --out thin --set strip.height=\"5 nm\"
+  peel run strip.toml --set grip.rotation=fixed --json
+
+Files:
+  summary.json       peaks, plateau, limit points, snap-off, how the path ended, effort, the scene as computed
+  curve.csv          one row a point of the path
+  limit_points.csv   one row a turning point of displacement or force, with error bounds
+  curve.svg, .png    force against displacement; shapes.svg, .png  the strip at marked points
+
+The path ends  detached (no point nearer than 10 r0), pivoting (the force is back at zero, an edge still holds),
+turned-back (back at u = 0), bound (a bound of [bounds] was reached) or failed.
+
+{UNITS}
+
+{}
+{EXIT_STATUS}",
+        keys()
+    )
+}
+
+/// Of `peel sweep --help`.
+pub fn sweep() -> String {
+    format!(
+        "\
+Examples:
+  peel sweep strip.toml --vary strip.bending_stiffness_factor --from 1e-4 --to 1e4 --points 33 --log
+  peel sweep strip.toml --vary strip.height --from \"2 nm\" --to \"20 nm\" --points 10 --json
+
+Files:
+  sweep.csv          one row a value: peak force, plateau, snap-off, work, time, how the path ended; `value` is in
+                     nm, GPa, aJ or s, or a plain number, as the key is; a cell is empty where a thing does not occur
+  pictures beside it, SVG and PNG
+With --json the object holds scene, title, vary, unit, rows (the columns of sweep.csv) and parameters.
+
+{UNITS}
+
+{}
+{EXIT_STATUS}",
+        keys()
+    )
+}
+
+/// Every key with its default, or with an example where it has none.
+fn keys() -> String {
+    let mut text = "Keys of a scene, for --set and (the numbers) for --vary:\n".to_owned();
+    for key in KEYS {
+        let sample = format!("{} = {}", key.path(), sample(key));
+        let room = 70;
+        let note = match note(key) {
+            note if note.is_empty() => String::new(),
+            note if key.about.len() + note.len() < room => format!(" ({note})"),
+            note => format!("\n{:50}({note})", ""),
+        };
+        text += &format!("  {sample:<47} {}{note}\n", key.about);
+    }
+    text
+}
+
+fn sample(key: &Key) -> String {
+    match key.default_value() {
+        Some(Value::Number(number)) if !key.unit().is_empty() => format!("\"{number} {}\"", key.unit()),
+        Some(Value::Text(text)) if !text.is_empty() => format!("\"{text}\""),
+        Some(value @ (Value::Number(_) | Value::Flag(_))) => value.to_string(),
+        _ => key.example().to_owned(),
+    }
+}
+
+fn note(key: &Key) -> String {
+    match (&key.kind, key.need) {
+        (_, Need::Required) => "required".into(),
+        (Kind::Bound(..), _) => "none unless given".into(),
+        (Kind::Text(_), _) => "the name of the file unless given".into(),
+        (Kind::LineLoad(_) | Kind::Hold(_), _) => key.takes(),
+        _ => String::new(),
+    }
+}

@@ -1,0 +1,170 @@
+//! `peel sweep`: one number of a scene varied, each value peeled from rest to its end.
+
+use super::help;
+use super::input::SceneArgs;
+use super::output::{list_files, progress_bar, say};
+use super::stop::Stop;
+use super::words;
+use clap::Args;
+use peelkit::report::{self, SweepSummary};
+use peelkit::scene::{KEYS, Key, Problem, Scene, find_key};
+use peelkit::study::{self, End, SweepRow};
+use std::path::PathBuf;
+
+/// Varies one number of a scene and peels each value: peak force, plateau, snap-off and work against it
+#[derive(Args)]
+#[command(after_long_help = help::sweep())]
+pub struct Sweep {
+    #[command(flatten)]
+    scene: SceneArgs,
+
+    /// The key to vary, such as strip.bending_stiffness_factor or strip.length
+    #[arg(long, value_name = "KEY")]
+    vary: String,
+
+    /// First value; with its unit where the key has one: "100 nm"
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    from: String,
+
+    /// Last value; with its unit where the key has one
+    #[arg(long, value_name = "B", allow_hyphen_values = true)]
+    to: String,
+
+    /// How many values, both ends counted
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    points: u32,
+
+    /// Values at equal ratios in place of equal differences; both ends above zero
+    #[arg(long)]
+    log: bool,
+
+    /// Folder for the outputs, made where it is missing [default: out/ and the name of the scene]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+
+    /// Prints one JSON object and nothing else; files are written only if --out is given
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn sweep(args: &Sweep) -> Result<(), Stop> {
+    let scene = args.scene.load()?;
+    let key = key_to_vary(&args.vary)?;
+    let scenes = vary(args, &scene, key)?;
+
+    let bar = progress_bar(scenes.len());
+    let mut rows = Vec::with_capacity(scenes.len());
+    // What is not part of the model, the accuracy say, is one for all cases of a call.
+    for alike in scenes.chunk_by(|(_, a), (_, b)| a.accuracy == b.accuracy && a.bounds == b.bounds) {
+        let cases: Vec<_> = alike.iter().map(|(value, scene)| (*value, scene.model)).collect();
+        let (_, Scene { accuracy, bounds, .. }) = &alike[0];
+        rows.extend(study::sweep(&cases, accuracy, bounds, &|| bar.inc(1)));
+    }
+    bar.finish_and_clear();
+
+    let folder = match &args.out {
+        None if args.json => None,
+        None => Some(args.scene.default_folder()),
+        given => given.clone(),
+    };
+    let mut files = Vec::new();
+    if let Some(folder) = folder {
+        files.push(report::write_sweep(&folder, &rows)?);
+        if rows.iter().any(|row| row.peel.peak.is_some()) {
+            let label = if key.unit().is_empty() { key.path() } else { format!("{} ({})", key.path(), key.unit()) };
+            files.extend(report::draw_sweep(&rows, &label, &scene.title, args.log, &folder)?);
+        }
+    }
+    if args.json {
+        say(&SweepSummary::new(&scene, key, &rows).to_json().map_err(Stop::other)?)?;
+    } else {
+        say(&format!("{}\n{}", words::sweep(&scene, key, &rows), list_files(&files)))?;
+    }
+    failures(key, &rows)
+}
+
+fn key_to_vary(path: &str) -> Result<&'static Key, Stop> {
+    let key = find_key(path).map_err(|problem| Stop::bad_argument(format!("--vary {path}"), &problem))?;
+    if key.is_numeric() {
+        return Ok(key);
+    }
+    let numeric: Vec<String> = KEYS.iter().filter(|key| key.is_numeric()).map(Key::path).collect();
+    let remedy = format!("Keys that can be varied are {}.", numeric.join(", "));
+    Err(Stop::bad_input(format!("--vary {path} is not a number: it takes {}", key.takes()), remedy))
+}
+
+/// The scene with each value in its place.
+fn vary(args: &Sweep, scene: &Scene, key: &Key) -> Result<Vec<(f64, Scene)>, Stop> {
+    let end = |name: &str, text: &str| {
+        let stop = |problem: Problem| Stop::bad_argument(format!("--{name} for {}", key.path()), &problem);
+        let value = key.parse_number(text).map_err(stop)?;
+        if args.log && value <= 0.0 {
+            return Err(Stop::bad_input(
+                format!("--{name} {text} is not above zero, which --log needs"),
+                "Give two ends above zero, or leave --log away.",
+            ));
+        }
+        key.store_number(&mut scene.clone(), value).map_err(stop)?;
+        Ok(value)
+    };
+    let values = grid(end("from", &args.from)?, end("to", &args.to)?, args.points as usize, args.log);
+    let varied = values.into_iter().map(|value| {
+        let mut scene = scene.clone();
+        key.store_number(&mut scene, value)
+            .map_err(|problem| Stop::bad_argument(format!("{} between --from and --to", key.path()), &problem))?;
+        Ok((value, scene))
+    });
+    varied.collect()
+}
+
+/// `points` values from `a` to `b`, both exactly among them; at equal ratios if `log`.
+fn grid(a: f64, b: f64, points: usize, log: bool) -> Vec<f64> {
+    let at = |i: usize| match i {
+        0 => a,
+        i if i + 1 == points => b,
+        i => {
+            let part = i as f64 / (points - 1) as f64;
+            let between = |a: f64, b: f64| a + (b - a) * part;
+            if log { 10f64.powf(between(a.log10(), b.log10())) } else { between(a, b) }
+        }
+    };
+    (0..points).map(at).collect()
+}
+
+/// The values whose computation stopped short, if any.
+fn failures(key: &Key, rows: &[SweepRow]) -> Result<(), Stop> {
+    let reasons = rows.iter().filter_map(|row| match &row.peel.end {
+        End::Failed(reason) => {
+            Some(format!("at {} = {}{}: {reason}", key.path(), row.value, words::spaced(key.unit())))
+        }
+        _ => None,
+    });
+    let reasons: Vec<String> = reasons.collect();
+    if reasons.is_empty() {
+        return Ok(());
+    }
+    const SHOWN: usize = 10;
+    let mut text = format!("{} of {} values", reasons.len(), rows.len());
+    for reason in reasons.iter().take(SHOWN) {
+        text += &format!("\n{reason}");
+    }
+    if reasons.len() > SHOWN {
+        text += &format!("\nand {} more: the column `end` tells which", reasons.len() - SHOWN);
+    }
+    Err(Stop::cut_short(text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::grid;
+
+    #[test]
+    fn both_ends_are_exact_and_decades_are_round() {
+        assert_eq!(grid(1.0, 3.0, 3, false), [1.0, 2.0, 3.0]);
+        assert_eq!(grid(0.3, 0.1, 1, false), [0.3]);
+        assert_eq!(grid(1e-4, 1e4, 9, true), [1e-4, 1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2, 1e3, 1e4]);
+        let falling = grid(0.7, 0.1, 4, true);
+        assert_eq!((falling[0], falling[3]), (0.7, 0.1));
+        assert!(falling.windows(2).all(|pair| pair[1] < pair[0]));
+    }
+}

@@ -1,0 +1,205 @@
+//! What a run found, laid out for a person.
+
+use peelkit::report::{end_reason, end_word};
+use peelkit::scene::{Key, Scene};
+use peelkit::study::{End, LimitPoint, Peak, Peel, SweepRow, Turn};
+use std::fmt::Write;
+
+/// The summary of one peel.
+pub fn peel(scene: &Scene, peel: &Peel) -> String {
+    let none = || "none".to_owned();
+    let at_peak = |at: Peak| {
+        let force = with_error(at.force, at.force_error);
+        format!("{force} nN at u = {} nm", with_error(at.displacement, at.displacement_error))
+    };
+    let snap_off = |at: LimitPoint| {
+        format!("u = {} nm, work to there {}", with_error(at.displacement, at.displacement_error), work(at.work))
+    };
+    let mut lines = vec![
+        ("peak force", peel.peak.map_or_else(none, at_peak)),
+        ("initiation peak", peel.initiation_peak.map_or_else(none, at_peak)),
+        (
+            "plateau",
+            peel.plateau.map_or_else(none, |at| format!("{:.6} nN at u = {:.4} nm", at.force, at.displacement)),
+        ),
+        ("snap-off", peel.snap_off.map_or_else(none, snap_off)),
+    ];
+    for (index, at) in peel.limit_points.iter().enumerate() {
+        let turns = match at.kind {
+            Turn::Displacement => "u turns",
+            Turn::Load => "P turns",
+        };
+        let displacement = with_error(at.displacement, at.displacement_error);
+        let force = with_error(at.force, at.force_error);
+        lines.push((
+            if index == 0 { "limit points" } else { "" },
+            format!("{turns} at u = {displacement} nm, P = {force} nN"),
+        ));
+    }
+    lines.push(("end", end(&peel.end)));
+    let effort = &peel.effort;
+    lines.push((
+        "effort",
+        format!(
+            "{} points, {} Newton iterations, {} elements of order {}, {:.1} ms",
+            effort.points,
+            effort.newton_iterations,
+            effort.elements,
+            effort.order,
+            1e3 * peel.solve_s
+        ),
+    ));
+    let mut text = format!("{}\n\n", scene.title);
+    for (name, value) in lines {
+        let _ = writeln!(text, "  {name:<16} {value}");
+    }
+    text
+}
+
+/// A sweep as a table.
+pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow]) -> String {
+    let mut text = format!("{}\n{} varied{}\n\n", scene.title, key.path(), in_unit(key.unit()));
+    let _ = writeln!(
+        text,
+        "{:>14} {:>14} {:>9} {:>14} {:>14} {:>12} {:>9}  end",
+        "value", "peak nN", "± nN", "plateau nN", "snap-off nm", "work aJ", "ms"
+    );
+    let cell = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.8}"));
+    for SweepRow { value, peel } in rows {
+        let error = peel.peak.map_or_else(|| "-".to_owned(), |at| format!("{:.0e}", at.force_error));
+        let work = peel.snap_off.map(|at| at.work).or_else(|| peel.points.last().map(|point| point.work));
+        let work = work.map_or_else(|| "-".to_owned(), |work| format!("{work:.5}"));
+        let snap_off = peel.snap_off.map_or_else(|| "-".to_owned(), |at| format!("{:.6}", at.displacement));
+        let _ = writeln!(
+            text,
+            "{:>14} {:>14} {:>9} {:>14} {:>14} {:>12} {:>9.2}  {}",
+            short(*value),
+            cell(peel.peak.map(|at| at.force)),
+            error,
+            cell(peel.plateau.map(|at| at.force)),
+            snap_off,
+            work,
+            1e3 * peel.solve_s,
+            end_word(&peel.end)
+        );
+    }
+    text
+}
+
+/// " nm", or nothing where there is no unit.
+pub fn spaced(unit: &str) -> String {
+    if unit.is_empty() { String::new() } else { format!(" {unit}") }
+}
+
+fn in_unit(unit: &str) -> String {
+    if unit.is_empty() { String::new() } else { format!(", in {unit}") }
+}
+
+fn end(end: &End) -> String {
+    let meaning = match end {
+        End::Detached => "no point of the strip is nearer than 10 r0",
+        End::Pivoting => "the force has come back to zero while an edge still holds",
+        End::TurnedBack => "the path has returned to where it began",
+        End::Bound(_) => "a bound of the scene was reached",
+        End::Failed(_) => "the computation stopped short",
+    };
+    let reason = end_reason(end).map(|reason| format!(": {reason}")).unwrap_or_default();
+    format!("{}: {meaning}{reason}", end_word(end))
+}
+
+fn work(work: f64) -> String {
+    format!("{work:.6} aJ")
+}
+
+/// As many decimals as the error leaves, and the error.
+fn with_error(value: f64, error: f64) -> String {
+    if !(error > 0.0 && error.is_finite()) {
+        return format!("{value}");
+    }
+    let decimals = (-error.log10().floor()).clamp(0.0, 15.0) as usize;
+    format!("{value:.decimals$} ± {error:.0e}")
+}
+
+/// Six digits are enough to know a value again.
+fn short(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
+        let decimals = (5.0 - value.abs().max(1e-3).log10().floor()).clamp(0.0, 9.0) as usize;
+        let text = format!("{value:.decimals$}");
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    } else {
+        format!("{value:.5e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use peelkit::study::{self, Bounds, Effort};
+
+    #[test]
+    fn digits_end_where_the_error_begins() {
+        assert_eq!(with_error(0.341121483196, 3e-8), "0.34112148 ± 3e-8");
+        assert_eq!(with_error(48.2156178228, 0.02), "48.22 ± 2e-2");
+        assert_eq!(with_error(48.2156178228, 2.0), "48 ± 2e0");
+        assert_eq!(with_error(0.5, 0.0), "0.5");
+        assert_eq!(with_error(0.5, f64::NAN), "0.5");
+    }
+
+    #[test]
+    fn the_summary_of_a_peel_is_laid_out_in_two_columns() {
+        let text = r#"
+            strip = { length = "100 nm", height = "10 nm", youngs_modulus = "2 GPa" }
+            adhesion = { hamaker_constant = "1e-19 J", equilibrium_distance = "0.4 nm" }
+        "#;
+        let scene = Scene::parse("short.toml", text, &[]).unwrap();
+        let bounds = Bounds { points: 1, ..scene.bounds };
+        let snap_off = LimitPoint {
+            kind: Turn::Displacement,
+            displacement: 48.2156178228,
+            force: 0.0375627292,
+            end_rotation: 0.9,
+            work: 3.25,
+            displacement_error: 3e-6,
+            force_error: 4e-9,
+            after: 0,
+        };
+        let made_up = Peel {
+            limit_points: vec![LimitPoint { kind: Turn::Load, ..snap_off }, snap_off],
+            initiation_peak: None,
+            peak: Some(Peak {
+                displacement: 0.2496,
+                force: 0.341121,
+                end_rotation: 0.1,
+                force_error: 1e-5,
+                displacement_error: 1e-3,
+            }),
+            plateau: None,
+            snap_off: Some(snap_off),
+            end: End::Bound("20 points".into()),
+            effort: Effort { points: 20, newton_iterations: 70, elements: 16, order: 4 },
+            solve_s: 0.0042,
+            ..study::peel(&scene.model, &scene.accuracy, &bounds)
+        };
+        let expected = "\
+short
+
+  peak force       0.34112 ± 1e-5 nN at u = 0.250 ± 1e-3 nm
+  initiation peak  none
+  plateau          none
+  snap-off         u = 48.215618 ± 3e-6 nm, work to there 3.250000 aJ
+  limit points     P turns at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
+                   u turns at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
+  end              bound: a bound of the scene was reached: 20 points
+  effort           20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
+";
+        assert_eq!(peel(&scene, &made_up), expected);
+    }
+
+    #[test]
+    fn values_of_a_sweep_are_short() {
+        assert_eq!(short(100.0), "100");
+        assert_eq!(short(0.4), "0.4");
+        assert_eq!(short(1e-4), "1.00000e-4");
+        assert_eq!(short(1.0 / 3.0), "0.333333");
+    }
+}

@@ -1,0 +1,260 @@
+//! What a run found, as one JSON object: summary.json, and what `--json` prints.
+
+use super::ReportError;
+use super::file::write_whole;
+use super::number::{Finite, to_json};
+use super::table::SweepLine;
+use crate::scene::{KEYS, Key, Scene, Value};
+use crate::study::{self, End, Peel, SweepRow, Turn};
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Everything of a peel but its curve. Forces in nN, lengths in nm, works in aJ; `None` where a thing does not occur.
+#[derive(Debug, serde::Serialize)]
+pub struct PeelSummary {
+    scene: String,
+    title: String,
+    end: &'static str,
+    /// Of the ends `bound` and `failed`.
+    reason: Option<String>,
+    peak: Option<Peak>,
+    initiation_peak: Option<Peak>,
+    plateau: Option<Plateau>,
+    limit_points: Vec<LimitPoint>,
+    snap_off: Option<SnapOff>,
+    path: Effort,
+    timing: Timing,
+    parameters: Parameters,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Peak {
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    #[serde(rename = "displacement_nm")]
+    displacement: Finite,
+    #[serde(rename = "end_rotation_rad")]
+    end_rotation: Finite,
+    #[serde(rename = "error_nN")]
+    force_error: Finite,
+    #[serde(rename = "error_nm")]
+    displacement_error: Finite,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Plateau {
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    #[serde(rename = "displacement_nm")]
+    displacement: Finite,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct LimitPoint {
+    kind: &'static str,
+    #[serde(rename = "displacement_nm")]
+    displacement: Finite,
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    #[serde(rename = "end_rotation_rad")]
+    end_rotation: Finite,
+    #[serde(rename = "work_aJ")]
+    work: Finite,
+    #[serde(rename = "error_nm")]
+    displacement_error: Finite,
+    #[serde(rename = "error_nN")]
+    force_error: Finite,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct SnapOff {
+    #[serde(rename = "displacement_nm")]
+    displacement: Finite,
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    #[serde(rename = "work_aJ")]
+    work: Finite,
+    #[serde(rename = "error_nm")]
+    displacement_error: Finite,
+    #[serde(rename = "error_nN")]
+    force_error: Finite,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Effort {
+    points: usize,
+    newton_iterations: usize,
+    elements: usize,
+    order: usize,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Timing {
+    solve_s: Finite,
+}
+
+impl PeelSummary {
+    /// What is told of the peel of this scene.
+    pub fn new(scene: &Scene, peel: &Peel) -> Self {
+        Self {
+            scene: scene.name.clone(),
+            title: scene.title.clone(),
+            end: end_word(&peel.end),
+            reason: end_reason(&peel.end).map(str::to_owned),
+            peak: peel.peak.map(Peak::from),
+            initiation_peak: peel.initiation_peak.map(Peak::from),
+            plateau: peel.plateau.map(|at| Plateau { force: Finite(at.force), displacement: Finite(at.displacement) }),
+            limit_points: peel.limit_points.iter().map(LimitPoint::from).collect(),
+            snap_off: peel.snap_off.map(|at| SnapOff {
+                displacement: Finite(at.displacement),
+                force: Finite(at.force),
+                work: Finite(at.work),
+                displacement_error: Finite(at.displacement_error),
+                force_error: Finite(at.force_error),
+            }),
+            path: Effort {
+                points: peel.effort.points,
+                newton_iterations: peel.effort.newton_iterations,
+                elements: peel.effort.elements,
+                order: peel.effort.order,
+            },
+            timing: Timing { solve_s: Finite(peel.solve_s) },
+            parameters: Parameters(scene.clone()),
+        }
+    }
+
+    /// The object as text; a number that is not finite is an error that names its key.
+    pub fn to_json(&self) -> io::Result<String> {
+        to_json(self)
+    }
+
+    /// Writes summary.json.
+    pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
+        let path = dir.join("summary.json");
+        let json = self.to_json().map_err(|source| ReportError::Write { path: path.clone(), source })?;
+        write_whole(&path, json.as_bytes())?;
+        Ok(path)
+    }
+}
+
+impl From<study::Peak> for Peak {
+    fn from(at: study::Peak) -> Self {
+        Self {
+            force: Finite(at.force),
+            displacement: Finite(at.displacement),
+            end_rotation: Finite(at.end_rotation),
+            force_error: Finite(at.force_error),
+            displacement_error: Finite(at.displacement_error),
+        }
+    }
+}
+
+impl From<&study::LimitPoint> for LimitPoint {
+    fn from(at: &study::LimitPoint) -> Self {
+        Self {
+            kind: turn_word(at.kind),
+            displacement: Finite(at.displacement),
+            force: Finite(at.force),
+            end_rotation: Finite(at.end_rotation),
+            work: Finite(at.work),
+            displacement_error: Finite(at.displacement_error),
+            force_error: Finite(at.force_error),
+        }
+    }
+}
+
+/// A sweep as one object: the key that was varied, its unit, and a row a value.
+#[derive(Debug, serde::Serialize)]
+pub struct SweepSummary {
+    scene: String,
+    title: String,
+    vary: String,
+    /// Of `value` in the rows; `None` where the key is a plain number.
+    unit: Option<&'static str>,
+    rows: Vec<SweepLine>,
+    /// The scene before the sweep.
+    parameters: Parameters,
+}
+
+impl SweepSummary {
+    /// What is told of these rows, in which `key` of the scene was varied.
+    pub fn new(scene: &Scene, key: &Key, rows: &[SweepRow]) -> Self {
+        Self {
+            scene: scene.name.clone(),
+            title: scene.title.clone(),
+            vary: key.path(),
+            unit: Some(key.unit()).filter(|unit| !unit.is_empty()),
+            rows: rows.iter().map(SweepLine::from).collect(),
+            parameters: Parameters(scene.clone()),
+        }
+    }
+
+    /// The object as text; a number that is not finite is an error that names its key.
+    pub fn to_json(&self) -> io::Result<String> {
+        to_json(self)
+    }
+}
+
+/// The scene as it was computed, defaults and overrides in, a table of it an object; units in the names.
+#[derive(Debug)]
+struct Parameters(Scene);
+
+impl Serialize for Parameters {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut tables = serializer.serialize_map(None)?;
+        for keys in KEYS.chunk_by(|a, b| a.table == b.table).filter(|keys| !keys[0].table.is_empty()) {
+            tables.serialize_entry(keys[0].table, &Table { scene: &self.0, keys })?;
+        }
+        tables.end()
+    }
+}
+
+struct Table<'a> {
+    scene: &'a Scene,
+    keys: &'a [Key],
+}
+
+impl Serialize for Table<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut table = serializer.serialize_map(Some(self.keys.len()))?;
+        for key in self.keys {
+            let name = if key.unit().is_empty() { key.name.to_owned() } else { format!("{}_{}", key.name, key.unit()) };
+            match key.value(self.scene) {
+                Some(Value::Number(count)) if key.is_count() => table.serialize_entry(&name, &(count as u64))?,
+                Some(Value::Number(number)) => table.serialize_entry(&name, &Finite(number))?,
+                Some(Value::Text(text)) => table.serialize_entry(&name, &text)?,
+                Some(Value::Flag(flag)) => table.serialize_entry(&name, &flag)?,
+                Some(Value::Other(_)) | None => table.serialize_entry(&name, &None::<()>)?,
+            }
+        }
+        table.end()
+    }
+}
+
+/// The name of an end in outputs.
+pub fn end_word(end: &End) -> &'static str {
+    match end {
+        End::Detached => "detached",
+        End::Pivoting => "pivoting",
+        End::TurnedBack => "turned-back",
+        End::Bound(_) => "bound",
+        End::Failed(_) => "failed",
+    }
+}
+
+/// Why a path ended where it did, if that was not by itself.
+pub fn end_reason(end: &End) -> Option<&str> {
+    match end {
+        End::Bound(reason) | End::Failed(reason) => Some(reason),
+        End::Detached | End::Pivoting | End::TurnedBack => None,
+    }
+}
+
+/// The name of a limit point's kind in outputs.
+pub(super) fn turn_word(turn: Turn) -> &'static str {
+    match turn {
+        Turn::Displacement => "displacement",
+        Turn::Load => "load",
+    }
+}

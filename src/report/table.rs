@@ -1,0 +1,144 @@
+//! The tables: curve.csv, limit_points.csv, sweep.csv. Units stand in the names of the columns.
+
+use super::ReportError;
+use super::file::write_whole;
+use super::number::Finite;
+use super::summary::{end_word, turn_word};
+use crate::study::{Peel, SweepRow};
+use serde::Serialize;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Writes curve.csv: one row a path point.
+pub fn write_curve(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
+    #[derive(Default, Serialize)]
+    struct Line {
+        displacement_nm: Finite,
+        #[serde(rename = "force_nN")]
+        force: Finite,
+        end_rotation_rad: Finite,
+        #[serde(rename = "work_aJ")]
+        work: Finite,
+        negative_eigenvalues: usize,
+        negative_eigenvalues_load: usize,
+        front_nm: Finite,
+        newton_iterations: usize,
+    }
+    let lines = peel.points.iter().map(|point| Line {
+        displacement_nm: Finite(point.displacement),
+        force: Finite(point.force),
+        end_rotation_rad: Finite(point.end_rotation),
+        work: Finite(point.work),
+        negative_eigenvalues: point.negative_eigenvalues,
+        negative_eigenvalues_load: point.negative_eigenvalues_load,
+        front_nm: Finite(point.front),
+        newton_iterations: point.iterations,
+    });
+    write_table(dir, "curve.csv", lines)
+}
+
+/// Writes limit_points.csv: one row a limit point, in path order.
+pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
+    #[derive(Default, Serialize)]
+    struct Line {
+        kind: &'static str,
+        displacement_nm: Finite,
+        #[serde(rename = "force_nN")]
+        force: Finite,
+        end_rotation_rad: Finite,
+        #[serde(rename = "work_aJ")]
+        work: Finite,
+        error_nm: Finite,
+        #[serde(rename = "error_nN")]
+        force_error: Finite,
+        after_point: usize,
+    }
+    let lines = peel.limit_points.iter().map(|at| Line {
+        kind: turn_word(at.kind),
+        displacement_nm: Finite(at.displacement),
+        force: Finite(at.force),
+        end_rotation_rad: Finite(at.end_rotation),
+        work: Finite(at.work),
+        error_nm: Finite(at.displacement_error),
+        force_error: Finite(at.force_error),
+        after_point: at.after,
+    });
+    write_table(dir, "limit_points.csv", lines)
+}
+
+/// Writes sweep.csv: one row a value.
+pub fn write_sweep(dir: &Path, rows: &[SweepRow]) -> Result<PathBuf, ReportError> {
+    write_table(dir, "sweep.csv", rows.iter().map(SweepLine::from))
+}
+
+/// One value of a sweep in short; `None` where a thing does not occur.
+#[derive(Debug, Default, Serialize)]
+pub struct SweepLine {
+    value: Finite,
+    #[serde(rename = "peak_force_nN")]
+    peak_force: Option<Finite>,
+    #[serde(rename = "peak_error_nN")]
+    peak_error: Option<Finite>,
+    #[serde(rename = "initiation_peak_nN")]
+    initiation_peak: Option<Finite>,
+    #[serde(rename = "plateau_force_nN")]
+    plateau_force: Option<Finite>,
+    snap_off_displacement_nm: Option<Finite>,
+    /// To the snap-off, or to the end of the path where there is none.
+    #[serde(rename = "work_aJ")]
+    work: Option<Finite>,
+    solve_s: Finite,
+    end: &'static str,
+    points: usize,
+    newton_iterations: usize,
+    elements: usize,
+    order: usize,
+}
+
+impl From<&SweepRow> for SweepLine {
+    fn from(row: &SweepRow) -> Self {
+        let peel = &row.peel;
+        let work = peel.snap_off.map(|at| at.work).or_else(|| peel.points.last().map(|point| point.work));
+        Self {
+            value: Finite(row.value),
+            peak_force: peel.peak.map(|at| Finite(at.force)),
+            peak_error: peel.peak.map(|at| Finite(at.force_error)),
+            initiation_peak: peel.initiation_peak.map(|at| Finite(at.force)),
+            plateau_force: peel.plateau.map(|at| Finite(at.force)),
+            snap_off_displacement_nm: peel.snap_off.map(|at| Finite(at.displacement)),
+            work: work.map(Finite),
+            solve_s: Finite(peel.solve_s),
+            end: end_word(&peel.end),
+            points: peel.effort.points,
+            newton_iterations: peel.effort.newton_iterations,
+            elements: peel.effort.elements,
+            order: peel.effort.order,
+        }
+    }
+}
+
+fn write_table<T: Serialize + Default>(
+    dir: &Path,
+    name: &str,
+    lines: impl Iterator<Item = T>,
+) -> Result<PathBuf, ReportError> {
+    let path = dir.join(name);
+    let text = table(lines).map_err(|source| ReportError::Write { path: path.clone(), source })?;
+    write_whole(&path, &text)?;
+    Ok(path)
+}
+
+/// The lines below a header; the header alone where there are none.
+fn table<T: Serialize + Default>(lines: impl Iterator<Item = T>) -> io::Result<Vec<u8>> {
+    let mut header = csv::Writer::from_writer(Vec::new());
+    header.serialize(T::default())?;
+    let mut text = header.into_inner().map_err(|error| error.into_error())?;
+    let header_length = text.iter().position(|&byte| byte == b'\n').map_or(0, |end| end + 1);
+    text.truncate(header_length);
+
+    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(text);
+    for line in lines {
+        writer.serialize(line)?;
+    }
+    writer.into_inner().map_err(|error| error.into_error())
+}

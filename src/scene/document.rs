@@ -1,0 +1,177 @@
+//! From TOML texts to a scene: finds every key, hands its value over, and says where a problem stands.
+
+use super::Scene;
+use super::error::{Origin, Problem, SceneError, one_line};
+use super::key::{Key, Need, Value};
+use super::keys::{KEYS, find_key, tables};
+use super::near::nearest;
+use std::collections::HashSet;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Fills the scene from the text and then from the overrides.
+pub(super) fn read(scene: &mut Scene, text: &str, overrides: &[(String, String)]) -> Result<(), SceneError> {
+    let name = scene.name.clone();
+    let file = Origin::File { name: &name, text };
+    let document = DeTable::parse(text).map_err(|error| not_toml(&file, text, &error))?;
+    let mut given = HashSet::new();
+    for (key, value) in in_order(document.get_ref()) {
+        match value.get_ref() {
+            DeValue::Table(table) if tables().contains(&name_of(key)) => {
+                for (inner, value) in in_order(table) {
+                    let key = lookup(&file, name_of(key), inner)?;
+                    store(scene, &file, key, value)?;
+                    given.insert(key.path());
+                }
+            }
+            DeValue::Table(_) => return Err(unknown_table(&file, key)),
+            found if tables().contains(&name_of(key)) => {
+                let table = name_of(key);
+                let problem = Problem::new(
+                    format!("is {}", convert(found)),
+                    format!("It is a table: write [{table}] on a line of its own and its keys below it."),
+                );
+                return Err(file.error(value.span(), &format!("`{table}`"), problem));
+            }
+            _ => {
+                let key = lookup(&file, "", key)?;
+                store(scene, &file, key, value)?;
+                given.insert(key.path());
+            }
+        }
+    }
+    for (path, value) in overrides {
+        given.insert(set(scene, path, value)?.path());
+    }
+    match KEYS.iter().find(|key| key.need == Need::Required && !given.contains(&key.path())) {
+        Some(key) => Err(missing(&file, text, document.get_ref(), key, &given)),
+        None => Ok(()),
+    }
+}
+
+/// Applies one `--set`.
+fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, SceneError> {
+    let text = format!("{path}={value}");
+    let origin = Origin::Override { text: &text };
+    let key =
+        find_key(path).map_err(|problem| origin.error(0..path.len(), &format!("`{}`", one_line(path)), problem))?;
+    let parsed = DeValue::parse(value.trim()).ok().map(|value| convert(value.get_ref()));
+    let parsed = match parsed {
+        Some(parsed @ Value::Text(_)) => parsed,
+        Some(parsed) if !key.is_text() => parsed,
+        _ => Value::Text(value.trim().to_owned()),
+    };
+    key.store(scene, &parsed)
+        .map_err(|problem| origin.error(path.len() + 1..text.len(), &format!("`{}`", key.path()), problem))?;
+    Ok(key)
+}
+
+fn store(scene: &mut Scene, file: &Origin, key: &Key, value: &Spanned<DeValue>) -> Result<(), SceneError> {
+    let stored = key.store(scene, &convert(value.get_ref()));
+    stored.map_err(|problem| file.error(value.span(), &format!("`{}`", key.path()), problem))
+}
+
+/// The entries of a table in the order of the text.
+fn in_order<'a, 'i>(table: &'a DeTable<'i>) -> Vec<(&'a Spanned<toml::de::DeString<'i>>, &'a Spanned<DeValue<'i>>)> {
+    let mut entries: Vec<_> = table.iter().collect();
+    entries.sort_by_key(|(key, _)| key.span().start);
+    entries
+}
+
+fn name_of<'a>(key: &'a Spanned<toml::de::DeString>) -> &'a str {
+    key.get_ref()
+}
+
+fn convert(value: &DeValue) -> Value {
+    match value {
+        DeValue::String(text) => Value::Text(text.to_string()),
+        DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
+            Ok(integer) => Value::Number(integer as f64),
+            Err(_) => Value::Other("a whole number of more digits than can be held"),
+        },
+        DeValue::Float(float) => match float.as_str().parse() {
+            Ok(float) => Value::Number(float),
+            Err(_) => Value::Other("a number that cannot be read"),
+        },
+        DeValue::Boolean(flag) => Value::Flag(*flag),
+        DeValue::Datetime(_) => Value::Other("a date or time"),
+        DeValue::Array(_) => Value::Other("a list"),
+        DeValue::Table(_) => Value::Other("a table"),
+    }
+}
+
+/// The key of this name in this table, or the message that there is none.
+fn lookup(file: &Origin, table: &str, found: &Spanned<toml::de::DeString>) -> Result<&'static Key, SceneError> {
+    let name = name_of(found);
+    if let Some(key) = KEYS.iter().find(|key| key.table == table && key.name == name) {
+        return Ok(key);
+    }
+    let here: Vec<&str> = KEYS.iter().filter(|key| key.table == table).map(|key| key.name).collect();
+    let place = |table: &str| match table {
+        "" => "at the top of the file, above the tables".to_owned(),
+        table => format!("in the table [{table}]"),
+    };
+    let remedy = if let Some(elsewhere) = KEYS.iter().find(|key| key.name == name) {
+        format!("`{name}` stands {}.", place(elsewhere.table))
+    } else if let Some(near) = nearest(name, here.iter().copied()) {
+        format!("Did you mean `{near}`?")
+    } else if let Some(near) = nearest(name, KEYS.iter().map(|key| key.name)) {
+        let tables = KEYS.iter().filter(|key| key.name == near).map(|key| place(key.table));
+        format!("Did you mean `{near}`, which stands {}?", tables.collect::<String>())
+    } else {
+        format!("The keys {} are {}.", place(table), here.join(", "))
+    };
+    let shown = one_line(name);
+    let subject = if table.is_empty() { format!("`{shown}`") } else { format!("`{table}.{shown}`") };
+    Err(file.error(found.span(), &subject, Problem::new("is not a key of a scene", remedy)))
+}
+
+fn unknown_table(file: &Origin, found: &Spanned<toml::de::DeString>) -> SceneError {
+    let remedy = match nearest(name_of(found), tables()) {
+        Some(near) => format!("Did you mean [{near}]?"),
+        None => format!("The tables are [{}].", tables().join("], [")),
+    };
+    let problem = Problem::new("is not a table of a scene", remedy);
+    file.error(found.span(), &format!("[{}]", one_line(name_of(found))), problem)
+}
+
+/// Says which table or key a scene has to have besides what it has.
+fn missing(file: &Origin, text: &str, document: &DeTable, key: &Key, given: &HashSet<String>) -> SceneError {
+    let wanted = KEYS.iter().filter(|other| other.table == key.table && other.need == Need::Required);
+    let wanted: Vec<String> = wanted.filter(|other| !given.contains(&other.path())).map(Key::example_line).collect();
+    let wanted = wanted.join(", ");
+    let header = in_order(document).into_iter().find(|(name, _)| name_of(name) == key.table);
+    match header {
+        Some((table, _)) => {
+            let remedy = format!("`{}` is the {}. Add for example {wanted}", key.name, key.about);
+            file.error(table.span(), &format!("[{}]", key.table), Problem::new(format!("lacks `{}`", key.name), remedy))
+        }
+        None => {
+            let remedy = format!("Add a line [{}] and below it for example {wanted}", key.table);
+            let problem = Problem::new(format!("lacks the table [{}]", key.table), remedy);
+            file.error(end_of(text), "the scene", problem)
+        }
+    }
+}
+
+fn end_of(text: &str) -> Range<usize> {
+    let end = text.trim_end().len();
+    end..end
+}
+
+fn not_toml(file: &Origin, text: &str, error: &toml::de::Error) -> SceneError {
+    let span = error.span().unwrap_or_else(|| end_of(text));
+    let reason = error.message().lines().collect::<Vec<_>>().join("; ");
+    let remedy = "A scene is a TOML file: [table] on a line of its own, below it key = value; \
+                  texts and quantities stand in quotes: length = \"100 nm\". `peel new` writes one to start from.";
+    file.error(span.clone(), &key_on_line(text, span.start), Problem::new(format!("is not TOML: {reason}"), remedy))
+}
+
+/// The key that stands on the line of this place in a text that is not TOML, or "this".
+fn key_on_line(text: &str, at: usize) -> String {
+    let start = text.as_bytes()[..at.min(text.len())].iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
+    let key = text.get(start..).and_then(|line| line.lines().next()?.split_once('=')).map_or("", |(key, _)| key.trim());
+    let is_key = !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || "._-".contains(c));
+    if is_key { format!("`{key}`") } else { "this".to_owned() }
+}

@@ -1,0 +1,336 @@
+//! One key of a scene: what it takes, where its value goes, and every message about it.
+
+use super::Scene;
+use super::error::{Problem, one_line};
+use super::near::nearest;
+use super::quantity::{Dimension, QuantityError, parse_quantity};
+use crate::adhesion::LineLoad;
+use crate::model::Hold;
+use std::fmt;
+
+/// A key of a scene.
+#[derive(Debug)]
+pub struct Key {
+    /// The table it stands in; empty at the top of the file.
+    pub table: &'static str,
+    /// Its name within the table.
+    pub name: &'static str,
+    /// Whether a scene has to hold it.
+    pub need: Need,
+    /// What it takes.
+    pub kind: Kind,
+    /// What it means, in a few words.
+    pub about: &'static str,
+}
+
+/// Whether a scene has to hold a key.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Need {
+    /// A scene without it is refused.
+    Required,
+    /// What holds without it is what `Scene::empty` holds.
+    Optional,
+}
+
+/// What a key takes, and where in the scene its value goes.
+#[derive(Debug)]
+pub enum Kind {
+    /// A text in quotes.
+    Text(fn(&mut Scene) -> &mut String),
+    /// A number without a unit.
+    Number(Range, fn(&mut Scene) -> &mut f64),
+    /// A positive number with a unit.
+    Quantity(Dimension, fn(&mut Scene) -> &mut f64),
+    /// The same, or nothing.
+    Bound(Dimension, fn(&mut Scene) -> &mut Option<f64>),
+    /// A whole number from 1.
+    Count(fn(&mut Scene) -> &mut usize),
+    /// true or false
+    Flag(fn(&mut Scene) -> &mut bool),
+    /// A word for the load on the axis.
+    LineLoad(fn(&mut Scene) -> &mut LineLoad),
+    /// A word for what the grip does.
+    Hold(fn(&mut Scene) -> &mut Hold),
+}
+
+/// The numbers that have a meaning.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Range {
+    /// Above zero.
+    Positive,
+    /// Both ends excluded.
+    Between(f64, f64),
+    /// Both ends included.
+    From(f64, f64),
+}
+
+/// A value as it stands in a TOML text, or as a scene holds it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A TOML string.
+    Text(String),
+    /// A TOML integer or float; of a scene in the unit of the library.
+    Number(f64),
+    /// true or false
+    Flag(bool),
+    /// Something that no key takes: "a list", "a table", "a date".
+    Other(&'static str),
+}
+
+const LINE_LOADS: &[(&str, LineLoad)] =
+    &[("full", LineLoad::Full), ("force-only", LineLoad::ForceOnly), ("axis-gap", LineLoad::AxisGap)];
+const HOLDS: &[(&str, Hold)] = &[("free", Hold::Free), ("fixed", Hold::Fixed)];
+
+impl Key {
+    /// `strip.length`
+    pub fn path(&self) -> String {
+        if self.table.is_empty() { self.name.to_owned() } else { format!("{}.{}", self.table, self.name) }
+    }
+
+    /// The unit of its number inside the library: `nm`; empty where it has none.
+    pub fn unit(&self) -> &'static str {
+        match self.kind {
+            Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => dimension.unit(),
+            _ => "",
+        }
+    }
+
+    /// Whether it takes one number, with a unit or without.
+    pub fn is_numeric(&self) -> bool {
+        matches!(self.kind, Kind::Number(..) | Kind::Quantity(..) | Kind::Bound(..) | Kind::Count(_))
+    }
+
+    /// Whether it takes a whole number.
+    pub(crate) fn is_count(&self) -> bool {
+        matches!(self.kind, Kind::Count(_))
+    }
+
+    /// Whether its values are TOML strings.
+    pub(crate) fn is_text(&self) -> bool {
+        !matches!(self.kind, Kind::Number(..) | Kind::Count(_) | Kind::Flag(_))
+    }
+
+    /// Puts a value into the scene if it has a meaning there.
+    pub(crate) fn store(&self, scene: &mut Scene, value: &Value) -> Result<(), Problem> {
+        match (&self.kind, value) {
+            (Kind::Text(place), Value::Text(text)) => *place(scene) = text.clone(),
+            (Kind::Flag(place), &Value::Flag(flag)) => *place(scene) = flag,
+            (Kind::LineLoad(place), Value::Text(word)) => *place(scene) = self.pick(LINE_LOADS, word)?,
+            (Kind::Hold(place), Value::Text(word)) => *place(scene) = self.pick(HOLDS, word)?,
+            (Kind::Quantity(dimension, _) | Kind::Bound(dimension, _), Value::Text(text)) => {
+                let number = parse_quantity(text, *dimension).map_err(|e| self.no_quantity(text, *dimension, e))?;
+                self.store_number(scene, number)?;
+            }
+            (Kind::Number(..) | Kind::Count(_), &Value::Number(number)) => self.store_number(scene, number)?,
+            (_, value) => return Err(self.wrong_type(value)),
+        }
+        Ok(())
+    }
+
+    /// Puts a number into the scene, in the unit of the library, if it is one that has a meaning there.
+    pub fn store_number(&self, scene: &mut Scene, number: f64) -> Result<(), Problem> {
+        let range = match self.kind {
+            Kind::Number(range, _) => range,
+            Kind::Count(_) => Range::From(1.0, 1e9),
+            _ => Range::Positive,
+        };
+        let unit = self.unit();
+        let shown = format!("{}{}{unit}", show(number), if unit.is_empty() { "" } else { " " });
+        if !number.is_finite() {
+            return Err(Problem::new(format!("is {shown}, which is not a finite number"), self.remedy()));
+        }
+        if !range.contains(number) {
+            return Err(Problem::new(format!("is {shown}, which has no meaning here"), self.remedy()));
+        }
+        match self.kind {
+            Kind::Number(_, place) | Kind::Quantity(_, place) => *place(scene) = number,
+            Kind::Bound(_, place) => *place(scene) = Some(number),
+            Kind::Count(_) if number.fract() != 0.0 => {
+                return Err(Problem::new(format!("is {shown}, which is not whole"), self.remedy()));
+            }
+            Kind::Count(place) => *place(scene) = number as usize,
+            _ => return Err(Problem::new("is not a number", self.remedy())),
+        }
+        Ok(())
+    }
+
+    /// Reads a text of the command line as a number of this key, in the unit of the library.
+    pub fn parse_number(&self, text: &str) -> Result<f64, Problem> {
+        match self.kind {
+            Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => {
+                parse_quantity(text, dimension).map_err(|e| self.no_quantity(text, dimension, e))
+            }
+            _ => text
+                .trim()
+                .parse()
+                .map_err(|_| Problem::new(format!("is {}, not a number", quoted(text)), self.remedy())),
+        }
+    }
+
+    /// What the scene holds for this key; nothing for a bound that is not set.
+    pub fn value(&self, scene: &Scene) -> Option<Value> {
+        let mut scene = scene.clone();
+        Some(match self.kind {
+            Kind::Text(place) => Value::Text(place(&mut scene).clone()),
+            Kind::Number(_, place) | Kind::Quantity(_, place) => Value::Number(*place(&mut scene)),
+            Kind::Bound(_, place) => Value::Number((*place(&mut scene))?),
+            Kind::Count(place) => Value::Number(*place(&mut scene) as f64),
+            Kind::Flag(place) => Value::Flag(*place(&mut scene)),
+            Kind::LineLoad(place) => Value::Text(word(LINE_LOADS, *place(&mut scene))),
+            Kind::Hold(place) => Value::Text(word(HOLDS, *place(&mut scene))),
+        })
+    }
+
+    /// What the key takes, in words.
+    pub fn takes(&self) -> String {
+        match self.kind {
+            Kind::Text(_) => "a text in quotes".into(),
+            Kind::Number(range, _) => range.to_string(),
+            Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => {
+                format!("{dimension} above zero with its unit in quotes ({})", dimension.units().join(", "))
+            }
+            Kind::Count(_) => "a whole number from 1 to 1e9".into(),
+            Kind::Flag(_) => "true or false".into(),
+            Kind::LineLoad(_) => words(LINE_LOADS),
+            Kind::Hold(_) => words(HOLDS),
+        }
+    }
+
+    /// A value that is right, as it stands in a scene.
+    pub fn example(&self) -> &'static str {
+        match (self.name, &self.kind) {
+            ("length", _) => "\"100 nm\"",
+            ("height", _) => "\"10 nm\"",
+            ("equilibrium_distance", _) => "\"0.4 nm\"",
+            ("poissons_ratio", _) => "0.2",
+            ("shear_correction", _) => "0.8333333333333334",
+            ("relative", _) => "1e-6",
+            (_, Kind::Text(_)) => "\"Peeling of a strip\"",
+            (_, Kind::Number(..)) => "1.0",
+            (_, Kind::Quantity(Dimension::Length, _)) => "\"1 nm\"",
+            (_, Kind::Bound(Dimension::Length, _)) => "\"500 nm\"",
+            (_, Kind::Quantity(Dimension::Pressure, _) | Kind::Bound(Dimension::Pressure, _)) => "\"2 GPa\"",
+            (_, Kind::Quantity(Dimension::Energy, _) | Kind::Bound(Dimension::Energy, _)) => "\"1e-19 J\"",
+            (_, Kind::Quantity(Dimension::Time, _) | Kind::Bound(Dimension::Time, _)) => "\"60 s\"",
+            (_, Kind::Count(_)) => "20000",
+            (_, Kind::Flag(_)) => "true",
+            (_, Kind::LineLoad(_)) => "\"full\"",
+            (_, Kind::Hold(_)) => "\"free\"",
+        }
+    }
+
+    /// A line of a scene that is right.
+    pub(crate) fn example_line(&self) -> String {
+        format!("{} = {}", self.name, self.example())
+    }
+
+    fn remedy(&self) -> String {
+        format!("`{}` takes {}; for example {}", self.name, self.takes(), self.example_line())
+    }
+
+    fn pick<T: Copy>(&self, choices: &[(&'static str, T)], found: &str) -> Result<T, Problem> {
+        if let Some(&(_, choice)) = choices.iter().find(|(word, _)| *word == found) {
+            return Ok(choice);
+        }
+        let near = nearest(found, choices.iter().map(|&(word, _)| word));
+        let guess = near.map(|word| format!("Did you mean \"{word}\"? ")).unwrap_or_default();
+        Err(Problem::new(
+            format!("is {}, which is none of its values", quoted(found)),
+            format!("{guess}{}", self.remedy()),
+        ))
+    }
+
+    fn no_quantity(&self, text: &str, dimension: Dimension, error: QuantityError) -> Problem {
+        match error {
+            QuantityError::NoNumber => {
+                Problem::new(format!("is {}, which does not begin with a number", quoted(text)), self.remedy())
+            }
+            QuantityError::NoUnit => self.no_unit(&quoted(text), &one_line(text.trim()), dimension),
+            QuantityError::UnknownUnit { unit, near } => {
+                let guess = near.map(|near| format!("Did you mean \"{near}\"? ")).unwrap_or_default();
+                Problem::new(
+                    format!("is {}, whose unit {} is not known", quoted(text), quoted(&unit)),
+                    format!("{guess}{}", self.remedy()),
+                )
+            }
+            QuantityError::WrongDimension { unit, measures } => {
+                Problem::new(format!("is {}: {unit} measures {measures}, not {dimension}", quoted(text)), self.remedy())
+            }
+        }
+    }
+
+    fn no_unit(&self, found: &str, number: &str, dimension: Dimension) -> Problem {
+        let unit = dimension.unit();
+        let remedy = format!("Write \"{number} {unit}\" if {unit} is meant. {}", self.remedy());
+        Problem::new(format!("is {found}, a number without a unit"), remedy)
+    }
+
+    fn wrong_type(&self, value: &Value) -> Problem {
+        match (&self.kind, value) {
+            (Kind::Quantity(dimension, _) | Kind::Bound(dimension, _), Value::Number(number)) => {
+                self.no_unit(&show(*number), &show(*number), *dimension)
+            }
+            (Kind::Number(..) | Kind::Count(_), Value::Text(text)) if text.trim().parse::<f64>().is_ok() => {
+                Problem::new(
+                    format!("is {}, a number in quotes", quoted(text)),
+                    format!("Take the quotes away: {} = {}", self.name, text.trim()),
+                )
+            }
+            (Kind::Flag(_), Value::Text(text)) if matches!(text.trim(), "true" | "false") => Problem::new(
+                format!("is {} in quotes", quoted(text)),
+                format!("Take the quotes away: {} = {}", self.name, text.trim()),
+            ),
+            _ => Problem::new(format!("is {value}"), self.remedy()),
+        }
+    }
+}
+
+fn word<T: Copy + PartialEq>(choices: &[(&'static str, T)], value: T) -> String {
+    choices.iter().find(|(_, choice)| *choice == value).map_or("", |(word, _)| word).to_owned()
+}
+
+fn words<T>(choices: &[(&'static str, T)]) -> String {
+    let words: Vec<String> = choices.iter().map(|(word, _)| format!("\"{word}\"")).collect();
+    words.join(" or ")
+}
+
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", one_line(text))
+}
+
+/// A number as a person writes it.
+fn show(number: f64) -> String {
+    let plain = number == 0.0 || !number.is_finite() || (1e-4..1e7).contains(&number.abs());
+    if plain { number.to_string() } else { format!("{number:e}") }
+}
+
+impl Range {
+    fn contains(self, number: f64) -> bool {
+        match self {
+            Self::Positive => number > 0.0,
+            Self::Between(low, high) => low < number && number < high,
+            Self::From(low, high) => low <= number && number <= high,
+        }
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Positive => write!(f, "a number above zero"),
+            Self::Between(low, high) => write!(f, "a number between {low} and {high}, both excluded"),
+            Self::From(low, high) => write!(f, "a number from {low:e} to {high:e}"),
+        }
+    }
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Text(text) => f.write_str(&quoted(text)),
+            Self::Number(number) => f.write_str(&show(*number)),
+            Self::Flag(flag) => write!(f, "{flag}"),
+            Self::Other(what) => write!(f, "{what}"),
+        }
+    }
+}
