@@ -37,6 +37,10 @@ pub(super) fn shapes(peel: &Peel, numbered: &[usize], title: &str, path: &Path) 
         .map(|(n, &i)| Posed { number: n + 1, displacement: peel.points[i].displacement, axis: peel.shape(i) })
         .filter(|posed| posed.axis.x.len() > 1)
         .collect();
+    if poses.is_empty() && !numbered.is_empty() {
+        let reason = format!("no deformed shape is known at the {} points asked for", numbered.len());
+        return Err(ReportError::Draw { path: path.to_path_buf(), reason });
+    }
     if poses.is_empty() {
         return Err(nothing(path, peel));
     }

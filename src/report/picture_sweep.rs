@@ -1,7 +1,7 @@
 //! The picture of a sweep: peak force and plateau, and below them the peeling work, against the varied value.
 
 use super::ReportError;
-use super::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, WIDTH, colour, save};
+use super::chart::{Axis, Dash, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, WIDTH, colour, save};
 use crate::model::StripModel;
 use crate::study::SweepRow;
 use std::f64::consts::PI;
@@ -9,6 +9,10 @@ use std::path::{Path, PathBuf};
 
 /// The key that Fig. 10 of the paper varies.
 const STIFFNESS: &str = "strip.bending_stiffness_factor";
+
+pub(super) const FORCE: &str = "force per width P/b (nN/nm)";
+pub(super) const WORK: &str = "work to snap-off W/b (aJ/nm)";
+pub(super) const STIFFNESS_LABEL: &str = "EI / EI₀";
 
 /// Draws `sweep.svg` and `sweep.png` into `dir`: peak force, plateau and the work up to the snap-off, each per width,
 /// against the values of `key`, on a logarithmic axis where `log` is set.
@@ -34,7 +38,7 @@ pub fn draw_sweep(
 fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Picture {
     let (left, right) = (88.0, f64::from(WIDTH) - 18.0);
     let stiffness = key == STIFFNESS;
-    let x = Axis::around(if stiffness { "EI / EI₀" } else { key }, rows.iter().map(|r| r.value), log);
+    let x = Axis::around(if stiffness { STIFFNESS_LABEL } else { key }, rows.iter().map(|r| r.value), log);
     let mut lines =
         series(rows, |r| Some(per_width(r, r.peel.peak?.force)), Stroke::solid(colour::BLUE, 2.0), "peak force");
     let dashed = Stroke::dashed(colour::VERMILLION, 2.0);
@@ -42,33 +46,40 @@ fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Pictur
     if let (true, Some(row)) = (stiffness, rows.first()) {
         lines.push(kendall_line(&x, &row.peel.model));
     }
-    let forces = panel(Frame { left, top: 40.0, right, bottom: 330.0 }, &x, "force per width P/b (nN/nm)", lines);
-    let work = |r: &SweepRow| Some(per_width(r, r.peel.snap_off?.work));
-    let work = series(rows, work, Stroke::solid(colour::GREEN, 2.0), "work up to the snap-off");
-    let mut panels = vec![forces];
+    let forces = panel(Frame { left, top: 40.0, right, bottom: 330.0 }, &x, FORCE, lines);
+    let mut work = series(rows, work_per_width, Stroke::solid(colour::GREEN, 2.0), "");
+    work.iter_mut().for_each(|line| line.name = None);
+    let mut panels = vec![dotted(forces)];
     if !work.is_empty() {
-        panels.push(panel(Frame { left, top: 400.0, right, bottom: 620.0 }, &x, "work per width (aJ/nm)", work));
+        panels.push(dotted(panel(Frame { left, top: 400.0, right, bottom: 620.0 }, &x, WORK, work)));
     }
     let height = panels.last().map_or(0.0, |p| p.frame.bottom) + 54.0;
     Picture { title: title.into(), height: height as u32, panels }
 }
 
-fn per_width(row: &SweepRow, value: f64) -> f64 {
+pub(super) fn per_width(row: &SweepRow, value: f64) -> f64 {
     value / row.peel.model.strip.width
 }
 
-/// A panel around its lines, its y axis logarithmic where the values span more than a decade.
+/// The work up to the snap-off, per width.
+pub(super) fn work_per_width(row: &SweepRow) -> Option<f64> {
+    Some(per_width(row, row.peel.snap_off?.work))
+}
+
+/// A panel around its lines, its y axis logarithmic where the values span about a decade.
 pub(super) fn panel(frame: Frame, x: &Axis, label: &str, lines: Vec<Line>) -> Panel {
     let values = || lines.iter().flat_map(|l| l.points.iter().map(|p| p.1));
     let (low, high) = values().fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
     let y = Axis::around(label, values(), low > 0.0 && high > 8.0 * low);
-    let mut panel = Panel::new(frame, x.clone(), y);
-    // Where values are few each is a dot; where they are many the line says enough.
-    for line in lines.iter().filter(|l| l.name.is_some() && l.stroke.colour != colour::GREY && l.points.len() <= 60) {
+    Panel { lines, ..Panel::new(frame, x.clone(), y) }
+}
+
+/// Dots at the computed values, where they are not so many that the line says enough.
+fn dotted(mut panel: Panel) -> Panel {
+    for line in panel.lines.iter().filter(|l| l.stroke.dash != Dash::Dotted && l.points.len() <= 60) {
         let dot = |&at| Mark { at, symbol: Symbol::Dot, colour: line.stroke.colour, name: None, note: None };
         panel.marks.extend(line.points.iter().map(dot));
     }
-    panel.lines = lines;
     panel
 }
 

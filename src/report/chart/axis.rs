@@ -33,7 +33,7 @@ impl Axis {
             return Axis { label: label.into(), from: if log { 0.1 } else { 0.0 }, to: 1.0, log };
         }
         if log {
-            let margin = (high / low).powf(0.05).max(1.1);
+            let margin = (high / low).powf(0.03).max(1.1);
             return Axis::log(label, low / margin, high * margin);
         }
         let margin = if high > low { 0.06 * (high - low) } else { (0.1 * high.abs()).max(1e-9) };

@@ -9,7 +9,7 @@ mod panel;
 mod place;
 
 pub(crate) use axis::{Axis, significant};
-pub(crate) use canvas::{Dash, DrawError, Drawn, Pixel, Stroke};
+pub(crate) use canvas::{Dash, Drawn, Stroke};
 pub(crate) use output::{save, write_whole};
 pub(crate) use panel::{Band, Line, Mark, Note, Panel, Shape, Symbol};
 pub(crate) use place::Frame;
@@ -23,7 +23,6 @@ pub(crate) mod colour {
     pub const BLUE: RGBColor = RGBColor(0, 114, 178);
     pub const VERMILLION: RGBColor = RGBColor(213, 94, 0);
     pub const GREEN: RGBColor = RGBColor(0, 158, 115);
-    pub const PURPLE: RGBColor = RGBColor(170, 80, 140);
     pub const ORANGE: RGBColor = RGBColor(230, 159, 0);
     pub const INK: RGBColor = RGBColor(30, 30, 30);
     pub const GREY: RGBColor = RGBColor(120, 120, 120);

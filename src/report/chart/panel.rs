@@ -148,7 +148,7 @@ impl Panel {
             canvas.line(&[(x, bottom), (x, bottom + depth)], &rule)?;
         }
         let mut widest: f64 = 0.0;
-        for tick in self.y.ticks((self.frame.height() / 45.0) as usize) {
+        for tick in self.y.ticks((self.frame.height() / 50.0) as usize) {
             let (_, y) = self.pixel((self.x.from, tick.value));
             let depth = if tick.text.is_some() { 6.0 } else { 3.0 };
             if let Some(text) = tick.text {
