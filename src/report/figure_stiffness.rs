@@ -22,8 +22,8 @@ pub(super) const PEELS: usize = 4 * VALUES + HEIGHTS;
 /// A spatula's EI/EI0: heights of 5 to 20 nm at 2 GPa. The paper gives its range in the figure only; this one is ours.
 const SPATULA: (f64, f64) = (0.125, 8.0);
 
-const SPATULA_CAPTION: &str = "The shaded range of a gecko spatula is h = 5 to 20 nm at E = 2 GPa, that is \
-    EI/EI0 = (h / 10 nm)^3 = 0.125 to 8. This range is ours: the paper shows its range in the figure only, without numbers.";
+const SPATULA_CAPTION: &str = "The shaded range of a gecko spatula is h = 5 to 20 nm at E = 2 GPa, that is EI/EI0 = \
+    (h / 10 nm)^3 = 0.125 to 8. This range is ours: the paper shows its range in the figure only, without numbers.";
 
 /// The sweeps behind these figures, each against EI/EI0.
 pub(super) struct Sweeps {
@@ -84,9 +84,10 @@ pub(super) fn figures(sweeps: &Sweeps, dir: &Path) -> Result<Vec<Figure>, Report
         ("axis-gap: blind to tilt", colour::GREEN, &sweeps.axis_gap),
     ];
     let caption = format!(
-        "Force per width of a strip of {LENGTH} nm against its bending stiffness, EI0 = E h³/12 with E = 2 GPa and h = 10 nm, as in \
-         Fig. 10 of the paper. EI alone is varied. Colours: the three line loads. Solid: the initiation peak. Dashed: the plateau, \
-         which ends where the force nowhere stays level. Dotted: Kendall's force. {SPATULA_CAPTION}{}",
+        "Force per width of a strip of {LENGTH} nm against its bending stiffness, EI0 = E h³/12 with E = 2 GPa and h \
+         = 10 nm, as in Fig. 10 of the paper. EI alone is varied. Colours: the three line loads. Solid: the \
+         initiation peak. Dashed: the plateau, which ends where the force nowhere stays level. Dotted: Kendall's \
+         force. {SPATULA_CAPTION}{}",
         unfinished(&loads.map(|l| l.2))
     );
     let title = "Peak force and plateau against bending stiffness";
@@ -98,9 +99,9 @@ pub(super) fn figures(sweeps: &Sweeps, dir: &Path) -> Result<Vec<Figure>, Report
         ("through h", colour::GREEN, &sweeps.through_height),
     ];
     let caption = format!(
-        "The same for the full line load, with EI varied in three ways: EI alone by a factor; through E, so that EA and GA_s follow; \
-         through h, so that they follow with h and the lever of the adhesion with it (h from 1 to 100 nm: thinner or thicker is no \
-         strip of {LENGTH} nm). {SPATULA_CAPTION}{}",
+        "The same for the full line load, with EI varied in three ways: EI alone by a factor; through E, so that EA \
+         and GA_s follow; through h, so that they follow with h and the lever of the adhesion with it (h from 1 to \
+         100 nm: thinner or thicker is no strip of {LENGTH} nm). {SPATULA_CAPTION}{}",
         unfinished(&ways.map(|w| w.2))
     );
     let title = "EI varied alone, through E, through h";
@@ -114,7 +115,7 @@ fn picture(title: &str, all: &[Series<'_>]) -> Picture {
     let frame = Frame { left: 88.0, top: 40.0, right: f64::from(WIDTH) - 18.0, bottom: 480.0 };
     let mut lines = Vec::new();
     // Where curves coincide the wider one below still shows.
-    for (&(name, colour, rows), width) in all.iter().zip([4.4, 3.0, 1.6]) {
+    for (&(name, colour, rows), width) in all.iter().zip([4.4, 2.8, 1.5]) {
         let initiation = |r: &SweepRow| Some(per_width(r, r.peel.initiation_peak?.force));
         lines.extend(series(rows, initiation, Stroke::solid(colour, width), name));
         let plateau = |r: &SweepRow| Some(per_width(r, r.peel.plateau?.force));

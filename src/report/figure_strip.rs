@@ -24,8 +24,9 @@ fn peeling(peel: &Peel, dir: &Path) -> Result<Figure, ReportError> {
     let shown = stable_shapes(peel);
     let picture = shapes(peel, &shown, "Peeling of an elastic strip, L = 200 nm", &dir.join(format!("{stem}.svg")))?;
     let caption = format!(
-        "The strip of Fig. 9 of the paper (h = 10 nm, E = 2 GPa, A_H = 1e-19 J, r0 = 0.4 nm; the length of 200 nm is ours), \
-         drawn to scale: at rest and lifted at its right end, which is free to turn and to move sideways, up to the snap-off{}.",
+        "The strip of Fig. 9 of the paper (h = 10 nm, E = 2 GPa, A_H = 1e-19 J, r0 = 0.4 nm; the length of 200 nm is \
+         ours), drawn to scale: at rest and lifted at its right end, which is free to turn and to move sideways, up \
+         to the snap-off{}.",
         peel.snap_off.map(|s| format!(" at u = {} nm", significant(s.displacement, 5))).unwrap_or_default()
     );
     Figure::write(dir, stem, caption, &picture, &shape_table(peel, &shown))
@@ -53,8 +54,9 @@ fn peel_curve(peel: &Peel, dir: &Path) -> Result<Figure, ReportError> {
     let title = "Force against displacement, L = 100 nm";
     let picture = curve(peel, &numbered_points(peel), title, &dir.join(format!("{stem}.svg")))?;
     let caption = format!(
-        "Force on the grip of a strip of 100 nm against its displacement. Left the initiation, right the whole path, which {}. \
-         Dashed: equilibria that are unstable while the displacement is held. The numbers are those of `peel-shapes`.",
+        "Force on the grip of a strip of 100 nm against its displacement. Left the initiation, right the whole path, \
+         which {}. Dashed: equilibria that are unstable while the displacement is held. The numbers are those of \
+         `peel-shapes`.",
         ending(&peel.end)
     );
     let mut table = Table::new(&["displacement_nm", "force_nN", "negative_eigenvalues"]);

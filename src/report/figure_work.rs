@@ -16,35 +16,37 @@ pub(super) const PEELS: usize = 3 * PARABOLAS + 1;
 
 /// The figure for a sweep of EI alone; its largest work is refined by further peels.
 pub(super) fn figure(runner: &Runner<'_>, rows: &[SweepRow], dir: &Path) -> Result<Figure, ReportError> {
-    let largest =
-        largest_work(rows, |cases| runner.sweep(&cases.iter().map(|&f| (f, stiffened(f))).collect::<Vec<_>>()));
+    let refined =
+        refine_largest(rows, |cases| runner.sweep(&cases.iter().map(|&f| (f, stiffened(f))).collect::<Vec<_>>()));
     let mut shown = rows.to_vec();
+    shown.extend(refined.iter().cloned());
+    shown.sort_by(|a, b| a.value.total_cmp(&b.value));
     let mut caption = format!(
-        "Work done by the grip on a strip of {LENGTH} nm up to the snap-off, per width, against its bending stiffness (EI alone \
-         varied, full line load)."
+        "Work done by the grip on a strip of {LENGTH} nm up to the snap-off, per width, against its bending \
+         stiffness (EI alone varied, full line load)."
     );
-    match &largest {
-        Some(row) => {
-            let (at, work) = (significant(row.value, 3), work_per_width(row).unwrap_or(f64::NAN));
-            caption += &format!(" It is largest at EI/EI0 = {at}: {} aJ/nm", significant(work, 5));
+    let largest = refined.last().and_then(|row| Some((row, work_per_width(row)?)));
+    match largest {
+        Some((row, work)) => {
+            let (at, work) = (significant(row.value, 3), significant(work, 5));
+            caption += &format!(" It is largest at EI/EI0 = {at}: {work} aJ/nm");
             caption += &format!(" (refined by {PARABOLAS} parabolas in log EI).");
-            shown.push(row.clone());
-            shown.sort_by(|a, b| a.value.total_cmp(&b.value));
         }
         None => caption += " It has no largest value inside the range.",
     }
     caption += " The shaded range of a gecko spatula (h = 5 to 20 nm at E = 2 GPa) is ours.";
-    let picture = picture(&shown, largest.as_ref());
+    let picture = picture(&shown, largest);
     Figure::write(dir, "peeling-work", caption, &picture, &table(&[("EI alone", colour::GREEN, &shown)]))
 }
 
-fn picture(rows: &[SweepRow], largest: Option<&SweepRow>) -> Picture {
+fn picture(rows: &[SweepRow], largest: Option<(&SweepRow, f64)>) -> Picture {
     let x = Axis::around(STIFFNESS_LABEL, rows.iter().map(|r| r.value), true);
     let frame = Frame { left: 88.0, top: 40.0, right: f64::from(WIDTH) - 18.0, bottom: 380.0 };
     let mut panel =
         panel(frame, &x, WORK, series(rows, work_per_width, Stroke::solid(colour::GREEN, 2.2), "work to snap-off"));
     panel.bands.push(spatula());
-    if let Some((row, work)) = largest.and_then(|row| Some((row, work_per_width(row)?))) {
+    panel.y.to += 0.1 * (panel.y.to - panel.y.from);
+    if let Some((row, work)) = largest {
         let text = vec![
             "largest work".into(),
             format!("EI / EI₀ = {}", significant(row.value, 3)),
@@ -57,27 +59,31 @@ fn picture(rows: &[SweepRow], largest: Option<&SweepRow>) -> Picture {
     Picture { title: "Peeling work against bending stiffness".into(), height: 434, panels: vec![panel] }
 }
 
-/// The largest work, its place refined by parabolas through three peels in log EI; none where it lies at the rim of the
-/// rows or beside a missing value.
-fn largest_work(rows: &[SweepRow], peel: impl Fn(&[f64]) -> Vec<SweepRow>) -> Option<SweepRow> {
-    let work = |i: usize| rows.get(i).and_then(work_per_width);
-    let top = (0..rows.len()).filter(|&i| work(i).is_some()).max_by(|&a, &b| {
-        let of = |i: usize| work(i).unwrap_or(f64::NEG_INFINITY);
-        of(a).total_cmp(&of(b))
-    })?;
-    work(top.checked_sub(1)?).and(work(top + 1))?;
+/// Peels around the largest work, the last one at its place: the vertex of parabolas through three works in log EI.
+/// None where the largest work lies at the rim of the rows or beside a missing value.
+fn refine_largest(rows: &[SweepRow], peel: impl Fn(&[f64]) -> Vec<SweepRow>) -> Vec<SweepRow> {
+    let works: Vec<f64> = rows.iter().map(|row| work_per_width(row).unwrap_or(f64::NEG_INFINITY)).collect();
+    let top = (0..works.len()).max_by(|&a, &b| works[a].total_cmp(&works[b])).unwrap_or(0);
+    let inside = top > 0 && top + 1 < rows.len() && works[top - 1..=top + 1].iter().all(|w| w.is_finite());
+    if !inside {
+        return Vec::new();
+    }
+    let mut peeled = Vec::new();
     let mut centre = rows[top].value.log10();
     let mut step = 0.5 * (rows[top + 1].value.log10() - centre);
     for _ in 0..PARABOLAS {
         let three = peel(&[centre - step, centre, centre + step].map(|c| 10f64.powf(c)));
-        let [left, middle, right] = three.iter().map(work_per_width).collect::<Option<Vec<f64>>>()?.try_into().ok()?;
+        let works: Vec<f64> = three.iter().filter_map(work_per_width).collect();
+        let &[left, middle, right] = works.as_slice() else { return Vec::new() };
+        peeled.extend(three);
         let bend = left - 2.0 * middle + right;
         if bend >= 0.0 {
-            return None;
+            return Vec::new();
         }
         centre += (0.5 * step * (left - right) / bend).clamp(-step, step);
         // Not too fine: the error of the work would move the vertex.
         step *= 0.5;
     }
-    peel(&[10f64.powf(centre)]).pop()
+    peeled.extend(peel(&[10f64.powf(centre)]));
+    peeled
 }

@@ -1,7 +1,7 @@
 //! Force against displacement, with the limit points and the peak.
 //!
-//! The peel begins within a nanometre and runs on for a hundred: where that is so, a panel of its own shows the initiation,
-//! and the panel of the whole path is cut above what follows.
+//! The peel begins within a nanometre and runs on for a hundred: where that is so, a panel of its own shows the
+//! initiation, and the panel of the whole path is cut above what follows.
 
 use super::chart::{
     Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, order_shade, significant,
@@ -23,7 +23,12 @@ pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], title: &str) -> Pic
     let curve = peel.dense_curve(DENSE);
     let farthest = curve.iter().fold(0.0f64, |r, p| r.max(p.0));
     let zoom = peel.initiation_peak.map(|p| INITIATION * p.displacement).filter(|&u| u > 0.0 && u < 0.5 * farthest);
-    let frame = |left, right| Frame { left, top: 52.0, right, bottom: f64::from(HEIGHT) - 56.0 };
+    let frame = |left, right| Frame {
+        left,
+        top: if zoom.is_some() { 52.0 } else { 40.0 },
+        right,
+        bottom: f64::from(HEIGHT) - 56.0,
+    };
     let wide = f64::from(WIDTH) - 14.0;
     let mut panels = match zoom {
         Some(to) => {

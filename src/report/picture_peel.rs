@@ -31,10 +31,16 @@ pub(super) fn curve(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -
 
 /// The deformed strip at the numbered points; `path` is what the message names.
 pub(super) fn shapes(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -> Result<Picture, ReportError> {
+    // A force that the path has brought to zero is printed as zero.
+    let largest = peel.points.iter().fold(0.0f64, |r, p| r.max(p.force.abs()));
     let poses: Vec<Posed> = numbered
         .iter()
         .enumerate()
-        .map(|(n, &i)| Posed { number: n + 1, displacement: peel.points[i].displacement, axis: peel.shape(i) })
+        .map(|(n, &i)| {
+            let point = &peel.points[i];
+            let force = if point.force.abs() > 1e-6 * largest { point.force } else { 0.0 };
+            Posed { number: n + 1, displacement: point.displacement, force, axis: peel.shape(i) }
+        })
         .filter(|posed| posed.axis.x.len() > 1)
         .collect();
     if poses.is_empty() && !numbered.is_empty() {

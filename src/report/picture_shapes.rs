@@ -13,11 +13,16 @@ pub(super) struct Posed {
     pub number: usize,
     /// nm
     pub displacement: f64,
+    /// nN
+    pub force: f64,
     pub axis: study::Shape,
 }
 
 /// Most pixels that the panel may be high.
 const HIGHEST: f64 = 560.0;
+
+/// The least height of the panel, in lengths of the strip: the legend stands above what still lies flat.
+const LOWEST: f64 = 0.4;
 
 /// The strip of the given height at all those points, the axes of equal scale.
 pub(super) fn shapes_picture(poses: &[Posed], height: f64, title: &str) -> Picture {
@@ -27,8 +32,8 @@ pub(super) fn shapes_picture(poses: &[Posed], height: f64, title: &str) -> Pictu
     let (bottom, top) = all().fold((0.0f64, 0.0f64), |(a, b), p| (a.min(p.1), b.max(p.1)));
     let span = (high - low).max(1.2 * (top - bottom)).max(f64::MIN_POSITIVE);
     let ground = 0.045 * span;
-    let (mut from, mut to) = (low - 0.05 * span, high + 0.17 * span);
-    let (y_from, y_to) = (bottom - ground, top + 0.07 * span);
+    let (mut from, mut to) = (low - 0.05 * span, high + 0.08 * span);
+    let (y_from, y_to) = (bottom - ground, (top + 0.07 * span).max(LOWEST * span));
     let (left, right, upper) = (78.0, f64::from(WIDTH) - 16.0, 40.0);
     // As wide as the sheet; where that would be too high, the range of x grows instead.
     let shortage = (y_to - y_from) * (right - left) / HIGHEST - (to - from);
@@ -61,9 +66,9 @@ fn strip(panel: &mut Panel, posed: &Posed, outline: Vec<(f64, f64)>, colour: RGB
     panel.shapes.push(Shape { corners: outline.clone(), colour, opacity: 0.30 });
     panel.lines.push(Line { points: outline, stroke: Stroke::solid(colour, 1.3), name: None });
     if let (Some(&x), Some(&y)) = (posed.axis.x.last(), posed.axis.y.last()) {
-        let text = vec![format!("u = {} nm", significant(posed.displacement, 3))];
-        let note = Some(Note { badge: Some(posed.number), text });
-        panel.marks.push(Mark { at: (x, y), symbol: Symbol::Dot, colour, name: None, note });
+        let name = format!("u = {} nm, P = {} nN", significant(posed.displacement, 3), significant(posed.force, 3));
+        let note = Some(Note { badge: Some(posed.number), text: Vec::new() });
+        panel.marks.push(Mark { at: (x, y), symbol: Symbol::Dot, colour, name: Some(name), note });
     }
 }
 

@@ -97,7 +97,10 @@ impl Axis {
 
 /// A number with so many significant digits, as one prints it in a picture.
 pub(crate) fn significant(value: f64, digits: i32) -> String {
-    if value == 0.0 || !value.is_finite() {
+    if value == 0.0 {
+        return "0".into();
+    }
+    if !value.is_finite() {
         return minus(format!("{value}"));
     }
     let decade = value.abs().log10().floor() as i32;
@@ -158,6 +161,7 @@ mod tests {
         assert_eq!(significant(48.215_617, 4), "48.22");
         assert_eq!(significant(0.037_562_7, 3), "0.0376");
         assert_eq!(significant(-2.5e-9, 3), "−2.50·10⁻⁹");
+        assert_eq!(significant(-0.0, 3), "0");
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! A white sheet on which lines, areas, discs and text are drawn, in pixels; it comes out as SVG text.
 //!
-//! plotters rounds every point to a whole unit, in SVG too: the sheet is drawn ten times as large and scaled by its viewBox.
+//! plotters rounds every point to a whole unit, in SVG too: the sheet is drawn ten times as large and scaled by its
+//! viewBox.
 
 use super::font;
 use plotters::coord::Shift;
@@ -103,17 +104,11 @@ impl Canvas<'_> {
         }
         let style = stroke.colour.stroke_width(fine(stroke.width).max(1) as u32);
         let path: Vec<_> = points.iter().map(|&p| fine_point(p)).collect();
-        let broken = |on: f64, off: f64| {
-            self.area.draw(&DashedPathElement::new(
-                path.clone(),
-                fine(on * stroke.width),
-                fine(off * stroke.width),
-                style,
-            ))
-        };
+        let broken =
+            |on: f64, off: f64| self.area.draw(&DashedPathElement::new(path.clone(), fine(on), fine(off), style));
         match stroke.dash {
-            Dash::Dashed => broken(3.5, 2.2)?,
-            Dash::Dotted => broken(1.0, 1.8)?,
+            Dash::Dashed => broken(8.0, 5.0)?,
+            Dash::Dotted => broken(2.0, 3.6)?,
             Dash::Solid => self.area.draw(&PathElement::new(path, style))?,
         }
         Ok(())

@@ -1,5 +1,5 @@
-//! The small vocabulary that every picture is drawn with: a picture has panels; a panel has two axes, bands, shapes, lines and marks.
-//! Labels and the legend find their own places.
+//! The small vocabulary that every picture is drawn with: a picture has panels; a panel has two axes, bands, shapes,
+//! lines and marks. Labels and the legend find their own places.
 
 mod axis;
 mod canvas;

@@ -76,9 +76,12 @@ enum Key<'a> {
     Line(&'a Stroke),
     Band(RGBColor),
     Mark(Symbol, RGBColor),
+    Badge(usize, RGBColor),
 }
 
+/// Radius of the disc around a number.
 const BADGE: f64 = 9.0;
+/// Room for the sample of a legend row.
 const KEY: f64 = 34.0;
 
 impl Panel {
@@ -169,7 +172,10 @@ impl Panel {
 
     fn draw_legend(&self, canvas: &Canvas<'_>, places: &mut Places) -> Drawn {
         let lines = self.lines.iter().map(|l| (&l.name, Key::Line(&l.stroke)));
-        let marks = self.marks.iter().map(|m| (&m.name, Key::Mark(m.symbol, m.colour)));
+        let marks = self.marks.iter().map(|m| match m.note.as_ref().and_then(|note| note.badge) {
+            Some(number) => (&m.name, Key::Badge(number, m.colour)),
+            None => (&m.name, Key::Mark(m.symbol, m.colour)),
+        });
         let bands = self.bands.iter().map(|b| (&b.name, Key::Band(b.colour)));
         let mut rows: Vec<(&str, Key<'_>)> = Vec::new();
         for (name, key) in lines.chain(marks).chain(bands) {
@@ -184,13 +190,16 @@ impl Panel {
         for (name, _) in &rows {
             widest = widest.max(canvas.length(name, size::TEXT)?);
         }
-        let place = places.along_rim(KEY + widest + 14.0, rows.len() as f64 * size::LEADING + 8.0);
+        let numbered = rows.iter().any(|row| matches!(row.1, Key::Badge(..)));
+        let leading = if numbered { 2.0 * BADGE + 3.0 } else { size::LEADING };
+        let place = places.along_rim(KEY + widest + 14.0, rows.len() as f64 * leading + 8.0);
         canvas.area(&place.corners(), plotters::style::WHITE, 0.85)?;
         for (i, (name, key)) in rows.iter().enumerate() {
-            let (left, y) = (place.left + 6.0, place.top + 4.0 + (i as f64 + 0.5) * size::LEADING);
+            let (left, y) = (place.left + 6.0, place.top + 4.0 + (i as f64 + 0.5) * leading);
             match key {
                 Key::Line(stroke) => canvas.line(&[(left, y), (left + KEY - 8.0, y)], stroke)?,
                 Key::Mark(symbol, colour) => draw_symbol(canvas, *symbol, (left + 0.5 * KEY - 4.0, y), *colour)?,
+                Key::Badge(number, colour) => draw_badge(canvas, *number, (left + 0.5 * KEY - 4.0, y), *colour)?,
                 Key::Band(colour) => {
                     let swatch = Frame { left, top: y - 6.0, right: left + KEY - 8.0, bottom: y + 6.0 };
                     canvas.area(&swatch.corners(), *colour, 0.25)?;
@@ -212,6 +221,12 @@ fn draw_symbol(canvas: &Canvas<'_>, symbol: Symbol, (x, y): Pixel, colour: RGBCo
     canvas.area(&corners, colour, 1.0)
 }
 
+fn draw_badge(canvas: &Canvas<'_>, number: usize, centre: Pixel, colour: RGBColor) -> Drawn {
+    canvas.disc(centre, BADGE, colour)?;
+    canvas.disc(centre, BADGE - 1.4, plotters::style::WHITE)?;
+    canvas.text(&number.to_string(), centre, 12.0, super::colour::INK, Align::Centre)
+}
+
 fn draw_note(canvas: &Canvas<'_>, places: &mut Places, at: Pixel, mark: &Mark, note: &Note) -> Drawn {
     let indent = if note.badge.is_some() { 2.0 * BADGE } else { 0.0 };
     let mut width = indent;
@@ -221,17 +236,19 @@ fn draw_note(canvas: &Canvas<'_>, places: &mut Places, at: Pixel, mark: &Mark, n
     let height = (note.text.len() as f64 * size::LEADING).max(indent);
     let place = places.beside(at, width, height);
     let near = place.nearest(at);
-    if (near.0 - at.0).hypot(near.1 - at.1) > 16.0 {
-        canvas.line(&[at, near], &Stroke::solid(colour::GREY, 0.8))?;
+    let (across, down) = (near.0 - at.0, near.1 - at.1);
+    let away = across.hypot(down);
+    if away > 16.0 {
+        let leader = [(at.0 + 7.0 * across / away, at.1 + 7.0 * down / away), near];
+        canvas.line(&leader, &Stroke::solid(colour::GREY, 0.8))?;
+        places.add_line(&leader);
     }
     if !note.text.is_empty() {
         canvas.area(&place.corners(), plotters::style::WHITE, 0.8)?;
     }
     if let Some(number) = note.badge {
         let centre = (place.left + BADGE, 0.5 * (place.top + place.bottom));
-        canvas.disc(centre, BADGE, mark.colour)?;
-        canvas.disc(centre, BADGE - 1.4, plotters::style::WHITE)?;
-        canvas.text(&number.to_string(), centre, 12.0, colour::INK, Align::Centre)?;
+        draw_badge(canvas, number, centre, mark.colour)?;
     }
     let left = if note.badge.is_some() { place.left + indent + 5.0 } else { place.left + 2.0 };
     for (i, text) in note.text.iter().enumerate() {

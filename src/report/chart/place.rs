@@ -91,7 +91,12 @@ impl Places {
                 let (x, y) = (at.0 + distance * cos, at.1 - distance * sin);
                 // The block touches (x, y) with the point of its rim that faces `at`.
                 let (left, top) = (x - width * 0.5 * (1.0 - cos), y - height * 0.5 * (1.0 + sin));
-                tries.push((Frame { left, top, right: left + width, bottom: top + height }, 0.12 * distance));
+                let frame = Frame { left, top, right: left + width, bottom: top + height };
+                // Whatever stands between the point and its label.
+                let between =
+                    (1..8).map(|i| f64::from(i) / 8.0).map(|t| (at.0 + t * (x - at.0), at.1 + t * (y - at.1)));
+                let hidden = between.filter(|&p| self.taken.iter().any(|t| t.holds(p) && !t.holds(at))).count();
+                tries.push((frame, 0.12 * distance + 10.0 * hidden as f64));
             }
         }
         self.take(tries)
