@@ -1,7 +1,7 @@
 //! The figures of `figures/`: computed, drawn, and written with the data and a caption beside each.
 
-use super::chart::{Picture, save, write_whole};
-use super::{ReportError, figure_stiffness, figure_strip, figure_work};
+use super::chart::{Picture, save};
+use super::{ReportError, figure_stiffness, figure_strip, figure_work, write_whole};
 use crate::adhesion::LineLoad;
 use crate::model::{Adhesion, Grip, Hold, Strip, StripModel};
 use crate::study::{Accuracy, Bounds, Peel, SweepRow, peel, sweep};
@@ -97,8 +97,8 @@ pub(super) struct Runner<'a> {
     progress: &'a (dyn Fn(usize, usize) + Sync),
 }
 
-const ACCURACY: Accuracy = Accuracy { relative: 1e-6 };
-const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+pub(super) const ACCURACY: Accuracy = Accuracy { relative: 1e-6 };
+pub(super) const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
 
 impl Runner<'_> {
     pub fn peel(&self, model: &StripModel) -> Peel {

@@ -87,3 +87,47 @@ fn refine_largest(rows: &[SweepRow], peel: impl Fn(&[f64]) -> Vec<SweepRow>) -> 
     peeled.extend(peel(&[10f64.powf(centre)]));
     peeled
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::figure::{ACCURACY, BOUNDS};
+    use crate::study::{LimitPoint, Turn};
+
+    /// Rows that have no path but a work: of a curve that is largest at log EI = 0.37.
+    fn rows(values: &[f64]) -> Vec<SweepRow> {
+        let work = |value: f64| 3.0 + (-(value.log10() - 0.37).powi(2)).exp() + 0.02 * (value.log10() - 0.37).powi(3);
+        let mut row = SweepRow { value: 0.0, peel: crate::study::peel(&stiffened(1.0), &ACCURACY, &BOUNDS) };
+        let snap_off = LimitPoint {
+            kind: Turn::Displacement,
+            displacement: 1.0,
+            force: 1.0,
+            end_rotation: 0.0,
+            work: 0.0,
+            displacement_error: 0.0,
+            force_error: 0.0,
+            after: 0,
+        };
+        let filled = |&value: &f64| {
+            row.value = value;
+            row.peel.snap_off = Some(LimitPoint { work: work(value), ..snap_off });
+            row.clone()
+        };
+        values.iter().map(filled).collect()
+    }
+
+    #[test]
+    fn parabolas_find_the_place_of_the_largest_work() {
+        let sweep = rows(&[1e-2, 1e-1, 1.0, 10.0, 100.0]);
+        let peeled = refine_largest(&sweep, rows);
+        assert_eq!(peeled.len(), PEELS);
+        let place = peeled.last().unwrap().value.log10();
+        assert!((place - 0.37).abs() < 2e-3, "{place}");
+    }
+
+    #[test]
+    fn a_largest_work_at_the_rim_is_not_called_a_maximum() {
+        assert!(refine_largest(&rows(&[1e-3, 1e-2, 1e-1]), rows).is_empty());
+        assert!(refine_largest(&[], rows).is_empty());
+    }
+}

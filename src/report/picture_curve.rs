@@ -9,8 +9,8 @@ use super::chart::{
 use crate::study::{LimitPoint, Peel, Turn};
 
 const HEIGHT: u32 = 440;
-/// Points drawn to a step of the path.
-const DENSE: usize = 24;
+/// About how many points the curve is drawn with.
+const DENSE: usize = 1500;
 /// The initiation panel reaches to so many times the displacement of the initiation peak.
 const INITIATION: f64 = 8.0;
 /// Most limit points that are labelled; all are marked.
@@ -20,7 +20,7 @@ type Curve = Vec<(f64, f64, usize)>;
 
 /// The curve of a peel with two or more points.
 pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], title: &str) -> Picture {
-    let curve = peel.dense_curve(DENSE);
+    let curve = peel.dense_curve((DENSE / peel.points.len().max(1)).clamp(2, 40));
     let farthest = curve.iter().fold(0.0f64, |r, p| r.max(p.0));
     let zoom = peel.initiation_peak.map(|p| INITIATION * p.displacement).filter(|&u| u > 0.0 && u < 0.5 * farthest);
     let frame = |left, right| Frame {
@@ -163,7 +163,7 @@ fn title_of(peel: &Peel, limit: &LimitPoint) -> Option<&'static str> {
 }
 
 fn same(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
+    (a - b).abs() <= 1e-6 * a.abs().max(b.abs())
 }
 
 fn values(name: Option<&str>, u: f64, force: f64) -> Note {
@@ -171,4 +171,20 @@ fn values(name: Option<&str>, u: f64, force: f64) -> Note {
     text.push(format!("u = {} nm", significant(u, 4)));
     text.push(format!("P = {} nN", significant(force, 4)));
     Note { badge: None, text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stretches_of_one_kind_share_their_end_points() {
+        let curve = vec![(0.0, 0.0, 0), (1.0, 1.0, 0), (0.5, 0.8, 1), (0.2, 0.5, 1), (0.4, 0.0, 0)];
+        let expected = vec![
+            (false, vec![(0.0, 0.0), (1.0, 1.0)]),
+            (true, vec![(1.0, 1.0), (0.5, 0.8), (0.2, 0.5)]),
+            (false, vec![(0.2, 0.5), (0.4, 0.0)]),
+        ];
+        assert_eq!(runs(&curve), expected);
+    }
 }

@@ -107,3 +107,43 @@ fn seen_lengths(peel: &Peel) -> Vec<f64> {
     }
     lengths
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::figure::{ACCURACY, BOUNDS, paper_strip};
+    use crate::study::{PathPoint, Peak};
+
+    #[test]
+    fn the_numbered_points_tell_the_story() {
+        let mut peel = crate::study::peel(&paper_strip(100.0), &ACCURACY, &BOUNDS);
+        let at = |displacement: f64| PathPoint {
+            displacement,
+            force: 1.0,
+            end_rotation: 0.0,
+            work: 0.0,
+            negative_eigenvalues: 0,
+            negative_eigenvalues_load: 0,
+            front: 0.0,
+            iterations: 0,
+        };
+        let limit = |displacement: f64, after: usize| LimitPoint {
+            kind: Turn::Displacement,
+            displacement,
+            force: 1.0,
+            end_rotation: 0.0,
+            work: 0.0,
+            displacement_error: 0.0,
+            force_error: 0.0,
+            after,
+        };
+        peel.points = [0.0, 0.1, 0.26, 5.0, 10.0, 24.0, 40.0, 48.1, 30.0, 23.5, 30.0, 70.0].map(at).to_vec();
+        peel.limit_points = vec![limit(48.2, 6), limit(23.4, 9)];
+        peel.snap_off = Some(limit(48.2, 6));
+        let (force, end_rotation, force_error, displacement_error) = (1.0, 0.0, 0.0, 0.0);
+        peel.initiation_peak = Some(Peak { displacement: 0.25, force, end_rotation, force_error, displacement_error });
+        assert_eq!(numbered_points(&peel), [2, 5, 7, 9, 10, 11]);
+        peel.points.clear();
+        assert!(numbered_points(&peel).is_empty());
+    }
+}

@@ -10,7 +10,7 @@ mod place;
 
 pub(crate) use axis::{Axis, significant};
 pub(crate) use canvas::{Dash, Drawn, Stroke};
-pub(crate) use output::{save, write_whole};
+pub(crate) use output::save;
 pub(crate) use panel::{Band, Line, Mark, Note, Panel, Shape, Symbol};
 pub(crate) use place::Frame;
 

@@ -1,7 +1,7 @@
-//! Files that are whole or not there: written beside their place and renamed.
+//! A picture as SVG and PNG.
 
 use super::{Picture, font};
-use crate::report::ReportError;
+use crate::report::{ReportError, write_whole};
 use resvg::{tiny_skia, usvg};
 use std::path::{Path, PathBuf};
 
@@ -16,20 +16,6 @@ pub(crate) fn save(picture: &Picture, dir: &Path, stem: &str) -> Result<Vec<Path
     write_whole(&svg_path, svg.as_bytes())?;
     write_whole(&png_path, &png)?;
     Ok(vec![svg_path, png_path])
-}
-
-/// Writes a file beside its place and renames it, so that no reader meets half of it.
-pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), ReportError> {
-    let refused = |source| ReportError::Write { path: path.to_path_buf(), source };
-    let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-    let beside = path.with_file_name(format!(".{name}.{}", std::process::id()));
-    if let Some(dir) = path.parent() {
-        std::fs::create_dir_all(dir).map_err(refused)?;
-    }
-    std::fs::write(&beside, bytes).and_then(|()| std::fs::rename(&beside, path)).map_err(|source| {
-        let _ = std::fs::remove_file(&beside);
-        refused(source)
-    })
 }
 
 fn png(svg: &str) -> Result<Vec<u8>, String> {
