@@ -212,6 +212,5 @@ fn the_figures_come_with_their_data_and_captions() {
     assert!(readme.contains("This range is ours"));
     let mut counted = counted.into_inner().unwrap();
     counted.sort_unstable();
-    assert_eq!(counted.len(), counted[0].1);
     assert_eq!(counted.last().map(|&(done, total)| done == total), Some(true));
 }

@@ -12,9 +12,11 @@ const HEIGHT: u32 = 440;
 /// About how many points the curve is drawn with.
 const DENSE: usize = 1500;
 /// The initiation panel reaches to so many times the displacement of the initiation peak.
-const INITIATION: f64 = 8.0;
+const INITIATION: f64 = 16.0;
 /// Most limit points that are labelled; all are marked.
 const LABELLED: usize = 8;
+/// A limit point nearer than this to a labelled one goes without a label, in parts of the ranges of both axes.
+const CROWDED: f64 = 0.02;
 
 type Curve = Vec<(f64, f64, usize)>;
 
@@ -22,7 +24,7 @@ type Curve = Vec<(f64, f64, usize)>;
 pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], title: &str) -> Picture {
     let curve = peel.dense_curve((DENSE / peel.points.len().max(1)).clamp(2, 40));
     let farthest = curve.iter().fold(0.0f64, |r, p| r.max(p.0));
-    let zoom = peel.initiation_peak.map(|p| INITIATION * p.displacement).filter(|&u| u > 0.0 && u < 0.5 * farthest);
+    let zoom = peel.initiation_peak.map(|p| INITIATION * p.displacement).filter(|&u| u > 0.0 && u < 0.4 * farthest);
     let frame = |left, right| Frame {
         left,
         top: if zoom.is_some() { 52.0 } else { 40.0 },
@@ -33,7 +35,7 @@ pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], title: &str) -> Pic
     let mut panels = match zoom {
         Some(to) => {
             let first = panel(frame(74.0, 284.0), &curve, to, highest(&curve), "initiation");
-            let whole = panel(frame(366.0, wide), &curve, 1.04 * farthest, above_plateau(peel, &curve), "whole path");
+            let whole = panel(frame(366.0, wide), &curve, 1.04 * farthest, beyond(peel, &curve, to), "whole path");
             vec![whole, first]
         }
         None => vec![panel(frame(84.0, wide), &curve, 1.04 * farthest, highest(&curve), "")],
@@ -58,20 +60,21 @@ fn highest(curve: &Curve) -> f64 {
     curve.iter().fold(0.0f64, |r, p| r.max(p.1)).max(f64::MIN_POSITIVE)
 }
 
-/// The force up to which the panel of the whole path reaches: what follows the initiation fills its lower half.
-fn above_plateau(peel: &Peel, curve: &Curve) -> f64 {
-    let first = peel.initiation_peak.map_or(0.0, |p| p.displacement);
-    let limits = peel.limit_points.iter().filter(|p| p.displacement > INITIATION * first).map(|p| p.force);
-    let later = limits.chain(peel.plateau.map(|p| p.force)).chain(curve.last().map(|p| p.1)).fold(0.0, f64::max);
-    let high = highest(curve);
-    if later > 0.0 && 2.0 * later < 0.7 * high { 2.0 * later } else { high }
+/// The force up to which the panel of the whole path reaches: from where the curve leaves the panel of the initiation, at
+/// `u`, and well above all that follows.
+fn beyond(peel: &Peel, curve: &Curve, u: f64) -> f64 {
+    let leaving = curve.iter().find(|p| p.0 >= u).map_or(0.0, |p| p.1);
+    let limits = peel.limit_points.iter().filter(|p| p.displacement > u).map(|p| p.force);
+    let later = limits.chain(peel.plateau.map(|p| p.force)).fold(0.0, f64::max);
+    let (reach, high) = (leaving.max(1.8 * later), highest(curve));
+    if reach > 0.0 && reach < 0.7 * high { reach } else { high }
 }
 
 /// A panel from u = 0 or the smallest u to `to`, its force axis up to a little over `force`.
 fn panel(frame: Frame, curve: &Curve, to: f64, force: f64, title: &str) -> Panel {
     let shown = || curve.iter().filter(|p| p.0 <= to);
     let (left, low) = shown().fold((0.0f64, 0.0f64), |(u, f), p| (u.min(p.0), f.min(p.1)));
-    let bottom = if low < 0.0 { low - 0.06 * (force - low) } else { 0.0 };
+    let bottom = if low < -0.005 * force { low - 0.06 * (force - low) } else { 0.0 };
     let left = if left < -1e-6 * to { left - 0.03 * to } else { 0.0 };
     let x = Axis::linear("displacement u (nm)", left, to);
     let mut panel = Panel::new(frame, x, Axis::linear("force P (nN)", bottom, force + 0.12 * (force - bottom)));
@@ -129,12 +132,21 @@ fn name_symbols(panel: &mut Panel) {
 
 /// Limit points and peak with their values, then the numbered points.
 fn marks(peel: &Peel, numbered: &[usize]) -> Vec<Mark> {
+    // Those with a name choose their places first.
+    let mut limits: Vec<(Option<&str>, &LimitPoint)> =
+        peel.limit_points.iter().map(|l| (title_of(peel, l), l)).collect();
+    limits.sort_by_key(|(name, _)| name.is_none());
+    let range = |of: fn(&LimitPoint) -> f64| peel.limit_points.iter().fold(0.0f64, |r, l| r.max(of(l).abs()));
+    let (wide, high) = (range(|l| l.displacement), range(|l| l.force));
     let mut marks = Vec::new();
-    let mut labelled = 0;
-    for limit in &peel.limit_points {
-        let name = title_of(peel, limit);
-        labelled += usize::from(labelled < LABELLED || name.is_some());
-        let wanted = name.is_some() || labelled < LABELLED;
+    let mut labelled: Vec<&LimitPoint> = Vec::new();
+    for (name, limit) in limits {
+        let near = |other: &&LimitPoint| {
+            let apart = (limit.displacement - other.displacement).abs() / wide;
+            apart + (limit.force - other.force).abs() / high < CROWDED
+        };
+        let wanted = name.is_some() || (labelled.len() < LABELLED && !labelled.iter().any(near));
+        labelled.extend(wanted.then_some(limit));
         let note = wanted.then(|| values(name, limit.displacement, limit.force));
         let symbol = if limit.kind == Turn::Displacement { Symbol::Diamond } else { Symbol::Triangle };
         marks.push(Mark { at: (limit.displacement, limit.force), symbol, colour: colour::INK, name: None, note });

@@ -92,7 +92,7 @@ impl Panel {
 
     /// Whether a point lies within both axes.
     pub fn shows(&self, at: (f64, f64)) -> bool {
-        self.frame.grown(0.01).holds(self.pixel(at))
+        self.frame.grown(1.0).holds(self.pixel(at))
     }
 
     fn pixel(&self, (x, y): (f64, f64)) -> Pixel {
@@ -117,7 +117,7 @@ impl Panel {
             canvas.area(&self.pixels(&shape.corners), shape.colour, shape.opacity)?;
         }
         for line in &self.lines {
-            for piece in clip(&self.pixels(&line.points), &self.frame) {
+            for piece in clip(&self.pixels(&line.points), &self.frame.grown(1.0)) {
                 canvas.line(&piece, &line.stroke)?;
                 places.add_line(&piece);
             }
@@ -238,7 +238,7 @@ fn draw_note(canvas: &Canvas<'_>, places: &mut Places, at: Pixel, mark: &Mark, n
     let near = place.nearest(at);
     let (across, down) = (near.0 - at.0, near.1 - at.1);
     let away = across.hypot(down);
-    if away > 16.0 {
+    if away > 16.0 && mark.symbol != Symbol::None {
         let leader = [(at.0 + 7.0 * across / away, at.1 + 7.0 * down / away), near];
         canvas.line(&leader, &Stroke::solid(colour::GREY, 0.8))?;
         places.add_line(&leader);
