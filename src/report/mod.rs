@@ -1,14 +1,24 @@
-//! What a user gets: tables, summaries, pictures.
+//! What a user gets: tables, pictures, summaries.
 
+mod chart;
 mod error;
+mod figure;
+mod figure_stiffness;
+mod figure_strip;
+mod figure_work;
 mod file;
 mod number;
-mod picture;
+mod picture_curve;
+mod picture_peel;
+mod picture_shapes;
+mod picture_sweep;
 mod summary;
 mod table;
 
 pub use error::ReportError;
+pub use figure::draw_figures;
 pub use file::write_whole;
-pub use picture::{draw_figures, draw_peel, draw_sweep};
+pub use picture_peel::draw_peel;
+pub use picture_sweep::draw_sweep;
 pub use summary::{PeelSummary, SweepSummary, end_reason, end_word};
 pub use table::{SweepLine, write_curve, write_limit_points, write_sweep};

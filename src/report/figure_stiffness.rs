@@ -1,0 +1,187 @@
+//! Peak force against bending stiffness: Fig. 10 of the paper for the three line loads, and EI varied in three ways.
+
+use super::ReportError;
+use super::chart::{Axis, Band, Frame, Line, Picture, Stroke, WIDTH, colour};
+use super::figure::{Figure, Runner, Table, paper_strip};
+use super::picture_sweep::{FORCE, STIFFNESS_LABEL, kendall_line, panel, per_width, series, work_per_width};
+use crate::adhesion::LineLoad;
+use crate::model::StripModel;
+use crate::study::{End, SweepRow};
+use plotters::style::RGBColor;
+use std::path::Path;
+
+/// The length of the strips in these figures, nm.
+pub(super) const LENGTH: f64 = 200.0;
+
+const VALUES: usize = 41;
+const HEIGHTS: usize = 33;
+
+/// How many peels the figures of this file take.
+pub(super) const PEELS: usize = 4 * VALUES + HEIGHTS;
+
+/// A spatula's EI/EI0: heights of 5 to 20 nm at 2 GPa. The paper gives its range in the figure only; this one is ours.
+const SPATULA: (f64, f64) = (0.125, 8.0);
+
+const SPATULA_CAPTION: &str = "The shaded range of a gecko spatula is h = 5 to 20 nm at E = 2 GPa, that is EI/EI0 = \
+    (h / 10 nm)^3 = 0.125 to 8. This range is ours: the paper shows its range in the figure only, without numbers.";
+
+/// The sweeps behind these figures, each against EI/EI0.
+pub(super) struct Sweeps {
+    pub full: Vec<SweepRow>,
+    force_only: Vec<SweepRow>,
+    axis_gap: Vec<SweepRow>,
+    through_modulus: Vec<SweepRow>,
+    through_height: Vec<SweepRow>,
+}
+
+impl Sweeps {
+    pub fn compute(runner: &Runner<'_>) -> Self {
+        let alone = |line_load: LineLoad| {
+            let case = |f| {
+                let mut model = stiffened(f);
+                model.adhesion.line_load = line_load;
+                (f, model)
+            };
+            runner.sweep(&spaced(1e-4, 1e4, VALUES).map(case).collect::<Vec<_>>())
+        };
+        let modulus = spaced(1e-4, 1e4, VALUES).map(|f| {
+            let mut model = paper_strip(LENGTH);
+            model.strip.youngs_modulus *= f;
+            (f, model)
+        });
+        let height = spaced(1e-3, 1e3, HEIGHTS).map(|f| {
+            let mut model = paper_strip(LENGTH);
+            model.strip.height *= f.cbrt();
+            (f, model)
+        });
+        Sweeps {
+            full: alone(LineLoad::Full),
+            force_only: alone(LineLoad::ForceOnly),
+            axis_gap: alone(LineLoad::AxisGap),
+            through_modulus: runner.sweep(&modulus.collect::<Vec<_>>()),
+            through_height: runner.sweep(&height.collect::<Vec<_>>()),
+        }
+    }
+}
+
+/// The paper's strip with EI alone multiplied.
+pub(super) fn stiffened(factor: f64) -> StripModel {
+    let mut model = paper_strip(LENGTH);
+    model.strip.bending_stiffness_factor = factor;
+    model
+}
+
+/// Values of even ratio, both ends included.
+fn spaced(from: f64, to: f64, count: usize) -> impl Iterator<Item = f64> {
+    let ratio = (to / from).log10() / (count - 1) as f64;
+    (0..count).map(move |i| 10f64.powf(from.log10() + ratio * i as f64))
+}
+
+pub(super) fn figures(sweeps: &Sweeps, dir: &Path) -> Result<Vec<Figure>, ReportError> {
+    let loads = [
+        ("full: force and moment", colour::BLUE, &sweeps.full),
+        ("force-only: without the moment", colour::VERMILLION, &sweeps.force_only),
+        ("axis-gap: blind to tilt", colour::GREEN, &sweeps.axis_gap),
+    ];
+    let caption = format!(
+        "Force per width of a strip of {LENGTH} nm against its bending stiffness, EI0 = E h³/12 with E = 2 GPa and h \
+         = 10 nm, as in Fig. 10 of the paper. EI alone is varied. Colours: the three line loads. Solid: the \
+         initiation peak. Dashed: the plateau, which ends where the force nowhere stays level. Dotted: Kendall's \
+         force. {SPATULA_CAPTION}{}",
+        unfinished(&loads.map(|l| l.2))
+    );
+    let title = "Peak force and plateau against bending stiffness";
+    let fig10 = Figure::write(dir, "fig10-bending-stiffness", caption, &picture(title, &loads), &table(&loads))?;
+
+    let ways = [
+        ("EI alone", colour::BLUE, &sweeps.full),
+        ("through E", colour::VERMILLION, &sweeps.through_modulus),
+        ("through h", colour::GREEN, &sweeps.through_height),
+    ];
+    let caption = format!(
+        "The same for the full line load, with EI varied in three ways: EI alone by a factor; through E, so that EA \
+         and GA_s follow; through h, so that they follow with h and the lever of the adhesion with it (h from 1 to \
+         100 nm: thinner or thicker is no strip of {LENGTH} nm). {SPATULA_CAPTION}{}",
+        unfinished(&ways.map(|w| w.2))
+    );
+    let title = "EI varied alone, through E, through h";
+    Ok(vec![fig10, Figure::write(dir, "fig10-three-ways", caption, &picture(title, &ways), &table(&ways))?])
+}
+
+type Series<'a> = (&'a str, RGBColor, &'a Vec<SweepRow>);
+
+fn picture(title: &str, all: &[Series<'_>]) -> Picture {
+    let x = Axis::around(STIFFNESS_LABEL, all.iter().flat_map(|s| s.2.iter().map(|r| r.value)), true);
+    let frame = Frame { left: 88.0, top: 40.0, right: f64::from(WIDTH) - 18.0, bottom: 480.0 };
+    let mut lines = Vec::new();
+    // Where curves coincide the wider one below still shows.
+    for (&(name, colour, rows), width) in all.iter().zip([4.4, 2.8, 1.5]) {
+        let initiation = |r: &SweepRow| Some(per_width(r, r.peel.initiation_peak?.force));
+        lines.extend(series(rows, initiation, Stroke::solid(colour, width), name));
+        let plateau = |r: &SweepRow| Some(per_width(r, r.peel.plateau?.force));
+        let unnamed = series(rows, plateau, Stroke::dashed(colour, width), "");
+        lines.extend(unnamed.into_iter().map(|line| Line { name: None, ..line }));
+    }
+    let key = |stroke, name: &str| Line { points: Vec::new(), stroke, name: Some(name.into()) };
+    lines.push(key(Stroke::solid(colour::INK, 2.2), "initiation peak"));
+    lines.push(key(Stroke::dashed(colour::INK, 2.2), "plateau"));
+    lines.extend(all.first().and_then(|s| s.2.first()).map(|row| kendall_line(&x, &row.peel.model)));
+    let mut panel = panel(frame, &x, FORCE, lines);
+    panel.bands.push(spatula());
+    Picture { title: title.into(), height: 534, panels: vec![panel] }
+}
+
+/// The shaded range of the gecko spatula.
+pub(super) fn spatula() -> Band {
+    let name = Some("spatula, h = 5 to 20 nm".into());
+    Band { from: SPATULA.0, to: SPATULA.1, colour: colour::ORANGE, name }
+}
+
+/// One table for all series.
+pub(super) fn table(all: &[Series<'_>]) -> Table {
+    let mut table = Table::new(&[
+        "series",
+        "ei_over_ei0",
+        "youngs_modulus_GPa",
+        "height_nm",
+        "initiation_peak_nN_per_nm",
+        "initiation_peak_error_nN_per_nm",
+        "plateau_nN_per_nm",
+        "snap_off_displacement_nm",
+        "work_to_snap_off_aJ_per_nm",
+        "end",
+    ]);
+    for &(name, _, rows) in all {
+        let name = name.split(':').next().unwrap_or(name);
+        for row in rows {
+            let (peel, strip) = (&row.peel, &row.peel.model.strip);
+            let numbers = [
+                Some(row.value),
+                Some(strip.youngs_modulus),
+                Some(strip.height),
+                peel.initiation_peak.map(|p| per_width(row, p.force)),
+                peel.initiation_peak.map(|p| per_width(row, p.force_error)),
+                peel.plateau.map(|p| per_width(row, p.force)),
+                peel.snap_off.map(|s| s.displacement),
+                work_per_width(row),
+            ];
+            let end = match &peel.end {
+                End::Detached => "detached",
+                End::Pivoting => "pivoting",
+                End::TurnedBack => "turned-back",
+                End::Bound(_) => "bound",
+                End::Failed(_) => "failed",
+            };
+            table.push(&[name], &numbers, &[end]);
+        }
+    }
+    table
+}
+
+/// A sentence on peels that stopped short, empty where none did.
+fn unfinished(all: &[&Vec<SweepRow>]) -> String {
+    let stopped = |row: &&SweepRow| matches!(row.peel.end, End::Failed(_) | End::Bound(_));
+    let count = all.iter().flat_map(|rows| rows.iter()).filter(stopped).count();
+    let total: usize = all.iter().map(|rows| rows.len()).sum();
+    if count == 0 { String::new() } else { format!(" Of {total} peels {count} stopped short; see the data.") }
+}

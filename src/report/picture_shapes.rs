@@ -1,0 +1,92 @@
+//! The deformed strip with its thickness over the substrate, drawn to scale.
+
+use super::chart::{
+    Axis, Frame, Line, Mark, Note, Panel, Picture, Shape, Stroke, Symbol, WIDTH, colour, order_shade, significant,
+};
+use crate::study;
+use plotters::style::RGBColor;
+
+/// The strip at one point of the path.
+#[derive(Clone, Debug)]
+pub(super) struct Posed {
+    /// The number that the curve picture gives the same point.
+    pub number: usize,
+    /// nm
+    pub displacement: f64,
+    /// nN
+    pub force: f64,
+    pub axis: study::Shape,
+}
+
+/// Most pixels that the panel may be high.
+const HIGHEST: f64 = 560.0;
+
+/// The least height of the panel, in lengths of the strip: the legend stands above what still lies flat.
+const LOWEST: f64 = 0.4;
+
+/// The strip of the given height at all those points, the axes of equal scale.
+pub(super) fn shapes_picture(poses: &[Posed], height: f64, title: &str) -> Picture {
+    let outlines: Vec<Vec<(f64, f64)>> = poses.iter().map(|p| outline(&p.axis, height)).collect();
+    let all = || outlines.iter().flatten().filter(|p| p.0.is_finite() && p.1.is_finite());
+    let (low, high) = all().fold((0.0f64, 0.0f64), |(a, b), p| (a.min(p.0), b.max(p.0)));
+    let (bottom, top) = all().fold((0.0f64, 0.0f64), |(a, b), p| (a.min(p.1), b.max(p.1)));
+    let span = (high - low).max(1.2 * (top - bottom)).max(f64::MIN_POSITIVE);
+    let ground = 0.045 * span;
+    let (mut from, mut to) = (low - 0.05 * span, high + 0.08 * span);
+    let (y_from, y_to) = (bottom - ground, (top + 0.07 * span).max(LOWEST * span));
+    let (left, right, upper) = (78.0, f64::from(WIDTH) - 16.0, 40.0);
+    // As wide as the sheet; where that would be too high, the range of x grows instead.
+    let shortage = (y_to - y_from) * (right - left) / HIGHEST - (to - from);
+    if shortage > 0.0 {
+        (from, to) = (from - 0.5 * shortage, to + 0.5 * shortage);
+    }
+    let lower = upper + (right - left) * (y_to - y_from) / (to - from);
+    let frame = Frame { left, top: upper, right, bottom: lower };
+    let mut panel = Panel::new(frame, Axis::linear("x (nm)", from, to), Axis::linear("y (nm)", y_from, y_to));
+    substrate(&mut panel, ground);
+    for (i, (posed, outline)) in poses.iter().zip(outlines).enumerate() {
+        strip(&mut panel, posed, outline, order_shade(i, poses.len()));
+    }
+    Picture { title: title.into(), height: (lower + 52.0).round() as u32, panels: vec![panel] }
+}
+
+/// The rim of the strip: its axis moved by half the height along the normal of the section, to either side.
+fn outline(axis: &study::Shape, height: f64) -> Vec<(f64, f64)> {
+    let side = |by: f64| {
+        let sections = axis.x.iter().zip(&axis.y).zip(&axis.rotation);
+        sections.map(move |((x, y), turn)| (x - by * turn.sin(), y + by * turn.cos())).collect::<Vec<_>>()
+    };
+    let mut rim = side(-0.5 * height);
+    rim.extend(side(0.5 * height).into_iter().rev());
+    rim.extend(rim.first().copied());
+    rim
+}
+
+fn strip(panel: &mut Panel, posed: &Posed, outline: Vec<(f64, f64)>, colour: RGBColor) {
+    panel.shapes.push(Shape { corners: outline.clone(), colour, opacity: 0.30 });
+    panel.lines.push(Line { points: outline, stroke: Stroke::solid(colour, 1.3), name: None });
+    if let (Some(&x), Some(&y)) = (posed.axis.x.last(), posed.axis.y.last()) {
+        let name = format!("u = {} nm, P = {} nN", significant(posed.displacement, 3), significant(posed.force, 3));
+        let note = Some(Note { badge: Some(posed.number), text: Vec::new() });
+        panel.marks.push(Mark { at: (x, y), symbol: Symbol::Dot, colour, name: Some(name), note });
+    }
+}
+
+/// The surface y = 0 with hatching below.
+fn substrate(panel: &mut Panel, depth: f64) {
+    let (from, to) = (panel.x.from, panel.x.to);
+    let below = vec![(from, 0.0), (to, 0.0), (to, panel.y.from), (from, panel.y.from)];
+    panel.shapes.push(Shape { corners: below, colour: colour::PALE, opacity: 1.0 });
+    let step = 0.55 * depth;
+    let strokes = ((to - from + depth) / step).ceil() as usize;
+    for i in 0..=strokes {
+        let x = from + i as f64 * step;
+        let points = vec![(x, 0.0), (x - depth, -depth)];
+        panel.lines.push(Line { points, stroke: Stroke::solid(colour::GREY, 0.8), name: None });
+    }
+    panel.lines.push(Line {
+        points: vec![(from, 0.0), (to, 0.0)],
+        stroke: Stroke::solid(colour::INK, 1.4),
+        name: None,
+    });
+}

@@ -1,0 +1,114 @@
+//! The picture of a sweep: peak force and plateau, and below them the peeling work, against the varied value.
+
+use super::ReportError;
+use super::chart::{Axis, Dash, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, WIDTH, colour, save};
+use crate::model::StripModel;
+use crate::study::SweepRow;
+use std::f64::consts::PI;
+use std::path::{Path, PathBuf};
+
+/// The key that Fig. 10 of the paper varies.
+const STIFFNESS: &str = "strip.bending_stiffness_factor";
+
+pub(super) const FORCE: &str = "force per width P/b (nN/nm)";
+pub(super) const WORK: &str = "work to snap-off W/b (aJ/nm)";
+pub(super) const STIFFNESS_LABEL: &str = "EI / EI₀";
+
+/// Draws `sweep.svg` and `sweep.png` into `dir`: peak force, plateau and the work up to the snap-off, each per width,
+/// against the values of `key`, on a logarithmic axis where `log` is set.
+///
+/// Where the bending stiffness is varied Kendall's force is drawn too.
+pub fn draw_sweep(
+    rows: &[SweepRow],
+    key: &str,
+    title: &str,
+    log: bool,
+    dir: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let refuse = |reason: String| ReportError::Draw { path: dir.join("sweep.svg"), reason };
+    if let Some(row) = rows.iter().find(|row| log && row.value <= 0.0) {
+        return Err(refuse(format!("{key} = {} has no place on a logarithmic axis", row.value)));
+    }
+    if rows.iter().all(|row| row.peel.peak.is_none()) {
+        return Err(refuse(format!("none of the {} values of {key} has a peak force", rows.len())));
+    }
+    save(&sweep_picture(rows, key, title, log), dir, "sweep")
+}
+
+fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Picture {
+    let (left, right) = (88.0, f64::from(WIDTH) - 18.0);
+    let stiffness = key == STIFFNESS;
+    let x = Axis::around(if stiffness { STIFFNESS_LABEL } else { key }, rows.iter().map(|r| r.value), log);
+    let mut lines =
+        series(rows, |r| Some(per_width(r, r.peel.peak?.force)), Stroke::solid(colour::BLUE, 2.0), "peak force");
+    let dashed = Stroke::dashed(colour::VERMILLION, 2.0);
+    lines.extend(series(rows, |r| Some(per_width(r, r.peel.plateau?.force)), dashed, "plateau"));
+    if let (true, Some(row)) = (stiffness, rows.first()) {
+        lines.push(kendall_line(&x, &row.peel.model));
+    }
+    let forces = panel(Frame { left, top: 40.0, right, bottom: 330.0 }, &x, FORCE, lines);
+    let mut work = series(rows, work_per_width, Stroke::solid(colour::GREEN, 2.0), "");
+    work.iter_mut().for_each(|line| line.name = None);
+    let mut panels = vec![dotted(forces)];
+    if !work.is_empty() {
+        panels.push(dotted(panel(Frame { left, top: 400.0, right, bottom: 620.0 }, &x, WORK, work)));
+    }
+    let height = panels.last().map_or(0.0, |p| p.frame.bottom) + 54.0;
+    Picture { title: title.into(), height: height as u32, panels }
+}
+
+pub(super) fn per_width(row: &SweepRow, value: f64) -> f64 {
+    value / row.peel.model.strip.width
+}
+
+/// The work up to the snap-off, per width.
+pub(super) fn work_per_width(row: &SweepRow) -> Option<f64> {
+    Some(per_width(row, row.peel.snap_off?.work))
+}
+
+/// A panel around its lines, its y axis logarithmic where the values span about a decade.
+pub(super) fn panel(frame: Frame, x: &Axis, label: &str, lines: Vec<Line>) -> Panel {
+    let values = || lines.iter().flat_map(|l| l.points.iter().map(|p| p.1));
+    let (low, high) = values().fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
+    let y = Axis::around(label, values(), low > 0.0 && high > 8.0 * low);
+    Panel { lines, ..Panel::new(frame, x.clone(), y) }
+}
+
+/// Dots at the computed values, where they are not so many that the line says enough.
+fn dotted(mut panel: Panel) -> Panel {
+    for line in panel.lines.iter().filter(|l| l.stroke.dash != Dash::Dotted && l.points.len() <= 60) {
+        let dot = |&at| Mark { at, symbol: Symbol::Dot, colour: line.stroke.colour, name: None, note: None };
+        panel.marks.extend(line.points.iter().map(dot));
+    }
+    panel
+}
+
+/// The values that exist, as lines that break where one is missing.
+pub(super) fn series(
+    rows: &[SweepRow],
+    value: impl Fn(&SweepRow) -> Option<f64>,
+    stroke: Stroke,
+    name: &str,
+) -> Vec<Line> {
+    let point = |row: &SweepRow| value(row).filter(|v| v.is_finite()).map(|v| (row.value, v));
+    let points: Vec<Option<(f64, f64)>> = rows.iter().map(point).collect();
+    let pieces = points.split(Option::is_none).filter(|piece| !piece.is_empty());
+    let name = |i: usize| (i == 0).then(|| name.to_string());
+    pieces
+        .enumerate()
+        .map(|(i, piece)| Line { points: piece.iter().flatten().copied().collect(), stroke, name: name(i) })
+        .collect()
+}
+
+/// Kendall's force over the whole axis.
+pub(super) fn kendall_line(x: &Axis, model: &StripModel) -> Line {
+    let force = kendall_force(model);
+    let stroke = Stroke::dotted(colour::GREY, 2.0);
+    Line { points: vec![(x.from, force), (x.to, force)], stroke, name: Some("Kendall".into()) }
+}
+
+/// The steady force per width of peeling at 90 degrees, nN/nm: the work of adhesion of a half space.
+pub(super) fn kendall_force(model: &StripModel) -> f64 {
+    let adhesion = &model.adhesion;
+    15f64.cbrt() * adhesion.hamaker_constant / (16.0 * PI * adhesion.equilibrium_distance.powi(2))
+}
