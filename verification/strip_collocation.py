@@ -364,6 +364,7 @@ class Tracer:
         self.lam0 = (self.k0 / c.EI) ** 0.25
         self.ell = 1.0 / self.lam0
         self.iterations = 0
+        self.pole = c.line_load != "axis-gap" and not c.far_face      # Psi = W/cos(theta), nothing to make up for the cos
         self.border = self.good = None
 
     def scale(self, N):
@@ -393,8 +394,8 @@ class Tracer:
         for a in (1, 2, 3):
             v = np.abs(f[:, a])
             act = np.maximum(act, v / max(v.max(), 1e-300))
-        act = act * act / (act + quiet)                       # what is quieter is noise of the discretisation
-        rho = (lam1 + lam2) * act ** (1.0 / n_eff) + lams * act ** 0.33 + 1.5 * lam3 + 2.0 / c.length
+        gate = act * act / (act * act + quiet * quiet)        # what is quieter is noise of the discretisation
+        rho = ((lam1 + lam2) * act ** (1.0 / n_eff) + lams * act ** 0.33) * gate + 1.5 * lam3 + 2.0 / c.length
         return self.equidistribute(S, rho, N)
 
     def equidistribute(self, S, rho, N):
@@ -434,6 +435,7 @@ class Tracer:
             if row is None:
                 raise Failure("no border")
         last = np.inf
+        most += 8 * self.pole
         for it in range(most):
             sy = System(self.c, st)
             self.iterations += 1
@@ -448,13 +450,16 @@ class Tracer:
             size = np.abs(dx / sc).max()
             if not np.isfinite(size) or size > 50.0 * (1.0 + self.c.length / self.ell):
                 raise Failure("diverged")
+            if self.pole:                                             # stay on this side of cos(theta) = 0
+                turn = np.abs(dx[1:self.d * len(st.X):self.d])
+                dx = dx * min(1.0, float((0.4 * np.abs(np.cos(st.zn[:, 1])) / np.maximum(turn, 1e-300)).min()))
             new = sy.apply(st, dx)
             if new.zn[:, 0].min() < 0.3 * self.c.r0 - (0.0 if self.c.line_load == "axis-gap" else self.c.height):
                 raise Failure("penetrates")
             st = new
             if size < tol or (it > 1 and size < 1e-9 and size > 0.3 * last):
                 break
-            if it >= 2 and size > 2.0 * last and size > 1e-6:
+            if it >= 2 and size > 2.0 * last and size > 1e-6 and not self.pole:
                 raise Failure("not contracting")
             last = size
         else:
@@ -507,21 +512,30 @@ class Tracer:
         while len(self.track) < most:
             got = None
             sig = hist[-1][0]
+            tries = 0
             while got is None:
+                tries += 1
                 use = hist[-(2 if len(self.track) < 6 else 3):]
                 x = [q[0] for q in use]
                 wts = [np.prod([(sig + ds - x[j]) / (x[i] - x[j]) for j in range(len(x)) if j != i]) for i in range(len(x))]
                 mix = lambda get: sum(w * get(q[1]) for w, q in zip(wts, use))
                 pX = mix(lambda s: s.X)
                 try:
+                    if tries > 2:                                     # a sharp bend: along the tangent, on the last mesh
+                        pX = hist[-1][1].X.copy()
                     if np.diff(pX).min() <= 0.2 * np.diff(hist[-1][1].X).min():
                         raise Failure("the mesh folds")
                     pX[0], pX[-1] = 0.0, c.length
                     pred = State(pX, mix(lambda s: s.zn), mix(lambda s: s.K), mix(lambda s: s.H))
+                    if tries > 2:
+                        pred = self.euler(hist[-1][1], hist[-2][1], ds)
                     new = self.correct(pred)
                     err = self.error(pred, new)
-                    if err > 5.0 * goal:
+                    if err > 5.0 * goal or self.used > (9 if self.pole else 6):
                         raise Failure("prediction too coarse")
+                    went = self.distance(hist[-1][1], new)
+                    if self.distance(pred, new) > 0.35 * went:        # also keeps the path from turning on its heel
+                        raise Failure("off the direction of the path")
                     got = new
                 except (Failure, np.linalg.LinAlgError) as why:
                     if verbose:
@@ -534,6 +548,11 @@ class Tracer:
             new = got.moved(c, self.mesh(got, N), n)
             step = self.distance(hist[-1][1], new)
             hist = hist[-3:] + [(sig + step, new)]
+            if self.load > 1.7 * N or (N > 32 and self.load < 0.8 * N):
+                N = max(32, int(self.load / 1.3))
+                hist = [(q, s.moved(c, self.mesh(s, N), n)) for q, s in hist]
+                way = (hist[-1][1].flat() - hist[-2][1].flat()) / self.scale(N)
+                self.border = self.good = way / np.linalg.norm(way)
             self.track.append((self.u(got), self.P(got), got.zn[-1, 1]))
             if verbose:
                 print(f"    {len(self.track):4d} u={self.u(got):.8g} P={self.P(got):.8g} th0={got.zn[0,1]:.4f} thL={got.zn[-1,1]:.4f} "
@@ -570,6 +589,19 @@ class Tracer:
             ds = step * float(np.clip((goal / max(err, 1e-12)) ** (1.0 / 3.0) * 0.9, 0.4, 1.6))
         return "bound on points", found
 
+    def euler(self, st, before, ds):
+        """A step of length ds along the tangent at st, away from `before`."""
+        st = self.correct(st)
+        sc = self.scale(len(st.X) - 1)
+        old = State(st.X, before.at(st.X), before.K, before.H).flat()
+        sy = System(self.c, st)
+        _, T = sy.solve(self.border / sc, 0.0)
+        if (T / sc) @ ((st.flat() - old) / sc) < 0:
+            T = -T
+        sy.sol[..., 0] = 0.0
+        there = sy.apply(st, T)
+        return sy.apply(st, T * (ds / self.distance(st, State(st.X, there.zn, there.K, there.H))))
+
     def distance(self, a, b):
         """How far two solutions are apart as functions of S, wherever their meshes lie."""
         dz = np.concatenate([a.zn - b.at(a.X), a.at(b.X) - b.zn])
@@ -596,6 +628,8 @@ class Tracer:
         above tol; then the point is found again.
         """
         X = self.mesh(st, N, quiet=1e-8)
+        if self.load > 1.6 * N:
+            X = self.mesh(st, int(self.load / 1.6) + 1, quiet=1e-8)
         for round_ in range(12):
             st = st.moved(self.c, X, n)
             sc = self.scale(len(X) - 1)
@@ -616,34 +650,33 @@ class Tracer:
         return st
 
     def turn(self, st, kind, sc, verbose):
+        """On one mesh: solutions on planes across the tangent at st; secant method for the one where the path turns."""
         N = len(st.X) - 1
         col = self.d * N + (2 if kind == "peak" else 0)
         T0 = self.tangent(st)
         base = T0 / sc
         mid = base @ st.flat()
-        pts = []
-        sig, phi, cur = 0.0, T0[col], st
-        pts.append((sig, phi))
-        step = 1e-3
-        best = (abs(phi), cur)
-        for it in range(25):
-            sig_new = sig + step
-            shift = State(cur.X, cur.zn + (T0 * sc)[:self.d * (N + 1)].reshape(N + 1, self.d) * step, cur.K, cur.H)
-            cur = self.correct(shift, row=base, target=mid + sig_new, tol=3e-13, most=12)
-            T = self.tangent(cur, like=T0)
-            phi_new = T[col]
-            pts.append((sig_new, phi_new))
+        ahead = (T0 * sc)[:self.d * (N + 1)].reshape(N + 1, self.d)
+        sig, phi, cur, step = 0.0, T0[col], st, 1e-5
+        tries = 0
+        for it in range(40):
+            try:
+                new = self.correct(State(cur.X, cur.zn + ahead * step, cur.K, cur.H), row=base, target=mid + sig + step, tol=3e-13, most=12)
+                T = self.tangent(new, like=T0)
+            except Failure:
+                tries += 1
+                if tries > 8:
+                    raise
+                step *= 0.2
+                continue
             if verbose:
-                print(f"        {kind} it={it} sigma={sig_new:.6g} phi={phi_new:.3e} u={self.u(cur):.14g} P={self.P(cur):.14g}")
-            if abs(phi_new) < best[0]:
-                best = (abs(phi_new), cur)
-            if phi_new == phi:
+                print(f"        {kind} it={it} sigma={sig + step:.6g} phi={T[col]:.3e} u={self.u(new):.14g} P={self.P(new):.14g}")
+            slope = (T[col] - phi) / step
+            sig, phi, cur = sig + step, T[col], new
+            if slope == 0.0:
                 break
-            slope = (phi_new - phi) / (sig_new - sig)
-            sig, phi = sig_new, phi_new
-            step = -phi / slope
-            step = float(np.clip(step, -1.0, 1.0))
-            if abs(step) < 1e-11 * max(1.0, 0.0):
+            step = float(np.clip(-phi / slope, -100.0 * abs(step), 100.0 * abs(step)))
+            if abs(step) < 1e-11:
                 break
         if not abs(phi) < 1e-7:
             raise Failure(f"{kind}: the tangent does not turn here, {phi:.2e}")
@@ -685,6 +718,14 @@ CASES = [
     replace(D, length=50.0), replace(D, length=50.0, factor=0.01), replace(D, length=400.0), replace(D, length=3000.0),
     replace(D, factor=10.0), replace(D, factor=100.0), replace(D, factor=1000.0), replace(D, factor=0.1),
     replace(D, length=400.0, factor=1e-3), replace(D, length=3000.0, factor=0.01),
+    replace(D, factor=1e4), replace(D, factor=1e-5), replace(D, factor=1e-6),
+    # two departures at once
+    replace(D, line_load="axis-gap", rotation="fixed"), replace(D, line_load="axis-gap", horizontal="fixed"),
+    replace(D, line_load="force-only", horizontal="fixed"), replace(D, far_face=False, horizontal="fixed"),
+    replace(D, rotation="fixed", factor=1e-3), replace(D, horizontal="fixed", factor=100.0),
+    replace(D, horizontal="fixed", length=1000.0), replace(D, line_load="axis-gap", factor=1e-4),
+    replace(D, line_load="force-only", factor=1e-3), replace(D, height=2.0, length=60.0),
+    replace(D, line_load="axis-gap", height=5.0, young=0.5, hamaker=5e-19, r0=0.3, poisson=0.3, width=2.0, length=150.0),
     # those of the first table, with what it leaves empty
     replace(D), replace(D, length=200.0), replace(D, length=200.0, factor=0.1), replace(D, factor=0.01),
     replace(D, factor=1e-3), replace(D, factor=1e-4), replace(D, length=200.0, factor=10.0), replace(D, length=1000.0),
@@ -850,10 +891,13 @@ def check_strong_form(c, kind="lp1"):
     print(f"first integral H x' + V y' + M theta' - stored - b Psi at {kind} of {c}:")
     print(f"    from {I.min():.15g} to {I.max():.15g} along S, spread {np.ptp(I) / abs(I.mean()):.1e}; -b Psi at rest {rest:.15g}")
     worst = 0.0
-    for i in range(len(st.X) - 1):
-        s = solve_ivp(lambda S, y: field(c, y, st.H, jac=False), st.X[i:i + 2], st.zn[i], method="DOP853", rtol=3e-14, atol=1e-15)
-        worst = max(worst, float((np.abs(s.y[:, -1] - st.zn[i + 1]) / np.maximum(np.ptp(st.zn, axis=0), 1e-9))[:4].max()))
-    print(f"    each sub-interval integrated again with DOP853: worst difference at its end {worst:.1e} of the range of a component")
+    S = np.concatenate([np.linspace(p, q, 2 + int((q - p) / t.ell))[:-1] for p, q in zip(st.X[:-1], st.X[1:])] + [st.X[-1:]])
+    zs = st.at(S)                                                     # short pieces: an initial value problem loses digits fast
+    zs[-1] = st.zn[-1]
+    for i in range(len(S) - 1):
+        s = solve_ivp(lambda S, y: field(c, y, st.H, jac=False), S[i:i + 2], zs[i], method="DOP853", rtol=3e-14, atol=1e-15)
+        worst = max(worst, float((np.abs(s.y[:, -1] - zs[i + 1]) / np.maximum(np.ptp(zs, axis=0), 1e-9))[:4].max()))
+    print(f"    integrated again in {len(S) - 1} pieces with DOP853: worst difference at an end {worst:.1e} of the range of a component")
     return np.ptp(I) < 1e-11 * abs(I.mean()) and worst < 1e-11
 
 
