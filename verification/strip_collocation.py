@@ -78,7 +78,7 @@ class Strip:
 
 
 # ----------------------------------------------------------------------------------------------------------- the adhesion
-def _near(c, r, order):
+def _near(c, r):
     """W, T, T' of one half space at the gap r: W(r) = K [q^8/360 - q^2/6], T = -W'."""
     q = c.r0 / r
     q2 = q * q
@@ -97,15 +97,15 @@ def potential(c, g, th):
     co, si = np.cos(th), np.sin(th)
     h, r0 = c.height, c.r0
     if c.line_load == "axis-gap":
-        W, T, dT = _near(c, g, 2)
+        W, T, dT = _near(c, g)
         if c.far_face:
-            W2, T2, dT2 = _near(c, g + h, 2)
+            W2, T2, dT2 = _near(c, g + h)
             W, T, dT = W - W2, T - T2, dT - dT2
         zero = np.zeros_like(W)
         return W, -T, zero, -dT, zero, zero
     r1 = g + h * np.sin(0.5 * th) ** 2           # = y - (h/2) cos, without the cancellation
     if not c.far_face:
-        W, T, dT = _near(c, r1, 2)
+        W, T, dT = _near(c, r1)
         a = 0.5 * h * si                          # d r1 / d theta
         ic = 1.0 / co
         d1 = si * ic * ic                         # (1/cos)'
@@ -481,13 +481,13 @@ class Tracer:
         return t if t @ row > 0 else -t
 
     def u(self, st):
-        return st.zn[-1, 0] - self.g0
+        return float(st.zn[-1, 0] - self.g0)
 
     def P(self, st):
-        return st.zn[-1, 2]
+        return float(st.zn[-1, 2])
 
     # --------------------------------------------------------------------------------------------------------- the path
-    def path(self, N=32, n=10, goal=2e-2, fine=(24, 16, 1e-11), want=("peak", "lp1", "lp2"), most=1500, verbose=False):
+    def path(self, N=32, n=10, goal=2e-2, fine=(24, 16, 1e-11), want=("peak", "lp1", "lp2"), most=400, verbose=False):
         """Follows the path from rest; returns (why it ended, {kind: State}).
 
         Ends when all wanted points are found, when P has come back to zero (the strip stands on an edge) or u has.
@@ -659,6 +659,7 @@ class Tracer:
         ahead = (T0 * sc)[:self.d * (N + 1)].reshape(N + 1, self.d)
         sig, phi, cur, step = 0.0, T0[col], st, 1e-5
         tries = 0
+        best = abs(phi), st
         for it in range(40):
             try:
                 new = self.correct(State(cur.X, cur.zn + ahead * step, cur.K, cur.H), row=base, target=mid + sig + step, tol=3e-13, most=12)
@@ -673,18 +674,23 @@ class Tracer:
                 print(f"        {kind} it={it} sigma={sig + step:.6g} phi={T[col]:.3e} u={self.u(new):.14g} P={self.P(new):.14g}")
             slope = (T[col] - phi) / step
             sig, phi, cur = sig + step, T[col], new
-            if slope == 0.0:
+            if abs(phi) < best[0]:
+                best = abs(phi), new
+            elif it > 14 and best[0] < 1e-6:                          # a second direction is nearly free: rounding is all there is
+                break
+            if slope == 0.0 or abs(phi) < 1e-14:
                 break
             step = float(np.clip(-phi / slope, -100.0 * abs(step), 100.0 * abs(step)))
-            if abs(step) < 1e-11:
+            if abs(step) < (1e-11 if abs(phi) < 1e-9 else 1e-13):
                 break
-        if not abs(phi) < 1e-7:
-            raise Failure(f"{kind}: the tangent does not turn here, {phi:.2e}")
-        return cur
+        if best[0] > 1e-6 and not (abs(step) < 1e-10 and best[0] < 1e-4):
+            raise Failure(f"{kind}: the tangent does not turn here, {best[0]:.2e}")
+        return best[1]
 
 
 # --------------------------------------------------------------------------------------------------------------- the table
 LEVELS = (dict(N=32, n=10, goal=2e-2, fine=(24, 16, 1e-11)), dict(N=40, n=12, goal=1.2e-2, fine=(31, 20, 1e-12)))
+THIRD = dict(N=48, n=14, goal=3e-3, fine=(36, 18, 1e-11), most=1500)
 VALUES = ("peak_displacement_nm", "peak_force_nN", "peak_end_rotation_rad", "lp1_displacement_nm", "lp1_force_nN",
           "lp2_displacement_nm", "lp2_force_nN")
 DEFINING = {"length_nm": "length", "bending_stiffness_factor": "factor", "grip_rotation": "rotation", "line_load": "line_load",
@@ -738,25 +744,32 @@ def values(t, found):
         out[f"{kind}_displacement_nm"] = t.u(st)
         out[f"{kind}_force_nN"] = t.P(st)
         if kind == "peak":
-            out["peak_end_rotation_rad"] = st.zn[-1, 1]
+            out["peak_end_rotation_rad"] = float(st.zn[-1, 1])
     return out
 
 
 def compute(c, verbose=False):
     """Both levels of one case: ({value: (number, relative difference)}, remarks)."""
-    got, why = [], []
-    for level in LEVELS:
+    def run(level):
         t = Tracer(c)
         end, found = t.path(verbose=verbose, **level)
-        got.append(values(t, found))
-        why.append(end)
-    a, b = got
+        return values(t, found), end
+
+    def same(p, q):
+        return all((p[k] is None) == (q[k] is None) and (p[k] is None or abs(p[k] - q[k]) <= 1e-6 * abs(q[k]) + 1e-14) for k in VALUES)
+
+    (a, end), (b, end_b) = run(LEVELS[0]), run(LEVELS[1])
+    why = [end, end_b]
+    if not same(a, b):                                                # one of the two has gone astray: shorter steps decide
+        third, end = run(THIRD)
+        why.append(f"third path: {end}")
+        a, b = third, b if same(third, b) or not same(third, a) else a
     out = {}
     for k in VALUES:
         p, q = a[k], b[k]
         if p is None or q is None:
             if p is not None or q is not None:
-                why.append(f"{k}: found on one level only")
+                why.append(f"{k}: not confirmed, {p} {q}")
             continue
         scale = max(abs(q), 1e-300)
         diff = abs(p - q) / scale
@@ -875,6 +888,33 @@ def check_law():
     return worst < 1e-11
 
 
+def check_balance():
+    """The right sides against the potential itself, differentiated numerically with mpmath at random states."""
+    import mpmath as mp
+    mp.mp.dps = 40
+    rng = np.random.default_rng(2)
+    worst = 0.0
+    for c in (D, replace(D, width=3.0, poisson=0.4), replace(D, line_load="axis-gap", horizontal="fixed")):
+        EA, GA = mp.mpf(c.EA), mp.mpf(c.GA)
+
+        def stored(xp, yp, th):
+            G1 = xp * mp.cos(th) + yp * mp.sin(th) - 1
+            G2 = yp * mp.cos(th) - xp * mp.sin(th)
+            return EA * G1 ** 2 / 2 + GA * G2 ** 2 / 2
+
+        for _ in range(20):
+            z = np.array([rng.uniform(0.24, 5.0), rng.uniform(-1.5, 1.5), rng.normal(), rng.normal(), 0.0])
+            H = float(rng.normal())
+            f = field(c, z, H, jac=False)
+            at = tuple(mp.mpf(float(v)) for v in (f[4] + 1.0, f[0], z[1]))
+            P = potential(c, np.float64(z[0]), np.float64(z[1]))
+            want = (mp.diff(stored, at, (1, 0, 0)) - H, mp.diff(stored, at, (0, 1, 0)) - z[2],
+                    mp.diff(stored, at, (0, 0, 1)) + c.width * float(P[2]) - f[3], c.width * float(P[1]) - f[2], c.EI * f[1] - z[3])
+            worst = max(worst, max(float(abs(v)) for v in want) / (1.0 + abs(f[3])))
+    print(f"H = dU/dx', V = dU/dy', M' = dU/dtheta + b dPsi/dtheta, V' = b dPsi/dy: worst difference {worst:.1e}")
+    return worst < 1e-12
+
+
 def check_strong_form(c, kind="lp1"):
     """At one point of a path: first integral along S; every sub-interval integrated again by a Runge-Kutta code."""
     t = Tracer(c)
@@ -914,6 +954,7 @@ def main():
     good = True
     if not a.only:
         good &= check_law()
+        good &= check_balance()
         good &= check_strong_form(D)
         good &= check_strong_form(replace(D, horizontal="fixed"), "peak")
     if a.reference:
