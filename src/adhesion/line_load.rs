@@ -82,7 +82,11 @@ impl LineLaw {
         let mut gap = self.half_space.equilibrium_gap();
         for _ in 0..200 {
             let at = self.response(gap, 0.0, 1.0);
-            if at.by_gap < 0.0 { low = gap } else { high = gap }
+            if at.by_gap < 0.0 {
+                low = gap
+            } else {
+                high = gap
+            }
             let newton = gap - at.by_gap / at.gap_gap;
             let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
             if (next - gap).abs() <= 2.0 * f64::EPSILON * gap {

@@ -36,8 +36,14 @@ impl<const N: usize> Basis<N> {
         for (rank, &node) in ascending.iter().enumerate() {
             nodes[Self::slot(rank)] = node;
         }
-        let mut basis =
-            Self { nodes, points: [0.0; N], weights: [0.0; N], value: [[0.0; N]; N], slope: [[0.0; N]; N], nodal_slope: [[0.0; N]; N] };
+        let mut basis = Self {
+            nodes,
+            points: [0.0; N],
+            weights: [0.0; N],
+            value: [[0.0; N]; N],
+            slope: [[0.0; N]; N],
+            nodal_slope: [[0.0; N]; N],
+        };
         basis.nodal_slope = nodes.map(|node| lagrange(&nodes, node).1);
         for (q, (point, weight)) in gauss_points(Self::ORDER).into_iter().enumerate() {
             basis.points[q] = point;

@@ -74,7 +74,8 @@ impl SectionState {
     /// H x' + V y' + M θ' - stored, nN. Less the adhesion energy bΨ it is constant along a uniform beam in equilibrium
     /// whose load has a potential: the first integral.
     pub fn eshelby(&self) -> f64 {
-        self.horizontal_force * self.horizontal_slope + self.vertical_force * self.vertical_slope
+        self.horizontal_force * self.horizontal_slope
+            + self.vertical_force * self.vertical_slope
             + self.moment * self.curvature
             - self.stored
     }

@@ -96,10 +96,7 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
         response.by_slope = [v, ei * curvature];
         response.value_value = [
             [b * adhesion.gap_gap, b * adhesion.gap_rotation],
-            [
-                b * adhesion.rotation_gap,
-                by_rotation2 + v_t * v_t * c.across + b * adhesion.rotation_rotation,
-            ],
+            [b * adhesion.rotation_gap, by_rotation2 + v_t * v_t * c.across + b * adhesion.rotation_rotation],
         ];
         response.value_slope = [[0.0, 0.0], [v_t, 0.0]];
         response.slope_value = [[0.0, v_t], [0.0, 0.0]];

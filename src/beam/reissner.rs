@@ -30,8 +30,7 @@ impl Density<3> for ReissnerBeam {
         let (horizontal, vertical) = (n * cos - q * sin, n * sin + q * cos);
         let horizontal_t = axial * stretch_t * cos - shear * slide_t * sin - vertical;
         let vertical_t = axial * stretch_t * sin + shear * slide_t * cos + horizontal;
-        let rotation_rotation =
-            axial * stretch_t * stretch_t + shear * slide_t * slide_t + n * slide_t - q * stretch_t;
+        let rotation_rotation = axial * stretch_t * stretch_t + shear * slide_t * slide_t + n * slide_t - q * stretch_t;
 
         let mut response = PointResponse::ZERO;
         response.energy = 0.5 * (axial * stretch * stretch + shear * slide * slide + bending * curvature * curvature)
@@ -40,8 +39,7 @@ impl Density<3> for ReissnerBeam {
         response.by_value = [0.0, b * adhesion.by_gap, n * stretch_t + q * slide_t + b * adhesion.by_rotation];
         response.by_slope = [horizontal, vertical, bending * curvature];
         response.value_value[1] = [0.0, b * adhesion.gap_gap, b * adhesion.gap_rotation];
-        response.value_value[2] =
-            [0.0, b * adhesion.rotation_gap, rotation_rotation + b * adhesion.rotation_rotation];
+        response.value_value[2] = [0.0, b * adhesion.rotation_gap, rotation_rotation + b * adhesion.rotation_rotation];
         response.value_slope[2] = [horizontal_t, vertical_t, 0.0];
         response.slope_value[0][2] = horizontal_t;
         response.slope_value[1][2] = vertical_t;

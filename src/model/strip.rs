@@ -101,7 +101,8 @@ impl StripModel {
         let (section, law, width) = (self.section(), self.line_law(), self.strip.width);
         let r0 = self.adhesion.equilibrium_distance;
         let process_length = self.process_length();
-        let rotation_scale = (std::env::var("RS").map_or(1.0, |v| v.parse::<f64>().unwrap()) * r0 / process_length).min(1.0);
+        let rotation_scale =
+            (std::env::var("RS").map_or(1.0, |v| v.parse::<f64>().unwrap()) * r0 / process_length).min(1.0);
         let sliding_held = self.grip.horizontal == Hold::Fixed;
         let turning_held = self.grip.rotation == Hold::Fixed;
         let (chain, lead): (Box<dyn Chain>, usize) = match (form, sliding_held) {
@@ -130,14 +131,17 @@ impl StripModel {
             held,
             scale,
             rest_adhesion: width * law.rest_energy(),
-            fixed_foci: vec![Focus { center: 0.0, length: process_length, weight: 0.8 }],
-            process_length,
+            fixed_foci: vec![Focus { center: 0.0, length: ev("FL", 1.0) * process_length, weight: ev("FB", 0.8) }],
+            process_length: ev("PL", 1.0) * process_length,
             height: self.strip.height,
             conservative: law.has_potential(),
         }
     }
 }
 
+fn ev(k: &str, d: f64) -> f64 {
+    std::env::var(k).map_or(d, |v| v.parse().unwrap())
+}
 /// Picks the chain of the given order, N = order + 1 nodes an element.
 macro_rules! by_order {
     ($density:expr, $order:expr, $fields:literal, $extra:literal, $pin:expr) => {

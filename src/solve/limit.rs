@@ -14,6 +14,14 @@ pub enum Turn {
 }
 
 impl Turn {
+    /// The other quantity.
+    pub fn other(self) -> Self {
+        match self {
+            Self::Displacement => Self::Load,
+            Self::Load => Self::Displacement,
+        }
+    }
+
     /// The quantity.
     pub fn pick(self) -> fn(&Observables) -> f64 {
         match self {
@@ -32,21 +40,36 @@ pub struct Located {
     pub observables: Observables,
     /// Their difference to those on twice the elements.
     pub difference: Observables,
+    /// Whether the force is too flat there for the place to be told.
+    pub flat: bool,
     /// Newton iterations it took, on both meshes.
     pub iterations: usize,
 }
 
+impl Located {
+    /// Whether two meshes put it far apart, although the force is the same to `relative`: then its place is no more
+    /// certain than that, and matters as little.
+    pub fn is_flat(&self, relative: f64) -> bool {
+        let (o, d) = (&self.observables, &self.difference);
+        d.displacement.abs() > 1e-3 * o.displacement.abs() && d.force.abs() < relative * o.force.abs()
+    }
+}
+
 /// Most solves until a turning point is located.
-const MOST_SOLVES: usize = 12;
+const MOST_SOLVES: usize = 8;
 /// A turning point is located when what is left is this share of the step it lies in; the rest is extrapolated, with an
 /// error of its square.
 const CLOSE: f64 = 1e-5;
+/// A turn of the force is flat where what is left to find changes it by less than this share of the accuracy.
+const FLAT: f64 = 1e-3;
+/// The secant rule starts when it expects to move by no more than this share of the step.
+const NEAR: f64 = 0.05;
 
 fn options() -> NewtonOptions {
     NewtonOptions { tolerance: 1e-12, largest_update: 0.5, most_iterations: 10 }
 }
 
-/// A further solution on a stretch, at the label `at`.
+/// A further solution on a stretch, at the label `at`; from fewer points where more extrapolate badly.
 pub fn solve_on(
     problem: &Problem,
     stretch: &Stretch,
@@ -54,105 +77,180 @@ pub fn solve_on(
     work: &mut Workspace,
 ) -> Result<Arc<Solution>, SolveError> {
     let condition = Condition { weights: stretch.weights, target: stretch.target(at) };
-    solve(problem, stretch.start(problem, at), &condition, &options(), work).map(Arc::new)
+    let mut trouble = SolveError::SingularGrip;
+    for points in [6, 3, 2] {
+        let start = stretch.near(at).unwrap_or_else(|| stretch.start(problem, at, points));
+        match solve(problem, start, &condition, &options(), work) {
+            Ok(solution) => return Ok(Arc::new(solution)),
+            Err(error) => trouble = error,
+        }
+    }
+    Err(trouble)
 }
 
 /// Locates the turning point of `turn` between the labels `from` and `to`, at which its slope differs in sign.
+///
+/// First on meshes that follow the front, by chords of the slope; once near, on one mesh, on which the path is smooth to
+/// rounding, by the secant rule for the slope. A turn of the force in a stretch over which it hardly changes, measured by
+/// the accuracy `relative`, is taken as it stands.
 pub fn locate(
     problem: &Problem,
-    mut stretch: Stretch,
+    around: &Stretch,
     turn: Turn,
     (from, to): (f64, f64),
+    relative: f64,
     work: &mut Workspace,
 ) -> Result<Located, SolveError> {
-    let width = to - from;
-    let (mut low, mut high) = (from, to);
-    let rising = stretch.observable(turn.pick(), from).at(from).1 < 0.0;
+    let mut stretch = around.clone();
     let mut iterations = 0;
-    for _ in 0..MOST_SOLVES {
-        let guess = stretch.observable(turn.pick(), 0.5 * (low + high)).turning_point(low, high);
+    let (first, second) = around.end_slopes();
+    let (mut low, mut high) = ((from, turn.pick()(&first)), (to, turn.pick()(&second)));
+    let rising = if from == 0.0 { low.1 < 0.0 } else { high.1 > 0.0 };
+    let mut guess = stretch.observable(turn.pick(), 0.5 * (from + to)).turning_point(from, to);
+    for k in 1..=3 * MOST_SOLVES {
         let solution = solve_on(problem, &stretch, guess, work)?;
         iterations += solution.iterations;
         let label = stretch.insert(solution.clone());
-        let (_, slope, bend) = stretch.observable(turn.pick(), label).at(label);
-        if (slope < 0.0) == rising { low = label } else { high = label }
-        let left = -slope / bend;
-        if left.abs() <= CLOSE * width {
-            let ahead = label + left;
-            let coarse = observables_at(&stretch, ahead, label);
-            let bends = Bends::of(&stretch, label);
-            let (fine, more) = on_twice_the_elements(problem, &solution, &stretch, ahead, turn, &bends, work)?;
-            return Ok(Located {
-                solution,
-                observables: coarse,
-                difference: fine.since(&coarse),
-                iterations: iterations + more,
-            });
+        let slope = turn.pick()(&solution.slope);
+        if (slope < 0.0) == rising {
+            low = (label, slope);
+        } else {
+            high = (label, slope);
         }
+        let width = high.0 - low.0;
+        let value = turn.pick()(&solution.observables);
+        if turn == Turn::Load && (slope * width).abs() < FLAT * relative * value.abs() {
+            return flat(problem, &stretch, solution, iterations, work);
+        }
+        let bend = (high.1 - low.1) / width;
+        let left = (slope / bend).abs();
+        if left < NEAR * (to - from) && left * solution.slope.front.abs() < NEAR * problem.process_length {
+            let other_bend = stretch.observable(turn.other().pick(), label).at(label).2;
+            let search =
+                Search { problem, weights: stretch.weights, turn, width: to - from, bend, other_bend, iterations };
+            let slack = NEAR * (to - from);
+            match search.confirmed(solution, stretch.target(label), work) {
+                Ok(located) if (low.0 - slack..high.0 + slack).contains(&stretch.label(&located.observables)) => {
+                    return Ok(located);
+                }
+                // the secant rule went elsewhere, or the turn is weak: close in further
+                Ok(_) | Err(_) => iterations += MOST_SOLVES,
+            }
+        }
+        // the chord of the slopes, kept off the ends; every third guess halves the bracket
+        let chord = (low.0 - low.1 / bend).max(low.0 + 0.01 * width).min(high.0 - 0.01 * width);
+        guess = if k % 3 == 0 || !chord.is_finite() { 0.5 * (low.0 + high.0) } else { chord };
     }
-    Err(SolveError::NotConverged { update: (high - low) / width, iterations })
-}
-
-/// All observables at a label, from the interpolants around `near`.
-fn observables_at(stretch: &Stretch, at: f64, near: f64) -> Observables {
-    let value = |pick: fn(&Observables) -> f64| stretch.observable(pick, near).at(at).0;
-    Observables {
-        front: value(|o| o.front),
-        displacement: value(|o| o.displacement),
-        tip_rotation: value(|o| o.tip_rotation),
-        force: value(|o| o.force),
-        grip_rotation: value(|o| o.grip_rotation),
+    let middle = solve_on(problem, &stretch, 0.5 * (low.0 + high.0), work)?;
+    let change = turn.pick()(&middle.slope) * (high.0 - low.0);
+    if turn == Turn::Load && change.abs() < relative * middle.observables.force.abs() {
+        return flat(problem, &stretch, middle, iterations, work);
     }
+    Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
 }
 
-/// Second derivatives along the path of what is reported.
-struct Bends {
-    displacement: f64,
-    force: f64,
-}
-
-impl Bends {
-    fn of(stretch: &Stretch, at: f64) -> Self {
-        let bend = |turn: Turn| stretch.observable(turn.pick(), at).at(at).2;
-        Self { displacement: bend(Turn::Displacement), force: bend(Turn::Load) }
-    }
-}
-
-/// The same turning point on twice the elements, and the iterations it took.
-fn on_twice_the_elements(
+/// A turning point of the force in a stretch so flat that its place cannot be told and does not matter: a solution in it,
+/// with the whole step as the error of its displacement.
+fn flat(
     problem: &Problem,
-    coarse: &Solution,
     stretch: &Stretch,
-    at: f64,
-    turn: Turn,
-    bends: &Bends,
+    solution: Arc<Solution>,
+    iterations: usize,
     work: &mut Workspace,
-) -> Result<(Observables, usize), SolveError> {
-    let mut start = refined(problem, &coarse.at);
-    let mut target = stretch.target(at);
-    let mut iterations = 0;
-    let bend = match turn {
-        Turn::Displacement => bends.displacement,
-        Turn::Load => bends.force,
-    };
-    for _ in 0..4 {
-        let fine = solve(problem, start, &Condition { weights: stretch.weights, target }, &options(), work)?;
-        iterations += fine.iterations;
-        let left = -turn.pick()(&fine.slope) / bend;
-        if !left.is_finite() || left.abs() > stretch.end() {
-            break;
-        }
-        if left.abs() <= 10.0 * CLOSE * stretch.end() {
-            let mut o = fine.observables;
-            o.displacement += left * (fine.slope.displacement + 0.5 * left * bends.displacement);
-            o.force += left * (fine.slope.force + 0.5 * left * bends.force);
-            o.grip_rotation += left * fine.slope.grip_rotation;
-            return Ok((o, iterations));
-        }
-        target += left;
-        start = fine.at;
+) -> Result<Located, SolveError> {
+    let mut difference = difference_on_twice_the_elements(problem, &solution, work)?;
+    difference.displacement = stretch.change().displacement.abs();
+    Ok(Located { observables: solution.observables, solution, difference, flat: true, iterations: iterations + 2 })
+}
+
+/// The secant rule for the slope of one quantity, on one mesh.
+#[derive(Clone, Copy)]
+struct Search<'p> {
+    problem: &'p Problem,
+    weights: Observables,
+    turn: Turn,
+    /// Width of the bracket, in labels.
+    width: f64,
+    /// Second derivatives along the path: of the quantity that turns, and of the other.
+    bend: f64,
+    other_bend: f64,
+    iterations: usize,
+}
+
+/// Where a [`Search`] ended.
+struct Found {
+    solution: Solution,
+    /// Label of the turning point relative to the solution.
+    ahead: f64,
+    /// Target of the condition at the solution.
+    target: f64,
+    /// At the turning point.
+    observables: Observables,
+}
+
+impl<'p> Search<'p> {
+    /// The turning point next to `near` on its mesh, and on twice the elements.
+    fn confirmed(self, near: Arc<Solution>, target: f64, work: &mut Workspace) -> Result<Located, SolveError> {
+        let (coarse, search) = self.run(near.at.clone(), target, work)?;
+        let start = refined(self.problem, &coarse.solution.moved(coarse.ahead));
+        let (fine, search) =
+            search.run(start, coarse.target + coarse.ahead, work).map_err(|_| SolveError::TurnNotConfirmed)?;
+        Ok(Located {
+            solution: Arc::new(coarse.solution),
+            observables: coarse.observables,
+            difference: fine.observables.since(&coarse.observables),
+            flat: false,
+            iterations: search.iterations,
+        })
     }
-    Err(SolveError::TurnNotConfirmed)
+
+    fn run(mut self, start: Equilibrium, target: f64, work: &mut Workspace) -> Result<(Found, Self), SolveError> {
+        let (pick, other) = (self.turn.pick(), self.turn.other().pick());
+        let (mut start, mut target) = (start, target);
+        let mut before: Option<(f64, Observables)> = None;
+        let mut ahead = f64::INFINITY;
+        for _ in 0..MOST_SOLVES {
+            let condition = Condition { weights: self.weights, target };
+            let solution = solve(self.problem, start, &condition, &options(), work)?;
+            self.iterations += solution.iterations;
+            if let Some((step, slope)) = before {
+                self.bend = (pick(&solution.slope) - pick(&slope)) / step;
+                self.other_bend = (other(&solution.slope) - other(&slope)) / step;
+            }
+            ahead = -pick(&solution.slope) / self.bend;
+            if !ahead.is_finite() {
+                break;
+            }
+            // the first second derivative is an interpolant's: it is not trusted until two solutions have confirmed it
+            if ahead.abs() <= CLOSE * self.width && before.is_some() {
+                let observables = self.extrapolated(&solution, ahead);
+                return Ok((Found { solution, ahead, target, observables }, self));
+            }
+            let least = 10.0 * CLOSE * self.width;
+            ahead = if before.is_none() && ahead.abs() < least { least.copysign(ahead) } else { ahead };
+            ahead = ahead.clamp(-NEAR * self.width, NEAR * self.width);
+            before = Some((ahead, solution.slope));
+            start = solution.moved(ahead);
+            target += ahead;
+        }
+        Err(SolveError::NotConverged { update: ahead / self.width, iterations: self.iterations })
+    }
+
+    /// The observables a little ahead of a solution; second derivatives only of displacement and force.
+    fn extrapolated(&self, solution: &Solution, ahead: f64) -> Observables {
+        let (o, s) = (&solution.observables, &solution.slope);
+        let (bend_u, bend_p) = match self.turn {
+            Turn::Displacement => (self.bend, self.other_bend),
+            Turn::Load => (self.other_bend, self.bend),
+        };
+        Observables {
+            front: o.front + ahead * s.front,
+            displacement: o.displacement + ahead * (s.displacement + 0.5 * ahead * bend_u),
+            tip_rotation: o.tip_rotation + ahead * s.tip_rotation,
+            force: o.force + ahead * (s.force + 0.5 * ahead * bend_p),
+            grip_rotation: o.grip_rotation + ahead * s.grip_rotation,
+        }
+    }
 }
 
 /// Difference to the solution on twice the elements at the same displacement.
@@ -174,9 +272,8 @@ fn refined(problem: &Problem, at: &Equilibrium) -> Equilibrium {
     for (e, &end) in at.ends.iter().enumerate() {
         ends[2 * e] = end;
     }
-    let cuts: Vec<f64> = (0..elements)
-        .map(|e| 2.0 * (ends[2 * e + 1] - ends[2 * e]) / (ends[2 * e + 2] - ends[2 * e]) - 1.0)
-        .collect();
+    let cuts: Vec<f64> =
+        (0..elements).map(|e| 2.0 * (ends[2 * e + 1] - ends[2 * e]) / (ends[2 * e + 2] - ends[2 * e]) - 1.0).collect();
     Equilibrium {
         state: problem.chain.refine(&at.state, &cuts),
         ends,

@@ -47,7 +47,11 @@ fn invert(value: &impl Fn(f64) -> f64, slope: &impl Fn(f64) -> f64, target: f64,
     let mut s = 0.5 * (low + high);
     for _ in 0..100 {
         let miss = value(s) - target;
-        if miss < 0.0 { low = s } else { high = s }
+        if miss < 0.0 {
+            low = s
+        } else {
+            high = s
+        }
         let newton = s - miss / slope(s);
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
         if (next - s).abs() <= 1e-10 * (high.abs() + f64::MIN_POSITIVE) {

@@ -28,6 +28,17 @@ impl Observables {
             + self.force * other.force
     }
 
+    /// Each component times a number.
+    pub fn times(&self, factor: f64) -> Self {
+        Self {
+            front: factor * self.front,
+            displacement: factor * self.displacement,
+            tip_rotation: factor * self.tip_rotation,
+            force: factor * self.force,
+            grip_rotation: factor * self.grip_rotation,
+        }
+    }
+
     /// The difference to an earlier point.
     pub fn since(&self, earlier: &Self) -> Self {
         Self {
@@ -67,6 +78,8 @@ pub struct Solution {
     pub observables: Observables,
     /// Change of the observables along the path, per unit of the condition's target.
     pub slope: Observables,
+    /// Change of the configuration on its mesh, likewise.
+    pub tangent: Tangent,
     pub energy: ElementEnergy,
     /// Negative eigenvalues with the displacement held, and with the force held.
     pub negative: usize,
@@ -74,6 +87,27 @@ pub struct Solution {
     pub iterations: usize,
     /// Distance from the start to the solution, relative as in [`Problem::relative_size`].
     pub correction: f64,
+}
+
+/// Change of a configuration along the path on a mesh that stays.
+#[derive(Clone, Debug)]
+pub struct Tangent {
+    pub state: Vec<f64>,
+    pub border: f64,
+    pub force: f64,
+}
+
+impl Solution {
+    /// The configuration `ahead` along the tangent, on the same mesh.
+    pub fn moved(&self, ahead: f64) -> Equilibrium {
+        let mut at = self.at.clone();
+        for (s, t) in at.state.iter_mut().zip(&self.tangent.state) {
+            *s += ahead * t;
+        }
+        at.border += ahead * self.tangent.border;
+        at.force += ahead * self.tangent.force;
+        at
+    }
 }
 
 /// Solves from the start `at`.
@@ -129,6 +163,7 @@ pub fn solve(
                     force: tangent.force,
                     grip_rotation: update[last + problem.rotation],
                 },
+                tangent: Tangent { state: update, border: tangent.border, force: tangent.force },
                 energy,
                 negative,
                 negative_load,

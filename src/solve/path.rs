@@ -23,7 +23,9 @@ pub struct PathOptions {
 
 /// Where a path stopped and why.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("the path cannot be continued from u = {displacement_nm:.6} nm, P = {force:.6} nN (point {point}): after {tries} shorter and shorter steps: {cause}")]
+#[error(
+    "the path cannot be continued from u = {displacement_nm:.6} nm, P = {force:.6} nN (point {point}): after {tries} shorter and shorter steps: {cause}"
+)]
 pub struct PathError {
     pub point: usize,
     pub displacement_nm: f64,
@@ -47,6 +49,8 @@ pub struct Path<'p> {
 const MOST_TRIES: usize = 14;
 /// A step is refused when its prediction was wrong by this multiple of the step tolerance.
 const REFUSE: f64 = 12.0;
+/// A step is refused when the path turns from its chord by more than the angle of this cosine.
+const LEAST_COSINE: f64 = 0.5;
 /// Most growth of a step.
 const MOST_GROWTH: f64 = 3.5;
 
@@ -83,8 +87,7 @@ impl<'p> Path<'p> {
     }
 
     fn rest(&mut self) -> Result<Solution, PathError> {
-        let condition =
-            Condition { weights: Observables { displacement: 1.0, ..Observables::default() }, target: 0.0 };
+        let condition = Condition { weights: Observables { displacement: 1.0, ..Observables::default() }, target: 0.0 };
         let start = self.problem.at_rest(self.options.elements);
         solve(self.problem, start, &condition, &self.newton(), &mut self.work)
             .inspect(|s| self.iterations += s.iterations)
@@ -107,7 +110,7 @@ impl<'p> Path<'p> {
             match solve(self.problem, start, &condition, &self.newton(), &mut self.work) {
                 Ok(next) => {
                     self.iterations += next.iterations;
-                    let turned = weights.dot(&next.slope) <= 0.0;
+                    let turned = points.len() > 1 && self.turns_sharply(&next);
                     if turned || next.correction > REFUSE * self.options.step_tolerance && points.len() > 1 {
                         cause = SolveError::NotConverged { update: next.correction, iterations: next.iterations };
                         step *= 0.4;
@@ -134,7 +137,21 @@ impl<'p> Path<'p> {
         if n == 1 {
             return Observables { displacement: 1.0, ..Observables::default() };
         }
-        path_weights(self.problem, &self.points[n.saturating_sub(4)..], &newest.slope)
+        self.metric(None).weights(&newest.slope)
+    }
+
+    /// Whether the path turns too much on the step to `next`, from either end to the chord.
+    fn turns_sharply(&self, next: &Solution) -> bool {
+        let newest = &self.points[self.points.len() - 1];
+        let metric = self.metric(Some(&next.observables));
+        let chord = next.observables.since(&newest.observables);
+        metric.cosine(&newest.slope, &chord) < LEAST_COSINE || metric.cosine(&next.slope, &chord) < LEAST_COSINE
+    }
+
+    /// The metric of the newest points, and of a further one.
+    fn metric(&self, next: Option<&Observables>) -> Metric {
+        let from = self.points.len().saturating_sub(if next.is_some() { 3 } else { 4 });
+        Metric::of(self.problem, self.points[from..].iter().map(|p| &p.observables).chain(next))
     }
 
     /// The newest points, newest first, and their labels relative to the newest; as many as labels keep their order.
@@ -172,35 +189,54 @@ impl<'p> Path<'p> {
 
     fn stopped(&self, tries: usize, cause: SolveError) -> PathError {
         let last = self.points.last().map(|p| p.observables).unwrap_or_default();
-        PathError {
-            point: self.points.len(),
-            displacement_nm: last.displacement,
-            force: last.force,
-            tries,
-            cause,
-        }
+        PathError { point: self.points.len(), displacement_nm: last.displacement, force: last.force, tries, cause }
     }
 }
 
-/// Weights of a path parameter that grows along `direction`, each observable measured by its largest change from point to
-/// point of `stretch`.
-pub fn path_weights(problem: &Problem, stretch: &[Arc<Solution>], direction: &Observables) -> Observables {
-    let mut front = 1e-3 * problem.process_length;
-    let mut displacement = 1e-3 * problem.scale[problem.driven];
-    let mut tip_rotation = 1e-3 * problem.scale[problem.rotation];
-    for pair in stretch.windows(2) {
-        let change = pair[1].observables.since(&pair[0].observables);
-        front = front.max(change.front.abs());
-        displacement = displacement.max(change.displacement.abs());
-        tip_rotation = tip_rotation.max(change.tip_rotation.abs());
+/// Units of the three observables that measure the path, from how they change along a stretch of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Metric {
+    front: f64,
+    displacement: f64,
+    tip_rotation: f64,
+}
+
+impl Metric {
+    /// The largest change of each from point to point.
+    pub fn of<'a>(problem: &Problem, stretch: impl Iterator<Item = &'a Observables>) -> Self {
+        let mut metric = Self {
+            front: 1e-3 * problem.process_length,
+            displacement: 1e-3 * problem.scale[problem.driven],
+            tip_rotation: 1e-3 * problem.scale[problem.rotation],
+        };
+        let mut before: Option<&Observables> = None;
+        for here in stretch {
+            if let Some(before) = before {
+                let change = here.since(before);
+                metric.front = metric.front.max(change.front.abs());
+                metric.displacement = metric.displacement.max(change.displacement.abs());
+                metric.tip_rotation = metric.tip_rotation.max(change.tip_rotation.abs());
+            }
+            before = Some(here);
+        }
+        metric
     }
-    let d = direction;
-    let length = (d.front / front).hypot(d.displacement / displacement).hypot(d.tip_rotation / tip_rotation);
-    Observables {
-        front: d.front / (front * front * length),
-        displacement: d.displacement / (displacement * displacement * length),
-        tip_rotation: d.tip_rotation / (tip_rotation * tip_rotation * length),
-        ..Observables::default()
+
+    /// Weights of the path parameter that is the length along `direction`.
+    pub fn weights(&self, direction: &Observables) -> Observables {
+        let dual = Observables {
+            front: direction.front / self.front.powi(2),
+            displacement: direction.displacement / self.displacement.powi(2),
+            tip_rotation: direction.tip_rotation / self.tip_rotation.powi(2),
+            ..Observables::default()
+        };
+        dual.times(1.0 / dual.dot(direction).sqrt())
+    }
+
+    /// Cosine of the angle between two directions.
+    pub fn cosine(&self, a: &Observables, b: &Observables) -> f64 {
+        let length = self.weights(b).dot(b);
+        self.weights(a).dot(b) / length
     }
 }
 

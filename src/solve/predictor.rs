@@ -13,12 +13,7 @@ pub const MOST_POINTS: usize = 8;
 /// Lagrange weights at `at` for the nodes `labels`.
 pub fn lagrange_weights(labels: &[f64], at: f64) -> Vec<f64> {
     (0..labels.len())
-        .map(|i| {
-            (0..labels.len())
-                .filter(|&j| j != i)
-                .map(|j| (at - labels[j]) / (labels[i] - labels[j]))
-                .product()
-        })
+        .map(|i| (0..labels.len()).filter(|&j| j != i).map(|j| (at - labels[j]) / (labels[i] - labels[j])).product())
         .collect()
 }
 

@@ -1,6 +1,6 @@
 //! A stretch of the path between and around two of its points: interpolation of observables and of states.
 
-use super::path::path_weights;
+use super::path::Metric;
 use super::predictor::{combine, lagrange_weights};
 use super::{Equilibrium, Observables, Problem, Solution};
 use std::sync::Arc;
@@ -15,6 +15,10 @@ pub struct Stretch {
     points: Vec<Arc<Solution>>,
     /// Label of the step's second point.
     end: f64,
+    /// Change of the observables over the step.
+    change: Observables,
+    /// Slopes per label at its two ends.
+    slopes: (Observables, Observables),
 }
 
 /// Points on either side of a step that a stretch takes in.
@@ -27,11 +31,19 @@ impl Stretch {
     pub fn around(problem: &Problem, points: &[Arc<Solution>], index: usize) -> Self {
         let (from, to) = (&points[index], &points[index + 1]);
         let secant = to.observables.since(&from.observables);
-        let weights = path_weights(problem, &points[index..index + 2], &secant);
+        let weights = Metric::of(problem, points[index.saturating_sub(2)..index + 2].iter().map(|p| &p.observables))
+            .weights(&secant);
         let label = |p: &Solution| weights.dot(&p.observables.since(&from.observables));
         let forward = |p: &Solution| weights.dot(&p.slope) > 0.0;
         let end = label(to);
-        let mut stretch = Self { weights, labels: vec![0.0, end], points: vec![from.clone(), to.clone()], end };
+        let mut stretch = Self {
+            weights,
+            labels: vec![0.0, end],
+            points: vec![from.clone(), to.clone()],
+            end,
+            change: secant,
+            slopes: (from.slope, to.slope),
+        };
         for point in points[..index].iter().rev().take(NEIGHBOURS) {
             if label(point) >= stretch.labels[0] - 0.05 * end || !forward(point) {
                 break;
@@ -54,23 +66,55 @@ impl Stretch {
         self.end
     }
 
+    /// Change of the observables from the step's first point to its second.
+    pub fn change(&self) -> Observables {
+        self.change
+    }
+
     /// The condition's target for the label `at`.
     pub fn target(&self, at: f64) -> f64 {
         self.weights.dot(&self.points[0].observables) + at - self.labels[0]
     }
 
+    /// The label of a place on the path.
+    pub fn label(&self, observables: &Observables) -> f64 {
+        self.weights.dot(&observables.since(&self.points[0].observables)) + self.labels[0]
+    }
+
     /// Takes in a further solution; returns its label.
     pub fn insert(&mut self, solution: Arc<Solution>) -> f64 {
-        let label = self.weights.dot(&solution.observables.since(&self.points[0].observables)) + self.labels[0];
+        let label = self.label(&solution.observables);
         let place = self.labels.partition_point(|&l| l < label);
+        if let Some(twin) = self.twin(label, 1e-4) {
+            self.labels[twin] = label;
+            self.points[twin] = solution;
+            return label;
+        }
         self.labels.insert(place, label);
         self.points.insert(place, solution);
         label
     }
 
-    /// A start for Newton's method at the label `at`.
-    pub fn start(&self, problem: &Problem, at: f64) -> Equilibrium {
-        let used = self.nearest(at, USED + 2);
+    /// Slopes per label at the two ends of the step.
+    pub fn end_slopes(&self) -> (Observables, Observables) {
+        (self.slopes.0, self.slopes.1)
+    }
+
+    /// A point whose label differs by less than `share` of the step.
+    fn twin(&self, label: f64, share: f64) -> Option<usize> {
+        (0..self.labels.len()).find(|&i| (self.labels[i] - label).abs() < share * self.end)
+    }
+
+    /// A start for Newton's method from the tangent of a point so near that interpolation would lose digits.
+    pub fn near(&self, at: f64) -> Option<Equilibrium> {
+        let twin = self.twin(at, 1e-2)?;
+        let ahead = (at - self.labels[twin]) / self.weights.dot(&self.points[twin].slope);
+        Some(self.points[twin].moved(ahead))
+    }
+
+    /// A start for Newton's method at the label `at`, from the nearest `points`.
+    pub fn start(&self, problem: &Problem, at: f64, points: usize) -> Equilibrium {
+        let used = self.nearest(at, points);
         combine(problem, &self.points[used.clone()], &lagrange_weights(&self.labels[used], at))
     }
 
@@ -159,10 +203,6 @@ mod tests {
         assert_relative_eq!(value, f(0.5).0, epsilon = 1e-12);
         assert_relative_eq!(first, f(0.5).1, epsilon = 1e-12);
         assert_relative_eq!(second, f(0.5).2, epsilon = 1e-11);
-        assert_relative_eq!(
-            Hermite::new(&data).turning_point(0.5, 1.5),
-            (6f64 / 7.0).powf(0.2),
-            max_relative = 1e-12
-        );
+        assert_relative_eq!(Hermite::new(&data).turning_point(0.5, 1.5), (6f64 / 7.0).powf(0.2), max_relative = 1e-12);
     }
 }

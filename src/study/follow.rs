@@ -15,6 +15,32 @@ pub(super) struct Followed {
     pub turns: Vec<(Turn, usize, Located)>,
     pub end: End,
     pub iterations: usize,
+    /// Turning points of the force left out because it hardly changes between them.
+    pub ripple: usize,
+}
+
+/// A step that holds a turning point.
+struct Candidate {
+    turn: Turn,
+    index: usize,
+    bracket: (f64, f64),
+    /// Where an interpolant puts it, and its value there.
+    label: f64,
+    value: f64,
+}
+
+/// Drops pairs of neighbouring load turns between which the force changes by less than `relative` of itself, the smallest
+/// change first.
+fn without_ripple(candidates: Vec<Candidate>, relative: f64) -> Vec<Candidate> {
+    let (mut loads, mut kept): (Vec<_>, Vec<_>) = candidates.into_iter().partition(|c| c.turn == Turn::Load);
+    let change = |pair: &[Candidate]| (pair[1].value - pair[0].value).abs() / pair[0].value.abs();
+    while let Some((i, least)) = loads.windows(2).map(change).enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
+        && least < relative
+    {
+        loads.drain(i..i + 2);
+    }
+    kept.append(&mut loads);
+    kept
 }
 
 /// Why a path on one mesh cannot be used.
@@ -31,6 +57,7 @@ pub(super) fn follow(
     options: PathOptions,
     far: f64,
     bounds: &Bounds,
+    relative: f64,
     started: Instant,
 ) -> Result<Followed, Unusable> {
     let mut path = Path::new(problem, options);
@@ -40,9 +67,9 @@ pub(super) fn follow(
         }
     };
     let mut followed =
-        Followed { points: path.points().to_vec(), turns: Vec::new(), end, iterations: path.iterations() };
+        Followed { points: path.points().to_vec(), turns: Vec::new(), end, iterations: path.iterations(), ripple: 0 };
     followed.finish(problem);
-    followed.locate_turns(problem)?;
+    followed.locate_turns(problem, relative)?;
     followed.check_inertia(problem)?;
     Ok(followed)
 }
@@ -68,11 +95,12 @@ fn step(path: &mut Path, far: f64, bounds: &Bounds, started: Instant) -> Option<
     if path.nearest_edge() > far {
         return Some(End::Detached);
     }
-    if o.force <= 0.0 {
-        return Some(End::Pivoting);
-    }
+    // a strip that has closed again passes u = 0 and P = 0 together
     if o.displacement <= 0.0 {
         return Some(End::TurnedBack);
+    }
+    if o.force <= 0.0 {
+        return Some(End::Pivoting);
     }
     bounds.displacement.filter(|&most| o.displacement > most).map(|most| End::Bound(format!("u = {most} nm")))
 }
@@ -90,7 +118,7 @@ impl Followed {
         let (before, beyond) = (&self.points[n - 2], &self.points[n - 1]);
         let stretch = Stretch::around(problem, &self.points, n - 2);
         let (from, to) = (weights.dot(&before.observables), weights.dot(&beyond.observables));
-        let start = stretch.start(problem, stretch.end() * from / (from - to));
+        let start = stretch.start(problem, stretch.end() * from / (from - to), 4);
         let options = NewtonOptions { tolerance: 1e-10, largest_update: 0.5, most_iterations: 10 };
         let condition = Condition { weights, target: 0.0 };
         if let Ok(mut last) = solve(problem, start, &condition, &options, &mut Workspace::default()) {
@@ -101,28 +129,63 @@ impl Followed {
         }
     }
 
-    fn locate_turns(&mut self, problem: &Problem) -> Result<(), Unusable> {
+    /// Locates every turning point but those of a flat stretch, where the force rises and falls by less than `relative`
+    /// of itself: there its slope is the discretisation's.
+    fn locate_turns(&mut self, problem: &Problem, relative: f64) -> Result<(), Unusable> {
         let mut work = Workspace::default();
+        let mut candidates = Vec::new();
         for index in 0..self.points.len().saturating_sub(1) {
-            let mut here = Vec::new();
             let stretch = Stretch::around(problem, &self.points, index);
             for turn in [Turn::Load, Turn::Displacement] {
-                let brackets = brackets(problem, &self.points, index, &stretch, turn, &mut work)
-                    .map_err(Unusable::Coarse)?;
-                for bracket in brackets {
-                    let located =
-                        locate(problem, stretch.clone(), turn, bracket, &mut work).map_err(Unusable::Coarse)?;
-                    self.iterations += located.iterations;
-                    here.push((turn, index, located));
+                let brackets = brackets(problem, &self.points, index, &stretch, turn, relative, &mut work);
+                for bracket in brackets
+                    .inspect_err(|e| {
+                        if std::env::var("DBG").is_ok() {
+                            eprintln!(
+                                "  BR {e} {turn:?} {index} u {:?} {:?}",
+                                self.points[index].observables,
+                                self.points[index + 1].observables
+                            );
+                        }
+                    })
+                    .map_err(Unusable::Coarse)?
+                {
+                    let near = stretch.observable(turn.pick(), 0.5 * (bracket.0 + bracket.1));
+                    let label = near.turning_point(bracket.0, bracket.1);
+                    let (a, b) = (pick_at(&self.points[index], turn), pick_at(&self.points[index + 1], turn));
+                    let maximum = turn.pick()(&self.points[index].slope) > 0.0;
+                    let value = if maximum == (bracket.0 == 0.0) { a.max(b) } else { a.min(b) };
+                    candidates.push(Candidate { turn, index, bracket, label, value });
                 }
             }
-            here.sort_by(|a, b| {
-                let label = |l: &Located| stretch.weights.dot(&l.observables);
-                label(&a.2).total_cmp(&label(&b.2))
-            });
-            self.turns.append(&mut here);
         }
+        let all = candidates.len();
+        let mut candidates = without_ripple(candidates, relative);
+        self.ripple = all - candidates.len();
+        candidates.sort_by(|a, b| a.index.cmp(&b.index).then(a.label.total_cmp(&b.label)));
+        for c in candidates {
+            let stretch = Stretch::around(problem, &self.points, c.index);
+            let mut located =
+                locate(problem, &stretch, c.turn, c.bracket, relative, &mut work).map_err(Unusable::Coarse)?;
+            located.flat |= c.turn == Turn::Load && located.is_flat(relative);
+            self.iterations += located.iterations;
+            self.turns.push((c.turn, c.index, located));
+        }
+        self.drop_ripple(relative);
         Ok(())
+    }
+
+    /// The same filter on what was located: an interpolant over a long step can make a ripple look large.
+    fn drop_ripple(&mut self, relative: f64) {
+        loop {
+            let loads: Vec<usize> = (0..self.turns.len()).filter(|&i| self.turns[i].0 == Turn::Load).collect();
+            let force = |i: usize| self.turns[i].2.observables.force;
+            let weak = loads.windows(2).find(|w| (force(w[0]) - force(w[1])).abs() < relative * force(w[0]).abs());
+            let Some(&[first, second]) = weak else { return };
+            self.turns.remove(second);
+            self.turns.remove(first);
+            self.ripple += 2;
+        }
     }
 
     /// Each displacement limit point changes the number of negative eigenvalues by one; nothing else does.
@@ -139,6 +202,10 @@ impl Followed {
     }
 }
 
+fn pick_at(solution: &Solution, turn: Turn) -> f64 {
+    turn.pick()(&solution.observables)
+}
+
 /// Labels between which the slope of a quantity changes sign on one step: where it differs at the two ends, or, for a pair
 /// of turns within the step, where the cubic through both ends turns and a solution in between confirms it.
 fn brackets(
@@ -147,6 +214,7 @@ fn brackets(
     index: usize,
     stretch: &Stretch,
     turn: Turn,
+    relative: f64,
     work: &mut Workspace,
 ) -> Result<Vec<(f64, f64)>, SolveError> {
     let (from, to) = (&points[index], &points[index + 1]);
@@ -156,14 +224,15 @@ fn brackets(
         return Ok(vec![(0.0, end)]);
     }
     let along = |p: &Solution| pick(&p.slope) / stretch.weights.dot(&p.slope);
-    let cubic = Hermite::new(&[
-        (0.0, pick(&from.observables), along(from)),
-        (end, pick(&to.observables), along(to)),
-    ]);
+    let cubic = Hermite::new(&[(0.0, pick(&from.observables), along(from)), (end, pick(&to.observables), along(to))]);
     // the slope of a cubic is extreme where its second derivative, linear in the label, vanishes
     let (bend_from, bend_to) = (cubic.at(0.0).2, cubic.at(end).2);
     let extreme = end * bend_from / (bend_from - bend_to);
     if !(extreme > 0.0 && extreme < end) || (cubic.at(extreme).1 < 0.0) == (first < 0.0) {
+        return Ok(Vec::new());
+    }
+    let (values, beyond) = ((pick(&from.observables), pick(&to.observables)), cubic.at(extreme).0);
+    if turn == Turn::Load && (values.0 - values.1).abs().max((beyond - values.0).abs()) < relative * beyond.abs() {
         return Ok(Vec::new());
     }
     let between = solve_on(problem, stretch, extreme, work)?;

@@ -1,7 +1,8 @@
 //! The whole peel of one model: path, special points, error bounds, how it ended.
 
+use super::trace::Trace;
 use crate::model::StripModel;
-use crate::solve::{Hermite, Stretch, Turn};
+use crate::solve::Turn;
 
 /// What the user asks of the numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +74,8 @@ pub struct LimitPoint {
     pub displacement_error: f64,
     /// Bound on the error of `force`, nN
     pub force_error: f64,
+    /// Whether the force is so flat around it that its displacement cannot be told any better and does not matter.
+    pub flat: bool,
     /// It lies between `points[after]` and `points[after + 1]` of the path.
     pub after: usize,
 }
@@ -126,86 +129,24 @@ pub struct Peel {
     pub end: End,
     pub effort: Effort,
     pub solve_s: f64,
-    /// The curve from each point to the next.
-    pub(super) steps: Vec<StepCurve>,
-    /// The deformed axis at each point.
-    pub(super) shapes: Vec<Shape>,
-}
-
-/// Displacement and force between two path points.
-#[derive(Clone, Debug)]
-pub(super) struct StepCurve {
-    end: f64,
-    displacement: Hermite,
-    force: Hermite,
-}
-
-impl StepCurve {
-    pub(super) fn new(stretch: &Stretch) -> Self {
-        let middle = 0.5 * stretch.end();
-        Self {
-            end: stretch.end(),
-            displacement: stretch.observable(|o| o.displacement, middle),
-            force: stretch.observable(|o| o.force, middle),
-        }
-    }
-
-    fn at(&self, fraction: f64) -> (f64, f64) {
-        let label = fraction * self.end;
-        (self.displacement.at(label).0, self.force.at(label).0)
-    }
+    /// The solutions behind the points, for pictures; absent in the rows of a sweep.
+    pub(super) trace: Option<Trace>,
 }
 
 impl Peel {
     /// The curve between the path points as well, `per_step` intervals a step: (u, P, negative eigenvalues under
-    /// displacement control). The located limit points are among its points.
+    /// displacement control). The displacement limit points are among its points.
     pub fn dense_curve(&self, per_step: usize) -> Vec<(f64, f64, usize)> {
-        let mut curve = Vec::new();
-        for (i, point) in self.points.iter().enumerate() {
-            curve.push((point.displacement, point.force, point.negative_eigenvalues));
-            let Some(step) = self.steps.get(i) else { continue };
-            let turns: Vec<_> = self.limit_points.iter().filter(|p| p.after == i).collect();
-            curve.extend(step_between(step, point, self.points.get(i + 1), &turns, per_step));
+        match &self.trace {
+            Some(trace) => trace.dense_curve(&self.limit_points, per_step),
+            None => self.points.iter().map(|p| (p.displacement, p.force, p.negative_eigenvalues)).collect(),
         }
-        curve
     }
 
     /// The deformed axis at `points[index]`; empty where there is none.
     pub fn shape(&self, index: usize) -> Shape {
-        self.shapes.get(index).cloned().unwrap_or_default()
+        self.trace.as_ref().map(|trace| trace.shape(index)).unwrap_or_default()
     }
-}
-
-/// Points of one step between its ends. A displacement limit point splits it: the stable side belongs to one end, the
-/// unstable to the other.
-fn step_between(
-    step: &StepCurve,
-    from: &PathPoint,
-    to: Option<&PathPoint>,
-    turns: &[&LimitPoint],
-    per_step: usize,
-) -> Vec<(f64, f64, usize)> {
-    let after = to.map_or(from.negative_eigenvalues, |p| p.negative_eigenvalues);
-    let inner: Vec<(f64, f64)> = (1..per_step).map(|k| step.at(k as f64 / per_step as f64)).collect();
-    let Some(turn) = turns.iter().find(|t| t.kind == Turn::Displacement) else {
-        return inner.into_iter().map(|(u, p)| (u, p, from.negative_eigenvalues)).collect();
-    };
-    // the turn is where the inner points are nearest to it in u and P together
-    let along = |&(u, p): &(f64, f64)| {
-        let (du, dp) = ((u - turn.displacement) / turn.displacement, (p - turn.force) / turn.force);
-        du.hypot(dp)
-    };
-    let nearest = (0..inner.len()).min_by(|&a, &b| along(&inner[a]).total_cmp(&along(&inner[b]))).unwrap_or(0);
-    let mut points: Vec<_> = inner.iter().map(|&(u, p)| (u, p)).collect();
-    if nearest < points.len() {
-        points[nearest] = (turn.displacement, turn.force);
-    }
-    let unstable_from = nearest + usize::from(after < from.negative_eigenvalues);
-    points
-        .into_iter()
-        .enumerate()
-        .map(|(k, (u, p))| (u, p, if k < unstable_from { from.negative_eigenvalues } else { after }))
-        .collect()
 }
 
 /// Follows the peel from rest to its end. What went wrong on the way stands in [`Peel::end`].

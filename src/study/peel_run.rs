@@ -3,11 +3,11 @@
 
 use super::follow::{Followed, Unusable, follow};
 use super::plateau::plateau;
+use super::trace::Trace;
 use super::{Accuracy, Bounds, Effort, End, LimitPoint, PathPoint, Peak, Peel};
 use crate::model::{Form, StripModel};
 use crate::solve::{
-    Equilibrium, Observables, PathOptions, Problem, Solution, Stretch, Turn, Workspace,
-    difference_on_twice_the_elements,
+    Equilibrium, PathOptions, Problem, Solution, Stretch, Turn, Workspace, difference_on_twice_the_elements,
 };
 use std::sync::Arc;
 use std::time::Instant;
@@ -35,7 +35,10 @@ impl Resolution {
         let span = (model.strip.length / model.process_length()).max(1.0).asinh();
         let digits = -relative.log10();
         let elements = (2.0 + span * (0.6 + 0.23 * digits)).ceil() as usize;
-        Self { order, elements: elements.clamp(4, MOST_ELEMENTS), step_tolerance: 1e-2 }
+        let elements = std::env::var("NE").map_or(elements, |v| v.parse().unwrap());
+        let order = std::env::var("OR").map_or(order, |v| v.parse().unwrap());
+        let st = std::env::var("ST").map_or(1e-2, |v| v.parse().unwrap());
+        Self { order, elements: elements.clamp(4, MOST_ELEMENTS), step_tolerance: st }
     }
 
     /// Finer, by what the theory of order 2p asks for to reduce an error of `worst` times the wanted one.
@@ -49,7 +52,7 @@ impl Resolution {
 pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> Peel {
     let started = Instant::now();
     let mut resolution = Resolution::first(model, accuracy.relative);
-    let problem = model.problem(Form::TwoField, resolution.order);
+    let problem = Arc::new(model.problem(Form::TwoField, resolution.order));
     let far = 10.0 * model.adhesion.equilibrium_distance;
     let mut best: Option<Peel> = None;
     let mut iterations = 0;
@@ -64,10 +67,14 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> P
             tolerance: (1e-3 * accuracy.relative).clamp(1e-12, 1e-6),
             first_displacement: 0.02 * model.adhesion.equilibrium_distance,
         };
-        match follow(&problem, options, far, bounds, started) {
+        if std::env::var("DBG").is_ok() {
+            eprintln!("try {resolution:?} {trouble} {iterations} {:?}", started.elapsed());
+        }
+        match follow(&problem, options, far, bounds, accuracy.relative, started) {
             Ok(followed) => {
                 iterations += followed.iterations;
                 let mut peel = report(model, &problem, &followed);
+                peel.trace = Some(Trace { problem: problem.clone(), points: followed.points });
                 peel.effort = Effort {
                     points: peel.points.len(),
                     newton_iterations: iterations,
@@ -76,7 +83,10 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> P
                 };
                 peel.solve_s = started.elapsed().as_secs_f64();
                 let worst = worst_error(&peel) / accuracy.relative;
-                if worst <= 1.0 || !matches!(peel.end, End::Detached | End::Pivoting | End::TurnedBack | End::Bound(_)) && best.is_some() {
+                if worst <= 1.0
+                    || !matches!(peel.end, End::Detached | End::Pivoting | End::TurnedBack | End::Bound(_))
+                        && best.is_some()
+                {
                     return peel;
                 }
                 trouble = format!(
@@ -121,16 +131,14 @@ fn empty(model: &StripModel) -> Peel {
         end: End::Failed(String::new()),
         effort: Effort::default(),
         solve_s: 0.0,
-        steps: Vec::new(),
-        shapes: Vec::new(),
+        trace: None,
     }
 }
 
 /// The largest relative error bound of what is reported.
 fn worst_error(peel: &Peel) -> f64 {
-    let turns = peel.limit_points.iter().flat_map(|p| {
-        [p.displacement_error / p.displacement.abs(), p.force_error / p.force.abs()]
-    });
+    let place = |p: &LimitPoint| if p.flat { 0.0 } else { p.displacement_error / p.displacement.abs() };
+    let turns = peel.limit_points.iter().flat_map(|p| [place(p), p.force_error / p.force.abs()]);
     let peaks = peel.peak.iter().map(|p| p.force_error / p.force.abs());
     turns.chain(peaks).fold(0.0, f64::max)
 }
@@ -159,31 +167,19 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed) -> Peel {
             work: work_near(problem, &followed.points, &works, *after, located),
             displacement_error: bound(located.difference.displacement, located.observables.displacement),
             force_error: bound(located.difference.force, located.observables.force),
+            flat: located.flat,
             after: *after,
         })
         .collect();
-    let mut peel = Peel {
-        points: points.collect(),
-        end: followed.end.clone(),
-        steps: (0..followed.points.len().saturating_sub(1))
-            .map(|i| Stretch::around(problem, &followed.points, i))
-            .map(|stretch| super::StepCurve::new(&stretch))
-            .collect(),
-        shapes: followed.points.iter().map(|s| super::shape::shape(problem, &s.at)).collect(),
-        limit_points,
-        ..empty(model)
-    };
+    let mut peel = Peel { points: points.collect(), end: followed.end.clone(), limit_points, ..empty(model) };
     fill_special_points(&mut peel, problem, followed);
     peel
 }
 
 fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed) {
-    let maximum = |p: &&LimitPoint| {
-        p.kind == Turn::Load && followed.points[p.after].slope.force > 0.0 && p.force > 0.0
-    };
-    let turns_back = |p: &&LimitPoint| {
-        p.kind == Turn::Displacement && followed.points[p.after].slope.displacement > 0.0
-    };
+    let maximum = |p: &&LimitPoint| p.kind == Turn::Load && followed.points[p.after].slope.force > 0.0 && p.force > 0.0;
+    let turns_back =
+        |p: &&LimitPoint| p.kind == Turn::Displacement && followed.points[p.after].slope.displacement > 0.0;
     let first_maximum = peel.limit_points.iter().find(maximum).copied();
     peel.initiation_peak = first_maximum.as_ref().map(peak_of);
     peel.snap_off = peel.limit_points.iter().find(turns_back).copied();
@@ -277,17 +273,4 @@ fn work_near(
     let mut stretch = Stretch::around(problem, points, after);
     let label = stretch.insert(s.clone());
     works[after] + work_between(&stretch, 0.0, label)
-}
-
-impl Observables {
-    /// Each component times a number.
-    pub(crate) fn times(&self, factor: f64) -> Self {
-        Self {
-            front: factor * self.front,
-            displacement: factor * self.displacement,
-            tip_rotation: factor * self.tip_rotation,
-            force: factor * self.force,
-            grip_rotation: factor * self.grip_rotation,
-        }
-    }
 }

@@ -23,7 +23,7 @@ pub fn sweep(
     cases
         .par_iter()
         .map(|&(value, model)| {
-            let row = SweepRow { value, peel: peel(&model, accuracy, bounds) };
+            let row = SweepRow { value, peel: Peel { trace: None, ..peel(&model, accuracy, bounds) } };
             done();
             row
         })
