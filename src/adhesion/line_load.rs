@@ -46,6 +46,8 @@ pub struct LineResponse {
     pub by_gap: f64,
     /// -M_c, nN/nm
     pub by_rotation: f64,
+    /// ∂Ψ/∂θ, nN/nm; equal to `by_rotation` where the load has a potential
+    pub energy_by_rotation: f64,
     /// ∂(-T_c)/∂y, nN/nm³
     pub gap_gap: f64,
     /// ∂(-T_c)/∂θ, nN/nm²
@@ -150,6 +152,7 @@ impl LineLaw {
             energy,
             by_gap: by_y,
             by_rotation: by_a * a_t,
+            energy_by_rotation: by_a * a_t,
             gap_gap: yy2,
             gap_rotation: ya * a_t,
             rotation_gap: ya * a_t,
@@ -168,10 +171,12 @@ impl LineLaw {
         let b = self.half_space.body_force(r1);
         let (ic, tan) = (1.0 / c, s / c);
         let mixed = b * half * tan - t * s * ic * ic;
+        let by_rotation = -t * half * tan + w * tan * ic;
         LineResponse {
             energy: w * ic,
             by_gap: -t * ic,
-            by_rotation: -t * half * tan + w * tan * ic,
+            by_rotation,
+            energy_by_rotation: by_rotation,
             gap_gap: b * ic,
             gap_rotation: mixed,
             rotation_gap: mixed,

@@ -101,7 +101,7 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
         response.value_slope = [[0.0, 0.0], [v_t, 0.0]];
         response.slope_value = [[0.0, v_t], [0.0, 0.0]];
         response.slope_slope = [[inverse, 0.0], [0.0, ei]];
-        response.adhesion_by_value = [b * adhesion.by_gap, b * adhesion.by_rotation];
+        response.adhesion_by_value = [b * adhesion.by_gap, b * adhesion.energy_by_rotation];
         response
     }
 

@@ -49,7 +49,7 @@ impl Density<3> for ReissnerBeam {
             [mixed, axial * sin * sin + shear * cos * cos, 0.0],
             [0.0, 0.0, bending],
         ];
-        response.adhesion_by_value = [0.0, b * adhesion.by_gap, b * adhesion.by_rotation];
+        response.adhesion_by_value = [0.0, b * adhesion.by_gap, b * adhesion.energy_by_rotation];
         response
     }
 

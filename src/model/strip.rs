@@ -131,8 +131,8 @@ impl StripModel {
             held,
             scale,
             rest_adhesion: width * law.rest_energy(),
-            fixed_foci: vec![Focus { center: 0.0, length: ev("FL", 1.0) * process_length, weight: ev("FB", 0.8) }],
-            process_length: ev("PL", 1.0) * process_length,
+            fixed_foci: vec![Focus { center: 0.0, length: ev("FL", 0.25) * process_length, weight: ev("FB", 0.8) }],
+            process_length: ev("PL", 0.7) * process_length,
             height: self.strip.height,
             conservative: law.has_potential(),
         }

@@ -6,7 +6,7 @@
 //! pivot is the sign of an eigenvalue (Sylvester), so the sweep counts the negative ones as it goes.
 
 use super::SolveError;
-use crate::beam::{Basis, Density, ElementEnergy, SectionState, integrate};
+use crate::beam::{Basis, Density, ElementEnergy, SectionState, Spread, integrate};
 
 /// The most fields a node can have.
 pub const MOST_FIELDS: usize = 3;
@@ -92,6 +92,7 @@ pub trait Chain: Send + Sync {
 pub struct UniformChain<D, const F: usize, const N: usize, const M: usize> {
     density: D,
     basis: Basis<N>,
+    spread: Spread<F, N, M>,
     /// Field of the left end that is held at zero, if any.
     pinned_left: Option<usize>,
 }
@@ -104,7 +105,8 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> UniformChain
     /// A chain whose left end is free but for `pinned_left`.
     pub fn new(density: D, pinned_left: Option<usize>) -> Self {
         const { assert!(M == F * N + 1 || M == F * N + 2) };
-        Self { density, basis: Basis::new(), pinned_left }
+        let basis = Basis::new();
+        Self { density, spread: Spread::new(&basis), basis, pinned_left }
     }
 
     /// Values of element `e` in elimination order.
@@ -129,11 +131,11 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> UniformChain
         let mut energy = ElementEnergy::default();
         let mut negative = 0;
         let left = Self::PIVOTS - F;
+        let mut front = [[0.0; M]; M];
         for e in 0..elements {
-            let mut front = [[0.0; M]; M];
             let length = at.ends[e + 1] - at.ends[e];
             let values = self.gather(at.state, e);
-            let element = integrate(&self.density, &self.basis, &values, length, at.border, path.adhesion, &mut front);
+            let element = integrate(&self.density, &self.basis, &self.spread, &values, length, at.border, path.adhesion, &mut front);
             energy.total += element.total;
             energy.adhesion += element.adhesion;
             if e == 0 {
@@ -210,6 +212,17 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> UniformChain
     }
 }
 
+/// [`UniformChain::sweep`] compiled for the vector units that the machine may have, chosen when it runs.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2+fma", "x86_64+avx2+fma"))]
+fn sweep<D: Density<F>, const F: usize, const N: usize, const M: usize>(
+    chain: &UniformChain<D, F, N, M>,
+    at: Configuration,
+    path: &PathRow,
+    work: &mut Workspace,
+) -> Result<Root, SolveError> {
+    chain.sweep(at, path, work)
+}
+
 /// Adds a carried block into a front, entry (i, j) at (place(i), place(j)).
 #[inline(always)]
 fn unload<const M: usize>(carry: &[[f64; ROOT]; ROOT], front: &mut [[f64; M]; M], place: impl Fn(usize) -> usize) {
@@ -228,19 +241,17 @@ fn unload<const M: usize>(carry: &[[f64; ROOT]; ROOT], front: &mut [[f64; M]; M]
 fn eliminate_front<const M: usize>(front: &mut [[f64; M]; M], pivots: usize) -> Result<usize, f64> {
     let mut negative = 0;
     for k in 0..pivots {
-        let (above, below) = front.split_at_mut(k + 1);
-        let row = &above[k];
+        let row = front[k];
         let pivot = row[k];
         if pivot.abs() < f64::MIN_POSITIVE * 1e20 {
             return Err(pivot);
         }
         negative += usize::from(pivot < 0.0);
         let inverse = 1.0 / pivot;
-        for other in below.iter_mut() {
+        for other in &mut front[k + 1..] {
             let factor = other[k] * inverse;
-            for j in k + 1..M {
-                other[j] -= factor * row[j];
-            }
+            // columns up to k are done with; running over all of them keeps the loop's length known
+            *other = std::array::from_fn(|j| other[j] - factor * row[j]);
         }
     }
     Ok(negative)
@@ -264,7 +275,7 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> Chain for Un
     }
 
     fn eliminate(&self, at: Configuration, path: &PathRow, work: &mut Workspace) -> Result<Root, SolveError> {
-        self.sweep(at, path, work)
+        sweep(self, at, path, work)
     }
 
     fn recover(&self, work: &Workspace, root: &[f64], scale: f64, out: &mut [f64]) {
@@ -298,7 +309,7 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> Chain for Un
             let length = at.ends[e + 1] - at.ends[e];
             let values = self.gather(at.state, e);
             let mut front = [[0.0; M]; M];
-            integrate(&self.density, &self.basis, &values, length, at.border, 0.0, &mut front);
+            integrate(&self.density, &self.basis, &self.spread, &values, length, at.border, 0.0, &mut front);
             let mut node = |slot: usize, position: f64, sign: f64| {
                 let forces = std::array::from_fn(|f| sign * front[slot * F + f][M - 1]);
                 let section = self.density.section_state_from_forces(values[slot], forces, at.border);

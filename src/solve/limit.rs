@@ -186,6 +186,8 @@ struct Found {
     target: f64,
     /// At the turning point.
     observables: Observables,
+    /// Size of what is neglected in them.
+    neglected: Observables,
 }
 
 impl<'p> Search<'p> {
@@ -195,10 +197,15 @@ impl<'p> Search<'p> {
         let start = refined(self.problem, &coarse.solution.moved(coarse.ahead));
         let (fine, search) =
             search.run(start, coarse.target + coarse.ahead, work).map_err(|_| SolveError::TurnNotConfirmed)?;
+        let difference = fine.observables.since(&coarse.observables);
         Ok(Located {
             solution: Arc::new(coarse.solution),
             observables: coarse.observables,
-            difference: fine.observables.since(&coarse.observables),
+            difference: Observables {
+                displacement: difference.displacement.abs() + coarse.neglected.displacement.abs(),
+                force: difference.force.abs() + coarse.neglected.force.abs(),
+                ..difference
+            },
             flat: false,
             iterations: search.iterations,
         })
@@ -224,7 +231,9 @@ impl<'p> Search<'p> {
             // the first second derivative is an interpolant's: it is not trusted until two solutions have confirmed it
             if ahead.abs() <= CLOSE * self.width && before.is_some() {
                 let observables = self.extrapolated(&solution, ahead);
-                return Ok((Found { solution, ahead, target, observables }, self));
+                // what the extrapolation neglects is of the order of the square of the way ahead
+                let neglected = solution.slope.times(ahead * ahead / self.width);
+                return Ok((Found { solution, ahead, target, observables, neglected }, self));
             }
             let least = 10.0 * CLOSE * self.width;
             ahead = if before.is_none() && ahead.abs() < least { least.copysign(ahead) } else { ahead };

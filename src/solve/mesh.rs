@@ -16,11 +16,14 @@ pub struct Focus {
 
 impl Focus {
     fn value(&self, s: f64) -> f64 {
-        self.weight * ((s - self.center) / self.length).asinh()
+        // asinh, to the absolute accuracy that a mesh needs, without the library's care for tiny arguments
+        let x = (s - self.center) / self.length;
+        self.weight * (x.abs() + (x * x + 1.0).sqrt()).ln().copysign(x)
     }
 
     fn slope(&self, s: f64) -> f64 {
-        self.weight / (s - self.center).hypot(self.length)
+        let away = s - self.center;
+        self.weight / (away * away + self.length * self.length).sqrt()
     }
 }
 
@@ -44,7 +47,8 @@ pub fn graded_ends(length: f64, foci: &[Focus], elements: usize) -> Vec<f64> {
 /// Root of value(s) = target in [low, high] for an increasing function, by Newton kept inside a shrinking bracket.
 fn invert(value: &impl Fn(f64) -> f64, slope: &impl Fn(f64) -> f64, target: f64, low: f64, high: f64) -> f64 {
     let (mut low, mut high) = (low, high);
-    let mut s = 0.5 * (low + high);
+    let ahead = low + (target - value(low)) / slope(low);
+    let mut s = if ahead < high { ahead } else { 0.5 * (low + high) };
     for _ in 0..100 {
         let miss = value(s) - target;
         if miss < 0.0 {
@@ -54,7 +58,7 @@ fn invert(value: &impl Fn(f64) -> f64, slope: &impl Fn(f64) -> f64, target: f64,
         }
         let newton = s - miss / slope(s);
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        if (next - s).abs() <= 1e-10 * (high.abs() + f64::MIN_POSITIVE) {
+        if (next - s).abs() <= 1e-9 * (high.abs() + f64::MIN_POSITIVE) {
             return next;
         }
         s = next;
