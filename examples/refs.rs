@@ -58,6 +58,26 @@ fn main() {
             )
             .replace("newton_iterations", "it")
             .replace("Effort", "");
+            if only.is_some() {
+                for (i, l) in p.points.iter().enumerate() {
+                    println!(
+                        "{i} u {:.9} P {:.9} c {:.5} th {:.4} neg {} {} it {}",
+                        l.displacement,
+                        l.force,
+                        l.front,
+                        l.end_rotation,
+                        l.negative_eigenvalues,
+                        l.negative_eigenvalues_load,
+                        l.iterations
+                    );
+                }
+                for l in &p.limit_points {
+                    println!(
+                        "{:?} {} u {:.12} +- {:.1e} P {:.12} +- {:.1e}",
+                        l.kind, l.after, l.displacement, l.displacement_error, l.force, l.force_error
+                    );
+                }
+            }
             let lp: Vec<_> = p.limit_points.iter().filter(|l| l.kind == Turn::Displacement).collect();
             let mut cmp = |name: &str, key: &str, got: Option<(f64, f64)>| {
                 let Some(text) = row.get(key).filter(|v| !v.is_empty()) else { return };

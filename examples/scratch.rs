@@ -38,7 +38,12 @@ fn main() {
             l.kind, l.after, l.displacement, l.displacement_error, l.force, l.force_error, l.work
         );
     }
-    if a.len() > 5 { let s = p.shape(a[5] as usize); for i in (0..s.x.len()).step_by(3) { println!("x {:.4} y {:.4} th {:.4}", s.x[i], s.y[i], s.rotation[i]); } }
+    if a.len() > 5 {
+        let s = p.shape(a[5] as usize);
+        for i in (0..s.x.len()).step_by(3) {
+            println!("x {:.4} y {:.4} th {:.4}", s.x[i], s.y[i], s.rotation[i]);
+        }
+    }
     if a.len() > 4 {
         for (i, l) in p.points.iter().enumerate() {
             println!(

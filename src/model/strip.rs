@@ -89,18 +89,24 @@ impl StripModel {
         }
     }
 
-    /// Length of the process zone, (EI/k)^(1/4) with k the adhesion's stiffness at rest, nm.
+    /// Length of the process zone, nm: the decay length (EI/k)^(1/4) of a bending beam on the adhesion's stiffness k at
+    /// rest, or a few times that of a shear beam, (GA_s/k)^(1/2), where that is shorter.
     pub fn process_length(&self) -> f64 {
         let law = self.line_law();
         let stiffness = law.response(law.rest_gap(), 0.0, 1.0).gap_gap * self.strip.width;
-        (self.section().bending / stiffness).powf(0.25)
+        let section = self.section();
+        (section.bending / stiffness).powf(0.25).min(5.0 * (section.shear / stiffness).sqrt())
     }
 
     /// What the solver is given, with elements of order 1 to 8.
     pub fn problem(&self, form: Form, order: usize) -> Problem {
         let (section, law, width) = (self.section(), self.line_law(), self.strip.width);
         let r0 = self.adhesion.equilibrium_distance;
-        let process_length = self.process_length();
+        let process_length = 0.7 * self.process_length();
+        let mut foci = vec![Focus { center: 0.0, length: 0.36 * process_length, weight: 0.8 }];
+        if self.grip.rotation == Hold::Fixed {
+            foci.push(Focus { center: self.strip.length, length: process_length, weight: 0.2 });
+        }
         let rotation_scale =
             (std::env::var("RS").map_or(1.0, |v| v.parse::<f64>().unwrap()) * r0 / process_length).min(1.0);
         let sliding_held = self.grip.horizontal == Hold::Fixed;
@@ -131,17 +137,14 @@ impl StripModel {
             held,
             scale,
             rest_adhesion: width * law.rest_energy(),
-            fixed_foci: vec![Focus { center: 0.0, length: ev("FL", 0.25) * process_length, weight: ev("FB", 0.8) }],
-            process_length: ev("PL", 0.7) * process_length,
+            fixed_foci: foci,
+            process_length,
             height: self.strip.height,
             conservative: law.has_potential(),
         }
     }
 }
 
-fn ev(k: &str, d: f64) -> f64 {
-    std::env::var(k).map_or(d, |v| v.parse().unwrap())
-}
 /// Picks the chain of the given order, N = order + 1 nodes an element.
 macro_rules! by_order {
     ($density:expr, $order:expr, $fields:literal, $extra:literal, $pin:expr) => {

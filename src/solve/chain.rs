@@ -83,9 +83,8 @@ pub trait Chain: Send + Sync {
     /// The state on element ends that lie a little beside its own: each node's value moved along its element's polynomial,
     /// to second order in the move.
     fn shifted(&self, at: Configuration, ends: &[f64]) -> Vec<f64>;
-    /// A configuration's state on elements twice as many, where element e becomes 2e and 2e + 1, cut at `cuts[e]`
-    /// (local coordinate).
-    fn refine(&self, state: &[f64], cuts: &[f64]) -> Vec<f64>;
+    /// The state on other ends of elements, each new node read off the element it falls in.
+    fn resampled(&self, at: Configuration, ends: &[f64]) -> Vec<f64>;
 }
 
 /// [`Chain`] for one density and one order: N = p + 1 nodes an element, fronts of size M = F N + border + 1.
@@ -135,7 +134,16 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> UniformChain
         for e in 0..elements {
             let length = at.ends[e + 1] - at.ends[e];
             let values = self.gather(at.state, e);
-            let element = integrate(&self.density, &self.basis, &self.spread, &values, length, at.border, path.adhesion, &mut front);
+            let element = integrate(
+                &self.density,
+                &self.basis,
+                &self.spread,
+                &values,
+                length,
+                at.border,
+                path.adhesion,
+                &mut front,
+            );
             energy.total += element.total;
             energy.adhesion += element.adhesion;
             if e == 0 {
@@ -355,20 +363,23 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> Chain for Un
         state
     }
 
-    fn refine(&self, state: &[f64], cuts: &[f64]) -> Vec<f64> {
-        let mut fine = Vec::with_capacity((2 * cuts.len() * Self::ORDER + 1) * F);
-        for (e, &cut) in cuts.iter().enumerate() {
-            let values = self.gather(state, e);
-            for (from, to) in [(-1.0, cut), (cut, 1.0)] {
-                for rank in 0..Self::ORDER {
-                    let local = from + 0.5 * (to - from) * (self.basis.nodes[Basis::<N>::slot(rank)] + 1.0);
-                    let (shape, _) = self.basis.sample(local);
-                    fine.extend_from_slice(&combine(&values, &shape, &shape, 2.0).0);
+    fn resampled(&self, at: Configuration, ends: &[f64]) -> Vec<f64> {
+        let mut state = Vec::with_capacity(((ends.len() - 1) * Self::ORDER + 1) * F);
+        let mut old = 0;
+        for e in 0..ends.len() - 1 {
+            let last = usize::from(e + 2 == ends.len());
+            for rank in 0..Self::ORDER + last {
+                let place = 0.5 * (1.0 + self.basis.nodes[Basis::<N>::slot(rank)]);
+                let s = ends[e] + place * (ends[e + 1] - ends[e]);
+                while old + 2 < at.ends.len() && s > at.ends[old + 1] {
+                    old += 1;
                 }
+                let local = 2.0 * (s - at.ends[old]) / (at.ends[old + 1] - at.ends[old]) - 1.0;
+                let (shape, slope) = self.basis.sample(local);
+                state.extend_from_slice(&combine(&self.gather(at.state, old), &shape, &slope, 2.0).0);
             }
         }
-        fine.extend_from_slice(&state[state.len() - F..]);
-        fine
+        state
     }
 }
 

@@ -17,7 +17,7 @@ pub enum SolveError {
         "Newton's method did not converge: last update {update:.3e} of the gap scale after {iterations} iterations"
     )]
     NotConverged { update: f64, iterations: usize },
-    /// A turning point is not there on twice the elements.
-    #[error("a turning point was not found again on twice the elements: the mesh does not resolve the path")]
+    /// A turning point is not there on more elements.
+    #[error("a turning point was not found again on more elements: the mesh does not resolve the path")]
     TurnNotConfirmed,
 }

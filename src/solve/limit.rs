@@ -1,4 +1,4 @@
-//! Turning points of the path, located and not sampled, with a bound on their error from twice the elements.
+//! Turning points of the path, located and not sampled, with a bound on their error from half as many elements again.
 
 use super::stretch::Stretch;
 use super::{Condition, Equilibrium, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
@@ -38,8 +38,10 @@ pub struct Located {
     pub solution: Arc<Solution>,
     /// The observables there.
     pub observables: Observables,
-    /// Their difference to those on twice the elements.
+    /// Their difference to those on half as many elements again.
     pub difference: Observables,
+    /// d²P/du² there, for a turn of the force.
+    pub force_curvature: f64,
     /// Whether the force is too flat there for the place to be told.
     pub flat: bool,
     /// Newton iterations it took, on both meshes.
@@ -47,11 +49,11 @@ pub struct Located {
 }
 
 impl Located {
-    /// Whether two meshes put it far apart, although the force is the same to `relative`: then its place is no more
-    /// certain than that, and matters as little.
+    /// Whether the error of its displacement changes the force by less than a share of the accuracy `relative`: then its
+    /// place is no more certain than that, and matters as little.
     pub fn is_flat(&self, relative: f64) -> bool {
-        let (o, d) = (&self.observables, &self.difference);
-        d.displacement.abs() > 1e-3 * o.displacement.abs() && d.force.abs() < relative * o.force.abs()
+        let change = 0.5 * self.force_curvature * self.difference.displacement.powi(2);
+        change.abs() < FLAT * relative * self.observables.force.abs()
     }
 }
 
@@ -91,14 +93,14 @@ pub fn solve_on(
 /// Locates the turning point of `turn` between the labels `from` and `to`, at which its slope differs in sign.
 ///
 /// First on meshes that follow the front, by chords of the slope; once near, on one mesh, on which the path is smooth to
-/// rounding, by the secant rule for the slope. A turn of the force in a stretch over which it hardly changes, measured by
-/// the accuracy `relative`, is taken as it stands.
+/// rounding, by the secant rule for the slope. With an accuracy `relative`, a turn of the force in a stretch over which it
+/// hardly changes, measured by that, is taken as it stands.
 pub fn locate(
     problem: &Problem,
     around: &Stretch,
     turn: Turn,
     (from, to): (f64, f64),
-    relative: f64,
+    relative: Option<f64>,
     work: &mut Workspace,
 ) -> Result<Located, SolveError> {
     let mut stretch = around.clone();
@@ -119,8 +121,8 @@ pub fn locate(
         }
         let width = high.0 - low.0;
         let value = turn.pick()(&solution.observables);
-        if turn == Turn::Load && (slope * width).abs() < FLAT * relative * value.abs() {
-            return flat(problem, &stretch, solution, iterations, work);
+        if relative.is_some_and(|r| (slope * width).abs() < FLAT * r * value.abs()) {
+            return flat(problem, &stretch, solution, slope * width, iterations, work);
         }
         let bend = (high.1 - low.1) / width;
         let left = (slope / bend).abs();
@@ -143,24 +145,33 @@ pub fn locate(
     }
     let middle = solve_on(problem, &stretch, 0.5 * (low.0 + high.0), work)?;
     let change = turn.pick()(&middle.slope) * (high.0 - low.0);
-    if turn == Turn::Load && change.abs() < relative * middle.observables.force.abs() {
-        return flat(problem, &stretch, middle, iterations, work);
+    if relative.is_some_and(|r| change.abs() < r * middle.observables.force.abs()) {
+        return flat(problem, &stretch, middle, change, iterations, work);
     }
     Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
 }
 
 /// A turning point of the force in a stretch so flat that its place cannot be told and does not matter: a solution in it,
-/// with the whole step as the error of its displacement.
+/// with the whole step as the error of its displacement and `change` as that of its force.
 fn flat(
     problem: &Problem,
     stretch: &Stretch,
     solution: Arc<Solution>,
+    change: f64,
     iterations: usize,
     work: &mut Workspace,
 ) -> Result<Located, SolveError> {
-    let mut difference = difference_on_twice_the_elements(problem, &solution, work)?;
+    let mut difference = difference_on_more_elements(problem, &solution, work)?;
     difference.displacement = stretch.change().displacement.abs();
-    Ok(Located { observables: solution.observables, solution, difference, flat: true, iterations: iterations + 2 })
+    difference.force = difference.force.abs() + change.abs();
+    Ok(Located {
+        observables: solution.observables,
+        solution,
+        difference,
+        force_curvature: 0.0,
+        flat: true,
+        iterations: iterations + 2,
+    })
 }
 
 /// The secant rule for the slope of one quantity, on one mesh.
@@ -191,7 +202,7 @@ struct Found {
 }
 
 impl<'p> Search<'p> {
-    /// The turning point next to `near` on its mesh, and on twice the elements.
+    /// The turning point next to `near` on its mesh, and on half as many elements again.
     fn confirmed(self, near: Arc<Solution>, target: f64, work: &mut Workspace) -> Result<Located, SolveError> {
         let (coarse, search) = self.run(near.at.clone(), target, work)?;
         let start = refined(self.problem, &coarse.solution.moved(coarse.ahead));
@@ -206,6 +217,7 @@ impl<'p> Search<'p> {
                 force: difference.force.abs() + coarse.neglected.force.abs(),
                 ..difference
             },
+            force_curvature: search.bend / fine.solution.slope.displacement.powi(2),
             flat: false,
             iterations: search.iterations,
         })
@@ -262,8 +274,8 @@ impl<'p> Search<'p> {
     }
 }
 
-/// Difference to the solution on twice the elements at the same displacement.
-pub fn difference_on_twice_the_elements(
+/// Difference to the solution on half as many elements again at the same displacement.
+pub fn difference_on_more_elements(
     problem: &Problem,
     coarse: &Solution,
     work: &mut Workspace,
@@ -274,17 +286,12 @@ pub fn difference_on_twice_the_elements(
     Ok(fine.observables.since(&coarse.observables))
 }
 
-/// The configuration on elements cut in two at half the mesh coordinate.
+/// The configuration on half as many elements again.
 fn refined(problem: &Problem, at: &Equilibrium) -> Equilibrium {
     let elements = at.ends.len() - 1;
-    let mut ends = problem.ends(at.center, 2 * elements);
-    for (e, &end) in at.ends.iter().enumerate() {
-        ends[2 * e] = end;
-    }
-    let cuts: Vec<f64> =
-        (0..elements).map(|e| 2.0 * (ends[2 * e + 1] - ends[2 * e]) / (ends[2 * e + 2] - ends[2 * e]) - 1.0).collect();
+    let ends = problem.ends(at.center, elements + elements.div_ceil(2));
     Equilibrium {
-        state: problem.chain.refine(&at.state, &cuts),
+        state: problem.chain.resampled(at.configuration(), &ends),
         ends,
         center: at.center,
         border: at.border,

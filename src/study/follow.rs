@@ -2,9 +2,10 @@
 
 use super::{Bounds, End};
 use crate::solve::{
-    Condition, Hermite, Located, NewtonOptions, Observables, Path, PathOptions, Problem, Solution, SolveError, Stretch,
-    Turn, Workspace, locate, solve, solve_on,
+    Condition, Hermite, Located, NewtonOptions, Observables, Path, PathError, PathOptions, Problem, Solution,
+    SolveError, Stretch, Turn, Workspace, locate, solve, solve_on,
 };
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -15,8 +16,12 @@ pub(super) struct Followed {
     pub turns: Vec<(Turn, usize, Located)>,
     pub end: End,
     pub iterations: usize,
+    /// Whether it ended with the strip upright, where an eigenvalue is zero by symmetry.
+    pub upright: bool,
     /// Turning points of the force left out because it hardly changes between them.
     pub ripple: usize,
+    /// Why the path cannot be used, if it cannot.
+    pub trouble: Option<Trouble>,
 }
 
 /// A step that holds a turning point.
@@ -44,11 +49,23 @@ fn without_ripple(candidates: Vec<Candidate>, relative: f64) -> Vec<Candidate> {
 }
 
 /// Why a path on one mesh cannot be used.
-pub(super) enum Unusable {
-    /// A turning point is not there on twice the elements, or did not converge.
-    Coarse(SolveError),
-    /// The inertia changed without a turning point: a step went over one.
-    Missed { after: usize },
+#[derive(Clone, Debug, thiserror::Error)]
+pub(super) enum Trouble {
+    #[error("{0}")]
+    Path(PathError),
+    #[error("the turning point of the {} behind path point {after} (u = {displacement_nm:.6} nm) was not located: {cause}", name(.turn))]
+    NotLocated { turn: Turn, after: usize, displacement_nm: f64, cause: SolveError },
+    #[error(
+        "the number of negative eigenvalues changes from {from} to {to} behind path point {after} (u = {displacement_nm:.6} nm) without a turning point there"
+    )]
+    Missed { after: usize, displacement_nm: f64, from: usize, to: usize },
+}
+
+fn name(turn: &Turn) -> &'static str {
+    match turn {
+        Turn::Displacement => "displacement",
+        Turn::Load => "force",
+    }
 }
 
 /// Follows the path and locates its turning points.
@@ -59,97 +76,121 @@ pub(super) fn follow(
     bounds: &Bounds,
     relative: f64,
     started: Instant,
-) -> Result<Followed, Unusable> {
+) -> Followed {
     let mut path = Path::new(problem, options);
-    let end = loop {
-        if let Some(end) = step(&mut path, far, bounds, started) {
-            break end;
+    let stopped = loop {
+        match step(&mut path, far, bounds, started) {
+            Ok(None) => {}
+            Ok(Some(end)) => break Ok(end),
+            Err(error) => break Err(error),
         }
     };
-    let mut followed =
-        Followed { points: path.points().to_vec(), turns: Vec::new(), end, iterations: path.iterations(), ripple: 0 };
+    let (end, trouble) = match stopped {
+        Ok(end) => (end, None),
+        Err(error) => (End::Failed(error.to_string()), Some(Trouble::Path(error))),
+    };
+    let mut followed = Followed {
+        points: path.points().to_vec(),
+        turns: Vec::new(),
+        end,
+        iterations: path.iterations(),
+        ripple: 0,
+        upright: false,
+        trouble,
+    };
     followed.finish(problem);
-    followed.locate_turns(problem, relative)?;
-    followed.check_inertia(problem)?;
-    Ok(followed)
+    let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem));
+    followed.trouble = followed.trouble.take().or(checked.err());
+    followed
 }
 
 /// Takes one step; the end, if it is reached.
-fn step(path: &mut Path, far: f64, bounds: &Bounds, started: Instant) -> Option<End> {
+fn step(path: &mut Path, far: f64, bounds: &Bounds, started: Instant) -> Result<Option<End>, PathError> {
     if path.points().len() >= bounds.points {
-        return Some(End::Bound(format!("{} path points", bounds.points)));
+        return Ok(Some(End::Bound(format!("bounds.points = {}", bounds.points))));
     }
     if let Some(most) = bounds.time_s
         && started.elapsed().as_secs_f64() > most
     {
-        return Some(End::Bound(format!("{most} s of computing")));
+        return Ok(Some(End::Bound(format!("bounds.time = {most} s"))));
     }
-    let newest = match path.advance() {
-        Ok(newest) => newest,
-        Err(error) => return Some(End::Failed(error.to_string())),
-    };
+    let newest = path.advance()?;
     let o = newest.observables;
     if path.points().len() < 3 {
-        return None;
+        return Ok(None);
     }
     if path.nearest_edge() > far {
-        return Some(End::Detached);
+        return Ok(Some(End::Detached));
     }
     // a strip that has closed again passes u = 0 and P = 0 together
     if o.displacement <= 0.0 {
-        return Some(End::TurnedBack);
+        return Ok(Some(End::TurnedBack));
     }
     if o.force <= 0.0 {
-        return Some(End::Pivoting);
+        return Ok(Some(End::Pivoting));
     }
-    bounds.displacement.filter(|&most| o.displacement > most).map(|most| End::Bound(format!("u = {most} nm")))
+    if stands_upright(path.points()) {
+        return Ok(Some(End::Pivoting));
+    }
+    let beyond = bounds.displacement.filter(|&most| o.displacement > most);
+    Ok(beyond.map(|most| End::Bound(format!("bounds.displacement = {most} nm"))))
+}
+
+/// Whether both ends of the strip have just passed 90 degrees: it hangs upright from its edge, and behind that, on a flat
+/// substrate, the path is the mirror image of itself.
+fn stands_upright(points: &[Arc<Solution>]) -> bool {
+    let [.., before, newest] = points else { return false };
+    let passed = |angle: fn(&Observables) -> f64| {
+        angle(&before.observables) < FRAC_PI_2 && angle(&newest.observables) >= FRAC_PI_2
+    };
+    passed(|o| o.tip_rotation) && passed(|o| o.grip_rotation)
 }
 
 impl Followed {
-    /// Moves the last point of a path that crossed P = 0 or u = 0 onto the crossing. Where that fails the point beyond it
+    /// Moves the last point of a path that crossed P = 0, u = 0 or the upright position onto the crossing. Where that fails the point beyond it
     /// stays: it is an equilibrium too.
     fn finish(&mut self, problem: &Problem) {
         let n = self.points.len();
-        let weights = match self.end {
-            End::Pivoting => Observables { force: 1.0, ..Observables::default() },
-            End::TurnedBack => Observables { displacement: 1.0, ..Observables::default() },
+        let (weights, target) = match self.end {
+            End::Pivoting if stands_upright(&self.points) => {
+                (Observables { tip_rotation: 1.0, ..Observables::default() }, FRAC_PI_2)
+            }
+            End::Pivoting => (Observables { force: 1.0, ..Observables::default() }, 0.0),
+            End::TurnedBack => (Observables { displacement: 1.0, ..Observables::default() }, 0.0),
             _ => return,
         };
         let (before, beyond) = (&self.points[n - 2], &self.points[n - 1]);
         let stretch = Stretch::around(problem, &self.points, n - 2);
-        let (from, to) = (weights.dot(&before.observables), weights.dot(&beyond.observables));
+        let (from, to) = (weights.dot(&before.observables) - target, weights.dot(&beyond.observables) - target);
         let start = stretch.start(problem, stretch.end() * from / (from - to), 4);
         let options = NewtonOptions { tolerance: 1e-10, largest_update: 0.5, most_iterations: 10 };
-        let condition = Condition { weights, target: 0.0 };
-        if let Ok(mut last) = solve(problem, start, &condition, &options, &mut Workspace::default()) {
-            self.iterations += last.iterations;
-            // the condition falls along the path, a slope per unit of it points backwards
-            last.slope = last.slope.times(-1.0);
-            self.points[n - 1] = Arc::new(last);
+        let condition = Condition { weights, target };
+        match solve(problem, start, &condition, &options, &mut Workspace::default()) {
+            Ok(mut last) => {
+                self.iterations += last.iterations;
+                // where the condition falls along the path, a slope per unit of it points backwards
+                last.slope = last.slope.times((to - from).signum());
+                self.points[n - 1] = Arc::new(last);
+            }
+            // upright the path meets its mirror image and may be singular: it ends before that
+            Err(_) if target != 0.0 => {
+                self.points.pop();
+            }
+            Err(_) => {}
         }
+        self.upright = target != 0.0;
     }
 
     /// Locates every turning point but those of a flat stretch, where the force rises and falls by less than `relative`
     /// of itself: there its slope is the discretisation's.
-    fn locate_turns(&mut self, problem: &Problem, relative: f64) -> Result<(), Unusable> {
+    fn locate_turns(&mut self, problem: &Problem, relative: f64) -> Result<(), Trouble> {
         let mut work = Workspace::default();
         let mut candidates = Vec::new();
         for index in 0..self.points.len().saturating_sub(1) {
             let stretch = Stretch::around(problem, &self.points, index);
             for turn in [Turn::Load, Turn::Displacement] {
                 let brackets = brackets(problem, &self.points, index, &stretch, turn, relative, &mut work);
-                for bracket in brackets
-                    .inspect_err(|e| {
-                        if std::env::var("DBG").is_ok() {
-                            eprintln!(
-                                "  BR {e} {turn:?} {index} u {:?} {:?}",
-                                self.points[index].observables,
-                                self.points[index + 1].observables
-                            );
-                        }
-                    })
-                    .map_err(Unusable::Coarse)?
-                {
+                for bracket in brackets.map_err(|cause| self.not_located(turn, index, cause))? {
                     let near = stretch.observable(turn.pick(), 0.5 * (bracket.0 + bracket.1));
                     let label = near.turning_point(bracket.0, bracket.1);
                     let (a, b) = (pick_at(&self.points[index], turn), pick_at(&self.points[index + 1], turn));
@@ -165,14 +206,21 @@ impl Followed {
         candidates.sort_by(|a, b| a.index.cmp(&b.index).then(a.label.total_cmp(&b.label)));
         for c in candidates {
             let stretch = Stretch::around(problem, &self.points, c.index);
-            let mut located =
-                locate(problem, &stretch, c.turn, c.bracket, relative, &mut work).map_err(Unusable::Coarse)?;
-            located.flat |= c.turn == Turn::Load && located.is_flat(relative);
+            let first = self.turns.iter().all(|t| t.0 != Turn::Load);
+            // the first turn of the force is the initiation peak and wanted sharp
+            let flat = (c.turn == Turn::Load && !first).then_some(relative);
+            let mut located = locate(problem, &stretch, c.turn, c.bracket, flat, &mut work)
+                .map_err(|cause| self.not_located(c.turn, c.index, cause))?;
+            located.flat |= flat.is_some_and(|relative| located.is_flat(relative));
             self.iterations += located.iterations;
             self.turns.push((c.turn, c.index, located));
         }
         self.drop_ripple(relative);
         Ok(())
+    }
+
+    fn not_located(&self, turn: Turn, after: usize, cause: SolveError) -> Trouble {
+        Trouble::NotLocated { turn, after, displacement_nm: self.points[after].observables.displacement, cause }
     }
 
     /// The same filter on what was located: an interpolant over a long step can make a ripple look large.
@@ -189,13 +237,19 @@ impl Followed {
     }
 
     /// Each displacement limit point changes the number of negative eigenvalues by one; nothing else does.
-    fn check_inertia(&self, problem: &Problem) -> Result<(), Unusable> {
-        for (after, pair) in self.points.windows(2).enumerate() {
+    fn check_inertia(&self, problem: &Problem) -> Result<(), Trouble> {
+        let checked = self.points.len() - usize::from(self.upright);
+        for (after, pair) in self.points[..checked].windows(2).enumerate() {
             let change = pair[0].negative.abs_diff(pair[1].negative);
             let turns = self.turns.iter().filter(|t| t.0 == Turn::Displacement && t.1 == after).count();
             let explained = (turns + change).is_multiple_of(2) && (change <= turns || !problem.conservative);
             if !explained {
-                return Err(Unusable::Missed { after });
+                return Err(Trouble::Missed {
+                    after,
+                    displacement_nm: pair[0].observables.displacement,
+                    from: pair[0].negative,
+                    to: pair[1].negative,
+                });
             }
         }
         Ok(())

@@ -128,6 +128,10 @@ pub struct Peel {
     pub snap_off: Option<LimitPoint>,
     pub end: End,
     pub effort: Effort,
+    /// Relative accuracy asked for.
+    pub asked: f64,
+    /// Load limit points left out, because the force changes by less than the accuracy between them.
+    pub ripple: usize,
     pub solve_s: f64,
     /// The solutions behind the points, for pictures; absent in the rows of a sweep.
     pub(super) trace: Option<Trace>,

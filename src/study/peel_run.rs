@@ -1,125 +1,155 @@
 //! The run behind [`super::peel`]: a mesh from the accuracy asked for, the path on it, and, where the error bounds say
 //! so, a finer mesh and the path again.
 
-use super::follow::{Followed, Unusable, follow};
+use super::follow::{Followed, Trouble, follow};
 use super::plateau::plateau;
 use super::trace::Trace;
 use super::{Accuracy, Bounds, Effort, End, LimitPoint, PathPoint, Peak, Peel};
 use crate::model::{Form, StripModel};
 use crate::solve::{
-    Equilibrium, PathOptions, Problem, Solution, Stretch, Turn, Workspace, difference_on_twice_the_elements,
+    Equilibrium, PathOptions, Problem, Solution, Stretch, Turn, Workspace, difference_on_more_elements,
 };
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Error bounds are the difference to twice the elements times this.
-const SAFETY: f64 = 1.5;
-/// Round-off of a reported number, relative; see `verification/README.md`.
+/// Error bounds are the difference to half as many elements again times this.
+const SAFETY: f64 = 2.0;
+/// Round-off, relative to the largest force of the path or to the displacement itself.
 const ROUND_OFF: f64 = 2e-12;
-/// How much the place of a turn of the force counts behind the first one: on a plateau it is ill-conditioned, and its own
-/// error bound says how much.
-const WEAK: f64 = 1e-2;
+/// The same for the displacement of a turn of the force, which is the zero of a difference of forces.
+const ROUND_OFF_PLACE: f64 = 2e-10;
+/// Below this relative error, an error that does not fall with more elements is taken for round-off.
+const STAGNATION: f64 = 2e-8;
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
 /// Most elements of a mesh.
 const MOST_ELEMENTS: usize = 400;
+/// Order of the elements.
+const ORDER: usize = 7;
 
 /// Elements and steps for an accuracy.
 #[derive(Clone, Copy, Debug)]
 struct Resolution {
-    order: usize,
     elements: usize,
     step_tolerance: f64,
 }
 
 impl Resolution {
+    /// What sufficed on the reference cases: elements grow like the square of the logarithm of the length, and with the
+    /// digits asked for.
     fn first(model: &StripModel, relative: f64) -> Self {
-        let order = if relative > 3e-4 { 5 } else { 7 };
-        let span = (model.strip.length / model.process_length()).max(1.0).asinh();
+        let span = (model.strip.length / model.process_length()).asinh();
         let digits = -relative.log10();
-        let elements = (2.0 + span * (0.6 + 0.23 * digits)).ceil() as usize;
-        let elements = std::env::var("NE").map_or(elements, |v| v.parse().unwrap());
-        let order = std::env::var("OR").map_or(order, |v| v.parse().unwrap());
-        let st = std::env::var("ST").map_or(1e-2, |v| v.parse().unwrap());
-        Self { order, elements: elements.clamp(4, MOST_ELEMENTS), step_tolerance: st }
+        let elements = (5.1 + 0.434 * span * span) * (0.12 + 0.147 * digits);
+        Self { elements: (elements.ceil() as usize).clamp(6, MOST_ELEMENTS), step_tolerance: STEP_TOLERANCE }
     }
 
     /// Finer, by what the theory of order 2p asks for to reduce an error of `worst` times the wanted one.
     fn finer(self, worst: f64) -> Self {
-        let growth = (1.5 * worst).powf(0.5 / self.order as f64).clamp(1.2, 2.0);
+        let growth = (2.0 * worst).powf(0.5 / ORDER as f64).clamp(1.15, 1.6);
         Self { elements: (self.elements as f64 * growth).ceil() as usize, ..self }
     }
 }
 
+/// Error wanted of a prediction along the path, relative to the gap.
+const STEP_TOLERANCE: f64 = 1e-2;
+
 /// Follows the peel from rest to its end.
 pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> Peel {
     let started = Instant::now();
-    let mut resolution = Resolution::first(model, accuracy.relative);
-    let problem = Arc::new(model.problem(Form::TwoField, resolution.order));
+    let problem = Arc::new(model.problem(Form::TwoField, ORDER));
     let far = 10.0 * model.adhesion.equilibrium_distance;
-    let mut best: Option<Peel> = None;
+    let mut resolution = Resolution::first(model, accuracy.relative);
+    let mut best: Option<Attempt> = None;
     let mut iterations = 0;
-    let mut trouble = String::new();
-    for _ in 0..(if std::env::var("NORETRY").is_ok() { 1 } else { MOST_MESHES }) {
-        if resolution.elements > MOST_ELEMENTS {
-            break;
-        }
+    for _ in 0..MOST_MESHES {
         let options = PathOptions {
             elements: resolution.elements,
             step_tolerance: resolution.step_tolerance,
             tolerance: (1e-3 * accuracy.relative).clamp(1e-12, 1e-6),
             first_displacement: 0.02 * model.adhesion.equilibrium_distance,
         };
-        if std::env::var("DBG").is_ok() {
-            eprintln!("try {resolution:?} {trouble} {iterations} {:?}", started.elapsed());
+        let followed = follow(&problem, options, far, bounds, accuracy.relative, started);
+        iterations += followed.iterations;
+        let attempt = Attempt::new(model, &problem, followed, resolution, accuracy.relative);
+        let done = attempt.done(bounds, started) || best.as_ref().is_some_and(|b| attempt.is_stuck_behind(b));
+        resolution = attempt.next;
+        if best.as_ref().is_none_or(|b| attempt.worst <= b.worst) {
+            best = Some(attempt);
         }
-        match follow(&problem, options, far, bounds, accuracy.relative, started) {
-            Ok(followed) => {
-                iterations += followed.iterations;
-                let mut peel = report(model, &problem, &followed);
-                peel.trace = Some(Trace { problem: problem.clone(), points: followed.points });
-                peel.effort = Effort {
-                    points: peel.points.len(),
-                    newton_iterations: iterations,
-                    elements: resolution.elements,
-                    order: resolution.order,
-                };
-                peel.solve_s = started.elapsed().as_secs_f64();
-                let worst = worst_error(&peel) / accuracy.relative;
-                if worst <= 1.0
-                    || !matches!(peel.end, End::Detached | End::Pivoting | End::TurnedBack | End::Bound(_))
-                        && best.is_some()
-                {
-                    return peel;
-                }
-                trouble = format!(
-                    "the error bounds are {worst:.1} times what was asked for on {} elements of order {}",
-                    resolution.elements, resolution.order
-                );
-                resolution = resolution.finer(worst);
-                best = Some(peel);
-            }
-            Err(Unusable::Coarse(error)) => {
-                trouble = error.to_string();
-                resolution.elements += resolution.elements.div_ceil(2);
-            }
-            Err(Unusable::Missed { after }) => {
-                trouble = format!(
-                    "the number of negative eigenvalues changes behind path point {after} without a turning point there"
-                );
-                resolution.step_tolerance *= 0.3;
-                resolution.elements += resolution.elements.div_ceil(4);
-            }
-        }
-        if bounds.time_s.is_some_and(|most| started.elapsed().as_secs_f64() > most) {
+        if done || resolution.elements > MOST_ELEMENTS {
             break;
         }
     }
-    let reason = format!("{trouble}; try a larger accuracy.relative than {:e}", accuracy.relative);
-    let mut peel = best.unwrap_or_else(|| empty(model));
-    peel.end = End::Failed(reason);
+    let mut peel = best.map_or_else(|| empty(model), Attempt::into_peel);
+    peel.effort.newton_iterations = iterations;
     peel.solve_s = started.elapsed().as_secs_f64();
     peel
+}
+
+/// One mesh tried, and what it was worth.
+struct Attempt {
+    peel: Peel,
+    /// Largest relative difference to more elements, over the accuracy asked for; infinite where the path is unusable.
+    worst: f64,
+    /// Why the path is unusable, if it is.
+    trouble: Option<String>,
+    /// What to try next.
+    next: Resolution,
+}
+
+impl Attempt {
+    fn new(
+        model: &StripModel,
+        problem: &Arc<Problem>,
+        followed: Followed,
+        resolution: Resolution,
+        relative: f64,
+    ) -> Self {
+        let Resolution { elements, step_tolerance } = resolution;
+        let trouble = followed.trouble.as_ref().map(|t| t.to_string());
+        let (worst, next) = match &followed.trouble {
+            None => {
+                let worst = SAFETY * worst_difference(&followed) / relative;
+                (worst, resolution.finer(worst))
+            }
+            Some(Trouble::Missed { .. }) => (
+                f64::INFINITY,
+                Resolution { elements: elements + elements.div_ceil(4), step_tolerance: 0.3 * step_tolerance },
+            ),
+            Some(_) => (f64::INFINITY, Resolution { elements: elements + elements.div_ceil(2), step_tolerance }),
+        };
+        let mut peel = report(model, problem, &followed);
+        peel.asked = relative;
+        peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order: ORDER };
+        peel.trace = Some(Trace { problem: problem.clone(), points: followed.points });
+        Self { peel, worst, trouble, next }
+    }
+
+    /// Whether nothing more is to be tried.
+    fn done(&self, bounds: &Bounds, started: Instant) -> bool {
+        let out_of_time = bounds.time_s.is_some_and(|most| started.elapsed().as_secs_f64() > most);
+        out_of_time || self.worst <= 1.0
+    }
+
+    /// Whether more elements did not help although the error is small: what is left is round-off, which grows with them.
+    fn is_stuck_behind(&self, best: &Self) -> bool {
+        let small = self.worst * self.peel.asked < STAGNATION;
+        small && self.worst > 0.5 * best.worst && self.peel.effort.elements > best.peel.effort.elements
+    }
+
+    /// The result, as a failure where the path cannot be used.
+    fn into_peel(self) -> Peel {
+        let mut peel = self.peel;
+        if let Some(trouble) = self.trouble {
+            let Effort { elements, order, .. } = peel.effort;
+            peel.end = End::Failed(format!(
+                "{trouble}; on {elements} elements of order {order}. What was reached is kept. Try another accuracy.relative than {:e}, or bounds.displacement to stop before",
+                peel.asked
+            ));
+        }
+        peel
+    }
 }
 
 fn empty(model: &StripModel) -> Peel {
@@ -133,30 +163,28 @@ fn empty(model: &StripModel) -> Peel {
         snap_off: None,
         end: End::Failed(String::new()),
         effort: Effort::default(),
+        asked: 0.0,
+        ripple: 0,
         solve_s: 0.0,
         trace: None,
     }
 }
 
-/// The largest relative error bound of what is reported.
-fn worst_error(peel: &Peel) -> f64 {
-    let first_load = peel.limit_points.iter().position(|p| p.kind == Turn::Load);
-    let turns = peel.limit_points.iter().enumerate().flat_map(|(i, p)| {
-        let place = p.displacement_error / p.displacement.abs();
-        let weight = match p.kind {
-            Turn::Load if p.flat => 0.0,
-            Turn::Load if Some(i) != first_load => WEAK,
-            _ => 1.0,
-        };
-        [weight * place, p.force_error / p.force.abs()]
+/// The largest relative difference to more elements of what is reported.
+fn worst_difference(followed: &Followed) -> f64 {
+    let first_load = followed.turns.iter().position(|t| t.0 == Turn::Load);
+    let turns = followed.turns.iter().enumerate().flat_map(|(i, (_, _, located))| {
+        let (o, d) = (&located.observables, &located.difference);
+        let place = if located.flat && Some(i) != first_load { 0.0 } else { (d.displacement / o.displacement).abs() };
+        [place, (d.force / o.force).abs()]
     });
-    let peaks = peel.peak.iter().map(|p| p.force_error / p.force.abs());
-    turns.chain(peaks).fold(0.0, f64::max)
+    turns.fold(0.0, f64::max)
 }
 
 /// What a user is told of a path.
 fn report(model: &StripModel, problem: &Problem, followed: &Followed) -> Peel {
     let works = works(problem, &followed.points);
+    let largest = followed.points.iter().map(|s| s.observables.force.abs()).fold(0.0, f64::max);
     let points = followed.points.iter().zip(&works).map(|(s, &work)| PathPoint {
         displacement: s.observables.displacement,
         force: s.observables.force,
@@ -176,8 +204,12 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed) -> Peel {
             force: located.observables.force,
             end_rotation: located.observables.grip_rotation,
             work: work_near(problem, &followed.points, &works, *after, located),
-            displacement_error: bound(located.difference.displacement, located.observables.displacement),
-            force_error: bound(located.difference.force, located.observables.force),
+            displacement_error: SAFETY * located.difference.displacement.abs()
+                + match kind {
+                    Turn::Load => ROUND_OFF_PLACE,
+                    Turn::Displacement => ROUND_OFF,
+                } * located.observables.displacement.abs(),
+            force_error: bound(located.difference.force, largest),
             flat: located.flat,
             after: *after,
         })
@@ -221,7 +253,7 @@ fn peak_of(p: &LimitPoint) -> Peak {
 
 /// The end of a path as its peak, with the error of its force at that displacement.
 fn peak_at(problem: &Problem, last: &Arc<Solution>) -> Option<Peak> {
-    let difference = difference_on_twice_the_elements(problem, last, &mut Workspace::default()).ok()?;
+    let difference = difference_on_more_elements(problem, last, &mut Workspace::default()).ok()?;
     let o = last.observables;
     Some(Peak {
         displacement: o.displacement,
