@@ -140,6 +140,7 @@ impl StripModel {
             fixed_foci: foci,
             process_length,
             height: self.strip.height,
+            sees_tilt: law.line_load != LineLoad::AxisGap,
             conservative: law.has_potential(),
         }
     }

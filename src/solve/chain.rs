@@ -199,14 +199,20 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> UniformChain
         x[Self::PIVOTS..Self::PIVOTS + F + Self::BORDER].copy_from_slice(&root[..F + Self::BORDER]);
         x[M - 1] = -scale;
         for e in (0..elements).rev() {
-            let rows = &work.rows[e * Self::PIVOTS * M..][..Self::PIVOTS * M];
-            for k in (0..Self::PIVOTS).rev() {
-                let row = &rows[k * M..(k + 1) * M];
-                let mut sum = 0.0;
-                for j in k + 1..M {
-                    sum += row[j] * x[j];
+            let rows = work.rows[e * Self::PIVOTS * M..][..Self::PIVOTS * M].as_chunks::<M>().0;
+            // what is known first; then each unknown, as soon as it is found, is taken off all those above it
+            for (k, row) in rows.iter().enumerate() {
+                x[k] = 0.0;
+                for j in Self::PIVOTS..M {
+                    x[k] -= row[j] * x[j];
                 }
-                x[k] = -sum / row[k];
+            }
+            for k in (0..Self::PIVOTS).rev() {
+                x[k] *= rows[k][k];
+                let found = x[k];
+                for i in 0..k {
+                    x[i] -= rows[i][k] * found;
+                }
             }
             for rank in 0..Self::ORDER {
                 for f in 0..F {
@@ -261,6 +267,8 @@ fn eliminate_front<const M: usize>(front: &mut [[f64; M]; M], pivots: usize) -> 
             // columns up to k are done with; running over all of them keeps the loop's length known
             *other = std::array::from_fn(|j| other[j] - factor * row[j]);
         }
+        // the way back multiplies
+        front[k][k] = inverse;
     }
     Ok(negative)
 }

@@ -63,7 +63,7 @@ const MOST_SOLVES: usize = 8;
 /// error of its square.
 const CLOSE: f64 = 1e-5;
 /// A turn of the force is flat where what is left to find changes it by less than this share of the accuracy.
-const FLAT: f64 = 1e-3;
+const FLAT: f64 = 0.05;
 /// The secant rule starts when it expects to move by no more than this share of the step.
 const NEAR: f64 = 0.05;
 

@@ -25,8 +25,10 @@ pub struct Problem {
     pub fixed_foci: Vec<Focus>,
     /// Length ℓ of the process zone, nm
     pub process_length: f64,
-    /// Height of the beam, nm, for the distance of its lower edge.
+    /// Height of the beam, nm.
     pub height: f64,
+    /// Whether the law looks at the edges of a tilted section, or only at the gap below the axis.
+    pub sees_tilt: bool,
     /// Whether the load has a potential, so that work is an energy difference and the tangent is symmetric.
     pub conservative: bool,
 }
@@ -83,25 +85,25 @@ impl Problem {
     /// Size of an update relative to what it changes: heights by their scale plus their lift, rotations as they are.
     pub fn relative_size(&self, update: &[f64], state: &[f64]) -> f64 {
         let fields = self.fields();
-        let mut largest = 0.0f64;
+        let (driven, rotation) = (self.driven, self.rotation);
+        let per_rotation = 1.0 / self.scale[rotation];
+        let (mut largest, mut sum) = (0.0f64, 0.0);
         for (u, s) in update.chunks_exact(fields).zip(state.chunks_exact(fields)) {
-            let lift = (s[self.driven] - self.rest[self.driven]).abs();
+            let per_length = 1.0 / (self.scale[driven] + (s[driven] - self.rest[driven]).abs());
             for f in 0..fields {
-                let scale = if f == self.rotation { self.scale[f] } else { self.scale[f] + lift };
-                let size = u[f].abs() / scale;
-                // a NaN must not hide behind max
-                if !(size <= largest) {
-                    largest = size;
-                }
+                largest = largest.max(u[f].abs() * if f == rotation { per_rotation } else { per_length });
+                sum += u[f];
             }
         }
-        largest
+        // max passes over a NaN, a sum does not
+        if sum.is_finite() { largest } else { f64::NAN }
     }
 
-    /// Distance of the lowest edge of the beam's nodes from the substrate, nm, and the S at which it is reached.
+    /// Distance of the beam from the substrate, nm: of the lowest edge of its nodes, or the least gap below its axis where
+    /// the law is blind to tilt.
     pub fn nearest(&self, at: &Equilibrium) -> f64 {
         let fields = self.fields();
-        let half = 0.5 * self.height;
+        let half = if self.sees_tilt { 0.5 * self.height } else { 0.0 };
         at.state
             .chunks_exact(fields)
             .map(|node| node[self.driven] + half * (1.0 - node[self.rotation].cos().abs()))

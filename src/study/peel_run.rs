@@ -40,7 +40,7 @@ impl Resolution {
     fn first(model: &StripModel, relative: f64) -> Self {
         let span = (model.strip.length / model.process_length()).asinh();
         let digits = -relative.log10();
-        let elements = (5.1 + 0.434 * span * span) * (0.12 + 0.147 * digits);
+        let elements = (5.1 + 0.434 * span * span) * (0.32 + 0.052 * digits + 0.0083 * digits * digits);
         Self { elements: (elements.ceil() as usize).clamp(6, MOST_ELEMENTS), step_tolerance: STEP_TOLERANCE }
     }
 
