@@ -40,6 +40,7 @@ fn made_up() -> (Scene, Peel) {
         work: 3.25,
         displacement_error: 3e-8,
         force_error: 4e-9,
+        flat: false,
         after: 0,
     };
     let point = |displacement: f64, force: f64, work: f64| PathPoint {

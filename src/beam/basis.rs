@@ -93,7 +93,7 @@ impl<const N: usize> Default for Basis<N> {
 fn lobatto_nodes(order: usize) -> Vec<f64> {
     let mut nodes = vec![-1.0, 1.0];
     if let (Some(interior), Some(one)) = (NonZeroUsize::new(order - 1), FiniteAboveNegOneF64::new(1.0)) {
-        nodes.extend(GaussJacobi::new(interior, one, one).nodes().map(|n| f64::from(*n)));
+        nodes.extend(GaussJacobi::new(interior, one, one).nodes().copied());
     }
     nodes.sort_by(f64::total_cmp);
     nodes
@@ -102,8 +102,7 @@ fn lobatto_nodes(order: usize) -> Vec<f64> {
 /// The p Gauss points and weights on [-1, 1], ascending.
 fn gauss_points(order: usize) -> Vec<(f64, f64)> {
     let Some(degree) = NonZeroUsize::new(order) else { return Vec::new() };
-    let mut pairs: Vec<(f64, f64)> =
-        GaussLegendre::new(degree).as_node_weight_pairs().iter().map(|(n, w)| (f64::from(*n), f64::from(*w))).collect();
+    let mut pairs: Vec<(f64, f64)> = GaussLegendre::new(degree).as_node_weight_pairs().to_vec();
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
     pairs
 }

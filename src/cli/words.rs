@@ -161,6 +161,7 @@ mod tests {
             work: 3.25,
             displacement_error: 3e-6,
             force_error: 4e-9,
+            flat: false,
             after: 0,
         };
         let made_up = Peel {

@@ -107,8 +107,7 @@ impl StripModel {
         if self.grip.rotation == Hold::Fixed {
             foci.push(Focus { center: self.strip.length, length: process_length, weight: 0.2 });
         }
-        let rotation_scale =
-            (std::env::var("RS").map_or(1.0, |v| v.parse::<f64>().unwrap()) * r0 / process_length).min(1.0);
+        let rotation_scale = (r0 / process_length).min(1.0);
         let sliding_held = self.grip.horizontal == Hold::Fixed;
         let turning_held = self.grip.rotation == Hold::Fixed;
         let (chain, lead): (Box<dyn Chain>, usize) = match (form, sliding_held) {

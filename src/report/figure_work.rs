@@ -106,6 +106,7 @@ mod tests {
             work: 0.0,
             displacement_error: 0.0,
             force_error: 0.0,
+            flat: false,
             after: 0,
         };
         let filled = |&value: &f64| {

@@ -135,6 +135,7 @@ mod tests {
             work: 0.0,
             displacement_error: 0.0,
             force_error: 0.0,
+            flat: false,
             after,
         };
         peel.points = [0.0, 0.1, 0.26, 5.0, 10.0, 24.0, 40.0, 48.1, 30.0, 23.5, 30.0, 70.0].map(at).to_vec();

@@ -60,6 +60,13 @@ pub struct NodeState {
     pub adhesion: f64,
 }
 
+impl NodeState {
+    /// The first integral H x' + V y' + M θ' - stored - bΨ, nN.
+    pub fn first_integral(&self) -> f64 {
+        self.section.eshelby() - self.adhesion
+    }
+}
+
 /// A chain of elements of one order and one density.
 pub trait Chain: Send + Sync {
     /// Fields a node.

@@ -2,7 +2,7 @@
 
 use super::trace::Trace;
 use crate::model::StripModel;
-use crate::solve::Turn;
+use crate::solve::{NodeState, Turn};
 
 /// What the user asks of the numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -145,6 +145,12 @@ impl Peel {
             Some(trace) => trace.dense_curve(&self.limit_points, per_step),
             None => self.points.iter().map(|p| (p.displacement, p.force, p.negative_eigenvalues)).collect(),
         }
+    }
+
+    /// Section forces, stretch and adhesion at the ends of the elements at `points[index]`, from S = 0 to S = L; empty
+    /// where there is none. H x' + V y' + M θ' - stored - bΨ is the same at all of them.
+    pub fn sections(&self, index: usize) -> Vec<NodeState> {
+        self.trace.as_ref().map(|trace| trace.sections(index)).unwrap_or_default()
     }
 
     /// The deformed axis at `points[index]`; empty where there is none.

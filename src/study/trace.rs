@@ -1,7 +1,7 @@
 //! The solutions behind a peel: the curve between its points and the deformed strip.
 
 use super::{LimitPoint, Shape};
-use crate::solve::{Problem, Solution, Stretch, Turn};
+use crate::solve::{NodeState, Problem, Solution, Stretch, Turn};
 use std::sync::Arc;
 
 /// Path points with the problem that they solve.
@@ -46,6 +46,12 @@ impl Trace {
         let force = stretch.observable(|o| o.force, middle);
         let label = |k: usize| stretch.end() * k as f64 / per_step as f64;
         (1..per_step).map(|k| (displacement.at(label(k)).0, force.at(label(k)).0)).collect()
+    }
+
+    /// Section states at the ends of the elements.
+    pub fn sections(&self, index: usize) -> Vec<NodeState> {
+        let at = self.points.get(index).map(|p| &p.at);
+        at.map(|at| self.problem.chain.node_states(at.configuration())).unwrap_or_default()
     }
 
     /// Axis and rotation at one point, with x from the section's x' by Simpson's rule between samples.

@@ -1,0 +1,51 @@
+//! Forces of steady peeling, which need no beam.
+
+/// Kendall's peel force, nN: P²/(2 E h b²) + (P/b)(1 - cos φ) = w for a film without bending stiffness (Kendall 1975).
+///
+/// `work_of_adhesion` w in nN/nm, `modulus` E in GPa, `height` h and `width` b in nm, `angle` φ in rad from the substrate.
+pub fn kendall_force(work_of_adhesion: f64, modulus: f64, height: f64, width: f64, angle: f64) -> f64 {
+    let lift = 2.0 * (0.5 * angle).sin().powi(2);
+    quadratic_root(1.0 / (2.0 * modulus * height), lift, work_of_adhesion) * width
+}
+
+/// The plateau force of a long strip peeled at 90 degrees, nN: P + P²/(2EA) = -bΨ(y_eq, 0), whatever its bending stiffness.
+///
+/// It follows from the first integral H x' + V y' + M θ' - stored - bΨ of a uniform beam, taken at the grip of a long
+/// strip, where M = 0 and θ = 90 degrees, and at the free end at rest. `rest_adhesion` is bΨ(y_eq, 0) in nN (negative),
+/// `axial_stiffness` EA in nN.
+pub fn steady_force(rest_adhesion: f64, axial_stiffness: f64) -> f64 {
+    quadratic_root(1.0 / (2.0 * axial_stiffness), 1.0, -rest_adhesion)
+}
+
+/// The positive root of a x² + b x = c for a, c > 0 and b >= 0, without cancellation.
+fn quadratic_root(a: f64, b: f64, c: f64) -> f64 {
+    2.0 * c / (b + (b * b + 4.0 * a * c).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    #[test]
+    fn kendall_satisfies_its_equation_from_along_the_surface_to_backwards() {
+        let (w, e, h, b) = (0.0307, 2.0, 10.0, 3.0);
+        for degrees in [0.0, 30.0, 45.0, 60.0, 90.0, 180.0f64] {
+            let angle = degrees.to_radians();
+            let p = kendall_force(w, e, h, b, angle);
+            assert_relative_eq!(p * p / (2.0 * e * h * b * b) + p / b * (1.0 - angle.cos()), w, max_relative = 1e-13);
+        }
+        assert_relative_eq!(kendall_force(w, e, h, b, 0.0), b * (2.0 * e * h * w).sqrt(), max_relative = 1e-13);
+        assert_relative_eq!(kendall_force(w, 1e12, h, b, PI), 0.5 * w * b, max_relative = 1e-9);
+    }
+
+    #[test]
+    fn steady_force_is_kendalls_at_90_degrees() {
+        assert_relative_eq!(
+            steady_force(-0.03, 20.0),
+            kendall_force(0.03, 2.0, 10.0, 1.0, FRAC_PI_2),
+            max_relative = 1e-14
+        );
+    }
+}
