@@ -67,6 +67,7 @@ fn factors(values: &[f64]) -> Vec<SweepRow> {
             work: 2.0 - value.log10().powi(2) / 10.0,
             displacement_error: 1e-9,
             force_error: 1e-9,
+            flat: false,
             after: 0,
         });
         SweepRow { value, peel }
