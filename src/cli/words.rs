@@ -164,23 +164,21 @@ mod tests {
             flat: false,
             after: 0,
         };
-        let made_up = Peel {
-            limit_points: vec![LimitPoint { kind: Turn::Load, ..snap_off }, snap_off],
-            initiation_peak: None,
-            peak: Some(Peak {
-                displacement: 0.2496,
-                force: 0.341121,
-                end_rotation: 0.1,
-                force_error: 1e-5,
-                displacement_error: 1e-3,
-            }),
-            plateau: None,
-            snap_off: Some(snap_off),
-            end: End::Bound("20 points".into()),
-            effort: Effort { points: 20, newton_iterations: 70, elements: 16, order: 4 },
-            solve_s: 0.0042,
-            ..study::peel(&scene.model, &scene.accuracy, &bounds)
-        };
+        let mut made_up = study::peel(&scene.model, &scene.accuracy, &bounds);
+        made_up.limit_points = vec![LimitPoint { kind: Turn::Load, ..snap_off }, snap_off];
+        made_up.initiation_peak = None;
+        made_up.peak = Some(Peak {
+            displacement: 0.2496,
+            force: 0.341121,
+            end_rotation: 0.1,
+            force_error: 1e-5,
+            displacement_error: 1e-3,
+        });
+        made_up.plateau = None;
+        made_up.snap_off = Some(snap_off);
+        made_up.end = End::Bound("20 points".into());
+        made_up.effort = Effort { points: 20, newton_iterations: 70, elements: 16, order: 4 };
+        made_up.solve_s = 0.0042;
         let expected = "\
 short
 
