@@ -6,6 +6,8 @@
 // sums over fields, nodes and points read as in the equations
 #![allow(clippy::needless_range_loop)]
 
+pub mod number;
+
 pub mod adhesion;
 pub mod analytic;
 pub mod beam;

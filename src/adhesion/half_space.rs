@@ -1,5 +1,6 @@
 //! Van der Waals attraction and repulsion of a half space: body force, traction, their integrals.
 
+use crate::number::Real;
 use std::f64::consts::PI;
 
 /// The Lennard-Jones half space of eqs. (9), (10) and (18), by its two constants.
@@ -13,23 +14,28 @@ pub struct HalfSpace {
 
 impl HalfSpace {
     /// Body force density b(r) = A_H/(2π r0⁴) [ (r0/r)¹⁰/5 - (r0/r)⁴ ], nN/nm³, positive away from the half space, eq. (9).
-    pub fn body_force(&self, r: f64) -> f64 {
-        let q = self.equilibrium_distance / r;
-        let q4 = q.powi(4);
-        self.hamaker_constant / (2.0 * PI * self.equilibrium_distance.powi(4)) * q4 * (q4 * q * q / 5.0 - 1.0)
+    #[inline(always)]
+    pub fn body_force<T: Real>(&self, r: T) -> T {
+        let q = r.recip() * self.equilibrium_distance;
+        let q2 = q * q;
+        let q4 = q2 * q2;
+        q4 * (q4 * q2 * 0.2 - 1.0) * (self.potential_scale() / self.equilibrium_distance.powi(2))
     }
 
     /// Traction T(r) = ∫_r^∞ b = A_H/(2π r0³) [ (r0/r)⁹/45 - (r0/r)³/3 ], nN/nm², eqs. (10) and (18).
-    pub fn traction(&self, r: f64) -> f64 {
-        let q = self.equilibrium_distance / r;
+    #[inline(always)]
+    pub fn traction<T: Real>(&self, r: T) -> T {
+        let q = r.recip() * self.equilibrium_distance;
         let q3 = q * q * q;
-        self.hamaker_constant / (2.0 * PI * self.equilibrium_distance.powi(3)) * q3 * (q3 * q3 / 45.0 - 1.0 / 3.0)
+        q3 * (q3 * q3 * (1.0 / 45.0) - 1.0 / 3.0) * (self.potential_scale() / self.equilibrium_distance)
     }
 
     /// Potential W(r) = ∫_r^∞ T = A_H/(2π r0²) [ (r0/r)⁸/360 - (r0/r)²/6 ], nN/nm; T = -W'.
-    pub fn potential(&self, r: f64) -> f64 {
-        let q2 = (self.equilibrium_distance / r).powi(2);
-        self.potential_scale() * q2 * (q2 * q2 * q2 / 360.0 - 1.0 / 6.0)
+    #[inline(always)]
+    pub fn potential<T: Real>(&self, r: T) -> T {
+        let q = r.recip() * self.equilibrium_distance;
+        let q2 = q * q;
+        q2 * (q2 * q2 * q2 * (1.0 / 360.0) - 1.0 / 6.0) * self.potential_scale()
     }
 
     /// A_H/(2π r0²), nN/nm: the factor of W.
@@ -71,9 +77,8 @@ mod tests {
         for r in [0.2, 0.3, 0.5, 2.0, 9.0] {
             // central differences of fourth order
             let d = 1e-3 * r;
-            let slope = |f: &dyn Fn(f64) -> f64| {
-                (8.0 * (f(r + d) - f(r - d)) - (f(r + 2.0 * d) - f(r - 2.0 * d))) / (12.0 * d)
-            };
+            let slope =
+                |f: &dyn Fn(f64) -> f64| (8.0 * (f(r + d) - f(r - d)) - (f(r + 2.0 * d) - f(r - 2.0 * d))) / (12.0 * d);
             assert_relative_eq!(-slope(&|r| PAPER.potential(r)), PAPER.traction(r), max_relative = 1e-8);
             assert_relative_eq!(-slope(&|r| PAPER.traction(r)), PAPER.body_force(r), max_relative = 1e-8);
         }

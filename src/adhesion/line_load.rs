@@ -14,6 +14,7 @@
 //! number is stored and not recovered from a difference.
 
 use super::HalfSpace;
+use crate::number::Real;
 
 /// Which distributed load the adhesion puts on the axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,30 +39,30 @@ pub struct LineLaw {
 }
 
 /// Potential and load of a section per length and width, with the tangent. The load is minus the gradient.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct LineResponse {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineResponse<T> {
     /// Ψ, nN/nm
-    pub energy: f64,
+    pub energy: T,
     /// -T_c, nN/nm²
-    pub by_gap: f64,
+    pub by_gap: T,
     /// -M_c, nN/nm
-    pub by_rotation: f64,
+    pub by_rotation: T,
     /// ∂Ψ/∂θ, nN/nm; equal to `by_rotation` where the load has a potential
-    pub energy_by_rotation: f64,
+    pub energy_by_rotation: T,
     /// ∂(-T_c)/∂y, nN/nm³
-    pub gap_gap: f64,
+    pub gap_gap: T,
     /// ∂(-T_c)/∂θ, nN/nm²
-    pub gap_rotation: f64,
+    pub gap_rotation: T,
     /// ∂(-M_c)/∂y, nN/nm²; equal to `gap_rotation` where the load has a potential
-    pub rotation_gap: f64,
+    pub rotation_gap: T,
     /// ∂(-M_c)/∂θ, nN/nm
-    pub rotation_rotation: f64,
+    pub rotation_rotation: T,
 }
 
 impl LineLaw {
     /// The response at the gap η = y - h/2 (nm) and the rotation θ, given as its sine and cosine.
     #[inline(always)]
-    pub fn response(&self, gap: f64, sin: f64, cos: f64) -> LineResponse {
+    pub fn response<T: Real>(&self, gap: T, sin: T, cos: T) -> LineResponse<T> {
         match (self.line_load, self.far_face) {
             (LineLoad::AxisGap, _) => self.axis_gap(gap),
             (LineLoad::Full, true) => self.both_faces(gap, sin, cos),
@@ -107,47 +108,46 @@ impl LineLaw {
     /// Both faces, exact and free of cancellation at any rotation. In (y, A) with A = (h/2)² cos²θ,
     /// D = y² - A and α = 2(y² + A); g = α(α² - 2D²).
     #[inline(always)]
-    fn both_faces(&self, gap: f64, sin: f64, cos: f64) -> LineResponse {
+    fn both_faces<T: Real>(&self, gap: T, sin: T, cos: T) -> LineResponse<T> {
         let h = self.height;
         let r0_squared = self.half_space.equilibrium_distance * self.half_space.equilibrium_distance;
-        let lift = if cos > 0.0 { sin * sin / (1.0 + cos) } else { 1.0 - cos };
-        let r1 = gap + 0.5 * h * lift;
-        let r2 = r1 + h * cos;
+        let r1 = gap + one_minus(sin, cos) * (0.5 * h);
+        let r2 = r1 + cos * h;
         let y = gap + 0.5 * h;
         let (d, a) = (r1 * r2, r1 * r1 + r2 * r2);
-        let v = 1.0 / d;
+        let v = d.recip();
         let (dd, aa, ad, yy) = (d * d, a * a, a * d, y * y);
+        let yv = y * v;
 
-        let g = a * (aa - 2.0 * dd);
-        let g_y = y * (12.0 * aa - 8.0 * dd - 8.0 * ad);
-        let g_a = 6.0 * aa - 4.0 * dd + 4.0 * ad;
-        let g_yy = 12.0 * aa - 8.0 * dd - 8.0 * ad + yy * (80.0 * a - 64.0 * d);
-        let g_ya = 56.0 * a * y;
-        let g_aa = 20.0 * a + 16.0 * d;
+        let g = a * (aa - dd * 2.0);
+        let g_y = y * (aa * 12.0 - dd * 8.0 - ad * 8.0);
+        let g_a = aa * 6.0 - dd * 4.0 + ad * 4.0;
+        let g_yy = aa * 12.0 - dd * 8.0 - ad * 8.0 + yy * (a * 80.0 - d * 64.0);
+        let g_ya = a * y * 56.0;
+        let g_aa = a * 20.0 + d * 16.0;
         // e = g / D⁸; every derivative is v⁸ times what is in brackets
         let vg = v * g;
-        let first_y = g_y - 16.0 * y * vg;
-        let first_a = g_a + 8.0 * vg;
-        let second_yy = g_yy - 16.0 * vg - 16.0 * y * v * g_y + 32.0 * yy * v * vg - 16.0 * y * v * first_y;
-        let second_ya = g_ya - 16.0 * y * v * (g_a + vg) + 8.0 * v * first_y;
-        let second_aa = g_aa + 8.0 * v * (g_a + vg) + 8.0 * v * first_a;
+        let first_y = g_y - y * vg * 16.0;
+        let first_a = g_a + vg * 8.0;
+        let second_yy = g_yy - vg * 16.0 - yv * g_y * 16.0 + yy * v * vg * 32.0 - yv * first_y * 16.0;
+        let second_ya = g_ya - yv * (g_a + vg) * 16.0 + v * first_y * 8.0;
+        let second_aa = g_aa + v * (g_a + vg) * 8.0 + v * first_a * 8.0;
 
         let v2 = v * v;
         let v3 = v2 * v;
         let v4 = v2 * v2;
-        // K (h/r0) 2 r0³ r0⁶/360 and K (h/r0) 2 r0³/6 with K = A_H/(2π r0²)
         let attract = self.half_space.hamaker_constant * h / (6.0 * std::f64::consts::PI);
-        let repel = attract * r0_squared * r0_squared * r0_squared * (v4 * v4) / 60.0;
+        let repel = v4 * v4 * (attract * r0_squared * r0_squared * r0_squared / 60.0);
 
-        let energy = repel * y * g - attract * y * v2;
-        let by_y = repel * (g + y * first_y) - attract * (v2 - 4.0 * yy * v3);
-        let by_a = repel * y * first_a - attract * 2.0 * y * v3;
-        let yy2 = repel * (2.0 * first_y + y * second_yy) - attract * y * (24.0 * yy * v4 - 12.0 * v3);
-        let ya = repel * (first_a + y * second_ya) - attract * (2.0 * v3 - 12.0 * yy * v4);
-        let aa2 = repel * y * second_aa - attract * 6.0 * y * v4;
+        let energy = repel * y * g - y * v2 * attract;
+        let by_y = repel * (g + y * first_y) - (v2 - yy * v3 * 4.0) * attract;
+        let by_a = repel * y * first_a - y * v3 * (2.0 * attract);
+        let yy2 = repel * (first_y * 2.0 + y * second_yy) - y * (yy * v4 * 24.0 - v3 * 12.0) * attract;
+        let ya = repel * (first_a + y * second_ya) - (v3 * 2.0 - yy * v4 * 12.0) * attract;
+        let aa2 = repel * y * second_aa - y * v4 * (6.0 * attract);
 
-        let a_t = -0.5 * h * h * sin * cos;
-        let a_tt = -0.5 * h * h * (cos - sin) * (cos + sin);
+        let a_t = sin * cos * (-0.5 * h * h);
+        let a_tt = (cos - sin) * (cos + sin) * (-0.5 * h * h);
         LineResponse {
             energy,
             by_gap: by_y,
@@ -162,16 +162,17 @@ impl LineLaw {
 
     /// The bottom face alone, Ψ = W(r1)/|cos θ|; singular where the section stands on edge.
     #[inline(always)]
-    fn near_face(&self, gap: f64, sin: f64, cos: f64) -> LineResponse {
-        let (s, c) = if cos < 0.0 { (-sin, -cos) } else { (sin, cos) };
+    fn near_face<T: Real>(&self, gap: T, sin: T, cos: T) -> LineResponse<T> {
+        let (s, c) = (cos.choose(sin, -sin), cos.choose(cos, -cos));
         let half = 0.5 * self.height;
-        let r1 = gap + half * (s * s / (1.0 + c));
+        let r1 = gap + one_minus(s, c) * half;
         let w = self.half_space.potential(r1);
         let t = self.half_space.traction(r1);
         let b = self.half_space.body_force(r1);
-        let (ic, tan) = (1.0 / c, s / c);
-        let mixed = b * half * tan - t * s * ic * ic;
-        let by_rotation = -t * half * tan + w * tan * ic;
+        let ic = c.recip();
+        let tan = s * ic;
+        let by_rotation = w * tan * ic - t * tan * half;
+        let mixed = b * tan * half - t * s * ic * ic;
         LineResponse {
             energy: w * ic,
             by_gap: -t * ic,
@@ -180,31 +181,43 @@ impl LineLaw {
             gap_gap: b * ic,
             gap_rotation: mixed,
             rotation_gap: mixed,
-            rotation_rotation: b * half * half * s * tan - t * half * (ic * ic + tan * tan)
-                + w * (ic + 2.0 * tan * tan * ic),
+            rotation_rotation: b * s * tan * (half * half) - t * (ic * ic + tan * tan) * half
+                + w * (ic + tan * tan * ic * 2.0),
         }
     }
 
     /// Blind to tilt: W(η) - W(η + h).
     #[inline(always)]
-    fn axis_gap(&self, gap: f64) -> LineResponse {
-        let mut response = LineResponse {
-            energy: self.half_space.potential(gap),
-            by_gap: -self.half_space.traction(gap),
-            gap_gap: self.half_space.body_force(gap),
-            ..LineResponse::default()
-        };
-        if self.far_face {
+    fn axis_gap<T: Real>(&self, gap: T) -> LineResponse<T> {
+        let near = (self.half_space.potential(gap), self.half_space.traction(gap), self.half_space.body_force(gap));
+        let far = if self.far_face {
             let top = gap + self.height;
-            response.energy -= self.half_space.potential(top);
-            response.by_gap += self.half_space.traction(top);
-            response.gap_gap -= self.half_space.body_force(top);
+            (self.half_space.potential(top), self.half_space.traction(top), self.half_space.body_force(top))
+        } else {
+            (T::splat(0.0), T::splat(0.0), T::splat(0.0))
+        };
+        let zero = T::splat(0.0);
+        LineResponse {
+            energy: near.0 - far.0,
+            by_gap: far.1 - near.1,
+            by_rotation: zero,
+            energy_by_rotation: zero,
+            gap_gap: near.2 - far.2,
+            gap_rotation: zero,
+            rotation_gap: zero,
+            rotation_rotation: zero,
         }
-        response
     }
 }
 
+/// 1 - cos θ without cancellation.
 #[inline(always)]
-fn without_moment(full: LineResponse) -> LineResponse {
-    LineResponse { by_rotation: 0.0, rotation_gap: 0.0, rotation_rotation: 0.0, ..full }
+fn one_minus<T: Real>(sin: T, cos: T) -> T {
+    cos.choose(sin * sin / (cos + 1.0), T::splat(1.0) - cos)
+}
+
+#[inline(always)]
+fn without_moment<T: Real>(full: LineResponse<T>) -> LineResponse<T> {
+    let zero = T::splat(0.0);
+    LineResponse { by_rotation: zero, rotation_gap: zero, rotation_rotation: zero, ..full }
 }

@@ -12,7 +12,8 @@ use std::num::NonZeroUsize;
 pub struct Basis<const N: usize> {
     /// Local coordinates of the nodes.
     pub nodes: [f64; N],
-    /// Local coordinates of the N - 1 Gauss points; the last entry of these four is unused.
+    /// Local coordinates of the N - 1 Gauss points. The last of N entries repeats the last point with the weight zero, here
+    /// and below, so that N points can be treated side by side.
     pub points: [f64; N],
     /// Gauss weights.
     pub weights: [f64; N],
@@ -20,6 +21,10 @@ pub struct Basis<const N: usize> {
     pub value: [[f64; N]; N],
     /// `slope[q][a]`: its derivative with respect to the local coordinate.
     pub slope: [[f64; N]; N],
+    /// `value_of[a][q]` and `slope_of[a][q]`: the same two tables by node.
+    pub value_of: [[f64; N]; N],
+    /// See `value_of`.
+    pub slope_of: [[f64; N]; N],
     /// `nodal_slope[b][a]`: derivative of shape function a at node b.
     pub nodal_slope: [[f64; N]; N],
 }
@@ -42,6 +47,8 @@ impl<const N: usize> Basis<N> {
             weights: [0.0; N],
             value: [[0.0; N]; N],
             slope: [[0.0; N]; N],
+            value_of: [[0.0; N]; N],
+            slope_of: [[0.0; N]; N],
             nodal_slope: [[0.0; N]; N],
         };
         basis.nodal_slope = nodes.map(|node| lagrange(&nodes, node).1);
@@ -50,6 +57,12 @@ impl<const N: usize> Basis<N> {
             basis.weights[q] = weight;
             (basis.value[q], basis.slope[q]) = lagrange(&nodes, point);
         }
+        let (last, spare) = (N - 2, N - 1);
+        basis.points[spare] = basis.points[last];
+        basis.value[spare] = basis.value[last];
+        basis.slope[spare] = basis.slope[last];
+        basis.value_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.value[q][a]));
+        basis.slope_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.slope[q][a]));
         basis
     }
 

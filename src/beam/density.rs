@@ -1,54 +1,60 @@
 //! What an element integrates: an energy density along the axis and its first and second derivatives.
 
+use crate::number::Real;
+
 /// Response at one point of the axis to F fields, their slopes along S and one number that is the same along the whole
 /// chain (the border; the horizontal force of a held grip, say). Per length.
 #[derive(Clone, Copy, Debug)]
-pub struct PointResponse<const F: usize> {
+pub struct PointResponse<T, const F: usize> {
     /// Energy density φ, nN
-    pub energy: f64,
+    pub energy: T,
     /// Its share from adhesion, nN
-    pub adhesion: f64,
+    pub adhesion: T,
     /// ∂φ/∂field
-    pub by_value: [f64; F],
+    pub by_value: [T; F],
     /// ∂φ/∂field'
-    pub by_slope: [f64; F],
+    pub by_slope: [T; F],
     /// ∂²φ/∂field∂field (rows: the equation, columns: the unknown)
-    pub value_value: [[f64; F]; F],
+    pub value_value: [[T; F]; F],
     /// ∂²φ/∂field∂field'
-    pub value_slope: [[f64; F]; F],
+    pub value_slope: [[T; F]; F],
     /// ∂²φ/∂field'∂field
-    pub slope_value: [[f64; F]; F],
+    pub slope_value: [[T; F]; F],
     /// ∂²φ/∂field'∂field'
-    pub slope_slope: [[f64; F]; F],
+    pub slope_slope: [[T; F]; F],
     /// ∂(adhesion)/∂field: what the path parameter needs
-    pub adhesion_by_value: [f64; F],
+    pub adhesion_by_value: [T; F],
     /// ∂φ/∂border
-    pub by_border: f64,
+    pub by_border: T,
     /// ∂²φ/∂border²
-    pub border_border: f64,
+    pub border_border: T,
     /// ∂²φ/∂border∂field
-    pub border_value: [f64; F],
+    pub border_value: [T; F],
     /// ∂²φ/∂border∂field'
-    pub border_slope: [f64; F],
+    pub border_slope: [T; F],
 }
 
-impl<const F: usize> PointResponse<F> {
+impl<T: Real, const F: usize> PointResponse<T, F> {
     /// All zero.
-    pub const ZERO: Self = Self {
-        energy: 0.0,
-        adhesion: 0.0,
-        by_value: [0.0; F],
-        by_slope: [0.0; F],
-        value_value: [[0.0; F]; F],
-        value_slope: [[0.0; F]; F],
-        slope_value: [[0.0; F]; F],
-        slope_slope: [[0.0; F]; F],
-        adhesion_by_value: [0.0; F],
-        by_border: 0.0,
-        border_border: 0.0,
-        border_value: [0.0; F],
-        border_slope: [0.0; F],
-    };
+    #[inline(always)]
+    pub fn zero() -> Self {
+        let zero = T::splat(0.0);
+        Self {
+            energy: zero,
+            adhesion: zero,
+            by_value: [zero; F],
+            by_slope: [zero; F],
+            value_value: [[zero; F]; F],
+            value_slope: [[zero; F]; F],
+            slope_value: [[zero; F]; F],
+            slope_slope: [[zero; F]; F],
+            adhesion_by_value: [zero; F],
+            by_border: zero,
+            border_border: zero,
+            border_value: [zero; F],
+            border_slope: [zero; F],
+        }
+    }
 }
 
 /// Section forces and stretch of the axis at one point, from the unknowns alone.
@@ -83,8 +89,8 @@ impl SectionState {
 
 /// A beam with its line load, as an energy density of F fields.
 pub trait Density<const F: usize>: Send + Sync {
-    /// The density and its derivatives.
-    fn response(&self, value: [f64; F], slope: [f64; F], border: f64) -> PointResponse<F>;
+    /// The density and its derivatives, at one point or at several side by side.
+    fn response<T: Real>(&self, value: [T; F], slope: [T; F], border: f64) -> PointResponse<T, F>;
 
     /// Section forces and stretch.
     fn section_state(&self, value: [f64; F], slope: [f64; F], border: f64) -> SectionState;

@@ -1,6 +1,7 @@
 //! The element: integrates a density into its front, the matrix that elimination works on.
 
 use super::{Basis, Density};
+use crate::number::Lanes;
 
 /// Energy of one element, nN·nm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -37,6 +38,23 @@ impl<const F: usize, const N: usize, const M: usize> Spread<F, N, M> {
     }
 }
 
+/// Fields and their slopes along S at all Gauss points side by side, from nodal values.
+#[inline(always)]
+pub fn side_by_side<const F: usize, const N: usize>(
+    basis: &Basis<N>,
+    values: &[[f64; F]; N],
+    length: f64,
+) -> ([Lanes<N>; F], [Lanes<N>; F]) {
+    let (mut value_at, mut slope_at) = ([Lanes([0.0; N]); F], [Lanes([0.0; N]); F]);
+    for a in 0..N {
+        for f in 0..F {
+            value_at[f] = value_at[f] + Lanes(basis.value_of[a]) * values[a][f];
+            slope_at[f] = slope_at[f] + Lanes(basis.slope_of[a]) * (values[a][f] * (2.0 / length));
+        }
+    }
+    (value_at, slope_at)
+}
+
 /// Integrates one element into its front.
 ///
 /// The front is square of size M = F N + border + 1. Rows are equations and columns unknowns, node by node in the
@@ -58,53 +76,53 @@ pub fn integrate<D: Density<F>, const F: usize, const N: usize, const M: usize>(
     let has_border = M == F * N + 2;
     let (edge, last) = (F * N, M - 1);
     let stretch = 2.0 / length;
-    let mut energy = ElementEnergy::default();
-    // per Gauss point and field: the row that its value weighs, and the row that its slope weighs
+    let (value_at, slope_at) = side_by_side(basis, values, length);
+    let r = density.response(value_at, slope_at, border);
+    let weights = Lanes(basis.weights) * (0.5 * length);
+
+    // per Gauss point and field: the row that its value weighs, and the row that its slope weighs; a slope carries the
+    // factor 2/length once as a column and once as a row
     let mut by_value = [[[0.0; M]; F]; N];
     let mut by_slope = [[[0.0; M]; F]; N];
-    let mut path_row = [0.0; M];
-    let mut border_row = [0.0; M];
     for q in 0..N - 1 {
-        let (mut value_at, mut slope_at) = ([0.0; F], [0.0; F]);
-        for a in 0..N {
-            for f in 0..F {
-                value_at[f] += basis.value[q][a] * values[a][f];
-                slope_at[f] += basis.slope[q][a] * values[a][f];
-            }
-        }
-        let r = density.response(value_at, slope_at.map(|s| s * stretch), border);
-        let weight = basis.weights[q] * (0.5 * length);
-        energy.total += weight * r.energy;
-        energy.adhesion += weight * r.adhesion;
-        // slopes carry the factor 2/length twice: in the column and in the row
-        let (weight_s, weight_ss) = (weight * stretch, weight * stretch * stretch);
+        let weight = weights.0[q];
         let (values, slopes) = (&spread.value[q], &spread.slope[q]);
         for f in 0..F {
             for g in 0..F {
-                let (vv, vs) = (weight * r.value_value[f][g], weight_s * r.value_slope[f][g]);
-                let (sv, ss) = (weight_s * r.slope_value[f][g], weight_ss * r.slope_slope[f][g]);
+                let (vv, vs) = (weight * r.value_value[f][g].0[q], weight * stretch * r.value_slope[f][g].0[q]);
+                let (sv, ss) = (r.slope_value[f][g].0[q], stretch * r.slope_slope[f][g].0[q]);
+                let (sv, ss) = (weight * stretch * sv, weight * stretch * ss);
                 for j in 0..M {
                     by_value[q][f][j] += vv * values[g][j] + vs * slopes[g][j];
                     by_slope[q][f][j] += sv * values[g][j] + ss * slopes[g][j];
                 }
             }
-            by_value[q][f][last] = weight * r.by_value[f];
-            by_slope[q][f][last] = weight_s * r.by_slope[f];
-            let path = weight * path_weight * r.adhesion_by_value[f];
+        }
+    }
+    let mut path_row = [0.0; M];
+    let mut border_row = [0.0; M];
+    for q in 0..N - 1 {
+        let (weight, weight_s) = (weights.0[q], weights.0[q] * stretch);
+        for f in 0..F {
+            by_value[q][f][last] = weight * r.by_value[f].0[q];
+            by_slope[q][f][last] = weight_s * r.by_slope[f].0[q];
+            let path = weight * path_weight * r.adhesion_by_value[f].0[q];
             for j in 0..M {
-                path_row[j] += path * values[f][j];
+                path_row[j] += path * spread.value[q][f][j];
             }
             if has_border {
-                by_value[q][f][edge] = weight * r.border_value[f];
-                by_slope[q][f][edge] = weight_s * r.border_slope[f];
-                let (bv, bs) = (weight * r.border_value[f], weight_s * r.border_slope[f]);
+                let (on_value, on_slope) = (weight * r.border_value[f].0[q], weight_s * r.border_slope[f].0[q]);
+                by_value[q][f][edge] = on_value;
+                by_slope[q][f][edge] = on_slope;
                 for j in 0..M {
-                    border_row[j] += bv * values[f][j] + bs * slopes[f][j];
+                    border_row[j] += on_value * spread.value[q][f][j] + on_slope * spread.slope[q][f][j];
                 }
             }
         }
-        border_row[edge.min(last - 1)] += if has_border { weight * r.border_border } else { 0.0 };
-        border_row[last] += weight * r.by_border;
+        if has_border {
+            border_row[edge] += weight * r.border_border.0[q];
+            border_row[last] += weight * r.by_border.0[q];
+        }
     }
     for a in 0..N {
         for f in 0..F {
@@ -122,5 +140,5 @@ pub fn integrate<D: Density<F>, const F: usize, const N: usize, const M: usize>(
         front[edge] = border_row;
     }
     front[last] = path_row;
-    energy
+    ElementEnergy { total: (weights * r.energy).0.iter().sum(), adhesion: (weights * r.adhesion).0.iter().sum() }
 }

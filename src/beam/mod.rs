@@ -7,7 +7,7 @@ mod reissner;
 mod section;
 pub use basis::Basis;
 pub use density::{Density, PointResponse, SectionState};
-pub use element::{ElementEnergy, Spread, integrate};
+pub use element::{ElementEnergy, Spread, integrate, side_by_side};
 pub use reduced::ReducedBeam;
 pub use reissner::ReissnerBeam;
 pub use section::{Section, rectangle_second_moment};

@@ -11,6 +11,7 @@
 
 use super::{Density, PointResponse, Section, SectionState};
 use crate::adhesion::LineLaw;
+use crate::number::Real;
 
 /// The two-field form of the planar Reissner beam on a flat half space. Fields: gap η = y - h/2 (nm), rotation θ.
 /// The border is H where `HELD`, and counts nothing otherwise.
@@ -23,15 +24,15 @@ pub struct ReducedBeam<const HELD: bool> {
 }
 
 /// B, C and D of the module's head at one rotation.
-struct Compliance {
-    along: f64,
-    across: f64,
-    mixed: f64,
+struct Compliance<T> {
+    along: T,
+    across: T,
+    mixed: T,
 }
 
 impl<const HELD: bool> ReducedBeam<HELD> {
     #[inline(always)]
-    fn compliance(&self, sin: f64, cos: f64) -> Compliance {
+    fn compliance<T: Real>(&self, sin: T, cos: T) -> Compliance<T> {
         let (axial, shear) = (1.0 / self.section.axial, 1.0 / self.section.shear);
         Compliance {
             along: cos * cos * axial + sin * sin * shear,
@@ -60,48 +61,54 @@ impl<const HELD: bool> ReducedBeam<HELD> {
 
 impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
     #[inline(always)]
-    fn response(&self, [gap, rotation]: [f64; 2], [rise, curvature]: [f64; 2], border: f64) -> PointResponse<2> {
+    fn response<T: Real>(
+        &self,
+        [gap, rotation]: [T; 2],
+        [rise, curvature]: [T; 2],
+        border: f64,
+    ) -> PointResponse<T, 2> {
         let (sin, cos) = rotation.sin_cos();
         let adhesion = self.law.response(gap, sin, cos);
         let b = self.width;
         let ei = self.section.bending;
         // g sin 2θ and g cos 2θ with g = 1/GA_s - 1/EA: C' = -g sin 2θ, D' = -g cos 2θ
         let g = 1.0 / self.section.shear - 1.0 / self.section.axial;
-        let (g_sin, g_cos) = (2.0 * g * sin * cos, g * (cos - sin) * (cos + sin));
+        let (g_sin, g_cos) = (sin * cos * (2.0 * g), (cos - sin) * (cos + sin) * g);
         let c = self.compliance(sin, cos);
-        let inverse = 1.0 / c.across;
-        let h = if HELD { border } else { 0.0 };
+        let inverse = c.across.recip();
+        let mut response = PointResponse::zero();
 
-        let mut v = (rise - sin) * inverse;
-        let mut v_t = (g_sin * v - cos) * inverse;
-        let mut by_rotation = 0.5 * g_sin * v * v - v * cos;
+        let h = if HELD { border } else { 0.0 };
+        let v = if HELD { (rise - sin - c.mixed * h) * inverse } else { (rise - sin) * inverse };
+        // what cos θ becomes under the horizontal force
+        let lever = if HELD { cos - g_cos * h } else { cos };
+        let v_t = (g_sin * v - lever) * inverse;
+        let mut by_rotation = g_sin * v * v * 0.5 - v * lever;
         let mut by_rotation2 = g_cos * v * v + v * sin;
-        let mut energy = 0.5 * c.across * v * v;
-        let mut response = PointResponse::ZERO;
+        let mut energy = c.across * v * v * 0.5;
         if HELD {
-            v = (rise - sin - h * c.mixed) * inverse;
-            v_t = (g_sin * v - cos + h * g_cos) * inverse;
-            by_rotation = h * sin - 0.5 * g_sin * h * h + 0.5 * g_sin * v * v - v * (cos - h * g_cos);
-            by_rotation2 = h * cos - g_cos * h * h + g_cos * v * v + v * (sin - 2.0 * h * g_sin);
-            energy = 0.5 * c.across * v * v - 0.5 * c.along * h * h - h * cos;
+            by_rotation = by_rotation + sin * h - g_sin * (0.5 * h * h);
+            by_rotation2 = by_rotation2 + cos * h - g_cos * (h * h) - v * g_sin * (2.0 * h);
+            energy = energy - c.along * (0.5 * h * h) - cos * h;
             let v_h = -c.mixed * inverse;
-            response.by_border = -(cos + h * c.along + v * c.mixed);
+            response.by_border = -(cos + c.along * h + v * c.mixed);
             response.border_border = -(c.along + v_h * c.mixed);
-            response.border_slope = [v_h, 0.0];
-            response.border_value = [0.0, sin - h * g_sin - v_t * c.mixed + v * g_cos];
+            response.border_slope[0] = v_h;
+            response.border_value[1] = sin - g_sin * h - v_t * c.mixed + v * g_cos;
         }
-        response.energy = energy + 0.5 * ei * curvature * curvature + b * adhesion.energy;
-        response.adhesion = b * adhesion.energy;
-        response.by_value = [b * adhesion.by_gap, by_rotation + b * adhesion.by_rotation];
-        response.by_slope = [v, ei * curvature];
+        response.energy = energy + curvature * curvature * (0.5 * ei) + adhesion.energy * b;
+        response.adhesion = adhesion.energy * b;
+        response.by_value = [adhesion.by_gap * b, by_rotation + adhesion.by_rotation * b];
+        response.by_slope = [v, curvature * ei];
         response.value_value = [
-            [b * adhesion.gap_gap, b * adhesion.gap_rotation],
-            [b * adhesion.rotation_gap, by_rotation2 + v_t * v_t * c.across + b * adhesion.rotation_rotation],
+            [adhesion.gap_gap * b, adhesion.gap_rotation * b],
+            [adhesion.rotation_gap * b, by_rotation2 + v_t * v_t * c.across + adhesion.rotation_rotation * b],
         ];
-        response.value_slope = [[0.0, 0.0], [v_t, 0.0]];
-        response.slope_value = [[0.0, v_t], [0.0, 0.0]];
-        response.slope_slope = [[inverse, 0.0], [0.0, ei]];
-        response.adhesion_by_value = [b * adhesion.by_gap, b * adhesion.energy_by_rotation];
+        response.value_slope[1][0] = v_t;
+        response.slope_value[0][1] = v_t;
+        response.slope_slope[0][0] = inverse;
+        response.slope_slope[1][1] = T::splat(ei);
+        response.adhesion_by_value = [adhesion.by_gap * b, adhesion.energy_by_rotation * b];
         response
     }
 

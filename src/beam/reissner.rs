@@ -5,6 +5,7 @@
 
 use super::{Density, PointResponse, Section, SectionState};
 use crate::adhesion::LineLaw;
+use crate::number::Real;
 
 /// The three-field form of the planar Reissner beam on a flat half space. Fields: x (nm), gap η = y - h/2 (nm), rotation
 /// θ. It has no border.
@@ -18,38 +19,47 @@ pub struct ReissnerBeam {
 
 impl Density<3> for ReissnerBeam {
     #[inline(always)]
-    fn response(&self, [_, gap, rotation]: [f64; 3], [dx, dy, curvature]: [f64; 3], _: f64) -> PointResponse<3> {
+    fn response<T: Real>(
+        &self,
+        [_, gap, rotation]: [T; 3],
+        [dx, dy, curvature]: [T; 3],
+        _: f64,
+    ) -> PointResponse<T, 3> {
         let (sin, cos) = rotation.sin_cos();
         let adhesion = self.law.response(gap, sin, cos);
         let b = self.width;
         let Section { axial, shear, bending } = self.section;
         let (stretch, slide) = (dx * cos + dy * sin - 1.0, dy * cos - dx * sin);
-        let (n, q) = (axial * stretch, shear * slide);
+        let (n, q) = (stretch * axial, slide * shear);
         // ∂Γ1/∂θ = Γ2 and ∂Γ2/∂θ = -(1 + Γ1)
-        let (stretch_t, slide_t) = (slide, -(1.0 + stretch));
+        let (stretch_t, slide_t) = (slide, -(stretch + 1.0));
         let (horizontal, vertical) = (n * cos - q * sin, n * sin + q * cos);
-        let horizontal_t = axial * stretch_t * cos - shear * slide_t * sin - vertical;
-        let vertical_t = axial * stretch_t * sin + shear * slide_t * cos + horizontal;
-        let rotation_rotation = axial * stretch_t * stretch_t + shear * slide_t * slide_t + n * slide_t - q * stretch_t;
+        let horizontal_t = stretch_t * cos * axial - slide_t * sin * shear - vertical;
+        let vertical_t = stretch_t * sin * axial + slide_t * cos * shear + horizontal;
+        let rotation_rotation = stretch_t * stretch_t * axial + slide_t * slide_t * shear + n * slide_t - q * stretch_t;
 
-        let mut response = PointResponse::ZERO;
-        response.energy = 0.5 * (axial * stretch * stretch + shear * slide * slide + bending * curvature * curvature)
-            + b * adhesion.energy;
-        response.adhesion = b * adhesion.energy;
-        response.by_value = [0.0, b * adhesion.by_gap, n * stretch_t + q * slide_t + b * adhesion.by_rotation];
-        response.by_slope = [horizontal, vertical, bending * curvature];
-        response.value_value[1] = [0.0, b * adhesion.gap_gap, b * adhesion.gap_rotation];
-        response.value_value[2] = [0.0, b * adhesion.rotation_gap, rotation_rotation + b * adhesion.rotation_rotation];
-        response.value_slope[2] = [horizontal_t, vertical_t, 0.0];
+        let mut response = PointResponse::zero();
+        response.energy = (n * stretch + q * slide + curvature * curvature * bending) * 0.5 + adhesion.energy * b;
+        response.adhesion = adhesion.energy * b;
+        response.by_value[1] = adhesion.by_gap * b;
+        response.by_value[2] = n * stretch_t + q * slide_t + adhesion.by_rotation * b;
+        response.by_slope = [horizontal, vertical, curvature * bending];
+        response.value_value[1][1] = adhesion.gap_gap * b;
+        response.value_value[1][2] = adhesion.gap_rotation * b;
+        response.value_value[2][1] = adhesion.rotation_gap * b;
+        response.value_value[2][2] = rotation_rotation + adhesion.rotation_rotation * b;
+        response.value_slope[2][0] = horizontal_t;
+        response.value_slope[2][1] = vertical_t;
         response.slope_value[0][2] = horizontal_t;
         response.slope_value[1][2] = vertical_t;
-        let mixed = (axial - shear) * sin * cos;
-        response.slope_slope = [
-            [axial * cos * cos + shear * sin * sin, mixed, 0.0],
-            [mixed, axial * sin * sin + shear * cos * cos, 0.0],
-            [0.0, 0.0, bending],
-        ];
-        response.adhesion_by_value = [0.0, b * adhesion.by_gap, b * adhesion.energy_by_rotation];
+        let mixed = sin * cos * (axial - shear);
+        response.slope_slope[0][0] = cos * cos * axial + sin * sin * shear;
+        response.slope_slope[0][1] = mixed;
+        response.slope_slope[1][0] = mixed;
+        response.slope_slope[1][1] = sin * sin * axial + cos * cos * shear;
+        response.slope_slope[2][2] = T::splat(bending);
+        response.adhesion_by_value[1] = adhesion.by_gap * b;
+        response.adhesion_by_value[2] = adhesion.energy_by_rotation * b;
         response
     }
 

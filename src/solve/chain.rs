@@ -6,7 +6,8 @@
 //! pivot is the sign of an eigenvalue (Sylvester), so the sweep counts the negative ones as it goes.
 
 use super::SolveError;
-use crate::beam::{Basis, Density, ElementEnergy, SectionState, Spread, integrate};
+use crate::beam::{Basis, Density, ElementEnergy, SectionState, Spread, integrate, side_by_side};
+use crate::number::Lanes;
 
 /// The most fields a node can have.
 pub const MOST_FIELDS: usize = 3;
@@ -311,15 +312,14 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> Chain for Un
         for e in 0..at.ends.len() - 1 {
             let length = at.ends[e + 1] - at.ends[e];
             let (values, changes) = (self.gather(at.state, e), self.gather(direction, e));
-            for q in 0..N - 1 {
-                let (shape, shape_slope) = (&self.basis.value[q], &self.basis.slope[q]);
-                let (value, slope) = combine(&values, shape, shape_slope, length);
-                let (change, _) = combine(&changes, shape, shape_slope, length);
-                let r = self.density.response(value, slope, at.border);
-                let weight = self.basis.weights[q] * 0.5 * length;
-                energy.total += weight * r.energy;
-                energy.adhesion += weight * r.adhesion;
-                along += weight * (0..F).map(|f| r.adhesion_by_value[f] * change[f]).sum::<f64>();
+            let (value, slope) = side_by_side(&self.basis, &values, length);
+            let (change, _) = side_by_side(&self.basis, &changes, length);
+            let r = self.density.response(value, slope, at.border);
+            let weights = Lanes(self.basis.weights) * (0.5 * length);
+            energy.total += (weights * r.energy).0.iter().sum::<f64>();
+            energy.adhesion += (weights * r.adhesion).0.iter().sum::<f64>();
+            for f in 0..F {
+                along += (weights * r.adhesion_by_value[f] * change[f]).0.iter().sum::<f64>();
             }
         }
         (energy, along)

@@ -63,12 +63,16 @@ const MOST_SOLVES: usize = 8;
 /// error of its square.
 const CLOSE: f64 = 1e-5;
 /// A turn of the force is flat where what is left to find changes it by less than this share of the accuracy.
-const FLAT: f64 = 0.05;
+const FLAT: f64 = 0.2;
 /// The secant rule starts when it expects to move by no more than this share of the step.
 const NEAR: f64 = 0.05;
 
-fn options() -> NewtonOptions {
-    NewtonOptions { tolerance: 1e-12, largest_update: 0.5, most_iterations: 10 }
+/// Error of a solution on the way to a turning point, and of the last ones, relative as in [`Problem::relative_size`].
+const ROUGH: f64 = 1e-10;
+const FINE: f64 = 1e-12;
+
+fn options(tolerance: f64) -> NewtonOptions {
+    NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 10 }
 }
 
 /// A further solution on a stretch, at the label `at`; from fewer points where more extrapolate badly.
@@ -82,7 +86,7 @@ pub fn solve_on(
     let mut trouble = SolveError::SingularGrip;
     for points in [6, 3, 2] {
         let start = stretch.near(at).unwrap_or_else(|| stretch.start(problem, at, points));
-        match solve(problem, start, &condition, &options(), work) {
+        match solve(problem, start, &condition, &options(ROUGH), work) {
             Ok(solution) => return Ok(Arc::new(solution)),
             Err(error) => trouble = error,
         }
@@ -230,7 +234,7 @@ impl<'p> Search<'p> {
         let mut ahead = f64::INFINITY;
         for _ in 0..MOST_SOLVES {
             let condition = Condition { weights: self.weights, target };
-            let solution = solve(self.problem, start, &condition, &options(), work)?;
+            let solution = solve(self.problem, start, &condition, &options(FINE), work)?;
             self.iterations += solution.iterations;
             if let Some((step, slope)) = before {
                 self.bend = (pick(&solution.slope) - pick(&slope)) / step;
@@ -282,7 +286,7 @@ pub fn difference_on_more_elements(
 ) -> Result<Observables, SolveError> {
     let weights = Observables { displacement: 1.0, ..Observables::default() };
     let condition = Condition { weights, target: coarse.observables.displacement };
-    let fine = solve(problem, refined(problem, &coarse.at), &condition, &options(), work)?;
+    let fine = solve(problem, refined(problem, &coarse.at), &condition, &options(FINE), work)?;
     Ok(fine.observables.since(&coarse.observables))
 }
 

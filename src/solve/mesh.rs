@@ -27,8 +27,9 @@ impl Focus {
     }
 }
 
-/// Ends of `elements` elements on [0, length], graded towards `foci`; one more than there are elements.
-pub fn graded_ends(length: f64, foci: &[Focus], elements: usize) -> Vec<f64> {
+/// Ends of `elements` elements on [0, length], graded towards `foci`; one more than there are elements. `near` are the ends
+/// of a similar mesh, if there is one: where to start looking.
+pub fn graded_ends(length: f64, foci: &[Focus], elements: usize, near: &[f64]) -> Vec<f64> {
     let value = |s: f64| foci.iter().map(|f| f.value(s)).sum::<f64>();
     let slope = |s: f64| foci.iter().map(|f| f.slope(s)).sum::<f64>();
     let (from, to) = (value(0.0), value(length));
@@ -37,18 +38,24 @@ pub fn graded_ends(length: f64, foci: &[Focus], elements: usize) -> Vec<f64> {
     let mut s = 0.0;
     for k in 1..elements {
         let target = from + (to - from) * k as f64 / elements as f64;
-        s = invert(&value, &slope, target, s, length);
+        let start = near.get(k).copied().filter(|_| near.len() == elements + 1);
+        s = invert(&value, &slope, target, (s, length), start);
         ends.push(s);
     }
     ends.push(length);
     ends
 }
 
-/// Root of value(s) = target in [low, high] for an increasing function, by Newton kept inside a shrinking bracket.
-fn invert(value: &impl Fn(f64) -> f64, slope: &impl Fn(f64) -> f64, target: f64, low: f64, high: f64) -> f64 {
-    let (mut low, mut high) = (low, high);
-    let ahead = low + (target - value(low)) / slope(low);
-    let mut s = if ahead < high { ahead } else { 0.5 * (low + high) };
+/// Root of value(s) = target in a bracket for an increasing function, by Newton kept inside the shrinking bracket.
+fn invert(
+    value: &impl Fn(f64) -> f64,
+    slope: &impl Fn(f64) -> f64,
+    target: f64,
+    (mut low, mut high): (f64, f64),
+    start: Option<f64>,
+) -> f64 {
+    let start = start.unwrap_or_else(|| low + (target - value(low)) / slope(low));
+    let mut s = if start > low && start < high { start } else { 0.5 * (low + high) };
     for _ in 0..100 {
         let miss = value(s) - target;
         if miss < 0.0 {
@@ -75,7 +82,7 @@ mod tests {
         for center in [0.0, 30.0, 100.0, 1e4] {
             let length = 1e4;
             let foci = [Focus { center, length: 1.0, weight: 1.0 }, Focus { center: 0.0, length: 1.0, weight: 0.8 }];
-            let ends = graded_ends(length, &foci, 24);
+            let ends = graded_ends(length, &foci, 24, &[]);
             assert_eq!((ends.len(), ends[0], ends[24]), (25, 0.0, length));
             let smallest = ends.windows(2).map(|e| e[1] - e[0]).fold(f64::INFINITY, f64::min);
             assert!(smallest > 0.0 && smallest < 3.0, "{smallest}");

@@ -152,7 +152,8 @@ pub fn solve(
             let (negative, negative_load) = grip.inertia(problem, root.negative);
             let last = at.state.len() - fields;
             let observables = observables(problem, &at, energy);
-            let ends = problem.ends(observables.front.clamp(0.0, problem.length), at.ends.len() - 1);
+            let center = observables.front.clamp(0.0, problem.length);
+            let ends = problem.ends_near(center, at.ends.len() - 1, &at.ends);
             return Ok(Solution {
                 aligned: problem.chain.shifted(at.configuration(), &ends),
                 observables,

@@ -35,7 +35,8 @@ pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> 
         }
     }
     at.center = at.center.clamp(0.0, problem.length);
-    at.ends = problem.ends(at.center, points[0].at.ends.len() - 1);
+    let near = &points[0].at.ends;
+    at.ends = problem.ends_near(at.center, near.len() - 1, near);
     at
 }
 

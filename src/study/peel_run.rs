@@ -66,7 +66,7 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> P
         let options = PathOptions {
             elements: resolution.elements,
             step_tolerance: resolution.step_tolerance,
-            tolerance: (1e-3 * accuracy.relative).clamp(1e-12, 1e-6),
+            tolerance: (1e-2 * accuracy.relative).clamp(1e-12, 1e-6),
             first_displacement: 0.02 * model.adhesion.equilibrium_distance,
         };
         let followed = follow(&problem, options, far, bounds, accuracy.relative, started);
