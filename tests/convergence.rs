@@ -90,13 +90,13 @@ fn order_is_twice_the_degree() {
     }
 }
 
-/// Effort: five equilibria, one Newton update more or less.
+/// Effort: five equilibria, 16 or 17 iterations when written.
 #[test]
 fn newton_iterations_do_not_depend_on_the_mesh() {
     for order in 3..=8 {
         for elements in [4, 16, 64] {
             let (_, iterations) = force(Form::TwoField, order, elements);
-            assert!(iterations <= 25, "order {order}, {elements} elements: {iterations}");
+            assert!(iterations <= 21, "order {order}, {elements} elements: {iterations}");
         }
     }
 }

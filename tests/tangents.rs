@@ -205,8 +205,8 @@ fn section_states_agree_with_the_density() {
             let response = beam.response(value, c.slopes, 0.0);
             let forces = [state.horizontal_force, state.vertical_force, state.moment];
             let size = section.axial + section.shear + section.bending;
-            for f in 0..3 {
-                close(forces[f], response.by_slope[f], size)?;
+            for (force, by_slope) in forces.iter().zip(response.by_slope) {
+                close(*force, by_slope, size)?;
             }
             close(state.stored, response.energy - response.adhesion, size)?;
             let back = beam.section_state_from_forces(value, forces, 0.0);
