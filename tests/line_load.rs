@@ -17,7 +17,7 @@
 //!
 //!   Ψ = (1/cos θ) ∫_{r1}^{r2} T(r) dr = ∫_{-h/2}^{h/2} T(y + s cos θ) ds.
 //!
-//! Why: all that follows is computed from these nine numbers, and Newton's method is only as good as the second ones.
+//! Why: all that follows is computed from these eight numbers, and Newton's method is only as good as the second ones.
 
 mod common;
 
