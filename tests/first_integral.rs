@@ -20,8 +20,9 @@ use common::{paper_strip, whole_peel, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::analytic::steady_force;
 use peelkit::model::{Form, Hold, StripModel};
-use peelkit::solve::{Hermite, Observables, Path, PathOptions, Solution};
+use peelkit::solve::{Hermite, Observables, Path, PathOptions, Problem, Solution};
 use peelkit::study::{Peel, Turn};
+use std::sync::Arc;
 
 /// Work of adhesion of the strip, bΨ(y_eq, 0) with its sign changed, nN.
 fn work_of_adhesion(model: &StripModel) -> f64 {
@@ -145,13 +146,8 @@ fn plateau_is_the_steady_force() {
 /// ∫ P du between two points of a path, both cubic in the path's own direction between them.
 fn work_between(from: &Solution, to: &Solution) -> f64 {
     let chord = to.observables.since(&from.observables);
-    let inverse = |c: f64| if c == 0.0 { 0.0 } else { 1.0 / c };
-    let weights = Observables {
-        front: inverse(chord.front),
-        displacement: inverse(chord.displacement),
-        tip_rotation: inverse(chord.tip_rotation),
-        ..Observables::default()
-    };
+    // along the chord, 0.1 rad counting as much as 1 nm
+    let weights = Observables { tip_rotation: 100.0 * chord.tip_rotation, force: 0.0, ..chord };
     let end = weights.dot(&chord);
     let cubic = |pick: fn(&Observables) -> f64| {
         let at = |s: &Solution, t: f64| (t, pick(&s.observables), pick(&s.slope) / weights.dot(&s.slope));
@@ -162,17 +158,54 @@ fn work_between(from: &Solution, to: &Solution) -> f64 {
     (0..8).step_by(2).map(|k| power(k) + 4.0 * power(k + 1) + power(k + 2)).sum::<f64>() * end / 24.0
 }
 
-/// Work ∫ P du of the grip and change of stored plus adhesion energy, nN nm, from rest until a hundredth of the strip's
-/// adhesion is left.
-fn work_and_energy(model: &StripModel) -> (f64, f64) {
-    let problem = model.problem(Form::TwoField, 7);
+/// A path in steps so short that cubics between its points are exact to 1e-6, up to the first point where `stop` holds.
+fn finely(problem: &Problem, stop: fn(&Solution) -> bool) -> Vec<Arc<Solution>> {
     let options = PathOptions { elements: 40, step_tolerance: 1e-5, tolerance: 1e-10, first_displacement: 0.002 };
-    let mut path = Path::new(&problem, options);
-    let peeled = path.by_ref().take(2000).any(|p| p.expect("the path goes on").observables.front < 1.0);
-    assert!(peeled, "the strip is peeled within 2000 points");
-    let points = path.points();
-    let work = points.windows(2).map(|pair| work_between(&pair[0], &pair[1])).sum();
-    (work, points[points.len() - 1].energy.total - points[0].energy.total)
+    let mut path = Path::new(problem, options);
+    let stopped = path.by_ref().take(2000).any(|p| stop(&p.expect("the path goes on")));
+    assert!(stopped, "not reached within 2000 points");
+    path.points().to_vec()
+}
+
+/// ∫ P du of the grip along a path.
+fn work(points: &[Arc<Solution>]) -> f64 {
+    points.windows(2).map(|pair| work_between(&pair[0], &pair[1])).sum()
+}
+
+/// Work and change of stored plus adhesion energy, aJ, from rest until a hundredth of the strip's adhesion is left.
+fn work_and_energy(model: &StripModel) -> (f64, f64) {
+    let points = finely(&model.problem(Form::TwoField, 7), |p| p.observables.front < 1.0);
+    (work(&points), points[points.len() - 1].energy.total - points[0].energy.total)
+}
+
+/// The work reported at the snap-off against ∫ P du along a path in short steps.
+#[track_caller]
+fn assert_work_is_that_of_a_finer_path(model: &StripModel) {
+    let snap = whole_peel(model, 1e-6).snap_off.expect("snaps off");
+    let points = finely(&model.problem(Form::TwoField, 7), |p| p.slope.displacement < 0.0);
+    let last = points[points.len() - 1].observables;
+    let to_snap = 0.5 * (snap.force + last.force) * (snap.displacement - last.displacement);
+    let wanted = work(&points) + to_snap;
+    let off = snap.work / wanted - 1.0;
+    assert!(off.abs() < 1e-5, "reported {} aJ, on a finer path {wanted} aJ, {off:.1e}", snap.work);
+}
+
+/// With a potential the reported work is a difference of energies: this holds the finer path itself to account.
+#[test]
+fn work_with_a_potential_is_that_of_a_finer_path() {
+    assert_work_is_that_of_a_finer_path(&paper_strip(100.0, 1.0));
+    assert_work_is_that_of_a_finer_path(&paper_strip(100.0, 0.01));
+}
+
+/// Where there is no energy to take it from, the work is an integral along the path.
+#[test]
+fn work_without_a_potential_is_that_of_a_finer_path() {
+    assert_work_is_that_of_a_finer_path(&with_load(paper_strip(100.0, 1.0), LineLoad::ForceOnly));
+}
+
+#[test]
+fn work_without_a_potential_is_that_of_a_finer_path_in_a_softer_strip() {
+    assert_work_is_that_of_a_finer_path(&with_load(paper_strip(100.0, 0.01), LineLoad::ForceOnly));
 }
 
 /// The whole peel of 100 nm: with the moment the work is the energy's change, 3.042 aJ; without it the grip is 0.18
