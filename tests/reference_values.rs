@@ -1,0 +1,226 @@
+//! Peaks and limit points of uniform strips against tables computed without finite elements.
+//!
+//! Reference: verification/strip.csv and verification/strip_variants.csv, Gauss and Chebyshev collocation of the strong form,
+//! good to the digits printed (verification/README.md).
+//!
+//!     P |  peak
+//!       | /\            lp1 (snap-off)
+//!       |/  \____________)
+//!       |            ___/
+//!       |  lp2 (____/
+//!       +-------------------- u
+//!
+//! Parameters: a row of the tables each: length, height, width, E, ν, A_H, r0, shear correction, EI factor, load, grip.
+//!
+//! Expected: every filled value to the relative accuracy asked for, at 1e-6 (the default) and at 1e-9, plus half of the last
+//! digit printed; every error bound no smaller than the true error, as far as the printed digits tell it. Rows that are
+//! known not to be met are in [`EXCEPTIONS`], each with what is reached. Why: this is what the program is for.
+
+mod common;
+
+use common::{paper_strip, with_grip, with_load};
+use peelkit::adhesion::LineLoad;
+use peelkit::model::{Hold, StripModel};
+use peelkit::study::{Accuracy, Bounds, Effort, Peel, Turn, peel};
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::str::FromStr;
+
+type Row = HashMap<String, String>;
+
+/// A value that is not met to the accuracy asked for, and what is allowed in its place.
+struct Exception {
+    /// Accuracy asked for.
+    asked: f64,
+    /// What tells the row from others: length, EI factor, load, far face.
+    row: (f64, f64, &'static str, bool),
+    column: &'static str,
+    /// Relative error allowed; infinite where the value may be missing.
+    allowed: f64,
+    /// True error allowed, in units of the error bound.
+    bounds: f64,
+}
+
+/// Known extremes. None of them may get worse. What is reached stands behind each; it depends on the last bit of the input,
+/// hence the factor of about 2. Where the accuracy is missed the program's own bound says so.
+#[rustfmt::skip]
+const EXCEPTIONS: &[Exception] = &[
+    // nearly singular, the free end turns over at the snap-off. At 1e-6 the path ends `failed`, 4.3e-11 nN off, bound 3.2e-11;
+    // at 1e-9 no snap-off is found
+    Exception { asked: 1e-6, row: (100.0, 1e-4, "axis-gap", true), column: "lp1_force_nN", allowed: 1e-6, bounds: 2.0 },
+    Exception { asked: 1e-9, row: (100.0, 1e-4, "axis-gap", true), column: "lp1_displacement_nm", allowed: f64::INFINITY, bounds: 1.0 },
+    Exception { asked: 1e-9, row: (100.0, 1e-4, "axis-gap", true), column: "lp1_force_nN", allowed: f64::INFINITY, bounds: 1.0 },
+    // 2.1e-8
+    Exception { asked: 1e-9, row: (100.0, 1e-3, "force-only", true), column: "lp1_force_nN", allowed: 4e-8, bounds: 1.0 },
+    // 1.4e-9
+    Exception { asked: 1e-9, row: (100.0, 1e-3, "axis-gap", true), column: "lp2_force_nN", allowed: 3e-9, bounds: 1.0 },
+    // 1.3e-9
+    Exception { asked: 1e-9, row: (200.0, 0.1, "full", false), column: "lp1_displacement_nm", allowed: 3e-9, bounds: 1.0 },
+    // 6.7e-9, of a force of 1.4e-5 nN
+    Exception { asked: 1e-9, row: (3000.0, 1.0, "full", true), column: "lp2_force_nN", allowed: 1.3e-8, bounds: 1.0 },
+];
+
+fn number(row: &Row, column: &str) -> Option<f64> {
+    let text = row.get(column)?;
+    Some(text.parse().unwrap_or_else(|_| panic!("{column} is no number: {text}")))
+}
+
+fn choice<T: Copy>(row: &Row, column: &str, absent: T, choices: &[(&str, T)]) -> T {
+    let Some(text) = row.get(column) else { return absent };
+    let found = choices.iter().find(|c| c.0 == text);
+    found.unwrap_or_else(|| panic!("{column} has an unknown value: {text}")).1
+}
+
+/// The strip of a row. Columns that a table lacks have the values in the head of strip.csv.
+fn model(row: &Row) -> StripModel {
+    let needed = |column: &str| number(row, column).unwrap_or_else(|| panic!("{column} is missing"));
+    let hold = |column| choice(row, column, Hold::Free, &[("free", Hold::Free), ("fixed", Hold::Fixed)]);
+    let loads = [("full", LineLoad::Full), ("force-only", LineLoad::ForceOnly), ("axis-gap", LineLoad::AxisGap)];
+    let mut model = with_load(
+        with_grip(
+            paper_strip(needed("length_nm"), needed("bending_stiffness_factor")),
+            hold("grip_rotation"),
+            hold("grip_horizontal"),
+        ),
+        choice(row, "line_load", LineLoad::Full, &loads),
+    );
+    model.adhesion.far_face = choice(row, "far_face", true, &[("true", true), ("false", false)]);
+    let set = |column: &str, place: &mut f64, factor: f64| {
+        if let Some(value) = number(row, column) {
+            *place = value * factor;
+        }
+    };
+    set("height_nm", &mut model.strip.height, 1.0);
+    set("width_nm", &mut model.strip.width, 1.0);
+    set("youngs_modulus_GPa", &mut model.strip.youngs_modulus, 1.0);
+    set("poissons_ratio", &mut model.strip.poissons_ratio, 1.0);
+    set("shear_correction", &mut model.strip.shear_correction, 1.0);
+    set("hamaker_constant_J", &mut model.adhesion.hamaker_constant, 1e18);
+    set("equilibrium_distance_nm", &mut model.adhesion.equilibrium_distance, 1.0);
+    model
+}
+
+fn rows() -> Vec<Row> {
+    let mut rows = Vec::new();
+    for file in ["strip.csv", "strip_variants.csv"] {
+        let path = format!("{}/verification/{file}", env!("CARGO_MANIFEST_DIR"));
+        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(&path).expect(&path);
+        rows.extend(reader.deserialize::<Row>().map(|row| row.expect(&path)));
+    }
+    assert!(rows.len() >= 60, "the tables have shrunk to {} rows", rows.len());
+    rows
+}
+
+/// A computed value with its error bound, if it has one.
+type Computed = Option<(f64, Option<f64>)>;
+
+/// What the columns of the tables are called here.
+fn computed(peel: &Peel) -> Vec<(&'static str, Computed)> {
+    let peak = peel.initiation_peak;
+    let mut turns = peel.limit_points.iter().filter(|l| l.kind == Turn::Displacement);
+    let (lp1, lp2) = (turns.next(), turns.next());
+    vec![
+        ("peak_displacement_nm", peak.map(|p| (p.displacement, Some(p.displacement_error)))),
+        ("peak_force_nN", peak.map(|p| (p.force, Some(p.force_error)))),
+        ("peak_end_rotation_rad", peak.map(|p| (p.end_rotation, None))),
+        ("lp1_displacement_nm", lp1.map(|l| (l.displacement, Some(l.displacement_error)))),
+        ("lp1_force_nN", lp1.map(|l| (l.force, Some(l.force_error)))),
+        ("lp2_displacement_nm", lp2.map(|l| (l.displacement, Some(l.displacement_error)))),
+        ("lp2_force_nN", lp2.map(|l| (l.force, Some(l.force_error)))),
+    ]
+}
+
+/// Half of the last digit printed.
+fn rounding(text: &str) -> f64 {
+    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let decimals = mantissa.split_once('.').map_or(0, |(_, digits)| digits.len());
+    let exponent = i32::from_str(exponent).expect("an exponent is a whole number");
+    0.5 * 10f64.powi(exponent - i32::try_from(decimals).expect("few digits"))
+}
+
+/// What came of one row.
+struct Compared {
+    wrong: Vec<String>,
+    values: usize,
+    /// Whether no exception stands for it.
+    plain: bool,
+    effort: Effort,
+}
+
+/// Peels the strip of a row and compares.
+fn compare(row: &Row, relative: f64) -> Compared {
+    let model = model(row);
+    let peel = peel(&model, &Accuracy { relative }, &Bounds { points: 5000, time_s: None, displacement: None });
+    let key =
+        (model.strip.length, model.strip.bending_stiffness_factor, row["line_load"].as_str(), model.adhesion.far_face);
+    let mut wrong = Vec::new();
+    let mut compared = 0;
+    for (column, value) in computed(&peel) {
+        let Some(text) = row.get(column).filter(|text| !text.is_empty()) else { continue };
+        compared += 1;
+        let wanted = number(row, column).expect("is there");
+        let exception = EXCEPTIONS.iter().find(|e| e.asked == relative && e.row == key && e.column == column);
+        let (allowed, bounds) = exception.map_or((relative, 1.0), |e| (e.allowed, e.bounds));
+        let Some((value, bound)) = value else {
+            if allowed.is_finite() {
+                wrong.push(format!("{column} is missing, expected {wanted}"));
+            }
+            continue;
+        };
+        let (error, rounding) = ((value - wanted).abs(), rounding(text));
+        let share = error / wanted.abs();
+        if error > allowed * wanted.abs() + rounding {
+            wrong.push(format!("{column} = {value}, expected {wanted}: relative error {share:.2e}"));
+        }
+        if let Some(bound) = bound
+            && allowed.is_finite()
+            && error > bounds * bound + 4.0 * rounding
+        {
+            wrong.push(format!("{column} = {value} ± {bound:.1e}, expected {wanted}: true error {error:.1e}"));
+        }
+    }
+    let head = format!(
+        "L {} f {} {} far {} {:?} h {} E {} A_H {} r0 {}, {:?}, {:?}",
+        key.0,
+        key.1,
+        key.2,
+        key.3,
+        model.grip,
+        model.strip.height,
+        model.strip.youngs_modulus,
+        model.adhesion.hamaker_constant,
+        model.adhesion.equilibrium_distance,
+        peel.end,
+        peel.effort
+    );
+    Compared {
+        wrong: wrong.into_iter().map(|w| format!("{w}\n    in {head}")).collect(),
+        values: compared,
+        plain: !EXCEPTIONS.iter().any(|e| e.row == key),
+        effort: peel.effort,
+    }
+}
+
+/// `most` is the largest effort allowed, points and Newton iterations of all rows without exceptions.
+fn assert_tables_are_met(relative: f64, most: (usize, usize)) {
+    let found: Vec<_> = rows().par_iter().map(|row| compare(row, relative)).collect();
+    let values: usize = found.iter().map(|f| f.values).sum();
+    assert!(values >= 400, "only {values} values compared");
+    let wrong: Vec<&str> = found.iter().flat_map(|f| &f.wrong).map(String::as_str).collect();
+    assert!(wrong.is_empty(), "at relative = {relative:e}:\n{}", wrong.join("\n"));
+    let plain = found.iter().filter(|f| f.plain).map(|f| f.effort);
+    let effort = plain.fold((0, 0), |sum, e| (sum.0 + e.points, sum.1 + e.newton_iterations));
+    assert!(effort.0 <= most.0 && effort.1 <= most.1, "effort {effort:?}, at most {most:?}");
+}
+
+#[test]
+fn tables_are_met_at_the_default_accuracy() {
+    // 7525 and 63 415 when written
+    assert_tables_are_met(1e-6, (9400, 79_000));
+}
+
+#[test]
+fn tables_are_met_at_1e_9() {
+    // 7557 and 102 316 when written
+    assert_tables_are_met(1e-9, (9450, 128_000));
+}
