@@ -31,7 +31,7 @@ use std::num::NonZeroUsize;
 
 const GAPS: [f64; 8] = [0.15, 0.22, 0.2547, 0.3, 0.45, 1.0, 3.0, 8.0];
 
-fn at_degrees(law: &LineLaw, gap: f64, degrees: f64) -> LineResponse {
+fn at_degrees(law: &LineLaw, gap: f64, degrees: f64) -> LineResponse<f64> {
     let (sin, cos) = degrees.to_radians().sin_cos();
     law.response(gap, sin, cos)
 }

@@ -74,7 +74,7 @@ fn cases() -> impl Strategy<Value = Case> {
 type Expansion<const K: usize> = (f64, SVector<f64, K>, SMatrix<f64, K, K>);
 
 /// The gradient and tangent of a response in the same order.
-fn assembled<const F: usize, const K: usize>(r: &PointResponse<F>) -> (SVector<f64, K>, SMatrix<f64, K, K>) {
+fn assembled<const F: usize, const K: usize>(r: &PointResponse<f64, F>) -> (SVector<f64, K>, SMatrix<f64, K, K>) {
     let (mut gradient, mut tangent) = (SVector::zeros(), SMatrix::zeros());
     for i in 0..F {
         gradient[i] = r.by_value[i];
@@ -102,7 +102,7 @@ fn assembled<const F: usize, const K: usize>(r: &PointResponse<F>) -> (SVector<f
 /// Compares a density with stored plus adhesion energy. `lead` is the place of the gap among the fields. A load without a
 /// potential keeps the gap's equation and loses the rotation's.
 fn compare<const F: usize, const K: usize>(
-    response: &PointResponse<F>,
+    response: &PointResponse<f64, F>,
     stored: Expansion<K>,
     adhesion: Expansion<K>,
     lead: usize,

@@ -155,6 +155,16 @@ pub fn locate(
     Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
 }
 
+/// A turning point of the force that could not be located: an end of its step, with the step as the error of both numbers.
+pub fn unlocated(problem: &Problem, stretch: &Stretch, work: &mut Workspace) -> Result<Located, SolveError> {
+    let solution = stretch.first();
+    let mut difference = difference_on_more_elements(problem, &solution, work)?;
+    difference.displacement = stretch.change().displacement.abs();
+    difference.force = difference.force.abs() + stretch.change().force.abs();
+    let observables = solution.observables;
+    Ok(Located { observables, solution, difference, force_curvature: 0.0, flat: true, iterations: 3 })
+}
+
 /// A turning point of the force in a stretch so flat that its place cannot be told and does not matter: a solution in it,
 /// with the whole step as the error of its displacement and `change` as that of its force.
 fn flat(
@@ -247,8 +257,11 @@ impl<'p> Search<'p> {
             // the first second derivative is an interpolant's: it is not trusted until two solutions have confirmed it
             if ahead.abs() <= CLOSE * self.width && before.is_some() {
                 let observables = self.extrapolated(&solution, ahead);
-                // what the extrapolation neglects is of the order of the square of the way ahead
-                let neglected = solution.slope.times(ahead * ahead / self.width);
+                // what the extrapolation neglects is taken to be as large as its own quadratic terms
+                let mut neglected = solution.slope.times(ahead * ahead / self.width);
+                let (bend_u, bend_p) = self.bends();
+                neglected.displacement = neglected.displacement.abs() + bend_u.abs() * ahead * ahead;
+                neglected.force = neglected.force.abs() + bend_p.abs() * ahead * ahead;
                 return Ok((Found { solution, ahead, target, observables, neglected }, self));
             }
             let least = 10.0 * CLOSE * self.width;
@@ -261,13 +274,18 @@ impl<'p> Search<'p> {
         Err(SolveError::NotConverged { update: ahead / self.width, iterations: self.iterations })
     }
 
+    /// Second derivatives of displacement and force along the path.
+    fn bends(&self) -> (f64, f64) {
+        match self.turn {
+            Turn::Displacement => (self.bend, self.other_bend),
+            Turn::Load => (self.other_bend, self.bend),
+        }
+    }
+
     /// The observables a little ahead of a solution; second derivatives only of displacement and force.
     fn extrapolated(&self, solution: &Solution, ahead: f64) -> Observables {
         let (o, s) = (&solution.observables, &solution.slope);
-        let (bend_u, bend_p) = match self.turn {
-            Turn::Displacement => (self.bend, self.other_bend),
-            Turn::Load => (self.other_bend, self.bend),
-        };
+        let (bend_u, bend_p) = self.bends();
         Observables {
             front: o.front + ahead * s.front,
             displacement: o.displacement + ahead * (s.displacement + 0.5 * ahead * bend_u),

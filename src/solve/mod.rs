@@ -10,7 +10,7 @@ mod problem;
 mod stretch;
 pub use chain::*;
 pub use error::SolveError;
-pub use limit::{Located, Turn, difference_on_more_elements, locate, solve_on};
+pub use limit::{Located, Turn, difference_on_more_elements, locate, solve_on, unlocated};
 pub use mesh::{Focus, graded_ends};
 pub use newton::*;
 pub use path::{Path, PathError, PathOptions};

@@ -23,6 +23,10 @@ pub struct Stretch {
 
 /// Points on either side of a step that a stretch takes in.
 const NEIGHBOURS: usize = 3;
+/// A neighbour takes part where the path's direction there makes at least this cosine with the step.
+const NEIGHBOURS_COSINE: f64 = 0.6;
+/// A neighbour nearer to the last than this share of the step adds nothing but noise.
+const CROWDED: f64 = 0.25;
 /// Points that an interpolation uses.
 const USED: usize = 4;
 
@@ -31,10 +35,10 @@ impl Stretch {
     pub fn around(problem: &Problem, points: &[Arc<Solution>], index: usize) -> Self {
         let (from, to) = (&points[index], &points[index + 1]);
         let secant = to.observables.since(&from.observables);
-        let weights = Metric::of(problem, points[index.saturating_sub(2)..index + 2].iter().map(|p| &p.observables))
-            .weights(&secant);
+        let metric = Metric::of(problem, points[index.saturating_sub(2)..index + 2].iter().map(|p| &p.observables));
+        let weights = metric.weights(&secant);
         let label = |p: &Solution| weights.dot(&p.observables.since(&from.observables));
-        let forward = |p: &Solution| weights.dot(&p.slope) > 0.0;
+        let per_label = |p: &Solution| p.slope.times(1.0 / weights.dot(&p.slope));
         let end = label(to);
         let mut stretch = Self {
             weights,
@@ -42,21 +46,23 @@ impl Stretch {
             points: vec![from.clone(), to.clone()],
             end,
             change: secant,
-            slopes: (from.slope, to.slope),
+            slopes: (per_label(from), per_label(to)),
         };
-        for point in points[..index].iter().rev().take(NEIGHBOURS) {
-            if label(point) >= stretch.labels[0] - 0.05 * end || !forward(point) {
-                break;
+        // neighbours, as long as the path has not turned much from the step's direction; those that crowd are passed over
+        let along = |p: &Solution| metric.cosine(&secant, &p.slope) > NEIGHBOURS_COSINE;
+        for point in points[..index].iter().rev().take(NEIGHBOURS).take_while(|p| along(p)) {
+            let gap = (stretch.labels[0] - label(point)) / end;
+            if gap > CROWDED {
+                stretch.labels.insert(0, label(point));
+                stretch.points.insert(0, point.clone());
             }
-            stretch.labels.insert(0, label(point));
-            stretch.points.insert(0, point.clone());
         }
-        for point in points[index + 2..].iter().take(NEIGHBOURS) {
-            if label(point) <= stretch.labels[stretch.labels.len() - 1] + 0.05 * end || !forward(point) {
-                break;
+        for point in points[index + 2..].iter().take(NEIGHBOURS).take_while(|p| along(p)) {
+            let gap = (label(point) - stretch.labels[stretch.labels.len() - 1]) / end;
+            if gap > CROWDED {
+                stretch.labels.push(label(point));
+                stretch.points.push(point.clone());
             }
-            stretch.labels.push(label(point));
-            stretch.points.push(point.clone());
         }
         stretch
     }
@@ -64,6 +70,12 @@ impl Stretch {
     /// Label of the step's second point; that of its first is 0.
     pub fn end(&self) -> f64 {
         self.end
+    }
+
+    /// The step's first point.
+    pub fn first(&self) -> Arc<Solution> {
+        let index = self.labels.iter().position(|&l| l == 0.0).unwrap_or(0);
+        self.points[index].clone()
     }
 
     /// Change of the observables from the step's first point to its second.

@@ -3,7 +3,7 @@
 use super::{Bounds, End};
 use crate::solve::{
     Condition, Hermite, Located, NewtonOptions, Observables, Path, PathError, PathOptions, Problem, Solution,
-    SolveError, Stretch, Turn, Workspace, locate, solve, solve_on,
+    SolveError, Stretch, Turn, Workspace, locate, solve, solve_on, unlocated,
 };
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
@@ -53,12 +53,19 @@ fn without_ripple(candidates: Vec<Candidate>, relative: f64) -> Vec<Candidate> {
 pub(super) enum Trouble {
     #[error("{0}")]
     Path(PathError),
-    #[error("the turning point of the {} behind path point {after} (u = {displacement_nm:.6} nm) was not located: {cause}", name(.turn))]
+    #[error(
+        "the turning point of the {} behind path point {after} (u = {displacement_nm:.6} nm) was not located: {cause}",
+        name(.turn)
+    )]
     NotLocated { turn: Turn, after: usize, displacement_nm: f64, cause: SolveError },
     #[error(
-        "the number of negative eigenvalues changes from {from} to {to} behind path point {after} (u = {displacement_nm:.6} nm) without a turning point there"
+        "between path points {after} and {} (u = {displacement_nm:.6} nm) the number of negative eigenvalues goes from \
+         {from} to {to}, which {turns} located turning points of the displacement do not explain",
+        after + 1
     )]
-    Missed { after: usize, displacement_nm: f64, from: usize, to: usize },
+    Missed { after: usize, displacement_nm: f64, from: usize, to: usize, turns: usize },
+    #[error("{points} path points were not enough on {elements} elements: the mesh holds the path up")]
+    TooManyPoints { points: usize, elements: usize },
 }
 
 fn name(turn: &Turn) -> &'static str {
@@ -78,16 +85,20 @@ pub(super) fn follow(
     started: Instant,
 ) -> Followed {
     let mut path = Path::new(problem, options);
+    let most = points_allowed(options.elements);
     let stopped = loop {
+        if path.points().len() >= most && most < bounds.points {
+            break Err(Trouble::TooManyPoints { points: most, elements: options.elements });
+        }
         match step(&mut path, far, bounds, started) {
             Ok(None) => {}
             Ok(Some(end)) => break Ok(end),
-            Err(error) => break Err(error),
+            Err(error) => break Err(Trouble::Path(error)),
         }
     };
     let (end, trouble) = match stopped {
         Ok(end) => (end, None),
-        Err(error) => (End::Failed(error.to_string()), Some(Trouble::Path(error))),
+        Err(trouble) => (End::Failed(trouble.to_string()), Some(trouble)),
     };
     let mut followed = Followed {
         points: path.points().to_vec(),
@@ -102,6 +113,11 @@ pub(super) fn follow(
     let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem));
     followed.trouble = followed.trouble.take().or(checked.err());
     followed
+}
+
+/// Path points after which a mesh is taken to hold the path up: several times what paths take that are resolved.
+fn points_allowed(elements: usize) -> usize {
+    400 + 10 * elements
 }
 
 /// Takes one step; the end, if it is reached.
@@ -190,7 +206,15 @@ impl Followed {
             let stretch = Stretch::around(problem, &self.points, index);
             for turn in [Turn::Load, Turn::Displacement] {
                 let brackets = brackets(problem, &self.points, index, &stretch, turn, relative, &mut work);
-                for bracket in brackets.map_err(|cause| self.not_located(turn, index, cause))? {
+                let brackets = match (brackets, turn) {
+                    // a pair of turns of the force that only the interpolant sees
+                    (Err(_), Turn::Load) => {
+                        self.ripple += 2;
+                        Vec::new()
+                    }
+                    (found, _) => found.map_err(|cause| self.not_located(turn, index, cause))?,
+                };
+                for bracket in brackets {
                     let near = stretch.observable(turn.pick(), 0.5 * (bracket.0 + bracket.1));
                     let label = near.turning_point(bracket.0, bracket.1);
                     let (a, b) = (pick_at(&self.points[index], turn), pick_at(&self.points[index + 1], turn));
@@ -202,15 +226,18 @@ impl Followed {
         }
         let all = candidates.len();
         let mut candidates = without_ripple(candidates, relative);
-        self.ripple = all - candidates.len();
+        self.ripple += all - candidates.len();
         candidates.sort_by(|a, b| a.index.cmp(&b.index).then(a.label.total_cmp(&b.label)));
         for c in candidates {
             let stretch = Stretch::around(problem, &self.points, c.index);
             let first = self.turns.iter().all(|t| t.0 != Turn::Load);
             // the first turn of the force is the initiation peak and wanted sharp
             let flat = (c.turn == Turn::Load && !first).then_some(relative);
-            let mut located = locate(problem, &stretch, c.turn, c.bracket, flat, &mut work)
-                .map_err(|cause| self.not_located(c.turn, c.index, cause))?;
+            let mut located = match locate(problem, &stretch, c.turn, c.bracket, flat, &mut work) {
+                Err(_) if flat.is_some() => unlocated(problem, &stretch, &mut work),
+                located => located,
+            }
+            .map_err(|cause| self.not_located(c.turn, c.index, cause))?;
             located.flat |= flat.is_some_and(|relative| located.is_flat(relative));
             self.iterations += located.iterations;
             self.turns.push((c.turn, c.index, located));
@@ -249,6 +276,7 @@ impl Followed {
                     displacement_nm: pair[0].observables.displacement,
                     from: pair[0].negative,
                     to: pair[1].negative,
+                    turns,
                 });
             }
         }

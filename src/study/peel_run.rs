@@ -20,6 +20,8 @@ const ROUND_OFF: f64 = 2e-12;
 const ROUND_OFF_PLACE: f64 = 2e-10;
 /// Below this relative error, an error that does not fall with more elements is taken for round-off.
 const STAGNATION: f64 = 2e-8;
+/// No bound below this share of the accuracy asked for is claimed: two meshes may agree by luck.
+const MODESTY: f64 = 0.03;
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
 /// Most elements of a mesh.
@@ -119,7 +121,7 @@ impl Attempt {
             ),
             Some(_) => (f64::INFINITY, Resolution { elements: elements + elements.div_ceil(2), step_tolerance }),
         };
-        let mut peel = report(model, problem, &followed);
+        let mut peel = report(model, problem, &followed, relative);
         peel.asked = relative;
         peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order: ORDER };
         peel.trace = Some(Trace { problem: problem.clone(), points: followed.points });
@@ -182,7 +184,7 @@ fn worst_difference(followed: &Followed) -> f64 {
 }
 
 /// What a user is told of a path.
-fn report(model: &StripModel, problem: &Problem, followed: &Followed) -> Peel {
+fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: f64) -> Peel {
     let works = works(problem, &followed.points);
     let largest = followed.points.iter().map(|s| s.observables.force.abs()).fold(0.0, f64::max);
     let points = followed.points.iter().zip(&works).map(|(s, &work)| PathPoint {
@@ -204,22 +206,24 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed) -> Peel {
             force: located.observables.force,
             end_rotation: located.observables.grip_rotation,
             work: work_near(problem, &followed.points, &works, *after, located),
-            displacement_error: SAFETY * located.difference.displacement.abs()
-                + match kind {
-                    Turn::Load => ROUND_OFF_PLACE,
-                    Turn::Displacement => ROUND_OFF,
-                } * located.observables.displacement.abs(),
-            force_error: bound(located.difference.force, largest),
+            displacement_error: {
+                let round_off = if *kind == Turn::Load { ROUND_OFF_PLACE } else { ROUND_OFF };
+                let floor = (round_off + MODESTY * relative) * located.observables.displacement.abs();
+                SAFETY * located.difference.displacement.abs() + floor
+            },
+            force_error: SAFETY * located.difference.force.abs()
+                + ROUND_OFF * largest
+                + MODESTY * relative * located.observables.force.abs(),
             flat: located.flat,
             after: *after,
         })
         .collect();
     let mut peel = Peel { points: points.collect(), end: followed.end.clone(), limit_points, ..empty(model) };
-    fill_special_points(&mut peel, problem, followed);
+    fill_special_points(&mut peel, problem, followed, relative);
     peel
 }
 
-fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed) {
+fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed, relative: f64) {
     let maximum = |p: &&LimitPoint| p.kind == Turn::Load && followed.points[p.after].slope.force > 0.0 && p.force > 0.0;
     let turns_back =
         |p: &&LimitPoint| p.kind == Turn::Displacement && followed.points[p.after].slope.displacement > 0.0;
@@ -230,7 +234,7 @@ fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed) 
     let until = peel.snap_off.as_ref().map_or(peel.limit_points.len(), |s| order(s) + 1);
     let at_turns = peel.limit_points[..until].iter().map(peak_of);
     let at_end = match (&peel.snap_off, followed.points.last()) {
-        (None, Some(last)) => peak_at(problem, last),
+        (None, Some(last)) => peak_at(problem, last, relative),
         _ => None,
     };
     peel.peak = at_turns.chain(at_end).max_by(|a, b| a.force.total_cmp(&b.force));
@@ -252,20 +256,16 @@ fn peak_of(p: &LimitPoint) -> Peak {
 }
 
 /// The end of a path as its peak, with the error of its force at that displacement.
-fn peak_at(problem: &Problem, last: &Arc<Solution>) -> Option<Peak> {
+fn peak_at(problem: &Problem, last: &Arc<Solution>, relative: f64) -> Option<Peak> {
     let difference = difference_on_more_elements(problem, last, &mut Workspace::default()).ok()?;
     let o = last.observables;
     Some(Peak {
         displacement: o.displacement,
         force: o.force,
         end_rotation: o.grip_rotation,
-        force_error: bound(difference.force, o.force),
+        force_error: SAFETY * difference.force.abs() + (ROUND_OFF + MODESTY * relative) * o.force.abs(),
         displacement_error: ROUND_OFF * o.displacement.abs(),
     })
-}
-
-fn bound(difference: f64, value: f64) -> f64 {
-    SAFETY * difference.abs() + ROUND_OFF * value.abs()
 }
 
 /// Work of the grip from rest to each point: the energy it changed, or, where the load has no potential, ∫ P du.
