@@ -101,6 +101,9 @@ fn the_accuracy_tells_what_was_asked_reached_and_left_out() {
     assert!(reached(&accuracy(&peel), 0.1 / 48.2));
     peel.limit_points[0].flat = true;
     assert_eq!(accuracy(&peel)["reached"], all_kept["reached"], "of a flat limit point the force alone counts");
+    peel.limit_points[0].displacement = 0.0;
+    peel.limit_points[0].flat = false;
+    assert_eq!(accuracy(&peel)["reached"], all_kept["reached"], "zero has no relative error");
     peel.ripple = 4;
     assert_eq!(accuracy(&peel)["load_limit_points_left_out"], 4);
     assert!(accuracy(&peel)["left_out"].as_str().unwrap().contains("less than the accuracy asked for"));

@@ -34,7 +34,8 @@ impl AccuracySummary {
 /// The largest relative error bound of the forces and displacements of the limit points and the peaks; `None` where there
 /// are none. A limit point around which the force is flat counts with its force alone.
 pub fn reached_accuracy(peel: &Peel) -> Option<f64> {
-    let relative = |error: f64, value: f64| (error / value).abs();
+    // zero has no relative error
+    let relative = |error: f64, value: f64| if value == 0.0 { 0.0 } else { (error / value).abs() };
     let turns = peel.limit_points.iter().flat_map(|at| {
         let place = if at.flat { 0.0 } else { relative(at.displacement_error, at.displacement) };
         [place, relative(at.force_error, at.force)]
