@@ -84,7 +84,31 @@ fn the_summary_has_every_key_at_full_precision() {
     assert_eq!(summary["limit_points"][0]["kind"], "load");
     assert_eq!(summary["limit_points"][1]["kind"], "displacement");
     assert_eq!((number("/limit_points/1/error_nm"), number("/limit_points/1/error_nN")), (3e-8, 4e-9));
+    assert_eq!(summary["limit_points"][0]["flat"], false);
     assert_eq!(number("/timing/solve_s"), 0.004);
+}
+
+#[test]
+fn the_accuracy_tells_what_was_asked_reached_and_left_out() {
+    let (scene, mut peel) = made_up();
+    let accuracy = |peel: &Peel| summary(&scene, peel)["accuracy"].clone();
+    let all_kept = accuracy(&peel);
+    assert_eq!((all_kept["asked"].as_f64(), all_kept["form"].as_str()), (Some(1e-6), Some("two-field")));
+    assert_eq!((all_kept["load_limit_points_left_out"].as_u64(), &all_kept["left_out"]), (Some(0), &Value::Null));
+    let reached = |accuracy: &Value, bound: f64| (accuracy["reached"].as_f64().unwrap() / bound - 1.0).abs() < 1e-14;
+    assert!(reached(&all_kept, 4e-9 / 0.0375), "the worst relative bound, here of a force: {all_kept}");
+    peel.limit_points[0].displacement_error = 0.1;
+    assert!(reached(&accuracy(&peel), 0.1 / 48.2));
+    peel.limit_points[0].flat = true;
+    assert_eq!(accuracy(&peel)["reached"], all_kept["reached"], "of a flat limit point the force alone counts");
+    peel.limit_points[0].displacement = 0.0;
+    peel.limit_points[0].flat = false;
+    assert_eq!(accuracy(&peel)["reached"], all_kept["reached"], "zero has no relative error");
+    peel.ripple = 4;
+    assert_eq!(accuracy(&peel)["load_limit_points_left_out"], 4);
+    assert!(accuracy(&peel)["left_out"].as_str().unwrap().contains("less than the accuracy asked for"));
+    (peel.peak, peel.limit_points) = (None, Vec::new());
+    assert_eq!(accuracy(&peel)["reached"], Value::Null);
 }
 
 #[test]
@@ -126,7 +150,7 @@ fn the_tables_have_a_header_and_a_row_a_point() {
     let rows = "0.0,0.0,0.25,0.0,1,2,77.5,3\n40.0,0.3333333333333333,0.25,2.5,1,2,77.5,3\n";
     assert_eq!(read(write_curve(dir.path(), &peel).unwrap()), format!("{header}{rows}"));
     let limit_points = read(write_limit_points(dir.path(), &peel).unwrap());
-    assert_eq!(limit_points.lines().nth(1), Some("load,48.2,0.0375,0.9,3.25,3e-8,4e-9,0"));
+    assert_eq!(limit_points.lines().nth(1), Some("load,48.2,0.0375,0.9,3.25,3e-8,4e-9,false,0"));
     peel.points.clear();
     assert_eq!(read(write_curve(dir.path(), &peel).unwrap()), header, "a path without points is a header");
 }

@@ -109,7 +109,6 @@ fn listing(dir: &Path) -> Vec<String> {
 }
 
 #[test]
-#[ignore = "study::peel does not compute yet"]
 fn a_peel_gives_its_curve_and_its_shapes() {
     let dir = tempfile::tempdir().unwrap();
     let files = draw_peel(&run(), "A strip & its <peel>", dir.path()).unwrap();
@@ -179,7 +178,6 @@ fn a_file_that_cannot_be_written_is_named() {
 }
 
 #[test]
-#[ignore = "study::peel does not compute yet"]
 fn pictures_are_the_same_every_time() {
     let (a, b) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
     let peel = run();
@@ -195,7 +193,6 @@ fn pictures_are_the_same_every_time() {
 }
 
 #[test]
-#[ignore = "study::peel does not compute yet"]
 fn the_figures_come_with_their_data_and_captions() {
     let dir = tempfile::tempdir().unwrap();
     let counted = std::sync::Mutex::new(Vec::new());

@@ -1,9 +1,12 @@
 //! What a run found, laid out for a person.
 
-use peelkit::report::{end_reason, end_word};
+use peelkit::report::{end_reason, end_word, left_out, reached_accuracy};
 use peelkit::scene::{Key, Scene};
 use peelkit::study::{End, LimitPoint, Peak, Peel, SweepRow, Turn};
 use std::fmt::Write;
+
+/// A relative error below this that finer meshes do not reduce is round-off.
+const ROUND_OFF: f64 = 2e-8;
 
 /// The summary of one peel.
 pub fn peel(scene: &Scene, peel: &Peel) -> String {
@@ -33,8 +36,17 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
         let force = with_error(at.force, at.force_error);
         lines.push((
             if index == 0 { "limit points" } else { "" },
-            format!("{turns} at u = {displacement} nm, P = {force} nN"),
+            format!("{turns} at u = {displacement} nm, P = {force} nN{}", if at.flat { " (flat)" } else { "" }),
         ));
+    }
+    if let Some(left_out) = left_out(peel) {
+        lines.push(("", format!("left out: {} {left_out}", peel.ripple)));
+    }
+    if let Some(reached) = reached_accuracy(peel).filter(|&reached| reached > peel.asked) {
+        let why =
+            if reached < ROUND_OFF { "it is round-off, finer meshes gain nothing" } else { "no mesh tried did better" };
+        let text = format!("{reached:.0e} where {:e} was asked: {why}", peel.asked);
+        lines.push(("accuracy", text));
     }
     lines.push(("end", end(&peel.end)));
     let effort = &peel.effort;
@@ -188,6 +200,7 @@ short
   snap-off         u = 48.215618 ± 3e-6 nm, work to there 3.250000 aJ
   limit points     P turns at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
                    u turns at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
+  accuracy         4e-3 where 1e-6 was asked: no mesh tried did better
   end              bound: a bound of the scene was reached: 20 points
   effort           20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
 ";

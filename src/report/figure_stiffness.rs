@@ -1,9 +1,12 @@
 //! Peak force against bending stiffness: Fig. 10 of the paper for the three line loads, and EI varied in three ways.
 
 use super::ReportError;
-use super::chart::{Axis, Band, Frame, Line, Picture, Stroke, WIDTH, colour};
+use super::chart::{Axis, Band, Frame, Line, Mark, Picture, Stroke, Symbol, WIDTH, colour, significant};
 use super::figure::{Figure, Runner, Table, paper_strip};
-use super::picture_sweep::{FORCE, STIFFNESS_LABEL, kendall_line, panel, per_width, series, work_per_width};
+use super::picture_sweep::{
+    FORCE, STIFFNESS_LABEL, kendall_per_width, panel, per_width, plateau_per_width, series, work_per_width,
+};
+use super::summary::end_word;
 use crate::adhesion::LineLoad;
 use crate::model::StripModel;
 use crate::study::{End, SweepRow};
@@ -14,10 +17,11 @@ use std::path::Path;
 pub(super) const LENGTH: f64 = 200.0;
 
 const VALUES: usize = 41;
+const MODULI: usize = 31;
 const HEIGHTS: usize = 33;
 
 /// How many peels the figures of this file take.
-pub(super) const PEELS: usize = 4 * VALUES + HEIGHTS;
+pub(super) const PEELS: usize = 3 * VALUES + MODULI + HEIGHTS;
 
 /// A spatula's EI/EI0: heights of 5 to 20 nm at 2 GPa. The paper gives its range in the figure only; this one is ours.
 const SPATULA: (f64, f64) = (0.125, 8.0);
@@ -44,7 +48,7 @@ impl Sweeps {
             };
             runner.sweep(&spaced(1e-4, 1e4, VALUES).map(case).collect::<Vec<_>>())
         };
-        let modulus = spaced(1e-4, 1e4, VALUES).map(|f| {
+        let modulus = spaced(1e-2, 1e4, MODULI).map(|f| {
             let mut model = paper_strip(LENGTH);
             model.strip.youngs_modulus *= f;
             (f, model)
@@ -86,8 +90,9 @@ pub(super) fn figures(sweeps: &Sweeps, dir: &Path) -> Result<Vec<Figure>, Report
     let caption = format!(
         "Force per width of a strip of {LENGTH} nm against its bending stiffness, EI0 = E h³/12 with E = 2 GPa and h \
          = 10 nm, as in Fig. 10 of the paper. EI alone is varied. Colours: the three line loads. Solid: the \
-         initiation peak. Dashed: the plateau, which ends where the force nowhere stays level. Dotted: Kendall's \
-         force. {SPATULA_CAPTION}{}",
+         initiation peak. Dashed: the plateau, which ends where the force nowhere stays level while more than a hundredth of the strip adheres. \
+         Dotted: Kendall's force at 90 degrees with the work of adhesion of this strip. {}{SPATULA_CAPTION}{}",
+        softest(&loads),
         unfinished(&loads.map(|l| l.2))
     );
     let title = "Peak force and plateau against bending stiffness";
@@ -100,8 +105,10 @@ pub(super) fn figures(sweeps: &Sweeps, dir: &Path) -> Result<Vec<Figure>, Report
     ];
     let caption = format!(
         "The same for the full line load, with EI varied in three ways: EI alone by a factor; through E, so that EA \
-         and GA_s follow; through h, so that they follow with h and the lever of the adhesion with it (h from 1 to \
-         100 nm: thinner or thicker is no strip of {LENGTH} nm). {SPATULA_CAPTION}{}",
+         and GA_s follow (E from 0.02 GPa: Kendall's force stretches a softer strip by more than 0.14 of its length); \
+         through h, so that they follow with h and the lever of the adhesion with it (h from 1 to 100 nm: thinner or \
+         thicker is no strip of {LENGTH} nm). Dotted: Kendall's force of the strip of that colour; it falls where the \
+         strip stretches and where it is too thin to be attracted as a half space. {SPATULA_CAPTION}{}",
         unfinished(&ways.map(|w| w.2))
     );
     let title = "EI varied alone, through E, through h";
@@ -118,17 +125,39 @@ fn picture(title: &str, all: &[Series<'_>]) -> Picture {
     for (&(name, colour, rows), width) in all.iter().zip([4.4, 2.8, 1.5]) {
         let initiation = |r: &SweepRow| Some(per_width(r, r.peel.initiation_peak?.force));
         lines.extend(series(rows, initiation, Stroke::solid(colour, width), name));
-        let plateau = |r: &SweepRow| Some(per_width(r, r.peel.plateau?.force));
-        let unnamed = series(rows, plateau, Stroke::dashed(colour, width), "");
-        lines.extend(unnamed.into_iter().map(|line| Line { name: None, ..line }));
+        let plateau = series(rows, plateau_per_width, Stroke::dashed(colour, width), "");
+        lines.extend(plateau.into_iter().map(|line| Line { name: None, ..line }));
     }
+    lines.extend(kendall_lines(&x, all));
     let key = |stroke, name: &str| Line { points: Vec::new(), stroke, name: Some(name.into()) };
     lines.push(key(Stroke::solid(colour::INK, 2.2), "initiation peak"));
     lines.push(key(Stroke::dashed(colour::INK, 2.2), "plateau"));
-    lines.extend(all.first().and_then(|s| s.2.first()).map(|row| kendall_line(&x, &row.peel.model)));
+    lines.push(key(kendall(colour::INK), "Kendall"));
     let mut panel = panel(frame, &x, FORCE, lines);
     panel.bands.push(spatula());
+    for &(_, _, rows) in all {
+        panel.marks.extend(rows.iter().filter(|row| stopped_short(row)).filter_map(|row| {
+            let at = (row.value, per_width(row, row.peel.initiation_peak?.force));
+            let name = Some("path stops short".into());
+            Some(Mark { at, symbol: Symbol::Dot, colour: colour::INK, name, note: None })
+        }));
+    }
     Picture { title: title.into(), height: 534, panels: vec![panel] }
+}
+
+/// Kendall's force: one line where it is the same for all, else a line a series.
+fn kendall_lines(x: &Axis, all: &[Series<'_>]) -> Vec<Line> {
+    let forces = || all.iter().flat_map(|s| s.2.iter().map(kendall_per_width));
+    let (low, high) = forces().fold((f64::INFINITY, 0.0f64), |(a, b), force| (a.min(force), b.max(force)));
+    if high - low < 1e-6 * high {
+        return vec![Line { points: vec![(x.from, low), (x.to, low)], stroke: kendall(colour::INK), name: None }];
+    }
+    let each = all.iter().flat_map(|s| series(s.2, |r| Some(kendall_per_width(r)), kendall(s.1), ""));
+    each.map(|line| Line { name: None, ..line }).collect()
+}
+
+fn kendall(colour: RGBColor) -> Stroke {
+    Stroke::dotted(colour, 1.6)
 }
 
 /// The shaded range of the gecko spatula.
@@ -147,6 +176,7 @@ pub(super) fn table(all: &[Series<'_>]) -> Table {
         "initiation_peak_nN_per_nm",
         "initiation_peak_error_nN_per_nm",
         "plateau_nN_per_nm",
+        "kendall_nN_per_nm",
         "snap_off_displacement_nm",
         "work_to_snap_off_aJ_per_nm",
         "end",
@@ -161,18 +191,12 @@ pub(super) fn table(all: &[Series<'_>]) -> Table {
                 Some(strip.height),
                 peel.initiation_peak.map(|p| per_width(row, p.force)),
                 peel.initiation_peak.map(|p| per_width(row, p.force_error)),
-                peel.plateau.map(|p| per_width(row, p.force)),
+                plateau_per_width(row),
+                Some(kendall_per_width(row)),
                 peel.snap_off.map(|s| s.displacement),
                 work_per_width(row),
             ];
-            let end = match &peel.end {
-                End::Detached => "detached",
-                End::Pivoting => "pivoting",
-                End::TurnedBack => "turned-back",
-                End::Bound(_) => "bound",
-                End::Failed(_) => "failed",
-            };
-            table.push(&[name], &numbers, &[end]);
+            table.push(&[name], &numbers, &[end_word(&peel.end)]);
         }
     }
     table
@@ -180,8 +204,39 @@ pub(super) fn table(all: &[Series<'_>]) -> Table {
 
 /// A sentence on peels that stopped short, empty where none did.
 fn unfinished(all: &[&Vec<SweepRow>]) -> String {
-    let stopped = |row: &&SweepRow| matches!(row.peel.end, End::Failed(_) | End::Bound(_));
-    let count = all.iter().flat_map(|rows| rows.iter()).filter(stopped).count();
+    let count = all.iter().flat_map(|rows| rows.iter()).filter(|row| stopped_short(row)).count();
     let total: usize = all.iter().map(|rows| rows.len()).sum();
-    if count == 0 { String::new() } else { format!(" Of {total} peels {count} stopped short; see the data.") }
+    match count {
+        0 => String::new(),
+        _ => format!(
+            " Of {total} peels {count} stopped short of the end of the path (dots, and `failed` in the data): what \
+             was computed before that is shown."
+        ),
+    }
+}
+
+fn stopped_short(row: &SweepRow) -> bool {
+    matches!(row.peel.end, End::Failed(_) | End::Bound(_))
+}
+
+/// What the softest strip of each series bears, in units of Kendall's force.
+fn softest(all: &[Series<'_>]) -> String {
+    let mut text = String::new();
+    for (name, _, rows) in all {
+        let Some(row) = rows.first() else { continue };
+        let Some(peak) = row.peel.initiation_peak else { continue };
+        let times = |force: f64| significant(force / kendall_per_width(row), 3);
+        let name = name.split(':').next().unwrap_or(name);
+        let plateau = plateau_per_width(row).map(|p| format!(" and a plateau of {}", times(p)));
+        let peak = times(per_width(row, peak.force));
+        text += &format!("{name} has a peak of {peak}{}; ", plateau.unwrap_or_default());
+    }
+    match all.first().and_then(|series| series.2.first()) {
+        Some(row) => format!(
+            "In units of Kendall's force, at EI/EI0 = {}: {}. ",
+            significant(row.value, 1),
+            text.trim_end_matches("; ")
+        ),
+        None => text,
+    }
 }

@@ -4,7 +4,7 @@ use super::ReportError;
 use super::chart::{Axis, Frame, Mark, Note, Picture, Stroke, Symbol, WIDTH, colour, significant};
 use super::figure::{Figure, Runner};
 use super::figure_stiffness::{LENGTH, spatula, stiffened, table};
-use super::picture_sweep::{STIFFNESS_LABEL, WORK, panel, series, work_per_width};
+use super::picture_sweep::{STIFFNESS_LABEL, WORK, dotted, panel, series, work_per_width};
 use crate::study::SweepRow;
 use std::path::Path;
 
@@ -34,6 +34,12 @@ pub(super) fn figure(runner: &Runner<'_>, rows: &[SweepRow], dir: &Path) -> Resu
         }
         None => caption += " It has no largest value inside the range.",
     }
+    if let Some(row) = shown.iter().rev().take_while(|row| row.peel.snap_off.is_none()).last() {
+        let from = significant(row.value, 3);
+        caption += &format!(
+            " From EI/EI0 = {from} on no work is shown: the strip tilts upright as a whole and has no snap-off."
+        );
+    }
     caption += " The shaded range of a gecko spatula (h = 5 to 20 nm at E = 2 GPa) is ours.";
     let picture = picture(&shown, largest);
     Figure::write(dir, "peeling-work", caption, &picture, &table(&[("EI alone", colour::GREEN, &shown)]))
@@ -42,8 +48,8 @@ pub(super) fn figure(runner: &Runner<'_>, rows: &[SweepRow], dir: &Path) -> Resu
 fn picture(rows: &[SweepRow], largest: Option<(&SweepRow, f64)>) -> Picture {
     let x = Axis::around(STIFFNESS_LABEL, rows.iter().map(|r| r.value), true);
     let frame = Frame { left: 88.0, top: 40.0, right: f64::from(WIDTH) - 18.0, bottom: 380.0 };
-    let mut panel =
-        panel(frame, &x, WORK, series(rows, work_per_width, Stroke::solid(colour::GREEN, 2.2), "work to snap-off"));
+    let lines = series(rows, work_per_width, Stroke::solid(colour::GREEN, 2.2), "work to snap-off");
+    let mut panel = dotted(panel(frame, &x, WORK, lines));
     panel.bands.push(spatula());
     panel.y.to += 0.1 * (panel.y.to - panel.y.from);
     if let Some((row, work)) = largest {

@@ -1,5 +1,6 @@
 //! What a user gets: tables, pictures, summaries.
 
+mod accuracy;
 mod chart;
 mod error;
 mod figure;
@@ -15,6 +16,7 @@ mod picture_sweep;
 mod summary;
 mod table;
 
+pub use accuracy::{left_out, reached_accuracy};
 pub use error::ReportError;
 pub use figure::draw_figures;
 pub use file::write_whole;

@@ -165,7 +165,11 @@ fn marks(peel: &Peel, numbered: &[usize]) -> Vec<Mark> {
 }
 
 fn title_of(peel: &Peel, limit: &LimitPoint) -> Option<&'static str> {
-    let is = |u: Option<f64>| u.is_some_and(|u| same(u, limit.displacement));
+    // A path that returns passes the place of its peak again: the first one carries the name.
+    let is = |u: Option<f64>| {
+        let here = |l: &&LimitPoint| l.kind == limit.kind && u.is_some_and(|u| same(u, l.displacement));
+        peel.limit_points.iter().find(here) == Some(limit)
+    };
     match limit.kind {
         Turn::Displacement if is(peel.snap_off.map(|s| s.displacement)) => Some("snap-off"),
         Turn::Load if is(peel.initiation_peak.map(|p| p.displacement)) => Some("initiation peak"),

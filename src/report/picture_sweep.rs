@@ -2,9 +2,9 @@
 
 use super::ReportError;
 use super::chart::{Axis, Dash, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, WIDTH, colour, save};
-use crate::model::StripModel;
-use crate::study::SweepRow;
-use std::f64::consts::PI;
+use crate::analytic::kendall_force;
+use crate::study::{PathPoint, SweepRow};
+use std::f64::consts::FRAC_PI_2;
 use std::path::{Path, PathBuf};
 
 /// The key that Fig. 10 of the paper varies.
@@ -42,9 +42,11 @@ fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Pictur
     let mut lines =
         series(rows, |r| Some(per_width(r, r.peel.peak?.force)), Stroke::solid(colour::BLUE, 2.0), "peak force");
     let dashed = Stroke::dashed(colour::VERMILLION, 2.0);
-    lines.extend(series(rows, |r| Some(per_width(r, r.peel.plateau?.force)), dashed, "plateau"));
+    lines.extend(series(rows, plateau_per_width, dashed, "plateau"));
     if let (true, Some(row)) = (stiffness, rows.first()) {
-        lines.push(kendall_line(&x, &row.peel.model));
+        let force = kendall_per_width(row);
+        let points = vec![(x.from, force), (x.to, force)];
+        lines.push(Line { points, stroke: Stroke::dotted(colour::GREY, 2.0), name: Some("Kendall".into()) });
     }
     let forces = panel(Frame { left, top: 40.0, right, bottom: 330.0 }, &x, FORCE, lines);
     let mut work = series(rows, work_per_width, Stroke::solid(colour::GREEN, 2.0), "");
@@ -66,6 +68,27 @@ pub(super) fn work_per_width(row: &SweepRow) -> Option<f64> {
     Some(per_width(row, row.peel.snap_off?.work))
 }
 
+/// A plateau is one of peeling while more than this share of the strip still adheres.
+pub(super) const ADHERING: f64 = 0.01;
+
+/// The plateau of peeling per width. A stiff strip that tilts upright on its edge has none, however level its force is
+/// at the end.
+pub(super) fn plateau_per_width(row: &SweepRow) -> Option<f64> {
+    let peel = &row.peel;
+    let plateau = peel.plateau?;
+    let away = |p: &&PathPoint| (p.displacement / plateau.displacement - 1.0).hypot(p.force / plateau.force - 1.0);
+    let nearest = peel.points.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+    let tilts = nearest.is_some_and(|p| p.front < ADHERING * peel.model.strip.length);
+    (!tilts).then(|| per_width(row, plateau.force))
+}
+
+/// Kendall's force per width at 90 degrees, nN/nm, with the work of adhesion that the strip has at rest.
+pub(super) fn kendall_per_width(row: &SweepRow) -> f64 {
+    let strip = &row.peel.model.strip;
+    let work = -row.peel.model.line_law().rest_energy();
+    per_width(row, kendall_force(work, strip.youngs_modulus, strip.height, strip.width, FRAC_PI_2))
+}
+
 /// A panel around its lines, its y axis logarithmic where the values span about a decade.
 pub(super) fn panel(frame: Frame, x: &Axis, label: &str, lines: Vec<Line>) -> Panel {
     let values = || lines.iter().flat_map(|l| l.points.iter().map(|p| p.1));
@@ -75,7 +98,7 @@ pub(super) fn panel(frame: Frame, x: &Axis, label: &str, lines: Vec<Line>) -> Pa
 }
 
 /// Dots at the computed values, where they are not so many that the line says enough.
-fn dotted(mut panel: Panel) -> Panel {
+pub(super) fn dotted(mut panel: Panel) -> Panel {
     for line in panel.lines.iter().filter(|l| l.stroke.dash != Dash::Dotted && l.points.len() <= 60) {
         let dot = |&at| Mark { at, symbol: Symbol::Dot, colour: line.stroke.colour, name: None, note: None };
         panel.marks.extend(line.points.iter().map(dot));
@@ -98,17 +121,4 @@ pub(super) fn series(
         .enumerate()
         .map(|(i, piece)| Line { points: piece.iter().flatten().copied().collect(), stroke, name: name(i) })
         .collect()
-}
-
-/// Kendall's force over the whole axis.
-pub(super) fn kendall_line(x: &Axis, model: &StripModel) -> Line {
-    let force = kendall_force(model);
-    let stroke = Stroke::dotted(colour::GREY, 2.0);
-    Line { points: vec![(x.from, force), (x.to, force)], stroke, name: Some("Kendall".into()) }
-}
-
-/// The steady force per width of peeling at 90 degrees, nN/nm: the work of adhesion of a half space.
-pub(super) fn kendall_force(model: &StripModel) -> f64 {
-    let adhesion = &model.adhesion;
-    15f64.cbrt() * adhesion.hamaker_constant / (16.0 * PI * adhesion.equilibrium_distance.powi(2))
 }

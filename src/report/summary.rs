@@ -1,6 +1,7 @@
 //! What a run found, as one JSON object: summary.json, and what `--json` prints.
 
 use super::ReportError;
+use super::accuracy::AccuracySummary;
 use super::file::write_whole;
 use super::number::{Finite, to_json};
 use super::table::SweepLine;
@@ -23,6 +24,7 @@ pub struct PeelSummary {
     plateau: Option<Plateau>,
     limit_points: Vec<LimitPoint>,
     snap_off: Option<SnapOff>,
+    accuracy: AccuracySummary,
     path: Effort,
     timing: Timing,
     parameters: Parameters,
@@ -65,6 +67,8 @@ struct LimitPoint {
     displacement_error: Finite,
     #[serde(rename = "error_nN")]
     force_error: Finite,
+    /// Of a load limit point around which the force is so level that its place cannot be told and does not matter.
+    flat: bool,
 }
 
 #[derive(Debug, serde::Serialize)]
@@ -113,6 +117,7 @@ impl PeelSummary {
                 displacement_error: Finite(at.displacement_error),
                 force_error: Finite(at.force_error),
             }),
+            accuracy: AccuracySummary::of(peel),
             path: Effort {
                 points: peel.effort.points,
                 newton_iterations: peel.effort.newton_iterations,
@@ -160,6 +165,7 @@ impl From<&study::LimitPoint> for LimitPoint {
             work: Finite(at.work),
             displacement_error: Finite(at.displacement_error),
             force_error: Finite(at.force_error),
+            flat: at.flat,
         }
     }
 }

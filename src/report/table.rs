@@ -51,6 +51,7 @@ pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportErro
         error_nm: Finite,
         #[serde(rename = "error_nN")]
         force_error: Finite,
+        flat: bool,
         after_point: usize,
     }
     let lines = peel.limit_points.iter().map(|at| Line {
@@ -61,6 +62,7 @@ pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportErro
         work: Finite(at.work),
         error_nm: Finite(at.displacement_error),
         force_error: Finite(at.force_error),
+        flat: at.flat,
         after_point: at.after,
     });
     write_table(dir, "limit_points.csv", lines)

@@ -1,0 +1,46 @@
+//! Drives the path of equilibria point by point and stops it at will: here where the grip has been lifted by 10 nm.
+//!
+//! Nothing is located or bounded on such a path; `study::peel` does that.
+//!
+//!     cargo run --release --example drive_the_path
+
+use peelkit::adhesion::LineLoad;
+use peelkit::model::{Adhesion, Form, Grip, Hold, Strip, StripModel};
+use peelkit::solve::{Path, PathOptions};
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let model = StripModel {
+        strip: Strip {
+            length: 100.0,
+            height: 10.0,
+            width: 1.0,
+            youngs_modulus: 2.0,
+            poissons_ratio: 0.2,
+            shear_correction: 5.0 / 6.0,
+            bending_stiffness_factor: 1.0,
+        },
+        adhesion: Adhesion {
+            hamaker_constant: 0.1,
+            equilibrium_distance: 0.4,
+            line_load: LineLoad::Full,
+            far_face: true,
+        },
+        grip: Grip { rotation: Hold::Free, horizontal: Hold::Free },
+    };
+    let problem = model.problem(Form::TwoField, 7);
+    let options = PathOptions { elements: 14, step_tolerance: 1e-2, tolerance: 1e-9, first_displacement: 0.008 };
+    let mut path = Path::new(&problem, options);
+
+    println!("    u / nm     P / nN  unstable directions");
+    // `by_ref` keeps the path: it could be driven on from where the loop stops.
+    for point in path.by_ref() {
+        let point = point?;
+        let at = point.observables;
+        println!("{:10.5} {:10.6}  {}", at.displacement, at.force, point.negative);
+        if at.displacement > 10.0 {
+            break;
+        }
+    }
+    println!("{} points, {} Newton iterations", path.points().len(), path.iterations());
+    Ok(())
+}
