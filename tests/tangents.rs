@@ -269,7 +269,7 @@ fn root_of_the_chain_is_symmetric_where_there_is_a_potential() {
 /// An equilibrium with u = 0.1 nm, behind which the force still rises.
 fn equilibrium(problem: &Problem) -> Equilibrium {
     let weights = Observables { displacement: 1.0, ..Observables::default() };
-    let options = NewtonOptions { tolerance: 1e-12, largest_update: 1.0, most_iterations: 20 };
+    let options = NewtonOptions { tolerance: 1e-12, largest_update: 1.0, most_iterations: 20, exact_slope: false };
     let mut at = problem.at_rest(6);
     for k in 0..=10 {
         let condition = Condition { weights, target: 0.01 * f64::from(k) };
@@ -283,7 +283,7 @@ fn equilibrium(problem: &Problem) -> Equilibrium {
 fn updates(problem: &Problem, start: &Equilibrium, condition: &Condition) -> Vec<f64> {
     let mut sizes = Vec::new();
     for most_iterations in 1..=12 {
-        let options = NewtonOptions { tolerance: 0.0, largest_update: 10.0, most_iterations };
+        let options = NewtonOptions { tolerance: 0.0, largest_update: 10.0, most_iterations, exact_slope: false };
         match solve(problem, start.clone(), condition, &options, &mut Workspace::default()) {
             Err(SolveError::NotConverged { update, .. }) => sizes.push(update),
             Err(error) => panic!("{error}"),

@@ -72,7 +72,7 @@ const ROUGH: f64 = 1e-10;
 const FINE: f64 = 1e-12;
 
 fn options(tolerance: f64) -> NewtonOptions {
-    NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 10 }
+    NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 10, exact_slope: true }
 }
 
 /// A further solution on a stretch, at the label `at`; from fewer points where more extrapolate badly.

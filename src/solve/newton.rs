@@ -66,6 +66,9 @@ pub struct NewtonOptions {
     /// A first update above this is refused: the start was too far away.
     pub largest_update: f64,
     pub most_iterations: usize,
+    /// Whether slopes are taken at the solution itself. Otherwise they come from Newton's last matrix, one update back,
+    /// at no cost, with an error of the size of that update.
+    pub exact_slope: bool,
 }
 
 /// A converged equilibrium with all that is known about it there.
@@ -88,6 +91,9 @@ pub struct Solution {
     /// Distance from the start to the solution, relative as in [`Problem::relative_size`].
     pub correction: f64,
 }
+
+/// An update below this leaves the slopes as they are.
+const EXACT: f64 = 1e-10;
 
 /// Change of a configuration along the path on a mesh that stays.
 #[derive(Clone, Debug)]
@@ -146,6 +152,13 @@ pub fn solve(
         // quadratic convergence: what the next update would be
         let next = if previous.is_finite() { size * (size / previous).powi(2).min(1.0) } else { size };
         if size <= options.tolerance || next <= options.tolerance || (size < 1e-9 && size > 0.5 * previous) {
+            let (root, grip) = if options.exact_slope && size > EXACT {
+                let root = problem.chain.eliminate(at.configuration(), &row, work)?;
+                let observed = observables(problem, &at, root.energy);
+                (root, GripBlock::new(problem, &root, &at, condition, &observed))
+            } else {
+                (root, grip)
+            };
             let tangent = grip.tangent()?;
             problem.chain.recover(work, tangent.border_block(), 0.0, &mut update);
             let (energy, adhesion_slope) = problem.chain.energy(at.configuration(), &update);

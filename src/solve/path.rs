@@ -76,7 +76,7 @@ impl<'p> Path<'p> {
     }
 
     fn newton(&self) -> NewtonOptions {
-        NewtonOptions { tolerance: self.options.tolerance, largest_update: 0.5, most_iterations: 9 }
+        NewtonOptions { tolerance: self.options.tolerance, largest_update: 0.5, most_iterations: 9, exact_slope: false }
     }
 
     /// Computes the next point.

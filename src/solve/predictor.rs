@@ -41,19 +41,22 @@ pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> 
 }
 
 /// Errors at `solution` of the extrapolations through the newest 1, 2, … points (newest first, at `labels`), relative as
-/// in [`Problem::relative_size`].
+/// in [`Problem::relative_size`], or of the force, relative to itself and the work of adhesion.
 pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solution: &Solution, at: f64) -> Vec<f64> {
     let mut update = vec![0.0; solution.at.state.len()];
     (1..=points.len())
         .map(|count| {
             let weights = lagrange_weights(&labels[..count], at);
             update.copy_from_slice(&solution.aligned);
+            let mut force = solution.at.force;
             for (point, weight) in points[..count].iter().zip(weights) {
+                force -= weight * point.at.force;
                 for (u, p) in update.iter_mut().zip(&point.aligned) {
                     *u -= weight * p;
                 }
             }
-            problem.relative_size(&update, &solution.aligned)
+            let force_scale = solution.at.force.abs() + problem.rest_adhesion.abs();
+            problem.relative_size(&update, &solution.aligned).max(force.abs() / force_scale)
         })
         .collect()
 }

@@ -64,6 +64,11 @@ pub(super) enum Trouble {
         after + 1
     )]
     Missed { after: usize, displacement_nm: f64, from: usize, to: usize, turns: usize },
+    #[error(
+        "the path came back to P = 0 at u = {displacement_nm:.6} nm before the force had a maximum: its first step went to \
+         another equilibrium, or the strip is too soft for its adhesion (process zone {process_nm:.3e} nm)"
+    )]
+    LostAtRest { displacement_nm: f64, process_nm: f64 },
     #[error("{points} path points were not enough on {elements} elements: the mesh holds the path up")]
     TooManyPoints { points: usize, elements: usize },
 }
@@ -100,6 +105,16 @@ pub(super) fn follow(
         Ok(end) => (end, None),
         Err(trouble) => (End::Failed(trouble.to_string()), Some(trouble)),
     };
+    let (end, trouble) = match trouble {
+        None if end == End::Pivoting && !has_maximum(path.points()) => {
+            let lost = Trouble::LostAtRest {
+                displacement_nm: path.points().last().map_or(0.0, |p| p.observables.displacement),
+                process_nm: problem.process_length,
+            };
+            (End::Failed(lost.to_string()), Some(lost))
+        }
+        trouble => (end, trouble),
+    };
     let mut followed = Followed {
         points: path.points().to_vec(),
         turns: Vec::new(),
@@ -113,6 +128,11 @@ pub(super) fn follow(
     let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem));
     followed.trouble = followed.trouble.take().or(checked.err());
     followed
+}
+
+/// Whether the force has turned down on the way.
+fn has_maximum(points: &[Arc<Solution>]) -> bool {
+    points.iter().skip(1).rev().skip(1).any(|p| p.slope.force < 0.0)
 }
 
 /// Path points after which a mesh is taken to hold the path up: several times what paths take that are resolved.
@@ -179,7 +199,7 @@ impl Followed {
         let stretch = Stretch::around(problem, &self.points, n - 2);
         let (from, to) = (weights.dot(&before.observables) - target, weights.dot(&beyond.observables) - target);
         let start = stretch.start(problem, stretch.end() * from / (from - to), 4);
-        let options = NewtonOptions { tolerance: 1e-10, largest_update: 0.5, most_iterations: 10 };
+        let options = NewtonOptions { tolerance: 1e-10, largest_update: 0.5, most_iterations: 10, exact_slope: false };
         let condition = Condition { weights, target };
         match solve(problem, start, &condition, &options, &mut Workspace::default()) {
             Ok(mut last) => {

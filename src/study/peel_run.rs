@@ -15,7 +15,7 @@ use std::time::Instant;
 /// Error bounds are the difference to half as many elements again times this.
 const SAFETY: f64 = 2.0;
 /// Round-off, relative to the largest force of the path or to the displacement itself.
-const ROUND_OFF: f64 = 2e-12;
+const ROUND_OFF: f64 = 5e-12;
 /// The same for the displacement of a turn of the force, which is the zero of a difference of forces.
 const ROUND_OFF_PLACE: f64 = 2e-10;
 /// Below this relative error, an error that does not fall with more elements is taken for round-off.
@@ -43,7 +43,10 @@ impl Resolution {
         let span = (model.strip.length / model.process_length()).asinh();
         let digits = -relative.log10();
         let elements = (5.1 + 0.434 * span * span) * (0.32 + 0.052 * digits + 0.0083 * digits * digits);
-        Self { elements: (elements.ceil() as usize).clamp(6, MOST_ELEMENTS), step_tolerance: STEP_TOLERANCE }
+        Self {
+            elements: (elements.ceil() as usize).clamp(6, MOST_ELEMENTS),
+            step_tolerance: STEP_TOLERANCE * (1e6 * relative).powf(1.0 / 6.0),
+        }
     }
 
     /// Finer, by what the theory of order 2p asks for to reduce an error of `worst` times the wanted one.
@@ -53,7 +56,8 @@ impl Resolution {
     }
 }
 
-/// Error wanted of a prediction along the path, relative to the gap.
+/// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its sixth
+/// root, so that the curve between the points keeps up with the points.
 const STEP_TOLERANCE: f64 = 1e-2;
 
 /// Follows the peel from rest to its end.
@@ -69,7 +73,7 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> P
             elements: resolution.elements,
             step_tolerance: resolution.step_tolerance,
             tolerance: (1e-2 * accuracy.relative).clamp(1e-12, 1e-6),
-            first_displacement: 0.02 * model.adhesion.equilibrium_distance,
+            first_displacement: 0.02 * model.adhesion.equilibrium_distance.min(model.process_length()),
         };
         let followed = follow(&problem, options, far, bounds, accuracy.relative, started);
         iterations += followed.iterations;
@@ -137,7 +141,8 @@ impl Attempt {
     /// Whether more elements did not help although the error is small: what is left is round-off, which grows with them.
     fn is_stuck_behind(&self, best: &Self) -> bool {
         let small = self.worst * self.peel.asked < STAGNATION;
-        small && self.worst > 0.5 * best.worst && self.peel.effort.elements > best.peel.effort.elements
+        let many_more = 2 * self.peel.effort.elements >= 3 * best.peel.effort.elements;
+        small && many_more && self.worst > 0.5 * best.worst
     }
 
     /// The result, as a failure where the path cannot be used.

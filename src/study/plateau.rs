@@ -8,6 +8,9 @@ use std::sync::Arc;
 /// A plateau is reported where |d ln P / d ln u| is below this.
 const FLAT: f64 = 0.01;
 
+/// A steepness below this is round-off.
+const ROUND_OFF: f64 = 1e-10;
+
 /// d ln P / d ln u at a solution.
 fn steepness(s: &Solution) -> f64 {
     (s.slope.force * s.observables.displacement) / (s.slope.displacement * s.observables.force)
@@ -27,26 +30,33 @@ pub(super) fn plateau(
         return Some(Plateau { displacement: p.displacement, force: p.force });
     }
     let points = &followed.points;
-    let size = |i: usize| steepness(&points[i]).abs();
-    let least = (peak_after + 2..snap_after)
-        .filter(|&i| size(i) <= size(i - 1) && size(i) <= size(i + 1))
-        .min_by(|&a, &b| size(a).total_cmp(&size(b)))?;
-    let best = descend(problem, points, least);
+    // between points by differences: slopes at the points are not exact enough to tell one flat place from another
+    let between = |i: usize| {
+        let (a, b) = (&points[i].observables, &points[i + 1].observables);
+        ((b.force / a.force).ln() / (b.displacement / a.displacement).ln()).abs()
+    };
+    let least = (peak_after + 2..snap_after.saturating_sub(1))
+        .filter(|&i| between(i) <= between(i - 1) && between(i) <= between(i + 1))
+        .min_by(|&a, &b| between(a).total_cmp(&between(b)))?;
+    let best = descend(problem, points, least)?;
     (steepness(&best).abs() < FLAT)
         .then(|| Plateau { displacement: best.observables.displacement, force: best.observables.force })
 }
 
-/// Follows the least steepness around `points[index]` by parabolas through three solutions. It stops at once where the
-/// steepness is rounding: on a plateau of many process zones the force does not change and no place on it is special.
-fn descend(problem: &Problem, points: &[Arc<Solution>], index: usize) -> Arc<Solution> {
+/// Follows the least steepness on the step behind `points[index]` and its neighbours by parabolas through three
+/// solutions. It stops at once where the steepness is rounding: on a plateau of many process zones the force does not
+/// change and no place on it is special.
+fn descend(problem: &Problem, points: &[Arc<Solution>], index: usize) -> Option<Arc<Solution>> {
     let stretch = Stretch::around(problem, points, index);
-    let label = |s: &Solution| stretch.weights.dot(&s.observables.since(&points[index].observables));
-    let mut three: Vec<(f64, f64, Arc<Solution>)> =
-        (index - 1..=index + 1).map(|i| (label(&points[i]), steepness(&points[i]), points[i].clone())).collect();
     let mut work = Workspace::default();
+    let mut at = |label: f64| {
+        let solution = solve_on(problem, &stretch, label, &mut work).ok()?;
+        Some((label, steepness(&solution), solution))
+    };
+    let mut three = vec![at(0.0)?, at(0.5 * stretch.end())?, at(stretch.end())?];
     for _ in 0..8 {
         let best = &three[1];
-        if best.1.abs() < 1e-7 {
+        if best.1.abs() < ROUND_OFF {
             break;
         }
         let vertex = vertex(&three);
@@ -54,8 +64,7 @@ fn descend(problem: &Problem, points: &[Arc<Solution>], index: usize) -> Arc<Sol
         if !(vertex > low && vertex < high) || (vertex - best.0).abs() < 1e-4 * (high - low) {
             break;
         }
-        let Ok(solution) = solve_on(problem, &stretch, vertex, &mut work) else { break };
-        let new = (vertex, steepness(&solution), solution);
+        let Some(new) = at(vertex) else { break };
         let better = new.1.abs() < best.1.abs();
         let ahead = vertex > best.0;
         match (better, ahead) {
@@ -65,7 +74,7 @@ fn descend(problem: &Problem, points: &[Arc<Solution>], index: usize) -> Arc<Sol
             (false, false) => three[0] = new,
         }
     }
-    three.swap_remove(1).2
+    three.into_iter().min_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|best| best.2)
 }
 
 /// Vertex of the parabola through three points.
