@@ -55,6 +55,8 @@ const EXCEPTIONS: &[Exception] = &[
     Exception { asked: 1e-9, row: (100.0, 1e-3, "force-only", true), column: "lp1_force_nN", allowed: 4e-8, bounds: 1.0 },
     // 1.4e-9
     Exception { asked: 1e-9, row: (100.0, 1e-3, "axis-gap", true), column: "lp2_force_nN", allowed: 3e-9, bounds: 1.0 },
+    // held sideways: 1.3e-9, of a force of 0.0025 nN where the strip pulls on its grips with forces of its own
+    Exception { asked: 1e-9, row: (100.0, 100.0, "full", true), column: "lp2_force_nN", allowed: 3e-9, bounds: 1.0 },
     // 1.3e-9
     Exception { asked: 1e-9, row: (200.0, 0.1, "full", false), column: "lp1_displacement_nm", allowed: 3e-9, bounds: 1.0 },
     // 6.7e-9, of a force of 1.4e-5 nN
@@ -223,5 +225,5 @@ fn tables_are_met_at_the_default_accuracy() {
 #[test]
 fn tables_are_met_at_1e_9() {
     // 7557 and 102 316 when written
-    assert_tables_are_met(1e-9, (9450, 128_000));
+    assert_tables_are_met(1e-9, (12_200, 128_000));
 }

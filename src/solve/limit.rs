@@ -71,8 +71,8 @@ const NEAR: f64 = 0.05;
 const ROUGH: f64 = 1e-10;
 const FINE: f64 = 1e-12;
 
-fn options(tolerance: f64) -> NewtonOptions {
-    NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 10, exact_slope: true }
+fn options(tolerance: f64, exact_slope: bool) -> NewtonOptions {
+    NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 10, exact_slope }
 }
 
 /// A further solution on a stretch, at the label `at`; from fewer points where more extrapolate badly.
@@ -80,13 +80,14 @@ pub fn solve_on(
     problem: &Problem,
     stretch: &Stretch,
     at: f64,
+    exact_slope: bool,
     work: &mut Workspace,
 ) -> Result<Arc<Solution>, SolveError> {
     let condition = Condition { weights: stretch.weights, target: stretch.target(at) };
     let mut trouble = SolveError::SingularGrip;
     for points in [6, 3, 2] {
         let start = stretch.near(at).unwrap_or_else(|| stretch.start(problem, at, points));
-        match solve(problem, start, &condition, &options(ROUGH), work) {
+        match solve(problem, start, &condition, &options(ROUGH, exact_slope), work) {
             Ok(solution) => return Ok(Arc::new(solution)),
             Err(error) => trouble = error,
         }
@@ -114,7 +115,7 @@ pub fn locate(
     let rising = if from == 0.0 { low.1 < 0.0 } else { high.1 > 0.0 };
     let mut guess = stretch.observable(turn.pick(), 0.5 * (from + to)).turning_point(from, to);
     for k in 1..=3 * MOST_SOLVES {
-        let solution = solve_on(problem, &stretch, guess, work)?;
+        let solution = solve_on(problem, &stretch, guess, false, work)?;
         iterations += solution.iterations;
         let label = stretch.insert(solution.clone());
         let slope = turn.pick()(&solution.slope);
@@ -147,7 +148,7 @@ pub fn locate(
         let chord = (low.0 - low.1 / bend).max(low.0 + 0.01 * width).min(high.0 - 0.01 * width);
         guess = if k % 3 == 0 || !chord.is_finite() { 0.5 * (low.0 + high.0) } else { chord };
     }
-    let middle = solve_on(problem, &stretch, 0.5 * (low.0 + high.0), work)?;
+    let middle = solve_on(problem, &stretch, 0.5 * (low.0 + high.0), false, work)?;
     let change = turn.pick()(&middle.slope) * (high.0 - low.0);
     if relative.is_some_and(|r| change.abs() < r * middle.observables.force.abs()) {
         return flat(problem, &stretch, middle, change, iterations, work);
@@ -244,7 +245,7 @@ impl<'p> Search<'p> {
         let mut ahead = f64::INFINITY;
         for _ in 0..MOST_SOLVES {
             let condition = Condition { weights: self.weights, target };
-            let solution = solve(self.problem, start, &condition, &options(FINE), work)?;
+            let solution = solve(self.problem, start, &condition, &options(FINE, true), work)?;
             self.iterations += solution.iterations;
             if let Some((step, slope)) = before {
                 self.bend = (pick(&solution.slope) - pick(&slope)) / step;
@@ -304,7 +305,7 @@ pub fn difference_on_more_elements(
 ) -> Result<Observables, SolveError> {
     let weights = Observables { displacement: 1.0, ..Observables::default() };
     let condition = Condition { weights, target: coarse.observables.displacement };
-    let fine = solve(problem, refined(problem, &coarse.at), &condition, &options(FINE), work)?;
+    let fine = solve(problem, refined(problem, &coarse.at), &condition, &options(FINE, true), work)?;
     Ok(fine.observables.since(&coarse.observables))
 }
 

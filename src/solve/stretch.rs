@@ -24,7 +24,7 @@ pub struct Stretch {
 /// Points on either side of a step that a stretch takes in.
 const NEIGHBOURS: usize = 3;
 /// A neighbour takes part where the path's direction there makes at least this cosine with the step.
-const NEIGHBOURS_COSINE: f64 = 0.6;
+const NEIGHBOURS_COSINE: f64 = 0.85;
 /// A neighbour nearer to the last than this share of the step adds nothing but noise.
 const CROWDED: f64 = 0.25;
 /// Points that an interpolation uses.

@@ -337,7 +337,7 @@ fn brackets(
     if turn == Turn::Load && (values.0 - values.1).abs().max((beyond - values.0).abs()) < relative * beyond.abs() {
         return Ok(Vec::new());
     }
-    let between = solve_on(problem, stretch, extreme, work)?;
+    let between = solve_on(problem, stretch, extreme, false, work)?;
     if (pick(&between.slope) < 0.0) == (first < 0.0) {
         return Ok(Vec::new());
     }

@@ -56,9 +56,9 @@ impl Resolution {
     }
 }
 
-/// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its sixth
+/// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its fourth
 /// root, so that the curve between the points keeps up with the points.
-const STEP_TOLERANCE: f64 = 1e-2;
+const STEP_TOLERANCE: f64 = 1.2e-2;
 
 /// Follows the peel from rest to its end.
 pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> Peel {

@@ -16,8 +16,8 @@ fn steepness(s: &Solution) -> f64 {
     (s.slope.force * s.observables.displacement) / (s.slope.displacement * s.observables.force)
 }
 
-/// The plateau between the initiation peak and the snap-off (or the end of the path). A load limit point there is flat by
-/// definition; otherwise the least steepness between two rising sides is followed down with further solutions.
+/// The plateau between the initiation peak and the snap-off (or the end of the path). A load limit point that could be
+/// located is level by definition; otherwise the least steepness between two rising sides is followed down with further solutions.
 pub(super) fn plateau(
     problem: &Problem,
     followed: &Followed,
@@ -25,8 +25,9 @@ pub(super) fn plateau(
     peak_after: usize,
     snap_after: usize,
 ) -> Option<Plateau> {
-    let flat = |p: &&LimitPoint| p.kind == Turn::Load && p.after > peak_after && p.after < snap_after;
-    if let Some(p) = limit_points.iter().find(flat) {
+    let inside = |p: &LimitPoint| p.after > peak_after && p.after < snap_after;
+    let level = |p: &&LimitPoint| p.kind == Turn::Load && !p.flat && inside(p);
+    if let Some(p) = limit_points.iter().find(level) {
         return Some(Plateau { displacement: p.displacement, force: p.force });
     }
     let points = &followed.points;
@@ -50,7 +51,7 @@ fn descend(problem: &Problem, points: &[Arc<Solution>], index: usize) -> Option<
     let stretch = Stretch::around(problem, points, index);
     let mut work = Workspace::default();
     let mut at = |label: f64| {
-        let solution = solve_on(problem, &stretch, label, &mut work).ok()?;
+        let solution = solve_on(problem, &stretch, label, true, &mut work).ok()?;
         Some((label, steepness(&solution), solution))
     };
     let mut three = vec![at(0.0)?, at(0.5 * stretch.end())?, at(stretch.end())?];
