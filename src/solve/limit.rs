@@ -49,11 +49,12 @@ pub struct Located {
 }
 
 impl Located {
-    /// Whether the error of its displacement changes the force by less than a share of the accuracy `relative`: then its
-    /// place is no more certain than that, and matters as little.
+    /// Whether its place is less certain than the accuracy `relative`, but the force does not change by a share of it over
+    /// that error: then the place matters as little.
     pub fn is_flat(&self, relative: f64) -> bool {
-        let change = 0.5 * self.force_curvature * self.difference.displacement.powi(2);
-        change.abs() < FLAT * relative * self.observables.force.abs()
+        let (o, d) = (&self.observables, &self.difference);
+        let change = 0.5 * self.force_curvature * d.displacement.powi(2);
+        d.displacement.abs() > 0.1 * relative * o.displacement.abs() && change.abs() < FLAT * relative * o.force.abs()
     }
 }
 

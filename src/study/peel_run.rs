@@ -246,7 +246,7 @@ fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed, 
     if let Some(first) = first_maximum {
         let last = followed.points.len().saturating_sub(2);
         let snap = peel.snap_off.map_or(last, |s| s.after);
-        peel.plateau = plateau(problem, followed, &peel.limit_points, first.after, snap);
+        peel.plateau = plateau(problem, followed, first.after, snap);
     }
 }
 

@@ -1,8 +1,8 @@
 //! The plateau of a peel: where the force changes least with the displacement.
 
+use super::Plateau;
 use super::follow::Followed;
-use super::{LimitPoint, Plateau};
-use crate::solve::{Problem, Solution, Stretch, Turn, Workspace, solve_on};
+use crate::solve::{Problem, Solution, Stretch, Workspace, solve_on};
 use std::sync::Arc;
 
 /// A plateau is reported where |d ln P / d ln u| is below this.
@@ -16,20 +16,9 @@ fn steepness(s: &Solution) -> f64 {
     (s.slope.force * s.observables.displacement) / (s.slope.displacement * s.observables.force)
 }
 
-/// The plateau between the initiation peak and the snap-off (or the end of the path). A load limit point that could be
-/// located is level by definition; otherwise the least steepness between two rising sides is followed down with further solutions.
-pub(super) fn plateau(
-    problem: &Problem,
-    followed: &Followed,
-    limit_points: &[LimitPoint],
-    peak_after: usize,
-    snap_after: usize,
-) -> Option<Plateau> {
-    let inside = |p: &LimitPoint| p.after > peak_after && p.after < snap_after;
-    let level = |p: &&LimitPoint| p.kind == Turn::Load && !p.flat && inside(p);
-    if let Some(p) = limit_points.iter().find(level) {
-        return Some(Plateau { displacement: p.displacement, force: p.force });
-    }
+/// The plateau between the initiation peak and the snap-off (or the end of the path): the flattest stretch of the curve,
+/// and on it the place of least steepness. Load limit points are level too, but only for a moment.
+pub(super) fn plateau(problem: &Problem, followed: &Followed, peak_after: usize, snap_after: usize) -> Option<Plateau> {
     let points = &followed.points;
     // between points by differences: slopes at the points are not exact enough to tell one flat place from another
     let between = |i: usize| {
