@@ -95,7 +95,7 @@ pub(super) fn follow(
         if path.points().len() >= most && most < bounds.points {
             break Err(Trouble::TooManyPoints { points: most, elements: options.elements });
         }
-        match step(&mut path, far, bounds, started) {
+        match step(problem, &mut path, far, bounds, started) {
             Ok(None) => {}
             Ok(Some(end)) => break Ok(end),
             Err(error) => break Err(Trouble::Path(error)),
@@ -141,7 +141,13 @@ fn points_allowed(elements: usize) -> usize {
 }
 
 /// Takes one step; the end, if it is reached.
-fn step(path: &mut Path, far: f64, bounds: &Bounds, started: Instant) -> Result<Option<End>, PathError> {
+fn step(
+    problem: &Problem,
+    path: &mut Path,
+    far: f64,
+    bounds: &Bounds,
+    started: Instant,
+) -> Result<Option<End>, PathError> {
     if path.points().len() >= bounds.points {
         return Ok(Some(End::Bound(format!("bounds.points = {}", bounds.points))));
     }
@@ -165,21 +171,21 @@ fn step(path: &mut Path, far: f64, bounds: &Bounds, started: Instant) -> Result<
     if o.force <= 0.0 {
         return Ok(Some(End::Pivoting));
     }
-    if stands_upright(path.points()) {
+    if stands_upright(problem, path.points()) {
         return Ok(Some(End::Pivoting));
     }
     let beyond = bounds.displacement.filter(|&most| o.displacement > most);
     Ok(beyond.map(|most| End::Bound(format!("bounds.displacement = {most} nm"))))
 }
 
-/// Whether both ends of the strip have just passed 90 degrees: it hangs upright from its edge, and behind that, on a flat
-/// substrate, the path is the mirror image of itself.
-fn stands_upright(points: &[Arc<Solution>]) -> bool {
+/// Whether the strip has just passed the upright position, all of it near 90 degrees: it hangs from its edge, and behind
+/// that, on a flat substrate, the path is the mirror image of itself.
+fn stands_upright(problem: &Problem, points: &[Arc<Solution>]) -> bool {
     let [.., before, newest] = points else { return false };
-    let passed = |angle: fn(&Observables) -> f64| {
-        angle(&before.observables) < FRAC_PI_2 && angle(&newest.observables) >= FRAC_PI_2
-    };
-    passed(|o| o.tip_rotation) && passed(|o| o.grip_rotation)
+    let tip = |s: &Solution| s.observables.tip_rotation - FRAC_PI_2;
+    let away = 3.0 * tip(before).abs().max(tip(newest).abs());
+    let rotations = newest.at.state.iter().skip(problem.rotation).step_by(problem.fields());
+    tip(before) < 0.0 && tip(newest) >= 0.0 && rotations.into_iter().all(|r| (r - FRAC_PI_2).abs() <= away)
 }
 
 impl Followed {
@@ -188,7 +194,7 @@ impl Followed {
     fn finish(&mut self, problem: &Problem) {
         let n = self.points.len();
         let (weights, target) = match self.end {
-            End::Pivoting if stands_upright(&self.points) => {
+            End::Pivoting if stands_upright(problem, &self.points) => {
                 (Observables { tip_rotation: 1.0, ..Observables::default() }, FRAC_PI_2)
             }
             End::Pivoting => (Observables { force: 1.0, ..Observables::default() }, 0.0),
