@@ -124,7 +124,7 @@ pub(super) fn follow(
         upright: false,
         trouble,
     };
-    followed.finish(problem);
+    followed.finish(problem, far);
     let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem));
     followed.trouble = followed.trouble.take().or(checked.err());
     followed
@@ -191,8 +191,11 @@ fn stands_upright(problem: &Problem, points: &[Arc<Solution>]) -> bool {
 impl Followed {
     /// Moves the last point of a path that crossed P = 0, u = 0 or the upright position onto the crossing. Where that fails the point beyond it
     /// stays: it is an equilibrium too.
-    fn finish(&mut self, problem: &Problem) {
+    fn finish(&mut self, problem: &Problem, far: f64) {
         let n = self.points.len();
+        if self.end == End::Detached {
+            return self.finish_detached(problem, far);
+        }
         let (weights, target) = match self.end {
             End::Pivoting if stands_upright(problem, &self.points) => {
                 (Observables { tip_rotation: 1.0, ..Observables::default() }, FRAC_PI_2)
@@ -221,6 +224,27 @@ impl Followed {
             Err(_) => {}
         }
         self.upright = target != 0.0;
+    }
+
+    /// Moves the last point of a path that has left the substrate to where its distance is `far`, by the secant rule.
+    fn finish_detached(&mut self, problem: &Problem, far: f64) {
+        let n = self.points.len();
+        let stretch = Stretch::around(problem, &self.points, n - 2);
+        let mut work = Workspace::default();
+        let beyond = |s: &Solution| problem.nearest(&s.at) - far;
+        let (mut low, mut high) = ((0.0, beyond(&self.points[n - 2])), (stretch.end(), beyond(&self.points[n - 1])));
+        for _ in 0..6 {
+            let label = (low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)).clamp(0.0, stretch.end());
+            let Ok(solution) = solve_on(problem, &stretch, label, false, &mut work) else { return };
+            self.iterations += solution.iterations;
+            let value = beyond(&solution);
+            let there = value.abs() < 1e-6 * far;
+            if there {
+                self.points[n - 1] = solution;
+                return;
+            }
+            if value < 0.0 { low = (label, value) } else { high = (label, value) }
+        }
     }
 
     /// Locates every turning point but those of a flat stretch, where the force rises and falls by less than `relative`

@@ -21,7 +21,7 @@ const ROUND_OFF_PLACE: f64 = 2e-10;
 /// Below this relative error, an error that does not fall with more elements is taken for round-off.
 const STAGNATION: f64 = 2e-8;
 /// No bound below this share of the accuracy asked for is claimed: two meshes may agree by luck.
-const MODESTY: f64 = 0.03;
+const MODESTY: f64 = 0.1;
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
 /// Most elements of a mesh.
@@ -119,7 +119,7 @@ impl Attempt {
                 let worst = SAFETY * worst_difference(&followed) / relative;
                 (worst, resolution.finer(worst))
             }
-            Some(Trouble::Missed { .. }) => (
+            Some(Trouble::Missed { .. } | Trouble::TooManyPoints { .. }) => (
                 f64::INFINITY,
                 Resolution { elements: elements + elements.div_ceil(4), step_tolerance: 0.3 * step_tolerance },
             ),
