@@ -9,24 +9,7 @@ use peelkit::model::{Adhesion, Form, Grip, Hold, Strip, StripModel};
 use peelkit::solve::{Path, PathOptions};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let model = StripModel {
-        strip: Strip {
-            length: 100.0,
-            height: 10.0,
-            width: 1.0,
-            youngs_modulus: 2.0,
-            poissons_ratio: 0.2,
-            shear_correction: 5.0 / 6.0,
-            bending_stiffness_factor: 1.0,
-        },
-        adhesion: Adhesion {
-            hamaker_constant: 0.1,
-            equilibrium_distance: 0.4,
-            line_load: LineLoad::Full,
-            far_face: true,
-        },
-        grip: Grip { rotation: Hold::Free, horizontal: Hold::Free },
-    };
+    let model = StripModel::of_the_paper(100.0, 1.0);
     let problem = model.problem(Form::TwoField, 7);
     let options = PathOptions { elements: 14, step_tolerance: 1e-2, tolerance: 1e-9, first_displacement: 0.008 };
     let mut path = Path::new(&problem, options);

@@ -16,24 +16,7 @@ const ACCURACY: Accuracy = Accuracy { relative: 1e-6 };
 const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
 
 fn strip() -> StripModel {
-    StripModel {
-        strip: Strip {
-            length: 100.0,
-            height: 10.0,
-            width: 1.0,
-            youngs_modulus: 2.0,
-            poissons_ratio: 0.2,
-            shear_correction: 5.0 / 6.0,
-            bending_stiffness_factor: 1.0,
-        },
-        adhesion: Adhesion {
-            hamaker_constant: 0.1,
-            equilibrium_distance: 0.4,
-            line_load: LineLoad::Full,
-            far_face: true,
-        },
-        grip: Grip { rotation: Hold::Free, horizontal: Hold::Free },
-    }
+    StripModel::of_the_paper(100.0, 1.0)
 }
 
 fn run() -> Peel {

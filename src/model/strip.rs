@@ -65,6 +65,28 @@ pub enum Form {
 }
 
 impl StripModel {
+    /// The strip of Figs. 9 and 10 of the paper, of the given length in nm, in a free grip, with EI times `bending`.
+    pub fn of_the_paper(length: f64, bending: f64) -> Self {
+        Self {
+            strip: Strip {
+                length,
+                height: 10.0,
+                width: 1.0,
+                youngs_modulus: 2.0,
+                poissons_ratio: 0.2,
+                shear_correction: 5.0 / 6.0,
+                bending_stiffness_factor: bending,
+            },
+            adhesion: Adhesion {
+                hamaker_constant: 0.1,
+                equilibrium_distance: 0.4,
+                line_load: LineLoad::Full,
+                far_face: true,
+            },
+            grip: Grip { rotation: Hold::Free, horizontal: Hold::Free },
+        }
+    }
+
     /// EA, GA_s and EI.
     pub fn section(&self) -> Section {
         let s = &self.strip;

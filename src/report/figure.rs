@@ -123,22 +123,5 @@ impl Runner<'_> {
 
 /// The strip of Section 6 of the paper, of the given length in nm.
 pub(super) fn paper_strip(length: f64) -> StripModel {
-    StripModel {
-        strip: Strip {
-            length,
-            height: 10.0,
-            width: 1.0,
-            youngs_modulus: 2.0,
-            poissons_ratio: 0.2,
-            shear_correction: 5.0 / 6.0,
-            bending_stiffness_factor: 1.0,
-        },
-        adhesion: Adhesion {
-            hamaker_constant: 0.1,
-            equilibrium_distance: 0.4,
-            line_load: LineLoad::Full,
-            far_face: true,
-        },
-        grip: Grip { rotation: Hold::Free, horizontal: Hold::Free },
-    }
+    StripModel::of_the_paper(length, 1.0)
 }

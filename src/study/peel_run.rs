@@ -147,8 +147,13 @@ impl Attempt {
 
     /// The result, as a failure where the path cannot be used.
     fn into_peel(self) -> Peel {
+        let missed = self.worst > 1.0 && self.worst * self.peel.asked > STAGNATION;
         let mut peel = self.peel;
-        if let Some(trouble) = self.trouble {
+        let bounded = matches!(peel.end, End::Bound(_));
+        let trouble =
+            self.trouble.or((missed && !bounded)
+                .then(|| format!("the error bounds are {:.1} times what was asked for", self.worst)));
+        if let Some(trouble) = trouble {
             let Effort { elements, order, .. } = peel.effort;
             peel.end = End::Failed(format!(
                 "{trouble}; on {elements} elements of order {order}. What was reached is kept. Try another accuracy.relative than {:e}, or bounds.displacement to stop before",
