@@ -3,8 +3,7 @@
 //!     cargo bench --bench peel
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use peelkit::adhesion::LineLoad;
-use peelkit::model::{Adhesion, Form, Grip, Hold, Strip, StripModel};
+use peelkit::model::{Form, StripModel};
 use peelkit::solve::{PathRow, Workspace};
 use peelkit::study::{Accuracy, Bounds, peel, sweep};
 use std::hint::black_box;

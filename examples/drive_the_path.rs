@@ -4,8 +4,7 @@
 //!
 //!     cargo run --release --example drive_the_path
 
-use peelkit::adhesion::LineLoad;
-use peelkit::model::{Adhesion, Form, Grip, Hold, Strip, StripModel};
+use peelkit::model::{Form, StripModel};
 use peelkit::solve::{Path, PathOptions};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

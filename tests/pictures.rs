@@ -5,8 +5,7 @@
 //! Reason: pictures are what most users look at first, and a machine without fonts or a failed run must not spoil them
 //! silently.
 
-use peelkit::adhesion::LineLoad;
-use peelkit::model::{Adhesion, Grip, Hold, Strip, StripModel};
+use peelkit::model::StripModel;
 use peelkit::report::{ReportError, draw_figures, draw_peel, draw_sweep};
 use peelkit::study::{Accuracy, Bounds, End, LimitPoint, Peak, Peel, Plateau, SweepRow, Turn, peel};
 use resvg::usvg;

@@ -2,8 +2,7 @@
 
 use super::chart::{Picture, save};
 use super::{ReportError, figure_stiffness, figure_strip, figure_work, write_whole};
-use crate::adhesion::LineLoad;
-use crate::model::{Adhesion, Grip, Hold, Strip, StripModel};
+use crate::model::StripModel;
 use crate::study::{Accuracy, Bounds, Peel, SweepRow, peel, sweep};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -7,7 +7,7 @@
 use num_dual::DualNum;
 use peelkit::adhesion::{HalfSpace, LineLaw, LineLoad};
 use peelkit::beam::Section;
-use peelkit::model::{Adhesion, Grip, Hold, Strip, StripModel};
+use peelkit::model::{Grip, Hold, StripModel};
 use peelkit::study::{Accuracy, Bounds, Peel, peel};
 use std::f64::consts::PI;
 
