@@ -1,6 +1,7 @@
 //! The long help: enough to work from without the README.
 
 use peelkit::scene::{KEYS, Key, Kind, Need, Value};
+use peelkit::study::verify::TOPICS;
 
 pub const EXIT_STATUS: &str = "\
 Exit status:
@@ -23,6 +24,7 @@ Examples:
   peel run strip.toml            peels it: summary, curve, limit points and pictures in out/strip/
   peel run strip.toml --set strip.length=\"50 nm\" --set grip.rotation=fixed --json
   peel sweep strip.toml --vary strip.bending_stiffness_factor --from 1e-4 --to 1e4 --points 33 --log
+  peel verify                    holds the program against published and independent values
 
 {UNITS}
 
@@ -77,6 +79,25 @@ With --json the object holds scene, title, vary, unit, rows (the columns of swee
 {}
 {EXIT_STATUS}",
         keys()
+    )
+}
+
+/// Of `peel verify --help`.
+pub fn verify() -> String {
+    let topics: String = TOPICS.iter().map(|topic| format!("  {:<12} {}\n", topic.name, topic.about)).collect();
+    format!(
+        "\
+One line a check: pass or FAIL, topic and name, the value computed, the value expected, their difference, the tolerance,
+and the source of the expected value. The tables that it needs are built in; verification/README.md tells how each was
+computed without finite elements. Exit status 0 only if every check passes.
+
+Examples:
+  peel verify
+  peel verify --only strip --json
+
+Topics:
+{topics}
+{EXIT_STATUS}"
     )
 }
 

@@ -8,6 +8,7 @@ mod output;
 mod run;
 mod stop;
 mod sweep;
+mod verify;
 mod words;
 
 use clap::{Parser, Subcommand};
@@ -26,6 +27,7 @@ struct Cli {
 enum Command {
     Run(run::Run),
     Sweep(sweep::Sweep),
+    Verify(verify::Verify),
     New(new::New),
     Figures(figures::Figures),
 }
@@ -40,6 +42,7 @@ pub fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::Verify(args) => verify::verify(&args),
         Command::New(args) => new::new(&args),
         Command::Figures(args) => figures::figures(&args),
     };

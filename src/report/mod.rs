@@ -15,6 +15,7 @@ mod picture_shapes;
 mod picture_sweep;
 mod summary;
 mod table;
+mod verification;
 
 pub use accuracy::{left_out, reached_accuracy};
 pub use error::ReportError;
@@ -24,3 +25,4 @@ pub use picture_peel::draw_peel;
 pub use picture_sweep::draw_sweep;
 pub use summary::{PeelSummary, SweepSummary, end_reason, end_word};
 pub use table::{SweepLine, write_curve, write_limit_points, write_sweep};
+pub use verification::{check_line, checks_json};

@@ -5,6 +5,7 @@ mod peel_run;
 mod plateau;
 mod sweep;
 mod trace;
+pub mod verify;
 pub use crate::solve::Turn;
 pub use peel::*;
 pub use sweep::*;

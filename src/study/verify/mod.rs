@@ -1,0 +1,21 @@
+//! The verification suite: the crate held against the tables of `verification/`, closed forms and published values.
+//!
+//! One file a topic. A topic computes its checks when it is run and knows nothing of the others.
+
+mod check;
+mod published;
+pub mod reference;
+
+pub use check::{Check, Measure};
+
+/// A named group of checks.
+#[derive(Clone, Copy)]
+pub struct Topic {
+    pub name: &'static str,
+    /// What is checked, in half a line.
+    pub about: &'static str,
+    pub run: fn() -> Vec<Check>,
+}
+
+/// Every topic, in the order in which they are reported.
+pub const TOPICS: &[Topic] = &[published::TOPIC];
