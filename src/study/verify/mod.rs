@@ -5,6 +5,7 @@
 mod check;
 mod published;
 pub mod reference;
+mod strip;
 
 pub use check::{Check, Measure};
 
@@ -18,4 +19,4 @@ pub struct Topic {
 }
 
 /// Every topic, in the order in which they are reported.
-pub const TOPICS: &[Topic] = &[published::TOPIC];
+pub const TOPICS: &[Topic] = &[published::TOPIC, strip::TOPIC];
