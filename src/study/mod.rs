@@ -6,6 +6,7 @@ mod plateau;
 mod sweep;
 mod trace;
 pub mod verify;
+mod work;
 pub use crate::solve::Turn;
 pub use peel::*;
 pub use sweep::*;

@@ -85,9 +85,11 @@ def plateau(path):
 
 
 def lp1_after(path):
-    """The index of the last path point before lp1."""
+    """The index of the last path point before lp1, or before the largest u where lp1 was not found."""
     s = path.s
     top = int(np.argmax([s.u(p) for p in path.points]))
+    if "lp1" not in path.found:
+        return top - 1
     return top if s.P(path.found["lp1"]) < s.P(path.points[top]) else top - 1     # P falls there
 
 

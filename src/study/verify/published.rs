@@ -39,7 +39,14 @@ fn work_of_adhesion() -> Vec<Check> {
         check("w_adh, closed form, J/m²", "footnote 5: 0.0307 J/m²", closed, 0.0307, Measure::Absolute, 5e-5),
         check("w_adh, closed form, J/m²", mpmath, closed, table("closed_form"), Measure::Relative, 1e-12),
         check("w_adh, -∫ T dr from r_eq, J/m²", "footnote 5: 0.0307 J/m²", worked, 0.0307, Measure::Absolute, 5e-5),
-        check("w_adh, -∫ T dr from r_eq, J/m²", mpmath, worked, table("integral_of_traction"), Measure::Relative, 1e-12),
+        check(
+            "w_adh, -∫ T dr from r_eq, J/m²",
+            mpmath,
+            worked,
+            table("integral_of_traction"),
+            Measure::Relative,
+            1e-12,
+        ),
         check(
             "largest attraction T(5^(-1/6) r0), nN/nm²",
             mpmath,

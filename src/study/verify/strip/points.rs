@@ -10,9 +10,8 @@ pub(super) fn checks(cases: &[Case]) -> Vec<Check> {
 /// The numbers of one strip.
 fn one(case: &Case) -> Vec<Check> {
     let peel = &case.peel;
-    let turn = |index| -> Option<&LimitPoint> {
-        peel.limit_points.iter().filter(|p| p.kind == Turn::Displacement).nth(index)
-    };
+    let turn =
+        |index| -> Option<&LimitPoint> { peel.limit_points.iter().filter(|p| p.kind == Turn::Displacement).nth(index) };
     let (peak, first, second) = (peel.initiation_peak, turn(0), turn(1));
     let values = [
         ("initiation peak, nm", "peak_displacement_nm", peak.map(|p| (p.displacement, p.displacement_error))),
