@@ -4,6 +4,8 @@ use crate::beam::Basis;
 use crate::solve::{Equilibrium, Located, Observables, Problem, Solution, Stretch, Workspace, solve_on};
 use std::sync::Arc;
 
+/// Solutions on every step of the path, its ends among them.
+const NODES: usize = 5;
 /// How often the way to a solution inside a step is halved.
 const MOST_HALVINGS: usize = 4;
 
@@ -30,7 +32,7 @@ pub(super) fn work_near(
     }
     let mut stretch = Stretch::around(problem, points, after);
     let label = stretch.insert(s.clone());
-    works[after] + work_between(problem, &stretch, 0.0, label)
+    works[after] + work_until(problem, &stretch, label, s)
 }
 
 /// ∫ P du from rest to each point, aJ, whatever the load.
@@ -38,7 +40,7 @@ pub(super) fn works_of_force(problem: &Problem, points: &[Arc<Solution>]) -> Vec
     let mut works = vec![0.0];
     for i in 0..points.len().saturating_sub(1) {
         let stretch = Stretch::around(problem, points, i);
-        works.push(works[i] + work_between(problem, &stretch, 0.0, stretch.end()));
+        works.push(works[i] + work_until(problem, &stretch, stretch.end(), &points[i + 1]));
     }
     works
 }
@@ -49,29 +51,31 @@ pub(super) fn energy(problem: &Problem, s: &Solution) -> f64 {
     s.energy.total + border(&s.at)
 }
 
-/// ∫ P du between two labels of a stretch: u and P as the polynomials of degree 5 through solutions at Gauss-Lobatto
-/// labels. Where one cannot be solved for, the stretch's own interpolants stand in.
-fn work_between(problem: &Problem, stretch: &Stretch, from: f64, to: f64) -> f64 {
-    let basis = Basis::<6>::new();
+/// ∫ P du from the first point of a stretch to a solution at the label `to` of it: u and P as polynomials through solutions at
+/// Gauss-Lobatto labels. Where one cannot be solved for, the stretch's own interpolants stand in.
+fn work_until(problem: &Problem, stretch: &Stretch, to: f64, end: &Solution) -> f64 {
+    let basis = Basis::<NODES>::new();
     let mut known = stretch.clone();
     let mut work = Workspace::default();
-    let mut last = from;
-    let at = basis.nodes.map(|node| {
-        let label = from + 0.5 * (1.0 + node) * (to - from);
-        let observables = match reach(problem, &mut known, last, label, &mut work, MOST_HALVINGS) {
-            Some(solution) => (solution.observables.displacement, solution.observables.force),
-            None => {
-                let middle = 0.5 * (from + to);
-                let at = |pick: fn(&Observables) -> f64| stretch.observable(pick, middle).at(label).0;
-                (at(|o| o.displacement), at(|o| o.force))
-            }
+    let mut at = [(0.0, 0.0); NODES];
+    let of = |o: &Observables| (o.displacement, o.force);
+    at[NODES - 2] = of(&stretch.first().observables);
+    at[NODES - 1] = of(&end.observables);
+    let mut last = 0.0;
+    for (at, node) in at.iter_mut().zip(basis.nodes).take(NODES - 2) {
+        let label = 0.5 * (1.0 + node) * to;
+        let interpolated = |pick: fn(&Observables) -> f64| stretch.observable(pick, 0.5 * to).at(label).0;
+        *at = match reach(problem, &mut known, last, label, &mut work, MOST_HALVINGS) {
+            Some(solution) => of(&solution.observables),
+            None => (interpolated(|o| o.displacement), interpolated(|o| o.force)),
         };
         last = label;
-        observables
-    });
-    let rise = |values: &[f64; 6]| (0..6).map(|a| values[a] * at[a].0).sum::<f64>();
-    let force = |values: &[f64; 6]| (0..6).map(|a| values[a] * at[a].1).sum::<f64>();
-    (0..5).map(|q| basis.weights[q] * force(&basis.value[q]) * rise(&basis.slope[q])).sum()
+    }
+    let mixed = |weights: &[f64; NODES], part: fn(&(f64, f64)) -> f64| -> f64 {
+        weights.iter().zip(&at).map(|(weight, pair)| weight * part(pair)).sum()
+    };
+    let power = |q: usize| mixed(&basis.value[q], |pair| pair.1) * mixed(&basis.slope[q], |pair| pair.0);
+    (0..NODES - 1).map(|q| basis.weights[q] * power(q)).sum()
 }
 
 /// The solution at a label, from what is known of the stretch, which it joins; where the start is too far away, by way of
