@@ -3,6 +3,7 @@ mod follow;
 mod peel;
 mod peel_run;
 mod plateau;
+mod step_curve;
 mod sweep;
 mod trace;
 pub mod verify;

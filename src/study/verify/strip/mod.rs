@@ -23,7 +23,7 @@ const PUBLISHED: &str = include_str!("../../../../verification/published.csv");
 const DEFAULT: Accuracy = Accuracy { relative: 1e-6 };
 
 fn run() -> Vec<Check> {
-    let whole = Case::all(POINTS, &Bounds { points: 20_000, time_s: None, displacement: None });
+    let whole = Case::all(POINTS, |_| None);
     let mut checks = points::checks(&whole);
     checks.extend(steady::checks());
     checks.extend(peaks::checks());
@@ -38,10 +38,13 @@ struct Case {
 }
 
 impl Case {
-    /// Every row of a table, peeled at the default accuracy.
-    fn all(table: &str, bounds: &Bounds) -> Vec<Self> {
+    /// Every row of a table, peeled at the default accuracy up to a displacement (nm) or to its end.
+    fn all(table: &str, until: impl Fn(&Row) -> Option<f64> + Sync) -> Vec<Self> {
         let rows = reference::read(table);
-        let peeled = |row: Row| Self { peel: peel(&strip_of(&row), &DEFAULT, bounds), row };
+        let peeled = |row: Row| {
+            let bounds = Bounds { points: 20_000, time_s: None, displacement: until(&row) };
+            Self { peel: peel(&strip_of(&row), &DEFAULT, &bounds), row }
+        };
         let beam = |row: &Row| row.number("bending_stiffness_factor").is_some_and(f64::is_finite);
         rows.into_par_iter().filter(beam).map(peeled).collect()
     }
