@@ -6,6 +6,7 @@ mod error;
 mod figure;
 mod figure_stiffness;
 mod figure_strip;
+mod figure_verification;
 mod figure_work;
 mod file;
 mod number;
