@@ -179,17 +179,17 @@ def contact():
         def traction(gap):
             g, z = shape(gap)
             planes = lambda n: spacing ** (3 - n) * (zeta(n - 2, z) - g * zeta(n - 1, z))
-            return 12 * planes(12) - 12 * planes(6)
+            return planes(12) - 2 * planes(6)
 
         def energy(gap):
             g, z = shape(gap)
             planes = lambda n: spacing ** (4 - n) * (zeta(n - 3, z) - g * zeta(n - 2, z)) / (n - 2)
-            return 12 * planes(12) - 12 * planes(6)
+            return planes(12) - 2 * planes(6)
 
         # the continuum in the same factor: sums become integrals
-        continuum_traction = lambda gap: 12 * gap**-9 / 90 - 12 * gap**-3 / 12
-        continuum_energy = lambda gap: 12 * gap**-8 / 720 - 12 * gap**-2 / 24
-        rest = brentq(traction, 0.65 - 0.9 * spacing, 1.0, xtol=1e-14)
+        continuum_traction = lambda gap: gap**-9 / 90 - 2 * gap**-3 / 12
+        continuum_energy = lambda gap: gap**-8 / 720 - 2 * gap**-2 / 24
+        rest = brentq(traction, 0.65 - 0.9 * spacing, 0.65, xtol=1e-14)
         best = minimize_scalar(traction, bracket=(rest, rest + 0.1, rest + 0.6), tol=1e-10)
         rows.append(
             {
