@@ -38,7 +38,7 @@ pub fn pair_sum(pair: &LennardJones, body: &[Place], other: &[Place]) -> (f64, P
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LatticeHalfSpace {
     pub pair: LennardJones,
-    /// Spacing a, nm
+    /// Spacing a, nm, positive
     pub spacing: f64,
     /// Atoms within this distance (nm) are summed one by one; those beyond it count as a continuum of the same density.
     pub cutoff: f64,

@@ -159,13 +159,14 @@ impl Resultant {
 /// T_c (nN/nm²) and M_c (nN/nm) of a section by integrating the body force over its height, what eqs. (17)-(22) are in
 /// closed form: T_c = ∫ b(y + s cos θ) ds, M_c = -sin θ ∫ s b(y + s cos θ) ds. Axis at `axis` y (nm), `tilt` θ in rad.
 ///
-/// The height is cut into pieces whose ends are four times as far from the half space each.
+/// The height is cut into pieces whose ends are four times as far from the half space each. The section lies above it.
 pub fn section_by_body_force(half_space: &HalfSpace, height: f64, axis: f64, tilt: f64, rule: &Rule) -> (f64, f64) {
     let (sin, cos) = tilt.sin_cos();
     let lowest = axis - 0.5 * height * cos.abs();
+    let first = 3.0 * lowest / cos.abs().max(1e-3);
     let (mut force, mut moment, mut from) = (0.0, 0.0, 0.0);
     while from < height {
-        let to = (4.0 * from + 3.0 * lowest / cos.abs().max(1e-3)).min(height);
+        let to = if first > 0.0 { (4.0 * from + first).min(height) } else { height };
         for (up, weight) in rule.over(from, to) {
             let s = (up - 0.5 * height) * cos.signum();
             let b = weight * half_space.body_force(lowest + up * cos.abs());
