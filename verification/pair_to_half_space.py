@@ -160,7 +160,7 @@ def lattice_ratio(power, gap, registry):
 
 def lattices():
     rows = []
-    for ratio in [0.5, 0.6366, 0.75, 1.0, 1.25, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0]:
+    for ratio in [0.5, 0.64, 0.75, 1.0, 1.25, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0]:
         row = {"gap_over_spacing": ratio}
         for what, of in [("atom", atom_ratio), ("lattice", lattice_ratio)]:
             for name, registry in REGISTRIES.items():

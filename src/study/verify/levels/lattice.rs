@@ -13,7 +13,7 @@ const CUTOFF: f64 = 40.0;
 pub(super) fn checks() -> Vec<Check> {
     let mut checks = Vec::new();
     for row in read(include_str!("../../../../verification/lattice_half_space.csv")) {
-        if [0.6366, 1.0, 2.0].contains(&cell(&row, "gap_over_spacing")) {
+        if [0.64, 1.0, 2.0].contains(&cell(&row, "gap_over_spacing")) {
             checks.extend(endless(&row));
         }
     }
