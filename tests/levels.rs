@@ -3,9 +3,9 @@
 //! Reference: R. A. Sauer, Advances in the computational modeling of the gecko adhesion mechanism, Sections 2, 3 and 6; tables of
 //! verification/pair_to_half_space.py, line_load_sections.py, piece_of_atoms.py.
 //!
-//!   o o o o o          continuum surface half a spacing a outside the first plane of atoms,
-//!   - - - - -  gap     each atom stands for a³
-//!   o o o o o
+//!     o o o o o          continuum surface half a spacing a outside the first plane of atoms,
+//!     ---------  gap     each atom stands for a³
+//!     o o o o o
 //!
 //! Parameters: A_H = 1e-19 J, r0 = 0.4 nm, h = 10 nm; gaps of 0.26, 0.4 and 1 nm.
 //!
