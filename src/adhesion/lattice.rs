@@ -45,7 +45,7 @@ pub struct LatticeHalfSpace {
 }
 
 impl LatticeHalfSpace {
-    /// Force on an atom above the lattice, nN: the force of eq. (2), [`Self::beyond`] included.
+    /// Force on an atom above the lattice, nN: the force of eq. (2), the continuum beyond the cutoff included.
     pub fn force_on(&self, atom: Place) -> Place {
         let (a, cutoff_squared) = (self.spacing, self.cutoff * self.cutoff);
         let mut force = [0.0, self.beyond(atom[1]), 0.0];
