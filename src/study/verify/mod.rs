@@ -4,6 +4,7 @@
 
 pub mod bounds;
 mod check;
+mod levels;
 pub mod orders;
 mod published;
 pub mod reference;
@@ -20,4 +21,4 @@ pub struct Topic {
 }
 
 /// Every topic, in the order in which they are reported.
-pub const TOPICS: &[Topic] = &[published::TOPIC, orders::TOPIC, bounds::TOPIC];
+pub const TOPICS: &[Topic] = &[published::TOPIC, levels::TOPIC, orders::TOPIC, bounds::TOPIC];
