@@ -111,13 +111,21 @@ impl StripModel {
         }
     }
 
+    /// Decay length (EI/k)^(1/4) of a bending beam on the adhesion's stiffness k at rest, nm.
+    pub fn bending_length(&self) -> f64 {
+        (self.section().bending / self.rest_stiffness()).powf(0.25)
+    }
+
+    /// k, the adhesion's stiffness at rest, nN/nm².
+    fn rest_stiffness(&self) -> f64 {
+        let law = self.line_law();
+        law.response(law.rest_gap(), 0.0, 1.0).gap_gap * self.strip.width
+    }
+
     /// Length of the process zone, nm: the decay length (EI/k)^(1/4) of a bending beam on the adhesion's stiffness k at
     /// rest, or a few times that of a shear beam, (GA_s/k)^(1/2), where that is shorter.
     pub fn process_length(&self) -> f64 {
-        let law = self.line_law();
-        let stiffness = law.response(law.rest_gap(), 0.0, 1.0).gap_gap * self.strip.width;
-        let section = self.section();
-        (section.bending / stiffness).powf(0.25).min(5.0 * (section.shear / stiffness).sqrt())
+        self.bending_length().min(5.0 * (self.section().shear / self.rest_stiffness()).sqrt())
     }
 
     /// What the solver is given, with elements of order 1 to 8.

@@ -125,8 +125,7 @@ pub fn solve(
     work: &mut Workspace,
 ) -> Result<Solution, SolveError> {
     let fields = problem.fields();
-    let mut row = PathRow { adhesion: condition.weights.front / problem.rest_adhesion, ..PathRow::default() };
-    row.left[problem.rotation] = condition.weights.tip_rotation;
+    let row = path_row(problem, condition);
     let mut update = vec![0.0; at.state.len()];
     let mut correction = 0.0;
     let mut previous = f64::INFINITY;
@@ -189,6 +188,27 @@ pub fn solve(
         previous = size;
     }
     Err(SolveError::NotConverged { update: previous, iterations: options.most_iterations })
+}
+
+/// du/dσ and dP/dσ along the path, per unit of the condition's target σ, at a configuration on it or beside it.
+pub fn slopes(
+    problem: &Problem,
+    at: &Equilibrium,
+    condition: &Condition,
+    work: &mut Workspace,
+) -> Result<(f64, f64), SolveError> {
+    let row = path_row(problem, condition);
+    let root = problem.chain.eliminate(at.configuration(), &row, work)?;
+    let observed = observables(problem, at, root.energy);
+    let tangent = GripBlock::new(problem, &root, at, condition, &observed).tangent()?;
+    Ok((tangent.values[problem.driven], tangent.force))
+}
+
+/// What the condition wants of the chain.
+fn path_row(problem: &Problem, condition: &Condition) -> PathRow {
+    let mut row = PathRow { adhesion: condition.weights.front / problem.rest_adhesion, ..PathRow::default() };
+    row.left[problem.rotation] = condition.weights.tip_rotation;
+    row
 }
 
 /// Where on the path a configuration lies.
