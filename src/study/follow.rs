@@ -360,7 +360,7 @@ fn pick_at(solution: &Solution, turn: Turn) -> f64 {
 
 /// Labels between which the slope of a quantity changes sign on one step: where it differs at the two ends, or, for a pair
 /// of turns within the step, where the cubic through both ends turns and a solution in between confirms it.
-fn brackets(
+pub(super) fn brackets(
     problem: &Problem,
     points: &[Arc<Solution>],
     index: usize,

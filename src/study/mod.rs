@@ -1,5 +1,9 @@
 //! Many runs: the whole peel of one scene, sweeps over a parameter.
+mod anchor;
+mod continuation;
 mod follow;
+mod follow_point;
+mod followed;
 mod peel;
 mod peel_run;
 mod plateau;
@@ -7,5 +11,9 @@ mod sweep;
 mod trace;
 pub mod verify;
 pub use crate::solve::Turn;
+pub use follow_point::follow_point;
+pub use followed::*;
 pub use peel::*;
+/// Order of the elements with which a point is followed.
+pub use peel_run::ORDER as FOLLOWED_ORDER;
 pub use sweep::*;

@@ -15,9 +15,9 @@ use std::time::Instant;
 /// Error bounds are the difference to half as many elements again times this.
 const SAFETY: f64 = 2.0;
 /// Round-off, relative to the largest force of the path or to the displacement itself.
-const ROUND_OFF: f64 = 5e-12;
+pub(super) const ROUND_OFF: f64 = 5e-12;
 /// The same for the displacement of a turn of the force, which is the zero of a difference of forces.
-const ROUND_OFF_PLACE: f64 = 2e-10;
+pub(super) const ROUND_OFF_PLACE: f64 = 2e-10;
 /// The first integral may spread by this many times the accuracy asked for, in units of the work of adhesion, at any point:
 /// where it spreads by 1.4e-5, at an edge that carries the strip, the force of that point was wrong by 6e-8.
 const SPREAD: f64 = 100.0;
@@ -35,25 +35,35 @@ const MOST_MESHES: usize = 8;
 /// Most elements of a mesh.
 const MOST_ELEMENTS: usize = 400;
 /// Order of the elements.
-const ORDER: usize = 7;
+pub const ORDER: usize = 7;
 
 /// Elements and steps for an accuracy.
 #[derive(Clone, Copy, Debug)]
-struct Resolution {
-    elements: usize,
+pub(super) struct Resolution {
+    pub elements: usize,
     step_tolerance: f64,
 }
 
 impl Resolution {
     /// What sufficed on the reference cases: elements grow like the square of the logarithm of the length, and with the
     /// digits asked for.
-    fn first(model: &StripModel, relative: f64) -> Self {
+    pub(super) fn first(model: &StripModel, relative: f64) -> Self {
         let span = (model.strip.length / model.process_length()).asinh();
         let digits = -relative.log10();
         let elements = (5.1 + 0.434 * span * span) * (0.32 + 0.052 * digits + 0.0083 * digits * digits);
         Self {
             elements: (elements.ceil() as usize).clamp(6, MOST_ELEMENTS),
             step_tolerance: STEP_TOLERANCE * (1e6 * relative).powf(1.0 / 6.0),
+        }
+    }
+
+    /// How a path is stepped at this resolution.
+    pub(super) fn path_options(self, model: &StripModel, relative: f64) -> PathOptions {
+        PathOptions {
+            elements: self.elements,
+            step_tolerance: self.step_tolerance,
+            tolerance: (1e-2 * relative).clamp(1e-12, 1e-6),
+            first_displacement: 0.02 * model.adhesion.equilibrium_distance.min(model.process_length()),
         }
     }
 
@@ -77,12 +87,7 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> P
     let mut best: Option<Attempt> = None;
     let mut iterations = 0;
     for _ in 0..MOST_MESHES {
-        let options = PathOptions {
-            elements: resolution.elements,
-            step_tolerance: resolution.step_tolerance,
-            tolerance: (1e-2 * accuracy.relative).clamp(1e-12, 1e-6),
-            first_displacement: 0.02 * model.adhesion.equilibrium_distance.min(model.process_length()),
-        };
+        let options = resolution.path_options(model, accuracy.relative);
         let followed = follow(&problem, options, far, bounds, accuracy.relative, started);
         iterations += followed.iterations;
         let attempt = Attempt::new(model, &problem, followed, resolution, accuracy.relative);
