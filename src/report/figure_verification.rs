@@ -27,7 +27,7 @@ fn orders(all: &[Convergence], dir: &Path) -> Result<Figure, ReportError> {
     }
     let caption =
         "Relative error of the energy, of the displacement at a given force, and of the peak force on uniform \
-                   meshes of elements of order p = 1 to 8, against 40 elements of order 8 (strip of 5 nm, r0 = 1 nm). \
+                   meshes of elements of order p = 1 to 8, against 40 elements of order 8 (strip of 20 nm, r0 = 1 nm). \
                    Theory: order 2p. The rates in the data are extrapolated to h = 0. Errors below 2e-12 are round-off \
                    and left out. `peel verify --only orders` gates them."
             .to_owned();
@@ -41,7 +41,7 @@ fn orders_picture(all: &[Convergence]) -> Picture {
         let from = left + index as f64 * (width + gap);
         let frame = Frame { left: from, top: 60.0, right: from + width, bottom: 400.0 };
         let label = if index == 0 { "relative error" } else { "" };
-        let mut panel = Panel::new(frame, Axis::log("elements", 0.8, 160.0), Axis::log(label, 1e-12, 3e-2));
+        let mut panel = Panel::new(frame, Axis::log("elements", 0.8, 320.0), Axis::log(label, 1e-12, 3e-2));
         panel.title = quantity.name().into();
         for c in all.iter().filter(|c| c.quantity == quantity) {
             let shade = order_shade(c.order - 1, 8);
