@@ -2,6 +2,7 @@
 //!
 //! One file a topic. A topic computes its checks when it is run and knows nothing of the others.
 
+pub(crate) mod beam;
 mod check;
 mod published;
 pub mod reference;
@@ -18,4 +19,4 @@ pub struct Topic {
 }
 
 /// Every topic, in the order in which they are reported.
-pub const TOPICS: &[Topic] = &[published::TOPIC];
+pub const TOPICS: &[Topic] = &[published::TOPIC, beam::TOPIC];
