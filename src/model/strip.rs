@@ -126,7 +126,9 @@ impl StripModel {
         let (section, law, width) = (self.section(), self.line_law(), self.strip.width);
         let r0 = self.adhesion.equilibrium_distance;
         let process_length = 0.7 * self.process_length();
-        let mut foci = vec![Focus { center: 0.0, length: 0.36 * process_length, weight: 0.8 }];
+        // the free end may come to stand on its edge, a wedge whose attraction is concentrated on a part of r0
+        let edge = (0.36 * process_length).min(0.25 * r0);
+        let mut foci = vec![Focus { center: 0.0, length: edge, weight: 0.8 }];
         if self.grip.rotation == Hold::Fixed {
             foci.push(Focus { center: self.strip.length, length: process_length, weight: 0.2 });
         }

@@ -20,6 +20,8 @@ pub(super) struct Followed {
     pub upright: bool,
     /// Turning points of the force left out because it hardly changes between them.
     pub ripple: usize,
+    /// Largest spread of the first integral along the beam at any point, over the work of adhesion.
+    pub spread: f64,
     /// Why the path cannot be used, if it cannot.
     pub trouble: Option<Trouble>,
 }
@@ -122,12 +124,30 @@ pub(super) fn follow(
         iterations: path.iterations(),
         ripple: 0,
         upright: false,
+        spread: worst_spread(problem, path.points()),
         trouble,
     };
     followed.finish(problem, far);
     let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem));
     followed.trouble = followed.trouble.take().or(checked.err());
     followed
+}
+
+/// The largest spread of the first integral along the beam at any point of the path, over the work of adhesion: zero where
+/// a mesh resolves the beam. Without a potential there is no such integral.
+fn worst_spread(problem: &Problem, points: &[Arc<Solution>]) -> f64 {
+    if !problem.conservative {
+        return 0.0;
+    }
+    let spread = |point: &Arc<Solution>| {
+        let sections = problem.chain.node_states(point.at.configuration());
+        let (low, high) = sections
+            .iter()
+            .map(|section| section.first_integral())
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+        (high - low) / problem.rest_adhesion.abs()
+    };
+    points.iter().map(spread).fold(0.0, f64::max)
 }
 
 /// Whether the force has turned down on the way.

@@ -18,6 +18,11 @@ const SAFETY: f64 = 2.0;
 const ROUND_OFF: f64 = 5e-12;
 /// The same for the displacement of a turn of the force, which is the zero of a difference of forces.
 const ROUND_OFF_PLACE: f64 = 2e-10;
+/// The first integral may spread by this many times the accuracy asked for, in units of the work of adhesion, at any point:
+/// where it spreads by 1.4e-5, at an edge that carries the strip, the force of that point was wrong by 6e-8.
+const SPREAD: f64 = 100.0;
+/// Round-off of that spread.
+const SPREAD_ROUND_OFF: f64 = 5e-10;
 /// Below this relative error, an error that does not fall with more elements is taken for round-off.
 const STAGNATION: f64 = 2e-8;
 /// No bound below this share of the accuracy asked for is claimed: two meshes may agree by luck.
@@ -80,7 +85,7 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> P
         let attempt = Attempt::new(model, &problem, followed, resolution, accuracy.relative);
         let done = attempt.done(bounds, started) || best.as_ref().is_some_and(|b| attempt.is_stuck_behind(b));
         resolution = attempt.next;
-        if best.as_ref().is_none_or(|b| attempt.worst <= b.worst) {
+        if best.as_ref().is_none_or(|b| attempt.is_better_than(b)) {
             best = Some(attempt);
         }
         if done || resolution.elements > MOST_ELEMENTS {
@@ -98,6 +103,8 @@ struct Attempt {
     peel: Peel,
     /// Largest relative difference to more elements, over the accuracy asked for; infinite where the path is unusable.
     worst: f64,
+    /// Largest spread of the first integral over what is wanted: the error between the points that `worst` looks at.
+    spread: f64,
     /// Why the path is unusable, if it is.
     trouble: Option<String>,
     /// What to try next.
@@ -114,10 +121,12 @@ impl Attempt {
     ) -> Self {
         let Resolution { elements, step_tolerance } = resolution;
         let trouble = followed.trouble.as_ref().map(|t| t.to_string());
+        let mut spread = f64::INFINITY;
         let (worst, next) = match &followed.trouble {
             None => {
                 let worst = SAFETY * worst_difference(&followed) / relative;
-                (worst, resolution.finer(worst))
+                spread = followed.spread / (SPREAD * relative).max(SPREAD_ROUND_OFF);
+                (worst, resolution.finer(worst.max(spread)))
             }
             Some(Trouble::Missed { .. } | Trouble::TooManyPoints { .. }) => (
                 f64::INFINITY,
@@ -129,17 +138,27 @@ impl Attempt {
         peel.asked = relative;
         peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order: ORDER };
         peel.trace = Some(Trace { problem: problem.clone(), points: followed.points });
-        Self { peel, worst, trouble, next }
+        Self { peel, worst, spread, trouble, next }
     }
 
     /// Whether nothing more is to be tried.
     fn done(&self, bounds: &Bounds, started: Instant) -> bool {
         let out_of_time = bounds.time_s.is_some_and(|most| started.elapsed().as_secs_f64() > most);
-        out_of_time || self.worst <= 1.0
+        out_of_time || (self.worst <= 1.0 && self.spread <= 1.0)
     }
 
-    /// Whether more elements did not help although the error is small: what is left is round-off, which grows with them.
+    /// The error bounds come first; among those that are met, the first integral.
+    fn is_better_than(&self, best: &Self) -> bool {
+        let met = |attempt: &Self| attempt.worst <= 1.0;
+        if met(self) && met(best) { self.spread <= best.spread } else { self.worst <= best.worst }
+    }
+
+    /// Whether more elements did not help. Where the error is small, what is left is round-off, which grows with them; where
+    /// the bounds are met and the first integral is not, the path has come upon a pole of its law.
     fn is_stuck_behind(&self, best: &Self) -> bool {
+        if best.worst <= 1.0 {
+            return self.spread > 0.5 * best.spread;
+        }
         let small = self.worst * self.peel.asked < STAGNATION;
         let many_more = 2 * self.peel.effort.elements >= 3 * best.peel.effort.elements;
         small && many_more && self.worst > 0.5 * best.worst

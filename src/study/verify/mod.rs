@@ -3,7 +3,9 @@
 //! One file a topic. A topic computes its checks when it is run and knows nothing of the others.
 
 pub(crate) mod beam;
+pub mod bounds;
 mod check;
+pub mod orders;
 mod published;
 pub mod reference;
 
@@ -19,4 +21,4 @@ pub struct Topic {
 }
 
 /// Every topic, in the order in which they are reported.
-pub const TOPICS: &[Topic] = &[published::TOPIC, beam::TOPIC];
+pub const TOPICS: &[Topic] = &[published::TOPIC, beam::TOPIC, orders::TOPIC, bounds::TOPIC];
