@@ -53,7 +53,7 @@ fn rolled(table: &mut Table) -> Result<Panel, String> {
             .map(|angle| (angle.sin() / turn, (1.0 - angle.cos()) / turn))
             .collect();
         record(table, &name, &circle, "closed form");
-        panel.marks.extend(circle.into_iter().map(|at| dot(at, shade, None)));
+        panel.marks.extend(circle.into_iter().map(|at| dot(at, shade, "closed form")));
         panel.lines.push(Line { points, stroke: Stroke::solid(shade, 2.0), name: Some(name) });
     }
     Ok(panel)
@@ -76,7 +76,7 @@ fn arches(table: &mut Table) -> Result<Panel, String> {
         let independent: Vec<(f64, f64)> =
             rows.iter().filter_map(|row| Some((row.number("lowering")?, row.number("load")?))).collect();
         record(table, name, &independent, "shooting");
-        panel.marks.extend(independent.into_iter().map(|at| dot(at, colour, Some("shooting"))));
+        panel.marks.extend(independent.into_iter().map(|at| dot(at, colour, "shooting")));
         panel.lines.push(Line { points, stroke: Stroke::solid(colour, 2.0), name: Some(format!("{name} arch")) });
     }
     panel.lines.push(Line {
@@ -87,8 +87,8 @@ fn arches(table: &mut Table) -> Result<Panel, String> {
     Ok(panel)
 }
 
-fn dot(at: (f64, f64), colour: RGBColor, name: Option<&str>) -> Mark {
-    Mark { at, symbol: Symbol::Dot, colour, name: name.map(str::to_string), note: None }
+fn dot(at: (f64, f64), colour: RGBColor, name: &str) -> Mark {
+    Mark { at, symbol: Symbol::Dot, colour, name: Some(name.to_string()), note: None }
 }
 
 fn record(table: &mut Table, curve: &str, points: &[(f64, f64)], kind: &str) {

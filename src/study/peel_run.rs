@@ -25,8 +25,11 @@ const SPREAD: f64 = 100.0;
 const SPREAD_ROUND_OFF: f64 = 5e-10;
 /// Below this relative error, an error that does not fall with more elements is taken for round-off.
 const STAGNATION: f64 = 2e-8;
-/// No bound below this share of the accuracy asked for is claimed: two meshes may agree by luck.
+/// Two meshes may agree in one number by luck: no bound is below this share of the relative difference in the other number of
+/// the same point.
 const MODESTY: f64 = 0.1;
+/// No bound is below this, relative, nor, where less is asked for, below a tenth of what is asked for.
+const LEAST: f64 = 2e-10;
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
 /// Most elements of a mesh.
@@ -237,12 +240,12 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: 
             work: work_near(problem, &followed.points, &works, *after, located),
             displacement_error: {
                 let round_off = if *kind == Turn::Load { ROUND_OFF_PLACE } else { ROUND_OFF };
-                let floor = (round_off + MODESTY * relative) * located.observables.displacement.abs();
+                let floor = (round_off + modesty(located, relative)) * located.observables.displacement.abs();
                 SAFETY * located.difference.displacement.abs() + floor
             },
             force_error: SAFETY * located.difference.force.abs()
                 + ROUND_OFF * largest
-                + MODESTY * relative * located.observables.force.abs(),
+                + modesty(located, relative) * located.observables.force.abs(),
             flat: located.flat,
             after: *after,
         })
@@ -250,6 +253,14 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: 
     let mut peel = Peel { points: points.collect(), end: followed.end.clone(), limit_points, ..empty(model) };
     fill_special_points(&mut peel, problem, followed, relative);
     peel
+}
+
+/// The relative error below which no bound of a located point is.
+fn modesty(located: &crate::solve::Located, relative: f64) -> f64 {
+    let (o, d) = (&located.observables, &located.difference);
+    // the place of a flat turn says nothing of its force
+    let place = if located.flat { 0.0 } else { (d.displacement / o.displacement).abs() };
+    MODESTY * place.max((d.force / o.force).abs()) + LEAST.min(0.1 * relative)
 }
 
 fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed, relative: f64) {
@@ -292,7 +303,7 @@ fn peak_at(problem: &Problem, last: &Arc<Solution>, relative: f64) -> Option<Pea
         displacement: o.displacement,
         force: o.force,
         end_rotation: o.grip_rotation,
-        force_error: SAFETY * difference.force.abs() + (ROUND_OFF + MODESTY * relative) * o.force.abs(),
+        force_error: SAFETY * difference.force.abs() + (ROUND_OFF + LEAST.min(0.1 * relative)) * o.force.abs(),
         displacement_error: ROUND_OFF * o.displacement.abs(),
     })
 }

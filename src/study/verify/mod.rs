@@ -5,6 +5,7 @@
 pub(crate) mod beam;
 pub mod bounds;
 mod check;
+mod levels;
 pub mod orders;
 mod published;
 pub mod reference;
@@ -21,4 +22,4 @@ pub struct Topic {
 }
 
 /// Every topic, in the order in which they are reported.
-pub const TOPICS: &[Topic] = &[published::TOPIC, beam::TOPIC, orders::TOPIC, bounds::TOPIC];
+pub const TOPICS: &[Topic] = &[published::TOPIC, levels::TOPIC, beam::TOPIC, orders::TOPIC, bounds::TOPIC];
