@@ -2,7 +2,8 @@
 
 use super::chart::{Picture, save};
 use super::{
-    ReportError, figure_levels, figure_stiffness, figure_strip, figure_verification, figure_work, write_whole,
+    ReportError, figure_beam, figure_levels, figure_stiffness, figure_strip, figure_verification, figure_work,
+    write_whole,
 };
 use crate::model::StripModel;
 use crate::study::{Accuracy, Bounds, Peel, SweepRow, peel, sweep};
@@ -19,6 +20,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
     let stiffness = figure_stiffness::Sweeps::compute(&runner);
     figures.extend(figure_stiffness::figures(&stiffness, dir)?);
     figures.push(figure_work::figure(&runner, &stiffness.full, dir)?);
+    figures.push(figure_beam::figure(dir)?);
     figures.push(figure_levels::figure(dir)?);
     figures.extend(figure_verification::figures(dir)?);
     // Where the largest work needed no refinement fewer peels were run than planned.

@@ -4,6 +4,7 @@ mod accuracy;
 mod chart;
 mod error;
 mod figure;
+mod figure_beam;
 mod figure_levels;
 mod figure_stiffness;
 mod figure_strip;

@@ -1,5 +1,7 @@
 //! How equilibrium is found: elimination along a chain, Newton, path following, limit points, stability.
+mod bracket;
 mod chain;
+mod control;
 mod error;
 mod fold;
 mod limit;
@@ -9,7 +11,9 @@ mod path;
 mod predictor;
 mod problem;
 mod stretch;
+pub use bracket::brackets;
 pub use chain::*;
+pub use control::controlled;
 pub use error::SolveError;
 pub use fold::{Fold, FoldSearch};
 pub use limit::{Located, Turn, difference_on_more_elements, locate, solve_on, unlocated};

@@ -1,10 +1,9 @@
 //! Where the path from rest has the point that is to be followed.
 
-use super::follow::brackets;
 use super::peel_run::{self, Resolution};
 use super::{Accuracy, Bounds, End, PointKind};
 use crate::model::{Form, StripModel};
-use crate::solve::{Located, Path, Problem, Stretch, Turn, Workspace, locate};
+use crate::solve::{Located, Path, Problem, Stretch, Turn, Workspace, brackets, locate};
 
 /// The accuracy of the beginning of the path that finds the first maximum; the point is solved for again on a mesh of its
 /// own.

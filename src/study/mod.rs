@@ -1,4 +1,4 @@
-//! Many runs: the whole peel of one scene, sweeps over a parameter.
+//! Many runs: the whole peel of one scene, sweeps over a parameter, a point followed, the path of a rod.
 mod anchor;
 mod continuation;
 mod follow;
@@ -7,6 +7,7 @@ mod followed;
 mod peel;
 mod peel_run;
 mod plateau;
+mod rod;
 mod sweep;
 mod trace;
 pub mod verify;
@@ -16,4 +17,5 @@ pub use followed::*;
 pub use peel::*;
 /// Order of the elements with which a point is followed.
 pub use peel_run::ORDER as FOLLOWED_ORDER;
+pub use rod::{RodPath, RodTrouble, RodTurn, follow_rod};
 pub use sweep::*;

@@ -2,6 +2,7 @@
 //!
 //! One file a topic. A topic computes its checks when it is run and knows nothing of the others.
 
+pub(crate) mod beam;
 pub mod bounds;
 mod check;
 mod levels;
@@ -21,4 +22,4 @@ pub struct Topic {
 }
 
 /// Every topic, in the order in which they are reported.
-pub const TOPICS: &[Topic] = &[published::TOPIC, levels::TOPIC, orders::TOPIC, bounds::TOPIC];
+pub const TOPICS: &[Topic] = &[published::TOPIC, levels::TOPIC, beam::TOPIC, orders::TOPIC, bounds::TOPIC];
