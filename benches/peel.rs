@@ -5,7 +5,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use peelkit::model::{Form, StripModel};
 use peelkit::solve::{PathRow, Workspace};
-use peelkit::study::{Accuracy, Bounds, peel, sweep};
+use peelkit::study::{Accuracy, Bounds, PointKind, Spacing, follow_point, peel, sweep};
 use std::hint::black_box;
 
 const DEFAULT: Accuracy = Accuracy { relative: 1e-6 };
@@ -33,6 +33,19 @@ fn stiffness_sweep(c: &mut Criterion) {
     c.bench_function("sweep of 33 stiffnesses", |b| b.iter(|| sweep(black_box(&cases), &DEFAULT, &BOUNDS, &|| ())));
 }
 
+/// The initiation peak followed over EI/EI0 from 1e-4 to 1e4 in 1000 values at 1e-8, on one core: time a thousand values.
+fn peak_only(c: &mut Criterion) {
+    let values: Vec<f64> = (0..1000).map(|k| 10f64.powf(-4.0 + 8.0 * f64::from(k) / 999.0)).collect();
+    let model = |factor| strip(100.0, factor);
+    let accuracy = Accuracy { relative: 1e-8 };
+    c.bench_function("peak followed over 1000 stiffnesses", |b| {
+        b.iter(|| {
+            let values = black_box(&values);
+            follow_point(PointKind::InitiationPeak, values, Spacing::Logarithmic, &model, &accuracy, &BOUNDS, &|| ())
+        });
+    });
+}
+
 fn kernels(c: &mut Criterion) {
     let model = strip(100.0, 1.0);
     let law = model.line_law();
@@ -49,5 +62,5 @@ fn kernels(c: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, paths, stiffness_sweep, kernels);
+criterion_group!(benches, paths, stiffness_sweep, peak_only, kernels);
 criterion_main!(benches);

@@ -263,7 +263,8 @@ fn a_sweep_writes_a_row_a_value() {
     assert!(matches!(sweep.status, 0 | 3), "{}", sweep.stderr);
     let table = fs::read_to_string(dir.path().join("out/strip/sweep.csv")).unwrap();
     let header = "value,peak_force_nN,peak_error_nN,initiation_peak_nN,plateau_force_nN,snap_off_displacement_nm,\
-                  work_aJ,solve_s,end,points,newton_iterations,elements,order\n";
+                  work_aJ,solve_s,end,points,newton_iterations,elements,order,initiation_peak_error_nN,\
+                  snap_off_error_nm\n";
     assert!(table.starts_with(header), "{table}");
     let values: Vec<&str> = table.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
     assert_eq!(values, ["80.0", "100.0", "120.0"]);
@@ -380,6 +381,44 @@ fn a_bound_is_an_end_and_no_failure() {
         assert!(summary["reason"].as_str().unwrap().contains(word), "{set}: {}", summary["reason"]);
         assert_eq!(summary["snap_off"], Value::Null);
     }
+}
+
+#[test]
+fn a_followed_peak_fills_its_own_columns_and_is_drawn() {
+    let dir = bench();
+    let key =
+        ["sweep", "strip-100nm.toml", "--vary", "strip.bending_stiffness_factor", "--from", "1e-2", "--to", "1e2"];
+    let rest = ["--points", "41", "--log", "--json", "--out", "out", "--peak-only"];
+    let sweep = peel(dir.path(), &[&key[..], &rest].concat());
+    assert_eq!((sweep.status, sweep.stderr.as_str()), (0, ""));
+    let json = sweep.json();
+    assert_eq!(json["followed"], "initiation peak");
+    let row = &json["rows"][20];
+    close(&row["initiation_peak_nN"], 0.341121483196, 1e-6);
+    assert!(row["initiation_peak_error_nN"].as_f64().unwrap() < 0.35e-6);
+    for empty in ["peak_force_nN", "peak_error_nN", "plateau_force_nN", "snap_off_displacement_nm", "work_aJ", "end"] {
+        assert_eq!(row[empty], Value::Null, "{empty} is not computed");
+    }
+    let table = fs::read_to_string(dir.path().join("out/sweep.csv")).unwrap();
+    assert!(table.starts_with("value,peak_force_nN,peak_error_nN,initiation_peak_nN,"), "{table}");
+    assert_eq!(table.lines().count(), 42);
+    for file in ["sweep.svg", "sweep.png"] {
+        assert!(dir.path().join("out").join(file).exists(), "{file}");
+    }
+}
+
+#[test]
+fn a_followed_snap_off_says_where_it_vanishes() {
+    let dir = bench();
+    let key = ["sweep", "strip-100nm.toml", "--vary", "strip.bending_stiffness_factor", "--from", "10", "--to", "1000"];
+    let sweep =
+        peel(dir.path(), &[&key[..], &["--points", "5", "--log", "--follow", "snap-off", "--out", "o"]].concat());
+    assert_eq!((sweep.status, sweep.stderr.as_str()), (0, ""));
+    for part in ["snap-off followed", "vanishes between 74.6", "the path has no snap-off"] {
+        assert!(sweep.stdout.contains(part), "{part:?} is not in\n{}", sweep.stdout);
+    }
+    let both = peel(dir.path(), &[&key[..], &["--points", "5", "--follow", "peak", "--peak-only"]].concat());
+    both.is_bad_input(&["--follow", "--peak-only"]);
 }
 
 #[test]

@@ -181,9 +181,15 @@ fn the_figures_come_with_their_data_and_captions() {
     let files = draw_figures(dir.path(), &|done, total| counted.lock().unwrap().push((done, total))).unwrap();
     check_pictures(&files);
     let readme = std::fs::read_to_string(dir.path().join("README.md")).unwrap();
-    for stem in
-        ["fig09-peeling", "peel-curve", "peel-shapes", "fig10-bending-stiffness", "fig10-three-ways", "peeling-work"]
-    {
+    for stem in [
+        "fig09-peeling",
+        "peel-curve",
+        "peel-shapes",
+        "fig10-bending-stiffness",
+        "fig10-three-ways",
+        "peeling-work",
+        "cost-against-error",
+    ] {
         for ending in ["svg", "png", "csv"] {
             assert!(files.contains(&dir.path().join(format!("{stem}.{ending}"))), "{stem}.{ending} is missing");
         }

@@ -161,7 +161,7 @@ fn two_field_density_held_and_free() {
             let stored = hessian(|v: SVector<Dual2SVec64<5>, 5>| reduced_energy(&section, v[1], v[2], v[3], v[4]), &at);
             let adhesion = hessian(|v: SVector<Dual2SVec64<5>, 5>| line_energy(&law, v[0], v[1]) * width, &at);
             let held = ReducedBeam::<true> { section, law, width };
-            compare(&held.response(value, [dy, curvature], c.border), stored, adhesion, 0, potential)?;
+            compare(&held.response(0.0, value, [dy, curvature], c.border), stored, adhesion, 0, potential)?;
 
             let at = SVector::from([c.gap, c.rotation, dy, curvature]);
             let stored =
@@ -169,7 +169,7 @@ fn two_field_density_held_and_free() {
             let adhesion = hessian(|v: SVector<Dual2SVec64<4>, 4>| line_energy(&law, v[0], v[1]) * width, &at);
             let free = ReducedBeam::<false> { section, law, width };
             // a free grip knows no H, whatever stands in its place
-            compare(&free.response(value, [dy, curvature], c.border), stored, adhesion, 0, potential)
+            compare(&free.response(0.0, value, [dy, curvature], c.border), stored, adhesion, 0, potential)
         })
         .unwrap();
 }
@@ -183,7 +183,7 @@ fn three_field_density() {
             let at = SVector::from([17.0, c.gap, c.rotation, dx, dy, curvature]);
             let stored = hessian(|v: SVector<Dual2SVec64<6>, 6>| stored_energy(&section, v[2], v[3], v[4], v[5]), &at);
             let adhesion = hessian(|v: SVector<Dual2SVec64<6>, 6>| line_energy(&law, v[1], v[2]) * width, &at);
-            let response = ReissnerBeam { section, law, width }.response([17.0, c.gap, c.rotation], c.slopes, 0.0);
+            let response = ReissnerBeam { section, law, width }.response(0.0, [17.0, c.gap, c.rotation], c.slopes, 0.0);
             compare(&response, stored, adhesion, 1, law.has_potential())
         })
         .unwrap();
@@ -201,22 +201,23 @@ fn section_states_agree_with_the_density() {
             };
             let beam = ReissnerBeam { section, law, width };
             let value = [0.0, c.gap, c.rotation];
-            let state = beam.section_state(value, c.slopes, 0.0);
-            let response = beam.response(value, c.slopes, 0.0);
+            let state = beam.section_state(0.0, value, c.slopes, 0.0);
+            let response = beam.response(0.0, value, c.slopes, 0.0);
             let forces = [state.horizontal_force, state.vertical_force, state.moment];
             let size = section.axial + section.shear + section.bending;
             for (force, by_slope) in forces.iter().zip(response.by_slope) {
                 close(*force, by_slope, size)?;
             }
             close(state.stored, response.energy - response.adhesion, size)?;
-            let back = beam.section_state_from_forces(value, forces, 0.0);
+            let back = beam.section_state_from_forces(0.0, value, forces, 0.0);
             close(back.horizontal_slope, c.slopes[0], size / section.axial.min(section.shear))?;
             close(back.vertical_slope, c.slopes[1], size / section.axial.min(section.shear))?;
             close(back.curvature, c.slopes[2], size / section.bending)?;
 
             // the two-field form, given the same H, has the same section
             let reduced = ReducedBeam::<true> { section, law, width };
-            let same = reduced.section_state([c.gap, c.rotation], [c.slopes[1], c.slopes[2]], state.horizontal_force);
+            let same =
+                reduced.section_state(0.0, [c.gap, c.rotation], [c.slopes[1], c.slopes[2]], state.horizontal_force);
             close(same.horizontal_slope, c.slopes[0], size / section.axial.min(section.shear))?;
             close(same.vertical_force, state.vertical_force, size)?;
             close(same.stored, state.stored, size)?;

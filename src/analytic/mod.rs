@@ -1,3 +1,5 @@
-//! Closed forms to put beside what is computed.
+//! Closed forms to hold the computed against.
+mod column;
 mod peeling;
+pub use column::{buckling_load, propped_buckling_load};
 pub use peeling::{kendall_force, steady_force};

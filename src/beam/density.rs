@@ -87,15 +87,15 @@ impl SectionState {
     }
 }
 
-/// A beam with its line load, as an energy density of F fields.
+/// A beam with its line load, as an energy density of F fields. `place` is S, nm: what varies along the beam looks there.
 pub trait Density<const F: usize>: Send + Sync {
     /// The density and its derivatives, at one point or at several side by side.
-    fn response<T: Real>(&self, value: [T; F], slope: [T; F], border: f64) -> PointResponse<T, F>;
+    fn response<T: Real>(&self, place: T, value: [T; F], slope: [T; F], border: f64) -> PointResponse<T, F>;
 
     /// Section forces and stretch.
-    fn section_state(&self, value: [f64; F], slope: [f64; F], border: f64) -> SectionState;
+    fn section_state(&self, place: f64, value: [f64; F], slope: [f64; F], border: f64) -> SectionState;
 
     /// The same section where its vertical force and moment are known instead of the slopes (at a node between two
     /// elements, where the nodal forces are far more accurate than the slopes).
-    fn section_state_from_forces(&self, value: [f64; F], forces: [f64; F], border: f64) -> SectionState;
+    fn section_state_from_forces(&self, place: f64, value: [f64; F], forces: [f64; F], border: f64) -> SectionState;
 }

@@ -55,12 +55,18 @@ pub fn side_by_side<const F: usize, const N: usize>(
     (value_at, slope_at)
 }
 
+/// S at all Gauss points of an element side by side, nm.
+#[inline(always)]
+pub fn places<const N: usize>(basis: &Basis<N>, from: f64, length: f64) -> Lanes<N> {
+    (Lanes(basis.points) + 1.0) * (0.5 * length) + from
+}
+
 /// Integrates one element into its front.
 ///
 /// The front is square of size M = F N + border + 1. Rows are equations and columns unknowns, node by node in the
 /// elimination order of [`Basis`], F a node; then the border, if the density has one; the last column holds the
-/// gradient, the last row `path_weight` times the gradient of the adhesion energy. `values[a][f]` is field f at node a,
-/// `length` the element's reference length in nm. Everything in the front is overwritten.
+/// gradient, the last row `path_weight` times the gradient of the adhesion energy. `values[a][f]` is field f at node a;
+/// the element reaches from S = `from` over the reference length `length`, nm. Everything in the front is overwritten.
 #[allow(clippy::too_many_arguments)]
 #[inline(always)]
 pub fn integrate<D: Density<F>, const F: usize, const N: usize, const M: usize>(
@@ -68,7 +74,7 @@ pub fn integrate<D: Density<F>, const F: usize, const N: usize, const M: usize>(
     basis: &Basis<N>,
     spread: &Spread<F, N, M>,
     values: &[[f64; F]; N],
-    length: f64,
+    (from, length): (f64, f64),
     border: f64,
     path_weight: f64,
     front: &mut [[f64; M]; M],
@@ -77,7 +83,7 @@ pub fn integrate<D: Density<F>, const F: usize, const N: usize, const M: usize>(
     let (edge, last) = (F * N, M - 1);
     let stretch = 2.0 / length;
     let (value_at, slope_at) = side_by_side(basis, values, length);
-    let r = density.response(value_at, slope_at, border);
+    let r = density.response(places(basis, from, length), value_at, slope_at, border);
     let weights = Lanes(basis.weights) * (0.5 * length);
 
     // per Gauss point and field: the row that its value weighs, and the row that its slope weighs; a slope carries the

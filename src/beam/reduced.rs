@@ -63,6 +63,7 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
     #[inline(always)]
     fn response<T: Real>(
         &self,
+        _: T,
         [gap, rotation]: [T; 2],
         [rise, curvature]: [T; 2],
         border: f64,
@@ -112,7 +113,7 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
         response
     }
 
-    fn section_state(&self, [_, rotation]: [f64; 2], [rise, curvature]: [f64; 2], border: f64) -> SectionState {
+    fn section_state(&self, _: f64, [_, rotation]: [f64; 2], [rise, curvature]: [f64; 2], border: f64) -> SectionState {
         let (sin, cos) = rotation.sin_cos();
         let c = self.compliance(sin, cos);
         let h = if HELD { border } else { 0.0 };
@@ -120,7 +121,13 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
         self.state(sin, cos, v, self.section.bending * curvature, border)
     }
 
-    fn section_state_from_forces(&self, [_, rotation]: [f64; 2], [v, moment]: [f64; 2], border: f64) -> SectionState {
+    fn section_state_from_forces(
+        &self,
+        _: f64,
+        [_, rotation]: [f64; 2],
+        [v, moment]: [f64; 2],
+        border: f64,
+    ) -> SectionState {
         let (sin, cos) = rotation.sin_cos();
         self.state(sin, cos, v, moment, border)
     }

@@ -67,11 +67,17 @@ pub fn sweep() -> String {
 Examples:
   peel sweep strip.toml --vary strip.bending_stiffness_factor --from 1e-4 --to 1e4 --points 33 --log
   peel sweep strip.toml --vary strip.height --from \"2 nm\" --to \"20 nm\" --points 10 --json
+  peel sweep strip.toml --vary strip.bending_stiffness_factor --from 1e-4 --to 1e4 --points 1000 --log --peak-only
 
 Files:
   sweep.csv          one row a value: peak force, plateau, snap-off, work, time, how the path ended; `value` is in
                      nm, GPa, aJ or s, or a plain number, as the key is; a cell is empty where a thing does not occur
   pictures beside it, SVG and PNG
+With --follow peak (or --peak-only) or --follow snap-off no path is computed for each value: the point itself is solved
+for, from an extrapolation of the values before. What peak means is then the initiation peak, the first local maximum of
+the force, and only the columns of that point are filled. Each value has a bound on its error, from meshes half as fine
+again at some of the values. At the first, the last and three values between the point is held against the path from
+rest; where it vanishes, or is the first no longer, a remark says at which value, and the path from rest is asked again.
 With --json the object holds scene, title, vary, unit, rows (the columns of sweep.csv) and parameters.
 
 {UNITS}

@@ -1,15 +1,15 @@
-//! `peel sweep`: one number of a scene varied, each value peeled from rest to its end.
+//! `peel sweep`: one number of a scene varied, each value peeled from rest to its end, or one point of the peel followed.
 
 use super::help;
 use super::input::SceneArgs;
 use super::output::{list_files, progress_bar, say};
 use super::stop::Stop;
 use super::words;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use peelkit::report::{self, SweepSummary};
 use peelkit::scene::{KEYS, Key, Problem, Scene, find_key};
-use peelkit::study::{self, End, SweepRow};
-use std::path::PathBuf;
+use peelkit::study::{self, End, FollowedSweep, PointKind, Remark, Spacing, SweepRow};
+use std::path::{Path, PathBuf};
 
 /// Varies one number of a scene and peels each value: peak force, plateau, snap-off and work against it
 #[derive(Args)]
@@ -38,6 +38,14 @@ pub struct Sweep {
     #[arg(long)]
     log: bool,
 
+    /// Follows one point of the peel from value to value in place of whole peels: much faster
+    #[arg(long, value_name = "POINT", conflicts_with = "peak_only")]
+    follow: Option<Point>,
+
+    /// The same as --follow peak: the initiation peak, the first local maximum of the force, and nothing else
+    #[arg(long)]
+    peak_only: bool,
+
     /// Folder for the outputs, made where it is missing [default: out/ and the name of the scene]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -47,38 +55,119 @@ pub struct Sweep {
     json: bool,
 }
 
+/// What can be followed.
+#[derive(Clone, Copy, ValueEnum)]
+enum Point {
+    /// The initiation peak
+    Peak,
+    /// Where a test with held displacement jumps
+    SnapOff,
+}
+
+impl Sweep {
+    fn followed(&self) -> Option<PointKind> {
+        match self.follow {
+            Some(Point::SnapOff) => Some(PointKind::SnapOff),
+            Some(Point::Peak) => Some(PointKind::InitiationPeak),
+            None => self.peak_only.then_some(PointKind::InitiationPeak),
+        }
+    }
+
+    /// Where files go, if they are written.
+    fn folder(&self) -> Option<PathBuf> {
+        match &self.out {
+            None if self.json => None,
+            None => Some(self.scene.default_folder()),
+            given => given.clone(),
+        }
+    }
+}
+
 pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let scene = args.scene.load()?;
     let key = key_to_vary(&args.vary)?;
     let scenes = vary(args, &scene, key)?;
+    match args.followed() {
+        Some(kind) => follow(args, kind, &scene, key, &scenes),
+        None => peel_each(args, &scene, key, &scenes),
+    }
+}
 
+/// Follows one point of the peel over the values.
+fn follow(args: &Sweep, kind: PointKind, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]) -> Result<(), Stop> {
+    let spacing = if args.log { Spacing::Logarithmic } else { Spacing::Linear };
+    let bar = progress_bar(scenes.len());
+    let mut sweep = FollowedSweep { kind, rows: Vec::with_capacity(scenes.len()), remarks: Vec::new() };
+    for alike in alike(scenes) {
+        let values: Vec<f64> = alike.iter().map(|(value, _)| *value).collect();
+        let model = |value| {
+            let mut scene = alike[0].1.clone();
+            // a key of whole numbers takes nothing in between, and is no part of the model
+            let _ = key.store_number(&mut scene, value);
+            scene.model
+        };
+        let Scene { accuracy, bounds, .. } = &alike[0].1;
+        let part = study::follow_point(kind, &values, spacing, &model, accuracy, bounds, &|| bar.inc(1));
+        sweep.rows.extend(part.rows);
+        sweep.remarks.extend(part.remarks);
+    }
+    bar.finish_and_clear();
+    let files = args.folder().map_or(Ok(Vec::new()), |folder| write_followed(args, &folder, scene, key, &sweep))?;
+    if args.json {
+        say(&SweepSummary::followed(scene, key, &sweep).to_json().map_err(Stop::other)?)?;
+    } else {
+        say(&format!("{}\n{}", words::followed(scene, key, &sweep), list_files(&files)))?;
+    }
+    let lost = |remark: &&Remark| matches!(remark, Remark::NotFound { .. });
+    cut_short(sweep.remarks.iter().filter(lost).map(ToString::to_string).collect(), sweep.rows.len())
+}
+
+fn write_followed(
+    args: &Sweep,
+    folder: &Path,
+    scene: &Scene,
+    key: &Key,
+    sweep: &FollowedSweep,
+) -> Result<Vec<PathBuf>, Stop> {
+    let mut files = vec![report::write_followed(folder, sweep)?];
+    if sweep.rows.iter().any(|row| row.point.is_some()) {
+        files.extend(report::draw_followed(sweep, &label(key), &scene.title, args.log, folder)?);
+    }
+    Ok(files)
+}
+
+/// Cases that differ in the model alone: what is not part of it, the accuracy say, is one for all cases of a call.
+fn alike(scenes: &[(f64, Scene)]) -> impl Iterator<Item = &[(f64, Scene)]> {
+    scenes.chunk_by(|(_, a), (_, b)| a.accuracy == b.accuracy && a.bounds == b.bounds)
+}
+
+/// The key with its unit, as an axis is labelled.
+fn label(key: &Key) -> String {
+    if key.unit().is_empty() { key.path() } else { format!("{} ({})", key.path(), key.unit()) }
+}
+
+/// Peels every value.
+fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]) -> Result<(), Stop> {
     let bar = progress_bar(scenes.len());
     let mut rows = Vec::with_capacity(scenes.len());
-    // What is not part of the model, the accuracy say, is one for all cases of a call.
-    for alike in scenes.chunk_by(|(_, a), (_, b)| a.accuracy == b.accuracy && a.bounds == b.bounds) {
+    for alike in alike(scenes) {
         let cases: Vec<_> = alike.iter().map(|(value, scene)| (*value, scene.model)).collect();
         let (_, Scene { accuracy, bounds, .. }) = &alike[0];
         rows.extend(study::sweep(&cases, accuracy, bounds, &|| bar.inc(1)));
     }
     bar.finish_and_clear();
 
-    let folder = match &args.out {
-        None if args.json => None,
-        None => Some(args.scene.default_folder()),
-        given => given.clone(),
-    };
     let mut files = Vec::new();
-    if let Some(folder) = folder {
+    if let Some(folder) = args.folder() {
         files.push(report::write_sweep(&folder, &rows)?);
         if rows.iter().any(|row| row.peel.peak.is_some()) {
-            let label = if key.unit().is_empty() { key.path() } else { format!("{} ({})", key.path(), key.unit()) };
-            files.extend(report::draw_sweep(&rows, &label, &scene.title, args.log, &folder)?);
+            files.extend(report::draw_sweep(&rows, &label(key), &scene.title, args.log, &folder)?);
         }
     }
     if args.json {
-        say(&SweepSummary::new(&scene, key, &rows).to_json().map_err(Stop::other)?)?;
+        say(&SweepSummary::new(scene, key, &rows).to_json().map_err(Stop::other)?)?;
     } else {
-        say(&format!("{}\n{}", words::sweep(&scene, key, &rows), list_files(&files)))?;
+        say(&format!("{}\n{}", words::sweep(scene, key, &rows), list_files(&files)))?;
     }
     failures(key, &rows)
 }
@@ -139,12 +228,16 @@ fn failures(key: &Key, rows: &[SweepRow]) -> Result<(), Stop> {
         }
         _ => None,
     });
-    let reasons: Vec<String> = reasons.collect();
+    cut_short(reasons.collect(), rows.len())
+}
+
+/// Stops with these reasons, if there are any, each of one of so many values.
+fn cut_short(reasons: Vec<String>, values: usize) -> Result<(), Stop> {
     if reasons.is_empty() {
         return Ok(());
     }
     const SHOWN: usize = 10;
-    let mut text = format!("{} of {} values", reasons.len(), rows.len());
+    let mut text = format!("{} of {values} values", reasons.len());
     for reason in reasons.iter().take(SHOWN) {
         text += &format!("\n{reason}");
     }

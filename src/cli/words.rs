@@ -2,7 +2,7 @@
 
 use peelkit::report::{end_reason, end_word, left_out, reached_accuracy};
 use peelkit::scene::{Key, Scene};
-use peelkit::study::{End, LimitPoint, Peak, Peel, SweepRow, Turn};
+use peelkit::study::{End, FollowedSweep, LimitPoint, Peak, Peel, PointKind, SweepRow, Turn};
 use std::fmt::Write;
 
 /// A relative error below this that finer meshes do not reduce is round-off.
@@ -94,6 +94,42 @@ pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow]) -> String {
             1e3 * peel.solve_s,
             end_word(&peel.end)
         );
+    }
+    text
+}
+
+/// A sweep that followed one point as a table, with what happened to the point on the way.
+pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep) -> String {
+    let what = match sweep.kind {
+        PointKind::InitiationPeak => "the initiation peak (the first local maximum of the force)",
+        PointKind::SnapOff => "the snap-off",
+    };
+    let mut text = format!("{}\n{} varied{}; {what} followed\n\n", scene.title, key.path(), in_unit(key.unit()));
+    let _ = writeln!(
+        text,
+        "{:>14} {:>14} {:>9} {:>14} {:>9} {:>12} {:>9}",
+        "value", "force nN", "± nN", "at u nm", "± nm", "work aJ", "ms"
+    );
+    for row in &sweep.rows {
+        let cell = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.8}"));
+        let error = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.0e}"));
+        let work = row.point.and_then(|at| at.work).map_or_else(|| "-".to_owned(), |work| format!("{work:.5}"));
+        let _ = writeln!(
+            text,
+            "{:>14} {:>14} {:>9} {:>14} {:>9} {work:>12} {:>9.3}",
+            short(row.value),
+            cell(row.point.map(|at| at.force)),
+            error(row.point.map(|at| at.force_error)),
+            cell(row.point.map(|at| at.displacement)),
+            error(row.point.map(|at| at.displacement_error)),
+            1e3 * row.solve_s,
+        );
+    }
+    if !sweep.remarks.is_empty() {
+        text.push('\n');
+    }
+    for remark in &sweep.remarks {
+        let _ = writeln!(text, "  remark: {remark}");
     }
     text
 }

@@ -1,8 +1,9 @@
 //! A uniform strip on a flat half space, lifted at its right end.
 
+use super::chain::{three_field, two_field, two_field_held};
 use crate::adhesion::{HalfSpace, LineLaw, LineLoad};
-use crate::beam::{Density, ReducedBeam, ReissnerBeam, Section, rectangle_second_moment};
-use crate::solve::{Chain, Focus, MOST_FIELDS, Problem, UniformChain};
+use crate::beam::{ReducedBeam, ReissnerBeam, RestCurve, Section, rectangle_second_moment};
+use crate::solve::{Chain, Focus, MOST_FIELDS, Problem};
 
 /// Geometry and material of a uniform strip of rectangular section.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,13 +112,21 @@ impl StripModel {
         }
     }
 
+    /// Decay length (EI/k)^(1/4) of a bending beam on the adhesion's stiffness k at rest, nm.
+    pub fn bending_length(&self) -> f64 {
+        (self.section().bending / self.rest_stiffness()).powf(0.25)
+    }
+
+    /// k, the adhesion's stiffness at rest, nN/nm².
+    fn rest_stiffness(&self) -> f64 {
+        let law = self.line_law();
+        law.response(law.rest_gap(), 0.0, 1.0).gap_gap * self.strip.width
+    }
+
     /// Length of the process zone, nm: the decay length (EI/k)^(1/4) of a bending beam on the adhesion's stiffness k at
     /// rest, or a few times that of a shear beam, (GA_s/k)^(1/2), where that is shorter.
     pub fn process_length(&self) -> f64 {
-        let law = self.line_law();
-        let stiffness = law.response(law.rest_gap(), 0.0, 1.0).gap_gap * self.strip.width;
-        let section = self.section();
-        (section.bending / stiffness).powf(0.25).min(5.0 * (section.shear / stiffness).sqrt())
+        self.bending_length().min(5.0 * (self.section().shear / self.rest_stiffness()).sqrt())
     }
 
     /// What the solver is given, with elements of order 1 to 8.
@@ -137,28 +146,28 @@ impl StripModel {
         let (chain, lead): (Box<dyn Chain>, usize) = match (form, sliding_held) {
             (Form::TwoField, false) => (two_field(ReducedBeam::<false> { section, law, width }, order), 0),
             (Form::TwoField, true) => (two_field_held(ReducedBeam::<true> { section, law, width }, order), 0),
-            (Form::ThreeField, _) => (three_field(ReissnerBeam { section, law, width }, order), 1),
+            // held at x(0) = 0, which with a sliding grip carries no force
+            (Form::ThreeField, _) => {
+                (three_field(ReissnerBeam { section, law, width }, order, [Some(0.0), None, None]), 1)
+            }
         };
-        let mut rest = [0.0; MOST_FIELDS];
-        let mut rest_slope = [0.0; MOST_FIELDS];
         let mut held = [false; MOST_FIELDS];
         let mut scale = [r0; MOST_FIELDS];
-        rest[lead] = law.rest_gap();
         held[lead + 1] = turning_held;
         scale[lead + 1] = rotation_scale;
         if form == Form::ThreeField {
-            rest_slope[0] = 1.0;
             held[0] = sliding_held;
         }
         Problem {
             chain,
             length: self.strip.length,
-            rest,
-            rest_slope,
+            rest: RestCurve::straight(0.0, law.rest_gap(), 0.0),
             driven: lead,
             rotation: lead + 1,
             held,
             scale,
+            force_scale: (width * law.rest_energy()).abs(),
+            round_off: 0.0,
             rest_adhesion: width * law.rest_energy(),
             fixed_foci: foci,
             process_length,
@@ -167,33 +176,4 @@ impl StripModel {
             conservative: law.has_potential(),
         }
     }
-}
-
-/// Picks the chain of the given order, N = order + 1 nodes an element.
-macro_rules! by_order {
-    ($density:expr, $order:expr, $fields:literal, $extra:literal, $pin:expr) => {
-        match $order {
-            1 => Box::new(UniformChain::<_, $fields, 2, { 2 * $fields + $extra }>::new($density, $pin)),
-            2 => Box::new(UniformChain::<_, $fields, 3, { 3 * $fields + $extra }>::new($density, $pin)),
-            3 => Box::new(UniformChain::<_, $fields, 4, { 4 * $fields + $extra }>::new($density, $pin)),
-            4 => Box::new(UniformChain::<_, $fields, 5, { 5 * $fields + $extra }>::new($density, $pin)),
-            5 => Box::new(UniformChain::<_, $fields, 6, { 6 * $fields + $extra }>::new($density, $pin)),
-            6 => Box::new(UniformChain::<_, $fields, 7, { 7 * $fields + $extra }>::new($density, $pin)),
-            7 => Box::new(UniformChain::<_, $fields, 8, { 8 * $fields + $extra }>::new($density, $pin)),
-            _ => Box::new(UniformChain::<_, $fields, 9, { 9 * $fields + $extra }>::new($density, $pin)),
-        }
-    };
-}
-
-fn two_field(density: impl Density<2> + 'static, order: usize) -> Box<dyn Chain> {
-    by_order!(density, order, 2, 1, None)
-}
-
-fn two_field_held(density: impl Density<2> + 'static, order: usize) -> Box<dyn Chain> {
-    by_order!(density, order, 2, 2, None)
-}
-
-/// The left end is held at x = 0; with a sliding grip that carries no force.
-fn three_field(density: impl Density<3> + 'static, order: usize) -> Box<dyn Chain> {
-    by_order!(density, order, 3, 1, Some(0))
 }

@@ -1,7 +1,10 @@
 //! The figures of `figures/`: computed, drawn, and written with the data and a caption beside each.
 
 use super::chart::{Picture, save};
-use super::{ReportError, figure_points, figure_stiffness, figure_strip, figure_work, write_whole};
+use super::{
+    ReportError, figure_beam, figure_levels, figure_points, figure_stiffness, figure_strip, figure_verification,
+    figure_work, write_whole,
+};
 use crate::model::StripModel;
 use crate::study::{Accuracy, Bounds, Peel, SweepRow, peel, sweep};
 use std::path::{Path, PathBuf};
@@ -18,6 +21,9 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
     figures.extend(figure_stiffness::figures(&stiffness, dir)?);
     figures.push(figure_points::figure(&stiffness, dir)?);
     figures.push(figure_work::figure(&runner, &stiffness.full, dir)?);
+    figures.push(figure_beam::figure(dir)?);
+    figures.push(figure_levels::figure(dir)?);
+    figures.extend(figure_verification::figures(dir)?);
     // Where the largest work needed no refinement fewer peels were run than planned.
     if runner.done.load(Ordering::Relaxed) < total {
         progress(total, total);

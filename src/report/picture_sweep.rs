@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::path::{Path, PathBuf};
 
 /// The key that Fig. 10 of the paper varies.
-const STIFFNESS: &str = "strip.bending_stiffness_factor";
+pub(super) const STIFFNESS: &str = "strip.bending_stiffness_factor";
 
 pub(super) const FORCE: &str = "force per width P/b (nN/nm)";
 pub(super) const WORK: &str = "work to snap-off W/b (aJ/nm)";

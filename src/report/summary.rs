@@ -6,7 +6,7 @@ use super::file::write_whole;
 use super::number::{Finite, to_json};
 use super::table::SweepLine;
 use crate::scene::{KEYS, Key, Scene, Value};
-use crate::study::{self, End, Peel, SweepRow, Turn};
+use crate::study::{self, End, FollowedSweep, Peel, SweepRow, Turn};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -178,6 +178,12 @@ pub struct SweepSummary {
     vary: String,
     /// Of `value` in the rows; `None` where the key is a plain number.
     unit: Option<&'static str>,
+    /// The point that was followed from value to value, where the values were not peeled one by one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    followed: Option<&'static str>,
+    /// What happened to that point on the way.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    remarks: Vec<String>,
     rows: Vec<SweepLine>,
     /// The scene before the sweep.
     parameters: Parameters,
@@ -186,12 +192,27 @@ pub struct SweepSummary {
 impl SweepSummary {
     /// What is told of these rows, in which `key` of the scene was varied.
     pub fn new(scene: &Scene, key: &Key, rows: &[SweepRow]) -> Self {
+        Self::of(scene, key, rows.iter().map(SweepLine::from).collect())
+    }
+
+    /// The same for a point that was followed while `key` was varied.
+    pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep) -> Self {
+        Self {
+            followed: Some(sweep.kind.word()),
+            remarks: sweep.remarks.iter().map(ToString::to_string).collect(),
+            ..Self::of(scene, key, SweepLine::followed(sweep))
+        }
+    }
+
+    fn of(scene: &Scene, key: &Key, rows: Vec<SweepLine>) -> Self {
         Self {
             scene: scene.name.clone(),
             title: scene.title.clone(),
             vary: key.path(),
             unit: Some(key.unit()).filter(|unit| !unit.is_empty()),
-            rows: rows.iter().map(SweepLine::from).collect(),
+            followed: None,
+            remarks: Vec::new(),
+            rows,
             parameters: Parameters(scene.clone()),
         }
     }

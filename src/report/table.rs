@@ -4,7 +4,7 @@ use super::ReportError;
 use super::file::write_whole;
 use super::number::Finite;
 use super::summary::{end_word, turn_word};
-use crate::study::{Peel, SweepRow};
+use crate::study::{self, FollowedRow, FollowedSweep, Peel, PointKind, SweepRow};
 use serde::Serialize;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -73,7 +73,12 @@ pub fn write_sweep(dir: &Path, rows: &[SweepRow]) -> Result<PathBuf, ReportError
     write_table(dir, "sweep.csv", rows.iter().map(SweepLine::from))
 }
 
-/// One value of a sweep in short; `None` where a thing does not occur.
+/// Writes sweep.csv of a sweep that followed one point: the same columns, empty where nothing was computed.
+pub fn write_followed(dir: &Path, sweep: &FollowedSweep) -> Result<PathBuf, ReportError> {
+    write_table(dir, "sweep.csv", SweepLine::followed(sweep).into_iter())
+}
+
+/// One value of a sweep in short; `None` where a thing does not occur or was not computed.
 #[derive(Debug, Default, Serialize)]
 pub struct SweepLine {
     value: Finite,
@@ -90,11 +95,46 @@ pub struct SweepLine {
     #[serde(rename = "work_aJ")]
     work: Option<Finite>,
     solve_s: Finite,
-    end: &'static str,
-    points: usize,
+    end: Option<&'static str>,
+    points: Option<usize>,
     newton_iterations: usize,
-    elements: usize,
-    order: usize,
+    elements: Option<usize>,
+    order: Option<usize>,
+    #[serde(rename = "initiation_peak_error_nN")]
+    initiation_peak_error: Option<Finite>,
+    snap_off_error_nm: Option<Finite>,
+}
+
+impl SweepLine {
+    /// The values of a sweep that followed one point.
+    pub fn followed(sweep: &FollowedSweep) -> Vec<Self> {
+        let line = |row: &FollowedRow| {
+            let effort = row.point.map(|_| row.elements);
+            let line = Self {
+                value: Finite(row.value),
+                solve_s: Finite(row.solve_s),
+                newton_iterations: row.newton_iterations,
+                elements: effort,
+                order: effort.map(|_| study::FOLLOWED_ORDER),
+                ..Self::default()
+            };
+            match (sweep.kind, row.point) {
+                (_, None) => line,
+                (PointKind::InitiationPeak, Some(at)) => Self {
+                    initiation_peak: Some(Finite(at.force)),
+                    initiation_peak_error: Some(Finite(at.force_error)),
+                    ..line
+                },
+                (PointKind::SnapOff, Some(at)) => Self {
+                    snap_off_displacement_nm: Some(Finite(at.displacement)),
+                    snap_off_error_nm: Some(Finite(at.displacement_error)),
+                    work: at.work.map(Finite),
+                    ..line
+                },
+            }
+        };
+        sweep.rows.iter().map(line).collect()
+    }
 }
 
 impl From<&SweepRow> for SweepLine {
@@ -110,11 +150,13 @@ impl From<&SweepRow> for SweepLine {
             snap_off_displacement_nm: peel.snap_off.map(|at| Finite(at.displacement)),
             work: work.map(Finite),
             solve_s: Finite(peel.solve_s),
-            end: end_word(&peel.end),
-            points: peel.effort.points,
+            end: Some(end_word(&peel.end)),
+            points: Some(peel.effort.points),
             newton_iterations: peel.effort.newton_iterations,
-            elements: peel.effort.elements,
-            order: peel.effort.order,
+            elements: Some(peel.effort.elements),
+            order: Some(peel.effort.order),
+            initiation_peak_error: peel.initiation_peak.map(|at| Finite(at.force_error)),
+            snap_off_error_nm: peel.snap_off.map(|at| Finite(at.displacement_error)),
         }
     }
 }

@@ -11,7 +11,7 @@ pub fn check_line(check: &Check) -> String {
     let difference = difference.map_or("-".to_owned(), |difference| format!("{difference:.1e}"));
     let computed = match (&check.failure, check.computed) {
         (Some(reason), _) => format!("not computed: {reason}"),
-        (None, computed) => computed.map_or_else(String::new, |value| digits(value)),
+        (None, computed) => computed.map_or_else(String::new, digits),
     };
     let (expects, counts) = match check.measure {
         Measure::Relative => ("expected", "relative"),

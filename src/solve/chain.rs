@@ -6,7 +6,7 @@
 //! pivot is the sign of an eigenvalue (Sylvester), so the sweep counts the negative ones as it goes.
 
 use super::SolveError;
-use crate::beam::{Basis, Density, ElementEnergy, SectionState, Spread, integrate, side_by_side};
+use crate::beam::{Basis, Density, ElementEnergy, SectionState, Spread, integrate, places, side_by_side};
 use crate::number::Lanes;
 
 /// The most fields a node can have.
@@ -100,8 +100,8 @@ pub struct UniformChain<D, const F: usize, const N: usize, const M: usize> {
     density: D,
     basis: Basis<N>,
     spread: Spread<F, N, M>,
-    /// Field of the left end that is held at zero, if any.
-    pinned_left: Option<usize>,
+    /// Where the fields of the left end are held, as far as they are.
+    pinned_left: [Option<f64>; F],
 }
 
 impl<D: Density<F>, const F: usize, const N: usize, const M: usize> UniformChain<D, F, N, M> {
@@ -109,8 +109,8 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> UniformChain
     const PIVOTS: usize = (N - 1) * F;
     const BORDER: usize = M - F * N - 1;
 
-    /// A chain whose left end is free but for `pinned_left`.
-    pub fn new(density: D, pinned_left: Option<usize>) -> Self {
+    /// A chain whose left end is free but for the fields that `pinned_left` holds at a value.
+    pub fn new(density: D, pinned_left: [Option<f64>; F]) -> Self {
         const { assert!(M == F * N + 1 || M == F * N + 2) };
         let basis = Basis::new();
         Self { density, spread: Spread::new(&basis), basis, pinned_left }
@@ -147,7 +147,7 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> UniformChain
                 &self.basis,
                 &self.spread,
                 &values,
-                length,
+                (at.ends[e], length),
                 at.border,
                 path.adhesion,
                 &mut front,
@@ -180,21 +180,22 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> UniformChain
         Ok(Root { matrix: carry, negative, energy })
     }
 
-    /// The left end of the chain: its part of the path functional, and the field that is held.
+    /// The left end of the chain: its part of the path functional, and the fields that are held.
     #[inline(always)]
     fn start(&self, front: &mut [[f64; M]; M], path: &PathRow, left_values: &[f64; F]) {
         let left = Self::PIVOTS - F;
         for f in 0..F {
             front[M - 1][left + f] += path.left[f];
         }
-        if let Some(f) = self.pinned_left {
+        for f in 0..F {
+            let Some(held) = self.pinned_left[f] else { continue };
             let k = left + f;
             for i in 0..M {
                 front[k][i] = 0.0;
                 front[i][k] = 0.0;
             }
             front[k][k] = 1.0;
-            front[k][M - 1] = left_values[f];
+            front[k][M - 1] = left_values[f] - held;
         }
     }
 
@@ -314,7 +315,7 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> Chain for Un
             let (values, changes) = (self.gather(at.state, e), self.gather(direction, e));
             let (value, slope) = side_by_side(&self.basis, &values, length);
             let (change, _) = side_by_side(&self.basis, &changes, length);
-            let r = self.density.response(value, slope, at.border);
+            let r = self.density.response(places(&self.basis, at.ends[e], length), value, slope, at.border);
             let weights = Lanes(self.basis.weights) * (0.5 * length);
             energy.total += (weights * r.energy).0.iter().sum::<f64>();
             energy.adhesion += (weights * r.adhesion).0.iter().sum::<f64>();
@@ -332,11 +333,12 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> Chain for Un
             let length = at.ends[e + 1] - at.ends[e];
             let values = self.gather(at.state, e);
             let mut front = [[0.0; M]; M];
-            integrate(&self.density, &self.basis, &self.spread, &values, length, at.border, 0.0, &mut front);
+            let place = (at.ends[e], length);
+            integrate(&self.density, &self.basis, &self.spread, &values, place, at.border, 0.0, &mut front);
             let mut node = |slot: usize, position: f64, sign: f64| {
                 let forces = std::array::from_fn(|f| sign * front[slot * F + f][M - 1]);
-                let section = self.density.section_state_from_forces(values[slot], forces, at.border);
-                let adhesion = self.density.response(values[slot], [0.0; F], at.border).adhesion;
+                let section = self.density.section_state_from_forces(position, values[slot], forces, at.border);
+                let adhesion = self.density.response(position, values[slot], [0.0; F], at.border).adhesion;
                 let mut all = [0.0; MOST_FIELDS];
                 all[..F].copy_from_slice(&values[slot]);
                 states.push(NodeState { position, values: all, section, adhesion });
@@ -355,7 +357,8 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> Chain for Un
         let (value, slope) = combine(&self.gather(at.state, element), &shape, &shape_slope, length);
         let mut all = [0.0; MOST_FIELDS];
         all[..F].copy_from_slice(&value);
-        (all, self.density.section_state(value, slope, at.border))
+        let place = at.ends[element] + 0.5 * (1.0 + local) * length;
+        (all, self.density.section_state(place, value, slope, at.border))
     }
 
     fn shifted(&self, at: Configuration, ends: &[f64]) -> Vec<f64> {

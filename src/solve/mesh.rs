@@ -27,9 +27,12 @@ impl Focus {
     }
 }
 
-/// Ends of `elements` elements on [0, length], graded towards `foci`; one more than there are elements. `near` are the ends
-/// of a similar mesh, if there is one: where to start looking.
+/// Ends of `elements` elements on [0, length], graded towards `foci`, equally long without any; one more than there are
+/// elements. `near` are the ends of a similar mesh, if there is one: where to start looking.
 pub fn graded_ends(length: f64, foci: &[Focus], elements: usize, near: &[f64]) -> Vec<f64> {
+    if foci.is_empty() {
+        return (0..=elements).map(|k| length * k as f64 / elements as f64).collect();
+    }
     let value = |s: f64| foci.iter().map(|f| f.value(s)).sum::<f64>();
     let slope = |s: f64| foci.iter().map(|f| f.slope(s)).sum::<f64>();
     let (from, to) = (value(0.0), value(length));

@@ -1,6 +1,9 @@
 //! How equilibrium is found: elimination along a chain, Newton, path following, limit points, stability.
+mod bracket;
 mod chain;
+mod control;
 mod error;
+mod fold;
 mod limit;
 mod mesh;
 mod newton;
@@ -8,11 +11,15 @@ mod path;
 mod predictor;
 mod problem;
 mod stretch;
+pub use bracket::brackets;
 pub use chain::*;
+pub use control::controlled;
 pub use error::SolveError;
+pub use fold::{Fold, FoldSearch};
 pub use limit::{Located, Turn, difference_on_more_elements, locate, solve_on, unlocated};
 pub use mesh::{Focus, graded_ends};
 pub use newton::*;
 pub use path::{Path, PathError, PathOptions};
+pub use predictor::{lagrange_weights, longest_step};
 pub use problem::{Equilibrium, Problem};
 pub use stretch::{Hermite, Stretch};

@@ -7,13 +7,13 @@ use nalgebra::{SMatrix, SVector};
 /// The numbers that tell where on the path an equilibrium lies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Observables {
-    /// S of the peeling front: adhesion energy over that of a unit length at rest, nm
+    /// S of the peeling front: adhesion energy over that of a unit length at rest, nm; zero where nothing adheres
     pub front: f64,
-    /// u, nm
+    /// u of the driven field at the grip, nm (rad where that is the rotation)
     pub displacement: f64,
-    /// θ(0) of the free end, rad
+    /// θ(0) of the left end, rad
     pub tip_rotation: f64,
-    /// P, nN
+    /// P that does work on u, nN (nN·nm where the rotation is driven: the end moment)
     pub force: f64,
     /// θ(L) at the grip, rad; no condition weighs it
     pub grip_rotation: f64,
@@ -92,6 +92,8 @@ pub struct Solution {
     pub correction: f64,
 }
 
+/// Updates below this that do not fall any more are round-off, even where the problem is not stiff.
+const STAGNANT: f64 = 1e-9;
 /// An update below this leaves the slopes as they are.
 const EXACT: f64 = 1e-10;
 
@@ -125,11 +127,11 @@ pub fn solve(
     work: &mut Workspace,
 ) -> Result<Solution, SolveError> {
     let fields = problem.fields();
-    let mut row = PathRow { adhesion: condition.weights.front / problem.rest_adhesion, ..PathRow::default() };
-    row.left[problem.rotation] = condition.weights.tip_rotation;
+    let row = path_row(problem, condition);
     let mut update = vec![0.0; at.state.len()];
     let mut correction = 0.0;
     let mut previous = f64::INFINITY;
+    let stagnant = problem.round_off.max(STAGNANT);
     for iterations in 1..=options.most_iterations {
         let root = problem.chain.eliminate(at.configuration(), &row, work)?;
         let observed = observables(problem, &at, root.energy);
@@ -140,7 +142,7 @@ pub fn solve(
         if !size.is_finite() {
             return Err(SolveError::NotFinite { quantity: "Newton's update", element: 0, position_nm: 0.0 });
         }
-        if size > options.largest_update || (iterations > 2 && size > 0.9 * previous && size > 1e-9) {
+        if size > options.largest_update || (iterations > 2 && size > 0.9 * previous && size > stagnant) {
             return Err(SolveError::NotConverged { update: size, iterations });
         }
         for (s, u) in at.state.iter_mut().zip(&update) {
@@ -149,9 +151,10 @@ pub fn solve(
         at.border += step.border;
         at.force += step.force;
         correction += size;
-        // quadratic convergence: what the next update would be
+        // quadratic convergence: what the next update would be, as far as round-off lets it fall
         let next = if previous.is_finite() { size * (size / previous).powi(2).min(1.0) } else { size };
-        if size <= options.tolerance || next <= options.tolerance || (size < 1e-9 && size > 0.5 * previous) {
+        let next = next.max(problem.round_off);
+        if size <= options.tolerance || next <= options.tolerance || (size < stagnant && size > 0.5 * previous) {
             let (root, grip) = if options.exact_slope && size > EXACT {
                 let root = problem.chain.eliminate(at.configuration(), &row, work)?;
                 let observed = observables(problem, &at, root.energy);
@@ -171,7 +174,7 @@ pub fn solve(
                 aligned: problem.chain.shifted(at.configuration(), &ends),
                 observables,
                 slope: Observables {
-                    front: adhesion_slope / problem.rest_adhesion,
+                    front: problem.front(adhesion_slope),
                     displacement: update[last + problem.driven],
                     tip_rotation: update[problem.rotation],
                     force: tangent.force,
@@ -191,12 +194,33 @@ pub fn solve(
     Err(SolveError::NotConverged { update: previous, iterations: options.most_iterations })
 }
 
+/// du/dσ and dP/dσ along the path, per unit of the condition's target σ, at a configuration on it or beside it.
+pub fn slopes(
+    problem: &Problem,
+    at: &Equilibrium,
+    condition: &Condition,
+    work: &mut Workspace,
+) -> Result<(f64, f64), SolveError> {
+    let row = path_row(problem, condition);
+    let root = problem.chain.eliminate(at.configuration(), &row, work)?;
+    let observed = observables(problem, at, root.energy);
+    let tangent = GripBlock::new(problem, &root, at, condition, &observed).tangent()?;
+    Ok((tangent.values[problem.driven], tangent.force))
+}
+
+/// What the condition wants of the chain.
+fn path_row(problem: &Problem, condition: &Condition) -> PathRow {
+    let mut row = PathRow { adhesion: problem.front(condition.weights.front), ..PathRow::default() };
+    row.left[problem.rotation] = condition.weights.tip_rotation;
+    row
+}
+
 /// Where on the path a configuration lies.
 pub fn observables(problem: &Problem, at: &Equilibrium, energy: ElementEnergy) -> Observables {
     let last = at.state.len() - problem.fields();
     Observables {
-        front: energy.adhesion / problem.rest_adhesion,
-        displacement: at.state[last + problem.driven] - problem.rest[problem.driven],
+        front: problem.front(energy.adhesion),
+        displacement: at.state[last + problem.driven] - problem.rest_at(problem.length)[problem.driven],
         tip_rotation: at.state[problem.rotation],
         force: at.force,
         grip_rotation: at.state[last + problem.rotation],
@@ -257,7 +281,7 @@ impl GripBlock {
         for f in (0..fields).filter(|&f| problem.held[f]) {
             matrix.row_mut(f).fill(0.0);
             matrix[(f, f)] = 1.0;
-            residual[f] = at.state[last + f] - problem.rest[f] - problem.rest_slope[f] * problem.length;
+            residual[f] = at.state[last + f] - problem.rest_at(problem.length)[f];
         }
         Self { matrix, residual, fields, border }
     }

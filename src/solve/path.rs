@@ -1,8 +1,9 @@
 //! The path of equilibria from rest, point by point, through every turning point.
 //!
 //! The path parameter is a linear functional of three observables that do not all turn at once: position of the peeling
-//! front (adhesion energy), displacement of the grip, rotation of the free end. Its weights are renewed at every step
-//! from the tangent, each observable measured by its own recent changes.
+//! front (adhesion energy), displacement of the grip, rotation of the left end; where nothing adheres the force stands in
+//! for the front. Its weights are renewed at every step from the tangent, each observable measured by its own recent
+//! changes.
 
 use super::predictor::{self, MOST_POINTS};
 use super::{Condition, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
@@ -17,7 +18,7 @@ pub struct PathOptions {
     pub step_tolerance: f64,
     /// Error wanted of a solution, likewise.
     pub tolerance: f64,
-    /// First displacement, nm
+    /// First displacement, nm (rad where the rotation is driven); its sign is the direction of the path
     pub first_displacement: f64,
 }
 
@@ -87,7 +88,7 @@ impl<'p> Path<'p> {
     }
 
     fn rest(&mut self) -> Result<Solution, PathError> {
-        let condition = Condition { weights: Observables { displacement: 1.0, ..Observables::default() }, target: 0.0 };
+        let condition = Condition { weights: self.outset(), target: 0.0 };
         let start = self.problem.at_rest(self.options.elements);
         solve(self.problem, start, &condition, &self.newton(), &mut self.work)
             .inspect(|s| self.iterations += s.iterations)
@@ -130,12 +131,17 @@ impl<'p> Path<'p> {
         Err(self.stopped(MOST_TRIES, cause))
     }
 
+    /// Weights of the first step: the displacement in the path's direction.
+    fn outset(&self) -> Observables {
+        Observables { displacement: self.options.first_displacement.signum(), ..Observables::default() }
+    }
+
     /// Weights of the path parameter: the tangent's direction, each observable in units of its recent changes.
     fn weights(&self) -> Observables {
         let n = self.points.len();
         let newest = &self.points[n - 1];
         if n == 1 {
-            return Observables { displacement: 1.0, ..Observables::default() };
+            return self.outset();
         }
         self.metric(None).weights(&newest.slope)
     }
@@ -173,7 +179,7 @@ impl<'p> Path<'p> {
     /// How many points to predict from, and the step.
     fn choose(&self, labels: &[f64]) -> (usize, f64) {
         if labels.len() == 1 {
-            return (1, if self.points.len() == 1 { self.options.first_displacement } else { 1e-2 });
+            return (1, if self.points.len() == 1 { self.options.first_displacement.abs() } else { 1e-2 });
         }
         let most = MOST_GROWTH * -labels[1];
         let mut best = (labels.len().min(2), 0.5 * -labels[1]);
@@ -193,19 +199,23 @@ impl<'p> Path<'p> {
     }
 }
 
-/// Units of the three observables that measure the path, from how they change along a stretch of it.
+/// Units of the three observables that measure the path, from how they change along a stretch of it. What does not
+/// measure it, the force where something adheres and else the front, has an infinite unit.
 #[derive(Clone, Copy, Debug)]
 pub struct Metric {
     front: f64,
     displacement: f64,
     tip_rotation: f64,
+    force: f64,
 }
 
 impl Metric {
     /// The largest change of each from point to point.
     pub fn of<'a>(problem: &Problem, stretch: impl Iterator<Item = &'a Observables>) -> Self {
+        let adheres = problem.adheres();
         let mut metric = Self {
-            front: 1e-3 * problem.process_length,
+            front: if adheres { 1e-3 * problem.process_length } else { f64::INFINITY },
+            force: if adheres { f64::INFINITY } else { 1e-3 * problem.force_scale },
             displacement: 1e-3 * problem.scale[problem.driven],
             tip_rotation: 1e-3 * problem.scale[problem.rotation],
         };
@@ -216,6 +226,7 @@ impl Metric {
                 metric.front = metric.front.max(change.front.abs());
                 metric.displacement = metric.displacement.max(change.displacement.abs());
                 metric.tip_rotation = metric.tip_rotation.max(change.tip_rotation.abs());
+                metric.force = metric.force.max(change.force.abs());
             }
             before = Some(here);
         }
@@ -228,7 +239,8 @@ impl Metric {
             front: direction.front / self.front.powi(2),
             displacement: direction.displacement / self.displacement.powi(2),
             tip_rotation: direction.tip_rotation / self.tip_rotation.powi(2),
-            ..Observables::default()
+            force: direction.force / self.force.powi(2),
+            grip_rotation: 0.0,
         };
         dual.times(1.0 / dual.dot(direction).sqrt())
     }

@@ -41,7 +41,7 @@ pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> 
 }
 
 /// Errors at `solution` of the extrapolations through the newest 1, 2, … points (newest first, at `labels`), relative as
-/// in [`Problem::relative_size`], or of the force, relative to itself and the work of adhesion.
+/// in [`Problem::relative_size`], or of the force, relative to itself and its scale.
 pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solution: &Solution, at: f64) -> Vec<f64> {
     let mut update = vec![0.0; solution.at.state.len()];
     (1..=points.len())
@@ -55,7 +55,7 @@ pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solut
                     *u -= weight * p;
                 }
             }
-            let force_scale = solution.at.force.abs() + problem.rest_adhesion.abs();
+            let force_scale = solution.at.force.abs() + problem.force_scale;
             problem.relative_size(&update, &solution.aligned).max(force.abs() / force_scale)
         })
         .collect()

@@ -1,31 +1,36 @@
 //! What is to be solved: a chain, its rest state, its grip, and the scales that measure progress and error.
 
 use super::{Chain, Configuration, Focus, MOST_FIELDS, graded_ends};
+use crate::beam::RestCurve;
 
-/// A chain on a substrate with its right end in a grip that drives one field.
+/// A chain with its right end in a grip that drives one field; on a substrate, or on its own.
 pub struct Problem {
     pub chain: Box<dyn Chain>,
     /// Reference length L, nm
     pub length: f64,
-    /// Fields of a node at rest at S = 0.
-    pub rest: [f64; MOST_FIELDS],
-    /// How the fields at rest grow with S (1 for x, else 0).
-    pub rest_slope: [f64; MOST_FIELDS],
+    /// x, height and rotation at rest; a chain of two fields a node leaves x out.
+    pub rest: RestCurve,
     /// The field that the grip drives.
     pub driven: usize,
-    /// The rotation.
+    /// The rotation, the last field of a node; the height stands before it.
     pub rotation: usize,
     /// Fields that the grip holds at their rest values.
     pub held: [bool; MOST_FIELDS],
     /// Scale of an error of each field: nm near the substrate, rad.
     pub scale: [f64; MOST_FIELDS],
-    /// Adhesion energy per length at rest, nN (negative).
+    /// Scale of the grip's force: nN, or nN·nm where it drives the rotation.
+    pub force_scale: f64,
+    /// Updates of this relative size, as in [`Problem::relative_size`], may be round-off: the machine's epsilon times the ratio
+    /// of the stiffest to the softest way to deform, or zero where that ratio is small.
+    pub round_off: f64,
+    /// Adhesion energy per length at rest, nN: negative, or zero where nothing adheres. Then there is no front: the force
+    /// takes its place in the measure of the path, and the mesh has no moving focus.
     pub rest_adhesion: f64,
     /// Foci of the mesh besides the front.
     pub fixed_foci: Vec<Focus>,
-    /// Length ℓ of the process zone, nm
+    /// Length ℓ of the process zone, nm; L where nothing adheres
     pub process_length: f64,
-    /// Height of the beam, nm.
+    /// Height of the beam where its height field is the gap below it, nm; zero where that is the axis.
     pub height: f64,
     /// Whether the law looks at the edges of a tilted section, or only at the gap below the axis.
     pub sees_tilt: bool,
@@ -60,6 +65,23 @@ impl Problem {
         self.chain.fields()
     }
 
+    /// Whether there is adhesion, and with it a front.
+    pub fn adheres(&self) -> bool {
+        self.rest_adhesion != 0.0
+    }
+
+    /// S of the front for an adhesion energy, or its change for a change of that, nm; zero where nothing adheres.
+    pub fn front(&self, adhesion: f64) -> f64 {
+        if self.adheres() { adhesion / self.rest_adhesion } else { 0.0 }
+    }
+
+    /// The fields of a node at rest.
+    pub fn rest_at(&self, place: f64) -> [f64; MOST_FIELDS] {
+        let all = self.rest.at(place);
+        let left_out = MOST_FIELDS - self.fields();
+        std::array::from_fn(|f| all.get(f + left_out).copied().unwrap_or(0.0))
+    }
+
     /// Element ends for a front at `center`.
     pub fn ends(&self, center: f64, elements: usize) -> Vec<f64> {
         self.ends_near(center, elements, &[])
@@ -67,7 +89,10 @@ impl Problem {
 
     /// The same, found faster from the ends of a similar mesh.
     pub fn ends_near(&self, center: f64, elements: usize, near: &[f64]) -> Vec<f64> {
-        let mut foci = vec![Focus { center, length: self.process_length, weight: 1.0 }];
+        let mut foci = Vec::with_capacity(1 + self.fixed_foci.len());
+        if self.adheres() {
+            foci.push(Focus { center, length: self.process_length, weight: 1.0 });
+        }
         foci.extend(&self.fixed_foci);
         graded_ends(self.length, &foci, elements, near)
     }
@@ -80,22 +105,20 @@ impl Problem {
         for node in 0..=elements * order {
             let (e, rank) = ((node / order).min(elements - 1), node - (node / order).min(elements - 1) * order);
             let s = ends[e] + (ends[e + 1] - ends[e]) * self.chain.node_fraction(rank);
-            for f in 0..self.fields() {
-                state.push(self.rest[f] + self.rest_slope[f] * s);
-            }
+            state.extend_from_slice(&self.rest_at(s)[..self.fields()]);
         }
         Equilibrium { ends, center: self.length, state, border: 0.0, force: 0.0 }
     }
 
-    /// Size of an update relative to what it changes: heights by their scale plus their lift, rotations as they are.
+    /// Size of an update relative to what it changes: heights by their scale plus their lift, rotations by their scale.
     pub fn relative_size(&self, update: &[f64], state: &[f64]) -> f64 {
-        let (fields, driven, rotation) = (self.fields(), self.driven, self.rotation);
-        let (per_rotation, scale, rest) = (1.0 / self.scale[rotation], self.scale[driven], self.rest[driven]);
+        let (fields, rotation, up) = (self.fields(), self.rotation, self.rotation - 1);
+        let (per_rotation, scale, rest) = (1.0 / self.scale[rotation], self.scale[up], self.rest.start[1]);
         let (mut largest, mut sum) = (0.0f64, 0.0);
         for (u, s) in update.chunks_exact(fields).zip(state.chunks_exact(fields)) {
             // x, where it is an unknown, is measured like the height
-            let height = if driven > 0 { u[0].abs().max(u[driven].abs()) } else { u[driven].abs() };
-            largest = largest.max(height / (scale + (s[driven] - rest).abs())).max(u[rotation].abs() * per_rotation);
+            let height = if up > 0 { u[0].abs().max(u[up].abs()) } else { u[up].abs() };
+            largest = largest.max(height / (scale + (s[up] - rest).abs())).max(u[rotation].abs() * per_rotation);
             sum += height + u[rotation];
         }
         // max passes over a NaN, a sum does not
@@ -109,7 +132,7 @@ impl Problem {
         let half = if self.sees_tilt { 0.5 * self.height } else { 0.0 };
         at.state
             .chunks_exact(fields)
-            .map(|node| node[self.driven] + half * (1.0 - node[self.rotation].cos().abs()))
+            .map(|node| node[self.rotation - 1] + half * (1.0 - node[self.rotation].cos().abs()))
             .fold(f64::INFINITY, f64::min)
     }
 }

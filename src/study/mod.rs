@@ -1,13 +1,23 @@
-//! Many runs: the whole peel of one scene, sweeps over a parameter.
+//! Many runs: the whole peel of one scene, sweeps over a parameter, a point followed, the path of a rod.
+mod anchor;
+mod continuation;
 mod follow;
+mod follow_point;
+mod followed;
 mod peel;
 mod peel_run;
 mod plateau;
+mod rod;
 mod step_curve;
 mod sweep;
 mod trace;
 pub mod verify;
 mod work;
 pub use crate::solve::Turn;
+pub use follow_point::follow_point;
+pub use followed::*;
 pub use peel::*;
+/// Order of the elements with which a point is followed.
+pub use peel_run::ORDER as FOLLOWED_ORDER;
+pub use rod::{RodPath, RodTrouble, RodTurn, follow_rod};
 pub use sweep::*;

@@ -14,9 +14,9 @@ use std::time::Instant;
 /// Error bounds are the difference to half as many elements again times this.
 const SAFETY: f64 = 2.0;
 /// Round-off, relative to the largest force of the path or to the displacement itself.
-const ROUND_OFF: f64 = 5e-12;
+pub(super) const ROUND_OFF: f64 = 5e-12;
 /// The same for the displacement of a turn of the force, which is the zero of a difference of forces.
-const ROUND_OFF_PLACE: f64 = 2e-10;
+pub(super) const ROUND_OFF_PLACE: f64 = 2e-10;
 /// The first integral may spread by this many times the accuracy asked for, in units of the work of adhesion, at any point:
 /// where it spreads by 1.4e-5, at an edge that carries the strip, the force of that point was wrong by 6e-8.
 const SPREAD: f64 = 100.0;
@@ -24,32 +24,45 @@ const SPREAD: f64 = 100.0;
 const SPREAD_ROUND_OFF: f64 = 5e-10;
 /// Below this relative error, an error that does not fall with more elements is taken for round-off.
 const STAGNATION: f64 = 2e-8;
-/// No bound below this share of the accuracy asked for is claimed: two meshes may agree by luck.
+/// Two meshes may agree in one number by luck: no bound is below this share of the relative difference in the other number of
+/// the same point.
 const MODESTY: f64 = 0.1;
+/// No bound is below this, relative, nor, where less is asked for, below a tenth of what is asked for.
+const LEAST: f64 = 2e-10;
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
 /// Most elements of a mesh.
 const MOST_ELEMENTS: usize = 400;
 /// Order of the elements.
-const ORDER: usize = 7;
+pub const ORDER: usize = 7;
 
 /// Elements and steps for an accuracy.
 #[derive(Clone, Copy, Debug)]
-struct Resolution {
-    elements: usize,
+pub(super) struct Resolution {
+    pub elements: usize,
     step_tolerance: f64,
 }
 
 impl Resolution {
     /// What sufficed on the reference cases: elements grow like the square of the logarithm of the length, and with the
     /// digits asked for.
-    fn first(model: &StripModel, relative: f64) -> Self {
+    pub(super) fn first(model: &StripModel, relative: f64) -> Self {
         let span = (model.strip.length / model.process_length()).asinh();
         let digits = -relative.log10();
         let elements = (5.1 + 0.434 * span * span) * (0.32 + 0.052 * digits + 0.0083 * digits * digits);
         Self {
             elements: (elements.ceil() as usize).clamp(6, MOST_ELEMENTS),
             step_tolerance: STEP_TOLERANCE * (1e6 * relative).powf(1.0 / 6.0),
+        }
+    }
+
+    /// How a path is stepped at this resolution.
+    pub(super) fn path_options(self, model: &StripModel, relative: f64) -> PathOptions {
+        PathOptions {
+            elements: self.elements,
+            step_tolerance: self.step_tolerance,
+            tolerance: (1e-2 * relative).clamp(1e-12, 1e-6),
+            first_displacement: 0.02 * model.adhesion.equilibrium_distance.min(model.process_length()),
         }
     }
 
@@ -73,12 +86,7 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> P
     let mut best: Option<Attempt> = None;
     let mut iterations = 0;
     for _ in 0..MOST_MESHES {
-        let options = PathOptions {
-            elements: resolution.elements,
-            step_tolerance: resolution.step_tolerance,
-            tolerance: (1e-2 * accuracy.relative).clamp(1e-12, 1e-6),
-            first_displacement: 0.02 * model.adhesion.equilibrium_distance.min(model.process_length()),
-        };
+        let options = resolution.path_options(model, accuracy.relative);
         let followed = follow(&problem, options, far, bounds, accuracy.relative, started);
         iterations += followed.iterations;
         let attempt = Attempt::new(model, &problem, followed, resolution, accuracy.relative);
@@ -236,12 +244,12 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: 
             work: work_near(problem, &followed.points, &works, *after, located),
             displacement_error: {
                 let round_off = if *kind == Turn::Load { ROUND_OFF_PLACE } else { ROUND_OFF };
-                let floor = (round_off + MODESTY * relative) * located.observables.displacement.abs();
+                let floor = (round_off + modesty(located, relative)) * located.observables.displacement.abs();
                 SAFETY * located.difference.displacement.abs() + floor
             },
             force_error: SAFETY * located.difference.force.abs()
                 + ROUND_OFF * largest
-                + MODESTY * relative * located.observables.force.abs(),
+                + modesty(located, relative) * located.observables.force.abs(),
             flat: located.flat,
             after: *after,
         })
@@ -249,6 +257,14 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: 
     let mut peel = Peel { points: points.collect(), end: followed.end.clone(), limit_points, ..empty(model) };
     fill_special_points(&mut peel, problem, followed, relative);
     peel
+}
+
+/// The relative error below which no bound of a located point is.
+fn modesty(located: &crate::solve::Located, relative: f64) -> f64 {
+    let (o, d) = (&located.observables, &located.difference);
+    // the place of a flat turn says nothing of its force
+    let place = if located.flat { 0.0 } else { (d.displacement / o.displacement).abs() };
+    MODESTY * place.max((d.force / o.force).abs()) + LEAST.min(0.1 * relative)
 }
 
 fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed, relative: f64) {
@@ -291,7 +307,7 @@ fn peak_at(problem: &Problem, last: &Arc<Solution>, relative: f64) -> Option<Pea
         displacement: o.displacement,
         force: o.force,
         end_rotation: o.grip_rotation,
-        force_error: SAFETY * difference.force.abs() + (ROUND_OFF + MODESTY * relative) * o.force.abs(),
+        force_error: SAFETY * difference.force.abs() + (ROUND_OFF + LEAST.min(0.1 * relative)) * o.force.abs(),
         displacement_error: ROUND_OFF * o.displacement.abs(),
     })
 }

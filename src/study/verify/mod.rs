@@ -2,8 +2,10 @@
 //!
 //! One file a topic. A topic computes its checks when it is run and knows nothing of the others.
 
+pub(crate) mod beam;
 pub mod bounds;
 mod check;
+mod levels;
 pub mod orders;
 mod published;
 pub mod reference;
@@ -21,4 +23,5 @@ pub struct Topic {
 }
 
 /// Every topic, in the order in which they are reported.
-pub const TOPICS: &[Topic] = &[published::TOPIC, strip::TOPIC, orders::TOPIC, bounds::TOPIC];
+pub const TOPICS: &[Topic] =
+    &[published::TOPIC, strip::TOPIC, levels::TOPIC, beam::TOPIC, orders::TOPIC, bounds::TOPIC];

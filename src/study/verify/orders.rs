@@ -14,7 +14,7 @@ pub(super) const TOPIC: Topic =
 /// What is measured on a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
-    /// Stored and adhesion energy at a given displacement.
+    /// Change of the stored and adhesion energy from rest to a given displacement.
     Energy,
     /// Displacement at a given force.
     Displacement,
@@ -72,18 +72,20 @@ impl Convergence {
     }
 }
 
-/// Strip on which convergence is measured: of the paper's section, 5 nm long, r0 = 1 nm, so that uniform meshes of a few
+/// Strip on which convergence is measured: of the paper's section, 20 nm long, r0 = 1 nm, so that uniform meshes of a few
 /// elements resolve it.
 fn strip() -> StripModel {
-    let mut model = StripModel::of_the_paper(5.0, 1.0);
+    let mut model = StripModel::of_the_paper(LENGTH, 1.0);
     model.adhesion.equilibrium_distance = 1.0;
     model
 }
 
+/// nm
+const LENGTH: f64 = 20.0;
 /// Displacement at which the energy is taken, nm; the force there is the given force.
 const DISPLACEMENT: f64 = 0.12;
 /// Numbers of elements.
-const MESHES: [usize; 16] = [1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 24, 32, 48, 64, 128];
+const MESHES: [usize; 20] = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256];
 /// An error outside of this is round-off, or of a mesh that does not yet resolve the strip.
 const MEASURED: std::ops::Range<f64> = 2e-12..2e-2;
 
@@ -126,7 +128,8 @@ impl Measured {
         let problem = strip().problem(Form::TwoField, order);
         let mut mesh = Mesh::new(&problem, elements);
         let lift = |target| Condition { weights: Observables { displacement: 1.0, ..Observables::default() }, target };
-        let mut here = mesh.solve(&lift(0.0))?;
+        let rest = mesh.solve(&lift(0.0))?;
+        let mut here = rest.clone();
         for step in 1..=4 {
             here = mesh.solve(&lift(DISPLACEMENT * f64::from(step) / 4.0))?;
         }
@@ -136,7 +139,7 @@ impl Measured {
         };
         let displacement = mesh.solve(&pull)?.observables.displacement;
         Ok(Self {
-            energy: here.energy.total,
+            energy: here.energy.total - rest.energy.total,
             force: here.observables.force,
             displacement,
             peak_force: mesh.peak(lift)?,
@@ -195,7 +198,7 @@ fn run() -> Vec<Check> {
             .map(|c| {
                 let name = format!("order of the {}, p = {}, extrapolated to h = 0", c.quantity.name(), c.order);
                 let wanted = 2.0 * c.order as f64;
-                let tolerance = if c.order <= 4 { 0.03 } else { 0.1 };
+                let tolerance = if c.order <= 4 { 0.05 } else { 0.1 };
                 Check::new(TOPIC.name, name, source(c.order), c.rate(), wanted, Measure::Relative, tolerance)
             })
             .collect(),

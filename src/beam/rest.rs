@@ -1,0 +1,115 @@
+//! The curve along which a beam is free of stress.
+
+/// The axis at rest: it starts at a place in a direction and bends as its curvature says. The sections stand square to it.
+///
+/// θ0(S) = θ0(0) + k0 S + k1 S²/2 + k2 S³/3 with the curvature κ0(S) = k0 + k1 S + k2 S²; x0' = cos θ0, y0' = sin θ0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RestCurve {
+    /// x0, y0 in nm and θ0 in rad at S = 0.
+    pub start: [f64; 3],
+    /// k0, k1, k2: 1/nm, 1/nm², 1/nm³.
+    pub curvature: [f64; 3],
+}
+
+/// Gauss-Legendre points and weights on [0, 1]: eight of them integrate a piece of [`PIECE`] radians to round-off.
+const GAUSS: [(f64, f64); 8] = {
+    const X: [f64; 4] =
+        [0.183_434_642_495_649_8, 0.525_532_409_916_329, 0.796_666_477_413_626_7, 0.960_289_856_497_536_3];
+    const W: [f64; 4] =
+        [0.362_683_783_378_362, 0.313_706_645_877_887_3, 0.222_381_034_453_374_48, 0.101_228_536_290_376_26];
+    let mut rule = [(0.0, 0.0); 8];
+    let mut i = 0;
+    while i < 4 {
+        rule[3 - i] = (0.5 * (1.0 - X[i]), 0.5 * W[i]);
+        rule[4 + i] = (0.5 * (1.0 + X[i]), 0.5 * W[i]);
+        i += 1;
+    }
+    rule
+};
+
+/// Largest turn of a piece that is integrated at once, rad.
+const PIECE: f64 = 0.5;
+
+impl RestCurve {
+    /// A straight line from `(x, y)` in the direction `rotation`.
+    pub fn straight(x: f64, y: f64, rotation: f64) -> Self {
+        Self { start: [x, y, rotation], curvature: [0.0; 3] }
+    }
+
+    /// An arc of a circle from the origin in the direction `rotation`; a positive `curvature` turns it to the left.
+    pub fn arc(rotation: f64, curvature: f64) -> Self {
+        Self { start: [0.0, 0.0, rotation], curvature: [curvature, 0.0, 0.0] }
+    }
+
+    /// κ0 at S, 1/nm.
+    pub fn curvature_at(&self, place: f64) -> f64 {
+        let [k0, k1, k2] = self.curvature;
+        k0 + place * (k1 + place * k2)
+    }
+
+    /// θ0 at S, rad.
+    pub fn rotation_at(&self, place: f64) -> f64 {
+        let [k0, k1, k2] = self.curvature;
+        self.start[2] + place * (k0 + place * (k1 / 2.0 + place * k2 / 3.0))
+    }
+
+    /// x0, y0 and θ0 at S.
+    pub fn at(&self, place: f64) -> [f64; 3] {
+        let [x, y, rotation] = self.start;
+        let [k0, k1, k2] = self.curvature;
+        if k1 == 0.0 && k2 == 0.0 {
+            // the chord of an arc, which for k0 = 0 is the straight line without round-off
+            let half = 0.5 * k0 * place;
+            let chord = if half == 0.0 { place } else { place * half.sin() / half };
+            let (sin, cos) = (rotation + half).sin_cos();
+            return [x + chord * cos, y + chord * sin, self.rotation_at(place)];
+        }
+        let turn = place.abs() * (k0.abs() + place.abs() * (k1.abs() + place.abs() * k2.abs()));
+        let pieces = (turn / PIECE).ceil().clamp(1.0, 1e4) as usize;
+        let step = place / pieces as f64;
+        let (mut along, mut up) = (x, y);
+        for piece in 0..pieces {
+            for (point, weight) in GAUSS {
+                let (sin, cos) = self.rotation_at((piece as f64 + point) * step).sin_cos();
+                along += step * weight * cos;
+                up += step * weight * sin;
+            }
+        }
+        [along, up, self.rotation_at(place)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_abs_diff_eq;
+
+    #[test]
+    fn a_line_is_exact_and_an_arc_is_a_circle() {
+        assert_eq!(RestCurve::straight(0.0, 0.3, 0.0).at(7.1), [7.1, 0.3, 0.0]);
+        let (radius, turn) = (50.0, 4.0f64);
+        let [x, y, rotation] = RestCurve::arc(0.0, 1.0 / radius).at(radius * turn);
+        assert_abs_diff_eq!(x, radius * turn.sin(), epsilon = 1e-12);
+        assert_abs_diff_eq!(y, radius * (1.0 - turn.cos()), epsilon = 1e-12);
+        assert_abs_diff_eq!(rotation, turn, epsilon = 1e-14);
+    }
+
+    /// Fresnel's integrals C(1.5) and S(1.5), from tables: κ0 = π S, θ0 = π S²/2.
+    #[test]
+    fn a_linear_curvature_is_a_clothoid() {
+        let clothoid = RestCurve { start: [0.0; 3], curvature: [0.0, std::f64::consts::PI, 0.0] };
+        let [x, y, _] = clothoid.at(1.5);
+        assert_abs_diff_eq!(x, 0.445_261_176_039_822, epsilon = 1e-13);
+        assert_abs_diff_eq!(y, 0.697_504_960_082_093, epsilon = 1e-13);
+    }
+
+    /// The quadrature and the chord of an arc agree.
+    #[test]
+    fn quadrature_of_an_arc_is_the_arc() {
+        let arc = RestCurve::arc(0.3, 0.02);
+        let nearly = RestCurve { curvature: [0.02, 0.0, 1e-300], ..arc };
+        for (a, b) in arc.at(200.0).iter().zip(nearly.at(200.0)) {
+            assert_abs_diff_eq!(*a, b, epsilon = 1e-11);
+        }
+    }
+}

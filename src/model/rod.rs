@@ -1,0 +1,151 @@
+//! A beam on its own: nothing adheres, it may be curved at rest, and its ends are held as chosen.
+
+use super::Hold;
+use super::chain::three_field;
+use crate::beam::{ReissnerRod, RestCurve, Section};
+use crate::solve::{MOST_FIELDS, Problem};
+
+/// What an end of a rod does with each of its unknowns: `Fixed` at the value of the rest curve, or `Free`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Support {
+    pub x: Hold,
+    pub y: Hold,
+    pub rotation: Hold,
+}
+
+impl Support {
+    /// Nothing held.
+    pub const FREE: Self = Self { x: Hold::Free, y: Hold::Free, rotation: Hold::Free };
+    /// Place held, free to turn.
+    pub const HINGED: Self = Self { x: Hold::Fixed, y: Hold::Fixed, rotation: Hold::Free };
+    /// Place and rotation held.
+    pub const CLAMPED: Self = Self { x: Hold::Fixed, y: Hold::Fixed, rotation: Hold::Fixed };
+
+    /// Whether x, y and θ are held.
+    fn held(self) -> [bool; 3] {
+        [self.x, self.y, self.rotation].map(|hold| hold == Hold::Fixed)
+    }
+}
+
+/// Which unknown of the right end is driven.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drive {
+    /// x: the displacement and the force are along x
+    X,
+    /// y: along y
+    Y,
+    /// θ: the displacement is an angle in rad and the force an end moment in nN·nm
+    Rotation,
+}
+
+/// A rod of uniform section: free of stress along `rest`, held at both ends, driven at the right one (S = L).
+///
+/// The driven unknown must be free at the right end; its conjugate force is what the solver calls the force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RodModel {
+    /// L along the rest curve, nm
+    pub length: f64,
+    pub section: Section,
+    pub rest: RestCurve,
+    pub left: Support,
+    pub right: Support,
+    pub drive: Drive,
+}
+
+/// What is wrong with a [`RodModel`].
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum RodError {
+    #[error("{what} is {value}; it must be a positive finite number")]
+    NotPositive { what: &'static str, value: f64 },
+    #[error("the rest curve has a number that is not finite: {0:?}")]
+    Rest(RestCurve),
+    #[error("{0:?} is driven at the right end and held there as well; it must be free")]
+    DrivenAndHeld(Drive),
+    #[error("elements of order {0} do not exist; the order is 1 to 8")]
+    Order(usize),
+}
+
+impl RodModel {
+    /// What the solver is given, with elements of order 1 to 8, equally long.
+    pub fn problem(&self, order: usize) -> Result<Problem, RodError> {
+        self.check(order)?;
+        let Self { length, section, rest, .. } = *self;
+        let driven = self.driven();
+        let start = rest.at(0.0);
+        let left = self.left.held();
+        let pinned_left = std::array::from_fn(|f| left[f].then_some(start[f]));
+        // a force by the moment that bends the rod by a radian
+        let moment = section.bending / length;
+        Ok(Problem {
+            chain: three_field(ReissnerRod { section, rest }, order, pinned_left),
+            length,
+            rest,
+            driven,
+            rotation: 2,
+            held: self.right.held(),
+            scale: std::array::from_fn::<_, MOST_FIELDS, _>(|f| if f == 2 { 1.0 } else { length }),
+            force_scale: if self.drive == Drive::Rotation { moment } else { moment / length },
+            round_off: f64::EPSILON * section.axial.max(section.shear) * length / moment,
+            rest_adhesion: 0.0,
+            fixed_foci: Vec::new(),
+            process_length: length,
+            height: 0.0,
+            sees_tilt: false,
+            conservative: true,
+        })
+    }
+
+    fn driven(&self) -> usize {
+        match self.drive {
+            Drive::X => 0,
+            Drive::Y => 1,
+            Drive::Rotation => 2,
+        }
+    }
+
+    fn check(&self, order: usize) -> Result<(), RodError> {
+        let Section { axial, shear, bending } = self.section;
+        for (what, value) in [("the length", self.length), ("EA", axial), ("GA_s", shear), ("EI", bending)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(RodError::NotPositive { what, value });
+            }
+        }
+        if self.rest.start.iter().chain(&self.rest.curvature).any(|number| !number.is_finite()) {
+            return Err(RodError::Rest(self.rest));
+        }
+        if self.right.held()[self.driven()] {
+            return Err(RodError::DrivenAndHeld(self.drive));
+        }
+        if (1..=8).contains(&order) { Ok(()) } else { Err(RodError::Order(order)) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rod() -> RodModel {
+        RodModel {
+            length: 10.0,
+            section: Section { axial: 1e3, shear: 1e3, bending: 1.0 },
+            rest: RestCurve::default(),
+            left: Support::CLAMPED,
+            right: Support::FREE,
+            drive: Drive::Y,
+        }
+    }
+
+    #[test]
+    fn bad_rods_are_refused_by_name() {
+        assert!(rod().problem(3).is_ok());
+        assert_eq!(
+            RodModel { right: Support::HINGED, ..rod() }.problem(3).err(),
+            Some(RodError::DrivenAndHeld(Drive::Y))
+        );
+        assert_eq!(rod().problem(9).err(), Some(RodError::Order(9)));
+        let wrong = RodModel { length: -1.0, ..rod() }.problem(3).err().map(|e| e.to_string());
+        assert_eq!(wrong.as_deref(), Some("the length is -1; it must be a positive finite number"));
+        let rest = RestCurve { curvature: [f64::NAN, 0.0, 0.0], ..RestCurve::default() };
+        assert!(matches!(RodModel { rest, ..rod() }.problem(3).err(), Some(RodError::Rest(_))));
+    }
+}

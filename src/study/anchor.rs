@@ -1,0 +1,82 @@
+//! Where the path from rest has the point that is to be followed.
+
+use super::peel_run::{self, Resolution};
+use super::{Accuracy, Bounds, End, PointKind};
+use crate::model::{Form, StripModel};
+use crate::solve::{Located, Path, Problem, Stretch, Turn, Workspace, brackets, locate};
+
+/// The accuracy of the beginning of the path that finds the first maximum; the point is solved for again on a mesh of its
+/// own.
+const ROUGH: f64 = 1e-6;
+/// Path points behind the first fall of the force that interpolation may use.
+const BEHIND: usize = 2;
+
+/// The point on the path from rest, or nothing where the path has none; an error where the path cannot be computed.
+pub(super) fn anchor(
+    model: &StripModel,
+    kind: PointKind,
+    accuracy: &Accuracy,
+    bounds: &Bounds,
+) -> Result<Option<Located>, String> {
+    match kind {
+        PointKind::InitiationPeak => first_maximum(model, bounds),
+        PointKind::SnapOff => snap_off(model, accuracy, bounds),
+    }
+}
+
+/// The first maximum of the force, from the beginning of the path.
+fn first_maximum(model: &StripModel, bounds: &Bounds) -> Result<Option<Located>, String> {
+    let problem = model.problem(Form::TwoField, peel_run::ORDER);
+    let far = 10.0 * model.adhesion.equilibrium_distance;
+    let mut path = Path::new(&problem, Resolution::first(model, ROUGH).path_options(model, ROUGH));
+    let mut behind = 0;
+    while behind <= BEHIND {
+        if path.points().len() >= bounds.points {
+            return Err(format!("the path has no maximum of the force within bounds.points = {}", bounds.points));
+        }
+        let newest = match path.advance() {
+            Ok(newest) => newest,
+            // what is needed is there already
+            Err(_) if behind > 0 => break,
+            Err(error) => return Err(error.to_string()),
+        };
+        let o = newest.observables;
+        if let Some(most) = bounds.displacement.filter(|&most| o.displacement > most && behind == 0) {
+            return Err(format!("the path has no maximum of the force within bounds.displacement = {most} nm"));
+        }
+        let ended = path.nearest_edge() > far || o.displacement <= 0.0 || o.force <= 0.0;
+        if behind == 0 && ended && path.points().len() > 2 {
+            return Ok(None);
+        }
+        behind += usize::from(behind > 0 || newest.slope.force < 0.0);
+    }
+    let (points, mut work) = (path.points(), Workspace::default());
+    for index in 0..points.len() - 1 {
+        let stretch = Stretch::around(&problem, points, index);
+        let found = brackets(&problem, points, index, &stretch, Turn::Load, ROUGH, &mut work);
+        if let Some(&bracket) = found.map_err(|error| error.to_string())?.first() {
+            let located = locate(&problem, &stretch, Turn::Load, bracket, None, &mut work);
+            return located.map(Some).map_err(|error| error.to_string());
+        }
+    }
+    Err("the force falls along the path, but its maximum was not found".into())
+}
+
+/// The first turning point at which the displacement turns back, from the whole path.
+fn snap_off(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> Result<Option<Located>, String> {
+    let peel = peel_run::run(model, accuracy, bounds);
+    let (Some(at), Some(trace)) = (peel.snap_off, &peel.trace) else {
+        return match peel.end {
+            End::Failed(reason) | End::Bound(reason) => Err(reason),
+            End::Detached | End::Pivoting | End::TurnedBack => Ok(None),
+        };
+    };
+    let problem: &Problem = &trace.problem;
+    let stretch = Stretch::around(problem, &trace.points, at.after);
+    let mut work = Workspace::default();
+    let found = brackets(problem, &trace.points, at.after, &stretch, Turn::Displacement, accuracy.relative, &mut work);
+    let bracket = found.map_err(|error| error.to_string())?.first().copied();
+    let bracket = bracket.ok_or("the snap-off was not found again on its path")?;
+    let located = locate(problem, &stretch, Turn::Displacement, bracket, None, &mut work);
+    located.map(Some).map_err(|error| error.to_string())
+}
