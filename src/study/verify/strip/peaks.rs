@@ -88,7 +88,7 @@ fn stiff(cases: &[Case]) -> Vec<Check> {
         ),
         check(
             "initiation peak, rigid in shear, EI × 1e12, L = 1000 nm, nN",
-            "a rigid body, verification/strip_peaks.py; P sin θ/EA = 2.5e-4 of stretch is left",
+            "a rigid body, verification/strip_peaks.py; the stretch P sin θ/EA = 3e-4 is left",
             Ok(last(&rigid)),
             rigid_body.and_then(|row| row.number("peak_force_nN")).unwrap_or(f64::NAN),
             Measure::Relative,
