@@ -2,8 +2,8 @@
 
 use super::chart::{Picture, save};
 use super::{
-    ReportError, figure_beam, figure_levels, figure_stiffness, figure_strip, figure_verification, figure_work,
-    write_whole,
+    ReportError, figure_beam, figure_levels, figure_points, figure_stiffness, figure_strip, figure_verification,
+    figure_work, write_whole,
 };
 use crate::model::StripModel;
 use crate::study::{Accuracy, Bounds, Peel, SweepRow, peel, sweep};
@@ -19,6 +19,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
     let mut figures = figure_strip::figures(&runner, dir)?;
     let stiffness = figure_stiffness::Sweeps::compute(&runner);
     figures.extend(figure_stiffness::figures(&stiffness, dir)?);
+    figures.push(figure_points::figure(&stiffness, dir)?);
     figures.push(figure_work::figure(&runner, &stiffness.full, dir)?);
     figures.push(figure_beam::figure(dir)?);
     figures.push(figure_levels::figure(dir)?);

@@ -32,8 +32,8 @@ const SPATULA_CAPTION: &str = "The shaded range of a gecko spatula is h = 5 to 2
 /// The sweeps behind these figures, each against EI/EI0.
 pub(super) struct Sweeps {
     pub full: Vec<SweepRow>,
-    force_only: Vec<SweepRow>,
-    axis_gap: Vec<SweepRow>,
+    pub force_only: Vec<SweepRow>,
+    pub axis_gap: Vec<SweepRow>,
     through_modulus: Vec<SweepRow>,
     through_height: Vec<SweepRow>,
 }

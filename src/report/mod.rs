@@ -6,6 +6,7 @@ mod error;
 mod figure;
 mod figure_beam;
 mod figure_levels;
+mod figure_points;
 mod figure_stiffness;
 mod figure_strip;
 mod figure_verification;

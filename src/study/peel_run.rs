@@ -4,11 +4,10 @@
 use super::follow::{Followed, Trouble, follow};
 use super::plateau::plateau;
 use super::trace::Trace;
+use super::work::{work_near, works};
 use super::{Accuracy, Bounds, Effort, End, LimitPoint, PathPoint, Peak, Peel};
 use crate::model::{Form, StripModel};
-use crate::solve::{
-    Equilibrium, PathOptions, Problem, Solution, Stretch, Turn, Workspace, difference_on_more_elements,
-};
+use crate::solve::{PathOptions, Problem, Solution, Turn, Workspace, difference_on_more_elements};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -311,54 +310,4 @@ fn peak_at(problem: &Problem, last: &Arc<Solution>, relative: f64) -> Option<Pea
         force_error: SAFETY * difference.force.abs() + (ROUND_OFF + LEAST.min(0.1 * relative)) * o.force.abs(),
         displacement_error: ROUND_OFF * o.displacement.abs(),
     })
-}
-
-/// Work of the grip from rest to each point: the energy it changed, or, where the load has no potential, ∫ P du.
-fn works(problem: &Problem, points: &[Arc<Solution>]) -> Vec<f64> {
-    if problem.conservative {
-        let energy = |s: &Solution| s.energy.total + border_energy(problem, &s.at);
-        return points.iter().map(|s| energy(s) - energy(&points[0])).collect();
-    }
-    let mut works = vec![0.0];
-    for i in 0..points.len().saturating_sub(1) {
-        let stretch = Stretch::around(problem, points, i);
-        works.push(works[i] + work_between(&stretch, 0.0, stretch.end()));
-    }
-    works
-}
-
-/// A held grip's multiplier H adds H L to the energy.
-fn border_energy(problem: &Problem, at: &Equilibrium) -> f64 {
-    at.border * problem.length
-}
-
-/// ∫ P du between two labels of a stretch, by Simpson's rule on 16 parts of the interpolants.
-fn work_between(stretch: &Stretch, from: f64, to: f64) -> f64 {
-    let middle = 0.5 * (from + to);
-    let (u, p) = (stretch.observable(|o| o.displacement, middle), stretch.observable(|o| o.force, middle));
-    let integrand = |k: usize| {
-        let at = from + (to - from) * k as f64 / 16.0;
-        p.at(at).0 * u.at(at).1
-    };
-    let inner: f64 = (1..16).map(|k| if k % 2 == 1 { 4.0 } else { 2.0 } * integrand(k)).sum();
-    (integrand(0) + inner + integrand(16)) * (to - from) / 48.0
-}
-
-/// Work at a located point.
-fn work_near(
-    problem: &Problem,
-    points: &[Arc<Solution>],
-    works: &[f64],
-    after: usize,
-    located: &crate::solve::Located,
-) -> f64 {
-    let s = &located.solution;
-    if problem.conservative {
-        let rest = points[0].energy.total + border_energy(problem, &points[0].at);
-        let ahead = s.observables.force * (located.observables.displacement - s.observables.displacement);
-        return s.energy.total + border_energy(problem, &s.at) - rest + ahead;
-    }
-    let mut stretch = Stretch::around(problem, points, after);
-    let label = stretch.insert(s.clone());
-    works[after] + work_between(&stretch, 0.0, label)
 }

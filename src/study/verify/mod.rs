@@ -9,6 +9,7 @@ mod levels;
 pub mod orders;
 mod published;
 pub mod reference;
+mod strip;
 
 pub use check::{Check, Measure};
 
@@ -22,4 +23,5 @@ pub struct Topic {
 }
 
 /// Every topic, in the order in which they are reported.
-pub const TOPICS: &[Topic] = &[published::TOPIC, levels::TOPIC, beam::TOPIC, orders::TOPIC, bounds::TOPIC];
+pub const TOPICS: &[Topic] =
+    &[published::TOPIC, strip::TOPIC, levels::TOPIC, beam::TOPIC, orders::TOPIC, bounds::TOPIC];

@@ -1,0 +1,126 @@
+//! The strip against collocation of the strong form, exact relations and limits.
+
+mod peaks;
+mod points;
+mod steady;
+mod work;
+
+use super::reference::{self, Row};
+use super::{Check, Measure, Topic};
+use crate::adhesion::LineLoad;
+use crate::model::StripModel;
+use crate::study::{Accuracy, Bounds, End, Peel, peel};
+use rayon::prelude::*;
+
+pub(super) const TOPIC: Topic =
+    Topic { name: "strip", about: "the peeling strip: collocation of the strong form, exact relations, limits", run };
+
+const POINTS: &str = include_str!("../../../../verification/strip_points.csv");
+const PEAKS: &str = include_str!("../../../../verification/strip_peaks.csv");
+const PUBLISHED: &str = include_str!("../../../../verification/published.csv");
+
+/// What a user gets who asks for nothing else.
+const DEFAULT: Accuracy = Accuracy { relative: 1e-6 };
+
+fn run() -> Vec<Check> {
+    let whole = Case::all(POINTS, |_| None);
+    let mut checks = points::checks(&whole);
+    checks.extend(steady::checks());
+    checks.extend(peaks::checks());
+    checks.extend(work::checks(&whole));
+    checks
+}
+
+/// A row of a table and the crate's peel of its strip.
+struct Case {
+    row: Row,
+    peel: Peel,
+}
+
+impl Case {
+    /// Every row of a table, peeled at the default accuracy up to a displacement (nm) or to its end.
+    fn all(table: &str, until: impl Fn(&Row) -> Option<f64> + Sync) -> Vec<Self> {
+        let rows = reference::read(table);
+        let peeled = |row: Row| {
+            let bounds = Bounds { points: 20_000, time_s: None, displacement: until(&row) };
+            Self { peel: peel(&strip_of(&row), &DEFAULT, &bounds), row }
+        };
+        let beam = |row: &Row| row.number("bending_stiffness_factor").is_some_and(f64::is_finite);
+        rows.into_par_iter().filter(beam).map(peeled).collect()
+    }
+
+    fn load(&self) -> LineLoad {
+        self.peel.model.adhesion.line_load
+    }
+
+    /// EI over that of the section.
+    fn factor(&self) -> f64 {
+        self.peel.model.strip.bending_stiffness_factor
+    }
+
+    /// "full, EI × 0.01, L = 200 nm"
+    fn name(&self) -> String {
+        let load = self.row.text("line_load").unwrap_or("full");
+        format!("{load}, EI × {}, L = {} nm", self.factor(), self.peel.model.strip.length)
+    }
+
+    /// A check of `computed` against the number in `column`; none where the table has none and nothing was computed.
+    fn against(&self, what: &str, column: &str, computed: Option<f64>, tolerance: f64) -> Option<Check> {
+        let expected = self.row.number(column);
+        if expected.is_none() && computed.is_none() {
+            return None;
+        }
+        let missing = || match &self.peel.end {
+            End::Failed(why) => why.clone(),
+            end => format!("not found before the path ended ({end:?})"),
+        };
+        Some(check(
+            format!("{what}, {}", self.name()),
+            match self.row.text("shear_correction") {
+                Some(_) => "verification/strip_peaks.py: collocation",
+                None => "verification/strip_points.py: collocation",
+            },
+            computed.ok_or_else(missing),
+            expected.unwrap_or(f64::NAN),
+            Measure::Relative,
+            tolerance,
+        ))
+    }
+}
+
+/// The paper's strip with what a row says otherwise.
+fn strip_of(row: &Row) -> StripModel {
+    let mut model = StripModel::of_the_paper(
+        row.number("length_nm").unwrap_or(f64::NAN),
+        row.number("bending_stiffness_factor").unwrap_or(f64::NAN),
+    );
+    model.adhesion.line_load = match row.text("line_load") {
+        Some("force-only") => LineLoad::ForceOnly,
+        Some("axis-gap") => LineLoad::AxisGap,
+        _ => LineLoad::Full,
+    };
+    if let Some(shear_correction) = row.number("shear_correction") {
+        // the shear that is left changes the peak by about 0.3 (EI/EI0)^(1/2) / shear_correction
+        let rigid = 1e7 * model.strip.bending_stiffness_factor.sqrt();
+        model.strip.shear_correction = shear_correction.min(rigid);
+    }
+    model
+}
+
+/// A number of verification/published.csv.
+fn published(quantity: &str) -> f64 {
+    let rows = reference::read(PUBLISHED);
+    let row = rows.iter().find(|row| row.text("quantity") == Some(quantity));
+    row.and_then(|row| row.number("value")).unwrap_or(f64::NAN)
+}
+
+fn check(
+    name: impl Into<String>,
+    source: impl Into<String>,
+    computed: Result<f64, String>,
+    expected: f64,
+    measure: Measure,
+    tolerance: f64,
+) -> Check {
+    Check::new(TOPIC.name, name, source, computed, expected, measure, tolerance)
+}

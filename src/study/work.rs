@@ -1,0 +1,46 @@
+//! The work of the grip along a path: the energy it changed, or, where the load has no potential, ∫ P du.
+
+use super::step_curve::StepCurve;
+use crate::solve::{Equilibrium, Located, Problem, Solution, Stretch};
+use std::sync::Arc;
+
+/// Work from rest to each point, aJ.
+pub(super) fn works(problem: &Problem, points: &[Arc<Solution>]) -> Vec<f64> {
+    if !problem.conservative {
+        return works_of_force(problem, points);
+    }
+    points.iter().map(|s| energy(problem, s) - energy(problem, &points[0])).collect()
+}
+
+/// Work at a located point, aJ; `works` as above.
+pub(super) fn work_near(
+    problem: &Problem,
+    points: &[Arc<Solution>],
+    works: &[f64],
+    after: usize,
+    located: &Located,
+) -> f64 {
+    let s = &located.solution;
+    if problem.conservative {
+        let ahead = s.observables.force * (located.observables.displacement - s.observables.displacement);
+        return energy(problem, s) - energy(problem, &points[0]) + ahead;
+    }
+    let mut stretch = Stretch::around(problem, points, after);
+    let label = stretch.insert(s.clone());
+    works[after] + StepCurve::until(problem, &stretch, label, s).work()
+}
+
+/// ∫ P du from rest to each point, aJ, whatever the load.
+pub(super) fn works_of_force(problem: &Problem, points: &[Arc<Solution>]) -> Vec<f64> {
+    let mut works = vec![0.0];
+    for i in 0..points.len().saturating_sub(1) {
+        works.push(works[i] + StepCurve::behind(problem, points, i).work());
+    }
+    works
+}
+
+/// Stored and adhesion energy, aJ. A held grip's multiplier H adds H L.
+pub(super) fn energy(problem: &Problem, s: &Solution) -> f64 {
+    let border = |at: &Equilibrium| at.border * problem.length;
+    s.energy.total + border(&s.at)
+}

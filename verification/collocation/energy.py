@@ -1,0 +1,126 @@
+"""Energy of a solution, work of the grip along a path, and the plateau of a path."""
+import math
+
+import numpy as np
+
+from .law import potential
+from .mesh import mesh
+from .path import interpolated
+from .system import Rule
+
+FLAT = 0.01                                                           # a plateau is where |d ln P / d ln u| is below this
+LEVEL = 1e-6                                                          # where it is below this the place does not matter
+
+
+def energy(s, st):
+    """Stored energy and change of the adhesion energy since rest, aJ; for "force-only" the potential of the full law."""
+    c = s.strip
+    z = st.inner()
+    g, th, V, M = (z[..., i] for i in range(4))
+    N, Q = st.H * np.cos(th) + V * np.sin(th), V * np.cos(th) - st.H * np.sin(th)
+    density = 0.5 * N ** 2 / c.EA + 0.5 * Q ** 2 / c.GA + 0.5 * M ** 2 / c.EI
+    rest = potential(c, np.float64(s.g0), np.float64(0.0))[0]
+    density = density + c.width * (potential(c, g, th)[0] - rest)
+    return float(np.diff(st.X) @ (density @ Rule(st.n).w))
+
+
+def work(path, nodes):
+    """Integral of P du from rest to lp1, aJ.
+
+    On every step of the path u and P are polynomials of the path length through its ends and `nodes` solutions between; the
+    last one is followed to where u turns.
+    """
+    last = lp1_after(path)
+    total = 0.0
+    for i in range(last + 1):
+        u, P = step_curve(path, i, nodes)
+        slope = u.deriv()
+        until = 1.0
+        if i == last:
+            until = min((r.real for r in slope.roots() if abs(r.imag) < 1e-9 and abs(r) <= 1.0), default=1.0)
+        whole = (P * slope).integ()
+        total += whole(until) - whole(-1.0)
+    return total
+
+
+def step_curve(path, i, nodes):
+    """u and P between path points i and i + 1 as Chebyshev series on [-1, 1]."""
+    s = path.s
+    t = -np.cos(np.linspace(0.0, np.pi, nodes + 2))
+    a, b = path.labels[i:i + 2]
+    inner = [solution(path, 0.5 * (a + b) + 0.5 * (b - a) * x) for x in t[1:-1]]
+    states = [path.points[i], *inner, path.points[i + 1]]
+    return (np.polynomial.Chebyshev.fit(t, [get(st) for st in states], nodes + 1, domain=[-1, 1]) for get in (s.u, s.P))
+
+
+def plateau(path):
+    """The force (nN) where |d ln P / d ln u| is least between peak and lp1; None where it is nowhere below FLAT.
+
+    A load limit point is level too, but only for a moment: of three successive steps of the path the steepest counts. Around
+    the flattest step ln P is a polynomial of ln u through five solutions on fine meshes, in a window that shrinks.
+    """
+    s, last = path.s, lp1_after(path)
+    first = int(np.argmax([s.P(p) for p in path.points[:last]])) + 1
+    u, P = np.log([[s.u(p), s.P(p)] for p in path.points[first:last + 1]]).T
+    steepness = np.diff(P) / np.diff(u)
+    i = 1 + int(np.argmin([np.abs(steepness[k - 1:k + 2]).max() for k in range(1, len(steepness) - 1)]))
+    if abs(steepness[i]) > FLAT:
+        return None
+    level = np.abs(steepness[i - 1:i + 2]).max() < LEVEL
+    here, there = path.labels[first + i:first + i + 2]
+    centre, half = 0.5 * (here + there), 0.5 * (there - here)
+    t, dense = np.linspace(-1.0, 1.0, 5), np.linspace(-1.0, 1.0, 2001)
+    for _ in range(8):
+        states = [refined(path, solution(path, centre + half * x)) for x in t]
+        lnu, lnP = (np.polyfit(t, [math.log(get(st)) for st in states], 4) for get in (s.u, s.P))
+        steepness = np.polyval(np.polyder(lnP), dense) / np.polyval(np.polyder(lnu), dense)
+        best = dense[np.argmin(np.abs(steepness))]
+        inside = abs(best) < 0.9
+        if level or inside and half < 0.1 * (there - here):
+            break
+        half_next = half * (0.3 if inside else 1.0)
+        centre = min(max(centre + half * best, path.labels[first] + half_next), path.labels[last] - half_next)
+        half = half_next
+    return math.exp(np.polyval(lnP, best))
+
+
+def lp1_after(path):
+    """The index of the last path point before lp1, or before the largest u where lp1 was not found."""
+    s = path.s
+    top = int(np.argmax([s.u(p) for p in path.points]))
+    if "lp1" not in path.found:
+        return top - 1
+    return top if s.P(path.found["lp1"]) < s.P(path.points[top]) else top - 1     # P falls there
+
+
+def solution(path, label):
+    """The solution next to what an interpolation along the path gives at a path length."""
+    s = path.s
+    i = min(int(np.searchsorted(path.labels, label, side="right")) - 1, len(path.points) - 2)
+    first = max(i - 1, 1) if i else 0
+    near = range(first, min(first + 4, len(path.points)))
+    states = [resampled(s, path.points[k], len(path.points[i + 1].X)) for k in near]
+    guess = interpolated(states, [path.labels[k] for k in near], label)
+    guess.X[0], guess.X[-1] = 0.0, s.strip.length
+    way = (states[i + 1 - first].flat() - states[i - first].flat()) / s.scale(len(guess.X) - 1)
+    s.border = way / np.linalg.norm(way)
+    return s.correct(guess, tol=1e-10, most=12)
+
+
+def refined(path, st):
+    """A solution again, at its u, on a mesh as fine as that of a turning point."""
+    s = path.s
+    N, n, _ = path.fine
+    X, load = mesh(s, st, N, quiet=1e-8)
+    X, _ = mesh(s, st, max(N, int(load / 1.6)), quiet=1e-8)
+    row = np.zeros(s.d * len(X) + (s.d == 5))
+    row[s.d * (len(X) - 1)] = 1.0
+    return s.correct(st.moved(s.strip, X, n), row=row, target=st.zn[-1, 0], tol=1e-11, most=12)
+
+
+def resampled(s, st, size):
+    """The same solution on another number of sub-intervals of the same grading."""
+    if len(st.X) == size:
+        return st
+    X = np.interp(np.linspace(0.0, 1.0, size), np.linspace(0.0, 1.0, len(st.X)), st.X)
+    return st.moved(s.strip, X, st.n)

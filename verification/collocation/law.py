@@ -1,0 +1,184 @@
+"""The strip, the potential of its adhesion, and the strong form of Reissner's planar beam on it.
+
+With the potential  Pi = int [EA G1^2/2 + GA G2^2/2 + EI k^2/2 + b Psi(y, theta)] dS - P y(L),
+    G1 = x' cos + y' sin - 1,   G2 = -x' sin + y' cos,   k = theta',
+    H = N cos - Q sin,  V = N sin + Q cos,  M = EI theta'   (N = EA G1, Q = GA G2; so N = H cos + V sin, Q = -H sin + V cos),
+its first variation gives
+    H' = 0,   V' = b dPsi/dy = -b T_c,   M' = -x' V + y' H + b dPsi/dtheta = -x' V + y' H - b M_c.
+Solved for derivatives, with g = y - h/2 in place of y and w = x - S in place of x, so that nothing cancels:
+    g' = (1 + N/EA) sin + (Q/GA) cos,   theta' = M/EI,   V' = -b T_c,   M' = -x' V + y' H - b M_c,   w' = x' - 1.
+Psi is that of Sauer's eqs. (17)-(22). An infinite shear_correction makes the strip rigid in shear.
+"""
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import brentq
+
+
+@dataclass(frozen=True)
+class Strip:
+    length: float = 100.0                # nm
+    factor: float = 1.0                  # on EI alone
+    rotation: str = "free"               # of the grip: free | fixed
+    horizontal: str = "free"             # of the grip: free | fixed
+    line_load: str = "full"              # full | force-only | axis-gap
+    far_face: bool = True
+    height: float = 10.0                 # nm
+    width: float = 1.0                   # nm
+    young: float = 2.0                   # GPa
+    poisson: float = 0.2
+    shear_correction: float = 5.0 / 6.0
+    hamaker: float = 1e-19               # J
+    r0: float = 0.4                      # nm
+
+    @property
+    def EI(self):
+        return self.young * self.height ** 3 / 12.0 * self.width * self.factor
+
+    @property
+    def EA(self):
+        return self.young * self.height * self.width
+
+    @property
+    def GA(self):
+        return self.shear_correction * self.young / (2.0 * (1.0 + self.poisson)) * self.height * self.width
+
+    @property
+    def K(self):
+        """A_H / (2 pi r0^2), nN/nm."""
+        return self.hamaker * 1e18 / (2.0 * math.pi * self.r0 ** 2)
+
+    def __str__(self):
+        return (f"L={self.length:g} f={self.factor:g} rot={self.rotation} hor={self.horizontal} {self.line_load} "
+                f"far={str(self.far_face).lower()} h={self.height:g} b={self.width:g} E={self.young:g} nu={self.poisson:g} "
+                f"k={self.shear_correction:.4g} A_H={self.hamaker:g} r0={self.r0:g}")
+
+
+def _near(c, r):
+    """W, T, T' of one half space at the gap r: W(r) = K [q^8/360 - q^2/6], T = -W'."""
+    q = c.r0 / r
+    q2 = q * q
+    q8 = q2 ** 4
+    W = c.K * (q8 / 360.0 - q2 / 6.0)
+    T = c.K / c.r0 * q * (q8 / 45.0 - q2 / 3.0)
+    dT = c.K / c.r0 ** 2 * q2 * (q2 - q8 / 5.0)
+    return W, T, dT
+
+
+def potential(c, g, th):
+    """Psi with its gradient (y, theta) and Hessian (yy, yt, tt); for axis-gap the W(g) - W(g + h) of its traction.
+
+    "force-only" has the same T_c but no M_c; its Psi is that of the full law and is no potential of it.
+    """
+    co, si = np.cos(th), np.sin(th)
+    h, r0 = c.height, c.r0
+    if c.line_load == "axis-gap":
+        W, T, dT = _near(c, g)
+        if c.far_face:
+            W2, T2, dT2 = _near(c, g + h)
+            W, T, dT = W - W2, T - T2, dT - dT2
+        zero = np.zeros_like(W)
+        return W, -T, zero, -dT, zero, zero
+    r1 = g + h * np.sin(0.5 * th) ** 2           # = y - (h/2) cos, without the cancellation
+    if not c.far_face:
+        W, T, dT = _near(c, r1)
+        a = 0.5 * h * si                          # d r1 / d theta
+        ic = 1.0 / co
+        d1 = si * ic * ic                         # (1/cos)'
+        d2 = ic * (1.0 + 2.0 * si * si * ic * ic)  # (1/cos)''
+        return (W * ic, -T * ic, -T * a * ic + W * d1, -dT * ic, -dT * a * ic - T * d1,
+                (-dT * a * a - T * 0.5 * h * co) * ic - 2.0 * T * a * d1 + W * d2)
+    # both faces: with p = r0/r1, q = r0/r2, m = p q, s = p + q = 2 (y/r0) m, the division by cos is done by hand:
+    # Psi = K (h/r0) m s B,  B = (p^2 + q^2)(p^4 + q^4)/360 - 1/6.
+    y = g + 0.5 * h
+    r2 = y + 0.5 * h * co
+    m = r0 * r0 / (r1 * r2)
+    s = 2.0 * y / r0 * m
+    Q = (r0 / r1) ** 2 + (r0 / r2) ** 2          # s^2 - 2m
+    m2 = m * m
+    B = Q * (Q * Q - 2.0 * m2) / 360.0 - 1.0 / 6.0
+    BQ = (3.0 * Q * Q - 2.0 * m2) / 360.0
+    BQQ = Q / 60.0
+    Bs = 2.0 * s * BQ
+    Bm = -2.0 * BQ - m * Q / 90.0
+    Bss = 4.0 * s * s * BQQ + 2.0 * BQ
+    x = -2.0 * BQQ - m / 90.0
+    Bsm = 2.0 * s * x
+    Bmm = -2.0 * x + (2.0 * m - Q) / 90.0
+    C = c.K * h / r0
+    Gm = C * s * (B + m * Bm)
+    Gs = C * m * (B + s * Bs)
+    Gmm = C * s * (2.0 * Bm + m * Bmm)
+    Gss = C * m * (2.0 * Bs + s * Bss)
+    Gms = C * (B + s * Bs + m * Bm + m * s * Bsm)
+    # m = r0^2/D with D = r1 r2 = y^2 - (h cos/2)^2
+    i = m / (r0 * r0)                             # 1/D
+    Dy, Dt = 2.0 * y, 0.5 * h * h * si * co
+    Dtt = 0.5 * h * h * (co * co - si * si)
+    my, mt = -m * Dy * i, -m * Dt * i
+    myy = -2.0 * my * Dy * i - 2.0 * m * i
+    myt = -2.0 * my * Dt * i
+    mtt = -2.0 * mt * Dt * i - m * Dtt * i
+    k = 2.0 / r0
+    sy, st = k * (m + y * my), k * y * mt
+    syy, syt, stt = k * (2.0 * my + y * myy), k * (mt + y * myt), k * y * mtt
+    return (C * m * s * B, Gm * my + Gs * sy, Gm * mt + Gs * st,
+            Gmm * my * my + 2.0 * Gms * my * sy + Gss * sy * sy + Gm * myy + Gs * syy,
+            Gmm * my * mt + Gms * (my * st + mt * sy) + Gss * sy * st + Gm * myt + Gs * syt,
+            Gmm * mt * mt + 2.0 * Gms * mt * st + Gss * st * st + Gm * mtt + Gs * stt)
+
+
+def rest_gap(c):
+    """g at which T_c(y, 0) = 0."""
+    f = lambda g: float(potential(c, np.float64(g), np.float64(0.0))[1])
+    return brentq(f, 0.4 * c.r0, 5.0 ** (-1 / 6) * c.r0, xtol=1e-17, rtol=1e-15)
+
+
+def field(c, z, H, jac=True):
+    """z' and its derivatives to z and H. z[..., :] = g, theta, V, M (, w)."""
+    d = z.shape[-1]
+    g, th, V, M = z[..., 0], z[..., 1], z[..., 2], z[..., 3]
+    co, si = np.cos(th), np.sin(th)
+    _, Py, Pt, Pyy, Pyt, Ptt = potential(c, g, th)
+    if c.line_load == "force-only":
+        Pt = np.zeros_like(Py)
+        My, Mt = Pt, Pt
+    else:
+        My, Mt = Pyt, Ptt
+    b, ea, ga = c.width, 1.0 / c.EA, 1.0 / c.GA
+    N, Q = H * co + V * si, V * co - H * si
+    x1 = (1.0 + N * ea) * co - Q * ga * si
+    y1 = (1.0 + N * ea) * si + Q * ga * co
+    f = np.empty_like(z)
+    f[..., 0] = y1
+    f[..., 1] = M / c.EI
+    f[..., 2] = b * Py
+    f[..., 3] = -x1 * V + y1 * H + b * Pt
+    if d == 5:
+        f[..., 4] = N * ea * co - Q * ga * si - 2.0 * np.sin(0.5 * th) ** 2
+    if not jac:
+        return f
+    J = np.zeros(z.shape + (d,))
+    y_t = x1 + Q * si * ea - N * co * ga
+    y_V = si * si * ea + co * co * ga
+    xy = si * co * (ea - ga)                      # dy'/dH = dx'/dV
+    x_t = -y1 + Q * co * ea + N * si * ga
+    J[..., 0, 1] = y_t
+    J[..., 0, 2] = y_V
+    J[..., 1, 3] = 1.0 / c.EI
+    J[..., 2, 0] = b * Pyy
+    J[..., 2, 1] = b * Pyt
+    J[..., 3, 0] = b * My
+    J[..., 3, 1] = -x_t * V + y_t * H + b * Mt
+    J[..., 3, 2] = -x1 - xy * V + y_V * H
+    if d == 4:
+        return f, J, None
+    J[..., 4, 1] = x_t
+    J[..., 4, 2] = xy
+    x_H = co * co * ea + si * si * ga
+    fH = np.zeros_like(z)
+    fH[..., 0] = xy
+    fH[..., 3] = -x_H * V + y1 + xy * H
+    fH[..., 4] = x_H
+    return f, J, fH

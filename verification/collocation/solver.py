@@ -1,0 +1,112 @@
+"""Newton corrections towards the path of equilibria of one strip, and its tangent."""
+import math
+
+import numpy as np
+
+from .law import field, rest_gap
+from .system import System
+
+
+class Failure(Exception):
+    pass
+
+
+class Solver:
+    """What belongs to one strip, and the direction (`border`) along which corrections do not go."""
+
+    def __init__(self, strip):
+        self.strip = strip
+        self.d = 5 if strip.horizontal == "fixed" else 4
+        self.g0 = rest_gap(strip)
+        z0 = np.zeros(self.d)
+        z0[0] = self.g0
+        _, J, _ = field(strip, z0, 0.0)
+        self.k0 = J[2, 0]                                             # stiffness of the adhesion at rest
+        self.lam0 = (self.k0 / strip.EI) ** 0.25
+        self.ell = 1.0 / self.lam0
+        self.pole = strip.line_load != "axis-gap" and not strip.far_face   # Psi = W/cos(theta), nothing to make up for the cos
+        self.border = None
+
+    def scale(self, N):
+        """The size of each unknown on N sub-intervals."""
+        c = self.strip
+        M = c.EI * 0.1 * self.lam0
+        s = [c.r0, 0.1, 0.1 * c.K / c.r0 * c.width * self.ell, M, self.ell][:self.d]
+        v = np.tile(s, N + 1)
+        return np.append(v, s[2]) if self.d == 5 else v
+
+    def u(self, st):
+        return float(st.zn[-1, 0] - self.g0)
+
+    def P(self, st):
+        return float(st.zn[-1, 2])
+
+    def correct(self, st, row=None, target=None, tol=1e-8, most=8):
+        """Newton. With a row: row . z = target. Without: shortest steps in the scaled norm (Moore-Penrose)."""
+        sc = self.scale(len(st.X) - 1)
+        free = row is None
+        if free:
+            row = self.border
+            if row is None or len(row) != len(sc):
+                raise Failure("no border")
+        last = np.inf
+        most += 8 * self.pole
+        for it in range(most):
+            sy = System(self.strip, st)
+            if free:
+                dx, T = sy.solve(row / sc, 0.0)
+                t, x = T / sc, dx / sc
+                t = t / np.linalg.norm(t)
+                x = x - (x @ t) * t
+                dx, row = x * sc, t
+            else:
+                dx, T = sy.solve(row, target - row @ st.flat())
+            size = np.abs(dx / sc).max()
+            if not np.isfinite(size) or size > 50.0 * (1.0 + self.strip.length / self.ell):
+                raise Failure("diverged")
+            if self.pole:                                             # stay on this side of cos(theta) = 0
+                turn = np.abs(dx[1:self.d * len(st.X):self.d])
+                dx = dx * min(1.0, float((0.4 * np.abs(np.cos(st.zn[:, 1])) / np.maximum(turn, 1e-300)).min()))
+            st = sy.apply(st, dx)
+            if st.zn[:, 0].min() < 0.3 * self.strip.r0 - (0.0 if self.strip.line_load == "axis-gap" else self.strip.height):
+                raise Failure("penetrates")
+            if size < tol or (it > 1 and size < 1e-9 and size > 0.3 * last):
+                break
+            if it >= 2 and size > 2.0 * last and size > 1e-6 and not self.pole:
+                raise Failure("not contracting")
+            last = size
+        else:
+            if size > 1e3 * tol:
+                raise Failure("too many iterations")
+        if free:
+            self.border = row
+        self.used = it + 1
+        return st
+
+    def tangent(self, st, like=None):
+        """Null vector of the linearisation, scaled length 1, oriented along `like`."""
+        sc = self.scale(len(st.X) - 1)
+        row = like if like is not None else self.border
+        _, T = System(self.strip, st).solve(row / sc, 0.0)
+        t = T / sc
+        t = t / np.linalg.norm(t)
+        return t if t @ row > 0 else -t
+
+    def steepness(self, st):
+        """d ln P / d ln u of the path at st."""
+        row = np.zeros(self.d * len(st.X) + (self.d == 5))
+        end = self.d * (len(st.X) - 1)
+        row[end + 2] = 1.0                                            # T with dP = 1: regular where u turns
+        _, T = System(self.strip, st).solve(row, 0.0)
+        return self.u(st) / (self.P(st) * T[end])
+
+    def distance(self, a, b):
+        """How far two solutions are apart as functions of S, wherever their meshes lie."""
+        dz = np.concatenate([a.zn - b.at(a.X), a.at(b.X) - b.zn])
+        return math.sqrt(np.mean((dz[:, 0] / self.ell) ** 2) + np.mean((dz[:, 1] / 0.1) ** 2))
+
+    def error(self, predicted, st):
+        """How good a prediction was, relative to the gap and to the largest rotation."""
+        dg = np.abs(predicted.zn[:, 0] - st.zn[:, 0])
+        dt = np.abs(predicted.zn[:, 1] - st.zn[:, 1]).max()
+        return max(float((dg / (np.abs(st.zn[:, 0]) + 0.5 * self.strip.r0)).max()), dt / (np.abs(st.zn[:, 1]).max() + 1e-3))

@@ -1,0 +1,101 @@
+"""What the scripts of the strip have in common: cases in, a table out; with --check the committed table is held against them."""
+import argparse
+import sys
+import time
+
+import tables
+
+from .digits import LEVELS, good, off, printed, twice
+from .law import Strip
+
+DEFINING = {"length_nm": "length", "bending_stiffness_factor": "factor", "grip_rotation": "rotation", "line_load": "line_load",
+            "far_face": "far_face", "height_nm": "height", "youngs_modulus_GPa": "young", "poissons_ratio": "poisson",
+            "hamaker_constant_J": "hamaker", "equilibrium_distance_nm": "r0", "width_nm": "width",
+            "grip_horizontal": "horizontal", "shear_correction": "shear_correction"}
+
+
+class Suite:
+    """A table: its name and remarks, the strips of its rows, its columns, and compute(strip, level, verbose) -> {column: number}.
+
+    Columns that neither define the strip nor are computed are an error; `digits_relative`, the fewest digits of a row, is added.
+    """
+
+    def __init__(self, table, remarks, cases, columns, compute, quick=()):
+        self.table, self.remarks, self.cases, self.columns, self.compute, self.quick = table, remarks, cases, columns, compute, quick
+        self.values = [column for column in columns if column not in DEFINING]
+
+    def row(self, strip, verbose):
+        """A row, each number as the text of its good digits, and remarks."""
+        found, remarks = twice(lambda level: self.compute(strip, level, verbose))
+        row = {}
+        for column in self.columns:
+            value = getattr(strip, DEFINING[column]) if column in DEFINING else None
+            row[column] = f"{value:.16g}" if isinstance(value, float) else value
+            if column in found:
+                row[column] = printed(*found[column])
+        row["digits_relative"] = min(good(difference) for _, difference in found.values())
+        return row, remarks
+
+    def mismatches(self, strip, row, verbose):
+        """What differs between a row of a table and the strip computed anew on the finer level, a line each."""
+        now = self.compute(strip, LEVELS[1], verbose)
+        for column in self.values:
+            text = row.get(column)
+            if not text:
+                continue
+            if now[column] is None:
+                yield f"{column}: {text} in the table, not found now"
+            elif (difference := off(text, now[column])) is not None:
+                yield f"{column}: {text} in the table, {now[column]!r} now, differs by {difference:.1e}"
+
+    def check(self, name, only, quick, verbose):
+        """How many rows of a table do not agree."""
+        rows = {strip_of(row): row for row in tables.read(name)}
+        cases = self.quick if quick else self.cases if name == self.table else list(rows)
+        cases = [strip for strip in cases if only in str(strip)]
+        wrong = 0
+        for strip in cases:
+            found = list(self.mismatches(strip, rows[strip], verbose)) if strip in rows else ["not in the table"]
+            wrong += bool(found)
+            print(*(f"{strip}: {line}" for line in found), sep="\n", end="\n" if found else "", flush=True)
+        print(f"{name}: {len(cases)} rows recomputed, {wrong} do not agree")
+        return wrong
+
+    def write(self, verbose):
+        rows = []
+        for strip in self.cases:
+            row, remarks = self.row(strip, verbose)
+            rows.append(row)
+            print(f"{strip}: {row['digits_relative']} digits{''.join('; ' + remark for remark in remarks)}", flush=True)
+        tables.write(self.table, self.remarks, rows)
+        print(f"wrote verification/{self.table}: {len(rows)} rows")
+
+
+def strip_of(row):
+    """The strip of a row of a table; what it has no column for is as in the paper."""
+    paper = Strip()
+
+    def value(column, default):
+        text = row[column]
+        return text == "true" if isinstance(default, bool) else text if isinstance(default, str) else float(text)
+
+    return Strip(**{name: value(column, getattr(paper, name)) for column, name in DEFINING.items() if column in row})
+
+
+def run(description, suite, checks=()):
+    """The command line of a script. checks: functions without arguments that print a line and return whether it holds."""
+    ap = argparse.ArgumentParser(description=description)
+    ap.add_argument("--check", action="store_true", help="recompute and compare with the committed table (1e-9 relative, or its last digit)")
+    ap.add_argument("--quick", action="store_true", help="with --check: some of the rows")
+    ap.add_argument("--only", metavar="TEXT", default="", help="with --check: rows whose description contains TEXT, and nothing else")
+    ap.add_argument("--reference", metavar="CSV", default=suite.table, help="with --check: another table of such columns, strip.csv say")
+    ap.add_argument("--verbose", action="store_true", help="print every point of every path")
+    a = ap.parse_args()
+    started = time.time()
+    wrong = 0 if a.only else sum(not check() for check in checks)
+    if a.check:
+        wrong += suite.check(a.reference, a.only, a.quick and suite.quick, a.verbose)
+    else:
+        suite.write(a.verbose)
+    print(f"{time.time() - started:.0f} s, {'all checks passed' if not wrong else f'{wrong} CHECKS FAILED'}")
+    sys.exit(1 if wrong else 0)
