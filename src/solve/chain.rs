@@ -8,6 +8,7 @@
 use super::SolveError;
 use crate::beam::{Basis, Density, ElementEnergy, SectionState, Spread, integrate, places, side_by_side};
 use crate::number::Lanes;
+use std::ops::Range;
 
 /// The most fields a node can have.
 pub const MOST_FIELDS: usize = 3;
@@ -84,8 +85,8 @@ pub trait Chain: Send + Sync {
     fn recover(&self, work: &Workspace, root: &[f64], scale: f64, out: &mut [f64]);
     /// Energy of a configuration, and how its adhesion energy changes along `direction`, a change of the fields.
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64);
-    /// Section state at every end of an element.
-    fn node_states(&self, at: Configuration) -> Vec<NodeState>;
+    /// Section state at every end of the elements of a range.
+    fn node_states(&self, at: Configuration, elements: Range<usize>) -> Vec<NodeState>;
     /// Fields at the local coordinate `local` in [-1, 1] of element `element`, and the section state there.
     fn sample(&self, at: Configuration, element: usize, local: f64) -> ([f64; MOST_FIELDS], SectionState);
     /// The state on element ends that lie a little beside its own: each node's value moved along its element's polynomial,
@@ -326,10 +327,9 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> Chain for Un
         (energy, along)
     }
 
-    fn node_states(&self, at: Configuration) -> Vec<NodeState> {
-        let elements = at.ends.len() - 1;
-        let mut states = Vec::with_capacity(elements + 1);
-        for e in 0..elements {
+    fn node_states(&self, at: Configuration, elements: Range<usize>) -> Vec<NodeState> {
+        let mut states = Vec::with_capacity(elements.len() + 1);
+        for e in elements.clone() {
             let length = at.ends[e + 1] - at.ends[e];
             let values = self.gather(at.state, e);
             let mut front = [[0.0; M]; M];
@@ -343,8 +343,8 @@ impl<D: Density<F>, const F: usize, const N: usize, const M: usize> Chain for Un
                 all[..F].copy_from_slice(&values[slot]);
                 states.push(NodeState { position, values: all, section, adhesion });
             };
-            if e == 0 {
-                node(N - 2, at.ends[0], -1.0);
+            if e == elements.start {
+                node(N - 2, at.ends[e], -1.0);
             }
             node(N - 1, at.ends[e + 1], 1.0);
         }

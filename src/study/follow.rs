@@ -140,9 +140,12 @@ fn worst_spread(problem: &Problem, points: &[Arc<Solution>]) -> f64 {
         return 0.0;
     }
     let spread = |point: &Arc<Solution>| {
-        let sections = problem.chain.node_states(point.at.configuration());
+        let (at, last) = (point.at.configuration(), point.at.ends.len() - 2);
+        // what is lost on the way shows at the two ends, and most of it is lost in the element at an edge
+        let sections = [0..1, last..last + 1].map(|element| problem.chain.node_states(at, element));
         let (low, high) = sections
             .iter()
+            .flatten()
             .map(|section| section.first_integral())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         (high - low) / problem.rest_adhesion.abs()

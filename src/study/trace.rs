@@ -51,7 +51,7 @@ impl Trace {
     /// Section states at the ends of the elements.
     pub fn sections(&self, index: usize) -> Vec<NodeState> {
         let at = self.points.get(index).map(|p| &p.at);
-        at.map(|at| self.problem.chain.node_states(at.configuration())).unwrap_or_default()
+        at.map(|at| self.problem.chain.node_states(at.configuration(), 0..at.ends.len() - 1)).unwrap_or_default()
     }
 
     /// Axis and rotation at one point, with x from the section's x' by Simpson's rule between samples.

@@ -30,7 +30,7 @@ class Suite:
         row = {}
         for column in self.columns:
             value = getattr(strip, DEFINING[column]) if column in DEFINING else None
-            row[column] = f"{value:.16g}" if isinstance(value, float) else value
+            row[column] = repr(value).removesuffix(".0") if isinstance(value, float) else value
             if column in found:
                 row[column] = printed(*found[column])
         row["digits_relative"] = min(good(difference) for _, difference in found.values())

@@ -47,7 +47,7 @@ fn energy(problem: &Problem, state: &[f64]) -> f64 {
 
 fn largest_force(problem: &Problem, state: &[f64]) -> f64 {
     let ends = problem.ends(0.0, ELEMENTS);
-    let states = problem.chain.node_states(Configuration { ends: &ends, state, border: 0.0 });
+    let states = problem.chain.node_states(Configuration { ends: &ends, state, border: 0.0 }, 0..ends.len() - 1);
     states.iter().map(|s| s.section.horizontal_force.abs().max(s.section.vertical_force.abs())).fold(0.0, f64::max)
 }
 
