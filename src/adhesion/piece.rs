@@ -1,10 +1,12 @@
 //! A piece of strip over a flat half space, held by the same forces at every level of coarse-graining.
 //!
+//! ```text
 //!            _________
 //!      l ___/        /     tilted by θ about its centre, which is at x = 0;
 //!    ___/           / h    its lowest corner is a gap above the half space
 //!   /______________/
 //!  ------------------
+//! ```
 
 use super::lattice::LatticeHalfSpace;
 use super::volume::body_force_by_volume;
