@@ -7,7 +7,7 @@ use super::trace::Trace;
 use super::work::{work_near, works};
 use super::{Accuracy, Bounds, Effort, End, LimitPoint, PathPoint, Peak, Peel};
 use crate::model::{Form, StripModel};
-use crate::solve::{PathOptions, Problem, Solution, Turn, Workspace, difference_on_more_elements};
+use crate::solve::{Located, PathOptions, Problem, Solution, Turn, Workspace, difference_on_more_elements};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -27,8 +27,10 @@ const STAGNATION: f64 = 2e-8;
 /// Two meshes may agree in one number by luck: no bound is below this share of the relative difference in the other number of
 /// the same point.
 const MODESTY: f64 = 0.1;
-/// No bound is below this, relative, nor, where less is asked for, below a tenth of what is asked for.
-const LEAST: f64 = 2e-10;
+/// No bound is below this, relative, or below a tenth of the accuracy asked for where that is less.
+fn least(relative: f64) -> f64 {
+    (0.1 * relative).min(2e-10)
+}
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
 /// Most elements of a mesh.
@@ -260,11 +262,11 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: 
 }
 
 /// The relative error below which no bound of a located point is.
-fn modesty(located: &crate::solve::Located, relative: f64) -> f64 {
+fn modesty(located: &Located, relative: f64) -> f64 {
     let (o, d) = (&located.observables, &located.difference);
     // the place of a flat turn says nothing of its force
     let place = if located.flat { 0.0 } else { (d.displacement / o.displacement).abs() };
-    MODESTY * place.max((d.force / o.force).abs()) + LEAST.min(0.1 * relative)
+    MODESTY * place.max((d.force / o.force).abs()) + least(relative)
 }
 
 fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed, relative: f64) {
@@ -307,7 +309,7 @@ fn peak_at(problem: &Problem, last: &Arc<Solution>, relative: f64) -> Option<Pea
         displacement: o.displacement,
         force: o.force,
         end_rotation: o.grip_rotation,
-        force_error: SAFETY * difference.force.abs() + (ROUND_OFF + LEAST.min(0.1 * relative)) * o.force.abs(),
+        force_error: SAFETY * difference.force.abs() + (ROUND_OFF + least(relative)) * o.force.abs(),
         displacement_error: ROUND_OFF * o.displacement.abs(),
     })
 }

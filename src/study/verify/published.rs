@@ -1,13 +1,12 @@
 //! Values printed in the paper, from their closed forms and by another road.
 
-use super::{Check, Measure, Topic, reference};
+use super::reference::published;
+use super::{Check, Measure, Topic};
 use crate::adhesion::HalfSpace;
 use crate::analytic::kendall_force;
 use crate::model::StripModel;
 
 pub(super) const TOPIC: Topic = Topic { name: "published", about: "values that the paper prints", run };
-
-const TABLE: &str = include_str!("../../../verification/published.csv");
 
 const HALF_SPACE: HalfSpace = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };
 
@@ -18,13 +17,6 @@ fn run() -> Vec<Check> {
     checks
 }
 
-/// A number of verification/published.csv; NaN, which fails, where it is not there.
-fn tabulated(quantity: &str) -> f64 {
-    let rows = reference::read(TABLE);
-    let row = rows.iter().find(|row| row.text("quantity") == Some(quantity));
-    row.and_then(|row| row.number("value")).unwrap_or(f64::NAN)
-}
-
 fn check(name: &str, source: &str, computed: f64, expected: f64, measure: Measure, tolerance: f64) -> Check {
     Check::new(TOPIC.name, name, source, Ok(computed), expected, measure, tolerance)
 }
@@ -33,7 +25,7 @@ fn check(name: &str, source: &str, computed: f64, expected: f64, measure: Measur
 fn work_of_adhesion() -> Vec<Check> {
     let closed = HALF_SPACE.work_of_adhesion();
     let worked = work_of_traction();
-    let table = |quantity: &str| tabulated(&format!("work_of_adhesion_{quantity}_nN_per_nm"));
+    let table = |quantity: &str| published(&format!("work_of_adhesion_{quantity}_nN_per_nm"));
     let mpmath = "verification/published.py: mpmath";
     vec![
         check("w_adh, closed form, J/m²", "footnote 5: 0.0307 J/m²", closed, 0.0307, Measure::Absolute, 5e-5),
@@ -51,7 +43,7 @@ fn work_of_adhesion() -> Vec<Check> {
             "largest attraction T(5^(-1/6) r0), nN/nm²",
             mpmath,
             -HALF_SPACE.traction(HALF_SPACE.strongest_gap()),
-            tabulated("largest_attraction_nN_per_nm2"),
+            published("largest_attraction_nN_per_nm2"),
             Measure::Relative,
             1e-12,
         ),
@@ -77,7 +69,7 @@ fn work_of_traction() -> f64 {
 /// EI0 of Fig. 10, per unit width.
 fn bending_stiffness() -> Check {
     let computed = StripModel::of_the_paper(100.0, 1.0).section().bending;
-    let expected = tabulated("bending_stiffness_EI0_nN_nm");
+    let expected = published("bending_stiffness_EI0_nN_nm");
     check("EI0, nN·nm² at width 1 nm", "Fig. 10: E h³/12", computed, expected, Measure::Relative, 1e-12)
 }
 
@@ -88,7 +80,7 @@ fn kendall() -> Vec<Check> {
     let one = |degrees: u32, width: f64, quantity: String| {
         let force = kendall_force(w, 2.0, 10.0, width, f64::from(degrees).to_radians());
         let name = format!("Kendall's force at {degrees} degrees, width {width} nm, nN");
-        check(&name, source, force, tabulated(&quantity), Measure::Relative, 1e-12)
+        check(&name, source, force, published(&quantity), Measure::Relative, 1e-12)
     };
     let mut checks: Vec<Check> =
         [0, 30, 45, 60, 90, 180].map(|d| one(d, 1.0, format!("kendall_{d}_degrees_nN_per_nm"))).into();

@@ -26,6 +26,13 @@ pub fn read(table: &str) -> Vec<Row> {
     reader.deserialize().filter_map(Result::ok).map(|cells| Row { cells }).collect()
 }
 
+/// A number of verification/published.csv; NaN, which fails, where it is not there.
+pub fn published(quantity: &str) -> f64 {
+    let rows = read(include_str!("../../../verification/published.csv"));
+    let row = rows.iter().find(|row| row.text("quantity") == Some(quantity));
+    row.and_then(|row| row.number("value")).unwrap_or(f64::NAN)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,7 +5,7 @@ mod points;
 mod steady;
 mod work;
 
-use super::reference::{self, Row};
+use super::reference::{self, Row, published};
 use super::{Check, Measure, Topic};
 use crate::adhesion::LineLoad;
 use crate::model::StripModel;
@@ -17,7 +17,6 @@ pub(super) const TOPIC: Topic =
 
 const POINTS: &str = include_str!("../../../../verification/strip_points.csv");
 const PEAKS: &str = include_str!("../../../../verification/strip_peaks.csv");
-const PUBLISHED: &str = include_str!("../../../../verification/published.csv");
 
 /// What a user gets who asks for nothing else.
 const DEFAULT: Accuracy = Accuracy { relative: 1e-6 };
@@ -105,13 +104,6 @@ fn strip_of(row: &Row) -> StripModel {
         model.strip.shear_correction = shear_correction.min(rigid);
     }
     model
-}
-
-/// A number of verification/published.csv.
-fn published(quantity: &str) -> f64 {
-    let rows = reference::read(PUBLISHED);
-    let row = rows.iter().find(|row| row.text("quantity") == Some(quantity));
-    row.and_then(|row| row.number("value")).unwrap_or(f64::NAN)
 }
 
 fn check(
