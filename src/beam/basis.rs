@@ -12,8 +12,7 @@ use std::num::NonZeroUsize;
 pub struct Basis<const N: usize> {
     /// Local coordinates of the nodes.
     pub nodes: [f64; N],
-    /// Local coordinates of the N - 1 Gauss points. The last of N entries repeats the last point with the weight zero, here
-    /// and below, so that N points can be treated side by side.
+    /// Local coordinates of the N - 1 Gauss points; here and below the last of N entries is unused.
     pub points: [f64; N],
     /// Gauss weights.
     pub weights: [f64; N],
@@ -57,10 +56,6 @@ impl<const N: usize> Basis<N> {
             basis.weights[q] = weight;
             (basis.value[q], basis.slope[q]) = lagrange(&nodes, point);
         }
-        let (last, spare) = (N - 2, N - 1);
-        basis.points[spare] = basis.points[last];
-        basis.value[spare] = basis.value[last];
-        basis.slope[spare] = basis.slope[last];
         basis.value_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.value[q][a]));
         basis.slope_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.slope[q][a]));
         basis
@@ -79,15 +74,15 @@ impl<const N: usize> Basis<N> {
     /// Derivatives at the nodes, with respect to the local coordinate, of fields given at the nodes.
     #[inline(always)]
     pub fn differentiate<const F: usize>(&self, values: &[[f64; F]; N]) -> [[f64; F]; N] {
-        std::array::from_fn(|b| {
-            let mut slope = [0.0; F];
+        let mut slopes = [[0.0; F]; N];
+        for b in 0..N {
             for a in 0..N {
                 for f in 0..F {
-                    slope[f] += self.nodal_slope[b][a] * values[a][f];
+                    slopes[b][f] += self.nodal_slope[b][a] * values[a][f];
                 }
             }
-            slope
-        })
+        }
+        slopes
     }
 
     /// Values and slopes of all shape functions at the local coordinate `at`.

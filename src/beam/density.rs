@@ -87,10 +87,32 @@ impl SectionState {
     }
 }
 
+/// Which second derivatives of a density may differ from zero: nothing is computed for the others.
+#[derive(Clone, Copy, Debug)]
+pub struct Coupling<const F: usize> {
+    /// Of ∂²φ/∂field∂field
+    pub value_value: [[bool; F]; F],
+    /// Of ∂²φ/∂field∂field'; transposed, of ∂²φ/∂field'∂field
+    pub value_slope: [[bool; F]; F],
+    /// Of ∂²φ/∂field'∂field'
+    pub slope_slope: [[bool; F]; F],
+}
+
 /// A beam with its line load, as an energy density of F fields. `place` is S, nm: what varies along the beam looks there.
 pub trait Density<const F: usize>: Send + Sync {
+    /// Which second derivatives there are.
+    const COUPLING: Coupling<F>;
+
+    /// Whether one number is shared by the whole chain.
+    const BORDER: bool = false;
+
     /// The density and its derivatives, at one point or at several side by side.
     fn response<T: Real>(&self, place: T, value: [T; F], slope: [T; F], border: f64) -> PointResponse<T, F>;
+
+    /// Whether the second derivatives are symmetric: whether there is such an energy.
+    fn is_symmetric(&self) -> bool {
+        true
+    }
 
     /// Section forces and stretch.
     fn section_state(&self, place: f64, value: [f64; F], slope: [f64; F], border: f64) -> SectionState;

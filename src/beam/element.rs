@@ -1,7 +1,7 @@
 //! The element: integrates a density into its front, the matrix that elimination works on.
 
-use super::{Basis, Density};
-use crate::number::Lanes;
+use super::{Basis, Density, Front, PointResponse};
+use crate::number::Real;
 
 /// Energy of one element, nN·nm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -12,139 +12,188 @@ pub struct ElementEnergy {
     pub adhesion: f64,
 }
 
-/// Shape functions of one element spread over its front: entry `[q][f][a F + f]` belongs to field f at node a, all others
-/// are zero, so that a row of the front is a sum of whole vectors.
-#[derive(Clone, Debug)]
-pub struct Spread<const F: usize, const N: usize, const M: usize> {
-    value: [[[f64; M]; F]; N],
-    slope: [[[f64; M]; F]; N],
+/// One element, or four side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct Element<T, const F: usize, const N: usize> {
+    /// `values[a][f]`: field f at node a, nodes in the elimination order of [`Basis`].
+    pub values: [[T; F]; N],
+    /// S of the left end, nm
+    pub from: T,
+    /// Reference length, nm
+    pub length: T,
+    /// The number that the whole chain shares.
+    pub border: f64,
 }
 
-impl<const F: usize, const N: usize, const M: usize> Spread<F, N, M> {
-    /// Spreads the tables of a basis.
-    pub fn new(basis: &Basis<N>) -> Self {
-        let spread = |table: &[[f64; N]; N]| {
-            let mut out = [[[0.0; M]; F]; N];
-            for q in 0..N - 1 {
-                for f in 0..F {
-                    for a in 0..N {
-                        out[q][f][a * F + f] = table[q][a];
+impl<T: Real, const F: usize, const N: usize> Element<T, F, N> {
+    /// The density's response at Gauss point `q`.
+    #[inline(always)]
+    pub fn response<D: Density<F>>(&self, density: &D, basis: &Basis<N>, q: usize) -> PointResponse<T, F> {
+        let stretch = self.stretch();
+        let (value, slope) = (at_point(&self.values, &basis.value[q]), at_point(&self.values, &basis.slope[q]));
+        let place = self.from + self.length * (0.5 * (1.0 + basis.points[q]));
+        density.response(place, value, slope.map(|s| s * stretch), self.border)
+    }
+
+    /// Factor of a derivative with respect to S over one with respect to the local coordinate.
+    #[inline(always)]
+    fn stretch(&self) -> T {
+        self.length.recip() * 2.0
+    }
+
+    /// Weight of Gauss point `q`.
+    #[inline(always)]
+    fn weight(&self, basis: &Basis<N>, q: usize) -> T {
+        self.length * (0.5 * basis.weights[q])
+    }
+
+    /// Integrates into a front; returns the energy and its share from adhesion.
+    ///
+    /// The path row becomes `path_weight` times the gradient of the adhesion energy. Everything in the front is overwritten,
+    /// but where the tangent is `symmetric` not what lies below its diagonal.
+    #[inline(always)]
+    pub fn integrate<D: Density<F>>(
+        &self,
+        density: &D,
+        basis: &Basis<N>,
+        symmetric: bool,
+        path_weight: f64,
+        front: &mut Front<T, F, N>,
+    ) -> (T, T) {
+        let zero = T::splat(0.0);
+        let stretch = self.stretch();
+        let mut tangent = Weighed {
+            value_value: [[[zero; N]; F]; F],
+            value_slope: [[[zero; N]; F]; F],
+            slope_value: [[[zero; N]; F]; F],
+            slope_slope: [[[zero; N]; F]; F],
+        };
+        let (mut energy, mut adhesion) = (zero, zero);
+        front.clear_gradient();
+        for q in 0..N - 1 {
+            let r = self.response(density, basis, q);
+            let once = self.weight(basis, q);
+            // a slope carries the factor 2/length once as a column and once as a row
+            let twice = once * stretch;
+            energy = energy + r.energy * once;
+            adhesion = adhesion + r.adhesion * once;
+            for f in 0..F {
+                for g in 0..F {
+                    tangent.value_value[f][g][q] = r.value_value[f][g] * once;
+                    tangent.value_slope[f][g][q] = r.value_slope[f][g] * twice;
+                    tangent.slope_value[f][g][q] = r.slope_value[f][g] * twice;
+                    tangent.slope_slope[f][g][q] = r.slope_slope[f][g] * twice * stretch;
+                }
+            }
+            front.add_gradient::<D>(&r, basis, q, (once, twice), path_weight);
+        }
+        tangent.assemble::<D>(basis, symmetric, front);
+        (energy, adhesion)
+    }
+
+    /// Energy, its share from adhesion, and how that changes along `direction`, a change of the fields.
+    #[inline(always)]
+    pub fn energy<D: Density<F>>(&self, density: &D, basis: &Basis<N>, direction: &[[T; F]; N]) -> [T; 3] {
+        let mut sums = [T::splat(0.0); 3];
+        for q in 0..N - 1 {
+            let (r, weight) = (self.response(density, basis, q), self.weight(basis, q));
+            let change = at_point(direction, &basis.value[q]);
+            sums[0] = sums[0] + r.energy * weight;
+            sums[1] = sums[1] + r.adhesion * weight;
+            for f in 0..F {
+                sums[2] = sums[2] + r.adhesion_by_value[f] * change[f] * weight;
+            }
+        }
+        sums
+    }
+
+    /// The gradient of the energy, node by node: the forces that hold the element in place.
+    #[inline(always)]
+    pub fn forces<D: Density<F>>(&self, density: &D, basis: &Basis<N>) -> [[T; F]; N] {
+        let mut forces = [[T::splat(0.0); F]; N];
+        for q in 0..N - 1 {
+            let (r, weight) = (self.response(density, basis, q), self.weight(basis, q));
+            for f in 0..F {
+                let (on_value, on_slope) = (r.by_value[f] * weight, r.by_slope[f] * weight * self.stretch());
+                for a in 0..N {
+                    forces[a][f] = forces[a][f] + on_value * basis.value[q][a] + on_slope * basis.slope[q][a];
+                }
+            }
+        }
+        forces
+    }
+}
+
+/// Fields at a point, from nodal values and the shape functions there.
+#[inline(always)]
+fn at_point<T: Real, const F: usize, const N: usize>(values: &[[T; F]; N], shape: &[f64; N]) -> [T; F] {
+    let mut sum = [T::splat(0.0); F];
+    for a in 0..N {
+        for f in 0..F {
+            sum[f] = sum[f] + values[a][f] * shape[a];
+        }
+    }
+    sum
+}
+
+/// Second derivatives at the Gauss points times their weights, `[f][g][q]`.
+struct Weighed<T, const F: usize, const N: usize> {
+    value_value: [[[T; N]; F]; F],
+    value_slope: [[[T; N]; F]; F],
+    slope_value: [[[T; N]; F]; F],
+    slope_slope: [[[T; N]; F]; F],
+}
+
+impl<T: Real, const F: usize, const N: usize> Weighed<T, F, N> {
+    /// The tangent: sums over the points of  N vv Nᵀ + N vs N'ᵀ + N' sv Nᵀ + N' ss N'ᵀ  with the shape functions N and their
+    /// slopes N'.
+    #[inline(always)]
+    fn assemble<D: Density<F>>(&self, basis: &Basis<N>, symmetric: bool, front: &mut Front<T, F, N>) {
+        for f in 0..F {
+            for g in 0..F {
+                let (vv, vs) = (D::COUPLING.value_value[f][g], D::COUPLING.value_slope[f][g]);
+                let (sv, ss) = (D::COUPLING.value_slope[g][f], D::COUPLING.slope_slope[f][g]);
+                for a in 0..N {
+                    // what row a puts on the unknown's values and on its slopes
+                    let on_value =
+                        mixed(basis, a, vv.then_some(&self.value_value[f][g]), sv.then_some(&self.slope_value[f][g]));
+                    let on_slope =
+                        mixed(basis, a, vs.then_some(&self.value_slope[f][g]), ss.then_some(&self.slope_slope[f][g]));
+                    for b in if symmetric { a } else { 0 }..N {
+                        let mut sum = T::splat(0.0);
+                        for q in 0..N - 1 {
+                            if vv || sv {
+                                sum = sum + on_value[q] * basis.value_of[b][q];
+                            }
+                            if vs || ss {
+                                sum = sum + on_slope[q] * basis.slope_of[b][q];
+                            }
+                        }
+                        front.rows[a][f].fields[b][g] = sum;
                     }
                 }
             }
-            out
-        };
-        Self { value: spread(&basis.value), slope: spread(&basis.slope) }
+        }
     }
 }
 
-/// Fields and their slopes along S at all Gauss points side by side, from nodal values.
+/// At each Gauss point, shape function `a` times one weight and its slope times another, as far as there are any.
 #[inline(always)]
-pub fn side_by_side<const F: usize, const N: usize>(
+fn mixed<T: Real, const N: usize>(
     basis: &Basis<N>,
-    values: &[[f64; F]; N],
-    length: f64,
-) -> ([Lanes<N>; F], [Lanes<N>; F]) {
-    let (mut value_at, mut slope_at) = ([Lanes([0.0; N]); F], [Lanes([0.0; N]); F]);
-    for a in 0..N {
-        for f in 0..F {
-            value_at[f] = value_at[f] + Lanes(basis.value_of[a]) * values[a][f];
-            slope_at[f] = slope_at[f] + Lanes(basis.slope_of[a]) * (values[a][f] * (2.0 / length));
-        }
-    }
-    (value_at, slope_at)
-}
-
-/// S at all Gauss points of an element side by side, nm.
-#[inline(always)]
-pub fn places<const N: usize>(basis: &Basis<N>, from: f64, length: f64) -> Lanes<N> {
-    (Lanes(basis.points) + 1.0) * (0.5 * length) + from
-}
-
-/// Integrates one element into its front.
-///
-/// The front is square of size M = F N + border + 1. Rows are equations and columns unknowns, node by node in the
-/// elimination order of [`Basis`], F a node; then the border, if the density has one; the last column holds the
-/// gradient, the last row `path_weight` times the gradient of the adhesion energy. `values[a][f]` is field f at node a;
-/// the element reaches from S = `from` over the reference length `length`, nm. Everything in the front is overwritten.
-#[allow(clippy::too_many_arguments)]
-#[inline(always)]
-pub fn integrate<D: Density<F>, const F: usize, const N: usize, const M: usize>(
-    density: &D,
-    basis: &Basis<N>,
-    spread: &Spread<F, N, M>,
-    values: &[[f64; F]; N],
-    (from, length): (f64, f64),
-    border: f64,
-    path_weight: f64,
-    front: &mut [[f64; M]; M],
-) -> ElementEnergy {
-    let has_border = M == F * N + 2;
-    let (edge, last) = (F * N, M - 1);
-    let stretch = 2.0 / length;
-    let (value_at, slope_at) = side_by_side(basis, values, length);
-    let r = density.response(places(basis, from, length), value_at, slope_at, border);
-    let weights = Lanes(basis.weights) * (0.5 * length);
-
-    // per Gauss point and field: the row that its value weighs, and the row that its slope weighs; a slope carries the
-    // factor 2/length once as a column and once as a row
-    let mut by_value = [[[0.0; M]; F]; N];
-    let mut by_slope = [[[0.0; M]; F]; N];
+    a: usize,
+    by_value: Option<&[T; N]>,
+    by_slope: Option<&[T; N]>,
+) -> [T; N] {
+    let mut sum = [T::splat(0.0); N];
     for q in 0..N - 1 {
-        let weight = weights.0[q];
-        let (values, slopes) = (&spread.value[q], &spread.slope[q]);
-        for f in 0..F {
-            for g in 0..F {
-                let (vv, vs) = (weight * r.value_value[f][g].0[q], weight * stretch * r.value_slope[f][g].0[q]);
-                let (sv, ss) = (r.slope_value[f][g].0[q], stretch * r.slope_slope[f][g].0[q]);
-                let (sv, ss) = (weight * stretch * sv, weight * stretch * ss);
-                for j in 0..M {
-                    by_value[q][f][j] += vv * values[g][j] + vs * slopes[g][j];
-                    by_slope[q][f][j] += sv * values[g][j] + ss * slopes[g][j];
-                }
-            }
+        let (value, slope) = (basis.value_of[a][q], basis.slope_of[a][q]);
+        match (by_value, by_slope) {
+            (Some(v), Some(s)) => sum[q] = v[q] * value + s[q] * slope,
+            (Some(v), None) => sum[q] = v[q] * value,
+            (None, Some(s)) => sum[q] = s[q] * slope,
+            (None, None) => {}
         }
     }
-    let mut path_row = [0.0; M];
-    let mut border_row = [0.0; M];
-    for q in 0..N - 1 {
-        let (weight, weight_s) = (weights.0[q], weights.0[q] * stretch);
-        for f in 0..F {
-            by_value[q][f][last] = weight * r.by_value[f].0[q];
-            by_slope[q][f][last] = weight_s * r.by_slope[f].0[q];
-            let path = weight * path_weight * r.adhesion_by_value[f].0[q];
-            for j in 0..M {
-                path_row[j] += path * spread.value[q][f][j];
-            }
-            if has_border {
-                let (on_value, on_slope) = (weight * r.border_value[f].0[q], weight_s * r.border_slope[f].0[q]);
-                by_value[q][f][edge] = on_value;
-                by_slope[q][f][edge] = on_slope;
-                for j in 0..M {
-                    border_row[j] += on_value * spread.value[q][f][j] + on_slope * spread.slope[q][f][j];
-                }
-            }
-        }
-        if has_border {
-            border_row[edge] += weight * r.border_border.0[q];
-            border_row[last] += weight * r.by_border.0[q];
-        }
-    }
-    for a in 0..N {
-        for f in 0..F {
-            let mut row = [0.0; M];
-            for q in 0..N - 1 {
-                let (v, s) = (basis.value[q][a], basis.slope[q][a]);
-                for j in 0..M {
-                    row[j] += v * by_value[q][f][j] + s * by_slope[q][f][j];
-                }
-            }
-            front[a * F + f] = row;
-        }
-    }
-    if has_border {
-        front[edge] = border_row;
-    }
-    front[last] = path_row;
-    ElementEnergy { total: (weights * r.energy).0.iter().sum(), adhesion: (weights * r.adhesion).0.iter().sum() }
+    sum
 }

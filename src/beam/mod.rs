@@ -3,14 +3,16 @@
 mod basis;
 mod density;
 mod element;
+mod front;
 mod reduced;
 mod reissner;
 mod rest;
 mod rod;
 mod section;
 pub use basis::Basis;
-pub use density::{Density, PointResponse, SectionState};
-pub use element::{ElementEnergy, Spread, integrate, places, side_by_side};
+pub use density::{Coupling, Density, PointResponse, SectionState};
+pub use element::{Element, ElementEnergy};
+pub use front::{Front, FrontRow, Pivots};
 pub use reduced::ReducedBeam;
 pub use reissner::ReissnerBeam;
 pub use rest::RestCurve;

@@ -9,7 +9,7 @@
 //!
 //! to which ½EI θ'² and the adhesion bΨ(y, θ) are added. Nothing is neglected.
 
-use super::{Density, PointResponse, Section, SectionState};
+use super::{Coupling, Density, PointResponse, Section, SectionState};
 use crate::adhesion::LineLaw;
 use crate::number::Real;
 
@@ -60,6 +60,13 @@ impl<const HELD: bool> ReducedBeam<HELD> {
 }
 
 impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
+    const COUPLING: Coupling<2> = Coupling {
+        value_value: [[true; 2]; 2],
+        value_slope: [[false, false], [true, false]],
+        slope_slope: [[true, false], [false, true]],
+    };
+    const BORDER: bool = HELD;
+
     #[inline(always)]
     fn response<T: Real>(
         &self,
@@ -111,6 +118,10 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
         response.slope_slope[1][1] = T::splat(ei);
         response.adhesion_by_value = [adhesion.by_gap * b, adhesion.energy_by_rotation * b];
         response
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.law.has_potential()
     }
 
     fn section_state(&self, _: f64, [_, rotation]: [f64; 2], [rise, curvature]: [f64; 2], border: f64) -> SectionState {

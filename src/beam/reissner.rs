@@ -3,7 +3,7 @@
 //! Γ1 = x' cos θ + y' sin θ - 1, Γ2 = -x' sin θ + y' cos θ, κ = θ' - κ0; stored energy ½EA Γ1² + ½GA_s Γ2² + ½EI κ² per
 //! length, and the adhesion bΨ(y, θ). κ0 is the curvature at rest, zero for a strip.
 
-use super::{Density, PointResponse, Section, SectionState};
+use super::{Coupling, Density, PointResponse, Section, SectionState};
 use crate::adhesion::LineLaw;
 use crate::number::Real;
 
@@ -16,6 +16,13 @@ pub struct ReissnerBeam {
     /// Adhering width b, nm
     pub width: f64,
 }
+
+/// What couples in a beam whose adhesion looks at gap and rotation.
+pub(super) const COUPLING: Coupling<3> = Coupling {
+    value_value: [[false, false, false], [false, true, true], [false, true, true]],
+    value_slope: [[false; 3], [false; 3], [true, true, false]],
+    slope_slope: [[true, true, false], [true, true, false], [false, false, true]],
+};
 
 /// The stored energy at one point and its derivatives, for a rotation θ, the slopes x', y', θ' and the rest curvature κ0.
 #[inline(always)]
@@ -76,6 +83,8 @@ pub(super) fn section_from_forces(
 }
 
 impl Density<3> for ReissnerBeam {
+    const COUPLING: Coupling<3> = COUPLING;
+
     #[inline(always)]
     fn response<T: Real>(&self, _: T, [_, gap, rotation]: [T; 3], slopes: [T; 3], _: f64) -> PointResponse<T, 3> {
         let (sin, cos) = rotation.sin_cos();
@@ -93,6 +102,10 @@ impl Density<3> for ReissnerBeam {
         response.adhesion_by_value[1] = adhesion.by_gap * b;
         response.adhesion_by_value[2] = adhesion.energy_by_rotation * b;
         response
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.law.has_potential()
     }
 
     fn section_state(&self, _: f64, value: [f64; 3], [dx, dy, curvature]: [f64; 3], _: f64) -> SectionState {

@@ -1,7 +1,7 @@
 //! Reissner's beam on its own: nothing adheres, and it may be curved at rest.
 
-use super::reissner::{section_from_forces, stored};
-use super::{Density, PointResponse, RestCurve, Section, SectionState};
+use super::reissner::{COUPLING, section_from_forces, stored};
+use super::{Coupling, Density, PointResponse, RestCurve, Section, SectionState};
 use crate::number::Real;
 
 /// A planar Reissner beam that is free of stress along a given curve. Fields: x, y (nm), rotation θ. It has no border.
@@ -15,6 +15,8 @@ pub struct ReissnerRod {
 }
 
 impl Density<3> for ReissnerRod {
+    const COUPLING: Coupling<3> = COUPLING;
+
     #[inline(always)]
     fn response<T: Real>(&self, place: T, value: [T; 3], slope: [T; 3], _: f64) -> PointResponse<T, 3> {
         let [k0, k1, k2] = self.rest.curvature;

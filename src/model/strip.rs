@@ -1,6 +1,6 @@
 //! A uniform strip on a flat half space, lifted at its right end.
 
-use super::chain::{three_field, two_field, two_field_held};
+use super::chain::{three_field, two_field};
 use crate::adhesion::{HalfSpace, LineLaw, LineLoad};
 use crate::beam::{ReducedBeam, ReissnerBeam, RestCurve, Section, rectangle_second_moment};
 use crate::solve::{Chain, Focus, MOST_FIELDS, Problem};
@@ -145,7 +145,7 @@ impl StripModel {
         let turning_held = self.grip.rotation == Hold::Fixed;
         let (chain, lead): (Box<dyn Chain>, usize) = match (form, sliding_held) {
             (Form::TwoField, false) => (two_field(ReducedBeam::<false> { section, law, width }, order), 0),
-            (Form::TwoField, true) => (two_field_held(ReducedBeam::<true> { section, law, width }, order), 0),
+            (Form::TwoField, true) => (two_field(ReducedBeam::<true> { section, law, width }, order), 0),
             // held at x(0) = 0, which with a sliding grip carries no force
             (Form::ThreeField, _) => {
                 (three_field(ReissnerBeam { section, law, width }, order, [Some(0.0), None, None]), 1)

@@ -15,16 +15,18 @@ pub struct Focus {
 }
 
 impl Focus {
-    fn value(&self, s: f64) -> f64 {
+    /// Value and slope of its part of F.
+    fn value(&self, s: f64) -> (f64, f64) {
         // asinh, to the absolute accuracy that a mesh needs, without the library's care for tiny arguments
         let x = (s - self.center) / self.length;
-        self.weight * (x.abs() + (x * x + 1.0).sqrt()).ln().copysign(x)
+        let root = (x * x + 1.0).sqrt();
+        (self.weight * (x.abs() + root).ln().copysign(x), self.weight / (self.length * root))
     }
+}
 
-    fn slope(&self, s: f64) -> f64 {
-        let away = s - self.center;
-        self.weight / (away * away + self.length * self.length).sqrt()
-    }
+/// F and its slope.
+fn total(foci: &[Focus], s: f64) -> (f64, f64) {
+    foci.iter().map(|focus| focus.value(s)).fold((0.0, 0.0), |sum, part| (sum.0 + part.0, sum.1 + part.1))
 }
 
 /// Ends of `elements` elements on [0, length], graded towards `foci`, equally long without any; one more than there are
@@ -33,45 +35,42 @@ pub fn graded_ends(length: f64, foci: &[Focus], elements: usize, near: &[f64]) -
     if foci.is_empty() {
         return (0..=elements).map(|k| length * k as f64 / elements as f64).collect();
     }
-    let value = |s: f64| foci.iter().map(|f| f.value(s)).sum::<f64>();
-    let slope = |s: f64| foci.iter().map(|f| f.slope(s)).sum::<f64>();
-    let (from, to) = (value(0.0), value(length));
+    let ((from, first_slope), (to, _)) = (total(foci, 0.0), total(foci, length));
     let mut ends = Vec::with_capacity(elements + 1);
     ends.push(0.0);
     let mut s = 0.0;
     for k in 1..elements {
         let target = from + (to - from) * k as f64 / elements as f64;
         let start = near.get(k).copied().filter(|_| near.len() == elements + 1);
-        s = invert(&value, &slope, target, (s, length), start);
+        let start = start.unwrap_or(s + (to - from) / elements as f64 / first_slope);
+        s = invert(foci, target, (s, length), start);
         ends.push(s);
     }
     ends.push(length);
     ends
 }
 
-/// Root of value(s) = target in a bracket for an increasing function, by Newton kept inside the shrinking bracket.
-fn invert(
-    value: &impl Fn(f64) -> f64,
-    slope: &impl Fn(f64) -> f64,
-    target: f64,
-    (mut low, mut high): (f64, f64),
-    start: Option<f64>,
-) -> f64 {
-    let start = start.unwrap_or_else(|| low + (target - value(low)) / slope(low));
+/// Where a mesh may differ from its map, relative to how far apart its ends are.
+const SLACK: f64 = 1e-11;
+
+/// Root of F(s) = target in a bracket, by Newton kept inside the shrinking bracket.
+fn invert(foci: &[Focus], target: f64, (mut low, mut high): (f64, f64), start: f64) -> f64 {
     let mut s = if start > low && start < high { start } else { 0.5 * (low + high) };
     for _ in 0..100 {
-        let miss = value(s) - target;
+        let (value, slope) = total(foci, s);
+        let miss = value - target;
         if miss < 0.0 {
             low = s
         } else {
             high = s
         }
-        let newton = s - miss / slope(s);
-        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        if (next - s).abs() <= 1e-9 * (high.abs() + f64::MIN_POSITIVE) {
-            return next;
+        let newton = s - miss / slope;
+        let inside = newton > low && newton < high;
+        s = if inside { newton } else { 0.5 * (low + high) };
+        // Newton's method leaves about the square of its step, in units of 1/F'
+        if (inside && miss * miss <= SLACK) || high - low <= SLACK * high {
+            return s;
         }
-        s = next;
     }
     s
 }

@@ -66,9 +66,9 @@ impl<'p> Path<'p> {
         &self.points
     }
 
-    /// Distance of the lowest edge of the newest point from the substrate, nm; infinite before there is one.
-    pub fn nearest_edge(&self) -> f64 {
-        self.points.last().map_or(f64::INFINITY, |p| self.problem.nearest(&p.at))
+    /// Whether no part of the beam is nearer to the substrate than `far`, nm, at the newest point.
+    pub fn is_clear(&self, far: f64) -> bool {
+        self.points.last().is_none_or(|p| self.problem.is_clear(&p.at, far))
     }
 
     /// Newton iterations so far, of refused steps too.

@@ -43,7 +43,9 @@ pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> 
 /// Errors at `solution` of the extrapolations through the newest 1, 2, … points (newest first, at `labels`), relative as
 /// in [`Problem::relative_size`], or of the force, relative to itself and its scale.
 pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solution: &Solution, at: f64) -> Vec<f64> {
-    let mut update = vec![0.0; solution.at.state.len()];
+    let force_scale = solution.at.force.abs() + problem.force_scale;
+    let per_unit = problem.per_unit(&solution.aligned);
+    let mut update = solution.aligned.clone();
     (1..=points.len())
         .map(|count| {
             let weights = lagrange_weights(&labels[..count], at);
@@ -55,8 +57,8 @@ pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solut
                     *u -= weight * p;
                 }
             }
-            let force_scale = solution.at.force.abs() + problem.force_scale;
-            problem.relative_size(&update, &solution.aligned).max(force.abs() / force_scale)
+            let sizes = update.iter().zip(&per_unit).map(|(u, unit)| (u * unit).abs());
+            sizes.fold(force.abs() / force_scale, |largest, size| if size > largest { size } else { largest })
         })
         .collect()
 }
@@ -73,7 +75,8 @@ pub fn longest_step(labels: &[f64], count: usize, error: f64, tolerance: f64, mo
         return most;
     }
     let (mut low, mut high) = (0.0, most);
-    for _ in 0..40 {
+    // a step need not be sharp
+    for _ in 0..12 {
         let middle = 0.5 * (low + high);
         if product(middle, 0) <= allowed { low = middle } else { high = middle }
     }

@@ -118,21 +118,41 @@ impl Problem {
         for (u, s) in update.chunks_exact(fields).zip(state.chunks_exact(fields)) {
             // x, where it is an unknown, is measured like the height
             let height = if up > 0 { u[0].abs().max(u[up].abs()) } else { u[up].abs() };
-            largest = largest.max(height / (scale + (s[up] - rest).abs())).max(u[rotation].abs() * per_rotation);
-            sum += height + u[rotation];
+            let size = height / (scale + (s[up] - rest).abs());
+            let turn = u[rotation].abs() * per_rotation;
+            largest = if size > largest { size } else { largest };
+            largest = if turn > largest { turn } else { largest };
+            sum += height + turn;
         }
-        // max passes over a NaN, a sum does not
+        // a comparison passes over a NaN, a sum does not
         if sum.is_finite() { largest } else { f64::NAN }
+    }
+
+    /// What each number of an update is multiplied with to be measured as in [`Problem::relative_size`].
+    pub fn per_unit(&self, state: &[f64]) -> Vec<f64> {
+        let (rotation, up) = (self.rotation, self.rotation - 1);
+        let (per_rotation, scale, rest) = (1.0 / self.scale[rotation], self.scale[up], self.rest.start[1]);
+        let mut units = vec![per_rotation; state.len()];
+        for (units, s) in units.chunks_exact_mut(self.fields()).zip(state.chunks_exact(self.fields())) {
+            units[..rotation].fill(1.0 / (scale + (s[up] - rest).abs()));
+        }
+        units
     }
 
     /// Distance of the beam from the substrate, nm: of the lowest edge of its nodes, or the least gap below its axis where
     /// the law is blind to tilt.
     pub fn nearest(&self, at: &Equilibrium) -> f64 {
-        let fields = self.fields();
+        at.state.chunks_exact(self.fields()).map(|node| self.distance(node)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether no part of the beam is nearer to the substrate than `far`, nm.
+    pub fn is_clear(&self, at: &Equilibrium, far: f64) -> bool {
+        at.state.chunks_exact(self.fields()).all(|node| self.distance(node) > far)
+    }
+
+    /// Distance of a node from the substrate, nm.
+    fn distance(&self, node: &[f64]) -> f64 {
         let half = if self.sees_tilt { 0.5 * self.height } else { 0.0 };
-        at.state
-            .chunks_exact(fields)
-            .map(|node| node[self.rotation - 1] + half * (1.0 - node[self.rotation].cos().abs()))
-            .fold(f64::INFINITY, f64::min)
+        node[self.rotation - 1] + half * (1.0 - node[self.rotation].cos().abs())
     }
 }

@@ -44,7 +44,7 @@ fn first_maximum(model: &StripModel, bounds: &Bounds) -> Result<Option<Located>,
         if let Some(most) = bounds.displacement.filter(|&most| o.displacement > most && behind == 0) {
             return Err(format!("the path has no maximum of the force within bounds.displacement = {most} nm"));
         }
-        let ended = path.nearest_edge() > far || o.displacement <= 0.0 || o.force <= 0.0;
+        let ended = path.is_clear(far) || o.displacement <= 0.0 || o.force <= 0.0;
         if behind == 0 && ended && path.points().len() > 2 {
             return Ok(None);
         }

@@ -184,7 +184,7 @@ fn step(
     if path.points().len() < 3 {
         return Ok(None);
     }
-    if path.nearest_edge() > far {
+    if path.is_clear(far) {
         return Ok(Some(End::Detached));
     }
     // a strip that has closed again passes u = 0 and P = 0 together
