@@ -76,7 +76,7 @@ pub fn longest_step(labels: &[f64], count: usize, error: f64, tolerance: f64, mo
     }
     let (mut low, mut high) = (0.0, most);
     // a step need not be sharp
-    for _ in 0..12 {
+    while high - low > 1e-2 * high {
         let middle = 0.5 * (low + high);
         if product(middle, 0) <= allowed { low = middle } else { high = middle }
     }
