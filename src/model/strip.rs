@@ -123,10 +123,14 @@ impl StripModel {
         law.response(law.rest_gap(), 0.0, 1.0).gap_gap * self.strip.width
     }
 
-    /// Length of the process zone, nm: the decay length (EI/k)^(1/4) of a bending beam on the adhesion's stiffness k at
-    /// rest, or a few times that of a shear beam, (GA_s/k)^(1/2), where that is shorter.
+    /// Decay length (GA_s/k)^(1/2) of a shear beam on the adhesion's stiffness k at rest, nm.
+    pub fn shear_length(&self) -> f64 {
+        (self.section().shear / self.rest_stiffness()).sqrt()
+    }
+
+    /// Length of the process zone, nm: that of a bending beam, or a few times that of a shear beam where that is shorter.
     pub fn process_length(&self) -> f64 {
-        self.bending_length().min(5.0 * (self.section().shear / self.rest_stiffness()).sqrt())
+        self.bending_length().min(3.0 * self.shear_length())
     }
 
     /// What the solver is given, with elements of order 1 to 8.

@@ -96,6 +96,37 @@ pub fn solve_on(
     Err(trouble)
 }
 
+/// How often the way to a solution inside a step is halved.
+const MOST_HALVINGS: i32 = 4;
+
+/// A further solution on a stretch, which it joins, at the label `at`; where the start is too far away, by way of solutions
+/// between there and `from`, where one is known.
+pub fn reach(
+    problem: &Problem,
+    stretch: &mut Stretch,
+    from: f64,
+    at: f64,
+    work: &mut Workspace,
+) -> Result<Arc<Solution>, SolveError> {
+    let mut known = from;
+    let mut share = 1.0;
+    loop {
+        let next = if share == 1.0 { at } else { known + share * (at - known) };
+        match solve_on(problem, stretch, next, false, work) {
+            Ok(solution) => {
+                stretch.insert(solution.clone());
+                if share == 1.0 {
+                    return Ok(solution);
+                }
+                known = next;
+                share = 1.0;
+            }
+            Err(_) if share > 0.5f64.powi(MOST_HALVINGS) => share *= 0.5,
+            Err(error) => return Err(error),
+        }
+    }
+}
+
 /// Locates the turning point of `turn` between the labels `from` and `to`, at which its slope differs in sign.
 ///
 /// First on meshes that follow the front, by chords of the slope; once near, on one mesh, on which the path is smooth to
@@ -116,9 +147,10 @@ pub fn locate(
     let rising = if from == 0.0 { low.1 < 0.0 } else { high.1 > 0.0 };
     let mut guess = stretch.observable(turn.pick(), 0.5 * (from + to)).turning_point(from, to);
     for k in 1..=3 * MOST_SOLVES {
-        let solution = solve_on(problem, &stretch, guess, false, work)?;
+        let nearer = if guess - low.0 < high.0 - guess { low.0 } else { high.0 };
+        let solution = reach(problem, &mut stretch, nearer, guess, work)?;
         iterations += solution.iterations;
-        let label = stretch.insert(solution.clone());
+        let label = stretch.label(&solution.observables);
         let slope = turn.pick()(&solution.slope);
         if (slope < 0.0) == rising {
             low = (label, slope);

@@ -39,6 +39,11 @@ impl Observables {
         }
     }
 
+    /// The sum with another.
+    pub fn plus(&self, other: &Self) -> Self {
+        self.since(&other.times(-1.0))
+    }
+
     /// The difference to an earlier point.
     pub fn since(&self, earlier: &Self) -> Self {
         Self {
@@ -96,6 +101,8 @@ pub struct Solution {
 const STAGNANT: f64 = 1e-9;
 /// An update below this leaves the slopes as they are.
 const EXACT: f64 = 1e-10;
+/// The last update of any solution: the curve between points is interpolated with their slopes, which are one update back.
+const LAST: f64 = 1e-5;
 
 /// Change of a configuration along the path on a mesh that stays.
 #[derive(Clone, Debug)]
@@ -154,7 +161,8 @@ pub fn solve(
         // quadratic convergence: what the next update would be, as far as round-off lets it fall
         let next = if previous.is_finite() { size * (size / previous).powi(2).min(1.0) } else { size };
         let next = next.max(problem.round_off);
-        if size <= options.tolerance || next <= options.tolerance || (size < stagnant && size > 0.5 * previous) {
+        let converged = size <= options.tolerance || (next <= options.tolerance && size <= LAST);
+        if converged || (size < stagnant && size > 0.5 * previous) {
             let (root, grip) = if options.exact_slope && size > EXACT {
                 let root = problem.chain.eliminate(at.configuration(), &row, work)?;
                 let observed = observables(problem, &at, root.energy);
@@ -228,19 +236,19 @@ pub fn observables(problem: &Problem, at: &Equilibrium, energy: ElementEnergy) -
 }
 
 /// Unknowns of the last block: fields of the last node, border, force.
-const LAST: usize = ROOT;
+const BLOCK: usize = ROOT;
 
 /// The root of the chain with grip, border constraint, force and path condition.
 struct GripBlock {
-    matrix: SMatrix<f64, LAST, LAST>,
-    residual: SVector<f64, LAST>,
+    matrix: SMatrix<f64, BLOCK, BLOCK>,
+    residual: SVector<f64, BLOCK>,
     fields: usize,
     border: bool,
 }
 
 /// Solution of a [`GripBlock`].
 struct GripStep {
-    values: SVector<f64, LAST>,
+    values: SVector<f64, BLOCK>,
     border: f64,
     force: f64,
 }
@@ -257,9 +265,9 @@ impl GripBlock {
     fn new(problem: &Problem, root: &Root, at: &Equilibrium, condition: &Condition, observed: &Observables) -> Self {
         let (fields, border) = (problem.fields(), problem.chain.has_border());
         let known = fields + usize::from(border);
-        let (force, path) = (LAST - 1, LAST - 1);
-        let mut matrix = SMatrix::<f64, LAST, LAST>::identity();
-        let mut residual = SVector::<f64, LAST>::zeros();
+        let (force, path) = (BLOCK - 1, BLOCK - 1);
+        let mut matrix = SMatrix::<f64, BLOCK, BLOCK>::identity();
+        let mut residual = SVector::<f64, BLOCK>::zeros();
         for i in 0..known {
             for j in 0..known {
                 matrix[(i, j)] = root.matrix[i][j];
@@ -286,10 +294,10 @@ impl GripBlock {
         Self { matrix, residual, fields, border }
     }
 
-    fn step(&self, right: SVector<f64, LAST>) -> Result<GripStep, SolveError> {
+    fn step(&self, right: SVector<f64, BLOCK>) -> Result<GripStep, SolveError> {
         let values = self.matrix.lu().solve(&right).ok_or(SolveError::SingularGrip)?;
         let border = if self.border { values[self.fields] } else { 0.0 };
-        Ok(GripStep { border, force: values[LAST - 1], values })
+        Ok(GripStep { border, force: values[BLOCK - 1], values })
     }
 
     fn solve(&self, scale: f64) -> Result<GripStep, SolveError> {
@@ -298,8 +306,8 @@ impl GripBlock {
 
     /// Change along the path per unit of the condition's target.
     fn tangent(&self) -> Result<GripStep, SolveError> {
-        let mut right = SVector::<f64, LAST>::zeros();
-        right[LAST - 1] = 1.0;
+        let mut right = SVector::<f64, BLOCK>::zeros();
+        right[BLOCK - 1] = 1.0;
         self.step(right)
     }
 
@@ -316,7 +324,7 @@ impl GripBlock {
 
     fn negative_pivots(&self, rows: &[usize]) -> usize {
         let n = rows.len();
-        let mut a = [[0.0; LAST]; LAST];
+        let mut a = [[0.0; BLOCK]; BLOCK];
         for i in 0..n {
             for j in 0..n {
                 a[i][j] = self.matrix[(rows[i], rows[j])];

@@ -54,6 +54,16 @@ const REFUSE: f64 = 12.0;
 const LEAST_COSINE: f64 = 0.5;
 /// Most growth of a step.
 const MOST_GROWTH: f64 = 3.5;
+/// The same for the second, before anything is known of the force's curvature.
+const OUTSET_GROWTH: f64 = 2.0;
+/// Points over which the path's direction is taken.
+const CHORD: usize = 4;
+/// Changes of front, displacement, rotation and force below these shares of their scales do not measure a path: a front that
+/// starts with the square of the displacement would make a parameter of it, and a left end that turns as the exponential of
+/// its distance from the front a kink.
+const NOTICED_FRONT: f64 = 2e-2;
+const NOTICED_ROTATION: f64 = 5e-2;
+const NOTICED: f64 = 1e-3;
 
 impl<'p> Path<'p> {
     /// A path that starts at rest.
@@ -99,14 +109,16 @@ impl<'p> Path<'p> {
         let newest = self.points[self.points.len() - 1].clone();
         let weights = self.weights();
         let (points, labels) = self.labelled(&weights);
-        let (mut count, mut step) = self.choose(&labels);
+        let outset = self.points.len() <= 2;
+        let (mut count, mut step) = if outset { (1, self.first_step(&labels)) } else { self.choose(&labels) };
         let mut cause = SolveError::SingularGrip;
         for _ in 0..MOST_TRIES {
-            let start = predictor::combine(
-                self.problem,
-                &points[..count],
-                &predictor::lagrange_weights(&labels[..count], step),
-            );
+            let start = if outset {
+                newest.moved(step / weights.dot(&newest.slope))
+            } else {
+                let combination = predictor::lagrange_weights(&labels[..count], step);
+                predictor::combine(self.problem, &points[..count], &combination)
+            };
             let condition = Condition { weights, target: weights.dot(&newest.observables) + step };
             match solve(self.problem, start, &condition, &self.newton(), &mut self.work) {
                 Ok(next) => {
@@ -136,14 +148,17 @@ impl<'p> Path<'p> {
         Observables { displacement: self.options.first_displacement.signum(), ..Observables::default() }
     }
 
-    /// Weights of the path parameter: the tangent's direction, each observable in units of its recent changes.
+    /// Weights of the path parameter: a direction between the tangent's and that of the last points, in which those go
+    /// forward although one observable may turn; each observable in units of its recent changes.
     fn weights(&self) -> Observables {
         let n = self.points.len();
         let newest = &self.points[n - 1];
         if n == 1 {
             return self.outset();
         }
-        self.metric(None).weights(&newest.slope)
+        let metric = self.metric(None);
+        let chord = newest.observables.since(&self.points[n.saturating_sub(1 + CHORD)].observables);
+        metric.weights(&metric.unit(&newest.slope).plus(&metric.unit(&chord)))
     }
 
     /// Whether the path turns too much on the step to `next`, from either end to the chord.
@@ -176,10 +191,23 @@ impl<'p> Path<'p> {
         (points, labels)
     }
 
+    /// The steps along the tangent with which a path begins: the second as long as the first was good, whose error is of
+    /// second order.
+    fn first_step(&self, labels: &[f64]) -> f64 {
+        match labels {
+            [_, before] => {
+                let error = self.points[1].correction.max(f64::MIN_POSITIVE);
+                let growth = (0.7 * self.options.step_tolerance / error).sqrt();
+                -before * growth.min(OUTSET_GROWTH)
+            }
+            _ => self.options.first_displacement.abs(),
+        }
+    }
+
     /// How many points to predict from, and the step.
     fn choose(&self, labels: &[f64]) -> (usize, f64) {
         if labels.len() == 1 {
-            return (1, if self.points.len() == 1 { self.options.first_displacement.abs() } else { 1e-2 });
+            return (1, 1e-2);
         }
         let most = MOST_GROWTH * -labels[1];
         let mut best = (labels.len().min(2), 0.5 * -labels[1]);
@@ -214,10 +242,10 @@ impl Metric {
     pub fn of<'a>(problem: &Problem, stretch: impl Iterator<Item = &'a Observables>) -> Self {
         let adheres = problem.adheres();
         let mut metric = Self {
-            front: if adheres { 1e-3 * problem.process_length } else { f64::INFINITY },
-            force: if adheres { f64::INFINITY } else { 1e-3 * problem.force_scale },
-            displacement: 1e-3 * problem.scale[problem.driven],
-            tip_rotation: 1e-3 * problem.scale[problem.rotation],
+            front: if adheres { NOTICED_FRONT * problem.process_length } else { f64::INFINITY },
+            force: if adheres { f64::INFINITY } else { NOTICED * problem.force_scale },
+            displacement: NOTICED * problem.scale[problem.driven],
+            tip_rotation: NOTICED_ROTATION * problem.scale[problem.rotation],
         };
         let mut before: Option<&Observables> = None;
         for here in stretch {
@@ -243,6 +271,11 @@ impl Metric {
             grip_rotation: 0.0,
         };
         dual.times(1.0 / dual.dot(direction).sqrt())
+    }
+
+    /// A direction with the length one.
+    pub fn unit(&self, direction: &Observables) -> Observables {
+        direction.times(1.0 / self.weights(direction).dot(direction))
     }
 
     /// Cosine of the angle between two directions.

@@ -16,7 +16,7 @@ const SAFETY: f64 = 2.0;
 /// Round-off, relative to the largest force of the path or to the displacement itself.
 pub(super) const ROUND_OFF: f64 = 5e-12;
 /// The same for the displacement of a turn of the force, which is the zero of a difference of forces.
-pub(super) const ROUND_OFF_PLACE: f64 = 2e-10;
+pub(super) const ROUND_OFF_PLACE: f64 = 6e-10;
 /// The first integral may spread by this many times the accuracy asked for, in units of the work of adhesion, at any point:
 /// where it spreads by 1.4e-5, at an edge that carries the strip, the force of that point was wrong by 6e-8.
 const SPREAD: f64 = 100.0;
@@ -24,6 +24,8 @@ const SPREAD: f64 = 100.0;
 const SPREAD_ROUND_OFF: f64 = 5e-10;
 /// Below this relative error, an error that does not fall with more elements is taken for round-off.
 const STAGNATION: f64 = 2e-8;
+/// Of two errors near round-off, the one that is less by this is less in earnest.
+const PLAIN: f64 = 0.1;
 /// Two meshes may agree in one number by luck: no bound is below this share of the relative difference in the other number of
 /// the same point.
 const MODESTY: f64 = 0.1;
@@ -51,7 +53,9 @@ impl Resolution {
     pub(super) fn first(model: &StripModel, relative: f64) -> Self {
         let span = (model.strip.length / model.process_length()).asinh();
         let digits = -relative.log10();
-        let elements = (5.1 + 0.434 * span * span) * (0.32 + 0.052 * digits + 0.0083 * digits * digits);
+        // two decay lengths, of bending and of shear, take more than one
+        let apart = (5.0 * (0.4 * model.bending_length() / model.shear_length()).ln()).clamp(0.0, 6.0);
+        let elements = (5.1 + 0.434 * span * span + apart) * (0.32 + 0.052 * digits + 0.0083 * digits * digits);
         Self {
             elements: (elements.ceil() as usize).clamp(6, MOST_ELEMENTS),
             step_tolerance: STEP_TOLERANCE * (1e6 * relative).powf(1.0 / 6.0),
@@ -77,7 +81,7 @@ impl Resolution {
 
 /// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its fourth
 /// root, so that the curve between the points keeps up with the points.
-const STEP_TOLERANCE: f64 = 1.2e-2;
+const STEP_TOLERANCE: f64 = 2e-2;
 
 /// Follows the peel from rest to its end.
 pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> Peel {
@@ -86,6 +90,7 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> P
     let far = 10.0 * model.adhesion.equilibrium_distance;
     let mut resolution = Resolution::first(model, accuracy.relative);
     let mut best: Option<Attempt> = None;
+    let mut others: Vec<Vec<LimitPoint>> = Vec::new();
     let mut iterations = 0;
     for _ in 0..MOST_MESHES {
         let options = resolution.path_options(model, accuracy.relative);
@@ -94,12 +99,18 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> P
         let attempt = Attempt::new(model, &problem, followed, resolution, accuracy.relative);
         let done = attempt.done(bounds, started) || best.as_ref().is_some_and(|b| attempt.is_stuck_behind(b));
         resolution = attempt.next;
+        if attempt.trouble.is_none() {
+            others.push(attempt.peel.limit_points.clone());
+        }
         if best.as_ref().is_none_or(|b| attempt.is_better_than(b)) {
             best = Some(attempt);
         }
         if done || resolution.elements > MOST_ELEMENTS {
             break;
         }
+    }
+    if let Some(best) = best.as_mut().filter(|best| best.worst > 1.0) {
+        best.widen(&others);
     }
     let mut peel = best.map_or_else(|| empty(model), Attempt::into_peel);
     peel.effort.newton_iterations = iterations;
@@ -159,7 +170,44 @@ impl Attempt {
     /// The error bounds come first; among those that are met, the first integral.
     fn is_better_than(&self, best: &Self) -> bool {
         let met = |attempt: &Self| attempt.worst <= 1.0;
-        if met(self) && met(best) { self.spread <= best.spread } else { self.worst <= best.worst }
+        let small = |attempt: &Self| attempt.worst * attempt.peel.asked < STAGNATION;
+        if met(self) && met(best) {
+            self.spread <= best.spread
+        } else if met(self) || !small(best) {
+            self.worst <= best.worst
+        } else {
+            // of two that have come down to round-off the one with fewer elements, unless the difference is plain
+            self.worst <= PLAIN * best.worst
+        }
+    }
+
+    /// Where more elements did not bring the error down to what was asked for, it is round-off: no bound is less than the
+    /// difference to what other meshes gave.
+    fn widen(&mut self, others: &[Vec<LimitPoint>]) {
+        let Peel { asked, limit_points, initiation_peak, peak, snap_off, .. } = &mut self.peel;
+        let count = limit_points.len();
+        for other in others.iter().filter(|other| other.len() == count) {
+            for (point, twin) in limit_points.iter_mut().zip(other) {
+                let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);
+                let near = force.abs() < STAGNATION.max(*asked) * point.force.abs();
+                if point.kind == twin.kind && near {
+                    point.force_error = point.force_error.max(force.abs());
+                    if !point.flat {
+                        point.displacement_error = point.displacement_error.max(displacement.abs());
+                    }
+                }
+            }
+        }
+        for point in limit_points.iter() {
+            for peak in [&mut *initiation_peak, &mut *peak].into_iter().flatten() {
+                if peak.displacement == point.displacement {
+                    *peak = peak_of(point);
+                }
+            }
+            if snap_off.is_some_and(|snap_off| snap_off.displacement == point.displacement) {
+                *snap_off = Some(*point);
+            }
+        }
     }
 
     /// Whether more elements did not help. Where the error is small, what is left is round-off, which grows with them; where

@@ -4,13 +4,11 @@
 //! only values count: u and P are polynomials through solutions at Gauss-Lobatto labels.
 
 use crate::beam::Basis;
-use crate::solve::{Observables, Problem, Solution, Stretch, Workspace, solve_on};
+use crate::solve::{Observables, Problem, Solution, Stretch, Workspace, reach};
 use std::sync::Arc;
 
 /// Solutions on a step, its ends among them.
 const NODES: usize = 5;
-/// How often the way to a solution inside a step is halved.
-const MOST_HALVINGS: usize = 4;
 
 /// u (nm) and P (nN) on a step, as polynomials of a local coordinate on [-1, 1].
 pub(super) struct StepCurve {
@@ -38,9 +36,9 @@ impl StepCurve {
         for (at, node) in at[..left].iter_mut().zip(basis.nodes) {
             let label = 0.5 * (1.0 + node) * to;
             let interpolated = |pick: fn(&Observables) -> f64| stretch.observable(pick, 0.5 * to).at(label).0;
-            *at = match reach(problem, &mut known, last, label, &mut work, MOST_HALVINGS) {
-                Some(solution) => of(&solution.observables),
-                None => (interpolated(|o| o.displacement), interpolated(|o| o.force)),
+            *at = match reach(problem, &mut known, last, label, &mut work) {
+                Ok(solution) => of(&solution.observables),
+                Err(_) => (interpolated(|o| o.displacement), interpolated(|o| o.force)),
             };
             last = label;
         }
@@ -65,24 +63,4 @@ impl StepCurve {
         };
         (0..NODES - 1).map(power).sum()
     }
-}
-
-/// The solution at a label, from what is known of the stretch, which it joins; where the start is too far away, by way of
-/// the middle between `from`, where a solution is known, and there.
-fn reach(
-    problem: &Problem,
-    known: &mut Stretch,
-    from: f64,
-    label: f64,
-    work: &mut Workspace,
-    halvings: usize,
-) -> Option<Arc<Solution>> {
-    let mut solved = solve_on(problem, known, label, false, work).ok();
-    if solved.is_none() && halvings > 0 {
-        let middle = 0.5 * (from + label);
-        reach(problem, known, from, middle, work, halvings - 1)?;
-        solved = Some(reach(problem, known, middle, label, work, halvings - 1)?);
-    }
-    known.insert(solved.clone()?);
-    solved
 }
