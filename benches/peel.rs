@@ -8,7 +8,7 @@ use peelkit::solve::{PathRow, Workspace};
 use peelkit::study::{Accuracy, Bounds, PointKind, Spacing, follow_point, peel, sweep};
 use std::hint::black_box;
 
-const DEFAULT: Accuracy = Accuracy { relative: 1e-6 };
+const DEFAULT: Accuracy = Accuracy::to(1e-6);
 const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
 
 /// The paper's strip.
@@ -37,7 +37,7 @@ fn stiffness_sweep(c: &mut Criterion) {
 fn peak_only(c: &mut Criterion) {
     let values: Vec<f64> = (0..1000).map(|k| 10f64.powf(-4.0 + 8.0 * f64::from(k) / 999.0)).collect();
     let model = |factor| strip(100.0, factor);
-    let accuracy = Accuracy { relative: 1e-8 };
+    let accuracy = Accuracy::to(1e-8);
     c.bench_function("peak followed over 1000 stiffnesses", |b| {
         b.iter(|| {
             let values = black_box(&values);

@@ -23,7 +23,7 @@ use peelkit::study::{Accuracy, Bounds, End, Peel, Turn, peel};
 const FREE: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
 
 fn bounded(bounds: Bounds) -> Peel {
-    peel(&paper_strip(100.0, 1.0), &Accuracy { relative: 1e-6 }, &bounds)
+    peel(&paper_strip(100.0, 1.0), &Accuracy::to(1e-6), &bounds)
 }
 
 /// The reason of an end that a bound made.

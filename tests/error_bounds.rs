@@ -1,14 +1,15 @@
-//! A scene whose peel is not finished at the default accuracy.
+//! The scene of the 200 whose end is the hardest.
 //!
 //! Reference: verification/bound_scenes.csv, scene 150, collocation without finite elements.
 //!
 //!     |---------- L = 1772 nm, h = 20.15 nm, EI × 17.25 ----------|  ^ u, rotation held
 //!     =============================================================
 //!
-//! Parameters: A_H = 2.213e-20 J, r0 = 0.2371 nm; `relative` = 1e-6. The other 199 scenes end without a failure: `peel verify --only bounds`.
+//! Parameters: A_H = 2.213e-20 J, r0 = 0.2371 nm; `relative` = 1e-6. The other 199 scenes: `peel verify --only bounds`.
 //!
-//! Expected: the path fails by name at its very end, near u = 1825 nm, where the strip comes off, and every number of the
-//! table is reported all the same, within its bound. Why: a failure keeps what was reached, and says where it failed.
+//! Expected: the path comes to its end, and every number of the table is within its bound. Why: near u = 1825 nm, where the
+//! strip comes off, Newton's method does not reach a turning point from the ends of its step; it is reached by way of
+//! solutions between them.
 
 mod common;
 
@@ -17,15 +18,14 @@ use peelkit::model::Hold;
 use peelkit::study::{End, Turn};
 
 #[test]
-fn a_failure_at_the_end_keeps_what_was_reached() {
+fn the_end_is_reached_and_every_bound_holds() {
     let mut model = with_grip(paper_strip(1772.0, 17.25), Hold::Fixed, Hold::Free);
     model.strip.height = 20.15;
     model.adhesion.hamaker_constant = 0.02213;
     model.adhesion.equilibrium_distance = 0.2371;
     let peel = whole_peel(&model, 1e-6);
 
-    let End::Failed(reason) = &peel.end else { panic!("it is no failure any more: move it to the others") };
-    assert!(reason.contains("turning point of the displacement") && reason.contains("u = 1825."), "{reason}");
+    assert!(!matches!(peel.end, End::Failed(_)), "{:?}", peel.end);
 
     let peak = peel.initiation_peak.expect("an initiation peak");
     let mut turns = peel.limit_points.iter().filter(|point| point.kind == Turn::Displacement);

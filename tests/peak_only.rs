@@ -51,13 +51,13 @@ impl Case {
 
     fn follow(&self) -> FollowedSweep {
         let values = spaced(self.from, self.to, self.values);
-        let accuracy = Accuracy { relative: self.relative };
+        let accuracy = Accuracy::to(self.relative);
         follow_point(self.kind, &values, Spacing::Logarithmic, &|v| self.model(v), &accuracy, &BOUNDS, &|| ())
     }
 
     /// Displacement and force of the full path, each with its bound.
     fn full(&self, value: f64) -> Option<((f64, f64), (f64, f64))> {
-        let peel = peel(&self.model(value), &Accuracy { relative: (1e-2 * self.relative).max(1e-10) }, &BOUNDS);
+        let peel = peel(&self.model(value), &Accuracy::to((1e-2 * self.relative).max(1e-10)), &BOUNDS);
         match self.kind {
             PointKind::InitiationPeak => {
                 peel.initiation_peak.map(|p| ((p.displacement, p.displacement_error), (p.force, p.force_error)))
@@ -198,7 +198,7 @@ fn where_the_snap_off_vanishes_is_said_by_name() {
     assert!(between.0 < between.1 && between.1 < 1.001 * between.0, "{between:?}");
     // two turning points that meet at EI_c lie (EI_c - EI)^(3/2) apart in u: EI_c from two full paths before it
     let apart = |value: f64| {
-        let peel = peel(&case.model(value), &Accuracy { relative: 1e-8 }, &BOUNDS);
+        let peel = peel(&case.model(value), &Accuracy::to(1e-8), &BOUNDS);
         let turns = peel.limit_points.iter().filter(|p| p.kind == Turn::Displacement).map(|p| p.displacement);
         let [first, second] = turns.collect::<Vec<_>>()[..] else { panic!("{:?}", peel.limit_points) };
         (first - second).powf(2.0 / 3.0)
@@ -232,7 +232,7 @@ fn the_work_to_the_snap_off_is_that_of_the_full_path() {
     let case = snap_off(paper_strip(100.0, 1.0), |model, value| model.strip.length = value, 60.0, 600.0);
     let sweep = case.follow();
     for row in [&sweep.rows[0], &sweep.rows[24]] {
-        let full = peel(&case.model(row.value), &Accuracy { relative: 1e-9 }, &BOUNDS).snap_off.unwrap();
+        let full = peel(&case.model(row.value), &Accuracy::to(1e-9), &BOUNDS).snap_off.unwrap();
         let work = row.point.unwrap().work.unwrap();
         assert!((work / full.work - 1.0).abs() < 1e-6, "{}: {work}, {}", row.value, full.work);
     }

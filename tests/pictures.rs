@@ -11,7 +11,7 @@ use peelkit::study::{Accuracy, Bounds, End, LimitPoint, Peak, Peel, Plateau, Swe
 use resvg::usvg;
 use std::path::{Path, PathBuf};
 
-const ACCURACY: Accuracy = Accuracy { relative: 1e-6 };
+const ACCURACY: Accuracy = Accuracy::to(1e-6);
 const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
 
 fn strip() -> StripModel {

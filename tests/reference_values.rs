@@ -153,7 +153,7 @@ struct Compared {
 /// Peels the strip of a row and compares.
 fn compare(row: &Row, relative: f64) -> Compared {
     let model = model(row);
-    let peel = peel(&model, &Accuracy { relative }, &Bounds { points: 5000, time_s: None, displacement: None });
+    let peel = peel(&model, &Accuracy::to(relative), &Bounds { points: 5000, time_s: None, displacement: None });
     let key =
         (model.strip.length, model.strip.bending_stiffness_factor, row["line_load"].as_str(), model.adhesion.far_face);
     let mut wrong = Vec::new();

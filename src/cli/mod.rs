@@ -1,5 +1,6 @@
 //! The command, one file a subcommand.
 
+mod accuracy;
 mod figures;
 mod help;
 mod input;
@@ -27,6 +28,7 @@ struct Cli {
 enum Command {
     Run(run::Run),
     Sweep(sweep::Sweep),
+    Accuracy(accuracy::Accuracy),
     Verify(verify::Verify),
     New(new::New),
     Figures(figures::Figures),
@@ -42,6 +44,7 @@ pub fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::Accuracy(args) => accuracy::accuracy(&args),
         Command::Verify(args) => verify::verify(&args),
         Command::New(args) => new::new(&args),
         Command::Figures(args) => figures::figures(&args),

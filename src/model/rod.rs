@@ -3,7 +3,7 @@
 use super::Hold;
 use super::chain::three_field;
 use crate::beam::{ReissnerRod, RestCurve, Section};
-use crate::solve::{MOST_FIELDS, Problem};
+use crate::solve::{MOST_FIELDS, Mesh, Problem};
 
 /// What an end of a rod does with each of its unknowns: `Fixed` at the value of the rest curve, or `Free`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,6 +87,7 @@ impl RodModel {
             force_scale: if self.drive == Drive::Rotation { moment } else { moment / length },
             round_off: f64::EPSILON * section.axial.max(section.shear) * length / moment,
             rest_adhesion: 0.0,
+            mesh: Mesh::Moving,
             fixed_foci: Vec::new(),
             process_length: length,
             height: 0.0,

@@ -3,7 +3,7 @@
 use super::chain::{three_field, two_field};
 use crate::adhesion::{HalfSpace, LineLaw, LineLoad};
 use crate::beam::{ReducedBeam, ReissnerBeam, RestCurve, Section, rectangle_second_moment};
-use crate::solve::{Chain, Focus, MOST_FIELDS, Problem};
+use crate::solve::{Chain, Focus, MOST_FIELDS, Mesh, Problem};
 
 /// Geometry and material of a uniform strip of rectangular section.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -173,6 +173,7 @@ impl StripModel {
             force_scale: (width * law.rest_energy()).abs(),
             round_off: 0.0,
             rest_adhesion: width * law.rest_energy(),
+            mesh: Mesh::Moving,
             fixed_foci: foci,
             process_length,
             height: self.strip.height,

@@ -107,7 +107,7 @@ pub(super) struct Runner<'a> {
     progress: &'a (dyn Fn(usize, usize) + Sync),
 }
 
-pub(super) const ACCURACY: Accuracy = Accuracy { relative: 1e-6 };
+pub(super) const ACCURACY: Accuracy = Accuracy::to(1e-6);
 pub(super) const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
 
 impl Runner<'_> {

@@ -21,6 +21,7 @@ mod picture_sweep;
 mod summary;
 mod table;
 mod verification;
+mod work_precision;
 
 pub use accuracy::{left_out, reached_accuracy};
 pub use error::ReportError;
@@ -32,3 +33,4 @@ pub use picture_sweep::draw_sweep;
 pub use summary::{PeelSummary, SweepSummary, end_reason, end_word};
 pub use table::{SweepLine, write_curve, write_followed, write_limit_points, write_sweep};
 pub use verification::{check_line, checks_json};
+pub use work_precision::{AUTOMATIC, write_work_precision};

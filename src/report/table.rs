@@ -161,7 +161,7 @@ impl From<&SweepRow> for SweepLine {
     }
 }
 
-fn write_table<T: Serialize + Default>(
+pub(super) fn write_table<T: Serialize + Default>(
     dir: &Path,
     name: &str,
     lines: impl Iterator<Item = T>,

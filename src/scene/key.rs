@@ -45,6 +45,10 @@ pub enum Kind {
     Bound(Dimension, fn(&mut Scene) -> &mut Option<f64>),
     /// A whole number from 1.
     Count(fn(&mut Scene) -> &mut usize),
+    /// A whole number from 1 to this, or nothing.
+    Fixed(usize, fn(&mut Scene) -> &mut Option<usize>),
+    /// A number without a unit, or nothing.
+    Share(Range, fn(&mut Scene) -> &mut Option<f64>),
     /// true or false
     Flag(fn(&mut Scene) -> &mut bool),
     /// A word for the load on the axis.
@@ -97,17 +101,18 @@ impl Key {
 
     /// Whether it takes one number, with a unit or without.
     pub fn is_numeric(&self) -> bool {
-        matches!(self.kind, Kind::Number(..) | Kind::Quantity(..) | Kind::Bound(..) | Kind::Count(_))
+        matches!(self.kind, Kind::Number(..) | Kind::Quantity(..) | Kind::Bound(..) | Kind::Share(..))
+            || self.is_count()
     }
 
     /// Whether it takes a whole number.
     pub(crate) fn is_count(&self) -> bool {
-        matches!(self.kind, Kind::Count(_))
+        matches!(self.kind, Kind::Count(_) | Kind::Fixed(..))
     }
 
     /// Whether its values are TOML strings.
     pub(crate) fn is_text(&self) -> bool {
-        !matches!(self.kind, Kind::Number(..) | Kind::Count(_) | Kind::Flag(_))
+        !matches!(self.kind, Kind::Number(..) | Kind::Share(..) | Kind::Flag(_)) && !self.is_count()
     }
 
     /// Puts a value into the scene if it has a meaning there.
@@ -121,7 +126,9 @@ impl Key {
                 let number = parse_quantity(text, *dimension).map_err(|e| self.no_quantity(text, *dimension, e))?;
                 self.store_number(scene, number)?;
             }
-            (Kind::Number(..) | Kind::Count(_), &Value::Number(number)) => self.store_number(scene, number)?,
+            (Kind::Number(..) | Kind::Share(..) | Kind::Count(_) | Kind::Fixed(..), &Value::Number(number)) => {
+                self.store_number(scene, number)?;
+            }
             (_, value) => return Err(self.wrong_type(value)),
         }
         Ok(())
@@ -130,8 +137,9 @@ impl Key {
     /// Puts a number into the scene, in the unit of the library, if it is one that has a meaning there.
     pub fn store_number(&self, scene: &mut Scene, number: f64) -> Result<(), Problem> {
         let range = match self.kind {
-            Kind::Number(range, _) => range,
+            Kind::Number(range, _) | Kind::Share(range, _) => range,
             Kind::Count(_) => Range::From(1.0, 1e9),
+            Kind::Fixed(most, _) => Range::From(1.0, most as f64),
             _ => Range::Positive,
         };
         let unit = self.unit();
@@ -144,11 +152,12 @@ impl Key {
         }
         match self.kind {
             Kind::Number(_, place) | Kind::Quantity(_, place) => *place(scene) = number,
-            Kind::Bound(_, place) => *place(scene) = Some(number),
-            Kind::Count(_) if number.fract() != 0.0 => {
+            Kind::Bound(_, place) | Kind::Share(_, place) => *place(scene) = Some(number),
+            Kind::Count(_) | Kind::Fixed(..) if number.fract() != 0.0 => {
                 return Err(Problem::new(format!("is {shown}, which is not whole"), self.remedy()));
             }
             Kind::Count(place) => *place(scene) = number as usize,
+            Kind::Fixed(_, place) => *place(scene) = Some(number as usize),
             _ => return Err(Problem::new("is not a number", self.remedy())),
         }
         Ok(())
@@ -173,7 +182,8 @@ impl Key {
         Some(match self.kind {
             Kind::Text(place) => Value::Text(place(&mut scene).clone()),
             Kind::Number(_, place) | Kind::Quantity(_, place) => Value::Number(*place(&mut scene)),
-            Kind::Bound(_, place) => Value::Number((*place(&mut scene))?),
+            Kind::Bound(_, place) | Kind::Share(_, place) => Value::Number((*place(&mut scene))?),
+            Kind::Fixed(_, place) => Value::Number((*place(&mut scene))? as f64),
             Kind::Count(place) => Value::Number(*place(&mut scene) as f64),
             Kind::Flag(place) => Value::Flag(*place(&mut scene)),
             Kind::LineLoad(place) => Value::Text(word(LINE_LOADS, *place(&mut scene))),
@@ -185,11 +195,12 @@ impl Key {
     pub fn takes(&self) -> String {
         match self.kind {
             Kind::Text(_) => "a text in quotes".into(),
-            Kind::Number(range, _) => range.to_string(),
+            Kind::Number(range, _) | Kind::Share(range, _) => range.to_string(),
             Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => {
                 format!("{dimension} above zero with its unit in quotes ({})", dimension.units().join(", "))
             }
             Kind::Count(_) => "a whole number from 1 to 1e9".into(),
+            Kind::Fixed(most, _) => format!("a whole number from 1 to {most}"),
             Kind::Flag(_) => "true or false".into(),
             Kind::LineLoad(_) => words(LINE_LOADS),
             Kind::Hold(_) => words(HOLDS),
@@ -205,6 +216,7 @@ impl Key {
             ("poissons_ratio", _) => "0.2",
             ("shear_correction", _) => "0.8333333333333334",
             ("relative", _) => "1e-6",
+            ("order", _) => "7",
             (_, Kind::Text(_)) => "\"Peeling of a strip\"",
             (_, Kind::Number(..)) => "1.0",
             (_, Kind::Quantity(Dimension::Length, _)) => "\"1 nm\"",
@@ -213,6 +225,8 @@ impl Key {
             (_, Kind::Quantity(Dimension::Energy, _) | Kind::Bound(Dimension::Energy, _)) => "\"1e-19 J\"",
             (_, Kind::Quantity(Dimension::Time, _) | Kind::Bound(Dimension::Time, _)) => "\"60 s\"",
             (_, Kind::Count(_)) => "20000",
+            (_, Kind::Fixed(..)) => "20",
+            (_, Kind::Share(..)) => "0.01",
             (_, Kind::Flag(_)) => "true",
             (_, Kind::LineLoad(_)) => "\"full\"",
             (_, Kind::Hold(_)) => "\"free\"",
@@ -270,7 +284,9 @@ impl Key {
             (Kind::Quantity(dimension, _) | Kind::Bound(dimension, _), Value::Number(number)) => {
                 self.no_unit(&show(*number), &show(*number), *dimension)
             }
-            (Kind::Number(..) | Kind::Count(_), Value::Text(text)) if text.trim().parse::<f64>().is_ok() => {
+            (Kind::Number(..) | Kind::Share(..) | Kind::Count(_) | Kind::Fixed(..), Value::Text(text))
+                if text.trim().parse::<f64>().is_ok() =>
+            {
                 Problem::new(
                     format!("is {}, a number in quotes", quoted(text)),
                     format!("Take the quotes away: {} = {}", self.name, text.trim()),

@@ -87,7 +87,7 @@ impl Scene {
             name: name.to_owned(),
             title,
             model: StripModel { strip, adhesion, grip },
-            accuracy: Accuracy { relative: 1e-6 },
+            accuracy: Accuracy::to(1e-6),
             bounds: Bounds { points: 20_000, time_s: None, displacement: None },
         }
     }

@@ -3,6 +3,18 @@
 //! Element ends lie at equal steps of  F(S) = Σ_i w_i asinh((S - c_i)/ℓ_i):  as fine as ℓ_i at each focus, geometric away
 //! from it. One focus follows the front; others stay at an end that has a layer of its own.
 
+/// Whether element ends follow the front.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Mesh {
+    /// They do.
+    #[default]
+    Moving,
+    /// They stay, small where the peel begins and ends.
+    Graded,
+    /// They stay, equally far apart.
+    Uniform,
+}
+
 /// One place where elements are small.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Focus {

@@ -1,6 +1,6 @@
 //! What is to be solved: a chain, its rest state, its grip, and the scales that measure progress and error.
 
-use super::{Chain, Configuration, Focus, MOST_FIELDS, graded_ends};
+use super::{Chain, Configuration, Focus, MOST_FIELDS, Mesh, graded_ends};
 use crate::beam::RestCurve;
 
 /// A chain with its right end in a grip that drives one field; on a substrate, or on its own.
@@ -26,6 +26,8 @@ pub struct Problem {
     /// Adhesion energy per length at rest, nN: negative, or zero where nothing adheres. Then there is no front: the force
     /// takes its place in the measure of the path, and the mesh has no moving focus.
     pub rest_adhesion: f64,
+    /// Whether the mesh follows the front.
+    pub mesh: Mesh,
     /// Foci of the mesh besides the front.
     pub fixed_foci: Vec<Focus>,
     /// Length ℓ of the process zone, nm; L where nothing adheres
@@ -90,10 +92,11 @@ impl Problem {
     /// The same, found faster from the ends of a similar mesh.
     pub fn ends_near(&self, center: f64, elements: usize, near: &[f64]) -> Vec<f64> {
         let mut foci = Vec::with_capacity(1 + self.fixed_foci.len());
-        if self.adheres() {
+        if self.adheres() && self.mesh != Mesh::Uniform {
+            let center = if self.mesh == Mesh::Moving { center } else { self.length };
             foci.push(Focus { center, length: self.process_length, weight: 1.0 });
+            foci.extend(&self.fixed_foci);
         }
-        foci.extend(&self.fixed_foci);
         graded_ends(self.length, &foci, elements, near)
     }
 

@@ -1,6 +1,7 @@
 //! Where the path from rest has the point that is to be followed.
 
-use super::peel_run::{self, Resolution};
+use super::choice::{ORDER, Resolution};
+use super::peel_run;
 use super::{Accuracy, Bounds, End, PointKind};
 use crate::model::{Form, StripModel};
 use crate::solve::{Located, Path, Problem, Stretch, Turn, Workspace, brackets, locate};
@@ -26,9 +27,9 @@ pub(super) fn anchor(
 
 /// The first maximum of the force, from the beginning of the path.
 fn first_maximum(model: &StripModel, bounds: &Bounds) -> Result<Option<Located>, String> {
-    let problem = model.problem(Form::TwoField, peel_run::ORDER);
+    let problem = model.problem(Form::TwoField, ORDER);
     let far = 10.0 * model.adhesion.equilibrium_distance;
-    let mut path = Path::new(&problem, Resolution::first(model, ROUGH).path_options(model, ROUGH));
+    let mut path = Path::new(&problem, Resolution::first(model, &Accuracy::to(ROUGH)).path_options(model, ROUGH));
     let mut behind = 0;
     while behind <= BEHIND {
         if path.points().len() >= bounds.points {

@@ -5,7 +5,7 @@
 //! coordinates, as many as have been best so far; the mesh follows the front and the process zone of each model. Values between those that are asked for are taken where the extrapolation would be too far off.
 
 use super::PointKind;
-use super::peel_run::ORDER;
+use super::choice::ORDER;
 use crate::model::{Form, StripModel};
 use crate::solve::{
     Configuration, Equilibrium, Fold, FoldSearch, Observables, Problem, SolveError, Workspace, lagrange_weights,

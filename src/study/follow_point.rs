@@ -7,8 +7,9 @@
 //! point of the next value.
 
 use super::anchor::anchor;
+use super::choice::{ORDER, Resolution};
 use super::continuation::{Continuation, Known, Lost, problem, search};
-use super::peel_run::{self, ORDER, ROUND_OFF, ROUND_OFF_PLACE, Resolution};
+use super::peel_run::{self, ROUND_OFF, ROUND_OFF_PLACE};
 use super::{Accuracy, Bounds, End, FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing};
 use crate::model::StripModel;
 use crate::solve::{Equilibrium, Located, Observables, SolveError, Workspace};
@@ -219,7 +220,7 @@ impl Sweep<'_> {
     fn fewest(&self, index: usize) -> usize {
         match self.kind {
             PointKind::InitiationPeak => FEWEST_ELEMENTS,
-            PointKind::SnapOff => Resolution::first(&(self.model)(self.values[index]), self.accuracy.relative).elements,
+            PointKind::SnapOff => Resolution::first(&(self.model)(self.values[index]), self.accuracy).elements,
         }
     }
 

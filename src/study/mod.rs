@@ -1,5 +1,6 @@
 //! Many runs: the whole peel of one scene, sweeps over a parameter, a point followed, the path of a rod.
 mod anchor;
+mod choice;
 mod continuation;
 mod follow;
 mod follow_point;
@@ -13,11 +14,14 @@ mod sweep;
 mod trace;
 pub mod verify;
 mod work;
+mod work_precision;
 pub use crate::solve::Turn;
+/// Order of the elements with which a point is followed.
+pub use choice::ORDER as FOLLOWED_ORDER;
+pub use choice::{Accuracy, Choice};
 pub use follow_point::follow_point;
 pub use followed::*;
 pub use peel::*;
-/// Order of the elements with which a point is followed.
-pub use peel_run::ORDER as FOLLOWED_ORDER;
 pub use rod::{RodPath, RodTrouble, RodTurn, follow_rod};
 pub use sweep::*;
+pub use work_precision::{ASKED, Errors, Line, Trial, WorkPrecision, work_precision};

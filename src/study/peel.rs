@@ -1,15 +1,9 @@
 //! The whole peel of one model: path, special points, error bounds, how it ended.
 
 use super::trace::Trace;
+use super::{Accuracy, Choice};
 use crate::model::StripModel;
 use crate::solve::{NodeState, Turn};
-
-/// What the user asks of the numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Accuracy {
-    /// Relative error wanted of every reported force and displacement.
-    pub relative: f64,
-}
 
 /// Where a path may be stopped although it goes on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -130,6 +124,8 @@ pub struct Peel {
     pub effort: Effort,
     /// Relative accuracy asked for.
     pub asked: f64,
+    /// What was fixed of the discretisation.
+    pub choice: Choice,
     /// Load limit points left out, because the force changes by less than the accuracy between them.
     pub ripple: usize,
     pub solve_s: f64,

@@ -1,13 +1,14 @@
 //! The run behind [`super::peel`]: a mesh from the accuracy asked for, the path on it, and, where the error bounds say
 //! so, a finer mesh and the path again.
 
+use super::choice::{Choice, MOST_ELEMENTS, Resolution};
 use super::follow::{Followed, Trouble, follow};
 use super::plateau::plateau;
 use super::trace::Trace;
 use super::work::{work_near, works};
 use super::{Accuracy, Bounds, Effort, End, LimitPoint, PathPoint, Peak, Peel};
-use crate::model::{Form, StripModel};
-use crate::solve::{Located, PathOptions, Problem, Solution, Turn, Workspace, difference_on_more_elements};
+use crate::model::StripModel;
+use crate::solve::{Located, Problem, Solution, Turn, Workspace, difference_on_more_elements};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -35,60 +36,13 @@ fn least(relative: f64) -> f64 {
 }
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
-/// Most elements of a mesh.
-const MOST_ELEMENTS: usize = 400;
-/// Order of the elements.
-pub const ORDER: usize = 7;
-
-/// Elements and steps for an accuracy.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Resolution {
-    pub elements: usize,
-    step_tolerance: f64,
-}
-
-impl Resolution {
-    /// What sufficed on the reference cases: elements grow like the square of the logarithm of the length, and with the
-    /// digits asked for.
-    pub(super) fn first(model: &StripModel, relative: f64) -> Self {
-        let span = (model.strip.length / model.process_length()).asinh();
-        let digits = -relative.log10();
-        // two decay lengths, of bending and of shear, take more than one
-        let apart = (5.0 * (0.4 * model.bending_length() / model.shear_length()).ln()).clamp(0.0, 6.0);
-        let elements = (5.1 + 0.434 * span * span + apart) * (0.32 + 0.052 * digits + 0.0083 * digits * digits);
-        Self {
-            elements: (elements.ceil() as usize).clamp(6, MOST_ELEMENTS),
-            step_tolerance: STEP_TOLERANCE * (1e6 * relative).powf(1.0 / 6.0),
-        }
-    }
-
-    /// How a path is stepped at this resolution.
-    pub(super) fn path_options(self, model: &StripModel, relative: f64) -> PathOptions {
-        PathOptions {
-            elements: self.elements,
-            step_tolerance: self.step_tolerance,
-            tolerance: (1e-2 * relative).clamp(1e-12, 1e-6),
-            first_displacement: 0.02 * model.adhesion.equilibrium_distance.min(model.process_length()),
-        }
-    }
-
-    /// Finer, by what the theory of order 2p asks for to reduce an error of `worst` times the wanted one.
-    fn finer(self, worst: f64) -> Self {
-        let growth = (2.0 * worst).powf(0.5 / ORDER as f64).clamp(1.15, 1.6);
-        Self { elements: (self.elements as f64 * growth).ceil() as usize, ..self }
-    }
-}
-
-/// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its fourth
-/// root, so that the curve between the points keeps up with the points.
-const STEP_TOLERANCE: f64 = 2e-2;
-
 /// Follows the peel from rest to its end.
 pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> Peel {
     let started = Instant::now();
-    let problem = Arc::new(model.problem(Form::TwoField, ORDER));
+    let Choice { mesh, form, .. } = accuracy.choice;
+    let mut resolution = Resolution::first(model, accuracy);
+    let problem = Arc::new(Problem { mesh, ..model.problem(form, resolution.order) });
     let far = 10.0 * model.adhesion.equilibrium_distance;
-    let mut resolution = Resolution::first(model, accuracy.relative);
     let mut best: Option<Attempt> = None;
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
     let mut iterations = 0;
@@ -96,8 +50,10 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> P
         let options = resolution.path_options(model, accuracy.relative);
         let followed = follow(&problem, options, far, bounds, accuracy.relative, started);
         iterations += followed.iterations;
-        let attempt = Attempt::new(model, &problem, followed, resolution, accuracy.relative);
-        let done = attempt.done(bounds, started) || best.as_ref().is_some_and(|b| attempt.is_stuck_behind(b));
+        let attempt = Attempt::new(model, &problem, followed, resolution, accuracy);
+        let done = accuracy.choice.elements.is_some()
+            || attempt.done(bounds, started)
+            || best.as_ref().is_some_and(|b| attempt.is_stuck_behind(b));
         resolution = attempt.next;
         if attempt.trouble.is_none() {
             others.push(attempt.peel.limit_points.clone());
@@ -137,9 +93,10 @@ impl Attempt {
         problem: &Arc<Problem>,
         followed: Followed,
         resolution: Resolution,
-        relative: f64,
+        accuracy: &Accuracy,
     ) -> Self {
-        let Resolution { elements, step_tolerance } = resolution;
+        let Resolution { elements, step_tolerance, order } = resolution;
+        let relative = accuracy.relative;
         let trouble = followed.trouble.as_ref().map(|t| t.to_string());
         let mut spread = f64::INFINITY;
         let (worst, next) = match &followed.trouble {
@@ -150,13 +107,14 @@ impl Attempt {
             }
             Some(Trouble::Missed { .. } | Trouble::TooManyPoints { .. }) => (
                 f64::INFINITY,
-                Resolution { elements: elements + elements.div_ceil(4), step_tolerance: 0.3 * step_tolerance },
+                Resolution { elements: elements + elements.div_ceil(4), step_tolerance: 0.3 * step_tolerance, order },
             ),
-            Some(_) => (f64::INFINITY, Resolution { elements: elements + elements.div_ceil(2), step_tolerance }),
+            Some(_) => (f64::INFINITY, Resolution { elements: elements + elements.div_ceil(2), step_tolerance, order }),
         };
         let mut peel = report(model, problem, &followed, relative);
         peel.asked = relative;
-        peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order: ORDER };
+        peel.choice = accuracy.choice;
+        peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order };
         peel.trace = Some(Trace { problem: problem.clone(), points: followed.points });
         Self { peel, worst, spread, trouble, next }
     }
@@ -175,9 +133,11 @@ impl Attempt {
             self.spread <= best.spread
         } else if met(self) || !small(best) {
             self.worst <= best.worst
+        } else if best.spread > 1.0 {
+            self.spread < best.spread
         } else {
             // of two that have come down to round-off the one with fewer elements, unless the difference is plain
-            self.worst <= PLAIN * best.worst
+            self.worst <= PLAIN * best.worst && self.spread <= 1.0
         }
     }
 
@@ -223,7 +183,8 @@ impl Attempt {
 
     /// The result, as a failure where the path cannot be used.
     fn into_peel(self) -> Peel {
-        let missed = self.worst > 1.0 && self.worst * self.peel.asked > STAGNATION;
+        let fixed = self.peel.choice.elements.is_some();
+        let missed = self.worst > 1.0 && self.worst * self.peel.asked > STAGNATION && !fixed;
         let mut peel = self.peel;
         let bounded = matches!(peel.end, End::Bound(_));
         let trouble =
@@ -252,6 +213,7 @@ fn empty(model: &StripModel) -> Peel {
         end: End::Failed(String::new()),
         effort: Effort::default(),
         asked: 0.0,
+        choice: Accuracy::to(0.0).choice,
         ripple: 0,
         solve_s: 0.0,
         trace: None,

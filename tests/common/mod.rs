@@ -42,7 +42,7 @@ pub fn with_grip(mut model: StripModel, rotation: Hold, horizontal: Hold) -> Str
 
 /// A whole peel without bounds that matter.
 pub fn whole_peel(model: &StripModel, relative: f64) -> Peel {
-    peel(model, &Accuracy { relative }, &Bounds { points: 5000, time_s: None, displacement: None })
+    peel(model, &Accuracy::to(relative), &Bounds { points: 5000, time_s: None, displacement: None })
 }
 
 /// T(r), eq. (18), nN/nm².

@@ -73,7 +73,7 @@ pub fn survey() -> Survey {
     let rows = reference::read(TABLE);
     let cases: Vec<(f64, StripModel)> =
         rows.iter().enumerate().filter_map(|(i, row)| Some((i as f64, model(row)?))).collect();
-    let accuracy = Accuracy { relative: RELATIVE };
+    let accuracy = Accuracy::to(RELATIVE);
     let bounds = Bounds { points: 20_000, time_s: None, displacement: None };
     let mut survey = Survey { scenes: cases.len(), ..Survey::default() };
     for (row, found) in rows.iter().zip(sweep(&cases, &accuracy, &bounds, &|| ())) {

@@ -19,7 +19,7 @@ const POINTS: &str = include_str!("../../../../verification/strip_points.csv");
 const PEAKS: &str = include_str!("../../../../verification/strip_peaks.csv");
 
 /// What a user gets who asks for nothing else.
-const DEFAULT: Accuracy = Accuracy { relative: 1e-6 };
+const DEFAULT: Accuracy = Accuracy::to(1e-6);
 
 fn run() -> Vec<Check> {
     let whole = Case::all(POINTS, |_| None);

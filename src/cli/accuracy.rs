@@ -1,0 +1,79 @@
+//! `peel accuracy`: what an error costs.
+
+use super::help;
+use super::input::SceneArgs;
+use super::output::{list_files, progress_bar, say};
+use super::stop::Stop;
+use clap::Args;
+use peelkit::report::{AUTOMATIC, write_work_precision};
+use peelkit::scene::Scene;
+use peelkit::study::{Trial, WorkPrecision, work_precision};
+use std::path::{Path, PathBuf};
+
+/// Speed against error: one scene over orders, elements, meshes, forms and steps, timed and held against a refined run
+#[derive(Args)]
+#[command(after_long_help = help::accuracy())]
+pub struct Accuracy {
+    #[command(flatten)]
+    scene: Option<SceneArgs>,
+
+    /// Folder for the outputs, made where it is missing [default: out/accuracy, or out/accuracy- and the name of the scene]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+/// The scene where none is given.
+const PLAIN: &str = include_str!("../../scenes/strip-100nm.toml");
+
+pub fn accuracy(args: &Accuracy) -> Result<(), Stop> {
+    let scene = match &args.scene {
+        Some(scene) => scene.load()?,
+        None => Scene::parse("strip-100nm.toml", PLAIN, &[])?,
+    };
+    let folder = args.out.clone().unwrap_or_else(|| match &args.scene {
+        Some(scene) => {
+            let stem = scene.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            Path::new("out").join(format!("accuracy-{stem}"))
+        }
+        None => PathBuf::from("out/accuracy"),
+    });
+    let bar = progress_bar(0);
+    let measured = work_precision(&scene.model, &scene.bounds, &|lines| {
+        bar.set_length(lines as u64);
+        bar.inc(1);
+    });
+    bar.finish_and_clear();
+    let measured = measured.map_err(|reason| Stop::cut_short(&reason))?;
+    let files = write_work_precision(&folder, &measured, &scene.title)?;
+    say(&format!("{}\n{}", table(&measured), list_files(&files)))
+}
+
+/// What the program chooses by itself, and the best run that is no more wrong.
+fn table(measured: &WorkPrecision) -> String {
+    let mut text = format!("{AUTOMATIC}; errors against a refined run, CPU time on one core\n\n");
+    text += "   asked   error of points   of curve      time  order  elements  points  iterations  best run that is no worse\n";
+    for trial in &measured.automatic {
+        text += &line(measured, trial);
+    }
+    text
+}
+
+fn line(measured: &WorkPrecision, trial: &Trial) -> String {
+    let error = trial.errors.points();
+    let best = error.and_then(|error| measured.best(error)).map_or(String::new(), |(seconds, name)| {
+        let times = measured.over_best(trial).unwrap_or(1.0);
+        format!("{:.2} ms, {name} (this takes {times:.2} times that)", 1e3 * seconds.min(trial.seconds))
+    });
+    let effort = trial.effort;
+    format!(
+        "{:8.0e}   {:>15}   {:8.1e}  {:5.2} ms  {:5}  {:8}  {:6}  {:10}  {best}\n",
+        trial.accuracy.relative,
+        error.map_or("none".into(), |error| format!("{error:.1e}")),
+        trial.errors.curve,
+        1e3 * trial.seconds,
+        effort.order,
+        effort.elements,
+        effort.points,
+        effort.newton_iterations,
+    )
+}

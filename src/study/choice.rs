@@ -1,0 +1,96 @@
+//! What the user asks of the numbers, and what follows from it: order, elements and steps.
+
+use crate::model::{Form, StripModel};
+use crate::solve::{Mesh, PathOptions};
+
+/// What the user asks of the numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accuracy {
+    /// Relative error wanted of every reported force and displacement.
+    pub relative: f64,
+    /// What is fixed; the rest follows from `relative`.
+    pub choice: Choice,
+}
+
+impl Accuracy {
+    /// A relative error, with nothing fixed.
+    pub const fn to(relative: f64) -> Self {
+        let choice = Choice { order: None, elements: None, step: None, mesh: Mesh::Moving, form: Form::TwoField };
+        Self { relative, choice }
+    }
+
+    /// The same with what `choice` fixes.
+    pub const fn with(self, choice: Choice) -> Self {
+        Self { choice, ..self }
+    }
+
+    /// Order p of the elements.
+    pub(super) fn order(&self) -> usize {
+        self.choice.order.unwrap_or(if self.relative >= LOOSE { 5 } else { ORDER })
+    }
+}
+
+/// What is fixed of a discretisation. Where the elements are, they stay what they are, whatever the error bounds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Choice {
+    /// Order p of the elements, 1 to 8
+    pub order: Option<usize>,
+    /// Number of elements
+    pub elements: Option<usize>,
+    /// Error of a prediction along the path, relative to the gap, that the steps aim at
+    pub step: Option<f64>,
+    pub mesh: Mesh,
+    pub form: Form,
+}
+
+/// Order of the elements; below this accuracy a lower one is cheaper.
+pub const ORDER: usize = 7;
+const LOOSE: f64 = 0.9e-3;
+/// Most elements that are chosen.
+pub(super) const MOST_ELEMENTS: usize = 400;
+/// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its sixth
+/// root, so that the curve between the points keeps up with the points.
+const STEP_TOLERANCE: f64 = 2e-2;
+
+/// Order, elements and steps of one try.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Resolution {
+    pub order: usize,
+    pub elements: usize,
+    pub step_tolerance: f64,
+}
+
+impl Resolution {
+    /// What sufficed on the reference cases: elements grow like the square of the logarithm of the length, and with the
+    /// digits asked for.
+    pub(super) fn first(model: &StripModel, accuracy: &Accuracy) -> Self {
+        let relative = accuracy.relative;
+        let span = (model.strip.length / model.process_length()).asinh();
+        let digits = -relative.log10();
+        // two decay lengths, of bending and of shear, take more than one
+        let apart = (5.0 * (0.4 * model.bending_length() / model.shear_length()).ln()).clamp(0.0, 6.0);
+        let elements = (5.1 + 0.434 * span * span + apart) * (0.32 + 0.052 * digits + 0.0083 * digits * digits);
+        let chosen = (elements.ceil() as usize).clamp(6, MOST_ELEMENTS);
+        Self {
+            order: accuracy.order(),
+            elements: accuracy.choice.elements.unwrap_or(chosen),
+            step_tolerance: accuracy.choice.step.unwrap_or(STEP_TOLERANCE * (1e6 * relative).powf(1.0 / 6.0)),
+        }
+    }
+
+    /// How a path is stepped at this resolution.
+    pub(super) fn path_options(self, model: &StripModel, relative: f64) -> PathOptions {
+        PathOptions {
+            elements: self.elements,
+            step_tolerance: self.step_tolerance,
+            tolerance: (1e-2 * relative).clamp(1e-12, 1e-6),
+            first_displacement: 0.02 * model.adhesion.equilibrium_distance.min(model.process_length()),
+        }
+    }
+
+    /// Finer, by what the theory of order 2p asks for to reduce an error of `worst` times the wanted one.
+    pub(super) fn finer(self, worst: f64) -> Self {
+        let growth = (2.0 * worst).powf(0.5 / self.order as f64).clamp(1.15, 1.6);
+        Self { elements: (self.elements as f64 * growth).ceil() as usize, ..self }
+    }
+}
