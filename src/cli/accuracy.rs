@@ -1,7 +1,7 @@
 //! `peel accuracy`: what an error costs.
 
 use super::help;
-use super::input::SceneArgs;
+use super::input::{SceneArgs, parse_override};
 use super::output::{list_files, progress_bar, say};
 use super::stop::Stop;
 use clap::Args;
@@ -14,8 +14,13 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 #[command(after_long_help = help::accuracy())]
 pub struct Accuracy {
-    #[command(flatten)]
-    scene: Option<SceneArgs>,
+    /// The scene: a TOML file [default: the strip of 100 nm that `peel new` writes]
+    #[arg(value_name = "SCENE")]
+    path: Option<PathBuf>,
+
+    /// Replaces a key of the scene, such as strip.length="50 nm"; may stand more than once
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_override)]
+    overrides: Vec<(String, String)>,
 
     /// Folder for the outputs, made where it is missing [default: out/accuracy, or out/accuracy- and the name of the scene]
     #[arg(long, value_name = "DIR")]
@@ -26,13 +31,14 @@ pub struct Accuracy {
 const PLAIN: &str = include_str!("../../scenes/strip-100nm.toml");
 
 pub fn accuracy(args: &Accuracy) -> Result<(), Stop> {
-    let scene = match &args.scene {
-        Some(scene) => scene.load()?,
-        None => Scene::parse("strip-100nm.toml", PLAIN, &[])?,
+    let overrides = args.overrides.clone();
+    let scene = match &args.path {
+        Some(path) => SceneArgs { path: path.clone(), overrides }.load()?,
+        None => Scene::parse("strip-100nm.toml", PLAIN, &overrides)?,
     };
-    let folder = args.out.clone().unwrap_or_else(|| match &args.scene {
-        Some(scene) => {
-            let stem = scene.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let folder = args.out.clone().unwrap_or_else(|| match &args.path {
+        Some(path) => {
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy();
             Path::new("out").join(format!("accuracy-{stem}"))
         }
         None => PathBuf::from("out/accuracy"),

@@ -13,7 +13,7 @@ pub struct SceneArgs {
 
     /// Replaces a key of the scene, such as strip.length="50 nm"; may stand more than once
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_override)]
-    overrides: Vec<(String, String)>,
+    pub overrides: Vec<(String, String)>,
 }
 
 impl SceneArgs {
@@ -43,7 +43,7 @@ impl SceneArgs {
     }
 }
 
-fn parse_override(text: &str) -> Result<(String, String), String> {
+pub fn parse_override(text: &str) -> Result<(String, String), String> {
     let (key, value) = text.split_once('=').ok_or("write KEY=VALUE, for example strip.length=\"50 nm\"")?;
     Ok((key.trim().to_owned(), value.to_owned()))
 }
