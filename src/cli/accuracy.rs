@@ -10,7 +10,7 @@ use peelkit::scene::Scene;
 use peelkit::study::{Trial, WorkPrecision, work_precision};
 use std::path::{Path, PathBuf};
 
-/// Speed against error: one scene over orders, elements, meshes, forms and steps, timed and held against a refined run
+/// Speed against error: one scene over orders, elements, meshes, forms and steps, timed
 #[derive(Args)]
 #[command(after_long_help = help::accuracy())]
 pub struct Accuracy {

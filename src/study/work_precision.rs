@@ -53,8 +53,8 @@ pub struct WorkPrecision {
 
 /// The accuracies at which the program's own choice is shown.
 pub const ASKED: [f64; 8] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
-/// A line ends where its error is below this, or a run took longer than so many seconds.
-const SMALL: f64 = 1e-11;
+/// A line ends where its error is below this, near that of the refined run, or a run took longer than so many seconds.
+const SMALL: f64 = 1e-10;
 const LONG: f64 = 0.5;
 /// Most unknowns of a field.
 const MOST_NODES: usize = 4000;
@@ -187,8 +187,8 @@ impl<'a> Truth<'a> {
         }
     }
 
-    /// The largest distance of a curve from the refined one; both go the same way, so each point is looked for from where the
-    /// last one was.
+    /// The largest distance of a curve from the refined one, as far as that goes; both go the same way, so each point is looked
+    /// for from where the last one was.
     fn curve_error(&self, curve: &[(f64, f64)]) -> f64 {
         let near = self.curve.len() / 8;
         let (mut worst, mut last) = (0.0f64, 0usize);
@@ -196,6 +196,9 @@ impl<'a> Truth<'a> {
             let window = last.saturating_sub(near)..(last + near).min(self.curve.len() - 1);
             let distances = window.map(|i| (self.distance(at, self.curve[i], self.curve[i + 1]), i));
             let Some((distance, place)) = distances.min_by(|a, b| a.0.total_cmp(&b.0)) else { break };
+            if place + 2 >= self.curve.len() {
+                break;
+            }
             worst = worst.max(distance);
             last = place;
         }
