@@ -77,6 +77,9 @@ rotation = "fixed"
 horizontal = "fixed"
 [accuracy]
 relative = 1e-9
+order = 5
+elements = 30
+step = 0.05
 [bounds]
 points = 50
 time = "2 min"
@@ -91,6 +94,8 @@ displacement = "0.5 um"
     assert_eq!((adhesion.line_load, adhesion.far_face), (LineLoad::AxisGap, false));
     assert_eq!((grip.rotation, grip.horizontal), (Hold::Fixed, Hold::Fixed));
     assert_eq!(scene.accuracy.relative, 1e-9);
+    let choice = scene.accuracy.choice;
+    assert_eq!((choice.order, choice.elements, choice.step), (Some(5), Some(30), Some(0.05)));
     assert_eq!((scene.bounds.points, scene.bounds.time_s, scene.bounds.displacement), (50, Some(120.0), Some(500.0)));
     assert_eq!(scene.title, "All");
     for key in KEYS {
@@ -117,11 +122,11 @@ fn the_ready_scenes_are_right() {
 fn the_remarks_of_the_ready_scene_show_the_defaults() {
     let path = format!("{}/scenes/strip.toml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap();
-    // Every remark that is a line of a scene, but for the bounds that have no default.
+    // Every remark that is a line of a scene, but for what has no default.
     let is_line = |line: &str| {
         let rest = line.strip_prefix("# ").unwrap_or_default();
         let name = rest.split(" =").next().unwrap_or_default();
-        (rest.starts_with('[') || KEYS.iter().any(|key| key.name == name)) && !rest.contains("no bound")
+        (rest.starts_with('[') || KEYS.iter().any(|key| key.name == name)) && !rest.contains("unless given")
     };
     let uncommented: Vec<&str> = text.lines().map(|line| if is_line(line) { &line[2..] } else { line }).collect();
     let plain = Scene::parse(&path, &text, &[]).unwrap();

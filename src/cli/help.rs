@@ -158,7 +158,7 @@ fn note(key: &Key) -> String {
     match (&key.kind, key.need) {
         (_, Need::Required) => "required".into(),
         (Kind::Bound(..), _) => "none unless given".into(),
-        (Kind::Fixed(..) | Kind::Share(..), _) => "chosen unless given".into(),
+        (Kind::Fixed(..) | Kind::Share(..), _) => "chosen by itself".into(),
         (Kind::Text(_), _) => "the name of the file unless given".into(),
         (Kind::LineLoad(_) | Kind::Hold(_), _) => key.takes(),
         _ => String::new(),

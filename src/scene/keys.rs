@@ -34,7 +34,7 @@ pub static KEYS: &[Key] = &[
     key("accuracy", "relative", Optional, Kind::Number(Range::From(1e-11, 1e-2), |s| &mut s.accuracy.relative), "relative error wanted of every force and displacement"),
     key("accuracy", "order", Optional, Kind::Fixed(8, |s| &mut s.accuracy.choice.order), "order p of the elements"),
     key("accuracy", "elements", Optional, Kind::Fixed(2000, |s| &mut s.accuracy.choice.elements), "number of elements, never raised"),
-    key("accuracy", "step", Optional, Kind::Share(Range::From(1e-6, 0.5), |s| &mut s.accuracy.choice.step), "error of a prediction along the path, over the gap"),
+    key("accuracy", "step", Optional, Kind::Share(Range::From(1e-6, 0.5), |s| &mut s.accuracy.choice.step), "error of a step's prediction, over the gap"),
 
     key("bounds", "points", Optional, Kind::Count(|s| &mut s.bounds.points), "most points of a path"),
     key("bounds", "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "most time for a path"),

@@ -99,8 +99,8 @@ pub struct Solution {
 
 /// Updates below this that do not fall any more are round-off, even where the problem is not stiff.
 const STAGNANT: f64 = 1e-9;
-/// An update below this leaves the slopes as they are.
-const EXACT: f64 = 1e-10;
+/// An update below this leaves the slopes as they are; they change by up to some sixty times its size.
+const EXACT: f64 = 1e-12;
 /// The last update of any solution: the curve between points is interpolated with their slopes, which are one update back.
 const LAST: f64 = 1e-5;
 
