@@ -60,9 +60,10 @@ impl Located {
 
 /// Most solves until a turning point is located.
 const MOST_SOLVES: usize = 8;
-/// A turning point is located when what is left is this share of the step it lies in; the rest is extrapolated, with an
-/// error of its square.
+/// A turning point is located when what is left is this share of the step it lies in; the rest is extrapolated.
 const CLOSE: f64 = 1e-5;
+/// The place of a turning point may be wrong by this share of its step.
+const CERTAIN: f64 = 1e-9;
 /// A turn of the force is flat where what is left to find changes it by less than this share of the accuracy.
 const FLAT: f64 = 0.2;
 /// The secant rule starts when it expects to move by no more than this share of the step.
@@ -288,11 +289,13 @@ impl<'p> Search<'p> {
             if !ahead.is_finite() {
                 break;
             }
-            // the first second derivative is an interpolant's: it is not trusted until two solutions have confirmed it
-            if ahead.abs() <= CLOSE * self.width && before.is_some() {
+            // the second derivative is a secant's: it is that of the middle of the last step, and what it is wrong by
+            // there it is wrong by in `ahead`; the first one is an interpolant's and not trusted
+            let uncertain =
+                before.map_or(f64::INFINITY, |(step, _)| ahead * (step.abs() + ahead.abs()) / self.width).abs();
+            if ahead.abs() <= CLOSE * self.width && uncertain <= CERTAIN * self.width {
                 let observables = self.extrapolated(&solution, ahead);
-                // what the extrapolation neglects is taken to be as large as its own quadratic terms
-                let mut neglected = solution.slope.times(ahead * ahead / self.width);
+                let mut neglected = solution.slope.times(uncertain);
                 let (bend_u, bend_p) = self.bends();
                 neglected.displacement = neglected.displacement.abs() + bend_u.abs() * ahead * ahead;
                 neglected.force = neglected.force.abs() + bend_p.abs() * ahead * ahead;
