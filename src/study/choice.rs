@@ -48,9 +48,11 @@ pub const ORDER: usize = 7;
 const LOOSE: f64 = 0.9e-3;
 /// Most elements that are chosen.
 pub(super) const MOST_ELEMENTS: usize = 400;
-/// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its sixth
+/// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its fourth
 /// root, so that the curve between the points keeps up with the points.
 const STEP_TOLERANCE: f64 = 2e-2;
+/// The same at any accuracy: beyond it Newton's method takes more than it saves.
+const LONGEST: f64 = 5e-2;
 
 /// Order, elements and steps of one try.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +77,7 @@ impl Resolution {
         Self {
             order: accuracy.order(),
             elements: accuracy.choice.elements.unwrap_or(chosen),
-            step_tolerance: accuracy.choice.step.unwrap_or(STEP_TOLERANCE * (1e6 * relative).powf(1.0 / 6.0)),
+            step_tolerance: accuracy.choice.step.unwrap_or((STEP_TOLERANCE * (1e6 * relative).powf(0.25)).min(LONGEST)),
         }
     }
 
