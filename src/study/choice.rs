@@ -71,7 +71,7 @@ impl Resolution {
         let digits = -relative.log10();
         // two decay lengths, of bending and of shear, take more than one
         let apart = (5.0 * (0.4 * model.bending_length() / model.shear_length()).ln()).clamp(0.0, 6.0);
-        let sharp = 0.32 + 0.052 * digits + 0.0083 * digits * digits + 0.2 * (digits - 9.0).max(0.0);
+        let sharp = 0.32 + 0.052 * digits + 0.0083 * digits * digits + 0.2 * (digits - 8.0).max(0.0);
         let elements = (5.1 + 0.434 * span * span + apart) * sharp;
         let chosen = (elements.ceil() as usize).clamp(6, MOST_ELEMENTS);
         Self {
