@@ -58,11 +58,7 @@ const MOST_GROWTH: f64 = 3.5;
 const OUTSET_GROWTH: f64 = 2.0;
 /// Points over which the path's direction is taken.
 const CHORD: usize = 4;
-/// Changes of front, displacement, rotation and force below these shares of their scales do not measure a path: a front that
-/// starts with the square of the displacement would make a parameter of it, and a left end that turns as the exponential of
-/// its distance from the front a kink.
-const NOTICED_FRONT: f64 = 2e-2;
-const NOTICED_ROTATION: f64 = 5e-2;
+/// Changes of front, displacement, rotation and force below this share of their scales do not measure a path.
 const NOTICED: f64 = 1e-3;
 
 impl<'p> Path<'p> {
@@ -242,10 +238,10 @@ impl Metric {
     pub fn of<'a>(problem: &Problem, stretch: impl Iterator<Item = &'a Observables>) -> Self {
         let adheres = problem.adheres();
         let mut metric = Self {
-            front: if adheres { NOTICED_FRONT * problem.process_length } else { f64::INFINITY },
+            front: if adheres { NOTICED * problem.process_length } else { f64::INFINITY },
             force: if adheres { f64::INFINITY } else { NOTICED * problem.force_scale },
             displacement: NOTICED * problem.scale[problem.driven],
-            tip_rotation: NOTICED_ROTATION * problem.scale[problem.rotation],
+            tip_rotation: NOTICED * problem.scale[problem.rotation],
         };
         let mut before: Option<&Observables> = None;
         for here in stretch {
