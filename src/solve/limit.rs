@@ -63,7 +63,7 @@ const MOST_SOLVES: usize = 8;
 /// A turning point is located when what is left is this share of the step it lies in; the rest is extrapolated.
 const CLOSE: f64 = 1e-5;
 /// The place of a turning point may be wrong by this share of its step.
-const CERTAIN: f64 = 1e-9;
+const CERTAIN: f64 = 1e-10;
 /// A turn of the force is flat where what is left to find changes it by less than this share of the accuracy.
 const FLAT: f64 = 0.2;
 /// The secant rule starts when it expects to move by no more than this share of the step.
