@@ -50,7 +50,7 @@ pub const ORDER: usize = 7;
 pub(super) const MOST_ELEMENTS: usize = 400;
 /// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its fourth
 /// root, so that the curve between the points keeps up with the points.
-const STEP_TOLERANCE: f64 = 2e-2;
+const STEP_TOLERANCE: f64 = 1.2e-2;
 /// The same at any accuracy: beyond it Newton's method takes more than it saves.
 const LONGEST: f64 = 5e-2;
 
