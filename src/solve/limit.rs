@@ -60,6 +60,8 @@ impl Located {
 
 /// Most solves until a turning point is located.
 const MOST_SOLVES: usize = 8;
+/// Solves after which it is taken as it stands, if it is close.
+const ENOUGH: usize = 4;
 /// A turning point is located when what is left is this share of the step it lies in; the rest is extrapolated.
 const CLOSE: f64 = 1e-5;
 /// The place of a turning point may be wrong by this share of its step.
@@ -277,7 +279,7 @@ impl<'p> Search<'p> {
         let (mut start, mut target) = (start, target);
         let mut before: Option<(f64, Observables)> = None;
         let mut ahead = f64::INFINITY;
-        for _ in 0..MOST_SOLVES {
+        for solves in 1..=MOST_SOLVES {
             let condition = Condition { weights: self.weights, target };
             let solution = solve(self.problem, start, &condition, &options(FINE, true), work)?;
             self.iterations += solution.iterations;
@@ -293,7 +295,9 @@ impl<'p> Search<'p> {
             // there it is wrong by in `ahead`; the first one is an interpolant's and not trusted
             let uncertain =
                 before.map_or(f64::INFINITY, |(step, _)| ahead * (step.abs() + ahead.abs()) / self.width).abs();
-            if ahead.abs() <= CLOSE * self.width && uncertain <= CERTAIN * self.width {
+            // where round-off leaves no better, what is left counts as neglected
+            let certain = uncertain <= CERTAIN * self.width || (uncertain.is_finite() && solves > ENOUGH);
+            if ahead.abs() <= CLOSE * self.width && certain {
                 let observables = self.extrapolated(&solution, ahead);
                 let mut neglected = solution.slope.times(uncertain);
                 let (bend_u, bend_p) = self.bends();

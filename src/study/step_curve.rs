@@ -8,7 +8,7 @@ use crate::solve::{Observables, Problem, Solution, Stretch, Workspace, reach};
 use std::sync::Arc;
 
 /// Solutions on a step, its ends among them.
-const NODES: usize = 5;
+const NODES: usize = 7;
 
 /// u (nm) and P (nN) on a step, as polynomials of a local coordinate on [-1, 1].
 pub(super) struct StepCurve {
