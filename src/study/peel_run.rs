@@ -222,10 +222,9 @@ fn empty(model: &StripModel) -> Peel {
 
 /// The largest relative difference to more elements of what is reported.
 fn worst_difference(followed: &Followed) -> f64 {
-    let first_load = followed.turns.iter().position(|t| t.0 == Turn::Load);
-    let turns = followed.turns.iter().enumerate().flat_map(|(i, (_, _, located))| {
+    let turns = followed.turns.iter().flat_map(|(_, _, located)| {
         let (o, d) = (&located.observables, &located.difference);
-        let place = if located.flat && Some(i) != first_load { 0.0 } else { (d.displacement / o.displacement).abs() };
+        let place = if located.flat { 0.0 } else { (d.displacement / o.displacement).abs() };
         [place, (d.force / o.force).abs()]
     });
     turns.fold(0.0, f64::max)
