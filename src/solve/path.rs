@@ -58,11 +58,8 @@ const MOST_GROWTH: f64 = 3.5;
 const OUTSET_GROWTH: f64 = 2.0;
 /// Points over which the path's direction is taken.
 const CHORD: usize = 4;
-/// Changes of displacement, rotation and force below this share of their scales do not measure a path.
+/// Changes of front, displacement, rotation and force below this share of their scales do not measure a path.
 const NOTICED: f64 = 1e-3;
-/// The same of the front, over the process zone: it starts with the square of the displacement and would make a singular
-/// parameter of it.
-const NOTICED_FRONT: f64 = 2e-2;
 
 impl<'p> Path<'p> {
     /// A path that starts at rest.
@@ -241,7 +238,7 @@ impl Metric {
     pub fn of<'a>(problem: &Problem, stretch: impl Iterator<Item = &'a Observables>) -> Self {
         let adheres = problem.adheres();
         let mut metric = Self {
-            front: if adheres { NOTICED_FRONT * problem.process_length } else { f64::INFINITY },
+            front: if adheres { NOTICED * problem.process_length } else { f64::INFINITY },
             force: if adheres { f64::INFINITY } else { NOTICED * problem.force_scale },
             displacement: NOTICED * problem.scale[problem.driven],
             tip_rotation: NOTICED * problem.scale[problem.rotation],

@@ -10,6 +10,9 @@ use std::sync::Arc;
 /// The most points an extrapolation uses.
 pub const MOST_POINTS: usize = 8;
 
+/// Share of the force's relative error in that of a prediction: Newton's method does not mind it, the curve does.
+const FORCE: f64 = 0.3;
+
 /// Lagrange weights at `at` for the nodes `labels`.
 pub fn lagrange_weights(labels: &[f64], at: f64) -> Vec<f64> {
     (0..labels.len())
@@ -58,7 +61,7 @@ pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solut
                 }
             }
             let sizes = update.iter().zip(&per_unit).map(|(u, unit)| (u * unit).abs());
-            sizes.fold(force.abs() / force_scale, |largest, size| if size > largest { size } else { largest })
+            sizes.fold(FORCE * force.abs() / force_scale, |largest, size| if size > largest { size } else { largest })
         })
         .collect()
 }
