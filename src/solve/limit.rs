@@ -192,9 +192,12 @@ pub fn locate(
     Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
 }
 
-/// A turning point of the force that could not be located: an end of its step, with the step as the error of both numbers.
+/// A turning point of the force that could not be located: the solution where an interpolant has it, or an end of its step,
+/// with the step as the error of both numbers.
 pub fn unlocated(problem: &Problem, stretch: &Stretch, work: &mut Workspace) -> Result<Located, SolveError> {
-    let solution = stretch.first();
+    let end = stretch.end();
+    let guess = stretch.observable(Turn::Load.pick(), 0.5 * end).turning_point(0.0, end);
+    let solution = reach(problem, &mut stretch.clone(), 0.0, guess, work).unwrap_or_else(|_| stretch.first());
     let mut difference = difference_on_more_elements(problem, &solution, work)?;
     difference.displacement = stretch.change().displacement.abs();
     difference.force = difference.force.abs() + stretch.change().force.abs();
