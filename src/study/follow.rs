@@ -307,11 +307,7 @@ impl Followed {
             // the first turn of the force is the initiation peak and wanted sharp
             let flat = (c.turn == Turn::Load && !first).then_some(relative);
             let mut located = match locate(problem, &stretch, c.turn, c.bracket, flat, &mut work) {
-                // nor can that be where the force is level
-                Err(_) if c.turn == Turn::Load => {
-                    locate(problem, &stretch, c.turn, c.bracket, Some(relative), &mut work)
-                        .or_else(|_| unlocated(problem, &stretch, &mut work))
-                }
+                Err(_) if flat.is_some() => unlocated(problem, &stretch, &mut work),
                 located => located,
             }
             .map_err(|cause| self.not_located(c.turn, c.index, cause))?;

@@ -222,9 +222,10 @@ fn empty(model: &StripModel) -> Peel {
 
 /// The largest relative difference to more elements of what is reported.
 fn worst_difference(followed: &Followed) -> f64 {
-    let turns = followed.turns.iter().flat_map(|(_, _, located)| {
+    let first_load = followed.turns.iter().position(|t| t.0 == Turn::Load);
+    let turns = followed.turns.iter().enumerate().flat_map(|(i, (_, _, located))| {
         let (o, d) = (&located.observables, &located.difference);
-        let place = if located.flat { 0.0 } else { (d.displacement / o.displacement).abs() };
+        let place = if located.flat && Some(i) != first_load { 0.0 } else { (d.displacement / o.displacement).abs() };
         [place, (d.force / o.force).abs()]
     });
     turns.fold(0.0, f64::max)
@@ -274,7 +275,7 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: 
 fn modesty(located: &Located, relative: f64) -> f64 {
     let (o, d) = (&located.observables, &located.difference);
     // the place of a flat turn says nothing of its force
-    let place = if located.flat { 0.0 } else { (d.displacement / o.displacement).abs() };
+    let place = if located.flat && Some(i) != first_load { 0.0 } else { (d.displacement / o.displacement).abs() };
     MODESTY * place.max((d.force / o.force).abs()) + least(relative)
 }
 
