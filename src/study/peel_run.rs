@@ -275,7 +275,7 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: 
 fn modesty(located: &Located, relative: f64) -> f64 {
     let (o, d) = (&located.observables, &located.difference);
     // the place of a flat turn says nothing of its force
-    let place = if located.flat && Some(i) != first_load { 0.0 } else { (d.displacement / o.displacement).abs() };
+    let place = if located.flat { 0.0 } else { (d.displacement / o.displacement).abs() };
     MODESTY * place.max((d.force / o.force).abs()) + least(relative)
 }
 
