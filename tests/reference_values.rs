@@ -59,7 +59,7 @@ const EXCEPTIONS: &[Exception] = &[
     Exception { asked: 1e-9, row: (100.0, 100.0, "full", true), column: "lp2_force_nN", allowed: 7e-9, bounds: 1.0 },
     // 1.3e-9
     Exception { asked: 1e-9, row: (200.0, 0.1, "full", false), column: "lp1_displacement_nm", allowed: 3e-9, bounds: 1.0 },
-    // 7.2e-9, held horizontally: of a force of 2.5e-3 nN beside a horizontal one of 0.5 nN
+    // 7.2e-9, held horizontally: of a force of 2.5e-3 nN
     Exception { asked: 1e-9, row: (100.0, 100.0, "full", true), column: "lp2_force_nN", allowed: 2e-8, bounds: 1.0 },
     // 6.7e-9, of a force of 1.4e-5 nN
     Exception { asked: 1e-9, row: (3000.0, 1.0, "full", true), column: "lp2_force_nN", allowed: 1.3e-8, bounds: 1.0 },
