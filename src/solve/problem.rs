@@ -116,12 +116,12 @@ impl Problem {
     /// Size of an update relative to what it changes: heights by their scale plus their lift, rotations by their scale.
     pub fn relative_size(&self, update: &[f64], state: &[f64]) -> f64 {
         let (fields, rotation, up) = (self.fields(), self.rotation, self.rotation - 1);
-        let (per_rotation, scale, rest) = (1.0 / self.scale[rotation], self.scale[up], self.rest.start[1]);
+        let per_rotation = 1.0 / self.scale[rotation];
         let (mut largest, mut sum) = (0.0f64, 0.0);
         for (u, s) in update.chunks_exact(fields).zip(state.chunks_exact(fields)) {
             // x, where it is an unknown, is measured like the height
             let height = if up > 0 { u[0].abs().max(u[up].abs()) } else { u[up].abs() };
-            let size = height / (scale + (s[up] - rest).abs());
+            let size = height / self.height_unit(s);
             let turn = u[rotation].abs() * per_rotation;
             largest = if size > largest { size } else { largest };
             largest = if turn > largest { turn } else { largest };
@@ -131,13 +131,18 @@ impl Problem {
         if sum.is_finite() { largest } else { f64::NAN }
     }
 
+    /// What the height of a node is measured by: its scale plus its lift, nm.
+    fn height_unit(&self, node: &[f64]) -> f64 {
+        let up = self.rotation - 1;
+        self.scale[up] + (node[up] - self.rest.start[1]).abs()
+    }
+
     /// What each number of an update is multiplied with to be measured as in [`Problem::relative_size`].
     pub fn per_unit(&self, state: &[f64]) -> Vec<f64> {
-        let (rotation, up) = (self.rotation, self.rotation - 1);
-        let (per_rotation, scale, rest) = (1.0 / self.scale[rotation], self.scale[up], self.rest.start[1]);
-        let mut units = vec![per_rotation; state.len()];
+        let rotation = self.rotation;
+        let mut units = vec![1.0 / self.scale[rotation]; state.len()];
         for (units, s) in units.chunks_exact_mut(self.fields()).zip(state.chunks_exact(self.fields())) {
-            units[..rotation].fill(1.0 / (scale + (s[up] - rest).abs()));
+            units[..rotation].fill(1.0 / self.height_unit(s));
         }
         units
     }

@@ -80,11 +80,10 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
     fn gather_bundle(&self, state: &[f64], first: usize, elements: usize) -> [[Four; F]; N] {
         let mut values = [[Four([0.0; BUNDLE]); F]; N];
         for l in 0..BUNDLE {
-            let e = (first + l).min(elements - 1);
-            let at = &state[e * Self::ORDER * F..][..N * F];
-            for rank in 0..N {
+            let one = self.gather(state, (first + l).min(elements - 1));
+            for a in 0..N {
                 for f in 0..F {
-                    values[Basis::<N>::slot(rank)][f].0[l] = at[rank * F + f];
+                    values[a][f].0[l] = one[a][f];
                 }
             }
         }
