@@ -1,7 +1,7 @@
 //! Numbers, one or four side by side, so that one text of a law and of an element serves one element and four.
 
+use std::f64::consts::FRAC_2_PI;
 use std::ops::{Add, Div, Mul, Neg, Sub};
-use wide::f64x4;
 
 /// What a law may do with its arguments.
 pub trait Real:
@@ -41,6 +41,39 @@ impl Real for f64 {
     fn choose(self, positive: Self, other: Self) -> Self {
         if self > 0.0 { positive } else { other }
     }
+}
+
+/// Below this angle four sines are computed side by side.
+const FAR: f64 = 1e5;
+/// A number to which adding rounds to a whole number.
+const ROUNDING: f64 = 6_755_399_441_055_744.0;
+/// π/2 in three parts, the first two of 33 bits, so that their multiples are exact.
+const RIGHT_ANGLE: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
+/// (sin x - x)/x³ and (cos x - 1 + x²/2)/x⁴ in powers of x², for |x| up to π/4; the coefficients are those of FreeBSD's libm.
+const SINE: [f64; 6] = [
+    -1.666_666_666_666_663_2e-1,
+    8.333_333_333_322_49e-3,
+    -1.984_126_982_985_795e-4,
+    2.755_731_370_707_006_8e-6,
+    -2.505_076_025_340_686_3e-8,
+    1.589_690_995_211_55e-10,
+];
+const COSINE: [f64; 6] = [
+    4.166_666_666_666_66e-2,
+    -1.388_888_888_887_411e-3,
+    2.480_158_728_947_673e-5,
+    -2.755_731_435_139_066_3e-7,
+    2.087_572_321_298_175e-9,
+    -1.135_964_755_778_819_5e-11,
+];
+
+#[inline(always)]
+fn polynomial(coefficients: &[f64; 6], z: f64) -> f64 {
+    let mut sum = coefficients[5];
+    for k in (0..5).rev() {
+        sum = sum * z + coefficients[k];
+    }
+    sum
 }
 
 /// Four numbers side by side.
@@ -94,8 +127,26 @@ impl Real for Four {
     }
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = f64x4::new(self.0).sin_cos();
-        (Self(sin.to_array()), Self(cos.to_array()))
+        if !self.0.iter().all(|angle| angle.abs() < FAR) {
+            return (Self(self.0.map(f64::sin)), Self(self.0.map(f64::cos)));
+        }
+        let (mut sin, mut cos) = ([0.0; 4], [0.0; 4]);
+        for l in 0..4 {
+            // the nearest multiple of a right angle, as the last bits of a large number
+            let turns = self.0[l] * FRAC_2_PI + ROUNDING;
+            let quarter = turns.to_bits();
+            let turns = turns - ROUNDING;
+            let x = ((self.0[l] - turns * RIGHT_ANGLE[0]) - turns * RIGHT_ANGLE[1]) - turns * RIGHT_ANGLE[2];
+            let z = x * x;
+            let s = x + z * x * polynomial(&SINE, z);
+            let half = 0.5 * z;
+            let one = 1.0 - half;
+            let c = one + (((1.0 - one) - half) + z * z * polynomial(&COSINE, z));
+            let (a, b) = if quarter & 1 == 0 { (s, c) } else { (c, s) };
+            sin[l] = f64::from_bits(a.to_bits() ^ ((quarter & 2) << 62));
+            cos[l] = f64::from_bits(b.to_bits() ^ ((quarter.wrapping_add(1) & 2) << 62));
+        }
+        (Self(sin), Self(cos))
     }
     #[inline(always)]
     fn choose(self, positive: Self, other: Self) -> Self {

@@ -58,16 +58,11 @@ impl<T: Real, const F: usize, const N: usize> Element<T, F, N> {
         basis: &Basis<N>,
         symmetric: bool,
         path_weight: f64,
+        points: &mut WeightedPoints<T, F, N>,
         front: &mut Front<T, F, N>,
     ) -> (T, T) {
         let zero = T::splat(0.0);
         let stretch = self.stretch();
-        let mut tangent = Weighed {
-            value_value: [[[zero; N]; F]; F],
-            value_slope: [[[zero; N]; F]; F],
-            slope_value: [[[zero; N]; F]; F],
-            slope_slope: [[[zero; N]; F]; F],
-        };
         let (mut energy, mut adhesion) = (zero, zero);
         front.clear_gradient();
         for q in 0..N - 1 {
@@ -79,15 +74,15 @@ impl<T: Real, const F: usize, const N: usize> Element<T, F, N> {
             adhesion = adhesion + r.adhesion * once;
             for f in 0..F {
                 for g in 0..F {
-                    tangent.value_value[f][g][q] = r.value_value[f][g] * once;
-                    tangent.value_slope[f][g][q] = r.value_slope[f][g] * twice;
-                    tangent.slope_value[f][g][q] = r.slope_value[f][g] * twice;
-                    tangent.slope_slope[f][g][q] = r.slope_slope[f][g] * twice * stretch;
+                    points.value_value[f][g][q] = r.value_value[f][g] * once;
+                    points.value_slope[f][g][q] = r.value_slope[f][g] * twice;
+                    points.slope_value[f][g][q] = r.slope_value[f][g] * twice;
+                    points.slope_slope[f][g][q] = r.slope_slope[f][g] * twice * stretch;
                 }
             }
             front.add_gradient::<D>(&r, basis, q, (once, twice), path_weight);
         }
-        tangent.assemble::<D>(basis, symmetric, front);
+        points.assemble::<D>(basis, symmetric, front);
         (energy, adhesion)
     }
 
@@ -136,15 +131,22 @@ fn at_point<T: Real, const F: usize, const N: usize>(values: &[[T; F]; N], shape
     sum
 }
 
-/// Second derivatives at the Gauss points times their weights, `[f][g][q]`.
-struct Weighed<T, const F: usize, const N: usize> {
+/// Second derivatives at the Gauss points times their weights, `[f][g][q]`: room for [`Element::integrate`].
+#[derive(Clone, Copy, Debug)]
+pub struct WeightedPoints<T, const F: usize, const N: usize> {
     value_value: [[[T; N]; F]; F],
     value_slope: [[[T; N]; F]; F],
     slope_value: [[[T; N]; F]; F],
     slope_slope: [[[T; N]; F]; F],
 }
 
-impl<T: Real, const F: usize, const N: usize> Weighed<T, F, N> {
+impl<T: Real, const F: usize, const N: usize> WeightedPoints<T, F, N> {
+    /// All zero.
+    pub fn zero() -> Self {
+        let zero = [[[T::splat(0.0); N]; F]; F];
+        Self { value_value: zero, value_slope: zero, slope_value: zero, slope_slope: zero }
+    }
+
     /// The tangent: sums over the points of  N vv Nᵀ + N vs N'ᵀ + N' sv Nᵀ + N' ss N'ᵀ  with the shape functions N and their
     /// slopes N'.
     #[inline(always)]
@@ -160,16 +162,17 @@ impl<T: Real, const F: usize, const N: usize> Weighed<T, F, N> {
                     let on_slope =
                         mixed(basis, a, vs.then_some(&self.value_slope[f][g]), ss.then_some(&self.slope_slope[f][g]));
                     for b in if symmetric { a } else { 0 }..N {
-                        let mut sum = T::splat(0.0);
+                        // two sums, so that one need not wait for the other
+                        let (mut by_value, mut by_slope) = (T::splat(0.0), T::splat(0.0));
                         for q in 0..N - 1 {
                             if vv || sv {
-                                sum = sum + on_value[q] * basis.value_of[b][q];
+                                by_value = by_value + on_value[q] * basis.value_of[b][q];
                             }
                             if vs || ss {
-                                sum = sum + on_slope[q] * basis.slope_of[b][q];
+                                by_slope = by_slope + on_slope[q] * basis.slope_of[b][q];
                             }
                         }
-                        front.rows[a][f].fields[b][g] = sum;
+                        front.rows[a][f].fields[b][g] = by_value + by_slope;
                     }
                 }
             }

@@ -42,17 +42,39 @@ impl<T: Real, const F: usize, const N: usize> FrontRow<T, F, N> {
         Self { fields: [[zero; F]; N], border: zero, residual: zero }
     }
 
-    /// Takes off a multiple of a pivot row, in the columns from `from` on.
     #[inline(always)]
-    fn reduce<const BORDER: bool>(&mut self, pivot_row: &Self, factor: T, from: usize) {
-        let (columns, pivot_columns) = (self.fields.as_flattened_mut(), pivot_row.fields.as_flattened());
+    fn column(&self, k: usize) -> T {
+        self.fields.as_flattened()[k]
+    }
+
+    /// Takes off multiples of pivot rows, in the columns from `from` on.
+    #[inline(always)]
+    fn reduce<const BORDER: bool, const ROWS: usize>(&mut self, rows: [&Self; ROWS], factors: [T; ROWS], from: usize) {
+        let columns = self.fields.as_flattened_mut();
         for j in from..F * N {
-            columns[j] = columns[j] - pivot_columns[j] * factor;
+            let mut sum = columns[j];
+            for r in 0..ROWS {
+                sum = sum - rows[r].column(j) * factors[r];
+            }
+            columns[j] = sum;
         }
-        if BORDER {
-            self.border = self.border - pivot_row.border * factor;
+        for (row, factor) in rows.into_iter().zip(factors) {
+            if BORDER {
+                self.border = self.border - row.border * factor;
+            }
+            self.residual = self.residual - row.residual * factor;
         }
-        self.residual = self.residual - pivot_row.residual * factor;
+    }
+}
+
+impl<T: Real> Pivots<T> {
+    /// Counts a pivot and returns one over it.
+    #[inline(always)]
+    fn invert(&mut self, pivot: T) -> T {
+        let size = pivot.choose(pivot, -pivot);
+        self.least = (self.least - size).choose(size, self.least);
+        self.negative = self.negative + pivot.choose(T::splat(0.0), T::splat(1.0));
+        pivot.recip()
     }
 }
 
@@ -109,33 +131,59 @@ impl<T: Real, const F: usize, const N: usize> Front<T, F, N> {
     /// `symmetric`, nothing below its diagonal is looked at.
     #[inline(always)]
     pub fn condense<const BORDER: bool>(&mut self, symmetric: bool) -> Pivots<T> {
-        let (zero, one) = (T::splat(0.0), T::splat(1.0));
-        let mut pivots = Pivots { least: T::splat(f64::INFINITY), negative: zero };
-        let rows = self.rows.as_flattened_mut();
-        for k in 0..F * (N - 2) {
-            let (done, rest) = rows.split_at_mut(k + 1);
-            let pivot_row = &mut done[k];
-            let pivot = pivot_row.fields.as_flattened()[k];
-            let size = pivot.choose(pivot, -pivot);
-            pivots.least = (pivots.least - size).choose(size, pivots.least);
-            pivots.negative = pivots.negative + pivot.choose(zero, one);
-            let inverse = pivot.recip();
-            for (i, row) in (k + 1..).zip(rest) {
-                let (entry, from) = if symmetric {
-                    (pivot_row.fields.as_flattened()[i], i)
-                } else {
-                    (row.fields.as_flattened()[k], k + 1)
-                };
-                row.reduce::<BORDER>(pivot_row, entry * inverse, from);
-            }
-            if BORDER {
-                let entry = self.border.fields.as_flattened()[k];
-                self.border.reduce::<BORDER>(pivot_row, entry * inverse, k + 1);
-            }
-            let entry = self.path.fields.as_flattened()[k];
-            self.path.reduce::<BORDER>(pivot_row, entry * inverse, k + 1);
-            pivot_row.fields.as_flattened_mut()[k] = inverse;
+        let mut pivots = Pivots { least: T::splat(f64::INFINITY), negative: T::splat(0.0) };
+        let inside = F * (N - 2);
+        // two at a time: half as often every number below is read and written
+        for k in (0..inside - inside % 2).step_by(2) {
+            self.eliminate_two::<BORDER>(k, symmetric, &mut pivots);
+        }
+        if inside % 2 == 1 {
+            self.eliminate_one::<BORDER>(inside - 1, symmetric, &mut pivots);
         }
         pivots
+    }
+
+    #[inline(always)]
+    fn eliminate_one<const BORDER: bool>(&mut self, k: usize, symmetric: bool, pivots: &mut Pivots<T>) {
+        let (done, rest) = self.rows.as_flattened_mut().split_at_mut(k + 1);
+        let pivot_row = &mut done[k];
+        let inverse = pivots.invert(pivot_row.column(k));
+        for (i, row) in (k + 1..).zip(rest) {
+            let (entry, from) = if symmetric { (pivot_row.column(i), i) } else { (row.column(k), k + 1) };
+            row.reduce::<BORDER, 1>([pivot_row], [entry * inverse], from);
+        }
+        for row in [BORDER.then_some(&mut self.border), Some(&mut self.path)].into_iter().flatten() {
+            row.reduce::<BORDER, 1>([pivot_row], [row.column(k) * inverse], k + 1);
+        }
+        pivot_row.fields.as_flattened_mut()[k] = inverse;
+    }
+
+    #[inline(always)]
+    fn eliminate_two<const BORDER: bool>(&mut self, k: usize, symmetric: bool, pivots: &mut Pivots<T>) {
+        let (done, rest) = self.rows.as_flattened_mut().split_at_mut(k + 2);
+        let (first, second) = done.split_at_mut(k + 1);
+        let (first, second) = (&mut first[k], &mut second[0]);
+        let inverse = pivots.invert(first.column(k));
+        let coupling = first.column(k + 1);
+        let entry = if symmetric { coupling } else { second.column(k) };
+        second.reduce::<BORDER, 1>([first], [entry * inverse], k + 1);
+        let next = pivots.invert(second.column(k + 1));
+        let factors = |row: &FrontRow<T, F, N>| {
+            let factor = row.column(k) * inverse;
+            [factor, (row.column(k + 1) - coupling * factor) * next]
+        };
+        for (i, row) in (k + 2..).zip(rest) {
+            let (factors, from) = if symmetric {
+                ([first.column(i) * inverse, second.column(i) * next], i)
+            } else {
+                (factors(row), k + 2)
+            };
+            row.reduce::<BORDER, 2>([first, second], factors, from);
+        }
+        for row in [BORDER.then_some(&mut self.border), Some(&mut self.path)].into_iter().flatten() {
+            row.reduce::<BORDER, 2>([first, second], factors(row), k + 2);
+        }
+        first.fields.as_flattened_mut()[k] = inverse;
+        second.fields.as_flattened_mut()[k + 1] = next;
     }
 }

@@ -11,7 +11,7 @@ mod rod;
 mod section;
 pub use basis::Basis;
 pub use density::{Coupling, Density, PointResponse, SectionState};
-pub use element::{Element, ElementEnergy};
+pub use element::{Element, ElementEnergy, WeightedPoints};
 pub use front::{Front, FrontRow, Pivots};
 pub use reduced::ReducedBeam;
 pub use reissner::ReissnerBeam;

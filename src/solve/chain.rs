@@ -2,7 +2,7 @@
 
 use super::SolveError;
 use crate::beam::{ElementEnergy, SectionState};
-use crate::number::Four;
+use std::any::Any;
 use std::ops::Range;
 
 /// The most fields a node can have.
@@ -44,12 +44,12 @@ pub(super) const EDGE: usize = 2 * MOST_FIELDS + 2;
 /// A row of the block of an element's ends.
 pub(super) type EndRow = [f64; EDGE];
 
-/// Pivot rows kept for the way back; reused from solve to solve.
-#[derive(Clone, Debug, Default)]
+/// What a chain keeps for the way back; reused from solve to solve.
+#[derive(Debug, Default)]
 pub struct Workspace {
-    /// Of the interior nodes, four elements side by side.
-    pub(super) interior: Vec<Four>,
-    /// Of the left ends of the elements.
+    /// Of a type that the chain alone knows: the fronts of its elements.
+    pub(super) fronts: Option<Box<dyn Any + Send + Sync>>,
+    /// Pivot rows of the left ends of the elements.
     pub(super) ends: Vec<EndRow>,
 }
 

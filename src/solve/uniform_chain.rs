@@ -8,7 +8,7 @@
 
 use super::chain::{EDGE, EndRow};
 use super::{Chain, Configuration, MOST_FIELDS, NodeState, PathRow, ROOT, Root, SolveError, Workspace};
-use crate::beam::{Basis, Density, Element, ElementEnergy, Front, SectionState};
+use crate::beam::{Basis, Density, Element, ElementEnergy, Front, SectionState, WeightedPoints};
 use crate::number::Four;
 use std::ops::Range;
 
@@ -16,6 +16,9 @@ use std::ops::Range;
 const BUNDLE: usize = 4;
 /// Pivots below this are zero to rounding.
 const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
+
+/// One front a bundle.
+type Fronts<const F: usize, const N: usize> = Vec<Front<Four, F, N>>;
 
 /// [`Chain`] for one density and one order: N = p + 1 nodes an element, F fields a node.
 pub struct UniformChain<D, const F: usize, const N: usize> {
@@ -31,8 +34,6 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
     const ORDER: usize = N - 1;
     /// Pivots of the interior nodes of an element.
     const PIVOTS: usize = (N - 2) * F;
-    /// Numbers kept of an interior pivot row: its columns, the border's and the residual.
-    const KEPT: usize = N * F + 2;
     /// Slots of the left and of the right end.
     const LEFT: usize = N - 2;
     const RIGHT: usize = N - 1;
@@ -92,28 +93,43 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
 
     #[inline(always)]
     fn sweep(&self, at: Configuration, path: &PathRow, work: &mut Workspace) -> Result<Root, SolveError> {
+        // the fronts of the last time, if it was a chain of this kind
+        let mut fronts: Box<Fronts<F, N>> =
+            work.fronts.take().and_then(|last| last.downcast().ok()).unwrap_or_default();
+        let root = self.sweep_into(at, path, &mut fronts, &mut work.ends);
+        work.fronts = Some(fronts);
+        root
+    }
+
+    #[inline(always)]
+    fn sweep_into(
+        &self,
+        at: Configuration,
+        path: &PathRow,
+        fronts: &mut Fronts<F, N>,
+        ends: &mut Vec<EndRow>,
+    ) -> Result<Root, SolveError> {
         let elements = at.ends.len() - 1;
-        work.interior.clear();
-        work.ends.clear();
+        fronts.resize_with(elements.div_ceil(BUNDLE), Front::zero);
+        ends.clear();
+        let mut points = WeightedPoints::zero();
         let mut energy = ElementEnergy::default();
         let mut negative = 0;
-        let mut front = Front::<Four, F, N>::zero();
         let mut carry = [[0.0; ROOT]; ROOT];
-        for first in (0..elements).step_by(BUNDLE) {
+        for (first, front) in (0..elements).step_by(BUNDLE).zip(fronts) {
             let bundle = self.bundle(at, first);
             let (total, adhesion) =
-                bundle.integrate(&self.density, &self.basis, self.symmetric, path.adhesion, &mut front);
+                bundle.integrate(&self.density, &self.basis, self.symmetric, path.adhesion, &mut points, front);
             let pivots = if D::BORDER {
                 front.condense::<true>(self.symmetric)
             } else {
                 front.condense::<false>(self.symmetric)
             };
-            self.keep(&front, &mut work.interior);
             for e in first..elements.min(first + BUNDLE) {
                 let l = e - first;
                 energy.total += total.0[l];
                 energy.adhesion += adhesion.0[l];
-                let mut block = self.block(&front, l);
+                let mut block = self.block(front, l);
                 if e == 0 {
                     self.start(&mut block, path, &at.state[..F]);
                 } else {
@@ -125,7 +141,7 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
                 if least < LEAST_PIVOT {
                     return Err(SolveError::Singular { pivot: least, element: e, position_nm: at.ends[e] });
                 }
-                work.ends.extend_from_slice(&block[..F]);
+                ends.extend_from_slice(&block[..F]);
                 carry = Self::load(&block);
                 if !carry[0][0].is_finite() || !energy.total.is_finite() {
                     return Err(SolveError::NotFinite { quantity: "the tangent", element: e, position_nm: at.ends[e] });
@@ -133,15 +149,6 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
             }
         }
         Ok(Root { matrix: carry, negative, energy })
-    }
-
-    /// Interior pivot rows for the way back.
-    #[inline(always)]
-    fn keep(&self, front: &Front<Four, F, N>, interior: &mut Vec<Four>) {
-        for row in &front.rows.as_flattened()[..Self::PIVOTS] {
-            interior.extend_from_slice(row.fields.as_flattened());
-            interior.extend_from_slice(&[row.border, row.residual]);
-        }
     }
 
     /// What condensation left of element `l` of a bundle: rows and columns of the left end, the right end and the border, then
@@ -258,30 +265,40 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
                 x[F + f] = x[f];
             }
         }
-        for (bundle, rows) in work.interior.chunks_exact((Self::PIVOTS * Self::KEPT).max(1)).enumerate() {
-            self.back_inside(rows, bundle * BUNDLE, elements, border, scale, out);
+        let fronts = work.fronts.as_ref().and_then(|fronts| fronts.downcast_ref::<Fronts<F, N>>());
+        for (bundle, front) in fronts.expect("this chain was eliminated last").iter().enumerate() {
+            self.back_inside(front, bundle * BUNDLE, elements, border, scale, out);
         }
     }
 
     /// The interior nodes of a bundle, whose ends are known.
     #[inline(always)]
-    fn back_inside(&self, rows: &[Four], first: usize, elements: usize, border: f64, scale: f64, out: &mut [f64]) {
+    fn back_inside(
+        &self,
+        front: &Front<Four, F, N>,
+        first: usize,
+        elements: usize,
+        border: f64,
+        scale: f64,
+        out: &mut [f64],
+    ) {
         let mut values = self.gather_bundle(out, first, elements);
         let x = values.as_flattened_mut();
         // what is known first; then each unknown, as soon as it is found, is taken off all those above it
+        let rows = front.rows.as_flattened();
         for k in 0..Self::PIVOTS {
-            let row = &rows[k * Self::KEPT..][..Self::KEPT];
-            let mut sum = row[N * F + 1] * scale - row[N * F] * border;
+            let columns = rows[k].fields.as_flattened();
+            let mut sum = rows[k].residual * scale - rows[k].border * border;
             for j in Self::PIVOTS..N * F {
-                sum = sum - row[j] * x[j];
+                sum = sum - columns[j] * x[j];
             }
             x[k] = sum;
         }
         for k in (0..Self::PIVOTS).rev() {
-            let found = x[k] * rows[k * Self::KEPT + k];
+            let found = x[k] * rows[k].fields.as_flattened()[k];
             x[k] = found;
             for i in 0..k {
-                x[i] = x[i] - rows[i * Self::KEPT + k] * found;
+                x[i] = x[i] - rows[i].fields.as_flattened()[k] * found;
             }
         }
         for l in 0..BUNDLE.min(elements - first) {
