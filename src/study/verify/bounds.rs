@@ -5,7 +5,8 @@
 
 use super::{Check, Measure, Topic, reference};
 use crate::model::{Hold, StripModel};
-use crate::study::{Accuracy, Bounds, End, Peel, Turn, sweep};
+use crate::study::{Accuracy, Bounds, End, Peel, Turn, peel};
+use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic =
     Topic { name: "bounds", about: "error bounds against true errors on 200 drawn scenes", run };
@@ -71,17 +72,17 @@ impl Survey {
 /// Peels every scene of the table at the default accuracy, on all cores.
 pub fn survey() -> Survey {
     let rows = reference::read(TABLE);
-    let cases: Vec<(f64, StripModel)> =
-        rows.iter().enumerate().filter_map(|(i, row)| Some((i as f64, model(row)?))).collect();
+    let models: Vec<StripModel> = rows.iter().filter_map(model).collect();
     let accuracy = Accuracy::to(RELATIVE);
     let bounds = Bounds { points: 20_000, time_s: None, displacement: None };
-    let mut survey = Survey { scenes: cases.len(), ..Survey::default() };
-    for (row, found) in rows.iter().zip(sweep(&cases, &accuracy, &bounds, &|| ())) {
-        let scene = found.value as usize + 1;
-        if let End::Failed(reason) = &found.peel.end {
+    let peels: Vec<Peel> =
+        models.par_iter().map(|model| Peel { trace: None, ..peel(model, &accuracy, &bounds) }).collect();
+    let mut survey = Survey { scenes: models.len(), ..Survey::default() };
+    for (scene, (row, peel)) in (1..).zip(rows.iter().zip(&peels)) {
+        if let End::Failed(reason) = &peel.end {
             survey.failed.push((scene, reason.clone()));
         }
-        for (quantity, reported) in reported(&found.peel) {
+        for (quantity, reported) in reported(peel) {
             let Some(text) = row.text(quantity) else { continue };
             let Ok(exact) = text.parse::<f64>() else { continue };
             match reported {
