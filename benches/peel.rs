@@ -5,7 +5,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use peelkit::model::{Form, StripModel};
 use peelkit::solve::{PathRow, Workspace};
-use peelkit::study::{Accuracy, Bounds, PointKind, Spacing, follow_point, peel, sweep};
+use peelkit::study::{Accuracy, Bounds, PointKind, Spacing, SweepCase, follow_point, peel, sweep};
 use std::hint::black_box;
 
 const DEFAULT: Accuracy = Accuracy::to(1e-6);
@@ -28,9 +28,9 @@ fn paths(c: &mut Criterion) {
 
 /// EI/EI0 from 1e-4 to 1e4 in 33 points, each the full path, on all cores.
 fn stiffness_sweep(c: &mut Criterion) {
-    let cases: Vec<_> =
-        (0..33).map(|k| 10f64.powf(-4.0 + 0.25 * f64::from(k))).map(|factor| (factor, strip(100.0, factor))).collect();
-    c.bench_function("sweep of 33 stiffnesses", |b| b.iter(|| sweep(black_box(&cases), &DEFAULT, &BOUNDS, &|| ())));
+    let case = |value| SweepCase { value, model: strip(100.0, value), accuracy: DEFAULT, bounds: BOUNDS };
+    let cases: Vec<_> = (0..33).map(|k| case(10f64.powf(-4.0 + 0.25 * f64::from(k)))).collect();
+    c.bench_function("sweep of 33 stiffnesses", |b| b.iter(|| sweep(black_box(&cases), &|| true, &|_| ())));
 }
 
 /// The initiation peak followed over EI/EI0 from 1e-4 to 1e4 in 1000 values at 1e-8, on one core: time a thousand values.

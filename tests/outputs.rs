@@ -5,7 +5,7 @@
 
 use peelkit::report::{PeelSummary, SweepLine, write_curve, write_limit_points, write_sweep};
 use peelkit::scene::Scene;
-use peelkit::study::{Bounds, End, LimitPoint, PathPoint, Peak, Peel, Plateau, SweepRow, Turn, peel};
+use peelkit::study::{Bounds, End, Found, LimitPoint, PathPoint, Peak, Peel, Plateau, SweepRow, Turn, peel};
 use serde_json::Value;
 use std::fs;
 
@@ -64,6 +64,10 @@ fn made_up() -> (Scene, Peel) {
     (scene, made_up)
 }
 
+fn row(value: f64, peel: &Peel) -> SweepRow {
+    SweepRow { value, model: peel.model, found: Found::from(peel) }
+}
+
 fn summary(scene: &Scene, peel: &Peel) -> Value {
     serde_json::from_str(&PeelSummary::new(scene, peel).to_json().unwrap()).unwrap()
 }
@@ -119,7 +123,7 @@ fn what_does_not_occur_is_null_or_an_empty_cell() {
     for key in ["peak", "initiation_peak", "plateau", "snap_off"] {
         assert_eq!(summary.get(key), Some(&Value::Null), "{key}");
     }
-    let row: Value = serde_json::to_value(SweepLine::from(&SweepRow { value: 2.0, peel })).unwrap();
+    let row: Value = serde_json::to_value(SweepLine::from(&row(2.0, &peel))).unwrap();
     assert_eq!(row["peak_force_nN"], Value::Null);
     assert_eq!(row["work_aJ"], 2.5, "the work to the end of a path without a snap-off");
 }
@@ -159,7 +163,7 @@ fn the_tables_have_a_header_and_a_row_a_point() {
 fn a_row_of_a_sweep_tells_the_work_to_the_snap_off() {
     let (_, peel) = made_up();
     let dir = tempfile::tempdir().unwrap();
-    let table = fs::read_to_string(write_sweep(dir.path(), &[SweepRow { value: 0.5, peel }]).unwrap()).unwrap();
+    let table = fs::read_to_string(write_sweep(dir.path(), &[row(0.5, &peel)]).unwrap()).unwrap();
     let row = table.lines().nth(1).unwrap();
     assert!(row.starts_with("0.5,0.341,1e-9,0.3,0.0307,48.2,3.25,0.004,pivoting,"), "{row}");
 }

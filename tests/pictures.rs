@@ -7,7 +7,7 @@
 
 use peelkit::model::StripModel;
 use peelkit::report::{ReportError, draw_figures, draw_peel, draw_sweep};
-use peelkit::study::{Accuracy, Bounds, End, LimitPoint, Peak, Peel, Plateau, SweepRow, Turn, peel};
+use peelkit::study::{Accuracy, Bounds, End, Found, LimitPoint, Peak, Peel, Plateau, SweepRow, Turn, peel};
 use resvg::usvg;
 use std::path::{Path, PathBuf};
 
@@ -52,7 +52,7 @@ fn factors(values: &[f64]) -> Vec<SweepRow> {
             flat: false,
             after: 0,
         });
-        SweepRow { value, peel }
+        SweepRow { value, model: peel.model, found: Found::from(&peel) }
     };
     values.iter().map(row).collect()
 }
@@ -139,7 +139,7 @@ fn a_sweep_of_another_key_names_it() {
 fn rows_without_a_result_leave_gaps_and_not_panics() {
     let dir = tempfile::tempdir().unwrap();
     let mut rows = factors(&[0.1, 0.2, 0.5, 1.0, 2.0]);
-    rows[2].peel = nothing();
+    rows[2].found = Found::from(&nothing());
     check_pictures(&draw_sweep(&rows, "strip.height", "gap", true, dir.path()).unwrap());
     check_pictures(&draw_sweep(&rows[..1], "strip.height", "one", false, dir.path()).unwrap());
     let reason =

@@ -8,7 +8,7 @@ use super::words;
 use clap::{Args, ValueEnum};
 use peelkit::report::{self, SweepSummary};
 use peelkit::scene::{KEYS, Key, Problem, Scene, find_key};
-use peelkit::study::{self, End, FollowedSweep, PointKind, Remark, Spacing, SweepRow};
+use peelkit::study::{self, End, FollowedSweep, PointKind, Remark, Spacing, SweepCase, SweepRow};
 use std::path::{Path, PathBuf};
 
 /// Varies one number of a scene and peels each value: peak force, plateau, snap-off and work against it
@@ -149,25 +149,26 @@ fn label(key: &Key) -> String {
 /// Peels every value.
 fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]) -> Result<(), Stop> {
     let bar = progress_bar(scenes.len());
-    let mut rows = Vec::with_capacity(scenes.len());
-    for alike in alike(scenes) {
-        let cases: Vec<_> = alike.iter().map(|(value, scene)| (*value, scene.model)).collect();
-        let (_, Scene { accuracy, bounds, .. }) = &alike[0];
-        rows.extend(study::sweep(&cases, accuracy, bounds, &|| bar.inc(1)));
-    }
+    let case = |(value, scene): &(f64, Scene)| SweepCase {
+        value: *value,
+        model: scene.model,
+        accuracy: scene.accuracy,
+        bounds: scene.bounds,
+    };
+    let rows = study::sweep(&scenes.iter().map(case).collect::<Vec<_>>(), &|| true, &|_| bar.inc(1));
     bar.finish_and_clear();
 
     let mut files = Vec::new();
     if let Some(folder) = args.folder() {
         files.push(report::write_sweep(&folder, &rows)?);
-        if rows.iter().any(|row| row.peel.peak.is_some()) {
+        if rows.iter().any(|row| row.found.peak.is_some()) {
             files.extend(report::draw_sweep(&rows, &label(key), &scene.title, args.log, &folder)?);
         }
     }
     if args.json {
-        say(&SweepSummary::new(scene, key, &rows).to_json().map_err(Stop::other)?)?;
+        say(&SweepSummary::new(scene, key, &rows, &[]).to_json().map_err(Stop::other)?)?;
     } else {
-        say(&format!("{}\n{}", words::sweep(scene, key, &rows), list_files(&files)))?;
+        say(&format!("{}\n{}", words::sweep(scene, key, &rows, &[]), list_files(&files)))?;
     }
     failures(key, &rows)
 }
@@ -222,7 +223,7 @@ fn grid(a: f64, b: f64, points: usize, log: bool) -> Vec<f64> {
 
 /// The values whose computation stopped short, if any.
 fn failures(key: &Key, rows: &[SweepRow]) -> Result<(), Stop> {
-    let reasons = rows.iter().filter_map(|row| match &row.peel.end {
+    let reasons = rows.iter().filter_map(|row| match &row.found.end {
         End::Failed(reason) => {
             Some(format!("at {} = {}{}: {reason}", key.path(), row.value, words::spaced(key.unit())))
         }

@@ -3,7 +3,7 @@
 use peelkit::report::{end_reason, end_word, left_out, reached_accuracy};
 use peelkit::scene::{Key, Scene};
 use peelkit::study::{End, FollowedSweep, LimitPoint, Peak, Peel, PointKind, SweepRow, Turn};
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 /// A relative error below this that finer meshes do not reduce is round-off.
 const ROUND_OFF: f64 = 2e-8;
@@ -68,8 +68,8 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
     text
 }
 
-/// A sweep as a table.
-pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow]) -> String {
+/// A sweep as a table, with what is to be said of its rows.
+pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) -> String {
     let mut text = format!("{}\n{} varied{}\n\n", scene.title, key.path(), in_unit(key.unit()));
     let _ = writeln!(
         text,
@@ -77,25 +77,24 @@ pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow]) -> String {
         "value", "peak nN", "± nN", "plateau nN", "snap-off nm", "work aJ", "ms"
     );
     let cell = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.8}"));
-    for SweepRow { value, peel } in rows {
-        let error = peel.peak.map_or_else(|| "-".to_owned(), |at| format!("{:.0e}", at.force_error));
-        let work = peel.snap_off.map(|at| at.work).or_else(|| peel.points.last().map(|point| point.work));
-        let work = work.map_or_else(|| "-".to_owned(), |work| format!("{work:.5}"));
-        let snap_off = peel.snap_off.map_or_else(|| "-".to_owned(), |at| format!("{:.6}", at.displacement));
+    for SweepRow { value, found, .. } in rows {
+        let error = found.peak.map_or_else(|| "-".to_owned(), |at| format!("{:.0e}", at.force_error));
+        let work = found.work.map_or_else(|| "-".to_owned(), |work| format!("{work:.5}"));
+        let snap_off = found.snap_off.map_or_else(|| "-".to_owned(), |at| format!("{:.6}", at.displacement));
         let _ = writeln!(
             text,
             "{:>14} {:>14} {:>9} {:>14} {:>14} {:>12} {:>9.2}  {}",
             short(*value),
-            cell(peel.peak.map(|at| at.force)),
+            cell(found.peak.map(|at| at.force)),
             error,
-            cell(peel.plateau.map(|at| at.force)),
+            cell(found.plateau.map(|at| at.force)),
             snap_off,
             work,
-            1e3 * peel.solve_s,
-            end_word(&peel.end)
+            1e3 * found.solve_s,
+            end_word(&found.end)
         );
     }
-    text
+    text + &listed(remarks)
 }
 
 /// A sweep that followed one point as a table, with what happened to the point on the way.
@@ -125,13 +124,13 @@ pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep) -> String {
             1e3 * row.solve_s,
         );
     }
-    if !sweep.remarks.is_empty() {
-        text.push('\n');
-    }
-    for remark in &sweep.remarks {
-        let _ = writeln!(text, "  remark: {remark}");
-    }
-    text
+    text + &listed(&sweep.remarks)
+}
+
+/// Remarks below a table.
+fn listed<T: Display>(remarks: &[T]) -> String {
+    let lines: String = remarks.iter().map(|remark| format!("  remark: {remark}\n")).collect();
+    if lines.is_empty() { lines } else { format!("\n{lines}") }
 }
 
 /// " nm", or nothing where there is no unit.

@@ -6,7 +6,7 @@ use super::{
     figure_work, write_whole,
 };
 use crate::model::StripModel;
-use crate::study::{Accuracy, Bounds, Peel, SweepRow, peel, sweep};
+use crate::study::{Accuracy, Bounds, Peel, SweepCase, SweepRow, peel, sweep};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -118,7 +118,8 @@ impl Runner<'_> {
     }
 
     pub fn sweep(&self, cases: &[(f64, StripModel)]) -> Vec<SweepRow> {
-        sweep(cases, &ACCURACY, &BOUNDS, &|| self.count())
+        let case = |&(value, model)| SweepCase { value, model, accuracy: ACCURACY, bounds: BOUNDS };
+        sweep(&cases.iter().map(case).collect::<Vec<_>>(), &|| true, &|_| self.count())
     }
 
     fn count(&self) {

@@ -30,7 +30,7 @@ struct Quantity {
 
 const PEAK: Quantity = Quantity {
     column: "peak_force_nN",
-    value: |row| Some(per_width(row, row.peel.initiation_peak?.force)),
+    value: |row| Some(per_width(row, row.found.initiation_peak?.force)),
     symbol: Symbol::Dot,
 };
 const PLATEAU: Quantity = Quantity { column: "plateau_force_nN", value: plateau_per_width, symbol: Symbol::Diamond };

@@ -123,7 +123,7 @@ fn picture(title: &str, all: &[Series<'_>]) -> Picture {
     let mut lines = Vec::new();
     // Where curves coincide the wider one below still shows.
     for (&(name, colour, rows), width) in all.iter().zip([4.4, 2.8, 1.5]) {
-        let initiation = |r: &SweepRow| Some(per_width(r, r.peel.initiation_peak?.force));
+        let initiation = |r: &SweepRow| Some(per_width(r, r.found.initiation_peak?.force));
         lines.extend(series(rows, initiation, Stroke::solid(colour, width), name));
         let plateau = series(rows, plateau_per_width, Stroke::dashed(colour, width), "");
         lines.extend(plateau.into_iter().map(|line| Line { name: None, ..line }));
@@ -137,7 +137,7 @@ fn picture(title: &str, all: &[Series<'_>]) -> Picture {
     panel.bands.push(spatula());
     for &(_, _, rows) in all {
         panel.marks.extend(rows.iter().filter(|row| stopped_short(row)).filter_map(|row| {
-            let at = (row.value, per_width(row, row.peel.initiation_peak?.force));
+            let at = (row.value, per_width(row, row.found.initiation_peak?.force));
             let name = Some("path stops short".into());
             Some(Mark { at, symbol: Symbol::Dot, colour: colour::INK, name, note: None })
         }));
@@ -184,19 +184,19 @@ pub(super) fn table(all: &[Series<'_>]) -> Table {
     for &(name, _, rows) in all {
         let name = name.split(':').next().unwrap_or(name);
         for row in rows {
-            let (peel, strip) = (&row.peel, &row.peel.model.strip);
+            let (found, strip) = (&row.found, &row.model.strip);
             let numbers = [
                 Some(row.value),
                 Some(strip.youngs_modulus),
                 Some(strip.height),
-                peel.initiation_peak.map(|p| per_width(row, p.force)),
-                peel.initiation_peak.map(|p| per_width(row, p.force_error)),
+                found.initiation_peak.map(|p| per_width(row, p.force)),
+                found.initiation_peak.map(|p| per_width(row, p.force_error)),
                 plateau_per_width(row),
                 Some(kendall_per_width(row)),
-                peel.snap_off.map(|s| s.displacement),
+                found.snap_off.map(|s| s.displacement),
                 work_per_width(row),
             ];
-            table.push(&[name], &numbers, &[end_word(&peel.end)]);
+            table.push(&[name], &numbers, &[end_word(&found.end)]);
         }
     }
     table
@@ -216,7 +216,7 @@ fn unfinished(all: &[&Vec<SweepRow>]) -> String {
 }
 
 fn stopped_short(row: &SweepRow) -> bool {
-    matches!(row.peel.end, End::Failed(_) | End::Bound(_))
+    matches!(row.found.end, End::Failed(_) | End::Bound(_))
 }
 
 /// What the softest strip of each series bears, in units of Kendall's force.
@@ -224,7 +224,7 @@ fn softest(all: &[Series<'_>]) -> String {
     let mut text = String::new();
     for (name, _, rows) in all {
         let Some(row) = rows.first() else { continue };
-        let Some(peak) = row.peel.initiation_peak else { continue };
+        let Some(peak) = row.found.initiation_peak else { continue };
         let times = |force: f64| significant(force / kendall_per_width(row), 3);
         let name = name.split(':').next().unwrap_or(name);
         let plateau = plateau_per_width(row).map(|p| format!(" and a plateau of {}", times(p)));

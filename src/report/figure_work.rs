@@ -34,7 +34,7 @@ pub(super) fn figure(runner: &Runner<'_>, rows: &[SweepRow], dir: &Path) -> Resu
         }
         None => caption += " It has no largest value inside the range.",
     }
-    if let Some(row) = shown.iter().rev().take_while(|row| row.peel.snap_off.is_none()).last() {
+    if let Some(row) = shown.iter().rev().take_while(|row| row.found.snap_off.is_none()).last() {
         let from = significant(row.value, 3);
         caption += &format!(
             " From EI/EI0 = {from} on no work is shown: the strip tilts upright as a whole and has no snap-off."
@@ -98,12 +98,14 @@ fn refine_largest(rows: &[SweepRow], peel: impl Fn(&[f64]) -> Vec<SweepRow>) -> 
 mod tests {
     use super::*;
     use crate::report::figure::{ACCURACY, BOUNDS};
-    use crate::study::{LimitPoint, Turn};
+    use crate::study::{Found, LimitPoint, Turn};
 
     /// Rows that have no path but a work: of a curve that is largest at log EI = 0.37.
     fn rows(values: &[f64]) -> Vec<SweepRow> {
         let work = |value: f64| 3.0 + (-(value.log10() - 0.37).powi(2)).exp() + 0.02 * (value.log10() - 0.37).powi(3);
-        let mut row = SweepRow { value: 0.0, peel: crate::study::peel(&stiffened(1.0), &ACCURACY, &BOUNDS) };
+        let model = stiffened(1.0);
+        let found = Found::from(&crate::study::peel(&model, &ACCURACY, &BOUNDS));
+        let mut row = SweepRow { value: 0.0, model, found };
         let snap_off = LimitPoint {
             kind: Turn::Displacement,
             displacement: 1.0,
@@ -117,7 +119,7 @@ mod tests {
         };
         let filled = |&value: &f64| {
             row.value = value;
-            row.peel.snap_off = Some(LimitPoint { work: work(value), ..snap_off });
+            row.found.snap_off = Some(LimitPoint { work: work(value), ..snap_off });
             row.clone()
         };
         values.iter().map(filled).collect()

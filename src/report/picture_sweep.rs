@@ -3,7 +3,7 @@
 use super::ReportError;
 use super::chart::{Axis, Dash, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, WIDTH, colour, save};
 use crate::analytic::kendall_force;
-use crate::study::{PathPoint, SweepRow};
+use crate::study::SweepRow;
 use std::f64::consts::FRAC_PI_2;
 use std::path::{Path, PathBuf};
 
@@ -29,7 +29,7 @@ pub fn draw_sweep(
     if let Some(row) = rows.iter().find(|row| log && row.value <= 0.0) {
         return Err(refuse(format!("{key} = {} has no place on a logarithmic axis", row.value)));
     }
-    if rows.iter().all(|row| row.peel.peak.is_none()) {
+    if rows.iter().all(|row| row.found.peak.is_none()) {
         return Err(refuse(format!("none of the {} values of {key} has a peak force", rows.len())));
     }
     save(&sweep_picture(rows, key, title, log), dir, "sweep")
@@ -40,7 +40,7 @@ fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Pictur
     let stiffness = key == STIFFNESS;
     let x = Axis::around(if stiffness { STIFFNESS_LABEL } else { key }, rows.iter().map(|r| r.value), log);
     let mut lines =
-        series(rows, |r| Some(per_width(r, r.peel.peak?.force)), Stroke::solid(colour::BLUE, 2.0), "peak force");
+        series(rows, |r| Some(per_width(r, r.found.peak?.force)), Stroke::solid(colour::BLUE, 2.0), "peak force");
     let dashed = Stroke::dashed(colour::VERMILLION, 2.0);
     lines.extend(series(rows, plateau_per_width, dashed, "plateau"));
     if let (true, Some(row)) = (stiffness, rows.first()) {
@@ -60,12 +60,12 @@ fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Pictur
 }
 
 pub(super) fn per_width(row: &SweepRow, value: f64) -> f64 {
-    value / row.peel.model.strip.width
+    value / row.model.strip.width
 }
 
 /// The work up to the snap-off, per width.
 pub(super) fn work_per_width(row: &SweepRow) -> Option<f64> {
-    Some(per_width(row, row.peel.snap_off?.work))
+    Some(per_width(row, row.found.snap_off?.work))
 }
 
 /// A plateau is one of peeling while more than this share of the strip still adheres.
@@ -74,18 +74,15 @@ pub(super) const ADHERING: f64 = 0.01;
 /// The plateau of peeling per width. A stiff strip that tilts upright on its edge has none, however level its force is
 /// at the end.
 pub(super) fn plateau_per_width(row: &SweepRow) -> Option<f64> {
-    let peel = &row.peel;
-    let plateau = peel.plateau?;
-    let away = |p: &&PathPoint| (p.displacement / plateau.displacement - 1.0).hypot(p.force / plateau.force - 1.0);
-    let nearest = peel.points.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
-    let tilts = nearest.is_some_and(|p| p.front < ADHERING * peel.model.strip.length);
+    let plateau = row.found.plateau?;
+    let tilts = row.found.plateau_front.is_some_and(|front| front < ADHERING * row.model.strip.length);
     (!tilts).then(|| per_width(row, plateau.force))
 }
 
 /// Kendall's force per width at 90 degrees, nN/nm, with the work of adhesion that the strip has at rest.
 pub(super) fn kendall_per_width(row: &SweepRow) -> f64 {
-    let strip = &row.peel.model.strip;
-    let work = -row.peel.model.line_law().rest_energy();
+    let strip = &row.model.strip;
+    let work = -row.model.line_law().rest_energy();
     per_width(row, kendall_force(work, strip.youngs_modulus, strip.height, strip.width, FRAC_PI_2))
 }
 

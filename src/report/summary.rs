@@ -181,7 +181,7 @@ pub struct SweepSummary {
     /// The point that was followed from value to value, where the values were not peeled one by one.
     #[serde(skip_serializing_if = "Option::is_none")]
     followed: Option<&'static str>,
-    /// What happened to that point on the way.
+    /// What happened to that point on the way, or where the rows come from.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     remarks: Vec<String>,
     rows: Vec<SweepLine>,
@@ -190,9 +190,9 @@ pub struct SweepSummary {
 }
 
 impl SweepSummary {
-    /// What is told of these rows, in which `key` of the scene was varied.
-    pub fn new(scene: &Scene, key: &Key, rows: &[SweepRow]) -> Self {
-        Self::of(scene, key, rows.iter().map(SweepLine::from).collect())
+    /// What is told of these rows, in which `key` of the scene was varied, and what is to be said of them besides.
+    pub fn new(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) -> Self {
+        Self { remarks: remarks.to_vec(), ..Self::of(scene, key, rows.iter().map(SweepLine::from).collect()) }
     }
 
     /// The same for a point that was followed while `key` was varied.
@@ -225,7 +225,7 @@ impl SweepSummary {
 
 /// The scene as it was computed, defaults and overrides in, a table of it an object; units in the names.
 #[derive(Debug)]
-struct Parameters(Scene);
+pub(super) struct Parameters(pub Scene);
 
 impl Serialize for Parameters {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

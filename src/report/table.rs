@@ -139,24 +139,23 @@ impl SweepLine {
 
 impl From<&SweepRow> for SweepLine {
     fn from(row: &SweepRow) -> Self {
-        let peel = &row.peel;
-        let work = peel.snap_off.map(|at| at.work).or_else(|| peel.points.last().map(|point| point.work));
+        let found = &row.found;
         Self {
             value: Finite(row.value),
-            peak_force: peel.peak.map(|at| Finite(at.force)),
-            peak_error: peel.peak.map(|at| Finite(at.force_error)),
-            initiation_peak: peel.initiation_peak.map(|at| Finite(at.force)),
-            plateau_force: peel.plateau.map(|at| Finite(at.force)),
-            snap_off_displacement_nm: peel.snap_off.map(|at| Finite(at.displacement)),
-            work: work.map(Finite),
-            solve_s: Finite(peel.solve_s),
-            end: Some(end_word(&peel.end)),
-            points: Some(peel.effort.points),
-            newton_iterations: peel.effort.newton_iterations,
-            elements: Some(peel.effort.elements),
-            order: Some(peel.effort.order),
-            initiation_peak_error: peel.initiation_peak.map(|at| Finite(at.force_error)),
-            snap_off_error_nm: peel.snap_off.map(|at| Finite(at.displacement_error)),
+            peak_force: found.peak.map(|at| Finite(at.force)),
+            peak_error: found.peak.map(|at| Finite(at.force_error)),
+            initiation_peak: found.initiation_peak.map(|at| Finite(at.force)),
+            plateau_force: found.plateau.map(|at| Finite(at.force)),
+            snap_off_displacement_nm: found.snap_off.map(|at| Finite(at.displacement)),
+            work: found.work.map(Finite),
+            solve_s: Finite(found.solve_s),
+            end: Some(end_word(&found.end)),
+            points: Some(found.effort.points),
+            newton_iterations: found.effort.newton_iterations,
+            elements: Some(found.effort.elements),
+            order: Some(found.effort.order),
+            initiation_peak_error: found.initiation_peak.map(|at| Finite(at.force_error)),
+            snap_off_error_nm: found.snap_off.map(|at| Finite(at.displacement_error)),
         }
     }
 }

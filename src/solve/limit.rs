@@ -5,7 +5,7 @@ use super::{Condition, Equilibrium, NewtonOptions, Observables, Problem, Solutio
 use std::sync::Arc;
 
 /// Which quantity has a turning point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Turn {
     /// du = 0
     Displacement,

@@ -4,6 +4,7 @@ use super::trace::Trace;
 use super::{Accuracy, Choice};
 use crate::model::StripModel;
 use crate::solve::{NodeState, Turn};
+use serde::{Deserialize, Serialize};
 
 /// Where a path may be stopped although it goes on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +18,7 @@ pub struct Bounds {
 }
 
 /// How a path ended.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum End {
     /// No point of the beam is nearer than 10 r0.
     Detached,
@@ -53,7 +54,7 @@ pub struct PathPoint {
 }
 
 /// A turning point of the path, located and not sampled.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LimitPoint {
     pub kind: Turn,
     /// nm
@@ -75,7 +76,7 @@ pub struct LimitPoint {
 }
 
 /// A largest force: at a limit point, or at the end of the path.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
     pub displacement: f64,
     pub force: f64,
@@ -85,14 +86,14 @@ pub struct Peak {
 }
 
 /// Where the force changes least with the displacement.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Plateau {
     pub displacement: f64,
     pub force: f64,
 }
 
 /// What it took.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Effort {
     pub points: usize,
     pub newton_iterations: usize,
@@ -129,7 +130,7 @@ pub struct Peel {
     /// Load limit points left out, because the force changes by less than the accuracy between them.
     pub ripple: usize,
     pub solve_s: f64,
-    /// The solutions behind the points, for pictures; absent in the rows of a sweep.
+    /// The solutions behind the points, for pictures.
     pub(super) trace: Option<Trace>,
 }
 
