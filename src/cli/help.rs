@@ -8,7 +8,8 @@ Exit status:
   0  done
   1  something else went wrong, such as a folder that cannot be written
   2  bad input: the message names the key, the line and what would be right
-  3  the computation stopped short: what was reached is written all the same";
+  3  the computation stopped short: what was reached is written all the same
+  130  quit by a second Ctrl-C";
 
 const UNITS: &str = "\
 Quantities are texts with their unit: \"100 nm\", \"0.1 um\", \"2 GPa\", \"2000 MPa\", \"1e-19 J\", \"100 zJ\", \"0.6 eV\".
@@ -74,6 +75,15 @@ Files:
   sweep.csv          one row a value: peak force, plateau, snap-off, work, time, how the path ended; `value` is in
                      nm, GPa, aJ or s, or a plain number, as the key is; a cell is empty where a thing does not occur
   pictures beside it, SVG and PNG
+  sweep.partial.jsonl  while the sweep runs: each finished value, kept at once
+
+Ctrl-C lets the values under way finish, writes what is done to sweep.csv and the pictures, and says how many values
+those are (exit status 3); a second Ctrl-C quits at once (130). The same command then goes on where it stopped, also
+after it was killed: it takes what sweep.partial.jsonl holds of this scene, key and version and computes the rest,
+with the same result but for solve_s. The range and the number of values may change. The file of another sweep is
+replaced, which a remark says; --fresh starts anew. Sweeps that write no files (--json without --out) and those with
+--follow or --peak-only, which take milliseconds, keep nothing and are not resumed.
+
 With --follow peak (or --peak-only) or --follow snap-off no path is computed for each value: the point itself is solved
 for, from an extrapolation of the values before. What peak means is then the initiation peak, the first local maximum of
 the force, and only the columns of that point are filled. Each value has a bound on its error, from meshes half as fine

@@ -4,11 +4,13 @@ mod accuracy;
 mod figures;
 mod help;
 mod input;
+mod interrupt;
 mod new;
 mod output;
 mod run;
 mod stop;
 mod sweep;
+mod sweep_peels;
 mod verify;
 mod words;
 

@@ -4,11 +4,12 @@ use super::help;
 use super::input::SceneArgs;
 use super::output::{list_files, progress_bar, say};
 use super::stop::Stop;
+use super::sweep_peels::peel_each;
 use super::words;
 use clap::{Args, ValueEnum};
 use peelkit::report::{self, SweepSummary};
 use peelkit::scene::{KEYS, Key, Problem, Scene, find_key};
-use peelkit::study::{self, End, FollowedSweep, PointKind, Remark, Spacing, SweepCase, SweepRow};
+use peelkit::study::{self, FollowedSweep, PointKind, Remark, Spacing};
 use std::path::{Path, PathBuf};
 
 /// Varies one number of a scene and peels each value: peak force, plateau, snap-off and work against it
@@ -36,7 +37,7 @@ pub struct Sweep {
 
     /// Values at equal ratios in place of equal differences; both ends above zero
     #[arg(long)]
-    log: bool,
+    pub log: bool,
 
     /// Follows one point of the peel from value to value in place of whole peels: much faster
     #[arg(long, value_name = "POINT", conflicts_with = "peak_only")]
@@ -52,7 +53,11 @@ pub struct Sweep {
 
     /// Prints one JSON object and nothing else; files are written only if --out is given
     #[arg(long)]
-    json: bool,
+    pub json: bool,
+
+    /// Starts anew in place of going on with an interrupted sweep
+    #[arg(long)]
+    pub fresh: bool,
 }
 
 /// What can be followed.
@@ -74,7 +79,7 @@ impl Sweep {
     }
 
     /// Where files go, if they are written.
-    fn folder(&self) -> Option<PathBuf> {
+    pub fn folder(&self) -> Option<PathBuf> {
         match &self.out {
             None if self.json => None,
             None => Some(self.scene.default_folder()),
@@ -119,7 +124,8 @@ fn follow(args: &Sweep, kind: PointKind, scene: &Scene, key: &Key, scenes: &[(f6
         say(&format!("{}\n{}", words::followed(scene, key, &sweep), list_files(&files)))?;
     }
     let lost = |remark: &&Remark| matches!(remark, Remark::NotFound { .. });
-    cut_short(sweep.remarks.iter().filter(lost).map(ToString::to_string).collect(), sweep.rows.len())
+    let reasons: Vec<String> = sweep.remarks.iter().filter(lost).map(ToString::to_string).collect();
+    failed(&reasons, sweep.rows.len()).map_or(Ok(()), |text| Err(Stop::cut_short(text)))
 }
 
 fn write_followed(
@@ -142,35 +148,8 @@ fn alike(scenes: &[(f64, Scene)]) -> impl Iterator<Item = &[(f64, Scene)]> {
 }
 
 /// The key with its unit, as an axis is labelled.
-fn label(key: &Key) -> String {
+pub fn label(key: &Key) -> String {
     if key.unit().is_empty() { key.path() } else { format!("{} ({})", key.path(), key.unit()) }
-}
-
-/// Peels every value.
-fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]) -> Result<(), Stop> {
-    let bar = progress_bar(scenes.len());
-    let case = |(value, scene): &(f64, Scene)| SweepCase {
-        value: *value,
-        model: scene.model,
-        accuracy: scene.accuracy,
-        bounds: scene.bounds,
-    };
-    let rows = study::sweep(&scenes.iter().map(case).collect::<Vec<_>>(), &|| true, &|_| bar.inc(1));
-    bar.finish_and_clear();
-
-    let mut files = Vec::new();
-    if let Some(folder) = args.folder() {
-        files.push(report::write_sweep(&folder, &rows)?);
-        if rows.iter().any(|row| row.found.peak.is_some()) {
-            files.extend(report::draw_sweep(&rows, &label(key), &scene.title, args.log, &folder)?);
-        }
-    }
-    if args.json {
-        say(&SweepSummary::new(scene, key, &rows, &[]).to_json().map_err(Stop::other)?)?;
-    } else {
-        say(&format!("{}\n{}", words::sweep(scene, key, &rows, &[]), list_files(&files)))?;
-    }
-    failures(key, &rows)
 }
 
 fn key_to_vary(path: &str) -> Result<&'static Key, Stop> {
@@ -221,22 +200,8 @@ fn grid(a: f64, b: f64, points: usize, log: bool) -> Vec<f64> {
     (0..points).map(at).collect()
 }
 
-/// The values whose computation stopped short, if any.
-fn failures(key: &Key, rows: &[SweepRow]) -> Result<(), Stop> {
-    let reasons = rows.iter().filter_map(|row| match &row.found.end {
-        End::Failed(reason) => {
-            Some(format!("at {} = {}{}: {reason}", key.path(), row.value, words::spaced(key.unit())))
-        }
-        _ => None,
-    });
-    cut_short(reasons.collect(), rows.len())
-}
-
-/// Stops with these reasons, if there are any, each of one of so many values.
-fn cut_short(reasons: Vec<String>, values: usize) -> Result<(), Stop> {
-    if reasons.is_empty() {
-        return Ok(());
-    }
+/// The values whose computation stopped short, of so many, each with its reason; nothing where there are none.
+pub fn failed(reasons: &[String], values: usize) -> Option<String> {
     const SHOWN: usize = 10;
     let mut text = format!("{} of {values} values", reasons.len());
     for reason in reasons.iter().take(SHOWN) {
@@ -245,7 +210,7 @@ fn cut_short(reasons: Vec<String>, values: usize) -> Result<(), Stop> {
     if reasons.len() > SHOWN {
         text += &format!("\nand {} more: the column `end` tells which", reasons.len() - SHOWN);
     }
-    Err(Stop::cut_short(text))
+    (!reasons.is_empty()).then_some(text)
 }
 
 #[cfg(test)]

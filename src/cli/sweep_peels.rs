@@ -1,0 +1,148 @@
+//! `peel sweep` of whole peels: each value peeled from rest to its end, kept as soon as it is done, and taken up again
+//! by the same command after it was interrupted.
+
+use super::interrupt::Interrupt;
+use super::output::{list_files, progress_bar, say};
+use super::stop::Stop;
+use super::sweep::{Sweep, failed, label};
+use super::words;
+use indicatif::ProgressBar;
+use peelkit::report::{self, PartialSweep, ReportError, SweepSummary};
+use peelkit::scene::{Key, Scene};
+use peelkit::study::{self, End, SweepCase, SweepRow};
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+/// Peels every value.
+pub fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]) -> Result<(), Stop> {
+    let case = |(value, scene): &(f64, Scene)| SweepCase {
+        value: *value,
+        model: scene.model,
+        accuracy: scene.accuracy,
+        bounds: scene.bounds,
+    };
+    let cases: Vec<SweepCase> = scenes.iter().map(case).collect();
+    let (rows, remarks, files) = match args.folder() {
+        Some(folder) => {
+            let bar = progress_bar(cases.len());
+            // before anything is written
+            let interrupt = Interrupt::listen(&bar);
+            let kept = Kept { partial: open(args, &folder, scene, key)?, bar, interrupt };
+            let (rows, remarks) = kept.peel(&cases)?;
+            let files = write(args, &folder, scene, key, &rows)?;
+            if rows.len() == cases.len() {
+                PartialSweep::discard(&folder)?;
+            }
+            (rows, remarks, files)
+        }
+        None => (peel_unkept(&cases), Vec::new(), Vec::new()),
+    };
+    if args.json {
+        say(&SweepSummary::new(scene, key, &rows, &remarks).to_json().map_err(Stop::other)?)?;
+    } else {
+        say(&format!("{}\n{}", words::sweep(scene, key, &rows, &remarks), list_files(&files)))?;
+    }
+    stopped_short(key, &rows, cases.len())
+}
+
+/// Nothing is written, so nothing is kept.
+fn peel_unkept(cases: &[SweepCase]) -> Vec<SweepRow> {
+    let bar = progress_bar(cases.len());
+    let rows = study::sweep(cases, &|| true, &|_| bar.inc(1));
+    bar.finish_and_clear();
+    rows
+}
+
+/// A sweep whose finished values are kept while it runs.
+struct Kept {
+    partial: PartialSweep,
+    bar: ProgressBar,
+    interrupt: Interrupt,
+}
+
+fn open(args: &Sweep, folder: &Path, scene: &Scene, key: &Key) -> Result<PartialSweep, ReportError> {
+    if args.fresh {
+        PartialSweep::discard(folder)?;
+    }
+    PartialSweep::open(folder, scene, key)
+}
+
+impl Kept {
+    /// The rows in the order of the cases, those of an earlier run among them, and where they come from. After Ctrl-C
+    /// some are missing.
+    fn peel(&self, cases: &[SweepCase]) -> Result<(Vec<SweepRow>, Vec<String>), ReportError> {
+        let missing: Vec<SweepCase> =
+            cases.iter().filter(|case| self.partial.found(case.value).is_none()).copied().collect();
+        let taken = cases.len() - missing.len();
+        let computed = self.peel_missing(&missing, taken)?;
+        let mut computed = computed.into_iter().peekable();
+        let row = |&SweepCase { value, model, .. }: &SweepCase| match self.partial.found(value) {
+            Some(found) => Some(SweepRow { value, model, found: found.clone() }),
+            None => computed.next_if(|row| row.value == value),
+        };
+        Ok((cases.iter().filter_map(row).collect(), self.remarks(taken, cases.len())))
+    }
+
+    /// Stops on Ctrl-C, and with an error where a row cannot be kept.
+    fn peel_missing(&self, missing: &[SweepCase], taken: usize) -> Result<Vec<SweepRow>, ReportError> {
+        self.bar.set_position(taken as u64);
+        // what was taken says nothing about the time to go
+        self.bar.reset_eta();
+        let trouble = OnceLock::new();
+        let done = |row: &SweepRow| {
+            if let Err(error) = self.partial.keep(row) {
+                // the first one is told
+                let _ = trouble.set(error);
+            }
+            self.bar.inc(1);
+        };
+        let rows = study::sweep(missing, &|| !self.interrupt.asked() && trouble.get().is_none(), &done);
+        self.bar.finish_and_clear();
+        trouble.into_inner().map_or(Ok(rows), Err)
+    }
+
+    fn remarks(&self, taken: usize, values: usize) -> Vec<String> {
+        let resumed = (taken > 0).then(|| format!("{taken} of {values} values taken from an earlier, interrupted run"));
+        let replaced = self.partial.replaced().then(|| {
+            "what an earlier, interrupted run had left here was of another scene, key or version, and is replaced"
+                .into()
+        });
+        resumed.into_iter().chain(replaced).collect()
+    }
+}
+
+/// Nothing is written where nothing was reached.
+fn write(
+    args: &Sweep,
+    folder: &Path,
+    scene: &Scene,
+    key: &Key,
+    rows: &[SweepRow],
+) -> Result<Vec<PathBuf>, ReportError> {
+    if rows.is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut files = vec![report::write_sweep(folder, rows)?];
+    if rows.iter().any(|row| row.found.peak.is_some()) {
+        files.extend(report::draw_sweep(rows, &label(key), &scene.title, args.log, folder)?);
+    }
+    Ok(files)
+}
+
+/// Whether values are missing, and those whose computation stopped short.
+fn stopped_short(key: &Key, rows: &[SweepRow], values: usize) -> Result<(), Stop> {
+    let interrupted = (rows.len() < values).then(|| {
+        let done = rows.len();
+        format!(
+            "interrupted, {done} of {values} values are done; the same command goes on from there, --fresh starts anew"
+        )
+    });
+    let reasons = rows.iter().filter_map(|row| match &row.found.end {
+        End::Failed(reason) => {
+            Some(format!("at {} = {}{}: {reason}", key.path(), row.value, words::spaced(key.unit())))
+        }
+        _ => None,
+    });
+    let parts: Vec<String> = interrupted.into_iter().chain(failed(&reasons.collect::<Vec<_>>(), rows.len())).collect();
+    if parts.is_empty() { Ok(()) } else { Err(Stop::cut_short(parts.join("\nand "))) }
+}
