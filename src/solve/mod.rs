@@ -24,4 +24,4 @@ pub use path::{Path, PathError, PathOptions};
 pub use predictor::{lagrange_weights, longest_step};
 pub use problem::{Equilibrium, Problem};
 pub use stretch::{Hermite, Stretch};
-pub use uniform_chain::UniformChain;
+pub use uniform_chain::{BUNDLE, UniformChain};

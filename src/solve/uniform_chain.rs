@@ -13,7 +13,7 @@ use crate::number::Four;
 use std::ops::Range;
 
 /// Elements that are treated side by side.
-const BUNDLE: usize = 4;
+pub const BUNDLE: usize = 4;
 /// Pivots below this are zero to rounding.
 const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
 

@@ -1,7 +1,7 @@
 //! What the user asks of the numbers, and what follows from it: order, elements and steps.
 
 use crate::model::{Form, StripModel};
-use crate::solve::{Mesh, PathOptions};
+use crate::solve::{BUNDLE, Mesh, PathOptions};
 
 /// What the user asks of the numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,10 +70,10 @@ impl Resolution {
         let span = (model.strip.length / model.process_length()).asinh();
         let digits = -relative.log10();
         // two decay lengths, of bending and of shear, take more than one
-        let apart = (5.0 * (0.4 * model.bending_length() / model.shear_length()).ln()).clamp(0.0, 6.0);
+        let apart = (5.0 * (0.6 * model.bending_length() / model.shear_length()).ln()).clamp(0.0, 7.0);
         let sharp = 0.32 + 0.052 * digits + 0.0083 * digits * digits + 0.2 * (digits - 8.0).max(0.0);
         let elements = (5.1 + 0.434 * span * span + apart) * sharp;
-        let chosen = (elements.ceil() as usize).clamp(6, MOST_ELEMENTS);
+        let chosen = whole_bundles(elements).clamp(6, MOST_ELEMENTS);
         Self {
             order: accuracy.order(),
             elements: accuracy.choice.elements.unwrap_or(chosen),
@@ -91,9 +91,21 @@ impl Resolution {
         }
     }
 
-    /// Finer, by what the theory of order 2p asks for to reduce an error of `worst` times the wanted one.
-    pub(super) fn finer(self, worst: f64) -> Self {
-        let growth = (2.0 * worst).powf(0.5 / self.order as f64).clamp(1.15, 1.6);
-        Self { elements: (self.elements as f64 * growth).ceil() as usize, ..self }
+    /// Finer by this factor.
+    pub(super) fn times(self, growth: f64) -> Self {
+        Self { elements: whole_bundles(self.elements as f64 * growth), ..self }
     }
+
+    /// Finer, by what it takes to reduce an error of `worst` times the wanted one, which is of order 2p, and a first integral
+    /// that spreads by `spread` times as much as it may, which was found to be of order p.
+    pub(super) fn finer(self, worst: f64, spread: f64) -> Self {
+        let order = self.order as f64;
+        let growth = (2.0 * worst).powf(0.5 / order).max((2.0 * spread).powf(1.0 / order)).clamp(1.15, 2.0);
+        self.times(growth)
+    }
+}
+
+/// Elements come in bundles, of which the last costs the same however full it is.
+fn whole_bundles(elements: f64) -> usize {
+    (elements.ceil() as usize).next_multiple_of(BUNDLE)
 }

@@ -79,6 +79,8 @@ struct Attempt {
     peel: Peel,
     /// Largest relative difference to more elements, over the accuracy asked for; infinite where the path is unusable.
     worst: f64,
+    /// The same, whether usable or not.
+    difference: f64,
     /// Largest spread of the first integral over what is wanted: the error between the points that `worst` looks at.
     spread: f64,
     /// Why the path is unusable, if it is.
@@ -99,24 +101,23 @@ impl Attempt {
         let relative = accuracy.relative;
         let trouble = followed.trouble.as_ref().map(|t| t.to_string());
         let mut spread = f64::INFINITY;
+        let difference = SAFETY * worst_difference(&followed) / relative;
         let (worst, next) = match &followed.trouble {
             None => {
-                let worst = SAFETY * worst_difference(&followed) / relative;
                 spread = followed.spread / (SPREAD * relative).max(SPREAD_ROUND_OFF);
-                (worst, resolution.finer(worst.max(spread)))
+                (difference, resolution.finer(difference, spread))
             }
-            Some(Trouble::Missed { .. } | Trouble::TooManyPoints { .. }) => (
-                f64::INFINITY,
-                Resolution { elements: elements + elements.div_ceil(4), step_tolerance: 0.3 * step_tolerance, order },
-            ),
-            Some(_) => (f64::INFINITY, Resolution { elements: elements + elements.div_ceil(2), step_tolerance, order }),
+            Some(Trouble::Missed { .. } | Trouble::TooManyPoints { .. }) => {
+                (f64::INFINITY, Resolution { step_tolerance: 0.3 * step_tolerance, ..resolution.times(1.25) })
+            }
+            Some(_) => (f64::INFINITY, resolution.times(1.5)),
         };
         let mut peel = report(model, problem, &followed, relative);
         peel.asked = relative;
         peel.choice = accuracy.choice;
         peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order };
         peel.trace = Some(Trace { problem: problem.clone(), points: followed.points });
-        Self { peel, worst, spread, trouble, next }
+        Self { peel, worst, difference, spread, trouble, next }
     }
 
     /// Whether nothing more is to be tried.
@@ -129,7 +130,11 @@ impl Attempt {
     fn is_better_than(&self, best: &Self) -> bool {
         let met = |attempt: &Self| attempt.worst <= 1.0;
         let small = |attempt: &Self| attempt.worst * attempt.peel.asked < STAGNATION;
-        if met(self) && met(best) {
+        if self.trouble.is_some() && best.trouble.is_some() {
+            let reached =
+                |attempt: &Self| attempt.peel.limit_points.iter().filter(|p| p.kind == Turn::Displacement).count();
+            (reached(self), best.difference) > (reached(best), self.difference)
+        } else if met(self) && met(best) {
             self.spread <= best.spread
         } else if met(self) || !small(best) {
             self.worst <= best.worst
