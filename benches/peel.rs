@@ -1,10 +1,12 @@
-//! What a user waits for, and the two kernels that it is made of.
+//! What a user waits for, and the kernels that it is made of.
 //!
 //!     cargo bench --bench peel
 
+mod common;
+
+use common::Setting;
 use criterion::{Criterion, criterion_group, criterion_main};
-use peelkit::model::{Form, StripModel};
-use peelkit::solve::{PathRow, Workspace};
+use peelkit::model::StripModel;
 use peelkit::study::{Accuracy, Bounds, PointKind, Spacing, SweepCase, follow_point, peel, sweep};
 use std::hint::black_box;
 
@@ -46,20 +48,20 @@ fn peak_only(c: &mut Criterion) {
     });
 }
 
+/// The law at four points side by side, an element of each order, and a Newton iteration beside the bare law at its points.
 fn kernels(c: &mut Criterion) {
-    let model = strip(100.0, 1.0);
-    let law = model.line_law();
-    let (sin, cos) = 0.3f64.sin_cos();
-    c.bench_function("line law, all derivatives", |b| {
-        b.iter(|| law.response(black_box(0.3), black_box(sin), black_box(cos)));
-    });
-
-    let problem = model.problem(Form::TwoField, 7);
-    let at = problem.at_rest(12);
-    let (row, mut work) = (PathRow::default(), Workspace::default());
-    c.bench_function("elimination, 12 elements of order 7", |b| {
-        b.iter(|| problem.chain.eliminate(black_box(at.configuration()), &row, &mut work));
-    });
+    let mut setting = Setting::new(12, 7);
+    for points in [4, 84] {
+        c.bench_function(&format!("line law, all derivatives, at {points} points"), |b| b.iter(|| setting.law(points)));
+    }
+    c.bench_function("Newton iteration, 12 elements of order 7: 84 points", |b| b.iter(|| setting.iterate()));
+    c.bench_function("energy alone, 12 elements of order 7", |b| b.iter(|| setting.energy()));
+    let mut group = c.benchmark_group("4 elements, integrated and eliminated");
+    for order in 1..=8 {
+        let mut setting = Setting::new(4, order);
+        group.bench_function(format!("order {order}"), |b| b.iter(|| setting.eliminate()));
+    }
+    group.finish();
 }
 
 criterion_group!(benches, paths, stiffness_sweep, peak_only, kernels);

@@ -189,6 +189,9 @@ fn the_figures_come_with_their_data_and_captions() {
         "fig10-three-ways",
         "peeling-work",
         "cost-against-error",
+        "cost",
+        "against-others",
+        "accuracy",
     ] {
         for ending in ["svg", "png", "csv"] {
             assert!(files.contains(&dir.path().join(format!("{stem}.{ending}"))), "{stem}.{ending} is missing");

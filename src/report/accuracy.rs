@@ -1,6 +1,7 @@
 //! How far what is reported may be wrong, and what was left out.
 
 use super::number::Finite;
+use crate::model::Form;
 use crate::study::{Peel, Turn};
 
 /// The accuracy of a peel as summary.json tells it.
@@ -24,10 +25,20 @@ impl AccuracySummary {
             reached: reached_accuracy(peel).map(Finite),
             load_limit_points_left_out: peel.ripple,
             left_out: left_out(peel),
-            // the one form that `study::peel` uses
-            form: "two-field",
-            form_note: "left out: x is minimised out exactly (no effect)",
+            form: form_word(peel.choice.form),
+            form_note: match peel.choice.form {
+                Form::TwoField => "left out: x is minimised out exactly (no effect)",
+                Form::ThreeField => "nothing left out: x, y and θ at every node",
+            },
         }
+    }
+}
+
+/// The form in a word.
+pub(super) fn form_word(form: Form) -> &'static str {
+    match form {
+        Form::TwoField => "two-field",
+        Form::ThreeField => "three-field",
     }
 }
 

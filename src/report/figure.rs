@@ -2,8 +2,8 @@
 
 use super::chart::{Picture, save};
 use super::{
-    ReportError, figure_beam, figure_levels, figure_points, figure_stiffness, figure_strip, figure_verification,
-    figure_work, write_whole,
+    ReportError, figure_beam, figure_levels, figure_points, figure_speed, figure_stiffness, figure_strip,
+    figure_verification, figure_work, write_whole,
 };
 use crate::model::StripModel;
 use crate::study::{Accuracy, Bounds, Peel, SweepCase, SweepRow, peel, sweep};
@@ -14,13 +14,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 ///
 /// `progress` is called with the number of finished peels and their total, from any thread.
 pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Vec<PathBuf>, ReportError> {
-    let total = figure_strip::PEELS + figure_stiffness::PEELS + figure_work::PEELS;
+    let total = figure_strip::PEELS + figure_stiffness::PEELS + figure_work::PEELS + figure_speed::PEELS;
     let runner = Runner { done: AtomicUsize::new(0), total, progress };
     let mut figures = figure_strip::figures(&runner, dir)?;
     let stiffness = figure_stiffness::Sweeps::compute(&runner);
     figures.extend(figure_stiffness::figures(&stiffness, dir)?);
     figures.push(figure_points::figure(&stiffness, dir)?);
     figures.push(figure_work::figure(&runner, &stiffness.full, dir)?);
+    figures.extend(figure_speed::figures(&runner, dir)?);
     figures.push(figure_beam::figure(dir)?);
     figures.push(figure_levels::figure(dir)?);
     figures.extend(figure_verification::figures(dir)?);

@@ -1,12 +1,12 @@
 //! Speed against error: the table and the picture of `peel accuracy`.
 
 use super::ReportError;
+use super::accuracy::form_word;
 use super::chart::{
     Axis, Frame, Line as Curve, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, order_shade, save,
 };
 use super::number::Finite;
 use super::table::write_table;
-use crate::model::Form;
 use crate::solve::Mesh;
 use crate::study::{Trial, WorkPrecision};
 use std::path::{Path, PathBuf};
@@ -48,10 +48,7 @@ fn write_trials(dir: &Path, measured: &WorkPrecision) -> Result<PathBuf, ReportE
             Mesh::Graded => "graded",
             Mesh::Uniform => "uniform",
         },
-        form: match trial.accuracy.choice.form {
-            Form::TwoField => "two-field",
-            Form::ThreeField => "three-field",
-        },
+        form: form_word(trial.accuracy.choice.form),
         peak_error: trial.errors.peak.map(Finite),
         snap_off_error: trial.errors.snap_off.map(Finite),
         curve_error: Finite(trial.errors.curve),

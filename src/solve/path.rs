@@ -54,6 +54,8 @@ const REFUSE: f64 = 12.0;
 const LEAST_COSINE: f64 = 0.5;
 /// Most growth of a step.
 const MOST_GROWTH: f64 = 3.5;
+/// Points at the beginning of a path that are stepped by the displacement alone: at rest the front does not move yet.
+const OUTSET: usize = 3;
 /// The same for the second, before anything is known of the force's curvature.
 const OUTSET_GROWTH: f64 = 2.0;
 /// Points over which the path's direction is taken.
@@ -149,7 +151,7 @@ impl<'p> Path<'p> {
     fn weights(&self) -> Observables {
         let n = self.points.len();
         let newest = &self.points[n - 1];
-        if n == 1 {
+        if n <= OUTSET {
             return self.outset();
         }
         let metric = self.metric(None);

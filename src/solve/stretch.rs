@@ -36,7 +36,12 @@ impl Stretch {
         let (from, to) = (&points[index], &points[index + 1]);
         let secant = to.observables.since(&from.observables);
         let metric = Metric::of(problem, points[index.saturating_sub(2)..index + 2].iter().map(|p| &p.observables));
-        let weights = metric.weights(&secant);
+        // at rest the front does not move yet: its square root is no label
+        let weights = if index == 0 {
+            metric.weights(&Observables { displacement: secant.displacement, ..Observables::default() })
+        } else {
+            metric.weights(&secant)
+        };
         let label = |p: &Solution| weights.dot(&p.observables.since(&from.observables));
         let per_label = |p: &Solution| p.slope.times(1.0 / weights.dot(&p.slope));
         let end = label(to);
