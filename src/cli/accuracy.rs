@@ -66,9 +66,9 @@ fn table(measured: &WorkPrecision) -> String {
 
 fn line(measured: &WorkPrecision, trial: &Trial) -> String {
     let error = trial.errors.points();
-    let best = error.and_then(|error| measured.best(error)).map_or(String::new(), |(seconds, name)| {
-        let times = measured.over_best(trial).unwrap_or(1.0);
-        format!("{:.2} ms, {name} (this takes {times:.2} times that)", 1e3 * seconds.min(trial.seconds))
+    let faster = error.and_then(|error| measured.best(error)).filter(|best| best.0 < trial.seconds);
+    let best = faster.map_or("this one".into(), |(seconds, name)| {
+        format!("{:.2} ms, {name} (this takes {:.2} times that)", 1e3 * seconds, trial.seconds / seconds)
     });
     let effort = trial.effort;
     format!(

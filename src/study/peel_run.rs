@@ -146,7 +146,7 @@ impl Attempt {
         }
     }
 
-    /// Where more elements did not bring the error down to what was asked for, it is round-off: no bound is less than the
+    /// Where more elements did not bring the error down to what was asked for, it is round-off: no bound is less than twice the
     /// difference to what other meshes gave.
     fn widen(&mut self, others: &[Vec<LimitPoint>]) {
         let Peel { asked, limit_points, initiation_peak, peak, snap_off, .. } = &mut self.peel;
@@ -156,9 +156,9 @@ impl Attempt {
                 let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);
                 let near = force.abs() < STAGNATION.max(*asked) * point.force.abs();
                 if point.kind == twin.kind && near {
-                    point.force_error = point.force_error.max(force.abs());
+                    point.force_error = point.force_error.max(SAFETY * force.abs());
                     if !point.flat {
-                        point.displacement_error = point.displacement_error.max(displacement.abs());
+                        point.displacement_error = point.displacement_error.max(SAFETY * displacement.abs());
                     }
                 }
             }

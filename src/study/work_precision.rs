@@ -75,12 +75,6 @@ impl WorkPrecision {
             .map(|(trial, name)| (trial.seconds, name))
             .min_by(|a, b| a.0.total_cmp(&b.0))
     }
-
-    /// How much longer than the best run of any line a run of the program's own choice takes, at the error that it has.
-    pub fn over_best(&self, trial: &Trial) -> Option<f64> {
-        let error = trial.errors.points()?;
-        Some(trial.seconds / self.best(error)?.0.min(trial.seconds))
-    }
 }
 
 /// Measures a strip. `done` is told how many lines there are, once for each that is finished. An error says why the refined
