@@ -1,7 +1,7 @@
 //! The beam without adhesion, for teaching: a cantilever rolled up, arches snapped through, with independent points.
 
 use super::ReportError;
-use super::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, colour, order_shade};
+use super::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, colour, order_shade};
 use super::figure::{Figure, Table};
 use crate::model::Drive;
 use crate::solve::Solution;
@@ -88,7 +88,7 @@ fn arches(table: &mut Table) -> Result<Panel, String> {
 }
 
 fn dot(at: (f64, f64), colour: RGBColor, name: &str) -> Mark {
-    Mark { at, symbol: Symbol::Dot, colour, name: Some(name.to_string()), note: None }
+    Mark { name: Some(name.to_string()), ..Mark::dot(at, colour) }
 }
 
 fn record(table: &mut Table, curve: &str, points: &[(f64, f64)], kind: &str) {

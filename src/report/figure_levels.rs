@@ -151,8 +151,7 @@ fn picture(series: &[Series]) -> Picture {
         let end = points.iter().position(|p| p.force_error < FLOOR).map_or(points.len(), |first| first + 1);
         let places = points[..end].iter().map(|p| (p.nanoseconds, p.force_error.max(FLOOR)));
         let points: Vec<_> = places.collect();
-        let dot = |&at: &(f64, f64)| Mark { at, symbol: Symbol::Dot, colour: stroke.colour, name: None, note: None };
-        panel.marks.extend(points.iter().map(dot));
+        panel.marks.extend(points.iter().map(|&at| Mark::dot(at, stroke.colour)));
         panel.lines.push(Line { points, stroke: *stroke, name: Some((*name).into()) });
     }
     let atoms = series.first().into_iter().flat_map(|s| &s.points);

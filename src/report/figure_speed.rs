@@ -7,8 +7,7 @@ use super::summary::end_word;
 use super::work_precision::write_work_precision;
 use crate::model::StripModel;
 use crate::study::verify::reference;
-use crate::study::{Peel, peel, work_precision};
-use plotters::style::RGBColor;
+use crate::study::{Peel, peel, power_law, work_precision};
 use std::path::Path;
 
 /// Lengths and stiffnesses of the cost: so many a decade, from and to.
@@ -69,17 +68,9 @@ fn zones(cost: &Cost) -> f64 {
     (cost.model.strip.length / cost.model.process_length()).asinh()
 }
 
-/// The exponent n and the factor c of c zones^n, by least squares in logarithms.
+/// c and n of c zones^n.
 fn fitted(costs: &[Cost], of: fn(&Cost) -> f64) -> (f64, f64) {
-    let points: Vec<(f64, f64)> = costs.iter().map(|cost| (zones(cost).ln(), of(cost).ln())).collect();
-    let mean = |pick: fn(&(f64, f64)) -> f64| points.iter().map(pick).sum::<f64>() / points.len() as f64;
-    let (x, y) = (mean(|p| p.0), mean(|p| p.1));
-    let (mut xx, mut xy) = (0.0, 0.0);
-    for p in &points {
-        xx += (p.0 - x) * (p.0 - x);
-        xy += (p.0 - x) * (p.1 - y);
-    }
-    (xy / xx, (y - xy / xx * x).exp())
+    power_law(costs.iter().map(|cost| (zones(cost), of(cost))))
 }
 
 fn cost(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportError> {
@@ -96,7 +87,7 @@ fn cost(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportError> {
             table.push(&[varied], &numbers, &[end_word(&cost.peel.end)]);
         }
     }
-    let exponent = |of: fn(&Cost) -> f64| significant(fitted(&lengths, of).0, 2);
+    let exponent = |of: fn(&Cost) -> f64| significant(fitted(&lengths, of).1, 2);
     let caption = format!(
         "Time of a whole peel (path, turning points, error bounds, `relative` = 1e-6) on one core, the best of {REPEATS}. Left against the \
          length of the paper's strip; right against the bending stiffness at {LENGTH} nm. Dotted: c ln(2L/ℓ)^n fitted, ℓ the \
@@ -121,12 +112,12 @@ fn cost_picture(lengths: &[Cost], factors: &[Cost]) -> Picture {
         let all = lengths.iter().chain(factors).map(|cost| cost.milliseconds);
         let mut panel =
             Panel::new(frame, Axis::around(label, points.iter().map(|p| p.0), true), Axis::around(y, all, true));
-        panel.marks.extend(points.iter().map(|&at| dot(at, colour::BLUE)));
+        panel.marks.extend(points.iter().map(|&at| Mark::dot(at, colour::BLUE)));
         panel.lines.push(Line { points, stroke: Stroke::solid(colour::BLUE, 2.0), name: None });
         panel
     };
     let mut against_length = panel(0, "length L (nm)", lengths);
-    let (power, factor) = fitted(lengths, |cost| cost.milliseconds);
+    let (factor, power) = fitted(lengths, |cost| cost.milliseconds);
     against_length.lines.push(Line {
         points: lengths.iter().map(|cost| (cost.value, factor * zones(cost).powf(power))).collect(),
         stroke: Stroke::dotted(colour::INK, 1.6),
@@ -134,10 +125,6 @@ fn cost_picture(lengths: &[Cost], factors: &[Cost]) -> Picture {
     });
     let panels = vec![against_length, panel(1, "EI / EI₀", factors)];
     Picture { title: "Time of a whole peel against length and stiffness".into(), height: 430, panels }
-}
-
-fn dot(at: (f64, f64), colour: RGBColor) -> Mark {
-    Mark { at, symbol: Symbol::Dot, colour, name: None, note: None }
 }
 
 /// The same strip by other programs.
@@ -173,7 +160,7 @@ fn others_picture(all: &[(&str, Vec<(f64, f64)>)]) -> Picture {
         panel.marks.extend(points.iter().map(|&at| Mark {
             symbol: if apart { Symbol::Diamond } else { Symbol::Dot },
             name: apart.then(|| "AUTO-07p, measured apart".to_owned()),
-            ..dot(at, tone)
+            ..Mark::dot(at, tone)
         }));
         if !apart {
             let name = Some((*program).to_owned());

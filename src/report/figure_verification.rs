@@ -1,9 +1,7 @@
 //! What the verification suite measures of the program itself: orders of convergence, and error bounds against true errors.
 
 use super::ReportError;
-use super::chart::{
-    Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, order_shade, significant,
-};
+use super::chart::{Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, WIDTH, colour, order_shade, significant};
 use super::figure::{Figure, Table};
 use crate::study::verify::bounds::{Judged, Survey, survey};
 use crate::study::verify::orders::{Convergence, Quantity, convergence};
@@ -48,7 +46,7 @@ fn orders_picture(all: &[Convergence]) -> Picture {
         for c in all.iter().filter(|c| c.quantity == quantity) {
             let shade = order_shade(c.order - 1, 8);
             let points: Vec<(f64, f64)> = c.errors.iter().map(|&(elements, error)| (elements as f64, error)).collect();
-            panel.marks.extend(points.iter().map(|&at| dot(at, shade)));
+            panel.marks.extend(points.iter().map(|&at| Mark::dot(at, shade)));
             if let Some(mark) = panel.marks.last_mut().filter(|_| points.len() > 1) {
                 mark.note = Some(Note { badge: Some(c.order), text: Vec::new() });
             }
@@ -58,10 +56,6 @@ fn orders_picture(all: &[Convergence]) -> Picture {
     };
     let panels = Quantity::ALL.into_iter().enumerate().map(panel).collect();
     Picture { title: "Error against number of elements of order p = 1 to 8 (numbers)".into(), height: 450, panels }
-}
-
-fn dot(at: (f64, f64), colour: plotters::style::RGBColor) -> Mark {
-    Mark { at, symbol: Symbol::Dot, colour, name: None, note: None }
 }
 
 /// Below this an error is that of the table.
@@ -108,7 +102,7 @@ fn effectivity_picture(survey: &Survey) -> Picture {
         let (tone, name) =
             if of_peak { (colour::BLUE, "initiation peak") } else { (colour::VERMILLION, "limit points") };
         let first = !std::mem::replace(&mut named[usize::from(of_peak)], true);
-        let mut mark = dot((error_drawn(judged), judged.bound), tone);
+        let mut mark = Mark::dot((error_drawn(judged), judged.bound), tone);
         mark.name = first.then(|| name.to_owned());
         panel.marks.push(mark);
     }

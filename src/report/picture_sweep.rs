@@ -1,7 +1,7 @@
 //! The picture of a sweep: peak force and plateau, and below them the peeling work, against the varied value.
 
 use super::ReportError;
-use super::chart::{Axis, Dash, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, WIDTH, colour, save};
+use super::chart::{Axis, Dash, Frame, Line, Mark, Panel, Picture, Stroke, WIDTH, colour, save};
 use crate::analytic::kendall_force;
 use crate::study::SweepRow;
 use std::f64::consts::FRAC_PI_2;
@@ -97,8 +97,7 @@ pub(super) fn panel(frame: Frame, x: &Axis, label: &str, lines: Vec<Line>) -> Pa
 /// Dots at the computed values, where they are not so many that the line says enough.
 pub(super) fn dotted(mut panel: Panel) -> Panel {
     for line in panel.lines.iter().filter(|l| l.stroke.dash != Dash::Dotted && l.points.len() <= 60) {
-        let dot = |&at| Mark { at, symbol: Symbol::Dot, colour: line.stroke.colour, name: None, note: None };
-        panel.marks.extend(line.points.iter().map(dot));
+        panel.marks.extend(line.points.iter().map(|&at| Mark::dot(at, line.stroke.colour)));
     }
     panel
 }

@@ -86,6 +86,7 @@ pub trait Chain: Send + Sync {
     /// Integrates and eliminates; what is needed to go back stays in `work`.
     fn eliminate(&self, at: Configuration, path: &PathRow, work: &mut Workspace) -> Result<Root, SolveError>;
     /// Goes back from the root's solution `root` (last node's fields, border): x = scale × residual part - U⁻¹ root part.
+    /// Panics unless `work` comes from an elimination of a chain of this kind.
     fn recover(&self, work: &Workspace, root: &[f64], scale: f64, out: &mut [f64]);
     /// Energy of a configuration, and how its adhesion energy changes along `direction`, a change of the fields.
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64);

@@ -141,7 +141,7 @@ impl<'p> Path<'p> {
         Err(self.stopped(MOST_TRIES, cause))
     }
 
-    /// Weights of the first step: the displacement in the path's direction.
+    /// Weights of the first steps: the displacement in the path's direction.
     fn outset(&self) -> Observables {
         Observables { displacement: self.options.first_displacement.signum(), ..Observables::default() }
     }

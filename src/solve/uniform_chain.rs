@@ -266,7 +266,7 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
             }
         }
         let fronts = work.fronts.as_ref().and_then(|fronts| fronts.downcast_ref::<Fronts<F, N>>());
-        for (bundle, front) in fronts.expect("this chain was eliminated last").iter().enumerate() {
+        for (bundle, front) in fronts.expect("work comes from an elimination of this chain").iter().enumerate() {
             self.back_inside(front, bundle * BUNDLE, elements, border, scale, out);
         }
     }

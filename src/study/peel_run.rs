@@ -65,7 +65,7 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> P
             break;
         }
     }
-    if let Some(best) = best.as_mut().filter(|best| best.worst > 1.0) {
+    if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {
         best.widen(&others);
     }
     let mut peel = best.map_or_else(|| empty(model), Attempt::into_peel);
@@ -77,11 +77,9 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> P
 /// One mesh tried, and what it was worth.
 struct Attempt {
     peel: Peel,
-    /// Largest relative difference to more elements, over the accuracy asked for; infinite where the path is unusable.
-    worst: f64,
-    /// The same, whether usable or not.
+    /// Largest relative difference to more elements, over the accuracy asked for.
     difference: f64,
-    /// Largest spread of the first integral over what is wanted: the error between the points that `worst` looks at.
+    /// Largest spread of the first integral over what is wanted: the error between the points that `difference` looks at.
     spread: f64,
     /// Why the path is unusable, if it is.
     trouble: Option<String>,
@@ -102,34 +100,39 @@ impl Attempt {
         let trouble = followed.trouble.as_ref().map(|t| t.to_string());
         let mut spread = f64::INFINITY;
         let difference = SAFETY * worst_difference(&followed) / relative;
-        let (worst, next) = match &followed.trouble {
+        let next = match &followed.trouble {
             None => {
                 spread = followed.spread / (SPREAD * relative).max(SPREAD_ROUND_OFF);
-                (difference, resolution.finer(difference, spread))
+                resolution.finer(difference, spread)
             }
             Some(Trouble::Missed { .. } | Trouble::TooManyPoints { .. }) => {
-                (f64::INFINITY, Resolution { step_tolerance: 0.3 * step_tolerance, ..resolution.times(1.25) })
+                Resolution { step_tolerance: 0.3 * step_tolerance, ..resolution.times(1.25) }
             }
-            Some(_) => (f64::INFINITY, resolution.times(1.5)),
+            Some(_) => resolution.times(1.5),
         };
         let mut peel = report(model, problem, &followed, relative);
         peel.asked = relative;
         peel.choice = accuracy.choice;
         peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order };
         peel.trace = Some(Trace { problem: problem.clone(), points: followed.points });
-        Self { peel, worst, difference, spread, trouble, next }
+        Self { peel, difference, spread, trouble, next }
+    }
+
+    /// The difference to more elements; infinite where the path is unusable.
+    fn worst(&self) -> f64 {
+        if self.trouble.is_some() { f64::INFINITY } else { self.difference }
     }
 
     /// Whether nothing more is to be tried.
     fn done(&self, bounds: &Bounds, started: Instant) -> bool {
         let out_of_time = bounds.time_s.is_some_and(|most| started.elapsed().as_secs_f64() > most);
-        out_of_time || (self.worst <= 1.0 && self.spread <= 1.0)
+        out_of_time || (self.worst() <= 1.0 && self.spread <= 1.0)
     }
 
     /// The error bounds come first; among those that are met, the first integral.
     fn is_better_than(&self, best: &Self) -> bool {
-        let met = |attempt: &Self| attempt.worst <= 1.0;
-        let small = |attempt: &Self| attempt.worst * attempt.peel.asked < STAGNATION;
+        let met = |attempt: &Self| attempt.worst() <= 1.0;
+        let small = |attempt: &Self| attempt.worst() * attempt.peel.asked < STAGNATION;
         if self.trouble.is_some() && best.trouble.is_some() {
             let reached =
                 |attempt: &Self| attempt.peel.limit_points.iter().filter(|p| p.kind == Turn::Displacement).count();
@@ -137,12 +140,12 @@ impl Attempt {
         } else if met(self) && met(best) {
             self.spread <= best.spread
         } else if met(self) || !small(best) {
-            self.worst <= best.worst
+            self.worst() <= best.worst()
         } else if best.spread > 1.0 {
             self.spread < best.spread
         } else {
             // of two that have come down to round-off the one with fewer elements, unless the difference is plain
-            self.worst <= PLAIN * best.worst && self.spread <= 1.0
+            self.worst() <= PLAIN * best.worst() && self.spread <= 1.0
         }
     }
 
@@ -178,23 +181,24 @@ impl Attempt {
     /// Whether more elements did not help. Where the error is small, what is left is round-off, which grows with them; where
     /// the bounds are met and the first integral is not, the path has come upon a pole of its law.
     fn is_stuck_behind(&self, best: &Self) -> bool {
-        if best.worst <= 1.0 {
+        if best.worst() <= 1.0 {
             return self.spread > 0.5 * best.spread;
         }
-        let small = self.worst * self.peel.asked < STAGNATION;
+        let small = self.worst() * self.peel.asked < STAGNATION;
         let many_more = 2 * self.peel.effort.elements >= 3 * best.peel.effort.elements;
-        small && many_more && self.worst > 0.5 * best.worst
+        small && many_more && self.worst() > 0.5 * best.worst()
     }
 
     /// The result, as a failure where the path cannot be used.
     fn into_peel(self) -> Peel {
         let fixed = self.peel.choice.elements.is_some();
-        let missed = self.worst > 1.0 && self.worst * self.peel.asked > STAGNATION && !fixed;
+        let worst = self.worst();
+        let missed = worst > 1.0 && worst * self.peel.asked > STAGNATION && !fixed;
         let mut peel = self.peel;
         let bounded = matches!(peel.end, End::Bound(_));
-        let trouble =
-            self.trouble.or((missed && !bounded)
-                .then(|| format!("the error bounds are {:.1} times what was asked for", self.worst)));
+        let trouble = self
+            .trouble
+            .or((missed && !bounded).then(|| format!("the error bounds are {worst:.1} times what was asked for")));
         if let Some(trouble) = trouble {
             let Effort { elements, order, .. } = peel.effort;
             peel.end = End::Failed(format!(

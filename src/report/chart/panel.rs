@@ -50,6 +50,13 @@ pub(crate) struct Mark {
     pub note: Option<Note>,
 }
 
+impl Mark {
+    /// A dot without name and note.
+    pub fn dot(at: (f64, f64), colour: RGBColor) -> Self {
+        Mark { at, symbol: Symbol::Dot, colour, name: None, note: None }
+    }
+}
+
 /// A label: a number in a disc, lines of text, or both.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Note {

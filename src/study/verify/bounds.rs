@@ -72,13 +72,13 @@ impl Survey {
 /// Peels every scene of the table at the default accuracy, on all cores.
 pub fn survey() -> Survey {
     let rows = reference::read(TABLE);
-    let models: Vec<StripModel> = rows.iter().filter_map(model).collect();
+    let scenes: Vec<(&reference::Row, StripModel)> = rows.iter().filter_map(|row| Some((row, model(row)?))).collect();
     let accuracy = Accuracy::to(RELATIVE);
     let bounds = Bounds { points: 20_000, time_s: None, displacement: None };
     let peels: Vec<Peel> =
-        models.par_iter().map(|model| Peel { trace: None, ..peel(model, &accuracy, &bounds) }).collect();
-    let mut survey = Survey { scenes: models.len(), ..Survey::default() };
-    for (scene, (row, peel)) in (1..).zip(rows.iter().zip(&peels)) {
+        scenes.par_iter().map(|(_, model)| Peel { trace: None, ..peel(model, &accuracy, &bounds) }).collect();
+    let mut survey = Survey { scenes: scenes.len(), ..Survey::default() };
+    for (scene, ((row, _), peel)) in (1..).zip(scenes.iter().zip(&peels)) {
         if let End::Failed(reason) = &peel.end {
             survey.failed.push((scene, reason.clone()));
         }

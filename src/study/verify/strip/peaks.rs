@@ -2,6 +2,7 @@
 
 use super::{Case, Check, DEFAULT, Measure, PEAKS, check, published};
 use crate::adhesion::LineLoad;
+use crate::study::power_law;
 use crate::study::verify::reference::Row;
 
 /// EI/EI0 between which a shear-rigid strip of 1000 nm follows EI^(1/4): above, it feels its other end; below, the moment
@@ -39,12 +40,7 @@ fn force(case: &Case) -> f64 {
 
 /// d ln P / d ln EI by least squares over (EI, P) with EI within the range.
 fn exponent(peaks: &[(f64, f64)], (from, to): (f64, f64)) -> f64 {
-    let chosen = peaks.iter().filter(|p| p.0 > 0.99 * from && p.0 < 1.01 * to);
-    let data: Vec<(f64, f64)> = chosen.map(|p| (p.0.ln(), p.1.ln())).collect();
-    let n = data.len() as f64;
-    let (x, y) = data.iter().fold((0.0, 0.0), |(x, y), d| (x + d.0 / n, y + d.1 / n));
-    let (xy, xx) = data.iter().fold((0.0, 0.0), |(a, b), d| (a + (d.0 - x) * (d.1 - y), b + (d.0 - x).powi(2)));
-    xy / xx
+    power_law(peaks.iter().filter(|p| p.0 > 0.99 * from && p.0 < 1.01 * to).copied()).1
 }
 
 /// (EI/EI0, peak) of the strips of 1000 nm, rigid in shear or not, by the crate and by the table.
