@@ -26,7 +26,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         drive: Drive::Y,
     };
     let rise = arch.rest.at(LENGTH)[1];
-    let options = PathOptions { elements: 8, step_tolerance: 1e-4, tolerance: 1e-10, first_displacement: -0.01 * rise };
+    let options = PathOptions {
+        elements: 8,
+        step_tolerance: 1e-4,
+        prediction: 8,
+        tolerance: 1e-10,
+        first_displacement: -0.01 * rise,
+    };
     let path = follow_rod(&arch.problem(7)?, options, 1000, |point| point.observables.displacement < -2.2 * rise)?;
 
     println!("an arch with a rise of {rise:.3} nm, pressed down at its crown: {} points", path.points.len());

@@ -24,7 +24,13 @@ static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 fn iterations_allocate_nothing() {
     for form in [Form::TwoField, Form::ThreeField] {
         let problem = paper_strip(100.0, 1.0).problem(form, 7);
-        let options = PathOptions { elements: 12, step_tolerance: 1e-2, tolerance: 1e-9, first_displacement: 0.008 };
+        let options = PathOptions {
+            elements: 12,
+            step_tolerance: 1e-2,
+            prediction: 8,
+            tolerance: 1e-9,
+            first_displacement: 0.008,
+        };
         let points: Vec<_> = Path::new(&problem, options).take(7).collect::<Result<_, _>>().unwrap();
         let (before, after) = (&points[5], &points[6]);
         let weights = Observables { displacement: 1.0, ..Observables::default() };

@@ -189,7 +189,13 @@ fn an_arch_snaps_through_and_a_short_path_says_so() {
     };
     let problem = arch.problem(5).unwrap();
     let rise = arch.rest.at(1.0)[1];
-    let options = PathOptions { elements: 6, step_tolerance: 1e-3, tolerance: 1e-11, first_displacement: -0.01 * rise };
+    let options = PathOptions {
+        elements: 6,
+        step_tolerance: 1e-3,
+        prediction: 8,
+        tolerance: 1e-11,
+        first_displacement: -0.01 * rise,
+    };
     let path = follow_rod(&problem, options, 500, |p| -p.observables.displacement > 2.0 * rise).unwrap();
     let kinds: Vec<Turn> = path.turns.iter().map(|turn| turn.kind).collect();
     assert_eq!(kinds, [Turn::Load, Turn::Load]);

@@ -51,7 +51,7 @@ fn what_a_scene_leaves_out_has_its_default() {
     assert_eq!((adhesion.line_load, adhesion.far_face), (LineLoad::Full, true));
     assert_eq!((grip.rotation, grip.horizontal), (Hold::Free, Hold::Free));
     assert_eq!(scene.accuracy.relative, 1e-6);
-    assert_eq!((scene.bounds.points, scene.bounds.time_s, scene.bounds.displacement), (20_000, None, None));
+    assert_eq!((scene.bounds.points, scene.bounds.time_s, scene.bounds.displacement), (20_000, Some(60.0), None));
     assert_eq!(scene.title, "first", "the stem of the file");
 }
 

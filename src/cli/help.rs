@@ -132,6 +132,7 @@ computed without finite elements. Exit status 0 only if every check passes.
 Examples:
   peel verify
   peel verify --only strip --json
+  peel verify --hard
 
 Topics:
 {topics}

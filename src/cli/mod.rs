@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod figures;
+mod hard_scenes;
 mod help;
 mod input;
 mod interrupt;

@@ -1,11 +1,12 @@
 //! `peel verify`: every check of the verification suite.
 
+use super::hard_scenes::hard_scenes;
 use super::help;
 use super::output::{progress_bar, say};
 use super::stop::Stop;
 use clap::Args;
 use peelkit::report::{check_line, checks_json};
-use peelkit::study::verify::{Check, TOPICS, Topic};
+use peelkit::study::verify::{Check, TOPICS, Topic, hard};
 
 /// Holds the program against published values, closed forms and the tables of verification/
 #[derive(Args)]
@@ -15,17 +16,21 @@ pub struct Verify {
     #[arg(long, value_name = "TOPIC")]
     only: Vec<String>,
 
+    /// The hard scenes alone: extremes, sections on edge, turning points that meet
+    #[arg(long, conflicts_with = "only")]
+    hard: bool,
+
     /// Prints one JSON object and nothing else
     #[arg(long)]
     json: bool,
 }
 
 pub fn verify(args: &Verify) -> Result<(), Stop> {
-    let topics = chosen(&args.only)?;
-    let bar = progress_bar(topics.len());
+    let suites = chosen(args)?;
+    let bar = progress_bar(suites.len());
     let mut checks: Vec<Check> = Vec::new();
-    for topic in topics {
-        let found = (topic.run)();
+    for suite in suites {
+        let found = suite();
         bar.inc(1);
         if !args.json {
             let lines: String = found.iter().map(|check| check_line(check) + "\n").collect();
@@ -43,10 +48,19 @@ pub fn verify(args: &Verify) -> Result<(), Stop> {
     if failed == 0 { Ok(()) } else { Err(Stop::other(format!("{failed} of {} checks failed", checks.len()))) }
 }
 
-fn chosen(names: &[String]) -> Result<Vec<&'static Topic>, Stop> {
+/// What is to be run.
+type Suite = Box<dyn Fn() -> Vec<Check>>;
+
+fn chosen(args: &Verify) -> Result<Vec<Suite>, Stop> {
+    if args.hard {
+        let scenes = hard_scenes()?;
+        return Ok(vec![Box::new(move || hard::run(&scenes))]);
+    }
+    let names = &args.only;
     if let Some(name) = names.iter().find(|name| TOPICS.iter().all(|topic| topic.name != **name)) {
         let known: Vec<&str> = TOPICS.iter().map(|topic| topic.name).collect();
         return Err(Stop::bad_input(format!("--only {name} is no topic"), format!("topics: {}", known.join(", "))));
     }
-    Ok(TOPICS.iter().filter(|topic| names.is_empty() || names.iter().any(|name| name == topic.name)).collect())
+    let wanted = |topic: &&Topic| names.is_empty() || names.iter().any(|name| name == topic.name);
+    Ok(TOPICS.iter().filter(wanted).map(|topic| Box::new(topic.run) as Suite).collect())
 }

@@ -37,7 +37,7 @@ pub static KEYS: &[Key] = &[
     key("accuracy", "step", Optional, Kind::Share(Range::From(1e-6, 0.5), |s| &mut s.accuracy.choice.step), "error of a step's prediction, over the gap"),
 
     key("bounds", "points", Optional, Kind::Count(|s| &mut s.bounds.points), "most points of a path"),
-    key("bounds", "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "most time for a path"),
+    key("bounds", "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "most time for a path, 60 s unless given"),
     key("bounds", "displacement", Optional, Kind::Bound(Length, |s| &mut s.bounds.displacement), "largest displacement of the grip"),
 ];
 

@@ -88,7 +88,7 @@ impl Scene {
             title,
             model: StripModel { strip, adhesion, grip },
             accuracy: Accuracy::to(1e-6),
-            bounds: Bounds { points: 20_000, time_s: None, displacement: None },
+            bounds: Bounds { points: 20_000, time_s: Some(60.0), displacement: None },
         }
     }
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 /// Places inside a step at which the interpolated slope is looked at.
 const PLACES: usize = 16;
 /// A displacement whose slope falls below this share of that at the ends of a step may turn twice within it.
-const NEARLY: f64 = 0.15;
+const NEARLY: f64 = 0.5;
 /// Solutions inside a step that are spent on finding out.
 const MOST_LOOKS: usize = 4;
 

@@ -172,8 +172,16 @@ pub fn locate(
         let left = (slope / bend).abs();
         if left < NEAR * (to - from) && left * solution.slope.front.abs() < NEAR * problem.process_length {
             let other_bend = stretch.observable(turn.other().pick(), label).at(label).2;
-            let search =
-                Search { problem, weights: stretch.weights, turn, width: to - from, bend, other_bend, iterations };
+            let search = Search {
+                problem,
+                weights: stretch.weights,
+                turn,
+                rising,
+                width: to - from,
+                bend,
+                other_bend,
+                iterations,
+            };
             let slack = NEAR * (to - from);
             match search.confirmed(solution, stretch.target(label), work) {
                 Ok(located) if (low.0 - slack..high.0 + slack).contains(&stretch.label(&located.observables)) => {
@@ -237,6 +245,8 @@ struct Search<'p> {
     problem: &'p Problem,
     weights: Observables,
     turn: Turn,
+    /// Whether the slope rises through zero, as at a minimum: of two turning points near by the other one does not.
+    rising: bool,
     /// Width of the bracket, in labels.
     width: f64,
     /// Second derivatives along the path: of the quantity that turns, and of the other.
@@ -265,6 +275,9 @@ impl<'p> Search<'p> {
         let start = refined(self.problem, &coarse.solution.moved(coarse.ahead));
         let (fine, search) =
             search.run(start, coarse.target + coarse.ahead, work).map_err(|_| SolveError::TurnNotConfirmed)?;
+        if (search.bend > 0.0) != self.rising {
+            return Err(SolveError::TurnNotConfirmed);
+        }
         let difference = fine.observables.since(&coarse.observables);
         Ok(Located {
             solution: Arc::new(coarse.solution),

@@ -21,7 +21,7 @@ pub use limit::{Located, ROUGH, Turn, difference_on_more_elements, locate, reach
 pub use mesh::{Focus, Mesh, graded_ends};
 pub use newton::*;
 pub use path::{Path, PathError, PathOptions};
-pub use predictor::{lagrange_weights, longest_step};
+pub use predictor::{MOST_POINTS, lagrange_weights, longest_step};
 pub use problem::{Equilibrium, Problem};
 pub use stretch::{Hermite, Stretch};
 pub use uniform_chain::{BUNDLE, UniformChain};

@@ -18,6 +18,8 @@ pub struct PathOptions {
     pub step_tolerance: f64,
     /// Error wanted of a solution, likewise.
     pub tolerance: f64,
+    /// Most points that a prediction uses: 2 is the secant
+    pub prediction: usize,
     /// First displacement, nm (rad where the rotation is driven); its sign is the direction of the path
     pub first_displacement: f64,
 }
@@ -177,7 +179,7 @@ impl<'p> Path<'p> {
     fn labelled(&self, weights: &Observables) -> (Vec<Arc<Solution>>, Vec<f64>) {
         let newest = &self.points[self.points.len() - 1];
         let (mut points, mut labels) = (vec![newest.clone()], vec![0.0f64]);
-        for point in self.points.iter().rev().skip(1).take(MOST_POINTS) {
+        for point in self.points.iter().rev().skip(1).take(self.options.prediction.clamp(1, MOST_POINTS)) {
             let label = weights.dot(&point.observables.since(&newest.observables));
             let gap = labels[labels.len() - 1] - label;
             if gap <= 0.0 || (labels.len() > 1 && gap < 0.02 * -labels[1]) {

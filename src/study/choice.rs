@@ -1,7 +1,7 @@
 //! What the user asks of the numbers, and what follows from it: order, elements and steps.
 
 use crate::model::{Form, StripModel};
-use crate::solve::{BUNDLE, Mesh, PathOptions};
+use crate::solve::{BUNDLE, MOST_POINTS, Mesh, PathOptions};
 
 /// What the user asks of the numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,6 +86,7 @@ impl Resolution {
         PathOptions {
             elements: self.elements,
             step_tolerance: self.step_tolerance,
+            prediction: MOST_POINTS,
             tolerance: (1e-2 * relative).clamp(1e-12, 1e-6),
             first_displacement: 0.02 * model.adhesion.equilibrium_distance.min(model.process_length()),
         }

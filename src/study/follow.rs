@@ -364,3 +364,26 @@ impl Followed {
 fn pick_at(solution: &Solution, turn: Turn) -> f64 {
     turn.pick()(&solution.observables)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Form, StripModel};
+    use crate::study::Accuracy;
+    use crate::study::choice::Resolution;
+
+    /// What the count of negative eigenvalues is for: turning points that were not located are missed by name.
+    #[test]
+    fn a_turning_point_that_was_not_located_is_missed() {
+        let (model, accuracy) = (StripModel::of_the_paper(100.0, 1.0), Accuracy::to(1e-6));
+        let problem = model.problem(Form::TwoField, accuracy.order());
+        let options = Resolution::first(&model, &accuracy).path_options(&model, accuracy.relative);
+        let bounds = Bounds { points: 5000, time_s: None, displacement: None };
+        let mut followed = follow(&problem, options, 4.0, &bounds, accuracy.relative, Instant::now());
+        assert!(followed.check_inertia(&problem).is_ok());
+        let located = followed.turns.iter().position(|turn| turn.0 == Turn::Displacement).unwrap();
+        let (_, after, _) = followed.turns.remove(located);
+        let missed = followed.check_inertia(&problem).unwrap_err();
+        assert!(matches!(missed, Trouble::Missed { after: a, from: 0, to: 1, turns: 0, .. } if a == after), "{missed}");
+    }
+}

@@ -2,6 +2,7 @@
 mod anchor;
 mod choice;
 mod continuation;
+mod cusp;
 mod fill;
 mod follow;
 mod follow_point;
@@ -21,6 +22,7 @@ pub use crate::solve::Turn;
 /// Order of the elements with which a point is followed.
 pub use choice::ORDER as FOLLOWED_ORDER;
 pub use choice::{Accuracy, Choice};
+pub use cusp::{Cusp, cusp};
 pub use follow_point::follow_point;
 pub use followed::*;
 pub use peel::*;

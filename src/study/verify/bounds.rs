@@ -111,7 +111,7 @@ fn model(row: &reference::Row) -> Option<StripModel> {
 }
 
 /// Value and bound of every number that a row may hold.
-fn reported(peel: &Peel) -> [(&'static str, Option<(f64, f64)>); 6] {
+pub(super) fn reported(peel: &Peel) -> [(&'static str, Option<(f64, f64)>); 6] {
     let peak = peel.initiation_peak.as_ref();
     let mut turns = peel.limit_points.iter().filter(|point| point.kind == Turn::Displacement);
     let (first, second) = (turns.next(), turns.next());
@@ -126,7 +126,7 @@ fn reported(peel: &Peel) -> [(&'static str, Option<(f64, f64)>); 6] {
 }
 
 /// One unit of the last digit of a number as it is printed.
-fn last_digit(text: &str) -> f64 {
+pub(super) fn last_digit(text: &str) -> f64 {
     let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     10f64.powi(exponent.parse::<i32>().unwrap_or(0) - decimals as i32)

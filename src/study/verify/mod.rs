@@ -5,6 +5,8 @@
 pub(crate) mod beam;
 pub mod bounds;
 mod check;
+pub mod drawn;
+pub mod hard;
 mod levels;
 pub mod orders;
 mod published;

@@ -93,8 +93,13 @@ fn checks_of(name: &str) -> Vec<Check> {
 pub(crate) fn snapped(model: &RodModel, order: usize, elements: usize) -> Result<(Problem, RodPath), String> {
     let problem = problem(model, order)?;
     let rise = model.rest.at(1.0)[1];
-    let options =
-        PathOptions { elements, step_tolerance: 1e-4, tolerance: TOLERANCE, first_displacement: -0.01 * rise };
+    let options = PathOptions {
+        elements,
+        step_tolerance: 1e-4,
+        prediction: 8,
+        tolerance: TOLERANCE,
+        first_displacement: -0.01 * rise,
+    };
     let path = follow_rod(&problem, options, 2000, |point| -point.observables.displacement > FAR * rise);
     path.map(|path| (problem, path)).map_err(|error| error.to_string())
 }

@@ -1,0 +1,131 @@
+//! What the hard scenes do to other ways of computing them: a mesh that stays, secant steps, displacement control.
+//!
+//!     cargo run --release --example hard_cases
+//!
+//! prints the table of verification/README.md.
+
+use peelkit::model::Form;
+use peelkit::scene::Scene;
+use peelkit::solve::{MOST_POINTS, Mesh, Observables, Path, PathOptions, controlled};
+use peelkit::study::{Accuracy, Bounds, Choice, End, Peel, peel};
+use rayon::prelude::*;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut files: Vec<_> =
+        std::fs::read_dir("scenes/hard")?.map(|file| Ok(file?.path())).collect::<std::io::Result<_>>()?;
+    files.sort();
+    let read = |file: &std::path::PathBuf| -> Result<(String, Scene), Box<dyn std::error::Error>> {
+        let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        Ok((name.clone(), Scene::parse(&name, &std::fs::read_to_string(file)?, &[])?))
+    };
+    let scenes = files.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+    println!(
+        "| scene | end | initiation peak, nN | bound | points, iterations, elements | mesh that stays | secant steps | displacement control |"
+    );
+    println!("|---|---|---|---|---|---|---|---|");
+    let rows: Vec<String> = scenes.par_iter().map(|(name, scene)| row(name, scene)).collect();
+    rows.iter().for_each(|row| println!("{row}"));
+    Ok(())
+}
+
+fn row(name: &str, scene: &Scene) -> String {
+    let result = peel(&scene.model, &scene.accuracy, &scene.bounds);
+    let peak = result.initiation_peak.as_ref();
+    let (force, bound) =
+        peak.map_or(("none".into(), String::new()), |p| (format!("{:.9}", p.force), format!("{:.0e}", p.force_error)));
+    let effort = &result.effort;
+    let counts = format!("{}, {}, {}", effort.points, effort.newton_iterations, effort.elements);
+    let (mesh, secant, control) =
+        (on_a_mesh_that_stays(scene, &result), by_secants(scene, &result), by_displacement(scene, &result));
+    format!("| {name} | {} | {force} | {bound} | {counts} | {mesh} | {secant} | {control} |", word(&result.end))
+}
+
+fn word(end: &End) -> &'static str {
+    match end {
+        End::Detached => "detached",
+        End::Pivoting => "pivoting",
+        End::TurnedBack => "turned-back",
+        End::Bound(_) => "bound",
+        End::Failed(_) => "failed",
+    }
+}
+
+/// Eight times as many elements, equally long, that do not follow the front; five seconds.
+fn on_a_mesh_that_stays(scene: &Scene, own: &Peel) -> String {
+    let choice = Choice { mesh: Mesh::Uniform, elements: Some(8 * own.effort.elements), ..scene.accuracy.choice };
+    let bounds = Bounds { time_s: Some(5.0), ..scene.bounds };
+    let other = peel(&scene.model, &Accuracy { choice, ..scene.accuracy }, &bounds);
+    let off = match (own.initiation_peak, other.initiation_peak) {
+        (Some(a), Some(b)) => format!("peak off by {:.0e}", (b.force / a.force - 1.0).abs()),
+        (Some(_), None) => "no peak".into(),
+        _ => "as here".into(),
+    };
+    format!("{off}, {}, {} points", word(&other.end), other.effort.points)
+}
+
+/// The same mesh and the same error of predictions, through two points; ten times as many points at most.
+fn by_secants(scene: &Scene, own: &Peel) -> String {
+    let problem = scene.model.problem(Form::TwoField, own.effort.order);
+    let relative = scene.accuracy.relative;
+    let options = PathOptions {
+        elements: own.effort.elements,
+        step_tolerance: 1.2e-2 * (1e6 * relative).powf(0.25),
+        tolerance: 1e-2 * relative,
+        prediction: 2,
+        first_displacement: 0.02 * scene.model.adhesion.equilibrium_distance.min(scene.model.process_length()),
+    };
+    let run = |options: PathOptions| {
+        let mut path = Path::new(&problem, options);
+        let most = 10 * own.effort.points;
+        let end = own.points.last().map_or(0.0, |p| p.front);
+        while path.points().len() < most {
+            match path.advance() {
+                Err(_) => return (path.points().len(), path.iterations(), false),
+                Ok(point) => {
+                    let o = point.observables;
+                    let over = path.points().len() > 3
+                        && (o.force <= 0.0
+                            || o.displacement <= 0.0
+                            || path.is_clear(10.0 * scene.model.adhesion.equilibrium_distance));
+                    let passed = scene.bounds.displacement.is_some_and(|most| o.displacement > most);
+                    if over
+                        || passed
+                        || (matches!(own.end, End::Pivoting)
+                            && path.points().len() > 3
+                            && o.front < 1.0001 * end
+                            && o.tip_rotation > 1.57)
+                    {
+                        return (path.points().len(), path.iterations(), true);
+                    }
+                }
+            }
+        }
+        (path.points().len(), path.iterations(), false)
+    };
+    let (secant, many) = (run(options), run(PathOptions { prediction: MOST_POINTS, ..options }));
+    let share = secant.1 as f64 / many.1 as f64;
+    if secant.2 && many.2 {
+        format!("{share:.1} times the iterations")
+    } else if many.2 {
+        format!("stuck after {} points", secant.0)
+    } else {
+        "as here".into()
+    }
+}
+
+/// The grip's displacement raised to the largest of the path.
+fn by_displacement(scene: &Scene, own: &Peel) -> String {
+    let problem = scene.model.problem(Form::TwoField, own.effort.order);
+    let largest = own.points.iter().map(|p| p.displacement).fold(0.0, f64::max);
+    let targets: Vec<f64> = (1..=400).map(|k| largest * f64::from(k) / 400.0).collect();
+    let weights = Observables { displacement: 1.0, ..Observables::default() };
+    let mut start = problem.at_rest(own.effort.elements);
+    for (k, &target) in targets.iter().enumerate() {
+        match controlled(&problem, start, weights, &[target], 1e-2 * scene.accuracy.relative) {
+            Ok(found) => start = found.into_iter().next().map(|s| s.at).unwrap_or_default(),
+            Err(_) if k == 0 => return "fails at the first step".into(),
+            Err(_) => return format!("fails at {:.0} % of the largest u", 100.0 * targets[k - 1] / largest),
+        }
+    }
+    "comes through".into()
+}

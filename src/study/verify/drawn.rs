@@ -1,0 +1,125 @@
+//! Strips drawn over wide ranges, each peeled twice: what the coarser run claims must hold for the finer one.
+
+use super::{Check, Measure};
+use crate::adhesion::LineLoad;
+use crate::model::{Hold, StripModel};
+use crate::study::{Accuracy, Bounds, End, LimitPoint, Peel, peel};
+use rayon::prelude::*;
+
+/// How many are drawn.
+const SCENES: usize = 500;
+/// The accuracy that is judged, and the one it is judged by.
+const RELATIVE: f64 = 1e-6;
+const FINER: f64 = 1e-9;
+/// A path is followed for so many seconds at most.
+const LONGEST: f64 = 10.0;
+/// Least and largest of length, height, EI factor, Hamaker constant (aJ), equilibrium distance; drawn evenly in logarithms.
+const RANGES: [(f64, f64); 5] = [(5.0, 1e5), (0.5, 300.0), (1e-5, 1e4), (1e-3, 10.0), (0.1, 3.0)];
+
+/// What became of the strips.
+#[derive(Clone, Debug, Default)]
+pub struct Drawn {
+    /// Numbers that both runs report, and how many of the coarser ones lie further from the finer than both bounds together.
+    pub judged: usize,
+    pub wrong: Vec<String>,
+    /// Strips whose path ended `failed`, with the reason.
+    pub failed: Vec<String>,
+    /// Strips of which only one run has a peak, a snap-off or a first turning point of the displacement.
+    pub differ: Vec<String>,
+}
+
+/// Place `k` of a sequence that fills the unit cube of eight dimensions evenly: multiples of powers of 1/φ, φ⁹ = φ + 1.
+fn place(k: usize) -> [f64; 8] {
+    let phi = (0..64).fold(1.1f64, |phi, _| (1.0 + phi).powf(1.0 / 9.0));
+    std::array::from_fn(|d| (0.5 + (k + 1) as f64 * phi.powi(-1 - d as i32)).fract())
+}
+
+/// Strip `k`.
+fn strip(k: usize) -> StripModel {
+    let at = place(k);
+    let [length, height, factor, hamaker, distance] =
+        std::array::from_fn(|d| RANGES[d].0 * (RANGES[d].1 / RANGES[d].0).powf(at[d]));
+    let mut model = StripModel::of_the_paper(length, factor);
+    model.strip.height = height;
+    model.strip.poissons_ratio = 0.4999 * at[5];
+    (model.adhesion.hamaker_constant, model.adhesion.equilibrium_distance) = (hamaker, distance);
+    // the load as it comes; force-only has no energy and axis-gap no edge, so that both are rarer
+    model.adhesion.line_load = match at[6] {
+        x if x < 0.15 => LineLoad::ForceOnly,
+        x if x < 0.3 => LineLoad::AxisGap,
+        _ => LineLoad::Full,
+    };
+    let hold = |fixed: bool| if fixed { Hold::Fixed } else { Hold::Free };
+    model.grip.rotation = hold(at[7] < 0.3);
+    model.grip.horizontal = hold((0.2..0.4).contains(&at[7]));
+    model
+}
+
+/// Peels all of them, on all cores.
+pub fn drawn() -> Drawn {
+    let outcomes: Vec<Drawn> = (0..SCENES).into_par_iter().map(judge).collect();
+    outcomes.into_iter().fold(Drawn::default(), |mut all, one| {
+        all.judged += one.judged;
+        all.wrong.extend(one.wrong);
+        all.failed.extend(one.failed);
+        all.differ.extend(one.differ);
+        all
+    })
+}
+
+fn judge(k: usize) -> Drawn {
+    let model = strip(k);
+    let bounds = Bounds { points: 20_000, time_s: Some(LONGEST), displacement: None };
+    let [coarse, fine] = [RELATIVE, FINER].map(|relative| peel(&model, &Accuracy::to(relative), &bounds));
+    let mut outcome = Drawn::default();
+    let named = |what: &str| format!("{what}: {:?} {:?} {:?}", model.strip, model.adhesion, model.grip);
+    if let End::Failed(reason) = &coarse.end {
+        outcome.failed.push(named(reason));
+    }
+    for ((quantity, one), (_, other)) in numbers(&coarse).into_iter().zip(numbers(&fine)) {
+        match (one, other) {
+            (Some((value, bound)), Some((finer, finer_bound))) => {
+                outcome.judged += 1;
+                if (value - finer).abs() > bound + finer_bound {
+                    outcome
+                        .wrong
+                        .push(named(&format!("{quantity} = {value} +- {bound:e} and {finer} +- {finer_bound:e}")));
+                }
+            }
+            (None, None) => {}
+            _ => outcome.differ.push(named(quantity)),
+        }
+    }
+    outcome
+}
+
+/// A number with the bound on its error.
+type Bounded = Option<(f64, f64)>;
+
+fn numbers(peel: &Peel) -> [(&'static str, Bounded); 4] {
+    let displacement = |p: &LimitPoint| (p.displacement, p.displacement_error);
+    let force = |p: &LimitPoint| (p.force, p.force_error);
+    let peak = peel.initiation_peak.as_ref();
+    [
+        ("peak displacement", peak.map(|p| (p.displacement, p.displacement_error))),
+        ("peak force", peak.map(|p| (p.force, p.force_error))),
+        ("snap-off displacement", peel.snap_off.as_ref().map(displacement)),
+        ("snap-off force", peel.snap_off.as_ref().map(force)),
+    ]
+}
+
+/// The checks: no number is wrong, and few paths fail.
+pub(super) fn checks(topic: &'static str) -> Vec<Check> {
+    let Drawn { judged, wrong, failed, differ } = drawn();
+    let check = |name: String, list: &[String], most: f64| {
+        let name = list.first().map_or(name.clone(), |first| format!("{name}; the first: {first}"));
+        let source = "the same at 1e-9";
+        Check::new(topic, name, source, Ok(list.len() as f64), most, Measure::AtMost, 0.0)
+    };
+    let of = format!("{SCENES} drawn strips");
+    vec![
+        check(format!("{of}: of {judged} numbers at 1e-6, how many are outside of their bounds"), &wrong, 0.0),
+        check(format!("{of}: points that one of two accuracies finds"), &differ, 0.0),
+        check(format!("{of}: paths that end in a refusal"), &failed, 0.1 * SCENES as f64),
+    ]
+}
