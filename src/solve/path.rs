@@ -6,7 +6,7 @@
 //! changes.
 
 use super::predictor::{self, MOST_POINTS};
-use super::{Condition, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
+use super::{Condition, Equilibrium, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
 use std::sync::Arc;
 
 /// How a path is stepped.
@@ -39,6 +39,7 @@ pub struct PathError {
 pub struct Path<'p> {
     problem: &'p Problem,
     options: PathOptions,
+    start: Equilibrium,
     points: Vec<Arc<Solution>>,
     /// Errors at the newest point of predictions through 1, 2, … points.
     errors: Vec<f64>,
@@ -66,7 +67,13 @@ const NOTICED: f64 = 1e-3;
 impl<'p> Path<'p> {
     /// A path that starts at rest.
     pub fn new(problem: &'p Problem, options: PathOptions) -> Self {
-        Self { problem, options, points: Vec::new(), errors: Vec::new(), work: Workspace::default(), iterations: 0 }
+        Self::from(problem, options, problem.at_rest(options.elements))
+    }
+
+    /// A path that starts at the equilibrium next to `start`, on its elements, with its displacement. It must not turn there.
+    pub fn from(problem: &'p Problem, options: PathOptions, start: Equilibrium) -> Self {
+        let (points, errors) = (Vec::new(), Vec::new());
+        Self { problem, options, start, points, errors, work: Workspace::default(), iterations: 0 }
     }
 
     /// The points so far.
@@ -90,14 +97,16 @@ impl<'p> Path<'p> {
 
     /// Computes the next point.
     pub fn advance(&mut self) -> Result<Arc<Solution>, PathError> {
-        let point = if self.points.is_empty() { self.rest()? } else { self.step()? };
+        let point = if self.points.is_empty() { self.first()? } else { self.step()? };
         self.points.push(Arc::new(point));
         Ok(self.points[self.points.len() - 1].clone())
     }
 
-    fn rest(&mut self) -> Result<Solution, PathError> {
-        let condition = Condition { weights: self.outset(), target: 0.0 };
-        let start = self.problem.at_rest(self.options.elements);
+    fn first(&mut self) -> Result<Solution, PathError> {
+        let start = self.start.clone();
+        let weights = self.outset();
+        let target = weights.displacement * self.problem.displacement(&start);
+        let condition = Condition { weights, target };
         solve(self.problem, start, &condition, &self.newton(), &mut self.work)
             .inspect(|s| self.iterations += s.iterations)
             .map_err(|cause| self.stopped(1, cause))
