@@ -2,7 +2,9 @@
 
 use peelkit::report::{end_reason, end_word, left_out, reached_accuracy};
 use peelkit::scene::{Key, Scene};
-use peelkit::study::{End, FollowedSweep, LimitPoint, Observed, Peak, Peel, PointKind, SweepRow, TestEnd, Turn};
+use peelkit::study::{
+    End, FollowedSweep, LimitPoint, Observed, Peak, Peel, PointKind, PullOff, SweepRow, TestEnd, Turn,
+};
 use std::fmt::{Display, Write};
 
 /// A relative error below this that finer meshes do not reduce is round-off.
@@ -70,9 +72,12 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
 
 /// What a test would record.
 pub fn observed(test: &Observed) -> String {
-    let number = |value: Option<f64>, unit: &str| value.map_or_else(|| "none".to_owned(), |v| format!("{v:.6} {unit}"));
-    let mut lines =
-        vec![("pull-off force", format!("{}, the largest of the stable retreat", number(test.pull_off_force, "nN")))];
+    let none = || "none".to_owned();
+    let pull_off = |peak: PullOff| {
+        let force = with_error(peak.force, peak.force_error);
+        format!("{force} nN at U = {:.6} nm, the largest of the stable retreat", peak.machine)
+    };
+    let mut lines = vec![("pull-off force", test.pull_off.map_or_else(none, pull_off))];
     for jump in &test.jumps {
         let landed = if jump.detached { "detached".to_owned() } else { format!("front at {:.2} nm", jump.after.front) };
         lines.push((
@@ -86,7 +91,7 @@ pub fn observed(test: &Observed) -> String {
             ),
         ));
     }
-    lines.push(("hysteresis", number(test.hysteresis, "aJ")));
+    lines.push(("hysteresis", test.hysteresis.map_or_else(none, work)));
     if let Some(balance) = test.cycle.or(test.retreat) {
         let text = format!("work less change of energy less released: {:.1e} of the largest", balance.error());
         lines.push(("work balance", text));

@@ -15,6 +15,8 @@ pub(super) struct ObservedSummary {
     reason: Option<String>,
     #[serde(rename = "pull_off_force_nN")]
     pull_off_force: Option<Finite>,
+    #[serde(rename = "pull_off_error_nN")]
+    pull_off_error: Option<Finite>,
     /// ∮ P dU
     #[serde(rename = "hysteresis_aJ")]
     hysteresis: Option<Finite>,
@@ -95,7 +97,8 @@ impl From<&Observed> for ObservedSummary {
         Self {
             end: test.end.word(),
             reason,
-            pull_off_force: test.pull_off_force.map(Finite),
+            pull_off_force: test.pull_off.map(|peak| Finite(peak.force)),
+            pull_off_error: test.pull_off.map(|peak| Finite(peak.force_error)),
             hysteresis: test.hysteresis.map(Finite),
             jumps: test.jumps.iter().map(JumpLine::from).collect(),
             work_balance: Balances {

@@ -12,9 +12,6 @@ const MOST_SOLVES: usize = 80;
 /// It is located when it lies between displacements that differ by this share.
 const CLOSE: f64 = 1e-9;
 
-const BY_DISPLACEMENT: Observables =
-    Observables { front: 0.0, displacement: 1.0, tip_rotation: 0.0, force: 0.0, grip_rotation: 0.0 };
-
 /// The first equilibrium that is not stable behind the stable one `from`, on its way to the displacement `to`, where it is
 /// not; its error by the same on half as many elements again. The displacement must not turn between them.
 pub fn locate_branching(
@@ -47,7 +44,7 @@ fn bisected(
 ) -> Result<(Solution, usize), SolveError> {
     let options = NewtonOptions { tolerance: FINE, largest_update: 0.5, most_iterations: 12, exact_slope: true };
     let mut solved = |start: Equilibrium, target: f64| {
-        solve(problem, start, &Condition { weights: BY_DISPLACEMENT, target }, &options, work)
+        solve(problem, start, &Condition { weights: Observables::DISPLACEMENT, target }, &options, work)
     };
     let start = problem.displacement(&from);
     let mut stable = solved(from, start)?;

@@ -20,6 +20,12 @@ pub struct Observables {
 }
 
 impl Observables {
+    /// Weights of a held displacement.
+    pub const DISPLACEMENT: Self =
+        Self { front: 0.0, displacement: 1.0, tip_rotation: 0.0, force: 0.0, grip_rotation: 0.0 };
+    /// Weights of a held force.
+    pub const FORCE: Self = Self { front: 0.0, displacement: 0.0, tip_rotation: 0.0, force: 1.0, grip_rotation: 0.0 };
+
     /// Sum of the products of what a condition can weigh.
     pub fn dot(&self, other: &Self) -> f64 {
         self.front * other.front

@@ -59,6 +59,10 @@ const MOST_GROWTH: f64 = 3.5;
 const OUTSET: usize = 3;
 /// The same for the second, before anything is known of the force's curvature.
 const OUTSET_GROWTH: f64 = 2.0;
+/// A beam of which less than this share of the process zone adheres is loose.
+const LOOSE: f64 = 0.1;
+/// One step takes a loose beam no nearer to the substrate than this share of its distance.
+const NEARER: f64 = 0.6;
 /// Points over which the path's direction is taken.
 const CHORD: usize = 4;
 /// Changes of front, displacement, rotation and force below this share of their scales do not measure a path.
@@ -126,6 +130,10 @@ impl<'p> Path<'p> {
                 let combination = predictor::lagrange_weights(&labels[..count], step);
                 predictor::combine(self.problem, &points[..count], &combination)
             };
+            if self.falls_onto(&newest, &start) {
+                step *= 0.4;
+                continue;
+            }
             let condition = Condition { weights, target: weights.dot(&newest.observables) + step };
             match solve(self.problem, start, &condition, &self.newton(), &mut self.work) {
                 Ok(next) => {
@@ -148,6 +156,13 @@ impl<'p> Path<'p> {
             count = count.min(3);
         }
         Err(self.stopped(MOST_TRIES, cause))
+    }
+
+    /// Whether a prediction brings a beam to which nothing adheres nearer to the substrate than a share of its distance: far
+    /// away predictions are good, whatever the step, and know nothing of the substrate.
+    fn falls_onto(&self, newest: &Solution, next: &Equilibrium) -> bool {
+        let loose = self.problem.adheres() && newest.observables.front < LOOSE * self.problem.process_length;
+        loose && self.problem.nearest(next) < NEARER * self.problem.nearest(&newest.at)
     }
 
     /// Weights of the first steps: the displacement in the path's direction.

@@ -7,6 +7,7 @@
 //! a shorter Δt where it moves too far, where K + M/Δt is not positive (Δt beyond the growth time of an instability) or where
 //! the energy does not fall. It ends in a stable equilibrium to which Newton's own method converges from near by, or fails.
 
+use super::limit::{FINE, SINGULAR};
 use super::newton::damped_step;
 use super::{Condition, Equilibrium, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
 
@@ -41,8 +42,6 @@ pub enum RelaxError {
     Endless { steps: usize, energy: f64 },
 }
 
-/// Error of the equilibrium, likewise.
-const FINE: f64 = 1e-12;
 /// First Δt; times grow from there.
 const FIRST: f64 = 1e-2;
 /// Growth of Δt after a small step, and what is left of it after one that was refused.
@@ -86,8 +85,7 @@ pub fn relax(
     options: &RelaxOptions,
     work: &mut Workspace,
 ) -> Result<Relaxed, RelaxError> {
-    let weights = Observables { displacement: 1.0, ..Observables::default() };
-    let condition = Condition { weights, target: displacement };
+    let condition = Condition { weights: Observables::DISPLACEMENT, target: displacement };
     let mut at = held_at(problem, start, displacement);
     let mut energies = vec![energy_of(problem, &at)];
     let mut mass = mass(problem, &at);
@@ -144,8 +142,11 @@ fn landed(
     if negative > 0 || size > NEAR {
         return None;
     }
-    let newton = NewtonOptions { tolerance: FINE, largest_update: NEAR, most_iterations: 10, exact_slope: true };
-    let solution = solve(problem, at.clone(), condition, &newton, work).ok()?;
+    let solved = |tolerance, work: &mut Workspace| {
+        let newton = NewtonOptions { tolerance, largest_update: NEAR, most_iterations: 10, exact_slope: true };
+        solve(problem, at.clone(), condition, &newton, work)
+    };
+    let solution = solved(FINE, work).or_else(|_| solved(SINGULAR, work)).ok()?;
     *eliminations += solution.iterations;
     let lower = problem.energy(&solution.at, solution.energy) <= energy + slack(energy);
     (solution.negative == 0 && solution.correction <= 2.0 * NEAR && lower).then_some(solution)

@@ -6,6 +6,7 @@ mod follow;
 mod follow_point;
 mod followed;
 mod observed;
+mod observed_jump;
 mod observed_leg;
 mod observed_run;
 mod peel;

@@ -75,6 +75,16 @@ pub struct Jump {
     pub steps: usize,
 }
 
+/// A largest force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PullOff {
+    /// U, nm
+    pub machine: f64,
+    /// nN, and a bound on its error
+    pub force: f64,
+    pub force_error: f64,
+}
+
 /// Work of the machine against change of energy and energy released, aJ.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Balance {
@@ -127,8 +137,8 @@ pub struct Observed {
     pub jumps: Vec<Jump>,
     /// (U, P) between the jumps, close enough to draw, piece by piece.
     pub pieces: Vec<(Way, Vec<(f64, f64)>)>,
-    /// Of the stable retreat: the largest force.
-    pub pull_off_force: Option<f64>,
+    /// The largest force of the stable retreat.
+    pub pull_off: Option<PullOff>,
     /// ∮ P dU of a closed cycle, aJ
     pub hysteresis: Option<f64>,
     /// Up to where the strip is detached; there and back.

@@ -45,6 +45,8 @@ pub(super) enum LegTrouble {
          where the path branches was not located: {cause}"
     )]
     NoBranching { from_nm: f64, to_nm: f64, cause: SolveError },
+    #[error("the largest force of the stable piece near U = {machine_nm:.6} nm was not located: {cause}")]
+    NoPeak { machine_nm: f64, cause: SolveError },
     #[error("the last point, at U = {machine_nm:.6} nm, was not found: {cause}")]
     NotArrived { machine_nm: f64, cause: SolveError },
 }
@@ -83,7 +85,7 @@ impl Machine<'_> {
         let mut path = Path::from(self.problem, options, start);
         let mut work = Workspace::default();
         loop {
-            if let Some(bound) = self.bound(&path, points) {
+            if let Some(bound) = self.bound(&path, rising, points) {
                 return Ok(self.leg(path.points(), LegEnd::Bound(bound), path.iterations()));
             }
             let newest = path.advance().map_err(LegTrouble::Path)?;
@@ -107,7 +109,7 @@ impl Machine<'_> {
         }
     }
 
-    fn bound(&self, path: &Path, points: usize) -> Option<String> {
+    fn bound(&self, path: &Path, rising: bool, points: usize) -> Option<String> {
         let Bounds { points: most, time_s, displacement } = *self.bounds;
         if points + path.points().len() >= most {
             return Some(format!("bounds.points = {most}"));
@@ -117,7 +119,7 @@ impl Machine<'_> {
             return Some(format!("bounds.time = {most} s"));
         }
         let u = path.points().last().map_or(0.0, |p| p.observables.displacement);
-        let beyond = displacement.filter(|&most| u > most && self.options.first_displacement > 0.0);
+        let beyond = displacement.filter(|&most| rising && u > most);
         beyond.map(|most| format!("bounds.displacement = {most} nm"))
     }
 
@@ -131,15 +133,34 @@ impl Machine<'_> {
             let found = brackets(self.problem, path.points(), index, &stretch, turn, self.relative, work)?;
             Ok((stretch, found.first().copied()))
         };
-        let (stretch, Some(_)) = look(path, work).map_err(not_located)? else { return Ok(None) };
-        let stretch_behind =
-            (0..BEHIND).try_for_each(|_| path.advance().map(|_| ())).ok().and_then(|()| look(path, work).ok());
-        let (stretch, bracket) = match stretch_behind {
+        let (stretch, Some(bracket)) = look(path, work).map_err(not_located)? else { return Ok(None) };
+        let behind = (0..BEHIND).try_for_each(|_| path.advance().map(|_| ())).ok();
+        let (stretch, bracket) = match behind.and_then(|()| look(path, work).ok()) {
             Some((behind, Some(bracket))) => (behind, bracket),
-            _ => (stretch.clone(), (0.0, stretch.end())),
+            _ => (stretch, bracket),
         };
         let located = locate(self.problem, &stretch, Turn::Displacement, bracket, None, work).map_err(not_located)?;
         Ok(Some(located))
+    }
+
+    /// The largest force of a piece, if it is a maximum within.
+    pub fn peak(&self, leg: &Leg) -> Result<Option<Located>, LegTrouble> {
+        let (points, mut work) = (&leg.points, Workspace::default());
+        let force = |p: &Solution| p.observables.force;
+        let largest = (0..points.len()).max_by(|&a, &b| force(&points[a]).total_cmp(&force(&points[b])));
+        let Some(largest) = largest else { return Ok(None) };
+        for index in [largest.saturating_sub(1), largest] {
+            let Some(next) = points.get(index + 1) else { continue };
+            if points[index].slope.force <= 0.0 || next.slope.force > 0.0 {
+                continue;
+            }
+            let stretch = Stretch::around(self.problem, points, index);
+            let bracket = (0.0, stretch.end());
+            let located = locate(self.problem, &stretch, Turn::Load, bracket, Some(self.relative), &mut work);
+            let machine_nm = points[index].observables.displacement;
+            return located.map(Some).map_err(|cause| LegTrouble::NoPeak { machine_nm, cause });
+        }
+        Ok(None)
     }
 
     /// The last point, if the newest is there or beyond it.

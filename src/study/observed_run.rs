@@ -3,13 +3,13 @@
 
 use super::choice::{MOST_ELEMENTS, Resolution};
 use super::observed::*;
+use super::observed_jump;
 use super::observed_leg::{Leg, LegEnd, LegTrouble, Machine, Until};
 use super::peel_run::{ROUND_OFF, SAFETY, least};
 use super::{Accuracy, Bounds};
 use crate::model::{Form, Hold, StripModel};
 use crate::solve::{
-    Equilibrium, Located, Observables, Problem, RelaxError, RelaxOptions, Relaxed, Solution, SolveError, Workspace,
-    disturbed, on_more_elements, relax, turned,
+    Equilibrium, Located, Problem, RelaxError, RelaxOptions, Solution, SolveError, Workspace, disturbed, relax, turned,
 };
 use std::sync::Arc;
 use std::time::Instant;
@@ -20,6 +20,8 @@ const MOST_MESHES: usize = 8;
 const MOST_JUMPS: usize = 50;
 /// Most that a step of relaxation moves, relative to the gap.
 const RELAXING: f64 = 0.1;
+/// A mesh whose errors are at most this many times those of the best one tells of its round-off.
+const COMPARABLE: f64 = 10.0;
 /// The balance of work and energy closes to this, or to the accuracy asked for where that is more.
 const BALANCED: f64 = 1e-6;
 
@@ -47,6 +49,7 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> O
     let started = Instant::now();
     let mut resolution = Resolution::first(model, accuracy);
     let mut best: Option<Test> = None;
+    let mut others = Vec::new();
     let (mut iterations, mut steps) = (0, 0);
     for _ in 0..MOST_MESHES {
         let problem = problem(model, accuracy, resolution.order);
@@ -65,6 +68,9 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> O
         iterations += test.effort.newton_iterations;
         steps += test.effort.relaxation_steps;
         let (failed, worst) = (test.trouble.is_some(), test.worst() / accuracy.relative);
+        if !failed {
+            others.push((test.worst(), test.jumps.clone()));
+        }
         if best.as_ref().is_none_or(|best| test.is_better_than(best)) {
             best = Some(test);
         }
@@ -78,6 +84,9 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> O
         }
     }
     let mut test = best.unwrap_or_else(Test::new);
+    if test.worst() > accuracy.relative {
+        test.widen(&others);
+    }
     test.effort = TestEffort {
         newton_iterations: iterations,
         relaxation_steps: steps,
@@ -109,6 +118,7 @@ struct Test {
     points: Vec<TestPoint>,
     jumps: Vec<Jump>,
     pieces: Vec<(Way, Vec<(f64, f64)>)>,
+    pull_off: Option<PullOff>,
     retreat: Option<Balance>,
     cycle: Option<Balance>,
     end: TestEnd,
@@ -129,6 +139,7 @@ impl Test {
             points: Vec::new(),
             jumps: Vec::new(),
             pieces: Vec::new(),
+            pull_off: None,
             retreat: None,
             cycle: None,
             end: TestEnd::Failed("nothing was computed".into()),
@@ -185,6 +196,9 @@ impl Test {
             let leg = machine.follow(at, way == Way::Retreat, until, self.points.len()).map_err(Trouble::Leg)?;
             let last = leg.points[leg.points.len() - 1].clone();
             self.take(machine.problem, &leg, way);
+            if way == Way::Retreat {
+                self.take_peak(machine, &leg)?;
+            }
             let (located, loss) = match leg.end {
                 LegEnd::Arrived => return Ok((last, None)),
                 LegEnd::Bound(bound) => return Ok((last, Some(bound))),
@@ -216,6 +230,26 @@ impl Test {
         self.pieces.push((way, leg.curve.clone()));
     }
 
+    /// The largest force of a piece of the retreat: a maximum of its own, or its turning point.
+    fn take_peak(&mut self, machine: &Machine, leg: &Leg) -> Result<(), Trouble> {
+        let largest = leg.points.iter().map(|p| p.observables.force).fold(f64::NEG_INFINITY, f64::max);
+        if self.pull_off.is_some_and(|known| known.force > largest) {
+            return Ok(());
+        }
+        let peak = machine.peak(leg).map_err(Trouble::Leg)?;
+        let at_limit = match &leg.end {
+            LegEnd::Limit(located) | LegEnd::Branching(located) => Some(Located::clone(located)),
+            LegEnd::Arrived | LegEnd::Bound(_) => None,
+        };
+        let highest = peak.into_iter().chain(at_limit);
+        let highest = highest.max_by(|a, b| a.observables.force.total_cmp(&b.observables.force));
+        if let Some(Located { observables: o, difference, .. }) = highest {
+            let force_error = SAFETY * difference.force.abs() + (ROUND_OFF + least(machine.relative)) * o.force.abs();
+            self.pull_off = Some(PullOff { machine: o.displacement, force: o.force, force_error });
+        }
+        Ok(())
+    }
+
     fn point(&mut self, problem: &Problem, solution: &Solution, way: Way, work: f64) {
         let o = &solution.observables;
         self.points.push(TestPoint {
@@ -241,7 +275,7 @@ impl Test {
         let relaxed = relax(problem, start, machine_nm, &options, &mut work)
             .map_err(|cause| Trouble::Relax { machine_nm, cause })?;
         self.effort.relaxation_steps += relaxed.steps;
-        let jump = described(machine, limit, &relaxed, way, &mut work)
+        let jump = observed_jump::described(machine, limit, &relaxed, way, &mut work)
             .map_err(|cause| Trouble::NoBound { machine_nm, cause })?;
         if loss == Loss::Branching && jump.released.abs() <= jump.released_error {
             return Ok(relaxed.solution);
@@ -279,7 +313,19 @@ impl Test {
             let ends = jump.before.force_error.max(jump.after.force_error) / force;
             place.max(ends).max(jump.released_error / jump.released)
         };
-        self.jumps.iter().map(relative).fold(0.0, f64::max)
+        let pull_off = self.pull_off.map_or(0.0, |peak| peak.force_error / peak.force.abs());
+        self.jumps.iter().map(relative).fold(pull_off, f64::max)
+    }
+
+    /// Where finer meshes did not bring the errors down to what was asked for, they are round-off: no bound is less than twice
+    /// the difference to what comparable meshes gave.
+    fn widen(&mut self, others: &[(f64, Vec<Jump>)]) {
+        let worst = self.worst();
+        let comparable = |other: &&(f64, Vec<Jump>)| other.0 <= COMPARABLE * worst && other.1.len() == self.jumps.len();
+        let others: Vec<_> = others.iter().filter(comparable).collect();
+        for (n, jump) in self.jumps.iter_mut().enumerate() {
+            others.iter().for_each(|(_, twins)| jump.widen(&twins[n]));
+        }
     }
 
     /// What a user is told.
@@ -292,11 +338,9 @@ impl Test {
             )),
             end => end,
         };
-        let retreat = self.points.iter().filter(|p| p.way == Way::Retreat).map(|p| p.force);
-        let pull_off_force = retreat.max_by(f64::total_cmp);
         let hysteresis = self.cycle.filter(|_| end == TestEnd::Closed).map(|cycle| cycle.work);
-        let Self { points, jumps, pieces, retreat, cycle, effort, .. } = self;
-        Observed { points, jumps, pieces, pull_off_force, hysteresis, retreat, cycle, end, effort, reached }
+        let Self { points, jumps, pieces, pull_off, retreat, cycle, effort, .. } = self;
+        Observed { points, jumps, pieces, pull_off, hysteresis, retreat, cycle, end, effort, reached }
     }
 }
 
@@ -315,56 +359,4 @@ impl Way {
             Self::Approach => "approach",
         }
     }
-}
-
-/// A jump with its numbers and their bounds.
-fn described(
-    machine: &Machine,
-    limit: &Located,
-    relaxed: &Relaxed,
-    way: Way,
-    work: &mut Workspace,
-) -> Result<Jump, SolveError> {
-    let (problem, landed) = (machine.problem, &relaxed.solution);
-    let energy = |s: &Solution| problem.energy(&s.at, s.energy);
-    let floor = ROUND_OFF + least(machine.relative);
-    // the limit point: its place and force as they were located; its energy where the located solution is, with P dU from there
-    let (near, o, d) = (&limit.solution, limit.observables, limit.difference);
-    let machine_error = SAFETY * d.displacement.abs() + floor * o.displacement.abs();
-    let energy_before = energy(near) + near.observables.force * (o.displacement - near.observables.displacement);
-    let by_force = Observables { force: 1.0, ..Observables::default() };
-    let finer = on_more_elements(problem, near, by_force, work)?;
-    let enthalpy = |s: &Solution| energy(s) - s.observables.force * s.observables.displacement;
-    let energy_difference = (enthalpy(&finer) - enthalpy(near)).abs() + (o.force * d.displacement).abs();
-    // where it comes to rest: the same displacement on more elements
-    let by_displacement = Observables { displacement: 1.0, ..Observables::default() };
-    let finer = on_more_elements(problem, landed, by_displacement, work)?;
-    let landed_difference = finer.observables.since(&landed.observables);
-    let energy_after = energy(landed);
-    let released = energy_before - energy_after;
-    let released_error = SAFETY * (energy_difference + (energy(&finer) - energy_after).abs())
-        + floor * energy_before.abs().max(energy_after.abs());
-    let end = |o: &Observables, d: &Observables, energy: f64| JumpEnd {
-        displacement: o.displacement - problem.compliance * o.force,
-        force: o.force,
-        displacement_error: machine_error + SAFETY * problem.compliance * d.force.abs(),
-        force_error: SAFETY * d.force.abs() + floor * o.force.abs(),
-        energy,
-        front: o.front,
-    };
-    let before = end(&o, &d, energy_before);
-    let after = end(&landed.observables, &landed_difference, energy_after);
-    let kind = if after.front < before.front { JumpKind::SnapOff } else { JumpKind::IntoContact };
-    Ok(Jump {
-        kind,
-        way,
-        machine: o.displacement,
-        machine_error,
-        before,
-        after,
-        released,
-        released_error,
-        detached: problem.is_clear(&landed.at, machine.far),
-        steps: relaxed.steps,
-    })
 }

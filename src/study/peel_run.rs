@@ -281,7 +281,7 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: 
 }
 
 /// The relative error below which no bound of a located point is.
-fn modesty(located: &Located, relative: f64) -> f64 {
+pub(super) fn modesty(located: &Located, relative: f64) -> f64 {
     let (o, d) = (&located.observables, &located.difference);
     // the place of a flat turn says nothing of its force
     let place = if located.flat { 0.0 } else { (d.displacement / o.displacement).abs() };
