@@ -211,6 +211,8 @@ fn a_hundred_nanometres_in_a_free_grip_snap_off_where_the_path_turns() {
     let after: Vec<_> = path.dense_curve(40).into_iter().skip_while(|p| p.2 == 0).skip_while(|p| p.2 > 0).collect();
     let off = first.after.force - force_at(&after, first.machine);
     assert!(off.abs() <= 1e-8 * path.peak.unwrap().force, "P after is off by {off:.1e} nN");
+    // upright it tilts without a jump as the machine comes back
+    assert_eq!(test.jumps.len(), 6);
     // in the end it stands upright on the face of its end, and that comes off
     let last = test.jumps.iter().rfind(|jump| jump.way == Way::Retreat).unwrap();
     assert!(last.detached && last.kind == JumpKind::SnapOff);

@@ -1,7 +1,7 @@
 //! Where a path loses its stability without turning: a branching point, such as a strip that stands upright and falls to either
 //! side. The smallest eigenvalue passes through zero there, which the inertia tells.
 
-use super::limit::{FINE, refined};
+use super::limit::refined;
 use super::{
     Condition, Equilibrium, Located, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve,
 };
@@ -9,8 +9,11 @@ use std::sync::Arc;
 
 /// Most solutions until a branching point is located.
 const MOST_SOLVES: usize = 80;
-/// It is located when it lies between displacements that differ by this share.
-const CLOSE: f64 = 1e-9;
+/// It is located when it lies between displacements that differ by this share, and no better: round-off is an imperfection that
+/// turns the path to one of its branches before or behind it, by a power 2/3 of its size.
+const CLOSE: f64 = 1e-7;
+/// Error of a solution, relative as in [`Problem::relative_size`].
+const TOLERANCE: f64 = 1e-9;
 
 /// The first equilibrium that is not stable behind the stable one `from`, on its way to the displacement `to`, where it is
 /// not; its error by the same on half as many elements again. The displacement must not turn between them.
@@ -42,7 +45,7 @@ fn bisected(
     to: f64,
     work: &mut Workspace,
 ) -> Result<(Solution, usize), SolveError> {
-    let options = NewtonOptions { tolerance: FINE, largest_update: 0.5, most_iterations: 12, exact_slope: true };
+    let options = NewtonOptions { tolerance: TOLERANCE, largest_update: 0.5, most_iterations: 12, exact_slope: true };
     let mut solved = |start: Equilibrium, target: f64| {
         solve(problem, start, &Condition { weights: Observables::DISPLACEMENT, target }, &options, work)
     };

@@ -3,7 +3,8 @@
 //!   M dq/dt = -∂Π/∂q,  discretised as  (K + M/Δt) δ = -∂Π/∂q
 //!
 //! M is the length that belongs to a node, in units in which heights and rotations count alike (`Problem::scale`) and the
-//! pseudo-time is of the order of one. It orders how fast what moves, never where an equilibrium lies. A step is repeated with
+//! pseudo-time is of the order of one. It says how fast what moves: not where an equilibrium lies, but where several lie
+//! downhill it has a say in which is reached, as friction and inertia would have. A step is repeated with
 //! a shorter Δt where it moves too far, where K + M/Δt is not positive (Δt beyond the growth time of an instability) or where
 //! the energy does not fall. It ends in a stable equilibrium to which Newton's own method converges from near by, or fails.
 
@@ -98,20 +99,20 @@ pub fn relax(
         let damping: Vec<f64> = mass.iter().map(|m| m / time).collect();
         let mut next = at.clone();
         eliminations += 1;
-        let (size, cause) = match damped_step(problem, &mut next, &condition, &damping, work) {
+        let tried = match damped_step(problem, &mut next, &condition, &damping, work) {
             Ok((size, 0)) if size <= options.largest_update && energy_of(problem, &next) <= energy + slack(energy) => {
-                (Some(size), None)
+                Ok(size)
             }
-            Ok((size, _)) => (None, Some(SolveError::NotConverged { update: size, iterations: 1 })),
-            Err(error) => (None, Some(error)),
+            Ok((size, _)) => Err(SolveError::NotConverged { update: size, iterations: 1 }),
+            Err(error) => Err(error),
         };
-        let Some(size) = size else {
-            time *= SHORTER;
-            if time < SHORTEST {
-                let cause = cause.unwrap_or(SolveError::SingularGrip);
-                return Err(RelaxError::Stuck { steps, energy, cause });
+        let size = match tried {
+            Ok(size) => size,
+            Err(cause) if time < SHORTEST => return Err(RelaxError::Stuck { steps, energy, cause }),
+            Err(_) => {
+                time *= SHORTER;
+                continue;
             }
-            continue;
         };
         steps += 1;
         time *= if 3.0 * size < options.largest_update { GROWTH } else { 1.0 };

@@ -163,8 +163,8 @@ pub enum NoTest {
 /// Pulls the strip off and comes back, with the machine behind a spring where the grip has one.
 ///
 /// The machine's displacement U rises from 0 until no point of the strip is nearer than 10 r0, and falls back to 0. At each
-/// turning point of U on the stable path the strip jumps at that U; where it comes to rest is found by [`crate::solve::relax`].
-/// Errors: turning points as in [`super::peel`]; ∫ P dU against the energies in [`Balance::error`], which is at most 1e-6 or
+/// turning point of U on the stable path the strip jumps at that U; where it comes to rest is found by [`crate::solve::relax()`].
+/// Errors: turning points as in [`super::peel()`]; ∫ P dU against the energies in [`Balance::error`], which is at most 1e-6 or
 /// the accuracy asked for, or the test fails.
 pub fn observed(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> Result<Observed, NoTest> {
     if model.adhesion.line_load == LineLoad::ForceOnly {
