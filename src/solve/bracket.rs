@@ -1,6 +1,6 @@
 //! Which steps of a path hold turning points.
 
-use super::limit::{Turn, reach, solve_on};
+use super::limit::{ROUGH, Turn, reach, solve_on};
 use super::stretch::{Hermite, Stretch};
 use super::{Problem, Solution, SolveError, Workspace};
 use std::sync::Arc;
@@ -57,7 +57,7 @@ fn turned_load(
     if (values.0 - values.1).abs().max((beyond - values.0).abs()) < relative * beyond.abs() {
         return Ok(None);
     }
-    let between = solve_on(problem, stretch, extreme, false, work)?;
+    let between = solve_on(problem, stretch, extreme, ROUGH, work)?;
     Ok(((pick(&between.slope) < 0.0) != (first < 0.0)).then_some(extreme))
 }
 
@@ -84,7 +84,7 @@ fn turned_displacement(problem: &Problem, stretch: &Stretch, work: &mut Workspac
             return Ok(None);
         }
         last_look = label;
-        let between = reach(problem, &mut known, 0.0, label, work)?;
+        let between = reach(problem, &mut known, 0.0, label, ROUGH, work)?;
         if sign * pick(&between.slope) < 0.0 {
             return Ok(Some(label));
         }

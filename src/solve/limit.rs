@@ -71,8 +71,9 @@ const FLAT: f64 = 0.2;
 /// The secant rule starts when it expects to move by no more than this share of the step.
 const NEAR: f64 = 0.05;
 
-/// Error of a solution on the way to a turning point, and of the last ones, relative as in [`Problem::relative_size`].
-const ROUGH: f64 = 1e-10;
+/// Error of a solution on the way to a turning point, relative as in [`Problem::relative_size`].
+pub const ROUGH: f64 = 1e-10;
+/// The same of the last ones.
 pub(super) const FINE: f64 = 1e-12;
 /// Error of a solution next to a singular point, where round-off leaves no better.
 pub(super) const SINGULAR: f64 = 1e-5;
@@ -81,19 +82,20 @@ fn options(tolerance: f64, exact_slope: bool) -> NewtonOptions {
     NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 10, exact_slope }
 }
 
-/// A further solution on a stretch, at the label `at`; from fewer points where more extrapolate badly.
+/// A further solution on a stretch, at the label `at`, with an error of `tolerance`; from fewer points where more extrapolate
+/// badly.
 pub fn solve_on(
     problem: &Problem,
     stretch: &Stretch,
     at: f64,
-    exact_slope: bool,
+    tolerance: f64,
     work: &mut Workspace,
 ) -> Result<Arc<Solution>, SolveError> {
     let condition = Condition { weights: stretch.weights, target: stretch.target(at) };
     let mut trouble = SolveError::SingularGrip;
     for points in [6, 3, 2] {
         let start = stretch.near(at).unwrap_or_else(|| stretch.start(problem, at, points));
-        match solve(problem, start, &condition, &options(ROUGH, exact_slope), work) {
+        match solve(problem, start, &condition, &options(tolerance, false), work) {
             Ok(solution) => return Ok(Arc::new(solution)),
             Err(error) => trouble = error,
         }
@@ -111,13 +113,14 @@ pub fn reach(
     stretch: &mut Stretch,
     from: f64,
     at: f64,
+    tolerance: f64,
     work: &mut Workspace,
 ) -> Result<Arc<Solution>, SolveError> {
     let mut known = from;
     let mut share = 1.0;
     loop {
         let next = if share == 1.0 { at } else { known + share * (at - known) };
-        match solve_on(problem, stretch, next, false, work) {
+        match solve_on(problem, stretch, next, tolerance, work) {
             Ok(solution) => {
                 stretch.insert(solution.clone());
                 if share == 1.0 {
@@ -153,7 +156,7 @@ pub fn locate(
     let mut guess = stretch.observable(turn.pick(), 0.5 * (from + to)).turning_point(from, to);
     for k in 1..=3 * MOST_SOLVES {
         let nearer = if guess - low.0 < high.0 - guess { low.0 } else { high.0 };
-        let solution = reach(problem, &mut stretch, nearer, guess, work)?;
+        let solution = reach(problem, &mut stretch, nearer, guess, ROUGH, work)?;
         iterations += solution.iterations;
         let label = stretch.label(&solution.observables);
         let slope = turn.pick()(&solution.slope);
@@ -186,7 +189,7 @@ pub fn locate(
         let chord = (low.0 - low.1 / bend).max(low.0 + 0.01 * width).min(high.0 - 0.01 * width);
         guess = if k % 3 == 0 || !chord.is_finite() { 0.5 * (low.0 + high.0) } else { chord };
     }
-    let middle = solve_on(problem, &stretch, 0.5 * (low.0 + high.0), false, work)?;
+    let middle = solve_on(problem, &stretch, 0.5 * (low.0 + high.0), ROUGH, work)?;
     let change = turn.pick()(&middle.slope) * (high.0 - low.0);
     if relative.is_some_and(|r| change.abs() < r * middle.observables.force.abs()) {
         return flat(problem, &stretch, middle, change, iterations, work);
@@ -199,7 +202,7 @@ pub fn locate(
 pub fn unlocated(problem: &Problem, stretch: &Stretch, work: &mut Workspace) -> Result<Located, SolveError> {
     let end = stretch.end();
     let guess = stretch.observable(Turn::Load.pick(), 0.5 * end).turning_point(0.0, end);
-    let solution = reach(problem, &mut stretch.clone(), 0.0, guess, work).unwrap_or_else(|_| stretch.first());
+    let solution = reach(problem, &mut stretch.clone(), 0.0, guess, ROUGH, work).unwrap_or_else(|_| stretch.first());
     let mut difference = difference_on_more_elements(problem, &solution, work)?;
     difference.displacement = stretch.change().displacement.abs();
     difference.force = difference.force.abs() + stretch.change().force.abs();

@@ -20,7 +20,9 @@ pub use chain::*;
 pub use control::controlled;
 pub use error::SolveError;
 pub use fold::{Fold, FoldSearch};
-pub use limit::{Located, Turn, difference_on_more_elements, locate, on_more_elements, reach, solve_on, unlocated};
+pub use limit::{
+    Located, ROUGH, Turn, difference_on_more_elements, locate, on_more_elements, reach, solve_on, unlocated,
+};
 pub use mesh::{Focus, Mesh, graded_ends};
 pub use newton::*;
 pub use path::{Path, PathError, PathOptions};

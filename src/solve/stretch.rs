@@ -137,7 +137,21 @@ impl Stretch {
 
     /// The Hermite interpolant of one observable through the points nearest to `near`.
     pub fn observable(&self, pick: fn(&Observables) -> f64, near: f64) -> Hermite {
-        let used = self.nearest(near, USED);
+        self.interpolant(pick, near, USED)
+    }
+
+    /// How wrong the interpolant of one observable is in the middle of the step, judged by the one through one point less;
+    /// none where the path turns away before and behind the step, so that only its ends are known.
+    pub fn interpolation_error(&self, pick: fn(&Observables) -> f64) -> Option<f64> {
+        let count = self.points.len().min(USED);
+        let middle = 0.5 * self.end;
+        let [best, less] = [count, count - 1].map(|points| self.interpolant(pick, middle, points).at(middle).0);
+        (count > 2).then_some((best - less).abs())
+    }
+
+    /// The Hermite interpolant of one observable through so many points nearest to `near`.
+    fn interpolant(&self, pick: fn(&Observables) -> f64, near: f64, points: usize) -> Hermite {
+        let used = self.nearest(near, points);
         let data = used.map(|i| {
             let point = &self.points[i];
             (self.labels[i], pick(&point.observables), pick(&point.slope) / self.weights.dot(&point.slope))

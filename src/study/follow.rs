@@ -1,8 +1,9 @@
 //! One path on one mesh: followed to its end, every turning point on it located, none missed without a word.
 
+use super::fill::fill_in;
 use super::{Bounds, End};
 use crate::solve::{
-    Condition, Located, NewtonOptions, Observables, Path, PathError, PathOptions, Problem, Solution, SolveError,
+    Condition, Located, NewtonOptions, Observables, Path, PathError, PathOptions, Problem, ROUGH, Solution, SolveError,
     Stretch, Turn, Workspace, brackets, locate, solve, solve_on, unlocated,
 };
 use std::f64::consts::FRAC_PI_2;
@@ -128,6 +129,9 @@ pub(super) fn follow(
         trouble,
     };
     followed.finish(problem, far);
+    if followed.trouble.is_none() {
+        followed.iterations += fill_in(problem, &mut followed.points, relative, bounds.points);
+    }
     let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem));
     followed.trouble = followed.trouble.take().or(checked.err());
     followed
@@ -258,7 +262,7 @@ impl Followed {
         let (mut low, mut high) = ((0.0, beyond(&self.points[n - 2])), (stretch.end(), beyond(&self.points[n - 1])));
         for _ in 0..6 {
             let label = (low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)).clamp(0.0, stretch.end());
-            let Ok(solution) = solve_on(problem, &stretch, label, false, &mut work) else { return };
+            let Ok(solution) = solve_on(problem, &stretch, label, ROUGH, &mut work) else { return };
             self.iterations += solution.iterations;
             let value = beyond(&solution);
             let there = value.abs() < 1e-6 * far;

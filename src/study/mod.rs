@@ -2,6 +2,7 @@
 mod anchor;
 mod choice;
 mod continuation;
+mod fill;
 mod follow;
 mod follow_point;
 mod followed;

@@ -4,7 +4,7 @@
 //! only values count: u and P are polynomials through solutions at Gauss-Lobatto labels.
 
 use crate::beam::Basis;
-use crate::solve::{Observables, Problem, Solution, Stretch, Workspace, reach};
+use crate::solve::{Observables, Problem, ROUGH, Solution, Stretch, Workspace, reach};
 use std::sync::Arc;
 
 /// Solutions on a step, its ends among them.
@@ -36,7 +36,7 @@ impl StepCurve {
         for (at, node) in at[..left].iter_mut().zip(basis.nodes) {
             let label = 0.5 * (1.0 + node) * to;
             let interpolated = |pick: fn(&Observables) -> f64| stretch.observable(pick, 0.5 * to).at(label).0;
-            *at = match reach(problem, &mut known, last, label, &mut work) {
+            *at = match reach(problem, &mut known, last, label, ROUGH, &mut work) {
                 Ok(solution) => of(&solution.observables),
                 Err(_) => (interpolated(|o| o.displacement), interpolated(|o| o.force)),
             };

@@ -4,7 +4,7 @@
 use super::{Accuracy, Bounds, Choice, Effort, End, Peel, peel};
 use crate::model::{Form, StripModel};
 use crate::solve::Mesh;
-use std::time::Instant;
+use cpu_time::ThreadTime;
 
 /// Errors of one run against the refined one, relative; `None` where the strip has no such point or the run did not find it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,7 @@ impl Errors {
 pub struct Trial {
     pub accuracy: Accuracy,
     pub effort: Effort,
-    /// CPU time on one core, s
+    /// CPU time of the thread that ran it, the least of several runs, s
     pub seconds: f64,
     pub errors: Errors,
     /// Whether the path came to its end, as the refined one did.
@@ -60,7 +60,7 @@ const LONG: f64 = 0.5;
 const MOST_NODES: usize = 4000;
 /// Growth of the number of elements along a line.
 const GROWTH: f64 = 1.3;
-/// A time is the least of several, as many as fit into this, s.
+/// A time is the least of several, as many as fit into this time, s.
 const TIMING: f64 = 0.04;
 const MOST_REPEATS: usize = 9;
 /// Intervals a step of the refined curve, and of one that is held against it.
@@ -154,14 +154,18 @@ impl<'a> Truth<'a> {
 
     fn trial(&self, accuracy: &Accuracy) -> Trial {
         let bounds = Bounds { time_s: Some(2.0 * LONG), ..self.bounds };
-        let started = Instant::now();
-        let result = peel(self.model, accuracy, &bounds);
-        let mut seconds = result.solve_s;
+        let started = ThreadTime::now();
+        let timed = || {
+            let clock = ThreadTime::now();
+            let result = peel(self.model, accuracy, &bounds);
+            (clock.elapsed().as_secs_f64(), result)
+        };
+        let (mut seconds, result) = timed();
         for _ in 1..MOST_REPEATS {
             if started.elapsed().as_secs_f64() > TIMING {
                 break;
             }
-            seconds = seconds.min(peel(self.model, accuracy, &bounds).solve_s);
+            seconds = seconds.min(timed().0);
         }
         let complete = std::mem::discriminant(&result.end) == std::mem::discriminant(&self.peel.end);
         Trial { accuracy: *accuracy, effort: result.effort, seconds, errors: self.errors(&result), complete }

@@ -1,0 +1,54 @@
+//! Points between those of a path, where the curve needs them.
+//!
+//! Steps are as long as predictions allow, which a step that turns by a right angle may be. Between points the curve is
+//! interpolated; where that is not good enough, the middle of the step is solved as well.
+
+use crate::solve::{Observables, Problem, ROUGH, Solution, Stretch, Workspace, reach};
+use std::sync::Arc;
+
+/// Most times a step is halved.
+const MOST_HALVINGS: usize = 4;
+/// Error wanted of the curve between points, over the square root of the accuracy asked for of the points themselves.
+const BETWEEN: f64 = 0.1;
+/// What one point less tells of the error of an interpolant is taken so many times.
+const CAUTION: f64 = 2.0;
+/// The least error wanted of it.
+const LEAST: f64 = 1e-6;
+/// Forces below this share of the largest one, and displacements below this share of their scale, count as they are.
+const SMALL: f64 = 1e-2;
+
+/// Halves steps on which displacement or force is interpolated too badly for the accuracy `relative`, until there are `most`
+/// points. Returns the Newton iterations that it took.
+pub(super) fn fill_in(problem: &Problem, points: &mut Vec<Arc<Solution>>, relative: f64, most: usize) -> usize {
+    let wanted = (BETWEEN * relative.sqrt()).max(LEAST);
+    let largest = points.iter().map(|point| point.observables.force.abs()).fold(0.0, f64::max);
+    let least = (SMALL * problem.scale[problem.driven], SMALL * largest);
+    let mut halvings = vec![0; points.len()];
+    let tolerance = (1e-2 * relative).clamp(1e-12, ROUGH);
+    let (mut index, mut iterations, mut work) = (0, 0, Workspace::default());
+    while index + 1 < points.len() && points.len() < most {
+        let mut stretch = Stretch::around(problem, points, index);
+        let bad =
+            halvings[index] < MOST_HALVINGS && error(&stretch, least).is_none_or(|error| CAUTION * error > wanted);
+        // a middle that cannot be found is none of the path's points, and the interpolant stays
+        let middle = 0.5 * stretch.end();
+        match bad.then(|| reach(problem, &mut stretch, 0.0, middle, tolerance, &mut work)) {
+            Some(Ok(middle)) => {
+                iterations += middle.iterations;
+                points.insert(index + 1, middle);
+                halvings[index] += 1;
+                halvings.insert(index + 1, halvings[index]);
+            }
+            _ => index += 1,
+        }
+    }
+    iterations
+}
+
+/// The relative error of the interpolated displacement and force, where it can be told.
+fn error(stretch: &Stretch, least: (f64, f64)) -> Option<f64> {
+    let Observables { displacement, force, .. } = stretch.first().observables;
+    let displacement = stretch.interpolation_error(|o| o.displacement)? / (displacement.abs() + least.0);
+    let force = stretch.interpolation_error(|o| o.force)? / (force.abs() + least.1);
+    Some(displacement.max(force))
+}
