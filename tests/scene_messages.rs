@@ -50,6 +50,7 @@ fn what_a_scene_leaves_out_has_its_default() {
     assert_eq!((adhesion.hamaker_constant, adhesion.equilibrium_distance), (0.1, 0.4));
     assert_eq!((adhesion.line_load, adhesion.far_face), (LineLoad::Full, true));
     assert_eq!((grip.rotation, grip.horizontal), (Hold::Free, Hold::Free));
+    assert_eq!(grip.stiffness, None);
     assert_eq!(scene.accuracy.relative, 1e-6);
     assert_eq!((scene.bounds.points, scene.bounds.time_s, scene.bounds.displacement), (20_000, Some(60.0), None));
     assert_eq!(scene.title, "first", "the stem of the file");
@@ -75,6 +76,7 @@ far_face = false
 [grip]
 rotation = "fixed"
 horizontal = "fixed"
+stiffness = "20 mN/m"
 [accuracy]
 relative = 1e-9
 order = 5
@@ -93,6 +95,7 @@ displacement = "0.5 um"
     assert_eq!((adhesion.hamaker_constant, adhesion.equilibrium_distance), (0.1, 0.4));
     assert_eq!((adhesion.line_load, adhesion.far_face), (LineLoad::AxisGap, false));
     assert_eq!((grip.rotation, grip.horizontal), (Hold::Fixed, Hold::Fixed));
+    assert_eq!(grip.stiffness, Some(0.02));
     assert_eq!(scene.accuracy.relative, 1e-9);
     let choice = scene.accuracy.choice;
     assert_eq!((choice.order, choice.elements, choice.step), (Some(5), Some(30), Some(0.05)));
@@ -196,6 +199,7 @@ fn every_mistake_in_a_choice_or_another_table_is_named() {
         ("[bounds]", "points = 2.5", "which is not whole", "a whole number from 1"),
         ("[bounds]", "points = 99999999999999999999", "`bounds.points`", "a whole number from 1"),
         ("[bounds]", "time = 60", "a number without a unit", r#""60 s""#),
+        ("[grip]", "stiffness = 0.5", "a number without a unit", r#""0.5 N/m""#),
         ("[bounds]", r#"displacement = "1 s""#, "s measures a time, not a length", "nm"),
         ("[girp]", "rotation = 1", "[girp] is not a table", "Did you mean [grip]?"),
         ("[spring]", "rotation = 1", "[spring] is not a table", "[strip], [adhesion], [grip]"),

@@ -44,12 +44,14 @@ Examples:
   peel run strip.toml
   peel run strip.toml --out thin --set strip.height=\"5 nm\"
   peel run strip.toml --set grip.rotation=fixed --json
+  peel run strip.toml --set grip.rotation=fixed --set grip.stiffness=\"0.05 N/m\" --observed
 
 Files:
   summary.json       peaks, plateau, limit points, snap-off, how the path ended, effort, the scene as computed
   curve.csv          one row a point of the path
   limit_points.csv   one row a turning point of displacement or force, with error bounds
   curve.svg, .png    force against displacement; shapes.svg, .png  the strip at marked points
+  observed.csv, .svg, .png   with --observed: one row a point of the test, there and back; force against the machine's U
 
 The path ends  detached (no point nearer than 10 r0), pivoting (the force is back at zero, an edge still holds),
 turned-back (back at u = 0), bound (a bound of [bounds] was reached) or failed.

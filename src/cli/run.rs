@@ -8,7 +8,7 @@ use super::words;
 use clap::Args;
 use peelkit::report::{self, PeelSummary, ReportError};
 use peelkit::scene::Scene;
-use peelkit::study::{self, End, Peel};
+use peelkit::study::{self, End, Observed, Peel, TestEnd};
 use std::path::{Path, PathBuf};
 
 /// Peels one scene from rest to its end: the whole path with its limit points, and how far they may be wrong
@@ -22,6 +22,10 @@ pub struct Run {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 
+    /// Adds what a testing machine would record: the stable part, the jumps, the way back, and the energy released
+    #[arg(long)]
+    observed: bool,
+
     /// Prints the object of summary.json and nothing else; files are written only if --out is given
     #[arg(long)]
     json: bool,
@@ -30,32 +34,61 @@ pub struct Run {
 pub fn run(args: &Run) -> Result<(), Stop> {
     let scene = args.scene.load()?;
     let peel = study::peel(&scene.model, &scene.accuracy, &scene.bounds);
+    let test = if args.observed { Some(observed(&scene)?) } else { None };
     let summary = PeelSummary::new(&scene, &peel);
+    let summary = match &test {
+        Some(test) => summary.with_observed(test),
+        None => summary,
+    };
     let folder = match &args.out {
         None if args.json => None,
         None => Some(args.scene.default_folder()),
         given => given.clone(),
     };
     let files = match folder {
-        Some(folder) => write(&folder, &scene, &peel, &summary)?,
+        Some(folder) => write(&folder, &scene, &peel, test.as_ref(), &summary)?,
         None => Vec::new(),
     };
     if args.json {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
-        say(&format!("{}\n{}", words::peel(&scene, &peel), list_files(&files)))?;
+        let recorded = test.as_ref().map(|test| format!("\n{}", words::observed(test))).unwrap_or_default();
+        say(&format!("{}{recorded}\n{}", words::peel(&scene, &peel), list_files(&files)))?;
     }
-    match &peel.end {
-        End::Failed(reason) => Err(Stop::cut_short(reason)),
+    match (&peel.end, test.map(|test| test.end)) {
+        (End::Failed(reason), _) => Err(Stop::cut_short(reason)),
+        (_, Some(TestEnd::Failed(reason))) => Err(Stop::cut_short(format!("in the observed test, {reason}"))),
         _ => Ok(()),
     }
 }
 
-fn write(folder: &Path, scene: &Scene, peel: &Peel, summary: &PeelSummary) -> Result<Vec<PathBuf>, ReportError> {
+/// What a test of the scene would record.
+fn observed(scene: &Scene) -> Result<Observed, Stop> {
+    study::observed(&scene.model, &scene.accuracy, &scene.bounds).map_err(|none| {
+        Stop::bad_input(
+            format!("there is no observed test: {none}"),
+            "Leave --observed away, or choose another line_load",
+        )
+    })
+}
+
+fn write(
+    folder: &Path,
+    scene: &Scene,
+    peel: &Peel,
+    test: Option<&Observed>,
+    summary: &PeelSummary,
+) -> Result<Vec<PathBuf>, ReportError> {
     let mut files =
         vec![summary.write(folder)?, report::write_curve(folder, peel)?, report::write_limit_points(folder, peel)?];
     if peel.points.len() > 1 {
         files.extend(report::draw_peel(peel, &scene.title, folder)?);
+    }
+    if let Some(test) = test {
+        files.push(report::write_observed(folder, test)?);
+        if test.points.len() > 1 {
+            files.extend(report::draw_observed(test, &scene.title, folder)?);
+        }
     }
     Ok(files)
 }

@@ -2,7 +2,9 @@
 
 use peelkit::report::{end_reason, end_word, left_out, reached_accuracy};
 use peelkit::scene::{Key, Scene};
-use peelkit::study::{End, FollowedSweep, LimitPoint, Peak, Peel, PointKind, SweepRow, Turn};
+use peelkit::study::{
+    End, FollowedSweep, LimitPoint, Observed, Peak, Peel, PointKind, PullOff, SweepRow, TestEnd, Turn,
+};
 use std::fmt::{Display, Write};
 
 /// A relative error below this that finer meshes do not reduce is round-off.
@@ -64,6 +66,59 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
     let mut text = format!("{}\n\n", scene.title);
     for (name, value) in lines {
         let _ = writeln!(text, "  {name:<16} {value}");
+    }
+    text
+}
+
+/// What a test would record.
+pub fn observed(test: &Observed) -> String {
+    let none = || "none".to_owned();
+    let pull_off = |peak: PullOff| {
+        let force = with_error(peak.force, peak.force_error);
+        format!("{force} nN at U = {:.6} nm, the largest of the stable retreat", peak.machine)
+    };
+    let mut lines = vec![("pull-off force", test.pull_off.map_or_else(none, pull_off))];
+    for jump in &test.jumps {
+        let landed = if jump.detached { "detached".to_owned() } else { format!("front at {:.2} nm", jump.after.front) };
+        lines.push((
+            jump.kind.word(),
+            format!(
+                "U = {} nm, P = {} to {} nN, released {} aJ, {landed}",
+                with_error(jump.machine, jump.machine_error),
+                with_error(jump.before.force, jump.before.force_error),
+                with_error(jump.after.force, jump.after.force_error),
+                with_error(jump.released, jump.released_error),
+            ),
+        ));
+    }
+    lines.push(("hysteresis", test.hysteresis.map_or_else(none, work)));
+    if let Some(balance) = test.cycle.or(test.retreat) {
+        let text = format!("work less change of energy less released: {:.1e} of the largest", balance.error());
+        lines.push(("work balance", text));
+    }
+    let end = match &test.end {
+        TestEnd::Closed => "closed: the machine is back where it began".to_owned(),
+        TestEnd::Returned(reason) | TestEnd::Bound(reason) | TestEnd::Failed(reason) => {
+            format!("{}: {reason}", test.end.word())
+        }
+    };
+    lines.push(("end", end));
+    let effort = &test.effort;
+    lines.push((
+        "effort",
+        format!(
+            "{} points, {} Newton iterations, {} steps of relaxation, {} elements of order {}, {:.1} ms",
+            effort.points,
+            effort.newton_iterations,
+            effort.relaxation_steps,
+            effort.elements,
+            effort.order,
+            1e3 * effort.solve_s
+        ),
+    ));
+    let mut text = "What a test would record\n\n".to_owned();
+    for (name, value) in lines {
+        let _ = writeln!(text, "  {name:<17} {value}");
     }
     text
 }

@@ -83,6 +83,7 @@ impl RodModel {
             driven,
             rotation: 2,
             held: self.right.held(),
+            compliance: 0.0,
             scale: std::array::from_fn::<_, MOST_FIELDS, _>(|f| if f == 2 { 1.0 } else { length }),
             force_scale: if self.drive == Drive::Rotation { moment } else { moment / length },
             round_off: f64::EPSILON * section.axial.max(section.shear) * length / moment,

@@ -42,10 +42,12 @@ pub enum Hold {
 }
 
 /// The grip at S = L. Its vertical displacement is what is driven.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grip {
     pub rotation: Hold,
     pub horizontal: Hold,
+    /// k of a spring between the grip and the machine that moves it, nN/nm; none: the machine moves the grip itself
+    pub stiffness: Option<f64>,
 }
 
 /// A strip, its adhesion and its grip.
@@ -84,7 +86,7 @@ impl StripModel {
                 line_load: LineLoad::Full,
                 far_face: true,
             },
-            grip: Grip { rotation: Hold::Free, horizontal: Hold::Free },
+            grip: Grip { rotation: Hold::Free, horizontal: Hold::Free, stiffness: None },
         }
     }
 
@@ -133,7 +135,7 @@ impl StripModel {
         self.bending_length().min(3.0 * self.shear_length())
     }
 
-    /// What the solver is given, with elements of order 1 to 8.
+    /// What the solver is given, with elements of order 1 to 8. The displacement is that of the grip, whatever spring moves it.
     pub fn problem(&self, form: Form, order: usize) -> Problem {
         let (section, law, width) = (self.section(), self.line_law(), self.strip.width);
         let r0 = self.adhesion.equilibrium_distance;
@@ -169,6 +171,7 @@ impl StripModel {
             driven: lead,
             rotation: lead + 1,
             held,
+            compliance: 0.0,
             scale,
             force_scale: (width * law.rest_energy()).abs(),
             round_off: 0.0,

@@ -4,9 +4,10 @@ use super::ReportError;
 use super::accuracy::AccuracySummary;
 use super::file::write_whole;
 use super::number::{Finite, to_json};
+use super::observed::ObservedSummary;
 use super::table::SweepLine;
 use crate::scene::{KEYS, Key, Scene, Value};
-use crate::study::{self, End, FollowedSweep, Peel, SweepRow, Turn};
+use crate::study::{self, End, FollowedSweep, Observed, Peel, SweepRow, Turn};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -27,6 +28,9 @@ pub struct PeelSummary {
     accuracy: AccuracySummary,
     path: Effort,
     timing: Timing,
+    /// What a test would record, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    observed: Option<ObservedSummary>,
     parameters: Parameters,
 }
 
@@ -125,8 +129,14 @@ impl PeelSummary {
                 order: peel.effort.order,
             },
             timing: Timing { solve_s: Finite(peel.solve_s) },
+            observed: None,
             parameters: Parameters(scene.clone()),
         }
+    }
+
+    /// The same with what a test of this scene would record.
+    pub fn with_observed(self, test: &Observed) -> Self {
+        Self { observed: Some(ObservedSummary::from(test)), ..self }
     }
 
     /// The object as text; a number that is not finite is an error that names its key.
@@ -246,7 +256,8 @@ impl Serialize for Table<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut table = serializer.serialize_map(Some(self.keys.len()))?;
         for key in self.keys {
-            let name = if key.unit().is_empty() { key.name.to_owned() } else { format!("{}_{}", key.name, key.unit()) };
+            let unit = key.unit().replace('/', "_per_");
+            let name = if unit.is_empty() { key.name.to_owned() } else { format!("{}_{unit}", key.name) };
             match key.value(self.scene) {
                 Some(Value::Number(count)) if key.is_count() => table.serialize_entry(&name, &(count as u64))?,
                 Some(Value::Number(number)) => table.serialize_entry(&name, &Finite(number))?,

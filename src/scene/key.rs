@@ -224,6 +224,7 @@ impl Key {
             (_, Kind::Quantity(Dimension::Pressure, _) | Kind::Bound(Dimension::Pressure, _)) => "\"2 GPa\"",
             (_, Kind::Quantity(Dimension::Energy, _) | Kind::Bound(Dimension::Energy, _)) => "\"1e-19 J\"",
             (_, Kind::Quantity(Dimension::Time, _) | Kind::Bound(Dimension::Time, _)) => "\"60 s\"",
+            (_, Kind::Quantity(Dimension::Stiffness, _) | Kind::Bound(Dimension::Stiffness, _)) => "\"0.5 N/m\"",
             (_, Kind::Count(_)) => "20000",
             (_, Kind::Fixed(..)) => "20",
             (_, Kind::Share(..)) => "0.01",

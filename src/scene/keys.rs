@@ -3,7 +3,7 @@
 use super::error::Problem;
 use super::key::{Key, Kind, Need, Range};
 use super::near::nearest;
-use super::quantity::Dimension::{Energy, Length, Pressure, Time};
+use super::quantity::Dimension::{Energy, Length, Pressure, Stiffness, Time};
 use Need::{Optional, Required};
 
 const fn key(table: &'static str, name: &'static str, need: Need, kind: Kind, about: &'static str) -> Key {
@@ -30,6 +30,7 @@ pub static KEYS: &[Key] = &[
 
     key("grip", "rotation", Optional, Kind::Hold(|s| &mut s.model.grip.rotation), "of the right end, where it is pulled"),
     key("grip", "horizontal", Optional, Kind::Hold(|s| &mut s.model.grip.horizontal), "of the right end; fixed stretches the strip as it lifts"),
+    key("grip", "stiffness", Optional, Kind::Bound(Stiffness, |s| &mut s.model.grip.stiffness), "of a spring between grip and machine"),
 
     key("accuracy", "relative", Optional, Kind::Number(Range::From(1e-11, 1e-2), |s| &mut s.accuracy.relative), "relative error wanted of every force and displacement"),
     key("accuracy", "order", Optional, Kind::Fixed(8, |s| &mut s.accuracy.choice.order), "order p of the elements"),

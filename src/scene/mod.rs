@@ -82,7 +82,7 @@ impl Scene {
             line_load: LineLoad::Full,
             far_face: true,
         };
-        let grip = Grip { rotation: Hold::Free, horizontal: Hold::Free };
+        let grip = Grip { rotation: Hold::Free, horizontal: Hold::Free, stiffness: None };
         Self {
             name: name.to_owned(),
             title,

@@ -3,9 +3,10 @@
 use std::fmt;
 use std::str::FromStr;
 use uom::si::energy::attojoule;
-use uom::si::f64::{Energy, Force, Length, Pressure, Time};
+use uom::si::f64::{Energy, Force, Length, Pressure, SurfaceTension, Time};
 use uom::si::length::nanometer;
 use uom::si::pressure::gigapascal;
+use uom::si::surface_tension::newton_per_meter;
 use uom::si::time::second;
 
 /// What a quantity measures; each has one unit inside the library.
@@ -19,10 +20,12 @@ pub enum Dimension {
     Energy,
     /// s
     Time,
+    /// N/m = nN/nm
+    Stiffness,
 }
 
 impl Dimension {
-    const ALL: [Self; 4] = [Self::Length, Self::Pressure, Self::Energy, Self::Time];
+    const ALL: [Self; 5] = [Self::Length, Self::Pressure, Self::Energy, Self::Time, Self::Stiffness];
 
     /// The unit inside the library, as it stands in the names of outputs.
     pub const fn unit(self) -> &'static str {
@@ -36,6 +39,7 @@ impl Dimension {
             Self::Pressure => &["GPa", "MPa", "kPa", "Pa"],
             Self::Energy => &["aJ", "zJ", "J", "eV"],
             Self::Time => &["s", "ms", "min", "h"],
+            Self::Stiffness => &["N/m", "mN/m", "kN/m"],
         }
     }
 
@@ -47,6 +51,8 @@ impl Dimension {
             Self::Pressure => Pressure::from_str(&one).ok().map(|q| q.get::<gigapascal>()),
             Self::Energy => Energy::from_str(&one).ok().map(|q| q.get::<attojoule>()),
             Self::Time => Time::from_str(&one).ok().map(|q| q.get::<second>()),
+            // the quantity of this dimension that uom has
+            Self::Stiffness => SurfaceTension::from_str(&one).ok().map(|q| q.get::<newton_per_meter>()),
         }
     }
 }
@@ -58,6 +64,7 @@ impl fmt::Display for Dimension {
             Self::Pressure => "a pressure",
             Self::Energy => "an energy",
             Self::Time => "a time",
+            Self::Stiffness => "a stiffness",
         })
     }
 }
@@ -151,6 +158,8 @@ mod tests {
             ("1e-19J", Dimension::Energy, 0.1),
             ("0.1 aJ", Dimension::Energy, 0.1),
             ("100 zJ", Dimension::Energy, 0.1),
+            ("0.5 N/m", Dimension::Stiffness, 0.5),
+            ("20 mN/m", Dimension::Stiffness, 0.02),
             ("60 s", Dimension::Time, 60.0),
             ("1 min", Dimension::Time, 60.0),
         ] {

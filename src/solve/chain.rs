@@ -84,7 +84,17 @@ pub trait Chain: Send + Sync {
     /// Whether one unknown is shared by the whole chain.
     fn has_border(&self) -> bool;
     /// Integrates and eliminates; what is needed to go back stays in `work`.
-    fn eliminate(&self, at: Configuration, path: &PathRow, work: &mut Workspace) -> Result<Root, SolveError>;
+    fn eliminate(&self, at: Configuration, path: &PathRow, work: &mut Workspace) -> Result<Root, SolveError> {
+        self.eliminate_damped(at, path, &[], work)
+    }
+    /// The same with `damping` added to the diagonal of the tangent, a number an unknown; nothing where it is empty.
+    fn eliminate_damped(
+        &self,
+        at: Configuration,
+        path: &PathRow,
+        damping: &[f64],
+        work: &mut Workspace,
+    ) -> Result<Root, SolveError>;
     /// Goes back from the root's solution `root` (last node's fields, border): x = scale × residual part - U⁻¹ root part.
     /// Panics unless `work` comes from an elimination of a chain of this kind.
     fn recover(&self, work: &Workspace, root: &[f64], scale: f64, out: &mut [f64]);

@@ -74,7 +74,9 @@ const NEAR: f64 = 0.05;
 /// Error of a solution on the way to a turning point, relative as in [`Problem::relative_size`].
 pub const ROUGH: f64 = 1e-10;
 /// The same of the last ones.
-const FINE: f64 = 1e-12;
+pub(super) const FINE: f64 = 1e-12;
+/// Error of a solution next to a singular point, where round-off leaves no better.
+pub(super) const SINGULAR: f64 = 1e-5;
 
 fn options(tolerance: f64, exact_slope: bool) -> NewtonOptions {
     NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 10, exact_slope }
@@ -362,14 +364,26 @@ pub fn difference_on_more_elements(
     coarse: &Solution,
     work: &mut Workspace,
 ) -> Result<Observables, SolveError> {
-    let weights = Observables { displacement: 1.0, ..Observables::default() };
-    let condition = Condition { weights, target: coarse.observables.displacement };
-    let fine = solve(problem, refined(problem, &coarse.at), &condition, &options(FINE, true), work)?;
-    Ok(fine.observables.since(&coarse.observables))
+    Ok(on_more_elements(problem, coarse, Observables::DISPLACEMENT, work)?.observables.since(&coarse.observables))
+}
+
+/// The solution on half as many elements again with the same `weights` · observables.
+pub fn on_more_elements(
+    problem: &Problem,
+    coarse: &Solution,
+    weights: Observables,
+    work: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    let condition = Condition { weights, target: weights.dot(&coarse.observables) };
+    let solved = |tolerance, work: &mut Workspace| {
+        solve(problem, refined(problem, &coarse.at), &condition, &options(tolerance, true), work)
+    };
+    // next to a singular point round-off is larger, and shows in the difference
+    solved(FINE, work).or_else(|_| solved(SINGULAR, work))
 }
 
 /// The configuration on half as many elements again.
-fn refined(problem: &Problem, at: &Equilibrium) -> Equilibrium {
+pub(super) fn refined(problem: &Problem, at: &Equilibrium) -> Equilibrium {
     let elements = at.ends.len() - 1;
     let ends = problem.ends(at.center, elements + elements.div_ceil(2));
     Equilibrium {

@@ -1,5 +1,6 @@
 //! How equilibrium is found: elimination along a chain, Newton, path following, limit points, stability.
 mod bracket;
+mod branching;
 mod chain;
 mod control;
 mod error;
@@ -10,18 +11,23 @@ mod newton;
 mod path;
 mod predictor;
 mod problem;
+mod relax;
 mod stretch;
 mod uniform_chain;
 pub use bracket::brackets;
+pub use branching::locate_branching;
 pub use chain::*;
 pub use control::controlled;
 pub use error::SolveError;
 pub use fold::{Fold, FoldSearch};
-pub use limit::{Located, ROUGH, Turn, difference_on_more_elements, locate, reach, solve_on, unlocated};
+pub use limit::{
+    Located, ROUGH, Turn, difference_on_more_elements, locate, on_more_elements, reach, solve_on, unlocated,
+};
 pub use mesh::{Focus, Mesh, graded_ends};
 pub use newton::*;
 pub use path::{Path, PathError, PathOptions};
 pub use predictor::{MOST_POINTS, lagrange_weights, longest_step};
 pub use problem::{Equilibrium, Problem};
+pub use relax::{RelaxError, RelaxOptions, Relaxed, disturbed, relax, turned};
 pub use stretch::{Hermite, Stretch};
 pub use uniform_chain::{BUNDLE, UniformChain};

@@ -9,7 +9,7 @@ use nalgebra::{SMatrix, SVector};
 pub struct Observables {
     /// S of the peeling front: adhesion energy over that of a unit length at rest, nm; zero where nothing adheres
     pub front: f64,
-    /// u of the driven field at the grip, nm (rad where that is the rotation)
+    /// u of the driven field at the grip, nm (rad where that is the rotation); of the far end of its spring where it has one
     pub displacement: f64,
     /// θ(0) of the left end, rad
     pub tip_rotation: f64,
@@ -20,6 +20,12 @@ pub struct Observables {
 }
 
 impl Observables {
+    /// Weights of a held displacement.
+    pub const DISPLACEMENT: Self =
+        Self { front: 0.0, displacement: 1.0, tip_rotation: 0.0, force: 0.0, grip_rotation: 0.0 };
+    /// Weights of a held force.
+    pub const FORCE: Self = Self { front: 0.0, displacement: 0.0, tip_rotation: 0.0, force: 1.0, grip_rotation: 0.0 };
+
     /// Sum of the products of what a condition can weigh.
     pub fn dot(&self, other: &Self) -> f64 {
         self.front * other.front
@@ -183,7 +189,7 @@ pub fn solve(
                 observables,
                 slope: Observables {
                     front: problem.front(adhesion_slope),
-                    displacement: update[last + problem.driven],
+                    displacement: update[last + problem.driven] + problem.compliance * tangent.force,
                     tip_rotation: update[problem.rotation],
                     force: tangent.force,
                     grip_rotation: update[last + problem.rotation],
@@ -202,6 +208,33 @@ pub fn solve(
     Err(SolveError::NotConverged { update: previous, iterations: options.most_iterations })
 }
 
+/// A step of Newton's method with `damping` on the diagonal of the tangent, as in [`super::Chain::eliminate_damped`]: how
+/// large it is, relative as in [`Problem::relative_size`], and the negative eigenvalues of the damped tangent.
+pub fn damped_step(
+    problem: &Problem,
+    at: &mut Equilibrium,
+    condition: &Condition,
+    damping: &[f64],
+    work: &mut Workspace,
+) -> Result<(f64, usize), SolveError> {
+    let row = path_row(problem, condition);
+    let root = problem.chain.eliminate_damped(at.configuration(), &row, damping, work)?;
+    let grip = GripBlock::new(problem, &root, at, condition, &observables(problem, at, root.energy));
+    let step = grip.solve(-1.0)?;
+    let mut update = vec![0.0; at.state.len()];
+    problem.chain.recover(work, step.border_block(), -1.0, &mut update);
+    let size = problem.relative_size(&update, &at.state);
+    if !size.is_finite() {
+        return Err(SolveError::NotFinite { quantity: "a damped update", element: 0, position_nm: 0.0 });
+    }
+    for (s, u) in at.state.iter_mut().zip(&update) {
+        *s += u;
+    }
+    at.border += step.border;
+    at.force += step.force;
+    Ok((size, grip.inertia(problem, root.negative).0))
+}
+
 /// du/dσ and dP/dσ along the path, per unit of the condition's target σ, at a configuration on it or beside it.
 pub fn slopes(
     problem: &Problem,
@@ -213,7 +246,7 @@ pub fn slopes(
     let root = problem.chain.eliminate(at.configuration(), &row, work)?;
     let observed = observables(problem, at, root.energy);
     let tangent = GripBlock::new(problem, &root, at, condition, &observed).tangent()?;
-    Ok((tangent.values[problem.driven], tangent.force))
+    Ok((tangent.values[problem.driven] + problem.compliance * tangent.force, tangent.force))
 }
 
 /// What the condition wants of the chain.
@@ -228,7 +261,7 @@ pub fn observables(problem: &Problem, at: &Equilibrium, energy: ElementEnergy) -
     let last = at.state.len() - problem.fields();
     Observables {
         front: problem.front(energy.adhesion),
-        displacement: at.state[last + problem.driven] - problem.rest_at(problem.length)[problem.driven],
+        displacement: problem.displacement(at),
         tip_rotation: at.state[problem.rotation],
         force: at.force,
         grip_rotation: at.state[last + problem.rotation],
@@ -283,7 +316,7 @@ impl GripBlock {
             matrix[(path, j)] = root.matrix[known][j];
         }
         matrix[(path, problem.driven)] += condition.weights.displacement;
-        matrix[(path, force)] = condition.weights.force;
+        matrix[(path, force)] = condition.weights.force + condition.weights.displacement * problem.compliance;
         residual[path] = root.matrix[known][known] + condition.weights.dot(observed) - condition.target;
         let last = at.state.len() - fields;
         for f in (0..fields).filter(|&f| problem.held[f]) {
@@ -312,23 +345,32 @@ impl GripBlock {
     }
 
     /// Negative eigenvalues of the whole tangent with the displacement held, and with the force held. A border is a
-    /// multiplier: it adds one negative eigenvalue that is none of the structure's.
+    /// multiplier: it adds one negative eigenvalue that is none of the structure's. Where the displacement is that of a
+    /// spring's far end, ½k(U - u)² adds k to the diagonal of the driven field, which is left out where k is infinite: one
+    /// more than with u held where dP/du + k < 0, by the Schur complement dP/du of that field.
     fn inertia(&self, problem: &Problem, chain: usize) -> (usize, usize) {
         let free = (0..self.fields).filter(|&f| !problem.held[f]);
         let border = self.border.then_some(self.fields);
-        let held: Vec<usize> = free.clone().filter(|&f| f != problem.driven).chain(border).collect();
+        let rigid = problem.compliance == 0.0;
+        let held: Vec<usize> = free.clone().filter(|&f| !rigid || f != problem.driven).chain(border).collect();
         let loose: Vec<usize> = free.chain(border).collect();
-        let count = |rows: &[usize]| (chain + self.negative_pivots(rows)).saturating_sub(usize::from(self.border));
-        (count(&held), count(&loose))
+        let spring = if rigid { 0.0 } else { 1.0 / problem.compliance };
+        let count = |rows: &[usize], added: f64| {
+            let pivots = self.negative_pivots(rows, problem.driven, added);
+            (chain + pivots).saturating_sub(usize::from(self.border))
+        };
+        (count(&held, spring), count(&loose, 0.0))
     }
 
-    fn negative_pivots(&self, rows: &[usize]) -> usize {
+    /// Of the block of `rows`, with `added` to the diagonal of the row `driven`.
+    fn negative_pivots(&self, rows: &[usize], driven: usize, added: f64) -> usize {
         let n = rows.len();
         let mut a = [[0.0; BLOCK]; BLOCK];
         for i in 0..n {
             for j in 0..n {
                 a[i][j] = self.matrix[(rows[i], rows[j])];
             }
+            a[i][i] += if rows[i] == driven { added } else { 0.0 };
         }
         let mut negative = 0;
         for k in 0..n {

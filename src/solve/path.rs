@@ -6,7 +6,7 @@
 //! changes.
 
 use super::predictor::{self, MOST_POINTS};
-use super::{Condition, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
+use super::{Condition, Equilibrium, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
 use std::sync::Arc;
 
 /// How a path is stepped.
@@ -41,6 +41,7 @@ pub struct PathError {
 pub struct Path<'p> {
     problem: &'p Problem,
     options: PathOptions,
+    start: Equilibrium,
     points: Vec<Arc<Solution>>,
     /// Errors at the newest point of predictions through 1, 2, … points.
     errors: Vec<f64>,
@@ -60,6 +61,10 @@ const MOST_GROWTH: f64 = 3.5;
 const OUTSET: usize = 3;
 /// The same for the second, before anything is known of the force's curvature.
 const OUTSET_GROWTH: f64 = 2.0;
+/// A beam of which less than this share of the process zone adheres is loose.
+const LOOSE: f64 = 0.1;
+/// One step takes a loose beam no nearer to the substrate than this share of its distance.
+const NEARER: f64 = 0.6;
 /// Points over which the path's direction is taken.
 const CHORD: usize = 4;
 /// Changes of front, displacement, rotation and force below this share of their scales do not measure a path.
@@ -68,7 +73,13 @@ const NOTICED: f64 = 1e-3;
 impl<'p> Path<'p> {
     /// A path that starts at rest.
     pub fn new(problem: &'p Problem, options: PathOptions) -> Self {
-        Self { problem, options, points: Vec::new(), errors: Vec::new(), work: Workspace::default(), iterations: 0 }
+        Self::from(problem, options, problem.at_rest(options.elements))
+    }
+
+    /// A path that starts at the equilibrium next to `start`, on its elements, with its displacement. It must not turn there.
+    pub fn from(problem: &'p Problem, options: PathOptions, start: Equilibrium) -> Self {
+        let (points, errors) = (Vec::new(), Vec::new());
+        Self { problem, options, start, points, errors, work: Workspace::default(), iterations: 0 }
     }
 
     /// The points so far.
@@ -92,14 +103,16 @@ impl<'p> Path<'p> {
 
     /// Computes the next point.
     pub fn advance(&mut self) -> Result<Arc<Solution>, PathError> {
-        let point = if self.points.is_empty() { self.rest()? } else { self.step()? };
+        let point = if self.points.is_empty() { self.first()? } else { self.step()? };
         self.points.push(Arc::new(point));
         Ok(self.points[self.points.len() - 1].clone())
     }
 
-    fn rest(&mut self) -> Result<Solution, PathError> {
-        let condition = Condition { weights: self.outset(), target: 0.0 };
-        let start = self.problem.at_rest(self.options.elements);
+    fn first(&mut self) -> Result<Solution, PathError> {
+        let start = self.start.clone();
+        let weights = self.outset();
+        let target = weights.displacement * self.problem.displacement(&start);
+        let condition = Condition { weights, target };
         solve(self.problem, start, &condition, &self.newton(), &mut self.work)
             .inspect(|s| self.iterations += s.iterations)
             .map_err(|cause| self.stopped(1, cause))
@@ -119,6 +132,10 @@ impl<'p> Path<'p> {
                 let combination = predictor::lagrange_weights(&labels[..count], step);
                 predictor::combine(self.problem, &points[..count], &combination)
             };
+            if self.falls_onto(&newest, &start) {
+                step *= 0.4;
+                continue;
+            }
             let condition = Condition { weights, target: weights.dot(&newest.observables) + step };
             match solve(self.problem, start, &condition, &self.newton(), &mut self.work) {
                 Ok(next) => {
@@ -141,6 +158,13 @@ impl<'p> Path<'p> {
             count = count.min(3);
         }
         Err(self.stopped(MOST_TRIES, cause))
+    }
+
+    /// Whether a prediction brings a beam to which nothing adheres nearer to the substrate than a share of its distance: far
+    /// away predictions are good, whatever the step, and know nothing of the substrate.
+    fn falls_onto(&self, newest: &Solution, next: &Equilibrium) -> bool {
+        let loose = self.problem.adheres() && newest.observables.front < LOOSE * self.problem.process_length;
+        loose && self.problem.nearest(next) < NEARER * self.problem.nearest(&newest.at)
     }
 
     /// Weights of the first steps: the displacement in the path's direction.

@@ -1,7 +1,7 @@
 //! What is to be solved: a chain, its rest state, its grip, and the scales that measure progress and error.
 
 use super::{Chain, Configuration, Focus, MOST_FIELDS, Mesh, graded_ends};
-use crate::beam::RestCurve;
+use crate::beam::{ElementEnergy, RestCurve};
 
 /// A chain with its right end in a grip that drives one field; on a substrate, or on its own.
 pub struct Problem {
@@ -16,6 +16,9 @@ pub struct Problem {
     pub rotation: usize,
     /// Fields that the grip holds at their rest values.
     pub held: [bool; MOST_FIELDS],
+    /// 1/k of a spring between the grip and what moves it, nm/nN; zero where the grip is moved itself. The displacement of
+    /// [`super::Observables`] is that of the far end of the spring, U = u + P/k.
+    pub compliance: f64,
     /// Scale of an error of each field: nm near the substrate, rad.
     pub scale: [f64; MOST_FIELDS],
     /// Scale of the grip's force: nN, or nN·nm where it drives the rotation.
@@ -82,6 +85,18 @@ impl Problem {
         let all = self.rest.at(place);
         let left_out = MOST_FIELDS - self.fields();
         std::array::from_fn(|f| all.get(f + left_out).copied().unwrap_or(0.0))
+    }
+
+    /// U = u + P/k of a configuration: how far what moves the grip is from where it was at rest, nm.
+    pub fn displacement(&self, at: &Equilibrium) -> f64 {
+        let grip = at.state.len() - self.fields() + self.driven;
+        at.state[grip] - self.rest_at(self.length)[self.driven] + self.compliance * at.force
+    }
+
+    /// Energy of a configuration whose chain has the energy `chain`: with that of the spring, P²/2k, and, as a held grip's
+    /// multiplier H adds H L, without that, aJ.
+    pub fn energy(&self, at: &Equilibrium, chain: ElementEnergy) -> f64 {
+        chain.total + at.border * self.length + 0.5 * self.compliance * at.force.powi(2)
     }
 
     /// Element ends for a front at `center`.

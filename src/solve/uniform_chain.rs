@@ -92,11 +92,17 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
     }
 
     #[inline(always)]
-    fn sweep(&self, at: Configuration, path: &PathRow, work: &mut Workspace) -> Result<Root, SolveError> {
+    fn sweep(
+        &self,
+        at: Configuration,
+        path: &PathRow,
+        damping: &[f64],
+        work: &mut Workspace,
+    ) -> Result<Root, SolveError> {
         // the fronts of the last time, if it was a chain of this kind
         let mut fronts: Box<Fronts<F, N>> =
             work.fronts.take().and_then(|last| last.downcast().ok()).unwrap_or_default();
-        let root = self.sweep_into(at, path, &mut fronts, &mut work.ends);
+        let root = self.sweep_into(at, path, damping, &mut fronts, &mut work.ends);
         work.fronts = Some(fronts);
         root
     }
@@ -106,6 +112,7 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
         &self,
         at: Configuration,
         path: &PathRow,
+        damping: &[f64],
         fronts: &mut Fronts<F, N>,
         ends: &mut Vec<EndRow>,
     ) -> Result<Root, SolveError> {
@@ -120,6 +127,9 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
             let bundle = self.bundle(at, first);
             let (total, adhesion) =
                 bundle.integrate(&self.density, &self.basis, self.symmetric, path.adhesion, &mut points, front);
+            if !damping.is_empty() {
+                self.damp_inside(front, damping, first, elements);
+            }
             let pivots = if D::BORDER {
                 front.condense::<true>(self.symmetric)
             } else {
@@ -130,6 +140,9 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
                 energy.total += total.0[l];
                 energy.adhesion += adhesion.0[l];
                 let mut block = self.block(front, l);
+                if !damping.is_empty() {
+                    (0..F).for_each(|f| block[f][f] += damping[e * Self::ORDER * F + f]);
+                }
                 if e == 0 {
                     self.start(&mut block, path, &at.state[..F]);
                 } else {
@@ -148,7 +161,20 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
                 }
             }
         }
+        if !damping.is_empty() {
+            (0..F).for_each(|f| carry[f][f] += damping[elements * Self::ORDER * F + f]);
+        }
         Ok(Root { matrix: carry, negative, energy })
+    }
+
+    /// Adds to the diagonal of the interior nodes of a bundle; the ends of its elements are left to the chain.
+    fn damp_inside(&self, front: &mut Front<Four, F, N>, damping: &[f64], first: usize, elements: usize) {
+        let damping = self.gather_bundle(damping, first, elements);
+        for (slot, rows) in front.rows[..N - 2].iter_mut().enumerate() {
+            for f in 0..F {
+                rows[f].fields[slot][f] = rows[f].fields[slot][f] + damping[slot][f];
+            }
+        }
     }
 
     /// What condensation left of element `l` of a bundle: rows and columns of the left end, the right end and the border, then
@@ -353,9 +379,10 @@ fn sweep<D: Density<F>, const F: usize, const N: usize>(
     chain: &UniformChain<D, F, N>,
     at: Configuration,
     path: &PathRow,
+    damping: &[f64],
     work: &mut Workspace,
 ) -> Result<Root, SolveError> {
-    chain.sweep(at, path, work)
+    chain.sweep(at, path, damping, work)
 }
 
 /// [`UniformChain::back`], likewise.
@@ -407,8 +434,14 @@ impl<D: Density<F>, const F: usize, const N: usize> Chain for UniformChain<D, F,
         D::BORDER
     }
 
-    fn eliminate(&self, at: Configuration, path: &PathRow, work: &mut Workspace) -> Result<Root, SolveError> {
-        sweep(self, at, path, work)
+    fn eliminate_damped(
+        &self,
+        at: Configuration,
+        path: &PathRow,
+        damping: &[f64],
+        work: &mut Workspace,
+    ) -> Result<Root, SolveError> {
+        sweep(self, at, path, damping, work)
     }
 
     fn recover(&self, work: &Workspace, root: &[f64], scale: f64, out: &mut [f64]) {

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 /// Error bounds are the difference to half as many elements again times this.
-const SAFETY: f64 = 2.0;
+pub(super) const SAFETY: f64 = 2.0;
 /// Round-off, relative to the largest force of the path or to the displacement itself.
 pub(super) const ROUND_OFF: f64 = 5e-12;
 /// The same for the displacement of a turn of the force, which is the zero of a difference of forces.
@@ -31,7 +31,7 @@ const PLAIN: f64 = 0.1;
 /// the same point.
 const MODESTY: f64 = 0.1;
 /// No bound is below this, relative, or below a tenth of the accuracy asked for where that is less.
-fn least(relative: f64) -> f64 {
+pub(super) fn least(relative: f64) -> f64 {
     (0.1 * relative).min(2e-10)
 }
 /// Most meshes tried.
@@ -281,7 +281,7 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: 
 }
 
 /// The relative error below which no bound of a located point is.
-fn modesty(located: &Located, relative: f64) -> f64 {
+pub(super) fn modesty(located: &Located, relative: f64) -> f64 {
     let (o, d) = (&located.observables, &located.difference);
     // the place of a flat turn says nothing of its force
     let place = if located.flat { 0.0 } else { (d.displacement / o.displacement).abs() };

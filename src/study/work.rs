@@ -1,7 +1,7 @@
 //! The work of the grip along a path: the energy it changed, or, where the load has no potential, ∫ P du.
 
 use super::step_curve::StepCurve;
-use crate::solve::{Equilibrium, Located, Problem, Solution, Stretch};
+use crate::solve::{Located, Problem, Solution, Stretch};
 use std::sync::Arc;
 
 /// Work from rest to each point, aJ.
@@ -39,8 +39,7 @@ pub(super) fn works_of_force(problem: &Problem, points: &[Arc<Solution>]) -> Vec
     works
 }
 
-/// Stored and adhesion energy, aJ. A held grip's multiplier H adds H L.
+/// Stored and adhesion energy, aJ.
 pub(super) fn energy(problem: &Problem, s: &Solution) -> f64 {
-    let border = |at: &Equilibrium| at.border * problem.length;
-    s.energy.total + border(&s.at)
+    problem.energy(&s.at, s.energy)
 }

@@ -36,7 +36,7 @@ pub fn with_load(mut model: StripModel, line_load: LineLoad) -> StripModel {
 
 /// The same strip in another grip.
 pub fn with_grip(mut model: StripModel, rotation: Hold, horizontal: Hold) -> StripModel {
-    model.grip = Grip { rotation, horizontal };
+    model.grip = Grip { rotation, horizontal, ..model.grip };
     model
 }
 

@@ -1,0 +1,81 @@
+//! Where a path loses its stability without turning: a branching point, such as a strip that stands upright and falls to either
+//! side. The smallest eigenvalue passes through zero there, which the inertia tells.
+
+use super::limit::refined;
+use super::{
+    Condition, Equilibrium, Located, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve,
+};
+use std::sync::Arc;
+
+/// Most solutions until a branching point is located.
+const MOST_SOLVES: usize = 80;
+/// It is located when it lies between displacements that differ by this share, and no better: round-off is an imperfection that
+/// turns the path to one of its branches before or behind it, by a power 2/3 of its size.
+const CLOSE: f64 = 1e-7;
+/// Error of a solution, relative as in [`Problem::relative_size`].
+const TOLERANCE: f64 = 1e-9;
+
+/// The first equilibrium that is not stable behind the stable one `from`, on its way to the displacement `to`, where it is
+/// not; its error by the same on half as many elements again. The displacement must not turn between them.
+pub fn locate_branching(
+    problem: &Problem,
+    from: &Solution,
+    to: f64,
+    work: &mut Workspace,
+) -> Result<Located, SolveError> {
+    let (coarse, iterations) = bisected(problem, from.at.clone(), to, work)?;
+    let (fine, more) = bisected(problem, refined(problem, &from.at), to, work)?;
+    let mut difference = fine.observables.since(&coarse.observables);
+    difference.displacement = difference.displacement.abs() + CLOSE * coarse.observables.displacement.abs();
+    difference.force = difference.force.abs() + CLOSE * coarse.observables.force.abs();
+    Ok(Located {
+        observables: coarse.observables,
+        solution: Arc::new(coarse),
+        difference,
+        force_curvature: 0.0,
+        flat: false,
+        iterations: iterations + more,
+    })
+}
+
+/// The unstable end of the bracket, on the mesh of `from`, and Newton iterations.
+fn bisected(
+    problem: &Problem,
+    from: Equilibrium,
+    to: f64,
+    work: &mut Workspace,
+) -> Result<(Solution, usize), SolveError> {
+    let options = NewtonOptions { tolerance: TOLERANCE, largest_update: 0.5, most_iterations: 12, exact_slope: true };
+    let mut solved = |start: Equilibrium, target: f64| {
+        solve(problem, start, &Condition { weights: Observables::DISPLACEMENT, target }, &options, work)
+    };
+    let start = problem.displacement(&from);
+    let mut stable = solved(from, start)?;
+    let mut iterations = stable.iterations;
+    let (mut unstable, mut high, mut longest) = (None, to, f64::INFINITY);
+    let mut trouble = SolveError::TurnNotConfirmed;
+    for _ in 0..MOST_SOLVES {
+        let here = stable.observables.displacement;
+        if (high - here).abs() <= CLOSE * here.abs() {
+            break;
+        }
+        let ahead = 0.5 * (high - here);
+        let ahead = ahead.abs().min(longest).copysign(ahead);
+        match solved(stable.moved(ahead), here + ahead) {
+            Ok(next) => {
+                iterations += next.iterations;
+                if next.negative == 0 {
+                    stable = next;
+                } else {
+                    high = here + ahead;
+                    unstable = Some(next);
+                }
+            }
+            Err(error) => {
+                longest = 0.5 * ahead.abs();
+                trouble = error;
+            }
+        }
+    }
+    Ok((unstable.ok_or(trouble)?, iterations))
+}

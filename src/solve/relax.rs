@@ -1,0 +1,204 @@
+//! Where a structure goes that has lost its stability: down the gradient of its energy Π at a held displacement.
+//!
+//!   M dq/dt = -∂Π/∂q,  discretised as  (K + M/Δt) δ = -∂Π/∂q
+//!
+//! M is the length that belongs to a node, in units in which heights and rotations count alike (`Problem::scale`) and the
+//! pseudo-time is of the order of one. It says how fast what moves: not where an equilibrium lies, but where several lie
+//! downhill it has a say in which is reached, as friction and inertia would have. A step is repeated with
+//! a shorter Δt where it moves too far, where K + M/Δt is not positive (Δt beyond the growth time of an instability) or where
+//! the energy does not fall. It ends in a stable equilibrium to which Newton's own method converges from near by, or fails.
+
+use super::limit::{FINE, SINGULAR};
+use super::newton::damped_step;
+use super::{Condition, Equilibrium, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
+
+/// How a structure is relaxed.
+#[derive(Clone, Copy, Debug)]
+pub struct RelaxOptions {
+    /// Most that a step moves, relative as in [`Problem::relative_size`]; a step that moves by less than a third of it is
+    /// followed by a longer one.
+    pub largest_update: f64,
+}
+
+/// Where it came to rest, and how.
+#[derive(Clone, Debug)]
+pub struct Relaxed {
+    /// A stable equilibrium.
+    pub solution: Solution,
+    /// Energies before the first step and after each, aJ; the change by an interpolation to another mesh in it.
+    pub energies: Vec<f64>,
+    /// Steps taken, and eliminations of all that were tried.
+    pub steps: usize,
+    pub eliminations: usize,
+}
+
+/// Why it did not come to rest.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum RelaxError {
+    /// Steps became too short.
+    #[error("after {steps} steps of relaxing no shorter one lowers the energy {energy:.9e} aJ: {cause}")]
+    Stuck { steps: usize, energy: f64, cause: SolveError },
+    /// There were too many.
+    #[error("{steps} steps of relaxing did not end in an equilibrium; the energy is {energy:.9e} aJ")]
+    Endless { steps: usize, energy: f64 },
+}
+
+/// First Δt; times grow from there.
+const FIRST: f64 = 1e-2;
+/// Growth of Δt after a small step, and what is left of it after one that was refused.
+const GROWTH: f64 = 2.0;
+const SHORTER: f64 = 0.3;
+/// Shortest Δt.
+const SHORTEST: f64 = 1e-12;
+/// Most steps.
+const MOST_STEPS: usize = 5000;
+/// Newton's own step from near an equilibrium: more is too far away.
+const NEAR: f64 = 0.2;
+/// The energy is known to this share of its largest parts.
+const ROUND_OFF: f64 = 1e-13;
+/// The mesh is renewed when the front has moved by this share of the process zone.
+const MOVED: f64 = 0.3;
+/// Size of the disturbance that starts a relaxation, relative as in [`Problem::relative_size`].
+const DISTURBED: f64 = 1e-2;
+
+/// A limit point left a little along its tangent, which is the critical direction there: onward, where the unstable part of the
+/// path turns off, because there the energy at the held displacement falls.
+pub fn disturbed(problem: &Problem, limit: &Solution) -> Equilibrium {
+    limit.moved(DISTURBED / problem.relative_size(&limit.tangent.state, &limit.at.state))
+}
+
+/// An equilibrium turned a little, the more the farther from the grip: a disturbance that has a part in any critical direction.
+pub fn turned(problem: &Problem, at: &Equilibrium) -> Equilibrium {
+    let mut at = at.clone();
+    let nodes = at.state.len() / problem.fields();
+    for (node, fields) in at.state.chunks_exact_mut(problem.fields()).enumerate() {
+        let away = 1.0 - node as f64 / (nodes - 1) as f64;
+        fields[problem.rotation] += DISTURBED * problem.scale[problem.rotation] * away;
+    }
+    at
+}
+
+/// Relaxes from `start` at the held displacement `displacement`.
+pub fn relax(
+    problem: &Problem,
+    start: Equilibrium,
+    displacement: f64,
+    options: &RelaxOptions,
+    work: &mut Workspace,
+) -> Result<Relaxed, RelaxError> {
+    let condition = Condition { weights: Observables::DISPLACEMENT, target: displacement };
+    let mut at = held_at(problem, start, displacement);
+    let mut energies = vec![energy_of(problem, &at)];
+    let mut mass = mass(problem, &at);
+    let (mut time, mut steps, mut eliminations) = (FIRST, 0, 0);
+    while steps < MOST_STEPS {
+        let energy = energies[energies.len() - 1];
+        if let Some(solution) = landed(problem, &at, energy, &condition, work, &mut eliminations) {
+            return Ok(Relaxed { solution, energies, steps, eliminations });
+        }
+        let damping: Vec<f64> = mass.iter().map(|m| m / time).collect();
+        let mut next = at.clone();
+        eliminations += 1;
+        let tried = match damped_step(problem, &mut next, &condition, &damping, work) {
+            Ok((size, 0)) if size <= options.largest_update && energy_of(problem, &next) <= energy + slack(energy) => {
+                Ok(size)
+            }
+            Ok((size, _)) => Err(SolveError::NotConverged { update: size, iterations: 1 }),
+            Err(error) => Err(error),
+        };
+        let size = match tried {
+            Ok(size) => size,
+            Err(cause) if time < SHORTEST => return Err(RelaxError::Stuck { steps, energy, cause }),
+            Err(_) => {
+                time *= SHORTER;
+                continue;
+            }
+        };
+        steps += 1;
+        time *= if 3.0 * size < options.largest_update { GROWTH } else { 1.0 };
+        at = next;
+        // a mesh on which the energy of this step is lost again is put off
+        let moved = on_new_mesh(problem, &at).map(|moved| held_at(problem, moved, displacement));
+        if let Some(moved) = moved.filter(|moved| energy_of(problem, moved) < energy) {
+            at = moved;
+            mass = self::mass(problem, &at);
+        }
+        energies.push(energy_of(problem, &at));
+    }
+    Err(RelaxError::Endless { steps, energy: energies[energies.len() - 1] })
+}
+
+/// The stable equilibrium near by, if the tangent is positive here and Newton's own method goes there without much ado.
+fn landed(
+    problem: &Problem,
+    at: &Equilibrium,
+    energy: f64,
+    condition: &Condition,
+    work: &mut Workspace,
+    eliminations: &mut usize,
+) -> Option<Solution> {
+    let mut probe = at.clone();
+    *eliminations += 1;
+    let (size, negative) = damped_step(problem, &mut probe, condition, &[], work).ok()?;
+    if negative > 0 || size > NEAR {
+        return None;
+    }
+    let solved = |tolerance, work: &mut Workspace| {
+        let newton = NewtonOptions { tolerance, largest_update: NEAR, most_iterations: 10, exact_slope: true };
+        solve(problem, at.clone(), condition, &newton, work)
+    };
+    let solution = solved(FINE, work).or_else(|_| solved(SINGULAR, work)).ok()?;
+    *eliminations += solution.iterations;
+    let lower = problem.energy(&solution.at, solution.energy) <= energy + slack(energy);
+    (solution.negative == 0 && solution.correction <= 2.0 * NEAR && lower).then_some(solution)
+}
+
+/// What an energy may be wrong by.
+fn slack(energy: f64) -> f64 {
+    ROUND_OFF * (energy.abs() + 1e-3)
+}
+
+/// Energy of a configuration, whether in equilibrium or not, aJ.
+fn energy_of(problem: &Problem, at: &Equilibrium) -> f64 {
+    problem.energy(at, problem.chain.energy(at.configuration(), &at.state).0)
+}
+
+/// The configuration with the displacement exactly as held: where a spring takes part, its force follows the grip, and
+/// otherwise the grip is put there.
+fn held_at(problem: &Problem, mut at: Equilibrium, displacement: f64) -> Equilibrium {
+    let missing = displacement - problem.displacement(&at);
+    if problem.compliance > 0.0 {
+        at.force += missing / problem.compliance;
+    } else {
+        let grip = at.state.len() - problem.fields() + problem.driven;
+        at.state[grip] += missing;
+    }
+    at
+}
+
+/// M, an unknown each: the length that belongs to the node times the adhesion's own stiffness, w/scale².
+fn mass(problem: &Problem, at: &Equilibrium) -> Vec<f64> {
+    let (fields, order) = (problem.fields(), problem.chain.order());
+    let mut lengths = vec![0.0; at.state.len() / fields];
+    for (e, pair) in at.ends.windows(2).enumerate() {
+        let share = (pair[1] - pair[0]) / order as f64;
+        for rank in 0..=order {
+            let inside = rank > 0 && rank < order;
+            lengths[e * order + rank] += if inside { share } else { 0.5 * share };
+        }
+    }
+    let energy = problem.rest_adhesion.abs();
+    lengths.iter().flat_map(|length| (0..fields).map(move |f| energy * length / problem.scale[f].powi(2))).collect()
+}
+
+/// The configuration on a mesh that lies where its front is, if that has moved.
+fn on_new_mesh(problem: &Problem, at: &Equilibrium) -> Option<Equilibrium> {
+    let energy = problem.chain.energy(at.configuration(), &at.state).0;
+    let center = problem.front(energy.adhesion).clamp(0.0, problem.length);
+    if (center - at.center).abs() < MOVED * problem.process_length {
+        return None;
+    }
+    let ends = problem.ends_near(center, at.ends.len() - 1, &at.ends);
+    let state = problem.chain.resampled(at.configuration(), &ends);
+    Some(Equilibrium { state, ends, center, border: at.border, force: at.force })
+}

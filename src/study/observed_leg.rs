@@ -1,0 +1,224 @@
+//! One stable piece of a test: from an equilibrium on until it is lost or the machine has arrived.
+
+use super::Bounds;
+use super::step_curve::StepCurve;
+use crate::solve::{
+    Condition, Equilibrium, Located, NewtonOptions, Observables, Path, PathError, PathOptions, Problem, Solution,
+    SolveError, Stretch, Turn, Workspace, brackets, locate, locate_branching, solve,
+};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Where a piece ends.
+pub(super) enum LegEnd {
+    /// The machine has arrived.
+    Arrived,
+    /// U turns: stability is lost.
+    Limit(Box<Located>),
+    /// Stability is lost where U does not turn.
+    Branching(Box<Located>),
+    /// A bound of the scene.
+    Bound(String),
+}
+
+/// A stable piece.
+pub(super) struct Leg {
+    /// Its equilibria; the last is the limit point, or the one next to it.
+    pub points: Vec<Arc<Solution>>,
+    /// (U, P) between them.
+    pub curve: Vec<(f64, f64)>,
+    /// ∫ P dU from its start to each point, aJ
+    pub works: Vec<f64>,
+    pub end: LegEnd,
+    pub iterations: usize,
+}
+
+/// Why a piece could not be followed.
+#[derive(Clone, Debug, thiserror::Error)]
+pub(super) enum LegTrouble {
+    #[error("{0}")]
+    Path(PathError),
+    #[error("the turning point of the machine's displacement near U = {machine_nm:.6} nm was not located: {cause}")]
+    NotLocated { machine_nm: f64, cause: SolveError },
+    #[error(
+        "stability is lost between U = {from_nm:.6} nm and {to_nm:.6} nm where the machine's displacement does not turn, and \
+         where the path branches was not located: {cause}"
+    )]
+    NoBranching { from_nm: f64, to_nm: f64, cause: SolveError },
+    #[error("the largest force of the stable piece near U = {machine_nm:.6} nm was not located: {cause}")]
+    NoPeak { machine_nm: f64, cause: SolveError },
+    #[error("the last point, at U = {machine_nm:.6} nm, was not found: {cause}")]
+    NotArrived { machine_nm: f64, cause: SolveError },
+}
+
+/// What a piece is followed under.
+pub(super) struct Machine<'a> {
+    pub problem: &'a Problem,
+    pub options: PathOptions,
+    pub bounds: &'a Bounds,
+    /// Accuracy asked for.
+    pub relative: f64,
+    /// A strip with no point nearer than this is detached, nm.
+    pub far: f64,
+    pub started: Instant,
+}
+
+/// When the machine has arrived.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Until {
+    /// The strip is detached.
+    Detached,
+    /// U has come down to this, nm.
+    Displacement(f64),
+}
+
+/// Further points behind a turning point, for a better interpolation of it.
+const BEHIND: usize = 2;
+/// Places at which the curve is given inside a step.
+const INSIDE: usize = 8;
+
+impl Machine<'_> {
+    /// Follows the stable equilibria from `start` on; U rises or falls as `rising` says. `points` have been computed before.
+    pub fn follow(&self, start: Equilibrium, rising: bool, until: Until, points: usize) -> Result<Leg, LegTrouble> {
+        let first = self.options.first_displacement.copysign(if rising { 1.0 } else { -1.0 });
+        let options = PathOptions { first_displacement: first, elements: start.ends.len() - 1, ..self.options };
+        let mut path = Path::from(self.problem, options, start);
+        let mut work = Workspace::default();
+        loop {
+            if let Some(bound) = self.bound(&path, rising, points) {
+                return Ok(self.leg(path.points(), LegEnd::Bound(bound), path.iterations()));
+            }
+            let newest = path.advance().map_err(LegTrouble::Path)?;
+            let Some(before) = path.points().len().checked_sub(2) else { continue };
+            let found = self.turn(&mut path, before, &mut work)?;
+            if let Some(located) = found {
+                let last = located.solution.clone();
+                return Ok(self.leg_to(&path, before, last, LegEnd::Limit(Box::new(located))));
+            }
+            if newest.negative > 0 {
+                let from = &path.points()[before];
+                let (from_nm, to_nm) = (from.observables.displacement, newest.observables.displacement);
+                let located = locate_branching(self.problem, from, to_nm, &mut work)
+                    .map_err(|cause| LegTrouble::NoBranching { from_nm, to_nm, cause })?;
+                let last = located.solution.clone();
+                return Ok(self.leg_to(&path, before, last, LegEnd::Branching(Box::new(located))));
+            }
+            if let Some(last) = self.arrived(&path, before, until, &mut work)? {
+                return Ok(self.leg_to(&path, before, last, LegEnd::Arrived));
+            }
+        }
+    }
+
+    fn bound(&self, path: &Path, rising: bool, points: usize) -> Option<String> {
+        let Bounds { points: most, time_s, displacement } = *self.bounds;
+        if points + path.points().len() >= most {
+            return Some(format!("bounds.points = {most}"));
+        }
+        let late = time_s.filter(|&most| self.started.elapsed().as_secs_f64() > most);
+        if let Some(most) = late {
+            return Some(format!("bounds.time = {most} s"));
+        }
+        let u = path.points().last().map_or(0.0, |p| p.observables.displacement);
+        let beyond = displacement.filter(|&most| rising && u > most);
+        beyond.map(|most| format!("bounds.displacement = {most} nm"))
+    }
+
+    /// The first turning point of U on the step behind the point `index`.
+    fn turn(&self, path: &mut Path, index: usize, work: &mut Workspace) -> Result<Option<Located>, LegTrouble> {
+        let machine_nm = path.points()[index].observables.displacement;
+        let not_located = |cause| LegTrouble::NotLocated { machine_nm, cause };
+        let look = |path: &Path, work: &mut Workspace| {
+            let stretch = Stretch::around(self.problem, path.points(), index);
+            let turn = Turn::Displacement;
+            let found = brackets(self.problem, path.points(), index, &stretch, turn, self.relative, work)?;
+            Ok((stretch, found.first().copied()))
+        };
+        let (stretch, Some(bracket)) = look(path, work).map_err(not_located)? else { return Ok(None) };
+        let behind = (0..BEHIND).try_for_each(|_| path.advance().map(|_| ())).ok();
+        let (stretch, bracket) = match behind.and_then(|()| look(path, work).ok()) {
+            Some((behind, Some(bracket))) => (behind, bracket),
+            _ => (stretch, bracket),
+        };
+        let located = locate(self.problem, &stretch, Turn::Displacement, bracket, None, work).map_err(not_located)?;
+        Ok(Some(located))
+    }
+
+    /// The largest force of a piece, if it is a maximum within.
+    pub fn peak(&self, leg: &Leg) -> Result<Option<Located>, LegTrouble> {
+        let (points, mut work) = (&leg.points, Workspace::default());
+        let force = |p: &Solution| p.observables.force;
+        let largest = (0..points.len()).max_by(|&a, &b| force(&points[a]).total_cmp(&force(&points[b])));
+        let Some(largest) = largest else { return Ok(None) };
+        for index in [largest.saturating_sub(1), largest] {
+            let Some(next) = points.get(index + 1) else { continue };
+            if points[index].slope.force <= 0.0 || next.slope.force > 0.0 {
+                continue;
+            }
+            let stretch = Stretch::around(self.problem, points, index);
+            let bracket = (0.0, stretch.end());
+            let located = locate(self.problem, &stretch, Turn::Load, bracket, Some(self.relative), &mut work);
+            let machine_nm = points[index].observables.displacement;
+            return located.map(Some).map_err(|cause| LegTrouble::NoPeak { machine_nm, cause });
+        }
+        Ok(None)
+    }
+
+    /// The last point, if the newest is there or beyond it.
+    fn arrived(
+        &self,
+        path: &Path,
+        before: usize,
+        until: Until,
+        work: &mut Workspace,
+    ) -> Result<Option<Arc<Solution>>, LegTrouble> {
+        let newest = &path.points()[before + 1];
+        match until {
+            Until::Detached if path.is_clear(self.far) => Ok(Some(newest.clone())),
+            Until::Displacement(target) if newest.observables.displacement <= target => {
+                let stretch = Stretch::around(self.problem, path.points(), before);
+                let from = path.points()[before].observables.displacement;
+                let share = (from - target) / (from - newest.observables.displacement);
+                let start = stretch.start(self.problem, share * stretch.end(), 4);
+                let weights = Observables { displacement: -1.0, ..Observables::default() };
+                let options =
+                    NewtonOptions { tolerance: 1e-10, largest_update: 0.5, most_iterations: 10, exact_slope: true };
+                let condition = Condition { weights, target: -target };
+                solve(self.problem, start, &condition, &options, work)
+                    .map(|last| Some(Arc::new(last)))
+                    .map_err(|cause| LegTrouble::NotArrived { machine_nm: target, cause })
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The piece up to `last`, which lies on the step behind the point `before`.
+    fn leg_to(&self, path: &Path, before: usize, last: Arc<Solution>, end: LegEnd) -> Leg {
+        let mut stretch = Stretch::around(self.problem, path.points(), before);
+        let label = stretch.insert(last.clone());
+        let mut leg = self.leg(&path.points()[..=before], end, path.iterations());
+        leg.add(&StepCurve::until(self.problem, &stretch, label, &last));
+        leg.points.push(last);
+        leg
+    }
+
+    fn leg(&self, points: &[Arc<Solution>], end: LegEnd, iterations: usize) -> Leg {
+        let first = points.first().map(|p| (p.observables.displacement, p.observables.force));
+        let curve = first.into_iter().collect();
+        let mut leg = Leg { points: points.to_vec(), curve, works: vec![0.0], end, iterations };
+        for index in 0..points.len().saturating_sub(1) {
+            leg.add(&StepCurve::behind(self.problem, points, index));
+        }
+        leg
+    }
+}
+
+impl Leg {
+    /// Takes in the step behind its last point.
+    fn add(&mut self, step: &StepCurve) {
+        self.works.push(self.works[self.works.len() - 1] + step.work());
+        for k in 1..=INSIDE {
+            let (u, _, force, _) = step.at(2.0 * k as f64 / INSIDE as f64 - 1.0);
+            self.curve.push((u, force));
+        }
+    }
+}
