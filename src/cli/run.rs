@@ -2,7 +2,7 @@
 
 use super::help;
 use super::input::SceneArgs;
-use super::output::{list_files, say};
+use super::output::{OutArgs, list_files, say};
 use super::stop::Stop;
 use super::words;
 use clap::Args;
@@ -18,9 +18,8 @@ pub struct Run {
     #[command(flatten)]
     scene: SceneArgs,
 
-    /// Folder for the outputs, made where it is missing [default: out/ and the name of the scene]
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    out: OutArgs,
 
     /// Prints the object of summary.json and nothing else; files are written only if --out is given
     #[arg(long)]
@@ -29,22 +28,22 @@ pub struct Run {
 
 pub fn run(args: &Run) -> Result<(), Stop> {
     let scene = args.scene.load()?;
-    let peel = study::peel(&scene.model, &scene.accuracy, &scene.bounds);
-    let summary = PeelSummary::new(&scene, &peel);
-    let folder = match &args.out {
+    let folder = match &args.out.out {
         None if args.json => None,
         None => Some(args.scene.default_folder()),
         given => given.clone(),
     };
-    let files = match folder {
-        Some(folder) => write(&folder, &scene, &peel, &summary)?,
-        None => Vec::new(),
-    };
+    let folder = folder.map(|folder| args.out.claim(&folder)).transpose()?;
+    let peel = study::peel(&scene.model, &scene.accuracy, &scene.bounds);
+    let summary = PeelSummary::new(&scene, &peel);
+    let files = folder.map_or(Ok(Vec::new()), |folder| folder.write(|dir| write(dir, &scene, &peel, &summary)));
+    // what was found is told although it could not be written
     if args.json {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
         say(&format!("{}\n{}", words::peel(&scene, &peel), list_files(&files)))?;
     }
+    files?;
     match &peel.end {
         End::Failed(reason) => Err(Stop::cut_short(reason)),
         _ => Ok(()),

@@ -299,7 +299,8 @@ fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed, 
     let until = peel.snap_off.as_ref().map_or(peel.limit_points.len(), |s| order(s) + 1);
     let at_turns = peel.limit_points[..until].iter().map(peak_of);
     let at_end = match (&peel.snap_off, followed.points.last()) {
-        (None, Some(last)) => peak_at(problem, last, relative),
+        // rest alone is no path
+        (None, Some(last)) if followed.points.len() > 1 => peak_at(problem, last, relative),
         _ => None,
     };
     peel.peak = at_turns.chain(at_end).max_by(|a, b| a.force.total_cmp(&b.force));

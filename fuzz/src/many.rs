@@ -1,0 +1,133 @@
+//! Many parses or short runs of drawn scenes, without a fuzzer: `many parse 10000000 [SEED]`, `many run 20000 [SEED]`.
+//!
+//! Prints how the scenes ended and how long it took, and each fault with its scene. Exit status 1 where there is any.
+
+#[path = "../../tests/common/garbled.rs"]
+mod garbled;
+
+use garbled::{Dice, absurd_scene, check_parse, check_run, garbled_text};
+use peelkit::report::{draw_peel, end_word};
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::process::ExitCode;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+/// A scene that takes longer than this is taken to hang.
+const HANGS: Duration = Duration::from_secs(30);
+/// Seconds beyond `bounds.time` that are a fault of a run.
+const OVERDUE: f64 = 1.5;
+/// `bounds.time` of every run.
+const BOUND: f64 = 0.2;
+
+/// What is being computed, since when.
+static NOW: Mutex<Option<(Instant, String)>> = Mutex::new(None);
+
+fn main() -> ExitCode {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let number = |index: usize, default: u64| args.get(index).map_or(Some(default), |text| text.parse().ok());
+    let (what, Some(count), Some(seed)) = (args.first().map(String::as_str), number(1, 1000), number(2, 1)) else {
+        eprintln!("many parse|run [COUNT] [SEED]");
+        return ExitCode::from(2);
+    };
+    std::panic::set_hook(Box::new(|panic| eprintln!("{panic}")));
+    std::thread::spawn(watch);
+    let one: fn(&[u8]) -> (String, Result<String, String>) = match what {
+        Some("parse") => parse,
+        Some("run") => run,
+        _ => {
+            eprintln!("many parse|run [COUNT] [SEED]");
+            return ExitCode::from(2);
+        }
+    };
+    let started = Instant::now();
+    let mut ends: BTreeMap<String, u64> = BTreeMap::new();
+    let (mut faults, mut slowest) = (0, (0.0, 0));
+    let mut random = Random(seed);
+    for index in 0..count {
+        let bytes = random.bytes();
+        let began = Instant::now();
+        let (text, outcome) = one(&bytes);
+        let took = began.elapsed().as_secs_f64();
+        if took > slowest.0 {
+            slowest = (took, index);
+        }
+        match outcome {
+            Ok(end) => *ends.entry(end).or_default() += 1,
+            Err(fault) => {
+                faults += 1;
+                println!("-- fault {faults}, scene {index}: {fault}\n{text}");
+            }
+        }
+    }
+    let seconds = started.elapsed().as_secs_f64();
+    println!("{count} scenes, {seconds:.1} s, slowest {:.3} s (scene {}), {faults} faults", slowest.0, slowest.1);
+    println!("{ends:?}");
+    ExitCode::from(u8::from(faults > 0))
+}
+
+/// Ends the program where a scene hangs, and tells which one.
+fn watch() {
+    loop {
+        std::thread::sleep(Duration::from_secs(1));
+        let now = NOW.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        if let Some((since, text)) = now.as_ref()
+            && since.elapsed() > HANGS
+        {
+            println!("-- hangs\n{text}");
+            std::process::exit(1);
+        }
+    }
+}
+
+/// Does it, with a panic as a fault.
+fn guarded(text: &str, check: impl FnOnce() -> Result<String, String>) -> Result<String, String> {
+    let set = |now| *NOW.lock().unwrap_or_else(|poisoned| poisoned.into_inner()) = now;
+    set(Some((Instant::now(), text.to_owned())));
+    let outcome = catch_unwind(AssertUnwindSafe(check)).unwrap_or_else(|_| Err("panicked".into()));
+    set(None);
+    outcome
+}
+
+fn parse(bytes: &[u8]) -> (String, Result<String, String>) {
+    let text = match bytes[0] % 16 {
+        0 => String::from_utf8_lossy(bytes).into_owned(),
+        _ => garbled_text(&mut Dice::new(&bytes[1..])),
+    };
+    let outcome = guarded(&text, || check_parse(&text).map(|taken| if taken { "taken" } else { "refused" }.into()));
+    (text, outcome)
+}
+
+fn run(bytes: &[u8]) -> (String, Result<String, String>) {
+    let text = absurd_scene(&mut Dice::new(bytes));
+    let outcome = guarded(&text, || {
+        let began = Instant::now();
+        let (_, peel) = check_run(&text)?;
+        let took = began.elapsed().as_secs_f64();
+        if took > BOUND + OVERDUE {
+            return Err(format!("took {took:.2} s, {:?}", peel.effort));
+        }
+        if bytes[bytes.len() - 1] % 16 == 0 && peel.points.len() > 1 {
+            let dir = tempfile::tempdir().map_err(|error| error.to_string())?;
+            draw_peel(&peel, "drawn", dir.path()).map_err(|error| error.to_string())?;
+        }
+        Ok(end_word(&peel.end).into())
+    });
+    (text, outcome)
+}
+
+/// Steele, Lea and Flood's SplitMix64.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn bytes(&mut self) -> Vec<u8> {
+        (0..32).flat_map(|_| self.next().to_le_bytes()).collect()
+    }
+}
