@@ -10,7 +10,7 @@ mod common {
     pub mod garbled;
 }
 
-use common::garbled::{Dice, ODD_VALUES, check_parse, garbled_text, misspell, printed};
+use common::garbled::{Dice, ODD_VALUES, check_parse, corpus, garbled_text, misspell, printed};
 use peelkit::scene::{KEYS, Key, Kind, Need, Range, Scene};
 use proptest::prelude::*;
 
@@ -49,7 +49,9 @@ fn every_odd_value_of_every_key_is_taken_as_it_stands_or_refused() {
 fn what_is_out_of_range_is_refused_with_the_range() {
     for key in KEYS {
         let (right, wrong): (&[&str], &[&str]) = match key.kind {
-            Kind::Number(Range::Positive, _) => (&["1e-300", "1e300"], &["0", "-0.0", "-1e-300", "inf", "nan", "1e400"]),
+            Kind::Number(Range::Positive, _) => {
+                (&["1e-300", "1e300"], &["0", "-0.0", "-1e-300", "inf", "nan", "1e400"])
+            }
             Kind::Number(Range::Between(..), _) => (&["-0.999", "0.499"], &["-1", "0.5", "0.5000001", "-2", "1e400"]),
             Kind::Number(Range::From(..), _) => (&["1e-11", "1e-2"], &["0.99e-11", "1.01e-2", "0", "-1e-6", "nan"]),
             Kind::Share(..) => (&["1e-6", "0.5"], &["0.99e-6", "0.51", "0", "-0.1", "inf"]),
@@ -58,7 +60,9 @@ fn what_is_out_of_range_is_refused_with_the_range() {
             Kind::Fixed(..) => (&["1", "2000"], &["0", "2001", "-1", "1.5"]),
             Kind::Quantity(..) | Kind::Bound(..) => {
                 let unit = key.unit();
-                for (number, is_right) in [("1e-300", true), ("1e300", true), ("0", false), ("-1", false), ("1e400", false), ("nan", false)] {
+                for (number, is_right) in
+                    [("1e-300", true), ("1e300", true), ("0", false), ("-1", false), ("1e400", false), ("nan", false)]
+                {
                     let text = with_value(key, &format!("\"{number} {unit}\""));
                     assert_eq!(check_parse(&text), Ok(is_right), "{text}");
                     if !is_right {
@@ -116,6 +120,14 @@ fn what_is_deep_or_long_is_refused_and_told_shortly() {
 }
 
 #[test]
+fn what_broke_once_holds() {
+    assert!(!corpus().is_empty());
+    for (name, text) in corpus() {
+        assert_eq!(check_parse(&text).err(), None, "{name}");
+    }
+}
+
+#[test]
 fn a_long_title_is_a_title() {
     let text = with_value(&KEYS[0], &format!("\"{}\"", "é\\u0007\\\"\\n".repeat(10_000)));
     assert_eq!(check_parse(&text), Ok(true));
@@ -142,11 +154,12 @@ proptest! {
         let key = &KEYS[index];
         let mut name = key.name.to_owned();
         misspell(&mut name, &mut Dice::new(&bytes));
-        let wrong = Key { name: Box::leak(name.into_boxed_str()), kind: Kind::Flag(|_| unreachable!()), ..*key };
-        prop_assume!(KEYS.iter().all(|key| key.path() != wrong.path()));
-        let text = with_value(key, key.example()).replace(&format!("{} = ", key.path()), &format!("{} = ", wrong.path()));
+        let wrong = if key.table.is_empty() { name } else { format!("{}.{name}", key.table) };
+        prop_assume!(KEYS.iter().all(|key| key.path() != wrong));
+        let text = with_value(key, key.example());
+        let text = text.replace(&format!("{} = ", key.path()), &format!("{wrong} = "));
         let said = complaint(&text);
-        prop_assert!(said.contains(&format!("`{}` is not a key of a scene", wrong.path())), "{}", said);
+        prop_assert!(said.contains(&format!("`{wrong}` is not a key of a scene")), "{}", said);
     }
 
     #[test]

@@ -190,7 +190,10 @@ fn a_full_disk_loses_no_value_of_a_sweep() {
     assert_eq!(status, Some(1), "{stderr}");
     assert!(stderr.contains("cannot write out/sweep.") && stderr.contains("File too large"), "{stderr}");
     assert!(stdout.contains("peak nN"), "{stdout}");
-    assert_eq!((listing(dir.path()), listing(&dir.path().join("out"))), (vec!["out".into()], vec!["sweep.partial.jsonl".into()]));
+    assert_eq!(
+        (listing(dir.path()), listing(&dir.path().join("out"))),
+        (vec!["out".into()], vec!["sweep.partial.jsonl".into()])
+    );
     assert!(done(dir.path(), &sweep).contains("3 of 3 values taken"));
 }
 

@@ -26,8 +26,7 @@ pub struct Accuracy {
     out: OutArgs,
 }
 
-const FOLDER: &str =
-    "Folder for the outputs, made where it is missing [default: out/accuracy, or out/accuracy- and the name of the scene]";
+const FOLDER: &str = "Folder for the outputs, made where it is missing [default: out/accuracy, or out/accuracy- and the name of the scene]";
 
 /// The scene where none is given.
 const PLAIN: &str = include_str!("../../scenes/strip-100nm.toml");

@@ -117,7 +117,8 @@ fn follow(args: &Sweep, kind: PointKind, scene: &Scene, key: &Key, scenes: &[(f6
         sweep.remarks.extend(part.remarks);
     }
     bar.finish_and_clear();
-    let files = folder.map_or(Ok(Vec::new()), |folder| folder.write(|dir| write_followed(args, dir, scene, key, &sweep)));
+    let files =
+        folder.map_or(Ok(Vec::new()), |folder| folder.write(|dir| write_followed(args, dir, scene, key, &sweep)));
     if args.json {
         say(&SweepSummary::followed(scene, key, &sweep).to_json().map_err(Stop::other)?)?;
     } else {

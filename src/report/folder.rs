@@ -199,7 +199,10 @@ mod tests {
         }
         let refused = |result: Result<Vec<PathBuf>, ReportError>| {
             assert!(matches!(result, Err(ReportError::Exists { path }) if path == out));
-            assert_eq!((listing(&out), fs::read(out.join("a.csv")).unwrap()), (vec!["a.csv".into(), "mine".into()], b"old".into()));
+            assert_eq!(
+                (listing(&out), fs::read(out.join("a.csv")).unwrap()),
+                (vec!["a.csv".into(), "mine".into()], b"old".into())
+            );
         };
         refused(folder.write(fill));
         refused(OutputFolder::claim(&out, Existing::Keep).map(|_| Vec::new()));
@@ -208,7 +211,10 @@ mod tests {
         assert_eq!(fs::read(out.join("a.csv")).unwrap(), b"old");
         folder.write(fill).unwrap();
         assert_eq!(listing(&out), ["a.csv", "b.csv", "mine"]);
-        assert_eq!((fs::read(out.join("a.csv")).unwrap(), fs::read(out.join("mine")).unwrap()), (b"new".into(), b"old".into()));
+        assert_eq!(
+            (fs::read(out.join("a.csv")).unwrap(), fs::read(out.join("mine")).unwrap()),
+            (b"new".into(), b"old".into())
+        );
         assert_eq!(listing(dir.path()), ["out"]);
     }
 
@@ -229,7 +235,9 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let file = dir.path().join("file");
         fs::write(&file, "mine").unwrap();
-        for place in [file.clone(), file.join("inner"), "/proc/none/of/this".into(), dir.path().join("no/.."), "".into()] {
+        for place in
+            [file.clone(), file.join("inner"), "/proc/none/of/this".into(), dir.path().join("no/.."), "".into()]
+        {
             for existing in [Existing::Keep, Existing::Replace] {
                 let error = OutputFolder::claim(&place, existing).unwrap_err();
                 assert!(matches!(&error, ReportError::Write { path, .. } if *path == place), "{error}");

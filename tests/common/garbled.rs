@@ -42,6 +42,13 @@ impl<'a> Dice<'a> {
     }
 }
 
+/// What broke once: the scenes of `tests/garbled/`, each with its name. Their first lines say what was wrong.
+pub fn corpus() -> Vec<(String, String)> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/garbled");
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries.map(|path| (path.display().to_string(), std::fs::read_to_string(&path).unwrap())).collect()
+}
+
 // ---------------------------------------------------------------------------------------------------------------
 // Scenes that mean something, with absurd numbers
 // ---------------------------------------------------------------------------------------------------------------
@@ -96,9 +103,8 @@ pub fn check_run(text: &str) -> Result<(Scene, Peel), String> {
             return Err(format!("point {index} of the path is {point:?}"));
         }
     }
-    let bounded = |peak: &Peak| {
-        [peak.force_error, peak.displacement_error].iter().all(|&error| error.is_finite() && error > 0.0)
-    };
+    let bounded =
+        |peak: &Peak| [peak.force_error, peak.displacement_error].iter().all(|&error| error.is_finite() && error > 0.0);
     for (name, peak) in [("peak", &peel.peak), ("initiation peak", &peel.initiation_peak)] {
         if let Some(peak) = peak.as_ref().filter(|peak| !bounded(peak)) {
             return Err(format!("{name} without a bound: {peak:?}"));
@@ -120,14 +126,84 @@ pub fn check_run(text: &str) -> Result<(Scene, Peel), String> {
 
 /// Values that somebody may write or that a program may have written.
 pub const ODD_VALUES: &[&str] = &[
-    "nan", "-nan", "inf", "-inf", "+inf", "1e400", "-1e400", "1e-400", "0", "-0.0", "+1", "0x10", "0o17", "0b1", "1_000",
-    "1_000.5", "99999999999999999999999", "-9223372036854775808", "9223372036854775807", "1e", ".5", "5.", "1.5.2", "",
-    "\"\"", "''", "\"\"\"\n\"\"\"", "true", "True", "[]", "[1, 2]", "{}", "{ nm = 1 }", "2026-01-01", "07:32:00",
-    "1979-05-27T07:32:00Z", "\"1e400 nm\"", "\"-1e400 nm\"", "\"1e-400 nm\"", "\"-0 nm\"", "\"0x10 nm\"", "\"1e3\"",
-    "\"nm\"", "\"nm 100\"", "\"∞ nm\"", "\"nan nm\"", "\"inf nm\"", "\"infinity GPa\"", "\"1 2 nm\"", "\"1,5 nm\"",
-    "\"1.5.2 nm\"", "\"１００ nm\"", "\"100\\u00a0nm\"", "\"100\\u2009nm\"", "\"100 нм\"", "\"100 nm nm\"", "\"100 n m\"",
-    "\"100 kN\"", "\"1 GPa\"", "\"1 aJ\"", "\"1 h\"", "\"1 d\"", "\"1e3eV\"", "\"1 ev\"", "\"5 Å\"", "\"1e-7m\"", "\"\\u0000\"",
-    "\"free\"", "\"FREE\"", "\" full \"", "\"0.5\"", "0.5", "1", "-1", "3.0", "1e3", "2000", "1e10",
+    "nan",
+    "-nan",
+    "inf",
+    "-inf",
+    "+inf",
+    "1e400",
+    "-1e400",
+    "1e-400",
+    "0",
+    "-0.0",
+    "+1",
+    "0x10",
+    "0o17",
+    "0b1",
+    "1_000",
+    "1_000.5",
+    "99999999999999999999999",
+    "-9223372036854775808",
+    "9223372036854775807",
+    "1e",
+    ".5",
+    "5.",
+    "1.5.2",
+    "",
+    "\"\"",
+    "''",
+    "\"\"\"\n\"\"\"",
+    "true",
+    "True",
+    "[]",
+    "[1, 2]",
+    "{}",
+    "{ nm = 1 }",
+    "2026-01-01",
+    "07:32:00",
+    "1979-05-27T07:32:00Z",
+    "\"1e400 nm\"",
+    "\"-1e400 nm\"",
+    "\"1e-400 nm\"",
+    "\"-0 nm\"",
+    "\"0x10 nm\"",
+    "\"1e3\"",
+    "\"nm\"",
+    "\"nm 100\"",
+    "\"∞ nm\"",
+    "\"nan nm\"",
+    "\"inf nm\"",
+    "\"infinity GPa\"",
+    "\"1 2 nm\"",
+    "\"1,5 nm\"",
+    "\"1.5.2 nm\"",
+    "\"１００ nm\"",
+    "\"100\\u00a0nm\"",
+    "\"100\\u2009nm\"",
+    "\"100 нм\"",
+    "\"100 nm nm\"",
+    "\"100 n m\"",
+    "\"100 kN\"",
+    "\"1 GPa\"",
+    "\"1 aJ\"",
+    "\"1 h\"",
+    "\"1 d\"",
+    "\"1e3eV\"",
+    "\"1 ev\"",
+    "\"5 Å\"",
+    "\"1e-7m\"",
+    "\"\\u0000\"",
+    "\"free\"",
+    "\"FREE\"",
+    "\" full \"",
+    "\"0.5\"",
+    "0.5",
+    "1",
+    "-1",
+    "3.0",
+    "1e3",
+    "2000",
+    "1e10",
 ];
 
 /// A good value for every key.
@@ -161,11 +237,15 @@ fn garble_entries(entries: &mut Vec<(&'static str, String, String)>, dice: &mut 
         0 => drop(entries.remove(at)),
         1 => entries.insert(at, entries[at].clone()),
         2 => misspell(&mut entries[at].1, dice),
-        3 => entries[at].0 = dice.pick(&["", "strip", "adhesion", "grip", "accuracy", "bounds", "Strip", "spring", "\"\""]),
+        3 => {
+            entries[at].0 =
+                dice.pick(&["", "strip", "adhesion", "grip", "accuracy", "bounds", "Strip", "spring", "\"\""])
+        }
         4 => entries[at].1 = KEYS[dice.below(KEYS.len())].name.to_owned(),
         5 => {
             let number = f64::from_bits((0..4).fold(0, |bits, _| bits << 16 | u64::from(dice.number())));
-            let unit = dice.pick(&["nm", "um", "µm", "μm", "m", "pm", "GPa", "Pa", "J", "eV", "zJ", "s", "min", "nN", ""]);
+            let unit =
+                dice.pick(&["nm", "um", "µm", "μm", "m", "pm", "GPa", "Pa", "J", "eV", "zJ", "s", "min", "nN", ""]);
             entries[at].2 = if dice.below(2) == 0 { format!("\"{number} {unit}\"") } else { format!("{number:e}") };
         }
         6 => entries[at].2 = format!("\"{}\"", "9".repeat(dice.below(600))),
@@ -211,7 +291,10 @@ fn garble_characters(text: &mut String, dice: &mut Dice) {
         1 => letters.truncate(at),
         2 => letters.splice(at..at, letters[at..to].to_vec()).for_each(drop),
         3 => {
-            let odd = ['\0', '\t', '\r', '\n', '"', '\'', '\\', '[', ']', '{', '}', '=', '.', '#', 'é', 'µ', '😀', '\u{feff}', '\u{202e}'];
+            let odd = [
+                '\0', '\t', '\r', '\n', '"', '\'', '\\', '[', ']', '{', '}', '=', '.', '#', 'é', 'µ', '😀', '\u{feff}',
+                '\u{202e}',
+            ];
             letters.insert(at, dice.pick(&odd));
         }
         4 => {
@@ -247,7 +330,9 @@ fn holds_what_was_given(text: &str, scene: &Scene) -> Result<(), String> {
     let mut given = Vec::new();
     for (name, value) in &document {
         match value {
-            toml::Value::Table(table) => given.extend(table.iter().map(|(key, value)| (format!("{name}.{key}"), value))),
+            toml::Value::Table(table) => {
+                given.extend(table.iter().map(|(key, value)| (format!("{name}.{key}"), value)))
+            }
             value => given.push((name.clone(), value)),
         }
     }
@@ -259,9 +344,8 @@ fn holds_what_was_given(text: &str, scene: &Scene) -> Result<(), String> {
             (toml::Value::Boolean(flag), Value::Flag(stored)) => flag == stored,
             (toml::Value::Integer(number), Value::Number(stored)) => *number as f64 == *stored,
             (toml::Value::Float(number), Value::Number(stored)) => number == stored,
-            (toml::Value::String(text), &Value::Number(stored)) => quantity(text, key.unit()).is_none_or(|number| {
-                (number - stored).abs() <= 1e-12 * stored || (stored < 1e-290 && number < 1e-290)
-            }),
+            (toml::Value::String(text), &Value::Number(stored)) => quantity(text, key.unit())
+                .is_none_or(|number| (number - stored).abs() <= 1e-12 * stored || (stored < 1e-290 && number < 1e-290)),
             _ => false,
         };
         if !same {
