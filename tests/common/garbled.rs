@@ -42,6 +42,23 @@ impl<'a> Dice<'a> {
     }
 }
 
+/// Steele, Lea and Flood's SplitMix64, from a seed.
+pub struct Random(pub u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// As many as a scene takes.
+    pub fn bytes(&mut self) -> Vec<u8> {
+        (0..32).flat_map(|_| self.next().to_le_bytes()).collect()
+    }
+}
+
 /// What broke once: the scenes of `tests/garbled/`, each with its name. Their first lines say what was wrong.
 pub fn corpus() -> Vec<(String, String)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/garbled");

@@ -1,12 +1,12 @@
-//! Many parses or short runs of drawn scenes, without a fuzzer: `many parse 10000000 [SEED]`, `many run 20000 [SEED]`, or one
-//! scene of a file: `many run FILE`.
+//! Many parses or short runs of drawn scenes, without a fuzzer: `garbled parse 10000000 [SEED]`, `garbled run 20000 [SEED]`, or
+//! one scene of a file: `garbled run FILE`.
 //!
 //! Prints how the scenes ended and how long it took, and each fault with its scene. Exit status 1 where there is any.
 
-#[path = "../../tests/common/garbled.rs"]
+#[path = "../tests/common/garbled.rs"]
 mod garbled;
 
-use garbled::{Dice, absurd_scene, check_parse, check_run, garbled_text};
+use garbled::{Dice, Random, absurd_scene, check_parse, check_run, garbled_text};
 use peelkit::report::{draw_peel, end_word};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -14,6 +14,7 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
+const USAGE: &str = "garbled parse|run [COUNT] [SEED], or garbled run FILE";
 /// A scene that takes longer than this is taken to hang.
 const HANGS: Duration = Duration::from_secs(30);
 /// Seconds of CPU time that a run may take: its `bounds.time`, as long again and a second for the turning points, and a second for what is
@@ -34,7 +35,7 @@ fn main() -> ExitCode {
     }
     let number = |index: usize, default: u64| args.get(index).map_or(Some(default), |text| text.parse().ok());
     let (what, Some(count), Some(seed)) = (args.first().map(String::as_str), number(1, 1000), number(2, 1)) else {
-        eprintln!("many parse|run [COUNT] [SEED]");
+        eprintln!("{USAGE}");
         return ExitCode::from(2);
     };
     std::panic::set_hook(Box::new(|panic| eprintln!("{panic}")));
@@ -43,7 +44,7 @@ fn main() -> ExitCode {
         Some("parse") => parse,
         Some("run") => run,
         _ => {
-            eprintln!("many parse|run [COUNT] [SEED]");
+            eprintln!("{USAGE}");
             return ExitCode::from(2);
         }
     };
@@ -133,20 +134,4 @@ fn cpu_seconds() -> f64 {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
     let nanoseconds = text.split(' ').next().and_then(|first| first.parse::<f64>().ok());
     nanoseconds.map_or(0.0, |nanoseconds| 1e-9 * nanoseconds)
-}
-
-/// Steele, Lea and Flood's SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn bytes(&mut self) -> Vec<u8> {
-        (0..32).flat_map(|_| self.next().to_le_bytes()).collect()
-    }
 }
