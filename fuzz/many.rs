@@ -14,6 +14,9 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
+/// Makes a scene from bytes and checks it: the scene, and how it ended or what was wrong.
+type Check = fn(&[u8]) -> (String, Result<String, String>);
+
 const USAGE: &str = "garbled parse|run [COUNT] [SEED], or garbled run FILE";
 /// A scene that takes longer than this is taken to hang.
 const HANGS: Duration = Duration::from_secs(30);
@@ -40,7 +43,7 @@ fn main() -> ExitCode {
     };
     std::panic::set_hook(Box::new(|panic| eprintln!("{panic}")));
     std::thread::spawn(watch);
-    let one: fn(&[u8]) -> (String, Result<String, String>) = match what {
+    let one: Check = match what {
         Some("parse") => parse,
         Some("run") => run,
         _ => {
@@ -108,7 +111,7 @@ fn parse(bytes: &[u8]) -> (String, Result<String, String>) {
 
 fn run(bytes: &[u8]) -> (String, Result<String, String>) {
     let text = absurd_scene(&mut Dice::new(bytes));
-    let drawn = bytes[bytes.len() - 1] % 16 == 0;
+    let drawn = bytes.last().is_some_and(|last| last.is_multiple_of(16));
     let outcome = check(&text, drawn);
     (text, outcome)
 }

@@ -87,8 +87,8 @@ Files:
 Ctrl-C lets the values under way finish, writes what is done to sweep.csv and the pictures, and says how many values
 those are (exit status 3); a second Ctrl-C quits at once (130). The same command then goes on where it stopped, also
 after it was killed: it takes what sweep.partial.jsonl holds of this scene, key and version and computes the rest,
-with the same result but for solve_s. The range and the number of values may change. What another sweep has kept there is
-refused. Sweeps that write no files (--json without --out) and those with --follow or --peak-only, which take
+with the same result but for solve_s. The range and the number of values may change. What another sweep has kept there
+is refused. Sweeps that write no files (--json without --out) and those with --follow or --peak-only, which take
 milliseconds, keep nothing and are not resumed.
 
 {OUTPUTS}
