@@ -344,7 +344,13 @@ impl Followed {
     }
 
     fn not_located(&self, turn: Turn, after: usize, cause: SolveError) -> Trouble {
-        Trouble::NotLocated { turn, after, displacement_nm: self.points[after].observables.displacement, cause }
+        match cause {
+            SolveError::OutOfTime => Trouble::OutOfTime,
+            cause => {
+                let displacement_nm = self.points[after].observables.displacement;
+                Trouble::NotLocated { turn, after, displacement_nm, cause }
+            }
+        }
     }
 
     /// The same filter on what was located: an interpolant over a long step can make a ripple look large.
