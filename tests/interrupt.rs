@@ -7,7 +7,7 @@
 //! Parameters: the strip of 100 nm, 40 lengths from 60 to 120 nm, whole peels. The reference is the same sweep without an
 //! interruption, on one core. Expected: exit status 3 and the finished rows in sweep.csv after Ctrl-C, 130 after a second
 //! one; the same table as the reference in every column but `solve_s` after the second run, however the first one ended;
-//! no row of another sweep; nothing left behind. Why: a sweep may take hours, and what is computed should never be lost
+//! no row of another sweep, and none of its rows lost; nothing left behind. Why: a sweep may take hours, and what is computed should never be lost
 //! nor mixed with something else.
 #![cfg(unix)]
 
@@ -176,14 +176,20 @@ fn a_killed_sweep_goes_on_behind_a_torn_line() {
 fn rows_of_another_scene_are_not_taken() {
     let (dir, _) = stopped("KILL");
     let partial = fs::read(dir.path().join(PARTIAL)).unwrap();
+    let one_value = |more: &[&str]| sweep_over(dir.path(), "1", ["60 nm", "60 nm", "1"], more).output().unwrap();
     let run = |more: &[&str]| {
-        let output = sweep_over(dir.path(), "1", ["60 nm", "60 nm", "1"], more).output().unwrap();
+        let output = one_value(more);
         assert!(output.status.success(), "{}", texts(&output).1);
         assert!(!dir.path().join(PARTIAL).exists());
         texts(&output).0
     };
-    let thinner = run(&["--set", "strip.height=9 nm"]);
-    assert!(thinner.contains("remark") && thinner.contains("replaced") && !thinner.contains("taken"), "{thinner}");
+    let refused = one_value(&["--set", "strip.height=9 nm", "--force"]);
+    let (stdout, stderr) = texts(&refused);
+    assert_eq!((refused.status.code(), stdout.as_str()), (Some(2), ""));
+    assert!(stderr.contains(PARTIAL) && stderr.contains("another scene") && stderr.contains("--fresh"), "{stderr}");
+    assert_eq!(fs::read(dir.path().join(PARTIAL)).unwrap(), partial, "nothing is lost");
+    let thinner = run(&["--set", "strip.height=9 nm", "--fresh"]);
+    assert!(!thinner.contains("remark"), "{thinner}");
     assert_ne!(table(dir.path())[1], reference()[1], "the row of the thinner strip");
 
     fs::write(dir.path().join(PARTIAL), &partial).unwrap();
@@ -233,5 +239,5 @@ fn a_folder_that_cannot_be_written_is_told_before_anything_is_computed() {
     let output = sweep(dir.path(), "1", &[]).output().unwrap();
     let (stdout, stderr) = texts(&output);
     assert_eq!((output.status.code(), stdout.as_str()), (Some(1), ""));
-    assert!(stderr.contains(PARTIAL), "{stderr}");
+    assert!(stderr.contains("cannot write out: "), "{stderr}");
 }

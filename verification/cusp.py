@@ -16,4 +16,4 @@ def compute(strip, level, verbose):
 
 
 if __name__ == "__main__":
-    run(__doc__, Suite("cusp.csv", REMARKS, [Strip(factor=f) for f in (74.0, 74.4, 74.6)], COLUMNS, compute))
+    run(__doc__, Suite("cusp.csv", REMARKS, [Strip(factor=f) for f in (73.5, 74.0, 74.3, 74.5)], COLUMNS, compute))

@@ -2,7 +2,7 @@
 
 use super::help;
 use super::input::{SceneArgs, parse_override};
-use super::output::{list_files, progress_bar, say};
+use super::output::{OutArgs, list_files, progress_bar, say};
 use super::stop::Stop;
 use clap::Args;
 use peelkit::report::{AUTOMATIC, write_work_precision};
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 /// Speed against error: one scene over orders, elements, meshes, forms and steps, timed
 #[derive(Args)]
-#[command(after_long_help = help::accuracy())]
+#[command(after_long_help = help::accuracy(), mut_arg("out", |out| out.help(FOLDER)))]
 pub struct Accuracy {
     /// The scene: a TOML file [default: the strip of 100 nm that `peel new` writes]
     #[arg(value_name = "SCENE")]
@@ -22,10 +22,11 @@ pub struct Accuracy {
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_override)]
     overrides: Vec<(String, String)>,
 
-    /// Folder for the outputs, made where it is missing [default: out/accuracy, or out/accuracy- and the name of the scene]
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    out: OutArgs,
 }
+
+const FOLDER: &str = "Folder for the outputs, made where it is missing [default: out/accuracy, or out/accuracy- and the name of the scene]";
 
 /// The scene where none is given.
 const PLAIN: &str = include_str!("../../scenes/strip-100nm.toml");
@@ -36,13 +37,14 @@ pub fn accuracy(args: &Accuracy) -> Result<(), Stop> {
         Some(path) => SceneArgs { path: path.clone(), overrides }.load()?,
         None => Scene::parse("strip-100nm.toml", PLAIN, &overrides)?,
     };
-    let folder = args.out.clone().unwrap_or_else(|| match &args.path {
+    let folder = args.out.out.clone().unwrap_or_else(|| match &args.path {
         Some(path) => {
             let stem = path.file_stem().unwrap_or_default().to_string_lossy();
             Path::new("out").join(format!("accuracy-{stem}"))
         }
         None => PathBuf::from("out/accuracy"),
     });
+    let folder = args.out.claim(&folder)?;
     let bar = progress_bar(0);
     let measured = work_precision(&scene.model, &scene.bounds, &|lines| {
         bar.set_length(lines as u64);
@@ -50,8 +52,10 @@ pub fn accuracy(args: &Accuracy) -> Result<(), Stop> {
     });
     bar.finish_and_clear();
     let measured = measured.map_err(|reason| Stop::cut_short(&reason))?;
-    let files = write_work_precision(&folder, &measured, &scene.title)?;
-    say(&format!("{}\n{}", table(&measured), list_files(&files)))
+    let files = folder.write(|dir| write_work_precision(dir, &measured, &scene.title));
+    say(&format!("{}\n{}", table(&measured), list_files(&files)))?;
+    files?;
+    Ok(())
 }
 
 /// What the program chooses by itself, and the best run that is no more wrong.

@@ -1,25 +1,34 @@
 //! `peel figures`: every figure, drawn anew.
 
-use super::output::{list_files, progress_bar, say};
+use super::help;
+use super::output::{OutArgs, list_files, progress_bar, say};
 use super::stop::Stop;
 use clap::Args;
-use peelkit::report::draw_figures;
-use std::path::PathBuf;
+use peelkit::report::{Existing, OutputFolder, draw_figures, holds_figures};
+use std::path::Path;
 
 /// Regenerates every figure, and the data behind each
 #[derive(Args)]
+#[command(after_long_help = help::figures(), mut_arg("out", |out| out.help("Folder for the figures, made where it is missing [default: figures]")))]
 pub struct Figures {
-    /// Folder for the figures, made where it is missing
-    #[arg(long, value_name = "DIR", default_value = "figures")]
-    out: PathBuf,
+    #[command(flatten)]
+    out: OutArgs,
 }
 
 pub fn figures(args: &Figures) -> Result<(), Stop> {
+    let folder = args.out.out.as_deref().unwrap_or(Path::new("figures"));
+    let folder = match holds_figures(folder) {
+        true => OutputFolder::claim(folder, Existing::Replace)?,
+        false => args.out.claim(folder)?,
+    };
     let bar = progress_bar(0);
-    let files = draw_figures(&args.out, &|done, total| {
+    let progress = |done, total| {
         bar.set_length(total as u64);
         bar.set_position(done as u64);
-    });
+    };
+    let files = folder.write(|dir| draw_figures(dir, &progress));
     bar.finish_and_clear();
-    say(&list_files(&files?))
+    say(&list_files(&files))?;
+    files?;
+    Ok(())
 }

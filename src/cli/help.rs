@@ -7,7 +7,8 @@ pub const EXIT_STATUS: &str = "\
 Exit status:
   0  done
   1  something else went wrong, such as a folder that cannot be written
-  2  bad input: the message names the key, the line and what would be right
+  2  bad input: the message names the key, the line and what would be right; or a folder for the outputs that is
+     not empty, without --force
   3  the computation stopped short: what was reached is written all the same
   130  quit by a second Ctrl-C";
 
@@ -15,6 +16,10 @@ const UNITS: &str = "\
 Quantities are texts with their unit: \"100 nm\", \"0.1 um\", \"2 GPa\", \"2000 MPa\", \"1e-19 J\", \"100 zJ\", \"0.6 eV\".
 Outputs carry the unit in the name: force_nN, displacement_nm, work_aJ (1 aJ = 1 nN nm). A positive force pulls the
 grip away from the surface.";
+
+const OUTPUTS: &str = "\
+The files of a command appear in their folder all at once, when it is done. A folder that is not empty is refused before
+anything is computed, unless --force is given: then files of the same names are replaced, and all others stay.";
 
 /// Of `peel --help`.
 pub fn overview() -> String {
@@ -56,6 +61,8 @@ Files:
 The path ends  detached (no point nearer than 10 r0), pivoting (the force is back at zero, an edge still holds),
 turned-back (back at u = 0), bound (a bound of [bounds] was reached) or failed.
 
+{OUTPUTS}
+
 {UNITS}
 
 {}
@@ -82,9 +89,13 @@ Files:
 Ctrl-C lets the values under way finish, writes what is done to sweep.csv and the pictures, and says how many values
 those are (exit status 3); a second Ctrl-C quits at once (130). The same command then goes on where it stopped, also
 after it was killed: it takes what sweep.partial.jsonl holds of this scene, key and version and computes the rest,
-with the same result but for solve_s. The range and the number of values may change. The file of another sweep is
-replaced, which a remark says; --fresh starts anew. Sweeps that write no files (--json without --out) and those with
---follow or --peak-only, which take milliseconds, keep nothing and are not resumed.
+with the same result but for solve_s. The range and the number of values may change. What another sweep has kept there
+is refused. Sweeps that write no files (--json without --out) and those with --follow or --peak-only, which take
+milliseconds, keep nothing and are not resumed.
+
+{OUTPUTS}
+A folder in which a sweep is unfinished is one to go on with, and needs no --force. --fresh discards the values that
+sweep.partial.jsonl keeps, of this sweep or another, and nothing else.
 
 With --follow peak (or --peak-only) or --follow snap-off no path is computed for each value: the point itself is solved
 for, from an extrapolation of the values before. What peak means is then the initiation peak, the first local maximum of
@@ -117,6 +128,25 @@ Examples:
 Files:
   accuracy.csv         one row a run: errors of peak, snap-off and curve, time, points, iterations, elements
   accuracy.svg, .png   time against error, the best of all runs marked
+
+{OUTPUTS}
+
+{EXIT_STATUS}"
+    )
+}
+
+/// Of `peel figures --help`.
+pub fn figures() -> String {
+    format!(
+        "\
+The figures of the repository, from computed data only, with a caption of each in README.md. A folder that peel figures
+has written before is written anew; any other that is not empty needs --force. It takes minutes.
+
+Examples:
+  peel figures
+  peel figures --out mine
+
+{OUTPUTS}
 
 {EXIT_STATUS}"
     )

@@ -1,9 +1,30 @@
-//! Standard output, and the bar on a terminal.
+//! Where results go: the folder of a command, standard output, and the bar on a terminal.
 
 use super::stop::Stop;
+use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
+use peelkit::report::{Existing, OutputFolder, ReportError};
 use std::io::{ErrorKind, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+
+/// Where a command that writes files writes them.
+#[derive(Args)]
+pub struct OutArgs {
+    /// Folder for the outputs, made where it is missing [default: out/ and the name of the scene]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+
+    /// Writes to a folder that is not empty: files of the same names are replaced, all others stay
+    #[arg(long)]
+    pub force: bool,
+}
+
+impl OutArgs {
+    /// The folder, if it may be written to; to be asked before anything is computed.
+    pub fn claim(&self, folder: &Path) -> Result<OutputFolder, ReportError> {
+        OutputFolder::claim(folder, if self.force { Existing::Replace } else { Existing::Keep })
+    }
+}
 
 /// Writes to standard output. A reader that has read enough and closed the pipe is no error.
 pub fn say(text: &str) -> Result<(), Stop> {
@@ -14,9 +35,9 @@ pub fn say(text: &str) -> Result<(), Stop> {
     }
 }
 
-/// The files that were written, a line each.
-pub fn list_files(files: &[PathBuf]) -> String {
-    files.iter().map(|file| format!("wrote {}\n", file.display())).collect()
+/// The files that were written, if they were, a line each.
+pub fn list_files(files: &Result<Vec<PathBuf>, ReportError>) -> String {
+    files.iter().flatten().map(|file| format!("wrote {}\n", file.display())).collect()
 }
 
 /// A bar on standard error if that is a terminal; nothing in a pipe.

@@ -2,7 +2,7 @@
 
 use super::help;
 use super::input::SceneArgs;
-use super::output::{list_files, say};
+use super::output::{OutArgs, list_files, say};
 use super::stop::Stop;
 use super::words;
 use clap::Args;
@@ -18,9 +18,8 @@ pub struct Run {
     #[command(flatten)]
     scene: SceneArgs,
 
-    /// Folder for the outputs, made where it is missing [default: out/ and the name of the scene]
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    out: OutArgs,
 
     /// Adds what a testing machine would record: the stable part, the jumps, the way back, and the energy released
     #[arg(long)]
@@ -33,6 +32,12 @@ pub struct Run {
 
 pub fn run(args: &Run) -> Result<(), Stop> {
     let scene = args.scene.load()?;
+    let folder = match &args.out.out {
+        None if args.json => None,
+        None => Some(args.scene.default_folder()),
+        given => given.clone(),
+    };
+    let folder = folder.map(|folder| args.out.claim(&folder)).transpose()?;
     let peel = study::peel(&scene.model, &scene.accuracy, &scene.bounds);
     let test = if args.observed { Some(observed(&scene)?) } else { None };
     let summary = PeelSummary::new(&scene, &peel);
@@ -40,21 +45,16 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         Some(test) => summary.with_observed(test),
         None => summary,
     };
-    let folder = match &args.out {
-        None if args.json => None,
-        None => Some(args.scene.default_folder()),
-        given => given.clone(),
-    };
-    let files = match folder {
-        Some(folder) => write(&folder, &scene, &peel, test.as_ref(), &summary)?,
-        None => Vec::new(),
-    };
+    let files =
+        folder.map_or(Ok(Vec::new()), |folder| folder.write(|dir| write(dir, &scene, &peel, test.as_ref(), &summary)));
+    // what was found is told although it could not be written
     if args.json {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
         let recorded = test.as_ref().map(|test| format!("\n{}", words::observed(test))).unwrap_or_default();
         say(&format!("{}{recorded}\n{}", words::peel(&scene, &peel), list_files(&files)))?;
     }
+    files?;
     match (&peel.end, test.map(|test| test.end)) {
         (End::Failed(reason), _) => Err(Stop::cut_short(reason)),
         (_, Some(TestEnd::Failed(reason))) => Err(Stop::cut_short(format!("in the observed test, {reason}"))),

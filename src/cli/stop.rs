@@ -56,7 +56,17 @@ impl From<SceneError> for Stop {
 
 impl From<ReportError> for Stop {
     fn from(error: ReportError) -> Self {
-        Self::other(error)
+        match &error {
+            ReportError::Exists { .. } => Self::bad_input(
+                &error,
+                "Give another folder with --out DIR, or --force to replace the files of the same names.",
+            ),
+            ReportError::OtherSweep { .. } => Self::bad_input(
+                &error,
+                "Finish that sweep by its own command, or give another folder with --out DIR, or --fresh to discard its values.",
+            ),
+            _ => Self::other(error),
+        }
     }
 }
 
@@ -74,5 +84,7 @@ mod tests {
         assert_eq!(status(scene.into()), 2);
         let report = ReportError::Draw { path: "x".into(), reason: "y".into() };
         assert_eq!(status(report.into()), 1);
+        assert_eq!(status(ReportError::Exists { path: "x".into() }.into()), 2);
+        assert_eq!(status(ReportError::OtherSweep { path: "x".into() }.into()), 2);
     }
 }

@@ -2,12 +2,12 @@
 
 use super::help;
 use super::input::SceneArgs;
-use super::output::{list_files, progress_bar, say};
+use super::output::{OutArgs, list_files, progress_bar, say};
 use super::stop::Stop;
 use super::sweep_peels::peel_each;
 use super::words;
 use clap::{Args, ValueEnum};
-use peelkit::report::{self, SweepSummary};
+use peelkit::report::{self, ReportError, SweepSummary};
 use peelkit::scene::{KEYS, Key, Problem, Scene, find_key};
 use peelkit::study::{self, FollowedSweep, PointKind, Remark, Spacing};
 use std::path::{Path, PathBuf};
@@ -47,15 +47,14 @@ pub struct Sweep {
     #[arg(long)]
     peak_only: bool,
 
-    /// Folder for the outputs, made where it is missing [default: out/ and the name of the scene]
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    pub out: OutArgs,
 
     /// Prints one JSON object and nothing else; files are written only if --out is given
     #[arg(long)]
     pub json: bool,
 
-    /// Starts anew in place of going on with an interrupted sweep
+    /// Discards the values that an interrupted sweep has kept in the folder, and starts anew
     #[arg(long)]
     pub fresh: bool,
 }
@@ -80,7 +79,7 @@ impl Sweep {
 
     /// Where files go, if they are written.
     pub fn folder(&self) -> Option<PathBuf> {
-        match &self.out {
+        match &self.out.out {
             None if self.json => None,
             None => Some(self.scene.default_folder()),
             given => given.clone(),
@@ -100,6 +99,7 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
 
 /// Follows one point of the peel over the values.
 fn follow(args: &Sweep, kind: PointKind, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]) -> Result<(), Stop> {
+    let folder = args.folder().map(|folder| args.out.claim(&folder)).transpose()?;
     let spacing = if args.log { Spacing::Logarithmic } else { Spacing::Linear };
     let bar = progress_bar(scenes.len());
     let mut sweep = FollowedSweep { kind, rows: Vec::with_capacity(scenes.len()), remarks: Vec::new() };
@@ -117,12 +117,14 @@ fn follow(args: &Sweep, kind: PointKind, scene: &Scene, key: &Key, scenes: &[(f6
         sweep.remarks.extend(part.remarks);
     }
     bar.finish_and_clear();
-    let files = args.folder().map_or(Ok(Vec::new()), |folder| write_followed(args, &folder, scene, key, &sweep))?;
+    let files =
+        folder.map_or(Ok(Vec::new()), |folder| folder.write(|dir| write_followed(args, dir, scene, key, &sweep)));
     if args.json {
         say(&SweepSummary::followed(scene, key, &sweep).to_json().map_err(Stop::other)?)?;
     } else {
         say(&format!("{}\n{}", words::followed(scene, key, &sweep), list_files(&files)))?;
     }
+    files?;
     let lost = |remark: &&Remark| matches!(remark, Remark::NotFound { .. });
     let reasons: Vec<String> = sweep.remarks.iter().filter(lost).map(ToString::to_string).collect();
     failed(&reasons, sweep.rows.len()).map_or(Ok(()), |text| Err(Stop::cut_short(text)))
@@ -134,7 +136,7 @@ fn write_followed(
     scene: &Scene,
     key: &Key,
     sweep: &FollowedSweep,
-) -> Result<Vec<PathBuf>, Stop> {
+) -> Result<Vec<PathBuf>, ReportError> {
     let mut files = vec![report::write_followed(folder, sweep)?];
     if sweep.rows.iter().any(|row| row.point.is_some()) {
         files.extend(report::draw_followed(sweep, &label(key), &scene.title, args.log, folder)?);

@@ -7,7 +7,7 @@ use super::stop::Stop;
 use super::sweep::{Sweep, failed, label};
 use super::words;
 use indicatif::ProgressBar;
-use peelkit::report::{self, PartialSweep, ReportError, SweepSummary};
+use peelkit::report::{self, Existing, OutputFolder, PartialSweep, ReportError, SweepSummary};
 use peelkit::scene::{Key, Scene};
 use peelkit::study::{self, End, SweepCase, SweepRow};
 use std::path::{Path, PathBuf};
@@ -27,21 +27,23 @@ pub fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]
             let bar = progress_bar(cases.len());
             // before anything is written
             let interrupt = Interrupt::listen(&bar);
-            let kept = Kept { partial: open(args, &folder, scene, key)?, bar, interrupt };
+            let (partial, output) = open(args, &folder, scene, key)?;
+            let kept = Kept { partial, bar, interrupt };
             let (rows, remarks) = kept.peel(&cases)?;
-            let files = write(args, &folder, scene, key, &rows)?;
-            if rows.len() == cases.len() {
+            let files = write(args, &output, scene, key, &rows);
+            if files.is_ok() && rows.len() == cases.len() {
                 PartialSweep::discard(&folder)?;
             }
             (rows, remarks, files)
         }
-        None => (peel_unkept(&cases), Vec::new(), Vec::new()),
+        None => (peel_unkept(&cases), Vec::new(), Ok(Vec::new())),
     };
     if args.json {
         say(&SweepSummary::new(scene, key, &rows, &remarks).to_json().map_err(Stop::other)?)?;
     } else {
         say(&format!("{}\n{}", words::sweep(scene, key, &rows, &remarks), list_files(&files)))?;
     }
+    files?;
     stopped_short(key, &rows, cases.len())
 }
 
@@ -60,11 +62,15 @@ struct Kept {
     interrupt: Interrupt,
 }
 
-fn open(args: &Sweep, folder: &Path, scene: &Scene, key: &Key) -> Result<PartialSweep, ReportError> {
-    if args.fresh {
+/// A folder that keeps the values of an unfinished sweep is one to go on with; any other that holds something is refused.
+fn open(args: &Sweep, folder: &Path, scene: &Scene, key: &Key) -> Result<(PartialSweep, OutputFolder), ReportError> {
+    if !PartialSweep::is_in(folder) {
+        args.out.claim(folder)?;
+    } else if args.fresh {
         PartialSweep::discard(folder)?;
     }
-    PartialSweep::open(folder, scene, key)
+    let partial = PartialSweep::open(folder, scene, key)?;
+    Ok((partial, OutputFolder::claim(folder, Existing::Replace)?))
 }
 
 impl Kept {
@@ -103,18 +109,14 @@ impl Kept {
 
     fn remarks(&self, taken: usize, values: usize) -> Vec<String> {
         let resumed = (taken > 0).then(|| format!("{taken} of {values} values taken from an earlier, interrupted run"));
-        let replaced = self.partial.replaced().then(|| {
-            "what an earlier, interrupted run had left here was of another scene, key or version, and is replaced"
-                .into()
-        });
-        resumed.into_iter().chain(replaced).collect()
+        resumed.into_iter().collect()
     }
 }
 
 /// Nothing is written where nothing was reached.
 fn write(
     args: &Sweep,
-    folder: &Path,
+    output: &OutputFolder,
     scene: &Scene,
     key: &Key,
     rows: &[SweepRow],
@@ -122,11 +124,13 @@ fn write(
     if rows.is_empty() {
         return Ok(Vec::new());
     }
-    let mut files = vec![report::write_sweep(folder, rows)?];
-    if rows.iter().any(|row| row.found.peak.is_some()) {
-        files.extend(report::draw_sweep(rows, &label(key), &scene.title, args.log, folder)?);
-    }
-    Ok(files)
+    output.write(|dir| {
+        let mut files = vec![report::write_sweep(dir, rows)?];
+        if rows.iter().any(|row| row.found.peak.is_some()) {
+            files.extend(report::draw_sweep(rows, &label(key), &scene.title, args.log, dir)?);
+        }
+        Ok(files)
+    })
 }
 
 /// Whether values are missing, and those whose computation stopped short.

@@ -1,6 +1,6 @@
 //! What can go wrong while results are written.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A result that could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -8,10 +8,29 @@ pub enum ReportError {
     /// The file system refused.
     #[error("cannot write {path}: {source}")]
     Write { path: PathBuf, source: std::io::Error },
+    /// The folder holds something that must not be replaced.
+    #[error("{path} exists, is not empty and is left as it is")]
+    Exists { path: PathBuf },
+    /// The rows of another sweep would be lost.
+    #[error("{path} keeps the finished values of an interrupted sweep of another scene, key or version")]
+    OtherSweep { path: PathBuf },
     /// What an earlier run has left cannot be read.
     #[error("cannot read {path}: {source}")]
     Read { path: PathBuf, source: std::io::Error },
     /// There is nothing to draw, or the drawing failed.
     #[error("cannot draw {path}: {reason}")]
     Draw { path: PathBuf, reason: String },
+}
+
+impl ReportError {
+    /// The same about another path.
+    pub(super) fn with_path(mut self, other: impl Fn(&Path) -> PathBuf) -> Self {
+        let (Self::Write { path, .. }
+        | Self::Exists { path }
+        | Self::OtherSweep { path }
+        | Self::Read { path, .. }
+        | Self::Draw { path, .. }) = &mut self;
+        *path = other(path);
+        self
+    }
 }

@@ -10,6 +10,16 @@ use crate::study::{Accuracy, Bounds, Peel, SweepCase, SweepRow, peel, sweep};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+/// The captions.
+const README: &str = "README.md";
+/// What they begin with.
+const HEADING: &str = "# Figures\n\nWritten by `peel figures`, from computed data only.\n";
+
+/// Whether `dir` is what [`draw_figures`] has written before.
+pub fn holds_figures(dir: &Path) -> bool {
+    std::fs::read(dir.join(README)).is_ok_and(|text| text.starts_with(HEADING.as_bytes()))
+}
+
 /// Regenerates every figure of `figures/` in `dir`, as SVG and PNG, with its data as CSV and its caption in `README.md`.
 ///
 /// `progress` is called with the number of finished peels and their total, from any thread.
@@ -29,7 +39,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
     if runner.done.load(Ordering::Relaxed) < total {
         progress(total, total);
     }
-    let readme = dir.join("README.md");
+    let readme = dir.join(README);
     write_whole(&readme, captions(&figures).as_bytes())?;
     let mut files: Vec<PathBuf> = figures.into_iter().flat_map(|figure| figure.files).collect();
     files.push(readme);
@@ -68,7 +78,7 @@ impl Figure {
 }
 
 fn captions(figures: &[Figure]) -> String {
-    let mut text = String::from("# Figures\n\nWritten by `peel figures`, from computed data only.\n");
+    let mut text = HEADING.to_owned();
     for Figure { stem, caption, files } in figures {
         let names = files.iter().filter_map(|f| f.file_name()?.to_str()).filter(|n| n.ends_with(".csv"));
         let data: Vec<String> = names.map(|n| format!("[{n}]({n})")).collect();

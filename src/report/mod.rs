@@ -13,6 +13,7 @@ mod figure_strip;
 mod figure_verification;
 mod figure_work;
 mod file;
+mod folder;
 mod number;
 mod observed;
 mod partial;
@@ -29,8 +30,9 @@ mod work_precision;
 
 pub use accuracy::{left_out, reached_accuracy};
 pub use error::ReportError;
-pub use figure::draw_figures;
+pub use figure::{draw_figures, holds_figures};
 pub use file::write_whole;
+pub use folder::{Existing, OutputFolder};
 pub use observed::write_observed;
 pub use partial::PartialSweep;
 pub use picture_followed::draw_followed;

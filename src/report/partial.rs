@@ -20,7 +20,6 @@ pub struct PartialSweep {
     file: Mutex<File>,
     /// By the bits of the value.
     taken: HashMap<u64, Found>,
-    replaced: bool,
 }
 
 /// The first line. Two sweeps are the same where these lines are: one program, one scene with its defaults, one key.
@@ -43,7 +42,7 @@ impl PartialSweep {
     pub const NAME: &str = "sweep.partial.jsonl";
 
     /// Opens the file in `dir`, or begins it, and takes up what it holds of this sweep: the scene in which `key` is varied.
-    /// The file of another sweep is replaced.
+    /// The file of another sweep is refused.
     pub fn open(dir: &Path, scene: &Scene, key: &Key) -> Result<Self, ReportError> {
         let path = dir.join(Self::NAME);
         let refuse = |source: io::Error| ReportError::Write { path: path.clone(), source };
@@ -51,12 +50,13 @@ impl PartialSweep {
         let header = text_line(&header).map_err(refuse)?;
         let old = match fs::read(&path) {
             Err(error) if error.kind() == ErrorKind::NotFound => Vec::new(),
-            // the error of a folder that is none is told where it is written to
-            Err(error) if error.kind() == ErrorKind::NotADirectory => Vec::new(),
             read => read.map_err(|source| ReportError::Read { path: path.clone(), source })?,
         };
-        let kept = old.strip_prefix(header.as_slice());
-        let lines = kept.map(read_lines).unwrap_or_default();
+        let lines = match old.strip_prefix(header.as_slice()) {
+            Some(kept) => read_lines(kept),
+            None if old.is_empty() => Vec::new(),
+            None => return Err(ReportError::OtherSweep { path }),
+        };
         // Written anew, so that what comes next does not continue a torn line, and whole or not at all.
         let mut text = header;
         for line in &lines {
@@ -65,16 +65,19 @@ impl PartialSweep {
         write_whole(&path, &text)?;
         let file = OpenOptions::new().append(true).open(&path).map_err(refuse)?;
         let taken = lines.into_iter().map(|line| (line.value.to_bits(), line.found)).collect();
-        Ok(Self { path, file: Mutex::new(file), taken, replaced: kept.is_none() && !old.is_empty() })
+        Ok(Self { path, file: Mutex::new(file), taken })
+    }
+
+    /// Whether `dir` holds the file of a sweep that is not finished.
+    pub fn is_in(dir: &Path) -> bool {
+        dir.join(Self::NAME).is_file()
     }
 
     /// Removes the file in `dir`, if there is one.
     pub fn discard(dir: &Path) -> Result<(), ReportError> {
         let path = dir.join(Self::NAME);
         match fs::remove_file(&path) {
-            Err(source) if !matches!(source.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {
-                Err(ReportError::Write { path, source })
-            }
+            Err(source) if source.kind() != ErrorKind::NotFound => Err(ReportError::Write { path, source }),
             _ => Ok(()),
         }
     }
@@ -82,11 +85,6 @@ impl PartialSweep {
     /// What an earlier run found at this value.
     pub fn found(&self, value: f64) -> Option<&Found> {
         self.taken.get(&value.to_bits())
-    }
-
-    /// Whether the file was one of another sweep.
-    pub fn replaced(&self) -> bool {
-        self.replaced
     }
 
     /// Appends a finished value, at once and from any thread.
@@ -178,7 +176,7 @@ mod tests {
             assert_eq!(*found, expected);
             assert!(found.plateau_front.unwrap().is_sign_negative());
         }
-        assert_eq!((partial.found(0.3), partial.replaced()), (None, false));
+        assert_eq!(partial.found(0.3), None);
     }
 
     #[test]
@@ -211,30 +209,30 @@ mod tests {
     }
 
     #[test]
-    fn the_file_of_another_scene_key_or_version_is_replaced() {
+    fn the_file_of_another_scene_key_or_version_is_refused_until_it_is_discarded() {
         let other_scene = {
             let mut scene = scene();
             scene.accuracy.relative = 1e-7;
             scene
         };
         let dir = tempfile::tempdir().unwrap();
-        let begin = || open(dir.path(), &scene()).keep(&row(1.0)).unwrap();
-        begin();
-        let partial = open(dir.path(), &other_scene);
-        assert!(partial.found(1.0).is_none() && partial.replaced());
-        begin();
-        let partial = PartialSweep::open(dir.path(), &scene(), find_key("strip.height").unwrap()).unwrap();
-        assert!(partial.found(1.0).is_none() && partial.replaced());
-        begin();
         let path = dir.path().join(PartialSweep::NAME);
+        let refused = |scene: &Scene, key: &str| {
+            let before = fs::read(&path).unwrap();
+            let error = PartialSweep::open(dir.path(), scene, find_key(key).unwrap()).unwrap_err();
+            assert!(matches!(error, ReportError::OtherSweep { .. }) && error.to_string().contains(PartialSweep::NAME));
+            assert_eq!(fs::read(&path).unwrap(), before);
+        };
+        open(dir.path(), &scene()).keep(&row(1.0)).unwrap();
+        refused(&other_scene, "strip.length");
+        refused(&scene(), "strip.height");
         let text = fs::read_to_string(&path).unwrap();
         fs::write(&path, text.replace(env!("CARGO_PKG_VERSION"), "0.0.9")).unwrap();
-        let partial = open(dir.path(), &scene());
-        assert!(partial.found(1.0).is_none() && partial.replaced());
-        begin();
+        refused(&scene(), "strip.length");
+        assert!(PartialSweep::is_in(dir.path()));
         PartialSweep::discard(dir.path()).unwrap();
-        let partial = open(dir.path(), &scene());
-        assert!(partial.found(1.0).is_none() && !partial.replaced());
+        assert!(!PartialSweep::is_in(dir.path()));
+        assert!(open(dir.path(), &scene()).found(1.0).is_none());
         PartialSweep::discard(&dir.path().join("none")).unwrap();
     }
 

@@ -173,5 +173,5 @@ fn key_on_line(text: &str, at: usize) -> String {
     let start = text.as_bytes()[..at.min(text.len())].iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
     let key = text.get(start..).and_then(|line| line.lines().next()?.split_once('=')).map_or("", |(key, _)| key.trim());
     let is_key = !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || "._-".contains(c));
-    if is_key { format!("`{key}`") } else { "this".to_owned() }
+    if is_key { format!("`{}`", one_line(key)) } else { "this".to_owned() }
 }

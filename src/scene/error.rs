@@ -70,13 +70,26 @@ impl Origin<'_> {
             }
             Self::Override { text } => (format!("--set {}: {subject} {found}", one_line(text)), "--set", *text),
         };
+        let (excerpt, span) = excerpt(text, span);
         SceneError(Box::new(Message {
             message,
-            // A span at the end of a text needs a line to stand on.
-            source_code: NamedSource::new(name, format!("{text}\n")),
+            source_code: NamedSource::new(name, excerpt),
             span: span.into(),
             label: found,
             remedy,
         }))
     }
+}
+
+/// What is shown of a text around a place in it, and the place there: all of it, of which the reader cuts out the lines, or the
+/// beginning of the one line where lines are too long to be read.
+fn excerpt(text: &str, span: Range<usize>) -> (String, Range<usize>) {
+    const LONGEST_LINE: usize = 400;
+    if text.lines().all(|line| line.len() <= LONGEST_LINE) {
+        // a span at the end of a text needs a line to stand on
+        return (format!("{text}\n"), span);
+    }
+    let start = text.as_bytes().iter().take(span.start).rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
+    let line = text.get(start..).and_then(|rest| rest.lines().next()).unwrap_or_default();
+    (one_line(line) + "\n", 0..0)
 }

@@ -290,7 +290,7 @@ impl Key {
             {
                 Problem::new(
                     format!("is {}, a number in quotes", quoted(text)),
-                    format!("Take the quotes away: {} = {}", self.name, text.trim()),
+                    format!("Take the quotes away: {} = {}", self.name, one_line(text.trim())),
                 )
             }
             (Kind::Flag(_), Value::Text(text)) if matches!(text.trim(), "true" | "false") => Problem::new(

@@ -1,9 +1,17 @@
 //! "Did you mean ...?"
 
+/// Longer words are misspellings of nothing.
+const LONGEST: usize = 64;
+
 /// The candidate that `word` is most likely a misspelling of, if one is near enough.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let length = word.chars().count();
+    // the comparison takes time and memory in proportion to the word, and no name is as long
+    if length > LONGEST {
+        return None;
+    }
     let word = word.to_lowercase();
-    let slips = 1 + word.chars().count() / 4;
+    let slips = 1 + length / 4;
     let slips_to = |candidate: &str| strsim::damerau_levenshtein(&word, &candidate.to_lowercase());
     // Two short words are never far apart: more than half of the word has to be right.
     let near_enough = |slip: usize, candidate: &str| slip <= slips && 2 * slip < candidate.chars().count().max(2);
@@ -26,5 +34,6 @@ mod tests {
         assert_eq!(nearest("Height", words), Some("height"));
         assert_eq!(nearest("colour", words), None);
         assert_eq!(nearest("", words), None);
+        assert_eq!(nearest(&"length".repeat(1_000_000), words), None);
     }
 }

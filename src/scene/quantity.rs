@@ -118,7 +118,8 @@ pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityE
 
 /// The longest beginning of the text that is a number, and the rest.
 fn split(text: &str) -> Option<(f64, &str)> {
-    const LONGEST_NUMBER: usize = 64;
+    // more than any double takes without a power of ten
+    const LONGEST_NUMBER: usize = 400;
     let ends = text.char_indices().map(|(at, c)| at + c.len_utf8()).take(LONGEST_NUMBER);
     let ends: Vec<usize> = ends.collect();
     ends.into_iter().rev().find_map(|end| Some((text[..end].parse().ok()?, text[end..].trim_start())))
@@ -167,6 +168,13 @@ mod tests {
         }
         let electronvolt = parse_quantity("1 eV", Dimension::Energy).unwrap();
         assert!((electronvolt / 0.1602176634 - 1.0).abs() < 1e-15, "{electronvolt}");
+    }
+
+    #[test]
+    fn a_number_may_be_written_in_full() {
+        for number in [f64::MIN_POSITIVE, 5e-324, 1.234_567_890_123_456_7e-300, f64::MAX] {
+            assert_eq!(parse_quantity(&format!("{number} nm"), Dimension::Length), Ok(number));
+        }
     }
 
     #[test]

@@ -4,6 +4,7 @@ use super::SolveError;
 use crate::beam::{ElementEnergy, SectionState};
 use std::any::Any;
 use std::ops::Range;
+use std::time::Instant;
 
 /// The most fields a node can have.
 pub const MOST_FIELDS: usize = 3;
@@ -51,6 +52,19 @@ pub struct Workspace {
     pub(super) fronts: Option<Box<dyn Any + Send + Sync>>,
     /// Pivot rows of the left ends of the elements.
     pub(super) ends: Vec<EndRow>,
+    pub(super) deadline: Option<Instant>,
+}
+
+impl Workspace {
+    /// One in which no solve is begun after `deadline`: it is [`SolveError::OutOfTime`].
+    pub fn until(deadline: Option<Instant>) -> Self {
+        Self { deadline, ..Self::default() }
+    }
+
+    /// Whether the deadline has passed.
+    pub fn is_late(&self) -> bool {
+        self.deadline.is_some_and(|deadline| Instant::now() > deadline)
+    }
 }
 
 /// State of one node between elements, from nodal forces.

@@ -17,6 +17,9 @@ pub enum SolveError {
         "Newton's method did not converge: last update {update:.3e} of the gap scale after {iterations} iterations"
     )]
     NotConverged { update: f64, iterations: usize },
+    /// The time that was given is over.
+    #[error("the time that was given is over")]
+    OutOfTime,
     /// A turning point is not there on more elements.
     #[error("a turning point was not found again on more elements: the mesh does not resolve the path")]
     TurnNotConfirmed,

@@ -105,6 +105,8 @@ pub fn solve_on(
 
 /// How often the way to a solution inside a step is halved.
 const MOST_HALVINGS: i32 = 4;
+/// Most tries on that way: where there is no solution at its end, steps towards it would become shorter for ever.
+const MOST_TRIES: usize = 40;
 
 /// A further solution on a stretch, which it joins, at the label `at`; where the start is too far away, by way of solutions
 /// between there and `from`, where one is known.
@@ -118,7 +120,8 @@ pub fn reach(
 ) -> Result<Arc<Solution>, SolveError> {
     let mut known = from;
     let mut share = 1.0;
-    loop {
+    let mut trouble = SolveError::SingularGrip;
+    for _ in 0..MOST_TRIES {
         let next = if share == 1.0 { at } else { known + share * (at - known) };
         match solve_on(problem, stretch, next, tolerance, work) {
             Ok(solution) => {
@@ -129,10 +132,14 @@ pub fn reach(
                 known = next;
                 share = 1.0;
             }
-            Err(_) if share > 0.5f64.powi(MOST_HALVINGS) => share *= 0.5,
+            Err(error) if share > 0.5f64.powi(MOST_HALVINGS) => {
+                trouble = error;
+                share *= 0.5;
+            }
             Err(error) => return Err(error),
         }
     }
+    Err(trouble)
 }
 
 /// Locates the turning point of `turn` between the labels `from` and `to`, at which its slope differs in sign.

@@ -139,6 +139,9 @@ pub fn solve(
     options: &NewtonOptions,
     work: &mut Workspace,
 ) -> Result<Solution, SolveError> {
+    if work.is_late() {
+        return Err(SolveError::OutOfTime);
+    }
     let fields = problem.fields();
     let row = path_row(problem, condition);
     let mut update = vec![0.0; at.state.len()];

@@ -19,20 +19,26 @@ const SMALL: f64 = 1e-2;
 
 /// Halves steps on which displacement or force is interpolated too badly for the accuracy `relative`, until there are `most`
 /// points. Returns the Newton iterations that it took.
-pub(super) fn fill_in(problem: &Problem, points: &mut Vec<Arc<Solution>>, relative: f64, most: usize) -> usize {
+pub(super) fn fill_in(
+    problem: &Problem,
+    points: &mut Vec<Arc<Solution>>,
+    relative: f64,
+    most: usize,
+    work: &mut Workspace,
+) -> usize {
     let wanted = (BETWEEN * relative.sqrt()).max(LEAST);
     let largest = points.iter().map(|point| point.observables.force.abs()).fold(0.0, f64::max);
     let least = (SMALL * problem.scale[problem.driven], SMALL * largest);
     let mut halvings = vec![0; points.len()];
     let tolerance = (1e-2 * relative).clamp(1e-12, ROUGH);
-    let (mut index, mut iterations, mut work) = (0, 0, Workspace::default());
+    let (mut index, mut iterations) = (0, 0);
     while index + 1 < points.len() && points.len() < most {
         let mut stretch = Stretch::around(problem, points, index);
         let bad =
             halvings[index] < MOST_HALVINGS && error(&stretch, least).is_none_or(|error| CAUTION * error > wanted);
         // a middle that cannot be found is none of the path's points, and the interpolant stays
         let middle = 0.5 * stretch.end();
-        match bad.then(|| reach(problem, &mut stretch, 0.0, middle, tolerance, &mut work)) {
+        match bad.then(|| reach(problem, &mut stretch, 0.0, middle, tolerance, work)) {
             Some(Ok(middle)) => {
                 iterations += middle.iterations;
                 points.insert(index + 1, middle);

@@ -8,7 +8,7 @@ use crate::solve::{
 };
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// A path with its turning points.
 pub(super) struct Followed {
@@ -25,6 +25,8 @@ pub(super) struct Followed {
     pub spread: f64,
     /// Why the path cannot be used, if it cannot.
     pub trouble: Option<Trouble>,
+    /// When its turning points and its work have to be there, if bounds.time is set.
+    deadline: Option<Instant>,
 }
 
 /// A step that holds a turning point.
@@ -72,6 +74,11 @@ pub(super) enum Trouble {
          another equilibrium, or the strip is too soft for its adhesion (process zone {process_nm:.3e} nm)"
     )]
     LostAtRest { displacement_nm: f64, process_nm: f64 },
+    #[error(
+        "bounds.time, and as long again and a second, were over before the turning points of the path and its work were \
+         computed: a larger one leaves more time for them"
+    )]
+    OutOfTime,
     #[error("{points} path points were not enough on {elements} elements: the mesh holds the path up")]
     TooManyPoints { points: usize, elements: usize },
 }
@@ -127,10 +134,12 @@ pub(super) fn follow(
         upright: false,
         spread: worst_spread(problem, path.points()),
         trouble,
+        deadline: deadline(bounds, started),
     };
     followed.finish(problem, far);
     if followed.trouble.is_none() {
-        followed.iterations += fill_in(problem, &mut followed.points, relative, bounds.points);
+        let mut work = followed.workspace();
+        followed.iterations += fill_in(problem, &mut followed.points, relative, bounds.points, &mut work);
     }
     let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem));
     followed.trouble = followed.trouble.take().or(checked.err());
@@ -205,6 +214,12 @@ fn step(
     Ok(beyond.map(|most| End::Bound(format!("bounds.displacement = {most} nm"))))
 }
 
+/// Until when turning points and work are computed: as long again as the path may take, and a second.
+fn deadline(bounds: &Bounds, started: Instant) -> Option<Instant> {
+    let most = Duration::try_from_secs_f64(2.0 * bounds.time_s? + 1.0).ok()?;
+    started.checked_add(most)
+}
+
 /// Whether the strip has just passed the upright position, all of it near 90 degrees: it hangs from its edge, and behind
 /// that, on a flat substrate, the path is the mirror image of itself.
 fn stands_upright(problem: &Problem, points: &[Arc<Solution>]) -> bool {
@@ -274,10 +289,20 @@ impl Followed {
         }
     }
 
+    /// What looks around on the path with, until it is late.
+    pub fn workspace(&self) -> Workspace {
+        Workspace::until(self.deadline)
+    }
+
+    /// What came out too late may be a ripple that is a turn, or an interpolant for a solution: to be asked in the end.
+    pub fn late(&self) -> Option<Trouble> {
+        self.workspace().is_late().then_some(Trouble::OutOfTime)
+    }
+
     /// Locates every turning point but those of a flat stretch, where the force rises and falls by less than `relative`
     /// of itself: there its slope is the discretisation's.
     fn locate_turns(&mut self, problem: &Problem, relative: f64) -> Result<(), Trouble> {
-        let mut work = Workspace::default();
+        let mut work = self.workspace();
         let mut candidates = Vec::new();
         for index in 0..self.points.len().saturating_sub(1) {
             let stretch = Stretch::around(problem, &self.points, index);
@@ -324,7 +349,13 @@ impl Followed {
     }
 
     fn not_located(&self, turn: Turn, after: usize, cause: SolveError) -> Trouble {
-        Trouble::NotLocated { turn, after, displacement_nm: self.points[after].observables.displacement, cause }
+        match cause {
+            SolveError::OutOfTime => Trouble::OutOfTime,
+            cause => {
+                let displacement_nm = self.points[after].observables.displacement;
+                Trouble::NotLocated { turn, after, displacement_nm, cause }
+            }
+        }
     }
 
     /// The same filter on what was located: an interpolant over a long step can make a ripple look large.

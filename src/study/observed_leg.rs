@@ -196,7 +196,7 @@ impl Machine<'_> {
         let mut stretch = Stretch::around(self.problem, path.points(), before);
         let label = stretch.insert(last.clone());
         let mut leg = self.leg(&path.points()[..=before], end, path.iterations());
-        leg.add(&StepCurve::until(self.problem, &stretch, label, &last));
+        leg.add(&StepCurve::until(self.problem, &stretch, label, &last, &mut Workspace::default()));
         leg.points.push(last);
         leg
     }
@@ -205,8 +205,9 @@ impl Machine<'_> {
         let first = points.first().map(|p| (p.observables.displacement, p.observables.force));
         let curve = first.into_iter().collect();
         let mut leg = Leg { points: points.to_vec(), curve, works: vec![0.0], end, iterations };
+        let mut work = Workspace::default();
         for index in 0..points.len().saturating_sub(1) {
-            leg.add(&StepCurve::behind(self.problem, points, index));
+            leg.add(&StepCurve::behind(self.problem, points, index, &mut work));
         }
         leg
     }

@@ -97,7 +97,6 @@ impl Attempt {
     ) -> Self {
         let Resolution { elements, step_tolerance, order } = resolution;
         let relative = accuracy.relative;
-        let trouble = followed.trouble.as_ref().map(|t| t.to_string());
         let mut spread = f64::INFINITY;
         let difference = SAFETY * worst_difference(&followed) / relative;
         let next = match &followed.trouble {
@@ -111,6 +110,8 @@ impl Attempt {
             Some(_) => resolution.times(1.5),
         };
         let mut peel = report(model, problem, &followed, relative);
+        let trouble = followed.trouble.as_ref().map(ToString::to_string);
+        let trouble = trouble.or_else(|| followed.late().map(|late| late.to_string()));
         peel.asked = relative;
         peel.choice = accuracy.choice;
         peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order };
@@ -242,7 +243,8 @@ fn worst_difference(followed: &Followed) -> f64 {
 
 /// What a user is told of a path.
 fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: f64) -> Peel {
-    let works = works(problem, &followed.points);
+    let mut work = followed.workspace();
+    let works = works(problem, &followed.points, &mut work);
     let largest = followed.points.iter().map(|s| s.observables.force.abs()).fold(0.0, f64::max);
     let points = followed.points.iter().zip(&works).map(|(s, &work)| PathPoint {
         displacement: s.observables.displacement,
@@ -262,7 +264,7 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: 
             displacement: located.observables.displacement,
             force: located.observables.force,
             end_rotation: located.observables.grip_rotation,
-            work: work_near(problem, &followed.points, &works, *after, located),
+            work: work_near(problem, &followed.points, &works, *after, located, &mut work),
             displacement_error: {
                 let round_off = if *kind == Turn::Load { ROUND_OFF_PLACE } else { ROUND_OFF };
                 let floor = (round_off + modesty(located, relative)) * located.observables.displacement.abs();
@@ -299,7 +301,8 @@ fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed, 
     let until = peel.snap_off.as_ref().map_or(peel.limit_points.len(), |s| order(s) + 1);
     let at_turns = peel.limit_points[..until].iter().map(peak_of);
     let at_end = match (&peel.snap_off, followed.points.last()) {
-        (None, Some(last)) => peak_at(problem, last, relative),
+        // rest alone is no path
+        (None, Some(last)) if followed.points.len() > 1 => peak_at(problem, last, relative),
         _ => None,
     };
     peel.peak = at_turns.chain(at_end).max_by(|a, b| a.force.total_cmp(&b.force));
@@ -329,6 +332,7 @@ fn peak_at(problem: &Problem, last: &Arc<Solution>, relative: f64) -> Option<Pea
         force: o.force,
         end_rotation: o.grip_rotation,
         force_error: SAFETY * difference.force.abs() + (ROUND_OFF + least(relative)) * o.force.abs(),
-        displacement_error: ROUND_OFF * o.displacement.abs(),
+        // a path that has come back to u = 0 ends there to the round-off of the gap
+        displacement_error: ROUND_OFF * o.displacement.abs().max(problem.scale[problem.driven]),
     })
 }

@@ -23,8 +23,9 @@ pub(super) fn plateau(problem: &Problem, followed: &Followed, peak_after: usize,
     let least = (peak_after + 2..snap_after.saturating_sub(1))
         .filter(|&i| between(i) <= between(i - 1) && between(i) <= between(i + 1))
         .min_by(|&a, &b| between(a).total_cmp(&between(b)))?;
+    let mut work = followed.workspace();
     // a step and its neighbours, since the least steepness may lie at an end of it
-    let steps = (least - 1..=least + 1).map(|i| StepCurve::behind(problem, points, i));
+    let steps = (least - 1..=least + 1).map(|i| StepCurve::behind(problem, points, i, &mut work));
     let best =
         steps.flat_map(|curve| (0..=SAMPLES).map(move |k| sample(&curve, k))).min_by(|a, b| a.0.total_cmp(&b.0))?;
     (best.0 < FLAT).then_some(best.1)

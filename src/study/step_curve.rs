@@ -19,24 +19,24 @@ pub(super) struct StepCurve {
 
 impl StepCurve {
     /// The step behind `points[index]`.
-    pub fn behind(problem: &Problem, points: &[Arc<Solution>], index: usize) -> Self {
+    pub fn behind(problem: &Problem, points: &[Arc<Solution>], index: usize, work: &mut Workspace) -> Self {
         let stretch = Stretch::around(problem, points, index);
-        Self::until(problem, &stretch, stretch.end(), &points[index + 1])
+        Self::until(problem, &stretch, stretch.end(), &points[index + 1], work)
     }
 
     /// From the first point of a stretch to a solution at the label `to` of it. Where a solution between cannot be found, the
     /// stretch's own interpolants stand in.
-    pub fn until(problem: &Problem, stretch: &Stretch, to: f64, end: &Solution) -> Self {
+    pub fn until(problem: &Problem, stretch: &Stretch, to: f64, end: &Solution, work: &mut Workspace) -> Self {
         let basis = Basis::new();
         let (left, right) = (NODES - 2, NODES - 1);
         let mut at = [(0.0, 0.0); NODES];
         let of = |o: &Observables| (o.displacement, o.force);
         (at[left], at[right]) = (of(&stretch.first().observables), of(&end.observables));
-        let (mut known, mut work, mut last) = (stretch.clone(), Workspace::default(), 0.0);
+        let (mut known, mut last) = (stretch.clone(), 0.0);
         for (at, node) in at[..left].iter_mut().zip(basis.nodes) {
             let label = 0.5 * (1.0 + node) * to;
             let interpolated = |pick: fn(&Observables) -> f64| stretch.observable(pick, 0.5 * to).at(label).0;
-            *at = match reach(problem, &mut known, last, label, ROUGH, &mut work) {
+            *at = match reach(problem, &mut known, last, label, ROUGH, work) {
                 Ok(solution) => of(&solution.observables),
                 Err(_) => (interpolated(|o| o.displacement), interpolated(|o| o.force)),
             };

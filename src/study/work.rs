@@ -1,13 +1,13 @@
 //! The work of the grip along a path: the energy it changed, or, where the load has no potential, ∫ P du.
 
 use super::step_curve::StepCurve;
-use crate::solve::{Located, Problem, Solution, Stretch};
+use crate::solve::{Located, Problem, Solution, Stretch, Workspace};
 use std::sync::Arc;
 
 /// Work from rest to each point, aJ.
-pub(super) fn works(problem: &Problem, points: &[Arc<Solution>]) -> Vec<f64> {
+pub(super) fn works(problem: &Problem, points: &[Arc<Solution>], work: &mut Workspace) -> Vec<f64> {
     if !problem.conservative {
-        return works_of_force(problem, points);
+        return works_of_force(problem, points, work);
     }
     points.iter().map(|s| energy(problem, s) - energy(problem, &points[0])).collect()
 }
@@ -19,6 +19,7 @@ pub(super) fn work_near(
     works: &[f64],
     after: usize,
     located: &Located,
+    work: &mut Workspace,
 ) -> f64 {
     let s = &located.solution;
     if problem.conservative {
@@ -27,14 +28,14 @@ pub(super) fn work_near(
     }
     let mut stretch = Stretch::around(problem, points, after);
     let label = stretch.insert(s.clone());
-    works[after] + StepCurve::until(problem, &stretch, label, s).work()
+    works[after] + StepCurve::until(problem, &stretch, label, s, work).work()
 }
 
 /// ∫ P du from rest to each point, aJ, whatever the load.
-pub(super) fn works_of_force(problem: &Problem, points: &[Arc<Solution>]) -> Vec<f64> {
+pub(super) fn works_of_force(problem: &Problem, points: &[Arc<Solution>], work: &mut Workspace) -> Vec<f64> {
     let mut works = vec![0.0];
     for i in 0..points.len().saturating_sub(1) {
-        works.push(works[i] + StepCurve::behind(problem, points, i).work());
+        works.push(works[i] + StepCurve::behind(problem, points, i, work).work());
     }
     works
 }

@@ -2,6 +2,7 @@
 
 use super::{Case, Check, DEFAULT, Measure, check};
 use crate::adhesion::LineLoad;
+use crate::solve::Workspace;
 use crate::study::work::{energy, works_of_force};
 
 pub(super) fn checks(cases: &[Case]) -> Vec<Check> {
@@ -44,7 +45,7 @@ fn balance(case: &Case) -> Result<f64, String> {
     let trace = case.peel.trace.as_ref().ok_or("the path was not kept")?;
     let last = case.peel.snap_off.map_or(trace.points.len() - 1, |point| point.after);
     let points = &trace.points[..=last];
-    let paid = works_of_force(&trace.problem, points);
+    let paid = works_of_force(&trace.problem, points, &mut Workspace::default());
     let change = energy(&trace.problem, &points[last]) - energy(&trace.problem, &points[0]);
     Ok(paid[last] / change)
 }

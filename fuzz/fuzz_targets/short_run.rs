@@ -1,0 +1,15 @@
+//! Short runs of scenes with absurd numbers, which the bytes choose.
+#![no_main]
+
+#[path = "../../tests/common/garbled.rs"]
+mod garbled;
+
+use garbled::{Dice, absurd_scene, check_run};
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|bytes: &[u8]| {
+    let text = absurd_scene(&mut Dice::new(bytes));
+    if let Err(fault) = check_run(&text) {
+        panic!("{fault}\nin\n{text}");
+    }
+});
