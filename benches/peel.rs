@@ -6,7 +6,8 @@ mod common;
 
 use common::Setting;
 use criterion::{Criterion, criterion_group, criterion_main};
-use peelkit::model::StripModel;
+use peelkit::model::{Form, StripModel};
+use peelkit::solve::{MOST_POINTS, Path, PathOptions};
 use peelkit::study::{Accuracy, Bounds, PointKind, Spacing, SweepCase, follow_point, peel, sweep};
 use std::hint::black_box;
 
@@ -26,6 +27,25 @@ fn paths(c: &mut Criterion) {
         group.bench_function(name, |b| b.iter(|| peel(black_box(&model), &DEFAULT, &BOUNDS)));
     }
     group.finish();
+}
+
+/// The path alone, points only, without turning points and bounds, at what is chosen for 1e-8.
+fn path_alone(c: &mut Criterion) {
+    let problem = strip(100.0, 1.0).problem(Form::TwoField, 7);
+    let options = PathOptions {
+        elements: 20,
+        step_tolerance: 3.8e-3,
+        tolerance: 1e-10,
+        prediction: MOST_POINTS,
+        first_displacement: 0.008,
+    };
+    c.bench_function("path alone, 100 nm at 1e-8", |b| {
+        b.iter(|| {
+            let mut path = Path::new(black_box(&problem), options);
+            while path.advance().is_ok_and(|point| path.points().len() < 3 || point.observables.force > 0.0) {}
+            (path.points().len(), path.iterations())
+        });
+    });
 }
 
 /// EI/EI0 from 1e-4 to 1e4 in 33 points, each the full path, on all cores.
@@ -64,5 +84,5 @@ fn kernels(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, paths, stiffness_sweep, peak_only, kernels);
+criterion_group!(benches, paths, path_alone, stiffness_sweep, peak_only, kernels);
 criterion_main!(benches);

@@ -3,6 +3,7 @@
 //! Units inside the library: nm and nN, hence 1 nN/nm² = 1 GPa, 1 nN/nm = 1 J/m², 1 nN·nm = 1 aJ.
 //! The rooms stand on one another in this order; each knows only those above it.
 
+#![forbid(unsafe_code)]
 // sums over fields, nodes and points read as in the equations
 #![allow(clippy::needless_range_loop)]
 

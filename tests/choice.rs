@@ -60,11 +60,12 @@ fn what_is_fixed_is_computed_with() {
     }
 }
 
-/// Effort: a third of the step tolerance takes more points and gives the same numbers.
+/// Effort: a hundredth of the step tolerance takes more points, though long steps are halved where the curve needs it, and gives
+/// the same numbers.
 #[test]
 fn shorter_steps_take_more_points() {
     let [long, short] = [1e-1, 1e-3].map(|step| run(1e-6, Choice { step: Some(step), ..free() }));
-    assert!(short.points.len() > 2 * long.points.len(), "{:?} {:?}", long.effort, short.effort);
+    assert!(2 * short.points.len() > 3 * long.points.len(), "{:?} {:?}", long.effort, short.effort);
     assert!(error(&long) < 1e-6 && error(&short) < 1e-6);
 }
 

@@ -1,9 +1,9 @@
 //! Where the snap-back of a stiff strip vanishes.
 //!
-//! Reference: `verification/cusp.csv`, the two turning points of the displacement of the paper's strip of 100 nm at four
+//! Reference: `verification/cusp.csv`, the two turning points of the displacement of the paper's strip of 100 nm at five
 //! bending stiffnesses below the cusp, by collocation without finite elements. Near a cusp the square of the difference of
-//! their forces is a smooth function of EI that vanishes there: its cubic through four values, carried on to zero, is off
-//! by a fourth power of small distances.
+//! their forces is a smooth function of EI that vanishes there: its polynomial through five values, carried on to zero,
+//! is off by a fifth power of small distances.
 //!
 //! Expected: the EI that `cusp` finds by following du/dP = d²u/dP² = 0, to 1e-7, within a bound that does not depend on the
 //! accuracy asked for; and peels on either side of it that have a snap-off, or none.
@@ -26,11 +26,11 @@ fn extrapolated() -> f64 {
             (number("bending_stiffness_factor"), (number("lp1_force_nN") - number("lp2_force_nN")).powi(2))
         })
         .collect();
-    assert_eq!(squares.len(), 4);
+    assert_eq!(squares.len(), 5);
     let weight = |i: usize| -> f64 {
-        (0..4).filter(|&j| j != i).map(|j| squares[j].1 / (squares[j].1 - squares[i].1)).product()
+        (0..5).filter(|&j| j != i).map(|j| squares[j].1 / (squares[j].1 - squares[i].1)).product()
     };
-    (0..4).map(|i| weight(i) * squares[i].0).sum()
+    (0..5).map(|i| weight(i) * squares[i].0).sum()
 }
 
 #[test]

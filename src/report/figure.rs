@@ -2,8 +2,8 @@
 
 use super::chart::{Picture, save};
 use super::{
-    ReportError, figure_beam, figure_levels, figure_points, figure_speed, figure_stiffness, figure_strip,
-    figure_verification, figure_work, write_whole,
+    ReportError, figure_beam, figure_levels, figure_points, figure_round_off, figure_speed, figure_stiffness,
+    figure_strip, figure_verification, figure_work, write_whole,
 };
 use crate::model::StripModel;
 use crate::study::{Accuracy, Bounds, Peel, SweepCase, SweepRow, peel, sweep};
@@ -34,6 +34,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
     figures.extend(figure_speed::figures(&runner, dir)?);
     figures.push(figure_beam::figure(dir)?);
     figures.push(figure_levels::figure(dir)?);
+    figures.push(figure_round_off::figure(dir)?);
     figures.extend(figure_verification::figures(dir)?);
     // Where the largest work needed no refinement fewer peels were run than planned.
     if runner.done.load(Ordering::Relaxed) < total {

@@ -7,6 +7,7 @@ mod figure;
 mod figure_beam;
 mod figure_levels;
 mod figure_points;
+mod figure_round_off;
 mod figure_speed;
 mod figure_stiffness;
 mod figure_strip;

@@ -413,7 +413,7 @@ pub fn printed(scene: &Scene) -> Result<String, String> {
     let mut text = format!("title = {}\n", toml::Value::from(scene.title.as_str()));
     for key in KEYS.iter().filter(|key| !key.table.is_empty()) {
         let (name, unit) = (key.name, key.unit());
-        let column = if unit.is_empty() { name.to_owned() } else { format!("{name}_{unit}") };
+        let column = if unit.is_empty() { name.to_owned() } else { format!("{name}_{}", unit.replace('/', "_per_")) };
         let line = match &json["parameters"][key.table][&column] {
             serde_json::Value::Null => continue,
             value if unit.is_empty() => format!("{}.{name} = {value}\n", key.table),
