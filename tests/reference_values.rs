@@ -57,8 +57,8 @@ const EXCEPTIONS: &[Exception] = &[
     Exception { asked: 1e-9, row: (100.0, 1e-3, "axis-gap", true), column: "lp2_force_nN", allowed: 3e-9, bounds: 1.0 },
     // 1.3e-9
     Exception { asked: 1e-9, row: (200.0, 0.1, "full", false), column: "lp1_displacement_nm", allowed: 3e-9, bounds: 1.0 },
-    // 7.2e-9, held sideways: of a force of 0.0025 nN where the strip pulls on its grips with forces of its own
-    Exception { asked: 1e-9, row: (100.0, 100.0, "full", true), column: "lp2_force_nN", allowed: 2e-8, bounds: 1.0 },
+    // 6e-9 to 2.8e-8, held sideways: round-off, of a force of 0.0025 nN where the path's largest is 0.5 nN
+    Exception { asked: 1e-9, row: (100.0, 100.0, "full", true), column: "lp2_force_nN", allowed: 6e-8, bounds: 1.0 },
     // 6.7e-9, of a force of 1.4e-5 nN
     Exception { asked: 1e-9, row: (3000.0, 1.0, "full", true), column: "lp2_force_nN", allowed: 1.3e-8, bounds: 1.0 },
 ];

@@ -1,4 +1,5 @@
-//! Strips drawn over wide ranges, each peeled twice: what the coarser run claims must hold for the finer one.
+//! Strips drawn over wide ranges, each peeled twice: what the coarser run claims must hold for the finer one. Loads `full` and
+//! `force-only`; strips of `axis-gap`, which is blind to its edges, may go several ways at their end.
 
 use super::{Check, Measure};
 use crate::adhesion::LineLoad;
@@ -43,12 +44,7 @@ fn strip(k: usize) -> StripModel {
     model.strip.height = height;
     model.strip.poissons_ratio = 0.4999 * at[5];
     (model.adhesion.hamaker_constant, model.adhesion.equilibrium_distance) = (hamaker, distance);
-    // the load as it comes; force-only has no energy and axis-gap no edge, so that both are rarer
-    model.adhesion.line_load = match at[6] {
-        x if x < 0.15 => LineLoad::ForceOnly,
-        x if x < 0.3 => LineLoad::AxisGap,
-        _ => LineLoad::Full,
-    };
+    model.adhesion.line_load = if at[6] < 0.2 { LineLoad::ForceOnly } else { LineLoad::Full };
     let hold = |fixed: bool| if fixed { Hold::Fixed } else { Hold::Free };
     model.grip.rotation = hold(at[7] < 0.3);
     model.grip.horizontal = hold((0.2..0.4).contains(&at[7]));
@@ -127,7 +123,7 @@ pub(super) fn checks(topic: &'static str) -> Vec<Check> {
     let of = format!("{SCENES} drawn strips");
     vec![
         check(format!("{of}: of {judged} numbers at 1e-6, how many are outside of their bounds"), &wrong, 0.0),
-        check(format!("{of}: points that one of two accuracies finds"), &differ, 0.005 * SCENES as f64),
+        check(format!("{of}: points that one of two accuracies finds"), &differ, 0.0),
         check(format!("{of}: paths that end in a refusal"), &failed, 0.1 * SCENES as f64),
     ]
 }
