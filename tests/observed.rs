@@ -330,6 +330,19 @@ fn the_bounds_of_the_scene_end_a_test() {
     }
 }
 
+/// Whenever a bound is reached, also before the first point of a piece or right behind a jump.
+#[test]
+fn a_bound_may_come_at_any_point() {
+    let model = guided(1.0);
+    let out_of_time = observed(&model, &Accuracy::to(1e-4), &Bounds { time_s: Some(1e-9), ..BOUNDS }).unwrap();
+    assert_eq!(out_of_time.end, TestEnd::Bound("bounds.time = 0.000000001 s".into()));
+    for points in 1..60 {
+        let test = observed(&model, &Accuracy::to(1e-4), &Bounds { points, ..BOUNDS }).unwrap();
+        assert!(!matches!(test.end, TestEnd::Failed(_)), "bounds.points = {points}: {:?}", test.end);
+        assert!(!test.points.is_empty());
+    }
+}
+
 #[test]
 fn the_command_writes_what_a_test_would_record() {
     let dir = tempfile::tempdir().unwrap();

@@ -109,7 +109,9 @@ impl Machine<'_> {
         }
     }
 
+    /// The bound that has been reached; a piece has one point at least.
     fn bound(&self, path: &Path, rising: bool, points: usize) -> Option<String> {
+        let u = path.points().last()?.observables.displacement;
         let Bounds { points: most, time_s, displacement } = *self.bounds;
         if points + path.points().len() >= most {
             return Some(format!("bounds.points = {most}"));
@@ -118,7 +120,6 @@ impl Machine<'_> {
         if let Some(most) = late {
             return Some(format!("bounds.time = {most} s"));
         }
-        let u = path.points().last().map_or(0.0, |p| p.observables.displacement);
         let beyond = displacement.filter(|&most| rising && u > most);
         beyond.map(|most| format!("bounds.displacement = {most} nm"))
     }
