@@ -5,6 +5,7 @@
 //! prints the table of verification/README.md.
 
 use peelkit::model::Form;
+use peelkit::report::end_word;
 use peelkit::scene::Scene;
 use peelkit::solve::{MOST_POINTS, Mesh, Observables, Path, PathOptions, controlled};
 use peelkit::study::{Accuracy, Bounds, Choice, End, Peel, peel};
@@ -37,17 +38,7 @@ fn row(name: &str, scene: &Scene) -> String {
     let counts = format!("{}, {}, {}", effort.points, effort.newton_iterations, effort.elements);
     let (mesh, secant, control) =
         (on_a_mesh_that_stays(scene, &result), by_secants(scene, &result), by_displacement(scene, &result));
-    format!("| {name} | {} | {force} | {bound} | {counts} | {mesh} | {secant} | {control} |", word(&result.end))
-}
-
-fn word(end: &End) -> &'static str {
-    match end {
-        End::Detached => "detached",
-        End::Pivoting => "pivoting",
-        End::TurnedBack => "turned-back",
-        End::Bound(_) => "bound",
-        End::Failed(_) => "failed",
-    }
+    format!("| {name} | {} | {force} | {bound} | {counts} | {mesh} | {secant} | {control} |", end_word(&result.end))
 }
 
 /// Eight times as many elements, equally long, that do not follow the front; five seconds.
@@ -60,7 +51,7 @@ fn on_a_mesh_that_stays(scene: &Scene, own: &Peel) -> String {
         (Some(_), None) => "no peak".into(),
         _ => "as here".into(),
     };
-    format!("{off}, {}, {} points", word(&other.end), other.effort.points)
+    format!("{off}, {}, {} points", end_word(&other.end), other.effort.points)
 }
 
 /// The same mesh and the same error of predictions, through two points; ten times as many points at most.
@@ -118,7 +109,7 @@ fn by_displacement(scene: &Scene, own: &Peel) -> String {
     let problem = scene.model.problem(Form::TwoField, own.effort.order);
     let largest = own.points.iter().map(|p| p.displacement).fold(0.0, f64::max);
     let targets: Vec<f64> = (1..=400).map(|k| largest * f64::from(k) / 400.0).collect();
-    let weights = Observables { displacement: 1.0, ..Observables::default() };
+    let weights = Observables::DISPLACEMENT;
     let mut start = problem.at_rest(own.effort.elements);
     for (k, &target) in targets.iter().enumerate() {
         match controlled(&problem, start, weights, &[target], 1e-2 * scene.accuracy.relative) {

@@ -33,7 +33,7 @@ fn iterations_allocate_nothing() {
         };
         let points: Vec<_> = Path::new(&problem, options).take(7).collect::<Result<_, _>>().unwrap();
         let (before, after) = (&points[5], &points[6]);
-        let weights = Observables { displacement: 1.0, ..Observables::default() };
+        let weights = Observables::DISPLACEMENT;
         let condition = Condition { weights, target: after.observables.displacement };
         let mut work = Workspace::default();
         let mut counted = |tolerance: f64| -> (Solution, usize) {

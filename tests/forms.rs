@@ -27,7 +27,7 @@ const LONGEST: f64 = 0.05;
 
 /// Equilibria under displacement control, at every one of [`STEPS`]. The mesh stays: fine where the front is at 5 nm.
 fn lift(problem: &Problem, elements: usize) -> Vec<Solution> {
-    let weights = Observables { displacement: 1.0, ..Observables::default() };
+    let weights = Observables::DISPLACEMENT;
     let options = NewtonOptions { tolerance: 1e-12, largest_update: 1.0, most_iterations: 20, exact_slope: false };
     let mut work = Workspace::default();
     let mut at = problem.at_rest(elements);

@@ -269,7 +269,7 @@ fn root_of_the_chain_is_symmetric_where_there_is_a_potential() {
 
 /// An equilibrium with u = 0.1 nm, behind which the force still rises.
 fn equilibrium(problem: &Problem) -> Equilibrium {
-    let weights = Observables { displacement: 1.0, ..Observables::default() };
+    let weights = Observables::DISPLACEMENT;
     let options = NewtonOptions { tolerance: 1e-12, largest_update: 1.0, most_iterations: 20, exact_slope: false };
     let mut at = problem.at_rest(6);
     for k in 0..=10 {
@@ -301,7 +301,7 @@ fn updates(problem: &Problem, start: &Equilibrium, condition: &Condition) -> Vec
 /// path following and the search for limit points do.
 #[test]
 fn newtons_method_converges_quadratically() {
-    let displacement = Observables { displacement: 1.0, ..Observables::default() };
+    let displacement = Observables::DISPLACEMENT;
     let mixed = Observables { front: -0.05, displacement: 1.0, tip_rotation: 0.5, force: 0.3, grip_rotation: 0.0 };
     let mut most = 0;
     for horizontal in [Hold::Free, Hold::Fixed] {

@@ -392,12 +392,5 @@ pub fn on_more_elements(
 /// The configuration on half as many elements again.
 pub(super) fn refined(problem: &Problem, at: &Equilibrium) -> Equilibrium {
     let elements = at.ends.len() - 1;
-    let ends = problem.ends(at.center, elements + elements.div_ceil(2));
-    Equilibrium {
-        state: problem.chain.resampled(at.configuration(), &ends),
-        ends,
-        center: at.center,
-        border: at.border,
-        force: at.force,
-    }
+    problem.on_elements(at, elements + elements.div_ceil(2))
 }

@@ -128,6 +128,13 @@ impl Problem {
         Equilibrium { ends, center: self.length, state, border: 0.0, force: 0.0 }
     }
 
+    /// The same configuration on another number of elements.
+    pub fn on_elements(&self, at: &Equilibrium, elements: usize) -> Equilibrium {
+        let ends = self.ends(at.center, elements);
+        let state = self.chain.resampled(at.configuration(), &ends);
+        Equilibrium { state, ends, ..*at }
+    }
+
     /// Size of an update relative to what it changes: heights by their scale plus their lift, rotations by their scale.
     pub fn relative_size(&self, update: &[f64], state: &[f64]) -> f64 {
         let (fields, rotation, up) = (self.fields(), self.rotation, self.rotation - 1);

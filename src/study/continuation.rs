@@ -8,8 +8,7 @@ use super::PointKind;
 use super::choice::ORDER;
 use crate::model::{Form, StripModel};
 use crate::solve::{
-    Configuration, Equilibrium, Fold, FoldSearch, Observables, Problem, SolveError, Workspace, lagrange_weights,
-    longest_step,
+    Equilibrium, Fold, FoldSearch, Observables, Problem, SolveError, Workspace, lagrange_weights, longest_step,
 };
 use std::collections::VecDeque;
 
@@ -84,8 +83,8 @@ pub(super) fn problem(model: &StripModel, kind: PointKind) -> Problem {
 /// A search for the point on a problem, with the displacement or the force as the place along the path.
 pub(super) fn search(problem: &Problem, kind: PointKind, target: f64) -> FoldSearch<'_> {
     let weights = match kind {
-        PointKind::InitiationPeak => Observables { displacement: 1.0, ..Observables::default() },
-        PointKind::SnapOff => Observables { force: 1.0, ..Observables::default() },
+        PointKind::InitiationPeak => Observables::DISPLACEMENT,
+        PointKind::SnapOff => Observables::FORCE,
     };
     FoldSearch { problem, weights, turn: kind.turn(), width: WIDTH * target.abs() }
 }
@@ -128,9 +127,7 @@ impl Known {
     ) -> Result<Fold, SolveError> {
         let from = &self.equilibrium;
         let own = problem.ends_near(from.center, from.ends.len() - 1, &from.ends);
-        let ends = problem.ends(from.center, elements);
-        let state = problem.chain.resampled(Configuration { ends: &own, ..from.configuration() }, &ends);
-        let at = Equilibrium { state, ends, ..from.clone() };
+        let at = problem.on_elements(&Equilibrium { ends: own, ..from.clone() }, elements);
         search(problem, kind, self.target).run(at, self.target, None, work)
     }
 

@@ -7,9 +7,7 @@
 use super::choice::{ORDER, Resolution};
 use super::{Accuracy, Bounds, End, peel};
 use crate::model::{Form, StripModel};
-use crate::solve::{
-    Condition, Configuration, Equilibrium, NewtonOptions, Observables, Problem, Solution, Turn, Workspace, solve,
-};
+use crate::solve::{Condition, Equilibrium, NewtonOptions, Observables, Problem, Solution, Turn, Workspace, solve};
 use std::sync::Arc;
 
 /// A cusp of the path in a parameter.
@@ -93,10 +91,7 @@ impl Snapback {
 
     /// The same on another number of elements.
     fn on_elements(&self, problem: &Problem, elements: usize) -> Self {
-        let own = problem.ends_near(self.at.center, self.at.ends.len() - 1, &self.at.ends);
-        let ends = problem.ends(self.at.center, elements);
-        let state = problem.chain.resampled(Configuration { ends: &own, ..self.at.configuration() }, &ends);
-        Self { at: Equilibrium { state, ends, ..self.at.clone() }, ..self.clone() }
+        Self { at: problem.on_elements(&self.at, elements), ..*self }
     }
 
     /// The maximum of du/dP over P next to this one, by parabolas through three forces.
@@ -124,7 +119,7 @@ impl Snapback {
 
     /// The equilibrium at a force, from this one.
     fn solved(&self, problem: &Problem, force: f64, work: &mut Workspace) -> Result<Self, String> {
-        let weights = Observables { force: 1.0, ..Observables::default() };
+        let weights = Observables::FORCE;
         let options = NewtonOptions { tolerance: FINE, largest_update: 0.5, most_iterations: 20, exact_slope: true };
         let solution = solve(problem, self.at.clone(), &Condition { weights, target: force }, &options, work);
         let Solution { at, observables, slope, .. } = solution.map_err(|error| error.to_string())?;

@@ -3,7 +3,7 @@
 //! Steps are as long as predictions allow, which a step that turns by a right angle may be. Between points the curve is
 //! interpolated; where that is not good enough, the middle of the step is solved as well.
 
-use crate::solve::{Observables, Problem, ROUGH, Solution, Stretch, Workspace, reach};
+use crate::solve::{Observables, Problem, Solution, Stretch, Workspace, reach};
 use std::sync::Arc;
 
 /// Most times a step is halved.
@@ -18,11 +18,12 @@ const LEAST: f64 = 1e-6;
 const SMALL: f64 = 1e-2;
 
 /// Halves steps on which displacement or force is interpolated too badly for the accuracy `relative`, until there are `most`
-/// points. Returns the Newton iterations that it took.
+/// points, with an error of `tolerance` of their solutions. Returns the Newton iterations that it took.
 pub(super) fn fill_in(
     problem: &Problem,
     points: &mut Vec<Arc<Solution>>,
     relative: f64,
+    tolerance: f64,
     most: usize,
     work: &mut Workspace,
 ) -> usize {
@@ -30,7 +31,6 @@ pub(super) fn fill_in(
     let largest = points.iter().map(|point| point.observables.force.abs()).fold(0.0, f64::max);
     let least = (SMALL * problem.scale[problem.driven], SMALL * largest);
     let mut halvings = vec![0; points.len()];
-    let tolerance = (1e-2 * relative).clamp(1e-12, ROUGH);
     let (mut index, mut iterations) = (0, 0);
     while index + 1 < points.len() && points.len() < most {
         let mut stretch = Stretch::around(problem, points, index);

@@ -139,7 +139,8 @@ pub(super) fn follow(
     followed.finish(problem, far);
     if followed.trouble.is_none() {
         let mut work = followed.workspace();
-        followed.iterations += fill_in(problem, &mut followed.points, relative, bounds.points, &mut work);
+        followed.iterations +=
+            fill_in(problem, &mut followed.points, relative, options.tolerance.min(ROUGH), bounds.points, &mut work);
     }
     let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem));
     followed.trouble = followed.trouble.take().or(checked.err());
@@ -242,8 +243,8 @@ impl Followed {
             End::Pivoting if stands_upright(problem, &self.points) => {
                 (Observables { tip_rotation: 1.0, ..Observables::default() }, FRAC_PI_2)
             }
-            End::Pivoting => (Observables { force: 1.0, ..Observables::default() }, 0.0),
-            End::TurnedBack => (Observables { displacement: 1.0, ..Observables::default() }, 0.0),
+            End::Pivoting => (Observables::FORCE, 0.0),
+            End::TurnedBack => (Observables::DISPLACEMENT, 0.0),
             _ => return,
         };
         let (before, beyond) = (&self.points[n - 2], &self.points[n - 1]);

@@ -150,16 +150,13 @@ impl Measured {
     fn on(order: usize, elements: usize, force: Option<f64>) -> Result<Self, String> {
         let problem = strip().problem(Form::TwoField, order);
         let mut mesh = Mesh::new(&problem, elements);
-        let lift = |target| Condition { weights: Observables { displacement: 1.0, ..Observables::default() }, target };
+        let lift = |target| Condition { weights: Observables::DISPLACEMENT, target };
         let rest = mesh.solve(&lift(0.0))?;
         let mut here = rest.clone();
         for step in 1..=4 {
             here = mesh.solve(&lift(DISPLACEMENT * f64::from(step) / 4.0))?;
         }
-        let pull = Condition {
-            weights: Observables { force: 1.0, ..Observables::default() },
-            target: force.unwrap_or(here.observables.force),
-        };
+        let pull = Condition { weights: Observables::FORCE, target: force.unwrap_or(here.observables.force) };
         let displacement = mesh.solve(&pull)?.observables.displacement;
         Ok(Self {
             energy: here.energy.total - rest.energy.total,
