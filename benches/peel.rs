@@ -50,7 +50,7 @@ fn path_alone(c: &mut Criterion) {
 
 /// EI/EI0 from 1e-4 to 1e4 in 33 points, each the full path, on all cores.
 fn stiffness_sweep(c: &mut Criterion) {
-    let case = |value| SweepCase { value, model: strip(100.0, value), accuracy: DEFAULT, bounds: BOUNDS };
+    let case = |value| SweepCase { value, model: strip(100.0, value).into(), accuracy: DEFAULT, bounds: BOUNDS };
     let cases: Vec<_> = (0..33).map(|k| case(10f64.powf(-4.0 + 0.25 * f64::from(k)))).collect();
     c.bench_function("sweep of 33 stiffnesses", |b| b.iter(|| sweep(black_box(&cases), &|| true, &|_| ())));
 }

@@ -21,6 +21,8 @@ pub trait Real:
     fn sin_cos(self) -> (Self, Self);
     /// `positive` where the number is above zero, else `other`.
     fn choose(self, positive: Self, other: Self) -> Self;
+    /// Several functions of each number, computed one by one.
+    fn each<const K: usize>(self, function: impl Fn(f64) -> [f64; K]) -> [Self; K];
     /// One over it.
     #[inline(always)]
     fn recip(self) -> Self {
@@ -40,6 +42,10 @@ impl Real for f64 {
     #[inline(always)]
     fn choose(self, positive: Self, other: Self) -> Self {
         if self > 0.0 { positive } else { other }
+    }
+    #[inline(always)]
+    fn each<const K: usize>(self, function: impl Fn(f64) -> [f64; K]) -> [Self; K] {
+        function(self)
     }
 }
 
@@ -155,6 +161,11 @@ impl Real for Four {
             out[l] = if self.0[l] > 0.0 { positive.0[l] } else { out[l] };
         }
         Self(out)
+    }
+    #[inline(always)]
+    fn each<const K: usize>(self, function: impl Fn(f64) -> [f64; K]) -> [Self; K] {
+        let each = self.0.map(function);
+        std::array::from_fn(|k| Self(each.map(|values| values[k])))
     }
 }
 

@@ -19,14 +19,15 @@ mod common;
 use common::{paper_strip, whole_peel, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::analytic::steady_force;
-use peelkit::model::{Form, Hold, StripModel};
+use peelkit::model::{Form, Hold, PeelModel, StripModel};
 use peelkit::solve::{Hermite, Observables, Path, PathOptions, Problem, Solution};
 use peelkit::study::Peel;
 use std::sync::Arc;
 
 /// Work of adhesion of the strip, bΨ(y_eq, 0) with its sign changed, nN.
-fn work_of_adhesion(model: &StripModel) -> f64 {
-    -model.strip.width * model.line_law().rest_energy()
+fn work_of_adhesion(model: impl Into<PeelModel>) -> f64 {
+    let model = model.into();
+    -model.free_end().0 * model.line_law().rest_energy()
 }
 
 /// Spread of the first integral at each point of the path, over w.

@@ -65,7 +65,7 @@ fn made_up() -> (Scene, Peel) {
 }
 
 fn row(value: f64, peel: &Peel) -> SweepRow {
-    SweepRow { value, model: peel.model, found: Found::from(peel) }
+    SweepRow { value, model: peel.model.clone(), found: Found::from(peel) }
 }
 
 fn summary(scene: &Scene, peel: &Peel) -> Value {

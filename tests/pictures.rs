@@ -36,7 +36,7 @@ fn nothing() -> Peel {
 fn factors(values: &[f64]) -> Vec<SweepRow> {
     let row = |&value: &f64| {
         let mut peel = nothing();
-        peel.model.strip.bending_stiffness_factor = value;
+        peel.model = StripModel::of_the_paper(100.0, value).into();
         let force = 0.34 * value.powf(0.2);
         peel.peak =
             Some(Peak { displacement: 0.25, force, end_rotation: 0.04, force_error: 1e-9, displacement_error: 1e-9 });
@@ -52,7 +52,7 @@ fn factors(values: &[f64]) -> Vec<SweepRow> {
             flat: false,
             after: 0,
         });
-        SweepRow { value, model: peel.model, found: Found::from(&peel) }
+        SweepRow { value, model: peel.model.clone(), found: Found::from(&peel) }
     };
     values.iter().map(row).collect()
 }

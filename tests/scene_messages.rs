@@ -6,8 +6,9 @@
 //! parsers, has to mend the file.
 
 use peelkit::adhesion::LineLoad;
-use peelkit::model::Hold;
-use peelkit::scene::{KEYS, Need, Scene};
+use peelkit::beam::Material;
+use peelkit::model::{Body, Hold, Spatula};
+use peelkit::scene::{KEYS, Key, Need, Scene};
 use proptest::prelude::*;
 
 const MINIMAL: &str = r#"
@@ -15,6 +16,13 @@ const MINIMAL: &str = r#"
 length = "100 nm"
 height = "10 nm"
 youngs_modulus = "2 GPa"
+[adhesion]
+hamaker_constant = "1e-19 J"
+equilibrium_distance = "0.4 nm"
+"#;
+
+const SPATULA: &str = r#"
+[spatula]
 [adhesion]
 hamaker_constant = "1e-19 J"
 equilibrium_distance = "0.4 nm"
@@ -43,7 +51,7 @@ fn assert_says(complaint: &str, parts: &[&str]) {
 #[test]
 fn what_a_scene_leaves_out_has_its_default() {
     let scene = Scene::parse("dir/first.toml", MINIMAL, &[]).unwrap();
-    let (strip, adhesion, grip) = (scene.model.strip, scene.model.adhesion, scene.model.grip);
+    let (strip, adhesion, grip) = (*scene.model.strip().unwrap(), scene.model.adhesion, scene.model.grip);
     assert_eq!((strip.length, strip.height, strip.width), (100.0, 10.0, 1.0));
     assert_eq!((strip.youngs_modulus, strip.poissons_ratio), (2.0, 0.2));
     assert_eq!((strip.shear_correction, strip.bending_stiffness_factor), (5.0 / 6.0, 1.0));
@@ -88,7 +96,7 @@ time = "2 min"
 displacement = "0.5 um"
 "#;
     let scene = Scene::parse("a.toml", text, &[]).unwrap();
-    let (strip, adhesion, grip) = (scene.model.strip, scene.model.adhesion, scene.model.grip);
+    let (strip, adhesion, grip) = (*scene.model.strip().unwrap(), scene.model.adhesion, scene.model.grip);
     assert_eq!((strip.length, strip.height, strip.width), (200.0, 10.0, 2.0));
     assert_eq!((strip.youngs_modulus, strip.poissons_ratio), (3.0, -0.5));
     assert_eq!((strip.shear_correction, strip.bending_stiffness_factor), (1.0, 1e-4));
@@ -101,21 +109,98 @@ displacement = "0.5 um"
     assert_eq!((choice.order, choice.elements, choice.step), (Some(5), Some(30), Some(0.05)));
     assert_eq!((scene.bounds.points, scene.bounds.time_s, scene.bounds.displacement), (50, Some(120.0), Some(500.0)));
     assert_eq!(scene.title, "All");
-    for key in KEYS {
+    for key in KEYS.iter().filter(|key| key.belongs_to(&scene)) {
         assert!(text.contains(&format!("{} = ", key.name)), "{} is not in this test", key.path());
+    }
+}
+
+/// Numbers that are all different, so that none can stand in another's place.
+#[test]
+fn every_key_of_a_spatula_is_read() {
+    let text = r#"
+[spatula]
+pad_length = "201 nm"
+neck_length = "102 nm"
+shaft_length = "0.503 um"
+bend_length = "54 nm"
+tip_width = "205 nm"
+neck_width = "56 nm"
+shaft_diameter = "57 nm"
+pad_thickness = "8 nm"
+shaft_angle = "30 deg"
+tip_rounding_length = "59 nm"
+tip_rounding_width = "60 nm"
+youngs_modulus = "3 GPa"
+poissons_ratio = 0.3
+shear_correction = 0.9
+bending_stiffness_factor = 1.5
+[adhesion]
+hamaker_constant = "1e-19 J"
+equilibrium_distance = "0.4 nm"
+"#;
+    let scene = Scene::parse("a.toml", text, &[]).unwrap();
+    let Body::Spatula(spatula) = &scene.model.body else { panic!("{:?} is no spatula", scene.model.body) };
+    let expected = Spatula {
+        pad_length: 201.0,
+        neck_length: 102.0,
+        shaft_length: 503.0,
+        bend_length: 54.0,
+        tip_width: 205.0,
+        neck_width: 56.0,
+        shaft_diameter: 57.0,
+        pad_thickness: 8.0,
+        shaft_angle: 30f64.to_radians(),
+        tip_rounding_length: 59.0,
+        tip_rounding_width: 60.0,
+        material: Material {
+            youngs_modulus: 3.0,
+            poissons_ratio: 0.3,
+            shear_correction: 0.9,
+            bending_stiffness_factor: 1.5,
+        },
+    };
+    assert_eq!(*spatula, expected);
+    assert_eq!(scene.model.length(), 806.0);
+    for key in KEYS.iter().filter(|key| key.table == "spatula") {
+        assert!(text.contains(&format!("{} = ", key.name)), "{} is not in this test", key.path());
+    }
+    assert_eq!(Scene::parse("a.toml", SPATULA, &[]).unwrap().model.body, Body::Spatula(Spatula::default()));
+}
+
+#[test]
+fn a_scene_peels_one_body() {
+    let both = MINIMAL.to_owned() + "[spatula]\ntip_width = \"100 nm\"\n";
+    assert_says(&complaint(&both), &["dir/a.toml, line 10: `spatula.tip_width`", "a [strip]", "[strip], [spatula]"]);
+    let error = with("spatula.tip_width", "100 nm").unwrap_err();
+    assert_says(&error, &["--set spatula.tip_width=100 nm", "the scene peels a [strip]"]);
+}
+
+#[test]
+fn lengths_of_a_spatula_that_do_not_fit_are_named() {
+    for (line, parts) in [
+        ("tip_rounding_length = \"241 nm\"", ["`spatula.tip_rounding_length` is 241 nm", "(240 nm)"]),
+        ("tip_rounding_length = \"9 nm\"\ntip_rounding_width = \"201 nm\"", ["_width` is 201 nm", "(200 nm)"]),
+        ("bend_length = \"751 nm\"", ["`spatula.bend_length` is 751 nm", "(750 nm)"]),
+        ("shaft_angle = \"200 deg\"", ["`spatula.shaft_angle` is 3.49", "from -3.1416e0 to 3.1416e0 in rad"]),
+        ("shaft_angle = \"4 nm\"", ["nm measures a length, not an angle", "45 deg"]),
+        ("shaft_angle = 45", ["is 45, a number without a unit", "Write \"45 rad\""]),
+    ] {
+        let text = SPATULA.replace("[spatula]\n", &format!("[spatula]\n{line}\n"));
+        assert_says(&complaint(&text), &parts);
     }
 }
 
 #[test]
 fn every_example_that_messages_give_is_right() {
     for key in KEYS {
-        with(&key.path(), key.example()).unwrap();
+        let text = if key.table == "spatula" { SPATULA } else { MINIMAL };
+        Scene::parse("a.toml", text, &set(&key.path(), key.example())).unwrap();
     }
 }
 
 #[test]
 fn the_ready_scenes_are_right() {
-    for name in ["strip", "strip-100nm", "strip-soft"] {
+    for name in ["strip", "strip-100nm", "strip-soft", "spatula"] {
         let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
         Scene::parse(&path, &std::fs::read_to_string(&path).unwrap(), &[]).unwrap();
     }
@@ -123,7 +208,11 @@ fn the_ready_scenes_are_right() {
 
 #[test]
 fn the_remarks_of_the_ready_scene_show_the_defaults() {
-    let path = format!("{}/scenes/strip.toml", env!("CARGO_MANIFEST_DIR"));
+    ["strip", "spatula"].into_iter().for_each(assert_remarks_show_defaults);
+}
+
+fn assert_remarks_show_defaults(name: &str) {
+    let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap();
     // Every remark that is a line of a scene, but for what has no default.
     let is_line = |line: &str| {
@@ -134,7 +223,8 @@ fn the_remarks_of_the_ready_scene_show_the_defaults() {
     let uncommented: Vec<&str> = text.lines().map(|line| if is_line(line) { &line[2..] } else { line }).collect();
     let plain = Scene::parse(&path, &text, &[]).unwrap();
     assert_eq!(Scene::parse(&path, &uncommented.join("\n"), &[]).unwrap(), plain);
-    for key in KEYS.iter().filter(|key| key.need == Need::Optional) {
+    let shown = |key: &&Key| key.need == Need::Optional && key.belongs_to(&plain);
+    for key in KEYS.iter().filter(shown) {
         assert!(text.contains(&format!("{} = ", key.name)), "{} is not shown", key.path());
     }
 }
@@ -202,7 +292,7 @@ fn every_mistake_in_a_choice_or_another_table_is_named() {
         ("[grip]", "stiffness = 0.5", "a number without a unit", r#""0.5 N/m""#),
         ("[bounds]", r#"displacement = "1 s""#, "s measures a time, not a length", "nm"),
         ("[girp]", "rotation = 1", "[girp] is not a table", "Did you mean [grip]?"),
-        ("[spring]", "rotation = 1", "[spring] is not a table", "[strip], [adhesion], [grip]"),
+        ("[spring]", "rotation = 1", "[spring] is not a table", "[strip], [spatula], [adhesion], [grip]"),
         ("[[strip]]", "length = 1", "`strip` is a list", "write [strip]"),
     ];
     for (table, line, found, remedy) in lines {
@@ -245,22 +335,26 @@ fn what_is_not_toml_is_named_with_its_line() {
 #[test]
 fn an_override_replaces_a_key_with_or_without_quotes() {
     for value in ["50 nm", "50nm", "\"50 nm\"", "'50 nm'", " 0.05 um "] {
-        assert_eq!(with("strip.length", value).unwrap().model.strip.length, 50.0, "{value}");
+        assert_eq!(with("strip.length", value).unwrap().model.strip().unwrap().length, 50.0, "{value}");
     }
-    assert_eq!(with("strip.poissons_ratio", "0.3").unwrap().model.strip.poissons_ratio, 0.3);
+    assert_eq!(with("strip.poissons_ratio", "0.3").unwrap().model.strip().unwrap().poissons_ratio, 0.3);
     assert!(!with("adhesion.far_face", "false").unwrap().model.adhesion.far_face);
     assert_eq!(with("adhesion.line_load", "axis-gap").unwrap().model.adhesion.line_load, LineLoad::AxisGap);
     assert_eq!(with("grip.rotation", "\"fixed\"").unwrap().model.grip.rotation, Hold::Fixed);
     assert_eq!(with("bounds.points", "7").unwrap().bounds.points, 7);
     assert_eq!(with("title", "2026").unwrap().title, "2026");
     let twice = [set("strip.length", "1 nm"), set("strip.length", "2 nm")].concat();
-    assert_eq!(Scene::parse("a.toml", MINIMAL, &twice).unwrap().model.strip.length, 2.0, "the last one holds");
+    assert_eq!(
+        Scene::parse("a.toml", MINIMAL, &twice).unwrap().model.strip().unwrap().length,
+        2.0,
+        "the last one holds"
+    );
 }
 
 #[test]
 fn an_override_gives_what_the_text_lacks() {
     let text = MINIMAL.replace("height = \"10 nm\"", "");
-    assert_eq!(Scene::parse("a.toml", &text, &set("strip.height", "5 nm")).unwrap().model.strip.height, 5.0);
+    assert_eq!(Scene::parse("a.toml", &text, &set("strip.height", "5 nm")).unwrap().model.strip().unwrap().height, 5.0);
 }
 
 #[test]
@@ -301,7 +395,7 @@ proptest! {
             text[at] = character;
         }
         if let Ok(scene) = Scene::parse("a.toml", &text.into_iter().collect::<String>(), &[]) {
-            let strip = scene.model.strip;
+            let strip = *scene.model.strip().unwrap();
             prop_assert!(strip.length.is_finite() && strip.height.is_finite() && strip.youngs_modulus.is_finite());
         }
     }

@@ -8,7 +8,8 @@
 //!     S = 0   |___|___|___|__|_|_/ ^ u, P   H one number for the chain where the grip is held
 //!             adhesion b Ψ(y, θ)  S = L
 //!
-//! Parameters: sections and states at random (a fixed seed), slender and stout, soft and stiff, tilts within ±1.4; chains of
+//! Parameters: sections and states at random (a fixed seed), slender and stout, soft and stiff, tilts within ±1.4, with an axis that
+//! rises from the underside and is curved when free of stress; chains of
 //! the paper's strip, L = 40 nm, 6 elements.
 //!
 //! Expected: equal to 1e-9 of the entries' scale; symmetric where the load has a potential, and not where it has none; Newton's
@@ -21,8 +22,9 @@ use common::{LOADS, line_energy, paper_law, paper_strip, stored_energy, with_gri
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual2SVec64, DualNum, hessian};
 use peelkit::adhesion::{LineLaw, LineLoad};
-use peelkit::beam::{Density, PointResponse, ReducedBeam, ReissnerBeam, Section};
+use peelkit::beam::{Density, PointResponse, Profile, ReducedBeam, ReissnerBeam, Section, Station};
 use peelkit::model::{Form, Hold};
+use peelkit::number::Real;
 use peelkit::solve::{
     Condition, Equilibrium, NewtonOptions, Observables, PathRow, Problem, SolveError, Workspace, solve,
 };
@@ -43,9 +45,24 @@ struct Case {
     width: f64,
     gap: f64,
     rotation: f64,
-    /// x', y' and θ'
+    /// x', η' and θ'
     slopes: [f64; 3],
     border: f64,
+    /// h'/2 and κ0
+    lie: [f64; 2],
+}
+
+/// A beam that is at its one place as a case says.
+impl Profile for Case {
+    fn at<T: Real>(&self, _: T) -> Station<T> {
+        Station {
+            section: self.section.splat(),
+            width: T::splat(self.width),
+            height: T::splat(self.law.height),
+            rise: T::splat(self.lie[0]),
+            curvature: T::splat(self.lie[1]),
+        }
+    }
 }
 
 fn cases() -> impl Strategy<Value = Case> {
@@ -57,8 +74,9 @@ fn cases() -> impl Strategy<Value = Case> {
         bending: 10f64.powf(b),
     });
     let slopes = (0.8..1.2f64, -1.0..1.0f64, -0.3..0.3f64).prop_map(|(x, y, t)| [x, y, t]);
-    (section, law, 0.5..3.0f64, 0.22..4.0f64, -1.4..1.4f64, slopes, -1.0..1.0f64).prop_map(
-        |(section, law, width, gap, rotation, slopes, border)| Case {
+    let lie = (-0.5..0.5f64, -0.2..0.2f64).prop_map(|(rise, curvature)| [rise, curvature]);
+    (section, law, 0.5..3.0f64, 0.22..4.0f64, -1.4..1.4f64, slopes, -1.0..1.0f64, lie).prop_map(
+        |(section, law, width, gap, rotation, slopes, border, lie)| Case {
             section,
             law,
             width,
@@ -66,6 +84,7 @@ fn cases() -> impl Strategy<Value = Case> {
             rotation,
             slopes,
             border,
+            lie,
         },
     )
 }
@@ -153,21 +172,26 @@ fn reduced_energy<D: DualNum<f64> + Copy>(section: &Section, rotation: D, dy: D,
 fn two_field_density_held_and_free() {
     runner()
         .run(&cases(), |c| {
-            let Case { section, law, width, .. } = c;
+            let Case { section, law, width, lie: [rise, curved], .. } = c;
             let ([_, dy, curvature], value) = (c.slopes, [c.gap, c.rotation]);
             let potential = law.has_potential();
 
             let at = SVector::from([c.gap, c.rotation, dy, curvature, c.border]);
-            let stored = hessian(|v: SVector<Dual2SVec64<5>, 5>| reduced_energy(&section, v[1], v[2], v[3], v[4]), &at);
+            let stored = hessian(
+                |v: SVector<Dual2SVec64<5>, 5>| reduced_energy(&section, v[1], v[2] + rise, v[3] - curved, v[4]),
+                &at,
+            );
             let adhesion = hessian(|v: SVector<Dual2SVec64<5>, 5>| line_energy(&law, v[0], v[1]) * width, &at);
-            let held = ReducedBeam::<true> { section, law, width };
+            let held = ReducedBeam::<_, true> { profile: c, law };
             compare(&held.response(0.0, value, [dy, curvature], c.border), stored, adhesion, 0, potential)?;
 
             let at = SVector::from([c.gap, c.rotation, dy, curvature]);
-            let stored =
-                hessian(|v: SVector<Dual2SVec64<4>, 4>| reduced_energy(&section, v[1], v[2], v[3], v[3] * 0.0), &at);
+            let stored = hessian(
+                |v: SVector<Dual2SVec64<4>, 4>| reduced_energy(&section, v[1], v[2] + rise, v[3] - curved, v[3] * 0.0),
+                &at,
+            );
             let adhesion = hessian(|v: SVector<Dual2SVec64<4>, 4>| line_energy(&law, v[0], v[1]) * width, &at);
-            let free = ReducedBeam::<false> { section, law, width };
+            let free = ReducedBeam::<_, false> { profile: c, law };
             // a free grip knows no H, whatever stands in its place
             compare(&free.response(0.0, value, [dy, curvature], c.border), stored, adhesion, 0, potential)
         })
@@ -178,12 +202,15 @@ fn two_field_density_held_and_free() {
 fn three_field_density() {
     runner()
         .run(&cases(), |c| {
-            let Case { section, law, width, .. } = c;
+            let Case { section, law, width, lie: [rise, curved], .. } = c;
             let [dx, dy, curvature] = c.slopes;
             let at = SVector::from([17.0, c.gap, c.rotation, dx, dy, curvature]);
-            let stored = hessian(|v: SVector<Dual2SVec64<6>, 6>| stored_energy(&section, v[2], v[3], v[4], v[5]), &at);
+            let stored = hessian(
+                |v: SVector<Dual2SVec64<6>, 6>| stored_energy(&section, v[2], v[3], v[4] + rise, v[5] - curved),
+                &at,
+            );
             let adhesion = hessian(|v: SVector<Dual2SVec64<6>, 6>| line_energy(&law, v[1], v[2]) * width, &at);
-            let response = ReissnerBeam { section, law, width }.response(0.0, [17.0, c.gap, c.rotation], c.slopes, 0.0);
+            let response = ReissnerBeam { profile: c, law }.response(0.0, [17.0, c.gap, c.rotation], c.slopes, 0.0);
             compare(&response, stored, adhesion, 1, law.has_potential())
         })
         .unwrap();
@@ -194,12 +221,12 @@ fn three_field_density() {
 fn section_states_agree_with_the_density() {
     runner()
         .run(&cases(), |c| {
-            let Case { section, law, width, .. } = c;
+            let Case { section, law, lie: [rise, _], .. } = c;
             let close = |a: f64, b: f64, size: f64| {
                 let fine = (a - b).abs() <= 1e-10 * size;
                 if fine { Ok(()) } else { Err(TestCaseError::fail(format!("{a:e} and {b:e}"))) }
             };
-            let beam = ReissnerBeam { section, law, width };
+            let beam = ReissnerBeam { profile: c, law };
             let value = [0.0, c.gap, c.rotation];
             let state = beam.section_state(0.0, value, c.slopes, 0.0);
             let response = beam.response(0.0, value, c.slopes, 0.0);
@@ -211,11 +238,11 @@ fn section_states_agree_with_the_density() {
             close(state.stored, response.energy - response.adhesion, size)?;
             let back = beam.section_state_from_forces(0.0, value, forces, 0.0);
             close(back.horizontal_slope, c.slopes[0], size / section.axial.min(section.shear))?;
-            close(back.vertical_slope, c.slopes[1], size / section.axial.min(section.shear))?;
+            close(back.vertical_slope, c.slopes[1] + rise, size / section.axial.min(section.shear))?;
             close(back.curvature, c.slopes[2], size / section.bending)?;
 
             // the two-field form, given the same H, has the same section
-            let reduced = ReducedBeam::<true> { section, law, width };
+            let reduced = ReducedBeam::<_, true> { profile: c, law };
             let same =
                 reduced.section_state(0.0, [c.gap, c.rotation], [c.slopes[1], c.slopes[2]], state.horizontal_force);
             close(same.horizontal_slope, c.slopes[0], size / section.axial.min(section.shear))?;

@@ -63,12 +63,18 @@ impl LineLaw {
     /// The response at the gap η = y - h/2 (nm) and the rotation θ, given as its sine and cosine.
     #[inline(always)]
     pub fn response<T: Real>(&self, gap: T, sin: T, cos: T) -> LineResponse<T> {
+        self.response_of(T::splat(self.height), gap, sin, cos)
+    }
+
+    /// The same for a section of another height, nm.
+    #[inline(always)]
+    pub fn response_of<T: Real>(&self, height: T, gap: T, sin: T, cos: T) -> LineResponse<T> {
         match (self.line_load, self.far_face) {
-            (LineLoad::AxisGap, _) => self.axis_gap(gap),
-            (LineLoad::Full, true) => self.both_faces(gap, sin, cos),
-            (LineLoad::Full, false) => self.near_face(gap, sin, cos),
-            (LineLoad::ForceOnly, true) => without_moment(self.both_faces(gap, sin, cos)),
-            (LineLoad::ForceOnly, false) => without_moment(self.near_face(gap, sin, cos)),
+            (LineLoad::AxisGap, _) => self.axis_gap(height, gap),
+            (LineLoad::Full, true) => self.both_faces(height, gap, sin, cos),
+            (LineLoad::Full, false) => self.near_face(height, gap, sin, cos),
+            (LineLoad::ForceOnly, true) => without_moment(self.both_faces(height, gap, sin, cos)),
+            (LineLoad::ForceOnly, false) => without_moment(self.near_face(height, gap, sin, cos)),
         }
     }
 
@@ -108,12 +114,11 @@ impl LineLaw {
     /// Both faces, exact and free of cancellation at any rotation. In (y, A) with A = (h/2)² cos²θ,
     /// D = y² - A and α = 2(y² + A); g = α(α² - 2D²).
     #[inline(always)]
-    fn both_faces<T: Real>(&self, gap: T, sin: T, cos: T) -> LineResponse<T> {
-        let h = self.height;
+    fn both_faces<T: Real>(&self, h: T, gap: T, sin: T, cos: T) -> LineResponse<T> {
         let r0_squared = self.half_space.equilibrium_distance * self.half_space.equilibrium_distance;
-        let r1 = gap + one_minus(sin, cos) * (0.5 * h);
+        let r1 = gap + one_minus(sin, cos) * (h * 0.5);
         let r2 = r1 + cos * h;
-        let y = gap + 0.5 * h;
+        let y = gap + h * 0.5;
         let (d, a) = (r1 * r2, r1 * r1 + r2 * r2);
         let v = d.recip();
         let (dd, aa, ad, yy) = (d * d, a * a, a * d, y * y);
@@ -136,18 +141,18 @@ impl LineLaw {
         let v2 = v * v;
         let v3 = v2 * v;
         let v4 = v2 * v2;
-        let attract = self.half_space.hamaker_constant * h / (6.0 * std::f64::consts::PI);
-        let repel = v4 * v4 * (attract * r0_squared * r0_squared * r0_squared / 60.0);
+        let attract = h * (self.half_space.hamaker_constant / (6.0 * std::f64::consts::PI));
+        let repel = v4 * v4 * (attract * (r0_squared * r0_squared * r0_squared / 60.0));
 
         let energy = repel * y * g - y * v2 * attract;
         let by_y = repel * (g + y * first_y) - (v2 - yy * v3 * 4.0) * attract;
-        let by_a = repel * y * first_a - y * v3 * (2.0 * attract);
+        let by_a = repel * y * first_a - y * v3 * (attract * 2.0);
         let yy2 = repel * (first_y * 2.0 + y * second_yy) - y * (yy * v4 * 24.0 - v3 * 12.0) * attract;
         let ya = repel * (first_a + y * second_ya) - (v3 * 2.0 - yy * v4 * 12.0) * attract;
-        let aa2 = repel * y * second_aa - y * v4 * (6.0 * attract);
+        let aa2 = repel * y * second_aa - y * v4 * (attract * 6.0);
 
-        let a_t = sin * cos * (-0.5 * h * h);
-        let a_tt = (cos - sin) * (cos + sin) * (-0.5 * h * h);
+        let a_t = sin * cos * (h * h * -0.5);
+        let a_tt = (cos - sin) * (cos + sin) * (h * h * -0.5);
         LineResponse {
             energy,
             by_gap: by_y,
@@ -162,9 +167,9 @@ impl LineLaw {
 
     /// The bottom face alone, Ψ = W(r1)/|cos θ|; singular where the section stands on edge.
     #[inline(always)]
-    fn near_face<T: Real>(&self, gap: T, sin: T, cos: T) -> LineResponse<T> {
+    fn near_face<T: Real>(&self, height: T, gap: T, sin: T, cos: T) -> LineResponse<T> {
         let (s, c) = (cos.choose(sin, -sin), cos.choose(cos, -cos));
-        let half = 0.5 * self.height;
+        let half = height * 0.5;
         let r1 = gap + one_minus(s, c) * half;
         let w = self.half_space.potential(r1);
         let t = self.half_space.traction(r1);
@@ -188,10 +193,10 @@ impl LineLaw {
 
     /// Blind to tilt: W(η) - W(η + h).
     #[inline(always)]
-    fn axis_gap<T: Real>(&self, gap: T) -> LineResponse<T> {
+    fn axis_gap<T: Real>(&self, height: T, gap: T) -> LineResponse<T> {
         let near = (self.half_space.potential(gap), self.half_space.traction(gap), self.half_space.body_force(gap));
         let far = if self.far_face {
-            let top = gap + self.height;
+            let top = gap + height;
             (self.half_space.potential(top), self.half_space.traction(top), self.half_space.body_force(top))
         } else {
             (T::splat(0.0), T::splat(0.0), T::splat(0.0))

@@ -9,18 +9,17 @@
 //!
 //! to which ½EI θ'² and the adhesion bΨ(y, θ) are added. Nothing is neglected.
 
-use super::{Coupling, Density, PointResponse, Section, SectionState};
+use super::{Coupling, Density, PointResponse, Profile, Section, SectionState};
 use crate::adhesion::LineLaw;
 use crate::number::Real;
 
 /// The two-field form of the planar Reissner beam on a flat half space. Fields: gap η = y - h/2 (nm), rotation θ.
-/// The border is H where `HELD`, and counts nothing otherwise.
+/// The border is H where `HELD`, and counts nothing otherwise. What varies along the beam is in its profile; there
+/// y' = η' + h'/2 and θ' - κ0 bends it.
 #[derive(Clone, Copy, Debug)]
-pub struct ReducedBeam<const HELD: bool> {
-    pub section: Section,
+pub struct ReducedBeam<P, const HELD: bool> {
+    pub profile: P,
     pub law: LineLaw,
-    /// Adhering width b, nm
-    pub width: f64,
 }
 
 /// B, C and D of the module's head at one rotation.
@@ -30,21 +29,25 @@ struct Compliance<T> {
     mixed: T,
 }
 
-impl<const HELD: bool> ReducedBeam<HELD> {
+impl<T: Real> Compliance<T> {
     #[inline(always)]
-    fn compliance<T: Real>(&self, sin: T, cos: T) -> Compliance<T> {
-        let (axial, shear) = (1.0 / self.section.axial, 1.0 / self.section.shear);
-        Compliance {
+    fn of(section: &Section<T>, sin: T, cos: T) -> Self {
+        let (axial, shear) = (section.axial.recip(), section.shear.recip());
+        Self {
             along: cos * cos * axial + sin * sin * shear,
             across: sin * sin * axial + cos * cos * shear,
             mixed: sin * cos * (axial - shear),
         }
     }
+}
 
-    #[inline(always)]
-    fn state(&self, sin: f64, cos: f64, vertical_force: f64, moment: f64, border: f64) -> SectionState {
+impl<P: Profile, const HELD: bool> ReducedBeam<P, HELD> {
+    fn state(&self, place: f64, rotation: f64, vertical_force: f64, moment: f64, border: f64) -> SectionState {
+        let (sin, cos) = rotation.sin_cos();
         let h = if HELD { border } else { 0.0 };
-        let c = self.compliance(sin, cos);
+        let station = self.profile.at(place);
+        let c = Compliance::of(&station.section, sin, cos);
+        let bend = moment / station.section.bending;
         let v = vertical_force;
         SectionState {
             horizontal_slope: cos + h * c.along + v * c.mixed,
@@ -52,14 +55,13 @@ impl<const HELD: bool> ReducedBeam<HELD> {
             horizontal_force: h,
             vertical_force: v,
             moment,
-            curvature: moment / self.section.bending,
-            stored: 0.5 * (c.along * h * h + 2.0 * c.mixed * h * v + c.across * v * v)
-                + 0.5 * moment * moment / self.section.bending,
+            curvature: bend + station.curvature,
+            stored: 0.5 * (c.along * h * h + 2.0 * c.mixed * h * v + c.across * v * v) + 0.5 * moment * bend,
         }
     }
 }
 
-impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
+impl<P: Profile, const HELD: bool> Density<2> for ReducedBeam<P, HELD> {
     const COUPLING: Coupling<2> = Coupling {
         value_value: [[true; 2]; 2],
         value_slope: [[false, false], [true, false]],
@@ -70,19 +72,21 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
     #[inline(always)]
     fn response<T: Real>(
         &self,
-        _: T,
+        place: T,
         [gap, rotation]: [T; 2],
-        [rise, curvature]: [T; 2],
+        [gap_slope, turn]: [T; 2],
         border: f64,
     ) -> PointResponse<T, 2> {
         let (sin, cos) = rotation.sin_cos();
-        let adhesion = self.law.response(gap, sin, cos);
-        let b = self.width;
-        let ei = self.section.bending;
+        let station = self.profile.at(place);
+        let adhesion = self.law.response_of(station.height, gap, sin, cos);
+        let (rise, curvature) = (gap_slope + station.rise, turn - station.curvature);
+        let b = station.width;
+        let ei = station.section.bending;
         // g sin 2θ and g cos 2θ with g = 1/GA_s - 1/EA: C' = -g sin 2θ, D' = -g cos 2θ
-        let g = 1.0 / self.section.shear - 1.0 / self.section.axial;
-        let (g_sin, g_cos) = (sin * cos * (2.0 * g), (cos - sin) * (cos + sin) * g);
-        let c = self.compliance(sin, cos);
+        let g = station.section.shear.recip() - station.section.axial.recip();
+        let (g_sin, g_cos) = (sin * cos * (g * 2.0), (cos - sin) * (cos + sin) * g);
+        let c = Compliance::of(&station.section, sin, cos);
         let inverse = c.across.recip();
         let mut response = PointResponse::zero();
 
@@ -104,7 +108,7 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
             response.border_slope[0] = v_h;
             response.border_value[1] = sin - g_sin * h - v_t * c.mixed + v * g_cos;
         }
-        response.energy = energy + curvature * curvature * (0.5 * ei) + adhesion.energy * b;
+        response.energy = energy + curvature * curvature * (ei * 0.5) + adhesion.energy * b;
         response.adhesion = adhesion.energy * b;
         response.by_value = [adhesion.by_gap * b, by_rotation + adhesion.by_rotation * b];
         response.by_slope = [v, curvature * ei];
@@ -115,7 +119,7 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
         response.value_slope[1][0] = v_t;
         response.slope_value[0][1] = v_t;
         response.slope_slope[0][0] = inverse;
-        response.slope_slope[1][1] = T::splat(ei);
+        response.slope_slope[1][1] = ei;
         response.adhesion_by_value = [adhesion.by_gap * b, adhesion.energy_by_rotation * b];
         response
     }
@@ -124,22 +128,28 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
         self.law.has_potential()
     }
 
-    fn section_state(&self, _: f64, [_, rotation]: [f64; 2], [rise, curvature]: [f64; 2], border: f64) -> SectionState {
+    fn section_state(
+        &self,
+        place: f64,
+        [_, rotation]: [f64; 2],
+        [gap_slope, turn]: [f64; 2],
+        border: f64,
+    ) -> SectionState {
         let (sin, cos) = rotation.sin_cos();
-        let c = self.compliance(sin, cos);
+        let station = self.profile.at(place);
+        let c = Compliance::of(&station.section, sin, cos);
         let h = if HELD { border } else { 0.0 };
-        let v = (rise - sin - h * c.mixed) / c.across;
-        self.state(sin, cos, v, self.section.bending * curvature, border)
+        let v = (gap_slope + station.rise - sin - h * c.mixed) / c.across;
+        self.state(place, rotation, v, station.section.bending * (turn - station.curvature), border)
     }
 
     fn section_state_from_forces(
         &self,
-        _: f64,
+        place: f64,
         [_, rotation]: [f64; 2],
         [v, moment]: [f64; 2],
         border: f64,
     ) -> SectionState {
-        let (sin, cos) = rotation.sin_cos();
-        self.state(sin, cos, v, moment, border)
+        self.state(place, rotation, v, moment, border)
     }
 }

@@ -3,18 +3,16 @@
 //! Γ1 = x' cos θ + y' sin θ - 1, Γ2 = -x' sin θ + y' cos θ, κ = θ' - κ0; stored energy ½EA Γ1² + ½GA_s Γ2² + ½EI κ² per
 //! length, and the adhesion bΨ(y, θ). κ0 is the curvature at rest, zero for a strip.
 
-use super::{Coupling, Density, PointResponse, Section, SectionState};
+use super::{Coupling, Density, PointResponse, Profile, Section, SectionState};
 use crate::adhesion::LineLaw;
 use crate::number::Real;
 
 /// The three-field form of the planar Reissner beam on a flat half space. Fields: x (nm), gap η = y - h/2 (nm), rotation
 /// θ. It has no border.
 #[derive(Clone, Copy, Debug)]
-pub struct ReissnerBeam {
-    pub section: Section,
+pub struct ReissnerBeam<P> {
+    pub profile: P,
     pub law: LineLaw,
-    /// Adhering width b, nm
-    pub width: f64,
 }
 
 /// What couples in a beam whose adhesion looks at gap and rotation.
@@ -27,7 +25,7 @@ pub(super) const COUPLING: Coupling<3> = Coupling {
 /// The stored energy at one point and its derivatives, for a rotation θ, the slopes x', y', θ' and the rest curvature κ0.
 #[inline(always)]
 pub(super) fn stored<T: Real>(
-    &Section { axial, shear, bending }: &Section,
+    &Section { axial, shear, bending }: &Section<T>,
     rotation: T,
     [dx, dy, turn]: [T; 3],
     rest_curvature: T,
@@ -57,7 +55,7 @@ pub(super) fn stored<T: Real>(
     response.slope_slope[0][1] = mixed;
     response.slope_slope[1][0] = mixed;
     response.slope_slope[1][1] = sin * sin * axial + cos * cos * shear;
-    response.slope_slope[2][2] = T::splat(bending);
+    response.slope_slope[2][2] = bending;
     response
 }
 
@@ -82,15 +80,23 @@ pub(super) fn section_from_forces(
     }
 }
 
-impl Density<3> for ReissnerBeam {
+impl<P: Profile> Density<3> for ReissnerBeam<P> {
     const COUPLING: Coupling<3> = COUPLING;
 
     #[inline(always)]
-    fn response<T: Real>(&self, _: T, [_, gap, rotation]: [T; 3], slopes: [T; 3], _: f64) -> PointResponse<T, 3> {
+    fn response<T: Real>(
+        &self,
+        place: T,
+        [_, gap, rotation]: [T; 3],
+        [dx, gap_slope, turn]: [T; 3],
+        _: f64,
+    ) -> PointResponse<T, 3> {
         let (sin, cos) = rotation.sin_cos();
-        let adhesion = self.law.response(gap, sin, cos);
-        let b = self.width;
-        let mut response = stored(&self.section, rotation, slopes, T::splat(0.0));
+        let station = self.profile.at(place);
+        let adhesion = self.law.response_of(station.height, gap, sin, cos);
+        let b = station.width;
+        let slopes = [dx, gap_slope + station.rise, turn];
+        let mut response = stored(&station.section, rotation, slopes, station.curvature);
         response.adhesion = adhesion.energy * b;
         response.energy = response.energy + response.adhesion;
         response.by_value[1] = adhesion.by_gap * b;
@@ -108,21 +114,35 @@ impl Density<3> for ReissnerBeam {
         self.law.has_potential()
     }
 
-    fn section_state(&self, _: f64, value: [f64; 3], [dx, dy, curvature]: [f64; 3], _: f64) -> SectionState {
-        let response = stored(&self.section, value[2], [dx, dy, curvature], 0.0);
-        let [horizontal_force, vertical_force, moment] = response.by_slope;
-        SectionState {
-            horizontal_slope: dx,
-            vertical_slope: dy,
-            horizontal_force,
-            vertical_force,
-            moment,
-            curvature,
-            stored: response.energy,
-        }
+    fn section_state(&self, place: f64, value: [f64; 3], [dx, gap_slope, turn]: [f64; 3], _: f64) -> SectionState {
+        let station = self.profile.at(place);
+        let dy = gap_slope + station.rise;
+        let response = stored(&station.section, value[2], [dx, dy, turn], station.curvature);
+        section_of(&response, [dx, dy, turn])
     }
 
-    fn section_state_from_forces(&self, _: f64, [_, _, rotation]: [f64; 3], forces: [f64; 3], _: f64) -> SectionState {
-        section_from_forces(&self.section, rotation, forces, 0.0)
+    fn section_state_from_forces(
+        &self,
+        place: f64,
+        [_, _, rotation]: [f64; 3],
+        forces: [f64; 3],
+        _: f64,
+    ) -> SectionState {
+        let station = self.profile.at(place);
+        section_from_forces(&station.section, rotation, forces, station.curvature)
+    }
+}
+
+/// The section of a response to the slopes x', y' and θ'.
+pub(super) fn section_of(response: &PointResponse<f64, 3>, [dx, dy, turn]: [f64; 3]) -> SectionState {
+    let [horizontal_force, vertical_force, moment] = response.by_slope;
+    SectionState {
+        horizontal_slope: dx,
+        vertical_slope: dy,
+        horizontal_force,
+        vertical_force,
+        moment,
+        curvature: turn,
+        stored: response.energy,
     }
 }

@@ -1,5 +1,26 @@
 //! The curve along which a beam is free of stress.
 
+use super::Varying;
+
+/// Where a beam lies that is free of stress.
+#[derive(Clone, Debug)]
+pub enum Rest {
+    /// Along a curve of its own; what is called y is that of the axis or of a gap below it, as the density has it.
+    Curve(RestCurve),
+    /// As its outline says; y is the gap below its underside.
+    Varying(Box<VaryingRest>),
+}
+
+impl Rest {
+    /// x0, y0 and θ0 at S.
+    pub fn at(&self, place: f64) -> [f64; 3] {
+        match self {
+            Self::Curve(curve) => curve.at(place),
+            Self::Varying(rest) => rest.at(place),
+        }
+    }
+}
+
 /// The axis at rest: it starts at a place in a direction and bends as its curvature says. The sections stand square to it.
 ///
 /// θ0(S) = θ0(0) + k0 S + k1 S²/2 + k2 S³/3 with the curvature κ0(S) = k0 + k1 S + k2 S²; x0' = cos θ0, y0' = sin θ0.
@@ -76,6 +97,66 @@ impl RestCurve {
             }
         }
         [along, up, self.rotation_at(place)]
+    }
+}
+
+/// Panels of a beam of varying outline over which its direction is integrated: so many in all, and in each piece of the outline
+/// at least so many.
+const PANELS: f64 = 128.0;
+const PANELS_A_PIECE: usize = 8;
+
+/// Where a beam of varying outline lies that is free of stress: x0' = cos θ0, y0' = sin θ0.
+#[derive(Clone, Debug)]
+pub struct VaryingRest {
+    beam: Varying,
+    /// S, x0 and y0 of the axis at the ends of the panels.
+    knots: Vec<[f64; 3]>,
+}
+
+impl VaryingRest {
+    /// Of a beam whose underside is `gap` above the substrate at S = 0, nm.
+    pub fn new(beam: Varying, gap: f64) -> Self {
+        let length = beam.contour().length();
+        let mut ends = beam.contour().breaks();
+        ends.push(length);
+        let mut knots = vec![[0.0, 0.0, gap + 0.5 * beam.contour().at(0.0).height[0]]];
+        let mut rest = Self { beam, knots: Vec::new() };
+        let mut from = 0.0;
+        for to in ends {
+            let panels = ((to - from) / length * PANELS).ceil().max(PANELS_A_PIECE as f64);
+            for panel in 1..=panels as usize {
+                let last = knots[knots.len() - 1];
+                knots.push(rest.beyond(last, from + (to - from) * panel as f64 / panels));
+            }
+            from = to;
+        }
+        rest.knots = knots;
+        rest
+    }
+
+    /// S, x0 and y0 of the axis at a place not far from one that is known.
+    fn beyond(&self, [place, x, y]: [f64; 3], to: f64) -> [f64; 3] {
+        let step = to - place;
+        let (mut along, mut up) = (x, y);
+        for (point, weight) in GAUSS {
+            let (sin, cos) = self.beam.rotation(place + point * step).sin_cos();
+            along += step * weight * cos;
+            up += step * weight * sin;
+        }
+        [to, along, up]
+    }
+
+    /// x0, the gap below the underside, and θ0 at S.
+    pub fn at(&self, place: f64) -> [f64; 3] {
+        let before = self.knots.partition_point(|knot| knot[0] < place).saturating_sub(1);
+        let known = self.knots.get(before + 1).filter(|knot| knot[0] == place);
+        let [_, x, y] = known.copied().unwrap_or_else(|| self.beyond(self.knots[before], place));
+        [x, y - 0.5 * self.height(place), self.beam.rotation(place)]
+    }
+
+    /// Height of the section at S, nm.
+    pub fn height(&self, place: f64) -> f64 {
+        self.beam.contour().at(place).height[0]
     }
 }
 

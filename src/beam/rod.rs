@@ -1,6 +1,6 @@
 //! Reissner's beam on its own: nothing adheres, and it may be curved at rest.
 
-use super::reissner::{COUPLING, section_from_forces, stored};
+use super::reissner::{COUPLING, section_from_forces, section_of, stored};
 use super::{Coupling, Density, PointResponse, RestCurve, Section, SectionState};
 use crate::number::Real;
 
@@ -20,21 +20,11 @@ impl Density<3> for ReissnerRod {
     #[inline(always)]
     fn response<T: Real>(&self, place: T, value: [T; 3], slope: [T; 3], _: f64) -> PointResponse<T, 3> {
         let [k0, k1, k2] = self.rest.curvature;
-        stored(&self.section, value[2], slope, place * (place * k2 + k1) + k0)
+        stored(&self.section.splat(), value[2], slope, place * (place * k2 + k1) + k0)
     }
 
     fn section_state(&self, place: f64, value: [f64; 3], slope: [f64; 3], _: f64) -> SectionState {
-        let response = self.response(place, value, slope, 0.0);
-        let [horizontal_force, vertical_force, moment] = response.by_slope;
-        SectionState {
-            horizontal_slope: slope[0],
-            vertical_slope: slope[1],
-            horizontal_force,
-            vertical_force,
-            moment,
-            curvature: slope[2],
-            stored: response.energy,
-        }
+        section_of(&self.response(place, value, slope, 0.0), slope)
     }
 
     fn section_state_from_forces(&self, place: f64, value: [f64; 3], forces: [f64; 3], _: f64) -> SectionState {

@@ -1,14 +1,50 @@
 //! Stiffness of a beam section.
 
-/// Section stiffnesses of a planar beam.
+use crate::number::Real;
+use std::f64::consts::PI;
+
+/// Section stiffnesses of a planar beam, at one place or at four side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Section {
+pub struct Section<T = f64> {
     /// EA, nN
-    pub axial: f64,
+    pub axial: T,
     /// GA_s, nN
-    pub shear: f64,
+    pub shear: T,
     /// EI, nN·nm²
-    pub bending: f64,
+    pub bending: T,
+}
+
+impl Section {
+    /// The same everywhere.
+    #[inline(always)]
+    pub fn splat<T: Real>(&self) -> Section<T> {
+        Section { axial: T::splat(self.axial), shear: T::splat(self.shear), bending: T::splat(self.bending) }
+    }
+}
+
+/// What a beam is made of, and how its section takes shear and bending.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// E, GPa = nN/nm²
+    pub youngs_modulus: f64,
+    pub poissons_ratio: f64,
+    pub shear_correction: f64,
+    /// Multiplies EI alone.
+    pub bending_stiffness_factor: f64,
+}
+
+impl Material {
+    /// Stiffness of a section between a rectangle (`roundness` 0) and an ellipse (1) of this width and height, nm:
+    /// A = bh (1 + (π/4 - 1) q), I = (bh³/12)(1 + (12π/64 - 1) q).
+    pub fn section(&self, width: f64, height: f64, roundness: f64) -> Section {
+        let area = height * width * (1.0 + (PI / 4.0 - 1.0) * roundness);
+        let second_moment = rectangle_second_moment(height, width) * (1.0 + (12.0 * PI / 64.0 - 1.0) * roundness);
+        Section {
+            axial: self.youngs_modulus * area,
+            shear: self.shear_correction * self.youngs_modulus / (2.0 * (1.0 + self.poissons_ratio)) * area,
+            bending: self.youngs_modulus * second_moment * self.bending_stiffness_factor,
+        }
+    }
 }
 
 /// Second moment of area of a rectangle about its middle, width h³/12, nm⁴.

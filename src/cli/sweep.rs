@@ -178,11 +178,15 @@ fn vary(args: &Sweep, scene: &Scene, key: &Key) -> Result<Vec<(f64, Scene)>, Sto
         key.store_number(&mut scene.clone(), value).map_err(stop)?;
         Ok(value)
     };
+    if !key.belongs_to(scene) {
+        return Err(Stop::bad_argument(format!("--vary {}", key.path()), &key.foreign(scene)));
+    }
     let values = grid(end("from", &args.from)?, end("to", &args.to)?, args.points as usize, args.log);
     let varied = values.into_iter().map(|value| {
         let mut scene = scene.clone();
-        key.store_number(&mut scene, value)
-            .map_err(|problem| Stop::bad_argument(format!("{} between --from and --to", key.path()), &problem))?;
+        let stop = |problem: Problem| Stop::bad_argument(format!("{} between --from and --to", key.path()), &problem);
+        key.store_number(&mut scene, value).map_err(stop)?;
+        scene.check().map_err(|(_, problem)| stop(problem))?;
         Ok((value, scene))
     });
     varied.collect()

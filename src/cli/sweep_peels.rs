@@ -17,7 +17,7 @@ use std::sync::OnceLock;
 pub fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]) -> Result<(), Stop> {
     let case = |(value, scene): &(f64, Scene)| SweepCase {
         value: *value,
-        model: scene.model,
+        model: scene.model.clone(),
         accuracy: scene.accuracy,
         bounds: scene.bounds,
     };
@@ -78,12 +78,12 @@ impl Kept {
     /// some are missing.
     fn peel(&self, cases: &[SweepCase]) -> Result<(Vec<SweepRow>, Vec<String>), ReportError> {
         let missing: Vec<SweepCase> =
-            cases.iter().filter(|case| self.partial.found(case.value).is_none()).copied().collect();
+            cases.iter().filter(|case| self.partial.found(case.value).is_none()).cloned().collect();
         let taken = cases.len() - missing.len();
         let computed = self.peel_missing(&missing, taken)?;
         let mut computed = computed.into_iter().peekable();
-        let row = |&SweepCase { value, model, .. }: &SweepCase| match self.partial.found(value) {
-            Some(found) => Some(SweepRow { value, model, found: found.clone() }),
+        let row = |&SweepCase { value, ref model, .. }: &SweepCase| match self.partial.found(value) {
+            Some(found) => Some(SweepRow { value, model: model.clone(), found: found.clone() }),
             None => computed.next_if(|row| row.value == value),
         };
         Ok((cases.iter().filter_map(row).collect(), self.remarks(taken, cases.len())))

@@ -2,8 +2,8 @@
 
 use super::Hold;
 use super::chain::three_field;
-use crate::beam::{ReissnerRod, RestCurve, Section};
-use crate::solve::{MOST_FIELDS, Mesh, Problem};
+use crate::beam::{ReissnerRod, Rest, RestCurve, Section};
+use crate::solve::{Fronts, MOST_FIELDS, Mesh, Pieces, Problem};
 
 /// What an end of a rod does with each of its unknowns: `Fixed` at the value of the rest curve, or `Free`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,17 +79,21 @@ impl RodModel {
         Ok(Problem {
             chain: three_field(ReissnerRod { section, rest }, order, pinned_left),
             length,
-            rest,
+            rest: Rest::Curve(rest),
             driven,
             rotation: 2,
+            rest_gap: start[1],
             held: self.right.held(),
             compliance: 0.0,
             scale: std::array::from_fn::<_, MOST_FIELDS, _>(|f| if f == 2 { 1.0 } else { length }),
             force_scale: if self.drive == Drive::Rotation { moment } else { moment / length },
             round_off: f64::EPSILON * section.axial.max(section.shear) * length / moment,
             rest_adhesion: 0.0,
+            fronts: Fronts::Even,
+            rest_front: length,
             mesh: Mesh::Moving,
             fixed_foci: Vec::new(),
+            pieces: Pieces::whole(length),
             process_length: length,
             height: 0.0,
             sees_tilt: false,

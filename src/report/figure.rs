@@ -130,7 +130,12 @@ impl Runner<'_> {
     }
 
     pub fn sweep(&self, cases: &[(f64, StripModel)]) -> Vec<SweepRow> {
-        let case = |&(value, model)| SweepCase { value, model, accuracy: ACCURACY, bounds: BOUNDS };
+        let case = |&(value, model): &(f64, StripModel)| SweepCase {
+            value,
+            model: model.into(),
+            accuracy: ACCURACY,
+            bounds: BOUNDS,
+        };
         sweep(&cases.iter().map(case).collect::<Vec<_>>(), &|| true, &|_| self.count())
     }
 

@@ -184,11 +184,11 @@ pub(super) fn table(all: &[Series<'_>]) -> Table {
     for &(name, _, rows) in all {
         let name = name.split(':').next().unwrap_or(name);
         for row in rows {
-            let (found, strip) = (&row.found, &row.model.strip);
+            let found = &row.found;
             let numbers = [
                 Some(row.value),
-                Some(strip.youngs_modulus),
-                Some(strip.height),
+                Some(row.model.material().youngs_modulus),
+                Some(row.model.free_end().1),
                 found.initiation_peak.map(|p| per_width(row, p.force)),
                 found.initiation_peak.map(|p| per_width(row, p.force_error)),
                 plateau_per_width(row),

@@ -24,9 +24,9 @@ const HIGHEST: f64 = 560.0;
 /// The least height of the panel, in lengths of the strip: the legend stands above what still lies flat.
 const LOWEST: f64 = 0.4;
 
-/// The strip of the given height at all those points, the axes of equal scale.
-pub(super) fn shapes_picture(poses: &[Posed], height: f64, title: &str) -> Picture {
-    let outlines: Vec<Vec<(f64, f64)>> = poses.iter().map(|p| outline(&p.axis, height)).collect();
+/// The beam at all those points, the axes of equal scale.
+pub(super) fn shapes_picture(poses: &[Posed], title: &str) -> Picture {
+    let outlines: Vec<Vec<(f64, f64)>> = poses.iter().map(|p| outline(&p.axis)).collect();
     let all = || outlines.iter().flatten().filter(|p| p.0.is_finite() && p.1.is_finite());
     let (low, high) = all().fold((0.0f64, 0.0f64), |(a, b), p| (a.min(p.0), b.max(p.0)));
     let (bottom, top) = all().fold((0.0f64, 0.0f64), |(a, b), p| (a.min(p.1), b.max(p.1)));
@@ -50,14 +50,17 @@ pub(super) fn shapes_picture(poses: &[Posed], height: f64, title: &str) -> Pictu
     Picture { title: title.into(), height: (lower + 52.0).round() as u32, panels: vec![panel] }
 }
 
-/// The rim of the strip: its axis moved by half the height along the normal of the section, to either side.
-fn outline(axis: &study::Shape, height: f64) -> Vec<(f64, f64)> {
-    let side = |by: f64| {
-        let sections = axis.x.iter().zip(&axis.y).zip(&axis.rotation);
-        sections.map(move |((x, y), turn)| (x - by * turn.sin(), y + by * turn.cos())).collect::<Vec<_>>()
+/// The rim of the beam: its axis moved by half the height along the normal of the section, to either side.
+fn outline(axis: &study::Shape) -> Vec<(f64, f64)> {
+    let side = |part: f64| {
+        let sections = axis.x.iter().zip(&axis.y).zip(axis.rotation.iter().zip(&axis.height));
+        let edge = move |((x, y), (turn, height)): ((&f64, &f64), (&f64, &f64))| {
+            (x - part * height * turn.sin(), y + part * height * turn.cos())
+        };
+        sections.map(edge).collect::<Vec<_>>()
     };
-    let mut rim = side(-0.5 * height);
-    rim.extend(side(0.5 * height).into_iter().rev());
+    let mut rim = side(-0.5);
+    rim.extend(side(0.5).into_iter().rev());
     rim.extend(rim.first().copied());
     rim
 }

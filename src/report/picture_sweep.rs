@@ -60,7 +60,7 @@ fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Pictur
 }
 
 pub(super) fn per_width(row: &SweepRow, value: f64) -> f64 {
-    value / row.model.strip.width
+    value / row.model.free_end().0
 }
 
 /// The work up to the snap-off, per width.
@@ -75,15 +75,15 @@ pub(super) const ADHERING: f64 = 0.01;
 /// at the end.
 pub(super) fn plateau_per_width(row: &SweepRow) -> Option<f64> {
     let plateau = row.found.plateau?;
-    let tilts = row.found.plateau_front.is_some_and(|front| front < ADHERING * row.model.strip.length);
+    let tilts = row.found.plateau_front.is_some_and(|front| front < ADHERING * row.model.length());
     (!tilts).then(|| per_width(row, plateau.force))
 }
 
 /// Kendall's force per width at 90 degrees, nN/nm, with the work of adhesion that the strip has at rest.
 pub(super) fn kendall_per_width(row: &SweepRow) -> f64 {
-    let strip = &row.model.strip;
     let work = -row.model.line_law().rest_energy();
-    per_width(row, kendall_force(work, strip.youngs_modulus, strip.height, strip.width, FRAC_PI_2))
+    let (width, height) = row.model.free_end();
+    per_width(row, kendall_force(work, row.model.material().youngs_modulus, height, width, FRAC_PI_2))
 }
 
 /// A panel around its lines, its y axis logarithmic where the values span about a decade.

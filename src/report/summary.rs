@@ -240,7 +240,8 @@ pub(super) struct Parameters(pub Scene);
 impl Serialize for Parameters {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut tables = serializer.serialize_map(None)?;
-        for keys in KEYS.chunk_by(|a, b| a.table == b.table).filter(|keys| !keys[0].table.is_empty()) {
+        let stands = |key: &Key| !key.table.is_empty() && key.belongs_to(&self.0);
+        for keys in KEYS.chunk_by(|a, b| a.table == b.table).filter(|keys| stands(&keys[0])) {
             tables.serialize_entry(keys[0].table, &Table { scene: &self.0, keys })?;
         }
         tables.end()

@@ -3,7 +3,7 @@
 use super::Scene;
 use super::error::{Origin, Problem, SceneError, one_line};
 use super::key::{Key, Need, Value};
-use super::keys::{KEYS, find_key, tables};
+use super::keys::{BODIES, KEYS, find_key, set_body, tables};
 use super::near::nearest;
 use std::collections::HashSet;
 use std::ops::Range;
@@ -16,11 +16,18 @@ pub(super) fn read(scene: &mut Scene, text: &str, overrides: &[(String, String)]
     let file = Origin::File { name: &name, text };
     let document = DeTable::parse(text).map_err(|error| not_toml(&file, text, &error))?;
     let mut given = HashSet::new();
+    if let Some((table, _)) = in_order(document.get_ref()).into_iter().find(|(key, _)| BODIES.contains(&name_of(key))) {
+        set_body(scene, name_of(table));
+    }
     for (key, value) in in_order(document.get_ref()) {
         match value.get_ref() {
             DeValue::Table(table) if tables().contains(&name_of(key)) => {
                 for (inner, value) in in_order(table) {
                     let key = lookup(&file, name_of(key), inner)?;
+                    if !key.belongs_to(scene) {
+                        let subject = format!("`{}`", key.path());
+                        return Err(file.error(inner.span(), &subject, key.foreign(scene)));
+                    }
                     store(scene, &file, key, value)?;
                     given.insert(key.path());
                 }
@@ -44,10 +51,15 @@ pub(super) fn read(scene: &mut Scene, text: &str, overrides: &[(String, String)]
     for (path, value) in overrides {
         given.insert(set(scene, path, value)?.path());
     }
-    match KEYS.iter().find(|key| key.need == Need::Required && !given.contains(&key.path())) {
-        Some(key) => Err(missing(&file, text, document.get_ref(), key, &given)),
-        None => Ok(()),
+    let needed = |key: &&Key| key.need == Need::Required && key.belongs_to(scene);
+    if let Some(key) = KEYS.iter().filter(needed).find(|key| !given.contains(&key.path())) {
+        return Err(missing(&file, text, document.get_ref(), key, &given));
     }
+    let fits = scene.check();
+    fits.map_err(|(key, problem)| match place_of(document.get_ref(), key) {
+        Some(span) => file.error(span, &format!("`{}`", key.path()), problem),
+        None => file.error(end_of(text), &format!("`{}`", key.path()), problem),
+    })
 }
 
 /// Applies one `--set`.
@@ -56,6 +68,9 @@ fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, Scene
     let origin = Origin::Override { text: &text };
     let key =
         find_key(path).map_err(|problem| origin.error(0..path.len(), &format!("`{}`", one_line(path)), problem))?;
+    if !key.belongs_to(scene) {
+        return Err(origin.error(0..path.len(), &format!("`{}`", key.path()), key.foreign(scene)));
+    }
     let parsed = DeValue::parse(value.trim()).ok().map(|value| convert(value.get_ref()));
     let parsed = match parsed {
         Some(parsed @ Value::Text(_)) => parsed,
@@ -153,6 +168,13 @@ fn missing(file: &Origin, text: &str, document: &DeTable, key: &Key, given: &Has
             file.error(end_of(text), "the scene", problem)
         }
     }
+}
+
+/// Where a key stands in a text, if it does.
+fn place_of(document: &DeTable, key: &Key) -> Option<Range<usize>> {
+    let (_, table) = document.iter().find(|(name, _)| name_of(name) == key.table)?;
+    let DeValue::Table(table) = table.get_ref() else { return None };
+    table.iter().find(|(name, _)| name_of(name) == key.name).map(|(_, value)| value.span())
 }
 
 fn end_of(text: &str) -> Range<usize> {

@@ -2,6 +2,7 @@
 
 use super::Scene;
 use super::error::{Problem, one_line};
+use super::keys::{BODIES, body_of};
 use super::near::nearest;
 use super::quantity::{Dimension, QuantityError, parse_quantity};
 use crate::adhesion::LineLoad;
@@ -39,6 +40,8 @@ pub enum Kind {
     Text(fn(&mut Scene) -> &mut String),
     /// A number without a unit.
     Number(Range, fn(&mut Scene) -> &mut f64),
+    /// A number with a unit, in a range of its own.
+    Measure(Dimension, Range, fn(&mut Scene) -> &mut f64),
     /// A positive number with a unit.
     Quantity(Dimension, fn(&mut Scene) -> &mut f64),
     /// The same, or nothing.
@@ -91,17 +94,32 @@ impl Key {
         if self.table.is_empty() { self.name.to_owned() } else { format!("{}.{}", self.table, self.name) }
     }
 
+    /// Whether it may stand in this scene: one of a body that the scene does not peel may not.
+    pub fn belongs_to(&self, scene: &Scene) -> bool {
+        !BODIES.contains(&self.table) || self.table == body_of(scene)
+    }
+
+    /// That it may not.
+    pub fn foreign(&self, scene: &Scene) -> Problem {
+        let body = body_of(scene);
+        Problem::new(
+            format!("is a key of [{}], and the scene peels a [{body}]", self.table),
+            format!("A scene has one of the tables [{}].", BODIES.join("], [")),
+        )
+    }
+
     /// The unit of its number inside the library: `nm`; empty where it has none.
     pub fn unit(&self) -> &'static str {
         match self.kind {
-            Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => dimension.unit(),
+            Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => dimension.unit(),
             _ => "",
         }
     }
 
     /// Whether it takes one number, with a unit or without.
     pub fn is_numeric(&self) -> bool {
-        matches!(self.kind, Kind::Number(..) | Kind::Quantity(..) | Kind::Bound(..) | Kind::Share(..))
+        let Self { kind, .. } = self;
+        matches!(kind, Kind::Number(..) | Kind::Measure(..) | Kind::Quantity(..) | Kind::Bound(..) | Kind::Share(..))
             || self.is_count()
     }
 
@@ -122,7 +140,10 @@ impl Key {
             (Kind::Flag(place), &Value::Flag(flag)) => *place(scene) = flag,
             (Kind::LineLoad(place), Value::Text(word)) => *place(scene) = self.pick(LINE_LOADS, word)?,
             (Kind::Hold(place), Value::Text(word)) => *place(scene) = self.pick(HOLDS, word)?,
-            (Kind::Quantity(dimension, _) | Kind::Bound(dimension, _), Value::Text(text)) => {
+            (
+                Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _),
+                Value::Text(text),
+            ) => {
                 let number = parse_quantity(text, *dimension).map_err(|e| self.no_quantity(text, *dimension, e))?;
                 self.store_number(scene, number)?;
             }
@@ -137,7 +158,7 @@ impl Key {
     /// Puts a number into the scene, in the unit of the library, if it is one that has a meaning there.
     pub fn store_number(&self, scene: &mut Scene, number: f64) -> Result<(), Problem> {
         let range = match self.kind {
-            Kind::Number(range, _) | Kind::Share(range, _) => range,
+            Kind::Number(range, _) | Kind::Share(range, _) | Kind::Measure(_, range, _) => range,
             Kind::Count(_) => Range::From(1.0, 1e9),
             Kind::Fixed(most, _) => Range::From(1.0, most as f64),
             _ => Range::Positive,
@@ -151,7 +172,7 @@ impl Key {
             return Err(Problem::new(format!("is {shown}, which has no meaning here"), self.remedy()));
         }
         match self.kind {
-            Kind::Number(_, place) | Kind::Quantity(_, place) => *place(scene) = number,
+            Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => *place(scene) = number,
             Kind::Bound(_, place) | Kind::Share(_, place) => *place(scene) = Some(number),
             Kind::Count(_) | Kind::Fixed(..) if number.fract() != 0.0 => {
                 return Err(Problem::new(format!("is {shown}, which is not whole"), self.remedy()));
@@ -166,7 +187,7 @@ impl Key {
     /// Reads a text of the command line as a number of this key, in the unit of the library.
     pub fn parse_number(&self, text: &str) -> Result<f64, Problem> {
         match self.kind {
-            Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => {
+            Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => {
                 parse_quantity(text, dimension).map_err(|e| self.no_quantity(text, dimension, e))
             }
             _ => text
@@ -181,7 +202,9 @@ impl Key {
         let mut scene = scene.clone();
         Some(match self.kind {
             Kind::Text(place) => Value::Text(place(&mut scene).clone()),
-            Kind::Number(_, place) | Kind::Quantity(_, place) => Value::Number(*place(&mut scene)),
+            Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => {
+                Value::Number(*place(&mut scene))
+            }
             Kind::Bound(_, place) | Kind::Share(_, place) => Value::Number((*place(&mut scene))?),
             Kind::Fixed(_, place) => Value::Number((*place(&mut scene))? as f64),
             Kind::Count(place) => Value::Number(*place(&mut scene) as f64),
@@ -198,6 +221,10 @@ impl Key {
             Kind::Number(range, _) | Kind::Share(range, _) => range.to_string(),
             Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => {
                 format!("{dimension} above zero with its unit in quotes ({})", dimension.units().join(", "))
+            }
+            Kind::Measure(dimension, range, _) => {
+                let (unit, units) = (dimension.unit(), dimension.units().join(", "));
+                format!("{dimension} with its unit in quotes ({units}), {range} in {unit}")
             }
             Kind::Count(_) => "a whole number from 1 to 1e9".into(),
             Kind::Fixed(most, _) => format!("a whole number from 1 to {most}"),
@@ -219,6 +246,9 @@ impl Key {
             ("order", _) => "7",
             (_, Kind::Text(_)) => "\"Peeling of a strip\"",
             (_, Kind::Number(..)) => "1.0",
+            (_, Kind::Measure(Dimension::Angle, ..) | Kind::Quantity(Dimension::Angle, _)) => "\"45 deg\"",
+            (_, Kind::Bound(Dimension::Angle, _)) => "\"45 deg\"",
+            (_, Kind::Measure(..)) => "\"0 nm\"",
             (_, Kind::Quantity(Dimension::Length, _)) => "\"1 nm\"",
             (_, Kind::Bound(Dimension::Length, _)) => "\"500 nm\"",
             (_, Kind::Quantity(Dimension::Pressure, _) | Kind::Bound(Dimension::Pressure, _)) => "\"2 GPa\"",
@@ -282,9 +312,10 @@ impl Key {
 
     fn wrong_type(&self, value: &Value) -> Problem {
         match (&self.kind, value) {
-            (Kind::Quantity(dimension, _) | Kind::Bound(dimension, _), Value::Number(number)) => {
-                self.no_unit(&show(*number), &show(*number), *dimension)
-            }
+            (
+                Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _),
+                Value::Number(number),
+            ) => self.no_unit(&show(*number), &show(*number), *dimension),
             (Kind::Number(..) | Kind::Share(..) | Kind::Count(_) | Kind::Fixed(..), Value::Text(text))
                 if text.trim().parse::<f64>().is_ok() =>
             {

@@ -1,27 +1,48 @@
 //! The keys of a scene: one line each. The parser, `--set`, `--vary`, the help and the summary all read this list.
 
+use super::Scene;
 use super::error::Problem;
 use super::key::{Key, Kind, Need, Range};
 use super::near::nearest;
-use super::quantity::Dimension::{Energy, Length, Pressure, Stiffness, Time};
+use super::quantity::Dimension::{Angle, Energy, Length, Pressure, Stiffness, Time};
+use crate::model::{Body, Spatula, Strip};
 use Need::{Optional, Required};
 
 const fn key(table: &'static str, name: &'static str, need: Need, kind: Kind, about: &'static str) -> Key {
     Key { table, name, need, kind, about }
 }
 
+/// 180 degrees, as a user may round it.
+const HALF_TURN: f64 = 3.1416;
+
 /// Every key that a scene may hold, in the order in which a scene is written.
 #[rustfmt::skip]
 pub static KEYS: &[Key] = &[
     key("", "title", Optional, Kind::Text(|s| &mut s.title), "what the pictures and tables are headed with"),
 
-    key("strip", "length", Required, Kind::Quantity(Length, |s| &mut s.model.strip.length), "length L of the strip"),
-    key("strip", "height", Required, Kind::Quantity(Length, |s| &mut s.model.strip.height), "height h of the section"),
-    key("strip", "width", Optional, Kind::Quantity(Length, |s| &mut s.model.strip.width), "width of the section"),
-    key("strip", "youngs_modulus", Required, Kind::Quantity(Pressure, |s| &mut s.model.strip.youngs_modulus), "Young's modulus E"),
-    key("strip", "poissons_ratio", Optional, Kind::Number(Range::Between(-1.0, 0.5), |s| &mut s.model.strip.poissons_ratio), "Poisson's ratio"),
-    key("strip", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut s.model.strip.shear_correction), "shear correction factor of the section"),
-    key("strip", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut s.model.strip.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
+    key("strip", "length", Required, Kind::Quantity(Length, |s| &mut strip(s).length), "length L of the strip"),
+    key("strip", "height", Required, Kind::Quantity(Length, |s| &mut strip(s).height), "height h of the section"),
+    key("strip", "width", Optional, Kind::Quantity(Length, |s| &mut strip(s).width), "width of the section"),
+    key("strip", "youngs_modulus", Required, Kind::Quantity(Pressure, |s| &mut strip(s).youngs_modulus), "Young's modulus E"),
+    key("strip", "poissons_ratio", Optional, Kind::Number(Range::Between(-1.0, 0.5), |s| &mut strip(s).poissons_ratio), "Poisson's ratio"),
+    key("strip", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut strip(s).shear_correction), "shear correction factor of the section"),
+    key("strip", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut strip(s).bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
+
+    key("spatula", "pad_length", Optional, Kind::Quantity(Length, |s| &mut spatula(s).pad_length), "length of the flat pad at the tip"),
+    key("spatula", "neck_length", Optional, Kind::Quantity(Length, |s| &mut spatula(s).neck_length), "from the pad to the shaft"),
+    key("spatula", "shaft_length", Optional, Kind::Quantity(Length, |s| &mut spatula(s).shaft_length), "length of the shaft behind the neck"),
+    key("spatula", "bend_length", Optional, Kind::Quantity(Length, |s| &mut spatula(s).bend_length), "over it, behind the pad, the axis turns up"),
+    key("spatula", "tip_width", Optional, Kind::Quantity(Length, |s| &mut spatula(s).tip_width), "width of the pad at the tip"),
+    key("spatula", "neck_width", Optional, Kind::Quantity(Length, |s| &mut spatula(s).neck_width), "width of the pad at its end"),
+    key("spatula", "shaft_diameter", Optional, Kind::Quantity(Length, |s| &mut spatula(s).shaft_diameter), "diameter of the shaft"),
+    key("spatula", "pad_thickness", Optional, Kind::Quantity(Length, |s| &mut spatula(s).pad_thickness), "height of the pad's section"),
+    key("spatula", "shaft_angle", Optional, Kind::Measure(Angle, Range::From(-HALF_TURN, HALF_TURN), |s| &mut spatula(s).shaft_angle), "of the shaft to the pad"),
+    key("spatula", "tip_rounding_length", Optional, Kind::Measure(Length, Range::From(0.0, 1e9), |s| &mut spatula(s).tip_rounding_length), "over it the tip is rounded; 0: blunt"),
+    key("spatula", "tip_rounding_width", Optional, Kind::Quantity(Length, |s| &mut spatula(s).tip_rounding_width), "width of the end face where it is rounded"),
+    key("spatula", "youngs_modulus", Optional, Kind::Quantity(Pressure, |s| &mut spatula(s).material.youngs_modulus), "Young's modulus E"),
+    key("spatula", "poissons_ratio", Optional, Kind::Number(Range::Between(-1.0, 0.5), |s| &mut spatula(s).material.poissons_ratio), "Poisson's ratio"),
+    key("spatula", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut spatula(s).material.shear_correction), "shear correction factor of the section"),
+    key("spatula", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut spatula(s).material.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
 
     key("adhesion", "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H"),
     key("adhesion", "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "equilibrium distance r0 of a pair of molecules"),
@@ -41,6 +62,46 @@ pub static KEYS: &[Key] = &[
     key("bounds", "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "most time for a path, 60 s unless given"),
     key("bounds", "displacement", Optional, Kind::Bound(Length, |s| &mut s.bounds.displacement), "largest displacement of the grip"),
 ];
+
+/// The tables of which a scene has one: what is peeled.
+pub(crate) const BODIES: [&str; 2] = ["strip", "spatula"];
+
+/// The table of what this scene peels.
+pub fn body_of(scene: &Scene) -> &'static str {
+    match scene.model.body {
+        Body::Strip(_) => BODIES[0],
+        Body::Spatula(_) => BODIES[1],
+    }
+}
+
+/// Makes the scene one of the body of this table, if it is none.
+pub(crate) fn set_body(scene: &mut Scene, table: &str) {
+    if table == BODIES[0] {
+        strip(scene);
+    } else if table == BODIES[1] {
+        spatula(scene);
+    }
+}
+
+fn strip(scene: &mut Scene) -> &mut Strip {
+    if !matches!(scene.model.body, Body::Strip(_)) {
+        scene.model.body = Body::Strip(Strip::UNKNOWN);
+    }
+    match &mut scene.model.body {
+        Body::Strip(strip) => strip,
+        Body::Spatula(_) => unreachable!("the body has just been made a strip"),
+    }
+}
+
+fn spatula(scene: &mut Scene) -> &mut Spatula {
+    if !matches!(scene.model.body, Body::Spatula(_)) {
+        scene.model.body = Body::Spatula(Spatula::default());
+    }
+    match &mut scene.model.body {
+        Body::Spatula(spatula) => spatula,
+        Body::Strip(_) => unreachable!("the body has just been made a spatula"),
+    }
+}
 
 /// The tables of a scene.
 pub(crate) fn tables() -> Vec<&'static str> {

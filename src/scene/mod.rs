@@ -12,11 +12,11 @@ mod quantity;
 
 pub use error::{Problem, SceneError};
 pub use key::{Key, Kind, Need, Range, Value};
-pub use keys::{KEYS, find_key};
+pub use keys::{KEYS, body_of, find_key};
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 
 use crate::adhesion::LineLoad;
-use crate::model::{Adhesion, Grip, Hold, Strip, StripModel};
+use crate::model::{Adhesion, Body, Grip, Hold, PeelModel, Strip};
 use crate::study::{Accuracy, Bounds};
 use std::path::Path;
 
@@ -27,8 +27,8 @@ pub struct Scene {
     pub name: String,
     /// What it is called; the stem of `name` where the text gives no title.
     pub title: String,
-    /// The strip, its adhesion and its grip.
-    pub model: StripModel,
+    /// The body, its adhesion and its grip.
+    pub model: PeelModel,
     /// What the user asks of the numbers.
     pub accuracy: Accuracy,
     /// Where the path may be stopped although it goes on.
@@ -52,7 +52,7 @@ impl Scene {
     /// equilibrium_distance = "0.4 nm"
     /// "#;
     /// let scene = Scene::parse("strip.toml", text, &[("strip.height".into(), "5 nm".into())])?;
-    /// assert_eq!((scene.model.strip.length, scene.model.strip.height), (100.0, 5.0));
+    /// assert_eq!((scene.model.length(), scene.model.free_end()), (100.0, (1.0, 5.0)));
     ///
     /// let error = Scene::parse("strip.toml", &text.replace("10 nm", "10"), &[]).unwrap_err();
     /// assert_eq!(error.to_string(), "strip.toml, line 4: `strip.height` is \"10\", a number without a unit");
@@ -64,18 +64,43 @@ impl Scene {
         Ok(scene)
     }
 
+    /// Whether values fit one another that are right by themselves: the key that does not, and why.
+    pub fn check(&self) -> Result<(), (&'static Key, Problem)> {
+        let Body::Spatula(spatula) = &self.model.body else { return Ok(()) };
+        let problem = |name: &str, found: String, remedy: &str| {
+            let key = KEYS.iter().find(|key| key.table == "spatula" && key.name == name);
+            key.map_or(Ok(()), |key| Err((key, Problem::new(found, remedy))))
+        };
+        let (rounding, pad) = (spatula.tip_rounding_length, spatula.pad_length);
+        if rounding > pad {
+            return problem(
+                "tip_rounding_length",
+                format!("is {rounding} nm, more than the pad is long ({pad} nm)"),
+                "Round no more than the pad: `tip_rounding_length` at most `pad_length`.",
+            );
+        }
+        let (width, tip) = (spatula.tip_rounding_width, spatula.tip_width);
+        if rounding > 0.0 && width > tip {
+            return problem(
+                "tip_rounding_width",
+                format!("is {width} nm, more than the tip is wide ({tip} nm)"),
+                "A rounded tip is narrower at its end: `tip_rounding_width` at most `tip_width`.",
+            );
+        }
+        let (bend, behind) = (spatula.bend_length, spatula.neck_length + spatula.shaft_length);
+        if bend > behind {
+            return problem(
+                "bend_length",
+                format!("is {bend} nm, more than neck and shaft are long ({behind} nm)"),
+                "Let the bend end on the shaft: `bend_length` at most `neck_length` and `shaft_length` together.",
+            );
+        }
+        Ok(())
+    }
+
     /// A scene that holds the defaults; what has none is NaN until the text gives it.
     pub(crate) fn empty(name: &str) -> Self {
         let title = Path::new(name).file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let strip = Strip {
-            length: f64::NAN,
-            height: f64::NAN,
-            width: 1.0,
-            youngs_modulus: f64::NAN,
-            poissons_ratio: 0.2,
-            shear_correction: 5.0 / 6.0,
-            bending_stiffness_factor: 1.0,
-        };
         let adhesion = Adhesion {
             hamaker_constant: f64::NAN,
             equilibrium_distance: f64::NAN,
@@ -86,11 +111,24 @@ impl Scene {
         Self {
             name: name.to_owned(),
             title,
-            model: StripModel { strip, adhesion, grip },
+            model: PeelModel { body: Body::Strip(Strip::UNKNOWN), adhesion, grip },
             accuracy: Accuracy::to(1e-6),
             bounds: Bounds { points: 20_000, time_s: Some(60.0), displacement: None },
         }
     }
+}
+
+impl Strip {
+    /// The defaults; what has none is NaN until a text gives it.
+    pub(crate) const UNKNOWN: Self = Self {
+        length: f64::NAN,
+        height: f64::NAN,
+        width: 1.0,
+        youngs_modulus: f64::NAN,
+        poissons_ratio: 0.2,
+        shear_correction: 5.0 / 6.0,
+        bending_stiffness_factor: 1.0,
+    };
 }
 
 impl Key {

@@ -2,8 +2,9 @@
 
 use std::fmt;
 use std::str::FromStr;
+use uom::si::angle::radian;
 use uom::si::energy::attojoule;
-use uom::si::f64::{Energy, Force, Length, Pressure, SurfaceTension, Time};
+use uom::si::f64::{Angle, Energy, Force, Length, Pressure, SurfaceTension, Time};
 use uom::si::length::nanometer;
 use uom::si::pressure::gigapascal;
 use uom::si::surface_tension::newton_per_meter;
@@ -22,10 +23,12 @@ pub enum Dimension {
     Time,
     /// N/m = nN/nm
     Stiffness,
+    /// rad
+    Angle,
 }
 
 impl Dimension {
-    const ALL: [Self; 5] = [Self::Length, Self::Pressure, Self::Energy, Self::Time, Self::Stiffness];
+    const ALL: [Self; 6] = [Self::Length, Self::Pressure, Self::Energy, Self::Time, Self::Stiffness, Self::Angle];
 
     /// The unit inside the library, as it stands in the names of outputs.
     pub const fn unit(self) -> &'static str {
@@ -40,6 +43,7 @@ impl Dimension {
             Self::Energy => &["aJ", "zJ", "J", "eV"],
             Self::Time => &["s", "ms", "min", "h"],
             Self::Stiffness => &["N/m", "mN/m", "kN/m"],
+            Self::Angle => &["rad", "deg"],
         }
     }
 
@@ -53,6 +57,8 @@ impl Dimension {
             Self::Time => Time::from_str(&one).ok().map(|q| q.get::<second>()),
             // the quantity of this dimension that uom has
             Self::Stiffness => SurfaceTension::from_str(&one).ok().map(|q| q.get::<newton_per_meter>()),
+            Self::Angle if unit == "deg" => Some(1f64.to_radians()),
+            Self::Angle => Angle::from_str(&one).ok().map(|q| q.get::<radian>()),
         }
     }
 }
@@ -65,6 +71,7 @@ impl fmt::Display for Dimension {
             Self::Energy => "an energy",
             Self::Time => "a time",
             Self::Stiffness => "a stiffness",
+            Self::Angle => "an angle",
         })
     }
 }

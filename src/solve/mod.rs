@@ -5,6 +5,7 @@ mod chain;
 mod control;
 mod error;
 mod fold;
+mod fronts;
 mod limit;
 mod mesh;
 mod newton;
@@ -20,10 +21,11 @@ pub use chain::*;
 pub use control::controlled;
 pub use error::SolveError;
 pub use fold::{Fold, FoldSearch};
+pub use fronts::Fronts;
 pub use limit::{
     Located, ROUGH, Turn, difference_on_more_elements, locate, on_more_elements, reach, solve_on, unlocated,
 };
-pub use mesh::{Focus, Mesh, graded_ends};
+pub use mesh::{Focus, Mesh, Pieces, graded_ends};
 pub use newton::*;
 pub use path::{Path, PathError, PathOptions};
 pub use predictor::{MOST_POINTS, lagrange_weights, longest_step};

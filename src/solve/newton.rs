@@ -103,6 +103,10 @@ pub struct Solution {
     pub correction: f64,
 }
 
+/// Longest step of Newton's method from a start that is no equilibrium, relative as in [`Problem::relative_size`], and the most of
+/// them.
+const WHOLE: f64 = 0.3;
+const MOST_SETTLING: usize = 200;
 /// Updates below this that do not fall any more are round-off, even where the problem is not stiff.
 const STAGNANT: f64 = 1e-9;
 /// An update below this leaves the slopes as they are; they change by up to some sixty times its size.
@@ -185,7 +189,7 @@ pub fn solve(
             let (negative, negative_load) = grip.inertia(problem, root.negative);
             let last = at.state.len() - fields;
             let observables = observables(problem, &at, energy);
-            let center = observables.front.clamp(0.0, problem.length);
+            let center = problem.centered(observables.front);
             let ends = problem.ends_near(center, at.ends.len() - 1, &at.ends);
             return Ok(Solution {
                 aligned: problem.chain.shifted(at.configuration(), &ends),
@@ -211,13 +215,34 @@ pub fn solve(
     Err(SolveError::NotConverged { update: previous, iterations: options.most_iterations })
 }
 
-/// A step of Newton's method with `damping` on the diagonal of the tangent, as in [`super::Chain::eliminate_damped`]: how
-/// large it is, relative as in [`Problem::relative_size`], and the negative eigenvalues of the damped tangent.
+/// Solves from a start that is no equilibrium: Newton's method with steps of at most [`WHOLE`], then [`solve`].
+pub fn settle(
+    problem: &Problem,
+    mut at: Equilibrium,
+    condition: &Condition,
+    options: &NewtonOptions,
+    work: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    let mut size = f64::INFINITY;
+    for iterations in 0..MOST_SETTLING {
+        if size < WHOLE {
+            let solved = solve(problem, at, condition, options, work)?;
+            return Ok(Solution { iterations: solved.iterations + iterations, ..solved });
+        }
+        size = damped_step(problem, &mut at, condition, &[], WHOLE, work)?.0;
+    }
+    Err(SolveError::NotConverged { update: size, iterations: MOST_SETTLING })
+}
+
+/// A step of Newton's method with `damping` on the diagonal of the tangent, as in [`super::Chain::eliminate_damped`], shortened
+/// to `most`: how large it was before, relative as in [`Problem::relative_size`], and the negative eigenvalues of the damped
+/// tangent.
 pub fn damped_step(
     problem: &Problem,
     at: &mut Equilibrium,
     condition: &Condition,
     damping: &[f64],
+    most: f64,
     work: &mut Workspace,
 ) -> Result<(f64, usize), SolveError> {
     let row = path_row(problem, condition);
@@ -230,11 +255,12 @@ pub fn damped_step(
     if !size.is_finite() {
         return Err(SolveError::NotFinite { quantity: "a damped update", element: 0, position_nm: 0.0 });
     }
+    let part = (most / size).min(1.0);
     for (s, u) in at.state.iter_mut().zip(&update) {
-        *s += u;
+        *s += part * u;
     }
-    at.border += step.border;
-    at.force += step.force;
+    at.border += part * step.border;
+    at.force += part * step.force;
     Ok((size, grip.inertia(problem, root.negative).0))
 }
 
@@ -313,7 +339,7 @@ impl GripBlock {
         matrix[(problem.driven, force)] = -1.0;
         residual[problem.driven] -= at.force;
         if border {
-            residual[fields] += problem.length;
+            residual[fields] += problem.span();
         }
         for j in 0..known {
             matrix[(path, j)] = root.matrix[known][j];

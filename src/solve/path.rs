@@ -6,7 +6,11 @@
 //! changes.
 
 use super::predictor::{self, MOST_POINTS};
-use super::{Condition, Equilibrium, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
+use super::{
+    Condition, Equilibrium, NewtonOptions, Observables, Problem, RelaxOptions, Solution, SolveError, Workspace, relax,
+    settle, solve,
+};
+use crate::beam::Rest;
 use std::sync::Arc;
 
 /// How a path is stepped.
@@ -67,6 +71,8 @@ const LOOSE: f64 = 0.1;
 const NEARER: f64 = 0.6;
 /// Points over which the path's direction is taken.
 const CHORD: usize = 4;
+/// Most that a step of settling down moves, relative as in [`Problem::relative_size`].
+const SETTLING: f64 = 0.3;
 /// Changes of front, displacement, rotation and force below this share of their scales do not measure a path.
 const NOTICED: f64 = 1e-3;
 
@@ -76,7 +82,8 @@ impl<'p> Path<'p> {
         Self::from(problem, options, problem.at_rest(options.elements))
     }
 
-    /// A path that starts at the equilibrium next to `start`, on its elements, with its displacement. It must not turn there.
+    /// A path that starts at the equilibrium next to `start`, on its elements, with its displacement. A beam that is curved when
+    /// free of stress bends towards the substrate. It must not turn there.
     pub fn from(problem: &'p Problem, options: PathOptions, start: Equilibrium) -> Self {
         let (points, errors) = (Vec::new(), Vec::new());
         Self { problem, options, start, points, errors, work: Workspace::default(), iterations: 0 }
@@ -113,9 +120,36 @@ impl<'p> Path<'p> {
         let weights = self.outset();
         let target = weights.displacement * self.problem.displacement(&start);
         let condition = Condition { weights, target };
-        solve(self.problem, start, &condition, &self.newton(), &mut self.work)
-            .inspect(|s| self.iterations += s.iterations)
-            .map_err(|cause| self.stopped(1, cause))
+        let solved = match self.problem.rest {
+            Rest::Curve(_) => solve(self.problem, start, &condition, &self.newton(), &mut self.work),
+            Rest::Varying(_) => self.settled(start, &condition),
+        };
+        solved.inspect(|s| self.iterations += s.iterations).map_err(|cause| self.stopped(1, cause))
+    }
+
+    /// The equilibrium of a beam that is none where it is free of stress, on a mesh whose focus is at its front.
+    fn settled(&mut self, start: Equilibrium, condition: &Condition) -> Result<Solution, SolveError> {
+        let found = self.settled_near(start, condition)?;
+        let center = self.problem.centered(found.observables.front);
+        let elements = found.at.ends.len() - 1;
+        let at = self.problem.on_elements(&Equilibrium { center, ..found.at }, elements);
+        settle(self.problem, at, condition, &self.newton(), &mut self.work)
+    }
+
+    /// The same on the mesh of the start: by Newton's method, or, where that wanders, down the gradient of the energy.
+    fn settled_near(&mut self, start: Equilibrium, condition: &Condition) -> Result<Solution, SolveError> {
+        let displacement = self.problem.displacement(&start);
+        let settled = settle(self.problem, start.clone(), condition, &self.newton(), &mut self.work);
+        // long steps may have gone through the surface
+        let above = settled.and_then(|solution| {
+            let inside = SolveError::NotConverged { update: solution.correction, iterations: solution.iterations };
+            if self.problem.nearest(&solution.at) > 0.0 { Ok(solution) } else { Err(inside) }
+        });
+        above.or_else(|error| {
+            let options = RelaxOptions { largest_update: SETTLING };
+            let relaxed = relax(self.problem, start, displacement, &options, &mut self.work);
+            relaxed.map(|relaxed| relaxed.solution).map_err(|_| error)
+        })
     }
 
     fn step(&mut self) -> Result<Solution, PathError> {

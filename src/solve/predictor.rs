@@ -37,7 +37,7 @@ pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> 
             *s += weight * p;
         }
     }
-    at.center = at.center.clamp(0.0, problem.length);
+    at.center = problem.centered(at.center);
     let near = &points[0].at.ends;
     at.ends = problem.ends_near(at.center, near.len() - 1, near);
     at

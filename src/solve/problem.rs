@@ -1,7 +1,7 @@
 //! What is to be solved: a chain, its rest state, its grip, and the scales that measure progress and error.
 
-use super::{Chain, Configuration, Focus, MOST_FIELDS, Mesh, graded_ends};
-use crate::beam::{ElementEnergy, RestCurve};
+use super::{Chain, Configuration, Focus, Fronts, MOST_FIELDS, Mesh, Pieces, graded_ends};
+use crate::beam::{ElementEnergy, Rest};
 
 /// A chain with its right end in a grip that drives one field; on a substrate, or on its own.
 pub struct Problem {
@@ -9,11 +9,13 @@ pub struct Problem {
     /// Reference length L, nm
     pub length: f64,
     /// x, height and rotation at rest; a chain of two fields a node leaves x out.
-    pub rest: RestCurve,
+    pub rest: Rest,
     /// The field that the grip drives.
     pub driven: usize,
     /// The rotation, the last field of a node; the height stands before it.
     pub rotation: usize,
+    /// The height field at the left end at rest, nm.
+    pub rest_gap: f64,
     /// Fields that the grip holds at their rest values.
     pub held: [bool; MOST_FIELDS],
     /// 1/k of a spring between the grip and what moves it, nm/nN; zero where the grip is moved itself. The displacement of
@@ -26,16 +28,22 @@ pub struct Problem {
     /// Updates of this relative size, as in [`Problem::relative_size`], may be round-off: the machine's epsilon times the ratio
     /// of the stiffest to the softest way to deform, or zero where that ratio is small.
     pub round_off: f64,
-    /// Adhesion energy per length at rest, nN: negative, or zero where nothing adheres. Then there is no front: the force
-    /// takes its place in the measure of the path, and the mesh has no moving focus.
+    /// Adhesion energy per length at rest at the left end, nN: negative, or zero where nothing adheres. Then there is no front:
+    /// the force takes its place in the measure of the path, and the mesh has no moving focus.
     pub rest_adhesion: f64,
+    /// Where the front is.
+    pub fronts: Fronts,
+    /// S of the front of the chain at rest, nm.
+    pub rest_front: f64,
     /// Whether the mesh follows the front.
     pub mesh: Mesh,
     /// Foci of the mesh besides the front.
     pub fixed_foci: Vec<Focus>,
+    /// Between which places elements lie.
+    pub pieces: Pieces,
     /// Length ℓ of the process zone, nm; L where nothing adheres
     pub process_length: f64,
-    /// Height of the beam where its height field is the gap below it, nm; zero where that is the axis.
+    /// Height of a beam that is as high everywhere and whose height field is the gap below it, nm; zero where that is the axis.
     pub height: f64,
     /// Whether the law looks at the edges of a tilted section, or only at the gap below the axis.
     pub sees_tilt: bool,
@@ -75,9 +83,15 @@ impl Problem {
         self.rest_adhesion != 0.0
     }
 
-    /// S of the front for an adhesion energy, or its change for a change of that, nm; zero where nothing adheres.
+    /// The front for an adhesion energy, or its change for a change of that, nm: how long the left end's adhesion would have to go
+    /// on; zero where nothing adheres. [`Fronts`] knows where that is.
     pub fn front(&self, adhesion: f64) -> f64 {
         if self.adheres() { adhesion / self.rest_adhesion } else { 0.0 }
+    }
+
+    /// A front as the focus of a mesh: no farther than the ends of the chain.
+    pub fn centered(&self, front: f64) -> f64 {
+        front.clamp(0.0, self.fronts.near(self.length))
     }
 
     /// The fields of a node at rest.
@@ -87,6 +101,19 @@ impl Problem {
         std::array::from_fn(|f| all.get(f + left_out).copied().unwrap_or(0.0))
     }
 
+    /// Height of the section above the gap that the height field is, nm.
+    pub fn height_at(&self, place: f64) -> f64 {
+        match &self.rest {
+            Rest::Curve(_) => self.height,
+            Rest::Varying(rest) => rest.height(place),
+        }
+    }
+
+    /// Distance of the two ends at rest along x, which a horizontally held grip keeps, nm.
+    pub fn span(&self) -> f64 {
+        self.rest.at(self.length)[0] - self.rest.at(0.0)[0]
+    }
+
     /// U = u + P/k of a configuration: how far what moves the grip is from where it was at rest, nm.
     pub fn displacement(&self, at: &Equilibrium) -> f64 {
         let grip = at.state.len() - self.fields() + self.driven;
@@ -94,9 +121,9 @@ impl Problem {
     }
 
     /// Energy of a configuration whose chain has the energy `chain`: with that of the spring, P²/2k, and, as a held grip's
-    /// multiplier H adds H L, without that, aJ.
+    /// multiplier H adds H times their distance, without that, aJ.
     pub fn energy(&self, at: &Equilibrium, chain: ElementEnergy) -> f64 {
-        chain.total + at.border * self.length + 0.5 * self.compliance * at.force.powi(2)
+        chain.total + at.border * self.span() + 0.5 * self.compliance * at.force.powi(2)
     }
 
     /// Element ends for a front at `center`.
@@ -108,24 +135,33 @@ impl Problem {
     pub fn ends_near(&self, center: f64, elements: usize, near: &[f64]) -> Vec<f64> {
         let mut foci = Vec::with_capacity(1 + self.fixed_foci.len());
         if self.adheres() && self.mesh != Mesh::Uniform {
-            let center = if self.mesh == Mesh::Moving { center } else { self.length };
+            let center = if self.mesh == Mesh::Moving { self.fronts.place(center) } else { self.rest_front };
             foci.push(Focus { center, length: self.process_length, weight: 1.0 });
             foci.extend(&self.fixed_foci);
         }
-        graded_ends(self.length, &foci, elements, near)
+        graded_ends(&self.pieces, &foci, elements, near)
     }
 
-    /// The chain at rest, on `elements` elements, with the front at the grip.
+    /// The chain at rest, on `elements` elements. Where a beam of varying outline would lie within the
+    /// substrate it is lifted onto that.
     pub fn at_rest(&self, elements: usize) -> Equilibrium {
-        let ends = self.ends(self.length, elements);
+        let center = self.fronts.near(self.rest_front);
+        let ends = self.ends(center, elements);
+        let elements = ends.len() - 1;
         let order = self.chain.order();
         let mut state = Vec::new();
         for node in 0..=elements * order {
             let (e, rank) = ((node / order).min(elements - 1), node - (node / order).min(elements - 1) * order);
             let s = ends[e] + (ends[e + 1] - ends[e]) * self.chain.node_fraction(rank);
-            state.extend_from_slice(&self.rest_at(s)[..self.fields()]);
+            let mut node = self.rest_at(s);
+            if let Rest::Varying(rest) = &self.rest {
+                let up = self.rotation - 1;
+                let tilted = 0.5 * rest.height(s) * (1.0 - node[self.rotation].cos().abs());
+                node[up] = node[up].max(self.rest_gap - tilted);
+            }
+            state.extend_from_slice(&node[..self.fields()]);
         }
-        Equilibrium { ends, center: self.length, state, border: 0.0, force: 0.0 }
+        Equilibrium { ends, center, state, border: 0.0, force: 0.0 }
     }
 
     /// The same configuration on another number of elements.
@@ -156,7 +192,7 @@ impl Problem {
     /// What the height of a node is measured by: its scale plus its lift, nm.
     fn height_unit(&self, node: &[f64]) -> f64 {
         let up = self.rotation - 1;
-        self.scale[up] + (node[up] - self.rest.start[1]).abs()
+        self.scale[up] + (node[up] - self.rest_gap).abs()
     }
 
     /// What each number of an update is multiplied with to be measured as in [`Problem::relative_size`].
@@ -172,17 +208,25 @@ impl Problem {
     /// Distance of the beam from the substrate, nm: of the lowest edge of its nodes, or the least gap below its axis where
     /// the law is blind to tilt.
     pub fn nearest(&self, at: &Equilibrium) -> f64 {
-        at.state.chunks_exact(self.fields()).map(|node| self.distance(node)).fold(f64::INFINITY, f64::min)
+        self.distances(at).fold(f64::INFINITY, f64::min)
     }
 
     /// Whether no part of the beam is nearer to the substrate than `far`, nm.
     pub fn is_clear(&self, at: &Equilibrium, far: f64) -> bool {
-        at.state.chunks_exact(self.fields()).all(|node| self.distance(node) > far)
+        self.distances(at).all(|distance| distance > far)
     }
 
-    /// Distance of a node from the substrate, nm.
-    fn distance(&self, node: &[f64]) -> f64 {
-        let half = if self.sees_tilt { 0.5 * self.height } else { 0.0 };
-        node[self.rotation - 1] + half * (1.0 - node[self.rotation].cos().abs())
+    /// Distance of each node from the substrate, nm.
+    fn distances<'a>(&'a self, at: &'a Equilibrium) -> impl Iterator<Item = f64> + 'a {
+        let order = self.chain.order();
+        at.state.chunks_exact(self.fields()).enumerate().map(move |(k, node)| {
+            let half = if self.sees_tilt {
+                // a node inside of an element is taken to be as high as the left end of that
+                0.5 * self.height_at(at.ends[k / order])
+            } else {
+                0.0
+            };
+            node[self.rotation - 1] + half * (1.0 - node[self.rotation].cos().abs())
+        })
     }
 }

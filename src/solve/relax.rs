@@ -99,7 +99,7 @@ pub fn relax(
         let damping: Vec<f64> = mass.iter().map(|m| m / time).collect();
         let mut next = at.clone();
         eliminations += 1;
-        let tried = match damped_step(problem, &mut next, &condition, &damping, work) {
+        let tried = match damped_step(problem, &mut next, &condition, &damping, f64::INFINITY, work) {
             Ok((size, 0)) if size <= options.largest_update && energy_of(problem, &next) <= energy + slack(energy) => {
                 Ok(size)
             }
@@ -139,7 +139,7 @@ fn landed(
 ) -> Option<Solution> {
     let mut probe = at.clone();
     *eliminations += 1;
-    let (size, negative) = damped_step(problem, &mut probe, condition, &[], work).ok()?;
+    let (size, negative) = damped_step(problem, &mut probe, condition, &[], f64::INFINITY, work).ok()?;
     if negative > 0 || size > NEAR {
         return None;
     }
@@ -194,7 +194,7 @@ fn mass(problem: &Problem, at: &Equilibrium) -> Vec<f64> {
 /// The configuration on a mesh that lies where its front is, if that has moved.
 fn on_new_mesh(problem: &Problem, at: &Equilibrium) -> Option<Equilibrium> {
     let energy = problem.chain.energy(at.configuration(), &at.state).0;
-    let center = problem.front(energy.adhesion).clamp(0.0, problem.length);
+    let center = problem.centered(problem.front(energy.adhesion));
     if (center - at.center).abs() < MOVED * problem.process_length {
         return None;
     }

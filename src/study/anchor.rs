@@ -3,7 +3,7 @@
 use super::choice::{ORDER, Resolution};
 use super::peel_run;
 use super::{Accuracy, Bounds, End, PointKind};
-use crate::model::{Form, StripModel};
+use crate::model::{Form, PeelModel};
 use crate::solve::{Located, Path, Problem, Stretch, Turn, Workspace, brackets, locate};
 
 /// The accuracy of the beginning of the path that finds the first maximum; the point is solved for again on a mesh of its
@@ -14,7 +14,7 @@ const BEHIND: usize = 2;
 
 /// The point on the path from rest, or nothing where the path has none; an error where the path cannot be computed.
 pub(super) fn anchor(
-    model: &StripModel,
+    model: &PeelModel,
     kind: PointKind,
     accuracy: &Accuracy,
     bounds: &Bounds,
@@ -26,7 +26,7 @@ pub(super) fn anchor(
 }
 
 /// The first maximum of the force, from the beginning of the path.
-fn first_maximum(model: &StripModel, bounds: &Bounds) -> Result<Option<Located>, String> {
+fn first_maximum(model: &PeelModel, bounds: &Bounds) -> Result<Option<Located>, String> {
     let problem = model.problem(Form::TwoField, ORDER);
     let far = 10.0 * model.adhesion.equilibrium_distance;
     let mut path = Path::new(&problem, Resolution::first(model, &Accuracy::to(ROUGH)).path_options(model, ROUGH));
@@ -64,7 +64,7 @@ fn first_maximum(model: &StripModel, bounds: &Bounds) -> Result<Option<Located>,
 }
 
 /// The first turning point at which the displacement turns back, from the whole path.
-fn snap_off(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> Result<Option<Located>, String> {
+fn snap_off(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Result<Option<Located>, String> {
     let peel = peel_run::run(model, accuracy, bounds);
     let (Some(at), Some(trace)) = (peel.snap_off, &peel.trace) else {
         return match peel.end {

@@ -1,6 +1,6 @@
 //! What the user asks of the numbers, and what follows from it: order, elements and steps.
 
-use crate::model::{Form, StripModel};
+use crate::model::{Form, PeelModel};
 use crate::solve::{BUNDLE, MOST_POINTS, Mesh, PathOptions};
 
 /// What the user asks of the numbers.
@@ -46,6 +46,8 @@ pub struct Choice {
 /// Order of the elements. At an accuracy of 1e-3 order 5 is faster by half, but on so few elements that the difference to
 /// half as many again is no bound yet.
 pub const ORDER: usize = 7;
+/// Elements more for each place where the outline of a beam has a break.
+const A_BREAK: usize = 2;
 /// Most elements that are chosen.
 pub(super) const MOST_ELEMENTS: usize = 400;
 /// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its fourth
@@ -65,14 +67,14 @@ pub(super) struct Resolution {
 impl Resolution {
     /// What sufficed on the reference cases: elements grow like the square of the logarithm of the length, and with the
     /// digits asked for.
-    pub(super) fn first(model: &StripModel, accuracy: &Accuracy) -> Self {
+    pub(super) fn first(model: &PeelModel, accuracy: &Accuracy) -> Self {
         let relative = accuracy.relative;
-        let span = (model.strip.length / model.process_length()).asinh();
+        let span = (model.length() / model.process_length()).asinh();
         let digits = -relative.log10();
         // two decay lengths, of bending and of shear, take more than one
         let apart = (5.0 * (0.6 * model.bending_length() / model.shear_length()).ln()).clamp(0.0, 7.0);
         let sharp = 0.32 + 0.052 * digits + 0.0083 * digits * digits + 0.2 * (digits - 8.0).max(0.0);
-        let elements = (5.1 + 0.434 * span * span + apart) * sharp;
+        let elements = (5.1 + 0.434 * span * span + apart) * sharp + (A_BREAK * model.breaks().len()) as f64;
         let chosen = whole_bundles(elements).clamp(6, MOST_ELEMENTS);
         Self {
             order: accuracy.order(),
@@ -82,7 +84,7 @@ impl Resolution {
     }
 
     /// How a path is stepped at this resolution.
-    pub(super) fn path_options(self, model: &StripModel, relative: f64) -> PathOptions {
+    pub(super) fn path_options(self, model: &PeelModel, relative: f64) -> PathOptions {
         PathOptions {
             elements: self.elements,
             step_tolerance: self.step_tolerance,

@@ -6,7 +6,7 @@
 
 use super::PointKind;
 use super::choice::ORDER;
-use crate::model::{Form, StripModel};
+use crate::model::{Form, PeelModel};
 use crate::solve::{
     Equilibrium, Fold, FoldSearch, Observables, Problem, SolveError, Workspace, lagrange_weights, longest_step,
 };
@@ -67,11 +67,11 @@ pub(super) struct Lost {
 }
 
 /// The model's problem with the mesh that the point needs.
-pub(super) fn problem(model: &StripModel, kind: PointKind) -> Problem {
+pub(super) fn problem(model: &PeelModel, kind: PointKind) -> Problem {
     let mut problem = model.problem(Form::TwoField, ORDER);
     if kind == PointKind::InitiationPeak {
         // the free end of a long strip is still at rest, and that of no strip stands on its edge
-        let weight = 0.375 / (1.0 + (model.strip.length / (25.0 * model.bending_length())).powi(6));
+        let weight = 0.375 / (1.0 + (model.length() / (25.0 * model.bending_length())).powi(6));
         for focus in problem.fixed_foci.iter_mut().filter(|focus| focus.center == 0.0) {
             focus.weight *= weight;
             focus.length = 0.36 * problem.process_length;
@@ -96,7 +96,7 @@ impl Known {
         let Fold { solution, ahead, .. } = fold;
         let mut equilibrium = Equilibrium {
             ends: solution.at.ends.clone(),
-            center: solution.observables.front.clamp(0.0, problem.length),
+            center: problem.centered(solution.observables.front),
             state: solution.aligned.clone(),
             border: solution.at.border + ahead * solution.tangent.border,
             force: fold.observables.force,
@@ -113,7 +113,7 @@ impl Known {
             bend_age: 0,
             observables: fold.observables,
             neglected: fold.neglected,
-            energy: solution.energy.total + solution.at.border * problem.length + solution.observables.force * rise,
+            energy: solution.energy.total + solution.at.border * problem.span() + solution.observables.force * rise,
         }
     }
 
@@ -140,7 +140,7 @@ impl Known {
 /// Follows one turning point from value to value of a parameter.
 pub(super) struct Continuation<'m> {
     kind: PointKind,
-    model: &'m dyn Fn(f64) -> StripModel,
+    model: &'m dyn Fn(f64) -> PeelModel,
     /// Newest last.
     history: VecDeque<Known>,
     /// Errors at the newest value of extrapolations through 1, 2, … values behind it, relative.
@@ -153,7 +153,7 @@ pub(super) struct Continuation<'m> {
 
 impl<'m> Continuation<'m> {
     /// Begins at a turning point that is known.
-    pub fn new(kind: PointKind, model: &'m dyn Fn(f64) -> StripModel, first: Known) -> Self {
+    pub fn new(kind: PointKind, model: &'m dyn Fn(f64) -> PeelModel, first: Known) -> Self {
         Self {
             kind,
             model,
@@ -272,7 +272,7 @@ impl<'m> Continuation<'m> {
             }
             target += weight * known.target;
         }
-        sum.center = sum.center.clamp(0.0, problem.length);
+        sum.center = problem.centered(sum.center);
         sum.ends = problem.ends_near(sum.center, newest.equilibrium.ends.len() - 1, &newest.equilibrium.ends);
         (sum, target)
     }

@@ -6,7 +6,7 @@
 
 use super::choice::{ORDER, Resolution};
 use super::{Accuracy, Bounds, End, peel};
-use crate::model::{Form, StripModel};
+use crate::model::{Form, PeelModel};
 use crate::solve::{Condition, Equilibrium, NewtonOptions, Observables, Problem, Solution, Turn, Workspace, solve};
 use std::sync::Arc;
 
@@ -40,18 +40,19 @@ const SAFETY: f64 = 2.0;
 
 /// Finds the cusp next to the value `from`, at which the path has a snap-back; `model` gives the model at a value, and the
 /// snap-back vanishes as the value grows. The error says what was not found.
-pub fn cusp(model: &dyn Fn(f64) -> StripModel, from: f64, accuracy: &Accuracy) -> Result<Cusp, String> {
+pub fn cusp<M: Into<PeelModel>>(model: &dyn Fn(f64) -> M, from: f64, accuracy: &Accuracy) -> Result<Cusp, String> {
+    let model = |value: f64| model(value).into();
     let first = Snapback::on_path(&model(from), accuracy)?;
     let elements = Resolution::first(&model(from), accuracy).elements;
     let [coarse, fine] = [elements, elements + elements.div_ceil(2)].map(|elements| {
         let problem = problem(&model(from));
-        vanishing(model, from, first.on_elements(&problem, elements))
+        vanishing(&model, from, first.on_elements(&problem, elements))
     });
     let (coarse, fine) = (coarse?, fine?);
     Ok(Cusp { error: SAFETY * (fine.value - coarse.value).abs() + CERTAIN * coarse.value, ..coarse })
 }
 
-fn problem(model: &StripModel) -> Problem {
+fn problem(model: &PeelModel) -> Problem {
     model.problem(Form::TwoField, ORDER)
 }
 
@@ -69,7 +70,7 @@ struct Snapback {
 
 impl Snapback {
     /// A point of the path half-way between its two turning points.
-    fn on_path(model: &StripModel, accuracy: &Accuracy) -> Result<Self, String> {
+    fn on_path(model: &PeelModel, accuracy: &Accuracy) -> Result<Self, String> {
         let bounds = Bounds { points: 20_000, time_s: None, displacement: None };
         let peel = peel(model, accuracy, &bounds);
         if let End::Failed(reason) = &peel.end {
@@ -128,7 +129,7 @@ impl Snapback {
 }
 
 /// The value at which the largest du/dP is zero, by the secant rule.
-fn vanishing(model: &dyn Fn(f64) -> StripModel, from: f64, first: Snapback) -> Result<Cusp, String> {
+fn vanishing(model: &dyn Fn(f64) -> PeelModel, from: f64, first: Snapback) -> Result<Cusp, String> {
     let mut work = Workspace::default();
     let mut before = (from, first.peaked(&problem(&model(from)), &mut work)?);
     let mut value = from * (1.0 + 0.3 * LONGEST);

@@ -2,6 +2,7 @@
 
 use super::fill::fill_in;
 use super::{Bounds, End};
+use crate::beam::Rest;
 use crate::solve::{
     Condition, Located, NewtonOptions, Observables, Path, PathError, PathOptions, Problem, ROUGH, Solution, SolveError,
     Stretch, Turn, Workspace, brackets, locate, solve, solve_on, unlocated,
@@ -148,9 +149,9 @@ pub(super) fn follow(
 }
 
 /// The largest spread of the first integral along the beam at any point of the path, over the work of adhesion: zero where
-/// a mesh resolves the beam. Without a potential there is no such integral.
+/// a mesh resolves the beam. Without a potential, and along a beam of varying outline, there is no such integral.
 fn worst_spread(problem: &Problem, points: &[Arc<Solution>]) -> f64 {
-    if !problem.conservative {
+    if !problem.conservative || matches!(problem.rest, Rest::Varying(_)) {
         return 0.0;
     }
     let spread = |point: &Arc<Solution>| {
@@ -172,6 +173,8 @@ fn has_maximum(points: &[Arc<Solution>]) -> bool {
     points.iter().skip(1).rev().skip(1).any(|p| p.slope.force < 0.0)
 }
 
+/// A force below this share of its scale is none.
+const PUSH: f64 = 1e-6;
 /// Path points after which a mesh is taken to hold the path up: several times what paths take that are resolved.
 fn points_allowed(elements: usize) -> usize {
     400 + 10 * elements
@@ -205,7 +208,7 @@ fn step(
     if o.displacement <= 0.0 {
         return Ok(Some(End::TurnedBack));
     }
-    if o.force <= 0.0 {
+    if o.force <= 0.0 && has_pulled(problem, path.points()) {
         return Ok(Some(End::Pivoting));
     }
     if stands_upright(problem, path.points()) {
@@ -213,6 +216,12 @@ fn step(
     }
     let beyond = bounds.displacement.filter(|&most| o.displacement > most);
     Ok(beyond.map(|most| End::Bound(format!("bounds.displacement = {most} nm"))))
+}
+
+/// Whether the force has been above zero: where a beam is curved when free of stress, the grip may have to push at first.
+fn has_pulled(problem: &Problem, points: &[Arc<Solution>]) -> bool {
+    let pushes = points[0].observables.force < -PUSH * problem.force_scale;
+    !pushes || points.iter().any(|point| point.observables.force > 0.0)
 }
 
 /// Until when turning points and work are computed: as long again as the path may take, and a second.
@@ -400,14 +409,14 @@ fn pick_at(solution: &Solution, turn: Turn) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Form, StripModel};
+    use crate::model::{Form, PeelModel, StripModel};
     use crate::study::Accuracy;
     use crate::study::choice::Resolution;
 
     /// What the count of negative eigenvalues is for: turning points that were not located are missed by name.
     #[test]
     fn a_turning_point_that_was_not_located_is_missed() {
-        let (model, accuracy) = (StripModel::of_the_paper(100.0, 1.0), Accuracy::to(1e-6));
+        let (model, accuracy) = (PeelModel::from(StripModel::of_the_paper(100.0, 1.0)), Accuracy::to(1e-6));
         let problem = model.problem(Form::TwoField, accuracy.order());
         let options = Resolution::first(&model, &accuracy).path_options(&model, accuracy.relative);
         let bounds = Bounds { points: 5000, time_s: None, displacement: None };

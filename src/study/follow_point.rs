@@ -11,8 +11,8 @@ use super::choice::{ORDER, Resolution};
 use super::continuation::{Continuation, Known, Lost, problem, search};
 use super::peel_run::{self, ROUND_OFF, ROUND_OFF_PLACE};
 use super::{Accuracy, Bounds, End, FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing};
-use crate::model::StripModel;
-use crate::solve::{Equilibrium, Located, Observables, SolveError, Workspace};
+use crate::model::{Form, PeelModel};
+use crate::solve::{Equilibrium, Located, Observables, Path, SolveError, Workspace};
 use std::time::Instant;
 
 /// Error bounds are the difference to half as many elements again times this: enough even where the error falls no faster
@@ -125,17 +125,18 @@ impl Strand {
 
 /// Follows the point of `kind` over `values` of a parameter, which make their way evenly in the sense of `spacing`.
 /// `model` gives the model at a value, also at values in between; `done` is called once a value.
-pub fn follow_point(
+pub fn follow_point<M: Into<PeelModel>>(
     kind: PointKind,
     values: &[f64],
     spacing: Spacing,
-    model: &dyn Fn(f64) -> StripModel,
+    model: &dyn Fn(f64) -> M,
     accuracy: &Accuracy,
     bounds: &Bounds,
     done: &dyn Fn(),
 ) -> FollowedSweep {
+    let model = |value: f64| model(value).into();
     let at_coordinate = |s: f64| model(spacing.value(s));
-    let sweep = Sweep { kind, values, spacing, model, at_coordinate: &at_coordinate, accuracy, bounds };
+    let sweep = Sweep { kind, values, spacing, model: &model, at_coordinate: &at_coordinate, accuracy, bounds };
     let mut followed = FollowedSweep { kind, rows: Vec::with_capacity(values.len()), remarks: Vec::new() };
     let mut started = Instant::now();
     while followed.rows.len() < values.len() {
@@ -176,8 +177,8 @@ struct Sweep<'a> {
     kind: PointKind,
     values: &'a [f64],
     spacing: Spacing,
-    model: &'a dyn Fn(f64) -> StripModel,
-    at_coordinate: &'a dyn Fn(f64) -> StripModel,
+    model: &'a dyn Fn(f64) -> PeelModel,
+    at_coordinate: &'a dyn Fn(f64) -> PeelModel,
     accuracy: &'a Accuracy,
     bounds: &'a Bounds,
 }
@@ -309,7 +310,7 @@ impl Sweep<'_> {
     fn taken_up(&self, index: usize, located: &Located, elements: usize) -> Result<Known, SolveError> {
         let problem = problem(&(self.model)(self.values[index]), self.kind);
         let at = &located.solution.at;
-        let ends = problem.ends(located.observables.front.clamp(0.0, problem.length), elements);
+        let ends = problem.ends(problem.centered(located.observables.front), elements);
         let state = problem.chain.resampled(at.configuration(), &ends);
         let at = Equilibrium { state, ends, ..at.clone() };
         let probe = search(&problem, self.kind, 1.0);
@@ -436,7 +437,6 @@ impl Sweep<'_> {
     fn point(&self, index: usize, found: &Found, difference: Difference) -> FollowedPoint {
         let model = (self.model)(self.values[index]);
         let law = model.line_law();
-        let rest = model.strip.width * law.rest_energy() * model.strip.length;
         let o = &found.observables;
         let place = if self.kind == PointKind::InitiationPeak { ROUND_OFF_PLACE } else { ROUND_OFF };
         let modest = MODESTY * self.accuracy.relative;
@@ -444,11 +444,23 @@ impl Sweep<'_> {
             displacement: o.displacement,
             force: o.force,
             end_rotation: o.grip_rotation,
-            work: law.has_potential().then_some(found.energy - rest),
+            work: law.has_potential().then(|| Some(found.energy - energy_at_rest(&model)?)).flatten(),
             displacement_error: (CAUTION * difference.displacement + place + modest) * o.displacement.abs(),
             force_error: (CAUTION * difference.force + ROUND_OFF + modest) * o.force.abs(),
         }
     }
+}
+
+/// Stored and adhesion energy where the path begins, aJ.
+fn energy_at_rest(model: &PeelModel) -> Option<f64> {
+    if let Some(strip) = model.strip() {
+        return Some(strip.width * model.line_law().rest_energy() * strip.length);
+    }
+    let problem = model.problem(Form::TwoField, ORDER);
+    let accuracy = Accuracy::to(1e-8);
+    let options = Resolution::first(model, &accuracy).path_options(model, accuracy.relative);
+    let first = Path::new(&problem, options).advance().ok()?;
+    Some(problem.energy(&first.at, first.energy))
 }
 
 /// More elements, by what the theory of order 2p asks for to reduce an error of `worst` times the wanted one.

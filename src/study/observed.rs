@@ -2,7 +2,7 @@
 
 use super::{Accuracy, Bounds};
 use crate::adhesion::LineLoad;
-use crate::model::StripModel;
+use crate::model::PeelModel;
 
 /// Which way the machine moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -166,9 +166,10 @@ pub enum NoTest {
 /// turning point of U on the stable path the strip jumps at that U; where it comes to rest is found by [`crate::solve::relax()`].
 /// Errors: turning points as in [`super::peel()`]; ∫ P dU against the energies in [`Balance::error`], which is at most 1e-6 or
 /// the accuracy asked for, or the test fails.
-pub fn observed(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> Result<Observed, NoTest> {
+pub fn observed(model: impl Into<PeelModel>, accuracy: &Accuracy, bounds: &Bounds) -> Result<Observed, NoTest> {
+    let model = model.into();
     if model.adhesion.line_load == LineLoad::ForceOnly {
         return Err(NoTest::NoPotential);
     }
-    Ok(super::observed_run::run(model, accuracy, bounds))
+    Ok(super::observed_run::run(&model, accuracy, bounds))
 }

@@ -7,7 +7,7 @@ use super::observed_jump;
 use super::observed_leg::{Leg, LegEnd, LegTrouble, Machine, Until};
 use super::peel_run::{ROUND_OFF, SAFETY, least};
 use super::{Accuracy, Bounds};
-use crate::model::{Form, Hold, StripModel};
+use crate::model::{Form, Hold, PeelModel};
 use crate::solve::{
     Equilibrium, Located, Problem, RelaxError, RelaxOptions, Solution, SolveError, Workspace, disturbed, relax, turned,
 };
@@ -45,7 +45,7 @@ enum Trouble {
     Unbalanced(Balance),
 }
 
-pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> Observed {
+pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Observed {
     let started = Instant::now();
     let mut resolution = Resolution::first(model, accuracy);
     let mut best: Option<Test> = None;
@@ -98,7 +98,7 @@ pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> O
 
 /// The strip behind its spring. Without x a held grip's horizontal force is a multiplier, and the energy no minimum: such a
 /// strip is relaxed with all three unknowns.
-fn problem(model: &StripModel, accuracy: &Accuracy, order: usize) -> Problem {
+fn problem(model: &PeelModel, accuracy: &Accuracy, order: usize) -> Problem {
     let form = if model.grip.horizontal == Hold::Fixed { Form::ThreeField } else { accuracy.choice.form };
     let compliance = model.grip.stiffness.map_or(0.0, f64::recip);
     Problem { mesh: accuracy.choice.mesh, compliance, ..model.problem(form, order) }

@@ -2,7 +2,7 @@
 
 use super::trace::Trace;
 use super::{Accuracy, Choice};
-use crate::model::StripModel;
+use crate::model::PeelModel;
 use crate::solve::{NodeState, Turn};
 use serde::{Deserialize, Serialize};
 
@@ -101,18 +101,19 @@ pub struct Effort {
     pub order: usize,
 }
 
-/// The axis of the strip at one equilibrium, sampled.
+/// The axis of the beam at one equilibrium, sampled: x and y in nm, the rotation in rad, and the height of the section in nm.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shape {
     pub x: Vec<f64>,
     pub y: Vec<f64>,
     pub rotation: Vec<f64>,
+    pub height: Vec<f64>,
 }
 
 /// The result of one run.
 #[derive(Clone, Debug)]
 pub struct Peel {
-    pub model: StripModel,
+    pub model: PeelModel,
     pub points: Vec<PathPoint>,
     /// In path order.
     pub limit_points: Vec<LimitPoint>,
@@ -157,6 +158,6 @@ impl Peel {
 }
 
 /// Follows the peel from rest to its end. What went wrong on the way stands in [`Peel::end`].
-pub fn peel(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> Peel {
-    super::peel_run::run(model, accuracy, bounds)
+pub fn peel(model: impl Into<PeelModel>, accuracy: &Accuracy, bounds: &Bounds) -> Peel {
+    super::peel_run::run(&model.into(), accuracy, bounds)
 }

@@ -7,7 +7,7 @@ use super::plateau::plateau;
 use super::trace::Trace;
 use super::work::{work_near, works};
 use super::{Accuracy, Bounds, Effort, End, LimitPoint, PathPoint, Peak, Peel};
-use crate::model::StripModel;
+use crate::model::PeelModel;
 use crate::solve::{Located, Problem, Solution, Turn, Workspace, difference_on_more_elements};
 use std::sync::Arc;
 use std::time::Instant;
@@ -39,7 +39,7 @@ pub(super) fn least(relative: f64) -> f64 {
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
 /// Follows the peel from rest to its end.
-pub(super) fn run(model: &StripModel, accuracy: &Accuracy, bounds: &Bounds) -> Peel {
+pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Peel {
     let started = Instant::now();
     let Choice { mesh, form, .. } = accuracy.choice;
     let mut resolution = Resolution::first(model, accuracy);
@@ -91,7 +91,7 @@ struct Attempt {
 
 impl Attempt {
     fn new(
-        model: &StripModel,
+        model: &PeelModel,
         problem: &Arc<Problem>,
         followed: Followed,
         resolution: Resolution,
@@ -213,9 +213,9 @@ impl Attempt {
     }
 }
 
-fn empty(model: &StripModel) -> Peel {
+fn empty(model: &PeelModel) -> Peel {
     Peel {
-        model: *model,
+        model: model.clone(),
         points: Vec::new(),
         limit_points: Vec::new(),
         initiation_peak: None,
@@ -244,7 +244,7 @@ fn worst_difference(followed: &Followed) -> f64 {
 }
 
 /// What a user is told of a path.
-fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: f64) -> Peel {
+fn report(model: &PeelModel, problem: &Problem, followed: &Followed, relative: f64) -> Peel {
     let mut work = followed.workspace();
     let works = works(problem, &followed.points, &mut work);
     let largest = followed.points.iter().map(|s| s.observables.force.abs()).fold(0.0, f64::max);
@@ -256,7 +256,7 @@ fn report(model: &StripModel, problem: &Problem, followed: &Followed, relative: 
         work,
         negative_eigenvalues: s.negative,
         negative_eigenvalues_load: s.negative_load,
-        front: s.observables.front,
+        front: problem.fronts.place(s.observables.front),
         iterations: s.iterations,
     });
     let limit_points: Vec<LimitPoint> = followed

@@ -1,16 +1,16 @@
 //! One parameter varied, each value peeled from rest to its end.
 
 use super::{Accuracy, Bounds, Effort, End, LimitPoint, Peak, Peel, Plateau, peel};
-use crate::model::StripModel;
+use crate::model::PeelModel;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// One value of a sweep, before it is peeled.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct SweepCase {
     /// The value of the varied parameter, in its own unit.
     pub value: f64,
-    pub model: StripModel,
+    pub model: PeelModel,
     pub accuracy: Accuracy,
     pub bounds: Bounds,
 }
@@ -20,7 +20,7 @@ pub struct SweepCase {
 pub struct SweepRow {
     /// The value of the varied parameter, in its own unit.
     pub value: f64,
-    pub model: StripModel,
+    pub model: PeelModel,
     pub found: Found,
 }
 
@@ -74,8 +74,9 @@ pub fn sweep(
     done: &(dyn Fn(&SweepRow) + Sync),
 ) -> Vec<SweepRow> {
     let row = |case: &SweepCase| {
-        let &SweepCase { value, model, ref accuracy, ref bounds } = case;
-        let row = SweepRow { value, model, found: Found::from(&peel(&model, accuracy, bounds)) };
+        let SweepCase { value, model, accuracy, bounds } = case;
+        let found = Found::from(&peel(model, accuracy, bounds));
+        let row = SweepRow { value: *value, model: model.clone(), found };
         done(&row);
         row
     };

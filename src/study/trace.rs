@@ -61,20 +61,21 @@ impl Trace {
         let (problem, at) = (&self.problem, &point.at);
         let sample = |e: usize, fraction: f64| {
             let (values, section) = problem.chain.sample(at.configuration(), e, 2.0 * fraction - 1.0);
-            (values[problem.driven] + 0.5 * problem.height, values[problem.rotation], section.horizontal_slope)
+            let height = problem.height_at(at.ends[e] + fraction * (at.ends[e + 1] - at.ends[e]));
+            let rotation = values[problem.rotation];
+            ([values[problem.driven] + 0.5 * height, rotation, height], section.horizontal_slope)
         };
         let mut x = 0.0;
         for e in 0..at.ends.len() - 1 {
             let step = (at.ends[e + 1] - at.ends[e]) / SAMPLES as f64;
             for k in 0..SAMPLES {
                 let fraction = |part: f64| (k as f64 + part) / SAMPLES as f64;
-                let (y, rotation, slope) = sample(e, fraction(0.0));
-                shape.push(x, y, rotation);
-                x += step * (slope + 4.0 * sample(e, fraction(0.5)).2 + sample(e, fraction(1.0)).2) / 6.0;
+                let (here, slope) = sample(e, fraction(0.0));
+                shape.push(x, here);
+                x += step * (slope + 4.0 * sample(e, fraction(0.5)).1 + sample(e, fraction(1.0)).1) / 6.0;
             }
         }
-        let (y, rotation, _) = sample(at.ends.len() - 2, 1.0);
-        shape.push(x, y, rotation);
+        shape.push(x, sample(at.ends.len() - 2, 1.0).0);
         shape
     }
 }
@@ -101,9 +102,10 @@ fn split(inner: Vec<(f64, f64)>, turn: &LimitPoint, before: usize, after: usize)
 }
 
 impl Shape {
-    fn push(&mut self, x: f64, y: f64, rotation: f64) {
+    fn push(&mut self, x: f64, [y, rotation, height]: [f64; 3]) {
         self.x.push(x);
         self.y.push(y);
         self.rotation.push(rotation);
+        self.height.push(height);
     }
 }

@@ -2,7 +2,7 @@
 //! against a refined run, and beside them what the program chooses by itself.
 
 use super::{Accuracy, Bounds, Choice, Effort, End, Peel, peel};
-use crate::model::{Form, StripModel};
+use crate::model::{Form, PeelModel};
 use crate::solve::Mesh;
 use cpu_time::ThreadTime;
 
@@ -79,8 +79,13 @@ impl WorkPrecision {
 
 /// Measures a strip. `done` is told how many lines there are, once for each that is finished. An error says why the refined
 /// run failed.
-pub fn work_precision(model: &StripModel, bounds: &Bounds, done: &dyn Fn(usize)) -> Result<WorkPrecision, String> {
-    let truth = Truth::of(model, bounds)?;
+pub fn work_precision(
+    model: impl Into<PeelModel>,
+    bounds: &Bounds,
+    done: &dyn Fn(usize),
+) -> Result<WorkPrecision, String> {
+    let model = model.into();
+    let truth = Truth::of(&model, bounds)?;
     let kinds = kinds();
     let mut lines = Vec::new();
     for (name, choice) in &kinds {
@@ -108,7 +113,7 @@ fn kinds() -> Vec<(String, Choice)> {
 
 /// The refined run.
 struct Truth<'a> {
-    model: &'a StripModel,
+    model: &'a PeelModel,
     bounds: Bounds,
     peel: Peel,
     curve: Vec<(f64, f64)>,
@@ -117,7 +122,7 @@ struct Truth<'a> {
 }
 
 impl<'a> Truth<'a> {
-    fn of(model: &'a StripModel, bounds: &Bounds) -> Result<Self, String> {
+    fn of(model: &'a PeelModel, bounds: &Bounds) -> Result<Self, String> {
         let choice = Choice { step: Some(1e-3), ..Accuracy::to(1e-11).choice };
         let refined = peel(model, &Accuracy::to(1e-11).with(choice), bounds);
         let peel = match refined.end {

@@ -5,7 +5,7 @@
 
 use super::reference::{self, Row};
 use super::{Check, Measure, bounds, drawn};
-use crate::model::{Hold, StripModel};
+use crate::model::{Hold, PeelModel};
 use crate::study::{Accuracy, Bounds, End, Peel, peel};
 use rayon::prelude::*;
 
@@ -45,7 +45,7 @@ impl Ending {
 #[derive(Clone, Debug)]
 pub struct HardScene {
     pub name: &'static str,
-    pub model: StripModel,
+    pub model: PeelModel,
     pub accuracy: Accuracy,
     pub bounds: Bounds,
     pub expected: Ending,
@@ -93,8 +93,9 @@ fn numbers(scene: &HardScene, peel: &Peel, rows: &[Row]) -> Vec<Check> {
 }
 
 /// Whether a row of the table is of this strip.
-fn is_of(row: &Row, model: &StripModel) -> bool {
-    let (s, a, g) = (&model.strip, &model.adhesion, &model.grip);
+fn is_of(row: &Row, model: &PeelModel) -> bool {
+    let Some(s) = model.strip() else { return false };
+    let (a, g) = (&model.adhesion, &model.grip);
     let pairs = [
         ("length_nm", s.length),
         ("height_nm", s.height),

@@ -54,13 +54,13 @@ impl Case {
 
     /// EI over that of the section.
     fn factor(&self) -> f64 {
-        self.peel.model.strip.bending_stiffness_factor
+        self.peel.model.material().bending_stiffness_factor
     }
 
     /// "full, EI × 0.01, L = 200 nm"
     fn name(&self) -> String {
         let load = self.row.text("line_load").unwrap_or("full");
-        format!("{load}, EI × {}, L = {} nm", self.factor(), self.peel.model.strip.length)
+        format!("{load}, EI × {}, L = {} nm", self.factor(), self.peel.model.length())
     }
 
     /// A check of `computed` against the number in `column`; none where the table has none and nothing was computed.

@@ -45,7 +45,7 @@ fn exponent(peaks: &[(f64, f64)], (from, to): (f64, f64)) -> f64 {
 
 /// (EI/EI0, peak) of the strips of 1000 nm, rigid in shear or not, by the crate and by the table.
 fn long(cases: &[Case], rigid: bool) -> [Vec<(f64, f64)>; 2] {
-    let chosen = || cases.iter().filter(|c| c.peel.model.strip.length == 1000.0 && is_rigid(c) == rigid);
+    let chosen = || cases.iter().filter(|c| c.peel.model.length() == 1000.0 && is_rigid(c) == rigid);
     let table = |c: &Case| (c.factor(), c.row.number("peak_force_nN").unwrap_or(f64::NAN));
     [chosen().map(|c| (c.factor(), force(c))).collect(), chosen().map(table).collect()]
 }

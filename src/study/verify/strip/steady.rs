@@ -77,7 +77,7 @@ fn long(&(length, factor, load, load_name): &(f64, f64, LineLoad, &str), steady:
 fn at_the_grip(peel: &Peel, p: &PathPoint) -> f64 {
     let (section, law) = (peel.model.section(), peel.model.line_law());
     let (sin, cos) = p.end_rotation.sin_cos();
-    let adhesion = peel.model.strip.width * law.response(law.rest_gap() + p.displacement, sin, cos).energy;
+    let adhesion = peel.model.free_end().0 * law.response(law.rest_gap() + p.displacement, sin, cos).energy;
     let (axial, shear) = (p.force * sin, p.force * cos);
     axial + 0.5 * axial * axial / section.axial + 0.5 * shear * shear / section.shear - adhesion
 }

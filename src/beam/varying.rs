@@ -1,0 +1,81 @@
+//! A beam whose section and stress-free direction vary along it.
+//!
+//! Its underside lies, free of stress, in the direction φ(S), and the axis half a height above it, in the direction
+//! θ0 = φ + atan(h'/2). So a beam of varying height with φ = 0 lies flat on a flat substrate.
+
+use super::{Material, Profile, Section, Station};
+use crate::number::Real;
+use std::fmt::Debug;
+use std::sync::Arc;
+
+/// The outline of a beam at one place, with derivatives along S.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outline {
+    /// b, nm
+    pub width: f64,
+    /// h, h' and h'': nm, 1, 1/nm
+    pub height: [f64; 3],
+    /// From 0, a rectangle, to 1, an ellipse: how round the section is
+    pub roundness: f64,
+    /// φ and φ', the direction of the underside: rad, rad/nm
+    pub underside: [f64; 2],
+}
+
+/// The outline of a beam from S = 0 to its length.
+pub trait Contour: Send + Sync + Debug {
+    /// L, nm
+    fn length(&self) -> f64;
+    /// Places between 0 and L where a formula ends and the next begins, ascending, nm. Elements end there. The height and the
+    /// direction of the underside are continuous, with the slope of the height.
+    fn breaks(&self) -> Vec<f64>;
+    /// The outline at a place, nm.
+    fn at(&self, place: f64) -> Outline;
+}
+
+/// A beam of varying outline, of one material.
+#[derive(Clone, Debug)]
+pub struct Varying {
+    contour: Arc<dyn Contour>,
+    material: Material,
+}
+
+impl Varying {
+    /// Of a contour and a material.
+    pub fn new(contour: Arc<dyn Contour>, material: Material) -> Self {
+        Self { contour, material }
+    }
+
+    /// Its outline.
+    pub fn contour(&self) -> &dyn Contour {
+        &*self.contour
+    }
+
+    /// θ0, the direction of the axis that is free of stress, rad.
+    pub fn rotation(&self, place: f64) -> f64 {
+        let outline = self.contour.at(place);
+        (0.5 * outline.height[1]).atan() + outline.underside[0]
+    }
+
+    fn station(&self, place: f64) -> Station<f64> {
+        let Outline { width, height: [height, slope, bend], roundness, underside } = self.contour.at(place);
+        let rise = 0.5 * slope;
+        Station {
+            section: self.material.section(width, height, roundness),
+            width,
+            height,
+            rise,
+            curvature: 0.5 * bend / (1.0 + rise * rise) + underside[1],
+        }
+    }
+}
+
+impl Profile for Varying {
+    #[inline(always)]
+    fn at<T: Real>(&self, place: T) -> Station<T> {
+        let [axial, shear, bending, width, height, rise, curvature] = place.each(|place| {
+            let Station { section, width, height, rise, curvature } = self.station(place);
+            [section.axial, section.shear, section.bending, width, height, rise, curvature]
+        });
+        Station { section: Section { axial, shear, bending }, width, height, rise, curvature }
+    }
+}

@@ -1,0 +1,308 @@
+//! A beam on a flat half space, lifted at its right end.
+
+use super::chain::{three_field, two_field};
+use super::{Spatula, Strip};
+use crate::adhesion::{HalfSpace, LineLaw, LineLoad};
+use crate::beam::{
+    Contour, Material, Profile, ReducedBeam, ReissnerBeam, Rest, RestCurve, Section, Uniform, Varying, VaryingRest,
+};
+use crate::solve::{Chain, Focus, Fronts, MOST_FIELDS, Mesh, Pieces, Problem};
+use std::sync::Arc;
+
+/// The adhesion between the beam and the half space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Adhesion {
+    /// nN·nm = aJ
+    pub hamaker_constant: f64,
+    /// r0 of the pair potential, nm
+    pub equilibrium_distance: f64,
+    pub line_load: LineLoad,
+    /// Whether the top face counts (the r2 terms).
+    pub far_face: bool,
+}
+
+impl Adhesion {
+    /// The line load per width on a section of this height, nm.
+    pub fn line_law(&self, height: f64) -> LineLaw {
+        LineLaw {
+            half_space: HalfSpace {
+                hamaker_constant: self.hamaker_constant,
+                equilibrium_distance: self.equilibrium_distance,
+            },
+            height,
+            line_load: self.line_load,
+            far_face: self.far_face,
+        }
+    }
+}
+
+/// What the grip does with one degree of freedom of the right end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hold {
+    Free,
+    Fixed,
+}
+
+/// The grip at S = L. Its vertical displacement is what is driven.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grip {
+    pub rotation: Hold,
+    pub horizontal: Hold,
+    /// k of a spring between the grip and the machine that moves it, nN/nm; none: the machine moves the grip itself
+    pub stiffness: Option<f64>,
+}
+
+/// What is peeled. It begins at S = 0 with its free end.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Body {
+    Strip(Strip),
+    Spatula(Spatula),
+}
+
+/// A body, its adhesion and its grip.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeelModel {
+    pub body: Body,
+    pub adhesion: Adhesion,
+    pub grip: Grip,
+}
+
+/// Which unknowns a node has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// y and θ; x is minimised out, the horizontal force is one number. Exact on a flat substrate without friction.
+    TwoField,
+    /// x, y and θ.
+    ThreeField,
+}
+
+impl From<&Self> for PeelModel {
+    fn from(model: &Self) -> Self {
+        model.clone()
+    }
+}
+
+/// Fronts for which a beam of varying outline is asked how fine its mesh has to be.
+const FRONTS_TRIED: usize = 32;
+
+impl PeelModel {
+    /// The strip, where it is one.
+    pub fn strip(&self) -> Option<&Strip> {
+        match &self.body {
+            Body::Strip(strip) => Some(strip),
+            Body::Spatula(_) => None,
+        }
+    }
+
+    /// How the body varies along its length, where it does.
+    fn contour(&self) -> Option<Arc<dyn Contour>> {
+        match &self.body {
+            Body::Strip(_) => None,
+            Body::Spatula(spatula) => Some(Arc::new(spatula.clone())),
+        }
+    }
+
+    /// Where elements have to end, nm.
+    pub fn breaks(&self) -> Vec<f64> {
+        self.contour().map(|contour| contour.breaks()).unwrap_or_default()
+    }
+
+    /// What the body is made of.
+    pub fn material(&self) -> Material {
+        match &self.body {
+            Body::Strip(strip) => strip.material(),
+            Body::Spatula(spatula) => spatula.material,
+        }
+    }
+
+    /// L, nm
+    pub fn length(&self) -> f64 {
+        match &self.body {
+            Body::Strip(strip) => strip.length,
+            Body::Spatula(spatula) => spatula.length(),
+        }
+    }
+
+    /// Width and height of the free end, nm.
+    pub fn free_end(&self) -> (f64, f64) {
+        match &self.body {
+            Body::Strip(strip) => (strip.width, strip.height),
+            Body::Spatula(spatula) => {
+                let outline = spatula.at(0.0);
+                (outline.width, outline.height[0])
+            }
+        }
+    }
+
+    /// EA, GA_s and EI of the free end.
+    pub fn section(&self) -> Section {
+        let (width, height) = self.free_end();
+        self.material().section(width, height, 0.0)
+    }
+
+    /// The line load per width on the free end.
+    pub fn line_law(&self) -> LineLaw {
+        self.adhesion.line_law(self.free_end().1)
+    }
+
+    /// Decay length (EI/k)^(1/4) of the free end as a bending beam on the adhesion's stiffness k at rest, nm.
+    pub fn bending_length(&self) -> f64 {
+        (self.section().bending / self.rest_stiffness()).powf(0.25)
+    }
+
+    /// k, the adhesion's stiffness at rest at the free end, nN/nm².
+    fn rest_stiffness(&self) -> f64 {
+        let law = self.line_law();
+        law.response(law.rest_gap(), 0.0, 1.0).gap_gap * self.free_end().0
+    }
+
+    /// Decay length (GA_s/k)^(1/2) of the free end as a shear beam on the adhesion's stiffness k at rest, nm.
+    pub fn shear_length(&self) -> f64 {
+        (self.section().shear / self.rest_stiffness()).sqrt()
+    }
+
+    /// Length of the process zone, nm: that of a bending beam, or a few times that of a shear beam where that is shorter.
+    pub fn process_length(&self) -> f64 {
+        self.bending_length().min(3.0 * self.shear_length())
+    }
+
+    /// What the solver is given, with elements of order 1 to 8. The displacement is that of the grip, whatever spring moves it.
+    pub fn problem(&self, form: Form, order: usize) -> Problem {
+        let (width, height) = self.free_end();
+        let (law, length) = (self.line_law(), self.length());
+        let r0 = self.adhesion.equilibrium_distance;
+        let lead = usize::from(form == Form::ThreeField);
+        let sliding_held = self.grip.horizontal == Hold::Fixed;
+        let process_length = 0.7 * self.process_length();
+        let mut held = [false; MOST_FIELDS];
+        let mut scale = [r0; MOST_FIELDS];
+        held[lead + 1] = self.grip.rotation == Hold::Fixed;
+        scale[lead + 1] = (r0 / process_length).min(1.0);
+        if form == Form::ThreeField {
+            held[0] = sliding_held;
+        }
+        let mut fixed_foci = self.fixed_foci(process_length);
+        let rest_adhesion = width * law.rest_energy();
+        let lie = match self.contour() {
+            None => Lie {
+                chain: chain(Uniform { section: self.section(), width, height }, law, form, sliding_held, order),
+                rest: Rest::Curve(RestCurve::straight(0.0, law.rest_gap(), 0.0)),
+                fronts: Fronts::Even,
+                rest_front: length,
+                pieces: Pieces::whole(length),
+            },
+            Some(contour) => {
+                let focus = Focus { center: 0.0, length: process_length, weight: 1.0 };
+                self.varying(contour, rest_adhesion, focus, &mut fixed_foci, |beam| {
+                    chain(beam, law, form, sliding_held, order)
+                })
+            }
+        };
+        Problem {
+            chain: lie.chain,
+            length,
+            rest: lie.rest,
+            rest_gap: law.rest_gap(),
+            driven: lead,
+            rotation: lead + 1,
+            held,
+            compliance: 0.0,
+            scale,
+            force_scale: rest_adhesion.abs(),
+            round_off: 0.0,
+            rest_adhesion,
+            fronts: lie.fronts,
+            rest_front: lie.rest_front,
+            mesh: Mesh::Moving,
+            fixed_foci,
+            pieces: lie.pieces,
+            process_length,
+            height,
+            sees_tilt: law.line_load != LineLoad::AxisGap,
+            conservative: law.has_potential(),
+        }
+    }
+
+    /// Where elements are small whatever the front: at the free end, which may come to stand on its edge, a wedge whose attraction
+    /// is concentrated on a part of r0, and at the end of a strip that may not turn there.
+    fn fixed_foci(&self, process_length: f64) -> Vec<Focus> {
+        let edge = (0.36 * process_length).min(0.25 * self.adhesion.equilibrium_distance);
+        let mut foci = vec![Focus { center: 0.0, length: edge, weight: 0.8 }];
+        if let (Some(strip), Hold::Fixed) = (self.strip(), self.grip.rotation) {
+            foci.push(Focus { center: strip.length, length: process_length, weight: 0.2 });
+        }
+        foci
+    }
+
+    /// A beam of varying outline: where it lies at rest, where its front may be, and how its elements are shared out.
+    fn varying(
+        &self,
+        contour: Arc<dyn Contour>,
+        rest_adhesion: f64,
+        front: Focus,
+        fixed_foci: &mut Vec<Focus>,
+        chain: impl Fn(Varying) -> Box<dyn Chain>,
+    ) -> Lie {
+        let beam = Varying::new(contour, self.material());
+        let length = beam.contour().length();
+        let rest = VaryingRest::new(beam.clone(), self.line_law().rest_gap());
+        let adheres = |place: f64| {
+            let (width, height) = (beam.contour().at(place).width, rest.height(place));
+            width * self.adhesion.line_law(height).rest_energy() / rest_adhesion
+        };
+        let distance = |place: f64| {
+            let [_, gap, rotation] = rest.at(place);
+            gap + 0.5 * rest.height(place) * (1.0 - rotation.cos().abs())
+        };
+        let place = |k: usize| length * k as f64 / LOOKED_AT as f64;
+        let distances: Vec<f64> = (0..=LOOKED_AT).map(|k| distance(place(k))).collect();
+        let near = REACH * self.adhesion.equilibrium_distance;
+        let lifted = distances.iter().position(|&distance| distance > near).unwrap_or(LOOKED_AT);
+        // where it comes down again
+        let again = (lifted + 1..LOOKED_AT)
+            .filter(|&k| distances[k] < near && distances[k] < distances[k - 1] && distances[k] <= distances[k + 1]);
+        fixed_foci.extend(again.map(|k| Focus { center: place(k), weight: AGAIN, ..front }));
+        let rest_front = place(lifted);
+        let meshes: Vec<Vec<Focus>> = (0..=FRONTS_TRIED)
+            .map(|k| {
+                let moved = Focus { center: rest_front * k as f64 / FRONTS_TRIED as f64, ..front };
+                std::iter::once(moved).chain(fixed_foci.iter().copied()).collect()
+            })
+            .collect();
+        let pieces = Pieces::cut(length, &beam.contour().breaks(), &meshes);
+        let fronts = Fronts::new(length, adheres);
+        Lie { chain: chain(beam), rest: Rest::Varying(Box::new(rest)), fronts, rest_front, pieces }
+    }
+}
+
+/// Places at which a beam that is free of stress is looked at for contact, and how far in r0 that reaches.
+const LOOKED_AT: usize = 400;
+const REACH: f64 = 3.0;
+/// Weight of the focus of the mesh where it comes down again.
+const AGAIN: f64 = 0.5;
+
+/// A chain, how it lies at rest, and where its elements are.
+struct Lie {
+    chain: Box<dyn Chain>,
+    rest: Rest,
+    fronts: Fronts,
+    /// S up to which it touches the substrate, nm
+    rest_front: f64,
+    pieces: Pieces,
+}
+
+/// The chain of a profile under a line load.
+fn chain<P: Profile + 'static>(
+    profile: P,
+    law: LineLaw,
+    form: Form,
+    sliding_held: bool,
+    order: usize,
+) -> Box<dyn Chain> {
+    match (form, sliding_held) {
+        (Form::TwoField, false) => two_field(ReducedBeam::<_, false> { profile, law }, order),
+        (Form::TwoField, true) => two_field(ReducedBeam::<_, true> { profile, law }, order),
+        // held at x(0) = 0, which with a sliding grip carries no force
+        (Form::ThreeField, _) => three_field(ReissnerBeam { profile, law }, order, [Some(0.0), None, None]),
+    }
+}

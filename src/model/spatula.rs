@@ -1,0 +1,142 @@
+//! A gecko's spatula as a beam: a flat pad that narrows and thickens into a round, bent shaft.
+//!
+//! With s5(t) = t³(10 - 15 t + 6 t²) clipped to [0, 1] and q = s5((S - pad)/neck): height h = h_pad + (d - h_pad) q; width
+//! b = b_tip + (b_neck - b_tip) S/pad on the pad and b_neck + (d - b_neck) q behind it, where rounded times
+//! w + (1 - w)(1 - (1 - t)⁴) with t = S/rounding; the section goes from a rectangle to a circle with q, and the underside turns up
+//! by the shaft's angle times s5((S - pad)/bend). A choice within the ranges of the literature: the paper gives no dimensions.
+
+use crate::beam::{Contour, Material, Outline};
+
+/// Geometry and material of a spatula. Lengths in nm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spatula {
+    pub pad_length: f64,
+    /// From the pad to the shaft.
+    pub neck_length: f64,
+    pub shaft_length: f64,
+    /// Over this length from the pad on the axis turns up.
+    pub bend_length: f64,
+    pub tip_width: f64,
+    pub neck_width: f64,
+    pub shaft_diameter: f64,
+    pub pad_thickness: f64,
+    /// rad
+    pub shaft_angle: f64,
+    /// From the tip on; 0: blunt.
+    pub tip_rounding_length: f64,
+    /// Width of the end face where it is rounded.
+    pub tip_rounding_width: f64,
+    pub material: Material,
+}
+
+impl Default for Spatula {
+    fn default() -> Self {
+        Self {
+            pad_length: 240.0,
+            neck_length: 150.0,
+            shaft_length: 600.0,
+            bend_length: 50.0,
+            tip_width: 200.0,
+            neck_width: 50.0,
+            shaft_diameter: 50.0,
+            pad_thickness: 10.0,
+            shaft_angle: std::f64::consts::FRAC_PI_4,
+            tip_rounding_length: 0.0,
+            tip_rounding_width: 100.0,
+            material: Material {
+                youngs_modulus: 2.0,
+                poissons_ratio: 0.2,
+                shear_correction: 5.0 / 6.0,
+                bending_stiffness_factor: 1.0,
+            },
+        }
+    }
+}
+
+/// s5 and its first two derivatives.
+fn smooth_step(t: f64) -> [f64; 3] {
+    if t <= 0.0 {
+        return [0.0; 3];
+    }
+    if t >= 1.0 {
+        return [1.0, 0.0, 0.0];
+    }
+    let rest = 1.0 - t;
+    [t * t * t * (10.0 - 15.0 * t + 6.0 * t * t), 30.0 * t * t * rest * rest, 60.0 * t * rest * (rest - t)]
+}
+
+impl Spatula {
+    /// Width of the rounded tip over that of a blunt one.
+    fn rounding(&self, place: f64) -> f64 {
+        if place >= self.tip_rounding_length {
+            return 1.0;
+        }
+        let least = self.tip_rounding_width / self.tip_width;
+        least + (1.0 - least) * (1.0 - (1.0 - place / self.tip_rounding_length).powi(4))
+    }
+}
+
+impl Contour for Spatula {
+    fn length(&self) -> f64 {
+        self.pad_length + self.neck_length + self.shaft_length
+    }
+
+    fn breaks(&self) -> Vec<f64> {
+        let pad = self.pad_length;
+        let mut breaks = vec![pad, pad + self.neck_length];
+        if self.shaft_angle != 0.0 {
+            breaks.push(pad + self.bend_length);
+        }
+        if self.tip_rounding_length > 0.0 {
+            breaks.push(self.tip_rounding_length);
+        }
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
+        breaks
+    }
+
+    fn at(&self, place: f64) -> Outline {
+        let beyond = place - self.pad_length;
+        let [q, q1, q2] = smooth_step(beyond / self.neck_length);
+        let thicker = self.shaft_diameter - self.pad_thickness;
+        let width = if beyond < 0.0 {
+            self.tip_width + (self.neck_width - self.tip_width) * place / self.pad_length
+        } else {
+            self.neck_width + (self.shaft_diameter - self.neck_width) * q
+        };
+        let [turned, turning, _] = smooth_step(beyond / self.bend_length);
+        Outline {
+            width: width * self.rounding(place),
+            height: [
+                self.pad_thickness + thicker * q,
+                thicker * q1 / self.neck_length,
+                thicker * q2 / (self.neck_length * self.neck_length),
+            ],
+            roundness: q,
+            underside: [self.shaft_angle * turned, self.shaft_angle * turning / self.bend_length],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_abs_diff_eq;
+
+    /// Derivatives of the outline against central differences, on both sides of every break.
+    #[test]
+    fn slopes_are_those_of_the_outline() {
+        let spatula = Spatula { tip_rounding_length: 60.0, ..Spatula::default() };
+        let step = 1e-4;
+        for k in 1..99 {
+            let place = 10.0 * f64::from(k) + 0.3;
+            let [before, here, after] = [place - step, place, place + step].map(|s| spatula.at(s));
+            let slope = |of: fn(&Outline) -> f64| (of(&after) - of(&before)) / (2.0 * step);
+            assert_abs_diff_eq!(here.height[1], slope(|o| o.height[0]), epsilon = 1e-9);
+            assert_abs_diff_eq!(here.height[2], slope(|o| o.height[1]), epsilon = 1e-9);
+            assert_abs_diff_eq!(here.underside[1], slope(|o| o.underside[0]), epsilon = 1e-9);
+        }
+        assert_eq!(spatula.at(0.0).width, 100.0);
+        assert_eq!(spatula.breaks(), [60.0, 240.0, 290.0, 390.0]);
+    }
+}

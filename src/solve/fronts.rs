@@ -1,0 +1,48 @@
+//! Where the peeling front is when so much of the adhesion is left.
+
+use super::Hermite;
+
+/// The place of the front along a chain, from the adhesion energy that is left over that of a unit length at the left end.
+#[derive(Clone, Debug)]
+pub enum Fronts {
+    /// Every unit of length adheres alike: the two are the same number.
+    Even,
+    /// (front, S, dS/dfront), ascending: what adheres differs from place to place.
+    Table(Vec<(f64, f64, f64)>),
+}
+
+/// Panels over which what adheres is summed.
+const PANELS: usize = 256;
+
+impl Fronts {
+    /// From what adheres at each place of a chain when it lies on the substrate, over what adheres at its left end.
+    pub fn new(length: f64, adheres: impl Fn(f64) -> f64) -> Self {
+        let step = length / PANELS as f64;
+        let mut front = 0.0;
+        let table = (0..=PANELS).map(|k| {
+            let place = k as f64 * step;
+            let (here, middle, next) = (adheres(place), adheres(place + 0.5 * step), adheres(place + step));
+            let known = (front, place, 1.0 / here);
+            front += step / 6.0 * (here + 4.0 * middle + next);
+            known
+        });
+        Self::Table(table.collect())
+    }
+
+    /// S of a front, nm; an end of the chain for a front beyond it.
+    pub fn place(&self, front: f64) -> f64 {
+        let Self::Table(table) = self else { return front };
+        let before = table.partition_point(|known| known.0 < front).saturating_sub(1);
+        match (table.get(before), table.get(before + 1)) {
+            (Some(&a), Some(&b)) => Hermite::new(&[a, b]).at(front.max(a.0)).0,
+            (Some(last), None) => last.1,
+            _ => 0.0,
+        }
+    }
+
+    /// The front that is not far from a place, nm.
+    pub fn near(&self, place: f64) -> f64 {
+        let Self::Table(table) = self else { return place };
+        table.iter().rev().find(|known| known.1 <= place).map_or(0.0, |known| known.0 + (place - known.1) / known.2)
+    }
+}
