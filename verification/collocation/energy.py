@@ -4,8 +4,8 @@ import math
 import numpy as np
 
 from .law import potential
+from .curve import solution
 from .mesh import mesh
-from .path import interpolated
 from .system import Rule
 
 FLAT = 0.01                                                           # a plateau is where |d ln P / d ln u| is below this
@@ -14,7 +14,7 @@ LEVEL = 1e-6                                                          # where it
 
 def energy(s, st):
     """Stored energy and change of the adhesion energy since rest, aJ; for "force-only" the potential of the full law."""
-    c = s.strip
+    c = s.strip.at(st.points())
     z = st.inner()
     g, th, V, M = (z[..., i] for i in range(4))
     N, Q = st.H * np.cos(th) + V * np.sin(th), V * np.cos(th) - st.H * np.sin(th)
@@ -93,34 +93,10 @@ def lp1_after(path):
     return top if s.P(path.found["lp1"]) < s.P(path.points[top]) else top - 1     # P falls there
 
 
-def solution(path, label):
-    """The solution next to what an interpolation along the path gives at a path length."""
-    s = path.s
-    i = min(int(np.searchsorted(path.labels, label, side="right")) - 1, len(path.points) - 2)
-    first = max(i - 1, 1) if i else 0
-    near = range(first, min(first + 4, len(path.points)))
-    states = [resampled(s, path.points[k], len(path.points[i + 1].X)) for k in near]
-    guess = interpolated(states, [path.labels[k] for k in near], label)
-    guess.X[0], guess.X[-1] = 0.0, s.strip.length
-    way = (states[i + 1 - first].flat() - states[i - first].flat()) / s.scale(len(guess.X) - 1)
-    s.border = way / np.linalg.norm(way)
-    return s.correct(guess, tol=1e-10, most=12)
-
-
 def refined(path, st):
     """A solution again, at its u, on a mesh as fine as that of a turning point."""
     s = path.s
     N, n, _ = path.fine
-    X, load = mesh(s, st, N, quiet=1e-8)
-    X, _ = mesh(s, st, max(N, int(load / 1.6)), quiet=1e-8)
-    row = np.zeros(s.d * len(X) + (s.d == 5))
-    row[s.d * (len(X) - 1)] = 1.0
-    return s.correct(st.moved(s.strip, X, n), row=row, target=st.zn[-1, 0], tol=1e-11, most=12)
-
-
-def resampled(s, st, size):
-    """The same solution on another number of sub-intervals of the same grading."""
-    if len(st.X) == size:
-        return st
-    X = np.interp(np.linspace(0.0, 1.0, size), np.linspace(0.0, 1.0, len(st.X)), st.X)
-    return st.moved(s.strip, X, st.n)
+    _, load = mesh(s, st, N, quiet=1e-8)
+    X, _ = mesh(s, st, max(N, int(load.sum() / 1.6)), quiet=1e-8)
+    return s.held(st.moved(s.strip, X, n), s.u(st))

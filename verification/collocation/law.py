@@ -1,4 +1,4 @@
-"""The strip, the potential of its adhesion, and the strong form of Reissner's planar beam on it.
+"""The strip, the potential of its adhesion, and the strong form of Reissner's planar beam.
 
 With the potential  Pi = int [EA G1^2/2 + GA G2^2/2 + EI k^2/2 + b Psi(y, theta)] dS - P y(L),
     G1 = x' cos + y' sin - 1,   G2 = -x' sin + y' cos,   k = theta',
@@ -6,8 +6,9 @@ With the potential  Pi = int [EA G1^2/2 + GA G2^2/2 + EI k^2/2 + b Psi(y, theta)
 its first variation gives
     H' = 0,   V' = b dPsi/dy = -b T_c,   M' = -x' V + y' H + b dPsi/dtheta = -x' V + y' H - b M_c.
 Solved for derivatives, with g = y - h/2 in place of y and w = x - S in place of x, so that nothing cancels:
-    g' = (1 + N/EA) sin + (Q/GA) cos,   theta' = M/EI,   V' = -b T_c,   M' = -x' V + y' H - b M_c,   w' = x' - 1.
-Psi is that of Sauer's eqs. (17)-(22). An infinite shear_correction makes the strip rigid in shear.
+    g' = (1 + N/EA) sin + (Q/GA) cos - h'/2,   theta' = M/EI + theta0',   V' = -b T_c,   M' = -x' V + y' H - b M_c,   w' = x' - 1.
+Section and rest curvature theta0' may vary along S (shapes.py); those of a strip do not. Psi is that of Sauer's eqs. (17)-(22).
+An infinite shear_correction makes the beam rigid in shear.
 """
 import math
 from dataclasses import dataclass
@@ -16,21 +17,53 @@ import numpy as np
 from scipy.optimize import brentq
 
 
-@dataclass(frozen=True)
-class Strip:
-    length: float = 100.0                # nm
-    factor: float = 1.0                  # on EI alone
+@dataclass(frozen=True, kw_only=True)
+class Beam:
+    """What every beam has: its grip, its adhesion, its material."""
     rotation: str = "free"               # of the grip: free | fixed
     horizontal: str = "free"             # of the grip: free | fixed
     line_load: str = "full"              # full | force-only | axis-gap
     far_face: bool = True
-    height: float = 10.0                 # nm
-    width: float = 1.0                   # nm
     young: float = 2.0                   # GPa
     poisson: float = 0.2
     shear_correction: float = 5.0 / 6.0
     hamaker: float = 1e-19               # J
     r0: float = 0.4                      # nm
+
+    @property
+    def K(self):
+        """A_H / (2 pi r0^2), nN/nm."""
+        return self.hamaker * 1e18 / (2.0 * math.pi * self.r0 ** 2)
+
+    @property
+    def shear_modulus(self):
+        """That of the section, shear correction and all, GPa."""
+        return self.shear_correction * self.young / (2.0 * (1.0 + self.poisson))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Strip(Beam):
+    length: float = 100.0                # nm
+    factor: float = 1.0                  # on EI alone
+    height: float = 10.0                 # nm
+    width: float = 1.0                   # nm
+
+    rise = 0.0                           # dh/dS
+    bend = 0.0                           # rest curvature
+    end_rotation = 0.0                   # of the grip at rest
+
+    @property
+    def ends(self):
+        """Of the pieces on which the section has one formula, nm."""
+        return 0.0, self.length
+
+    def at(self, S):
+        """Its section at the places S."""
+        return self
+
+    def free(self, S):
+        """Gap and rotation free of stress; the gap is that of equilibrium."""
+        return np.full_like(S, rest_gap(self)), np.zeros_like(S)
 
     @property
     def EI(self):
@@ -42,12 +75,7 @@ class Strip:
 
     @property
     def GA(self):
-        return self.shear_correction * self.young / (2.0 * (1.0 + self.poisson)) * self.height * self.width
-
-    @property
-    def K(self):
-        """A_H / (2 pi r0^2), nN/nm."""
-        return self.hamaker * 1e18 / (2.0 * math.pi * self.r0 ** 2)
+        return self.shear_modulus * self.height * self.width
 
     def __str__(self):
         return (f"L={self.length:g} f={self.factor:g} rot={self.rotation} hor={self.horizontal} {self.line_load} "
@@ -136,7 +164,7 @@ def rest_gap(c):
 
 
 def field(c, z, H, jac=True):
-    """z' and its derivatives to z and H. z[..., :] = g, theta, V, M (, w)."""
+    """z' and its derivatives to z and H. z[..., :] = g, theta, V, M (, w); c: the section there (Strip.at)."""
     d = z.shape[-1]
     g, th, V, M = z[..., 0], z[..., 1], z[..., 2], z[..., 3]
     co, si = np.cos(th), np.sin(th)
@@ -151,8 +179,8 @@ def field(c, z, H, jac=True):
     x1 = (1.0 + N * ea) * co - Q * ga * si
     y1 = (1.0 + N * ea) * si + Q * ga * co
     f = np.empty_like(z)
-    f[..., 0] = y1
-    f[..., 1] = M / c.EI
+    f[..., 0] = y1 - 0.5 * c.rise
+    f[..., 1] = M / c.EI + c.bend
     f[..., 2] = b * Py
     f[..., 3] = -x1 * V + y1 * H + b * Pt
     if d == 5:

@@ -7,6 +7,9 @@ from .law import field, rest_gap
 from .system import System
 
 
+CAP = 0.3
+
+
 class Failure(Exception):
     pass
 
@@ -17,26 +20,29 @@ class Solver:
     def __init__(self, strip):
         self.strip = strip
         self.d = 5 if strip.horizontal == "fixed" else 4
-        self.g0 = rest_gap(strip)
+        self.tip = strip.at(0.0)
+        self.g0 = rest_gap(self.tip)
+        self.raised = float(strip.free(np.array([strip.length]))[0][0])    # gap of the grip at u = 0
+        self.first = max(0.0, self.g0 - self.raised)                  # u at which the path begins: the grip is not in the substrate
         z0 = np.zeros(self.d)
         z0[0] = self.g0
-        _, J, _ = field(strip, z0, 0.0)
+        _, J, _ = field(self.tip, z0, 0.0)
         self.k0 = J[2, 0]                                             # stiffness of the adhesion at rest
-        self.lam0 = (self.k0 / strip.EI) ** 0.25
+        self.lam0 = (self.k0 / self.tip.EI) ** 0.25
         self.ell = 1.0 / self.lam0
         self.pole = strip.line_load != "axis-gap" and not strip.far_face   # Psi = W/cos(theta), nothing to make up for the cos
         self.border = None
 
     def scale(self, N):
         """The size of each unknown on N sub-intervals."""
-        c = self.strip
+        c = self.tip
         M = c.EI * 0.1 * self.lam0
         s = [c.r0, 0.1, 0.1 * c.K / c.r0 * c.width * self.ell, M, self.ell][:self.d]
         v = np.tile(s, N + 1)
         return np.append(v, s[2]) if self.d == 5 else v
 
     def u(self, st):
-        return float(st.zn[-1, 0] - self.g0)
+        return float(st.zn[-1, 0] - self.raised)
 
     def P(self, st):
         return float(st.zn[-1, 2])
@@ -68,7 +74,7 @@ class Solver:
                 turn = np.abs(dx[1:self.d * len(st.X):self.d])
                 dx = dx * min(1.0, float((0.4 * np.abs(np.cos(st.zn[:, 1])) / np.maximum(turn, 1e-300)).min()))
             st = sy.apply(st, dx)
-            if st.zn[:, 0].min() < 0.3 * self.strip.r0 - (0.0 if self.strip.line_load == "axis-gap" else self.strip.height):
+            if (st.zn[:, 0] + self.above(st)).min() < 0.3 * self.strip.r0:
                 raise Failure("penetrates")
             if size < tol or (it > 1 and size < 1e-9 and size > 0.3 * last):
                 break
@@ -82,6 +88,35 @@ class Solver:
             self.border = row
         self.used = it + 1
         return st
+
+    def above(self, st):
+        """By how much a node may be lower than the gap of a level section: the height, where the law sees the tilt."""
+        return 0.0 if self.strip.line_load == "axis-gap" else self.strip.at(st.X).height
+
+    def held(self, st, u, tol=1e-11, most=12):
+        """The equilibrium next to st at a displacement of the grip."""
+        row = np.zeros(self.d * len(st.X) + (self.d == 5))
+        row[self.d * (len(st.X) - 1)] = 1.0
+        return self.correct(st, row=row, target=u + self.raised, tol=tol, most=most)
+
+    def near(self, S, z):
+        """The gap of the underside at places S."""
+        return z[:, 0] + self.strip.at(S).height * np.sin(0.5 * z[:, 1]) ** 2
+
+    def settled(self, st, most=300):
+        """The equilibrium at the first displacement that st falls into: Newton steps that change no gap by more than CAP of itself."""
+        row = np.zeros(self.d * len(st.X) + (self.d == 5))
+        row[self.d * (len(st.X) - 1)] = 1.0
+        for _ in range(most):
+            sy = System(self.strip, st)
+            dx, _ = sy.solve(row, self.first + self.raised - row @ st.flat())
+            dz = dx[:self.d * len(st.X)].reshape(-1, self.d)
+            change = np.abs(dz[:, 0] + 0.5 * self.strip.at(st.X).height * np.sin(st.zn[:, 1]) * dz[:, 1])
+            share = min(1.0, CAP * float((self.near(st.X, st.zn) / np.maximum(change, 1e-300)).min()))
+            st = sy.apply(st, dx * share, share)
+            if share == 1.0 and np.abs(dx / self.scale(len(st.X) - 1)).max() < 1e-10:
+                return st
+        raise Failure("does not settle at rest")
 
     def tangent(self, st, like=None):
         """Null vector of the linearisation, scaled length 1, oriented along `like`."""

@@ -1,7 +1,8 @@
-"""What the scripts of the strip have in common: cases in, a table out; with --check the committed table is held against them."""
+"""What the scripts have in common: cases in, a table out; with --check the committed table is held against them."""
 import argparse
 import sys
 import time
+from dataclasses import fields, replace
 
 import tables
 
@@ -15,21 +16,23 @@ DEFINING = {"length_nm": "length", "bending_stiffness_factor": "factor", "grip_r
 
 
 class Suite:
-    """A table: its name and remarks, the strips of its rows, its columns, and compute(strip, level, verbose) -> {column: number}.
+    """A table: its name and remarks, the beams of its rows, its columns, and compute(strip, level, verbose) -> {column: number}.
 
-    Columns that neither define the strip nor are computed are an error; `digits_relative`, the fewest digits of a row, is added.
+    defining: the columns that define a beam and what they are called in it; what has no column is as in paper. Columns that
+    neither define the beam nor are computed are an error; `digits_relative`, the fewest digits of a row, is added.
     """
 
-    def __init__(self, table, remarks, cases, columns, compute, quick=()):
+    def __init__(self, table, remarks, cases, columns, compute, quick=(), defining=DEFINING, paper=Strip()):
         self.table, self.remarks, self.cases, self.columns, self.compute, self.quick = table, remarks, cases, columns, compute, quick
-        self.values = [column for column in columns if column not in DEFINING]
+        self.defining, self.paper = defining, paper
+        self.values = [column for column in columns if column not in defining]
 
     def row(self, strip, verbose):
         """A row, each number as the text of its good digits, and remarks."""
         found, remarks = twice(lambda level: self.compute(strip, level, verbose))
         row = {}
         for column in self.columns:
-            value = getattr(strip, DEFINING[column]) if column in DEFINING else None
+            value = getattr(strip, self.defining[column]) if column in self.defining else None
             row[column] = repr(value).removesuffix(".0") if isinstance(value, float) else value
             if column in found:
                 row[column] = printed(*found[column])
@@ -48,9 +51,19 @@ class Suite:
             elif (difference := off(text, now[column])) is not None:
                 yield f"{column}: {text} in the table, {now[column]!r} now, differs by {difference:.1e}"
 
+    def strip_of(self, row):
+        """The beam of a row of a table."""
+        def value(column, default):
+            text = row[column]
+            return text == "true" if isinstance(default, bool) else text if isinstance(default, str) else float(text)
+
+        names = {field.name for field in fields(self.paper)}
+        return replace(self.paper, **{name: value(column, getattr(self.paper, name)) for column, name in self.defining.items()
+                                      if column in row and name in names})
+
     def check(self, name, only, quick, verbose):
         """How many rows of a table do not agree."""
-        rows = {strip_of(row): row for row in tables.read(name)}
+        rows = {self.strip_of(row): row for row in tables.read(name)}
         cases = self.quick if quick else self.cases if name == self.table else list(rows)
         cases = [strip for strip in cases if only in str(strip)]
         wrong = 0
@@ -69,17 +82,6 @@ class Suite:
             print(f"{strip}: {row['digits_relative']} digits{''.join('; ' + remark for remark in remarks)}", flush=True)
         tables.write(self.table, self.remarks, rows)
         print(f"wrote verification/{self.table}: {len(rows)} rows")
-
-
-def strip_of(row):
-    """The strip of a row of a table; what it has no column for is as in the paper."""
-    paper = Strip()
-
-    def value(column, default):
-        text = row[column]
-        return text == "true" if isinstance(default, bool) else text if isinstance(default, str) else float(text)
-
-    return Strip(**{name: value(column, getattr(paper, name)) for column, name in DEFINING.items() if column in row})
 
 
 def run(description, suite, checks=()):

@@ -1,7 +1,7 @@
 """A solution on a mesh of sub-intervals, and one linearisation of the boundary value problem.
 
 Chebyshev collocation with points of the first kind: z' is a polynomial on each sub-interval, z its integral. Left end: V = M = 0
-(and w = 0). Right end: M = 0 or theta = 0 (and w = 0 with H unknown, or H = 0). The displacement of the grip is not prescribed:
+(and w = 0). Right end: M = 0 or theta as at rest (and w = 0 with H unknown, or H = 0). The displacement of the grip is not prescribed:
 one condition is missing, and the solutions form the path.
 """
 import numpy as np
@@ -78,7 +78,7 @@ class State:
         zn = self.at(X)
         zn[-1] = self.zn[-1]
         z = self.at(S.ravel()).reshape(S.shape + (-1,))
-        return State(X, zn, field(c, z, self.H, jac=False), self.H)
+        return State(X, zn, field(c.at(S), z, self.H, jac=False), self.H)
 
     def flat(self):
         v = self.zn.ravel()
@@ -92,7 +92,7 @@ class System:
         N, n, d = st.K.shape
         R = Rule(n)
         h = np.diff(st.X)
-        f, J, fH = field(c, st.inner(), st.H)
+        f, J, fH = field(c.at(st.points()), st.inner(), st.H)
         big = -(h[:, None, None, None, None] * R.A[None, :, None, :, None]) * J[:, :, :, None, :]
         for a in range(d):
             k = np.arange(n)
@@ -120,7 +120,7 @@ class System:
         o, e = d * N, d * N
         conditions = [(2, st.zn[0, 2]), (3, st.zn[0, 3])]
         tip = 1 if c.rotation == "fixed" else 3
-        conditions.append((e + tip, st.zn[-1, tip]))
+        conditions.append((e + tip, st.zn[-1, tip] - (c.end_rotation if tip == 1 else 0.0)))
         if d == 5:
             conditions += [(4, st.zn[0, 4]), (e + 4, st.zn[-1, 4])]
         for k, (col, val) in enumerate(conditions):
@@ -137,10 +137,11 @@ class System:
         x = np.linalg.solve(self.A, b)
         return x[:, 0], x[:, 1]
 
-    def apply(self, st, dx):
+    def apply(self, st, dx, share=1.0):
+        """The state after a step dx, which is that share of a Newton step."""
         d, N = self.d, self.N
         dz = dx[:d * (N + 1)].reshape(N + 1, d)
-        dK = self.sol[..., 0] + np.einsum("ikac,ic->ika", self.sol[..., 1:d + 1], dz[:-1])
+        dK = share * self.sol[..., 0] + np.einsum("ikac,ic->ika", self.sol[..., 1:d + 1], dz[:-1])
         dH = 0.0
         if d == 5:
             dH = dx[-1]

@@ -8,22 +8,27 @@ from .system import Rule, State
 MOST_INTERVALS = 200
 
 
-def locate(s, st, kind, N, n, tol):
-    """The point near st at which the tangent has no component in P (peak) or u (lp1, lp2).
+def locate(s, st, what, N, n, tol):
+    """The point near st at which the tangent has no component in what turns, "P" or "u", on a mesh that resolves it."""
+    def found(st):
+        s.border = np.zeros_like(s.scale(len(st.X) - 1))
+        s.border[s.d * (len(st.X) - 1) + (2 if what == "u" else 0)] = 1.0
+        return turn(s, s.correct(st, tol=1e-11), what)
+
+    return resolved(s, st, found, N, n, tol)
+
+
+def resolved(s, st, found, N, n, tol):
+    """found(st), a solution near st on the mesh of st, on a mesh that resolves it.
 
     The mesh starts with N sub-intervals and is halved wherever the Chebyshev coefficients of degree n - 2, n - 1 are above
     tol; then the point is found again.
     """
     X, load = mesh(s, st, N, quiet=1e-8)
-    if load > 1.6 * N:
-        X, _ = mesh(s, st, int(load / 1.6) + 1, quiet=1e-8)
+    if load.sum() > 1.6 * N:
+        X, _ = mesh(s, st, int(load.sum() / 1.6) + 1, quiet=1e-8)
     for _ in range(12):
-        st = st.moved(s.strip, X, n)
-        row = np.zeros_like(s.scale(len(X) - 1))
-        row[s.d * (len(X) - 1) + (2 if kind != "peak" else 0)] = 1.0
-        s.border = row
-        st = s.correct(st, tol=1e-11)
-        st = turn(s, st, kind)
+        st = found(st.moved(s.strip, X, n))
         tail = tails(s, st)
         bad = tail > tol
         if not bad.any() or len(X) > MOST_INTERVALS:
@@ -46,11 +51,11 @@ def tails(s, st):
     return (co / np.maximum(size, 1e-12)).max(axis=1)
 
 
-def turn(s, st, kind):
+def turn(s, st, what):
     """On one mesh: solutions on planes across the tangent at st; secant method for the one where the path turns."""
     N = len(st.X) - 1
     sc = s.scale(N)
-    col = s.d * N + (2 if kind == "peak" else 0)
+    col = s.d * N + (2 if what == "P" else 0)
     T0 = s.tangent(st)
     base = T0 / sc
     mid = base @ st.flat()
@@ -81,5 +86,5 @@ def turn(s, st, kind):
         if abs(step) < (1e-11 if abs(phi) < 1e-9 else 1e-13):
             break
     if best[0] > 1e-6 and not (abs(step) < 1e-10 and best[0] < 1e-4):
-        raise Failure(f"{kind}: the tangent does not turn here, {best[0]:.2e}")
+        raise Failure(f"{what}: the tangent does not turn here, {best[0]:.2e}")
     return best[1]
