@@ -20,7 +20,7 @@ class Path:
     """Follows the path until all wanted points are found, P has come back to zero (the strip stands on an edge) or u has.
 
     N sub-intervals of degree n at first; goal: relative error of a prediction; fine: N, n and the tail of a turning point.
-    Found, too: "top", where P is largest up to lp1.
+    Found, too: "top", the largest maximum of P up to lp1.
     """
     LEAST = 32                                                        # sub-intervals
 
@@ -51,7 +51,7 @@ class Path:
             self.look_for_turn()
             if all(w in self.found for w in self.want):
                 return "found"
-            if s.P(got) < 0.0 and "peak" in self.found:
+            if s.P(got) < 0.0 <= s.P(self.points[-2]):
                 return "P back to zero"
             if "lp1" in self.found and s.u(got) < 0.02 * s.u(self.found["lp1"]):
                 return "u back to zero"
@@ -182,25 +182,25 @@ class Path:
                 off = (value(at) - value(self.points[-2])) * (-1.0 if kind == "lp2" else 1.0)
                 if -1e-4 * gap - 1e-7 <= off <= gap:                  # a maximum lies above the points around it, and not far
                     self.found[kind] = at
+                    if kind == "peak" and "lp1" not in self.found:
+                        self.found["top"] = at
                 else:
                     self.say(f"  {kind} rejected: off by {off:.3g}, points apart {gap:.3g}")
             except (Failure, np.linalg.LinAlgError) as why:
                 self.say(f"  no {kind} here: {why}")
             s.border = keep
-        if "peak" in self.found:
-            self.found.setdefault("top", self.found["peak"])
 
     def seen(self):
         """The turns that the last three points show: their kind, what turns, how far the points are apart in that."""
         s = self.s
         u0, u1, u2 = (s.u(p) for p in self.points[-3:])
         P0, P1, P2 = (s.P(p) for p in self.points[-3:])
-        if "lp1" not in self.found and P1 > P0 and P1 >= P2:
+        if P1 > P0 and P1 >= P2:
             if "peak" not in self.found:
                 yield "peak", "P", max(P1 - P0, P1 - P2)
-            elif P1 > s.P(self.found["top"]):
+            elif "lp1" not in self.found and P1 > s.P(self.found["top"]):
                 yield "top", "P", max(P1 - P0, P1 - P2)
-        if "peak" in self.found and "lp1" not in self.found and u1 > u0 and u1 >= u2:
+        if "lp1" not in self.found and u1 > u0 and u1 >= u2:
             yield "lp1", "u", max(u1 - u0, u1 - u2)
-        elif "lp1" in self.found and u1 < u0 and u1 <= u2:
+        elif "lp1" in self.found and "lp2" not in self.found and u1 < u0 and u1 <= u2:
             yield "lp2", "u", max(u0 - u1, u2 - u1)

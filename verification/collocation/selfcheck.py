@@ -72,7 +72,8 @@ def check_balance():
             at = tuple(mp.mpf(float(v)) for v in (f[4] + 1.0, f[0] + 0.5 * c.rise, z[1]))
             P = potential(c, np.float64(z[0]), np.float64(z[1]))
             want = (mp.diff(stored, at, (1, 0, 0)) - H, mp.diff(stored, at, (0, 1, 0)) - z[2],
-                    mp.diff(stored, at, (0, 0, 1)) + c.width * float(P[2]) - f[3], c.width * float(P[1]) - f[2], c.EI * (f[1] - c.bend) - z[3])
+                    mp.diff(stored, at, (0, 0, 1)) + c.width * float(P[2]) - f[3], c.width * float(P[1]) - f[2],
+                    c.EI * (f[1] - c.bend) - z[3])
             worst = max(worst, max(float(abs(v)) for v in want) / (1.0 + abs(f[3])))
     print(f"H = dU/dx', V = dU/dy', M' = dU/dtheta + b dPsi/dtheta, V' = b dPsi/dy: worst difference {worst:.1e}")
     return worst < 1e-12

@@ -23,9 +23,9 @@ def check_form(shape, h=1e-3):
 
 
 def check_solution(path):
-    """The solution at the peak of a path, integrated again."""
-    print(f"peak of {path.s.strip}:")
-    return check_again(path, path.found["top"])
+    """The solution at lp1 of a path, integrated again."""
+    print(f"lp1 of {path.s.strip}:")
+    return check_again(path, path.found["lp1"])
 
 
 def check_work(path, us, nodes=10):
@@ -59,8 +59,8 @@ def negative_eigenvalues(s, st, pieces=700):
 
 
 def check_stable(path):
-    """No negative eigenvalue at the beginning of a path and at its peak, one on the other side of lp1."""
+    """No negative eigenvalue at the beginning of a path that ends with lp1 and half-way, one behind lp1."""
     s = path.s
-    counts = [negative_eigenvalues(s, st) for st in (path.points[0], path.found["top"], path.points[-1])]
-    print(f"negative eigenvalues at rest, at the peak, behind lp1 of {s.strip}: {counts}")
+    counts = [negative_eigenvalues(s, path.points[i]) for i in (0, len(path.points) // 2, -1)]
+    print(f"negative eigenvalues at rest, half-way, behind lp1 of {s.strip}: {counts}")
     return counts == [0, 0, 1]

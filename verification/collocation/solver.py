@@ -23,7 +23,8 @@ class Solver:
         self.tip = strip.at(0.0)
         self.g0 = rest_gap(self.tip)
         self.raised = float(strip.free(np.array([strip.length]))[0][0])    # gap of the grip at u = 0
-        self.first = max(0.0, self.g0 - self.raised)                  # u at which the path begins: the grip is not in the substrate
+        # u at which the path begins: not where the grip would lie in the substrate
+        self.first = 0.0 if self.raised > 0.5 * self.g0 else self.g0 - self.raised
         z0 = np.zeros(self.d)
         z0[0] = self.g0
         _, J, _ = field(self.tip, z0, 0.0)
