@@ -11,16 +11,18 @@ mod common {
 }
 
 use common::garbled::{Dice, ODD_VALUES, check_parse, corpus, garbled_text, misspell, printed};
-use peelkit::scene::{KEYS, Key, Kind, Need, Range, Scene};
+use peelkit::scene::{BODIES, KEYS, Key, Kind, Need, Range, Scene};
 use proptest::prelude::*;
 
-/// A scene with every key, the value of one of them replaced.
+/// A scene with every key that may stand beside one of them, whose value is replaced.
 fn with_value(key: &Key, value: &str) -> String {
+    let body = if BODIES.contains(&key.table) { key.table } else { BODIES[0] };
+    let fits = |other: &&Key| other.table == body || !BODIES.contains(&other.table);
     let line = |other: &Key| {
         let value = if other.path() == key.path() { value } else { other.example() };
         format!("{} = {value}\n", other.path())
     };
-    KEYS.iter().map(line).collect()
+    KEYS.iter().filter(fits).map(line).collect()
 }
 
 fn complaint(text: &str) -> String {
@@ -64,7 +66,10 @@ fn what_is_out_of_range_is_refused_with_the_range() {
                     [("1e-300", true), ("1e300", true), ("0", false), ("-1", false), ("1e400", false), ("nan", false)]
                 {
                     let text = with_value(key, &format!("\"{number} {unit}\""));
-                    assert_eq!(check_parse(&text), Ok(is_right), "{text}");
+                    // the lengths of a spatula have to fit one another besides
+                    if key.table != "spatula" || !is_right {
+                        assert_eq!(check_parse(&text), Ok(is_right), "{text}");
+                    }
                     if !is_right {
                         let said = complaint(&text);
                         assert!(said.contains(&format!("`{}`", key.path())) && said.contains("above zero"), "{said}");
@@ -176,7 +181,9 @@ proptest! {
         if other.table != key.table {
             let place = if other.table.is_empty() { String::new() } else { format!("{}.", other.table) };
             let moved = complaint(&text.replace(&line, &format!("{place}{} = {}\n", key.name, key.example())));
-            prop_assert!(moved.contains(&format!("`{place}{}` is not a key", key.name)), "{}", moved);
+            let moved_to = format!("`{place}{}` is", key.name);
+            let elsewhere = [" not a key of a scene", " a key of ["].map(|what| moved.contains(&format!("{moved_to}{what}")));
+            prop_assert!(elsewhere.contains(&true), "{}", moved);
         }
     }
 

@@ -28,6 +28,21 @@ hamaker_constant = "1e-19 J"
 equilibrium_distance = "0.4 nm"
 "#;
 
+const PROFILE: &str = r#"
+[profile]
+table = """
+s_nm, width_nm, height_nm, angle_deg
+# the pad
+0, 20, 5, 0
+40, 20, 5, 0
+100, 10, 10, 30
+"""
+youngs_modulus = "2 GPa"
+[adhesion]
+hamaker_constant = "1e-19 J"
+equilibrium_distance = "0.4 nm"
+"#;
+
 fn set(key: &str, value: &str) -> Vec<(String, String)> {
     vec![(key.to_owned(), value.to_owned())]
 }
@@ -170,9 +185,43 @@ equilibrium_distance = "0.4 nm"
 #[test]
 fn a_scene_peels_one_body() {
     let both = MINIMAL.to_owned() + "[spatula]\ntip_width = \"100 nm\"\n";
-    assert_says(&complaint(&both), &["dir/a.toml, line 10: `spatula.tip_width`", "a [strip]", "[strip], [spatula]"]);
+    assert_says(
+        &complaint(&both),
+        &["dir/a.toml, line 10: `spatula.tip_width`", "a [strip]", "[strip], [spatula], [profile]"],
+    );
     let error = with("spatula.tip_width", "100 nm").unwrap_err();
     assert_says(&error, &["--set spatula.tip_width=100 nm", "the scene peels a [strip]"]);
+}
+
+/// In the scene, or in a file beside it: the same beam.
+#[test]
+fn a_table_stands_in_the_scene_or_beside_it() {
+    let inside = Scene::parse("a.toml", PROFILE, &[]).unwrap().model;
+    let Body::Profile(profile) = &inside.body else { panic!("{:?} is no profile", inside.body) };
+    assert_eq!((inside.length(), inside.free_end(), inside.breaks()), (100.0, (20.0, 5.0), vec![40.0]));
+    let folder = std::env::temp_dir().join(format!("peelkit-profile-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("beam.csv"), profile.table.text()).unwrap();
+    let name = folder.join("a.toml").display().to_string();
+    let text = PROFILE.split("\"\"\"").collect::<Vec<_>>();
+    let beside = Scene::parse(&name, &format!("{}\"beam.csv\"{}", text[0], text[2]), &[]).unwrap().model;
+    std::fs::remove_dir_all(folder).unwrap();
+    assert_eq!(inside, beside);
+}
+
+#[test]
+fn what_is_wrong_with_a_table_is_named() {
+    for (cell, wrong, parts) in [
+        ("40, 20", "40, 0", ["line 3: `profile.table` has in row 2 `width_nm` = 0", "not above zero"]),
+        ("100, 10", "30, 10", ["`profile.table` has in row 3 `s_nm` = 30", "does not ascend"]),
+        ("angle_deg", "angle", ["`profile.table` has a column `angle`", "angle_deg, roundness"]),
+        ("100, 10, 10, 30", "100, 10, 10", ["`profile.table` is no CSV", "s_nm, width_nm, height_nm and, if wanted"]),
+    ] {
+        assert_says(&complaint(&PROFILE.replace(cell, wrong)), &parts);
+    }
+    let text = PROFILE.split("\"\"\"").collect::<Vec<_>>();
+    let parts = ["dir/a.toml, line 3: `profile.table` names the file dir/no.csv, which cannot be read"];
+    assert_says(&complaint(&format!("{}\"no.csv\"{}", text[0], text[2])), &parts);
 }
 
 #[test]
@@ -193,7 +242,11 @@ fn lengths_of_a_spatula_that_do_not_fit_are_named() {
 #[test]
 fn every_example_that_messages_give_is_right() {
     for key in KEYS {
-        let text = if key.table == "spatula" { SPATULA } else { MINIMAL };
+        let text = match key.table {
+            "spatula" => SPATULA,
+            "profile" => PROFILE,
+            _ => MINIMAL,
+        };
         Scene::parse("a.toml", text, &set(&key.path(), key.example())).unwrap();
     }
 }
@@ -292,7 +345,7 @@ fn every_mistake_in_a_choice_or_another_table_is_named() {
         ("[grip]", "stiffness = 0.5", "a number without a unit", r#""0.5 N/m""#),
         ("[bounds]", r#"displacement = "1 s""#, "s measures a time, not a length", "nm"),
         ("[girp]", "rotation = 1", "[girp] is not a table", "Did you mean [grip]?"),
-        ("[spring]", "rotation = 1", "[spring] is not a table", "[strip], [spatula], [adhesion], [grip]"),
+        ("[spring]", "rotation = 1", "[spring] is not a table", "[strip], [spatula], [profile], [adhesion], [grip]"),
         ("[[strip]]", "length = 1", "`strip` is a list", "write [strip]"),
     ];
     for (table, line, found, remedy) in lines {
@@ -315,7 +368,9 @@ fn what_is_missing_is_named_with_an_example() {
     assert_says(&complaint(""), &["line 1: the scene lacks the table [strip]", r#"length = "100 nm""#]);
     let no_adhesion = MINIMAL.split("[adhesion]").next().unwrap();
     assert_says(&complaint(no_adhesion), &["the scene lacks the table [adhesion]", r#"hamaker_constant = "1e-19 J""#]);
-    for key in KEYS.iter().filter(|key| key.need == Need::Required) {
+    let no_table = PROFILE.split("table").next().unwrap();
+    assert_says(&complaint(no_table), &["line 2: [profile] lacks `table`", "s_nm,width_nm,height_nm\\n0,20,5"]);
+    for key in KEYS.iter().filter(|key| key.need == Need::Required && key.table != "profile") {
         let without: Vec<&str> = MINIMAL.lines().filter(|line| !line.starts_with(key.name)).collect();
         let example = format!("{} = ", key.name);
         let lacks = format!("[{}] lacks `{}`", key.table, key.name);

@@ -13,8 +13,8 @@ from collocation.suite import Suite, run
 
 REMARKS = (
     "Beams of varying section and rest curve, computed without finite elements by verification/profile_beams.py. Their shapes: profiles/NAME.csv, s from the tip",
-    "to the grip, angle of the underside free of stress; the height is a natural cubic spline, width, angle and roundness are monotone cubics (Fritsch-Carlson,",
-    "scipy's PchipInterpolator). Numbers and names as in spatula.csv, good to the digits printed.",
+    "to the grip, angle of the underside free of stress; all are monotone cubics between the knots (Fritsch-Butland, scipy's PchipInterpolator)",
+    "Numbers and names as in spatula.csv, good to the digits printed.",
 )
 SAMPLE = ("The first spatula of spatula.csv at 24 knots, written by verification/profile_beams.py.",)
 KNOTS = (0, 120, 200, 230, 240, 246, 252, 258, 264, 270, 276, 282, 290, 305, 320, 335, 350, 365, 380, 390, 410, 500, 700, 990)

@@ -1,10 +1,12 @@
 //! A structure in a grip, on a substrate or on its own: what `solve` is given.
 mod chain;
 mod peel;
+mod profile;
 mod rod;
 mod spatula;
 mod strip;
 pub use peel::*;
+pub use profile::*;
 pub use rod::*;
 pub use spatula::*;
 pub use strip::*;

@@ -1,10 +1,10 @@
 //! A beam on a flat half space, lifted at its right end.
 
 use super::chain::{three_field, two_field};
-use super::{Spatula, Strip};
+use super::{Profile, Spatula, Strip};
 use crate::adhesion::{HalfSpace, LineLaw, LineLoad};
 use crate::beam::{
-    Contour, Material, Profile, ReducedBeam, ReissnerBeam, Rest, RestCurve, Section, Uniform, Varying, VaryingRest,
+    self, Contour, Material, ReducedBeam, ReissnerBeam, Rest, RestCurve, Section, Uniform, Varying, VaryingRest,
 };
 use crate::solve::{Chain, Focus, Fronts, MOST_FIELDS, Mesh, Pieces, Problem};
 use std::sync::Arc;
@@ -57,6 +57,7 @@ pub struct Grip {
 pub enum Body {
     Strip(Strip),
     Spatula(Spatula),
+    Profile(Profile),
 }
 
 /// A body, its adhesion and its grip.
@@ -88,23 +89,30 @@ const FRONTS_TRIED: usize = 32;
 impl PeelModel {
     /// The strip, where it is one.
     pub fn strip(&self) -> Option<&Strip> {
-        match &self.body {
-            Body::Strip(strip) => Some(strip),
-            Body::Spatula(_) => None,
-        }
+        if let Body::Strip(strip) = &self.body { Some(strip) } else { None }
     }
 
     /// How the body varies along its length, where it does.
-    fn contour(&self) -> Option<Arc<dyn Contour>> {
+    fn contour(&self) -> Option<&dyn Contour> {
+        match &self.body {
+            Body::Strip(_) => None,
+            Body::Spatula(spatula) => Some(spatula),
+            Body::Profile(profile) => Some(&profile.table),
+        }
+    }
+
+    /// The same, shared.
+    fn shared_contour(&self) -> Option<Arc<dyn Contour>> {
         match &self.body {
             Body::Strip(_) => None,
             Body::Spatula(spatula) => Some(Arc::new(spatula.clone())),
+            Body::Profile(profile) => Some(Arc::new(profile.table.clone())),
         }
     }
 
     /// Where elements have to end, nm.
     pub fn breaks(&self) -> Vec<f64> {
-        self.contour().map(|contour| contour.breaks()).unwrap_or_default()
+        self.contour().map(Contour::breaks).unwrap_or_default()
     }
 
     /// What the body is made of.
@@ -112,6 +120,7 @@ impl PeelModel {
         match &self.body {
             Body::Strip(strip) => strip.material(),
             Body::Spatula(spatula) => spatula.material,
+            Body::Profile(profile) => profile.material,
         }
     }
 
@@ -120,24 +129,32 @@ impl PeelModel {
         match &self.body {
             Body::Strip(strip) => strip.length,
             Body::Spatula(spatula) => spatula.length(),
+            Body::Profile(profile) => profile.table.length(),
         }
     }
 
     /// Width and height of the free end, nm.
     pub fn free_end(&self) -> (f64, f64) {
-        match &self.body {
-            Body::Strip(strip) => (strip.width, strip.height),
-            Body::Spatula(spatula) => {
-                let outline = spatula.at(0.0);
-                (outline.width, outline.height[0])
+        let [width, height, _] = self.free_section();
+        (width, height)
+    }
+
+    /// Width (nm), height (nm) and roundness of the free end.
+    fn free_section(&self) -> [f64; 3] {
+        match (&self.body, self.contour()) {
+            (_, Some(contour)) => {
+                let outline = contour.at(0.0);
+                [outline.width, outline.height[0], outline.roundness]
             }
+            (Body::Strip(strip), None) => [strip.width, strip.height, 0.0],
+            (_, None) => [f64::NAN; 3],
         }
     }
 
     /// EA, GA_s and EI of the free end.
     pub fn section(&self) -> Section {
-        let (width, height) = self.free_end();
-        self.material().section(width, height, 0.0)
+        let [width, height, roundness] = self.free_section();
+        self.material().section(width, height, roundness)
     }
 
     /// The line load per width on the free end.
@@ -183,7 +200,7 @@ impl PeelModel {
         }
         let mut fixed_foci = self.fixed_foci(process_length);
         let rest_adhesion = width * law.rest_energy();
-        let lie = match self.contour() {
+        let lie = match self.shared_contour() {
             None => Lie {
                 chain: chain(Uniform { section: self.section(), width, height }, law, form, sliding_held, order),
                 rest: Rest::Curve(RestCurve::straight(0.0, law.rest_gap(), 0.0)),
@@ -292,7 +309,7 @@ struct Lie {
 }
 
 /// The chain of a profile under a line load.
-fn chain<P: Profile + 'static>(
+fn chain<P: beam::Profile + 'static>(
     profile: P,
     law: LineLaw,
     form: Form,

@@ -5,8 +5,9 @@ use super::error::{Problem, one_line};
 use super::keys::{BODIES, body_of};
 use super::near::nearest;
 use super::quantity::{Dimension, QuantityError, parse_quantity};
+use super::table::read_table;
 use crate::adhesion::LineLoad;
-use crate::model::Hold;
+use crate::model::{Hold, ProfileTable};
 use std::fmt;
 
 /// A key of a scene.
@@ -54,6 +55,8 @@ pub enum Kind {
     Share(Range, fn(&mut Scene) -> &mut Option<f64>),
     /// true or false
     Flag(fn(&mut Scene) -> &mut bool),
+    /// A table along a beam: a CSV of several lines, or the name of its file, which is looked for beside the scene.
+    Table(fn(&mut Scene) -> &mut ProfileTable),
     /// A word for the load on the axis.
     LineLoad(fn(&mut Scene) -> &mut LineLoad),
     /// A word for what the grip does.
@@ -138,6 +141,10 @@ impl Key {
         match (&self.kind, value) {
             (Kind::Text(place), Value::Text(text)) => *place(scene) = text.clone(),
             (Kind::Flag(place), &Value::Flag(flag)) => *place(scene) = flag,
+            (Kind::Table(place), Value::Text(text)) => {
+                let table = read_table(&scene.name, text).map_err(|found| Problem::new(found, self.remedy()))?;
+                *place(scene) = table;
+            }
             (Kind::LineLoad(place), Value::Text(word)) => *place(scene) = self.pick(LINE_LOADS, word)?,
             (Kind::Hold(place), Value::Text(word)) => *place(scene) = self.pick(HOLDS, word)?,
             (
@@ -157,6 +164,9 @@ impl Key {
 
     /// Puts a number into the scene, in the unit of the library, if it is one that has a meaning there.
     pub fn store_number(&self, scene: &mut Scene, number: f64) -> Result<(), Problem> {
+        if !self.belongs_to(scene) {
+            return Err(self.foreign(scene));
+        }
         let range = match self.kind {
             Kind::Number(range, _) | Kind::Share(range, _) | Kind::Measure(_, range, _) => range,
             Kind::Count(_) => Range::From(1.0, 1e9),
@@ -209,6 +219,7 @@ impl Key {
             Kind::Fixed(_, place) => Value::Number((*place(&mut scene))? as f64),
             Kind::Count(place) => Value::Number(*place(&mut scene) as f64),
             Kind::Flag(place) => Value::Flag(*place(&mut scene)),
+            Kind::Table(place) => Value::Text(place(&mut scene).text().to_owned()),
             Kind::LineLoad(place) => Value::Text(word(LINE_LOADS, *place(&mut scene))),
             Kind::Hold(place) => Value::Text(word(HOLDS, *place(&mut scene))),
         })
@@ -229,6 +240,11 @@ impl Key {
             Kind::Count(_) => "a whole number from 1 to 1e9".into(),
             Kind::Fixed(most, _) => format!("a whole number from 1 to {most}"),
             Kind::Flag(_) => "true or false".into(),
+            Kind::Table(_) => {
+                "a CSV in quotes, or the name of its file beside the scene: a row a place, with the columns s_nm, \
+                               width_nm, height_nm and, if wanted, angle_deg and roundness"
+                    .into()
+            }
             Kind::LineLoad(_) => words(LINE_LOADS),
             Kind::Hold(_) => words(HOLDS),
         }
@@ -259,6 +275,7 @@ impl Key {
             (_, Kind::Fixed(..)) => "20",
             (_, Kind::Share(..)) => "0.01",
             (_, Kind::Flag(_)) => "true",
+            (_, Kind::Table(_)) => "\"s_nm,width_nm,height_nm\\n0,20,5\\n100,20,10\"",
             (_, Kind::LineLoad(_)) => "\"full\"",
             (_, Kind::Hold(_)) => "\"free\"",
         }

@@ -5,7 +5,8 @@ use super::error::Problem;
 use super::key::{Key, Kind, Need, Range};
 use super::near::nearest;
 use super::quantity::Dimension::{Angle, Energy, Length, Pressure, Stiffness, Time};
-use crate::model::{Body, Spatula, Strip};
+use crate::beam::Material;
+use crate::model::{Body, Profile, ProfileTable, Spatula, Strip};
 use Need::{Optional, Required};
 
 const fn key(table: &'static str, name: &'static str, need: Need, kind: Kind, about: &'static str) -> Key {
@@ -44,6 +45,12 @@ pub static KEYS: &[Key] = &[
     key("spatula", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut spatula(s).material.shear_correction), "shear correction factor of the section"),
     key("spatula", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut spatula(s).material.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
 
+    key("profile", "table", Required, Kind::Table(|s| &mut profile(s).table), "the beam along S: a CSV, or the name of its file"),
+    key("profile", "youngs_modulus", Required, Kind::Quantity(Pressure, |s| &mut profile(s).material.youngs_modulus), "Young's modulus E"),
+    key("profile", "poissons_ratio", Optional, Kind::Number(Range::Between(-1.0, 0.5), |s| &mut profile(s).material.poissons_ratio), "Poisson's ratio"),
+    key("profile", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut profile(s).material.shear_correction), "shear correction factor of the section"),
+    key("profile", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut profile(s).material.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
+
     key("adhesion", "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H"),
     key("adhesion", "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "equilibrium distance r0 of a pair of molecules"),
     key("adhesion", "line_load", Optional, Kind::LineLoad(|s| &mut s.model.adhesion.line_load), "line force and moment, force alone, or traction blind to tilt"),
@@ -64,22 +71,24 @@ pub static KEYS: &[Key] = &[
 ];
 
 /// The tables of which a scene has one: what is peeled.
-pub(crate) const BODIES: [&str; 2] = ["strip", "spatula"];
+pub const BODIES: [&str; 3] = ["strip", "spatula", "profile"];
 
 /// The table of what this scene peels.
 pub fn body_of(scene: &Scene) -> &'static str {
     match scene.model.body {
         Body::Strip(_) => BODIES[0],
         Body::Spatula(_) => BODIES[1],
+        Body::Profile(_) => BODIES[2],
     }
 }
 
 /// Makes the scene one of the body of this table, if it is none.
 pub(crate) fn set_body(scene: &mut Scene, table: &str) {
-    if table == BODIES[0] {
-        strip(scene);
-    } else if table == BODIES[1] {
-        spatula(scene);
+    match BODIES.iter().position(|&body| body == table) {
+        Some(0) => drop(strip(scene)),
+        Some(1) => drop(spatula(scene)),
+        Some(_) => drop(profile(scene)),
+        None => {}
     }
 }
 
@@ -89,7 +98,7 @@ fn strip(scene: &mut Scene) -> &mut Strip {
     }
     match &mut scene.model.body {
         Body::Strip(strip) => strip,
-        Body::Spatula(_) => unreachable!("the body has just been made a strip"),
+        _ => unreachable!("the body has just been made a strip"),
     }
 }
 
@@ -99,7 +108,18 @@ fn spatula(scene: &mut Scene) -> &mut Spatula {
     }
     match &mut scene.model.body {
         Body::Spatula(spatula) => spatula,
-        Body::Strip(_) => unreachable!("the body has just been made a spatula"),
+        _ => unreachable!("the body has just been made a spatula"),
+    }
+}
+
+fn profile(scene: &mut Scene) -> &mut Profile {
+    if !matches!(scene.model.body, Body::Profile(_)) {
+        let material = Material { youngs_modulus: f64::NAN, ..Spatula::default().material };
+        scene.model.body = Body::Profile(Profile { table: ProfileTable::default(), material });
+    }
+    match &mut scene.model.body {
+        Body::Profile(profile) => profile,
+        _ => unreachable!("the body has just been made a profile"),
     }
 }
 

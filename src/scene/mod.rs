@@ -9,10 +9,11 @@ mod key;
 mod keys;
 mod near;
 mod quantity;
+mod table;
 
 pub use error::{Problem, SceneError};
 pub use key::{Key, Kind, Need, Range, Value};
-pub use keys::{KEYS, body_of, find_key};
+pub use keys::{BODIES, KEYS, body_of, find_key};
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 
 use crate::adhesion::LineLoad;

@@ -245,6 +245,9 @@ pub fn damped_step(
     most: f64,
     work: &mut Workspace,
 ) -> Result<(f64, usize), SolveError> {
+    if work.is_late() {
+        return Err(SolveError::OutOfTime);
+    }
     let row = path_row(problem, condition);
     let root = problem.chain.eliminate_damped(at.configuration(), &row, damping, work)?;
     let grip = GripBlock::new(problem, &root, at, condition, &observables(problem, at, root.energy));

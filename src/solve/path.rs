@@ -12,6 +12,7 @@ use super::{
 };
 use crate::beam::Rest;
 use std::sync::Arc;
+use std::time::Instant;
 
 /// How a path is stepped.
 #[derive(Clone, Copy, Debug)]
@@ -87,6 +88,11 @@ impl<'p> Path<'p> {
     pub fn from(problem: &'p Problem, options: PathOptions, start: Equilibrium) -> Self {
         let (points, errors) = (Vec::new(), Vec::new());
         Self { problem, options, start, points, errors, work: Workspace::default(), iterations: 0 }
+    }
+
+    /// The same, with nothing begun after `deadline`.
+    pub fn until(self, deadline: Option<Instant>) -> Self {
+        Self { work: Workspace::until(deadline), ..self }
     }
 
     /// The points so far.

@@ -100,7 +100,7 @@ pub(super) fn follow(
     relative: f64,
     started: Instant,
 ) -> Followed {
-    let mut path = Path::new(problem, options);
+    let mut path = Path::new(problem, options).until(deadline(bounds, started));
     let most = points_allowed(options.elements);
     let stopped = loop {
         if path.points().len() >= most && most < bounds.points {

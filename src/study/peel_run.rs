@@ -36,6 +36,8 @@ const MODESTY: f64 = 0.1;
 pub(super) fn least(relative: f64) -> f64 {
     (0.1 * relative).min(2e-10)
 }
+/// A force at rest below this share of its scale is round-off.
+const PULL: f64 = 1e-6;
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
 /// Follows the peel from rest to its end.
@@ -100,7 +102,11 @@ impl Attempt {
         let Resolution { elements, step_tolerance, order } = resolution;
         let relative = accuracy.relative;
         let mut spread = f64::INFINITY;
-        let difference = SAFETY * worst_difference(&followed) / relative;
+        let mut peel = report(model, problem, &followed, relative);
+        // a peak where the path begins is no turning point
+        let at_rest = peel.peak.filter(|peak| Some(peak.displacement) == peel.points.first().map(|p| p.displacement));
+        let at_rest = at_rest.map_or(0.0, |peak| peak.force_error / peak.force);
+        let difference = (SAFETY * worst_difference(&followed)).max(at_rest) / relative;
         let next = match &followed.trouble {
             None => {
                 spread = followed.spread / (SPREAD * relative).max(SPREAD_ROUND_OFF);
@@ -111,7 +117,6 @@ impl Attempt {
             }
             Some(_) => resolution.times(1.5),
         };
-        let mut peel = report(model, problem, &followed, relative);
         let trouble = followed.trouble.as_ref().map(ToString::to_string);
         let trouble = trouble.or_else(|| followed.late().map(|late| late.to_string()));
         peel.asked = relative;
@@ -309,6 +314,11 @@ fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed, 
         _ => None,
     };
     peel.peak = at_turns.chain(at_end).max_by(|a, b| a.force.total_cmp(&b.force));
+    // a beam that is curved when free of stress is pulled where it begins
+    let least = peel.peak.map_or(0.0, |peak| peak.force).max(PULL * problem.force_scale);
+    if let Some(first) = followed.points.first().filter(|first| first.observables.force > least) {
+        peel.peak = peak_at(problem, first, relative).or(peel.peak);
+    }
     if let Some(first) = first_maximum {
         let last = followed.points.len().saturating_sub(2);
         let snap = peel.snap_off.map_or(last, |s| s.after);
@@ -326,7 +336,7 @@ fn peak_of(p: &LimitPoint) -> Peak {
     }
 }
 
-/// The end of a path as its peak, with the error of its force at that displacement.
+/// An end of a path as its peak, with the error of its force at that displacement.
 fn peak_at(problem: &Problem, last: &Arc<Solution>, relative: f64) -> Option<Peak> {
     let difference = difference_on_more_elements(problem, last, &mut Workspace::default()).ok()?;
     let o = last.observables;

@@ -6,7 +6,7 @@
 #![allow(dead_code)]
 
 use peelkit::report::{PeelSummary, SweepSummary};
-use peelkit::scene::{KEYS, Key, Need, Scene, Value, find_key};
+use peelkit::scene::{BODIES, Dimension, KEYS, Key, Kind, Need, Scene, Value, find_key};
 use peelkit::study::{End, Peak, Peel, peel};
 use std::fmt::Write;
 
@@ -74,9 +74,18 @@ pub fn corpus() -> Vec<(String, String)> {
 pub fn absurd_scene(dice: &mut Dice) -> String {
     let mut text = String::new();
     let mut line = |line: String| text += &(line + "\n");
-    line("[strip]".into());
-    for key in ["length", "height", "width"] {
-        line(format!("{key} = \"{:e} nm\"", dice.decades(1e-3, 1e9)));
+    let body = dice.pick(&["strip", "strip", "strip", "spatula"]);
+    line(format!("[{body}]"));
+    let keys = KEYS.iter().filter(|key| key.table == body && matches!(key.kind, Kind::Quantity(Dimension::Length, _)));
+    let lengths: Vec<(&str, f64)> = keys.map(|key| (key.name, dice.decades(1e-3, 1e9))).collect();
+    let behind: f64 = lengths.iter().filter(|l| ["neck_length", "shaft_length"].contains(&l.0)).map(|l| l.1).sum();
+    for (name, length) in lengths {
+        // a bend ends on the shaft
+        let length = if name == "bend_length" { length.min(behind) } else { length };
+        line(format!("{name} = \"{length:e} nm\""));
+    }
+    if body == "spatula" {
+        line(format!("shaft_angle = \"{} deg\"", dice.between(-179.9, 179.9)));
     }
     line(format!("youngs_modulus = \"{:e} GPa\"", dice.decades(1e-9, 1e9)));
     line(format!("poissons_ratio = {}", dice.between(-0.999_999, 0.499_999)));
@@ -223,18 +232,18 @@ pub const ODD_VALUES: &[&str] = &[
     "1e10",
 ];
 
-/// A good value for every key.
-fn good_entries() -> Vec<(&'static str, String, String)> {
-    KEYS.iter().map(|key| (key.table, key.name.to_owned(), key.example().to_owned())).collect()
+/// The keys of a scene that peels this body.
+fn keys_of(body: &str) -> impl Iterator<Item = &'static Key> {
+    KEYS.iter().filter(move |key| key.table == body || !BODIES.contains(&key.table))
 }
 
 /// A good scene to which up to four things have happened.
 pub fn garbled_text(dice: &mut Dice) -> String {
-    let mut entries = good_entries();
-    let kept = |dice: &mut Dice, key: &Key| key.need == Need::Required || dice.below(2) == 0;
-    let keep: Vec<bool> = KEYS.iter().map(|key| kept(dice, key)).collect();
-    let mut keep = keep.into_iter();
-    entries.retain(|_| keep.next() == Some(true));
+    let body = dice.pick(&BODIES);
+    let mut entries: Vec<(&str, String, String)> = keys_of(body)
+        .filter(|key| key.need == Need::Required || dice.below(2) == 0)
+        .map(|key| (key.table, key.name.to_owned(), key.example().to_owned()))
+        .collect();
     for _ in 0..dice.below(4) {
         garble_entries(&mut entries, dice);
     }
@@ -255,14 +264,14 @@ fn garble_entries(entries: &mut Vec<(&'static str, String, String)>, dice: &mut 
         1 => entries.insert(at, entries[at].clone()),
         2 => misspell(&mut entries[at].1, dice),
         3 => {
-            entries[at].0 =
-                dice.pick(&["", "strip", "adhesion", "grip", "accuracy", "bounds", "Strip", "spring", "\"\""])
+            entries[at].0 = dice
+                .pick(&["", "strip", "spatula", "adhesion", "grip", "accuracy", "bounds", "Strip", "spring", "\"\""])
         }
         4 => entries[at].1 = KEYS[dice.below(KEYS.len())].name.to_owned(),
         5 => {
             let number = f64::from_bits((0..4).fold(0, |bits, _| bits << 16 | u64::from(dice.number())));
-            let unit =
-                dice.pick(&["nm", "um", "µm", "μm", "m", "pm", "GPa", "Pa", "J", "eV", "zJ", "s", "min", "nN", ""]);
+            let unit = dice
+                .pick(&["nm", "um", "µm", "μm", "m", "pm", "GPa", "Pa", "J", "eV", "zJ", "s", "min", "nN", "deg", ""]);
             entries[at].2 = if dice.below(2) == 0 { format!("\"{number} {unit}\"") } else { format!("{number:e}") };
         }
         6 => entries[at].2 = format!("\"{}\"", "9".repeat(dice.below(600))),
@@ -361,15 +370,17 @@ fn holds_what_was_given(text: &str, scene: &Scene) -> Result<(), String> {
             (toml::Value::Boolean(flag), Value::Flag(stored)) => flag == stored,
             (toml::Value::Integer(number), Value::Number(stored)) => *number as f64 == *stored,
             (toml::Value::Float(number), Value::Number(stored)) => number == stored,
-            (toml::Value::String(text), &Value::Number(stored)) => quantity(text, key.unit())
-                .is_none_or(|number| (number - stored).abs() <= 1e-12 * stored || (stored < 1e-290 && number < 1e-290)),
+            (toml::Value::String(text), &Value::Number(stored)) => quantity(text, key.unit()).is_none_or(|number| {
+                (number - stored).abs() <= 1e-12 * stored.abs() || (stored < 1e-290 && number < 1e-290)
+            }),
             _ => false,
         };
         if !same {
             return Err(format!("`{path}` is {value} in the text and {stored} in the scene"));
         }
     }
-    for key in KEYS.iter().filter(|key| given.iter().all(|(path, _)| *path != key.path())) {
+    let absent = |key: &&Key| key.belongs_to(scene) && given.iter().all(|(path, _)| *path != key.path());
+    for key in KEYS.iter().filter(absent) {
         if key.need == Need::Required {
             return Err(format!("taken without `{}`", key.path()));
         }
@@ -386,6 +397,7 @@ fn quantity(text: &str, library: &str) -> Option<f64> {
     let units: &[(&str, f64)] = match library {
         "nm" => &[("nm", 1.0), ("um", 1e3), ("µm", 1e3), ("μm", 1e3), ("mm", 1e6), ("pm", 1e-3), ("m", 1e9)],
         "GPa" => &[("GPa", 1.0), ("MPa", 1e-3), ("kPa", 1e-6), ("Pa", 1e-9)],
+        "rad" => &[("rad", 1.0), ("deg", std::f64::consts::PI / 180.0)],
         "aJ" => &[("aJ", 1.0), ("zJ", 1e-3), ("eV", 0.160_217_663_4), ("J", 1e18)],
         _ => &[("ms", 1e-3), ("min", 60.0), ("h", 3600.0), ("s", 1.0)],
     };
@@ -407,7 +419,7 @@ fn comes_back(scene: &Scene) -> Result<(), String> {
 
 /// A scene as its `parameters` tell it, in TOML.
 pub fn printed(scene: &Scene) -> Result<String, String> {
-    let key = find_key("strip.length").map_err(|problem| problem.found)?;
+    let key = find_key("accuracy.relative").map_err(|problem| problem.found)?;
     let json = SweepSummary::new(scene, key, &[], &[]).to_json().map_err(|error| error.to_string())?;
     let json: serde_json::Value = serde_json::from_str(&json).map_err(|error| error.to_string())?;
     let mut text = format!("title = {}\n", toml::Value::from(scene.title.as_str()));

@@ -11,7 +11,7 @@ from functools import cached_property
 from pathlib import Path
 
 import numpy as np
-from scipy.interpolate import CubicSpline, PchipInterpolator
+from scipy.interpolate import PchipInterpolator
 
 from .law import Beam, rest_gap
 
@@ -146,7 +146,7 @@ class Spatula(Shape):
 
 @dataclass(frozen=True, kw_only=True)
 class Profile(Shape):
-    """A beam given at knots by profiles/NAME.csv: the height is a natural cubic spline, all else monotone cubic (Fritsch-Carlson)."""
+    """A beam given at knots by profiles/NAME.csv, monotone cubics (PCHIP) between them."""
     name: str
 
     @cached_property
@@ -167,8 +167,7 @@ class Profile(Shape):
     def curves(self):
         c = self.columns
         s = c["s_nm"]
-        monotone = (PchipInterpolator(s, y) for y in (c["width_nm"], np.radians(c["angle_deg"]), c["roundness"]))
-        return CubicSpline(s, c["height_nm"], bc_type="natural"), *monotone
+        return [PchipInterpolator(s, y) for y in (c["height_nm"], c["width_nm"], np.radians(c["angle_deg"]), c["roundness"])]
 
     def form(self, S):
         height, width, angle, roundness = self.curves

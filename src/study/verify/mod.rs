@@ -11,6 +11,7 @@ mod levels;
 pub mod orders;
 mod published;
 pub mod reference;
+mod spatula;
 mod strip;
 
 pub use check::{Check, Measure};
@@ -26,4 +27,4 @@ pub struct Topic {
 
 /// Every topic, in the order in which they are reported.
 pub const TOPICS: &[Topic] =
-    &[published::TOPIC, strip::TOPIC, levels::TOPIC, beam::TOPIC, orders::TOPIC, bounds::TOPIC];
+    &[published::TOPIC, strip::TOPIC, levels::TOPIC, beam::TOPIC, spatula::TOPIC, orders::TOPIC, bounds::TOPIC];
