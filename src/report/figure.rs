@@ -2,10 +2,10 @@
 
 use super::chart::{Picture, save};
 use super::{
-    ReportError, figure_beam, figure_levels, figure_points, figure_round_off, figure_speed, figure_stiffness,
-    figure_strip, figure_verification, figure_work, write_whole,
+    ReportError, figure_beam, figure_levels, figure_points, figure_round_off, figure_spatula, figure_speed,
+    figure_stiffness, figure_strip, figure_verification, figure_work, write_whole,
 };
-use crate::model::StripModel;
+use crate::model::{PeelModel, StripModel};
 use crate::study::{Accuracy, Bounds, Peel, SweepCase, SweepRow, peel, sweep};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -24,9 +24,14 @@ pub fn holds_figures(dir: &Path) -> bool {
 ///
 /// `progress` is called with the number of finished peels and their total, from any thread.
 pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Vec<PathBuf>, ReportError> {
-    let total = figure_strip::PEELS + figure_stiffness::PEELS + figure_work::PEELS + figure_speed::PEELS;
+    let total = figure_strip::PEELS
+        + figure_spatula::PEELS
+        + figure_stiffness::PEELS
+        + figure_work::PEELS
+        + figure_speed::PEELS;
     let runner = Runner { done: AtomicUsize::new(0), total, progress };
     let mut figures = figure_strip::figures(&runner, dir)?;
+    figures.extend(figure_spatula::figures(&runner, dir)?);
     let stiffness = figure_stiffness::Sweeps::compute(&runner);
     figures.extend(figure_stiffness::figures(&stiffness, dir)?);
     figures.push(figure_points::figure(&stiffness, dir)?);
@@ -123,7 +128,7 @@ pub(super) const ACCURACY: Accuracy = Accuracy::to(1e-6);
 pub(super) const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
 
 impl Runner<'_> {
-    pub fn peel(&self, model: &StripModel) -> Peel {
+    pub fn peel(&self, model: impl Into<PeelModel>) -> Peel {
         let peel = peel(model, &ACCURACY, &BOUNDS);
         self.count();
         peel

@@ -33,7 +33,7 @@ fn peeling(peel: &Peel, dir: &Path) -> Result<Figure, ReportError> {
 }
 
 /// The path point at rest and those nearest to even steps of u up to the snap-off.
-fn stable_shapes(peel: &Peel) -> Vec<usize> {
+pub(super) fn stable_shapes(peel: &Peel) -> Vec<usize> {
     let last = peel.points.len().saturating_sub(1);
     let (to, end) = match peel.snap_off {
         Some(snap) => (snap.displacement, (snap.after + 1).min(last)),
@@ -59,11 +59,7 @@ fn peel_curve(peel: &Peel, dir: &Path) -> Result<Figure, ReportError> {
          `peel-shapes`.",
         ending(&peel.end)
     );
-    let mut table = Table::new(&["displacement_nm", "force_nN", "negative_eigenvalues"]);
-    for (u, force, negative) in peel.dense_curve(8) {
-        table.push(&[], &[Some(u), Some(force)], &[&negative.to_string()]);
-    }
-    let mut figure = Figure::write(dir, stem, caption, &picture, &table)?;
+    let mut figure = Figure::write(dir, stem, caption, &picture, &curve_table(peel))?;
     let mut points = Table::new(&["kind", "displacement_nm", "force_nN", "error_nm", "error_nN", "work_aJ"]);
     for limit in &peel.limit_points {
         let kind = format!("{:?}", limit.kind).to_lowercase();
@@ -84,7 +80,15 @@ fn peel_shapes(peel: &Peel, dir: &Path) -> Result<Figure, ReportError> {
     Figure::write(dir, stem, caption, &picture, &shape_table(peel, &numbered))
 }
 
-fn shape_table(peel: &Peel, shown: &[usize]) -> Table {
+pub(super) fn curve_table(peel: &Peel) -> Table {
+    let mut table = Table::new(&["displacement_nm", "force_nN", "negative_eigenvalues"]);
+    for (u, force, negative) in peel.dense_curve(8) {
+        table.push(&[], &[Some(u), Some(force)], &[&negative.to_string()]);
+    }
+    table
+}
+
+pub(super) fn shape_table(peel: &Peel, shown: &[usize]) -> Table {
     let mut table = Table::new(&["shape", "displacement_nm", "force_nN", "x_nm", "y_nm", "rotation_rad"]);
     for (n, &i) in shown.iter().enumerate() {
         let (point, shape) = (&peel.points[i], peel.shape(i));

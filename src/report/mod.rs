@@ -8,6 +8,7 @@ mod figure_beam;
 mod figure_levels;
 mod figure_points;
 mod figure_round_off;
+mod figure_spatula;
 mod figure_speed;
 mod figure_stiffness;
 mod figure_strip;

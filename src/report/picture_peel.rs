@@ -63,7 +63,7 @@ fn nothing(path: &Path, peel: &Peel) -> ReportError {
 }
 
 /// Path points that tell the story: at the initiation peak, on the plateau, at the snap-off, at the end of the snap-back
-/// and at the end; the longest stretches between them are halved until there are enough.
+/// and at the end; the longest stretches between them and from rest on are halved until there are enough.
 pub(super) fn numbered_points(peel: &Peel) -> Vec<usize> {
     let Some(last) = peel.points.len().checked_sub(1) else { return Vec::new() };
     let nearest = |u: f64, from: usize, to: usize| {
@@ -91,7 +91,9 @@ pub(super) fn numbered_points(peel: &Peel) -> Vec<usize> {
 
 /// The point halfway along the longest stretch between chosen ones.
 fn halfway(chosen: &[usize], seen: &[f64]) -> Option<usize> {
-    let stretches = chosen.windows(2).filter(|w| w[1] > w[0] + 1);
+    // the way from rest to the first is a stretch as well
+    let from_rest: Vec<usize> = std::iter::once(0).chain(chosen.iter().copied()).collect();
+    let stretches = from_rest.windows(2).filter(|w| w[1] > w[0] + 1);
     let longest = stretches.max_by(|a, b| (seen[a[1]] - seen[a[0]]).total_cmp(&(seen[b[1]] - seen[b[0]])))?;
     let middle = 0.5 * (seen[longest[0]] + seen[longest[1]]);
     (longest[0] + 1..longest[1]).min_by(|&a, &b| (seen[a] - middle).abs().total_cmp(&(seen[b] - middle).abs()))

@@ -1,0 +1,56 @@
+//! A gecko's spatula, Fig. 7 of the paper as a beam.
+
+use super::ReportError;
+use super::chart::significant;
+use super::figure::{Figure, Runner};
+use super::figure_strip::{curve_table, shape_table};
+use super::picture_peel::{curve, numbered_points, shapes};
+use crate::adhesion::LineLoad;
+use crate::model::{Adhesion, Body, Grip, Hold, PeelModel, Spatula};
+use crate::study::Peel;
+use std::path::Path;
+
+/// How many peels the figures of this file take.
+pub(super) const PEELS: usize = 1;
+
+/// The spatula of scenes/spatula.toml.
+fn spatula() -> PeelModel {
+    PeelModel {
+        body: Body::Spatula(Spatula::default()),
+        adhesion: Adhesion {
+            hamaker_constant: 0.1,
+            equilibrium_distance: 0.4,
+            line_load: LineLoad::Full,
+            far_face: true,
+        },
+        grip: Grip { rotation: Hold::Fixed, horizontal: Hold::Free, stiffness: None },
+    }
+}
+
+pub(super) fn figures(runner: &Runner<'_>, dir: &Path) -> Result<Vec<Figure>, ReportError> {
+    let peel = runner.peel(spatula());
+    let numbered = numbered_points(&peel);
+    Ok(vec![force(&peel, &numbered, dir)?, deformed(&peel, &numbered, dir)?])
+}
+
+fn force(peel: &Peel, numbered: &[usize], dir: &Path) -> Result<Figure, ReportError> {
+    let stem = "fig07-spatula";
+    let title = "Pull-off of a gecko's spatula";
+    let picture = curve(peel, numbered, title, &dir.join(format!("{stem}.svg")))?;
+    let peak = peel.peak.map(|peak| significant(peak.force, 4)).unwrap_or_default();
+    let caption = format!(
+        "Force on the end of a spatula's shaft, which may not turn, against its displacement (scenes/spatula.toml). The peak is {peak} \
+         nN; Fig. 7 of the paper has 6.7 nN, from a solid of 100 000 elements whose dimensions it does not give: those of this beam \
+         are ours. Dashed: equilibria that are unstable while the displacement is held. The numbers are those of `spatula-shapes`."
+    );
+    Figure::write(dir, stem, caption, &picture, &curve_table(peel))
+}
+
+fn deformed(peel: &Peel, numbered: &[usize], dir: &Path) -> Result<Figure, ReportError> {
+    let stem = "spatula-shapes";
+    let title = "The spatula at the numbered points of the curve";
+    let picture = shapes(peel, numbered, title, &dir.join(format!("{stem}.svg")))?;
+    let caption =
+        "The spatula of `fig07-spatula` from the side, drawn to scale, at the points numbered there.".to_string();
+    Figure::write(dir, stem, caption, &picture, &shape_table(peel, numbered))
+}
