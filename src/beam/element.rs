@@ -2,9 +2,10 @@
 
 use super::{Basis, Density, Front, PointResponse};
 use crate::number::Real;
+use serde::{Deserialize, Serialize};
 
 /// Energy of one element, nN·nm.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ElementEnergy {
     /// Stored and adhesion energy.
     pub total: f64,

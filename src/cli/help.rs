@@ -58,6 +58,17 @@ Files:
   curve.svg, .png    force against displacement; shapes.svg, .png  the strip at marked points
   observed.csv, .svg, .png   with --observed: one row a point of the test, there and back; force against the machine's U
 
+  run.partial        while a run lasts longer than a second: the points of its path, kept every second
+
+Ctrl-C ends the path at its next point, writes what was reached, and says so (exit status 3); a second Ctrl-C quits
+at once (130). The same command then goes on where the path stopped, also after it was killed, and after a path that
+bounds.time ended: it takes what run.partial holds of this scene and version, computes the rest, and writes the files
+that a run without an interruption writes, to the last bit but for solve_s. The points of a path follow from the scene
+alone, time only says where it is left: so bounds may change, and bounds.time begins anew. What another scene has kept
+there is refused. A folder in which a run is unfinished is one to go on with, and needs no --force; --fresh discards
+what is kept. Turning points and error bounds are computed again, as is the test of --observed. Runs that write no files
+(--json without --out) keep nothing.
+
 The path ends  detached (no point nearer than 10 r0), pivoting (the force is back at zero, an edge still holds),
 turned-back (back at u = 0), bound (a bound of [bounds] was reached) or failed.
 

@@ -1,6 +1,5 @@
 //! Ctrl-C: once, nothing more is begun; twice, the command quits.
 
-use indicatif::ProgressBar;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -11,22 +10,27 @@ const QUIT: i32 = 130;
 pub struct Interrupt(Arc<AtomicBool>);
 
 impl Interrupt {
-    /// Listens from now on; the answer to the first Ctrl-C stands above the bar.
-    pub fn listen(bar: &ProgressBar) -> Self {
+    /// Listens from now on; `answer` tells the user what the first Ctrl-C does.
+    pub fn listen(answer: impl Fn() + Send + 'static) -> Self {
         let asked = Arc::new(AtomicBool::new(false));
-        let (seen, bar) = (Arc::clone(&asked), bar.clone());
-        let answer = move || {
+        let seen = Arc::clone(&asked);
+        let heard = move || {
             if seen.swap(true, Ordering::Relaxed) {
                 std::process::exit(QUIT);
             }
-            bar.println("stopping once the values under way are done; Ctrl-C again quits at once");
+            answer();
         };
         // Fails where the caller has one of the signals ignored, as nohup does: then they stay as they are.
-        let _ = ctrlc::try_set_handler(answer);
+        let _ = ctrlc::try_set_handler(heard);
         Self(asked)
     }
 
     pub fn asked(&self) -> bool {
         self.0.load(Ordering::Relaxed)
+    }
+
+    /// From now on the first Ctrl-C quits as well; whether there was one before.
+    pub fn quit_next(&self) -> bool {
+        self.0.swap(true, Ordering::Relaxed)
     }
 }

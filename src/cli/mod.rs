@@ -9,6 +9,7 @@ mod interrupt;
 mod new;
 mod output;
 mod run;
+mod run_kept;
 mod stop;
 mod sweep;
 mod sweep_peels;

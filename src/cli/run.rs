@@ -3,6 +3,7 @@
 use super::help;
 use super::input::SceneArgs;
 use super::output::{OutArgs, list_files, say};
+use super::run_kept::KeptRun;
 use super::stop::Stop;
 use super::words;
 use clap::Args;
@@ -10,6 +11,9 @@ use peelkit::report::{self, PeelSummary, ReportError};
 use peelkit::scene::Scene;
 use peelkit::study::{self, End, Observed, Peel, TestEnd};
 use std::path::{Path, PathBuf};
+
+/// How an unfinished run is finished.
+const GOES_ON: &str = "the same command goes on from there, --fresh starts anew";
 
 /// Peels one scene from rest to its end: the whole path with its limit points, and how far they may be wrong
 #[derive(Args)]
@@ -19,42 +23,62 @@ pub struct Run {
     scene: SceneArgs,
 
     #[command(flatten)]
-    out: OutArgs,
+    pub out: OutArgs,
 
     /// Adds what a testing machine would record: the stable part, the jumps, the way back, and the energy released
     #[arg(long)]
     observed: bool,
+
+    /// Discards the points that an unfinished run has kept in the folder, and starts anew
+    #[arg(long)]
+    pub fresh: bool,
 
     /// Prints the object of summary.json and nothing else; files are written only if --out is given
     #[arg(long)]
     json: bool,
 }
 
+impl Run {
+    /// Where files go, if they are written.
+    fn folder(&self) -> Option<PathBuf> {
+        match &self.out.out {
+            None if self.json => None,
+            None => Some(self.scene.default_folder()),
+            given => given.clone(),
+        }
+    }
+}
+
 pub fn run(args: &Run) -> Result<(), Stop> {
     let scene = args.scene.load()?;
-    let folder = match &args.out.out {
-        None if args.json => None,
-        None => Some(args.scene.default_folder()),
-        given => given.clone(),
+    let mut kept = args.folder().map(|folder| KeptRun::open(args, &folder, &scene)).transpose()?;
+    let peel = match &mut kept {
+        Some(kept) => kept.peel(&scene),
+        None => study::peel(&scene.model, &scene.accuracy, &scene.bounds),
     };
-    let folder = folder.map(|folder| args.out.claim(&folder)).transpose()?;
-    let peel = study::peel(&scene.model, &scene.accuracy, &scene.bounds);
-    let test = if args.observed { Some(observed(&scene)?) } else { None };
+    let interrupted = kept.as_ref().is_some_and(|kept| kept.interrupted);
+    let test = if args.observed && !interrupted { Some(observed(&scene)?) } else { None };
     let summary = PeelSummary::new(&scene, &peel);
     let summary = match &test {
         Some(test) => summary.with_observed(test),
         None => summary,
     };
-    let files =
-        folder.map_or(Ok(Vec::new()), |folder| folder.write(|dir| write(dir, &scene, &peel, test.as_ref(), &summary)));
+    let (files, left) = kept.as_ref().map_or((Ok(Vec::new()), None), |kept| {
+        kept.write(&peel, |dir| write(dir, &scene, &peel, test.as_ref(), &summary))
+    });
     // what was found is told although it could not be written
     if args.json {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
         let recorded = test.as_ref().map(|test| format!("\n{}", words::observed(test))).unwrap_or_default();
-        say(&format!("{}{recorded}\n{}", words::peel(&scene, &peel), list_files(&files)))?;
+        let taken = words::taken(kept.as_ref().map_or(0, KeptRun::taken));
+        let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
+        say(&format!("{}{recorded}{taken}\n{}{left}", words::peel(&scene, &peel), list_files(&files)))?;
     }
     files?;
+    if interrupted {
+        return Err(Stop::cut_short(format!("interrupted; {}: {GOES_ON}", left.unwrap_or_default())));
+    }
     match (&peel.end, test.map(|test| test.end)) {
         (End::Failed(reason), _) => Err(Stop::cut_short(reason)),
         (_, Some(TestEnd::Failed(reason))) => Err(Stop::cut_short(format!("in the observed test, {reason}"))),

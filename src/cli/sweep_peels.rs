@@ -26,7 +26,9 @@ pub fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]
         Some(folder) => {
             let bar = progress_bar(cases.len());
             // before anything is written
-            let interrupt = Interrupt::listen(&bar);
+            let above = bar.clone();
+            let answer = "stopping once the values under way are done; Ctrl-C again quits at once";
+            let interrupt = Interrupt::listen(move || above.println(answer));
             let (partial, output) = open(args, &folder, scene, key)?;
             let kept = Kept { partial, bar, interrupt };
             let (rows, remarks) = kept.peel(&cases)?;

@@ -193,6 +193,11 @@ pub fn spaced(unit: &str) -> String {
     if unit.is_empty() { String::new() } else { format!(" {unit}") }
 }
 
+/// Of a run whose first path points are those of an earlier one.
+pub fn taken(points: usize) -> String {
+    if points == 0 { String::new() } else { format!("\n{points} path points taken from an earlier, unfinished run\n") }
+}
+
 fn in_unit(unit: &str) -> String {
     if unit.is_empty() { String::new() } else { format!(", in {unit}") }
 }

@@ -14,6 +14,9 @@ pub enum ReportError {
     /// The rows of another sweep would be lost.
     #[error("{path} keeps the finished values of an interrupted sweep of another scene, key or version")]
     OtherSweep { path: PathBuf },
+    /// The points of another run would be lost.
+    #[error("{path} keeps the path points of an interrupted run of another scene or version")]
+    OtherRun { path: PathBuf },
     /// What an earlier run has left cannot be read.
     #[error("cannot read {path}: {source}")]
     Read { path: PathBuf, source: std::io::Error },
@@ -28,6 +31,7 @@ impl ReportError {
         let (Self::Write { path, .. }
         | Self::Exists { path }
         | Self::OtherSweep { path }
+        | Self::OtherRun { path }
         | Self::Read { path, .. }
         | Self::Draw { path, .. }) = &mut self;
         *path = other(path);

@@ -1,6 +1,6 @@
 //! The folder of a command's outputs: all of its files appear together, or none does.
 
-use super::ReportError;
+use super::{PartialRun, ReportError};
 use std::env;
 use std::fs;
 use std::io::{self, ErrorKind};
@@ -98,7 +98,7 @@ fn whereabouts(name: &Path) -> io::Result<PathBuf> {
     }
 }
 
-/// Whether anything but what a killed run has left is there.
+/// Whether anything but what a killed run has left, or this one keeps, is there.
 fn holds_something(place: &Path) -> io::Result<bool> {
     let entries = match fs::read_dir(place) {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
@@ -107,7 +107,7 @@ fn holds_something(place: &Path) -> io::Result<bool> {
     for entry in entries {
         let name = entry?.file_name();
         let name = name.to_string_lossy();
-        if !(name.starts_with('.') && name.ends_with(".part")) {
+        if !(name.starts_with('.') && name.ends_with(".part") || name == PartialRun::NAME) {
             return Ok(true);
         }
     }

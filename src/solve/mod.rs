@@ -27,7 +27,7 @@ pub use limit::{
 };
 pub use mesh::{Focus, Mesh, Pieces, graded_ends};
 pub use newton::*;
-pub use path::{Path, PathError, PathOptions};
+pub use path::{Path, PathError, PathOptions, Waypoint};
 pub use predictor::{MOST_POINTS, lagrange_weights, longest_step};
 pub use problem::{Equilibrium, Problem};
 pub use relax::{RelaxError, RelaxOptions, Relaxed, disturbed, relax, turned};

@@ -3,9 +3,10 @@
 use super::{Equilibrium, PathRow, Problem, ROOT, Root, SolveError, Workspace};
 use crate::beam::ElementEnergy;
 use nalgebra::{SMatrix, SVector};
+use serde::{Deserialize, Serialize};
 
 /// The numbers that tell where on the path an equilibrium lies.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Observables {
     /// S of the peeling front: adhesion energy over that of a unit length at rest, nm; zero where nothing adheres
     pub front: f64,
@@ -83,7 +84,7 @@ pub struct NewtonOptions {
 }
 
 /// A converged equilibrium with all that is known about it there.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Solution {
     pub at: Equilibrium,
     /// The state on a mesh whose moving focus lies exactly at the front: what predictions combine. On the mesh of `at` the
@@ -115,7 +116,7 @@ const EXACT: f64 = 1e-12;
 const LAST: f64 = 1e-5;
 
 /// Change of a configuration along the path on a mesh that stays.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Tangent {
     pub state: Vec<f64>,
     pub border: f64,

@@ -11,11 +11,13 @@ use super::{
     settle, solve,
 };
 use crate::beam::Rest;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::time::Instant;
+use std::vec;
 
-/// How a path is stepped.
-#[derive(Clone, Copy, Debug)]
+/// How a path is stepped. Its points follow from this and the problem alone.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PathOptions {
     /// Elements of the chain.
     pub elements: usize,
@@ -42,11 +44,21 @@ pub struct PathError {
     pub cause: SolveError,
 }
 
+/// A point of a path and what the path has learnt there: with the points before, all that it takes to go on.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Waypoint {
+    pub point: Arc<Solution>,
+    errors: Vec<f64>,
+    iterations: usize,
+}
+
 /// A path being followed: an iterator over its points, to be driven and stopped at will. All points stay in it.
 pub struct Path<'p> {
     problem: &'p Problem,
     options: PathOptions,
     start: Equilibrium,
+    /// Points that need not be computed.
+    known: vec::IntoIter<Waypoint>,
     points: Vec<Arc<Solution>>,
     /// Errors at the newest point of predictions through 1, 2, … points.
     errors: Vec<f64>,
@@ -86,8 +98,14 @@ impl<'p> Path<'p> {
     /// A path that starts at the equilibrium next to `start`, on its elements, with its displacement. A beam that is curved when
     /// free of stress bends towards the substrate. It must not turn there.
     pub fn from(problem: &'p Problem, options: PathOptions, start: Equilibrium) -> Self {
-        let (points, errors) = (Vec::new(), Vec::new());
-        Self { problem, options, start, points, errors, work: Workspace::default(), iterations: 0 }
+        let (known, points, errors) = (Vec::new().into_iter(), Vec::new(), Vec::new());
+        Self { problem, options, start, known, points, errors, work: Workspace::default(), iterations: 0 }
+    }
+
+    /// The same path where its first points are known, from another run of the same problem with the same options: they
+    /// are not computed again, and all behind them is as if they had been.
+    pub fn knowing(self, first: Vec<Waypoint>) -> Self {
+        Self { known: first.into_iter(), ..self }
     }
 
     /// The same, with nothing begun after `deadline`.
@@ -114,11 +132,24 @@ impl<'p> Path<'p> {
         NewtonOptions { tolerance: self.options.tolerance, largest_update: 0.5, most_iterations: 9, exact_slope: false }
     }
 
-    /// Computes the next point.
+    /// The newest point, for a path that is to go on from there.
+    pub fn waypoint(&self) -> Option<Waypoint> {
+        let point = self.points.last()?.clone();
+        Some(Waypoint { point, errors: self.errors.clone(), iterations: self.iterations })
+    }
+
+    /// Computes the next point, where it is not known.
     pub fn advance(&mut self) -> Result<Arc<Solution>, PathError> {
-        let point = if self.points.is_empty() { self.first()? } else { self.step()? };
-        self.points.push(Arc::new(point));
-        Ok(self.points[self.points.len() - 1].clone())
+        let point = match self.known.next() {
+            Some(Waypoint { point, errors, iterations }) => {
+                (self.errors, self.iterations) = (errors, iterations);
+                point
+            }
+            None if self.points.is_empty() => Arc::new(self.first()?),
+            None => Arc::new(self.step()?),
+        };
+        self.points.push(point.clone());
+        Ok(point)
     }
 
     fn first(&mut self) -> Result<Solution, PathError> {

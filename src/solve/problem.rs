@@ -2,6 +2,7 @@
 
 use super::{Chain, Configuration, Focus, Fronts, MOST_FIELDS, Mesh, Pieces, graded_ends};
 use crate::beam::{ElementEnergy, Rest};
+use serde::{Deserialize, Serialize};
 
 /// A chain with its right end in a grip that drives one field; on a substrate, or on its own.
 pub struct Problem {
@@ -52,7 +53,7 @@ pub struct Problem {
 }
 
 /// One configuration with its mesh, force and border.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Equilibrium {
     /// Ends of the elements, nm
     pub ends: Vec<f64>,

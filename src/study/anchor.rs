@@ -1,7 +1,6 @@
 //! Where the path from rest has the point that is to be followed.
 
 use super::choice::{ORDER, Resolution};
-use super::peel_run;
 use super::{Accuracy, Bounds, End, PointKind};
 use crate::model::{Form, PeelModel};
 use crate::solve::{Located, Path, Problem, Stretch, Turn, Workspace, brackets, locate};
@@ -65,7 +64,7 @@ fn first_maximum(model: &PeelModel, bounds: &Bounds) -> Result<Option<Located>, 
 
 /// The first turning point at which the displacement turns back, from the whole path.
 fn snap_off(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Result<Option<Located>, String> {
-    let peel = peel_run::run(model, accuracy, bounds);
+    let peel = super::peel(model, accuracy, bounds);
     let (Some(at), Some(trace)) = (peel.snap_off, &peel.trace) else {
         return match peel.end {
             End::Failed(reason) | End::Bound(reason) => Err(reason),

@@ -1,7 +1,8 @@
 //! One path on one mesh: followed to its end, every turning point on it located, none missed without a word.
 
+use super::End;
 use super::fill::fill_in;
-use super::{Bounds, End};
+use super::keeping::Limits;
 use crate::beam::Rest;
 use crate::solve::{
     Condition, Located, NewtonOptions, Observables, Path, PathError, PathOptions, Problem, ROUGH, Solution, SolveError,
@@ -9,7 +10,7 @@ use crate::solve::{
 };
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// A path with its turning points.
 pub(super) struct Followed {
@@ -17,6 +18,8 @@ pub(super) struct Followed {
     /// In path order, each with the index of the point before it.
     pub turns: Vec<(Turn, usize, Located)>,
     pub end: End,
+    /// Whether time or the user ended it.
+    pub cut: bool,
     pub iterations: usize,
     /// Whether it ended with the strip upright, where an eigenvalue is zero by symmetry.
     pub upright: bool,
@@ -92,21 +95,26 @@ fn name(turn: &Turn) -> &'static str {
 }
 
 /// Follows the path and locates its turning points.
-pub(super) fn follow(
-    problem: &Problem,
-    options: PathOptions,
-    far: f64,
-    bounds: &Bounds,
-    relative: f64,
-    started: Instant,
-) -> Followed {
-    let mut path = Path::new(problem, options).until(deadline(bounds, started));
+pub(super) fn follow(problem: &Problem, options: PathOptions, far: f64, relative: f64, limits: &Limits) -> Followed {
+    let known = (limits.keeping.taken)(&options);
+    let taken = known.len();
+    let mut path = Path::new(problem, options).until(limits.deadline()).knowing(known);
     let most = points_allowed(options.elements);
+    let mut cut = false;
     let stopped = loop {
-        if path.points().len() >= most && most < bounds.points {
+        let points = path.points().len();
+        if points >= most && most < limits.bounds.points {
             break Err(Trouble::TooManyPoints { points: most, elements: options.elements });
         }
-        match step(problem, &mut path, far, bounds, started) {
+        if let Some(end) = limits.reached() {
+            cut = true;
+            break Ok(end);
+        }
+        let stepped = step(problem, &mut path, far, limits);
+        if path.points().len() > points.max(taken) {
+            path.waypoint().into_iter().for_each(|newest| (limits.keeping.keep)(&options, newest));
+        }
+        match stepped {
             Ok(None) => {}
             Ok(Some(end)) => break Ok(end),
             Err(error) => break Err(Trouble::Path(error)),
@@ -130,18 +138,19 @@ pub(super) fn follow(
         points: path.points().to_vec(),
         turns: Vec::new(),
         end,
+        cut,
         iterations: path.iterations(),
         ripple: 0,
         upright: false,
         spread: worst_spread(problem, path.points()),
         trouble,
-        deadline: deadline(bounds, started),
+        deadline: limits.deadline(),
     };
     followed.finish(problem, far);
     if followed.trouble.is_none() {
         let mut work = followed.workspace();
-        followed.iterations +=
-            fill_in(problem, &mut followed.points, relative, options.tolerance.min(ROUGH), bounds.points, &mut work);
+        let (tolerance, most) = (options.tolerance.min(ROUGH), limits.bounds.points);
+        followed.iterations += fill_in(problem, &mut followed.points, relative, tolerance, most, &mut work);
     }
     let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem));
     followed.trouble = followed.trouble.take().or(checked.err());
@@ -181,20 +190,10 @@ fn points_allowed(elements: usize) -> usize {
 }
 
 /// Takes one step; the end, if it is reached.
-fn step(
-    problem: &Problem,
-    path: &mut Path,
-    far: f64,
-    bounds: &Bounds,
-    started: Instant,
-) -> Result<Option<End>, PathError> {
+fn step(problem: &Problem, path: &mut Path, far: f64, limits: &Limits) -> Result<Option<End>, PathError> {
+    let bounds = limits.bounds;
     if path.points().len() >= bounds.points {
         return Ok(Some(End::Bound(format!("bounds.points = {}", bounds.points))));
-    }
-    if let Some(most) = bounds.time_s
-        && started.elapsed().as_secs_f64() > most
-    {
-        return Ok(Some(End::Bound(format!("bounds.time = {most} s"))));
     }
     let newest = path.advance()?;
     let o = newest.observables;
@@ -222,12 +221,6 @@ fn step(
 fn has_pulled(problem: &Problem, points: &[Arc<Solution>]) -> bool {
     let pushes = points[0].observables.force < -PUSH * problem.force_scale;
     !pushes || points.iter().any(|point| point.observables.force > 0.0)
-}
-
-/// Until when turning points and work are computed: as long again as the path may take, and a second.
-fn deadline(bounds: &Bounds, started: Instant) -> Option<Instant> {
-    let most = Duration::try_from_secs_f64(2.0 * bounds.time_s? + 1.0).ok()?;
-    started.checked_add(most)
 }
 
 /// Whether the strip has just passed the upright position, all of it near 90 degrees: it hangs from its edge, and behind
@@ -410,8 +403,8 @@ fn pick_at(solution: &Solution, turn: Turn) -> f64 {
 mod tests {
     use super::*;
     use crate::model::{Form, PeelModel, StripModel};
-    use crate::study::Accuracy;
     use crate::study::choice::Resolution;
+    use crate::study::{Accuracy, Bounds, Keeping};
 
     /// What the count of negative eigenvalues is for: turning points that were not located are missed by name.
     #[test]
@@ -420,7 +413,8 @@ mod tests {
         let problem = model.problem(Form::TwoField, accuracy.order());
         let options = Resolution::first(&model, &accuracy).path_options(&model, accuracy.relative);
         let bounds = Bounds { points: 5000, time_s: None, displacement: None };
-        let mut followed = follow(&problem, options, 4.0, &bounds, accuracy.relative, Instant::now());
+        let limits = Limits { bounds: &bounds, keeping: &Keeping::NOTHING, started: Instant::now() };
+        let mut followed = follow(&problem, options, 4.0, accuracy.relative, &limits);
         assert!(followed.check_inertia(&problem).is_ok());
         let located = followed.turns.iter().position(|turn| turn.0 == Turn::Displacement).unwrap();
         let (_, after, _) = followed.turns.remove(located);

@@ -9,7 +9,7 @@
 use super::anchor::anchor;
 use super::choice::{ORDER, Resolution};
 use super::continuation::{Continuation, Known, Lost, problem, search};
-use super::peel_run::{self, ROUND_OFF, ROUND_OFF_PLACE};
+use super::peel_run::{ROUND_OFF, ROUND_OFF_PLACE};
 use super::{Accuracy, Bounds, End, FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing};
 use crate::model::{Form, PeelModel};
 use crate::solve::{Equilibrium, Located, Observables, Path, SolveError, Workspace};
@@ -204,7 +204,7 @@ impl Sweep<'_> {
     /// The point that could not be solved for by itself, from a whole peel, and its elements.
     fn on_full_path(&self, remarks: &mut Vec<Remark>, index: usize, reason: String) -> (Option<FollowedPoint>, usize) {
         let (kind, value) = (self.kind, self.values[index]);
-        let peel = peel_run::run(&(self.model)(value), self.accuracy, self.bounds);
+        let peel = super::peel(&(self.model)(value), self.accuracy, self.bounds);
         let point = match kind {
             PointKind::InitiationPeak => peel.initiation_peak.map(FollowedPoint::from),
             PointKind::SnapOff => peel.snap_off.map(FollowedPoint::from),

@@ -1,7 +1,7 @@
 //! The whole peel of one model: path, special points, error bounds, how it ended.
 
 use super::trace::Trace;
-use super::{Accuracy, Choice};
+use super::{Accuracy, Choice, Keeping};
 use crate::model::PeelModel;
 use crate::solve::{NodeState, Turn};
 use serde::{Deserialize, Serialize};
@@ -131,6 +131,8 @@ pub struct Peel {
     /// Load limit points left out, because the force changes by less than the accuracy between them.
     pub ripple: usize,
     pub solve_s: f64,
+    /// Whether time or an interruption ended the run although it goes on, along the path or to a finer mesh.
+    pub unfinished: bool,
     /// The solutions behind the points, for pictures.
     pub(super) trace: Option<Trace>,
 }
@@ -159,5 +161,11 @@ impl Peel {
 
 /// Follows the peel from rest to its end. What went wrong on the way stands in [`Peel::end`].
 pub fn peel(model: impl Into<PeelModel>, accuracy: &Accuracy, bounds: &Bounds) -> Peel {
-    super::peel_run::run(&model.into(), accuracy, bounds)
+    super::peel_run::run(&model.into(), accuracy, bounds, &Keeping::NOTHING)
+}
+
+/// The same, with the points that an earlier run of the same model and accuracy has kept: bit for bit what [`peel`] finds, but
+/// for [`Peel::solve_s`]. Bounds may have changed; `bounds.time_s` begins anew.
+pub fn peel_on(model: impl Into<PeelModel>, accuracy: &Accuracy, bounds: &Bounds, keeping: &Keeping) -> Peel {
+    super::peel_run::run(&model.into(), accuracy, bounds, keeping)
 }

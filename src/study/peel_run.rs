@@ -3,10 +3,11 @@
 
 use super::choice::{Choice, MOST_ELEMENTS, Resolution};
 use super::follow::{Followed, Trouble, follow};
+use super::keeping::Limits;
 use super::plateau::plateau;
 use super::trace::Trace;
 use super::work::{work_near, works};
-use super::{Accuracy, Bounds, Effort, End, LimitPoint, PathPoint, Peak, Peel};
+use super::{Accuracy, Bounds, Effort, End, Keeping, LimitPoint, PathPoint, Peak, Peel};
 use crate::model::PeelModel;
 use crate::solve::{Located, Problem, Solution, Turn, Workspace, difference_on_more_elements};
 use std::sync::Arc;
@@ -41,23 +42,26 @@ const PULL: f64 = 1e-6;
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
 /// Follows the peel from rest to its end.
-pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Peel {
+pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &Keeping) -> Peel {
     let started = Instant::now();
+    let limits = Limits { bounds, keeping, started };
     let Choice { mesh, form, .. } = accuracy.choice;
     let mut resolution = Resolution::first(model, accuracy);
     let problem = Arc::new(Problem { mesh, ..model.problem(form, resolution.order) });
     let far = 10.0 * model.adhesion.equilibrium_distance;
     let mut best: Option<Attempt> = None;
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
-    let mut iterations = 0;
+    let (mut iterations, mut unfinished) = (0, false);
     for _ in 0..MOST_MESHES {
         let options = resolution.path_options(model, accuracy.relative);
-        let followed = follow(&problem, options, far, bounds, accuracy.relative, started);
+        let followed = follow(&problem, options, far, accuracy.relative, &limits);
         iterations += followed.iterations;
         let attempt = Attempt::new(model, &problem, followed, resolution, accuracy);
-        let done = accuracy.choice.elements.is_some()
-            || attempt.done(bounds, started)
+        let enough = accuracy.choice.elements.is_some()
+            || attempt.is_enough()
             || best.as_ref().is_some_and(|b| attempt.is_stuck_behind(b));
+        let over = attempt.cut || limits.reached().is_some();
+        unfinished = over && (attempt.cut || attempt.trouble.is_some() || !enough);
         resolution = attempt.next;
         if attempt.trouble.is_none() {
             others.push(attempt.peel.limit_points.clone());
@@ -65,7 +69,7 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Pe
         if best.as_ref().is_none_or(|b| attempt.is_better_than(b)) {
             best = Some(attempt);
         }
-        if done || resolution.elements > MOST_ELEMENTS {
+        if enough || over || resolution.elements > MOST_ELEMENTS {
             break;
         }
     }
@@ -74,6 +78,7 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Pe
     }
     let mut peel = best.map_or_else(|| empty(model), Attempt::into_peel);
     peel.effort.newton_iterations = iterations;
+    peel.unfinished = unfinished;
     peel.solve_s = started.elapsed().as_secs_f64();
     peel
 }
@@ -87,6 +92,8 @@ struct Attempt {
     spread: f64,
     /// Why the path is unusable, if it is.
     trouble: Option<String>,
+    /// Whether its path was left before its end for want of time, or because the user wanted it.
+    cut: bool,
     /// What to try next.
     next: Resolution,
 }
@@ -122,8 +129,9 @@ impl Attempt {
         peel.asked = relative;
         peel.choice = accuracy.choice;
         peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order };
+        let cut = followed.cut;
         peel.trace = Some(Trace { problem: problem.clone(), points: followed.points });
-        Self { peel, difference, spread, trouble, next }
+        Self { peel, difference, spread, trouble, cut, next }
     }
 
     /// The difference to more elements; infinite where the path is unusable.
@@ -131,17 +139,18 @@ impl Attempt {
         if self.trouble.is_some() { f64::INFINITY } else { self.difference }
     }
 
-    /// Whether nothing more is to be tried.
-    fn done(&self, bounds: &Bounds, started: Instant) -> bool {
-        let out_of_time = bounds.time_s.is_some_and(|most| started.elapsed().as_secs_f64() > most);
-        out_of_time || (self.worst() <= 1.0 && self.spread <= 1.0)
+    /// Whether nothing finer is needed.
+    fn is_enough(&self) -> bool {
+        self.worst() <= 1.0 && self.spread <= 1.0
     }
 
-    /// The error bounds come first; among those that are met, the first integral.
+    /// A whole path comes before one that was cut, then the error bounds; among those that are met, the first integral.
     fn is_better_than(&self, best: &Self) -> bool {
         let met = |attempt: &Self| attempt.worst() <= 1.0;
         let small = |attempt: &Self| attempt.worst() * attempt.peel.asked < STAGNATION;
-        if self.trouble.is_some() && best.trouble.is_some() {
+        if self.cut && best.trouble.is_none() {
+            false
+        } else if self.trouble.is_some() && best.trouble.is_some() {
             let reached =
                 |attempt: &Self| attempt.peel.limit_points.iter().filter(|p| p.kind == Turn::Displacement).count();
             (reached(self), best.difference) > (reached(best), self.difference)
@@ -233,6 +242,7 @@ fn empty(model: &PeelModel) -> Peel {
         choice: Accuracy::to(0.0).choice,
         ripple: 0,
         solve_s: 0.0,
+        unfinished: false,
         trace: None,
     }
 }
