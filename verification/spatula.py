@@ -27,7 +27,7 @@ DEFINING = {"case": "case", "grip_rotation": "rotation", "line_load": "line_load
             "tip_rounding_width_nm": "tip_rounding_width", "youngs_modulus_GPa": "young", "poissons_ratio": "poisson",
             "hamaker_constant_J": "hamaker", "equilibrium_distance_nm": "r0"}
 COLUMNS = ("case", *VALUES, *list(DEFINING)[1:])
-FORCE, WIDTH = 6.7, 200.87783037                                        # nN and the tip width at which the peak is that, nm
+FORCE, WIDTH = 6.7, 200.8778303675                                   # nN and the tip width at which the peak is that, nm
 
 D = Spatula()
 CASES = [
@@ -71,7 +71,7 @@ def check_width():
         misses.append(s.P(st) - FORCE)
         step = -misses[-1] * (widths[-1] - widths[-2]) / (misses[-1] - misses[-2])
     print(f"tip width at which the peak is {FORCE} nN: {widths[-1]:.10f} nm")
-    return abs(widths[-1] - WIDTH) < 1e-8
+    return abs(widths[-1] - WIDTH) < 1e-9
 
 
 def check_forms():
