@@ -34,7 +34,7 @@ fn scene(model: StripModel, relative: f64) -> Scene {
     "#;
     let plain = Scene::parse("strip.toml", text, &[]).unwrap();
     let bounds = Bounds { time_s: None, ..plain.bounds };
-    Scene { model, accuracy: Accuracy::to(relative), bounds, ..plain }
+    Scene { model: model.into(), accuracy: Accuracy::to(relative), bounds, ..plain }
 }
 
 fn scenes() -> Vec<Scene> {
@@ -166,7 +166,7 @@ fn the_points_of_another_scene_or_version_are_refused_and_kept() {
         assert_eq!(fs::read(&file).unwrap(), text);
     };
     refused(&Scene { accuracy: Accuracy::to(1e-7), ..scene.clone() }, &kept);
-    refused(&Scene { model: paper_strip(101.0, 1.0), ..scene.clone() }, &kept);
+    refused(&Scene { model: paper_strip(101.0, 1.0).into(), ..scene.clone() }, &kept);
     let version = kept.windows(5).position(|part| part == b"0.1.0").unwrap();
     let mut other = kept.clone();
     other[version] = b'9';

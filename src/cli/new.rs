@@ -2,23 +2,44 @@
 
 use super::output::say;
 use super::stop::Stop;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use std::fs::{self, OpenOptions};
 use std::io::{ErrorKind, Write};
 use std::path::PathBuf;
 
-const SCENE: &str = include_str!("../../scenes/strip.toml");
-
 /// Writes a commented scene to start from
 #[derive(Args)]
 pub struct New {
-    /// Name of the scene; .toml is added where it is missing
-    #[arg(default_value = "strip", value_name = "NAME")]
-    name: PathBuf,
+    /// Name of the scene, that of its body unless given; .toml is added where it is missing
+    #[arg(value_name = "NAME")]
+    name: Option<PathBuf>,
+
+    /// What is peeled
+    #[arg(long, value_name = "BODY", default_value = "strip")]
+    body: Body,
+}
+
+/// The bodies for which there is a commented scene.
+#[derive(Clone, Copy, ValueEnum)]
+enum Body {
+    /// A uniform strip
+    Strip,
+    /// A gecko's spatula
+    Spatula,
+}
+
+impl Body {
+    fn scene(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Strip => ("strip", include_str!("../../scenes/strip.toml")),
+            Self::Spatula => ("spatula", include_str!("../../scenes/spatula.toml")),
+        }
+    }
 }
 
 pub fn new(args: &New) -> Result<(), Stop> {
-    let mut path = args.name.clone();
+    let (body, scene) = args.body.scene();
+    let mut path = args.name.clone().unwrap_or_else(|| body.into());
     if path.extension().is_none_or(|extension| extension != "toml") {
         path.as_mut_os_string().push(".toml");
     }
@@ -33,7 +54,7 @@ pub fn new(args: &New) -> Result<(), Stop> {
         }
         opened => opened.map_err(cannot)?,
     };
-    if let Err(error) = file.write_all(SCENE.as_bytes()) {
+    if let Err(error) = file.write_all(scene.as_bytes()) {
         // Half a scene is worse than none; the error is told in either case.
         let _ = fs::remove_file(&path);
         return Err(cannot(error));

@@ -14,7 +14,7 @@ pub(super) const FORCE: &str = "force per width P/b (nN/nm)";
 pub(super) const WORK: &str = "work to snap-off W/b (aJ/nm)";
 pub(super) const STIFFNESS_LABEL: &str = "EI / EI₀";
 
-/// Draws `sweep.svg` and `sweep.png` into `dir`: peak force, plateau and the work up to the snap-off, each per width,
+/// Draws `sweep.svg` and `sweep.png` into `dir`: peak force, plateau and the work up to the snap-off, of strips each per width,
 /// against the values of `key`, on a logarithmic axis where `log` is set.
 ///
 /// Where the bending stiffness is varied Kendall's force is drawn too.
@@ -38,6 +38,8 @@ pub fn draw_sweep(
 fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Picture {
     let (left, right) = (88.0, f64::from(WIDTH) - 18.0);
     let stiffness = key == STIFFNESS;
+    let strips = rows.iter().all(|row| row.model.strip().is_some());
+    let labels = if strips { (FORCE, WORK) } else { ("force P (nN)", "work to snap-off W (aJ)") };
     let x = Axis::around(if stiffness { STIFFNESS_LABEL } else { key }, rows.iter().map(|r| r.value), log);
     let mut lines =
         series(rows, |r| Some(per_width(r, r.found.peak?.force)), Stroke::solid(colour::BLUE, 2.0), "peak force");
@@ -48,19 +50,20 @@ fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Pictur
         let points = vec![(x.from, force), (x.to, force)];
         lines.push(Line { points, stroke: Stroke::dotted(colour::GREY, 2.0), name: Some("Kendall".into()) });
     }
-    let forces = panel(Frame { left, top: 40.0, right, bottom: 330.0 }, &x, FORCE, lines);
+    let forces = panel(Frame { left, top: 40.0, right, bottom: 330.0 }, &x, labels.0, lines);
     let mut work = series(rows, work_per_width, Stroke::solid(colour::GREEN, 2.0), "");
     work.iter_mut().for_each(|line| line.name = None);
     let mut panels = vec![dotted(forces)];
     if !work.is_empty() {
-        panels.push(dotted(panel(Frame { left, top: 400.0, right, bottom: 620.0 }, &x, WORK, work)));
+        panels.push(dotted(panel(Frame { left, top: 400.0, right, bottom: 620.0 }, &x, labels.1, work)));
     }
     let height = panels.last().map_or(0.0, |p| p.frame.bottom) + 54.0;
     Picture { title: title.into(), height: height as u32, panels }
 }
 
+/// A force or a work of a strip over its width; as it is of a body whose width varies.
 pub(super) fn per_width(row: &SweepRow, value: f64) -> f64 {
-    value / row.model.free_end().0
+    value / row.model.strip().map_or(1.0, |strip| strip.width)
 }
 
 /// The work up to the snap-off, per width.
