@@ -15,7 +15,7 @@ pub use basis::Basis;
 pub use density::{Coupling, Density, PointResponse, SectionState};
 pub use element::{Element, ElementEnergy, WeightedPoints};
 pub use front::{Front, FrontRow, Pivots};
-pub use profile::{Profile, Station, Uniform};
+pub use profile::{Profile, Station};
 pub use reduced::ReducedBeam;
 pub use reissner::ReissnerBeam;
 pub use rest::{Rest, RestCurve, VaryingRest};

@@ -1,12 +1,14 @@
 //! What a density asks of a beam at one place: stiffness, outline, and how it lies when free of stress.
 
-use super::Section;
+use super::{Section, Varying};
 use crate::number::Real;
 
 /// A beam at one place, or at four side by side.
 #[derive(Clone, Copy, Debug)]
 pub struct Station<T> {
     pub section: Section<T>,
+    /// 1/EA and 1/GA_s, 1/nN
+    pub compliance: [T; 2],
     /// Adhering width b, nm
     pub width: T,
     /// Height h of the section, nm
@@ -17,31 +19,35 @@ pub struct Station<T> {
     pub curvature: T,
 }
 
-/// A beam from place to place.
-pub trait Profile: Send + Sync {
+/// A beam from place to place: one type, so that the elements are compiled once.
+#[derive(Clone, Debug)]
+pub enum Profile {
+    /// Straight, and the same everywhere.
+    Uniform(Station<f64>),
+    /// Of varying outline.
+    Varying(Varying),
+}
+
+impl Profile {
+    /// A straight beam of this section, adhering width and height, nm.
+    pub fn uniform(section: Section, width: f64, height: f64) -> Self {
+        let compliance = [section.axial.recip(), section.shear.recip()];
+        Self::Uniform(Station { section, compliance, width, height, rise: 0.0, curvature: 0.0 })
+    }
+
     /// The beam at S, nm.
-    fn at<T: Real>(&self, place: T) -> Station<T>;
-}
-
-/// A straight beam that is the same everywhere.
-#[derive(Clone, Copy, Debug)]
-pub struct Uniform {
-    pub section: Section,
-    /// Adhering width b, nm
-    pub width: f64,
-    /// nm
-    pub height: f64,
-}
-
-impl Profile for Uniform {
     #[inline(always)]
-    fn at<T: Real>(&self, _: T) -> Station<T> {
-        Station {
-            section: self.section.splat(),
-            width: T::splat(self.width),
-            height: T::splat(self.height),
-            rise: T::splat(0.0),
-            curvature: T::splat(0.0),
+    pub fn at<T: Real>(&self, place: T) -> Station<T> {
+        match self {
+            Self::Uniform(station) => Station {
+                section: station.section.splat(),
+                compliance: station.compliance.map(T::splat),
+                width: T::splat(station.width),
+                height: T::splat(station.height),
+                rise: T::splat(0.0),
+                curvature: T::splat(0.0),
+            },
+            Self::Varying(beam) => beam.at(place),
         }
     }
 }

@@ -9,16 +9,16 @@
 //!
 //! to which ½EI θ'² and the adhesion bΨ(y, θ) are added. Nothing is neglected.
 
-use super::{Coupling, Density, PointResponse, Profile, Section, SectionState};
+use super::{Coupling, Density, PointResponse, Profile, SectionState, Station};
 use crate::adhesion::LineLaw;
 use crate::number::Real;
 
 /// The two-field form of the planar Reissner beam on a flat half space. Fields: gap η = y - h/2 (nm), rotation θ.
 /// The border is H where `HELD`, and counts nothing otherwise. What varies along the beam is in its profile; there
 /// y' = η' + h'/2 and θ' - κ0 bends it.
-#[derive(Clone, Copy, Debug)]
-pub struct ReducedBeam<P, const HELD: bool> {
-    pub profile: P,
+#[derive(Clone, Debug)]
+pub struct ReducedBeam<const HELD: bool> {
+    pub profile: Profile,
     pub law: LineLaw,
 }
 
@@ -31,8 +31,8 @@ struct Compliance<T> {
 
 impl<T: Real> Compliance<T> {
     #[inline(always)]
-    fn of(section: &Section<T>, sin: T, cos: T) -> Self {
-        let (axial, shear) = (section.axial.recip(), section.shear.recip());
+    fn of(station: &Station<T>, sin: T, cos: T) -> Self {
+        let [axial, shear] = station.compliance;
         Self {
             along: cos * cos * axial + sin * sin * shear,
             across: sin * sin * axial + cos * cos * shear,
@@ -41,12 +41,12 @@ impl<T: Real> Compliance<T> {
     }
 }
 
-impl<P: Profile, const HELD: bool> ReducedBeam<P, HELD> {
+impl<const HELD: bool> ReducedBeam<HELD> {
     fn state(&self, place: f64, rotation: f64, vertical_force: f64, moment: f64, border: f64) -> SectionState {
         let (sin, cos) = rotation.sin_cos();
         let h = if HELD { border } else { 0.0 };
-        let station = self.profile.at(place);
-        let c = Compliance::of(&station.section, sin, cos);
+        let station: Station<f64> = self.profile.at(place);
+        let c = Compliance::of(&station, sin, cos);
         let bend = moment / station.section.bending;
         let v = vertical_force;
         SectionState {
@@ -61,7 +61,7 @@ impl<P: Profile, const HELD: bool> ReducedBeam<P, HELD> {
     }
 }
 
-impl<P: Profile, const HELD: bool> Density<2> for ReducedBeam<P, HELD> {
+impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
     const COUPLING: Coupling<2> = Coupling {
         value_value: [[true; 2]; 2],
         value_slope: [[false, false], [true, false]],
@@ -84,9 +84,9 @@ impl<P: Profile, const HELD: bool> Density<2> for ReducedBeam<P, HELD> {
         let b = station.width;
         let ei = station.section.bending;
         // g sin 2θ and g cos 2θ with g = 1/GA_s - 1/EA: C' = -g sin 2θ, D' = -g cos 2θ
-        let g = station.section.shear.recip() - station.section.axial.recip();
+        let g = station.compliance[1] - station.compliance[0];
         let (g_sin, g_cos) = (sin * cos * (g * 2.0), (cos - sin) * (cos + sin) * g);
-        let c = Compliance::of(&station.section, sin, cos);
+        let c = Compliance::of(&station, sin, cos);
         let inverse = c.across.recip();
         let mut response = PointResponse::zero();
 
@@ -137,7 +137,7 @@ impl<P: Profile, const HELD: bool> Density<2> for ReducedBeam<P, HELD> {
     ) -> SectionState {
         let (sin, cos) = rotation.sin_cos();
         let station = self.profile.at(place);
-        let c = Compliance::of(&station.section, sin, cos);
+        let c = Compliance::of(&station, sin, cos);
         let h = if HELD { border } else { 0.0 };
         let v = (gap_slope + station.rise - sin - h * c.mixed) / c.across;
         self.state(place, rotation, v, station.section.bending * (turn - station.curvature), border)

@@ -9,9 +9,9 @@ use crate::number::Real;
 
 /// The three-field form of the planar Reissner beam on a flat half space. Fields: x (nm), gap η = y - h/2 (nm), rotation
 /// θ. It has no border.
-#[derive(Clone, Copy, Debug)]
-pub struct ReissnerBeam<P> {
-    pub profile: P,
+#[derive(Clone, Debug)]
+pub struct ReissnerBeam {
+    pub profile: Profile,
     pub law: LineLaw,
 }
 
@@ -80,7 +80,7 @@ pub(super) fn section_from_forces(
     }
 }
 
-impl<P: Profile> Density<3> for ReissnerBeam<P> {
+impl Density<3> for ReissnerBeam {
     const COUPLING: Coupling<3> = COUPLING;
 
     #[inline(always)]

@@ -3,7 +3,7 @@
 //! Its underside lies, free of stress, in the direction φ(S), and the axis half a height above it, in the direction
 //! θ0 = φ + atan(h'/2). So a beam of varying height with φ = 0 lies flat on a flat substrate.
 
-use super::{Material, Profile, Section, Station};
+use super::{Material, Section, Station};
 use crate::number::Real;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -56,26 +56,28 @@ impl Varying {
         (0.5 * outline.height[1]).atan() + outline.underside[0]
     }
 
+    /// The beam at S, nm.
+    #[inline(always)]
+    pub fn at<T: Real>(&self, place: T) -> Station<T> {
+        let [axial, shear, bending, along, across, width, height, rise, curvature] = place.each(|place| {
+            let Station { section, compliance: [along, across], width, height, rise, curvature } = self.station(place);
+            [section.axial, section.shear, section.bending, along, across, width, height, rise, curvature]
+        });
+        let (section, compliance) = (Section { axial, shear, bending }, [along, across]);
+        Station { section, compliance, width, height, rise, curvature }
+    }
+
     fn station(&self, place: f64) -> Station<f64> {
         let Outline { width, height: [height, slope, bend], roundness, underside } = self.contour.at(place);
         let rise = 0.5 * slope;
+        let section = self.material.section(width, height, roundness);
         Station {
-            section: self.material.section(width, height, roundness),
+            section,
+            compliance: [section.axial.recip(), section.shear.recip()],
             width,
             height,
             rise,
             curvature: 0.5 * bend / (1.0 + rise * rise) + underside[1],
         }
-    }
-}
-
-impl Profile for Varying {
-    #[inline(always)]
-    fn at<T: Real>(&self, place: T) -> Station<T> {
-        let [axial, shear, bending, width, height, rise, curvature] = place.each(|place| {
-            let Station { section, width, height, rise, curvature } = self.station(place);
-            [section.axial, section.shear, section.bending, width, height, rise, curvature]
-        });
-        Station { section: Section { axial, shear, bending }, width, height, rise, curvature }
     }
 }

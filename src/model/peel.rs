@@ -3,9 +3,7 @@
 use super::chain::{three_field, two_field};
 use super::{Profile, Spatula, Strip};
 use crate::adhesion::{HalfSpace, LineLaw, LineLoad};
-use crate::beam::{
-    self, Contour, Material, ReducedBeam, ReissnerBeam, Rest, RestCurve, Section, Uniform, Varying, VaryingRest,
-};
+use crate::beam::{self, Contour, Material, ReducedBeam, ReissnerBeam, Rest, RestCurve, Section, Varying, VaryingRest};
 use crate::solve::{Chain, Focus, Fronts, MOST_FIELDS, Mesh, Pieces, Problem};
 use std::sync::Arc;
 
@@ -202,7 +200,7 @@ impl PeelModel {
         let rest_adhesion = width * law.rest_energy();
         let lie = match self.shared_contour() {
             None => Lie {
-                chain: chain(Uniform { section: self.section(), width, height }, law, form, sliding_held, order),
+                chain: chain(beam::Profile::uniform(self.section(), width, height), law, form, sliding_held, order),
                 rest: Rest::Curve(RestCurve::straight(0.0, law.rest_gap(), 0.0)),
                 fronts: Fronts::Even,
                 rest_front: length,
@@ -258,7 +256,7 @@ impl PeelModel {
         rest_adhesion: f64,
         front: Focus,
         fixed_foci: &mut Vec<Focus>,
-        chain: impl Fn(Varying) -> Box<dyn Chain>,
+        chain: impl Fn(beam::Profile) -> Box<dyn Chain>,
     ) -> Lie {
         let beam = Varying::new(contour, self.material());
         let length = beam.contour().length();
@@ -288,7 +286,13 @@ impl PeelModel {
             .collect();
         let pieces = Pieces::cut(length, &beam.contour().breaks(), &meshes);
         let fronts = Fronts::new(length, adheres);
-        Lie { chain: chain(beam), rest: Rest::Varying(Box::new(rest)), fronts, rest_front, pieces }
+        Lie {
+            chain: chain(beam::Profile::Varying(beam)),
+            rest: Rest::Varying(Box::new(rest)),
+            fronts,
+            rest_front,
+            pieces,
+        }
     }
 }
 
@@ -309,16 +313,10 @@ struct Lie {
 }
 
 /// The chain of a profile under a line load.
-fn chain<P: beam::Profile + 'static>(
-    profile: P,
-    law: LineLaw,
-    form: Form,
-    sliding_held: bool,
-    order: usize,
-) -> Box<dyn Chain> {
+fn chain(profile: beam::Profile, law: LineLaw, form: Form, sliding_held: bool, order: usize) -> Box<dyn Chain> {
     match (form, sliding_held) {
-        (Form::TwoField, false) => two_field(ReducedBeam::<_, false> { profile, law }, order),
-        (Form::TwoField, true) => two_field(ReducedBeam::<_, true> { profile, law }, order),
+        (Form::TwoField, false) => two_field(ReducedBeam::<false> { profile, law }, order),
+        (Form::TwoField, true) => two_field(ReducedBeam::<true> { profile, law }, order),
         // held at x(0) = 0, which with a sliding grip carries no force
         (Form::ThreeField, _) => three_field(ReissnerBeam { profile, law }, order, [Some(0.0), None, None]),
     }
