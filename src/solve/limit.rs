@@ -1,7 +1,9 @@
 //! Turning points of the path, located and not sampled, with a bound on their error from half as many elements again.
 
 use super::stretch::Stretch;
-use super::{Condition, Equilibrium, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
+use super::{
+    Condition, Equilibrium, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, slopes, solve,
+};
 use std::sync::Arc;
 
 /// Which quantity has a turning point.
@@ -160,13 +162,22 @@ pub fn locate(
     let (first, second) = around.end_slopes();
     let (mut low, mut high) = ((from, turn.pick()(&first)), (to, turn.pick()(&second)));
     let rising = if from == 0.0 { low.1 < 0.0 } else { high.1 > 0.0 };
+    // where the slope is the discretisation's, the quantity may go further than where it seems to turn
+    let furthest = |stretch: &Stretch, turned| stretch.extreme(turn.pick(), rising, (from, to)).unwrap_or(turned);
     let mut guess = stretch.observable(turn.pick(), 0.5 * (from + to)).turning_point(from, to);
     for k in 1..=3 * MOST_SOLVES {
         let nearer = if guess - low.0 < high.0 - guess { low.0 } else { high.0 };
         let solution = reach(problem, &mut stretch, nearer, guess, ROUGH, work)?;
         iterations += solution.iterations;
         let label = stretch.label(&solution.observables);
-        let slope = turn.pick()(&solution.slope);
+        let slope = if relative.is_some() {
+            // Newton's last slope is one update back: where the force is flat that is too far
+            let condition = Condition { weights: stretch.weights, target: stretch.target(label) };
+            let (displacement, force) = slopes(problem, &solution.at, &condition, work)?;
+            turn.pick()(&Observables { displacement, force, ..Observables::default() })
+        } else {
+            turn.pick()(&solution.slope)
+        };
         if (slope < 0.0) == rising {
             low = (label, slope);
         } else {
@@ -175,7 +186,7 @@ pub fn locate(
         let width = high.0 - low.0;
         let value = turn.pick()(&solution.observables);
         if relative.is_some_and(|r| (slope * width).abs() < FLAT * r * value.abs()) {
-            return flat(problem, &stretch, solution, slope * width, iterations, work);
+            return flat(problem, &stretch, furthest(&stretch, solution), slope * width, iterations, work);
         }
         let bend = (high.1 - low.1) / width;
         let left = (slope / bend).abs();
@@ -207,7 +218,7 @@ pub fn locate(
     let middle = solve_on(problem, &stretch, 0.5 * (low.0 + high.0), ROUGH, work)?;
     let change = turn.pick()(&middle.slope) * (high.0 - low.0);
     if relative.is_some_and(|r| change.abs() < r * middle.observables.force.abs()) {
-        return flat(problem, &stretch, middle, change, iterations, work);
+        return flat(problem, &stretch, furthest(&stretch, middle), change, iterations, work);
     }
     Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
 }

@@ -88,6 +88,13 @@ impl Stretch {
         self.change
     }
 
+    /// The known solution between the labels `from` and `to` at which a quantity is least, or largest.
+    pub fn extreme(&self, pick: fn(&Observables) -> f64, least: bool, (from, to): (f64, f64)) -> Option<Arc<Solution>> {
+        let known = self.labels.iter().zip(&self.points).filter(|&(label, _)| (from..=to).contains(label));
+        let value = |point: &Solution| if least { -pick(&point.observables) } else { pick(&point.observables) };
+        known.map(|(_, point)| point.clone()).max_by(|a, b| value(a).total_cmp(&value(b)))
+    }
+
     /// The condition's target for the label `at`.
     pub fn target(&self, at: f64) -> f64 {
         self.weights.dot(&self.points[0].observables) + at - self.labels[0]

@@ -374,7 +374,7 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
 }
 
 /// [`UniformChain::sweep`] compiled for the vector units that the machine may have, chosen when it runs.
-#[multiversion::multiversion(targets("x86_64+avx2+fma"))]
+#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
 fn sweep<D: Density<F>, const F: usize, const N: usize>(
     chain: &UniformChain<D, F, N>,
     at: Configuration,
@@ -386,7 +386,7 @@ fn sweep<D: Density<F>, const F: usize, const N: usize>(
 }
 
 /// [`UniformChain::back`], likewise.
-#[multiversion::multiversion(targets("x86_64+avx2+fma"))]
+#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
 fn back<D: Density<F>, const F: usize, const N: usize>(
     chain: &UniformChain<D, F, N>,
     work: &Workspace,
@@ -398,7 +398,7 @@ fn back<D: Density<F>, const F: usize, const N: usize>(
 }
 
 /// [`UniformChain::shift`], likewise.
-#[multiversion::multiversion(targets("x86_64+avx2+fma"))]
+#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
 fn shifted<D: Density<F>, const F: usize, const N: usize>(
     chain: &UniformChain<D, F, N>,
     at: Configuration,
@@ -408,7 +408,7 @@ fn shifted<D: Density<F>, const F: usize, const N: usize>(
 }
 
 /// [`UniformChain::sum_energy`], likewise.
-#[multiversion::multiversion(targets("x86_64+avx2+fma"))]
+#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
 fn sum_energy<D: Density<F>, const F: usize, const N: usize>(
     chain: &UniformChain<D, F, N>,
     at: Configuration,

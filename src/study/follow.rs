@@ -74,6 +74,12 @@ pub(super) enum Trouble {
     )]
     Missed { after: usize, displacement_nm: f64, from: usize, to: usize, turns: usize },
     #[error(
+        "between path points {after} and {} (u = {displacement_nm:.6} nm) no solution was found, and neither force nor displacement \
+         goes smoothly from one to the other: the path may have jumped over a part of itself",
+        after + 1
+    )]
+    Jumped { after: usize, displacement_nm: f64 },
+    #[error(
         "the path came back to P = 0 at u = {displacement_nm:.6} nm before the force had a maximum: its first step went to \
          another equilibrium, or the strip is too soft for its adhesion (process zone {process_nm:.3e} nm)"
     )]
@@ -150,7 +156,10 @@ pub(super) fn follow(problem: &Problem, options: PathOptions, far: f64, relative
     if followed.trouble.is_none() {
         let mut work = followed.workspace();
         let (tolerance, most) = (options.tolerance.min(ROUGH), limits.bounds.points);
-        followed.iterations += fill_in(problem, &mut followed.points, relative, tolerance, most, &mut work);
+        let (iterations, jump) = fill_in(problem, &mut followed.points, relative, tolerance, most, &mut work);
+        followed.iterations += iterations;
+        followed.trouble = jump
+            .map(|after| Trouble::Jumped { after, displacement_nm: followed.points[after].observables.displacement });
     }
     let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem));
     followed.trouble = followed.trouble.take().or(checked.err());

@@ -119,7 +119,7 @@ impl Attempt {
                 spread = followed.spread / (SPREAD * relative).max(SPREAD_ROUND_OFF);
                 resolution.finer(difference, spread)
             }
-            Some(Trouble::Missed { .. } | Trouble::TooManyPoints { .. }) => {
+            Some(Trouble::Missed { .. } | Trouble::Jumped { .. } | Trouble::TooManyPoints { .. }) => {
                 Resolution { step_tolerance: 0.3 * step_tolerance, ..resolution.times(1.25) }
             }
             Some(_) => resolution.times(1.5),
@@ -274,6 +274,10 @@ fn report(model: &PeelModel, problem: &Problem, followed: &Followed, relative: f
         front: problem.fronts.place(s.observables.front),
         iterations: s.iterations,
     });
+    let force_error = |located: &Located| {
+        let floor = force_round_off * largest + modesty(located, relative) * located.observables.force.abs();
+        SAFETY * located.difference.force.abs() + floor
+    };
     let limit_points: Vec<LimitPoint> = followed
         .turns
         .iter()
@@ -283,14 +287,8 @@ fn report(model: &PeelModel, problem: &Problem, followed: &Followed, relative: f
             force: located.observables.force,
             end_rotation: located.observables.grip_rotation,
             work: work_near(problem, &followed.points, &works, *after, located, &mut work),
-            displacement_error: {
-                let round_off = if *kind == Turn::Load { ROUND_OFF_PLACE } else { ROUND_OFF };
-                let floor = (round_off + modesty(located, relative)) * located.observables.displacement.abs();
-                SAFETY * located.difference.displacement.abs() + floor
-            },
-            force_error: SAFETY * located.difference.force.abs()
-                + force_round_off * largest
-                + modesty(located, relative) * located.observables.force.abs(),
+            displacement_error: place_error(located, relative, *kind).max(level(located, force_error(located))),
+            force_error: force_error(located),
             flat: located.flat,
             after: *after,
         })
@@ -298,6 +296,20 @@ fn report(model: &PeelModel, problem: &Problem, followed: &Followed, relative: f
     let mut peel = Peel { points: points.collect(), end: followed.end.clone(), limit_points, ..empty(model) };
     fill_special_points(&mut peel, problem, followed, relative);
     peel
+}
+
+/// Bound on the error of a located point's displacement, nm.
+fn place_error(located: &Located, relative: f64, turn: Turn) -> f64 {
+    let round_off = if turn == Turn::Load { ROUND_OFF_PLACE } else { ROUND_OFF };
+    let floor = (round_off + modesty(located, relative)) * located.observables.displacement.abs();
+    SAFETY * located.difference.displacement.abs() + floor
+}
+
+/// How far from a flat turn the force stays within its error, nm, but no further than rest: no nearer is its place known.
+fn level(located: &Located, force_error: f64) -> f64 {
+    let curved = located.flat && located.force_curvature != 0.0;
+    let away = if curved { (2.0 * force_error / located.force_curvature.abs()).sqrt() } else { 0.0 };
+    away.min(located.observables.displacement.abs())
 }
 
 /// The relative error below which no bound of a located point is.
@@ -354,8 +366,10 @@ fn peak_at(problem: &Problem, last: &Arc<Solution>, relative: f64) -> Option<Pea
         displacement: o.displacement,
         force: o.force,
         end_rotation: o.grip_rotation,
-        force_error: SAFETY * difference.force.abs() + (ROUND_OFF + least(relative)) * o.force.abs(),
-        // a path that has come back to u = 0 ends there to the round-off of the gap
+        // a path may end with a force of zero, or come back to u = 0: to the round-off of their scales
+        force_error: SAFETY * difference.force.abs()
+            + ROUND_OFF * o.force.abs().max(problem.force_scale)
+            + least(relative) * o.force.abs(),
         displacement_error: ROUND_OFF * o.displacement.abs().max(problem.scale[problem.driven]),
     })
 }

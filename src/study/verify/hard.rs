@@ -4,7 +4,7 @@
 //! `verification/hard_scenes.csv`, a collocation of the strong form without finite elements.
 
 use super::reference::{self, Row};
-use super::{Check, Measure, bounds, drawn};
+use super::{Check, Measure, bounds, drawn, repeated};
 use crate::model::{Hold, PeelModel};
 use crate::study::{Accuracy, Bounds, End, Peel, peel};
 use rayon::prelude::*;
@@ -51,13 +51,13 @@ pub struct HardScene {
     pub expected: Ending,
 }
 
-/// Peels every scene and the drawn strips, on all cores, and judges what came out.
+/// Peels every scene, once more in other units, and the drawn strips, on all cores, and judges what came out.
 pub fn run(scenes: &[HardScene]) -> Vec<Check> {
     let rows = reference::read(TABLE);
     let peels: Vec<Peel> = scenes.par_iter().map(|s| peel(&s.model, &s.accuracy, &s.bounds)).collect();
     let pairs = scenes.iter().zip(&peels);
     let judged = |(scene, peel)| [vec![ending(scene, peel)], numbers(scene, peel, &rows)].concat();
-    pairs.flat_map(judged).chain(drawn::checks(NAME)).collect()
+    pairs.flat_map(judged).chain(repeated::checks(NAME, scenes)).chain(drawn::checks(NAME)).collect()
 }
 
 /// Whether the path ended as expected: 1 if it did.

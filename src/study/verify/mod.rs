@@ -11,6 +11,7 @@ mod levels;
 pub mod orders;
 mod published;
 pub mod reference;
+mod repeated;
 mod spatula;
 mod strip;
 
