@@ -17,8 +17,9 @@ mod common;
 
 use common::{LOADS, paper_strip, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
-use peelkit::model::{Form, Hold, StripModel};
+use peelkit::model::{Body, Form, Hold, PeelModel, Spatula, StripModel};
 use peelkit::solve::{Condition, NewtonOptions, Observables, Problem, Solution, Workspace, solve};
+use peelkit::study::{Accuracy, Bounds, Choice, peel};
 
 const STEPS: [f64; 14] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.35, 0.5, 0.75, 1.0, 1.5, 2.2, 3.3, 5.0];
 
@@ -121,5 +122,32 @@ fn soft_strip() {
     for horizontal in [Hold::Free, Hold::Fixed] {
         let soft = with_grip(paper_strip(100.0, 0.01), Hold::Free, horizontal);
         assert_same(&with_load(soft, LineLoad::Full), 7);
+    }
+}
+
+/// A whole peel in either form: section, height and direction vary along the beam. The same path, so within both bounds.
+#[test]
+fn a_spatula_in_either_form() {
+    for horizontal in [Hold::Free, Hold::Fixed] {
+        let strip = with_grip(paper_strip(100.0, 1.0), Hold::Fixed, horizontal);
+        let spatula = PeelModel { body: Body::Spatula(Spatula::default()), ..PeelModel::from(strip) };
+        let [two, three] = [Form::TwoField, Form::ThreeField].map(|form| {
+            let accuracy = Accuracy::to(1e-6);
+            let choice = Choice { form, ..accuracy.choice };
+            let bounds = Bounds { points: 5000, time_s: None, displacement: Some(400.0) };
+            let peel = peel(&spatula, &accuracy.with(choice), &bounds);
+            (peel.peak.unwrap(), peel.snap_off.unwrap())
+        });
+        let ((peak, snap), (same_peak, same_snap)) = (two, three);
+        let close = |what: &str, a: f64, b: f64, bounds: f64| {
+            assert!(
+                (a - b).abs() <= bounds && bounds < 1e-5 * a,
+                "{what}, {horizontal:?}: {a} and {b} within {bounds:e}"
+            );
+        };
+        close("peak", peak.force, same_peak.force, peak.force_error + same_peak.force_error);
+        let bounds = snap.displacement_error + same_snap.displacement_error;
+        close("snap-off", snap.displacement, same_snap.displacement, bounds);
+        close("work", snap.work, same_snap.work, 1e-6 * snap.work);
     }
 }
