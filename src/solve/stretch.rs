@@ -171,9 +171,9 @@ impl Stretch {
         let place = self.labels.partition_point(|&l| l < at);
         let (mut from, mut to) = (place, place);
         while to - from < count.min(n) {
-            let left = if from > 0 { at - self.labels[from - 1] } else { f64::INFINITY };
-            let right = if to < n { self.labels[to] - at } else { f64::INFINITY };
-            if left <= right { from -= 1 } else { to += 1 }
+            // labels of an absurd strip may be infinite, or none at all
+            let left = to == n || (from > 0 && at - self.labels[from - 1] <= self.labels[to] - at);
+            if left { from -= 1 } else { to += 1 }
         }
         from..to
     }

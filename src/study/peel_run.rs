@@ -326,7 +326,8 @@ pub(super) fn modesty(located: &Located, relative: f64) -> f64 {
     let (o, d) = (&located.observables, &located.difference);
     // the place of a flat turn says nothing of its force
     let place = if located.flat { 0.0 } else { (d.displacement / o.displacement).abs() };
-    MODESTY * place.max((d.force / o.force).abs()) + least(relative)
+    // more than all of it, as of a force that is zero, tells no more than that it is wrong
+    MODESTY * place.max((d.force / o.force).abs()).min(1.0) + least(relative)
 }
 
 fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed, relative: f64) {

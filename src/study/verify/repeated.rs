@@ -17,8 +17,9 @@ const ACCURACIES: [f64; 2] = [1e-6, 1e-9];
 /// A path is followed for so many seconds at most; one that is not done then is not compared.
 const LONGEST: f64 = 5.0;
 
-/// Share of numbers that may be outside of both bounds, as on the scenes of the topic `bounds`.
-const STRAY: f64 = 0.01;
+/// A scene whose plateau ripples by 1e-8 of the force: finer than that, turning points of the force come and go on it and are
+/// further apart than their bounds (5 of 72 numbers at 1e-9). It is left out there.
+const RIPPLES: (&str, f64) = ("bending-1e-6", 1e-8);
 
 /// What became of the numbers of one strip, or of all.
 #[derive(Clone, Debug, Default)]
@@ -50,7 +51,8 @@ pub(super) fn checks(topic: &'static str, scenes: &[HardScene]) -> Vec<Check> {
 }
 
 fn checks_at(topic: &'static str, scenes: &[HardScene], relative: f64) -> [Check; 2] {
-    let all = scenes.par_iter().map(|scene| repeated(scene, relative)).reduce(Repeated::default, Repeated::and);
+    let told = scenes.par_iter().filter(|scene| scene.name != RIPPLES.0 || relative >= RIPPLES.1);
+    let all = told.map(|scene| repeated(scene, relative)).reduce(Repeated::default, Repeated::and);
     let Repeated { compared, worst, wrong, alone: [displacement, load] } = all;
     let of = format!("hard scenes in {} other units at {relative:e}", UNITS.len());
     let first = wrong.first().map_or(String::new(), |first| format!("; the first: {first}"));
@@ -58,10 +60,10 @@ fn checks_at(topic: &'static str, scenes: &[HardScene], relative: f64) -> [Check
         "{of}: of {compared} numbers, how many differ by more than both bounds; most {worst:.2} of them{first}"
     );
     let missing = format!("{of}: turning points of the displacement that one run alone has (of the force: {load})");
-    let check = |name, count: usize, most| {
-        Check::new(topic, name, "the same in nm and nN", Ok(count as f64), most, Measure::AtMost, 0.0)
+    let check = |name, count: usize| {
+        Check::new(topic, name, "the same in nm and nN", Ok(count as f64), 0.0, Measure::AtMost, 0.0)
     };
-    [check(differ, wrong.len(), STRAY * compared as f64), check(missing, displacement, 0.0)]
+    [check(differ, wrong.len()), check(missing, displacement)]
 }
 
 fn repeated(scene: &HardScene, relative: f64) -> Repeated {
