@@ -84,6 +84,8 @@ pub(super) enum Trouble {
          another equilibrium, or the strip is too soft for its adhesion (process zone {process_nm:.3e} nm)"
     )]
     LostAtRest { displacement_nm: f64, process_nm: f64 },
+    #[error("the first step, {step_nm:e} nm, is lost in the rounding of the displacement")]
+    Stuck { step_nm: f64 },
     #[error(
         "bounds.time, and as long again and a second, were over before the turning points of the path and its work were \
          computed: a larger one leaves more time for them"
@@ -130,7 +132,14 @@ pub(super) fn follow(problem: &Problem, options: PathOptions, far: f64, relative
         Ok(end) => (end, None),
         Err(trouble) => (End::Failed(trouble.to_string()), Some(trouble)),
     };
+    let mut points = path.points().to_vec();
+    let stays = |pair: &[Arc<Solution>]| pair[1].observables.displacement == pair[0].observables.displacement;
     let (end, trouble) = match trouble {
+        _ if points.windows(2).next().is_some_and(stays) => {
+            points.truncate(1);
+            let stuck = Trouble::Stuck { step_nm: options.first_displacement };
+            (End::Failed(stuck.to_string()), Some(stuck))
+        }
         None if end == End::Pivoting && !has_maximum(path.points()) => {
             let lost = Trouble::LostAtRest {
                 displacement_nm: path.points().last().map_or(0.0, |p| p.observables.displacement),
@@ -141,14 +150,14 @@ pub(super) fn follow(problem: &Problem, options: PathOptions, far: f64, relative
         trouble => (end, trouble),
     };
     let mut followed = Followed {
-        points: path.points().to_vec(),
+        spread: worst_spread(problem, &points),
+        points,
         turns: Vec::new(),
         end,
         cut,
         iterations: path.iterations(),
         ripple: 0,
         upright: false,
-        spread: worst_spread(problem, path.points()),
         trouble,
         deadline: limits.deadline(),
     };
