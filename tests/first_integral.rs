@@ -96,7 +96,7 @@ fn not_constant_without_a_potential() {
 fn grip_of_a_long_strip_feels_the_work_of_adhesion() {
     let model = paper_strip(1000.0, 1.0);
     let peel = whole_peel(&model, 1e-10);
-    let w = work_of_adhesion(&model);
+    let w = work_of_adhesion(model);
     let snap = peel.snap_off.expect("a long strip snaps off").after;
     let mut checked = 0;
     for i in 0..=snap {
@@ -119,7 +119,7 @@ fn force_comes_to_the_steady_force() {
     for (length, factor, allowed) in [(1000.0, 0.01, 2.3e-9), (3000.0, 0.01, 1e-9), (3000.0, 1.0, 1e-9)] {
         let model = paper_strip(length, factor);
         let peel = whole_peel(&model, 1e-9);
-        let steady = steady_force(-work_of_adhesion(&model), model.section().axial);
+        let steady = steady_force(-work_of_adhesion(model), model.section().axial);
         let snap = peel.snap_off.expect("snaps off").after;
         let last = peel.points[..snap].iter().map(|p| (p.force / steady - 1.0).abs()).fold(f64::INFINITY, f64::min);
         assert!(last < allowed, "L = {length} nm, EI × {factor}: {last:.2e} off");
@@ -136,7 +136,7 @@ fn plateau_is_the_steady_force() {
         let plateau = whole_peel(&model, 1e-9).plateau.expect("a long strip has a plateau");
         let (law, width) = (model.line_law(), model.strip.width);
         let at_grip = width * law.response(law.rest_gap() + plateau.displacement, 1.0, 0.0).energy;
-        let steady = steady_force(-work_of_adhesion(&model) - at_grip, model.section().axial);
+        let steady = steady_force(-work_of_adhesion(model) - at_grip, model.section().axial);
         let off = plateau.force / steady - 1.0;
         assert!(off.abs() < allowed, "EI × {factor}: plateau {plateau:?}, steady {steady} nN, {off:.2e}");
     }

@@ -1,5 +1,6 @@
 //! A structure in a grip, on a substrate or on its own: what `solve` is given.
 mod chain;
+mod lie;
 mod peel;
 mod profile;
 mod rod;

@@ -1,10 +1,11 @@
 //! A beam on a flat half space, lifted at its right end.
 
 use super::chain::{three_field, two_field};
+use super::lie::Lie;
 use super::{Profile, Spatula, Strip};
 use crate::adhesion::{HalfSpace, LineLaw, LineLoad};
-use crate::beam::{self, Contour, Material, ReducedBeam, ReissnerBeam, Rest, RestCurve, Section, Varying, VaryingRest};
-use crate::solve::{Chain, Focus, Fronts, MOST_FIELDS, Mesh, Pieces, Problem};
+use crate::beam::{self, Contour, Material, ReducedBeam, ReissnerBeam, Section, Varying};
+use crate::solve::{Chain, Focus, MOST_FIELDS, Mesh, Problem};
 use std::sync::Arc;
 
 /// The adhesion between the beam and the half space.
@@ -80,9 +81,6 @@ impl From<&Self> for PeelModel {
         model.clone()
     }
 }
-
-/// Fronts for which a beam of varying outline is asked how fine its mesh has to be.
-const FRONTS_TRIED: usize = 32;
 
 impl PeelModel {
     /// The strip, where it is one.
@@ -198,23 +196,17 @@ impl PeelModel {
         }
         let mut fixed_foci = self.fixed_foci(process_length);
         let rest_adhesion = width * law.rest_energy();
-        let lie = match self.shared_contour() {
-            None => Lie {
-                chain: chain(beam::Profile::uniform(self.section(), width, height), law, form, sliding_held, order),
-                rest: Rest::Curve(RestCurve::straight(0.0, law.rest_gap(), 0.0)),
-                fronts: Fronts::Even,
-                rest_front: length,
-                pieces: Pieces::whole(length),
-            },
+        let (profile, lie) = match self.shared_contour() {
+            None => (beam::Profile::uniform(self.section(), width, height), Lie::flat(length, law.rest_gap())),
             Some(contour) => {
-                let focus = Focus { center: 0.0, length: process_length, weight: 1.0 };
-                self.varying(contour, rest_adhesion, focus, &mut fixed_foci, |beam| {
-                    chain(beam, law, form, sliding_held, order)
-                })
+                let beam = Varying::new(contour, self.material());
+                let front = Focus { center: 0.0, length: process_length, weight: 1.0 };
+                let lie = Lie::varying(&beam, &self.adhesion, front, &mut fixed_foci);
+                (beam::Profile::Varying(beam), lie)
             }
         };
         Problem {
-            chain: lie.chain,
+            chain: chain(profile, law, form, sliding_held, order),
             length,
             rest: lie.rest,
             rest_gap: law.rest_gap(),
@@ -248,68 +240,6 @@ impl PeelModel {
         }
         foci
     }
-
-    /// A beam of varying outline: where it lies at rest, where its front may be, and how its elements are shared out.
-    fn varying(
-        &self,
-        contour: Arc<dyn Contour>,
-        rest_adhesion: f64,
-        front: Focus,
-        fixed_foci: &mut Vec<Focus>,
-        chain: impl Fn(beam::Profile) -> Box<dyn Chain>,
-    ) -> Lie {
-        let beam = Varying::new(contour, self.material());
-        let length = beam.contour().length();
-        let rest = VaryingRest::new(beam.clone(), self.line_law().rest_gap());
-        let adheres = |place: f64| {
-            let (width, height) = (beam.contour().at(place).width, rest.height(place));
-            width * self.adhesion.line_law(height).rest_energy() / rest_adhesion
-        };
-        let distance = |place: f64| {
-            let [_, gap, rotation] = rest.at(place);
-            gap + 0.5 * rest.height(place) * (1.0 - rotation.cos().abs())
-        };
-        let place = |k: usize| length * k as f64 / LOOKED_AT as f64;
-        let distances: Vec<f64> = (0..=LOOKED_AT).map(|k| distance(place(k))).collect();
-        let near = REACH * self.adhesion.equilibrium_distance;
-        let lifted = distances.iter().position(|&distance| distance > near).unwrap_or(LOOKED_AT);
-        // where it comes down again
-        let again = (lifted + 1..LOOKED_AT)
-            .filter(|&k| distances[k] < near && distances[k] < distances[k - 1] && distances[k] <= distances[k + 1]);
-        fixed_foci.extend(again.map(|k| Focus { center: place(k), weight: AGAIN, ..front }));
-        let rest_front = place(lifted);
-        let meshes: Vec<Vec<Focus>> = (0..=FRONTS_TRIED)
-            .map(|k| {
-                let moved = Focus { center: rest_front * k as f64 / FRONTS_TRIED as f64, ..front };
-                std::iter::once(moved).chain(fixed_foci.iter().copied()).collect()
-            })
-            .collect();
-        let pieces = Pieces::cut(length, &beam.contour().breaks(), &meshes);
-        let fronts = Fronts::new(length, adheres);
-        Lie {
-            chain: chain(beam::Profile::Varying(beam)),
-            rest: Rest::Varying(Box::new(rest)),
-            fronts,
-            rest_front,
-            pieces,
-        }
-    }
-}
-
-/// Places at which a beam that is free of stress is looked at for contact, and how far in r0 that reaches.
-const LOOKED_AT: usize = 400;
-const REACH: f64 = 3.0;
-/// Weight of the focus of the mesh where it comes down again.
-const AGAIN: f64 = 0.5;
-
-/// A chain, how it lies at rest, and where its elements are.
-struct Lie {
-    chain: Box<dyn Chain>,
-    rest: Rest,
-    fronts: Fronts,
-    /// S up to which it touches the substrate, nm
-    rest_front: f64,
-    pieces: Pieces,
 }
 
 /// The chain of a profile under a line load.

@@ -128,7 +128,10 @@ pub(super) const ACCURACY: Accuracy = Accuracy::to(1e-6);
 pub(super) const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
 
 impl Runner<'_> {
-    pub fn peel(&self, model: impl Into<PeelModel>) -> Peel {
+    pub fn peel<'m, M>(&self, model: &'m M) -> Peel
+    where
+        PeelModel: From<&'m M>,
+    {
         let peel = peel(model, &ACCURACY, &BOUNDS);
         self.count();
         peel

@@ -28,7 +28,7 @@ fn spatula() -> PeelModel {
 }
 
 pub(super) fn figures(runner: &Runner<'_>, dir: &Path) -> Result<Vec<Figure>, ReportError> {
-    let peel = runner.peel(spatula());
+    let peel = runner.peel(&spatula());
     let numbered = numbered_points(&peel);
     Ok(vec![force(&peel, &numbered, dir)?, deformed(&peel, &numbered, dir)?])
 }

@@ -14,7 +14,7 @@ const fn key(table: &'static str, name: &'static str, need: Need, kind: Kind, ab
 }
 
 /// 180 degrees, as a user may round it.
-const HALF_TURN: f64 = 3.1416;
+const HALF_TURN: f64 = 1.0001 * std::f64::consts::PI;
 
 /// Every key that a scene may hold, in the order in which a scene is written.
 #[rustfmt::skip]

@@ -166,8 +166,11 @@ pub enum NoTest {
 /// turning point of U on the stable path the strip jumps at that U; where it comes to rest is found by [`crate::solve::relax()`].
 /// Errors: turning points as in [`super::peel()`]; ∫ P dU against the energies in [`Balance::error`], which is at most 1e-6 or
 /// the accuracy asked for, or the test fails.
-pub fn observed(model: impl Into<PeelModel>, accuracy: &Accuracy, bounds: &Bounds) -> Result<Observed, NoTest> {
-    let model = model.into();
+pub fn observed<'m, M>(model: &'m M, accuracy: &Accuracy, bounds: &Bounds) -> Result<Observed, NoTest>
+where
+    PeelModel: From<&'m M>,
+{
+    let model = PeelModel::from(model);
     if model.adhesion.line_load == LineLoad::ForceOnly {
         return Err(NoTest::NoPotential);
     }

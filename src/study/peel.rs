@@ -160,12 +160,18 @@ impl Peel {
 }
 
 /// Follows the peel from rest to its end. What went wrong on the way stands in [`Peel::end`].
-pub fn peel(model: impl Into<PeelModel>, accuracy: &Accuracy, bounds: &Bounds) -> Peel {
+pub fn peel<'m, M>(model: &'m M, accuracy: &Accuracy, bounds: &Bounds) -> Peel
+where
+    PeelModel: From<&'m M>,
+{
     super::peel_run::run(&model.into(), accuracy, bounds, &Keeping::NOTHING)
 }
 
 /// The same, with the points that an earlier run of the same model and accuracy has kept: bit for bit what [`peel`] finds, but
 /// for [`Peel::solve_s`]. Bounds may have changed; `bounds.time_s` begins anew.
-pub fn peel_on(model: impl Into<PeelModel>, accuracy: &Accuracy, bounds: &Bounds, keeping: &Keeping) -> Peel {
+pub fn peel_on<'m, M>(model: &'m M, accuracy: &Accuracy, bounds: &Bounds, keeping: &Keeping) -> Peel
+where
+    PeelModel: From<&'m M>,
+{
     super::peel_run::run(&model.into(), accuracy, bounds, keeping)
 }

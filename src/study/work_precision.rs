@@ -79,12 +79,11 @@ impl WorkPrecision {
 
 /// Measures a strip. `done` is told how many lines there are, once for each that is finished. An error says why the refined
 /// run failed.
-pub fn work_precision(
-    model: impl Into<PeelModel>,
-    bounds: &Bounds,
-    done: &dyn Fn(usize),
-) -> Result<WorkPrecision, String> {
-    let model = model.into();
+pub fn work_precision<'m, M>(model: &'m M, bounds: &Bounds, done: &dyn Fn(usize)) -> Result<WorkPrecision, String>
+where
+    PeelModel: From<&'m M>,
+{
+    let model = PeelModel::from(model);
     let truth = Truth::of(&model, bounds)?;
     let kinds = kinds();
     let mut lines = Vec::new();

@@ -216,7 +216,7 @@ fn tip_width(default: &PeelModel, force: f64) -> Result<f64, String> {
     let miss = |width: f64| {
         let Body::Spatula(spatula) = &default.body else { return Err("not a spatula".to_owned()) };
         let body = Body::Spatula(Spatula { tip_width: width, ..spatula.clone() });
-        let peel = peel(PeelModel { body, ..default.clone() }, &Accuracy::to(FINE), &BOUNDS);
+        let peel = peel(&PeelModel { body, ..default.clone() }, &Accuracy::to(FINE), &BOUNDS);
         peel.peak.map(|peak| peak.force - force).ok_or_else(|| format!("no peak at a width of {width} nm"))
     };
     let (mut before, mut here) = (200.0, 201.0);

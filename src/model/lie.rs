@@ -1,0 +1,76 @@
+//! How a beam lies on the substrate when it is free of stress, and what follows for its mesh.
+
+use super::Adhesion;
+use crate::beam::{Rest, RestCurve, Varying, VaryingRest};
+use crate::solve::{Focus, Fronts, Pieces};
+
+/// Where a beam is free of stress, where its front may be, and how its elements are shared out.
+pub(super) struct Lie {
+    pub rest: Rest,
+    pub fronts: Fronts,
+    /// S up to which it touches the substrate, nm
+    pub rest_front: f64,
+    pub pieces: Pieces,
+}
+
+/// Fronts for which a beam of varying outline is asked how fine its mesh has to be.
+const FRONTS_TRIED: usize = 32;
+/// Places at which it is looked at for contact, and how far in r0 that reaches.
+const LOOKED_AT: usize = 400;
+const REACH: f64 = 3.0;
+/// Weight of the focus of the mesh where it comes down again.
+const AGAIN: f64 = 0.5;
+
+impl Lie {
+    /// All along the substrate, with this gap.
+    pub fn flat(length: f64, gap: f64) -> Self {
+        Self {
+            rest: Rest::Curve(RestCurve::straight(0.0, gap, 0.0)),
+            fronts: Fronts::Even,
+            rest_front: length,
+            pieces: Pieces::whole(length),
+        }
+    }
+
+    /// As its outline says, with the free end at the gap of a flat section in equilibrium. `front` is the mesh's moving focus; to the
+    /// others are added those where the beam comes down again behind its front.
+    pub fn varying(beam: &Varying, adhesion: &Adhesion, front: Focus, fixed_foci: &mut Vec<Focus>) -> Self {
+        let length = beam.contour().length();
+        let end = beam.contour().at(0.0);
+        let law = adhesion.line_law(end.height[0]);
+        let rest = VaryingRest::new(beam.clone(), law.rest_gap());
+        let (rest_front, again) = contact(&rest, length, REACH * adhesion.equilibrium_distance);
+        fixed_foci.extend(again.into_iter().map(|center| Focus { center, weight: AGAIN, ..front }));
+        let meshes: Vec<Vec<Focus>> = (0..=FRONTS_TRIED)
+            .map(|k| {
+                let moved = Focus { center: rest_front * k as f64 / FRONTS_TRIED as f64, ..front };
+                std::iter::once(moved).chain(fixed_foci.iter().copied()).collect()
+            })
+            .collect();
+        let rest_adhesion = end.width * law.rest_energy();
+        let adheres = |place: f64| {
+            let outline = beam.contour().at(place);
+            outline.width * adhesion.line_law(outline.height[0]).rest_energy() / rest_adhesion
+        };
+        Self {
+            fronts: Fronts::new(length, adheres),
+            rest_front,
+            pieces: Pieces::cut(length, &beam.contour().breaks(), &meshes),
+            rest: Rest::Varying(Box::new(rest)),
+        }
+    }
+}
+
+/// S up to which a beam is `near` to the substrate, and the places behind at which it comes nearest again, if it does so.
+fn contact(rest: &VaryingRest, length: f64, near: f64) -> (f64, Vec<f64>) {
+    let place = |k: usize| length * k as f64 / LOOKED_AT as f64;
+    let distance = |place: f64| {
+        let [_, gap, rotation] = rest.at(place);
+        gap + 0.5 * rest.height(place) * (1.0 - rotation.cos().abs())
+    };
+    let distances: Vec<f64> = (0..=LOOKED_AT).map(|k| distance(place(k))).collect();
+    let lifted = distances.iter().position(|&distance| distance > near).unwrap_or(LOOKED_AT);
+    let comes_down =
+        |k: &usize| distances[*k] < near && distances[*k] < distances[k - 1] && distances[*k] <= distances[k + 1];
+    (place(lifted), (lifted + 1..LOOKED_AT).filter(comes_down).map(place).collect())
+}
