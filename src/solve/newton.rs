@@ -216,7 +216,7 @@ pub fn solve(
     Err(SolveError::NotConverged { update: previous, iterations: options.most_iterations })
 }
 
-/// Solves from a start that is no equilibrium: Newton's method with steps of at most [`WHOLE`], then [`solve`].
+/// Solves from a start that is no equilibrium: Newton's method with shortened steps, then [`solve`].
 pub fn settle(
     problem: &Problem,
     mut at: Equilibrium,
