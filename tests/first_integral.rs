@@ -10,8 +10,8 @@
 //! Parameters: the paper's strip, E = 2 GPa, h = 10 nm; L = 100 nm with EI × 1 and × 0.01, L = 100 nm held horizontally,
 //! L = 1000 nm; `relative` = 1e-11 or 1e-10: at a point of the path the first integral is asked for to 100 times that.
 //!
-//! Expected: constant to 1e-9 of w at every element end of every point of the path; on a long strip its value is that of the
-//! rest state, -bΨ(y_eq, 0), and the plateau's force the closed form's. Force-only has no potential: its work is not the
+//! Expected: constant to 1e-9 of w (2e-9 along a soft strip that closes again) at every element end of every point of the
+//! path; on a long strip its value is that of the rest state, -bΨ(y_eq, 0), and the plateau's force the closed form's. Force-only has no potential: its work is not the
 //! energy's change. Why: these are exact and need no other program.
 
 mod common;
