@@ -42,11 +42,10 @@ impl<T: Real> Compliance<T> {
 }
 
 impl<const HELD: bool> ReducedBeam<HELD> {
-    fn state(&self, place: f64, rotation: f64, vertical_force: f64, moment: f64, border: f64) -> SectionState {
+    fn state(station: &Station<f64>, rotation: f64, vertical_force: f64, moment: f64, border: f64) -> SectionState {
         let (sin, cos) = rotation.sin_cos();
         let h = if HELD { border } else { 0.0 };
-        let station: Station<f64> = self.profile.at(place);
-        let c = Compliance::of(&station, sin, cos);
+        let c = Compliance::of(station, sin, cos);
         let bend = moment / station.section.bending;
         let v = vertical_force;
         SectionState {
@@ -140,7 +139,7 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
         let c = Compliance::of(&station, sin, cos);
         let h = if HELD { border } else { 0.0 };
         let v = (gap_slope + station.rise - sin - h * c.mixed) / c.across;
-        self.state(place, rotation, v, station.section.bending * (turn - station.curvature), border)
+        Self::state(&station, rotation, v, station.section.bending * (turn - station.curvature), border)
     }
 
     fn section_state_from_forces(
@@ -150,6 +149,6 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
         [v, moment]: [f64; 2],
         border: f64,
     ) -> SectionState {
-        self.state(place, rotation, v, moment, border)
+        Self::state(&self.profile.at(place), rotation, v, moment, border)
     }
 }

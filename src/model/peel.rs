@@ -89,16 +89,7 @@ impl PeelModel {
     }
 
     /// How the body varies along its length, where it does.
-    fn contour(&self) -> Option<&dyn Contour> {
-        match &self.body {
-            Body::Strip(_) => None,
-            Body::Spatula(spatula) => Some(spatula),
-            Body::Profile(profile) => Some(&profile.table),
-        }
-    }
-
-    /// The same, shared.
-    fn shared_contour(&self) -> Option<Arc<dyn Contour>> {
+    fn contour(&self) -> Option<Arc<dyn Contour>> {
         match &self.body {
             Body::Strip(_) => None,
             Body::Spatula(spatula) => Some(Arc::new(spatula.clone())),
@@ -108,7 +99,7 @@ impl PeelModel {
 
     /// Where elements have to end, nm.
     pub fn breaks(&self) -> Vec<f64> {
-        self.contour().map(Contour::breaks).unwrap_or_default()
+        self.contour().map(|contour| contour.breaks()).unwrap_or_default()
     }
 
     /// What the body is made of.
@@ -137,13 +128,14 @@ impl PeelModel {
 
     /// Width (nm), height (nm) and roundness of the free end.
     fn free_section(&self) -> [f64; 3] {
-        match (&self.body, self.contour()) {
-            (_, Some(contour)) => {
-                let outline = contour.at(0.0);
-                [outline.width, outline.height[0], outline.roundness]
-            }
-            (Body::Strip(strip), None) => [strip.width, strip.height, 0.0],
-            (_, None) => [f64::NAN; 3],
+        let of = |contour: &dyn Contour| {
+            let outline = contour.at(0.0);
+            [outline.width, outline.height[0], outline.roundness]
+        };
+        match &self.body {
+            Body::Strip(strip) => [strip.width, strip.height, 0.0],
+            Body::Spatula(spatula) => of(spatula),
+            Body::Profile(profile) => of(&profile.table),
         }
     }
 
@@ -196,7 +188,7 @@ impl PeelModel {
         }
         let mut fixed_foci = self.fixed_foci(process_length);
         let rest_adhesion = width * law.rest_energy();
-        let (profile, lie) = match self.shared_contour() {
+        let (profile, lie) = match self.contour() {
             None => (beam::Profile::uniform(self.section(), width, height), Lie::flat(length, law.rest_gap())),
             Some(contour) => {
                 let beam = Varying::new(contour, self.material());

@@ -2,7 +2,8 @@
 
 use super::ReportError;
 use std::fs;
-use std::path::Path;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
 
 /// Writes a file beside its place and then renames it; makes the folder where it is missing.
 pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
@@ -16,6 +17,14 @@ pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
         let _ = fs::remove_file(&part);
         ReportError::Write { path: path.to_path_buf(), source }
     })
+}
+
+/// Removes a file, if it is there.
+pub(super) fn remove(path: PathBuf) -> Result<(), ReportError> {
+    match fs::remove_file(&path) {
+        Err(source) if source.kind() != ErrorKind::NotFound => Err(ReportError::Write { path, source }),
+        _ => Ok(()),
+    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //! them, and the next run of the same sweep takes them up.
 
 use super::ReportError;
-use super::file::write_whole;
+use super::file::{remove, write_whole};
 use super::summary::Parameters;
 use crate::scene::{Key, Scene};
 use crate::study::{Found, SweepRow};
@@ -75,11 +75,7 @@ impl PartialSweep {
 
     /// Removes the file in `dir`, if there is one.
     pub fn discard(dir: &Path) -> Result<(), ReportError> {
-        let path = dir.join(Self::NAME);
-        match fs::remove_file(&path) {
-            Err(source) if source.kind() != ErrorKind::NotFound => Err(ReportError::Write { path, source }),
-            _ => Ok(()),
-        }
+        remove(dir.join(Self::NAME))
     }
 
     /// What an earlier run found at this value.

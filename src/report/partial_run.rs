@@ -2,6 +2,7 @@
 //! but the last of them, and the next run of the same scene takes them up.
 
 use super::ReportError;
+use super::file::remove;
 use super::summary::Parameters;
 use crate::scene::Scene;
 use crate::solve::{PathOptions, Waypoint};
@@ -97,11 +98,7 @@ impl PartialRun {
 
     /// Removes the file in `dir`, if there is one.
     pub fn discard(dir: &Path) -> Result<(), ReportError> {
-        let path = dir.join(Self::NAME);
-        match fs::remove_file(&path) {
-            Err(source) if source.kind() != ErrorKind::NotFound => Err(ReportError::Write { path, source }),
-            _ => Ok(()),
-        }
+        remove(dir.join(Self::NAME))
     }
 
     /// How many points an earlier run has kept.

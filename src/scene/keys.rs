@@ -92,36 +92,26 @@ pub(crate) fn set_body(scene: &mut Scene, table: &str) {
     }
 }
 
-fn strip(scene: &mut Scene) -> &mut Strip {
-    if !matches!(scene.model.body, Body::Strip(_)) {
-        scene.model.body = Body::Strip(Strip::UNKNOWN);
-    }
-    match &mut scene.model.body {
-        Body::Strip(strip) => strip,
-        _ => unreachable!("the body has just been made a strip"),
-    }
+/// The body of one kind, which the scene is given where it has another.
+macro_rules! body {
+    ($name:ident, $kind:ident, $new:expr) => {
+        fn $name(scene: &mut Scene) -> &mut $kind {
+            if !matches!(scene.model.body, Body::$kind(_)) {
+                scene.model.body = Body::$kind($new);
+            }
+            match &mut scene.model.body {
+                Body::$kind(body) => body,
+                _ => unreachable!("the body has just been set"),
+            }
+        }
+    };
 }
-
-fn spatula(scene: &mut Scene) -> &mut Spatula {
-    if !matches!(scene.model.body, Body::Spatula(_)) {
-        scene.model.body = Body::Spatula(Spatula::default());
-    }
-    match &mut scene.model.body {
-        Body::Spatula(spatula) => spatula,
-        _ => unreachable!("the body has just been made a spatula"),
-    }
-}
-
-fn profile(scene: &mut Scene) -> &mut Profile {
-    if !matches!(scene.model.body, Body::Profile(_)) {
-        let material = Material { youngs_modulus: f64::NAN, ..Spatula::default().material };
-        scene.model.body = Body::Profile(Profile { table: ProfileTable::default(), material });
-    }
-    match &mut scene.model.body {
-        Body::Profile(profile) => profile,
-        _ => unreachable!("the body has just been made a profile"),
-    }
-}
+body!(strip, Strip, Strip::UNKNOWN);
+body!(spatula, Spatula, Spatula::default());
+body!(profile, Profile, {
+    let material = Material { youngs_modulus: f64::NAN, ..Spatula::default().material };
+    Profile { table: ProfileTable::default(), material }
+});
 
 /// The tables of a scene.
 pub(crate) fn tables() -> Vec<&'static str> {

@@ -17,16 +17,17 @@ const PANELS: usize = 256;
 impl Fronts {
     /// From what adheres at each place of a chain when it lies on the substrate, over what adheres at its left end.
     pub fn new(length: f64, adheres: impl Fn(f64) -> f64) -> Self {
-        let step = length / PANELS as f64;
-        let mut front = 0.0;
-        let table = (0..=PANELS).map(|k| {
-            let place = k as f64 * step;
-            let (here, middle, next) = (adheres(place), adheres(place + 0.5 * step), adheres(place + step));
-            let known = (front, place, 1.0 / here);
-            front += step / 6.0 * (here + 4.0 * middle + next);
-            known
-        });
-        Self::Table(table.collect())
+        let place = |k: usize| length * k as f64 / PANELS as f64;
+        let (mut front, mut here) = (0.0, adheres(0.0));
+        let mut table = vec![(front, 0.0, 1.0 / here)];
+        for k in 1..=PANELS {
+            let (from, to) = (place(k - 1), place(k));
+            let (middle, next) = (adheres(0.5 * (from + to)), adheres(to));
+            front += (to - from) / 6.0 * (here + 4.0 * middle + next);
+            table.push((front, to, 1.0 / next));
+            here = next;
+        }
+        Self::Table(table)
     }
 
     /// S of a front, nm; an end of the chain for a front beyond it.
