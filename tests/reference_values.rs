@@ -13,15 +13,15 @@
 //! Parameters: a row of the tables each: length, height, width, E, ν, A_H, r0, shear correction, EI factor, load, grip.
 //!
 //! Expected: every filled value to the relative accuracy asked for, at 1e-6 (the default) and at 1e-9, plus half of the last
-//! digit printed; every error bound no smaller than the true error, as far as the printed digits tell it. Rows that are
-//! known not to be met are in [`EXCEPTIONS`], each with what is reached. Why: this is what the program is for.
+//! digit printed; every error bound no smaller than the true error, as far as the printed digits tell it; no path that stops
+//! short. Rows that are known not to be met are in [`EXCEPTIONS`], each with what is reached. Why: this is what the program is for.
 
 mod common;
 
 use common::{paper_strip, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
-use peelkit::study::{Accuracy, Bounds, Effort, Peel, Turn, peel};
+use peelkit::study::{Accuracy, Bounds, Effort, End, Peel, Turn, peel};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::str::FromStr;
@@ -45,8 +45,8 @@ struct Exception {
 /// hence the factor of about 2. Where the accuracy is missed the program's own bound says so.
 #[rustfmt::skip]
 const EXCEPTIONS: &[Exception] = &[
-    // nearly singular, the free end turns over at the snap-off: at 1e-6 the path ends `failed` there, at 1e-9 the snap-off is
-    // not met
+    // nearly singular, the free end turns over at the snap-off: round-off, which grows with the elements, makes 1.1e-11 nN on
+    // 24, and where it is larger the path goes past the snap-off to the upright position
     Exception { asked: 1e-6, row: (100.0, 1e-4, "axis-gap", true), column: "lp1_displacement_nm", allowed: f64::INFINITY, bounds: 2.0 },
     Exception { asked: 1e-6, row: (100.0, 1e-4, "axis-gap", true), column: "lp1_force_nN", allowed: f64::INFINITY, bounds: 2.0 },
     Exception { asked: 1e-9, row: (100.0, 1e-4, "axis-gap", true), column: "lp1_displacement_nm", allowed: f64::INFINITY, bounds: 1.0 },
@@ -59,6 +59,9 @@ const EXCEPTIONS: &[Exception] = &[
     Exception { asked: 1e-9, row: (200.0, 0.1, "full", false), column: "lp1_displacement_nm", allowed: 3e-9, bounds: 1.0 },
     // 6e-9 to 2.8e-8, held sideways: round-off, of a force of 0.0025 nN where the path's largest is 0.5 nN
     Exception { asked: 1e-9, row: (100.0, 100.0, "full", true), column: "lp2_force_nN", allowed: 6e-8, bounds: 1.0 },
+    // up to 2e-9, round-off: it scatters with the last bit of the length, the more the stiffer the strip
+    Exception { asked: 1e-9, row: (100.0, 1e4, "full", true), column: "peak_displacement_nm", allowed: 4e-9, bounds: 1.0 },
+    Exception { asked: 1e-9, row: (100.0, 1e4, "full", true), column: "peak_end_rotation_rad", allowed: 4e-9, bounds: 1.0 },
     // 6.7e-9, of a force of 1.4e-5 nN
     Exception { asked: 1e-9, row: (3000.0, 1.0, "full", true), column: "lp2_force_nN", allowed: 1.3e-8, bounds: 1.0 },
 ];
@@ -158,6 +161,9 @@ fn compare(row: &Row, relative: f64) -> Compared {
         (model.strip.length, model.strip.bending_stiffness_factor, row["line_load"].as_str(), model.adhesion.far_face);
     let mut wrong = Vec::new();
     let mut compared = 0;
+    if let End::Failed(reason) = &peel.end {
+        wrong.push(format!("the path stopped short: {reason}"));
+    }
     for (column, value) in computed(&peel) {
         let Some(text) = row.get(column).filter(|text| !text.is_empty()) else { continue };
         compared += 1;

@@ -1,6 +1,6 @@
 //! Which steps of a path hold turning points.
 
-use super::limit::{ROUGH, Turn, reach, solve_on};
+use super::limit::{ROUGH, Turn, reach, slope_at, solve_on};
 use super::stretch::{Hermite, Stretch};
 use super::{Problem, Solution, SolveError, Workspace};
 use std::sync::Arc;
@@ -58,7 +58,8 @@ fn turned_load(
         return Ok(None);
     }
     let between = solve_on(problem, stretch, extreme, ROUGH, work)?;
-    Ok(((pick(&between.slope) < 0.0) != (first < 0.0)).then_some(extreme))
+    let slope = slope_at(problem, stretch, &between, Turn::Load, work)?;
+    Ok(((slope < 0.0) != (first < 0.0)).then_some(extreme))
 }
 
 /// A label at which the displacement goes the other way than at both ends of the step. Two limit points that have just been

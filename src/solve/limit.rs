@@ -144,6 +144,19 @@ pub fn reach(
     Err(trouble)
 }
 
+/// Slope of a quantity at a solution on a stretch, per unit of its label: at the solution itself.
+pub(super) fn slope_at(
+    problem: &Problem,
+    stretch: &Stretch,
+    solution: &Solution,
+    turn: Turn,
+    work: &mut Workspace,
+) -> Result<f64, SolveError> {
+    let condition = Condition { weights: stretch.weights, target: stretch.weights.dot(&solution.observables) };
+    let (displacement, force) = slopes(problem, &solution.at, &condition, work)?;
+    Ok(turn.pick()(&Observables { displacement, force, ..Observables::default() }))
+}
+
 /// Locates the turning point of `turn` between the labels `from` and `to`, at which its slope differs in sign.
 ///
 /// First on meshes that follow the front, by chords of the slope; once near, on one mesh, on which the path is smooth to
@@ -170,13 +183,10 @@ pub fn locate(
         let solution = reach(problem, &mut stretch, nearer, guess, ROUGH, work)?;
         iterations += solution.iterations;
         let label = stretch.label(&solution.observables);
-        let slope = if relative.is_some() {
+        let slope = match relative {
             // Newton's last slope is one update back: where the force is flat that is too far
-            let condition = Condition { weights: stretch.weights, target: stretch.target(label) };
-            let (displacement, force) = slopes(problem, &solution.at, &condition, work)?;
-            turn.pick()(&Observables { displacement, force, ..Observables::default() })
-        } else {
-            turn.pick()(&solution.slope)
+            Some(_) => slope_at(problem, &stretch, &solution, turn, work)?,
+            None => turn.pick()(&solution.slope),
         };
         if (slope < 0.0) == rising {
             low = (label, slope);

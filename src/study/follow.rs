@@ -3,6 +3,7 @@
 use super::End;
 use super::fill::fill_in;
 use super::keeping::Limits;
+use super::level::sharpen;
 use crate::beam::Rest;
 use crate::solve::{
     Condition, Located, NewtonOptions, Observables, Path, PathError, PathOptions, Problem, ROUGH, Solution, SolveError,
@@ -166,7 +167,7 @@ pub(super) fn follow(problem: &Problem, options: PathOptions, far: f64, relative
         let mut work = followed.workspace();
         let (tolerance, most) = (options.tolerance.min(ROUGH), limits.bounds.points);
         let (iterations, jump) = fill_in(problem, &mut followed.points, relative, tolerance, most, &mut work);
-        followed.iterations += iterations;
+        followed.iterations += iterations + sharpen(problem, &mut followed.points, tolerance, &mut work);
         followed.trouble = jump
             .map(|after| Trouble::Jumped { after, displacement_nm: followed.points[after].observables.displacement });
     }

@@ -8,6 +8,7 @@ mod follow;
 mod follow_point;
 mod followed;
 mod keeping;
+mod level;
 mod observed;
 mod observed_jump;
 mod observed_leg;
