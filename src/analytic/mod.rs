@@ -2,4 +2,4 @@
 mod column;
 mod peeling;
 pub use column::{buckling_load, propped_buckling_load};
-pub use peeling::{kendall_force, steady_force};
+pub use peeling::{kendall_force, sliding_force, steady_force};

@@ -17,6 +17,17 @@ pub fn steady_force(rest_adhesion: f64, axial_stiffness: f64) -> f64 {
     quadratic_root(1.0 / (2.0 * axial_stiffness), 1.0, -rest_adhesion)
 }
 
+/// The force of a long strip that peels steadily under a pull at the angle α to a substrate without friction, nN:
+/// P (1 - cos α) + P² sin² α/(2EA) = -bΨ(y_eq, 0).
+///
+/// It is Kendall's with P² sin² α in place of P²: what adheres is not stuck, it carries H = P cos α as well and is stretched by that before
+/// it peels. From the first integral, which is P + P²/(2EA) where the strip hangs free and H + H²/(2EA) - bΨ(y_eq, 0) where it
+/// adheres. `angle` α in rad, the others as in [`steady_force`], which it is at 90 degrees.
+pub fn sliding_force(rest_adhesion: f64, axial_stiffness: f64, angle: f64) -> f64 {
+    let (lift, across) = (2.0 * (0.5 * angle).sin().powi(2), angle.sin());
+    quadratic_root(across * across / (2.0 * axial_stiffness), lift, -rest_adhesion)
+}
+
 /// The positive root of a x² + b x = c for a, c > 0 and b >= 0, without cancellation.
 fn quadratic_root(a: f64, b: f64, c: f64) -> f64 {
     2.0 * c / (b + (b * b + 4.0 * a * c).sqrt())
@@ -38,6 +49,19 @@ mod tests {
         }
         assert_relative_eq!(kendall_force(w, e, h, b, 0.0), b * (2.0 * e * h * w).sqrt(), max_relative = 1e-13);
         assert_relative_eq!(kendall_force(w, 1e12, h, b, PI), 0.5 * w * b, max_relative = 1e-9);
+    }
+
+    #[test]
+    fn sliding_force_is_the_steady_one_at_90_degrees_and_kendalls_where_nothing_stretches() {
+        assert_relative_eq!(sliding_force(-0.03, 20.0, FRAC_PI_2), steady_force(-0.03, 20.0), max_relative = 1e-14);
+        for angle in [0.2, 1.0, 2.0, PI] {
+            let stiff = kendall_force(0.03, 1e13, 1.0, 1.0, angle);
+            assert_relative_eq!(sliding_force(-0.03, 1e13, angle), stiff, max_relative = 1e-9);
+            let p = sliding_force(-0.03, 20.0, angle);
+            let hanging = p + p * p / 40.0;
+            let (h, w) = (p * angle.cos(), 0.03);
+            assert_relative_eq!(hanging, h + h * h / 40.0 + w, max_relative = 1e-13);
+        }
     }
 
     #[test]

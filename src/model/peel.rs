@@ -5,7 +5,8 @@ use super::lie::Lie;
 use super::{Profile, Spatula, Strip};
 use crate::adhesion::{HalfSpace, LineLaw, LineLoad};
 use crate::beam::{self, Contour, Material, ReducedBeam, ReissnerBeam, Section, Varying};
-use crate::solve::{Chain, Focus, MOST_FIELDS, Mesh, Problem};
+use crate::solve::{Chain, Direction, Focus, MOST_FIELDS, Mesh, Problem};
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 /// The adhesion between the beam and the half space.
@@ -42,14 +43,41 @@ pub enum Hold {
     Fixed,
 }
 
-/// The grip at S = L. Its vertical displacement is what is driven.
+/// The grip at S = L.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grip {
     pub rotation: Hold,
+    /// Across the pull: free, so that the force points along the pull, or held, so that the grip moves along the pull. Where that is
+    /// straight up, across it is horizontal.
     pub horizontal: Hold,
     /// k of a spring between the grip and the machine that moves it, nN/nm; none: the machine moves the grip itself
     pub stiffness: Option<f64>,
 }
+
+/// How the grip is moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pull {
+    /// α, of the pull to the substrate, rad: 0 along the substrate, away from the body; π/2 straight up; π backwards, over the body.
+    /// The free end stays at x = 0, where it is held as far as the pull has a horizontal part.
+    pub angle: f64,
+}
+
+impl Pull {
+    /// Straight up.
+    pub const UP: Self = Self { angle: FRAC_PI_2 };
+
+    /// Its direction; straight up is that exactly.
+    pub fn direction(self) -> Direction {
+        if (self.angle - FRAC_PI_2).abs() < ROUNDED {
+            return Direction::UP;
+        }
+        let (up, along) = self.angle.sin_cos();
+        Direction { along, up }
+    }
+}
+
+/// An angle that differs from a right one by less, rad, is that, rounded.
+const ROUNDED: f64 = 1e-12;
 
 /// What is peeled. It begins at S = 0 with its free end.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,12 +87,13 @@ pub enum Body {
     Profile(Profile),
 }
 
-/// A body, its adhesion and its grip.
+/// A body, its adhesion, its grip and how that is moved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeelModel {
     pub body: Body,
     pub adhesion: Adhesion,
     pub grip: Grip,
+    pub pull: Pull,
 }
 
 /// Which unknowns a node has.
@@ -86,6 +115,11 @@ impl PeelModel {
     /// The strip, where it is one.
     pub fn strip(&self) -> Option<&Strip> {
         if let Body::Strip(strip) = &self.body { Some(strip) } else { None }
+    }
+
+    /// Whether its sections carry a horizontal force: with a grip that is held across a pull straight up, or another pull.
+    pub fn has_horizontal_force(&self) -> bool {
+        self.grip.horizontal == Hold::Fixed || self.pull.direction() != Direction::UP
     }
 
     /// How the body varies along its length, where it does.
@@ -177,15 +211,12 @@ impl PeelModel {
         let (law, length) = (self.line_law(), self.length());
         let r0 = self.adhesion.equilibrium_distance;
         let lead = usize::from(form == Form::ThreeField);
-        let sliding_held = self.grip.horizontal == Hold::Fixed;
         let process_length = 0.7 * self.process_length();
-        let mut held = [false; MOST_FIELDS];
+        let mut held = [false; MOST_FIELDS + 1];
         let mut scale = [r0; MOST_FIELDS];
         held[lead + 1] = self.grip.rotation == Hold::Fixed;
         scale[lead + 1] = (r0 / process_length).min(1.0);
-        if form == Form::ThreeField {
-            held[0] = sliding_held;
-        }
+        held[if form == Form::ThreeField { 0 } else { MOST_FIELDS }] = self.grip.horizontal == Hold::Fixed;
         let mut fixed_foci = self.fixed_foci(process_length);
         let rest_adhesion = width * law.rest_energy();
         let (profile, lie) = match self.contour() {
@@ -198,11 +229,12 @@ impl PeelModel {
             }
         };
         Problem {
-            chain: chain(profile, law, form, sliding_held, order),
+            chain: chain(profile, law, form, self.has_horizontal_force(), order),
             length,
             rest: lie.rest,
             rest_gap: law.rest_gap(),
             driven: lead,
+            direction: self.pull.direction(),
             rotation: lead + 1,
             held,
             compliance: 0.0,
@@ -234,12 +266,12 @@ impl PeelModel {
     }
 }
 
-/// The chain of a profile under a line load.
-fn chain(profile: beam::Profile, law: LineLaw, form: Form, sliding_held: bool, order: usize) -> Box<dyn Chain> {
-    match (form, sliding_held) {
+/// The chain of a profile under a line load, with a horizontal section force or without.
+fn chain(profile: beam::Profile, law: LineLaw, form: Form, pulled_along: bool, order: usize) -> Box<dyn Chain> {
+    match (form, pulled_along) {
         (Form::TwoField, false) => two_field(ReducedBeam::<false> { profile, law }, order),
         (Form::TwoField, true) => two_field(ReducedBeam::<true> { profile, law }, order),
-        // held at x(0) = 0, which with a sliding grip carries no force
+        // held at x(0) = 0, which without a horizontal section force carries none
         (Form::ThreeField, _) => three_field(ReissnerBeam { profile, law }, order, [Some(0.0), None, None]),
     }
 }

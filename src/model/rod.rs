@@ -3,7 +3,7 @@
 use super::Hold;
 use super::chain::three_field;
 use crate::beam::{ReissnerRod, Rest, RestCurve, Section};
-use crate::solve::{Fronts, MOST_FIELDS, Mesh, Pieces, Problem};
+use crate::solve::{Direction, Fronts, MOST_FIELDS, Mesh, Pieces, Problem};
 
 /// What an end of a rod does with each of its unknowns: `Fixed` at the value of the rest curve, or `Free`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,7 +83,11 @@ impl RodModel {
             driven,
             rotation: 2,
             rest_gap: start[1],
-            held: self.right.held(),
+            direction: Direction::UP,
+            held: {
+                let [x, y, rotation] = self.right.held();
+                [x, y, rotation, false]
+            },
             compliance: 0.0,
             scale: std::array::from_fn::<_, MOST_FIELDS, _>(|f| if f == 2 { 1.0 } else { length }),
             force_scale: if self.drive == Drive::Rotation { moment } else { moment / length },

@@ -1,6 +1,6 @@
 //! A uniform strip of rectangular section.
 
-use super::{Adhesion, Body, Form, Grip, Hold, PeelModel};
+use super::{Adhesion, Body, Form, Grip, Hold, PeelModel, Pull};
 use crate::adhesion::{LineLaw, LineLoad};
 use crate::beam::{Material, Section};
 use crate::solve::Problem;
@@ -34,12 +34,13 @@ impl Strip {
     }
 }
 
-/// A strip, its adhesion and its grip: the [`PeelModel`] of Section 4 of the paper, with its parts at hand.
+/// A strip, its adhesion, its grip and how that is moved: the [`PeelModel`] of Section 4 of the paper, with its parts at hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StripModel {
     pub strip: Strip,
     pub adhesion: Adhesion,
     pub grip: Grip,
+    pub pull: Pull,
 }
 
 impl StripModel {
@@ -62,6 +63,7 @@ impl StripModel {
                 far_face: true,
             },
             grip: Grip { rotation: Hold::Free, horizontal: Hold::Free, stiffness: None },
+            pull: Pull::UP,
         }
     }
 
@@ -93,7 +95,7 @@ impl StripModel {
 
 impl From<&StripModel> for PeelModel {
     fn from(model: &StripModel) -> Self {
-        Self { body: Body::Strip(model.strip), adhesion: model.adhesion, grip: model.grip }
+        Self { body: Body::Strip(model.strip), adhesion: model.adhesion, grip: model.grip, pull: model.pull }
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::chart::{Picture, save};
 use super::{
-    ReportError, figure_beam, figure_levels, figure_points, figure_round_off, figure_spatula, figure_speed,
-    figure_stiffness, figure_strip, figure_verification, figure_work, write_whole,
+    ReportError, figure_beam, figure_levels, figure_points, figure_pull, figure_round_off, figure_spatula,
+    figure_speed, figure_stiffness, figure_strip, figure_verification, figure_work, write_whole,
 };
 use crate::model::{PeelModel, StripModel};
 use crate::study::{Accuracy, Bounds, Peel, SweepCase, SweepRow, peel, sweep};
@@ -26,12 +26,14 @@ pub fn holds_figures(dir: &Path) -> bool {
 pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Vec<PathBuf>, ReportError> {
     let total = figure_strip::PEELS
         + figure_spatula::PEELS
+        + figure_pull::PEELS
         + figure_stiffness::PEELS
         + figure_work::PEELS
         + figure_speed::PEELS;
     let runner = Runner { done: AtomicUsize::new(0), total, progress };
     let mut figures = figure_strip::figures(&runner, dir)?;
     figures.extend(figure_spatula::figures(&runner, dir)?);
+    figures.push(figure_pull::figure(&runner, dir)?);
     let stiffness = figure_stiffness::Sweeps::compute(&runner);
     figures.extend(figure_stiffness::figures(&stiffness, dir)?);
     figures.push(figure_points::figure(&stiffness, dir)?);
@@ -137,10 +139,10 @@ impl Runner<'_> {
         peel
     }
 
-    pub fn sweep(&self, cases: &[(f64, StripModel)]) -> Vec<SweepRow> {
-        let case = |&(value, model): &(f64, StripModel)| SweepCase {
-            value,
-            model: model.into(),
+    pub fn sweep<M: Clone + Into<PeelModel>>(&self, cases: &[(f64, M)]) -> Vec<SweepRow> {
+        let case = |(value, model): &(f64, M)| SweepCase {
+            value: *value,
+            model: model.clone().into(),
             accuracy: ACCURACY,
             bounds: BOUNDS,
         };

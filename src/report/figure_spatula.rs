@@ -6,7 +6,7 @@ use super::figure::{Figure, Runner};
 use super::figure_strip::{curve_table, shape_table};
 use super::picture_peel::{curve, numbered_points, shapes};
 use crate::adhesion::LineLoad;
-use crate::model::{Adhesion, Body, Grip, Hold, PeelModel, Spatula};
+use crate::model::{Adhesion, Body, Grip, Hold, PeelModel, Pull, Spatula};
 use crate::study::Peel;
 use std::path::Path;
 
@@ -14,7 +14,7 @@ use std::path::Path;
 pub(super) const PEELS: usize = 1;
 
 /// The spatula of scenes/spatula.toml.
-fn spatula() -> PeelModel {
+pub(super) fn spatula() -> PeelModel {
     PeelModel {
         body: Body::Spatula(Spatula::default()),
         adhesion: Adhesion {
@@ -24,6 +24,7 @@ fn spatula() -> PeelModel {
             far_face: true,
         },
         grip: Grip { rotation: Hold::Fixed, horizontal: Hold::Free, stiffness: None },
+        pull: Pull::UP,
     }
 }
 

@@ -7,6 +7,7 @@ mod figure;
 mod figure_beam;
 mod figure_levels;
 mod figure_points;
+mod figure_pull;
 mod figure_round_off;
 mod figure_spatula;
 mod figure_speed;

@@ -3,12 +3,15 @@
 use super::ReportError;
 use super::chart::{Axis, Dash, Frame, Line, Mark, Panel, Picture, Stroke, WIDTH, colour, save};
 use crate::analytic::kendall_force;
+use crate::scene::find_key;
 use crate::study::SweepRow;
-use std::f64::consts::FRAC_PI_2;
 use std::path::{Path, PathBuf};
 
 /// The key that Fig. 10 of the paper varies.
 pub(super) const STIFFNESS: &str = "strip.bending_stiffness_factor";
+
+/// The angle of the pull.
+const ANGLE: &str = "drive.angle";
 
 pub(super) const FORCE: &str = "force per width P/b (nN/nm)";
 pub(super) const WORK: &str = "work to snap-off W/b (aJ/nm)";
@@ -17,7 +20,7 @@ pub(super) const STIFFNESS_LABEL: &str = "EI / EI₀";
 /// Draws `sweep.svg` and `sweep.png` into `dir`: peak force, plateau and the work up to the snap-off, of strips each per width,
 /// against the values of `key`, on a logarithmic axis where `log` is set.
 ///
-/// Where the bending stiffness is varied Kendall's force is drawn too.
+/// Where the bending stiffness or the angle of the pull is varied Kendall's force is drawn too.
 pub fn draw_sweep(
     rows: &[SweepRow],
     key: &str,
@@ -40,15 +43,18 @@ fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Pictur
     let stiffness = key == STIFFNESS;
     let strips = rows.iter().all(|row| row.model.strip().is_some());
     let labels = if strips { (FORCE, WORK) } else { ("force P (nN)", "work to snap-off W (aJ)") };
-    let x = Axis::around(if stiffness { STIFFNESS_LABEL } else { key }, rows.iter().map(|r| r.value), log);
+    let label = match find_key(key).map_or("", |key| key.unit()) {
+        _ if stiffness => STIFFNESS_LABEL.to_owned(),
+        "" => key.to_owned(),
+        unit => format!("{key} ({unit})"),
+    };
+    let x = Axis::around(&label, rows.iter().map(|r| r.value), log);
     let mut lines =
         series(rows, |r| Some(per_width(r, r.found.peak?.force)), Stroke::solid(colour::BLUE, 2.0), "peak force");
     let dashed = Stroke::dashed(colour::VERMILLION, 2.0);
     lines.extend(series(rows, plateau_per_width, dashed, "plateau"));
-    if let (true, Some(row)) = (stiffness, rows.first()) {
-        let force = kendall_per_width(row);
-        let points = vec![(x.from, force), (x.to, force)];
-        lines.push(Line { points, stroke: Stroke::dotted(colour::GREY, 2.0), name: Some("Kendall".into()) });
+    if strips && (stiffness || key == ANGLE) {
+        lines.extend(series(rows, |r| Some(kendall_per_width(r)), Stroke::dotted(colour::GREY, 2.0), "Kendall"));
     }
     let forces = panel(Frame { left, top: 40.0, right, bottom: 330.0 }, &x, labels.0, lines);
     let mut work = series(rows, work_per_width, Stroke::solid(colour::GREEN, 2.0), "");
@@ -82,11 +88,11 @@ pub(super) fn plateau_per_width(row: &SweepRow) -> Option<f64> {
     (!tilts).then(|| per_width(row, plateau.force))
 }
 
-/// Kendall's force per width at 90 degrees, nN/nm, with the work of adhesion that the strip has at rest.
+/// Kendall's force per width at the angle of the pull, nN/nm, with the work of adhesion that the strip has at rest.
 pub(super) fn kendall_per_width(row: &SweepRow) -> f64 {
     let work = -row.model.line_law().rest_energy();
     let (width, height) = row.model.free_end();
-    per_width(row, kendall_force(work, row.model.material().youngs_modulus, height, width, FRAC_PI_2))
+    per_width(row, kendall_force(work, row.model.material().youngs_modulus, height, width, row.model.pull.angle))
 }
 
 /// A panel around its lines, its y axis logarithmic where the values span about a decade.

@@ -17,7 +17,7 @@ pub use keys::{BODIES, KEYS, body_of, find_key};
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 
 use crate::adhesion::LineLoad;
-use crate::model::{Adhesion, Body, Grip, Hold, PeelModel, Strip};
+use crate::model::{Adhesion, Body, Grip, Hold, PeelModel, Pull, Strip};
 use crate::study::{Accuracy, Bounds};
 use std::path::Path;
 
@@ -28,7 +28,7 @@ pub struct Scene {
     pub name: String,
     /// What it is called; the stem of `name` where the text gives no title.
     pub title: String,
-    /// The body, its adhesion and its grip.
+    /// The body, its adhesion, its grip and how that is moved.
     pub model: PeelModel,
     /// What the user asks of the numbers.
     pub accuracy: Accuracy,
@@ -67,15 +67,28 @@ impl Scene {
 
     /// Whether values fit one another that are right by themselves: the key that does not, and why.
     pub fn check(&self) -> Result<(), (&'static Key, Problem)> {
-        let Body::Spatula(spatula) = &self.model.body else { return Ok(()) };
-        let problem = |name: &str, found: String, remedy: &str| {
-            let key = KEYS.iter().find(|key| key.table == "spatula" && key.name == name);
+        let problem = |path: &str, found: String, remedy: &str| {
+            let key = KEYS.iter().find(|key| key.path() == path);
             key.map_or(Ok(()), |key| Err((key, Problem::new(found, remedy))))
+        };
+        let spatula = match &self.model.body {
+            Body::Spatula(spatula) => spatula,
+            Body::Strip(_) if self.model.pull.direction().up.abs() < 1e-9 => {
+                return problem(
+                    "drive.angle",
+                    format!(
+                        "is {} degrees, along the strip, which that only stretches or presses",
+                        self.model.pull.angle.to_degrees()
+                    ),
+                    "Pull at an angle between, above 0 and below 180 degrees: `angle = \"60 deg\"`.",
+                );
+            }
+            _ => return Ok(()),
         };
         let (rounding, pad) = (spatula.tip_rounding_length, spatula.pad_length);
         if rounding > pad {
             return problem(
-                "tip_rounding_length",
+                "spatula.tip_rounding_length",
                 format!("is {rounding} nm, more than the pad is long ({pad} nm)"),
                 "Round no more than the pad: `tip_rounding_length` at most `pad_length`.",
             );
@@ -83,7 +96,7 @@ impl Scene {
         let (width, tip) = (spatula.tip_rounding_width, spatula.tip_width);
         if rounding > 0.0 && width > tip {
             return problem(
-                "tip_rounding_width",
+                "spatula.tip_rounding_width",
                 format!("is {width} nm, more than the tip is wide ({tip} nm)"),
                 "A rounded tip is narrower at its end: `tip_rounding_width` at most `tip_width`.",
             );
@@ -91,7 +104,7 @@ impl Scene {
         let (bend, behind) = (spatula.bend_length, spatula.neck_length + spatula.shaft_length);
         if bend > behind {
             return problem(
-                "bend_length",
+                "spatula.bend_length",
                 format!("is {bend} nm, more than neck and shaft are long ({behind} nm)"),
                 "Let the bend end on the shaft: `bend_length` at most `neck_length` and `shaft_length` together.",
             );
@@ -112,7 +125,7 @@ impl Scene {
         Self {
             name: name.to_owned(),
             title,
-            model: PeelModel { body: Body::Strip(Strip::UNKNOWN), adhesion, grip },
+            model: PeelModel { body: Body::Strip(Strip::UNKNOWN), adhesion, grip, pull: Pull::UP },
             accuracy: Accuracy::to(1e-6),
             bounds: Bounds { points: 20_000, time_s: Some(60.0), displacement: None },
         }

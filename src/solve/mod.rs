@@ -6,6 +6,7 @@ mod control;
 mod error;
 mod fold;
 mod fronts;
+mod grip;
 mod limit;
 mod mesh;
 mod newton;
@@ -22,6 +23,7 @@ pub use control::controlled;
 pub use error::SolveError;
 pub use fold::{Fold, FoldSearch};
 pub use fronts::Fronts;
+pub use grip::Direction;
 pub use limit::{
     Located, ROUGH, Turn, difference_on_more_elements, locate, on_more_elements, reach, solve_on, unlocated,
 };

@@ -1,8 +1,8 @@
 //! Newton's method for one equilibrium under one condition that picks it from the path.
 
-use super::{Equilibrium, PathRow, Problem, ROOT, Root, SolveError, Workspace};
+use super::grip::GripBlock;
+use super::{Equilibrium, PathRow, Problem, SolveError, Workspace};
 use crate::beam::ElementEnergy;
-use nalgebra::{SMatrix, SVector};
 use serde::{Deserialize, Serialize};
 
 /// The numbers that tell where on the path an equilibrium lies.
@@ -120,6 +120,7 @@ const LAST: f64 = 1e-5;
 pub struct Tangent {
     pub state: Vec<f64>,
     pub border: f64,
+    pub slide: f64,
     pub force: f64,
 }
 
@@ -131,6 +132,7 @@ impl Solution {
             *s += ahead * t;
         }
         at.border += ahead * self.tangent.border;
+        at.slide += ahead * self.tangent.slide;
         at.force += ahead * self.tangent.force;
         at
     }
@@ -158,7 +160,7 @@ pub fn solve(
         let observed = observables(problem, &at, root.energy);
         let grip = GripBlock::new(problem, &root, &at, condition, &observed);
         let step = grip.solve(-1.0)?;
-        problem.chain.recover(work, step.border_block(), -1.0, &mut update);
+        problem.chain.recover(work, &step.border_block, -1.0, &mut update);
         let size = problem.relative_size(&update, &at.state);
         if !size.is_finite() {
             return Err(SolveError::NotFinite { quantity: "Newton's update", element: 0, position_nm: 0.0 });
@@ -169,8 +171,7 @@ pub fn solve(
         for (s, u) in at.state.iter_mut().zip(&update) {
             *s += u;
         }
-        at.border += step.border;
-        at.force += step.force;
+        at.add(1.0, &step);
         correction += size;
         // quadratic convergence: what the next update would be, as far as round-off lets it fall
         let next = if previous.is_finite() { size * (size / previous).powi(2).min(1.0) } else { size };
@@ -185,9 +186,9 @@ pub fn solve(
                 (root, grip)
             };
             let tangent = grip.tangent()?;
-            problem.chain.recover(work, tangent.border_block(), 0.0, &mut update);
+            problem.chain.recover(work, &tangent.border_block, 0.0, &mut update);
             let (energy, adhesion_slope) = problem.chain.energy(at.configuration(), &update);
-            let (negative, negative_load) = grip.inertia(problem, root.negative);
+            let (negative, negative_load) = grip.inertia(root.negative);
             let last = at.state.len() - fields;
             let observables = observables(problem, &at, energy);
             let center = problem.centered(observables.front);
@@ -197,12 +198,12 @@ pub fn solve(
                 observables,
                 slope: Observables {
                     front: problem.front(adhesion_slope),
-                    displacement: update[last + problem.driven] + problem.compliance * tangent.force,
+                    displacement: tangent.displacement,
                     tip_rotation: update[problem.rotation],
                     force: tangent.force,
                     grip_rotation: update[last + problem.rotation],
                 },
-                tangent: Tangent { state: update, border: tangent.border, force: tangent.force },
+                tangent: Tangent { state: update, border: tangent.border, slide: tangent.slide, force: tangent.force },
                 energy,
                 negative,
                 negative_load,
@@ -254,7 +255,7 @@ pub fn damped_step(
     let grip = GripBlock::new(problem, &root, at, condition, &observables(problem, at, root.energy));
     let step = grip.solve(-1.0)?;
     let mut update = vec![0.0; at.state.len()];
-    problem.chain.recover(work, step.border_block(), -1.0, &mut update);
+    problem.chain.recover(work, &step.border_block, -1.0, &mut update);
     let size = problem.relative_size(&update, &at.state);
     if !size.is_finite() {
         return Err(SolveError::NotFinite { quantity: "a damped update", element: 0, position_nm: 0.0 });
@@ -263,9 +264,8 @@ pub fn damped_step(
     for (s, u) in at.state.iter_mut().zip(&update) {
         *s += part * u;
     }
-    at.border += part * step.border;
-    at.force += part * step.force;
-    Ok((size, grip.inertia(problem, root.negative).0))
+    at.add(part, &step);
+    Ok((size, grip.inertia(root.negative).0))
 }
 
 /// du/dσ and dP/dσ along the path, per unit of the condition's target σ, at a configuration on it or beside it.
@@ -279,7 +279,7 @@ pub fn slopes(
     let root = problem.chain.eliminate(at.configuration(), &row, work)?;
     let observed = observables(problem, at, root.energy);
     let tangent = GripBlock::new(problem, &root, at, condition, &observed).tangent()?;
-    Ok((tangent.values[problem.driven] + problem.compliance * tangent.force, tangent.force))
+    Ok((tangent.displacement, tangent.force))
 }
 
 /// What the condition wants of the chain.
@@ -298,123 +298,5 @@ pub fn observables(problem: &Problem, at: &Equilibrium, energy: ElementEnergy) -
         tip_rotation: at.state[problem.rotation],
         force: at.force,
         grip_rotation: at.state[last + problem.rotation],
-    }
-}
-
-/// Unknowns of the last block: fields of the last node, border, force.
-const BLOCK: usize = ROOT;
-
-/// The root of the chain with grip, border constraint, force and path condition.
-struct GripBlock {
-    matrix: SMatrix<f64, BLOCK, BLOCK>,
-    residual: SVector<f64, BLOCK>,
-    fields: usize,
-    border: bool,
-}
-
-/// Solution of a [`GripBlock`].
-struct GripStep {
-    values: SVector<f64, BLOCK>,
-    border: f64,
-    force: f64,
-}
-
-impl GripStep {
-    /// Fields of the last node, then the border: what the chain needs to go back.
-    fn border_block(&self) -> &[f64] {
-        self.values.as_slice()
-    }
-}
-
-impl GripBlock {
-    /// Rows: the last node's equations (or its held values), border constraint, path condition; unused rows are unit rows.
-    fn new(problem: &Problem, root: &Root, at: &Equilibrium, condition: &Condition, observed: &Observables) -> Self {
-        let (fields, border) = (problem.fields(), problem.chain.has_border());
-        let known = fields + usize::from(border);
-        let (force, path) = (BLOCK - 1, BLOCK - 1);
-        let mut matrix = SMatrix::<f64, BLOCK, BLOCK>::identity();
-        let mut residual = SVector::<f64, BLOCK>::zeros();
-        for i in 0..known {
-            for j in 0..known {
-                matrix[(i, j)] = root.matrix[i][j];
-            }
-            residual[i] = root.matrix[i][known];
-        }
-        matrix[(problem.driven, force)] = -1.0;
-        residual[problem.driven] -= at.force;
-        if border {
-            residual[fields] += problem.span();
-        }
-        for j in 0..known {
-            matrix[(path, j)] = root.matrix[known][j];
-        }
-        matrix[(path, problem.driven)] += condition.weights.displacement;
-        matrix[(path, force)] = condition.weights.force + condition.weights.displacement * problem.compliance;
-        residual[path] = root.matrix[known][known] + condition.weights.dot(observed) - condition.target;
-        let last = at.state.len() - fields;
-        for f in (0..fields).filter(|&f| problem.held[f]) {
-            matrix.row_mut(f).fill(0.0);
-            matrix[(f, f)] = 1.0;
-            residual[f] = at.state[last + f] - problem.rest_at(problem.length)[f];
-        }
-        Self { matrix, residual, fields, border }
-    }
-
-    fn step(&self, right: SVector<f64, BLOCK>) -> Result<GripStep, SolveError> {
-        let values = self.matrix.lu().solve(&right).ok_or(SolveError::SingularGrip)?;
-        let border = if self.border { values[self.fields] } else { 0.0 };
-        Ok(GripStep { border, force: values[BLOCK - 1], values })
-    }
-
-    fn solve(&self, scale: f64) -> Result<GripStep, SolveError> {
-        self.step(self.residual * scale)
-    }
-
-    /// Change along the path per unit of the condition's target.
-    fn tangent(&self) -> Result<GripStep, SolveError> {
-        let mut right = SVector::<f64, BLOCK>::zeros();
-        right[BLOCK - 1] = 1.0;
-        self.step(right)
-    }
-
-    /// Negative eigenvalues of the whole tangent with the displacement held, and with the force held. A border is a
-    /// multiplier: it adds one negative eigenvalue that is none of the structure's. Where the displacement is that of a
-    /// spring's far end, ½k(U - u)² adds k to the diagonal of the driven field, which is left out where k is infinite: one
-    /// more than with u held where dP/du + k < 0, by the Schur complement dP/du of that field.
-    fn inertia(&self, problem: &Problem, chain: usize) -> (usize, usize) {
-        let free = (0..self.fields).filter(|&f| !problem.held[f]);
-        let border = self.border.then_some(self.fields);
-        let rigid = problem.compliance == 0.0;
-        let held: Vec<usize> = free.clone().filter(|&f| !rigid || f != problem.driven).chain(border).collect();
-        let loose: Vec<usize> = free.chain(border).collect();
-        let spring = if rigid { 0.0 } else { 1.0 / problem.compliance };
-        let count = |rows: &[usize], added: f64| {
-            let pivots = self.negative_pivots(rows, problem.driven, added);
-            (chain + pivots).saturating_sub(usize::from(self.border))
-        };
-        (count(&held, spring), count(&loose, 0.0))
-    }
-
-    /// Of the block of `rows`, with `added` to the diagonal of the row `driven`.
-    fn negative_pivots(&self, rows: &[usize], driven: usize, added: f64) -> usize {
-        let n = rows.len();
-        let mut a = [[0.0; BLOCK]; BLOCK];
-        for i in 0..n {
-            for j in 0..n {
-                a[i][j] = self.matrix[(rows[i], rows[j])];
-            }
-            a[i][i] += if rows[i] == driven { added } else { 0.0 };
-        }
-        let mut negative = 0;
-        for k in 0..n {
-            negative += usize::from(a[k][k] < 0.0);
-            for i in k + 1..n {
-                let factor = a[i][k] / a[k][k];
-                for j in k + 1..n {
-                    a[i][j] -= factor * a[k][j];
-                }
-            }
-        }
-        negative
     }
 }

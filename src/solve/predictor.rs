@@ -27,11 +27,13 @@ pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> 
         center: 0.0,
         state: vec![0.0; points[0].aligned.len()],
         border: 0.0,
+        slide: 0.0,
         force: 0.0,
     };
     for (point, &weight) in points.iter().zip(weights) {
         at.center += weight * point.observables.front;
         at.border += weight * point.at.border;
+        at.slide += weight * point.at.slide;
         at.force += weight * point.at.force;
         for (s, p) in at.state.iter_mut().zip(&point.aligned) {
             *s += weight * p;

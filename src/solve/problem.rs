@@ -1,5 +1,6 @@
 //! What is to be solved: a chain, its rest state, its grip, and the scales that measure progress and error.
 
+use super::grip::{Direction, GripStep, SLIDE};
 use super::{Chain, Configuration, Focus, Fronts, MOST_FIELDS, Mesh, Pieces, graded_ends};
 use crate::beam::{ElementEnergy, Rest};
 use serde::{Deserialize, Serialize};
@@ -11,14 +12,17 @@ pub struct Problem {
     pub length: f64,
     /// x, height and rotation at rest; a chain of two fields a node leaves x out.
     pub rest: Rest,
-    /// The field that the grip drives.
+    /// The field that the grip drives: the height, where it pulls in a `direction`.
     pub driven: usize,
+    /// The direction of the pull; straight up, it drives a field and not a mixture of two.
+    pub direction: Direction,
     /// The rotation, the last field of a node; the height stands before it.
     pub rotation: usize,
     /// The height field at the left end at rest, nm.
     pub rest_gap: f64,
-    /// Fields that the grip holds at their rest values.
-    pub held: [bool; MOST_FIELDS],
+    /// Fields that the grip holds at their rest values; of a pull in a direction, the end's displacement across it in place of
+    /// x, which is the last of these where it is no field.
+    pub held: [bool; MOST_FIELDS + 1],
     /// 1/k of a spring between the grip and what moves it, nm/nN; zero where the grip is moved itself. The displacement of
     /// [`super::Observables`] is that of the far end of the spring, U = u + P/k.
     pub compliance: f64,
@@ -62,11 +66,20 @@ pub struct Equilibrium {
     /// Fields node by node.
     pub state: Vec<f64>,
     pub border: f64,
+    /// How far the right end is along x from where it was at rest, nm, where the chain has a border and no x; else zero
+    pub slide: f64,
     /// Force of the grip along the pull, nN
     pub force: f64,
 }
 
 impl Equilibrium {
+    /// Adds a part of an update of what lies behind the chain.
+    pub(super) fn add(&mut self, part: f64, step: &GripStep) {
+        self.border += part * step.border;
+        self.slide += part * step.slide;
+        self.force += part * step.force;
+    }
+
     /// The part of it that the chain sees.
     pub fn configuration(&self) -> Configuration<'_> {
         Configuration { ends: &self.ends, state: &self.state, border: self.border }
@@ -115,16 +128,55 @@ impl Problem {
         self.rest.at(self.length)[0] - self.rest.at(0.0)[0]
     }
 
+    /// Where a pull that is not straight up mixes x and height: the slot of x in [`Problem::held`], and the direction.
+    pub(super) fn turned(&self) -> Option<(usize, Direction)> {
+        let x = if self.chain.has_border() { SLIDE } else { 0 };
+        (self.direction != Direction::UP).then_some((x, self.direction))
+    }
+
+    /// How far a field of the right end is from rest, or dx where that is the slot of x and no field.
+    fn end_off_rest(&self, at: &Equilibrium, slot: usize) -> f64 {
+        if slot >= self.fields() {
+            return at.slide;
+        }
+        at.state[at.state.len() - self.fields() + slot] - self.rest_at(self.length)[slot]
+    }
+
+    /// How far what a slot of [`Problem::held`] stands for is from its value at rest.
+    pub(super) fn off_rest(&self, at: &Equilibrium, slot: usize) -> f64 {
+        let own = self.end_off_rest(at, slot);
+        match self.turned() {
+            Some((x, Direction { along, up })) if x == slot => up * own - along * self.end_off_rest(at, self.driven),
+            _ => own,
+        }
+    }
+
     /// U = u + P/k of a configuration: how far what moves the grip is from where it was at rest, nm.
     pub fn displacement(&self, at: &Equilibrium) -> f64 {
-        let grip = at.state.len() - self.fields() + self.driven;
-        at.state[grip] - self.rest_at(self.length)[self.driven] + self.compliance * at.force
+        let driven = self.end_off_rest(at, self.driven);
+        let moved = match self.turned() {
+            Some((x, Direction { along, up })) => up * driven + along * self.end_off_rest(at, x),
+            None => driven,
+        };
+        moved + self.compliance * at.force
+    }
+
+    /// The configuration with the grip moved on along the pull, nm.
+    pub(super) fn moved(&self, mut at: Equilibrium, ahead: f64) -> Equilibrium {
+        let end = at.state.len() - self.fields();
+        at.state[end + self.driven] += self.direction.up * ahead;
+        match self.turned() {
+            Some((x, direction)) if x < self.fields() => at.state[end + x] += direction.along * ahead,
+            Some((_, direction)) => at.slide += direction.along * ahead,
+            None => {}
+        }
+        at
     }
 
     /// Energy of a configuration whose chain has the energy `chain`: with that of the spring, P²/2k, and, as a held grip's
     /// multiplier H adds H times their distance, without that, aJ.
     pub fn energy(&self, at: &Equilibrium, chain: ElementEnergy) -> f64 {
-        chain.total + at.border * self.span() + 0.5 * self.compliance * at.force.powi(2)
+        chain.total + at.border * (self.span() + at.slide) + 0.5 * self.compliance * at.force.powi(2)
     }
 
     /// Element ends for a front at `center`.
@@ -162,7 +214,7 @@ impl Problem {
             }
             state.extend_from_slice(&node[..self.fields()]);
         }
-        Equilibrium { ends, center, state, border: 0.0, force: 0.0 }
+        Equilibrium { ends, center, state, border: 0.0, slide: 0.0, force: 0.0 }
     }
 
     /// The same configuration on another number of elements.

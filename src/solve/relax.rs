@@ -170,8 +170,7 @@ fn held_at(problem: &Problem, mut at: Equilibrium, displacement: f64) -> Equilib
     if problem.compliance > 0.0 {
         at.force += missing / problem.compliance;
     } else {
-        let grip = at.state.len() - problem.fields() + problem.driven;
-        at.state[grip] += missing;
+        at = problem.moved(at, missing);
     }
     at
 }
@@ -200,5 +199,5 @@ fn on_new_mesh(problem: &Problem, at: &Equilibrium) -> Option<Equilibrium> {
     }
     let ends = problem.ends_near(center, at.ends.len() - 1, &at.ends);
     let state = problem.chain.resampled(at.configuration(), &ends);
-    Some(Equilibrium { state, ends, center, border: at.border, force: at.force })
+    Some(Equilibrium { state, ends, center, ..*at })
 }

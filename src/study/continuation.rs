@@ -99,6 +99,7 @@ impl Known {
             center: problem.centered(solution.observables.front),
             state: solution.aligned.clone(),
             border: solution.at.border + ahead * solution.tangent.border,
+            slide: solution.at.slide + ahead * solution.tangent.slide,
             force: fold.observables.force,
         };
         for (s, t) in equilibrium.state.iter_mut().zip(&solution.tangent.state) {
@@ -113,7 +114,7 @@ impl Known {
             bend_age: 0,
             observables: fold.observables,
             neglected: fold.neglected,
-            energy: solution.energy.total + solution.at.border * problem.span() + solution.observables.force * rise,
+            energy: problem.energy(&solution.at, solution.energy) + solution.observables.force * rise,
         }
     }
 
@@ -266,6 +267,7 @@ impl<'m> Continuation<'m> {
         for (known, weight) in used.iter().zip(lagrange_weights(&labels, at - newest.at)) {
             sum.center += weight * known.equilibrium.center;
             sum.border += weight * known.equilibrium.border;
+            sum.slide += weight * known.equilibrium.slide;
             sum.force += weight * known.equilibrium.force;
             for (s, k) in sum.state.iter_mut().zip(&known.equilibrium.state) {
                 *s += weight * k;

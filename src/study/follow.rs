@@ -6,8 +6,8 @@ use super::keeping::Limits;
 use super::level::sharpen;
 use crate::beam::Rest;
 use crate::solve::{
-    Condition, Located, NewtonOptions, Observables, Path, PathError, PathOptions, Problem, ROUGH, Solution, SolveError,
-    Stretch, Turn, Workspace, brackets, locate, solve, solve_on, unlocated,
+    Condition, Direction, Located, NewtonOptions, Observables, Path, PathError, PathOptions, Problem, ROUGH, Solution,
+    SolveError, Stretch, Turn, Workspace, brackets, locate, solve, solve_on, unlocated,
 };
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
@@ -201,6 +201,8 @@ fn has_maximum(points: &[Arc<Solution>]) -> bool {
     points.iter().skip(1).rev().skip(1).any(|p| p.slope.force < 0.0)
 }
 
+/// Most steps of the secant rule to where a beam is clear of the substrate.
+const MOST_SECANTS: usize = 20;
 /// A force below this share of its scale is none.
 const PUSH: f64 = 1e-6;
 /// Path points after which a mesh is taken to hold the path up: several times what paths take that are resolved.
@@ -246,6 +248,10 @@ fn has_pulled(problem: &Problem, points: &[Arc<Solution>]) -> bool {
 /// that, on a flat substrate, the path is the mirror image of itself.
 fn stands_upright(problem: &Problem, points: &[Arc<Solution>]) -> bool {
     let [.., before, newest] = points else { return false };
+    // only a strip that is pulled straight up has a mirror image
+    if problem.direction != Direction::UP {
+        return false;
+    }
     let tip = |s: &Solution| s.observables.tip_rotation - FRAC_PI_2;
     let away = 3.0 * tip(before).abs().max(tip(newest).abs());
     let rotations = newest.at.state.iter().skip(problem.rotation).step_by(problem.fields());
@@ -297,17 +303,21 @@ impl Followed {
         let mut work = Workspace::default();
         let beyond = |s: &Solution| problem.nearest(&s.at) - far;
         let (mut low, mut high) = ((0.0, beyond(&self.points[n - 2])), (stretch.end(), beyond(&self.points[n - 1])));
-        for _ in 0..6 {
+        for _ in 0..MOST_SECANTS {
             let label = (low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)).clamp(0.0, stretch.end());
             let Ok(solution) = solve_on(problem, &stretch, label, ROUGH, &mut work) else { return };
             self.iterations += solution.iterations;
             let value = beyond(&solution);
-            let there = value.abs() < 1e-6 * far;
-            if there {
+            if value.abs() < 1e-6 * far {
                 self.points[n - 1] = solution;
                 return;
             }
-            if value < 0.0 { low = (label, value) } else { high = (label, value) }
+            // an end that stays has half of its value, so that the other does not creep (Illinois)
+            if value < 0.0 {
+                (low, high.1) = ((label, value), 0.5 * high.1);
+            } else {
+                (high, low.1) = ((label, value), 0.5 * low.1);
+            }
         }
     }
 

@@ -7,7 +7,7 @@ use super::observed_jump;
 use super::observed_leg::{Leg, LegEnd, LegTrouble, Machine, Until};
 use super::peel_run::{ROUND_OFF, SAFETY, least};
 use super::{Accuracy, Bounds};
-use crate::model::{Form, Hold, PeelModel};
+use crate::model::{Form, PeelModel};
 use crate::solve::{
     Equilibrium, Located, Problem, RelaxError, RelaxOptions, Solution, SolveError, Workspace, disturbed, relax, turned,
 };
@@ -96,10 +96,10 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Ob
     test.told(accuracy.relative)
 }
 
-/// The strip behind its spring. Without x a held grip's horizontal force is a multiplier, and the energy no minimum: such a
-/// strip is relaxed with all three unknowns.
+/// The strip behind its spring. Without x its horizontal section force, where it has one, is a multiplier, and the energy no
+/// minimum: such a strip is relaxed with all three unknowns.
 fn problem(model: &PeelModel, accuracy: &Accuracy, order: usize) -> Problem {
-    let form = if model.grip.horizontal == Hold::Fixed { Form::ThreeField } else { accuracy.choice.form };
+    let form = if model.has_horizontal_force() { Form::ThreeField } else { accuracy.choice.form };
     let compliance = model.grip.stiffness.map_or(0.0, f64::recip);
     Problem { mesh: accuracy.choice.mesh, compliance, ..model.problem(form, order) }
 }

@@ -125,9 +125,13 @@ impl Attempt {
                 spread = followed.spread / (SPREAD * relative).max(SPREAD_ROUND_OFF);
                 resolution.finer(difference, spread)
             }
-            Some(Trouble::Missed { .. } | Trouble::Jumped { .. } | Trouble::TooManyPoints { .. }) => {
-                Resolution { step_tolerance: 0.3 * step_tolerance, ..resolution.times(1.25) }
-            }
+            // a displacement that turns nowhere may be a jump as well
+            Some(
+                Trouble::Missed { .. }
+                | Trouble::Jumped { .. }
+                | Trouble::TooManyPoints { .. }
+                | Trouble::NotLocated { turn: Turn::Displacement, .. },
+            ) => Resolution { step_tolerance: 0.3 * step_tolerance, ..resolution.times(1.25) },
             Some(_) => resolution.times(1.5),
         };
         let trouble = followed.trouble.as_ref().map(ToString::to_string);

@@ -114,6 +114,9 @@ pub fn absurd_scene(dice: &mut Dice) -> String {
     if dice.below(4) == 0 {
         line(format!("step = {:e}", dice.decades(1.000_001e-6, 0.499_999)));
     }
+    if dice.below(3) == 0 {
+        line(format!("[drive]\nangle = \"{} deg\"", dice.between(0.001, 179.999)));
+    }
     text
 }
 
@@ -264,8 +267,9 @@ fn garble_entries(entries: &mut Vec<(&'static str, String, String)>, dice: &mut 
         1 => entries.insert(at, entries[at].clone()),
         2 => misspell(&mut entries[at].1, dice),
         3 => {
-            entries[at].0 = dice
-                .pick(&["", "strip", "spatula", "adhesion", "grip", "accuracy", "bounds", "Strip", "spring", "\"\""])
+            entries[at].0 = dice.pick(&[
+                "", "strip", "spatula", "adhesion", "grip", "drive", "accuracy", "bounds", "Strip", "spring", "\"\"",
+            ])
         }
         4 => entries[at].1 = KEYS[dice.below(KEYS.len())].name.to_owned(),
         5 => {

@@ -10,6 +10,7 @@ pub mod hard;
 mod levels;
 pub mod orders;
 mod published;
+mod pull;
 pub mod reference;
 mod repeated;
 mod spatula;
@@ -27,5 +28,13 @@ pub struct Topic {
 }
 
 /// Every topic, in the order in which they are reported.
-pub const TOPICS: &[Topic] =
-    &[published::TOPIC, strip::TOPIC, levels::TOPIC, beam::TOPIC, spatula::TOPIC, orders::TOPIC, bounds::TOPIC];
+pub const TOPICS: &[Topic] = &[
+    published::TOPIC,
+    strip::TOPIC,
+    levels::TOPIC,
+    beam::TOPIC,
+    spatula::TOPIC,
+    pull::TOPIC,
+    orders::TOPIC,
+    bounds::TOPIC,
+];

@@ -4,7 +4,7 @@
 use super::reference::{self, Row};
 use super::{Check, Measure, Topic, bounds};
 use crate::adhesion::LineLoad;
-use crate::model::{Adhesion, Body, Grip, Hold, PeelModel, Profile, ProfileTable, Spatula, StripModel};
+use crate::model::{Adhesion, Body, Grip, Hold, PeelModel, Profile, ProfileTable, Pull, Spatula, StripModel};
 use crate::solve::Workspace;
 use crate::study::step_curve::StepCurve;
 use crate::study::work::{energy, works_of_force};
@@ -90,6 +90,7 @@ fn model(row: &Row) -> PeelModel {
             far_face: row.text("far_face") == Some("true"),
         },
         grip: Grip { rotation: if fixed { Hold::Fixed } else { Hold::Free }, horizontal: Hold::Free, stiffness: None },
+        pull: Pull::UP,
     }
 }
 
@@ -99,7 +100,12 @@ fn profile(row: &Row) -> Option<PeelModel> {
     let profile = Profile { table: ProfileTable::parse(table).ok()?, material: Spatula::default().material };
     let paper = StripModel::of_the_paper(100.0, 1.0);
     let rotation = if row.text("grip_rotation") == Some("fixed") { Hold::Fixed } else { Hold::Free };
-    Some(PeelModel { body: Body::Profile(profile), adhesion: paper.adhesion, grip: Grip { rotation, ..paper.grip } })
+    Some(PeelModel {
+        body: Body::Profile(profile),
+        adhesion: paper.adhesion,
+        grip: Grip { rotation, ..paper.grip },
+        pull: paper.pull,
+    })
 }
 
 /// Every number of a row: met to the accuracy asked for, and its bound no smaller than its error.

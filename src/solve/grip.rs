@@ -1,0 +1,189 @@
+//! The end of the chain in its grip: what closes the system of equations, and which way the grip pulls.
+//!
+//! The grip pulls in one direction, (cos α, sin α) to the substrate. With dx and dy for how far the end is from where it was
+//! at rest, its displacement along the pull and across it are
+//!
+//!   u = dx cos α + dy sin α,   w = dx sin α - dy cos α,
+//!
+//! and the end's forces H and V are P (cos α, sin α) + Q (sin α, -cos α). Across the pull the end is free, Q = 0, or held,
+//! w = 0. Where a node has no x, H is the chain's border and the end's place dx an unknown of its own, whose equation is
+//! that of the distance, ∂Π/∂H = x(0) + dx + x0(L) - x(L) = 0.
+
+use super::{Condition, Equilibrium, MOST_FIELDS, Observables, Problem, ROOT, Root, SolveError};
+use nalgebra::{SMatrix, SVector};
+use serde::{Deserialize, Serialize};
+
+/// Unknowns of the last block: fields of the last node, border, place of the end where no field tells it; last the force.
+const BLOCK: usize = ROOT;
+/// Row and column of the force, and of the path condition.
+const FORCE: usize = BLOCK - 1;
+/// Row and column of the end's place along x where it is no field.
+pub(super) const SLIDE: usize = MOST_FIELDS;
+
+/// The direction of a pull, as cosine and sine of its angle α to the substrate.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Direction {
+    /// cos α: along the substrate, away from the beam
+    pub along: f64,
+    /// sin α: away from the substrate
+    pub up: f64,
+}
+
+impl Direction {
+    /// Straight up.
+    pub const UP: Self = Self { along: 0.0, up: 1.0 };
+}
+
+/// The root of the chain with grip, border constraint, force and path condition.
+///
+/// Rows: the last node's equations, the driven field's and that of x turned into the direction of the pull, or held values;
+/// border constraint; path condition. Unused rows are unit rows.
+pub(super) struct GripBlock<'p> {
+    problem: &'p Problem,
+    matrix: SMatrix<f64, BLOCK, BLOCK>,
+    residual: SVector<f64, BLOCK>,
+}
+
+/// Solution of a [`GripBlock`].
+pub(super) struct GripStep {
+    /// Fields of the last node, then the border: what the chain needs to go back.
+    pub border_block: [f64; BLOCK],
+    pub border: f64,
+    /// dx, where no field tells it
+    pub slide: f64,
+    pub force: f64,
+    /// Of what moves the grip.
+    pub displacement: f64,
+}
+
+impl<'p> GripBlock<'p> {
+    pub fn new(
+        problem: &'p Problem,
+        root: &Root,
+        at: &Equilibrium,
+        condition: &Condition,
+        observed: &Observables,
+    ) -> Self {
+        let (fields, border) = (problem.fields(), problem.chain.has_border());
+        let known = fields + usize::from(border);
+        let mut matrix = SMatrix::<f64, BLOCK, BLOCK>::identity();
+        let mut residual = SVector::<f64, BLOCK>::zeros();
+        for i in 0..known {
+            for j in 0..known {
+                matrix[(i, j)] = root.matrix[i][j];
+            }
+            residual[i] = root.matrix[i][known];
+            matrix[(FORCE, i)] = root.matrix[known][i];
+        }
+        if border {
+            matrix[(SLIDE, SLIDE)] = 0.0;
+            matrix[(SLIDE, fields)] = 1.0;
+            matrix[(fields, SLIDE)] = 1.0;
+            residual[SLIDE] = at.border;
+            residual[fields] += problem.span() + at.slide;
+        }
+        let mut block = Self { problem, matrix, residual };
+        block.turn();
+        let Self { matrix, residual, .. } = &mut block;
+        matrix[(problem.driven, FORCE)] = -1.0;
+        residual[problem.driven] -= at.force;
+        matrix[(FORCE, problem.driven)] += condition.weights.displacement;
+        matrix[(FORCE, FORCE)] = condition.weights.force + condition.weights.displacement * problem.compliance;
+        residual[FORCE] = root.matrix[known][known] + condition.weights.dot(observed) - condition.target;
+        for slot in (0..FORCE).filter(|&slot| problem.held[slot]) {
+            matrix.row_mut(slot).fill(0.0);
+            matrix[(slot, slot)] = 1.0;
+            residual[slot] = problem.off_rest(at, slot);
+        }
+        block
+    }
+
+    /// Rows and columns of x and of the driven field from those of dx and dy to those of w and u.
+    fn turn(&mut self) {
+        let Some((across, Direction { along, up })) = self.problem.turned() else { return };
+        let driven = self.problem.driven;
+        for j in 0..BLOCK {
+            let (x, y) = (self.matrix[(across, j)], self.matrix[(driven, j)]);
+            (self.matrix[(across, j)], self.matrix[(driven, j)]) = (up * x - along * y, along * x + up * y);
+        }
+        for i in 0..BLOCK {
+            let (x, y) = (self.matrix[(i, across)], self.matrix[(i, driven)]);
+            (self.matrix[(i, across)], self.matrix[(i, driven)]) = (up * x - along * y, along * x + up * y);
+        }
+        let (x, y) = (self.residual[across], self.residual[driven]);
+        (self.residual[across], self.residual[driven]) = (up * x - along * y, along * x + up * y);
+    }
+
+    fn step(&self, right: SVector<f64, BLOCK>) -> Result<GripStep, SolveError> {
+        let problem = self.problem;
+        let mut values = self.matrix.lu().solve(&right).ok_or(SolveError::SingularGrip)?;
+        let (force, moved) = (values[FORCE], values[problem.driven]);
+        if let Some((across, Direction { along, up })) = problem.turned() {
+            let (w, u) = (values[across], values[problem.driven]);
+            (values[across], values[problem.driven]) = (up * w + along * u, up * u - along * w);
+        }
+        let border = problem.chain.has_border();
+        Ok(GripStep {
+            border_block: values.into(),
+            border: if border { values[problem.fields()] } else { 0.0 },
+            slide: if border { values[SLIDE] } else { 0.0 },
+            force,
+            displacement: moved + problem.compliance * force,
+        })
+    }
+
+    /// What removes this multiple of the residual.
+    pub fn solve(&self, scale: f64) -> Result<GripStep, SolveError> {
+        self.step(self.residual * scale)
+    }
+
+    /// Change along the path per unit of the condition's target.
+    pub fn tangent(&self) -> Result<GripStep, SolveError> {
+        let mut right = SVector::<f64, BLOCK>::zeros();
+        right[FORCE] = 1.0;
+        self.step(right)
+    }
+
+    /// Negative eigenvalues of the whole tangent with the displacement held, and with the force held. A border is a
+    /// multiplier: it adds one negative eigenvalue that is none of the structure's. Where the displacement is that of a
+    /// spring's far end, ½k(U - u)² adds k to the diagonal of the driven field, which is left out where k is infinite: one
+    /// more than with u held where dP/du + k < 0, by the Schur complement dP/du of that field.
+    pub fn inertia(&self, chain: usize) -> (usize, usize) {
+        let problem = self.problem;
+        let border = problem.chain.has_border();
+        // a border comes with the end's place, the slot behind it
+        let free = (0..problem.fields() + 2 * usize::from(border)).filter(|&slot| !problem.held[slot]);
+        let rigid = problem.compliance == 0.0;
+        let held: Vec<usize> = free.clone().filter(|&slot| !rigid || slot != problem.driven).collect();
+        let loose: Vec<usize> = free.collect();
+        let spring = if rigid { 0.0 } else { 1.0 / problem.compliance };
+        let count = |rows: &[usize], added: f64| {
+            let pivots = self.negative_pivots(rows, problem.driven, added);
+            (chain + pivots).saturating_sub(usize::from(border))
+        };
+        (count(&held, spring), count(&loose, 0.0))
+    }
+
+    /// Of the block of `rows`, with `added` to the diagonal of the row `driven`.
+    fn negative_pivots(&self, rows: &[usize], driven: usize, added: f64) -> usize {
+        let n = rows.len();
+        let mut a = [[0.0; BLOCK]; BLOCK];
+        for i in 0..n {
+            for j in 0..n {
+                a[i][j] = self.matrix[(rows[i], rows[j])];
+            }
+            a[i][i] += if rows[i] == driven { added } else { 0.0 };
+        }
+        let mut negative = 0;
+        for k in 0..n {
+            negative += usize::from(a[k][k] < 0.0);
+            for i in k + 1..n {
+                let factor = a[i][k] / a[k][k];
+                for j in k + 1..n {
+                    a[i][j] -= factor * a[k][j];
+                }
+            }
+        }
+        negative
+    }
+}
