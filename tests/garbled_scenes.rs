@@ -11,6 +11,7 @@ mod common {
 }
 
 use common::garbled::{Dice, ODD_VALUES, check_parse, corpus, garbled_text, misspell, printed};
+use peelkit::model::Pull;
 use peelkit::scene::{BODIES, KEYS, Key, Kind, Need, Range, Scene};
 use proptest::prelude::*;
 
@@ -203,6 +204,10 @@ proptest! {
             };
             // what has no meaning is refused, and the example stays
             let _ = key.store_number(&mut scene, number);
+        }
+        if scene.check().is_err() {
+            // an angle that has a meaning by itself, but not for a strip
+            scene.model.pull = Pull::UP;
         }
         let text = printed(&scene).unwrap();
         prop_assert_eq!(Scene::parse("garbled.toml", &text, &[]).map_err(|error| error.to_string()), Ok(scene));

@@ -7,7 +7,7 @@
 
 use peelkit::adhesion::LineLoad;
 use peelkit::beam::Material;
-use peelkit::model::{Body, Hold, Spatula};
+use peelkit::model::{Body, Hold, Pull, Spatula};
 use peelkit::scene::{KEYS, Key, Need, Scene};
 use proptest::prelude::*;
 
@@ -74,6 +74,7 @@ fn what_a_scene_leaves_out_has_its_default() {
     assert_eq!((adhesion.line_load, adhesion.far_face), (LineLoad::Full, true));
     assert_eq!((grip.rotation, grip.horizontal), (Hold::Free, Hold::Free));
     assert_eq!(grip.stiffness, None);
+    assert_eq!(scene.model.pull, Pull::UP);
     assert_eq!(scene.accuracy.relative, 1e-6);
     assert_eq!((scene.bounds.points, scene.bounds.time_s, scene.bounds.displacement), (20_000, Some(60.0), None));
     assert_eq!(scene.title, "first", "the stem of the file");
@@ -100,6 +101,8 @@ far_face = false
 rotation = "fixed"
 horizontal = "fixed"
 stiffness = "20 mN/m"
+[drive]
+angle = "60 deg"
 [accuracy]
 relative = 1e-9
 order = 5
@@ -119,6 +122,7 @@ displacement = "0.5 um"
     assert_eq!((adhesion.line_load, adhesion.far_face), (LineLoad::AxisGap, false));
     assert_eq!((grip.rotation, grip.horizontal), (Hold::Fixed, Hold::Fixed));
     assert_eq!(grip.stiffness, Some(0.02));
+    assert_eq!(scene.model.pull, Pull { angle: 60f64.to_radians() });
     assert_eq!(scene.accuracy.relative, 1e-9);
     let choice = scene.accuracy.choice;
     assert_eq!((choice.order, choice.elements, choice.step), (Some(5), Some(30), Some(0.05)));

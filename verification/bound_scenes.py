@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """200 drawn strips on which error bounds are judged: initiation peak and the first two displacement limit points. Writes bound_scenes.csv."""
-import numpy as np
 
 from collocation.suite import Suite, run  # first: one thread
+import numpy as np
 from collocation.law import Strip
 from collocation.path import TURNS, Path
 

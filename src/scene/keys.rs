@@ -60,7 +60,7 @@ pub static KEYS: &[Key] = &[
     key("grip", "horizontal", Optional, Kind::Hold(|s| &mut s.model.grip.horizontal), "across the pull; fixed: the grip moves along the pull"),
     key("grip", "stiffness", Optional, Kind::Bound(Stiffness, |s| &mut s.model.grip.stiffness), "of a spring between grip and machine"),
 
-    key("drive", "angle", Optional, Kind::Measure(Angle, Range::From(0.0, HALF_TURN), |s| &mut s.model.pull.angle), "of the pull to the substrate: 0 along it, away from the beam; 90 deg straight up"),
+    key("drive", "angle", Optional, Kind::Measure(Angle, Range::From(0.0, HALF_TURN), |s| &mut s.model.pull.angle), "of the pull to the substrate; 90 deg: straight up"),
 
     key("accuracy", "relative", Optional, Kind::Number(Range::From(1e-11, 1e-2), |s| &mut s.accuracy.relative), "relative error wanted of every force and displacement"),
     key("accuracy", "order", Optional, Kind::Fixed(8, |s| &mut s.accuracy.choice.order), "order p of the elements"),

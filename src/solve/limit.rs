@@ -51,6 +51,11 @@ pub struct Located {
 }
 
 impl Located {
+    /// Whether its numbers and their errors are finite.
+    pub fn is_finite(&self) -> bool {
+        self.observables.is_finite() && self.difference.is_finite()
+    }
+
     /// Whether its place is less certain than the accuracy `relative`, but the force does not change by a share of it over
     /// that error: then the place matters as little.
     pub fn is_flat(&self, relative: f64) -> bool {

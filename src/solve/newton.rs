@@ -35,6 +35,12 @@ impl Observables {
             + self.force * other.force
     }
 
+    /// Whether every component is a finite number.
+    pub fn is_finite(&self) -> bool {
+        let Self { front, displacement, tip_rotation, force, grip_rotation } = *self;
+        [front, displacement, tip_rotation, force, grip_rotation].iter().all(|number| number.is_finite())
+    }
+
     /// Each component times a number.
     pub fn times(&self, factor: f64) -> Self {
         Self {
@@ -162,7 +168,7 @@ pub fn solve(
         let step = grip.solve(-1.0)?;
         problem.chain.recover(work, &step.border_block, -1.0, &mut update);
         let size = problem.relative_size(&update, &at.state);
-        if !size.is_finite() {
+        if !(size.is_finite() && step.force.is_finite()) {
             return Err(SolveError::NotFinite { quantity: "Newton's update", element: 0, position_nm: 0.0 });
         }
         if size > options.largest_update || (iterations > 2 && size > 0.9 * previous && size > stagnant) {
@@ -191,18 +197,23 @@ pub fn solve(
             let (negative, negative_load) = grip.inertia(root.negative);
             let last = at.state.len() - fields;
             let observables = observables(problem, &at, energy);
+            let slope = Observables {
+                front: problem.front(adhesion_slope),
+                displacement: tangent.displacement,
+                tip_rotation: update[problem.rotation],
+                force: tangent.force,
+                grip_rotation: update[last + problem.rotation],
+            };
+            if !(observables.is_finite() && slope.is_finite()) {
+                let (element, position_nm) = (at.ends.len() - 2, problem.length);
+                return Err(SolveError::NotFinite { quantity: "the path's tangent", element, position_nm });
+            }
             let center = problem.centered(observables.front);
             let ends = problem.ends_near(center, at.ends.len() - 1, &at.ends);
             return Ok(Solution {
                 aligned: problem.chain.shifted(at.configuration(), &ends),
                 observables,
-                slope: Observables {
-                    front: problem.front(adhesion_slope),
-                    displacement: tangent.displacement,
-                    tip_rotation: update[problem.rotation],
-                    force: tangent.force,
-                    grip_rotation: update[last + problem.rotation],
-                },
+                slope,
                 tangent: Tangent { state: update, border: tangent.border, slide: tangent.slide, force: tangent.force },
                 energy,
                 negative,

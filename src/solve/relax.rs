@@ -48,6 +48,8 @@ const FIRST: f64 = 1e-2;
 /// Growth of Δt after a small step, and what is left of it after one that was refused.
 const GROWTH: f64 = 2.0;
 const SHORTER: f64 = 0.3;
+/// Longest Δt: a step of Newton's method.
+const LONGEST: f64 = 1e12;
 /// Shortest Δt.
 const SHORTEST: f64 = 1e-12;
 /// Most steps.
@@ -115,7 +117,7 @@ pub fn relax(
             }
         };
         steps += 1;
-        time *= if 3.0 * size < options.largest_update { GROWTH } else { 1.0 };
+        time = (time * if 3.0 * size < options.largest_update { GROWTH } else { 1.0 }).min(LONGEST);
         at = next;
         // a mesh on which the energy of this step is lost again is put off
         let moved = on_new_mesh(problem, &at).map(|moved| held_at(problem, moved, displacement));

@@ -371,6 +371,7 @@ impl Followed {
                 Err(_) if flat.is_some() => unlocated(problem, &stretch, &mut work),
                 located => located,
             }
+            .and_then(|located| if located.is_finite() { Ok(located) } else { Err(SolveError::TurnNotConfirmed) })
             .map_err(|cause| self.not_located(c.turn, c.index, cause))?;
             located.flat |= flat.is_some_and(|relative| located.is_flat(relative));
             self.iterations += located.iterations;

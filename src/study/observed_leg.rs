@@ -197,7 +197,7 @@ impl Machine<'_> {
         let mut stretch = Stretch::around(self.problem, path.points(), before);
         let label = stretch.insert(last.clone());
         let mut leg = self.leg(&path.points()[..=before], end, path.iterations());
-        leg.add(&StepCurve::until(self.problem, &stretch, label, &last, &mut Workspace::default()));
+        leg.add(&StepCurve::pieces(self.problem, &stretch, label, &last, &mut Workspace::default()));
         leg.points.push(last);
         leg
     }
@@ -208,19 +208,23 @@ impl Machine<'_> {
         let mut leg = Leg { points: points.to_vec(), curve, works: vec![0.0], end, iterations };
         let mut work = Workspace::default();
         for index in 0..points.len().saturating_sub(1) {
-            leg.add(&StepCurve::behind(self.problem, points, index, &mut work));
+            let stretch = Stretch::around(self.problem, points, index);
+            leg.add(&StepCurve::pieces(self.problem, &stretch, stretch.end(), &points[index + 1], &mut work));
         }
         leg
     }
 }
 
 impl Leg {
-    /// Takes in the step behind its last point.
-    fn add(&mut self, step: &StepCurve) {
-        self.works.push(self.works[self.works.len() - 1] + step.work());
-        for k in 1..=INSIDE {
-            let (u, _, force, _) = step.at(2.0 * k as f64 / INSIDE as f64 - 1.0);
-            self.curve.push((u, force));
+    /// Takes in the step behind its last point, in pieces.
+    fn add(&mut self, pieces: &[StepCurve]) {
+        let work: f64 = pieces.iter().map(StepCurve::work).sum();
+        self.works.push(self.works[self.works.len() - 1] + work);
+        for piece in pieces {
+            for k in 1..=INSIDE {
+                let (u, _, force, _) = piece.at(2.0 * k as f64 / INSIDE as f64 - 1.0);
+                self.curve.push((u, force));
+            }
         }
     }
 }

@@ -4,11 +4,17 @@
 //! only values count: u and P are polynomials through solutions at Gauss-Lobatto labels.
 
 use crate::beam::Basis;
-use crate::solve::{Observables, Problem, ROUGH, Solution, Stretch, Workspace, reach};
+use crate::solve::{Observables, Problem, ROUGH, Solution, Stretch, Workspace, lagrange_weights, reach};
 use std::sync::Arc;
 
 /// Solutions on a step, its ends among them.
 const NODES: usize = 7;
+/// Most times a step is halved.
+const MOST_HALVINGS: usize = 5;
+/// A middle that is missed by this share of what changes on the step is missed in earnest.
+const ROUGHLY: f64 = 1e-3;
+/// Work that counts, over the adhesion of the whole beam.
+const COUNTS: f64 = 1e-8;
 
 /// u (nm) and P (nN) on a step, as polynomials of a local coordinate on [-1, 1].
 pub(super) struct StepCurve {
@@ -24,18 +30,53 @@ impl StepCurve {
         Self::until(problem, &stretch, stretch.end(), &points[index + 1], work)
     }
 
-    /// From the first point of a stretch to a solution at the label `to` of it. Where a solution between cannot be found, the
-    /// stretch's own interpolants stand in.
+    /// From the first point of a stretch to a solution at the label `to` of it.
     pub fn until(problem: &Problem, stretch: &Stretch, to: f64, end: &Solution, work: &mut Workspace) -> Self {
+        Self::between(problem, stretch, [(0.0, &stretch.first()), (to, end)], work)
+    }
+
+    /// The same in pieces, halved where one curve would not be certain of its work.
+    pub fn pieces(problem: &Problem, stretch: &Stretch, to: f64, end: &Solution, work: &mut Workspace) -> Vec<Self> {
+        let mut known = stretch.clone();
+        Self::halved(problem, &mut known, [(0.0, &stretch.first()), (to, end)], MOST_HALVINGS, work)
+    }
+
+    fn halved(
+        problem: &Problem,
+        known: &mut Stretch,
+        [from, to]: [(f64, &Solution); 2],
+        halvings: usize,
+        work: &mut Workspace,
+    ) -> Vec<Self> {
+        let curve = Self::between(problem, known, [from, to], work);
+        let scale = problem.force_scale * problem.length;
+        if halvings == 0 || !curve.is_uncertain(scale) {
+            return vec![curve];
+        }
+        let label = 0.5 * (from.0 + to.0);
+        let Ok(middle) = reach(problem, known, from.0, label, ROUGH, work) else { return vec![curve] };
+        let mut pieces = Self::halved(problem, known, [from, (label, &middle)], halvings - 1, work);
+        pieces.extend(Self::halved(problem, known, [(label, &middle), to], halvings - 1, work));
+        pieces
+    }
+
+    /// Between two solutions at labels of a stretch. Where a solution between cannot be found, the stretch's own interpolants
+    /// stand in.
+    fn between(
+        problem: &Problem,
+        stretch: &Stretch,
+        [(from, start), (to, end)]: [(f64, &Solution); 2],
+        work: &mut Workspace,
+    ) -> Self {
         let basis = Basis::new();
         let (left, right) = (NODES - 2, NODES - 1);
         let mut at = [(0.0, 0.0); NODES];
         let of = |o: &Observables| (o.displacement, o.force);
-        (at[left], at[right]) = (of(&stretch.first().observables), of(&end.observables));
-        let (mut known, mut last) = (stretch.clone(), 0.0);
+        (at[left], at[right]) = (of(&start.observables), of(&end.observables));
+        let (mut known, mut last) = (stretch.clone(), from);
         for (at, node) in at[..left].iter_mut().zip(basis.nodes) {
-            let label = 0.5 * (1.0 + node) * to;
-            let interpolated = |pick: fn(&Observables) -> f64| stretch.observable(pick, 0.5 * to).at(label).0;
+            let label = from + 0.5 * (1.0 + node) * (to - from);
+            let interpolated = |pick: fn(&Observables) -> f64| stretch.observable(pick, 0.5 * (from + to)).at(label).0;
             *at = match reach(problem, &mut known, last, label, ROUGH, work) {
                 Ok(solution) => of(&solution.observables),
                 Err(_) => (interpolated(|o| o.displacement), interpolated(|o| o.force)),
@@ -43,6 +84,24 @@ impl StepCurve {
             last = label;
         }
         Self { basis, displacements: at.map(|pair| pair.0), forces: at.map(|pair| pair.1) }
+    }
+
+    /// Whether the polynomials through all nodes but the middle one miss that, by a share of what changes on the step and by more
+    /// than work counts, in units of `scale`, aJ.
+    fn is_uncertain(&self, scale: f64) -> bool {
+        let places: [f64; NODES] = self.basis.nodes;
+        let middle = (0..NODES).min_by(|&a, &b| places[a].abs().total_cmp(&places[b].abs())).unwrap_or(0);
+        let others: Vec<usize> = (0..NODES).filter(|&node| node != middle).collect();
+        let weights = lagrange_weights(&others.iter().map(|&node| places[node]).collect::<Vec<_>>(), places[middle]);
+        let of = |values: &[f64; NODES]| {
+            let mixed: f64 = weights.iter().zip(&others).map(|(weight, &node)| weight * values[node]).sum();
+            let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &v| (a.min(v), b.max(v)));
+            ((mixed - values[middle]).abs(), high - low)
+        };
+        let ((miss_u, range_u), (miss_p, range_p)) = (of(&self.displacements), of(&self.forces));
+        let largest = self.forces.iter().fold(0.0f64, |sum, force| sum.max(force.abs()));
+        let rough = miss_u > ROUGHLY * range_u || miss_p > ROUGHLY * range_p;
+        rough && miss_p * range_u + miss_u * largest > COUNTS * scale
     }
 
     /// (u, u', P, P') at a local coordinate.

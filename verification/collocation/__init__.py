@@ -8,7 +8,7 @@ Units: nm, nN, aJ; 1 GPa = 1 nN/nm^2, 1e-19 J = 0.1 nN nm. In the order in which
     mesh, solver, path    meshes, Newton corrections, the path of equilibria from rest
     turns       where the path turns: peak (dP = 0), lp1 and lp2 (du = 0)
     curve       solutions between the points of a path
-    energy      energy of a solution, work of the grip, plateau of a path
+    energy      energy and first integral of a solution, work of the grip, plateau of a path
     selfcheck   the equations against their potential, a solution against the first integral and a Runge-Kutta code
     shapecheck  shapes against their derivatives, work against energy
     digits      numbers computed twice and printed to the digits that agree

@@ -1,9 +1,9 @@
-"""Energy of a solution, work of the grip along a path, and the plateau of a path."""
+"""Energy and first integral of a solution, work of the grip along a path, and the plateau of a path."""
 import math
 
 import numpy as np
 
-from .law import potential
+from .law import field, potential
 from .curve import solution
 from .mesh import mesh
 from .system import Rule
@@ -22,6 +22,23 @@ def energy(s, st):
     rest = potential(c, np.float64(s.g0), np.float64(0.0))[0]
     density = density + c.width * (potential(c, g, th)[0] - rest)
     return float(np.diff(st.X) @ (density @ Rule(st.n).w))
+
+
+def first_integral(s, st):
+    """H x' + V y' + M theta' - stored - b Psi at the nodes and collocation points: of a strip the same everywhere."""
+    c = s.strip
+    z = np.concatenate([st.zn, st.inner().reshape(-1, s.d)])
+    f = field(c, z, st.H, jac=False)
+    g, th, V, M = z[:, :4].T
+    N, Q = st.H * np.cos(th) + V * np.sin(th), V * np.cos(th) - st.H * np.sin(th)
+    x1 = (1 + N / c.EA) * np.cos(th) - Q / c.GA * np.sin(th)
+    stored = 0.5 * N ** 2 / c.EA + 0.5 * Q ** 2 / c.GA + 0.5 * M ** 2 / c.EI
+    return st.H * x1 + V * f[:, 0] + M * f[:, 1] - stored - c.width * potential(c, g, th)[0]
+
+
+def adhesion(s):
+    """Of the strip at rest, -b Psi, nN."""
+    return -s.strip.width * float(potential(s.strip, np.float64(s.g0), np.float64(0.0))[0])
 
 
 def work(path, nodes):

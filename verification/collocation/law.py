@@ -1,6 +1,6 @@
 """The strip, the potential of its adhesion, and the strong form of Reissner's planar beam.
 
-With the potential  Pi = int [EA G1^2/2 + GA G2^2/2 + EI k^2/2 + b Psi(y, theta)] dS - P y(L),
+With the potential  Pi = int [EA G1^2/2 + GA G2^2/2 + EI k^2/2 + b Psi(y, theta)] dS - H x(L) - V(L) y(L),
     G1 = x' cos + y' sin - 1,   G2 = -x' sin + y' cos,   k = theta',
     H = N cos - Q sin,  V = N sin + Q cos,  M = EI theta'   (N = EA G1, Q = GA G2; so N = H cos + V sin, Q = -H sin + V cos),
 its first variation gives
@@ -12,6 +12,7 @@ An infinite shear_correction makes the beam rigid in shear.
 """
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from scipy.optimize import brentq
@@ -21,7 +22,8 @@ from scipy.optimize import brentq
 class Beam:
     """What every beam has: its grip, its adhesion, its material."""
     rotation: str = "free"               # of the grip: free | fixed
-    horizontal: str = "free"             # of the grip: free | fixed
+    horizontal: str = "free"             # of the grip, across the pull: free | fixed
+    angle: float = 90.0                  # of the pull to the substrate, degrees: 0 away from the strip, 180 back over it
     line_load: str = "full"              # full | force-only | axis-gap
     far_face: bool = True
     young: float = 2.0                   # GPa
@@ -39,6 +41,16 @@ class Beam:
     def shear_modulus(self):
         """That of the section, shear correction and all, GPa."""
         return self.shear_correction * self.young / (2.0 * (1.0 + self.poisson))
+
+    @property
+    def pull(self):
+        """Its direction: cosine and sine of the angle, exact at 90 degrees."""
+        return math.sin(math.radians(90.0 - self.angle)), math.sin(math.radians(self.angle))
+
+    @cached_property
+    def end_gap(self):
+        """Of the grip at rest."""
+        return float(self.free(np.array([self.length]))[0][0])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,7 +90,7 @@ class Strip(Beam):
         return self.shear_modulus * self.height * self.width
 
     def __str__(self):
-        return (f"L={self.length:g} f={self.factor:g} rot={self.rotation} hor={self.horizontal} {self.line_load} "
+        return (f"L={self.length:g} f={self.factor:g} angle={self.angle:g} rot={self.rotation} hor={self.horizontal} {self.line_load} "
                 f"far={str(self.far_face).lower()} h={self.height:g} b={self.width:g} E={self.young:g} nu={self.poisson:g} "
                 f"k={self.shear_correction:.4g} A_H={self.hamaker:g} r0={self.r0:g}")
 

@@ -68,10 +68,8 @@ class Path:
         st = self.at_rest()
         N = len(st.X) - 1
         sc = s.scale(N)
-        row = np.zeros_like(sc)
-        row[s.d * N] = 1.0                                            # u
         sy = System(s.strip, st)
-        _, T = sy.solve(row, 0.0)                                     # T with du = 1
+        _, T = sy.solve(s.row("u", N), 0.0)                           # T with du = 1
         s.border = self.good = T / sc / np.linalg.norm(T / sc)
         sy.sol[..., 0] = 0.0
         first, rise = None, 0.02 * s.strip.r0

@@ -7,7 +7,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from .digits import LEVELS
-from .energy import energy, work
+from .energy import adhesion, energy, first_integral, work
 from .law import Strip, field, potential
 from .path import Path
 from .shapes import Spatula
@@ -83,16 +83,9 @@ def check_strong_form(c, kind="lp1"):
     """At one point of a path: first integral along S; every sub-interval integrated again by a Runge-Kutta code."""
     path = Path(c, want=("peak",) if kind == "peak" else ("peak", "lp1"), fine=LEVELS[1]["fine"])
     t, st = path.s, path.found[kind]
-    z = np.concatenate([st.zn, st.inner().reshape(-1, t.d)])
-    f = field(c, z, st.H, jac=False)
-    g, th, V, M = z[:, :4].T
-    N, Q = st.H * np.cos(th) + V * np.sin(th), V * np.cos(th) - st.H * np.sin(th)
-    x1 = (1 + N / c.EA) * np.cos(th) - Q / c.GA * np.sin(th)
-    stored = 0.5 * N ** 2 / c.EA + 0.5 * Q ** 2 / c.GA + 0.5 * M ** 2 / c.EI
-    I = st.H * x1 + V * f[:, 0] + M * f[:, 1] - stored - c.width * potential(c, g, th)[0]
-    rest = -c.width * float(potential(c, np.float64(t.g0), np.float64(0.0))[0])
+    I = first_integral(t, st)
     print(f"first integral H x' + V y' + M theta' - stored - b Psi at {kind} of {c}:")
-    print(f"    from {I.min():.15g} to {I.max():.15g} along S, spread {np.ptp(I) / abs(I.mean()):.1e}; -b Psi at rest {rest:.15g}")
+    print(f"    from {I.min():.15g} to {I.max():.15g} along S, spread {np.ptp(I) / abs(I.mean()):.1e}; -b Psi at rest {adhesion(t):.15g}")
     return np.ptp(I) < 1e-11 * abs(I.mean()) and check_again(path, st)
 
 
@@ -110,12 +103,12 @@ def check_again(path, st):
     return worst < 1e-11
 
 
-def check_work(length=200.0):
+def check_work(c=replace(PAPER, length=200.0)):
     """Integral of P du from rest to lp1 against the change of stored and adhesion energy."""
-    path = Path(replace(PAPER, length=length), **dict(LEVELS[1], want=("peak", "lp1")))
+    path = Path(c, **dict(LEVELS[1], want=("peak", "lp1")))
     done, changed = work(path, nodes=5), energy(path.s, path.found["lp1"])
     off = abs(done / changed - 1.0)
-    print(f"work of the grip up to lp1, L = {length:g} nm: {done:.12g} aJ, change of energy {changed:.12g} aJ, differs by {off:.1e}")
+    print(f"work of the grip up to lp1 of {c}: {done:.12g} aJ, change of energy {changed:.12g} aJ, differs by {off:.1e}")
     return off < 1e-8
 
 

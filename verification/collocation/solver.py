@@ -19,10 +19,10 @@ class Solver:
 
     def __init__(self, strip):
         self.strip = strip
-        self.d = 5 if strip.horizontal == "fixed" else 4
+        self.d = 4 if strip.horizontal == "free" and strip.angle == 90.0 else 5
         self.tip = strip.at(0.0)
         self.g0 = rest_gap(self.tip)
-        self.raised = float(strip.free(np.array([strip.length]))[0][0])    # gap of the grip at u = 0
+        self.raised = strip.end_gap                                   # gap of the grip at u = 0
         # u at which the path begins: not where the grip would lie in the substrate
         self.first = 0.0 if self.raised > 0.5 * self.g0 else self.g0 - self.raised
         z0 = np.zeros(self.d)
@@ -43,10 +43,25 @@ class Solver:
         return np.append(v, s[2]) if self.d == 5 else v
 
     def u(self, st):
-        return float(st.zn[-1, 0] - self.raised)
+        """Displacement of the grip along the pull."""
+        cos, sin = self.strip.pull
+        up = st.zn[-1, 0] - self.raised
+        return float(up if self.d == 4 else sin * up + cos * st.zn[-1, 4])
 
     def P(self, st):
-        return float(st.zn[-1, 2])
+        """Force along the pull."""
+        cos, sin = self.strip.pull
+        return float(st.zn[-1, 2] if self.d == 4 else sin * st.zn[-1, 2] + cos * st.H)
+
+    def row(self, what, N):
+        """Derivative of "u" or "P" to the unknowns on N sub-intervals."""
+        cos, sin = self.strip.pull
+        row = np.zeros(self.d * (N + 1) + (self.d == 5))
+        up = self.d * N + (0 if what == "u" else 2)
+        row[up] = sin
+        if self.d == 5:
+            row[up + 4 if what == "u" else -1] = cos
+        return row
 
     def correct(self, st, row=None, target=None, tol=1e-8, most=8):
         """Newton. With a row: row . z = target. Without: shortest steps in the scaled norm (Moore-Penrose)."""
@@ -96,9 +111,8 @@ class Solver:
 
     def held(self, st, u, tol=1e-11, most=12):
         """The equilibrium next to st at a displacement of the grip."""
-        row = np.zeros(self.d * len(st.X) + (self.d == 5))
-        row[self.d * (len(st.X) - 1)] = 1.0
-        return self.correct(st, row=row, target=u + self.raised, tol=tol, most=most)
+        row = self.row("u", len(st.X) - 1)
+        return self.correct(st, row=row, target=u - self.u(st) + row @ st.flat(), tol=tol, most=most)
 
     def near(self, S, z):
         """The gap of the underside at places S."""
@@ -106,11 +120,10 @@ class Solver:
 
     def settled(self, st, most=300):
         """The equilibrium at the first displacement that st falls into: Newton steps that change no gap by more than CAP of itself."""
-        row = np.zeros(self.d * len(st.X) + (self.d == 5))
-        row[self.d * (len(st.X) - 1)] = 1.0
+        row = self.row("u", len(st.X) - 1)
         for _ in range(most):
             sy = System(self.strip, st)
-            dx, _ = sy.solve(row, self.first + self.raised - row @ st.flat())
+            dx, _ = sy.solve(row, self.first - self.u(st))
             dz = dx[:self.d * len(st.X)].reshape(-1, self.d)
             change = np.abs(dz[:, 0] + 0.5 * self.strip.at(st.X).height * np.sin(st.zn[:, 1]) * dz[:, 1])
             share = min(1.0, CAP * float((self.near(st.X, st.zn) / np.maximum(change, 1e-300)).min()))
@@ -130,11 +143,9 @@ class Solver:
 
     def steepness(self, st):
         """d ln P / d ln u of the path at st."""
-        row = np.zeros(self.d * len(st.X) + (self.d == 5))
-        end = self.d * (len(st.X) - 1)
-        row[end + 2] = 1.0                                            # T with dP = 1: regular where u turns
-        _, T = System(self.strip, st).solve(row, 0.0)
-        return self.u(st) / (self.P(st) * T[end])
+        N = len(st.X) - 1
+        _, T = System(self.strip, st).solve(self.row("P", N), 0.0)    # T with dP = 1: regular where u turns
+        return self.u(st) / (self.P(st) * (self.row("u", N) @ T))
 
     def distance(self, a, b):
         """How far two solutions are apart as functions of S, wherever their meshes lie."""

@@ -11,8 +11,7 @@ MOST_INTERVALS = 200
 def locate(s, st, what, N, n, tol):
     """The point near st at which the tangent has no component in what turns, "P" or "u", on a mesh that resolves it."""
     def found(st):
-        s.border = np.zeros_like(s.scale(len(st.X) - 1))
-        s.border[s.d * (len(st.X) - 1) + (2 if what == "u" else 0)] = 1.0
+        s.border = direction(s, "P" if what == "u" else "u", len(st.X) - 1)
         return turn(s, s.correct(st, tol=1e-11), what)
 
     return resolved(s, st, found, N, n, tol)
@@ -51,16 +50,22 @@ def tails(s, st):
     return (co / np.maximum(size, 1e-12)).max(axis=1)
 
 
+def direction(s, what, N):
+    """Of "u" or "P" among the scaled unknowns, length 1."""
+    row = s.row(what, N) * s.scale(N)
+    return row / np.linalg.norm(row)
+
+
 def turn(s, st, what):
     """On one mesh: solutions on planes across the tangent at st; secant method for the one where the path turns."""
     N = len(st.X) - 1
     sc = s.scale(N)
-    col = s.d * N + (2 if what == "P" else 0)
+    turns = direction(s, what, N)
     T0 = s.tangent(st)
     base = T0 / sc
     mid = base @ st.flat()
     ahead = (T0 * sc)[:s.d * (N + 1)].reshape(N + 1, s.d)
-    sig, phi, cur, step = 0.0, T0[col], st, 1e-5
+    sig, phi, cur, step = 0.0, turns @ T0, st, 1e-5
     tries = 0
     best = abs(phi), st
     for it in range(40):
@@ -74,8 +79,9 @@ def turn(s, st, what):
                 raise
             step *= 0.2
             continue
-        slope = (T[col] - phi) / step
-        sig, phi, cur = sig + step, T[col], new
+        component = turns @ T
+        slope = (component - phi) / step
+        sig, phi, cur = sig + step, component, new
         if abs(phi) < best[0]:
             best = abs(phi), new
         elif it > 14 and best[0] < 1e-6:                              # a second direction is nearly free: rounding is all there is
