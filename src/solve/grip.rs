@@ -18,7 +18,7 @@ const BLOCK: usize = ROOT;
 /// Row and column of the force, and of the path condition.
 const FORCE: usize = BLOCK - 1;
 /// Row and column of the end's place along x where it is no field.
-pub(super) const SLIDE: usize = MOST_FIELDS;
+const SLIDE: usize = MOST_FIELDS;
 
 /// The direction of a pull, as cosine and sine of its angle α to the substrate.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -32,6 +32,53 @@ pub struct Direction {
 impl Direction {
     /// Straight up.
     pub const UP: Self = Self { along: 0.0, up: 1.0 };
+}
+
+impl Problem {
+    /// Where a pull that is not straight up mixes x and height: the slot of x in [`Problem::held`], and the direction.
+    fn turned(&self) -> Option<(usize, Direction)> {
+        let x = if self.chain.has_border() { SLIDE } else { 0 };
+        (self.direction != Direction::UP).then_some((x, self.direction))
+    }
+
+    /// How far a field of the right end is from rest, or dx where that is the slot of x and no field.
+    fn end_off_rest(&self, at: &Equilibrium, slot: usize) -> f64 {
+        if slot >= self.fields() {
+            return at.slide;
+        }
+        at.state[at.state.len() - self.fields() + slot] - self.rest_at(self.length)[slot]
+    }
+
+    /// How far what a slot of [`Problem::held`] stands for is from its value at rest.
+    fn off_rest(&self, at: &Equilibrium, slot: usize) -> f64 {
+        let own = self.end_off_rest(at, slot);
+        match self.turned() {
+            Some((x, Direction { along, up })) if x == slot => up * own - along * self.end_off_rest(at, self.driven),
+            _ => own,
+        }
+    }
+
+    /// U = u + P/k of a configuration: how far what moves the grip is from where it was at rest, nm.
+    pub fn displacement(&self, at: &Equilibrium) -> f64 {
+        let driven = self.end_off_rest(at, self.driven);
+        let moved = match self.turned() {
+            Some((x, Direction { along, up })) => up * driven + along * self.end_off_rest(at, x),
+            None => driven,
+        };
+        moved + self.compliance * at.force
+    }
+
+    /// The configuration with the grip moved on along the pull, nm.
+    pub(super) fn moved(&self, mut at: Equilibrium, ahead: f64) -> Equilibrium {
+        let end = at.state.len() - self.fields();
+        at.state[end + self.driven] += self.direction.up * ahead;
+        match self.turned() {
+            Some((x, direction)) if x < self.fields() => at.state[end + x] += direction.along * ahead,
+            Some((_, direction)) => at.slide += direction.along * ahead,
+            None => {}
+        }
+        at
+    }
 }
 
 /// The root of the chain with grip, border constraint, force and path condition.

@@ -1,6 +1,6 @@
 //! What is to be solved: a chain, its rest state, its grip, and the scales that measure progress and error.
 
-use super::grip::{Direction, GripStep, SLIDE};
+use super::grip::{Direction, GripStep};
 use super::{Chain, Configuration, Focus, Fronts, MOST_FIELDS, Mesh, Pieces, graded_ends};
 use crate::beam::{ElementEnergy, Rest};
 use serde::{Deserialize, Serialize};
@@ -126,51 +126,6 @@ impl Problem {
     /// Distance of the two ends at rest along x, which a horizontally held grip keeps, nm.
     pub fn span(&self) -> f64 {
         self.rest.at(self.length)[0] - self.rest.at(0.0)[0]
-    }
-
-    /// Where a pull that is not straight up mixes x and height: the slot of x in [`Problem::held`], and the direction.
-    pub(super) fn turned(&self) -> Option<(usize, Direction)> {
-        let x = if self.chain.has_border() { SLIDE } else { 0 };
-        (self.direction != Direction::UP).then_some((x, self.direction))
-    }
-
-    /// How far a field of the right end is from rest, or dx where that is the slot of x and no field.
-    fn end_off_rest(&self, at: &Equilibrium, slot: usize) -> f64 {
-        if slot >= self.fields() {
-            return at.slide;
-        }
-        at.state[at.state.len() - self.fields() + slot] - self.rest_at(self.length)[slot]
-    }
-
-    /// How far what a slot of [`Problem::held`] stands for is from its value at rest.
-    pub(super) fn off_rest(&self, at: &Equilibrium, slot: usize) -> f64 {
-        let own = self.end_off_rest(at, slot);
-        match self.turned() {
-            Some((x, Direction { along, up })) if x == slot => up * own - along * self.end_off_rest(at, self.driven),
-            _ => own,
-        }
-    }
-
-    /// U = u + P/k of a configuration: how far what moves the grip is from where it was at rest, nm.
-    pub fn displacement(&self, at: &Equilibrium) -> f64 {
-        let driven = self.end_off_rest(at, self.driven);
-        let moved = match self.turned() {
-            Some((x, Direction { along, up })) => up * driven + along * self.end_off_rest(at, x),
-            None => driven,
-        };
-        moved + self.compliance * at.force
-    }
-
-    /// The configuration with the grip moved on along the pull, nm.
-    pub(super) fn moved(&self, mut at: Equilibrium, ahead: f64) -> Equilibrium {
-        let end = at.state.len() - self.fields();
-        at.state[end + self.driven] += self.direction.up * ahead;
-        match self.turned() {
-            Some((x, direction)) if x < self.fields() => at.state[end + x] += direction.along * ahead,
-            Some((_, direction)) => at.slide += direction.along * ahead,
-            None => {}
-        }
-        at
     }
 
     /// Energy of a configuration whose chain has the energy `chain`: with that of the spring, P²/2k, and, as a held grip's

@@ -301,8 +301,12 @@ fn report(model: &PeelModel, problem: &Problem, followed: &Followed, relative: f
             force: located.observables.force,
             end_rotation: located.observables.grip_rotation,
             work: work_near(problem, &followed.points, &works, *after, located, &mut work),
-            displacement_error: place_error(located, relative, *kind, [strained, bent])
-                .max(level(located, force_error(located))),
+            displacement_error: place_error(located, relative, *kind, [strained, bent]).max(level(
+                &followed.points,
+                *after,
+                located,
+                force_error(located),
+            )),
             force_error: force_error(located),
             flat: located.flat,
             after: *after,
@@ -325,11 +329,20 @@ fn place_error(located: &Located, relative: f64, turn: Turn, [strained, bent]: [
         + (round_off + stiff + modesty(located, relative)) * o.displacement.abs()
 }
 
-/// How far from a flat turn the force stays within its error, nm, but no further than rest: no nearer is its place known.
-fn level(located: &Located, force_error: f64) -> f64 {
-    let curved = located.flat && located.force_curvature != 0.0;
-    let away = if curved { (2.0 * force_error / located.force_curvature.abs()).sqrt() } else { 0.0 };
-    away.min(located.observables.displacement.abs())
+/// How far from a flat turn behind the point `after` the force stays within its error, nm, but no further than rest: no nearer is
+/// its place known. From its curvature, and from the points around: on a plateau, all of that.
+fn level(points: &[Arc<Solution>], after: usize, located: &Located, force_error: f64) -> f64 {
+    if !located.flat {
+        return 0.0;
+    }
+    let turn = &located.observables;
+    let is_level = |point: &&Arc<Solution>| (point.observables.force - turn.force).abs() <= force_error;
+    let (before, behind) = points.split_at(after + 1);
+    let around = before.iter().rev().take_while(is_level).chain(behind.iter().take_while(is_level));
+    let away = around.map(|point| (point.observables.displacement - turn.displacement).abs()).fold(0.0, f64::max);
+    let curved = (2.0 * force_error / located.force_curvature.abs()).sqrt();
+    let curved = if located.force_curvature == 0.0 { 0.0 } else { curved };
+    away.max(curved).min(turn.displacement.abs())
 }
 
 /// The relative error below which no bound of a located point is.

@@ -4,7 +4,7 @@
 //! the initiation peak and the first two displacement limit points where they exist.
 
 use super::{Check, Measure, Topic, reference};
-use crate::model::{Hold, StripModel};
+use crate::model::StripModel;
 use crate::study::{Accuracy, Bounds, End, Peel, Turn, peel};
 use rayon::prelude::*;
 
@@ -72,7 +72,7 @@ impl Survey {
 /// Peels every scene of the table at the default accuracy, on all cores.
 pub fn survey() -> Survey {
     let rows = reference::read(TABLE);
-    let scenes: Vec<(&reference::Row, StripModel)> = rows.iter().filter_map(|row| Some((row, model(row)?))).collect();
+    let scenes: Vec<(&reference::Row, StripModel)> = rows.iter().filter_map(|row| Some((row, row.strip()?))).collect();
     let accuracy = Accuracy::to(RELATIVE);
     let bounds = Bounds { points: 20_000, time_s: None, displacement: None };
     let peels: Vec<Peel> =
@@ -98,16 +98,6 @@ pub fn survey() -> Survey {
         }
     }
     survey
-}
-
-/// The strip of a row.
-fn model(row: &reference::Row) -> Option<StripModel> {
-    let mut model = StripModel::of_the_paper(row.number("length_nm")?, row.number("bending_stiffness_factor")?);
-    model.strip.height = row.number("height_nm")?;
-    model.adhesion.hamaker_constant = 1e18 * row.number("hamaker_constant_J")?;
-    model.adhesion.equilibrium_distance = row.number("equilibrium_distance_nm")?;
-    model.grip.rotation = if row.text("grip_rotation")? == "fixed" { Hold::Fixed } else { Hold::Free };
-    Some(model)
 }
 
 /// Value and bound of every number that a row may hold.

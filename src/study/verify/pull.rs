@@ -1,11 +1,10 @@
 //! The strip pulled at an angle against collocation, and its steady force against a closed form.
 
 use super::reference::{Row, read};
-use super::{Check, Measure, Topic};
-use crate::adhesion::LineLoad;
+use super::{Check, Measure, Topic, bounds};
 use crate::analytic::sliding_force;
-use crate::model::{Hold, PeelModel, Pull, StripModel};
-use crate::study::{Accuracy, Bounds, End, Peel, Turn, peel};
+use crate::model::{PeelModel, Pull, StripModel};
+use crate::study::{Accuracy, Bounds, End, Peel, peel};
 use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic =
@@ -28,62 +27,35 @@ fn run() -> Vec<Check> {
     checks
 }
 
-/// The strip of a row, and its name.
-fn strip_of(row: &Row) -> (StripModel, String) {
-    let number = |column: &str| row.number(column).unwrap_or(f64::NAN);
-    let hold = |column: &str| if row.text(column) == Some("fixed") { Hold::Fixed } else { Hold::Free };
-    let (length, factor, angle) = (number("length_nm"), number("bending_stiffness_factor"), number("pull_angle_deg"));
-    let mut model = StripModel::of_the_paper(length, factor);
-    model.grip.rotation = hold("grip_rotation");
-    model.grip.horizontal = hold("grip_across");
-    model.pull = Pull { angle: angle.to_radians() };
-    if row.text("line_load") == Some("axis-gap") {
-        model.adhesion.line_load = LineLoad::AxisGap;
-    }
-    let word = |column: &str| row.text(column).unwrap_or_default().to_owned();
-    let name = format!(
-        "{angle} degrees, across {}, rotation {}, {}, EI × {factor}, L = {length} nm",
-        word("grip_across"),
-        word("grip_rotation"),
-        word("line_load")
-    );
-    (model, name)
-}
-
 /// Peak and first two turning points of the displacement, each with its error over its bound.
 fn of_row(row: &Row, relative: f64) -> Vec<Check> {
-    let (model, name) = strip_of(row);
+    let word = |column: &str| row.text(column).unwrap_or_default();
+    let name = format!(
+        "{} degrees, across {}, rotation {}, {}, EI × {}, L = {} nm",
+        word("pull_angle_deg"),
+        word("grip_across"),
+        word("grip_rotation"),
+        word("line_load"),
+        word("bending_stiffness_factor"),
+        word("length_nm")
+    );
+    let check = |name, computed, expected, measure, tolerance| {
+        Check::new(TOPIC.name, name, SOURCE, computed, expected, measure, tolerance)
+    };
+    let Some(model) = row.strip() else {
+        return vec![check(name, Err("a word of the row is not known".into()), f64::NAN, Measure::Relative, relative)];
+    };
     let peel = peel(&model, &Accuracy::to(relative), &BOUNDS);
-    let peak = peel.initiation_peak.map(|p| [(p.displacement, p.displacement_error), (p.force, p.force_error)]);
-    let turns = peel.limit_points.iter().filter(|point| point.kind == Turn::Displacement);
-    let mut turns = turns.map(|p| [(p.displacement, p.displacement_error), (p.force, p.force_error)]);
-    let found = [("peak", peak), ("lp1", turns.next()), ("lp2", turns.next())];
     let mut checks = Vec::new();
-    for (kind, point) in found {
-        for (place, quantity) in ["displacement_nm", "force_nN"].into_iter().enumerate() {
-            let Some(expected) = row.number(&format!("{kind}_{quantity}")) else { continue };
-            let value = point.map(|point| point[place]).ok_or_else(|| missing(&peel));
-            let bound = value.clone().map(|(value, bound)| ((value - expected).abs() - rounding(expected)) / bound);
-            let about = format!("{kind} {quantity} at {relative:e}, {name}");
-            checks.push(Check::new(
-                TOPIC.name,
-                about.clone(),
-                SOURCE,
-                value.map(|(value, _)| value),
-                expected,
-                Measure::Relative,
-                relative,
-            ));
-            checks.push(Check::new(
-                TOPIC.name,
-                format!("error over its bound: {about}"),
-                SOURCE,
-                bound,
-                1.0,
-                Measure::AtMost,
-                0.0,
-            ));
-        }
+    for (quantity, found) in bounds::reported(&peel) {
+        let (Some(text), Some(expected)) = (row.text(quantity), row.number(quantity)) else { continue };
+        let found = found.ok_or_else(|| missing(&peel));
+        let unknown = 0.5 * bounds::last_digit(text);
+        let over = found.clone().map(|(value, bound)| ((value - expected).abs() - unknown).max(0.0) / bound);
+        let about = format!("{quantity} at {relative:e}, {name}");
+        let over_bound = format!("error over its bound: {about}");
+        checks.push(check(about, found.map(|(value, _)| value), expected, Measure::Relative, relative));
+        checks.push(check(over_bound, over, 1.0, Measure::AtMost, 0.0));
     }
     checks
 }
@@ -93,11 +65,6 @@ fn missing(peel: &Peel) -> String {
         End::Failed(why) => why.clone(),
         end => format!("not found before the path ended ({end:?})"),
     }
-}
-
-/// Half of the twelfth digit, to which the table is printed.
-fn rounding(expected: f64) -> f64 {
-    5e-12 * expected.abs()
 }
 
 /// The force where the front of a long strip is half-way.

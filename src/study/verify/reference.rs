@@ -1,5 +1,7 @@
 //! The tables of `verification/`, built into the program so that a check needs no file and no Python.
 
+use crate::adhesion::LineLoad;
+use crate::model::{Hold, StripModel};
 use std::collections::HashMap;
 
 /// A row of a table, by the names of the columns.
@@ -17,6 +19,43 @@ impl Row {
     /// The number in a cell; None where it is empty, no number, or the column does not exist.
     pub fn number(&self, column: &str) -> Option<f64> {
         self.text(column)?.parse().ok()
+    }
+
+    /// The strip of a row: the paper's, with what the row says otherwise. None where a column holds what has no meaning there.
+    pub fn strip(&self) -> Option<StripModel> {
+        let mut model = StripModel::of_the_paper(self.number("length_nm")?, self.number("bending_stiffness_factor")?);
+        let StripModel { strip, adhesion, grip, pull } = &mut model;
+        let numbers = [
+            ("height_nm", &mut strip.height, 1.0),
+            ("width_nm", &mut strip.width, 1.0),
+            ("youngs_modulus_GPa", &mut strip.youngs_modulus, 1.0),
+            ("poissons_ratio", &mut strip.poissons_ratio, 1.0),
+            ("shear_correction", &mut strip.shear_correction, 1.0),
+            ("hamaker_constant_J", &mut adhesion.hamaker_constant, 1e18),
+            ("equilibrium_distance_nm", &mut adhesion.equilibrium_distance, 1.0),
+            ("pull_angle_deg", &mut pull.angle, 1f64.to_radians()),
+        ];
+        for (column, place, unit) in numbers {
+            if let Some(text) = self.text(column) {
+                *place = unit * text.parse::<f64>().ok()?;
+            }
+        }
+        let holds = [("free", Hold::Free), ("fixed", Hold::Fixed)];
+        let loads = [("full", LineLoad::Full), ("force-only", LineLoad::ForceOnly), ("axis-gap", LineLoad::AxisGap)];
+        self.pick("grip_rotation", &holds, &mut grip.rotation)?;
+        self.pick("grip_horizontal", &holds, &mut grip.horizontal)?;
+        self.pick("grip_across", &holds, &mut grip.horizontal)?;
+        self.pick("line_load", &loads, &mut adhesion.line_load)?;
+        self.pick("far_face", &[("true", true), ("false", false)], &mut adhesion.far_face)?;
+        Some(model)
+    }
+
+    /// Puts what the word in a column stands for into its place, if there is one; None where it stands for nothing.
+    fn pick<T: Copy>(&self, column: &str, choices: &[(&str, T)], place: &mut T) -> Option<()> {
+        if let Some(word) = self.text(column) {
+            *place = choices.iter().find(|(name, _)| *name == word)?.1;
+        }
+        Some(())
     }
 }
 
@@ -45,5 +84,20 @@ mod tests {
         assert_eq!((rows[0].number("b"), rows[0].text("c"), rows[0].number("c")), (None, Some("x"), None));
         assert_eq!(rows[1].number("b"), Some(3e-4));
         assert_eq!(rows[1].text("d"), None);
+    }
+
+    #[test]
+    fn a_row_is_the_papers_strip_with_what_it_says_otherwise() {
+        let rows = read(
+            "length_nm,bending_stiffness_factor,line_load,grip_across,pull_angle_deg,hamaker_constant_J\n\
+             200,0.1,axis-gap,fixed,90,2e-19\n100,1,,,,\n100,1,full,held,,\n",
+        );
+        let strip = rows[0].strip().unwrap();
+        assert_eq!((strip.strip.length, strip.strip.bending_stiffness_factor), (200.0, 0.1));
+        assert_eq!((strip.adhesion.line_load, strip.grip.horizontal), (LineLoad::AxisGap, Hold::Fixed));
+        assert_eq!(strip.pull.direction(), crate::model::Pull::UP.direction());
+        approx::assert_relative_eq!(strip.adhesion.hamaker_constant, 0.2, max_relative = 1e-15);
+        assert_eq!(rows[1].strip(), Some(StripModel::of_the_paper(100.0, 1.0)));
+        assert_eq!(rows[2].strip(), None);
     }
 }

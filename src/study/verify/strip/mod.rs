@@ -87,22 +87,12 @@ impl Case {
     }
 }
 
-/// The paper's strip with what a row says otherwise.
+/// The strip of a row, with numbers that are none where the row is not understood; one that is rigid in shear is nearly so.
 fn strip_of(row: &Row) -> StripModel {
-    let mut model = StripModel::of_the_paper(
-        row.number("length_nm").unwrap_or(f64::NAN),
-        row.number("bending_stiffness_factor").unwrap_or(f64::NAN),
-    );
-    model.adhesion.line_load = match row.text("line_load") {
-        Some("force-only") => LineLoad::ForceOnly,
-        Some("axis-gap") => LineLoad::AxisGap,
-        _ => LineLoad::Full,
-    };
-    if let Some(shear_correction) = row.number("shear_correction") {
-        // the shear that is left changes the peak by about 0.3 (EI/EI0)^(1/2) / shear_correction
-        let rigid = 1e7 * model.strip.bending_stiffness_factor.sqrt();
-        model.strip.shear_correction = shear_correction.min(rigid);
-    }
+    let mut model = row.strip().unwrap_or_else(|| StripModel::of_the_paper(f64::NAN, f64::NAN));
+    // the shear that is left changes the peak by about 0.3 (EI/EI0)^(1/2) / shear_correction
+    let rigid = 1e7 * model.strip.bending_stiffness_factor.sqrt();
+    model.strip.shear_correction = model.strip.shear_correction.min(rigid);
     model
 }
 
