@@ -150,7 +150,7 @@ fn alike(scenes: &[(f64, Scene)]) -> impl Iterator<Item = &[(f64, Scene)]> {
 }
 
 /// The key with its unit, as an axis is labelled.
-pub fn label(key: &Key) -> String {
+fn label(key: &Key) -> String {
     if key.unit().is_empty() { key.path() } else { format!("{} ({})", key.path(), key.unit()) }
 }
 

@@ -4,7 +4,7 @@
 use super::interrupt::Interrupt;
 use super::output::{list_files, progress_bar, say};
 use super::stop::Stop;
-use super::sweep::{Sweep, failed, label};
+use super::sweep::{Sweep, failed};
 use super::words;
 use indicatif::ProgressBar;
 use peelkit::report::{self, Existing, OutputFolder, PartialSweep, ReportError, SweepSummary};
@@ -129,7 +129,7 @@ fn write(
     output.write(|dir| {
         let mut files = vec![report::write_sweep(dir, rows)?];
         if rows.iter().any(|row| row.found.peak.is_some()) {
-            files.extend(report::draw_sweep(rows, &label(key), &scene.title, args.log, dir)?);
+            files.extend(report::draw_sweep(rows, &key.path(), &scene.title, args.log, dir)?);
         }
         Ok(files)
     })
