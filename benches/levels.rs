@@ -4,7 +4,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use peelkit::adhesion::{
-    Faces, HalfSpace, LatticeHalfSpace, LennardJones, Level, LineLaw, LineLoad, Piece, Rule, body_force_by_volume,
+    Faces, HalfSpace, LatticeHalfSpace, Law, LennardJones, Level, LineLaw, LineLoad, Piece, Rule, body_force_by_volume,
 };
 use std::hint::black_box;
 use std::num::NonZeroUsize;
@@ -29,7 +29,8 @@ fn points(c: &mut Criterion) {
     });
     group.bench_function("body force, eq. (9)", |b| b.iter(|| LAW.body_force(black_box(0.5))));
     group.bench_function("traction, eq. (10)", |b| b.iter(|| LAW.traction(black_box(0.5))));
-    let line = LineLaw { half_space: LAW, height: 10.0, line_load: LineLoad::Full, far_face: true };
+    let line =
+        LineLaw { half_space: LAW, height: 10.0, law: Law::BodyForce, line_load: LineLoad::Full, far_face: true };
     let (sin, cos) = 0.35f64.sin_cos();
     group.bench_function("line load, eqs. (17)-(22)", |b| {
         b.iter(|| {

@@ -23,6 +23,8 @@ pub trait Real:
     fn choose(self, positive: Self, other: Self) -> Self;
     /// Several functions of each number, computed one by one.
     fn each<const K: usize>(self, function: impl Fn(f64) -> [f64; K]) -> [Self; K];
+    /// Several functions of each pair of numbers, computed one by one.
+    fn each_pair<const K: usize>(self, other: Self, function: impl Fn(f64, f64) -> [f64; K]) -> [Self; K];
     /// One over it.
     #[inline(always)]
     fn recip(self) -> Self {
@@ -46,6 +48,10 @@ impl Real for f64 {
     #[inline(always)]
     fn each<const K: usize>(self, function: impl Fn(f64) -> [f64; K]) -> [Self; K] {
         function(self)
+    }
+    #[inline(always)]
+    fn each_pair<const K: usize>(self, other: Self, function: impl Fn(f64, f64) -> [f64; K]) -> [Self; K] {
+        function(self, other)
     }
 }
 
@@ -165,6 +171,11 @@ impl Real for Four {
     #[inline(always)]
     fn each<const K: usize>(self, function: impl Fn(f64) -> [f64; K]) -> [Self; K] {
         let each = self.0.map(function);
+        std::array::from_fn(|k| Self(each.map(|values| values[k])))
+    }
+    #[inline(always)]
+    fn each_pair<const K: usize>(self, other: Self, function: impl Fn(f64, f64) -> [f64; K]) -> [Self; K] {
+        let each: [[f64; K]; 4] = std::array::from_fn(|l| function(self.0[l], other.0[l]));
         std::array::from_fn(|k| Self(each.map(|values| values[k])))
     }
 }

@@ -19,9 +19,17 @@ use proptest::prelude::*;
 fn with_value(key: &Key, value: &str) -> String {
     let body = if BODIES.contains(&key.table) { key.table } else { BODIES[0] };
     let fits = |other: &&Key| other.table == body || !BODIES.contains(&other.table);
-    let line = |other: &Key| {
-        let value = if other.path() == key.path() { value } else { other.example() };
-        format!("{} = {value}\n", other.path())
+    // a substrate of a shape that has the key, of those of its keys alone
+    let shape = if key.name == "shape" { None } else { key.shapes().first().copied() };
+    let fits =
+        |other: &&Key| fits(other) && (other.table != "substrate" || other.shapes().contains(&shape.unwrap_or("flat")));
+    // a strip on flat ground alone is stretched
+    let stretched = body == BODIES[0] && key.table != "substrate";
+    let fits = |other: &&Key| fits(other) && (stretched || other.name != "pretension");
+    let line = |other: &Key| match shape {
+        _ if other.path() == key.path() => format!("{} = {value}\n", other.path()),
+        Some(shape) if other.name == "shape" => format!("{} = \"{shape}\"\n", other.path()),
+        _ => format!("{} = {}\n", other.path(), other.example()),
     };
     KEYS.iter().filter(fits).map(line).collect()
 }
@@ -67,8 +75,8 @@ fn what_is_out_of_range_is_refused_with_the_range() {
                     [("1e-300", true), ("1e300", true), ("0", false), ("-1", false), ("1e400", false), ("nan", false)]
                 {
                     let text = with_value(key, &format!("\"{number} {unit}\""));
-                    // the lengths of a spatula have to fit one another besides
-                    if key.table != "spatula" || !is_right {
+                    // the lengths of a spatula, and of a substrate and its strip, have to fit one another besides
+                    if !["spatula", "substrate"].contains(&key.table) || !is_right {
                         assert_eq!(check_parse(&text), Ok(is_right), "{text}");
                     }
                     if !is_right {
@@ -179,8 +187,8 @@ proptest! {
             let missing = complaint(&text.replace(&line, ""));
             prop_assert!(missing.contains(&format!("[{}] lacks `{}`", key.table, key.name)), "{}", missing);
         }
-        if other.table != key.table {
-            let place = if other.table.is_empty() { String::new() } else { format!("{}.", other.table) };
+        let place = if other.table.is_empty() { String::new() } else { format!("{}.", other.table) };
+        if other.table != key.table && !text.contains(&format!("{place}{} = ", key.name)) {
             let moved = complaint(&text.replace(&line, &format!("{place}{} = {}\n", key.name, key.example())));
             let moved_to = format!("`{place}{}` is", key.name);
             let elsewhere = [" not a key of a scene", " a key of ["].map(|what| moved.contains(&format!("{moved_to}{what}")));

@@ -15,7 +15,9 @@
 //! Why: each level is only as good as the step that leads to it.
 
 use approx::assert_relative_eq;
-use peelkit::adhesion::{CurvedBody, HalfSpace, Level, LineLaw, LineLoad, Piece, Rule, Shape, section_by_body_force};
+use peelkit::adhesion::{
+    CurvedBody, HalfSpace, Law, Level, LineLaw, LineLoad, Piece, Rule, Shape, section_by_body_force,
+};
 use peelkit::study::verify::reference::{Row, read};
 use peelkit::study::verify::{Check, TOPICS};
 use std::num::NonZeroUsize;
@@ -63,7 +65,7 @@ fn curvature_error_falls_with_the_radius() {
 #[test]
 fn line_load_is_the_integral_of_the_body_force() {
     let rule = Rule::new(NonZeroUsize::new(20).unwrap());
-    let law = LineLaw { half_space: LAW, height: 10.0, line_load: LineLoad::Full, far_face: true };
+    let law = LineLaw { half_space: LAW, height: 10.0, law: Law::BodyForce, line_load: LineLoad::Full, far_face: true };
     for row in read(include_str!("../verification/sections.csv")) {
         let tilt = number(&row, "tilt_deg").to_radians();
         let lowest = number(&row, "lowest_gap_nm");

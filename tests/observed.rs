@@ -23,8 +23,8 @@ use common::{PAPER, paper_strip, traction, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Form, Hold, StripModel};
 use peelkit::solve::{
-    Condition, NewtonOptions, Observables, Path, PathOptions, Problem, RelaxOptions, Relaxed, Solution, Stretch, Turn,
-    Workspace, brackets, disturbed, locate, relax, solve,
+    Condition, Held, NewtonOptions, Observables, Path, PathOptions, Problem, RelaxOptions, Relaxed, Solution, Stretch,
+    Turn, Workspace, brackets, disturbed, locate, relax, solve,
 };
 use peelkit::study::{Accuracy, Bounds, Jump, JumpKind, NoTest, Observed, TestEnd, Way, observed, peel};
 use serde_json::Value;
@@ -271,7 +271,10 @@ fn landed(problem: &Problem, largest_update: f64) -> (f64, Relaxed) {
     let (stretch, bracket) = found.unwrap();
     let limit = locate(problem, &stretch, Turn::Displacement, bracket, None, &mut work).unwrap();
     let (start, displacement) = (disturbed(problem, &limit.solution), limit.observables.displacement);
-    (displacement, relax(problem, start, displacement, &RelaxOptions { largest_update }, &mut work).unwrap())
+    (
+        displacement,
+        relax(problem, start, Held::Displacement(displacement), &RelaxOptions::by(largest_update), &mut work).unwrap(),
+    )
 }
 
 #[test]

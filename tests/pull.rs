@@ -17,6 +17,7 @@ mod common;
 use assert_cmd::Command;
 use common::{paper_strip, with_grip};
 use peelkit::model::{Body, Form, Hold, PeelModel, Pull, Spatula, StripModel};
+use peelkit::scene::Scene;
 use peelkit::study::{Accuracy, Bounds, Choice, End, LimitPoint, Peel, TestEnd, Turn, observed, peel};
 use serde_json::Value;
 
@@ -49,6 +50,34 @@ fn assert_agree(a: &Peel, b: &Peel) {
     let (p, q) = (a.initiation_peak.unwrap(), b.initiation_peak.unwrap());
     close("peak", p.force, q.force, p.force_error + q.force_error);
     assert_eq!(std::mem::discriminant(&a.end), std::mem::discriminant(&b.end));
+}
+
+/// Laid down under tension: the same, and work is the change of energy, which at rest is T² L/(2EA) already.
+#[test]
+fn both_forms_of_a_stretched_strip_agree() {
+    for (degrees, tension) in [(90.0, 0.5), (60.0, 0.1), (120.0, 1.0)] {
+        let mut model = at_angle(with_grip(paper_strip(100.0, 1.0), Hold::Free, Hold::Fixed), degrees);
+        let slack = peeled(&PeelModel::from(model), Form::TwoField);
+        model.grip.pretension = Some(tension);
+        let model = PeelModel::from(model);
+        let (two, three) = (peeled(&model, Form::TwoField), peeled(&model, Form::ThreeField));
+        assert_agree(&two, &three);
+        let first = two.points[0];
+        assert!((first.force - tension * f64::to_radians(degrees).cos()).abs() < 1e-9 * tension, "{first:?}");
+        let change = two.initiation_peak.unwrap().force - slack.initiation_peak.unwrap().force;
+        assert!(change.abs() > 1e-3 && (degrees > 90.0 || change > 0.0), "{degrees} degrees: {change}");
+    }
+}
+
+#[test]
+fn pretension_needs_something_to_hold_it() {
+    let held = std::fs::read_to_string(SCENE).unwrap() + "\n[grip]\nhorizontal = \"fixed\"\npretension = \"200 pN\"\n";
+    assert_eq!(Scene::parse("held.toml", &held, &[]).unwrap().model.grip.pretension, Some(0.2));
+    for more in ["", "horizontal = \"free\""] {
+        let text = std::fs::read_to_string(SCENE).unwrap() + &format!("\n[grip]\npretension = \"1 nN\"\n{more}\n");
+        let error = Scene::parse("loose.toml", &text, &[]).unwrap_err().to_string();
+        assert!(error.contains("grip.pretension") && error.contains("held across the pull"), "{error}");
+    }
 }
 
 #[test]

@@ -5,9 +5,9 @@
 //! and what was found, and the remedy says what would be right. Why: a person who peels strips, not one who writes
 //! parsers, has to mend the file.
 
-use peelkit::adhesion::LineLoad;
+use peelkit::adhesion::{CohesiveShape, LineLoad, Round, Shape, Sinusoid, Substrate};
 use peelkit::beam::Material;
-use peelkit::model::{Body, Hold, Pull, Spatula};
+use peelkit::model::{Attraction, Body, Ground, Hold, Pull, Spatula, Start};
 use peelkit::scene::{KEYS, Key, Need, Scene};
 use proptest::prelude::*;
 
@@ -72,8 +72,9 @@ fn what_a_scene_leaves_out_has_its_default() {
     assert_eq!((strip.shear_correction, strip.bending_stiffness_factor), (5.0 / 6.0, 1.0));
     assert_eq!((adhesion.hamaker_constant, adhesion.equilibrium_distance), (0.1, 0.4));
     assert_eq!((adhesion.line_load, adhesion.far_face), (LineLoad::Full, true));
+    assert_eq!((adhesion.attraction, adhesion.work, adhesion.strength), (Attraction::BodyForce, None, None));
     assert_eq!((grip.rotation, grip.horizontal), (Hold::Free, Hold::Free));
-    assert_eq!(grip.stiffness, None);
+    assert_eq!((grip.stiffness, grip.pretension), (None, None));
     assert_eq!(scene.model.pull, Pull::UP);
     assert_eq!(scene.accuracy.relative, 1e-6);
     assert_eq!((scene.bounds.points, scene.bounds.time_s, scene.bounds.displacement), (20_000, Some(60.0), None));
@@ -95,8 +96,17 @@ bending_stiffness_factor = 1e-4
 [adhesion]
 hamaker_constant = "100 zJ"
 equilibrium_distance = "400 pm"
+law = "bilinear"
+work = "20 mJ/m2"
+strength = "100 MPa"
 line_load = "axis-gap"
 far_face = false
+[substrate]
+shape = "sinusoid"
+height = "8 nm"
+wavelength = "0.1 um"
+offset = "-25 nm"
+start = "flat"
 [grip]
 rotation = "fixed"
 horizontal = "fixed"
@@ -120,6 +130,8 @@ displacement = "0.5 um"
     assert_eq!((strip.shear_correction, strip.bending_stiffness_factor), (1.0, 1e-4));
     assert_eq!((adhesion.hamaker_constant, adhesion.equilibrium_distance), (0.1, 0.4));
     assert_eq!((adhesion.line_load, adhesion.far_face), (LineLoad::AxisGap, false));
+    assert_eq!(adhesion.attraction, Attraction::Cohesive(CohesiveShape::Bilinear));
+    assert_eq!((adhesion.work, adhesion.strength), (Some(0.02), Some(0.1)));
     assert_eq!((grip.rotation, grip.horizontal), (Hold::Fixed, Hold::Fixed));
     assert_eq!(grip.stiffness, Some(0.02));
     assert_eq!(scene.model.pull, Pull { angle: 60f64.to_radians() });
@@ -128,7 +140,10 @@ displacement = "0.5 um"
     assert_eq!((choice.order, choice.elements, choice.step), (Some(5), Some(30), Some(0.05)));
     assert_eq!((scene.bounds.points, scene.bounds.time_s, scene.bounds.displacement), (50, Some(120.0), Some(500.0)));
     assert_eq!(scene.title, "All");
-    for key in KEYS.iter().filter(|key| key.belongs_to(&scene)) {
+    let wave = Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 100.0, offset: -25.0 });
+    assert_eq!(scene.model.ground, Ground { substrate: wave, start: Start::Crests });
+    // a pretension is that of flat ground: tests/pull.rs
+    for key in KEYS.iter().filter(|key| key.belongs_to(&scene) && key.name != "pretension") {
         assert!(text.contains(&format!("{} = ", key.name)), "{} is not in this test", key.path());
     }
 }
@@ -184,6 +199,58 @@ equilibrium_distance = "0.4 nm"
         assert!(text.contains(&format!("{} = ", key.name)), "{} is not in this test", key.path());
     }
     assert_eq!(Scene::parse("a.toml", SPATULA, &[]).unwrap().model.body, Body::Spatula(Spatula::default()));
+}
+
+#[test]
+fn every_shape_of_a_substrate_is_read() {
+    let ground =
+        |keys: &str| Scene::parse("a.toml", &format!("{MINIMAL}[substrate]\n{keys}"), &[]).unwrap().model.ground;
+    assert_eq!(ground("shape = \"flat\""), Ground::default());
+    for (word, shape) in [("sphere", Shape::Sphere), ("cylinder", Shape::Cylinder)] {
+        // in any order
+        let found = ground(&format!("offset = \"-3 nm\"\nradius = \"0.2 um\"\nshape = \"{word}\""));
+        let substrate = Substrate::Round(Round { shape, radius: 200.0, offset: -3.0 });
+        assert_eq!(found, Ground { substrate, start: Start::Conformed });
+    }
+    let found = ground("shape = \"profile\"\ntable = \"\"\"\nx_nm,height_nm\n0,0\n50,-8\n100,0\n\"\"\"\n");
+    let Substrate::Profile(heights) = found.substrate else { panic!("{found:?}") };
+    assert_eq!((heights.span(), heights.at(50.0)[0]), ((0.0, 100.0), -8.0));
+}
+
+#[test]
+fn what_does_not_belong_to_a_substrate_is_named() {
+    let on = |keys: &str| complaint(&format!("{MINIMAL}[substrate]\n{keys}"));
+    assert_says(
+        &on("shape = \"sphere\"\nradius = \"9 nm\"\nheight = \"8 nm\""),
+        &[
+            "line 12: `substrate.height` is a key of [substrate] for another `shape` than \"sphere\"",
+            "shape \"sinusoid\"",
+            "radius, offset, start",
+        ],
+    );
+    assert_says(
+        &on("radius = \"9 nm\""),
+        &["`substrate.radius`", "than \"flat\"", "\"sphere\" or \"cylinder\"", "no other keys"],
+    );
+    assert_says(&on("shape = \"cylinder\""), &["[substrate] lacks `radius`", "radius = \"200 nm\""]);
+    assert_says(&on("shape = \"wave\""), &["`substrate.shape` is \"wave\"", "\"flat\" or \"sphere\" or"]);
+    assert_says(
+        &on("shape = \"profile\"\ntable = \"no.csv\""),
+        &["`substrate.table` names the file dir/no.csv, which cannot be read"],
+    );
+    assert_says(
+        &on("shape = \"sphere\"\nradius = \"9 nm\"\noffset = \"9 nm\""),
+        &["`substrate.offset` is 9 nm, and the strip begins beside the body", "less than `radius`"],
+    );
+    let forced = MINIMAL.replace("[adhesion]", "[adhesion]\nline_load = \"force-only\"");
+    assert_says(
+        &complaint(&format!("{forced}[substrate]\nshape = \"sphere\"\nradius = \"9 nm\"")),
+        &["`adhesion.line_load` is \"force-only\"", "no potential"],
+    );
+    assert_says(
+        &complaint(&format!("{SPATULA}[substrate]\nshape = \"sphere\"\nradius = \"9 nm\"")),
+        &["`substrate.shape` is not flat, on which a strip can be peeled"],
+    );
 }
 
 #[test]
@@ -243,21 +310,34 @@ fn lengths_of_a_spatula_that_do_not_fit_are_named() {
     }
 }
 
+/// A strip on ground of this shape, with an example for each of its keys.
+fn on_ground(shape: &str) -> String {
+    let keys =
+        KEYS.iter().filter(|key| key.table == "substrate" && key.name != "shape" && key.shapes().contains(&shape));
+    let lines: String = keys.map(|key| format!("{} = {}\n", key.name, key.example())).collect();
+    format!("{MINIMAL}[substrate]\nshape = \"{shape}\"\n{lines}")
+}
+
 #[test]
 fn every_example_that_messages_give_is_right() {
     for key in KEYS {
         let text = match key.table {
-            "spatula" => SPATULA,
-            "profile" => PROFILE,
-            _ => MINIMAL,
+            "spatula" => SPATULA.to_owned(),
+            "profile" => PROFILE.to_owned(),
+            "substrate" => on_ground(key.shapes()[0]),
+            _ if ["work", "strength"].contains(&key.name) => {
+                MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")
+            }
+            _ if key.name == "pretension" => format!("{MINIMAL}[grip]\nhorizontal = \"fixed\"\n"),
+            _ => MINIMAL.to_owned(),
         };
-        Scene::parse("a.toml", text, &set(&key.path(), key.example())).unwrap();
+        Scene::parse("a.toml", &text, &set(&key.path(), key.example())).unwrap();
     }
 }
 
 #[test]
 fn the_ready_scenes_are_right() {
-    for name in ["strip", "strip-100nm", "strip-soft", "spatula"] {
+    for name in ["strip", "strip-100nm", "strip-soft", "strip-rough", "spatula"] {
         let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
         Scene::parse(&path, &std::fs::read_to_string(&path).unwrap(), &[]).unwrap();
     }
@@ -280,7 +360,8 @@ fn assert_remarks_show_defaults(name: &str) {
     let uncommented: Vec<&str> = text.lines().map(|line| if is_line(line) { &line[2..] } else { line }).collect();
     let plain = Scene::parse(&path, &text, &[]).unwrap();
     assert_eq!(Scene::parse(&path, &uncommented.join("\n"), &[]).unwrap(), plain);
-    let shown = |key: &&Key| key.need == Need::Optional && key.belongs_to(&plain);
+    let of_a_strip = |key: &Key| key.name != "pretension" || plain.model.strip().is_some();
+    let shown = |key: &&Key| key.need == Need::Optional && key.belongs_to(&plain) && of_a_strip(key);
     for key in KEYS.iter().filter(shown) {
         assert!(text.contains(&format!("{} = ", key.name)), "{} is not shown", key.path());
     }
@@ -349,7 +430,12 @@ fn every_mistake_in_a_choice_or_another_table_is_named() {
         ("[grip]", "stiffness = 0.5", "a number without a unit", r#""0.5 N/m""#),
         ("[bounds]", r#"displacement = "1 s""#, "s measures a time, not a length", "nm"),
         ("[girp]", "rotation = 1", "[girp] is not a table", "Did you mean [grip]?"),
-        ("[spring]", "rotation = 1", "[spring] is not a table", "[strip], [spatula], [profile], [adhesion], [grip]"),
+        (
+            "[spring]",
+            "rotation = 1",
+            "[spring] is not a table",
+            "[strip], [spatula], [profile], [adhesion], [substrate], [grip]",
+        ),
         ("[[strip]]", "length = 1", "`strip` is a list", "write [strip]"),
     ];
     for (table, line, found, remedy) in lines {
@@ -374,7 +460,7 @@ fn what_is_missing_is_named_with_an_example() {
     assert_says(&complaint(no_adhesion), &["the scene lacks the table [adhesion]", r#"hamaker_constant = "1e-19 J""#]);
     let no_table = PROFILE.split("table").next().unwrap();
     assert_says(&complaint(no_table), &["line 2: [profile] lacks `table`", "s_nm,width_nm,height_nm\\n0,20,5"]);
-    for key in KEYS.iter().filter(|key| key.need == Need::Required && key.table != "profile") {
+    for key in KEYS.iter().filter(|key| key.need == Need::Required && !["profile", "substrate"].contains(&key.table)) {
         let without: Vec<&str> = MINIMAL.lines().filter(|line| !line.starts_with(key.name)).collect();
         let example = format!("{} = ", key.name);
         let lacks = format!("[{}] lacks `{}`", key.table, key.name);

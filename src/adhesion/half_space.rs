@@ -38,6 +38,12 @@ impl HalfSpace {
         q2 * (q2 * q2 * q2 * (1.0 / 360.0) - 1.0 / 6.0) * self.potential_scale()
     }
 
+    /// W, T and b at once.
+    #[inline(always)]
+    pub fn levels<T: Real>(&self, r: T) -> [T; 3] {
+        [self.potential(r), self.traction(r), self.body_force(r)]
+    }
+
     /// A_H/(2π r0²), nN/nm: the factor of W.
     pub fn potential_scale(&self) -> f64 {
         self.hamaker_constant / (2.0 * PI * self.equilibrium_distance.powi(2))
@@ -46,6 +52,11 @@ impl HalfSpace {
     /// Work of adhesion of two half spaces, w_adh = -W(r_eq) = 15^(1/3) A_H/(16π r0²), nN/nm = J/m² (footnote 5).
     pub fn work_of_adhesion(&self) -> f64 {
         15f64.cbrt() * self.hamaker_constant / (16.0 * PI * self.equilibrium_distance.powi(2))
+    }
+
+    /// The largest attraction, -T at the strongest gap: (2√5/9) A_H/(2π r0³), nN/nm² = GPa.
+    pub fn strength(&self) -> f64 {
+        2.0 * 5f64.sqrt() / 9.0 * self.potential_scale() / self.equilibrium_distance
     }
 
     /// The gap without traction, 15^(-1/6) r0, nm.
@@ -88,6 +99,7 @@ mod tests {
     fn traction_vanishes_and_is_least_where_stated() {
         assert!(PAPER.traction(PAPER.equilibrium_gap()).abs() < 1e-14);
         assert!(PAPER.body_force(PAPER.strongest_gap()).abs() < 1e-14);
+        assert_relative_eq!(PAPER.strength(), -PAPER.traction(PAPER.strongest_gap()), max_relative = 1e-14);
     }
 
     /// The paper's footnote 3 says 5.7 nm for 0.1 %; that is 5.69 r0, hence r0 = 1 nm and not its own 0.4 nm.

@@ -10,7 +10,7 @@
 
 use super::lattice::LatticeHalfSpace;
 use super::volume::body_force_by_volume;
-use super::{HalfSpace, LennardJones, LineLaw, LineLoad, Rule};
+use super::{HalfSpace, Law, LennardJones, LineLaw, LineLoad, Rule};
 
 /// A rectangle l × h, a unit of width of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -117,7 +117,13 @@ impl Piece {
 
     fn by_line(&self, rule: &Rule, far_face: bool) -> Resultant {
         let ((sin, cos), y) = (self.tilt.sin_cos(), self.centre());
-        let law = LineLaw { half_space: self.half_space, height: self.height, line_load: LineLoad::Full, far_face };
+        let law = LineLaw {
+            half_space: self.half_space,
+            height: self.height,
+            law: Law::BodyForce,
+            line_load: LineLoad::Full,
+            far_face,
+        };
         let mut sum = Resultant::default();
         for (along, weight) in rule.over(-0.5 * self.length, 0.5 * self.length) {
             let at = law.response(y + along * sin - 0.5 * self.height, sin, cos);

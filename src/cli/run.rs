@@ -91,7 +91,7 @@ fn observed(scene: &Scene) -> Result<Observed, Stop> {
     study::observed(&scene.model, &scene.accuracy, &scene.bounds).map_err(|none| {
         Stop::bad_input(
             format!("there is no observed test: {none}"),
-            "Leave --observed away, or choose another line_load",
+            "Leave --observed away, or choose another line_load or law",
         )
     })
 }

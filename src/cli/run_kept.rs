@@ -28,12 +28,12 @@ impl KeptRun {
             true => OutputFolder::claim(folder, Existing::Replace)?,
             false => args.out.claim(folder)?,
         };
+        // before anything is written; where standard error is closed there is nobody to tell
+        let interrupt = Interrupt::listen(|| drop(writeln!(io::stderr(), "{ANSWER}")));
         if args.fresh {
             PartialRun::discard(folder)?;
         }
         let partial = PartialRun::open(folder, scene)?;
-        // where standard error is closed there is nobody to tell
-        let interrupt = Interrupt::listen(|| drop(writeln!(io::stderr(), "{ANSWER}")));
         Ok(Self { folder: folder.to_path_buf(), partial, interrupt, output, interrupted: false })
     }
 

@@ -92,6 +92,10 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let key = key_to_vary(&args.vary)?;
     let scenes = vary(args, &scene, key)?;
     match args.followed() {
+        Some(_) if !scene.model.ground.substrate.is_flat() => Err(Stop::bad_input(
+            "a point of the peel is followed on flat ground only, and substrate.shape is another",
+            "Leave --follow and --peak-only away: whole peels can be swept.",
+        )),
         Some(kind) => follow(args, kind, &scene, key, &scenes),
         None => peel_each(args, &scene, key, &scenes),
     }
@@ -139,7 +143,7 @@ fn write_followed(
 ) -> Result<Vec<PathBuf>, ReportError> {
     let mut files = vec![report::write_followed(folder, sweep)?];
     if sweep.rows.iter().any(|row| row.point.is_some()) {
-        files.extend(report::draw_followed(sweep, &label(key), &scene.title, args.log, folder)?);
+        files.extend(report::draw_followed(sweep, &key.label(), &scene.title, args.log, folder)?);
     }
     Ok(files)
 }
@@ -147,11 +151,6 @@ fn write_followed(
 /// Cases that differ in the model alone: what is not part of it, the accuracy say, is one for all cases of a call.
 fn alike(scenes: &[(f64, Scene)]) -> impl Iterator<Item = &[(f64, Scene)]> {
     scenes.chunk_by(|(_, a), (_, b)| a.accuracy == b.accuracy && a.bounds == b.bounds)
-}
-
-/// The key with its unit, as an axis is labelled.
-fn label(key: &Key) -> String {
-    if key.unit().is_empty() { key.path() } else { format!("{} ({})", key.path(), key.unit()) }
 }
 
 fn key_to_vary(path: &str) -> Result<&'static Key, Stop> {

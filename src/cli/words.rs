@@ -1,9 +1,10 @@
 //! What a run found, laid out for a person.
 
-use peelkit::report::{end_reason, end_word, left_out, reached_accuracy};
+use peelkit::report::{end_reason, end_word, ground_warning, left_out, reached_accuracy};
 use peelkit::scene::{Key, Scene};
 use peelkit::study::{
-    End, FollowedSweep, LimitPoint, Observed, Peak, Peel, PointKind, PullOff, SweepRow, TestEnd, Turn,
+    Contact, End, FollowedSweep, LimitPoint, Observed, Peak, Peel, PointKind, PullOff, SweepRow, TermEffect, TestEnd,
+    Turn,
 };
 use std::fmt::{Display, Write};
 
@@ -50,6 +51,8 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
         let text = format!("{reached:.0e} where {:e} was asked: {why}", peel.asked);
         lines.push(("accuracy", text));
     }
+    lines.extend(terms(peel));
+    lines.extend(peel.contact(0).iter().flat_map(|contact| on_ground(peel, contact)));
     lines.push(("end", end(&peel.end)));
     let effort = &peel.effort;
     lines.push((
@@ -68,6 +71,41 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
         let _ = writeln!(text, "  {name:<16} {value}");
     }
     text
+}
+
+/// What leaving out a term would change, in shares of the initiation peak.
+fn terms(peel: &Peel) -> Option<(&'static str, String)> {
+    let peak = peel.initiation_peak?.force;
+    let effects = peel.terms();
+    let one = |effect: &TermEffect| format!("{} {:+.1e}", effect.term.word(), effect.force / peak);
+    let all = effects.iter().map(one).collect::<Vec<_>>().join(", ");
+    (!effects.is_empty())
+        .then(|| ("without a term", format!("the initiation peak would change by, in shares of it: {all}")))
+}
+
+/// How the strip lies on ground that is not flat, and what is to be said of that ground.
+fn on_ground(peel: &Peel, contact: &Contact) -> Vec<(&'static str, String)> {
+    let reach = contact.reach.map(|reach| format!("; it reaches {:.1} % of the depth of the valleys", 100.0 * reach));
+    let lies = format!(
+        "{:.1} % of the strip nearer than 2 r0, {:.1} % of the adhesion of flat ground, gaps {:.4} to {:.4} nm{}",
+        100.0 * contact.adhered_fraction,
+        100.0 * contact.energy_fraction,
+        contact.least_gap,
+        contact.largest_gap,
+        reach.unwrap_or_default()
+    );
+    let mut lines = vec![("at the start", lies)];
+    lines.extend(peel.largest_force().map(|force| ("largest force", format!("{force:.6} nN on the whole path"))));
+    for (name, radius, error) in [
+        ("crests", contact.crest_radius, contact.crest_error),
+        ("valleys", contact.valley_radius, contact.valley_error),
+    ] {
+        let (Some(radius), Some(error)) = (radius, error) else { continue };
+        let percent = 100.0 * error;
+        lines.push((name, format!("radius from {radius:.2} nm: {percent:+.2} % of the largest traction by curvature")));
+    }
+    lines.extend(ground_warning(contact).map(|warning| ("warning", warning)));
+    lines
 }
 
 /// What a test would record.

@@ -2,12 +2,23 @@
 
 use super::chain::{three_field, two_field};
 use super::lie::Lie;
-use super::{Profile, Spatula, Strip};
-use crate::adhesion::{HalfSpace, LineLaw, LineLoad};
-use crate::beam::{self, Contour, Material, ReducedBeam, ReissnerBeam, Section, Varying};
-use crate::solve::{Chain, Direction, Focus, MOST_FIELDS, Mesh, Problem};
+use super::{Ground, Profile, Spatula, Strip};
+use crate::adhesion::{Cohesive, CohesiveShape, GroundLaw, HalfSpace, Law, LineLaw, LineLoad, Substrate};
+use crate::beam::{self, BeamOnGround, Contour, Material, ReducedBeam, ReissnerBeam, Section, Varying};
+use crate::solve::{Beginning, Chain, Direction, Focus, MOST_FIELDS, Mesh, Problem};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
+
+/// What pulls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Attraction {
+    /// The half space's body force over the height of the section.
+    BodyForce,
+    /// The half space's traction on the faces of the section.
+    SurfaceTraction,
+    /// A cohesive law between the face that looks down and the substrate.
+    Cohesive(CohesiveShape),
+}
 
 /// The adhesion between the beam and the half space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +27,11 @@ pub struct Adhesion {
     pub hamaker_constant: f64,
     /// r0 of the pair potential, nm
     pub equilibrium_distance: f64,
+    pub attraction: Attraction,
+    /// Work of adhesion of a cohesive law, J/m²; none: that of the half space
+    pub work: Option<f64>,
+    /// Strength of a cohesive law, GPa; none: that of the half space
+    pub strength: Option<f64>,
     pub line_load: LineLoad,
     /// Whether the top face counts (the r2 terms).
     pub far_face: bool,
@@ -24,15 +40,22 @@ pub struct Adhesion {
 impl Adhesion {
     /// The line load per width on a section of this height, nm.
     pub fn line_law(&self, height: f64) -> LineLaw {
-        LineLaw {
-            half_space: HalfSpace {
-                hamaker_constant: self.hamaker_constant,
-                equilibrium_distance: self.equilibrium_distance,
-            },
-            height,
-            line_load: self.line_load,
-            far_face: self.far_face,
-        }
+        let half_space = self.half_space();
+        let law = match self.attraction {
+            Attraction::BodyForce => Law::BodyForce,
+            Attraction::SurfaceTraction => Law::SurfaceTraction,
+            Attraction::Cohesive(shape) => {
+                let strength = self.strength.unwrap_or_else(|| half_space.strength());
+                let work = self.work.unwrap_or_else(|| half_space.work_of_adhesion());
+                Law::Cohesive(Cohesive::calibrated(shape, strength, work, &half_space))
+            }
+        };
+        LineLaw { half_space, height, law, line_load: self.line_load, far_face: self.far_face }
+    }
+
+    /// The substrate.
+    pub fn half_space(&self) -> HalfSpace {
+        HalfSpace { hamaker_constant: self.hamaker_constant, equilibrium_distance: self.equilibrium_distance }
     }
 }
 
@@ -52,6 +75,8 @@ pub struct Grip {
     pub horizontal: Hold,
     /// k of a spring between the grip and the machine that moves it, nN/nm; none: the machine moves the grip itself
     pub stiffness: Option<f64>,
+    /// Force along the strip with which it is stretched before it is laid down, nN, held across the pull from then on; none: it is not
+    pub pretension: Option<f64>,
 }
 
 /// How the grip is moved.
@@ -94,6 +119,7 @@ pub struct PeelModel {
     pub adhesion: Adhesion,
     pub grip: Grip,
     pub pull: Pull,
+    pub ground: Ground,
 }
 
 /// Which unknowns a node has.
@@ -117,9 +143,17 @@ impl PeelModel {
         if let Body::Strip(strip) = &self.body { Some(strip) } else { None }
     }
 
-    /// Whether its sections carry a horizontal force: with a grip that is held across a pull straight up, or another pull.
+    /// Whether its sections carry a horizontal force: with a grip that is held across a pull straight up, or another pull, or
+    /// on ground that is not flat.
     pub fn has_horizontal_force(&self) -> bool {
-        self.grip.horizontal == Hold::Fixed || self.pull.direction() != Direction::UP
+        self.grip.horizontal == Hold::Fixed
+            || self.pull.direction() != Direction::UP
+            || !self.ground.substrate.is_flat()
+    }
+
+    /// The form in which it can be solved where another is asked for: on ground that is not flat with x.
+    pub fn form(&self, asked: Form) -> Form {
+        if self.ground.substrate.is_flat() { asked } else { Form::ThreeField }
     }
 
     /// How the body varies along its length, where it does.
@@ -173,6 +207,17 @@ impl PeelModel {
         }
     }
 
+    /// EA, GA_s and EI at S, nm, with the adhering width and the height there, nm.
+    pub fn section_at(&self, place: f64) -> (Section, f64, f64) {
+        let outline = match &self.body {
+            Body::Strip(strip) => return (self.section(), strip.width, strip.height),
+            Body::Spatula(spatula) => spatula.at(place),
+            Body::Profile(profile) => profile.table.at(place),
+        };
+        let (width, height) = (outline.width, outline.height[0]);
+        (self.material().section(width, height, outline.roundness), width, height)
+    }
+
     /// EA, GA_s and EI of the free end.
     pub fn section(&self) -> Section {
         let [width, height, roundness] = self.free_section();
@@ -189,10 +234,14 @@ impl PeelModel {
         (self.section().bending / self.rest_stiffness()).powf(0.25)
     }
 
-    /// k, the adhesion's stiffness at rest at the free end, nN/nm².
+    /// k, the adhesion's stiffness at rest at the free end, of a cohesive law over its range, nN/nm².
     fn rest_stiffness(&self) -> f64 {
-        let law = self.line_law();
-        law.response(law.rest_gap(), 0.0, 1.0).gap_gap * self.free_end().0
+        let line = self.line_law();
+        let per_width = match line.law {
+            Law::Cohesive(law) => law.strength / law.range,
+            Law::BodyForce | Law::SurfaceTraction => line.response(line.rest_gap(), 0.0, 1.0).gap_gap,
+        };
+        per_width * self.free_end().0
     }
 
     /// Decay length (GA_s/k)^(1/2) of the free end as a shear beam on the adhesion's stiffness k at rest, nm.
@@ -205,8 +254,15 @@ impl PeelModel {
         self.bending_length().min(3.0 * self.shear_length())
     }
 
+    /// How much longer a strip is under its pretension, T L/EA, nm.
+    fn prestretch(&self) -> f64 {
+        self.grip.pretension.map_or(0.0, |tension| tension * self.length() / self.section().axial)
+    }
+
     /// What the solver is given, with elements of order 1 to 8. The displacement is that of the grip, whatever spring moves it.
+    /// On ground that is not flat the form is [`Form::ThreeField`], and the beam is relaxed to where its path starts.
     pub fn problem(&self, form: Form, order: usize) -> Problem {
+        let form = self.form(form);
         let (width, height) = self.free_end();
         let (law, length) = (self.line_law(), self.length());
         let r0 = self.adhesion.equilibrium_distance;
@@ -228,8 +284,10 @@ impl PeelModel {
                 (beam::Profile::Varying(beam), lie)
             }
         };
-        Problem {
-            chain: chain(profile, law, form, self.has_horizontal_force(), order),
+        let substrate = self.ground.substrate.clone();
+        fixed_foci.extend(self.ground.everywhere(length, process_length));
+        let mut problem = Problem {
+            chain: chain(profile, law, &substrate, form, self.has_horizontal_force(), order),
             length,
             rest: lie.rest,
             rest_gap: law.rest_gap(),
@@ -237,6 +295,8 @@ impl PeelModel {
             direction: self.pull.direction(),
             rotation: lead + 1,
             held,
+            pretension: self.grip.pretension.unwrap_or(0.0),
+            stretch: self.prestretch(),
             compliance: 0.0,
             scale,
             force_scale: rest_adhesion.abs(),
@@ -244,14 +304,18 @@ impl PeelModel {
             rest_adhesion,
             fronts: lie.fronts,
             rest_front: lie.rest_front,
-            mesh: Mesh::Moving,
+            mesh: if substrate.is_flat() { Mesh::Moving } else { Mesh::Graded },
             fixed_foci,
             pieces: lie.pieces,
             process_length,
             height,
             sees_tilt: law.line_load != LineLoad::AxisGap,
             conservative: law.has_potential(),
-        }
+            substrate,
+            beginning: Beginning::AtRest,
+        };
+        problem.beginning = self.ground.beginning(&mut problem);
+        problem
     }
 
     /// Where elements are small whatever the front: at the free end, which may come to stand on its edge, a wedge whose attraction
@@ -267,7 +331,18 @@ impl PeelModel {
 }
 
 /// The chain of a profile under a line load, with a horizontal section force or without.
-fn chain(profile: beam::Profile, law: LineLaw, form: Form, pulled_along: bool, order: usize) -> Box<dyn Chain> {
+fn chain(
+    profile: beam::Profile,
+    law: LineLaw,
+    substrate: &Substrate,
+    form: Form,
+    pulled_along: bool,
+    order: usize,
+) -> Box<dyn Chain> {
+    if !substrate.is_flat() {
+        let ground = GroundLaw { law, substrate: substrate.clone() };
+        return three_field(BeamOnGround { profile, ground }, order, [Some(0.0), None, None]);
+    }
     match (form, pulled_along) {
         (Form::TwoField, false) => two_field(ReducedBeam::<false> { profile, law }, order),
         (Form::TwoField, true) => two_field(ReducedBeam::<true> { profile, law }, order),

@@ -2,8 +2,9 @@
 
 use super::Hold;
 use super::chain::three_field;
+use crate::adhesion::Substrate;
 use crate::beam::{ReissnerRod, Rest, RestCurve, Section};
-use crate::solve::{Direction, Fronts, MOST_FIELDS, Mesh, Pieces, Problem};
+use crate::solve::{Beginning, Direction, Fronts, MOST_FIELDS, Mesh, Pieces, Problem};
 
 /// What an end of a rod does with each of its unknowns: `Fixed` at the value of the rest curve, or `Free`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,6 +85,8 @@ impl RodModel {
             rotation: 2,
             rest_gap: start[1],
             direction: Direction::UP,
+            pretension: 0.0,
+            stretch: 0.0,
             held: {
                 let [x, y, rotation] = self.right.held();
                 [x, y, rotation, false]
@@ -101,6 +104,8 @@ impl RodModel {
             process_length: length,
             height: 0.0,
             sees_tilt: false,
+            substrate: Substrate::Flat,
+            beginning: Beginning::AtRest,
             conservative: true,
         })
     }

@@ -1,6 +1,6 @@
 //! A uniform strip of rectangular section.
 
-use super::{Adhesion, Body, Form, Grip, Hold, PeelModel, Pull};
+use super::{Adhesion, Attraction, Body, Form, Grip, Ground, Hold, PeelModel, Pull};
 use crate::adhesion::{LineLaw, LineLoad};
 use crate::beam::{Material, Section};
 use crate::solve::Problem;
@@ -59,10 +59,13 @@ impl StripModel {
             adhesion: Adhesion {
                 hamaker_constant: 0.1,
                 equilibrium_distance: 0.4,
+                attraction: Attraction::BodyForce,
+                work: None,
+                strength: None,
                 line_load: LineLoad::Full,
                 far_face: true,
             },
-            grip: Grip { rotation: Hold::Free, horizontal: Hold::Free, stiffness: None },
+            grip: Grip { rotation: Hold::Free, horizontal: Hold::Free, stiffness: None, pretension: None },
             pull: Pull::UP,
         }
     }
@@ -95,7 +98,13 @@ impl StripModel {
 
 impl From<&StripModel> for PeelModel {
     fn from(model: &StripModel) -> Self {
-        Self { body: Body::Strip(model.strip), adhesion: model.adhesion, grip: model.grip, pull: model.pull }
+        Self {
+            body: Body::Strip(model.strip),
+            adhesion: model.adhesion,
+            grip: model.grip,
+            pull: model.pull,
+            ground: Ground::default(),
+        }
     }
 }
 

@@ -2,11 +2,12 @@
 
 use super::chart::{Picture, save};
 use super::{
-    ReportError, figure_beam, figure_levels, figure_points, figure_pull, figure_round_off, figure_spatula,
-    figure_speed, figure_stiffness, figure_strip, figure_verification, figure_work, write_whole,
+    ReportError, figure_beam, figure_laws, figure_levels, figure_points, figure_pull, figure_rough, figure_round_off,
+    figure_spatula, figure_speed, figure_stiffness, figure_strip, figure_verification, figure_work, write_whole,
 };
 use crate::model::{PeelModel, StripModel};
 use crate::study::{Accuracy, Bounds, Peel, SweepCase, SweepRow, peel, sweep};
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -26,14 +27,18 @@ pub fn holds_figures(dir: &Path) -> bool {
 pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Vec<PathBuf>, ReportError> {
     let total = figure_strip::PEELS
         + figure_spatula::PEELS
+        + figure_rough::PEELS
         + figure_pull::PEELS
+        + figure_laws::PEELS
         + figure_stiffness::PEELS
         + figure_work::PEELS
         + figure_speed::PEELS;
     let runner = Runner { done: AtomicUsize::new(0), total, progress };
     let mut figures = figure_strip::figures(&runner, dir)?;
     figures.extend(figure_spatula::figures(&runner, dir)?);
+    figures.push(figure_rough::figure(&runner, dir)?);
     figures.push(figure_pull::figure(&runner, dir)?);
+    figures.extend(figure_laws::figures(&runner, dir)?);
     let stiffness = figure_stiffness::Sweeps::compute(&runner);
     figures.extend(figure_stiffness::figures(&stiffness, dir)?);
     figures.push(figure_points::figure(&stiffness, dir)?);
@@ -139,11 +144,25 @@ impl Runner<'_> {
         peel
     }
 
+    /// The same of several, on all cores, as far as `bounds` say and as well as `accuracy` says.
+    pub fn peel_all(&self, models: &[PeelModel], accuracy: &Accuracy, bounds: &Bounds) -> Vec<Peel> {
+        let peel = |model: &PeelModel| {
+            let peel = peel(model, accuracy, bounds);
+            self.count();
+            peel
+        };
+        models.par_iter().map(peel).collect()
+    }
+
     pub fn sweep<M: Clone + Into<PeelModel>>(&self, cases: &[(f64, M)]) -> Vec<SweepRow> {
+        self.sweep_to(ACCURACY, cases)
+    }
+
+    pub fn sweep_to<M: Clone + Into<PeelModel>>(&self, accuracy: Accuracy, cases: &[(f64, M)]) -> Vec<SweepRow> {
         let case = |(value, model): &(f64, M)| SweepCase {
             value: *value,
             model: model.clone().into(),
-            accuracy: ACCURACY,
+            accuracy,
             bounds: BOUNDS,
         };
         sweep(&cases.iter().map(case).collect::<Vec<_>>(), &|| true, &|_| self.count())

@@ -57,9 +57,8 @@ pub(super) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportEr
 
 /// The force per width where the front is nearest to the middle.
 fn half_way(peel: &Peel) -> Option<f64> {
-    let away = |front: f64| (front - 0.5 * LONG).abs();
-    let point = peel.points.iter().min_by(|a, b| away(a.front).total_cmp(&away(b.front)))?;
-    (away(point.front) < 0.2 * LONG).then_some(point.force)
+    let point = peel.nearest_front(0.5 * LONG)?;
+    ((point.front - 0.5 * LONG).abs() < 0.2 * LONG).then_some(point.force)
 }
 
 /// Kendall's force, and that of a strip that slides, per width at an angle in degrees.

@@ -6,7 +6,7 @@ use super::figure::{Figure, Runner};
 use super::figure_strip::{curve_table, shape_table};
 use super::picture_peel::{curve, numbered_points, shapes};
 use crate::adhesion::LineLoad;
-use crate::model::{Adhesion, Body, Grip, Hold, PeelModel, Pull, Spatula};
+use crate::model::{Adhesion, Attraction, Body, Grip, Ground, Hold, PeelModel, Pull, Spatula};
 use crate::study::Peel;
 use std::path::Path;
 
@@ -20,11 +20,15 @@ pub(super) fn spatula() -> PeelModel {
         adhesion: Adhesion {
             hamaker_constant: 0.1,
             equilibrium_distance: 0.4,
+            attraction: Attraction::BodyForce,
+            work: None,
+            strength: None,
             line_load: LineLoad::Full,
             far_face: true,
         },
-        grip: Grip { rotation: Hold::Fixed, horizontal: Hold::Free, stiffness: None },
+        grip: Grip { rotation: Hold::Fixed, horizontal: Hold::Free, stiffness: None, pretension: None },
         pull: Pull::UP,
+        ground: Ground::default(),
     }
 }
 

@@ -50,7 +50,7 @@ pub(super) fn shapes(peel: &Peel, numbered: &[usize], title: &str, path: &Path) 
     if poses.is_empty() {
         return Err(nothing(path, peel));
     }
-    Ok(shapes_picture(&poses, title))
+    Ok(shapes_picture(&poses, &peel.model.ground.substrate, title))
 }
 
 fn nothing(path: &Path, peel: &Peel) -> ReportError {

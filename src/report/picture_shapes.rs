@@ -3,6 +3,7 @@
 use super::chart::{
     Axis, Frame, Line, Mark, Note, Panel, Picture, Shape, Stroke, Symbol, WIDTH, colour, order_shade, significant,
 };
+use crate::adhesion::Substrate;
 use crate::study;
 use plotters::style::RGBColor;
 
@@ -25,15 +26,16 @@ const HIGHEST: f64 = 560.0;
 const LOWEST: f64 = 0.4;
 
 /// The beam at all those points, the axes of equal scale.
-pub(super) fn shapes_picture(poses: &[Posed], title: &str) -> Picture {
+pub(super) fn shapes_picture(poses: &[Posed], ground: &Substrate, title: &str) -> Picture {
     let outlines: Vec<Vec<(f64, f64)>> = poses.iter().map(|p| outline(&p.axis)).collect();
     let all = || outlines.iter().flatten().filter(|p| p.0.is_finite() && p.1.is_finite());
     let (low, high) = all().fold((0.0f64, 0.0f64), |(a, b), p| (a.min(p.0), b.max(p.0)));
     let (bottom, top) = all().fold((0.0f64, 0.0f64), |(a, b), p| (a.min(p.1), b.max(p.1)));
+    let bottom = if low < high { bottom.min(deepest(ground, low, high)) } else { bottom };
     let span = (high - low).max(1.2 * (top - bottom)).max(f64::MIN_POSITIVE);
-    let ground = 0.045 * span;
+    let depth = 0.045 * span;
     let (mut from, mut to) = (low - 0.05 * span, high + 0.08 * span);
-    let (y_from, y_to) = (bottom - ground, (top + 0.07 * span).max(LOWEST * span));
+    let (y_from, y_to) = (bottom - depth, (top + 0.07 * span).max(LOWEST * span));
     let (left, right, upper) = (78.0, f64::from(WIDTH) - 16.0, 40.0);
     // As wide as the sheet; where that would be too high, the range of x grows instead.
     let shortage = (y_to - y_from) * (right - left) / HIGHEST - (to - from);
@@ -43,7 +45,7 @@ pub(super) fn shapes_picture(poses: &[Posed], title: &str) -> Picture {
     let lower = upper + (right - left) * (y_to - y_from) / (to - from);
     let frame = Frame { left, top: upper, right, bottom: lower };
     let mut panel = Panel::new(frame, Axis::linear("x (nm)", from, to), Axis::linear("y (nm)", y_from, y_to));
-    substrate(&mut panel, ground);
+    substrate(&mut panel, ground, depth);
     for (i, (posed, outline)) in poses.iter().zip(outlines).enumerate() {
         strip(&mut panel, posed, outline, order_shade(i, poses.len()));
     }
@@ -75,21 +77,34 @@ fn strip(panel: &mut Panel, posed: &Posed, outline: Vec<(f64, f64)>, colour: RGB
     }
 }
 
-/// The surface y = 0 with hatching below.
-fn substrate(panel: &mut Panel, depth: f64) {
-    let (from, to) = (panel.x.from, panel.x.to);
-    let below = vec![(from, 0.0), (to, 0.0), (to, panel.y.from), (from, panel.y.from)];
+/// Points of the surface that are drawn.
+const DRAWN: usize = 600;
+
+/// The surface between two places.
+fn surface(ground: &Substrate, from: f64, to: f64) -> Vec<(f64, f64)> {
+    let points = if ground.is_flat() { 1 } else { DRAWN };
+    let place = |k: usize| from + (to - from) * k as f64 / points as f64;
+    (0..=points).map(place).map(|x| (x, ground.top(x, x))).collect()
+}
+
+fn deepest(ground: &Substrate, from: f64, to: f64) -> f64 {
+    surface(ground, from, to).iter().map(|point| point.1).fold(f64::INFINITY, f64::min)
+}
+
+/// The surface with hatching below.
+fn substrate(panel: &mut Panel, ground: &Substrate, depth: f64) {
+    let (from, to, floor) = (panel.x.from, panel.x.to, panel.y.from);
+    let surface: Vec<(f64, f64)> = surface(ground, from, to).into_iter().map(|(x, y)| (x, y.max(floor))).collect();
+    let mut below = surface.clone();
+    below.extend([(to, floor), (from, floor)]);
     panel.shapes.push(Shape { corners: below, colour: colour::PALE, opacity: 1.0 });
     let step = 0.55 * depth;
     let strokes = ((to - from + depth) / step).ceil() as usize;
     for i in 0..=strokes {
         let x = from + i as f64 * step;
-        let points = vec![(x, 0.0), (x - depth, -depth)];
+        let y = ground.top(x, x).max(floor + depth);
+        let points = vec![(x, y), (x - depth, y - depth)];
         panel.lines.push(Line { points, stroke: Stroke::solid(colour::GREY, 0.8), name: None });
     }
-    panel.lines.push(Line {
-        points: vec![(from, 0.0), (to, 0.0)],
-        stroke: Stroke::solid(colour::INK, 1.4),
-        name: None,
-    });
+    panel.lines.push(Line { points: surface, stroke: Stroke::solid(colour::INK, 1.4), name: None });
 }

@@ -43,10 +43,10 @@ fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Pictur
     let stiffness = key == STIFFNESS;
     let strips = rows.iter().all(|row| row.model.strip().is_some());
     let labels = if strips { (FORCE, WORK) } else { ("force P (nN)", "work to snap-off W (aJ)") };
-    let label = match find_key(key).map_or("", |key| key.unit()) {
+    let label = match find_key(key) {
         _ if stiffness => STIFFNESS_LABEL.to_owned(),
-        "" => key.to_owned(),
-        unit => format!("{key} ({unit})"),
+        Ok(key) => key.label(),
+        Err(_) => key.to_owned(),
     };
     let x = Axis::around(&label, rows.iter().map(|r| r.value), log);
     let mut lines =

@@ -3,6 +3,7 @@
 use super::ReportError;
 use super::accuracy::AccuracySummary;
 use super::file::write_whole;
+use super::ground::GroundSummary;
 use super::number::{Finite, to_json};
 use super::observed::ObservedSummary;
 use super::table::SweepLine;
@@ -26,8 +27,13 @@ pub struct PeelSummary {
     limit_points: Vec<LimitPoint>,
     snap_off: Option<SnapOff>,
     accuracy: AccuracySummary,
+    /// What leaving out a term of the model would change, to first order.
+    terms: Vec<TermEffect>,
     path: Effort,
     timing: Timing,
+    /// How the strip lies where the path begins, on ground that is not flat.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ground: Option<GroundSummary>,
     /// What a test would record, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     observed: Option<ObservedSummary>,
@@ -98,6 +104,13 @@ struct Effort {
 }
 
 #[derive(Debug, serde::Serialize)]
+struct TermEffect {
+    left_out: &'static str,
+    #[serde(rename = "initiation_peak_change_nN")]
+    force: Finite,
+}
+
+#[derive(Debug, serde::Serialize)]
 struct Timing {
     solve_s: Finite,
 }
@@ -122,6 +135,7 @@ impl PeelSummary {
                 force_error: Finite(at.force_error),
             }),
             accuracy: AccuracySummary::of(peel),
+            terms: peel.terms().iter().map(TermEffect::from).collect(),
             path: Effort {
                 points: peel.effort.points,
                 newton_iterations: peel.effort.newton_iterations,
@@ -129,6 +143,7 @@ impl PeelSummary {
                 order: peel.effort.order,
             },
             timing: Timing { solve_s: Finite(peel.solve_s) },
+            ground: GroundSummary::of(peel),
             observed: None,
             parameters: Parameters(scene.clone()),
         }
@@ -150,6 +165,12 @@ impl PeelSummary {
         let json = self.to_json().map_err(|source| ReportError::Write { path: path.clone(), source })?;
         write_whole(&path, json.as_bytes())?;
         Ok(path)
+    }
+}
+
+impl From<&study::TermEffect> for TermEffect {
+    fn from(effect: &study::TermEffect) -> Self {
+        Self { left_out: effect.term.word(), force: Finite(effect.force) }
     }
 }
 
@@ -255,8 +276,8 @@ struct Table<'a> {
 
 impl Serialize for Table<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut table = serializer.serialize_map(Some(self.keys.len()))?;
-        for key in self.keys {
+        let mut table = serializer.serialize_map(None)?;
+        for key in self.keys.iter().filter(|key| key.belongs_to(self.scene)) {
             let unit = key.unit().replace('/', "_per_");
             let name = if unit.is_empty() { key.name.to_owned() } else { format!("{}_{unit}", key.name) };
             match key.value(self.scene) {

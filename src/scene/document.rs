@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::error::{Origin, Problem, SceneError, one_line};
-use super::key::{Key, Need, Value};
+use super::key::{Key, Kind, Need, Value};
 use super::keys::{BODIES, KEYS, find_key, set_body, tables};
 use super::near::nearest;
 use std::collections::HashSet;
@@ -19,6 +19,7 @@ pub(super) fn read(scene: &mut Scene, text: &str, overrides: &[(String, String)]
     if let Some((table, _)) = in_order(document.get_ref()).into_iter().find(|(key, _)| BODIES.contains(&name_of(key))) {
         set_body(scene, name_of(table));
     }
+    set_shape(scene, &file, document.get_ref())?;
     for (key, value) in in_order(document.get_ref()) {
         match value.get_ref() {
             DeValue::Table(table) if tables().contains(&name_of(key)) => {
@@ -51,15 +52,29 @@ pub(super) fn read(scene: &mut Scene, text: &str, overrides: &[(String, String)]
     for (path, value) in overrides {
         given.insert(set(scene, path, value)?.path());
     }
+    // one that had a meaning until an override gave the substrate another shape
+    if let Some(key) = KEYS.iter().find(|key| given.contains(&key.path()) && !key.belongs_to(scene)) {
+        let span = place_of(document.get_ref(), key).unwrap_or_else(|| end_of(text));
+        return Err(file.error(span, &format!("`{}`", key.path()), key.foreign(scene)));
+    }
     let needed = |key: &&Key| key.need == Need::Required && key.belongs_to(scene);
     if let Some(key) = KEYS.iter().filter(needed).find(|key| !given.contains(&key.path())) {
-        return Err(missing(&file, text, document.get_ref(), key, &given));
+        return Err(missing(&file, text, document.get_ref(), key, &given, scene));
     }
     let fits = scene.check();
     fits.map_err(|(key, problem)| match place_of(document.get_ref(), key) {
         Some(span) => file.error(span, &format!("`{}`", key.path()), problem),
         None => file.error(end_of(text), &format!("`{}`", key.path()), problem),
     })
+}
+
+/// Gives the substrate the shape that the text names, which says what its other keys mean.
+fn set_shape(scene: &mut Scene, file: &Origin, document: &DeTable) -> Result<(), SceneError> {
+    let Some(key) = KEYS.iter().find(|key| matches!(key.kind, Kind::Shape(_))) else { return Ok(()) };
+    let table = document.iter().find(|(name, _)| name_of(name) == key.table);
+    let Some(DeValue::Table(table)) = table.map(|(_, table)| table.get_ref()) else { return Ok(()) };
+    let value = table.iter().find(|(name, _)| name_of(name) == key.name);
+    value.map_or(Ok(()), |(_, value)| store(scene, file, key, value))
 }
 
 /// Applies one `--set`.
@@ -152,8 +167,16 @@ fn unknown_table(file: &Origin, found: &Spanned<toml::de::DeString>) -> SceneErr
 }
 
 /// Says which table or key a scene has to have besides what it has.
-fn missing(file: &Origin, text: &str, document: &DeTable, key: &Key, given: &HashSet<String>) -> SceneError {
-    let wanted = KEYS.iter().filter(|other| other.table == key.table && other.need == Need::Required);
+fn missing(
+    file: &Origin,
+    text: &str,
+    document: &DeTable,
+    key: &Key,
+    given: &HashSet<String>,
+    scene: &Scene,
+) -> SceneError {
+    let needed = |other: &&Key| other.table == key.table && other.need == Need::Required && other.belongs_to(scene);
+    let wanted = KEYS.iter().filter(needed);
     let wanted: Vec<String> = wanted.filter(|other| !given.contains(&other.path())).map(Key::example_line).collect();
     let wanted = wanted.join(", ");
     let header = in_order(document).into_iter().find(|(name, _)| name_of(name) == key.table);

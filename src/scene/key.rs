@@ -5,10 +5,12 @@ use super::error::{Problem, one_line};
 use super::keys::{BODIES, body_of};
 use super::near::nearest;
 use super::quantity::{Dimension, QuantityError, parse_quantity};
-use super::table::read_table;
-use crate::adhesion::LineLoad;
-use crate::model::{Hold, ProfileTable};
+use super::shape;
+use super::table::{read_heights, read_table};
+use crate::adhesion::{CohesiveShape, LineLoad, Substrate};
+use crate::model::{Attraction, Hold, ProfileTable, Start};
 use std::fmt;
+use std::sync::Arc;
 
 /// A key of a scene.
 #[derive(Debug)]
@@ -57,10 +59,18 @@ pub enum Kind {
     Flag(fn(&mut Scene) -> &mut bool),
     /// A table along a beam: a CSV of several lines, or the name of its file, which is looked for beside the scene.
     Table(fn(&mut Scene) -> &mut ProfileTable),
+    /// A word for the law of adhesion.
+    Attraction(fn(&mut Scene) -> &mut Attraction),
     /// A word for the load on the axis.
     LineLoad(fn(&mut Scene) -> &mut LineLoad),
     /// A word for what the grip does.
     Hold(fn(&mut Scene) -> &mut Hold),
+    /// A word for the shape of the substrate.
+    Shape(fn(&mut Scene) -> &mut Substrate),
+    /// Heights of the substrate: a CSV of several lines, or the name of its file, which is looked for beside the scene.
+    Heights(fn(&mut Scene) -> &mut Substrate),
+    /// A word for how the beam has come to lie.
+    Start(fn(&mut Scene) -> &mut Start),
 }
 
 /// The numbers that have a meaning.
@@ -87,8 +97,16 @@ pub enum Value {
     Other(&'static str),
 }
 
+const ATTRACTIONS: &[(&str, Attraction)] = &[
+    ("body-force", Attraction::BodyForce),
+    ("surface-traction", Attraction::SurfaceTraction),
+    ("bilinear", Attraction::Cohesive(CohesiveShape::Bilinear)),
+    ("exponential", Attraction::Cohesive(CohesiveShape::Exponential)),
+    ("dugdale", Attraction::Cohesive(CohesiveShape::Dugdale)),
+];
 const LINE_LOADS: &[(&str, LineLoad)] =
     &[("full", LineLoad::Full), ("force-only", LineLoad::ForceOnly), ("axis-gap", LineLoad::AxisGap)];
+const STARTS: &[(&str, Start)] = &[("conformed", Start::Conformed), ("flat", Start::Crests)];
 const HOLDS: &[(&str, Hold)] = &[("free", Hold::Free), ("fixed", Hold::Fixed)];
 
 impl Key {
@@ -97,13 +115,25 @@ impl Key {
         if self.table.is_empty() { self.name.to_owned() } else { format!("{}.{}", self.table, self.name) }
     }
 
-    /// Whether it may stand in this scene: one of a body that the scene does not peel may not.
+    /// Whether it may stand in this scene: one of a body that the scene does not peel may not, nor one of a substrate of another
+    /// shape.
     pub fn belongs_to(&self, scene: &Scene) -> bool {
-        !BODIES.contains(&self.table) || self.table == body_of(scene)
+        match self.table {
+            shape::TABLE => shape::has(&scene.model.ground.substrate, self.name),
+            table => !BODIES.contains(&table) || table == body_of(scene),
+        }
+    }
+
+    /// The shapes of a substrate that have it, where it is a key of one.
+    pub fn shapes(&self) -> Vec<&'static str> {
+        if self.table == shape::TABLE { shape::shapes_with(self.name) } else { Vec::new() }
     }
 
     /// That it may not.
     pub fn foreign(&self, scene: &Scene) -> Problem {
+        if self.table == shape::TABLE {
+            return shape::foreign(&scene.model.ground.substrate, self.name);
+        }
         let body = body_of(scene);
         Problem::new(
             format!("is a key of [{}], and the scene peels a [{body}]", self.table),
@@ -117,6 +147,11 @@ impl Key {
             Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => dimension.unit(),
             _ => "",
         }
+    }
+
+    /// The key with the unit of its number, as an axis is labelled.
+    pub fn label(&self) -> String {
+        if self.unit().is_empty() { self.path() } else { format!("{} ({})", self.path(), self.unit()) }
     }
 
     /// Whether it takes one number, with a unit or without.
@@ -145,8 +180,18 @@ impl Key {
                 let table = read_table(&scene.name, text).map_err(|found| Problem::new(found, self.remedy()))?;
                 *place(scene) = table;
             }
+            (Kind::Attraction(place), Value::Text(word)) => *place(scene) = self.pick(ATTRACTIONS, word)?,
             (Kind::LineLoad(place), Value::Text(word)) => *place(scene) = self.pick(LINE_LOADS, word)?,
             (Kind::Hold(place), Value::Text(word)) => *place(scene) = self.pick(HOLDS, word)?,
+            (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
+            (Kind::Shape(place), Value::Text(word)) => {
+                let shape = self.pick(shape::SHAPES, word)?;
+                shape::set(place(scene), shape);
+            }
+            (Kind::Heights(place), Value::Text(text)) => {
+                let heights = read_heights(&scene.name, text).map_err(|found| Problem::new(found, self.remedy()))?;
+                *place(scene) = Substrate::Profile(Arc::new(heights));
+            }
             (
                 Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _),
                 Value::Text(text),
@@ -220,8 +265,15 @@ impl Key {
             Kind::Count(place) => Value::Number(*place(&mut scene) as f64),
             Kind::Flag(place) => Value::Flag(*place(&mut scene)),
             Kind::Table(place) => Value::Text(place(&mut scene).text().to_owned()),
+            Kind::Attraction(place) => Value::Text(word(ATTRACTIONS, *place(&mut scene))),
             Kind::LineLoad(place) => Value::Text(word(LINE_LOADS, *place(&mut scene))),
             Kind::Hold(place) => Value::Text(word(HOLDS, *place(&mut scene))),
+            Kind::Start(place) => Value::Text(word(STARTS, *place(&mut scene))),
+            Kind::Shape(place) => Value::Text(word(shape::SHAPES, shape::of(place(&mut scene)))),
+            Kind::Heights(place) => match place(&mut scene) {
+                Substrate::Profile(heights) => Value::Text(heights.text().to_owned()),
+                _ => return None,
+            },
         })
     }
 
@@ -245,15 +297,24 @@ impl Key {
                                width_nm, height_nm and, if wanted, angle_deg and roundness"
                     .into()
             }
+            Kind::Attraction(_) => words(ATTRACTIONS),
             Kind::LineLoad(_) => words(LINE_LOADS),
             Kind::Hold(_) => words(HOLDS),
+            Kind::Start(_) => words(STARTS),
+            Kind::Shape(_) => words(shape::SHAPES),
+            Kind::Heights(_) => {
+                "a CSV in quotes, or the name of its file beside the scene: a row a place, with the columns x_nm and \
+                               height_nm"
+                    .into()
+            }
         }
     }
 
     /// A value that is right, as it stands in a scene.
     pub fn example(&self) -> &'static str {
         match (self.name, &self.kind) {
-            ("length", _) => "\"100 nm\"",
+            ("length" | "wavelength", _) => "\"100 nm\"",
+            ("radius", _) => "\"200 nm\"",
             ("height", _) => "\"10 nm\"",
             ("equilibrium_distance", _) => "\"0.4 nm\"",
             ("poissons_ratio", _) => "0.2",
@@ -271,13 +332,20 @@ impl Key {
             (_, Kind::Quantity(Dimension::Energy, _) | Kind::Bound(Dimension::Energy, _)) => "\"1e-19 J\"",
             (_, Kind::Quantity(Dimension::Time, _) | Kind::Bound(Dimension::Time, _)) => "\"60 s\"",
             (_, Kind::Quantity(Dimension::Stiffness, _) | Kind::Bound(Dimension::Stiffness, _)) => "\"0.5 N/m\"",
+            (_, Kind::Quantity(Dimension::Work, _) | Kind::Bound(Dimension::Work, _)) => "\"0.03 J/m2\"",
+            (_, Kind::Quantity(Dimension::Force, _) | Kind::Bound(Dimension::Force, _)) => "\"1 nN\"",
             (_, Kind::Count(_)) => "20000",
             (_, Kind::Fixed(..)) => "20",
             (_, Kind::Share(..)) => "0.01",
             (_, Kind::Flag(_)) => "true",
             (_, Kind::Table(_)) => "\"s_nm,width_nm,height_nm\\n0,20,5\\n100,20,10\"",
+            (_, Kind::Attraction(_)) => "\"bilinear\"",
             (_, Kind::LineLoad(_)) => "\"full\"",
+            ("horizontal", Kind::Hold(_)) => "\"fixed\"",
             (_, Kind::Hold(_)) => "\"free\"",
+            (_, Kind::Start(_)) => "\"conformed\"",
+            (_, Kind::Shape(_)) => "\"flat\"",
+            (_, Kind::Heights(_)) => "\"x_nm,height_nm\\n0,0\\n50,-8\\n100,0\"",
         }
     }
 

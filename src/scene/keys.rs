@@ -4,7 +4,8 @@ use super::Scene;
 use super::error::Problem;
 use super::key::{Key, Kind, Need, Range};
 use super::near::nearest;
-use super::quantity::Dimension::{Angle, Energy, Length, Pressure, Stiffness, Time};
+use super::quantity::Dimension::{Angle, Energy, Force, Length, Pressure, Stiffness, Time, Work};
+use crate::adhesion::Substrate;
 use crate::beam::Material;
 use crate::model::{Body, Profile, ProfileTable, Spatula, Strip};
 use Need::{Optional, Required};
@@ -53,12 +54,24 @@ pub static KEYS: &[Key] = &[
 
     key("adhesion", "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H"),
     key("adhesion", "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "equilibrium distance r0 of a pair of molecules"),
+    key("adhesion", "law", Optional, Kind::Attraction(|s| &mut s.model.adhesion.attraction), "body force or surface traction of the half space, or a cohesive law"),
+    key("adhesion", "work", Optional, Kind::Bound(Work, |s| &mut s.model.adhesion.work), "of adhesion, of a cohesive law; else the half space's"),
+    key("adhesion", "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.strength), "largest traction of a cohesive law; else the half space's"),
     key("adhesion", "line_load", Optional, Kind::LineLoad(|s| &mut s.model.adhesion.line_load), "line force and moment, force alone, or traction blind to tilt"),
     key("adhesion", "far_face", Optional, Kind::Flag(|s| &mut s.model.adhesion.far_face), "whether the upper face of the strip counts"),
+
+    key("substrate", "shape", Optional, Kind::Shape(substrate), "of what the beam lies on"),
+    key("substrate", "radius", Required, Kind::Quantity(Length, |s| &mut substrate(s).round_mut().radius), "of the sphere or the cylinder"),
+    key("substrate", "height", Required, Kind::Quantity(Length, |s| &mut substrate(s).sinusoid_mut().height), "from crest to valley"),
+    key("substrate", "wavelength", Required, Kind::Quantity(Length, |s| &mut substrate(s).sinusoid_mut().wavelength), "from crest to crest"),
+    key("substrate", "offset", Optional, Kind::Measure(Length, Range::From(-1e9, 1e9), |s| substrate(s).offset_mut()), "of a crest, or of the top, from the free end"),
+    key("substrate", "table", Required, Kind::Heights(substrate), "a CSV, or the name of its file"),
+    key("substrate", "start", Optional, Kind::Start(|s| &mut s.model.ground.start), "pressed on, so that it follows the ground, or lying on the crests"),
 
     key("grip", "rotation", Optional, Kind::Hold(|s| &mut s.model.grip.rotation), "of the right end, where it is pulled"),
     key("grip", "horizontal", Optional, Kind::Hold(|s| &mut s.model.grip.horizontal), "across the pull; fixed: the grip moves along the pull"),
     key("grip", "stiffness", Optional, Kind::Bound(Stiffness, |s| &mut s.model.grip.stiffness), "of a spring between grip and machine"),
+    key("grip", "pretension", Optional, Kind::Bound(Force, |s| &mut s.model.grip.pretension), "of a strip, with which it is laid down; horizontal is fixed"),
 
     key("drive", "angle", Optional, Kind::Measure(Angle, Range::From(0.0, HALF_TURN), |s| &mut s.model.pull.angle), "of the pull to the substrate; 90 deg: straight up"),
 
@@ -114,6 +127,11 @@ body!(profile, Profile, {
     let material = Material { youngs_modulus: f64::NAN, ..Spatula::default().material };
     Profile { table: ProfileTable::default(), material }
 });
+
+/// What the scene's body lies on.
+fn substrate(scene: &mut Scene) -> &mut Substrate {
+    &mut scene.model.ground.substrate
+}
 
 /// The tables of a scene.
 pub(crate) fn tables() -> Vec<&'static str> {

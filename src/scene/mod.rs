@@ -9,6 +9,7 @@ mod key;
 mod keys;
 mod near;
 mod quantity;
+mod shape;
 mod table;
 
 pub use error::{Problem, SceneError};
@@ -17,7 +18,7 @@ pub use keys::{BODIES, KEYS, body_of, find_key};
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 
 use crate::adhesion::LineLoad;
-use crate::model::{Adhesion, Body, Grip, Hold, PeelModel, Pull, Strip};
+use crate::model::{Adhesion, Attraction, Body, Grip, Ground, Hold, PeelModel, Pull, Strip};
 use crate::study::{Accuracy, Bounds};
 use std::path::Path;
 
@@ -71,6 +72,31 @@ impl Scene {
             let key = KEYS.iter().find(|key| key.path() == path);
             key.map_or(Ok(()), |key| Err((key, Problem::new(found, remedy))))
         };
+        let adhesion = &self.model.adhesion;
+        if !matches!(adhesion.attraction, Attraction::Cohesive(_)) {
+            for (path, value) in [("adhesion.work", adhesion.work), ("adhesion.strength", adhesion.strength)] {
+                if value.is_some() {
+                    return problem(
+                        path,
+                        "is of a cohesive law, and the law of this scene is none".into(),
+                        "Give `law = \"bilinear\"`, \"exponential\" or \"dugdale\" beside it, or leave it away: \
+                         without one, hamaker_constant and equilibrium_distance say all.",
+                    );
+                }
+            }
+        }
+        let grip = &self.model.grip;
+        let stretched = self.model.strip().is_some() && self.model.ground.substrate.is_flat();
+        if grip.pretension.is_some() && (!stretched || grip.horizontal == Hold::Free) {
+            return problem(
+                "grip.pretension",
+                "stretches a strip on flat ground whose grip is held across the pull, and this scene has none".into(),
+                "Peel a [strip] with `horizontal = \"fixed\"` under [grip], on a flat substrate, or leave `pretension` away.",
+            );
+        }
+        if let Some((path, found, remedy)) = shape::misfit(&self.model) {
+            return problem(path, found, remedy);
+        }
         let spatula = match &self.model.body {
             Body::Spatula(spatula) => spatula,
             Body::Strip(_) if self.model.pull.direction().up.abs() < 1e-9 => {
@@ -118,14 +144,23 @@ impl Scene {
         let adhesion = Adhesion {
             hamaker_constant: f64::NAN,
             equilibrium_distance: f64::NAN,
+            attraction: Attraction::BodyForce,
+            work: None,
+            strength: None,
             line_load: LineLoad::Full,
             far_face: true,
         };
-        let grip = Grip { rotation: Hold::Free, horizontal: Hold::Free, stiffness: None };
+        let grip = Grip { rotation: Hold::Free, horizontal: Hold::Free, stiffness: None, pretension: None };
         Self {
             name: name.to_owned(),
             title,
-            model: PeelModel { body: Body::Strip(Strip::UNKNOWN), adhesion, grip, pull: Pull::UP },
+            model: PeelModel {
+                body: Body::Strip(Strip::UNKNOWN),
+                adhesion,
+                grip,
+                pull: Pull::UP,
+                ground: Ground::default(),
+            },
             accuracy: Accuracy::to(1e-6),
             bounds: Bounds { points: 20_000, time_s: Some(60.0), displacement: None },
         }

@@ -20,6 +20,9 @@ pub enum SolveError {
     /// The time that was given is over.
     #[error("the time that was given is over")]
     OutOfTime,
+    /// A beam found no equilibrium to start from.
+    #[error("no equilibrium of the beam without a grip was found on the substrate: {0}")]
+    NoBeginning(String),
     /// A turning point is not there on more elements.
     #[error("a turning point was not found again on more elements: the mesh does not resolve the path")]
     TurnNotConfirmed,

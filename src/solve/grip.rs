@@ -32,6 +32,16 @@ pub struct Direction {
 impl Direction {
     /// Straight up.
     pub const UP: Self = Self { along: 0.0, up: 1.0 };
+
+    /// Components across and along the pull, of those along x and y.
+    fn turned(self, x: f64, y: f64) -> (f64, f64) {
+        (self.up * x - self.along * y, self.along * x + self.up * y)
+    }
+
+    /// Components along x and y, of those across and along the pull.
+    fn back(self, across: f64, ahead: f64) -> (f64, f64) {
+        (self.up * across + self.along * ahead, self.up * ahead - self.along * across)
+    }
 }
 
 impl Problem {
@@ -41,19 +51,20 @@ impl Problem {
         (self.direction != Direction::UP).then_some((x, self.direction))
     }
 
-    /// How far a field of the right end is from rest, or dx where that is the slot of x and no field.
+    /// How far a field of the right end is from where it began, or the end's place where that is the slot of x and no field.
     fn end_off_rest(&self, at: &Equilibrium, slot: usize) -> f64 {
         if slot >= self.fields() {
-            return at.slide;
+            return at.slide - self.stretch;
         }
-        at.state[at.state.len() - self.fields() + slot] - self.rest_at(self.length)[slot]
+        let along = if slot < self.driven { self.stretch } else { 0.0 };
+        at.state[at.state.len() - self.fields() + slot] - self.end_at_rest()[slot] - along
     }
 
     /// How far what a slot of [`Problem::held`] stands for is from its value at rest.
     fn off_rest(&self, at: &Equilibrium, slot: usize) -> f64 {
         let own = self.end_off_rest(at, slot);
         match self.turned() {
-            Some((x, Direction { along, up })) if x == slot => up * own - along * self.end_off_rest(at, self.driven),
+            Some((x, direction)) if x == slot => direction.turned(own, self.end_off_rest(at, self.driven)).0,
             _ => own,
         }
     }
@@ -62,7 +73,7 @@ impl Problem {
     pub fn displacement(&self, at: &Equilibrium) -> f64 {
         let driven = self.end_off_rest(at, self.driven);
         let moved = match self.turned() {
-            Some((x, Direction { along, up })) => up * driven + along * self.end_off_rest(at, x),
+            Some((x, direction)) => direction.turned(self.end_off_rest(at, x), driven).1,
             None => driven,
         };
         moved + self.compliance * at.force
@@ -147,27 +158,26 @@ impl<'p> GripBlock<'p> {
 
     /// Rows and columns of x and of the driven field from those of dx and dy to those of w and u.
     fn turn(&mut self) {
-        let Some((across, Direction { along, up })) = self.problem.turned() else { return };
+        let Some((across, direction)) = self.problem.turned() else { return };
         let driven = self.problem.driven;
         for j in 0..BLOCK {
             let (x, y) = (self.matrix[(across, j)], self.matrix[(driven, j)]);
-            (self.matrix[(across, j)], self.matrix[(driven, j)]) = (up * x - along * y, along * x + up * y);
+            (self.matrix[(across, j)], self.matrix[(driven, j)]) = direction.turned(x, y);
         }
         for i in 0..BLOCK {
             let (x, y) = (self.matrix[(i, across)], self.matrix[(i, driven)]);
-            (self.matrix[(i, across)], self.matrix[(i, driven)]) = (up * x - along * y, along * x + up * y);
+            (self.matrix[(i, across)], self.matrix[(i, driven)]) = direction.turned(x, y);
         }
         let (x, y) = (self.residual[across], self.residual[driven]);
-        (self.residual[across], self.residual[driven]) = (up * x - along * y, along * x + up * y);
+        (self.residual[across], self.residual[driven]) = direction.turned(x, y);
     }
 
     fn step(&self, right: SVector<f64, BLOCK>) -> Result<GripStep, SolveError> {
         let problem = self.problem;
         let mut values = self.matrix.lu().solve(&right).ok_or(SolveError::SingularGrip)?;
         let (force, moved) = (values[FORCE], values[problem.driven]);
-        if let Some((across, Direction { along, up })) = problem.turned() {
-            let (w, u) = (values[across], values[problem.driven]);
-            (values[across], values[problem.driven]) = (up * w + along * u, up * u - along * w);
+        if let Some((across, direction)) = problem.turned() {
+            (values[across], values[problem.driven]) = direction.back(values[across], moved);
         }
         let border = problem.chain.has_border();
         Ok(GripStep {

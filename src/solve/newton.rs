@@ -249,7 +249,7 @@ pub fn settle(
 
 /// A step of Newton's method with `damping` on the diagonal of the tangent, as in [`super::Chain::eliminate_damped`], shortened
 /// to `most`: how large it was before, relative as in [`Problem::relative_size`], and the negative eigenvalues of the damped
-/// tangent.
+/// tangent with the displacement held, and with the force held.
 pub fn damped_step(
     problem: &Problem,
     at: &mut Equilibrium,
@@ -257,7 +257,7 @@ pub fn damped_step(
     damping: &[f64],
     most: f64,
     work: &mut Workspace,
-) -> Result<(f64, usize), SolveError> {
+) -> Result<(f64, (usize, usize)), SolveError> {
     if work.is_late() {
         return Err(SolveError::OutOfTime);
     }
@@ -276,7 +276,7 @@ pub fn damped_step(
         *s += part * u;
     }
     at.add(part, &step);
-    Ok((size, grip.inertia(root.negative).0))
+    Ok((size, grip.inertia(root.negative)))
 }
 
 /// du/dσ and dP/dσ along the path, per unit of the condition's target σ, at a configuration on it or beside it.

@@ -7,8 +7,8 @@
 
 use super::predictor::{self, MOST_POINTS};
 use super::{
-    Condition, Equilibrium, NewtonOptions, Observables, Problem, RelaxOptions, Solution, SolveError, Workspace, relax,
-    settle, solve,
+    Beginning, Condition, Equilibrium, Held, NewtonOptions, Observables, Problem, RelaxOptions, Solution, SolveError,
+    Workspace, relax, settle, solve,
 };
 use crate::beam::Rest;
 use serde::{Deserialize, Serialize};
@@ -153,6 +153,9 @@ impl<'p> Path<'p> {
     }
 
     fn first(&mut self) -> Result<Solution, PathError> {
+        if let Beginning::Nowhere(why) = &self.problem.beginning {
+            return Err(self.stopped(1, SolveError::NoBeginning(why.clone())));
+        }
         let start = self.start.clone();
         let weights = self.outset();
         let target = weights.displacement * self.problem.displacement(&start);
@@ -183,8 +186,8 @@ impl<'p> Path<'p> {
             if self.problem.nearest(&solution.at) > 0.0 { Ok(solution) } else { Err(inside) }
         });
         above.or_else(|error| {
-            let options = RelaxOptions { largest_update: SETTLING };
-            let relaxed = relax(self.problem, start, displacement, &options, &mut self.work);
+            let options = RelaxOptions::by(SETTLING);
+            let relaxed = relax(self.problem, start, Held::Displacement(displacement), &options, &mut self.work);
             relaxed.map(|relaxed| relaxed.solution).map_err(|_| error)
         })
     }

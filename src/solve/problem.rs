@@ -2,8 +2,10 @@
 
 use super::grip::{Direction, GripStep};
 use super::{Chain, Configuration, Focus, Fronts, MOST_FIELDS, Mesh, Pieces, graded_ends};
+use crate::adhesion::Substrate;
 use crate::beam::{ElementEnergy, Rest};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// A chain with its right end in a grip that drives one field; on a substrate, or on its own.
 pub struct Problem {
@@ -23,6 +25,10 @@ pub struct Problem {
     /// Fields that the grip holds at their rest values; of a pull in a direction, the end's displacement across it in place of
     /// x, which is the last of these where it is no field.
     pub held: [bool; MOST_FIELDS + 1],
+    /// Horizontal section force at rest, nN: of a straight beam that is stretched by `stretch` from end to end before it is pulled.
+    pub pretension: f64,
+    /// nm
+    pub stretch: f64,
     /// 1/k of a spring between the grip and what moves it, nm/nN; zero where the grip is moved itself. The displacement of
     /// [`super::Observables`] is that of the far end of the spring, U = u + P/k.
     pub compliance: f64,
@@ -52,8 +58,23 @@ pub struct Problem {
     pub height: f64,
     /// Whether the law looks at the edges of a tilted section, or only at the gap below the axis.
     pub sees_tilt: bool,
+    /// What the chain is on; flat where nothing adheres.
+    pub substrate: Substrate,
+    /// Where the path starts, and with it what displacements count from.
+    pub beginning: Beginning,
     /// Whether the load has a potential, so that work is an energy difference and the tangent is symmetric.
     pub conservative: bool,
+}
+
+/// Where a path starts.
+#[derive(Clone, Debug)]
+pub enum Beginning {
+    /// Where the chain is free of stress.
+    AtRest,
+    /// In an equilibrium that the chain has taken up without a grip, which takes hold of it as it lies there.
+    Settled(Arc<Equilibrium>),
+    /// Such an equilibrium was not found; why.
+    Nowhere(String),
 }
 
 /// One configuration with its mesh, force and border.
@@ -115,6 +136,17 @@ impl Problem {
         std::array::from_fn(|f| all.get(f + left_out).copied().unwrap_or(0.0))
     }
 
+    /// The fields of the right end where displacements are zero.
+    pub fn end_at_rest(&self) -> [f64; MOST_FIELDS] {
+        match &self.beginning {
+            Beginning::Settled(at) => {
+                let end = &at.state[at.state.len() - self.fields()..];
+                std::array::from_fn(|f| end.get(f).copied().unwrap_or(0.0))
+            }
+            Beginning::AtRest | Beginning::Nowhere(_) => self.rest_at(self.length),
+        }
+    }
+
     /// Height of the section above the gap that the height field is, nm.
     pub fn height_at(&self, place: f64) -> f64 {
         match &self.rest {
@@ -150,18 +182,30 @@ impl Problem {
         graded_ends(&self.pieces, &foci, elements, near)
     }
 
-    /// The chain at rest, on `elements` elements. Where a beam of varying outline would lie within the
+    /// S of every node, nm.
+    pub fn places(&self, ends: &[f64]) -> Vec<f64> {
+        let (elements, order) = (ends.len() - 1, self.chain.order());
+        let place = |node: usize| {
+            let e = (node / order).min(elements - 1);
+            ends[e] + (ends[e + 1] - ends[e]) * self.chain.node_fraction(node - e * order)
+        };
+        (0..=elements * order).map(place).collect()
+    }
+
+    /// The chain where its path starts, on `elements` elements. Where a beam of varying outline would lie within the
     /// substrate it is lifted onto that.
     pub fn at_rest(&self, elements: usize) -> Equilibrium {
+        if let Beginning::Settled(at) = &self.beginning {
+            return self.on_elements(at, elements);
+        }
         let center = self.fronts.near(self.rest_front);
         let ends = self.ends(center, elements);
-        let elements = ends.len() - 1;
-        let order = self.chain.order();
         let mut state = Vec::new();
-        for node in 0..=elements * order {
-            let (e, rank) = ((node / order).min(elements - 1), node - (node / order).min(elements - 1) * order);
-            let s = ends[e] + (ends[e + 1] - ends[e]) * self.chain.node_fraction(rank);
+        for s in self.places(&ends) {
             let mut node = self.rest_at(s);
+            if self.rotation > 1 {
+                node[0] += self.stretch * s / self.length;
+            }
             if let Rest::Varying(rest) = &self.rest {
                 let up = self.rotation - 1;
                 let tilted = 0.5 * rest.height(s) * (1.0 - node[self.rotation].cos().abs());
@@ -169,7 +213,8 @@ impl Problem {
             }
             state.extend_from_slice(&node[..self.fields()]);
         }
-        Equilibrium { ends, center, state, border: 0.0, slide: 0.0, force: 0.0 }
+        let (border, slide) = if self.chain.has_border() { (self.pretension, self.stretch) } else { (0.0, 0.0) };
+        Equilibrium { ends, center, state, border, slide, force: 0.0 }
     }
 
     /// The same configuration on another number of elements.
@@ -200,7 +245,11 @@ impl Problem {
     /// What the height of a node is measured by: its scale plus its lift, nm.
     fn height_unit(&self, node: &[f64]) -> f64 {
         let up = self.rotation - 1;
-        self.scale[up] + (node[up] - self.rest_gap).abs()
+        let lift = match &self.substrate {
+            Substrate::Flat => node[up] - self.rest_gap,
+            substrate => substrate.clearance(node[0], node[up] + 0.5 * self.height) - 0.5 * self.height - self.rest_gap,
+        };
+        self.scale[up] + lift.abs()
     }
 
     /// What each number of an update is multiplied with to be measured as in [`Problem::relative_size`].
@@ -234,7 +283,13 @@ impl Problem {
             } else {
                 0.0
             };
-            node[self.rotation - 1] + half * (1.0 - node[self.rotation].cos().abs())
+            if self.substrate.is_flat() {
+                return node[self.rotation - 1] + half * (1.0 - node[self.rotation].cos().abs());
+            }
+            let full = self.height_at(at.ends[k / order]);
+            let foot = self.substrate.foot(node[0], node[self.rotation - 1] + 0.5 * full);
+            let tilt = (node[self.rotation] - foot.sin.atan2(foot.cos)).cos().abs();
+            foot.distance - 0.5 * full + half * (1.0 - tilt)
         })
     }
 }

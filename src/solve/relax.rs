@@ -1,4 +1,4 @@
-//! Where a structure goes that has lost its stability: down the gradient of its energy Π at a held displacement.
+//! Where a structure goes that has lost its stability: down the gradient of its energy Π at a held displacement or force.
 //!
 //!   M dq/dt = -∂Π/∂q,  discretised as  (K + M/Δt) δ = -∂Π/∂q
 //!
@@ -10,7 +10,9 @@
 
 use super::limit::{FINE, SINGULAR};
 use super::newton::damped_step;
-use super::{Condition, Equilibrium, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
+use super::{
+    Condition, Equilibrium, Mesh, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve,
+};
 
 /// How a structure is relaxed.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +20,41 @@ pub struct RelaxOptions {
     /// Most that a step moves, relative as in [`Problem::relative_size`]; a step that moves by less than a third of it is
     /// followed by a longer one.
     pub largest_update: f64,
+    /// Most steps that are taken, and most that are tried, before it is given up.
+    pub most_steps: usize,
+}
+
+impl RelaxOptions {
+    /// Steps that move at most so much, and as many as jumps have been found to take, many times over.
+    pub const fn by(largest_update: f64) -> Self {
+        Self { largest_update, most_steps: 5000 }
+    }
+}
+
+/// What is held while a structure relaxes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Held {
+    /// The displacement, nm.
+    Displacement(f64),
+    /// The force, nN: what falls is Π - P u.
+    Force(f64),
+}
+
+impl Held {
+    fn condition(self) -> Condition {
+        match self {
+            Self::Displacement(target) => Condition { weights: Observables::DISPLACEMENT, target },
+            Self::Force(target) => Condition { weights: Observables::FORCE, target },
+        }
+    }
+
+    /// Of the negative eigenvalues with the displacement held and with the force held, those that count.
+    fn negative(self, (displacement, force): (usize, usize)) -> usize {
+        match self {
+            Self::Displacement(_) => displacement,
+            Self::Force(_) => force,
+        }
+    }
 }
 
 /// Where it came to rest, and how.
@@ -52,8 +89,8 @@ const SHORTER: f64 = 0.3;
 const LONGEST: f64 = 1e12;
 /// Shortest Δt.
 const SHORTEST: f64 = 1e-12;
-/// Most steps.
-const MOST_STEPS: usize = 5000;
+/// Eliminations allowed a step, those of refused steps and of looking for an equilibrium near by among them.
+const TRIES: usize = 8;
 /// Newton's own step from near an equilibrium: more is too far away.
 const NEAR: f64 = 0.2;
 /// The energy is known to this share of its largest parts.
@@ -80,29 +117,34 @@ pub fn turned(problem: &Problem, at: &Equilibrium) -> Equilibrium {
     at
 }
 
-/// Relaxes from `start` at the held displacement `displacement`.
+/// Relaxes from `start` with the displacement or the force held.
 pub fn relax(
     problem: &Problem,
     start: Equilibrium,
-    displacement: f64,
+    held: Held,
     options: &RelaxOptions,
     work: &mut Workspace,
 ) -> Result<Relaxed, RelaxError> {
-    let condition = Condition { weights: Observables::DISPLACEMENT, target: displacement };
-    let mut at = held_at(problem, start, displacement);
-    let mut energies = vec![energy_of(problem, &at)];
+    let condition = held.condition();
+    let energy_of = |at: &Equilibrium| energy_of(problem, at, held);
+    let mut at = held_at(problem, start, held);
+    let mut energies = vec![energy_of(&at)];
     let mut mass = mass(problem, &at);
     let (mut time, mut steps, mut eliminations) = (FIRST, 0, 0);
-    while steps < MOST_STEPS {
+    while steps < options.most_steps && eliminations < TRIES * options.most_steps {
         let energy = energies[energies.len() - 1];
-        if let Some(solution) = landed(problem, &at, energy, &condition, work, &mut eliminations) {
+        if let Some(solution) = landed(problem, &at, energy, held, work, &mut eliminations) {
             return Ok(Relaxed { solution, energies, steps, eliminations });
         }
         let damping: Vec<f64> = mass.iter().map(|m| m / time).collect();
         let mut next = at.clone();
         eliminations += 1;
         let tried = match damped_step(problem, &mut next, &condition, &damping, f64::INFINITY, work) {
-            Ok((size, 0)) if size <= options.largest_update && energy_of(problem, &next) <= energy + slack(energy) => {
+            Ok((size, negative))
+                if held.negative(negative) == 0
+                    && size <= options.largest_update
+                    && energy_of(&next) <= energy + slack(energy) =>
+            {
                 Ok(size)
             }
             Ok((size, _)) => Err(SolveError::NotConverged { update: size, iterations: 1 }),
@@ -120,12 +162,12 @@ pub fn relax(
         time = (time * if 3.0 * size < options.largest_update { GROWTH } else { 1.0 }).min(LONGEST);
         at = next;
         // a mesh on which the energy of this step is lost again is put off
-        let moved = on_new_mesh(problem, &at).map(|moved| held_at(problem, moved, displacement));
-        if let Some(moved) = moved.filter(|moved| energy_of(problem, moved) < energy) {
+        let moved = on_new_mesh(problem, &at).map(|moved| held_at(problem, moved, held));
+        if let Some(moved) = moved.filter(|moved| energy_of(moved) < energy) {
             at = moved;
             mass = self::mass(problem, &at);
         }
-        energies.push(energy_of(problem, &at));
+        energies.push(energy_of(&at));
     }
     Err(RelaxError::Endless { steps, energy: energies[energies.len() - 1] })
 }
@@ -135,14 +177,15 @@ fn landed(
     problem: &Problem,
     at: &Equilibrium,
     energy: f64,
-    condition: &Condition,
+    held: Held,
     work: &mut Workspace,
     eliminations: &mut usize,
 ) -> Option<Solution> {
+    let condition = &held.condition();
     let mut probe = at.clone();
     *eliminations += 1;
     let (size, negative) = damped_step(problem, &mut probe, condition, &[], f64::INFINITY, work).ok()?;
-    if negative > 0 || size > NEAR {
+    if held.negative(negative) > 0 || size > NEAR {
         return None;
     }
     let solved = |tolerance, work: &mut Workspace| {
@@ -151,8 +194,9 @@ fn landed(
     };
     let solution = solved(FINE, work).or_else(|_| solved(SINGULAR, work)).ok()?;
     *eliminations += solution.iterations;
-    let lower = problem.energy(&solution.at, solution.energy) <= energy + slack(energy);
-    (solution.negative == 0 && solution.correction <= 2.0 * NEAR && lower).then_some(solution)
+    let lower = energy_of(problem, &solution.at, held) <= energy + slack(energy);
+    let negative = held.negative((solution.negative, solution.negative_load));
+    (negative == 0 && solution.correction <= 2.0 * NEAR && lower).then_some(solution)
 }
 
 /// What an energy may be wrong by.
@@ -160,14 +204,22 @@ fn slack(energy: f64) -> f64 {
     ROUND_OFF * (energy.abs() + 1e-3)
 }
 
-/// Energy of a configuration, whether in equilibrium or not, aJ.
-fn energy_of(problem: &Problem, at: &Equilibrium) -> f64 {
-    problem.energy(at, problem.chain.energy(at.configuration(), &at.state).0)
+/// What falls: the energy of a configuration, whether in equilibrium or not, less P u of a held force, aJ.
+fn energy_of(problem: &Problem, at: &Equilibrium, held: Held) -> f64 {
+    let energy = problem.energy(at, problem.chain.energy(at.configuration(), &at.state).0);
+    match held {
+        Held::Displacement(_) => energy,
+        Held::Force(force) => energy - force * problem.displacement(at),
+    }
 }
 
-/// The configuration with the displacement exactly as held: where a spring takes part, its force follows the grip, and
-/// otherwise the grip is put there.
-fn held_at(problem: &Problem, mut at: Equilibrium, displacement: f64) -> Equilibrium {
+/// The configuration with the force as held, or with the displacement exactly so: where a spring takes part, its force
+/// follows the grip, and otherwise the grip is put there.
+fn held_at(problem: &Problem, mut at: Equilibrium, held: Held) -> Equilibrium {
+    let displacement = match held {
+        Held::Displacement(displacement) => displacement,
+        Held::Force(force) => return Equilibrium { force, ..at },
+    };
     let missing = displacement - problem.displacement(&at);
     if problem.compliance > 0.0 {
         at.force += missing / problem.compliance;
@@ -194,6 +246,9 @@ fn mass(problem: &Problem, at: &Equilibrium) -> Vec<f64> {
 
 /// The configuration on a mesh that lies where its front is, if that has moved.
 fn on_new_mesh(problem: &Problem, at: &Equilibrium) -> Option<Equilibrium> {
+    if problem.mesh != Mesh::Moving {
+        return None;
+    }
     let energy = problem.chain.energy(at.configuration(), &at.state).0;
     let center = problem.centered(problem.front(energy.adhesion));
     if (center - at.center).abs() < MOVED * problem.process_length {

@@ -27,7 +27,7 @@ pub(super) fn anchor(
 /// The first maximum of the force, from the beginning of the path.
 fn first_maximum(model: &PeelModel, bounds: &Bounds) -> Result<Option<Located>, String> {
     let problem = model.problem(Form::TwoField, ORDER);
-    let far = 10.0 * model.adhesion.equilibrium_distance;
+    let far = model.line_law().reach();
     let mut path = Path::new(&problem, Resolution::first(model, &Accuracy::to(ROUGH)).path_options(model, ROUGH));
     let mut behind = 0;
     while behind <= BEHIND {

@@ -1,6 +1,7 @@
 //! What the user asks of the numbers, and what follows from it: order, elements and steps.
 
-use crate::model::{Form, PeelModel};
+use crate::adhesion::{CohesiveShape, Substrate};
+use crate::model::{Attraction, Form, PeelModel};
 use crate::solve::{BUNDLE, MOST_POINTS, Mesh, PathOptions};
 
 /// What the user asks of the numbers.
@@ -22,6 +23,13 @@ impl Accuracy {
     /// The same with what `choice` fixes.
     pub const fn with(self, choice: Choice) -> Self {
         Self { choice, ..self }
+    }
+
+    /// The same as far as it can be had: on ground that is not flat with x at every node and a mesh that stays.
+    pub(super) fn fitted(&self, model: &PeelModel) -> Self {
+        let Choice { mesh, form, .. } = self.choice;
+        let mesh = if model.ground.substrate.is_flat() { mesh } else { Mesh::Graded };
+        self.with(Choice { mesh, form: model.form(form), ..self.choice })
     }
 
     /// Order p of the elements.
@@ -48,8 +56,13 @@ pub struct Choice {
 pub const ORDER: usize = 7;
 /// Elements more for each place where the outline of a beam has a break.
 const A_BREAK: usize = 2;
-/// Most elements that are chosen.
-pub(super) const MOST_ELEMENTS: usize = 400;
+/// Length of the elements besides on ground that is not flat, over that of the process zone, at the accuracy 1e-6, and over the length in which
+/// the ground changes.
+const EVEN: f64 = 1.0;
+const OF_DETAIL: f64 = 0.5;
+/// Most elements that are chosen, and where the law has corners.
+const MOST_ELEMENTS: usize = 400;
+const MOST_CORNERED: usize = 1000;
 /// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its fourth
 /// root, so that the curve between the points keeps up with the points.
 const STEP_TOLERANCE: f64 = 1.2e-2;
@@ -74,8 +87,15 @@ impl Resolution {
         // two decay lengths, of bending and of shear, take more than one
         let apart = (5.0 * (0.6 * model.bending_length() / model.shear_length()).ln()).clamp(0.0, 7.0);
         let sharp = 0.32 + 0.052 * digits + 0.0083 * digits * digits + 0.2 * (digits - 8.0).max(0.0);
-        let elements = (5.1 + 0.434 * span * span + apart) * sharp + (A_BREAK * model.breaks().len()) as f64;
-        let chosen = whole_bundles(elements).clamp(6, MOST_ELEMENTS);
+        let elements =
+            (5.1 + 0.434 * span * span + apart) * sharp * cornered(model) + (A_BREAK * model.breaks().len()) as f64;
+        let elements = match &model.ground.substrate {
+            Substrate::Flat => elements,
+            substrate => {
+                elements + model.length() / (EVEN * model.process_length() / sharp).min(OF_DETAIL * substrate.detail())
+            }
+        };
+        let chosen = whole_bundles(elements).clamp(6, most_elements(model));
         Self {
             order: accuracy.order(),
             elements: accuracy.choice.elements.unwrap_or(chosen),
@@ -105,6 +125,33 @@ impl Resolution {
         let order = self.order as f64;
         let growth = (2.0 * worst).powf(0.5 / order).max((2.0 * spread).powf(1.0 / order)).clamp(1.15, 2.0);
         self.times(growth)
+    }
+}
+
+/// What share of the accuracy asked for is aimed at where a law has corners: between two meshes they fall elsewhere between the
+/// points of the quadrature, so that a difference to a finer mesh may be small by luck.
+const CAUTION: f64 = 0.25;
+
+/// The accuracy that is aimed at, and the relative error below which no bound is, if there is one.
+pub(super) fn aim(model: &PeelModel, accuracy: &Accuracy) -> (Accuracy, Option<f64>) {
+    if cornered(model) > 1.0 {
+        (Accuracy { relative: CAUTION * accuracy.relative, ..*accuracy }, Some(accuracy.relative))
+    } else {
+        (*accuracy, None)
+    }
+}
+
+/// Most elements that are chosen for a model.
+pub(super) fn most_elements(model: &PeelModel) -> usize {
+    if cornered(model) > 1.0 { MOST_CORNERED } else { MOST_ELEMENTS }
+}
+
+/// How many times as many elements the corners of the model's law take: the narrower they are, the more.
+fn cornered(model: &PeelModel) -> f64 {
+    match model.adhesion.attraction {
+        Attraction::Cohesive(CohesiveShape::Bilinear) => 5.0,
+        Attraction::Cohesive(CohesiveShape::Dugdale) => 10.0,
+        Attraction::BodyForce | Attraction::SurfaceTraction | Attraction::Cohesive(CohesiveShape::Exponential) => 1.0,
     }
 }
 

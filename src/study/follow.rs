@@ -177,9 +177,10 @@ pub(super) fn follow(problem: &Problem, options: PathOptions, far: f64, relative
 }
 
 /// The largest spread of the first integral along the beam at any point of the path, over the work of adhesion: zero where
-/// a mesh resolves the beam. Without a potential, and along a beam of varying outline, there is no such integral.
+/// a mesh resolves the beam. Without a potential, along a beam of varying outline and on ground that is not flat there is
+/// no such integral.
 fn worst_spread(problem: &Problem, points: &[Arc<Solution>]) -> f64 {
-    if !problem.conservative || matches!(problem.rest, Rest::Varying(_)) {
+    if !problem.conservative || matches!(problem.rest, Rest::Varying(_)) || !problem.substrate.is_flat() {
         return 0.0;
     }
     let spread = |point: &Arc<Solution>| {
@@ -248,8 +249,8 @@ fn has_pulled(problem: &Problem, points: &[Arc<Solution>]) -> bool {
 /// that, on a flat substrate, the path is the mirror image of itself.
 fn stands_upright(problem: &Problem, points: &[Arc<Solution>]) -> bool {
     let [.., before, newest] = points else { return false };
-    // only a strip that is pulled straight up has a mirror image
-    if problem.direction != Direction::UP {
+    // only a strip that is pulled straight up from flat ground has a mirror image
+    if problem.direction != Direction::UP || !problem.substrate.is_flat() {
         return false;
     }
     let tip = |s: &Solution| s.observables.tip_rotation - FRAC_PI_2;

@@ -1,6 +1,7 @@
 //! Many runs: the whole peel of one scene, sweeps over a parameter, a point followed, the path of a rod.
 mod anchor;
 mod choice;
+mod contact;
 mod continuation;
 mod cusp;
 mod fill;
@@ -20,6 +21,7 @@ mod power_law;
 mod rod;
 mod step_curve;
 mod sweep;
+mod terms;
 mod trace;
 pub mod verify;
 mod work;
@@ -28,6 +30,7 @@ pub use crate::solve::Turn;
 /// Order of the elements with which a point is followed.
 pub use choice::ORDER as FOLLOWED_ORDER;
 pub use choice::{Accuracy, Choice};
+pub use contact::{Contact, SMALLEST_RADIUS};
 pub use cusp::{Cusp, cusp};
 pub use follow_point::follow_point;
 pub use followed::*;
@@ -37,4 +40,5 @@ pub use peel::*;
 pub use power_law::power_law;
 pub use rod::{RodPath, RodTrouble, RodTurn, follow_rod};
 pub use sweep::*;
+pub use terms::{Term, TermEffect};
 pub use work_precision::{ASKED, Errors, Line, Trial, WorkPrecision, work_precision};

@@ -1,7 +1,6 @@
 //! What a testing machine would record: the stable part of the path, the jumps, and the way back.
 
 use super::{Accuracy, Bounds};
-use crate::adhesion::LineLoad;
 use crate::model::PeelModel;
 
 /// Which way the machine moves.
@@ -155,7 +154,7 @@ pub struct Observed {
 pub enum NoTest {
     /// The load has no potential.
     #[error(
-        "adhesion.line_load = \"force-only\" has no potential: where a strip goes that loses its stability, and the energy it releases, are not defined"
+        "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): where a strip goes that loses its stability, and the energy it releases, are not defined"
     )]
     NoPotential,
 }
@@ -171,7 +170,7 @@ where
     PeelModel: From<&'m M>,
 {
     let model = PeelModel::from(model);
-    if model.adhesion.line_load == LineLoad::ForceOnly {
+    if !model.line_law().has_potential() {
         return Err(NoTest::NoPotential);
     }
     Ok(super::observed_run::run(&model, accuracy, bounds))

@@ -1,7 +1,7 @@
 //! The run behind [`super::observed`]: retreat, jump, approach, jump, on a mesh from the accuracy asked for, and on a finer one
 //! where the errors of the jumps say so.
 
-use super::choice::{MOST_ELEMENTS, Resolution};
+use super::choice::{Resolution, most_elements};
 use super::observed::*;
 use super::observed_jump;
 use super::observed_leg::{Leg, LegEnd, LegTrouble, Machine, Until};
@@ -9,7 +9,8 @@ use super::peel_run::{ROUND_OFF, SAFETY, least};
 use super::{Accuracy, Bounds};
 use crate::model::{Form, PeelModel};
 use crate::solve::{
-    Equilibrium, Located, Problem, RelaxError, RelaxOptions, Solution, SolveError, Workspace, disturbed, relax, turned,
+    Equilibrium, Held, Located, Problem, RelaxError, RelaxOptions, Solution, SolveError, Workspace, disturbed, relax,
+    turned,
 };
 use std::sync::Arc;
 use std::time::Instant;
@@ -47,6 +48,7 @@ enum Trouble {
 
 pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Observed {
     let started = Instant::now();
+    let accuracy = &accuracy.fitted(model);
     let mut resolution = Resolution::first(model, accuracy);
     let mut best: Option<Test> = None;
     let mut others = Vec::new();
@@ -58,7 +60,7 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Ob
             options: resolution.path_options(model, accuracy.relative),
             bounds,
             relative: accuracy.relative,
-            far: 10.0 * model.adhesion.equilibrium_distance,
+            far: model.line_law().reach(),
             started,
         };
         let mut test = Test::new();
@@ -79,7 +81,7 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Ob
             break;
         }
         resolution = if failed { resolution.times(1.5) } else { resolution.finer(worst, 0.0) };
-        if resolution.elements > MOST_ELEMENTS {
+        if resolution.elements > most_elements(model) {
             break;
         }
     }
@@ -267,12 +269,12 @@ impl Test {
     fn lost(&mut self, machine: &Machine, limit: &Located, loss: Loss, way: Way) -> Result<Solution, Trouble> {
         let problem = machine.problem;
         let (mut work, machine_nm) = (Workspace::default(), limit.observables.displacement);
-        let options = RelaxOptions { largest_update: RELAXING };
+        let options = RelaxOptions::by(RELAXING);
         let start = match loss {
             Loss::Turn => disturbed(problem, &limit.solution),
             Loss::Branching => turned(problem, &limit.solution.at),
         };
-        let relaxed = relax(problem, start, machine_nm, &options, &mut work)
+        let relaxed = relax(problem, start, Held::Displacement(machine_nm), &options, &mut work)
             .map_err(|cause| Trouble::Relax { machine_nm, cause })?;
         self.effort.relaxation_steps += relaxed.steps;
         let jump = observed_jump::described(machine, limit, &relaxed, way, &mut work)

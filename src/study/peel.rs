@@ -1,5 +1,6 @@
 //! The whole peel of one model: path, special points, error bounds, how it ended.
 
+use super::terms::{TermEffect, terms};
 use super::trace::Trace;
 use super::{Accuracy, Choice, Keeping};
 use crate::model::PeelModel;
@@ -20,7 +21,7 @@ pub struct Bounds {
 /// How a path ended.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum End {
-    /// No point of the beam is nearer than 10 r0.
+    /// No point of the beam is nearer than [`crate::adhesion::LineLaw::reach`].
     Detached,
     /// The force has come back to zero after a snap-off while an edge still holds.
     Pivoting,
@@ -147,10 +148,21 @@ impl Peel {
         }
     }
 
+    /// The path point whose front is nearest to a place along the beam, nm.
+    pub fn nearest_front(&self, place: f64) -> Option<&PathPoint> {
+        let away = |point: &&PathPoint| (point.front - place).abs();
+        self.points.iter().min_by(|a, b| away(a).total_cmp(&away(b)))
+    }
+
     /// Section forces, stretch and adhesion at the ends of the elements at `points[index]`, from S = 0 to S = L; empty
     /// where there is none. H x' + V y' + M θ' - stored - bΨ is the same at all of them.
     pub fn sections(&self, index: usize) -> Vec<NodeState> {
         self.trace.as_ref().map(|trace| trace.sections(index)).unwrap_or_default()
+    }
+
+    /// What each term of the model adds to the initiation peak, to first order.
+    pub fn terms(&self) -> Vec<TermEffect> {
+        self.trace.as_ref().map(|trace| terms(&self.model, trace)).unwrap_or_default()
     }
 
     /// The deformed axis at `points[index]`; empty where there is none.

@@ -1,7 +1,7 @@
 //! The run behind [`super::peel`]: a mesh from the accuracy asked for, the path on it, and, where the error bounds say
 //! so, a finer mesh and the path again.
 
-use super::choice::{Choice, MOST_ELEMENTS, Resolution};
+use super::choice::{Choice, Resolution, aim, most_elements};
 use super::follow::{Followed, Trouble, follow};
 use super::keeping::Limits;
 use super::plateau::plateau;
@@ -49,12 +49,32 @@ const PULL: f64 = 1e-6;
 const MOST_MESHES: usize = 8;
 /// Follows the peel from rest to its end.
 pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &Keeping) -> Peel {
+    let (aimed, least) = aim(model, accuracy);
+    let mut peel = on_meshes(model, &aimed, bounds, keeping);
+    peel.asked = accuracy.relative;
+    let Peel { limit_points, initiation_peak, peak, snap_off, .. } = &mut peel;
+    if let Some(share) = least {
+        for point in limit_points.iter_mut().chain(snap_off) {
+            point.force_error = point.force_error.max(share * point.force.abs());
+            point.displacement_error = point.displacement_error.max(share * point.displacement.abs());
+        }
+        for peak in initiation_peak.iter_mut().chain(peak) {
+            peak.force_error = peak.force_error.max(share * peak.force.abs());
+            peak.displacement_error = peak.displacement_error.max(share * peak.displacement.abs());
+        }
+    }
+    peel
+}
+
+/// The path on one mesh after another, until its bounds are what is wanted.
+fn on_meshes(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &Keeping) -> Peel {
     let started = Instant::now();
+    let accuracy = &accuracy.fitted(model);
     let limits = Limits { bounds, keeping, started };
     let Choice { mesh, form, .. } = accuracy.choice;
     let mut resolution = Resolution::first(model, accuracy);
     let problem = Arc::new(Problem { mesh, ..model.problem(form, resolution.order) });
-    let far = 10.0 * model.adhesion.equilibrium_distance;
+    let far = model.line_law().reach();
     let mut best: Option<Attempt> = None;
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
     let (mut iterations, mut unfinished) = (0, false);
@@ -75,7 +95,7 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keepi
         if best.as_ref().is_none_or(|b| attempt.is_better_than(b)) {
             best = Some(attempt);
         }
-        if enough || over || resolution.elements > MOST_ELEMENTS {
+        if enough || over || resolution.elements > most_elements(model) {
             break;
         }
     }
@@ -140,7 +160,9 @@ impl Attempt {
         peel.choice = accuracy.choice;
         peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order };
         let cut = followed.cut;
-        peel.trace = Some(Trace { problem: problem.clone(), points: followed.points });
+        let first = |place: f64| followed.turns.iter().find(|turn| turn.2.observables.displacement == place);
+        let peak = peel.initiation_peak.and_then(|peak| first(peak.displacement)).map(|turn| turn.2.solution.clone());
+        peel.trace = Some(Trace { problem: problem.clone(), points: followed.points, peak });
         Self { peel, difference, spread, trouble, cut, next }
     }
 

@@ -9,6 +9,8 @@ use std::sync::Arc;
 pub(super) struct Trace {
     pub problem: Arc<Problem>,
     pub points: Vec<Arc<Solution>>,
+    /// The solution next to the initiation peak, if there is one.
+    pub peak: Option<Arc<Solution>>,
 }
 
 impl std::fmt::Debug for Trace {

@@ -94,11 +94,24 @@ pub fn absurd_scene(dice: &mut Dice) -> String {
     line("[adhesion]".into());
     line(format!("hamaker_constant = \"{:e} J\"", dice.decades(1e-30, 1e-10)));
     line(format!("equilibrium_distance = \"{:e} nm\"", dice.decades(1e-4, 1e4)));
+    let law = dice.pick(&["body-force", "body-force", "surface-traction", "bilinear", "exponential", "dugdale"]);
+    line(format!("law = \"{law}\""));
+    if !law.contains("-") && dice.below(2) == 0 {
+        line(format!(
+            "work = \"{:e} J/m2\"\nstrength = \"{:e} GPa\"",
+            dice.decades(1e-9, 1e6),
+            dice.decades(1e-9, 1e6)
+        ));
+    }
     line(format!("line_load = \"{}\"", dice.pick(&["full", "force-only", "axis-gap"])));
     line(format!("far_face = {}", dice.pick(&[true, false])));
     line("[grip]".into());
     line(format!("rotation = \"{}\"", dice.pick(&["free", "fixed"])));
-    line(format!("horizontal = \"{}\"", dice.pick(&["free", "fixed"])));
+    let horizontal = dice.pick(&["free", "fixed"]);
+    line(format!("horizontal = \"{horizontal}\""));
+    if body == "strip" && horizontal == "fixed" && dice.below(3) == 0 {
+        line(format!("pretension = \"{:e} nN\"", dice.decades(1e-9, 1e9)));
+    }
     line("[bounds]\npoints = 60\ntime = \"0.2 s\"".into());
     if dice.below(4) == 0 {
         line(format!("displacement = \"{:e} nm\"", dice.decades(1e-3, 1e9)));
@@ -243,10 +256,13 @@ fn keys_of(body: &str) -> impl Iterator<Item = &'static Key> {
 /// A good scene to which up to four things have happened.
 pub fn garbled_text(dice: &mut Dice) -> String {
     let body = dice.pick(&BODIES);
+    let shape = dice.pick(&["flat", "flat", "sphere", "cylinder", "sinusoid", "profile"]);
     let mut entries: Vec<(&str, String, String)> = keys_of(body)
-        .filter(|key| key.need == Need::Required || dice.below(2) == 0)
+        .filter(|key| key.table != "substrate" || key.shapes().contains(&shape))
+        .filter(|key| key.need == Need::Required || key.name == "shape" || dice.below(2) == 0)
         .map(|key| (key.table, key.name.to_owned(), key.example().to_owned()))
         .collect();
+    entries.iter_mut().filter(|entry| entry.1 == "shape").for_each(|entry| entry.2 = format!("\"{shape}\""));
     for _ in 0..dice.below(4) {
         garble_entries(&mut entries, dice);
     }
@@ -268,7 +284,18 @@ fn garble_entries(entries: &mut Vec<(&'static str, String, String)>, dice: &mut 
         2 => misspell(&mut entries[at].1, dice),
         3 => {
             entries[at].0 = dice.pick(&[
-                "", "strip", "spatula", "adhesion", "grip", "drive", "accuracy", "bounds", "Strip", "spring", "\"\"",
+                "",
+                "strip",
+                "spatula",
+                "adhesion",
+                "grip",
+                "drive",
+                "accuracy",
+                "bounds",
+                "Strip",
+                "spring",
+                "substrate",
+                "\"\"",
             ])
         }
         4 => entries[at].1 = KEYS[dice.below(KEYS.len())].name.to_owned(),

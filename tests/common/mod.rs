@@ -5,7 +5,7 @@
 #![allow(dead_code)]
 
 use num_dual::DualNum;
-use peelkit::adhesion::{HalfSpace, LineLaw, LineLoad};
+use peelkit::adhesion::{HalfSpace, Law, LineLaw, LineLoad};
 use peelkit::beam::Section;
 use peelkit::model::{Grip, Hold, StripModel};
 use peelkit::study::{Accuracy, Bounds, Peel, peel};
@@ -18,7 +18,7 @@ pub const PAPER: HalfSpace = HalfSpace { hamaker_constant: 0.1, equilibrium_dist
 
 /// The law of the paper's strip, h = 10 nm.
 pub fn paper_law(line_load: LineLoad, far_face: bool) -> LineLaw {
-    LineLaw { half_space: PAPER, height: 10.0, line_load, far_face }
+    LineLaw { half_space: PAPER, height: 10.0, law: Law::BodyForce, line_load, far_face }
 }
 
 /// The paper's strip: h = 10 nm, width 1 nm, E = 2 GPa, nu = 0.2, both of the grip's other motions free.

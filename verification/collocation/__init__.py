@@ -2,6 +2,7 @@
 
 Units: nm, nN, aJ; 1 GPa = 1 nN/nm^2, 1e-19 J = 0.1 nN nm. In the order in which they stand on one another:
 
+    laws        surface traction and cohesive laws
     law         the strip, the potential of its adhesion, the right sides of the strong form
     shapes      beams whose section and rest curve vary: the spatula, profiles given by a table
     system      a solution on a mesh of sub-intervals; one linearisation of the boundary value problem

@@ -13,7 +13,7 @@ LEVEL = 1e-6                                                          # where it
 
 
 def energy(s, st):
-    """Stored energy and change of the adhesion energy since rest, aJ; for "force-only" the potential of the full law."""
+    """Stored energy, less that of a pretension, and change of the adhesion energy since rest, aJ; for "force-only" the potential of the full law."""
     c = s.strip.at(st.points())
     z = st.inner()
     g, th, V, M = (z[..., i] for i in range(4))
@@ -21,7 +21,7 @@ def energy(s, st):
     density = 0.5 * N ** 2 / c.EA + 0.5 * Q ** 2 / c.GA + 0.5 * M ** 2 / c.EI
     rest = potential(c, np.float64(s.g0), np.float64(0.0))[0]
     density = density + c.width * (potential(c, g, th)[0] - rest)
-    return float(np.diff(st.X) @ (density @ Rule(st.n).w))
+    return float(np.diff(st.X) @ (density @ Rule(st.n).w)) - 0.5 * s.strip.pretension * s.strip.stretch
 
 
 def first_integral(s, st):

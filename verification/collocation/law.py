@@ -7,7 +7,8 @@ its first variation gives
     H' = 0,   V' = b dPsi/dy = -b T_c,   M' = -x' V + y' H + b dPsi/dtheta = -x' V + y' H - b M_c.
 Solved for derivatives, with g = y - h/2 in place of y and w = x - S in place of x, so that nothing cancels:
     g' = (1 + N/EA) sin + (Q/GA) cos - h'/2,   theta' = M/EI + theta0',   V' = -b T_c,   M' = -x' V + y' H - b M_c,   w' = x' - 1.
-Section and rest curvature theta0' may vary along S (shapes.py); those of a strip do not. Psi is that of Sauer's eqs. (17)-(22).
+Section and rest curvature theta0' may vary along S (shapes.py); those of a strip do not. Psi is that of Sauer's eqs. (17)-(22);
+other laws are in laws.py.
 An infinite shear_correction makes the beam rigid in shear.
 """
 import math
@@ -17,13 +18,17 @@ from functools import cached_property
 import numpy as np
 from scipy.optimize import brentq
 
+from . import laws
+
 
 @dataclass(frozen=True, kw_only=True)
 class Beam:
     """What every beam has: its grip, its adhesion, its material."""
     rotation: str = "free"               # of the grip: free | fixed
     horizontal: str = "free"             # of the grip, across the pull: free | fixed
+    pretension: float = 0.0              # nN, along the strip before it is pulled; horizontal = fixed
     angle: float = 90.0                  # of the pull to the substrate, degrees: 0 away from the strip, 180 back over it
+    law: str = "body-force"           # body-force | surface-traction | exponential | bilinear | dugdale
     line_load: str = "full"              # full | force-only | axis-gap
     far_face: bool = True
     young: float = 2.0                   # GPa
@@ -46,6 +51,11 @@ class Beam:
     def pull(self):
         """Its direction: cosine and sine of the angle, exact at 90 degrees."""
         return math.sin(math.radians(90.0 - self.angle)), math.sin(math.radians(self.angle))
+
+    @property
+    def stretch(self):
+        """How much longer a strip is under its pretension."""
+        return self.pretension * self.length / self.EA if self.pretension else 0.0
 
     @cached_property
     def end_gap(self):
@@ -92,7 +102,7 @@ class Strip(Beam):
     def __str__(self):
         return (f"L={self.length:g} f={self.factor:g} angle={self.angle:g} rot={self.rotation} hor={self.horizontal} {self.line_load} "
                 f"far={str(self.far_face).lower()} h={self.height:g} b={self.width:g} E={self.young:g} nu={self.poisson:g} "
-                f"k={self.shear_correction:.4g} A_H={self.hamaker:g} r0={self.r0:g}")
+                f"k={self.shear_correction:.4g} A_H={self.hamaker:g} r0={self.r0:g} {self.law}")
 
 
 def _near(c, r):
@@ -109,8 +119,11 @@ def _near(c, r):
 def potential(c, g, th):
     """Psi with its gradient (y, theta) and Hessian (yy, yt, tt); for axis-gap the W(g) - W(g + h) of its traction.
 
-    "force-only" has the same T_c but no M_c; its Psi is that of the full law and is no potential of it.
+    "force-only" has the same T_c but no M_c; its Psi is that of the full law and is no potential of it. Nor is the Psi that
+    stands for the surface traction, which has none: it is that of the body forces, the same where the strip is level.
     """
+    if c.law in laws.COHESIVE:
+        return laws.cohesive(c, g, th)
     co, si = np.cos(th), np.sin(th)
     h, r0 = c.height, c.r0
     if c.line_load == "axis-gap":
@@ -171,8 +184,22 @@ def potential(c, g, th):
 
 def rest_gap(c):
     """g at which T_c(y, 0) = 0."""
+    if c.law in laws.COHESIVE:
+        return laws.rest(c)
     f = lambda g: float(potential(c, np.float64(g), np.float64(0.0))[1])
     return brentq(f, 0.4 * c.r0, 5.0 ** (-1 / 6) * c.r0, xtol=1e-17, rtol=1e-15)
+
+
+def loads(c, g, th):
+    """-T_c, -M_c and their derivatives to y and theta: (Ty, Tt), (My, Mt)."""
+    if c.law == "surface-traction" and c.line_load != "axis-gap":
+        T, M, Ty, Tt, My, Mt = laws.traction(c, g, th, _near)
+    else:
+        _, T, M, Ty, Tt, Mt = potential(c, g, th)
+        My = Tt
+    if c.line_load == "force-only":
+        M = My = Mt = np.zeros_like(T)
+    return T, M, Ty, Tt, My, Mt
 
 
 def field(c, z, H, jac=True):
@@ -180,12 +207,7 @@ def field(c, z, H, jac=True):
     d = z.shape[-1]
     g, th, V, M = z[..., 0], z[..., 1], z[..., 2], z[..., 3]
     co, si = np.cos(th), np.sin(th)
-    _, Py, Pt, Pyy, Pyt, Ptt = potential(c, g, th)
-    if c.line_load == "force-only":
-        Pt = np.zeros_like(Py)
-        My, Mt = Pt, Pt
-    else:
-        My, Mt = Pyt, Ptt
+    Tc, Mc, Ty, Tt, My, Mt = loads(c, g, th)
     b, ea, ga = c.width, 1.0 / c.EA, 1.0 / c.GA
     N, Q = H * co + V * si, V * co - H * si
     x1 = (1.0 + N * ea) * co - Q * ga * si
@@ -193,8 +215,8 @@ def field(c, z, H, jac=True):
     f = np.empty_like(z)
     f[..., 0] = y1 - 0.5 * c.rise
     f[..., 1] = M / c.EI + c.bend
-    f[..., 2] = b * Py
-    f[..., 3] = -x1 * V + y1 * H + b * Pt
+    f[..., 2] = b * Tc
+    f[..., 3] = -x1 * V + y1 * H + b * Mc
     if d == 5:
         f[..., 4] = N * ea * co - Q * ga * si - 2.0 * np.sin(0.5 * th) ** 2
     if not jac:
@@ -207,8 +229,8 @@ def field(c, z, H, jac=True):
     J[..., 0, 1] = y_t
     J[..., 0, 2] = y_V
     J[..., 1, 3] = 1.0 / c.EI
-    J[..., 2, 0] = b * Pyy
-    J[..., 2, 1] = b * Pyt
+    J[..., 2, 0] = b * Ty
+    J[..., 2, 1] = b * Tt
     J[..., 3, 0] = b * My
     J[..., 3, 1] = -x_t * V + y_t * H + b * Mt
     J[..., 3, 2] = -x1 - xy * V + y_V * H

@@ -1,6 +1,8 @@
 """Meshes that equidistribute the local wave number of a solution, with nodes where the formulas of the section change."""
 import numpy as np
+from scipy.optimize import brentq
 
+from . import laws
 from .law import field, potential
 from .system import Rule, State
 
@@ -19,7 +21,12 @@ def rest_state(s, N, n):
     K = field(c.at(S), z, 0.0, jac=False)
     K[..., 2:] = 0.0
     K[..., 0] += (lifted - lift[:-1, None]) @ np.linalg.inv(Rule(n).A).T / np.diff(X)[:, None]
-    return State(X, zn, K)
+    if not c.pretension:
+        return State(X, zn, K)
+    strain = c.stretch / c.length
+    zn[:, 4] = strain * X
+    K[..., 4] = strain
+    return State(X, zn, K, c.pretension)
 
 
 def placed(s, S):
@@ -49,7 +56,7 @@ def mesh(s, st, N, n_eff=12.0, quiet=1e-5):
     si, lift = np.sin(z[:, 1]), np.sin(0.5 * z[:, 1]) ** 2
     gap = z[:, 0] + (0.0 if blind else c.height * lift)
     slope = np.abs(f[:, 0] + (0.0 if blind else 0.5 * c.height * si * f[:, 1] + c.rise * lift))
-    lam3 = slope / np.abs(gap)
+    lam3 = slope * (laws.sharpness(c, z[:, 0], z[:, 1]) if c.law in laws.COHESIVE else 1.0 / np.abs(gap))
     act = np.zeros(len(S))
     for a in (1, 2, 3):
         v = np.abs(f[:, a])
@@ -94,3 +101,26 @@ def counted(s, X):
 def pin(s, X, counts):
     """Puts the nodes at the ends of the pieces exactly there."""
     X[np.append(0, np.cumsum(counts))] = s.strip.ends
+
+
+def with_corners(s, st, X):
+    """The mesh with a node wherever the opening of st passes a corner of a piecewise law: the nearest one moves there, or a new
+    one is put in."""
+    c = s.strip
+    corners = laws.COHESIVE[c.law].corners if c.law in laws.COHESIVE else ()
+    if not corners:
+        return X
+    S = np.sort(np.concatenate([st.X, st.points().ravel()]))
+    t = lambda S: laws.opening(c, *st.at(S)[:, :2].T)[0]
+    at = t(S)
+    for p in corners:
+        for i in np.flatnonzero((at[:-1] - p) * (at[1:] - p) < 0.0):
+            place = brentq(lambda x: float(t(np.array([x]))[0]) - p, S[i], S[i + 1], xtol=1e-14, rtol=1e-14)
+            j = int(np.searchsorted(X, place))
+            k = j if X[j] - place < place - X[j - 1] else j - 1
+            close = abs(X[k] - place) < 0.2 * (X[j] - X[j - 1])
+            if close and 0 < k < len(X) - 1:
+                X[k] = place
+            else:
+                X = np.insert(X, j, place)
+    return X

@@ -3,6 +3,7 @@ import math
 
 import numpy as np
 
+from . import laws
 from .law import field, rest_gap
 from .system import System
 
@@ -31,7 +32,8 @@ class Solver:
         self.k0 = J[2, 0]                                             # stiffness of the adhesion at rest
         self.lam0 = (self.k0 / self.tip.EI) ** 0.25
         self.ell = 1.0 / self.lam0
-        self.pole = strip.line_load != "axis-gap" and not strip.far_face   # Psi = W/cos(theta), nothing to make up for the cos
+        # Psi = W/cos(theta), nothing to make up for the cos
+        self.pole = strip.law == "body-force" and strip.line_load != "axis-gap" and not strip.far_face
         self.border = None
 
     def scale(self, N):
@@ -46,7 +48,7 @@ class Solver:
         """Displacement of the grip along the pull."""
         cos, sin = self.strip.pull
         up = st.zn[-1, 0] - self.raised
-        return float(up if self.d == 4 else sin * up + cos * st.zn[-1, 4])
+        return float(up if self.d == 4 else sin * up + cos * (st.zn[-1, 4] - self.strip.stretch))
 
     def P(self, st):
         """Force along the pull."""
@@ -106,8 +108,9 @@ class Solver:
         return st
 
     def above(self, st):
-        """By how much a node may be lower than the gap of a level section: the height, where the law sees the tilt."""
-        return 0.0 if self.strip.line_load == "axis-gap" else self.strip.at(st.X).height
+        """By how much a node may be lower than the gap of a level section: the height, where the law sees the tilt or has no pole."""
+        blind = self.strip.line_load == "axis-gap" and self.strip.law not in laws.COHESIVE
+        return 0.0 if blind else self.strip.at(st.X).height
 
     def held(self, st, u, tol=1e-11, most=12):
         """The equilibrium next to st at a displacement of the grip."""

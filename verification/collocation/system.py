@@ -132,7 +132,7 @@ class System:
             k = o + len(conditions)
             if c.horizontal == "fixed":
                 A[k, e + 4], A[k, e] = sin, -cos
-                r[k] = (st.zn[-1, 0] - c.end_gap) * cos - st.zn[-1, 4] * sin
+                r[k] = (st.zn[-1, 0] - c.end_gap) * cos - (st.zn[-1, 4] - c.stretch) * sin
             else:
                 A[k, -1], A[k, e + 2] = sin, -cos
                 r[k] = st.zn[-1, 2] * cos - st.H * sin

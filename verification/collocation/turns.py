@@ -1,7 +1,7 @@
 """Points at which the path turns, on a mesh that is refined until the solution is resolved."""
 import numpy as np
 
-from .mesh import mesh
+from .mesh import mesh, with_corners
 from .solver import Failure
 from .system import Rule, State
 
@@ -27,6 +27,7 @@ def resolved(s, st, found, N, n, tol):
     if load.sum() > 1.6 * N:
         X, _ = mesh(s, st, int(load.sum() / 1.6) + 1, quiet=1e-8)
     for _ in range(12):
+        X = with_corners(s, st, X)
         st = found(st.moved(s.strip, X, n))
         tail = tails(s, st)
         bad = tail > tol

@@ -1,5 +1,6 @@
 //! One line of the verification suite.
 
+use crate::study::End;
 use serde::Serialize;
 
 /// How a computed value is held against an expected one.
@@ -65,6 +66,14 @@ impl Check {
     /// Whether the difference is within the tolerance.
     pub fn passes(&self) -> bool {
         self.difference().is_some_and(|difference| difference <= self.tolerance)
+    }
+}
+
+/// Why a path that ended so does not have what was looked for.
+pub(super) fn missing(end: &End) -> String {
+    match end {
+        End::Failed(why) => why.clone(),
+        end => format!("not found before the path ended ({end:?})"),
     }
 }
 

@@ -6,7 +6,9 @@ pub(crate) mod beam;
 pub mod bounds;
 mod check;
 pub mod drawn;
+mod ground;
 pub mod hard;
+mod laws;
 mod levels;
 pub mod orders;
 mod published;
@@ -15,6 +17,7 @@ pub mod reference;
 mod repeated;
 mod spatula;
 mod strip;
+mod turns;
 
 pub use check::{Check, Measure};
 
@@ -35,6 +38,8 @@ pub const TOPICS: &[Topic] = &[
     beam::TOPIC,
     spatula::TOPIC,
     pull::TOPIC,
+    laws::TOPIC,
+    ground::TOPIC,
     orders::TOPIC,
     bounds::TOPIC,
 ];

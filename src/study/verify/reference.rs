@@ -1,7 +1,7 @@
 //! The tables of `verification/`, built into the program so that a check needs no file and no Python.
 
-use crate::adhesion::LineLoad;
-use crate::model::{Hold, StripModel};
+use crate::adhesion::{CohesiveShape, LineLoad};
+use crate::model::{Attraction, Hold, StripModel};
 use std::collections::HashMap;
 
 /// A row of a table, by the names of the columns.
@@ -40,8 +40,17 @@ impl Row {
                 *place = unit * text.parse::<f64>().ok()?;
             }
         }
+        grip.pretension = self.number("pretension_nN");
         let holds = [("free", Hold::Free), ("fixed", Hold::Fixed)];
         let loads = [("full", LineLoad::Full), ("force-only", LineLoad::ForceOnly), ("axis-gap", LineLoad::AxisGap)];
+        let laws = [
+            ("body-force", Attraction::BodyForce),
+            ("surface-traction", Attraction::SurfaceTraction),
+            ("bilinear", Attraction::Cohesive(CohesiveShape::Bilinear)),
+            ("exponential", Attraction::Cohesive(CohesiveShape::Exponential)),
+            ("dugdale", Attraction::Cohesive(CohesiveShape::Dugdale)),
+        ];
+        self.pick("law", &laws, &mut adhesion.attraction)?;
         self.pick("grip_rotation", &holds, &mut grip.rotation)?;
         self.pick("grip_horizontal", &holds, &mut grip.horizontal)?;
         self.pick("grip_across", &holds, &mut grip.horizontal)?;

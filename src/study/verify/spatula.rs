@@ -4,7 +4,9 @@
 use super::reference::{self, Row};
 use super::{Check, Measure, Topic, bounds};
 use crate::adhesion::LineLoad;
-use crate::model::{Adhesion, Body, Grip, Hold, PeelModel, Profile, ProfileTable, Pull, Spatula, StripModel};
+use crate::model::{
+    Adhesion, Attraction, Body, Grip, Ground, Hold, PeelModel, Profile, ProfileTable, Pull, Spatula, StripModel,
+};
 use crate::solve::Workspace;
 use crate::study::step_curve::StepCurve;
 use crate::study::work::{energy, works_of_force};
@@ -86,11 +88,20 @@ fn model(row: &Row) -> PeelModel {
         adhesion: Adhesion {
             hamaker_constant: 1e18 * number("hamaker_constant_J"),
             equilibrium_distance: number("equilibrium_distance_nm"),
+            attraction: Attraction::BodyForce,
+            work: None,
+            strength: None,
             line_load: if forced { LineLoad::ForceOnly } else { LineLoad::Full },
             far_face: row.text("far_face") == Some("true"),
         },
-        grip: Grip { rotation: if fixed { Hold::Fixed } else { Hold::Free }, horizontal: Hold::Free, stiffness: None },
+        grip: Grip {
+            rotation: if fixed { Hold::Fixed } else { Hold::Free },
+            horizontal: Hold::Free,
+            stiffness: None,
+            pretension: None,
+        },
         pull: Pull::UP,
+        ground: Ground::default(),
     }
 }
 
@@ -105,6 +116,7 @@ fn profile(row: &Row) -> Option<PeelModel> {
         adhesion: paper.adhesion,
         grip: Grip { rotation, ..paper.grip },
         pull: paper.pull,
+        ground: Ground::default(),
     })
 }
 

@@ -1,7 +1,7 @@
 //! Body force, surface traction and line load of tilted sections and of a tilted piece of strip.
 
 use super::{LAW, Row, against, cell, read, rule};
-use crate::adhesion::{Faces, Level, LineLaw, LineLoad, Piece, Resultant, section_by_body_force};
+use crate::adhesion::{Faces, Law, Level, LineLaw, LineLoad, Piece, Resultant, section_by_body_force};
 use crate::study::verify::{Check, Measure};
 
 const SECTION: &str = "verification/line_load_sections.py: body force integrated over the section";
@@ -29,7 +29,8 @@ fn section(row: &Row) -> Vec<Check> {
     let tilt = degrees.to_radians();
     let (sin, cos) = tilt.sin_cos();
     let axis = cell(row, "lowest_gap_nm") + 0.5 * HEIGHT * cos.abs();
-    let law = LineLaw { half_space: LAW, height: HEIGHT, line_load: LineLoad::Full, far_face: true };
+    let law =
+        LineLaw { half_space: LAW, height: HEIGHT, law: Law::BodyForce, line_load: LineLoad::Full, far_face: true };
     let at = law.response(axis - 0.5 * HEIGHT, sin, cos);
     let (force, moment) = section_by_body_force(&LAW, HEIGHT, axis, tilt, &rule(20));
     // a moment that vanishes by symmetry is held against the force at the lever of half the height

@@ -5,11 +5,12 @@ mod points;
 mod steady;
 mod work;
 
+use super::check::missing;
 use super::reference::{self, Row, published};
 use super::{Check, Measure, Topic};
 use crate::adhesion::LineLoad;
 use crate::model::StripModel;
-use crate::study::{Accuracy, Bounds, End, Peel, peel};
+use crate::study::{Accuracy, Bounds, Peel, peel};
 use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic =
@@ -69,17 +70,13 @@ impl Case {
         if expected.is_none() && computed.is_none() {
             return None;
         }
-        let missing = || match &self.peel.end {
-            End::Failed(why) => why.clone(),
-            end => format!("not found before the path ended ({end:?})"),
-        };
         Some(check(
             format!("{what}, {}", self.name()),
             match self.row.text("shear_correction") {
                 Some(_) => "verification/strip_peaks.py: collocation",
                 None => "verification/strip_points.py: collocation",
             },
-            computed.ok_or_else(missing),
+            computed.ok_or_else(|| missing(&self.peel.end)),
             expected.unwrap_or(f64::NAN),
             Measure::Relative,
             tolerance,

@@ -1,0 +1,25 @@
+//! Dugdale's law: one traction over the whole range.
+//!
+//! Source: D. S. Dugdale, Yielding of steel sheets containing slits (1960); D. Maugis (1992) for adhesion. It rises over a tenth of
+//! its range and falls over a fifth, with rounded corners, so that elements of high order keep their order.
+
+use super::At;
+use super::ramp::{Corner, Lines};
+
+/// What the flanks take of the range; the corners at their ends are rounded over ± half of that.
+const RISE: f64 = 0.1;
+const FALL: f64 = 0.2;
+
+#[inline]
+pub(super) fn at(t: f64) -> At {
+    const DOWN: f64 = RISE / FALL;
+    const LAW: Lines<3> = Lines {
+        corners: [
+            Corner { place: RISE, change: -1.0, half: 0.5 * RISE },
+            Corner { place: 1.0 - FALL, change: -DOWN, half: 0.5 * FALL },
+            Corner { place: 1.0, change: DOWN, half: 0.5 * FALL },
+        ],
+        factor: 1.0 / RISE,
+    };
+    LAW.at(t)
+}

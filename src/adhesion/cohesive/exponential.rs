@@ -1,0 +1,11 @@
+//! The exponential law: s = t exp(1 - t), ∫ s from t on = (1 + t) exp(1 - t), in all e.
+//!
+//! Source: J. H. Rose, J. Ferrante, J. R. Smith, Universal binding energy curves for metals and bimetallic interfaces (1981).
+
+use super::At;
+
+#[inline]
+pub(super) fn at(t: f64) -> At {
+    let decay = (1.0 - t).exp();
+    [(1.0 + t) * decay, t * decay, (1.0 - t) * decay]
+}

@@ -1,0 +1,200 @@
+//! A measured profile: heights at places.
+
+use super::Foot;
+use super::closest::{Graph, closest};
+
+/// A cubic spline through heights, twice continuously differentiable (I. J. Schoenberg, Quart. Appl. Math. 4 (1946) 45), with no
+/// curvature at its ends, behind which it goes on as a straight line. Its third derivative jumps at the places.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Heights {
+    /// As it was read.
+    text: String,
+    /// nm, ascending
+    places: Vec<f64>,
+    /// nm
+    values: Vec<f64>,
+    /// f'' at the places, 1/nm
+    bends: Vec<f64>,
+    /// Highest and lowest height, largest f'' without its sign, and how far apart samples are taken.
+    graph: [f64; 4],
+}
+
+/// What is wrong with a table of heights.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum HeightsError {
+    #[error("is no CSV: {0}")]
+    Csv(String),
+    #[error("has the columns {0}; it takes x_nm and height_nm")]
+    Columns(String),
+    #[error("has in row {row} `{column}` = {found}, which {wrong}")]
+    Cell { row: usize, column: &'static str, found: String, wrong: &'static str },
+    #[error("has {0} rows; it takes 3 to {MOST_ROWS}")]
+    Rows(usize),
+}
+
+/// Most rows.
+const MOST_ROWS: usize = 20_000;
+/// Numbers beyond this are taken for a slip, nm.
+const LARGEST: f64 = 1e9;
+/// Places on the shortest wave.
+const WAVE: f64 = 4.0;
+/// Samples between two neighbouring places.
+const SAMPLES: f64 = 4.0;
+const COLUMNS: [&str; 2] = ["x_nm", "height_nm"];
+
+impl Heights {
+    /// Reads a CSV with the columns `x_nm`, ascending, and `height_nm`. A line that begins with `#` is a remark.
+    ///
+    /// ```
+    /// use peelkit::adhesion::Heights;
+    ///
+    /// let valley = Heights::parse("x_nm,height_nm\n0,0\n50,-8\n100,0\n")?;
+    /// assert_eq!(valley.at(50.0)[0], -8.0);
+    /// assert_eq!(valley.at(-10.0)[2], 0.0);
+    /// # Ok::<(), peelkit::adhesion::HeightsError>(())
+    /// ```
+    pub fn parse(text: &str) -> Result<Self, HeightsError> {
+        let mut reader =
+            csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+        let no_csv = |error: csv::Error| HeightsError::Csv(error.to_string());
+        let header = reader.headers().map_err(no_csv)?.clone();
+        if header.iter().ne(COLUMNS) {
+            let found: Vec<String> = header.iter().map(|name| name.chars().take(40).collect()).collect();
+            return Err(HeightsError::Columns(found.join(", ")));
+        }
+        let mut cells: [Vec<f64>; 2] = Default::default();
+        for record in reader.records() {
+            let record = record.map_err(no_csv)?;
+            let row = cells[0].len() + 1;
+            if row > MOST_ROWS {
+                return Err(HeightsError::Rows(row));
+            }
+            for (column, found) in record.iter().take(2).enumerate() {
+                let cell = |wrong| HeightsError::Cell {
+                    row,
+                    column: COLUMNS[column],
+                    found: found.chars().take(40).collect(),
+                    wrong,
+                };
+                let value: f64 = found.parse().map_err(|_| cell("is no number"))?;
+                if value.is_nan() || value.abs() > LARGEST {
+                    return Err(cell("is not from -1e9 to 1e9"));
+                }
+                if column == 0 && cells[0].last().is_some_and(|&before| value <= before) {
+                    return Err(cell("does not ascend"));
+                }
+                cells[column].push(value);
+            }
+        }
+        let [places, values] = cells;
+        if places.len() < 3 {
+            return Err(HeightsError::Rows(places.len()));
+        }
+        Ok(Self::through(text.to_owned(), places, values))
+    }
+
+    fn through(text: String, places: Vec<f64>, values: Vec<f64>) -> Self {
+        let bends = bends(&places, &values);
+        let mut heights = Self { text, places, values, bends, graph: [0.0; 4] };
+        let (mut top, mut bottom) = (f64::NEG_INFINITY, f64::INFINITY);
+        for pair in heights.places.windows(2) {
+            for k in 0..=SAMPLES as usize {
+                let [height, ..] = heights.at(pair[0] + (pair[1] - pair[0]) * k as f64 / SAMPLES);
+                (top, bottom) = (height.max(top), height.min(bottom));
+            }
+        }
+        let bend = heights.bends.iter().fold(0.0, |most: f64, bend| most.max(bend.abs()));
+        heights.graph = [top, bottom, bend, heights.least() / SAMPLES];
+        heights
+    }
+
+    /// Level, of no text.
+    pub(crate) fn level() -> Self {
+        Self::through(String::new(), vec![0.0, 1.0, 2.0], vec![0.0; 3])
+    }
+
+    /// The text that it was read from.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The length of the shortest wave that it can tell, nm: four times the least distance of two places.
+    pub fn detail(&self) -> f64 {
+        WAVE * self.least()
+    }
+
+    /// The least distance of two places, nm.
+    fn least(&self) -> f64 {
+        self.places.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min)
+    }
+
+    /// First and last place, nm.
+    pub fn span(&self) -> (f64, f64) {
+        (self.places[0], self.places[self.places.len() - 1])
+    }
+
+    /// y and its first three derivatives.
+    pub fn at(&self, x: f64) -> [f64; 4] {
+        let last = self.places.len() - 1;
+        let after = self.places.partition_point(|&place| place <= x);
+        if after == 0 || after > last {
+            // straight on from an end
+            let (end, panel) = if after == 0 { (0, 1) } else { (last, last) };
+            let [height, slope, ..] = self.within(panel, self.places[end]);
+            return [height + slope * (x - self.places[end]), slope, 0.0, 0.0];
+        }
+        self.within(after, x)
+    }
+
+    /// The same on the panel that ends at the place `after`.
+    fn within(&self, after: usize, x: f64) -> [f64; 4] {
+        let (from, to) = (self.places[after - 1], self.places[after]);
+        let (y0, y1, m0, m1) = (self.values[after - 1], self.values[after], self.bends[after - 1], self.bends[after]);
+        let step = to - from;
+        let (a, b) = ((to - x) / step, (x - from) / step);
+        let six = step * step / 6.0;
+        [
+            a * y0 + b * y1 + six * ((a * a * a - a) * m0 + (b * b * b - b) * m1),
+            (y1 - y0) / step + step / 6.0 * ((1.0 - 3.0 * a * a) * m0 + (3.0 * b * b - 1.0) * m1),
+            a * m0 + b * m1,
+            (m1 - m0) / step,
+        ]
+    }
+
+    /// The nearest point.
+    pub fn foot(&self, x: f64, y: f64) -> Foot {
+        let [top, bottom, bend, step] = self.graph;
+        // behind its ends it goes on straight, and may be higher there than anywhere
+        let reach = (y - self.at(x)[0]).abs();
+        let (from, to) = self.span();
+        let before = self.at(from)[0] - self.at(from)[1] * (x - reach - from).min(0.0).abs();
+        let behind = self.at(to)[0] + self.at(to)[1] * (x + reach - to).max(0.0);
+        let ceiling = [before, behind].into_iter().fold(top, f64::max);
+        closest(|s| self.at(s), &Graph { ceiling, top, bottom, bend, step }, [x; 2], (x, y))
+    }
+
+    /// The highest place of the table or point between its places, nm.
+    pub fn top(&self, from: f64, to: f64) -> f64 {
+        let ends = self.at(from)[0].max(self.at(to)[0]);
+        let samples = (((to - from) / self.graph[3]).ceil()).clamp(1.0, 1e5) as usize;
+        (0..=samples).map(|k| self.at(from + (to - from) * k as f64 / samples as f64)[0]).fold(ends, f64::max)
+    }
+}
+
+/// f'' at the places of the natural spline: tridiagonal, by elimination from the left.
+fn bends(places: &[f64], values: &[f64]) -> Vec<f64> {
+    let n = places.len();
+    let step = |k: usize| places[k + 1] - places[k];
+    let chord = |k: usize| (values[k + 1] - values[k]) / step(k);
+    let (mut above, mut right) = (vec![0.0; n], vec![0.0; n]);
+    for k in 1..n - 1 {
+        let pivot = 2.0 * (step(k - 1) + step(k)) - step(k - 1) * above[k - 1];
+        above[k] = step(k) / pivot;
+        right[k] = (6.0 * (chord(k) - chord(k - 1)) - step(k - 1) * right[k - 1]) / pivot;
+    }
+    let mut bends = vec![0.0; n];
+    for k in (1..n - 1).rev() {
+        bends[k] = right[k] - above[k] * bends[k + 1];
+    }
+    bends
+}

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""Strips laid down under tension: initiation peak and the first two displacement limit points. Writes pretension.csv.
+
+A strip is stretched by the force T, lies flat on the substrate, held at x(0) = 0 and at x(L) = L (1 + T/EA), and is pulled by a grip
+that does not move across the pull. At rest H = T all along and x' = 1 + T/EA: an exact equilibrium, as on a flat substrate nothing but
+the section force acts along x. From there on H is an unknown. Unknowns, signs and conditions are those of pull_angle.py; u and w count
+from where the grip is at rest.
+"""
+from dataclasses import replace
+
+from collocation import selfcheck  # first: one thread
+import numpy as np
+
+import tables
+from collocation.digits import LEVELS
+from collocation.energy import adhesion, first_integral
+from collocation.law import Strip
+from collocation.path import TURNS, Path
+from collocation.suite import DEFINING, Suite, run
+
+REMARKS = (
+    "Strips laid down under the tension pretension_nN and pulled by a grip that does not move across the pull, computed without finite elements by",
+    "verification/pretension.py; the rest as in strip_variants.csv. Every number is good to the digits printed. Empty: does not occur before P has come back to zero,",
+    "u has, or the strip is farther than 10 r0 from the substrate.",
+)
+D = Strip(horizontal="fixed", pretension=0.1)
+CASES = [
+    *(replace(D, pretension=t) for t in (0.01, 0.1, 0.5, 2.0)), replace(D, factor=0.01), replace(D, factor=100.0),
+    replace(D, rotation="fixed"), replace(D, length=200.0, pretension=1.0), replace(D, angle=60.0), replace(D, line_load="axis-gap", pretension=1.0),
+]
+VALUES = [f"{kind}_{value}" for kind in TURNS for value in ("displacement_nm", "force_nN")]
+COLUMNS = ("length_nm", "bending_stiffness_factor", "pretension_nN", "pull_angle_deg", "grip_rotation", "grip_across", "line_load", *VALUES)
+
+
+def compute(strip, level, verbose):
+    """The numbers of one path; None where a point does not occur."""
+    path = Path(strip, verbose=verbose, **level)
+    out = dict.fromkeys(VALUES)
+    for kind in TURNS:
+        if kind in path.found:
+            s, st = path.s, path.found[kind]
+            spread = np.ptp(first_integral(s, st)) / (adhesion(s) + abs(s.P(st)))
+            if spread > 1e-11:
+                raise ArithmeticError(f"{strip}: the first integral at {kind} differs by {spread:.1e} along S")
+            if s.near(st.X, st.zn).min() > 10.0 * strip.r0:
+                continue                                              # the strip is off
+            out[f"{kind}_displacement_nm"], out[f"{kind}_force_nN"] = s.u(st), s.P(st)
+    return out
+
+
+def check_none():
+    """A tension of a billionth of a nanonewton: the strip of strip_variants.csv that is held across the pull."""
+    suite = Suite("strip_variants.csv", (), (), (), None)
+    plain = replace(D, pretension=0.0)
+    row = next(row for row in tables.read(suite.table) if suite.strip_of(row) == plain)
+    now = compute(replace(D, pretension=1e-9), dict(LEVELS[0], want=("peak", "lp1")), False)
+    worst = max(abs(now[name] / float(row[name]) - 1.0) for name in VALUES[:4] if row[name])
+    print(f"peak and lp1 under 1e-9 nN against strip_variants.csv: differ by {worst:.1e}")
+    return worst < 1e-8
+
+
+def check_work():
+    return all([selfcheck.check_work(c) for c in (D, replace(D, pretension=2.0))])
+
+
+def check_form():
+    return selfcheck.check_strong_form(replace(D, pretension=0.5), "peak")
+
+
+if __name__ == "__main__":
+    defining = DEFINING | {"pull_angle_deg": "angle", "grip_across": "horizontal", "pretension_nN": "pretension"}
+    suite = Suite("pretension.csv", REMARKS, CASES, COLUMNS, compute, CASES[::3], defining)
+    run(__doc__.split("\n")[0], suite, (check_none, check_work, check_form))
