@@ -135,6 +135,8 @@ fn every_end_has_its_word_and_its_reason() {
         (End::Detached, "detached", None),
         (End::Pivoting, "pivoting", None),
         (End::TurnedBack, "turned-back", None),
+        (End::Sliding, "sliding", None),
+        (End::Snapped, "snapped", None),
         (End::Bound("20 points".into()), "bound", Some("20 points")),
         (End::Failed("no root".into()), "failed", Some("no root")),
     ] {

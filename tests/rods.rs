@@ -101,7 +101,7 @@ fn an_element_agrees_with_central_differences_of_its_energy() {
         *s += change;
     }
     let energy = |state: &[f64]| {
-        let configuration = peelkit::solve::Configuration { ends: &at.ends, state, border: 0.0 };
+        let configuration = peelkit::solve::Configuration { ends: &at.ends, state, border: 0.0, slips: None };
         problem.chain.energy(configuration, state).0.total
     };
     let root = problem.chain.eliminate(at.configuration(), &PathRow::default(), &mut Workspace::default()).unwrap();

@@ -7,6 +7,7 @@
 mod body_force;
 mod cohesive;
 mod curved;
+mod friction;
 mod half_space;
 mod lattice;
 mod line_load;
@@ -18,6 +19,7 @@ mod surface_traction;
 mod volume;
 pub use cohesive::{Cohesive, CohesiveShape};
 pub use curved::{CurvedBody, Shape};
+pub use friction::{FrictionLaw, Slip, Traction};
 pub use half_space::HalfSpace;
 pub use lattice::{LatticeHalfSpace, Place, cubic_block, pair_sum};
 pub use line_load::{Law, LineLaw, LineLoad, LineResponse};

@@ -1,5 +1,6 @@
 //! What an element integrates: an energy density along the axis and its first and second derivatives.
 
+use crate::adhesion::Slip;
 use crate::number::Real;
 
 /// Response at one point of the axis to F fields, their slopes along S and one number that is the same along the whole
@@ -108,6 +109,18 @@ pub trait Density<const F: usize>: Send + Sync {
 
     /// The density and its derivatives, at one point or at several side by side.
     fn response<T: Real>(&self, place: T, value: [T; F], slope: [T; F], border: f64) -> PointResponse<T, F>;
+
+    /// Whether a tangential traction may take part that remembers how the face has slid.
+    const REMEMBERS: bool = false;
+
+    /// Adds that traction to a response of the same place, for material points whose face was at slip[0] (nm) at the end of the last
+    /// step and carried the share slip[1] of its limit.
+    fn hold<T: Real>(&self, _place: T, _value: [T; F], _slip: [T; 2], _response: &mut PointResponse<T, F>) {}
+
+    /// What a material point remembers behind a step that ended with these fields, and what was dissipated there, nN per length.
+    fn remembered(&self, _place: f64, _value: [f64; F], before: Slip) -> (Slip, f64) {
+        (before, 0.0)
+    }
 
     /// Whether the second derivatives are symmetric: whether there is such an energy.
     fn is_symmetric(&self) -> bool {

@@ -22,6 +22,9 @@ pub struct Element<T, const F: usize, const N: usize> {
     pub from: T,
     /// Reference length, nm
     pub length: T,
+    /// Where the face was (nm) and what share of its limit it carried at the end of the last step, at each Gauss point, of a
+    /// density that remembers.
+    pub slips: [[T; 2]; N],
     /// The number that the whole chain shares.
     pub border: f64,
 }
@@ -33,7 +36,11 @@ impl<T: Real, const F: usize, const N: usize> Element<T, F, N> {
         let stretch = self.stretch();
         let (value, slope) = (at_point(&self.values, &basis.value[q]), at_point(&self.values, &basis.slope[q]));
         let place = self.from + self.length * (0.5 * (1.0 + basis.points[q]));
-        density.response(place, value, slope.map(|s| s * stretch), self.border)
+        let mut response = density.response(place, value, slope.map(|s| s * stretch), self.border);
+        if D::REMEMBERS {
+            density.hold(place, value, self.slips[q], &mut response);
+        }
+        response
     }
 
     /// Factor of a derivative with respect to S over one with respect to the local coordinate.

@@ -2,7 +2,7 @@
 
 use super::reissner::{section_from_forces, section_of, stored};
 use super::{Coupling, Density, PointResponse, Profile, SectionState};
-use crate::adhesion::GroundLaw;
+use crate::adhesion::{FrictionLaw, GroundLaw, Slip};
 use crate::number::Real;
 
 /// The planar Reissner beam on ground that is not flat, with the adhesion bΨ of [`GroundLaw`]. Fields: x (nm), y - h/2 of the
@@ -11,6 +11,19 @@ use crate::number::Real;
 pub struct BeamOnGround {
     pub profile: Profile,
     pub ground: GroundLaw,
+    /// Of the face that looks down, on level ground
+    pub friction: Option<FrictionLaw>,
+}
+
+impl BeamOnGround {
+    /// Place along the ground and gap of the face below the axis, with half the height times the sine and the cosine of its rotation:
+    /// x_b = x + (h/2) sin θ,  d = y - (h/2) cos θ.
+    fn face<T: Real>(&self, height: T, [x, gap, rotation]: [T; 3]) -> ([T; 2], [T; 2]) {
+        let half = height * 0.5;
+        let (sin, cos) = rotation.sin_cos();
+        let lever = [half * sin, half * cos];
+        ([x + lever[0], gap + (half - lever[1])], lever)
+    }
 }
 
 impl Density<3> for BeamOnGround {
@@ -43,8 +56,39 @@ impl Density<3> for BeamOnGround {
         response
     }
 
+    const REMEMBERS: bool = true;
+
+    /// The virtual work of friction is b t δx_b, of a traction t(x_b, d).
+    #[inline(always)]
+    fn hold<T: Real>(&self, place: T, value: [T; 3], [from, share]: [T; 2], response: &mut PointResponse<T, 3>) {
+        let Some(friction) = &self.friction else { return };
+        let station = self.profile.at(place);
+        let ([x, gap], [sine, cosine]) = self.face(station.height, value);
+        let traction = friction.traction(x - from, gap, share);
+        let b = station.width;
+        let (force, by_place, by_gap) = (traction.value * b, traction.by_place * b, traction.by_gap * b);
+        // by x, gap and θ
+        let change = [by_place, by_gap, by_place * cosine + by_gap * sine];
+        response.energy = response.energy + traction.energy * b;
+        response.by_value[0] = response.by_value[0] + force;
+        response.by_value[2] = response.by_value[2] + force * cosine;
+        for f in 0..3 {
+            response.value_value[0][f] = response.value_value[0][f] + change[f];
+            response.value_value[2][f] = response.value_value[2][f] + change[f] * cosine;
+        }
+        response.value_value[2][2] = response.value_value[2][2] - force * sine;
+    }
+
+    fn remembered(&self, place: f64, value: [f64; 3], before: Slip) -> (Slip, f64) {
+        let Some(friction) = &self.friction else { return (before, 0.0) };
+        let station = self.profile.at(place);
+        let ([x, gap], _) = self.face(station.height, value);
+        let (slip, dissipated) = friction.remembered(x, gap, before);
+        (slip, station.width * dissipated)
+    }
+
     fn is_symmetric(&self) -> bool {
-        self.ground.law.has_potential()
+        self.friction.is_none() && self.ground.law.has_potential()
     }
 
     fn section_state(&self, place: f64, value: [f64; 3], [dx, gap_slope, turn]: [f64; 3], _: f64) -> SectionState {

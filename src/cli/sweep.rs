@@ -92,6 +92,10 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let key = key_to_vary(&args.vary)?;
     let scenes = vary(args, &scene, key)?;
     match args.followed() {
+        Some(_) if scene.model.friction_law().is_some() => Err(Stop::bad_input(
+            "a point of the peel is followed without friction only, and friction.strength is given",
+            "Leave --follow and --peak-only away: whole peels can be swept.",
+        )),
         Some(_) if !scene.model.ground.substrate.is_flat() => Err(Stop::bad_input(
             "a point of the peel is followed on flat ground only, and substrate.shape is another",
             "Leave --follow and --peak-only away: whole peels can be swept.",

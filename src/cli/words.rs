@@ -3,8 +3,8 @@
 use peelkit::report::{end_reason, end_word, ground_warning, left_out, reached_accuracy};
 use peelkit::scene::{Key, Scene};
 use peelkit::study::{
-    Contact, End, FollowedSweep, LimitPoint, Observed, Peak, Peel, PointKind, PullOff, SweepRow, TermEffect, TestEnd,
-    Turn,
+    Contact, End, FollowedSweep, LimitPoint, Observed, Peak, Peel, PointKind, PullOff, Sliding, SweepRow, TermEffect,
+    TestEnd, Turn,
 };
 use std::fmt::{Display, Write};
 
@@ -52,6 +52,7 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
         lines.push(("accuracy", text));
     }
     lines.extend(terms(peel));
+    lines.extend(peel.sliding_at_peak().iter().map(|sliding| ("friction", slid(sliding))));
     lines.extend(peel.contact(0).iter().flat_map(|contact| on_ground(peel, contact)));
     lines.push(("end", end(&peel.end)));
     let effort = &peel.effort;
@@ -81,6 +82,14 @@ fn terms(peel: &Peel) -> Option<(&'static str, String)> {
     let all = effects.iter().map(one).collect::<Vec<_>>().join(", ");
     (!effects.is_empty())
         .then(|| ("without a term", format!("the initiation peak would change by, in shares of it: {all}")))
+}
+
+/// How the beam has slid at the peak.
+fn slid(sliding: &Sliding) -> String {
+    format!(
+        "at the initiation peak {:.4} of {:.4} nN along the substrate, sliding on {:.1} of {:.1} nm in contact, the free end by {:.4} nm, {:.4} aJ dissipated",
+        sliding.force, sliding.capacity, sliding.sliding, sliding.contact, sliding.free_end, sliding.dissipated
+    )
 }
 
 /// How the strip lies on ground that is not flat, and what is to be said of that ground.
@@ -245,6 +254,8 @@ fn end(end: &End) -> String {
         End::Detached => "no point of the strip is nearer than 10 r0",
         End::Pivoting => "the force has come back to zero while an edge still holds",
         End::TurnedBack => "the path has returned to where it began",
+        End::Sliding => "all that is in contact slides, and the force stays from here on",
+        End::Snapped => "the strip snaps off, and how it slides while it jumps no equilibrium tells",
         End::Bound(_) => "a bound of the scene was reached",
         End::Failed(_) => "the computation stopped short",
     };
@@ -279,7 +290,7 @@ fn short(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use peelkit::study::{self, Bounds, Effort};
+    use peelkit::study::{self, Bounds, Effort, Sliding};
 
     #[test]
     fn digits_end_where_the_error_begins() {

@@ -1,5 +1,6 @@
 //! A structure in a grip, on a substrate or on its own: what `solve` is given.
 mod chain;
+mod friction;
 mod ground;
 mod lie;
 mod peel;
@@ -7,6 +8,7 @@ mod profile;
 mod rod;
 mod spatula;
 mod strip;
+pub use friction::*;
 pub use ground::*;
 pub use peel::*;
 pub use profile::*;

@@ -2,10 +2,12 @@
 
 use super::chain::{three_field, two_field};
 use super::lie::Lie;
-use super::{Ground, Profile, Spatula, Strip};
-use crate::adhesion::{Cohesive, CohesiveShape, GroundLaw, HalfSpace, Law, LineLaw, LineLoad, Substrate};
-use crate::beam::{self, BeamOnGround, Contour, Material, ReducedBeam, ReissnerBeam, Section, Varying};
-use crate::solve::{Beginning, Chain, Direction, Focus, MOST_FIELDS, Mesh, Problem};
+use super::{Friction, Ground, Profile, Spatula, Strip};
+use crate::adhesion::{
+    Cohesive, CohesiveShape, FrictionLaw, GroundLaw, HalfSpace, Law, LineLaw, LineLoad, Slip, Substrate,
+};
+use crate::beam::{self, BeamOnGround, Contour, Material, ReducedBeam, ReissnerBeam, Rest, Section, Varying};
+use crate::solve::{Beginning, Chain, Direction, Focus, MOST_FIELDS, Mesh, Problem, Slips};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
@@ -83,7 +85,7 @@ pub struct Grip {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pull {
     /// α, of the pull to the substrate, rad: 0 along the substrate, away from the body; π/2 straight up; π backwards, over the body.
-    /// The free end stays at x = 0, where it is held as far as the pull has a horizontal part.
+    /// The free end stays at x = 0, where it is held as far as the pull has a horizontal part; with friction, that alone holds it.
     pub angle: f64,
 }
 
@@ -101,6 +103,8 @@ impl Pull {
     }
 }
 
+/// From one remembered slip to the next, over the least length over which what happens at the front changes.
+const REMEMBERED: f64 = 1.0 / 24.0;
 /// An angle that differs from a right one by less, rad, is that, rounded.
 const ROUNDED: f64 = 1e-12;
 
@@ -120,6 +124,7 @@ pub struct PeelModel {
     pub grip: Grip,
     pub pull: Pull,
     pub ground: Ground,
+    pub friction: Friction,
 }
 
 /// Which unknowns a node has.
@@ -151,9 +156,24 @@ impl PeelModel {
             || !self.ground.substrate.is_flat()
     }
 
-    /// The form in which it can be solved where another is asked for: on ground that is not flat with x.
+    /// The form in which it can be solved where another is asked for: on ground that is not flat and with friction with x.
     pub fn form(&self, asked: Form) -> Form {
-        if self.ground.substrate.is_flat() { asked } else { Form::ThreeField }
+        if self.ground.substrate.is_flat() && self.friction_law().is_none() { asked } else { Form::ThreeField }
+    }
+
+    /// The law of its friction, if there is any.
+    pub fn friction_law(&self) -> Option<FrictionLaw> {
+        self.friction.law(self.adhesion.half_space())
+    }
+
+    /// Length over which a strip that sticks takes over a force along it, (EA/bk)^(1/2), of the free end, nm.
+    pub fn sticking_length(&self) -> Option<f64> {
+        self.friction_law().map(|law| (self.section().axial / (self.free_end().0 * law.stiffness())).sqrt())
+    }
+
+    /// The least length over which what happens at the front changes, nm.
+    pub(crate) fn detail(&self) -> f64 {
+        self.sticking_length().unwrap_or(f64::INFINITY).min(self.process_length())
     }
 
     /// How the body varies along its length, where it does.
@@ -286,8 +306,11 @@ impl PeelModel {
         };
         let substrate = self.ground.substrate.clone();
         fixed_foci.extend(self.ground.everywhere(length, process_length));
+        fixed_foci.extend(self.friction.everywhere(length, self.sticking_length()));
+        let friction = self.friction_law();
         let mut problem = Problem {
-            chain: chain(profile, law, &substrate, form, self.has_horizontal_force(), order),
+            slips: friction.map(|law| Arc::new(self.not_slid(&lie.rest, &law))),
+            chain: chain(profile, law, (&substrate, friction), form, self.has_horizontal_force(), order),
             length,
             rest: lie.rest,
             rest_gap: law.rest_gap(),
@@ -310,12 +333,22 @@ impl PeelModel {
             process_length,
             height,
             sees_tilt: law.line_load != LineLoad::AxisGap,
-            conservative: law.has_potential(),
+            conservative: law.has_potential() && friction.is_none(),
             substrate,
             beginning: Beginning::AtRest,
         };
         problem.beginning = self.ground.beginning(&mut problem);
         problem
+    }
+
+    /// The face that looks down where it is free of stress, which has not slid.
+    fn not_slid(&self, rest: &Rest, law: &FrictionLaw) -> Slips {
+        let face = |s: f64| {
+            let ([x, gap, rotation], half) = (rest.at(s), 0.5 * self.section_at(s).2);
+            let [limit, _] = law.limit(gap + half * (1.0 - rotation.cos()));
+            Slip { place: x + half * rotation.sin(), share: 0.0, limit }
+        };
+        Slips::none(self.length(), REMEMBERED * self.detail(), face)
     }
 
     /// Where elements are small whatever the front: at the free end, which may come to stand on its edge, a wedge whose attraction
@@ -334,14 +367,15 @@ impl PeelModel {
 fn chain(
     profile: beam::Profile,
     law: LineLaw,
-    substrate: &Substrate,
+    (substrate, friction): (&Substrate, Option<FrictionLaw>),
     form: Form,
     pulled_along: bool,
     order: usize,
 ) -> Box<dyn Chain> {
-    if !substrate.is_flat() {
+    if !substrate.is_flat() || friction.is_some() {
         let ground = GroundLaw { law, substrate: substrate.clone() };
-        return three_field(BeamOnGround { profile, ground }, order, [Some(0.0), None, None]);
+        let end = if friction.is_some() { None } else { Some(0.0) };
+        return three_field(BeamOnGround { profile, ground, friction }, order, [end, None, None]);
     }
     match (form, pulled_along) {
         (Form::TwoField, false) => two_field(ReducedBeam::<false> { profile, law }, order),

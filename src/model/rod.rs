@@ -106,6 +106,7 @@ impl RodModel {
             sees_tilt: false,
             substrate: Substrate::Flat,
             beginning: Beginning::AtRest,
+            slips: None,
             conservative: true,
         })
     }

@@ -1,6 +1,6 @@
 //! A uniform strip of rectangular section.
 
-use super::{Adhesion, Attraction, Body, Form, Grip, Ground, Hold, PeelModel, Pull};
+use super::{Adhesion, Attraction, Body, Form, Friction, Grip, Ground, Hold, PeelModel, Pull};
 use crate::adhesion::{LineLaw, LineLoad};
 use crate::beam::{Material, Section};
 use crate::solve::Problem;
@@ -104,6 +104,7 @@ impl From<&StripModel> for PeelModel {
             grip: model.grip,
             pull: model.pull,
             ground: Ground::default(),
+            friction: Friction::NONE,
         }
     }
 }

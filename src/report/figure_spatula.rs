@@ -6,7 +6,7 @@ use super::figure::{Figure, Runner};
 use super::figure_strip::{curve_table, shape_table};
 use super::picture_peel::{curve, numbered_points, shapes};
 use crate::adhesion::LineLoad;
-use crate::model::{Adhesion, Attraction, Body, Grip, Ground, Hold, PeelModel, Pull, Spatula};
+use crate::model::{Adhesion, Attraction, Body, Friction, Grip, Ground, Hold, PeelModel, Pull, Spatula};
 use crate::study::Peel;
 use std::path::Path;
 
@@ -29,6 +29,7 @@ pub(super) fn spatula() -> PeelModel {
         grip: Grip { rotation: Hold::Fixed, horizontal: Hold::Free, stiffness: None, pretension: None },
         pull: Pull::UP,
         ground: Ground::default(),
+        friction: Friction::NONE,
     }
 }
 

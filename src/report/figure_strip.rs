@@ -105,6 +105,8 @@ fn ending(end: &End) -> String {
         End::Detached => "ends with the strip detached".into(),
         End::Pivoting => "ends where the force has come back to zero while the left edge still holds".into(),
         End::TurnedBack => "ends back at u = 0".into(),
+        End::Sliding => "slides on from there".into(),
+        End::Snapped => "snaps off there".into(),
         End::Bound(what) => format!("was stopped by a bound ({what})"),
         End::Failed(why) => format!("stops short ({why})"),
     }

@@ -30,6 +30,7 @@ mod picture_observed;
 mod picture_peel;
 mod picture_shapes;
 mod picture_sweep;
+mod sliding;
 mod summary;
 mod table;
 mod verification;

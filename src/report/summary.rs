@@ -6,6 +6,7 @@ use super::file::write_whole;
 use super::ground::GroundSummary;
 use super::number::{Finite, to_json};
 use super::observed::ObservedSummary;
+use super::sliding::SlidingSummary;
 use super::table::SweepLine;
 use crate::scene::{KEYS, Key, Scene, Value};
 use crate::study::{self, End, FollowedSweep, Observed, Peel, SweepRow, Turn};
@@ -34,6 +35,9 @@ pub struct PeelSummary {
     /// How the strip lies where the path begins, on ground that is not flat.
     #[serde(skip_serializing_if = "Option::is_none")]
     ground: Option<GroundSummary>,
+    /// How the beam has slid at the initiation peak, with friction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sliding: Option<SlidingSummary>,
     /// What a test would record, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     observed: Option<ObservedSummary>,
@@ -144,6 +148,7 @@ impl PeelSummary {
             },
             timing: Timing { solve_s: Finite(peel.solve_s) },
             ground: GroundSummary::of(peel),
+            sliding: SlidingSummary::of(peel),
             observed: None,
             parameters: Parameters(scene.clone()),
         }
@@ -298,6 +303,8 @@ pub fn end_word(end: &End) -> &'static str {
         End::Detached => "detached",
         End::Pivoting => "pivoting",
         End::TurnedBack => "turned-back",
+        End::Sliding => "sliding",
+        End::Snapped => "snapped",
         End::Bound(_) => "bound",
         End::Failed(_) => "failed",
     }
@@ -307,7 +314,7 @@ pub fn end_word(end: &End) -> &'static str {
 pub fn end_reason(end: &End) -> Option<&str> {
     match end {
         End::Bound(reason) | End::Failed(reason) => Some(reason),
-        End::Detached | End::Pivoting | End::TurnedBack => None,
+        End::Detached | End::Pivoting | End::TurnedBack | End::Sliding | End::Snapped => None,
     }
 }
 

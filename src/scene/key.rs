@@ -319,6 +319,8 @@ impl Key {
             ("equilibrium_distance", _) => "\"0.4 nm\"",
             ("poissons_ratio", _) => "0.2",
             ("shear_correction", _) => "0.8333333333333334",
+            ("presliding", _) => "\"0.01 nm\"",
+            ("coefficient", _) => "0.3",
             ("relative", _) => "1e-6",
             ("order", _) => "7",
             (_, Kind::Text(_)) => "\"Peeling of a strip\"",

@@ -68,6 +68,10 @@ pub static KEYS: &[Key] = &[
     key("substrate", "table", Required, Kind::Heights(substrate), "a CSV, or the name of its file"),
     key("substrate", "start", Optional, Kind::Start(|s| &mut s.model.ground.start), "pressed on, so that it follows the ground, or lying on the crests"),
 
+    key("friction", "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.friction.strength), "shear strength of the contact; none: it slides freely"),
+    key("friction", "coefficient", Optional, Kind::Number(Range::From(0.0, 1e3), |s| &mut s.model.friction.coefficient), "Coulomb's, of what presses on the contact"),
+    key("friction", "presliding", Optional, Kind::Bound(Length, |s| &mut s.model.friction.presliding), "how far the contact gives way until it slides"),
+
     key("grip", "rotation", Optional, Kind::Hold(|s| &mut s.model.grip.rotation), "of the right end, where it is pulled"),
     key("grip", "horizontal", Optional, Kind::Hold(|s| &mut s.model.grip.horizontal), "across the pull; fixed: the grip moves along the pull"),
     key("grip", "stiffness", Optional, Kind::Bound(Stiffness, |s| &mut s.model.grip.stiffness), "of a spring between grip and machine"),

@@ -5,6 +5,7 @@
 
 mod document;
 mod error;
+mod friction;
 mod key;
 mod keys;
 mod near;
@@ -18,7 +19,7 @@ pub use keys::{BODIES, KEYS, body_of, find_key};
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 
 use crate::adhesion::LineLoad;
-use crate::model::{Adhesion, Attraction, Body, Grip, Ground, Hold, PeelModel, Pull, Strip};
+use crate::model::{Adhesion, Attraction, Body, Friction, Grip, Ground, Hold, PeelModel, Pull, Strip};
 use crate::study::{Accuracy, Bounds};
 use std::path::Path;
 
@@ -94,12 +95,15 @@ impl Scene {
                 "Peel a [strip] with `horizontal = \"fixed\"` under [grip], on a flat substrate, or leave `pretension` away.",
             );
         }
+        if let Some((path, found, remedy)) = friction::misfit(&self.model) {
+            return problem(path, found, remedy);
+        }
         if let Some((path, found, remedy)) = shape::misfit(&self.model) {
             return problem(path, found, remedy);
         }
         let spatula = match &self.model.body {
             Body::Spatula(spatula) => spatula,
-            Body::Strip(_) if self.model.pull.direction().up.abs() < 1e-9 => {
+            Body::Strip(_) if self.model.pull.direction().up.abs() < 1e-9 && self.model.friction_law().is_none() => {
                 return problem(
                     "drive.angle",
                     format!(
@@ -160,6 +164,7 @@ impl Scene {
                 grip,
                 pull: Pull::UP,
                 ground: Ground::default(),
+                friction: Friction::NONE,
             },
             accuracy: Accuracy::to(1e-6),
             bounds: Bounds { points: 20_000, time_s: Some(60.0), displacement: None },

@@ -1,6 +1,6 @@
 //! What the solver asks of a chain of elements: to be eliminated down to its last node, and to go back from there.
 
-use super::SolveError;
+use super::{Slips, SolveError};
 use crate::beam::{ElementEnergy, SectionState};
 use std::any::Any;
 use std::ops::Range;
@@ -19,6 +19,8 @@ pub struct Configuration<'a> {
     /// Fields node by node from left to right.
     pub state: &'a [f64],
     pub border: f64,
+    /// What its material points remember, where there is friction.
+    pub slips: Option<&'a Slips>,
 }
 
 /// What the path condition wants of the chain: a linear functional of adhesion energy and of the left end's fields.
@@ -116,6 +118,8 @@ pub trait Chain: Send + Sync {
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64);
     /// Section state at every end of the elements of a range.
     fn node_states(&self, at: Configuration, elements: Range<usize>) -> Vec<NodeState>;
+    /// What the material points remember behind a step that ended in a configuration; nothing without friction.
+    fn slid(&self, at: Configuration) -> Option<Slips>;
     /// Fields at the local coordinate `local` in [-1, 1] of element `element`, and the section state there.
     fn sample(&self, at: Configuration, element: usize, local: f64) -> ([f64; MOST_FIELDS], SectionState);
     /// The state on element ends that lie a little beside its own: each node's value moved along its element's polynomial,

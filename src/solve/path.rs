@@ -7,8 +7,8 @@
 
 use super::predictor::{self, MOST_POINTS};
 use super::{
-    Beginning, Condition, Equilibrium, Held, NewtonOptions, Observables, Problem, RelaxOptions, Solution, SolveError,
-    Workspace, relax, settle, solve,
+    Beginning, Condition, Equilibrium, Held, NewtonOptions, Observables, Problem, RelaxOptions, Slips, Solution,
+    SolveError, Workspace, relax, settle, solve,
 };
 use crate::beam::Rest;
 use serde::{Deserialize, Serialize};
@@ -64,6 +64,8 @@ pub struct Path<'p> {
     errors: Vec<f64>,
     work: Workspace,
     iterations: usize,
+    /// What the material points remember behind the newest point.
+    slips: Option<Arc<Slips>>,
 }
 
 /// Most tries of one step, each shorter.
@@ -80,6 +82,10 @@ const OUTSET: usize = 3;
 const OUTSET_GROWTH: f64 = 2.0;
 /// A beam of which less than this share of the process zone adheres is loose.
 const LOOSE: f64 = 0.1;
+/// Share of the friction that is all of it.
+const ALL: f64 = 1.0 - 1e-9;
+/// Friction that is next to nothing, over that of a process zone at rest.
+const LET_GO: f64 = 0.5;
 /// One step takes a loose beam no nearer to the substrate than this share of its distance.
 const NEARER: f64 = 0.6;
 /// Points over which the path's direction is taken.
@@ -99,7 +105,7 @@ impl<'p> Path<'p> {
     /// free of stress bends towards the substrate. It must not turn there.
     pub fn from(problem: &'p Problem, options: PathOptions, start: Equilibrium) -> Self {
         let (known, points, errors) = (Vec::new().into_iter(), Vec::new(), Vec::new());
-        Self { problem, options, start, known, points, errors, work: Workspace::default(), iterations: 0 }
+        Self { problem, options, start, known, points, errors, work: Workspace::default(), iterations: 0, slips: None }
     }
 
     /// The same path where its first points are known, from another run of the same problem with the same options: they
@@ -121,6 +127,14 @@ impl<'p> Path<'p> {
     /// Whether no part of the beam is nearer to the substrate than `far`, nm, at the newest point.
     pub fn is_clear(&self, far: f64) -> bool {
         self.points.last().is_none_or(|p| self.problem.is_clear(&p.at, far))
+    }
+
+    /// Whether all that is in contact slides one way, or next to nothing is left of the friction that alone holds the beam along the
+    /// substrate.
+    pub fn slides(&self) -> bool {
+        let (Some(now), Some(rest)) = (&self.slips, &self.problem.slips) else { return false };
+        let (capacity, little) = (now.capacity(), LET_GO * self.problem.process_length / self.problem.length);
+        capacity < little * rest.capacity() || now.carried().abs() > ALL * capacity
     }
 
     /// Newton iterations so far, of refused steps too.
@@ -148,6 +162,7 @@ impl<'p> Path<'p> {
             None if self.points.is_empty() => Arc::new(self.first()?),
             None => Arc::new(self.step()?),
         };
+        self.slips = self.problem.chain.slid(point.at.configuration()).map(Arc::new);
         self.points.push(point.clone());
         Ok(point)
     }
@@ -200,12 +215,13 @@ impl<'p> Path<'p> {
         let (mut count, mut step) = if outset { (1, self.first_step(&labels)) } else { self.choose(&labels) };
         let mut cause = SolveError::SingularGrip;
         for _ in 0..MOST_TRIES {
-            let start = if outset {
+            let mut start = if outset {
                 newest.moved(step / weights.dot(&newest.slope))
             } else {
                 let combination = predictor::lagrange_weights(&labels[..count], step);
                 predictor::combine(self.problem, &points[..count], &combination)
             };
+            start.slips.clone_from(&self.slips);
             if self.falls_onto(&newest, &start) {
                 step *= 0.4;
                 continue;

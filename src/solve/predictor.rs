@@ -29,6 +29,7 @@ pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> 
         border: 0.0,
         slide: 0.0,
         force: 0.0,
+        slips: points[0].at.slips.clone(),
     };
     for (point, &weight) in points.iter().zip(weights) {
         at.center += weight * point.observables.front;

@@ -1,7 +1,7 @@
 //! What is to be solved: a chain, its rest state, its grip, and the scales that measure progress and error.
 
 use super::grip::{Direction, GripStep};
-use super::{Chain, Configuration, Focus, Fronts, MOST_FIELDS, Mesh, Pieces, graded_ends};
+use super::{Chain, Configuration, Focus, Fronts, MOST_FIELDS, Mesh, Pieces, Slips, graded_ends};
 use crate::adhesion::Substrate;
 use crate::beam::{ElementEnergy, Rest};
 use serde::{Deserialize, Serialize};
@@ -62,6 +62,8 @@ pub struct Problem {
     pub substrate: Substrate,
     /// Where the path starts, and with it what displacements count from.
     pub beginning: Beginning,
+    /// Where the material points are anchored at rest, where there is friction.
+    pub slips: Option<Arc<Slips>>,
     /// Whether the load has a potential, so that work is an energy difference and the tangent is symmetric.
     pub conservative: bool,
 }
@@ -91,6 +93,8 @@ pub struct Equilibrium {
     pub slide: f64,
     /// Force of the grip along the pull, nN
     pub force: f64,
+    /// What the material points remembered before the step that ended here, where there is friction.
+    pub slips: Option<Arc<Slips>>,
 }
 
 impl Equilibrium {
@@ -103,7 +107,7 @@ impl Equilibrium {
 
     /// The part of it that the chain sees.
     pub fn configuration(&self) -> Configuration<'_> {
-        Configuration { ends: &self.ends, state: &self.state, border: self.border }
+        Configuration { ends: &self.ends, state: &self.state, border: self.border, slips: self.slips.as_deref() }
     }
 }
 
@@ -214,14 +218,14 @@ impl Problem {
             state.extend_from_slice(&node[..self.fields()]);
         }
         let (border, slide) = if self.chain.has_border() { (self.pretension, self.stretch) } else { (0.0, 0.0) };
-        Equilibrium { ends, center, state, border, slide, force: 0.0 }
+        Equilibrium { ends, center, state, border, slide, force: 0.0, slips: self.slips.clone() }
     }
 
     /// The same configuration on another number of elements.
     pub fn on_elements(&self, at: &Equilibrium, elements: usize) -> Equilibrium {
         let ends = self.ends(at.center, elements);
         let state = self.chain.resampled(at.configuration(), &ends);
-        Equilibrium { state, ends, ..*at }
+        Equilibrium { state, ends, ..at.clone() }
     }
 
     /// Size of an update relative to what it changes: heights by their scale plus their lift, rotations by their scale.

@@ -256,5 +256,5 @@ fn on_new_mesh(problem: &Problem, at: &Equilibrium) -> Option<Equilibrium> {
     }
     let ends = problem.ends_near(center, at.ends.len() - 1, &at.ends);
     let state = problem.chain.resampled(at.configuration(), &ends);
-    Some(Equilibrium { state, ends, center, ..*at })
+    Some(Equilibrium { state, ends, center, ..at.clone() })
 }

@@ -2,7 +2,7 @@
 
 use super::path::Metric;
 use super::predictor::{combine, lagrange_weights};
-use super::{Equilibrium, Observables, Problem, Solution};
+use super::{Equilibrium, Observables, Problem, Slips, Solution};
 use std::sync::Arc;
 
 /// Points around one step of a path, labelled by one path parameter in which all of them go forward.
@@ -19,6 +19,8 @@ pub struct Stretch {
     change: Observables,
     /// Slopes per label at its two ends.
     slopes: (Observables, Observables),
+    /// What the material points remember on the step.
+    slips: Option<Arc<Slips>>,
 }
 
 /// Points on either side of a step that a stretch takes in.
@@ -52,6 +54,7 @@ impl Stretch {
             end,
             change: secant,
             slopes: (per_label(from), per_label(to)),
+            slips: to.at.slips.clone(),
         };
         // neighbours, as long as the path has not turned much from the step's direction; those that crowd are passed over
         let along = |p: &Solution| metric.cosine(&secant, &p.slope) > NEIGHBOURS_COSINE;
@@ -133,13 +136,18 @@ impl Stretch {
     pub fn near(&self, at: f64) -> Option<Equilibrium> {
         let twin = self.twin(at, 1e-2)?;
         let ahead = (at - self.labels[twin]) / self.weights.dot(&self.points[twin].slope);
-        Some(self.points[twin].moved(ahead))
+        Some(self.on_step(self.points[twin].moved(ahead)))
     }
 
     /// A start for Newton's method at the label `at`, from the nearest `points`.
     pub fn start(&self, problem: &Problem, at: f64, points: usize) -> Equilibrium {
         let used = self.nearest(at, points);
-        combine(problem, &self.points[used.clone()], &lagrange_weights(&self.labels[used], at))
+        self.on_step(combine(problem, &self.points[used.clone()], &lagrange_weights(&self.labels[used], at)))
+    }
+
+    /// A configuration with the memory of the step.
+    fn on_step(&self, at: Equilibrium) -> Equilibrium {
+        Equilibrium { slips: self.slips.clone(), ..at }
     }
 
     /// The Hermite interpolant of one observable through the points nearest to `near`.

@@ -7,7 +7,7 @@
 //! sign of a pivot is the sign of an eigenvalue (Sylvester), so the sweep counts the negative ones as it goes.
 
 use super::chain::{EDGE, EndRow};
-use super::{Chain, Configuration, MOST_FIELDS, NodeState, PathRow, ROOT, Root, SolveError, Workspace};
+use super::{Chain, Configuration, MOST_FIELDS, NodeState, PathRow, ROOT, Root, Slips, SolveError, Workspace};
 use crate::beam::{Basis, Density, Element, ElementEnergy, Front, SectionState, WeightedPoints};
 use crate::number::Four;
 use std::ops::Range;
@@ -60,18 +60,33 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
     /// One element.
     fn element(&self, at: Configuration, e: usize) -> Element<f64, F, N> {
         let (from, to) = (at.ends[e], at.ends[e + 1]);
-        Element { values: self.gather(at.state, e), from, length: to - from, border: at.border }
+        let mut slips = [[0.0; 2]; N];
+        if let (true, Some(known)) = (D::REMEMBERS, at.slips) {
+            for (slip, point) in slips.iter_mut().zip(self.basis.points) {
+                *slip = known.at(from + 0.5 * (1.0 + point) * (to - from));
+            }
+        }
+        Element { values: self.gather(at.state, e), from, length: to - from, slips, border: at.border }
     }
 
     /// Elements `first` to `first + 3`; behind the last one it is repeated.
     #[inline(always)]
     fn bundle(&self, at: Configuration, first: usize) -> Element<Four, F, N> {
         let zero = Four([0.0; BUNDLE]);
-        let mut bundle = Element { values: [[zero; F]; N], from: zero, length: zero, border: at.border };
+        let mut bundle =
+            Element { values: [[zero; F]; N], from: zero, length: zero, slips: [[zero; 2]; N], border: at.border };
         for l in 0..BUNDLE {
             let e = (first + l).min(at.ends.len() - 2);
             bundle.from.0[l] = at.ends[e];
             bundle.length.0[l] = at.ends[e + 1] - at.ends[e];
+        }
+        if let (true, Some(known)) = (D::REMEMBERS, at.slips) {
+            for (slips, point) in bundle.slips.iter_mut().zip(self.basis.points) {
+                for l in 0..BUNDLE {
+                    let [place, share] = known.at(bundle.from.0[l] + 0.5 * (1.0 + point) * bundle.length.0[l]);
+                    (slips[0].0[l], slips[1].0[l]) = (place, share);
+                }
+            }
         }
         bundle.values = self.gather_bundle(at.state, first, at.ends.len() - 1);
         bundle
@@ -481,6 +496,20 @@ impl<D: Density<F>, const F: usize, const N: usize> Chain for UniformChain<D, F,
         all[..F].copy_from_slice(&value);
         let place = at.ends[element] + 0.5 * (1.0 + local) * length;
         (all, self.density.section_state(place, value, slope, at.border))
+    }
+
+    fn slid(&self, at: Configuration) -> Option<Slips> {
+        let known = at.slips.filter(|_| D::REMEMBERS)?;
+        let (mut e, mut values) = (0, self.gather(at.state, 0));
+        Some(known.moved(|s, before| {
+            while e + 2 < at.ends.len() && s > at.ends[e + 1] {
+                e += 1;
+                values = self.gather(at.state, e);
+            }
+            let local = 2.0 * (s - at.ends[e]) / (at.ends[e + 1] - at.ends[e]) - 1.0;
+            let (shape, slope) = self.basis.sample(local);
+            self.density.remembered(s, combine(&values, &shape, &slope, 2.0).0, before)
+        }))
     }
 
     fn shifted(&self, at: Configuration, ends: &[f64]) -> Vec<f64> {

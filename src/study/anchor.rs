@@ -68,7 +68,7 @@ fn snap_off(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Result<O
     let (Some(at), Some(trace)) = (peel.snap_off, &peel.trace) else {
         return match peel.end {
             End::Failed(reason) | End::Bound(reason) => Err(reason),
-            End::Detached | End::Pivoting | End::TurnedBack => Ok(None),
+            End::Detached | End::Pivoting | End::TurnedBack | End::Sliding | End::Snapped => Ok(None),
         };
     };
     let problem: &Problem = &trace.problem;

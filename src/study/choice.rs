@@ -95,6 +95,10 @@ impl Resolution {
                 elements + model.length() / (EVEN * model.process_length() / sharp).min(OF_DETAIL * substrate.detail())
             }
         };
+        let elements = match model.sticking_length() {
+            None => elements,
+            Some(_) => elements + model.length() / (EVEN * model.detail() / sharp),
+        };
         let chosen = whole_bundles(elements).clamp(6, most_elements(model));
         Self {
             order: accuracy.order(),

@@ -101,6 +101,7 @@ impl Known {
             border: solution.at.border + ahead * solution.tangent.border,
             slide: solution.at.slide + ahead * solution.tangent.slide,
             force: fold.observables.force,
+            slips: solution.at.slips.clone(),
         };
         for (s, t) in equilibrium.state.iter_mut().zip(&solution.tangent.state) {
             *s += ahead * t;

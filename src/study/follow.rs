@@ -225,6 +225,12 @@ fn step(problem: &Problem, path: &mut Path, far: f64, limits: &Limits) -> Result
     if path.is_clear(far) {
         return Ok(Some(End::Detached));
     }
+    if path.slides() {
+        return Ok(Some(End::Sliding));
+    }
+    if problem.slips.is_some() && newest.slope.displacement < 0.0 {
+        return Ok(Some(End::Snapped));
+    }
     // a strip that has closed again passes u = 0 and P = 0 together
     if o.displacement <= 0.0 {
         return Ok(Some(End::TurnedBack));

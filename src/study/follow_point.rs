@@ -212,7 +212,9 @@ impl Sweep<'_> {
         remarks.push(match (&point, peel.end) {
             (Some(_), _) => Remark::Peeled { kind, value, reason },
             (None, End::Failed(reason) | End::Bound(reason)) => Remark::NotFound { kind, value, reason },
-            (None, End::Detached | End::Pivoting | End::TurnedBack) => Remark::Absent { kind, from: value, to: value },
+            (None, End::Detached | End::Pivoting | End::TurnedBack | End::Sliding | End::Snapped) => {
+                Remark::Absent { kind, from: value, to: value }
+            }
         });
         (point, peel.effort.elements)
     }

@@ -152,6 +152,11 @@ pub struct Observed {
 /// Why a scene has no test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoTest {
+    /// There is friction.
+    #[error(
+        "there is friction: where a strip that slides while it jumps comes to rest depends on how fast it jumps, and no path of equilibria tells"
+    )]
+    Friction,
     /// The load has no potential.
     #[error(
         "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): where a strip goes that loses its stability, and the energy it releases, are not defined"
@@ -170,6 +175,9 @@ where
     PeelModel: From<&'m M>,
 {
     let model = PeelModel::from(model);
+    if model.friction_law().is_some() {
+        return Err(NoTest::Friction);
+    }
     if !model.line_law().has_potential() {
         return Err(NoTest::NoPotential);
     }

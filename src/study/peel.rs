@@ -27,6 +27,10 @@ pub enum End {
     Pivoting,
     /// The path has returned to u = 0.
     TurnedBack,
+    /// All of the contact slides, and would from here on at a force that stays; or next to none of it is left.
+    Sliding,
+    /// With friction, the displacement turned back: how a beam slides while it jumps no equilibrium tells.
+    Snapped,
     /// A bound that the scene sets was reached; which one, in words.
     Bound(String),
     /// The computation stopped short; why, with numbers and what to try.

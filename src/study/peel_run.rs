@@ -45,6 +45,10 @@ pub(super) fn least(relative: f64) -> f64 {
 }
 /// A force at rest below this share of its scale is round-off.
 const PULL: f64 = 1e-6;
+/// Step tolerance of a path that confirms another, over that of the other: steps of half the length and less.
+const SHORTER: f64 = 0.01;
+/// Most such paths.
+const MOST_SHORTER: i32 = 3;
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
 /// Follows the peel from rest to its end.
@@ -102,11 +106,58 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &
     if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {
         best.widen(&others);
     }
+    if problem.slips.is_some() && accuracy.choice.step.is_none() && !unfinished {
+        best = best.map(|best| {
+            let shorter = Shorter { model, problem: &problem, accuracy, limits: &limits, far };
+            let (confirmed, further) = shorter.confirmed(best);
+            iterations += further;
+            unfinished = confirmed.cut;
+            confirmed
+        });
+    }
     let mut peel = best.map_or_else(|| empty(model), Attempt::into_peel);
     peel.effort.newton_iterations = iterations;
     peel.unfinished = unfinished;
     peel.solve_s = started.elapsed().as_secs_f64();
     peel
+}
+
+/// Where the material points remember how they have slid, what a path ends in depends on its steps: it is followed again with shorter
+/// ones.
+struct Shorter<'r> {
+    model: &'r PeelModel,
+    problem: &'r Arc<Problem>,
+    accuracy: &'r Accuracy,
+    limits: &'r Limits<'r>,
+    far: f64,
+}
+
+impl Shorter<'_> {
+    /// The same path with shorter steps, until what that changes is within the accuracy asked for, with bounds that hold it; and the
+    /// Newton iterations it took. One that cannot be confirmed has failed.
+    fn confirmed(&self, mut best: Attempt) -> (Attempt, usize) {
+        let mut iterations = 0;
+        let relative = self.accuracy.relative;
+        let first = Resolution::first(self.model, self.accuracy).step_tolerance;
+        for tries in 1..=MOST_SHORTER {
+            if best.trouble.is_some() || best.cut {
+                break;
+            }
+            let Effort { elements, order, .. } = best.peel.effort;
+            let step_tolerance = first * SHORTER.powi(tries);
+            let resolution = Resolution { elements, order, step_tolerance };
+            let options = resolution.path_options(self.model, relative);
+            let followed = follow(self.problem, options, self.far, relative, self.limits);
+            iterations += followed.iterations;
+            let mut next = Attempt::new(self.model, self.problem, followed, resolution, self.accuracy);
+            let change = next.allow_for(&best);
+            best = next;
+            if change <= relative {
+                break;
+            }
+        }
+        (best, iterations)
+    }
 }
 
 /// One mesh tried, and what it was worth.
@@ -201,7 +252,7 @@ impl Attempt {
     /// Where more elements did not bring the error down to what was asked for, it is round-off: no bound is less than twice the
     /// difference to what other meshes gave.
     fn widen(&mut self, others: &[Vec<LimitPoint>]) {
-        let Peel { asked, limit_points, initiation_peak, peak, snap_off, .. } = &mut self.peel;
+        let Peel { asked, limit_points, .. } = &mut self.peel;
         let count = limit_points.len();
         for other in others.iter().filter(|other| other.len() == count) {
             for (point, twin) in limit_points.iter_mut().zip(other) {
@@ -215,16 +266,29 @@ impl Attempt {
                 }
             }
         }
-        for point in limit_points.iter() {
-            for peak in [&mut *initiation_peak, &mut *peak].into_iter().flatten() {
-                if peak.displacement == point.displacement {
-                    *peak = peak_of(point);
-                }
-            }
-            if snap_off.is_some_and(|snap_off| snap_off.displacement == point.displacement) {
-                *snap_off = Some(*point);
-            }
+        self.peel.tell_bounds();
+    }
+
+    /// Widens the bounds to what another choice of steps changed; returns the largest relative change of a limit point.
+    fn allow_for(&mut self, other: &Self) -> f64 {
+        let mut largest = 0.0f64;
+        for (point, twin) in self.peel.limit_points.iter_mut().zip(&other.peel.limit_points) {
+            let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);
+            point.force_error = point.force_error.max(SAFETY * force.abs());
+            point.displacement_error = point.displacement_error.max(SAFETY * displacement.abs());
+            let place = if point.flat { 0.0 } else { (displacement / point.displacement).abs() };
+            largest = largest.max(SAFETY * (force / point.force).abs().max(place));
         }
+        self.peel.tell_bounds();
+        let kinds = |attempt: &Self| attempt.peel.limit_points.iter().map(|point| point.kind).collect::<Vec<_>>();
+        if self.trouble.is_none() && !self.cut && kinds(self) != kinds(other) {
+            self.trouble = Some(format!(
+                "with shorter steps the path has {} turning points, with longer ones {}: what slides depends on the steps",
+                self.peel.limit_points.len(),
+                other.peel.limit_points.len()
+            ));
+        }
+        largest
     }
 
     /// Whether more elements did not help. Where the error is small, what is left is round-off, which grows with them; where
@@ -256,6 +320,23 @@ impl Attempt {
             ));
         }
         peel
+    }
+}
+
+impl Peel {
+    /// Gives the special points the bounds that their limit points have.
+    fn tell_bounds(&mut self) {
+        let Self { limit_points, initiation_peak, peak, snap_off, .. } = self;
+        for point in limit_points.iter() {
+            for peak in [&mut *initiation_peak, &mut *peak].into_iter().flatten() {
+                if peak.displacement == point.displacement {
+                    *peak = peak_of(point);
+                }
+            }
+            if snap_off.is_some_and(|snap_off| snap_off.displacement == point.displacement) {
+                *snap_off = Some(*point);
+            }
+        }
     }
 }
 

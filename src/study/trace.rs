@@ -67,7 +67,8 @@ impl Trace {
             let rotation = values[problem.rotation];
             ([values[problem.driven] + 0.5 * height, rotation, height], section.horizontal_slope)
         };
-        let mut x = 0.0;
+        // the free end is held there, unless friction alone holds it
+        let mut x = if problem.slips.is_some() { at.state[0] } else { 0.0 };
         for e in 0..at.ends.len() - 1 {
             let step = (at.ends[e + 1] - at.ends[e]) / SAMPLES as f64;
             for k in 0..SAMPLES {

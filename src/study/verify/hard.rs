@@ -23,6 +23,8 @@ pub enum Ending {
     Detached,
     Pivoting,
     TurnedBack,
+    Sliding,
+    Snapped,
     Bound,
     /// Stopped short, with a reason.
     Refused,
@@ -35,6 +37,8 @@ impl Ending {
             End::Detached => Self::Detached,
             End::Pivoting => Self::Pivoting,
             End::TurnedBack => Self::TurnedBack,
+            End::Sliding => Self::Sliding,
+            End::Snapped => Self::Snapped,
             End::Bound(_) => Self::Bound,
             End::Failed(_) => Self::Refused,
         }

@@ -5,7 +5,8 @@ use super::reference::{self, Row};
 use super::{Check, Measure, Topic, bounds};
 use crate::adhesion::LineLoad;
 use crate::model::{
-    Adhesion, Attraction, Body, Grip, Ground, Hold, PeelModel, Profile, ProfileTable, Pull, Spatula, StripModel,
+    Adhesion, Attraction, Body, Friction, Grip, Ground, Hold, PeelModel, Profile, ProfileTable, Pull, Spatula,
+    StripModel,
 };
 use crate::solve::Workspace;
 use crate::study::step_curve::StepCurve;
@@ -102,6 +103,7 @@ fn model(row: &Row) -> PeelModel {
         },
         pull: Pull::UP,
         ground: Ground::default(),
+        friction: Friction::NONE,
     }
 }
 
@@ -117,6 +119,7 @@ fn profile(row: &Row) -> Option<PeelModel> {
         grip: Grip { rotation, ..paper.grip },
         pull: paper.pull,
         ground: Ground::default(),
+        friction: Friction::NONE,
     })
 }
 

@@ -42,12 +42,13 @@ pub(super) fn checks() -> Vec<Check> {
 
 fn energy(problem: &Problem, state: &[f64]) -> f64 {
     let ends = problem.ends(0.0, ELEMENTS);
-    problem.chain.energy(Configuration { ends: &ends, state, border: 0.0 }, state).0.total
+    problem.chain.energy(Configuration { ends: &ends, state, border: 0.0, slips: None }, state).0.total
 }
 
 fn largest_force(problem: &Problem, state: &[f64]) -> f64 {
     let ends = problem.ends(0.0, ELEMENTS);
-    let states = problem.chain.node_states(Configuration { ends: &ends, state, border: 0.0 }, 0..ends.len() - 1);
+    let states =
+        problem.chain.node_states(Configuration { ends: &ends, state, border: 0.0, slips: None }, 0..ends.len() - 1);
     states.iter().map(|s| s.section.horizontal_force.abs().max(s.section.vertical_force.abs())).fold(0.0, f64::max)
 }
 

@@ -1,0 +1,38 @@
+//! What holds a beam along the substrate.
+
+use crate::adhesion::{FrictionLaw, HalfSpace};
+use crate::solve::Focus;
+
+/// Friction of the face that looks down on level ground, as [`FrictionLaw`] has it. The free end is then held by nothing else.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Friction {
+    /// Shear strength τ0 of the contact, GPa; none: there is no friction
+    pub strength: Option<f64>,
+    /// Coulomb's coefficient μ of what presses on it
+    pub coefficient: f64,
+    /// How far it gives way until it slides at the strength τ0, nm; none: it is as stiff along the substrate as the half space is
+    /// across
+    pub presliding: Option<f64>,
+}
+
+/// Width of a focus that is the same everywhere, over the length of the beam.
+const WIDE: f64 = 10.0;
+/// Length of elements far from the front relative to those at it, over the length in which a strip that sticks takes over a force.
+const FLOOR: f64 = 2.0;
+
+impl Friction {
+    /// None.
+    pub const NONE: Self = Self { strength: None, coefficient: 0.0, presliding: None };
+
+    /// The law of this friction on a half space, if there is any.
+    pub fn law(&self, half_space: HalfSpace) -> Option<FrictionLaw> {
+        let Self { strength, coefficient, presliding } = *self;
+        strength.map(|strength| FrictionLaw::new(half_space, strength, coefficient, presliding))
+    }
+
+    /// A focus so wide that it makes elements short everywhere: sliding may begin far behind the front.
+    pub(super) fn everywhere(&self, length: f64, sticking_length: Option<f64>) -> Option<Focus> {
+        let wide = WIDE * length;
+        sticking_length.map(|short| Focus { center: 0.5 * length, length: wide, weight: wide / (FLOOR * short) })
+    }
+}
