@@ -35,6 +35,7 @@ fn path_alone(c: &mut Criterion) {
     let options = PathOptions {
         elements: 20,
         step_tolerance: 3.8e-3,
+        stride: 1.0,
         tolerance: 1e-10,
         prediction: MOST_POINTS,
         first_displacement: 0.008,

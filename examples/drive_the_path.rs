@@ -10,8 +10,14 @@ use peelkit::solve::{Path, PathOptions};
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let model = StripModel::of_the_paper(100.0, 1.0);
     let problem = model.problem(Form::TwoField, 7);
-    let options =
-        PathOptions { elements: 14, step_tolerance: 1e-2, prediction: 8, tolerance: 1e-9, first_displacement: 0.008 };
+    let options = PathOptions {
+        elements: 14,
+        step_tolerance: 1e-2,
+        stride: 1.0,
+        prediction: 8,
+        tolerance: 1e-9,
+        first_displacement: 0.008,
+    };
     let mut path = Path::new(&problem, options);
 
     println!("    u / nm     P / nN  unstable directions");

@@ -29,6 +29,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let options = PathOptions {
         elements: 8,
         step_tolerance: 1e-4,
+        stride: 1.0,
         prediction: 8,
         tolerance: 1e-10,
         first_displacement: -0.01 * rise,

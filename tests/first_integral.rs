@@ -164,8 +164,14 @@ fn work_between(from: &Solution, to: &Solution) -> f64 {
 
 /// A path in steps so short that cubics between its points are exact to 1e-6, up to the first point where `stop` holds.
 fn finely(problem: &Problem, stop: fn(&Solution) -> bool) -> Vec<Arc<Solution>> {
-    let options =
-        PathOptions { elements: 40, step_tolerance: 1e-5, prediction: 8, tolerance: 1e-10, first_displacement: 0.002 };
+    let options = PathOptions {
+        elements: 40,
+        step_tolerance: 1e-5,
+        stride: 1.0,
+        prediction: 8,
+        tolerance: 1e-10,
+        first_displacement: 0.002,
+    };
     let mut path = Path::new(problem, options);
     let stopped = path.by_ref().take(2000).any(|p| stop(&p.expect("the path goes on")));
     assert!(stopped, "not reached within 2000 points");

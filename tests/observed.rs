@@ -145,8 +145,14 @@ fn a_rigid_strip_on_a_spring_is_a_punch() {
 
 /// The path of a strip, up to `most` points.
 fn path_of(problem: &Problem, elements: usize, most: usize) -> Vec<Arc<Solution>> {
-    let options =
-        PathOptions { elements, step_tolerance: 1e-2, tolerance: 1e-9, prediction: 8, first_displacement: 0.008 };
+    let options = PathOptions {
+        elements,
+        step_tolerance: 1e-2,
+        stride: 1.0,
+        tolerance: 1e-9,
+        prediction: 8,
+        first_displacement: 0.008,
+    };
     Path::new(problem, options).take(most).map_while(Result::ok).collect()
 }
 

@@ -192,6 +192,7 @@ fn an_arch_snaps_through_and_a_short_path_says_so() {
     let options = PathOptions {
         elements: 6,
         step_tolerance: 1e-3,
+        stride: 1.0,
         prediction: 8,
         tolerance: 1e-11,
         first_displacement: -0.01 * rise,

@@ -23,6 +23,8 @@ pub struct PathOptions {
     pub elements: usize,
     /// Error wanted of a prediction, relative as in [`Problem::relative_size`].
     pub step_tolerance: f64,
+    /// Length of a step over that which predictions allow, at most 1.
+    pub stride: f64,
     /// Error wanted of a solution, likewise.
     pub tolerance: f64,
     /// Most points that a prediction uses: 2 is the secant
@@ -323,8 +325,9 @@ impl<'p> Path<'p> {
         if labels.len() == 1 {
             return (1, 1e-2);
         }
-        let most = MOST_GROWTH * -labels[1];
-        let mut best = (labels.len().min(2), 0.5 * -labels[1]);
+        let stride = self.options.stride;
+        let most = MOST_GROWTH / stride * -labels[1];
+        let mut best = (labels.len().min(2), 0.5 / stride * -labels[1]);
         for count in 1..labels.len() {
             let Some(&error) = self.errors.get(count - 1) else { break };
             let step = predictor::longest_step(labels, count, error, 0.7 * self.options.step_tolerance, most);
@@ -332,7 +335,7 @@ impl<'p> Path<'p> {
                 best = (count, step);
             }
         }
-        best
+        (best.0, stride * best.1)
     }
 
     fn stopped(&self, tries: usize, cause: SolveError) -> PathError {

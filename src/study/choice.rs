@@ -75,6 +75,7 @@ pub(super) struct Resolution {
     pub order: usize,
     pub elements: usize,
     pub step_tolerance: f64,
+    pub stride: f64,
 }
 
 impl Resolution {
@@ -104,6 +105,7 @@ impl Resolution {
             order: accuracy.order(),
             elements: accuracy.choice.elements.unwrap_or(chosen),
             step_tolerance: accuracy.choice.step.unwrap_or((STEP_TOLERANCE * (1e6 * relative).powf(0.25)).min(LONGEST)),
+            stride: 1.0,
         }
     }
 
@@ -112,6 +114,7 @@ impl Resolution {
         PathOptions {
             elements: self.elements,
             step_tolerance: self.step_tolerance,
+            stride: self.stride,
             prediction: MOST_POINTS,
             tolerance: (1e-2 * relative).clamp(1e-12, 1e-6),
             first_displacement: 0.02 * model.adhesion.equilibrium_distance.min(model.process_length()),

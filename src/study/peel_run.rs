@@ -45,8 +45,8 @@ pub(super) fn least(relative: f64) -> f64 {
 }
 /// A force at rest below this share of its scale is round-off.
 const PULL: f64 = 1e-6;
-/// Step tolerance of a path that confirms another, over that of the other: steps of half the length and less.
-const SHORTER: f64 = 0.01;
+/// Length of the steps of a path that confirms another, over those of the other.
+const SHORTER: f64 = 0.5;
 /// Most such paths.
 const MOST_SHORTER: i32 = 3;
 /// Most meshes tried.
@@ -138,14 +138,13 @@ impl Shorter<'_> {
     fn confirmed(&self, mut best: Attempt) -> (Attempt, usize) {
         let mut iterations = 0;
         let relative = self.accuracy.relative;
-        let first = Resolution::first(self.model, self.accuracy).step_tolerance;
+        let first = Resolution::first(self.model, self.accuracy);
         for tries in 1..=MOST_SHORTER {
             if best.trouble.is_some() || best.cut {
                 break;
             }
             let Effort { elements, order, .. } = best.peel.effort;
-            let step_tolerance = first * SHORTER.powi(tries);
-            let resolution = Resolution { elements, order, step_tolerance };
+            let resolution = Resolution { elements, order, stride: SHORTER.powi(tries), ..first };
             let options = resolution.path_options(self.model, relative);
             let followed = follow(self.problem, options, self.far, relative, self.limits);
             iterations += followed.iterations;
@@ -183,7 +182,7 @@ impl Attempt {
         resolution: Resolution,
         accuracy: &Accuracy,
     ) -> Self {
-        let Resolution { elements, step_tolerance, order } = resolution;
+        let Resolution { elements, step_tolerance, order, .. } = resolution;
         let relative = accuracy.relative;
         let mut spread = f64::INFINITY;
         let mut peel = report(model, problem, &followed, relative);
