@@ -2,8 +2,9 @@
 
 use super::chart::{Picture, save};
 use super::{
-    ReportError, figure_beam, figure_laws, figure_levels, figure_points, figure_pull, figure_rough, figure_round_off,
-    figure_spatula, figure_speed, figure_stiffness, figure_strip, figure_verification, figure_work, write_whole,
+    ReportError, figure_beam, figure_friction, figure_laws, figure_levels, figure_points, figure_pull, figure_rough,
+    figure_round_off, figure_spatula, figure_speed, figure_stiffness, figure_strip, figure_verification, figure_work,
+    write_whole,
 };
 use crate::model::{PeelModel, StripModel};
 use crate::study::{Accuracy, Bounds, Peel, SweepCase, SweepRow, peel, sweep};
@@ -29,6 +30,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
         + figure_spatula::PEELS
         + figure_rough::PEELS
         + figure_pull::PEELS
+        + figure_friction::PEELS
         + figure_laws::PEELS
         + figure_stiffness::PEELS
         + figure_work::PEELS
@@ -38,6 +40,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
     figures.extend(figure_spatula::figures(&runner, dir)?);
     figures.push(figure_rough::figure(&runner, dir)?);
     figures.push(figure_pull::figure(&runner, dir)?);
+    figures.push(figure_friction::figure(&runner, dir)?);
     figures.extend(figure_laws::figures(&runner, dir)?);
     let stiffness = figure_stiffness::Sweeps::compute(&runner);
     figures.extend(figure_stiffness::figures(&stiffness, dir)?);

@@ -5,6 +5,7 @@ mod chart;
 mod error;
 mod figure;
 mod figure_beam;
+mod figure_friction;
 mod figure_laws;
 mod figure_levels;
 mod figure_points;

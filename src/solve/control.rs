@@ -1,6 +1,7 @@
 //! Equilibria at chosen values of one quantity: displacement, force or rotation control.
 
 use super::{Condition, Equilibrium, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
+use std::sync::Arc;
 
 /// Shortest step, as a share of the way from one target to the next.
 const SHORTEST: f64 = 1e-6;
@@ -30,7 +31,9 @@ pub fn controlled(
             let left = target - value;
             let (ahead, next) =
                 if left.abs() <= step { (left, target) } else { (step.copysign(left), value + step.copysign(left)) };
-            match solve(problem, here.moved(ahead), &Condition { weights, target: next }, &options, &mut work) {
+            let slips = problem.chain.slid(here.at.configuration()).map(Arc::new);
+            let start = Equilibrium { slips, ..here.moved(ahead) };
+            match solve(problem, start, &Condition { weights, target: next }, &options, &mut work) {
                 Ok(solution) => {
                     here = solution;
                     value = next;
