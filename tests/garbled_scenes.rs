@@ -26,6 +26,13 @@ fn with_value(key: &Key, value: &str) -> String {
     // a strip on flat ground alone is stretched
     let stretched = body == BODIES[0] && key.table != "substrate";
     let fits = |other: &&Key| fits(other) && (stretched || other.name != "pretension");
+    // friction goes with the half space on flat ground alone
+    let rubs = key.table == "friction";
+    let apart =
+        |other: &Key| other.table == "substrate" || ["law", "work", "strength", "pretension"].contains(&other.name);
+    let fits = |other: &&Key| {
+        fits(other) && if rubs { other.table == "friction" || !apart(other) } else { other.table != "friction" }
+    };
     let line = |other: &Key| match shape {
         _ if other.path() == key.path() => format!("{} = {value}\n", other.path()),
         Some(shape) if other.name == "shape" => format!("{} = \"{shape}\"\n", other.path()),

@@ -142,8 +142,9 @@ displacement = "0.5 um"
     assert_eq!(scene.title, "All");
     let wave = Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 100.0, offset: -25.0 });
     assert_eq!(scene.model.ground, Ground { substrate: wave, start: Start::Crests });
-    // a pretension is that of flat ground: tests/pull.rs
-    for key in KEYS.iter().filter(|key| key.belongs_to(&scene) && key.name != "pretension") {
+    // pretension and friction are those of flat ground: tests/pull.rs, tests/friction.rs
+    let elsewhere = |key: &Key| key.name == "pretension" || key.table == "friction";
+    for key in KEYS.iter().filter(|key| key.belongs_to(&scene) && !elsewhere(key)) {
         assert!(text.contains(&format!("{} = ", key.name)), "{} is not in this test", key.path());
     }
 }
@@ -325,6 +326,7 @@ fn every_example_that_messages_give_is_right() {
             "spatula" => SPATULA.to_owned(),
             "profile" => PROFILE.to_owned(),
             "substrate" => on_ground(key.shapes()[0]),
+            "friction" => format!("{MINIMAL}[friction]\nstrength = \"50 MPa\"\n"),
             _ if ["work", "strength"].contains(&key.name) => {
                 MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")
             }
@@ -337,7 +339,7 @@ fn every_example_that_messages_give_is_right() {
 
 #[test]
 fn the_ready_scenes_are_right() {
-    for name in ["strip", "strip-100nm", "strip-soft", "strip-rough", "spatula"] {
+    for name in ["strip", "strip-100nm", "strip-soft", "strip-rough", "strip-friction", "spatula"] {
         let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
         Scene::parse(&path, &std::fs::read_to_string(&path).unwrap(), &[]).unwrap();
     }
@@ -434,7 +436,7 @@ fn every_mistake_in_a_choice_or_another_table_is_named() {
             "[spring]",
             "rotation = 1",
             "[spring] is not a table",
-            "[strip], [spatula], [profile], [adhesion], [substrate], [grip]",
+            "[strip], [spatula], [profile], [adhesion], [substrate], [friction], [grip]",
         ),
         ("[[strip]]", "length = 1", "`strip` is a list", "write [strip]"),
     ];

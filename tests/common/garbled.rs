@@ -105,11 +105,17 @@ pub fn absurd_scene(dice: &mut Dice) -> String {
     }
     line(format!("line_load = \"{}\"", dice.pick(&["full", "force-only", "axis-gap"])));
     line(format!("far_face = {}", dice.pick(&[true, false])));
+    let rubs = law.contains("-") && dice.below(4) == 0;
+    if rubs {
+        line("[friction]".into());
+        line(format!("strength = \"{:e} GPa\"", dice.decades(1e-9, 1e6)));
+        line(format!("coefficient = {:e}", dice.decades(1e-6, 1e3)));
+    }
     line("[grip]".into());
     line(format!("rotation = \"{}\"", dice.pick(&["free", "fixed"])));
     let horizontal = dice.pick(&["free", "fixed"]);
     line(format!("horizontal = \"{horizontal}\""));
-    if body == "strip" && horizontal == "fixed" && dice.below(3) == 0 {
+    if body == "strip" && horizontal == "fixed" && !rubs && dice.below(3) == 0 {
         line(format!("pretension = \"{:e} nN\"", dice.decades(1e-9, 1e9)));
     }
     line("[bounds]\npoints = 60\ntime = \"0.2 s\"".into());

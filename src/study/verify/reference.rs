@@ -1,7 +1,7 @@
 //! The tables of `verification/`, built into the program so that a check needs no file and no Python.
 
 use crate::adhesion::{CohesiveShape, LineLoad};
-use crate::model::{Attraction, Hold, StripModel};
+use crate::model::{Attraction, Hold, PeelModel, StripModel};
 use std::collections::HashMap;
 
 /// A row of a table, by the names of the columns.
@@ -23,7 +23,10 @@ impl Row {
 
     /// The strip of a row: the paper's, with what the row says otherwise. None where a column holds what has no meaning there.
     pub fn strip(&self) -> Option<StripModel> {
-        let mut model = StripModel::of_the_paper(self.number("length_nm")?, self.number("bending_stiffness_factor")?);
+        let mut model = StripModel::of_the_paper(
+            self.number("length_nm")?,
+            self.number("bending_stiffness_factor").unwrap_or(1.0),
+        );
         let StripModel { strip, adhesion, grip, pull } = &mut model;
         let numbers = [
             ("height_nm", &mut strip.height, 1.0),
@@ -56,6 +59,14 @@ impl Row {
         self.pick("grip_across", &holds, &mut grip.horizontal)?;
         self.pick("line_load", &loads, &mut adhesion.line_load)?;
         self.pick("far_face", &[("true", true), ("false", false)], &mut adhesion.far_face)?;
+        Some(model)
+    }
+
+    /// The model of a row: its strip, and friction where the row has some. None as for [`Row::strip`].
+    pub fn model(&self) -> Option<PeelModel> {
+        let mut model = PeelModel::from(self.strip()?);
+        model.friction.strength = self.number("tau0_GPa");
+        model.friction.coefficient = self.number("friction_coefficient").unwrap_or(0.0);
         Some(model)
     }
 
