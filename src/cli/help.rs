@@ -202,6 +202,7 @@ fn keys() -> String {
 fn sample(key: &Key) -> String {
     match key.default_value() {
         Some(Value::Number(number)) if !key.unit().is_empty() => format!("\"{number} {}\"", key.unit()),
+        Some(Value::List(_)) => "[]".into(),
         Some(Value::Text(text)) if !text.is_empty() => format!("\"{text}\""),
         Some(value @ (Value::Number(_) | Value::Flag(_))) => value.to_string(),
         _ => key.example().to_owned(),
@@ -215,6 +216,7 @@ fn note(key: &Key) -> String {
         (Kind::Bound(..), _) => "none unless given".into(),
         (Kind::Fixed(..) | Kind::Share(..), _) => "chosen by itself".into(),
         (Kind::Text(_), _) => "the name of the file unless given".into(),
+        (Kind::Steps(_), _) => format!("none unless given; {}", key.takes()),
         (Kind::LineLoad(_) | Kind::Hold(_) | Kind::Shape(_) | Kind::Start(_), _) => key.takes(),
         _ => String::new(),
     }

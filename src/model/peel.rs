@@ -2,7 +2,7 @@
 
 use super::chain::{three_field, two_field};
 use super::lie::Lie;
-use super::{Ground, Profile, Spatula, Strip};
+use super::{Ground, Moved, Profile, Spatula, Step, Strip, steps};
 use crate::adhesion::{Cohesive, CohesiveShape, GroundLaw, HalfSpace, Law, LineLaw, LineLoad, Substrate};
 use crate::beam::{self, BeamOnGround, Contour, Material, ReducedBeam, ReissnerBeam, Section, Varying};
 use crate::solve::{Beginning, Chain, Direction, Focus, MOST_FIELDS, Mesh, Problem};
@@ -85,11 +85,13 @@ pub struct Pull {
     /// α, of the pull to the substrate, rad: 0 along the substrate, away from the body; π/2 straight up; π backwards, over the body.
     /// The free end stays at x = 0, where it is held as far as the pull has a horizontal part.
     pub angle: f64,
+    /// How far the grip turns as it goes, rad/nm: in a grip that holds the rotation, that is θ_rest + `turn` u.
+    pub turn: f64,
 }
 
 impl Pull {
     /// Straight up.
-    pub const UP: Self = Self { angle: FRAC_PI_2 };
+    pub const UP: Self = Self { angle: FRAC_PI_2, turn: 0.0 };
 
     /// Its direction; straight up is that exactly.
     pub fn direction(self) -> Direction {
@@ -119,6 +121,8 @@ pub struct PeelModel {
     pub adhesion: Adhesion,
     pub grip: Grip,
     pub pull: Pull,
+    /// What the grip does before, one after the other.
+    pub steps: Vec<Step>,
     pub ground: Ground,
 }
 
@@ -144,9 +148,11 @@ impl PeelModel {
     }
 
     /// Whether its sections carry a horizontal force: with a grip that is held across a pull straight up, or another pull, or
-    /// on ground that is not flat.
+    /// on ground that is not flat, or when the grip moves along the substrate before.
     pub fn has_horizontal_force(&self) -> bool {
-        self.grip.horizontal == Hold::Fixed
+        let dragged = self.steps.iter().any(|step| step.moves(Moved::Place));
+        dragged
+            || self.grip.horizontal == Hold::Fixed
             || self.pull.direction() != Direction::UP
             || !self.ground.substrate.is_flat()
     }
@@ -260,7 +266,8 @@ impl PeelModel {
     }
 
     /// What the solver is given, with elements of order 1 to 8. The displacement is that of the grip, whatever spring moves it.
-    /// On ground that is not flat the form is [`Form::ThreeField`], and the beam is relaxed to where its path starts.
+    /// On ground that is not flat the form is [`Form::ThreeField`], and the beam is relaxed to where its path starts. The steps before
+    /// the pull have then been taken.
     pub fn problem(&self, form: Form, order: usize) -> Problem {
         let form = self.form(form);
         let (width, height) = self.free_end();
@@ -295,6 +302,7 @@ impl PeelModel {
             direction: self.pull.direction(),
             rotation: lead + 1,
             held,
+            turn: if self.grip.rotation == Hold::Fixed { self.pull.turn } else { 0.0 },
             pretension: self.grip.pretension.unwrap_or(0.0),
             stretch: self.prestretch(),
             compliance: 0.0,
@@ -313,17 +321,20 @@ impl PeelModel {
             conservative: law.has_potential(),
             substrate,
             beginning: Beginning::AtRest,
+            steps: Vec::new(),
         };
         problem.beginning = self.ground.beginning(&mut problem);
+        steps::take(self, &mut problem);
         problem
     }
 
     /// Where elements are small whatever the front: at the free end, which may come to stand on its edge, a wedge whose attraction
-    /// is concentrated on a part of r0, and at the end of a strip that may not turn there.
+    /// is concentrated on a part of r0, and at the end of a strip that may not turn there, or that steps bend before the pull.
     fn fixed_foci(&self, process_length: f64) -> Vec<Focus> {
         let edge = (0.36 * process_length).min(0.25 * self.adhesion.equilibrium_distance);
         let mut foci = vec![Focus { center: 0.0, length: edge, weight: 0.8 }];
-        if let (Some(strip), Hold::Fixed) = (self.strip(), self.grip.rotation) {
+        let bent = self.grip.rotation == Hold::Fixed || !self.steps.is_empty();
+        if let Some(strip) = self.strip().filter(|_| bent) {
             foci.push(Focus { center: strip.length, length: process_length, weight: 0.2 });
         }
         foci

@@ -85,6 +85,7 @@ impl RodModel {
             rotation: 2,
             rest_gap: start[1],
             direction: Direction::UP,
+            turn: 0.0,
             pretension: 0.0,
             stretch: 0.0,
             held: {
@@ -106,6 +107,7 @@ impl RodModel {
             sees_tilt: false,
             substrate: Substrate::Flat,
             beginning: Beginning::AtRest,
+            steps: Vec::new(),
             conservative: true,
         })
     }

@@ -10,6 +10,7 @@ mod keys;
 mod near;
 mod quantity;
 mod shape;
+mod steps;
 mod table;
 
 pub use error::{Problem, SceneError};
@@ -94,7 +95,7 @@ impl Scene {
                 "Peel a [strip] with `horizontal = \"fixed\"` under [grip], on a flat substrate, or leave `pretension` away.",
             );
         }
-        if let Some((path, found, remedy)) = shape::misfit(&self.model) {
+        if let Some((path, found, remedy)) = shape::misfit(&self.model).or_else(|| steps::misfit(&self.model)) {
             return problem(path, found, remedy);
         }
         let spatula = match &self.model.body {
@@ -159,6 +160,7 @@ impl Scene {
                 adhesion,
                 grip,
                 pull: Pull::UP,
+                steps: Vec::new(),
                 ground: Ground::default(),
             },
             accuracy: Accuracy::to(1e-6),

@@ -9,7 +9,7 @@ use super::trace::Trace;
 use super::work::{work_near, works};
 use super::{Accuracy, Bounds, Effort, End, Keeping, LimitPoint, PathPoint, Peak, Peel};
 use crate::model::PeelModel;
-use crate::solve::{Located, Problem, Solution, Turn, Workspace, difference_on_more_elements};
+use crate::solve::{Beginning, Located, Problem, Solution, Turn, Workspace, difference_on_more_elements};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -74,6 +74,11 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &
     let Choice { mesh, form, .. } = accuracy.choice;
     let mut resolution = Resolution::first(model, accuracy);
     let problem = Arc::new(Problem { mesh, ..model.problem(form, resolution.order) });
+    if let Beginning::Nowhere(why) = &problem.beginning {
+        let solve_s = started.elapsed().as_secs_f64();
+        let (end, asked) = (End::Failed(why.clone()), accuracy.relative);
+        return Peel { steps: problem.steps.clone(), end, asked, choice: accuracy.choice, solve_s, ..empty(model) };
+    }
     let far = model.line_law().reach();
     let mut best: Option<Attempt> = None;
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
@@ -103,6 +108,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &
         best.widen(&others);
     }
     let mut peel = best.map_or_else(|| empty(model), Attempt::into_peel);
+    peel.steps.clone_from(&problem.steps);
     peel.effort.newton_iterations = iterations;
     peel.unfinished = unfinished;
     peel.solve_s = started.elapsed().as_secs_f64();
@@ -262,6 +268,7 @@ impl Attempt {
 fn empty(model: &PeelModel) -> Peel {
     Peel {
         model: model.clone(),
+        steps: Vec::new(),
         points: Vec::new(),
         limit_points: Vec::new(),
         initiation_peak: None,

@@ -1,7 +1,7 @@
 //! The tables of `verification/`, built into the program so that a check needs no file and no Python.
 
 use crate::adhesion::{CohesiveShape, LineLoad};
-use crate::model::{Attraction, Hold, StripModel};
+use crate::model::{Attraction, Hold, PeelModel, Step, StripModel};
 use std::collections::HashMap;
 
 /// A row of a table, by the names of the columns.
@@ -34,6 +34,7 @@ impl Row {
             ("hamaker_constant_J", &mut adhesion.hamaker_constant, 1e18),
             ("equilibrium_distance_nm", &mut adhesion.equilibrium_distance, 1.0),
             ("pull_angle_deg", &mut pull.angle, 1f64.to_radians()),
+            ("grip_turn_deg_per_nm", &mut pull.turn, 1f64.to_radians()),
         ];
         for (column, place, unit) in numbers {
             if let Some(text) = self.text(column) {
@@ -57,6 +58,13 @@ impl Row {
         self.pick("line_load", &loads, &mut adhesion.line_load)?;
         self.pick("far_face", &[("true", true), ("false", false)], &mut adhesion.far_face)?;
         Some(model)
+    }
+
+    /// The same with what its grip does before the pull.
+    pub fn model(&self) -> Option<PeelModel> {
+        let turned = self.number("grip_turned_deg").filter(|&degrees| degrees != 0.0);
+        let steps = turned.map(|degrees| Step::Turn(degrees.to_radians())).into_iter().collect();
+        Some(PeelModel { steps, ..PeelModel::from(self.strip()?) })
     }
 
     /// Puts what the word in a column stands for into its place, if there is one; None where it stands for nothing.

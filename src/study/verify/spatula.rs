@@ -101,6 +101,7 @@ fn model(row: &Row) -> PeelModel {
             pretension: None,
         },
         pull: Pull::UP,
+        steps: Vec::new(),
         ground: Ground::default(),
     }
 }
@@ -116,6 +117,7 @@ fn profile(row: &Row) -> Option<PeelModel> {
         adhesion: paper.adhesion,
         grip: Grip { rotation, ..paper.grip },
         pull: paper.pull,
+        steps: Vec::new(),
         ground: Ground::default(),
     })
 }

@@ -43,7 +43,7 @@ impl Turns {
         let check = |name, computed, expected, measure, tolerance| {
             Check::new(self.topic, name, self.source, computed, expected, measure, tolerance)
         };
-        let Some(model) = row.strip() else {
+        let Some(model) = row.model() else {
             return vec![check(
                 name,
                 Err("a word of the row is not known".into()),
