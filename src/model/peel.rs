@@ -8,6 +8,7 @@ use crate::beam::{self, BeamOnGround, Contour, Material, ReducedBeam, ReissnerBe
 use crate::solve::{Beginning, Chain, Direction, Focus, MOST_FIELDS, Mesh, Problem};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
+use std::time::Instant;
 
 /// What pulls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -269,6 +270,11 @@ impl PeelModel {
     /// On ground that is not flat the form is [`Form::ThreeField`], and the beam is relaxed to where its path starts. The steps before
     /// the pull have then been taken.
     pub fn problem(&self, form: Form, order: usize) -> Problem {
+        self.problem_until(form, order, None)
+    }
+
+    /// The same, with steps that begin nothing after `deadline`: the problem then begins nowhere, and says so.
+    pub fn problem_until(&self, form: Form, order: usize, deadline: Option<Instant>) -> Problem {
         let form = self.form(form);
         let (width, height) = self.free_end();
         let (law, length) = (self.line_law(), self.length());
@@ -324,7 +330,7 @@ impl PeelModel {
             steps: Vec::new(),
         };
         problem.beginning = self.ground.beginning(&mut problem);
-        steps::take(self, &mut problem);
+        steps::take(self, &mut problem, deadline);
         problem
     }
 

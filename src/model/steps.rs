@@ -5,81 +5,15 @@
 //! before the next step, and before the pull: the force on what is free falls to zero first. The equilibria are followed as a path in
 //! what is moved; there is no time in it. A step ends at its amount, and not beyond a loss of stability, where a beam would jump.
 
-use super::{Attraction, PeelModel};
+use super::{Attraction, Moved, PeelModel, Step};
 use crate::adhesion::CohesiveShape;
 use crate::solve::{
     BUNDLE, Beginning, Condition, Direction, Equilibrium, GripForces, Located, MOST_FIELDS, MOST_POINTS, NewtonOptions,
     Observables, Path, PathError, PathOptions, Problem, Solution, SolveError, Stretch, Turn, Workspace, locate, settle,
     solve,
 };
-use std::fmt;
 use std::sync::Arc;
-
-/// What the grip does before the pull.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Step {
-    /// Towards the substrate, nm
-    Press(f64),
-    /// Away from it, nm
-    Lift(f64),
-    /// Along it, away from the body, nm
-    Drag(f64),
-    /// Along it, towards the body, nm
-    Push(f64),
-    /// Its rotation, at its place, rad; positive anticlockwise
-    Turn(f64),
-    /// Nothing: equilibria know no time.
-    Hold,
-}
-
-/// What a step moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Moved {
-    Height,
-    Place,
-    Rotation,
-}
-
-impl Step {
-    /// What it moves, and by how much, nm or rad; none of a step that moves nothing.
-    pub fn motion(self) -> Option<(Moved, f64)> {
-        match self {
-            Self::Press(amount) => Some((Moved::Height, -amount)),
-            Self::Lift(amount) => Some((Moved::Height, amount)),
-            Self::Drag(amount) => Some((Moved::Place, amount)),
-            Self::Push(amount) => Some((Moved::Place, -amount)),
-            Self::Turn(amount) => Some((Moved::Rotation, amount)),
-            Self::Hold => None,
-        }
-    }
-
-    /// Whether it moves this.
-    pub fn moves(self, what: Moved) -> bool {
-        self.motion().is_some_and(|(moved, _)| moved == what)
-    }
-}
-
-impl fmt::Display for Step {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::Press(amount) => write!(f, "press {amount} nm"),
-            Self::Lift(amount) => write!(f, "lift {amount} nm"),
-            Self::Drag(amount) => write!(f, "drag {amount} nm"),
-            Self::Push(amount) => write!(f, "push {amount} nm"),
-            Self::Turn(amount) => match whole_degrees(*amount) {
-                Some(degrees) => write!(f, "turn {degrees} deg"),
-                None => write!(f, "turn {amount} rad"),
-            },
-            Self::Hold => write!(f, "hold"),
-        }
-    }
-}
-
-/// An angle in degrees, where a number of at most nine decimals of them is the same to the last digit.
-fn whole_degrees(angle: f64) -> Option<f64> {
-    let degrees = (1e9 * angle.to_degrees()).round() / 1e9;
-    (degrees * 1f64.to_radians() == angle).then_some(degrees)
-}
+use std::time::Instant;
 
 /// Why a step was not taken to its end.
 #[derive(Debug, thiserror::Error)]
@@ -134,12 +68,12 @@ const PARTS: usize = 64;
 const NONE: f64 = 1e-9;
 
 /// Takes the steps of a model: its problem then begins where they have led, or nowhere, with the reason.
-pub(super) fn take(model: &PeelModel, problem: &mut Problem) {
+pub(super) fn take(model: &PeelModel, problem: &mut Problem, deadline: Option<Instant>) {
     if model.steps.is_empty() || matches!(problem.beginning, Beginning::Nowhere(_)) {
         return;
     }
     let pull = Hands::of(problem);
-    let taken = Walk { elements: elements(model, problem), pull, first: None }.all(&model.steps, problem);
+    let taken = Walk { elements: elements(model, problem), pull, first: None, deadline }.all(&model.steps, problem);
     pull.set(problem);
     if let Err(why) = taken {
         problem.beginning = Beginning::Nowhere(why);
@@ -196,6 +130,7 @@ struct Walk {
     pull: Hands,
     /// Where they began.
     first: Option<Arc<Equilibrium>>,
+    deadline: Option<Instant>,
 }
 
 impl Walk {
@@ -224,7 +159,7 @@ impl Walk {
     /// The equilibrium from which the first step goes.
     fn begin(&mut self, problem: &mut Problem) -> Result<(), Trouble> {
         let options = self.options(problem.scale[problem.driven]);
-        let start = Path::new(problem, options).advance().map_err(Trouble::Start)?;
+        let start = Path::new(problem, options).until(self.deadline).advance().map_err(Trouble::Start)?;
         let condition = Condition { weights: Observables::DISPLACEMENT, target: start.observables.displacement };
         self.lead(problem, &start, &condition)?;
         self.first = match &problem.beginning {
@@ -266,6 +201,8 @@ impl Walk {
             return Ok(());
         }
         let mut held = hands.held;
+        // what is about to be moved as well, and the height across the way in which the place is let go
+        held[hands.driven] = true;
         (held[across], held[self.pull.driven]) = (true, false);
         Hands { driven: self.pull.driven, direction: Direction { along: up, up: -along }, held, turn: 0.0 }
             .set(problem);
@@ -294,7 +231,7 @@ impl Walk {
 
     /// The solution at the goal, on the elements of the path there.
     fn path(&self, problem: &Problem, goal: Goal) -> Result<Solution, Trouble> {
-        let mut path = Path::new(problem, self.options(goal.first));
+        let mut path = Path::new(problem, self.options(goal.first)).until(self.deadline);
         let start = path.advance().map_err(Trouble::Start)?;
         let value = goal.what.pick();
         let onward = (goal.value - value(&start.observables)).signum();

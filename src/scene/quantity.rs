@@ -88,7 +88,8 @@ impl Dimension {
             Self::Angle => Angle::from_str(&one).ok().map(|q| q.get::<radian>()),
             Self::AnglePerLength => {
                 let (angle, length) = unit.split_once('/')?;
-                Some(Self::Angle.factor(angle)? / Self::Length.factor(&length.replace(['u', 'μ'], "µ"))?)
+                let length = Self::Length.factor(&length.replace(['u', 'μ'], "µ"))?;
+                Some(scale(Self::Angle.factor(angle)?, length.recip()))
             }
         }
     }

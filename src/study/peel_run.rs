@@ -73,7 +73,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &
     let limits = Limits { bounds, keeping, started };
     let Choice { mesh, form, .. } = accuracy.choice;
     let mut resolution = Resolution::first(model, accuracy);
-    let problem = Arc::new(Problem { mesh, ..model.problem(form, resolution.order) });
+    let problem = Arc::new(Problem { mesh, ..model.problem_until(form, resolution.order, limits.deadline()) });
     if let Beginning::Nowhere(why) = &problem.beginning {
         let solve_s = started.elapsed().as_secs_f64();
         let (end, asked) = (End::Failed(why.clone()), accuracy.relative);
