@@ -213,10 +213,9 @@ fn note(key: &Key) -> String {
     match (&key.kind, key.need) {
         (_, Need::Required) if !key.shapes().is_empty() => format!("required for shape {}", key.shapes().join(", ")),
         (_, Need::Required) => "required".into(),
-        (Kind::Bound(..), _) => "none unless given".into(),
+        (Kind::Bound(..) | Kind::Steps(_), _) => "none unless given".into(),
         (Kind::Fixed(..) | Kind::Share(..), _) => "chosen by itself".into(),
         (Kind::Text(_), _) => "the name of the file unless given".into(),
-        (Kind::Steps(_), _) => format!("none unless given; {}", key.takes()),
         (Kind::LineLoad(_) | Kind::Hold(_) | Kind::Shape(_) | Kind::Start(_), _) => key.takes(),
         _ => String::new(),
     }

@@ -21,7 +21,8 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
         format!("{force} nN at u = {} nm", with_error(at.displacement, at.displacement_error))
     };
     let snap_off = |at: LimitPoint| {
-        format!("u = {} nm, work to there {}", with_error(at.displacement, at.displacement_error), work(at.work))
+        let what = if peel.model.pull.turn == 0.0 { "work" } else { "work of force and moment" };
+        format!("u = {} nm, {what} to there {}", with_error(at.displacement, at.displacement_error), work(at.work))
     };
     let mut lines = steps(peel);
     lines.extend([

@@ -3,9 +3,9 @@
 use super::quantity::{Dimension, QuantityError, parse_quantity};
 use crate::model::{Hold, Moved, PeelModel, Step};
 
-/// The words for steps that take a length.
-const LENGTHS: [(&str, fn(f64) -> Step); 4] =
-    [("press", Step::Press), ("lift", Step::Lift), ("drag", Step::Drag), ("push", Step::Push)];
+/// A word for a step that takes a length.
+type Word = (&'static str, fn(f64) -> Step);
+const WORDS: [Word; 4] = [("press", Step::Press), ("lift", Step::Lift), ("drag", Step::Drag), ("push", Step::Push)];
 
 /// Most steps of a scene.
 const MOST: usize = 1000;
@@ -26,7 +26,7 @@ pub(super) fn read(texts: &[String]) -> Result<Vec<Step>, String> {
 
 fn one(text: &str) -> Result<Step, String> {
     let (word, amount) = text.trim().split_once(char::is_whitespace).unwrap_or((text.trim(), ""));
-    let length = LENGTHS.iter().find(|(name, _)| *name == word);
+    let length = WORDS.iter().find(|(name, _)| *name == word);
     match (word, length) {
         ("hold", _) if amount.is_empty() => Ok(Step::Hold),
         ("hold", _) => Err("and to hold takes nothing behind it".into()),
