@@ -255,8 +255,11 @@ impl Walk {
                 };
                 let condition = Condition { weights: goal.weights(), target: goal.value };
                 let guess = stretch.start(problem, label(part) - 0.5 * label(1), 4);
-                let end = solve(problem, guess, &condition, &newton(ROUGH), &mut Workspace::default())
-                    .map_err(|why| Trouble::End { at: goal.reached(problem, &before), why })?;
+                let end = solve(problem, guess, &condition, &newton(ROUGH), &mut Workspace::default());
+                let end = end.map_err(|why| match turned {
+                    true => lost(problem, &stretch, goal, &before, turned),
+                    false => Trouble::End { at: goal.reached(problem, &before), why },
+                })?;
                 return if is_lost(&end) { Err(lost(problem, &stretch, goal, &before, turned)) } else { Ok(end) };
             }
             before = here;
