@@ -29,7 +29,7 @@ const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None }
 
 fn rubbing(length: f64, degrees: f64, strength: f64) -> PeelModel {
     PeelModel {
-        pull: Pull { angle: degrees.to_radians() },
+        pull: Pull { angle: degrees.to_radians(), ..Pull::UP },
         friction: Friction { strength: Some(strength), ..Friction::NONE },
         ..paper_strip(length, 1.0).into()
     }

@@ -25,7 +25,7 @@ const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None }
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/strip-100nm.toml");
 
 fn at_angle(mut model: StripModel, degrees: f64) -> StripModel {
-    model.pull = Pull { angle: degrees.to_radians() };
+    model.pull = Pull { angle: degrees.to_radians(), ..Pull::UP };
     model
 }
 

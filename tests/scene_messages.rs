@@ -7,7 +7,7 @@
 
 use peelkit::adhesion::{CohesiveShape, LineLoad, Round, Shape, Sinusoid, Substrate};
 use peelkit::beam::Material;
-use peelkit::model::{Attraction, Body, Ground, Hold, Pull, Spatula, Start};
+use peelkit::model::{Attraction, Body, Ground, Hold, Pull, Spatula, Start, Step};
 use peelkit::scene::{KEYS, Key, Need, Scene};
 use proptest::prelude::*;
 
@@ -75,7 +75,7 @@ fn what_a_scene_leaves_out_has_its_default() {
     assert_eq!((adhesion.attraction, adhesion.work, adhesion.strength), (Attraction::BodyForce, None, None));
     assert_eq!((grip.rotation, grip.horizontal), (Hold::Free, Hold::Free));
     assert_eq!((grip.stiffness, grip.pretension), (None, None));
-    assert_eq!(scene.model.pull, Pull::UP);
+    assert_eq!((scene.model.pull, scene.model.steps), (Pull::UP, Vec::new()));
     assert_eq!(scene.accuracy.relative, 1e-6);
     assert_eq!((scene.bounds.points, scene.bounds.time_s, scene.bounds.displacement), (20_000, Some(60.0), None));
     assert_eq!(scene.title, "first", "the stem of the file");
@@ -113,6 +113,8 @@ horizontal = "fixed"
 stiffness = "20 mN/m"
 [drive]
 angle = "60 deg"
+turn = "-0.5 deg/nm"
+steps = ["press 2 nm", " lift 0.001um", "drag 10 nm", "push 3nm", "turn -20 deg", "turn 0.2 rad", "hold"]
 [accuracy]
 relative = 1e-9
 order = 5
@@ -134,7 +136,10 @@ displacement = "0.5 um"
     assert_eq!((adhesion.work, adhesion.strength), (Some(0.02), Some(0.1)));
     assert_eq!((grip.rotation, grip.horizontal), (Hold::Fixed, Hold::Fixed));
     assert_eq!(grip.stiffness, Some(0.02));
-    assert_eq!(scene.model.pull, Pull { angle: 60f64.to_radians() });
+    assert_eq!(scene.model.pull, Pull { angle: 60f64.to_radians(), turn: -0.5f64.to_radians() });
+    let turned = [-20.0 * 1f64.to_radians(), 0.2].map(Step::Turn);
+    let moved = [Step::Press(2.0), Step::Lift(1.0), Step::Drag(10.0), Step::Push(3.0)];
+    assert_eq!(scene.model.steps, [&moved[..], &turned[..], &[Step::Hold]].concat());
     assert_eq!(scene.accuracy.relative, 1e-9);
     let choice = scene.accuracy.choice;
     assert_eq!((choice.order, choice.elements, choice.step), (Some(5), Some(30), Some(0.05)));
@@ -330,6 +335,7 @@ fn every_example_that_messages_give_is_right() {
             _ if ["work", "strength"].contains(&key.name) => {
                 MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")
             }
+            _ if ["turn", "steps"].contains(&key.name) => format!("{MINIMAL}[grip]\nrotation = \"fixed\"\n"),
             _ if key.name == "pretension" => format!("{MINIMAL}[grip]\nhorizontal = \"fixed\"\n"),
             _ => MINIMAL.to_owned(),
         };

@@ -202,6 +202,7 @@ fn keys() -> String {
 fn sample(key: &Key) -> String {
     match key.default_value() {
         Some(Value::Number(number)) if !key.unit().is_empty() => format!("\"{number} {}\"", key.unit()),
+        Some(Value::List(_)) => "[]".into(),
         Some(Value::Text(text)) if !text.is_empty() => format!("\"{text}\""),
         Some(value @ (Value::Number(_) | Value::Flag(_))) => value.to_string(),
         _ => key.example().to_owned(),
@@ -212,7 +213,7 @@ fn note(key: &Key) -> String {
     match (&key.kind, key.need) {
         (_, Need::Required) if !key.shapes().is_empty() => format!("required for shape {}", key.shapes().join(", ")),
         (_, Need::Required) => "required".into(),
-        (Kind::Bound(..), _) => "none unless given".into(),
+        (Kind::Bound(..) | Kind::Steps(_), _) => "none unless given".into(),
         (Kind::Fixed(..) | Kind::Share(..), _) => "chosen by itself".into(),
         (Kind::Text(_), _) => "the name of the file unless given".into(),
         (Kind::LineLoad(_) | Kind::Hold(_) | Kind::Shape(_) | Kind::Start(_), _) => key.takes(),

@@ -88,12 +88,8 @@ pub fn run(args: &Run) -> Result<(), Stop> {
 
 /// What a test of the scene would record.
 fn observed(scene: &Scene) -> Result<Observed, Stop> {
-    study::observed(&scene.model, &scene.accuracy, &scene.bounds).map_err(|none| {
-        Stop::bad_input(
-            format!("there is no observed test: {none}"),
-            "Leave --observed away, or choose another line_load or law",
-        )
-    })
+    study::observed(&scene.model, &scene.accuracy, &scene.bounds)
+        .map_err(|none| Stop::bad_input(format!("there is no observed test: {none}"), none.remedy()))
 }
 
 fn write(

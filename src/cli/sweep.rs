@@ -100,6 +100,10 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
             "a point of the peel is followed on flat ground only, and substrate.shape is another",
             "Leave --follow and --peak-only away: whole peels can be swept.",
         )),
+        Some(_) if scenes.iter().any(|(_, scene)| !scene.model.steps.is_empty()) => Err(Stop::bad_input(
+            "a point of the peel is followed from rest only, and drive.steps has steps before the pull",
+            "Leave --follow and --peak-only away: whole peels can be swept.",
+        )),
         Some(kind) => follow(args, kind, &scene, key, &scenes),
         None => peel_each(args, &scene, key, &scenes),
     }

@@ -1,7 +1,9 @@
 //! What a run found, laid out for a person.
 
+use peelkit::model::Step;
 use peelkit::report::{end_reason, end_word, ground_warning, left_out, reached_accuracy};
 use peelkit::scene::{Key, Scene};
+use peelkit::solve::{GripForces, GripState};
 use peelkit::study::{
     Contact, End, FollowedSweep, LimitPoint, Observed, Peak, Peel, PointKind, PullOff, Sliding, SweepRow, TermEffect,
     TestEnd, Turn,
@@ -19,9 +21,11 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
         format!("{force} nN at u = {} nm", with_error(at.displacement, at.displacement_error))
     };
     let snap_off = |at: LimitPoint| {
-        format!("u = {} nm, work to there {}", with_error(at.displacement, at.displacement_error), work(at.work))
+        let what = if peel.model.pull.turn == 0.0 { "work" } else { "work of force and moment" };
+        format!("u = {} nm, {what} to there {}", with_error(at.displacement, at.displacement_error), work(at.work))
     };
-    let mut lines = vec![
+    let mut lines = steps(peel);
+    lines.extend([
         ("peak force", peel.peak.map_or_else(none, at_peak)),
         ("initiation peak", peel.initiation_peak.map_or_else(none, at_peak)),
         (
@@ -29,7 +33,7 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
             peel.plateau.map_or_else(none, |at| format!("{:.6} nN at u = {:.4} nm", at.force, at.displacement)),
         ),
         ("snap-off", peel.snap_off.map_or_else(none, snap_off)),
-    ];
+    ]);
     for (index, at) in peel.limit_points.iter().enumerate() {
         let turns = match at.kind {
             Turn::Displacement => "u turns",
@@ -72,6 +76,20 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
         let _ = writeln!(text, "  {name:<16} {value}");
     }
     text
+}
+
+/// The grip behind each step before the pull.
+fn steps(peel: &Peel) -> Vec<(&'static str, String)> {
+    let told = |(index, (step, grip)): (usize, (&Step, &GripState))| {
+        let GripForces { horizontal, vertical, moment } = grip.forces;
+        let x = grip.x.map(|x| format!("x = {x:.4} nm, ")).unwrap_or_default();
+        let place = format!("{x}y = {:.4} nm, θ = {:.4} deg", grip.y, grip.rotation.to_degrees());
+        (
+            if index == 0 { "steps" } else { "" },
+            format!("{step}: {place}; H = {horizontal:.6} nN, V = {vertical:.6} nN, M = {moment:.6} nN nm"),
+        )
+    };
+    peel.model.steps.iter().zip(&peel.steps).enumerate().map(told).collect()
 }
 
 /// What leaving out a term would change, in shares of the initiation peak.

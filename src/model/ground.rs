@@ -68,7 +68,10 @@ impl Ground {
         problem.held = held;
         match settled {
             Ok(at) => Beginning::Settled(Arc::new(at)),
-            Err(why) => Beginning::Nowhere(why),
+            Err(why) => Beginning::Nowhere(format!(
+                "no equilibrium of the beam without a grip was found on the substrate: {why}. Try another substrate.start, or a \
+                 stiffer strip"
+            )),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::chain::{three_field, two_field};
 use super::lie::Lie;
-use super::{Friction, Ground, Profile, Spatula, Strip};
+use super::{Friction, Ground, Moved, Profile, Spatula, Step, Strip, steps};
 use crate::adhesion::{
     Cohesive, CohesiveShape, FrictionLaw, GroundLaw, HalfSpace, Law, LineLaw, LineLoad, Slip, Substrate,
 };
@@ -10,6 +10,7 @@ use crate::beam::{self, BeamOnGround, Contour, Material, ReducedBeam, ReissnerBe
 use crate::solve::{Beginning, Chain, Direction, Focus, MOST_FIELDS, Mesh, Problem, Slips};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
+use std::time::Instant;
 
 /// What pulls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,11 +88,13 @@ pub struct Pull {
     /// α, of the pull to the substrate, rad: 0 along the substrate, away from the body; π/2 straight up; π backwards, over the body.
     /// The free end stays at x = 0, where it is held as far as the pull has a horizontal part; with friction, that alone holds it.
     pub angle: f64,
+    /// How far the grip turns as it goes, rad/nm: in a grip that holds the rotation, that is θ_rest + `turn` u.
+    pub turn: f64,
 }
 
 impl Pull {
     /// Straight up.
-    pub const UP: Self = Self { angle: FRAC_PI_2 };
+    pub const UP: Self = Self { angle: FRAC_PI_2, turn: 0.0 };
 
     /// Its direction; straight up is that exactly.
     pub fn direction(self) -> Direction {
@@ -123,6 +126,8 @@ pub struct PeelModel {
     pub adhesion: Adhesion,
     pub grip: Grip,
     pub pull: Pull,
+    /// What the grip does before, one after the other.
+    pub steps: Vec<Step>,
     pub ground: Ground,
     pub friction: Friction,
 }
@@ -149,9 +154,11 @@ impl PeelModel {
     }
 
     /// Whether its sections carry a horizontal force: with a grip that is held across a pull straight up, or another pull, or
-    /// on ground that is not flat.
+    /// on ground that is not flat, or when the grip moves along the substrate before.
     pub fn has_horizontal_force(&self) -> bool {
-        self.grip.horizontal == Hold::Fixed
+        let dragged = self.steps.iter().any(|step| step.moves(Moved::Place));
+        dragged
+            || self.grip.horizontal == Hold::Fixed
             || self.pull.direction() != Direction::UP
             || !self.ground.substrate.is_flat()
     }
@@ -280,8 +287,14 @@ impl PeelModel {
     }
 
     /// What the solver is given, with elements of order 1 to 8. The displacement is that of the grip, whatever spring moves it.
-    /// On ground that is not flat the form is [`Form::ThreeField`], and the beam is relaxed to where its path starts.
+    /// On ground that is not flat the form is [`Form::ThreeField`], and the beam is relaxed to where its path starts. The steps before
+    /// the pull have then been taken.
     pub fn problem(&self, form: Form, order: usize) -> Problem {
+        self.problem_until(form, order, None)
+    }
+
+    /// The same, with steps that begin nothing after `deadline`: the problem then begins nowhere, and says so.
+    pub fn problem_until(&self, form: Form, order: usize, deadline: Option<Instant>) -> Problem {
         let form = self.form(form);
         let (width, height) = self.free_end();
         let (law, length) = (self.line_law(), self.length());
@@ -318,6 +331,7 @@ impl PeelModel {
             direction: self.pull.direction(),
             rotation: lead + 1,
             held,
+            turn: if self.grip.rotation == Hold::Fixed { self.pull.turn } else { 0.0 },
             pretension: self.grip.pretension.unwrap_or(0.0),
             stretch: self.prestretch(),
             compliance: 0.0,
@@ -336,8 +350,10 @@ impl PeelModel {
             conservative: law.has_potential() && friction.is_none(),
             substrate,
             beginning: Beginning::AtRest,
+            steps: Vec::new(),
         };
         problem.beginning = self.ground.beginning(&mut problem);
+        steps::take(self, &mut problem, deadline);
         problem
     }
 
@@ -352,11 +368,12 @@ impl PeelModel {
     }
 
     /// Where elements are small whatever the front: at the free end, which may come to stand on its edge, a wedge whose attraction
-    /// is concentrated on a part of r0, and at the end of a strip that may not turn there.
+    /// is concentrated on a part of r0, and at the end of a strip that may not turn there, or that steps bend before the pull.
     fn fixed_foci(&self, process_length: f64) -> Vec<Focus> {
         let edge = (0.36 * process_length).min(0.25 * self.adhesion.equilibrium_distance);
         let mut foci = vec![Focus { center: 0.0, length: edge, weight: 0.8 }];
-        if let (Some(strip), Hold::Fixed) = (self.strip(), self.grip.rotation) {
+        let bent = self.grip.rotation == Hold::Fixed || !self.steps.is_empty();
+        if let Some(strip) = self.strip().filter(|_| bent) {
             foci.push(Focus { center: strip.length, length: process_length, weight: 0.2 });
         }
         foci

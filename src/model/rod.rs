@@ -85,6 +85,7 @@ impl RodModel {
             rotation: 2,
             rest_gap: start[1],
             direction: Direction::UP,
+            turn: 0.0,
             pretension: 0.0,
             stretch: 0.0,
             held: {
@@ -107,6 +108,7 @@ impl RodModel {
             substrate: Substrate::Flat,
             beginning: Beginning::AtRest,
             slips: None,
+            steps: Vec::new(),
             conservative: true,
         })
     }

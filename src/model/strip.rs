@@ -103,6 +103,7 @@ impl From<&StripModel> for PeelModel {
             adhesion: model.adhesion,
             grip: model.grip,
             pull: model.pull,
+            steps: Vec::new(),
             ground: Ground::default(),
             friction: Friction::NONE,
         }

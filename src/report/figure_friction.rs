@@ -41,7 +41,11 @@ fn angles() -> impl Iterator<Item = f64> {
 
 fn strip(degrees: f64, strength: Option<f64>) -> PeelModel {
     let friction = Friction { strength, ..Friction::NONE };
-    PeelModel { pull: Pull { angle: degrees.to_radians() }, friction, ..StripModel::of_the_paper(LENGTH, 1.0).into() }
+    PeelModel {
+        pull: Pull { angle: degrees.to_radians(), ..Pull::UP },
+        friction,
+        ..StripModel::of_the_paper(LENGTH, 1.0).into()
+    }
 }
 
 /// The first largest force, or where there is none because all slides before it, that.

@@ -26,7 +26,7 @@ fn angles(from: f64, to: f64, step: f64) -> impl Iterator<Item = f64> {
 }
 
 fn pulled<M: Into<PeelModel>>(model: M, degrees: f64) -> (f64, PeelModel) {
-    (degrees, PeelModel { pull: Pull { angle: degrees.to_radians() }, ..model.into() })
+    (degrees, PeelModel { pull: Pull { angle: degrees.to_radians(), ..Pull::UP }, ..model.into() })
 }
 
 pub(super) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportError> {

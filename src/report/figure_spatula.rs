@@ -28,6 +28,7 @@ pub(super) fn spatula() -> PeelModel {
         },
         grip: Grip { rotation: Hold::Fixed, horizontal: Hold::Free, stiffness: None, pretension: None },
         pull: Pull::UP,
+        steps: Vec::new(),
         ground: Ground::default(),
         friction: Friction::NONE,
     }

@@ -8,7 +8,9 @@ use super::number::{Finite, to_json};
 use super::observed::ObservedSummary;
 use super::sliding::SlidingSummary;
 use super::table::SweepLine;
+use crate::model::Step;
 use crate::scene::{KEYS, Key, Scene, Value};
+use crate::solve::GripState;
 use crate::study::{self, End, FollowedSweep, Observed, Peel, SweepRow, Turn};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io;
@@ -32,6 +34,9 @@ pub struct PeelSummary {
     terms: Vec<TermEffect>,
     path: Effort,
     timing: Timing,
+    /// The steps before the pull, as far as they were taken.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    steps: Vec<StepEnd>,
     /// How the strip lies where the path begins, on ground that is not flat.
     #[serde(skip_serializing_if = "Option::is_none")]
     ground: Option<GroundSummary>,
@@ -107,6 +112,25 @@ struct Effort {
     order: usize,
 }
 
+/// The grip behind a step, seen from where it took hold.
+#[derive(Debug, serde::Serialize)]
+struct StepEnd {
+    step: String,
+    /// None where the grip is free along the substrate and nothing looks at it.
+    #[serde(rename = "x_nm")]
+    x: Option<Finite>,
+    #[serde(rename = "y_nm")]
+    y: Finite,
+    #[serde(rename = "end_rotation_rad")]
+    rotation: Finite,
+    #[serde(rename = "horizontal_force_nN")]
+    horizontal: Finite,
+    #[serde(rename = "vertical_force_nN")]
+    vertical: Finite,
+    #[serde(rename = "moment_nN_nm")]
+    moment: Finite,
+}
+
 #[derive(Debug, serde::Serialize)]
 struct TermEffect {
     left_out: &'static str,
@@ -147,6 +171,7 @@ impl PeelSummary {
                 order: peel.effort.order,
             },
             timing: Timing { solve_s: Finite(peel.solve_s) },
+            steps: peel.model.steps.iter().zip(&peel.steps).map(StepEnd::from).collect(),
             ground: GroundSummary::of(peel),
             sliding: SlidingSummary::of(peel),
             observed: None,
@@ -170,6 +195,20 @@ impl PeelSummary {
         let json = self.to_json().map_err(|source| ReportError::Write { path: path.clone(), source })?;
         write_whole(&path, json.as_bytes())?;
         Ok(path)
+    }
+}
+
+impl From<(&Step, &GripState)> for StepEnd {
+    fn from((step, grip): (&Step, &GripState)) -> Self {
+        Self {
+            step: step.to_string(),
+            x: grip.x.map(Finite),
+            y: Finite(grip.y),
+            rotation: Finite(grip.rotation),
+            horizontal: Finite(grip.forces.horizontal),
+            vertical: Finite(grip.forces.vertical),
+            moment: Finite(grip.forces.moment),
+        }
     }
 }
 
@@ -290,6 +329,7 @@ impl Serialize for Table<'_> {
                 Some(Value::Number(number)) => table.serialize_entry(&name, &Finite(number))?,
                 Some(Value::Text(text)) => table.serialize_entry(&name, &text)?,
                 Some(Value::Flag(flag)) => table.serialize_entry(&name, &flag)?,
+                Some(Value::List(texts)) => table.serialize_entry(&name, &texts)?,
                 Some(Value::Other(_)) | None => table.serialize_entry(&name, &None::<()>)?,
             }
         }

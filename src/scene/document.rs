@@ -126,7 +126,13 @@ fn convert(value: &DeValue) -> Value {
         },
         DeValue::Boolean(flag) => Value::Flag(*flag),
         DeValue::Datetime(_) => Value::Other("a date or time"),
-        DeValue::Array(_) => Value::Other("a list"),
+        DeValue::Array(items) => {
+            let texts = items.iter().map(|item| match item.get_ref() {
+                DeValue::String(text) => Some(text.to_string()),
+                _ => None,
+            });
+            texts.collect::<Option<_>>().map_or(Value::Other("a list"), Value::List)
+        }
         DeValue::Table(_) => Value::Other("a table"),
     }
 }

@@ -6,9 +6,10 @@ use super::keys::{BODIES, body_of};
 use super::near::nearest;
 use super::quantity::{Dimension, QuantityError, parse_quantity};
 use super::shape;
+use super::steps;
 use super::table::{read_heights, read_table};
 use crate::adhesion::{CohesiveShape, LineLoad, Substrate};
-use crate::model::{Attraction, Hold, ProfileTable, Start};
+use crate::model::{Attraction, Hold, ProfileTable, Start, Step};
 use std::fmt;
 use std::sync::Arc;
 
@@ -71,6 +72,8 @@ pub enum Kind {
     Heights(fn(&mut Scene) -> &mut Substrate),
     /// A word for how the beam has come to lie.
     Start(fn(&mut Scene) -> &mut Start),
+    /// A list of what the grip does before the pull.
+    Steps(fn(&mut Scene) -> &mut Vec<Step>),
 }
 
 /// The numbers that have a meaning.
@@ -93,6 +96,8 @@ pub enum Value {
     Number(f64),
     /// true or false
     Flag(bool),
+    /// A list of TOML strings
+    List(Vec<String>),
     /// Something that no key takes: "a list", "a table", "a date".
     Other(&'static str),
 }
@@ -168,7 +173,7 @@ impl Key {
 
     /// Whether its values are TOML strings.
     pub(crate) fn is_text(&self) -> bool {
-        !matches!(self.kind, Kind::Number(..) | Kind::Share(..) | Kind::Flag(_)) && !self.is_count()
+        !matches!(self.kind, Kind::Number(..) | Kind::Share(..) | Kind::Flag(_) | Kind::Steps(_)) && !self.is_count()
     }
 
     /// Puts a value into the scene if it has a meaning there.
@@ -184,6 +189,9 @@ impl Key {
             (Kind::LineLoad(place), Value::Text(word)) => *place(scene) = self.pick(LINE_LOADS, word)?,
             (Kind::Hold(place), Value::Text(word)) => *place(scene) = self.pick(HOLDS, word)?,
             (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
+            (Kind::Steps(place), Value::List(texts)) => {
+                *place(scene) = steps::read(texts).map_err(|found| Problem::new(found, self.remedy()))?;
+            }
             (Kind::Shape(place), Value::Text(word)) => {
                 let shape = self.pick(shape::SHAPES, word)?;
                 shape::set(place(scene), shape);
@@ -269,6 +277,7 @@ impl Key {
             Kind::LineLoad(place) => Value::Text(word(LINE_LOADS, *place(&mut scene))),
             Kind::Hold(place) => Value::Text(word(HOLDS, *place(&mut scene))),
             Kind::Start(place) => Value::Text(word(STARTS, *place(&mut scene))),
+            Kind::Steps(place) => Value::List(place(&mut scene).iter().map(Step::to_string).collect()),
             Kind::Shape(place) => Value::Text(word(shape::SHAPES, shape::of(place(&mut scene)))),
             Kind::Heights(place) => match place(&mut scene) {
                 Substrate::Profile(heights) => Value::Text(heights.text().to_owned()),
@@ -301,6 +310,7 @@ impl Key {
             Kind::LineLoad(_) => words(LINE_LOADS),
             Kind::Hold(_) => words(HOLDS),
             Kind::Start(_) => words(STARTS),
+            Kind::Steps(_) => steps::TAKES.into(),
             Kind::Shape(_) => words(shape::SHAPES),
             Kind::Heights(_) => {
                 "a CSV in quotes, or the name of its file beside the scene: a row a place, with the columns x_nm and \
@@ -327,6 +337,10 @@ impl Key {
             (_, Kind::Number(..)) => "1.0",
             (_, Kind::Measure(Dimension::Angle, ..) | Kind::Quantity(Dimension::Angle, _)) => "\"45 deg\"",
             (_, Kind::Bound(Dimension::Angle, _)) => "\"45 deg\"",
+            (_, Kind::Measure(Dimension::AnglePerLength, ..) | Kind::Quantity(Dimension::AnglePerLength, _)) => {
+                "\"0.5 deg/nm\""
+            }
+            (_, Kind::Bound(Dimension::AnglePerLength, _)) => "\"0.5 deg/nm\"",
             (_, Kind::Measure(..)) => "\"0 nm\"",
             (_, Kind::Quantity(Dimension::Length, _)) => "\"1 nm\"",
             (_, Kind::Bound(Dimension::Length, _)) => "\"500 nm\"",
@@ -343,8 +357,8 @@ impl Key {
             (_, Kind::Table(_)) => "\"s_nm,width_nm,height_nm\\n0,20,5\\n100,20,10\"",
             (_, Kind::Attraction(_)) => "\"bilinear\"",
             (_, Kind::LineLoad(_)) => "\"full\"",
-            ("horizontal", Kind::Hold(_)) => "\"fixed\"",
-            (_, Kind::Hold(_)) => "\"free\"",
+            (_, Kind::Hold(_)) => "\"fixed\"",
+            (_, Kind::Steps(_)) => "[\"press 0.1 nm\", \"turn 1 deg\", \"hold\"]",
             (_, Kind::Start(_)) => "\"conformed\"",
             (_, Kind::Shape(_)) => "\"flat\"",
             (_, Kind::Heights(_)) => "\"x_nm,height_nm\\n0,0\\n50,-8\\n100,0\"",
@@ -465,6 +479,7 @@ impl fmt::Display for Value {
             Self::Text(text) => f.write_str(&quoted(text)),
             Self::Number(number) => f.write_str(&show(*number)),
             Self::Flag(flag) => write!(f, "{flag}"),
+            Self::List(_) => write!(f, "a list"),
             Self::Other(what) => write!(f, "{what}"),
         }
     }

@@ -4,7 +4,7 @@ use super::Scene;
 use super::error::Problem;
 use super::key::{Key, Kind, Need, Range};
 use super::near::nearest;
-use super::quantity::Dimension::{Angle, Energy, Force, Length, Pressure, Stiffness, Time, Work};
+use super::quantity::Dimension::{Angle, AnglePerLength, Energy, Force, Length, Pressure, Stiffness, Time, Work};
 use crate::adhesion::Substrate;
 use crate::beam::Material;
 use crate::model::{Body, Profile, ProfileTable, Spatula, Strip};
@@ -78,6 +78,8 @@ pub static KEYS: &[Key] = &[
     key("grip", "pretension", Optional, Kind::Bound(Force, |s| &mut s.model.grip.pretension), "of a strip, with which it is laid down; horizontal is fixed"),
 
     key("drive", "angle", Optional, Kind::Measure(Angle, Range::From(0.0, HALF_TURN), |s| &mut s.model.pull.angle), "of the pull to the substrate; 90 deg: straight up"),
+    key("drive", "turn", Optional, Kind::Measure(AnglePerLength, Range::From(-10.0, 10.0), |s| &mut s.model.pull.turn), "of a fixed rotation, over the displacement"),
+    key("drive", "steps", Optional, Kind::Steps(|s| &mut s.model.steps), "of the grip before the pull: press, lift, drag, push, turn, hold"),
 
     key("accuracy", "relative", Optional, Kind::Number(Range::From(1e-11, 1e-2), |s| &mut s.accuracy.relative), "relative error wanted of every force and displacement"),
     key("accuracy", "order", Optional, Kind::Fixed(8, |s| &mut s.accuracy.choice.order), "order p of the elements"),

@@ -11,6 +11,7 @@ mod keys;
 mod near;
 mod quantity;
 mod shape;
+mod steps;
 mod table;
 
 pub use error::{Problem, SceneError};
@@ -95,10 +96,8 @@ impl Scene {
                 "Peel a [strip] with `horizontal = \"fixed\"` under [grip], on a flat substrate, or leave `pretension` away.",
             );
         }
-        if let Some((path, found, remedy)) = friction::misfit(&self.model) {
-            return problem(path, found, remedy);
-        }
-        if let Some((path, found, remedy)) = shape::misfit(&self.model) {
+        let misfit = friction::misfit(&self.model).or_else(|| shape::misfit(&self.model));
+        if let Some((path, found, remedy)) = misfit.or_else(|| steps::misfit(&self.model)) {
             return problem(path, found, remedy);
         }
         let spatula = match &self.model.body {
@@ -163,6 +162,7 @@ impl Scene {
                 adhesion,
                 grip,
                 pull: Pull::UP,
+                steps: Vec::new(),
                 ground: Ground::default(),
                 friction: Friction::NONE,
             },

@@ -31,11 +31,22 @@ pub enum Dimension {
     Work,
     /// nN
     Force,
+    /// rad/nm
+    AnglePerLength,
 }
 
 impl Dimension {
-    const ALL: [Self; 8] =
-        [Self::Length, Self::Pressure, Self::Energy, Self::Time, Self::Stiffness, Self::Angle, Self::Work, Self::Force];
+    const ALL: [Self; 9] = [
+        Self::Length,
+        Self::Pressure,
+        Self::Energy,
+        Self::Time,
+        Self::Stiffness,
+        Self::Angle,
+        Self::Work,
+        Self::Force,
+        Self::AnglePerLength,
+    ];
 
     /// The unit inside the library, as it stands in the names of outputs.
     pub const fn unit(self) -> &'static str {
@@ -53,6 +64,7 @@ impl Dimension {
             Self::Angle => &["rad", "deg"],
             Self::Work => &["J/m2", "mJ/m2"],
             Self::Force => &["nN", "uN", "mN", "N", "pN"],
+            Self::AnglePerLength => &["rad/nm", "deg/nm", "rad/um", "deg/um"],
         }
     }
 
@@ -74,6 +86,11 @@ impl Dimension {
                 RadiantExposure::from_str(&one).ok().map(|q| q.get::<joule_per_square_meter>())
             }
             Self::Angle => Angle::from_str(&one).ok().map(|q| q.get::<radian>()),
+            Self::AnglePerLength => {
+                let (angle, length) = unit.split_once('/')?;
+                let length = Self::Length.factor(&length.replace(['u', 'μ'], "µ"))?;
+                Some(scale(Self::Angle.factor(angle)?, length.recip()))
+            }
         }
     }
 }
@@ -89,6 +106,7 @@ impl fmt::Display for Dimension {
             Self::Angle => "an angle",
             Self::Work => "a work per area",
             Self::Force => "a force",
+            Self::AnglePerLength => "an angle per length",
         })
     }
 }
@@ -182,6 +200,8 @@ mod tests {
             ("100 zJ", Dimension::Energy, 0.1),
             ("0.5 N/m", Dimension::Stiffness, 0.5),
             ("20 mN/m", Dimension::Stiffness, 0.02),
+            ("0.2 rad/nm", Dimension::AnglePerLength, 0.2),
+            ("200 rad/um", Dimension::AnglePerLength, 0.2),
             ("60 s", Dimension::Time, 60.0),
             ("1 min", Dimension::Time, 60.0),
         ] {

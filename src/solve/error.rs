@@ -21,7 +21,7 @@ pub enum SolveError {
     #[error("the time that was given is over")]
     OutOfTime,
     /// A beam found no equilibrium to start from.
-    #[error("no equilibrium of the beam without a grip was found on the substrate: {0}")]
+    #[error("{0}")]
     NoBeginning(String),
     /// A turning point is not there on more elements.
     #[error("a turning point was not found again on more elements: the mesh does not resolve the path")]

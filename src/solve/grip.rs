@@ -6,11 +6,14 @@
 //!   u = dx cos α + dy sin α,   w = dx sin α - dy cos α,
 //!
 //! and the end's forces H and V are P (cos α, sin α) + Q (sin α, -cos α). Across the pull the end is free, Q = 0, or held,
-//! w = 0. Where a node has no x, H is the chain's border and the end's place dx an unknown of its own, whose equation is
+//! w = 0. A grip that turns as it goes holds the rotation of the end at θ = θ_rest + t u. The unknown in its place is φ, how far θ is
+//! from there: with φ = 0 held u, P and their slopes along the path come from the same equations as without, P being the force alone,
+//! and dΠ = (P + t M) du with the moment M of the grip. Where a node has no x, H is the chain's border and the end's place dx an unknown of its own, whose equation is
 //! that of the distance, ∂Π/∂H = x(0) + dx + x0(L) - x(L) = 0.
 
 use super::{Condition, Equilibrium, MOST_FIELDS, Observables, Problem, ROOT, Root, SolveError};
-use nalgebra::{SMatrix, SVector};
+use crate::beam::SectionState;
+use nalgebra::{RowSVector, SMatrix, SVector};
 use serde::{Deserialize, Serialize};
 
 /// Unknowns of the last block: fields of the last node, border, place of the end where no field tells it; last the force.
@@ -33,8 +36,13 @@ impl Direction {
     /// Straight up.
     pub const UP: Self = Self { along: 0.0, up: 1.0 };
 
+    /// The component along the pull, of those along x and y.
+    pub fn ahead(self, x: f64, y: f64) -> f64 {
+        self.turned(x, y).1
+    }
+
     /// Components across and along the pull, of those along x and y.
-    fn turned(self, x: f64, y: f64) -> (f64, f64) {
+    pub(crate) fn turned(self, x: f64, y: f64) -> (f64, f64) {
         (self.up * x - self.along * y, self.along * x + self.up * y)
     }
 
@@ -44,7 +52,53 @@ impl Direction {
     }
 }
 
+/// What the grip exerts on the right end.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct GripForces {
+    /// H along the substrate, away from the beam, nN
+    pub horizontal: f64,
+    /// V away from the substrate, nN
+    pub vertical: f64,
+    /// M, nN·nm, positive where it turns the end anticlockwise
+    pub moment: f64,
+}
+
+/// Where the grip is, and what it exerts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GripState {
+    /// How far it has come along the substrate, nm; none where it is free there and nothing looks at it
+    pub x: Option<f64>,
+    /// How far away from the substrate, nm
+    pub y: f64,
+    /// θ(L), rad
+    pub rotation: f64,
+    pub forces: GripForces,
+}
+
 impl Problem {
+    /// Slot of x in [`Problem::held`].
+    pub fn slot_of_x(&self) -> usize {
+        if self.rotation > 1 { 0 } else { SLIDE }
+    }
+
+    /// Whether it is known where the end is along x.
+    pub fn knows_x(&self) -> bool {
+        self.rotation > 1 || self.chain.has_border()
+    }
+
+    /// The grip in an equilibrium, seen from an earlier one.
+    pub fn grip_state(&self, at: &Equilibrium, from: &Equilibrium) -> GripState {
+        let end = |at: &Equilibrium, field: usize| at.state[at.state.len() - self.fields() + field];
+        let moved = |field| end(at, field) - end(from, field);
+        let x = if self.rotation > 1 { moved(0) } else { at.slide - from.slide };
+        GripState {
+            x: self.knows_x().then_some(x),
+            y: moved(self.rotation - 1),
+            rotation: end(at, self.rotation),
+            forces: self.grip_forces(at),
+        }
+    }
+
     /// Where a pull that is not straight up mixes x and height: the slot of x in [`Problem::held`], and the direction.
     fn turned(&self) -> Option<(usize, Direction)> {
         let x = if self.chain.has_border() { SLIDE } else { 0 };
@@ -54,10 +108,9 @@ impl Problem {
     /// How far a field of the right end is from where it began, or the end's place where that is the slot of x and no field.
     fn end_off_rest(&self, at: &Equilibrium, slot: usize) -> f64 {
         if slot >= self.fields() {
-            return at.slide - self.stretch;
+            return at.slide - self.slide_at_rest();
         }
-        let along = if slot < self.driven { self.stretch } else { 0.0 };
-        at.state[at.state.len() - self.fields() + slot] - self.end_at_rest()[slot] - along
+        at.state[at.state.len() - self.fields() + slot] - self.end_at_rest()[slot]
     }
 
     /// How far what a slot of [`Problem::held`] stands for is from its value at rest.
@@ -65,24 +118,43 @@ impl Problem {
         let own = self.end_off_rest(at, slot);
         match self.turned() {
             Some((x, direction)) if x == slot => direction.turned(own, self.end_off_rest(at, self.driven)).0,
+            _ if slot == self.rotation => own - self.turn * self.grip_displacement(at),
             _ => own,
         }
     }
 
     /// U = u + P/k of a configuration: how far what moves the grip is from where it was at rest, nm.
     pub fn displacement(&self, at: &Equilibrium) -> f64 {
+        self.grip_displacement(at) + self.compliance * at.force
+    }
+
+    /// u of a configuration: how far the grip is along the pull from where it was at rest, nm.
+    fn grip_displacement(&self, at: &Equilibrium) -> f64 {
         let driven = self.end_off_rest(at, self.driven);
-        let moved = match self.turned() {
+        match self.turned() {
             Some((x, direction)) => direction.turned(self.end_off_rest(at, x), driven).1,
             None => driven,
-        };
-        moved + self.compliance * at.force
+        }
+    }
+
+    /// What the grip exerts on the end of an equilibrium.
+    pub fn grip_forces(&self, at: &Equilibrium) -> GripForces {
+        let last = at.ends.len() - 2;
+        let section = self.chain.node_states(at.configuration(), last..last + 1)[1].section;
+        let SectionState { horizontal_force: horizontal, vertical_force: vertical, moment, .. } = section;
+        GripForces { horizontal, vertical, moment }
+    }
+
+    /// dΠ/du of an equilibrium, nN: the force along the pull, and of a grip that turns as it goes the work of the moment besides.
+    pub fn power(&self, at: &Equilibrium) -> f64 {
+        if self.turn == 0.0 { at.force } else { at.force + self.turn * self.grip_forces(at).moment }
     }
 
     /// The configuration with the grip moved on along the pull, nm.
     pub(super) fn moved(&self, mut at: Equilibrium, ahead: f64) -> Equilibrium {
         let end = at.state.len() - self.fields();
         at.state[end + self.driven] += self.direction.up * ahead;
+        at.state[end + self.rotation] += self.turn * ahead;
         match self.turned() {
             Some((x, direction)) if x < self.fields() => at.state[end + x] += direction.along * ahead,
             Some((_, direction)) => at.slide += direction.along * ahead,
@@ -100,6 +172,8 @@ pub(super) struct GripBlock<'p> {
     problem: &'p Problem,
     matrix: SMatrix<f64, BLOCK, BLOCK>,
     residual: SVector<f64, BLOCK>,
+    /// Change of t M with each unknown: what the driven row lacks to be that of P + t M.
+    turning: RowSVector<f64, BLOCK>,
 }
 
 /// Solution of a [`GripBlock`].
@@ -140,8 +214,9 @@ impl<'p> GripBlock<'p> {
             residual[SLIDE] = at.border;
             residual[fields] += problem.span() + at.slide;
         }
-        let mut block = Self { problem, matrix, residual };
+        let mut block = Self { problem, matrix, residual, turning: RowSVector::zeros() };
         block.turn();
+        block.gear();
         let Self { matrix, residual, .. } = &mut block;
         matrix[(problem.driven, FORCE)] = -1.0;
         residual[problem.driven] -= at.force;
@@ -172,12 +247,26 @@ impl<'p> GripBlock<'p> {
         (self.residual[across], self.residual[driven]) = direction.turned(x, y);
     }
 
+    /// The column of the rotation from θ to φ.
+    fn gear(&mut self) {
+        let Problem { turn, driven, rotation, .. } = *self.problem;
+        if turn != 0.0 {
+            let geared = self.matrix.column(driven) + turn * self.matrix.column(rotation);
+            self.matrix.set_column(driven, &geared);
+            self.turning = turn * self.matrix.row(rotation);
+        }
+    }
+
     fn step(&self, right: SVector<f64, BLOCK>) -> Result<GripStep, SolveError> {
         let problem = self.problem;
         let mut values = self.matrix.lu().solve(&right).ok_or(SolveError::SingularGrip)?;
         let (force, moved) = (values[FORCE], values[problem.driven]);
         if let Some((across, direction)) = problem.turned() {
             (values[across], values[problem.driven]) = direction.back(values[across], moved);
+        }
+        // what was θ's is φ's, where the driven field is another
+        if problem.turn != 0.0 {
+            values[problem.rotation] += problem.turn * moved;
         }
         let border = problem.chain.has_border();
         Ok(GripStep {
@@ -201,8 +290,8 @@ impl<'p> GripBlock<'p> {
         self.step(right)
     }
 
-    /// Negative eigenvalues of the whole tangent with the displacement held, and with the force held. A border is a
-    /// multiplier: it adds one negative eigenvalue that is none of the structure's. Where the displacement is that of a
+    /// Negative eigenvalues of the whole tangent with the displacement held, and with the force held; of a grip that turns as it
+    /// goes, with P + t M, what works on u. A border is a multiplier: it adds one negative eigenvalue that is none of the structure's. Where the displacement is that of a
     /// spring's far end, ½k(U - u)² adds k to the diagonal of the driven field, which is left out where k is infinite: one
     /// more than with u held where dP/du + k < 0, by the Schur complement dP/du of that field.
     pub fn inertia(&self, chain: usize) -> (usize, usize) {
@@ -228,6 +317,7 @@ impl<'p> GripBlock<'p> {
         for i in 0..n {
             for j in 0..n {
                 a[i][j] = self.matrix[(rows[i], rows[j])];
+                a[i][j] += if rows[i] == driven { self.turning[rows[j]] } else { 0.0 };
             }
             a[i][i] += if rows[i] == driven { added } else { 0.0 };
         }

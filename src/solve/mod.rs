@@ -24,7 +24,7 @@ pub use control::controlled;
 pub use error::SolveError;
 pub use fold::{Fold, FoldSearch};
 pub use fronts::Fronts;
-pub use grip::Direction;
+pub use grip::{Direction, GripForces, GripState};
 pub use limit::{
     Located, ROUGH, Turn, difference_on_more_elements, locate, on_more_elements, reach, solve_on, unlocated,
 };

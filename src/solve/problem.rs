@@ -1,6 +1,6 @@
 //! What is to be solved: a chain, its rest state, its grip, and the scales that measure progress and error.
 
-use super::grip::{Direction, GripStep};
+use super::grip::{Direction, GripState, GripStep};
 use super::{Chain, Configuration, Focus, Fronts, MOST_FIELDS, Mesh, Pieces, Slips, graded_ends};
 use crate::adhesion::Substrate;
 use crate::beam::{ElementEnergy, Rest};
@@ -25,6 +25,8 @@ pub struct Problem {
     /// Fields that the grip holds at their rest values; of a pull in a direction, the end's displacement across it in place of
     /// x, which is the last of these where it is no field.
     pub held: [bool; MOST_FIELDS + 1],
+    /// t of a grip that turns as it goes, in proportion to its own displacement u, rad/nm: it holds θ = θ_rest + t u in place of θ_rest.
+    pub turn: f64,
     /// Horizontal section force at rest, nN: of a straight beam that is stretched by `stretch` from end to end before it is pulled.
     pub pretension: f64,
     /// nm
@@ -62,8 +64,10 @@ pub struct Problem {
     pub substrate: Substrate,
     /// Where the path starts, and with it what displacements count from.
     pub beginning: Beginning,
-    /// Where the material points are anchored at rest, where there is friction.
+    /// What the material points remember at rest, where there is friction.
     pub slips: Option<Arc<Slips>>,
+    /// The grip behind each step that it has taken before, seen from where it took hold.
+    pub steps: Vec<GripState>,
     /// Whether the load has a potential, so that work is an energy difference and the tangent is symmetric.
     pub conservative: bool,
 }
@@ -73,9 +77,10 @@ pub struct Problem {
 pub enum Beginning {
     /// Where the chain is free of stress.
     AtRest,
-    /// In an equilibrium that the chain has taken up without a grip, which takes hold of it as it lies there.
+    /// In an equilibrium that the chain has taken up before: without a grip, which then takes hold of it as it lies there, or led there
+    /// by the grip.
     Settled(Arc<Equilibrium>),
-    /// Such an equilibrium was not found; why.
+    /// Such an equilibrium was not found; why, and what to try.
     Nowhere(String),
 }
 
@@ -147,7 +152,21 @@ impl Problem {
                 let end = &at.state[at.state.len() - self.fields()..];
                 std::array::from_fn(|f| end.get(f).copied().unwrap_or(0.0))
             }
-            Beginning::AtRest | Beginning::Nowhere(_) => self.rest_at(self.length),
+            Beginning::AtRest | Beginning::Nowhere(_) => {
+                let mut end = self.rest_at(self.length);
+                if self.rotation > 1 {
+                    end[0] += self.stretch;
+                }
+                end
+            }
+        }
+    }
+
+    /// The right end's place along x where displacements are zero, as in [`Equilibrium::slide`].
+    pub(super) fn slide_at_rest(&self) -> f64 {
+        match &self.beginning {
+            Beginning::Settled(at) => at.slide,
+            Beginning::AtRest | Beginning::Nowhere(_) => self.stretch,
         }
     }
 

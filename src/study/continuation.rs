@@ -115,7 +115,7 @@ impl Known {
             bend_age: 0,
             observables: fold.observables,
             neglected: fold.neglected,
-            energy: problem.energy(&solution.at, solution.energy) + solution.observables.force * rise,
+            energy: problem.energy(&solution.at, solution.energy) + problem.power(&solution.at) * rise,
         }
     }
 

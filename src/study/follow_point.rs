@@ -123,7 +123,7 @@ impl Strand {
     }
 }
 
-/// Follows the point of `kind`, on flat ground, over `values` of a parameter, which make their way evenly in the sense of `spacing`.
+/// Follows the point of `kind`, on flat ground and with no steps before the pull, over `values` of a parameter, which make their way evenly in the sense of `spacing`.
 /// `model` gives the model at a value, also at values in between; `done` is called once a value.
 pub fn follow_point<M: Into<PeelModel>>(
     kind: PointKind,

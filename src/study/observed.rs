@@ -162,6 +162,24 @@ pub enum NoTest {
         "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): where a strip goes that loses its stability, and the energy it releases, are not defined"
     )]
     NoPotential,
+    /// The grip takes steps before the pull.
+    #[error("drive.steps has steps before the pull, and a test begins at rest and ends where it began")]
+    Steps,
+    /// The grip turns as it goes.
+    #[error("drive.turn turns the grip as it goes, and the work of the machine is that of a force alone")]
+    Turn,
+}
+
+impl NoTest {
+    /// What to try.
+    pub const fn remedy(self) -> &'static str {
+        match self {
+            Self::Friction => "Leave --observed away, or the table [friction]",
+            Self::NoPotential => "Leave --observed away, or choose another line_load or law",
+            Self::Steps => "Leave --observed away, or drive.steps",
+            Self::Turn => "Leave --observed away, or drive.turn",
+        }
+    }
 }
 
 /// Pulls the strip off and comes back, with the machine behind a spring where the grip has one.
@@ -180,6 +198,12 @@ where
     }
     if !model.line_law().has_potential() {
         return Err(NoTest::NoPotential);
+    }
+    if !model.steps.is_empty() {
+        return Err(NoTest::Steps);
+    }
+    if model.pull.turn != 0.0 {
+        return Err(NoTest::Turn);
     }
     Ok(super::observed_run::run(&model, accuracy, bounds))
 }

@@ -4,7 +4,7 @@ use super::terms::{TermEffect, terms};
 use super::trace::Trace;
 use super::{Accuracy, Choice, Keeping};
 use crate::model::PeelModel;
-use crate::solve::{NodeState, Turn};
+use crate::solve::{GripState, NodeState, Turn};
 use serde::{Deserialize, Serialize};
 
 /// Where a path may be stopped although it goes on.
@@ -46,7 +46,7 @@ pub struct PathPoint {
     pub force: f64,
     /// rad
     pub end_rotation: f64,
-    /// ∫ P du from rest, aJ
+    /// ∫ P du from where the path begins, aJ; of a grip that turns as it goes ∫ P du + M dθ
     pub work: f64,
     /// Negative eigenvalues of the tangent with the grip held at its displacement.
     pub negative_eigenvalues: usize,
@@ -68,7 +68,7 @@ pub struct LimitPoint {
     pub force: f64,
     /// rad
     pub end_rotation: f64,
-    /// ∫ P du from rest, aJ
+    /// ∫ P du from where the path begins, aJ; of a grip that turns as it goes ∫ P du + M dθ
     pub work: f64,
     /// Bound on the error of `displacement`, nm
     pub displacement_error: f64,
@@ -119,6 +119,8 @@ pub struct Shape {
 #[derive(Clone, Debug)]
 pub struct Peel {
     pub model: PeelModel,
+    /// The grip behind each step before the pull, as far as they were taken, seen from where it took hold.
+    pub steps: Vec<GripState>,
     pub points: Vec<PathPoint>,
     /// In path order.
     pub limit_points: Vec<LimitPoint>,

@@ -9,7 +9,7 @@ use super::trace::Trace;
 use super::work::{work_near, works};
 use super::{Accuracy, Bounds, Effort, End, Keeping, LimitPoint, PathPoint, Peak, Peel};
 use crate::model::PeelModel;
-use crate::solve::{Located, Problem, Solution, Turn, Workspace, difference_on_more_elements};
+use crate::solve::{Beginning, Located, Problem, Solution, Turn, Workspace, difference_on_more_elements};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -77,7 +77,12 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &
     let limits = Limits { bounds, keeping, started };
     let Choice { mesh, form, .. } = accuracy.choice;
     let mut resolution = Resolution::first(model, accuracy);
-    let problem = Arc::new(Problem { mesh, ..model.problem(form, resolution.order) });
+    let problem = Arc::new(Problem { mesh, ..model.problem_until(form, resolution.order, limits.deadline()) });
+    if let Beginning::Nowhere(why) = &problem.beginning {
+        let solve_s = started.elapsed().as_secs_f64();
+        let (end, asked) = (End::Failed(why.clone()), accuracy.relative);
+        return Peel { steps: problem.steps.clone(), end, asked, choice: accuracy.choice, solve_s, ..empty(model) };
+    }
     let far = model.line_law().reach();
     let mut best: Option<Attempt> = None;
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
@@ -116,6 +121,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &
         });
     }
     let mut peel = best.map_or_else(|| empty(model), Attempt::into_peel);
+    peel.steps.clone_from(&problem.steps);
     peel.effort.newton_iterations = iterations;
     peel.unfinished = unfinished;
     peel.solve_s = started.elapsed().as_secs_f64();
@@ -342,6 +348,7 @@ impl Peel {
 fn empty(model: &PeelModel) -> Peel {
     Peel {
         model: model.clone(),
+        steps: Vec::new(),
         points: Vec::new(),
         limit_points: Vec::new(),
         initiation_peak: None,

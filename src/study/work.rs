@@ -1,4 +1,5 @@
-//! The work of the grip along a path: the energy it changed, or, where the load has no potential, ∫ P du.
+//! The work of the grip along a path, of its force, and of its moment where it turns: the energy it changed, or, where the load has no
+//! potential, ∫ P du.
 
 use super::step_curve::StepCurve;
 use crate::solve::{Located, Problem, Solution, Stretch, Workspace};
@@ -23,7 +24,7 @@ pub(super) fn work_near(
 ) -> f64 {
     let s = &located.solution;
     if problem.conservative {
-        let ahead = s.observables.force * (located.observables.displacement - s.observables.displacement);
+        let ahead = problem.power(&s.at) * (located.observables.displacement - s.observables.displacement);
         return energy(problem, s) - energy(problem, &points[0]) + ahead;
     }
     let mut stretch = Stretch::around(problem, points, after);

@@ -103,7 +103,8 @@ pub fn absurd_scene(dice: &mut Dice) -> String {
             dice.decades(1e-9, 1e6)
         ));
     }
-    line(format!("line_load = \"{}\"", dice.pick(&["full", "force-only", "axis-gap"])));
+    let line_load = dice.pick(&["full", "force-only", "axis-gap"]);
+    line(format!("line_load = \"{line_load}\""));
     line(format!("far_face = {}", dice.pick(&[true, false])));
     let rubs = law.contains("-") && dice.below(4) == 0;
     if rubs {
@@ -112,7 +113,8 @@ pub fn absurd_scene(dice: &mut Dice) -> String {
         line(format!("coefficient = {:e}", dice.decades(1e-6, 1e3)));
     }
     line("[grip]".into());
-    line(format!("rotation = \"{}\"", dice.pick(&["free", "fixed"])));
+    let rotation = dice.pick(&["free", "fixed"]);
+    line(format!("rotation = \"{rotation}\""));
     let horizontal = dice.pick(&["free", "fixed"]);
     line(format!("horizontal = \"{horizontal}\""));
     if body == "strip" && horizontal == "fixed" && !rubs && dice.below(3) == 0 {
@@ -135,6 +137,17 @@ pub fn absurd_scene(dice: &mut Dice) -> String {
     }
     if dice.below(3) == 0 {
         line(format!("[drive]\nangle = \"{} deg\"", dice.between(0.001, 179.999)));
+        if rotation == "fixed" && law != "surface-traction" && line_load != "force-only" && dice.below(2) == 0 {
+            line(format!("turn = \"{:e} deg/nm\"", dice.between(-500.0, 500.0)));
+        }
+        if dice.below(2) == 0 {
+            let turn = format!("\"turn {} deg\"", dice.between(-180.0, 180.0));
+            let turn = if rotation == "fixed" { turn } else { "\"hold\"".into() };
+            let step = |word: &str, amount: f64| format!("\"{word} {amount:e} nm\"");
+            let first = step(dice.pick(&["press", "lift"]), dice.decades(1e-6, 1e6));
+            let second = step(dice.pick(&["drag", "push"]), dice.decades(1e-6, 1e6));
+            line(format!("steps = [{first}, {second}, {turn}]"));
+        }
     }
     text
 }
@@ -405,10 +418,17 @@ fn holds_what_was_given(text: &str, scene: &Scene) -> Result<(), String> {
         let same = match (value, &stored) {
             (toml::Value::String(text), Value::Text(word)) => text == word,
             (toml::Value::Boolean(flag), Value::Flag(stored)) => flag == stored,
+            (toml::Value::Array(given), Value::List(stored)) => {
+                given.len() == stored.len()
+                    && given
+                        .iter()
+                        .zip(stored)
+                        .all(|(given, stored)| given.as_str().is_some_and(|given| same_step(given, stored)))
+            }
             (toml::Value::Integer(number), Value::Number(stored)) => *number as f64 == *stored,
             (toml::Value::Float(number), Value::Number(stored)) => number == stored,
             (toml::Value::String(text), &Value::Number(stored)) => quantity(text, key.unit()).is_none_or(|number| {
-                (number - stored).abs() <= 1e-12 * stored.abs() || (stored < 1e-290 && number < 1e-290)
+                (number - stored).abs() <= 1e-12 * stored.abs() || (stored.abs() < 1e-290 && number.abs() < 1e-290)
             }),
             _ => false,
         };
@@ -429,11 +449,26 @@ fn holds_what_was_given(text: &str, scene: &Scene) -> Result<(), String> {
     Ok(())
 }
 
+/// Whether two texts are the same step: the word, and the amount in whatever unit.
+fn same_step(given: &str, stored: &str) -> bool {
+    let parts = |text: &str| {
+        let (word, amount) = text.trim().split_once(char::is_whitespace).unwrap_or((text.trim(), ""));
+        let amount = amount.trim().to_owned();
+        let number = quantity(&amount, if word == "turn" { "rad" } else { "nm" });
+        (word.to_owned(), amount.is_empty(), number)
+    };
+    let (given, stored) = (parts(given), parts(stored));
+    let same = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs() || (a.abs() < 1e-290 && b.abs() < 1e-290);
+    let amounts = given.2.zip(stored.2).is_none_or(|(a, b)| same(a, b));
+    given.0 == stored.0 && given.1 == stored.1 && amounts
+}
+
 /// A quantity in a unit of this list, in the unit of the library; nothing where the unit is another one.
 fn quantity(text: &str, library: &str) -> Option<f64> {
     let units: &[(&str, f64)] = match library {
         "nm" => &[("nm", 1.0), ("um", 1e3), ("µm", 1e3), ("μm", 1e3), ("mm", 1e6), ("pm", 1e-3), ("m", 1e9)],
         "GPa" => &[("GPa", 1.0), ("MPa", 1e-3), ("kPa", 1e-6), ("Pa", 1e-9)],
+        "rad/nm" => &[("rad/nm", 1.0), ("deg/nm", std::f64::consts::PI / 180.0)],
         "rad" => &[("rad", 1.0), ("deg", std::f64::consts::PI / 180.0)],
         "aJ" => &[("aJ", 1.0), ("zJ", 1e-3), ("eV", 0.160_217_663_4), ("J", 1e18)],
         _ => &[("ms", 1e-3), ("min", 60.0), ("h", 3600.0), ("s", 1.0)],

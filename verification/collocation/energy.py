@@ -42,9 +42,9 @@ def adhesion(s):
 
 
 def work(path, nodes):
-    """Integral of P du from rest to lp1, aJ.
+    """Integral of P du from rest to lp1, aJ; where the grip turns as it goes, of P du + M dtheta.
 
-    On every step of the path u and P are polynomials of the path length through its ends and `nodes` solutions between; the
+    On every step of the path u and P (or P + M dtheta/du) are polynomials of the path length through its ends and `nodes` solutions between; the
     last one is followed to where u turns.
     """
     last = lp1_after(path)
@@ -61,13 +61,13 @@ def work(path, nodes):
 
 
 def step_curve(path, i, nodes):
-    """u and P between path points i and i + 1 as Chebyshev series on [-1, 1]."""
+    """u and P (s.power) between path points i and i + 1 as Chebyshev series on [-1, 1]."""
     s = path.s
     t = -np.cos(np.linspace(0.0, np.pi, nodes + 2))
     a, b = path.labels[i:i + 2]
     inner = [solution(path, 0.5 * (a + b) + 0.5 * (b - a) * x) for x in t[1:-1]]
     states = [path.points[i], *inner, path.points[i + 1]]
-    return (np.polynomial.Chebyshev.fit(t, [get(st) for st in states], nodes + 1, domain=[-1, 1]) for get in (s.u, s.P))
+    return (np.polynomial.Chebyshev.fit(t, [get(st) for st in states], nodes + 1, domain=[-1, 1]) for get in (s.u, s.power))
 
 
 def plateau(path):

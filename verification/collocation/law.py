@@ -25,6 +25,8 @@ from . import laws
 class Beam:
     """What every beam has: its grip, its adhesion, its material."""
     rotation: str = "free"               # of the grip: free | fixed
+    turned: float = 0.0                  # degrees, by which a fixed grip is turned before it is pulled
+    turn: float = 0.0                    # degrees/nm, by which it turns as it goes
     horizontal: str = "free"             # of the grip, across the pull: free | fixed
     pretension: float = 0.0              # nN, along the strip before it is pulled; horizontal = fixed
     angle: float = 90.0                  # of the pull to the substrate, degrees: 0 away from the strip, 180 back over it
@@ -100,7 +102,8 @@ class Strip(Beam):
         return self.shear_modulus * self.height * self.width
 
     def __str__(self):
-        return (f"L={self.length:g} f={self.factor:g} angle={self.angle:g} rot={self.rotation} hor={self.horizontal} {self.line_load} "
+        turns = f"turned={self.turned:g} turn={self.turn:g} " if self.turned or self.turn else ""
+        return (f"L={self.length:g} f={self.factor:g} angle={self.angle:g} rot={self.rotation} {turns}hor={self.horizontal} {self.line_load} "
                 f"far={str(self.far_face).lower()} h={self.height:g} b={self.width:g} E={self.young:g} nu={self.poisson:g} "
                 f"k={self.shear_correction:.4g} A_H={self.hamaker:g} r0={self.r0:g} {self.law}")
 

@@ -1,4 +1,7 @@
 """The path of equilibria of a beam from rest, with its turning points."""
+import math
+from dataclasses import replace
+
 import numpy as np
 
 from .mesh import mesh, pin, rest_state
@@ -89,6 +92,8 @@ class Path:
         """The equilibrium at u = 0. What is free of stress need not be one."""
         s = self.s
         st = rest_state(s, self.counts, self.n)
+        if s.strip.turned:
+            return self.turned(st)
         if System(s.strip, st).defect < 1e-12:
             return st
         for _ in range(3):
@@ -96,6 +101,19 @@ class Path:
             _, load = mesh(s, st, self.counts)
             self.counts = self.wanted(load)
             st = st.moved(s.strip, mesh(s, st, self.counts)[0], self.n)
+        return s.settled(st)
+
+    def turned(self, st):
+        """The equilibrium at u = 0 of a grip that has been turned, by way of those that are turned by less."""
+        s, c = self.s, self.s.strip
+        shares = np.linspace(0.0, 1.0, 1 + math.ceil(2.0 * abs(c.turned)))
+        for share in shares[1:]:
+            s.strip = replace(c, turned=float(share) * c.turned)
+            st = s.settled(st)
+            X, load = mesh(s, st, self.counts)
+            self.counts = self.wanted(load)
+            st = s.settled(st.moved(c, mesh(s, st, self.counts)[0], self.n))
+        s.strip = c
         return s.settled(st)
 
     def advance(self, ds):

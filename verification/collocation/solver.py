@@ -55,6 +55,10 @@ class Solver:
         cos, sin = self.strip.pull
         return float(st.zn[-1, 2] if self.d == 4 else sin * st.zn[-1, 2] + cos * st.H)
 
+    def power(self, st):
+        """Work of the grip per displacement: the force along the pull and, where the grip turns as it goes, the moment."""
+        return self.P(st) + math.radians(self.strip.turn) * float(st.zn[-1, 3])
+
     def row(self, what, N):
         """Derivative of "u" or "P" to the unknowns on N sub-intervals."""
         cos, sin = self.strip.pull

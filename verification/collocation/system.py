@@ -1,10 +1,12 @@
 """A solution on a mesh of sub-intervals, and one linearisation of the boundary value problem.
 
 Chebyshev collocation with points of the first kind: z' is a polynomial on each sub-interval, z its integral. Left end: V = M = 0
-(and w = 0). Right end: M = 0 or theta as at rest, and across the pull no force, H sin - V cos = 0, or no displacement,
+(and w = 0). Right end: M = 0 or theta as at rest, or turned from there by an angle and in proportion to the displacement, and across the pull no force, H sin - V cos = 0, or no displacement,
 w sin - (y - y_rest) cos = 0; only where the pull is upright and free across is H = 0 and w left out. The displacement of the grip
 along the pull is not prescribed: one condition is missing, and the solutions form the path.
 """
+import math
+
 import numpy as np
 
 from .law import field
@@ -121,12 +123,18 @@ class System:
         o, e = d * N, d * N
         conditions = [(2, st.zn[0, 2]), (3, st.zn[0, 3])]
         tip = 1 if c.rotation == "fixed" else 3
-        conditions.append((e + tip, st.zn[-1, tip] - (c.end_rotation if tip == 1 else 0.0)))
+        conditions.append((e + tip, st.zn[-1, tip] - (c.end_rotation + math.radians(c.turned) if tip == 1 else 0.0)))
         if d == 5:
             conditions.append((4, st.zn[0, 4]))
         for k, (col, val) in enumerate(conditions):
             A[o + k, col] = 1.0
             r[o + k] = -val
+        if c.turn:                                                    # theta - turn u
+            cos, sin = c.pull
+            u = [(e, sin, st.zn[-1, 0] - c.end_gap)] + ([(e + 4, cos, st.zn[-1, 4] - c.stretch)] if d == 5 else [])
+            for col, share, moved in u:
+                A[o + 2, col] -= math.radians(c.turn) * share
+                r[o + 2] += math.radians(c.turn) * share * moved
         if d == 5:                                                    # across the pull
             cos, sin = c.pull
             k = o + len(conditions)

@@ -1,7 +1,7 @@
 //! The tables of `verification/`, built into the program so that a check needs no file and no Python.
 
 use crate::adhesion::{CohesiveShape, LineLoad};
-use crate::model::{Attraction, Hold, PeelModel, StripModel};
+use crate::model::{Attraction, Friction, Hold, PeelModel, Step, StripModel};
 use std::collections::HashMap;
 
 /// A row of a table, by the names of the columns.
@@ -23,10 +23,8 @@ impl Row {
 
     /// The strip of a row: the paper's, with what the row says otherwise. None where a column holds what has no meaning there.
     pub fn strip(&self) -> Option<StripModel> {
-        let mut model = StripModel::of_the_paper(
-            self.number("length_nm")?,
-            self.number("bending_stiffness_factor").unwrap_or(1.0),
-        );
+        let mut model =
+            StripModel::of_the_paper(self.number("length_nm")?, self.number("bending_stiffness_factor").unwrap_or(1.0));
         let StripModel { strip, adhesion, grip, pull } = &mut model;
         let numbers = [
             ("height_nm", &mut strip.height, 1.0),
@@ -37,6 +35,7 @@ impl Row {
             ("hamaker_constant_J", &mut adhesion.hamaker_constant, 1e18),
             ("equilibrium_distance_nm", &mut adhesion.equilibrium_distance, 1.0),
             ("pull_angle_deg", &mut pull.angle, 1f64.to_radians()),
+            ("grip_turn_deg_per_nm", &mut pull.turn, 1f64.to_radians()),
         ];
         for (column, place, unit) in numbers {
             if let Some(text) = self.text(column) {
@@ -62,12 +61,13 @@ impl Row {
         Some(model)
     }
 
-    /// The model of a row: its strip, and friction where the row has some. None as for [`Row::strip`].
+    /// The same with friction, and with what its grip does before the pull.
     pub fn model(&self) -> Option<PeelModel> {
-        let mut model = PeelModel::from(self.strip()?);
-        model.friction.strength = self.number("tau0_GPa");
-        model.friction.coefficient = self.number("friction_coefficient").unwrap_or(0.0);
-        Some(model)
+        let coefficient = self.number("friction_coefficient").unwrap_or(0.0);
+        let friction = Friction { strength: self.number("tau0_GPa"), coefficient, presliding: None };
+        let turned = self.number("grip_turned_deg").filter(|&degrees| degrees != 0.0);
+        let steps = turned.map(|degrees| Step::Turn(degrees.to_radians())).into_iter().collect();
+        Some(PeelModel { steps, friction, ..PeelModel::from(self.strip()?) })
     }
 
     /// Puts what the word in a column stands for into its place, if there is one; None where it stands for nothing.

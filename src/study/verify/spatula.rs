@@ -102,6 +102,7 @@ fn model(row: &Row) -> PeelModel {
             pretension: None,
         },
         pull: Pull::UP,
+        steps: Vec::new(),
         ground: Ground::default(),
         friction: Friction::NONE,
     }
@@ -118,6 +119,7 @@ fn profile(row: &Row) -> Option<PeelModel> {
         adhesion: paper.adhesion,
         grip: Grip { rotation, ..paper.grip },
         pull: paper.pull,
+        steps: Vec::new(),
         ground: Ground::default(),
         friction: Friction::NONE,
     })

@@ -1,0 +1,69 @@
+//! One step of the grip before the pull, as data.
+
+use std::fmt;
+
+/// What the grip does before the pull.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Step {
+    /// Towards the substrate, nm
+    Press(f64),
+    /// Away from it, nm
+    Lift(f64),
+    /// Along it, away from the body, nm
+    Drag(f64),
+    /// Along it, towards the body, nm
+    Push(f64),
+    /// Its rotation, at its place, rad; positive anticlockwise
+    Turn(f64),
+    /// Nothing: equilibria know no time.
+    Hold,
+}
+
+/// What a step moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moved {
+    Height,
+    Place,
+    Rotation,
+}
+
+impl Step {
+    /// What it moves, and by how much, nm or rad; none of a step that moves nothing.
+    pub fn motion(self) -> Option<(Moved, f64)> {
+        match self {
+            Self::Press(amount) => Some((Moved::Height, -amount)),
+            Self::Lift(amount) => Some((Moved::Height, amount)),
+            Self::Drag(amount) => Some((Moved::Place, amount)),
+            Self::Push(amount) => Some((Moved::Place, -amount)),
+            Self::Turn(amount) => Some((Moved::Rotation, amount)),
+            Self::Hold => None,
+        }
+    }
+
+    /// Whether it moves this.
+    pub fn moves(self, what: Moved) -> bool {
+        self.motion().is_some_and(|(moved, _)| moved == what)
+    }
+}
+
+impl fmt::Display for Step {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Press(amount) => write!(f, "press {amount} nm"),
+            Self::Lift(amount) => write!(f, "lift {amount} nm"),
+            Self::Drag(amount) => write!(f, "drag {amount} nm"),
+            Self::Push(amount) => write!(f, "push {amount} nm"),
+            Self::Turn(amount) => match whole_degrees(*amount) {
+                Some(degrees) => write!(f, "turn {degrees} deg"),
+                None => write!(f, "turn {amount} rad"),
+            },
+            Self::Hold => write!(f, "hold"),
+        }
+    }
+}
+
+/// An angle in degrees, where a number of at most nine decimals of them is the same to the last digit.
+fn whole_degrees(angle: f64) -> Option<f64> {
+    let degrees = (1e9 * angle.to_degrees()).round() / 1e9;
+    (degrees * 1f64.to_radians() == angle).then_some(degrees)
+}
