@@ -22,7 +22,7 @@ use peelkit::beam::{BeamOnGround, Density, PointResponse, Profile};
 use peelkit::model::{Form, Friction, PeelModel, Pull};
 use peelkit::scene::Scene;
 use peelkit::solve::{Observables, Path, PathOptions, Solution, controlled};
-use peelkit::study::{Accuracy, Bounds, End, NoTest, observed, peel};
+use peelkit::study::{Accuracy, Bounds, Choice, End, NoTest, observed, peel};
 use std::sync::Arc;
 
 const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
@@ -112,7 +112,7 @@ fn balance(model: &PeelModel, stride: f64) -> (f64, f64, usize) {
     (work, work - (energy(last) - energy(&points[0])) - dissipated, points.len())
 }
 
-/// What of the work is missing falls with the square of the steps, to nothing.
+/// What of the work is missing falls with the length of the steps.
 #[test]
 fn work_is_stored_or_dissipated() {
     for degrees in [20.0, 60.0, 120.0] {
@@ -120,57 +120,54 @@ fn work_is_stored_or_dissipated() {
         let found = [1.0, 0.5, 0.25].map(|stride| balance(&model, stride));
         println!("{degrees} degrees: work, missing (aJ), points: {found:?}");
         let [first, _, last] = found.map(|(work, missing, _)| (missing / work).abs());
-        assert!(last < 2e-4 && last < 0.3 * first, "{degrees} degrees: {found:?}");
+        assert!(last < 3e-4 && last < 0.3 * first, "{degrees} degrees: {found:?}");
     }
 }
 
-/// P (1 - cos α) + P²/(2EA) - w b is what friction takes per length, and next to nothing where the face hardly slides: Kendall's law.
+/// P (1 - cos α) + P²/(2EA) - w b is what friction takes per length. It never vanishes: where the front opens the face goes by (h/2) θ.
 #[test]
-fn steady_peeling_balances_and_is_kendalls_where_nothing_slides() {
-    for (strength, above) in [(0.05, 3e-2), (0.5, 3e-3)] {
-        let model = rubbing(200.0, 30.0, strength);
-        let peel = peel(&model, &Accuracy::to(1e-4), &Bounds { displacement: Some(24.0), ..BOUNDS });
-        let at = |front: f64| {
-            let index = (0..peel.points.len())
-                .min_by(|&a, &b| {
-                    let away = |k: usize| (peel.points[k].front - front).abs();
-                    away(a).total_cmp(&away(b))
-                })
-                .unwrap();
-            (peel.points[index].front, peel.sliding_at(index).unwrap().dissipated, peel.points[index].force)
-        };
-        let ((ahead, some, _), (behind, more, force)) = (at(160.0), at(145.0));
-        let taken = (more - some) / (ahead - behind);
-        let (section, work) = (model.section(), -model.line_law().rest_energy());
-        let over = force * (1.0 - 30f64.to_radians().cos()) + force * force / (2.0 * section.axial) - work;
-        println!(
-            "{strength} GPa: P = {force} nN, over Kendall's {over:.6}, dissipated {taken:.6} nN, {:?}",
-            peel.effort
-        );
-        assert!((over - taken).abs() < 2e-3 * work, "{over} and {taken}");
-        assert!(over > 0.0 && over < above, "{over}");
-    }
+fn steady_peeling_balances() {
+    let strength = 0.05;
+    let model = rubbing(300.0, 30.0, strength);
+    // what is dissipated is known to first order in the steps
+    let accuracy = Accuracy::to(1e-4).with(Choice { step: Some(1e-4), ..Accuracy::to(1e-4).choice });
+    let peel = peel(&model, &accuracy, &Bounds { displacement: Some(44.0), ..BOUNDS });
+    let at = |front: f64| {
+        let index = (0..peel.points.len())
+            .min_by(|&a, &b| {
+                let away = |k: usize| (peel.points[k].front - front).abs();
+                away(a).total_cmp(&away(b))
+            })
+            .unwrap();
+        (peel.points[index].front, peel.sliding_at(index).unwrap().dissipated, peel.points[index].force)
+    };
+    let ((ahead, some, _), (behind, more, force)) = (at(110.0), at(90.0));
+    let taken = (more - some) / (ahead - behind);
+    let (section, work) = (model.section(), -model.line_law().rest_energy());
+    let over = force * (1.0 - 30f64.to_radians().cos()) + force * force / (2.0 * section.axial) - work;
+    println!("{strength} GPa: P = {force} nN, over Kendall's {over:.6}, dissipated {taken:.6} nN, {:?}", peel.effort);
+    assert_relative_eq!(over, taken, max_relative = 0.02);
+    assert!(over > 0.2 * work, "{over}");
 }
 
-/// Dragged along the substrate a strip slides as a whole at τ0 b L but for its ends, forwards and, after that, backwards.
+/// Dragged along the substrate a strip slides as a whole at τ0 b L but for its ends. There, back and there again, short of that, the
+/// loop closes on itself, the way back the mirror image of the way there (Masing) but for what the force's lever of h/2 does to the gap.
 #[test]
-fn a_dragged_strip_slides_at_its_strength_there_and_back() {
+fn a_dragged_strip_slides_at_its_strength_and_loops_close() {
     let model = rubbing(100.0, 0.0, 0.05);
     let peel = peel(&model, &Accuracy::to(1e-5), &BOUNDS);
     assert_eq!(peel.end, End::Sliding);
     let force = peel.peak.unwrap().force;
-    let capacity = 0.05 * 100.0;
-    assert!((force / capacity - 1.0).abs() < 0.01, "{force}");
+    assert!((force / (0.05 * 100.0) - 1.0).abs() < 0.01, "{force}");
     let problem = model.problem(Form::ThreeField, 7);
-    // there, back, and there again, in steps of 0.25 nm
-    let way: Vec<f64> = (1..=60).map(|k| 0.25 * k as f64).collect();
-    let targets: Vec<f64> = way.iter().copied().chain(way.iter().rev().map(|u| u - 15.0)).chain(way).collect();
-    let found = controlled(&problem, problem.at_rest(60), Observables::DISPLACEMENT, &targets, 1e-9).unwrap();
+    let way = |from: f64, to: f64| (1..=60).map(move |k| from + (to - from) * k as f64 / 60.0);
+    let targets: Vec<f64> = way(0.0, 4.0).chain(way(4.0, -4.0)).chain(way(-4.0, 4.0)).collect();
+    let found = controlled(&problem, problem.at_rest(80), Observables::DISPLACEMENT, &targets, 1e-9).unwrap();
     let at = |k: usize| found[k].observables.force;
-    println!("there {}, back {}, again {}", at(59), at(119), at(179));
-    assert_relative_eq!(at(59), force, max_relative = 1e-6);
-    assert_relative_eq!(at(179), force, max_relative = 1e-3);
-    assert!(at(119) < -0.9 * capacity, "{}", at(119));
+    println!("slides at {force}; there {}, back {}, again {}", at(59), at(119), at(179));
+    assert!(at(59) > 0.5 * force, "{}", at(59));
+    assert_relative_eq!(at(119), -at(59), max_relative = 0.1);
+    assert_relative_eq!(at(179), at(59), max_relative = 2e-3);
 }
 
 /// What friction does not go with is refused by name.

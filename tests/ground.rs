@@ -43,7 +43,7 @@ fn tangents_are_differences() {
         Substrate::Profile(Arc::new(Heights::parse(table).unwrap())),
     ] {
         let ground = GroundLaw { law: strip.line_law(), substrate: substrate.clone() };
-        let beam = BeamOnGround { profile: Profile::uniform(strip.section(), 1.0, 10.0), ground };
+        let beam = BeamOnGround { profile: Profile::uniform(strip.section(), 1.0, 10.0), ground, friction: None };
         let slopes = [0.97, 0.2, 0.01];
         for (x, gap, rotation) in [(17.3, 0.26, 0.1), (22.0, 0.3, -0.2), (33.3, 0.5, 0.7), (28.1, 2.0, -1.2)] {
             let value = [x, substrate.above(x, 5.0 + gap) - 5.0, rotation];

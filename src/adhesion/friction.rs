@@ -212,7 +212,7 @@ mod tests {
         assert_relative_eq!(law.limit(closed)[0], 0.05, max_relative = 1e-12);
         let half = law.limit(PAPER.strongest_gap())[0] / 0.05;
         assert!((0.45..0.51).contains(&half), "{half}");
-        assert!(law.limit(0.5)[0] < 1e-6 && law.limit(1e3) == [0.0; 2] && law.limit(f64::INFINITY)[0] == 0.0);
+        assert!(law.limit(0.5)[0] < 1e-6 && law.limit(1e3)[0] < 1e-80 && law.limit(f64::INFINITY)[0] == 0.0);
         // far pressed in, Coulomb's
         let deep = 0.7 * closed;
         assert_relative_eq!(law.limit(deep)[0], 0.05 + 0.3 * PAPER.traction(deep), max_relative = 2e-2);

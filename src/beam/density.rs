@@ -113,8 +113,8 @@ pub trait Density<const F: usize>: Send + Sync {
     /// Whether a tangential traction may take part that remembers how the face has slid.
     const REMEMBERS: bool = false;
 
-    /// Adds that traction to a response of the same place, for material points whose face was at slip[0] (nm) at the end of the last
-    /// step and carried the share slip[1] of its limit.
+    /// Adds that traction to a response of the same place. `slip`: where the face was at the end of the last step, nm, and what share of
+    /// its limit it carried there.
     fn hold<T: Real>(&self, _place: T, _value: [T; F], _slip: [T; 2], _response: &mut PointResponse<T, F>) {}
 
     /// What a material point remembers behind a step that ended with these fields, and what was dissipated there, nN per length.

@@ -308,7 +308,7 @@ fn short(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use peelkit::study::{self, Bounds, Effort, Sliding};
+    use peelkit::study::{self, Bounds, Effort};
 
     #[test]
     fn digits_end_where_the_error_begins() {

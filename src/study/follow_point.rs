@@ -9,7 +9,7 @@
 use super::anchor::anchor;
 use super::choice::{ORDER, Resolution};
 use super::continuation::{Continuation, Known, Lost, problem, search};
-use super::peel_run::{ROUND_OFF, ROUND_OFF_PLACE};
+use super::told::{ROUND_OFF, ROUND_OFF_PLACE};
 use super::{Accuracy, Bounds, End, FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing};
 use crate::model::{Form, PeelModel};
 use crate::solve::{Equilibrium, Located, Observables, Path, SolveError, Workspace};

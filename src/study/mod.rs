@@ -23,6 +23,7 @@ mod sliding;
 mod step_curve;
 mod sweep;
 mod terms;
+mod told;
 mod trace;
 pub mod verify;
 mod work;

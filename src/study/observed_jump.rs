@@ -2,7 +2,7 @@
 
 use super::observed::{Jump, JumpEnd, JumpKind, Way};
 use super::observed_leg::Machine;
-use super::peel_run::{ROUND_OFF, SAFETY, least, modesty};
+use super::told::{ROUND_OFF, SAFETY, least, modesty};
 use crate::solve::{Located, Observables, Problem, Relaxed, Solution, SolveError, Workspace, on_more_elements};
 
 /// From where stability is lost to where the strip comes to rest.

@@ -5,7 +5,7 @@ use super::choice::{Resolution, most_elements};
 use super::observed::*;
 use super::observed_jump;
 use super::observed_leg::{Leg, LegEnd, LegTrouble, Machine, Until};
-use super::peel_run::{ROUND_OFF, SAFETY, least};
+use super::told::{ROUND_OFF, SAFETY, least};
 use super::{Accuracy, Bounds};
 use crate::model::{Form, PeelModel};
 use crate::solve::{

@@ -4,49 +4,27 @@
 use super::choice::{Choice, Resolution, aim, most_elements};
 use super::follow::{Followed, Trouble, follow};
 use super::keeping::Limits;
-use super::plateau::plateau;
+use super::told::{SAFETY, counts, empty, report, worst_difference};
 use super::trace::Trace;
-use super::work::{work_near, works};
-use super::{Accuracy, Bounds, Effort, End, Keeping, LimitPoint, PathPoint, Peak, Peel};
+use super::{Accuracy, Bounds, Effort, End, Keeping, LimitPoint, Peel};
 use crate::model::PeelModel;
-use crate::solve::{Beginning, Located, Problem, Solution, Turn, Workspace, difference_on_more_elements};
+use crate::solve::{Beginning, Problem, Turn};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Error bounds are the difference to half as many elements again times this.
-pub(super) const SAFETY: f64 = 2.0;
-/// Round-off, relative to the largest force of the path or to the displacement itself.
-pub(super) const ROUND_OFF: f64 = 5e-12;
-/// The same for the force where the grip holds the strip sideways, which strains it from both ends: 3e-11 was found.
-const ROUND_OFF_HELD: f64 = 5e-11;
-/// Round-off of the force of nearly inextensible or unshearable beams, over the largest stiffness and the machine's epsilon: with
-/// GA_s × 1e8 a force was found wrong by 0.024 of that.
-const STRAINED: f64 = 0.05;
-/// The same for the displacement of a turn of the force, which is the zero of a difference of forces.
-pub(super) const ROUND_OFF_PLACE: f64 = 6e-10;
 /// The first integral may spread by this many times the accuracy asked for, in units of the work of adhesion, at any point:
 /// where it spreads by 1.4e-5, at an edge that carries the strip, the force of that point was wrong by 6e-8.
 const SPREAD: f64 = 100.0;
 /// Round-off of that spread.
 const SPREAD_ROUND_OFF: f64 = 5e-10;
-/// More of it in a stiff beam, over its EI/r0² and the machine's epsilon: the place of the peak of the paper's strip scatters by
-/// 4e-13, 6e-11 and 2e-9 of itself with EI times 1, 1e3 and 1e4.
-const BENT: f64 = 1.0;
 /// Below this relative error, an error that does not fall with more elements is taken for round-off.
 const STAGNATION: f64 = 2e-8;
 /// Of two errors near round-off, the one that is less by this is less in earnest.
 const PLAIN: f64 = 0.1;
-/// Two meshes may agree in one number by luck: no bound is below this share of the relative difference in the other number of
-/// the same point.
-const MODESTY: f64 = 0.1;
-/// No bound is below this, relative, or below a tenth of the accuracy asked for where that is less.
-pub(super) fn least(relative: f64) -> f64 {
-    (0.1 * relative).min(2e-10)
-}
-/// A force at rest below this share of its scale is round-off.
-const PULL: f64 = 1e-6;
 /// Length of the steps of a path that confirms another, over those of the other.
 const SHORTER: f64 = 0.5;
+/// Bounds may then be so many times what was asked for.
+const NEARLY: f64 = 2.0;
 /// Most such paths.
 const MOST_SHORTER: i32 = 3;
 /// Most meshes tried.
@@ -155,7 +133,7 @@ impl Shorter<'_> {
             let followed = follow(self.problem, options, self.far, relative, self.limits);
             iterations += followed.iterations;
             let mut next = Attempt::new(self.model, self.problem, followed, resolution, self.accuracy);
-            let change = next.allow_for(&best);
+            let change = next.allow_for(&best, self.problem);
             best = next;
             if change <= relative {
                 break;
@@ -178,6 +156,8 @@ struct Attempt {
     cut: bool,
     /// What to try next.
     next: Resolution,
+    /// Whether its material points remember how they have slid.
+    remembers: bool,
 }
 
 impl Attempt {
@@ -195,7 +175,7 @@ impl Attempt {
         // a peak where the path begins is no turning point
         let at_rest = peel.peak.filter(|peak| Some(peak.displacement) == peel.points.first().map(|p| p.displacement));
         let at_rest = at_rest.map_or(0.0, |peak| peak.force_error / peak.force);
-        let difference = (SAFETY * worst_difference(&followed)).max(at_rest) / relative;
+        let difference = (SAFETY * worst_difference(&followed, problem)).max(at_rest) / relative;
         let next = match &followed.trouble {
             None => {
                 spread = followed.spread / (SPREAD * relative).max(SPREAD_ROUND_OFF);
@@ -219,7 +199,7 @@ impl Attempt {
         let first = |place: f64| followed.turns.iter().find(|turn| turn.2.observables.displacement == place);
         let peak = peel.initiation_peak.and_then(|peak| first(peak.displacement)).map(|turn| turn.2.solution.clone());
         peel.trace = Some(Trace { problem: problem.clone(), points: followed.points, peak });
-        Self { peel, difference, spread, trouble, cut, next }
+        Self { peel, difference, spread, trouble, cut, next, remembers: problem.slips.is_some() }
     }
 
     /// The difference to more elements; infinite where the path is unusable.
@@ -274,15 +254,17 @@ impl Attempt {
         self.peel.tell_bounds();
     }
 
-    /// Widens the bounds to what another choice of steps changed; returns the largest relative change of a limit point.
-    fn allow_for(&mut self, other: &Self) -> f64 {
+    /// Widens the bounds to what another choice of steps changed; returns the largest relative change of a limit point that counts.
+    fn allow_for(&mut self, other: &Self, problem: &Problem) -> f64 {
         let mut largest = 0.0f64;
         for (point, twin) in self.peel.limit_points.iter_mut().zip(&other.peel.limit_points) {
             let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);
             point.force_error = point.force_error.max(SAFETY * force.abs());
             point.displacement_error = point.displacement_error.max(SAFETY * displacement.abs());
             let place = if point.flat { 0.0 } else { (displacement / point.displacement).abs() };
-            largest = largest.max(SAFETY * (force / point.force).abs().max(place));
+            if counts(problem, point.kind) {
+                largest = largest.max(SAFETY * (force / point.force).abs().max(place));
+            }
         }
         self.peel.tell_bounds();
         let kinds = |attempt: &Self| attempt.peel.limit_points.iter().map(|point| point.kind).collect::<Vec<_>>();
@@ -311,7 +293,9 @@ impl Attempt {
     fn into_peel(self) -> Peel {
         let fixed = self.peel.choice.elements.is_some();
         let worst = self.worst();
-        let missed = worst > 1.0 && worst * self.peel.asked > STAGNATION && !fixed;
+        // a path that remembers has been followed again with other steps, whose mesh may be a little worse
+        let missed =
+            worst > if self.remembers { NEARLY } else { 1.0 } && worst * self.peel.asked > STAGNATION && !fixed;
         let mut peel = self.peel;
         let bounded = matches!(peel.end, End::Bound(_));
         let trouble = self
@@ -326,193 +310,4 @@ impl Attempt {
         }
         peel
     }
-}
-
-impl Peel {
-    /// Gives the special points the bounds that their limit points have.
-    fn tell_bounds(&mut self) {
-        let Self { limit_points, initiation_peak, peak, snap_off, .. } = self;
-        for point in limit_points.iter() {
-            for peak in [&mut *initiation_peak, &mut *peak].into_iter().flatten() {
-                if peak.displacement == point.displacement {
-                    *peak = peak_of(point);
-                }
-            }
-            if snap_off.is_some_and(|snap_off| snap_off.displacement == point.displacement) {
-                *snap_off = Some(*point);
-            }
-        }
-    }
-}
-
-fn empty(model: &PeelModel) -> Peel {
-    Peel {
-        model: model.clone(),
-        steps: Vec::new(),
-        points: Vec::new(),
-        limit_points: Vec::new(),
-        initiation_peak: None,
-        peak: None,
-        plateau: None,
-        snap_off: None,
-        end: End::Failed(String::new()),
-        effort: Effort::default(),
-        asked: 0.0,
-        choice: Accuracy::to(0.0).choice,
-        ripple: 0,
-        solve_s: 0.0,
-        unfinished: false,
-        trace: None,
-    }
-}
-
-/// The largest relative difference to more elements of what is reported.
-fn worst_difference(followed: &Followed) -> f64 {
-    let first_load = followed.turns.iter().position(|t| t.0 == Turn::Load);
-    let turns = followed.turns.iter().enumerate().flat_map(|(i, (_, _, located))| {
-        let (o, d) = (&located.observables, &located.difference);
-        let place = if located.flat && Some(i) != first_load { 0.0 } else { (d.displacement / o.displacement).abs() };
-        [place, (d.force / o.force).abs()]
-    });
-    turns.fold(0.0, f64::max)
-}
-
-/// What a user is told of a path.
-fn report(model: &PeelModel, problem: &Problem, followed: &Followed, relative: f64) -> Peel {
-    let mut work = followed.workspace();
-    let works = works(problem, &followed.points, &mut work);
-    let largest = followed.points.iter().map(|s| s.observables.force.abs()).fold(0.0, f64::max);
-    let section = model.section();
-    // strains are known to the machine's epsilon, and a stiff beam makes large forces of them
-    let strained = STRAINED * f64::EPSILON * section.axial.max(section.shear);
-    let bent = BENT * f64::EPSILON * section.bending / model.adhesion.equilibrium_distance.powi(2);
-    let force_round_off = if problem.chain.has_border() { ROUND_OFF_HELD } else { ROUND_OFF };
-    let points = followed.points.iter().zip(&works).map(|(s, &work)| PathPoint {
-        displacement: s.observables.displacement,
-        force: s.observables.force,
-        end_rotation: s.observables.grip_rotation,
-        work,
-        negative_eigenvalues: s.negative,
-        negative_eigenvalues_load: s.negative_load,
-        front: problem.fronts.place(s.observables.front),
-        iterations: s.iterations,
-    });
-    let force_error = |located: &Located| {
-        let floor = force_round_off * largest + strained + modesty(located, relative) * located.observables.force.abs();
-        SAFETY * located.difference.force.abs() + floor
-    };
-    let limit_points: Vec<LimitPoint> = followed
-        .turns
-        .iter()
-        .map(|(kind, after, located)| LimitPoint {
-            kind: *kind,
-            displacement: located.observables.displacement,
-            force: located.observables.force,
-            end_rotation: located.observables.grip_rotation,
-            work: work_near(problem, &followed.points, &works, *after, located, &mut work),
-            displacement_error: place_error(located, relative, *kind, [strained, bent]).max(level(
-                &followed.points,
-                *after,
-                located,
-                force_error(located),
-            )),
-            force_error: force_error(located),
-            flat: located.flat,
-            after: *after,
-        })
-        .collect();
-    let mut peel = Peel { points: points.collect(), end: followed.end.clone(), limit_points, ..empty(model) };
-    fill_special_points(&mut peel, problem, followed, relative);
-    peel
-}
-
-/// Bound on the error of a located point's displacement, nm.
-fn place_error(located: &Located, relative: f64, turn: Turn, [strained, bent]: [f64; 2]) -> f64 {
-    let o = &located.observables;
-    let (round_off, stiff) = match turn {
-        Turn::Load => (ROUND_OFF_PLACE, strained + bent),
-        Turn::Displacement => (ROUND_OFF, strained),
-    };
-    let stiff = stiff / o.force.abs().max(stiff).max(f64::MIN_POSITIVE);
-    SAFETY * located.difference.displacement.abs()
-        + (round_off + stiff + modesty(located, relative)) * o.displacement.abs()
-}
-
-/// How far from a flat turn behind the point `after` the force stays within its error, nm, but no further than rest: no nearer is
-/// its place known. From its curvature, and from the points around: on a plateau, all of that.
-fn level(points: &[Arc<Solution>], after: usize, located: &Located, force_error: f64) -> f64 {
-    if !located.flat {
-        return 0.0;
-    }
-    let turn = &located.observables;
-    let is_level = |point: &&Arc<Solution>| (point.observables.force - turn.force).abs() <= force_error;
-    let (before, behind) = points.split_at(after + 1);
-    let around = before.iter().rev().take_while(is_level).chain(behind.iter().take_while(is_level));
-    let away = around.map(|point| (point.observables.displacement - turn.displacement).abs()).fold(0.0, f64::max);
-    let curved = (2.0 * force_error / located.force_curvature.abs()).sqrt();
-    let curved = if located.force_curvature == 0.0 { 0.0 } else { curved };
-    away.max(curved).min(turn.displacement.abs())
-}
-
-/// The relative error below which no bound of a located point is.
-pub(super) fn modesty(located: &Located, relative: f64) -> f64 {
-    let (o, d) = (&located.observables, &located.difference);
-    // the place of a flat turn says nothing of its force
-    let place = if located.flat { 0.0 } else { (d.displacement / o.displacement).abs() };
-    // more than all of it, as of a force that is zero, tells no more than that it is wrong
-    MODESTY * place.max((d.force / o.force).abs()).min(1.0) + least(relative)
-}
-
-fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed, relative: f64) {
-    let maximum = |p: &&LimitPoint| p.kind == Turn::Load && followed.points[p.after].slope.force > 0.0 && p.force > 0.0;
-    let turns_back =
-        |p: &&LimitPoint| p.kind == Turn::Displacement && followed.points[p.after].slope.displacement > 0.0;
-    let first_maximum = peel.limit_points.iter().find(maximum).copied();
-    peel.initiation_peak = first_maximum.as_ref().map(peak_of);
-    peel.snap_off = peel.limit_points.iter().find(turns_back).copied();
-    let order = |p: &LimitPoint| peel.limit_points.iter().position(|q| q == p).unwrap_or(0);
-    let until = peel.snap_off.as_ref().map_or(peel.limit_points.len(), |s| order(s) + 1);
-    let at_turns = peel.limit_points[..until].iter().map(peak_of);
-    let at_end = match (&peel.snap_off, followed.points.last()) {
-        // rest alone is no path
-        (None, Some(last)) if followed.points.len() > 1 => peak_at(problem, last, relative),
-        _ => None,
-    };
-    peel.peak = at_turns.chain(at_end).max_by(|a, b| a.force.total_cmp(&b.force));
-    // a beam that is curved when free of stress is pulled where it begins
-    let least = peel.peak.map_or(0.0, |peak| peak.force).max(PULL * problem.force_scale);
-    if let Some(first) = followed.points.first().filter(|first| first.observables.force > least) {
-        peel.peak = peak_at(problem, first, relative).or(peel.peak);
-    }
-    if let Some(first) = first_maximum {
-        let last = followed.points.len().saturating_sub(2);
-        let snap = peel.snap_off.map_or(last, |s| s.after);
-        peel.plateau = plateau(problem, followed, first.after, snap);
-    }
-}
-
-fn peak_of(p: &LimitPoint) -> Peak {
-    Peak {
-        displacement: p.displacement,
-        force: p.force,
-        end_rotation: p.end_rotation,
-        force_error: p.force_error,
-        displacement_error: p.displacement_error,
-    }
-}
-
-/// An end of a path as its peak, with the error of its force at that displacement.
-fn peak_at(problem: &Problem, last: &Arc<Solution>, relative: f64) -> Option<Peak> {
-    let difference = difference_on_more_elements(problem, last, &mut Workspace::default()).ok()?;
-    let o = last.observables;
-    Some(Peak {
-        displacement: o.displacement,
-        force: o.force,
-        end_rotation: o.grip_rotation,
-        // a path may end with a force of zero, or come back to u = 0: to the round-off of their scales
-        force_error: SAFETY * difference.force.abs()
-            + ROUND_OFF * o.force.abs().max(problem.force_scale)
-            + least(relative) * o.force.abs(),
-        displacement_error: ROUND_OFF * o.displacement.abs().max(problem.scale[problem.driven]),
-    })
 }

@@ -6,6 +6,7 @@ pub(crate) mod beam;
 pub mod bounds;
 mod check;
 pub mod drawn;
+mod friction;
 mod ground;
 pub mod hard;
 mod laws;
@@ -39,6 +40,7 @@ pub const TOPICS: &[Topic] = &[
     spatula::TOPIC,
     pull::TOPIC,
     laws::TOPIC,
+    friction::TOPIC,
     ground::TOPIC,
     orders::TOPIC,
     bounds::TOPIC,
