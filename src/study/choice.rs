@@ -117,7 +117,7 @@ impl Resolution {
             stride: self.stride,
             prediction: MOST_POINTS,
             tolerance: (1e-2 * relative).clamp(1e-12, 1e-6),
-            first_displacement: 0.02 * model.adhesion.equilibrium_distance.min(model.process_length()),
+            first_displacement: self.stride * 0.02 * model.adhesion.equilibrium_distance.min(model.process_length()),
         }
     }
 

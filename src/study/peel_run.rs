@@ -23,6 +23,8 @@ const STAGNATION: f64 = 2e-8;
 const PLAIN: f64 = 0.1;
 /// Length of the steps of a path that confirms another, over those of the other.
 const SHORTER: f64 = 0.5;
+/// What shorter steps change is of first order in them at best: bounds are this times it.
+const WARY: f64 = 4.0;
 /// Bounds may then be so many times what was asked for.
 const NEARLY: f64 = 2.0;
 /// Most such paths.
@@ -259,11 +261,11 @@ impl Attempt {
         let mut largest = 0.0f64;
         for (point, twin) in self.peel.limit_points.iter_mut().zip(&other.peel.limit_points) {
             let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);
-            point.force_error = point.force_error.max(SAFETY * force.abs());
-            point.displacement_error = point.displacement_error.max(SAFETY * displacement.abs());
+            point.force_error = point.force_error.max(WARY * force.abs());
+            point.displacement_error = point.displacement_error.max(WARY * displacement.abs());
             let place = if point.flat { 0.0 } else { (displacement / point.displacement).abs() };
             if counts(problem, point.kind) {
-                largest = largest.max(SAFETY * (force / point.force).abs().max(place));
+                largest = largest.max(WARY * (force / point.force).abs().max(place));
             }
         }
         self.peel.tell_bounds();

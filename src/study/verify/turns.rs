@@ -3,7 +3,7 @@
 use super::check::missing;
 use super::reference::{Row, read};
 use super::{Check, Measure, bounds};
-use crate::study::{Accuracy, Bounds, peel};
+use crate::study::{Accuracy, Bounds, End, peel};
 use rayon::prelude::*;
 
 /// Relative errors asked for: the default, and a fine one, of which a law with corners is not capable, nor a path that remembers
@@ -58,6 +58,9 @@ impl Turns {
         let mut checks = Vec::new();
         for (quantity, found) in bounds::reported(&peel) {
             let (Some(text), Some(expected)) = (row.text(quantity), row.number(quantity)) else { continue };
+            // where all slides before it peels, the force at which it does
+            let sliding = || peel.peak.filter(|_| quantity == "peak_force_nN" && peel.end == End::Sliding);
+            let found = found.or_else(|| sliding().map(|peak| (peak.force, peak.force_error)));
             let found = found.ok_or_else(|| missing(&peel.end));
             let unknown = 0.5 * bounds::last_digit(text);
             let over = found.clone().map(|(value, bound)| ((value - expected).abs() - unknown).max(0.0) / bound);
