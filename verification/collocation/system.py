@@ -1,7 +1,7 @@
 """A solution on a mesh of sub-intervals, and one linearisation of the boundary value problem.
 
 Chebyshev collocation with points of the first kind: z' is a polynomial on each sub-interval, z its integral. Left end: V = M = 0
-(and w = 0). Right end: M = 0 or theta as at rest, and across the pull no force, H sin - V cos = 0, or no displacement,
+(and w = 0; with friction H = 0). Right end: M = 0 or theta as at rest, and across the pull no force, H sin - V cos = 0, or no displacement,
 w sin - (y - y_rest) cos = 0; only where the pull is upright and free across is H = 0 and w left out. The displacement of the grip
 along the pull is not prescribed: one condition is missing, and the solutions form the path.
 """
@@ -122,20 +122,20 @@ class System:
         conditions = [(2, st.zn[0, 2]), (3, st.zn[0, 3])]
         tip = 1 if c.rotation == "fixed" else 3
         conditions.append((e + tip, st.zn[-1, tip] - (c.end_rotation if tip == 1 else 0.0)))
-        if d == 5:
-            conditions.append((4, st.zn[0, 4]))
+        if d >= 5:
+            conditions.append((d - 1, st.zn[0, d - 1]))               # w, or with friction H
         for k, (col, val) in enumerate(conditions):
             A[o + k, col] = 1.0
             r[o + k] = -val
-        if d == 5:                                                    # across the pull
+        if d >= 5:                                                    # across the pull
             cos, sin = c.pull
             k = o + len(conditions)
             if c.horizontal == "fixed":
                 A[k, e + 4], A[k, e] = sin, -cos
                 r[k] = (st.zn[-1, 0] - c.end_gap) * cos - (st.zn[-1, 4] - c.stretch) * sin
             else:
-                A[k, -1], A[k, e + 2] = sin, -cos
-                r[k] = st.zn[-1, 2] * cos - st.H * sin
+                A[k, -1 if d == 5 else e + 5], A[k, e + 2] = sin, -cos
+                r[k] = st.zn[-1, 2] * cos - (st.H if d == 5 else st.zn[-1, 5]) * sin
         self.A, self.r, self.d, self.N = A, r, d, N
         self.defect = max(np.abs(gap).max(), np.abs(f - st.K).max())
 
