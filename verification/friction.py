@@ -48,9 +48,9 @@ REMARKS = (
     "Strips that rub on the substrate, computed without finite elements by verification/friction.py: u and P along the pull, the rest as in strip_variants.csv.",
     "tau0 (GPa), friction_coefficient: tau = tau0 w(d) + mu q(p(d)) of collocation/friction.py, with k = -T'(d_eq) = 7.5625 GPa/nm. pull_angle_deg, grip_across as in",
     "pull_angle.csv. tail_displacement: x(0) at the peak; slip_boundary: where stick meets slip there, farthest from the grip; 0: the whole strip slides, and the peak is",
-    "where its free end begins to. lp1: the first displacement limit point before P has fallen to half of the peak (at 90 degrees, free: to a twentieth), if any.",
-    "one_way_until: u of the first path point (so to three digits at best) at which a point in contact has slid back by more than 1e-8 nm; empty: none up to where the",
-    "path was left, which is behind the last number of the row. Every other number is good to the digits printed; digits_relative: the fewest of a row.",
+    "where its last point begins to. lp1: the first displacement limit point before P has fallen to half of the peak (at 90 degrees, free: to a twentieth), if any.",
+    "one_way_until: u of the first path point (so to three digits at best) at which a point in contact has slid back by more than 1e-8 nm: the path is left there, behind",
+    "the last number of the row; empty: none up to where P had fallen. Every other number is good to the digits printed; digits_relative: the fewest of a row.",
 )
 STEADY_REMARKS = (
     "Steady peeling with friction, by verification/friction.py: a strip of length_nm pulled at pull_angle_deg, grip free, its front 30 nm and a tenth of the length from the free end.",
@@ -76,7 +76,7 @@ QUICK = [CASES[i] for i in (3, 10, 12)]
 VALUES = ("peak_displacement_nm", "peak_force_nN", "tail_displacement_nm", "slip_boundary_nm", "lp1_displacement_nm", "lp1_force_nN")
 COLUMNS = ("length_nm", "pull_angle_deg", "grip_rotation", "grip_across", "tau0_GPa", "friction_coefficient", *VALUES, "one_way_until_nm")
 RUBS = {"tau0_GPa": "tau0", "friction_coefficient": "mu"}
-STEADY = [replace(D, length=400.0, angle=a, friction=F(tau0=t)) for a, t in ((30.0, 0.05), (30.0, 0.01), (30.0, 0.5), (30.0, 5.0), (60.0, 0.05), (90.0, 0.05))]
+STEADY = [replace(D, length=300.0, angle=a, friction=F(tau0=t)) for a, t in ((30.0, 0.05), (30.0, 0.5), (90.0, 0.05))]
 CYCLES = [(replace(D, length=40.0, height=h, young=10.0 / h, angle=0.0, far_face=False), 0.5, steps) for h, steps in ((0.5, 1), (0.5, 8), (0.25, 1), (0.1, 1))]
 
 
@@ -84,7 +84,7 @@ def compute(strip, level, verbose):
     """The numbers of one path; None where a thing does not occur."""
     least = 0.05 if strip.angle == 90.0 and strip.horizontal == "free" else 0.5
     path = Walk(strip, fine=level["fine"], rough=(level["N"], level["n"], 1e-6), goal=2.0 * level["goal"], verbose=verbose,
-                want=("slide",) if strip.angle == 0.0 else ("peak", "lp1"), least=least, most=level.get("most", 400))
+                want=("slide",) if strip.angle == 0.0 else ("slide", "peak", "lp1"), least=least, most=level.get("most", 400))
     out = dict.fromkeys(VALUES)
     s = path.s
     peak = path.found.get("peak", path.found.get("slide"))
@@ -94,7 +94,7 @@ def compute(strip, level, verbose):
         out["slip_boundary_nm"] = 0.0 if at is not None and at < 1e-6 else at
     if "lp1" in path.found:
         out["lp1_displacement_nm"], out["lp1_force_nN"] = s.u(path.found["lp1"]), s.P(path.found["lp1"])
-    compute.back = next((u for u, _, _, back in path.back if back > 1e-8), None)
+    compute.back = path.turned
     return out
 
 
@@ -142,9 +142,6 @@ def steady(c):
     cos, sin = c.pull
     w, P = adhesion(s), s.P(st)
     root = lambda part: brentq(lambda P: P * (1.0 - cos) + P * P * part / (2.0 * c.EA) - w, 0.0, 10.0, xtol=1e-15)
-    back = max(b for *_, b in path.back)
-    if back > 1e-8:
-        raise ArithmeticError(f"{c}: a point slides back by {back:.1e}")
     return {"length_nm": c.length, "pull_angle_deg": c.angle, "tau0_GPa": c.friction.tau0, "force_nN": f"{P:.9f}", "error_nN": f"{abs(P - s.P(old)):.1e}",
             "dissipation_nN": f"{D:.9f}", "no_slip_nN": f"{root(1.0):.9f}", "frictionless_nN": f"{root(sin * sin):.9f}",
             "balance_nN": f"{P * (1.0 - cos) + P * P / (2.0 * c.EA) - w - D:.0e}", "slip_nm": f"{front(s, st) - boundary(s, st):.6f}"}

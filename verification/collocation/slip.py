@@ -6,7 +6,7 @@ the space of what the grip does (gap, rotation, forces, place), which does not d
 import copy
 
 import numpy as np
-from scipy.optimize import brentq
+from scipy.optimize import brentq, minimize_scalar
 
 from .law import _near, field
 from .mesh import mesh, rest_state, with_corners
@@ -16,6 +16,7 @@ from .turns import divided, tails
 
 MOST_INTERVALS = 600
 ROUGH = (32, 10, 1e-6)                                                # N, n, tail: between the turns
+SLID_BACK = 1e-8                                                      # nm, what counts
 FINE = ((30, 16, 1e-11), (39, 20, 1e-12))
 
 
@@ -102,20 +103,22 @@ def grip(s, what):
 
 
 class Walk:
-    """The path from rest. found: peak, lp1, and slide where the free end begins to slide; points; back: the largest slides back in a step, (u, P, S, how far).
+    """The path from rest. found: peak, lp1, and slide, from where on the whole strip slides; points; back: of every step u, P, S and how
+    far a point in contact has slid back there.
 
-    Ends, too, where P has fallen to `least` of the peak. history: the anchors are carried along after every step; else they stay at rest, which is the same until a point slides back.
+    Anchors stay at rest, which is exact, until a point slides back (u = `turned` at the point that shows it). There the path ends, or
+    with `carry` they come along after every step from the last point before, number `since`, on; with `history` from the first. Ends, too, where P has fallen to `least` of the peak.
     """
 
-    def __init__(self, strip, fine=FINE[0], rough=ROUGH, want=("peak",), most=400, goal=0.03, history=False, longest=np.inf, stop=None, least=-np.inf,
+    def __init__(self, strip, fine=FINE[0], rough=ROUGH, want=("peak",), most=400, goal=0.03, history=False, longest=np.inf, stop=None, least=-np.inf, carry=False,
                  verbose=False):
         self.s, self.fine, self.rough, self.want = Solver(strip), fine, rough, want
         self.goal, self.history, self.longest, self.stop, self.verbose = goal, history, longest, stop, verbose
-        self.bare, self.least = strip, least
+        self.bare, self.least, self.carry = strip, least, carry
         self.found, self.points, self.tangents, self.back = {}, [], [], []
         self.grid = np.linspace(0.0, strip.length, 8001)
         self.slips = np.zeros_like(self.grid)
-        self.anchors = None
+        self.anchors, self.since, self.turned = None, None, None
         self.end = self.follow(most)
 
     def size(self):
@@ -138,10 +141,19 @@ class Walk:
                 st, T, way, err, ds = self.step(ds)
             except Failure as why:
                 return str(why)
+            if not self.history and self.turns_back(st)[3] > SLID_BACK:
+                self.turned = s.u(st)
+                if not self.carry:
+                    return "a point slides back"
+                self.history = True
+                self.commit(self.points[-1])                          # the step once more, with the anchors where they are now
+                self.since = len(self.points)
+                continue
             self.points.append(st)
             self.tangents.append(T)
             self.labels.append(self.labels[-1] + ds)
-            self.watch(st)
+            self.back.append(self.turns_back(st))
+            self.slips = self.slip_of(st, self.grid)[0]
             if self.verbose:
                 print(f"    {len(self.points):4d} u={s.u(st):.8g} P={s.P(st):.8g} gap={st.zn[-1, 0]:.6g} thL={st.zn[-1, 1]:.5f} x0={st.zn[0, 4]:.4g} "
                       f"ds={ds:.3g} err={err:.2g} N={len(st.X)} back={self.back[-1][3]:.1e} at {self.back[-1][2]:.2f}", flush=True)
@@ -189,6 +201,8 @@ class Walk:
         s = self.s
         last = self.points[-1]
         use = list(zip(self.labels, self.points))[-3:]
+        if ds < 1e-9:
+            raise Failure("no step left")
         label = use[-1][0] + ds
         if len(use) == 1:
             return last
@@ -210,13 +224,13 @@ class Walk:
         slip, tau = c.friction.slip(here, st.at(np.ravel(S)).reshape(*np.shape(S), self.s.d), _near)
         return slip + here.slid, tau
 
-    def watch(self, st):
+    def turns_back(self, st):
+        """u, P, S and how far a point in contact has slid back there since the last point of the path."""
         s = self.s
         slips, tau = self.slip_of(st, self.grid)
         back = np.where(tau > 1e-3 * s.strip.friction.tau0, np.minimum(-np.sign(self.slips) * (slips - self.slips), np.abs(self.slips)), 0.0)
         i = int(np.argmax(back))
-        self.back.append((s.u(st), s.P(st), float(self.grid[i]), float(back[i])))
-        self.slips = slips
+        return s.u(st), s.P(st), float(self.grid[i]), float(back[i])
 
     def look(self, way):
         """Turns between the last two points."""
@@ -226,7 +240,7 @@ class Walk:
             if kind in self.found or kind not in self.want:
                 continue
             form = what and grip(s, what)
-            reads = (lambda st, T: form @ T) if what else lambda st, T: -self.end_slides(st)
+            reads = (lambda st, T: form @ T) if what else lambda st, T: self.sticks(st)
             before, after = (reads(st, T / (way @ T)) for st, T in zip((a, b), self.tangents[-2:]))
             if not before > 0.0 >= after or what and "slide" in self.found:
                 continue
@@ -236,10 +250,18 @@ class Walk:
                 if self.verbose:
                     print(f"      no {kind} here: {why}")
 
-    def end_slides(self, st):
-        """k |e| - tau at the free end."""
+    def sticks(self, st):
+        """How far below tau the traction is where it is farthest below: negative where the whole strip slides."""
         c = self.s.strip
-        return c.friction.corners(c.at(st.X[:1]), st.zn[:1], _near)[0][0]
+        S = np.concatenate([st.X, st.points().ravel()])
+        depth = lambda S: -c.friction.corners(c.at(S), st.at(S), _near)[0]
+        S = S[np.argsort(S)]
+        at = depth(S)
+        i = int(np.argmax(at))
+        if not 0 < i < len(S) - 1:
+            return float(at[i])
+        best = minimize_scalar(lambda x: -float(depth(np.array([x]))[0]), bounds=(S[i - 1], S[i + 1]), method="bounded", options={"xatol": 1e-10})
+        return max(float(at[i]), -float(best.fun))
 
     def turn(self, a, b, way, reads):
         """Where reads(solution, tangent) is nought between two points."""
@@ -247,9 +269,15 @@ class Walk:
         known = {float(way @ st.zn[-1]): st for st in (a, b)}
         low, high = min(known), max(known)
 
-        def component(value):
+        def component(value, tries=6):
             near = min(known, key=lambda q: abs(q - value))
-            st, T = settled(s, known[near], way, value, *self.fine)
+            try:
+                st, T = settled(s, known[near], way, value, *self.fine)
+            except Failure:                                           # by way of the middle
+                if not tries:
+                    raise
+                component(0.5 * (near + value), tries - 1)
+                return component(value, tries - 1)
             known[value] = st
             return float(reads(st, T[-s.d:]))
 
@@ -282,8 +310,11 @@ def boundaries(s, st):
 
 
 def boundary(s, st):
-    """The boundary of slip farthest from the grip; 0 where the strip slides from its end on, None where nothing slides."""
+    """The boundary of slip farthest from the grip, that of a few nm at the free end aside; 0 where the whole strip slides or nearly so,
+    None where nothing does."""
+    at = boundaries(s, st)
     c = s.strip
     if c.friction.corners(c.at(st.X[:1]), st.zn[:1], _near)[0][0] > 0.0:
-        return 0.0
-    return next(iter(boundaries(s, st)), None)
+        at = at[1:]                                                   # the free end slides, too
+        return at[0] if at else 0.0
+    return at[0] if at else None
