@@ -3,23 +3,23 @@
 
 The law is that of collocation/friction.py: a traction t on the bottom face against x_b = x + (h/2) sin theta,
     H' = b t,   M' = -x' V + y' H + b dPsi/dtheta + b t (h/2) cos theta,
-    |t| <= tau(d),   t = k e below,   e = x_b - a,   d = y - (h/2) cos theta,
-the anchor a = S at rest and drawn along where t = tau. The left end is free, H = V = M = 0, and x(0) is an unknown; V, the kinematics and
-the grip are those of pull_angle.py. Unknowns are g = y - h/2, theta, V, M, x - S and H.
+    t = s tau(d),   ds = (1 -+ s) dx_b/delta,   s = 0 at rest,   d = y - (h/2) cos theta.
+The left end is free, H = V = M = 0, and x(0) is an unknown; V, the kinematics and the grip are those of pull_angle.py. Unknowns are
+g = y - h/2, theta, V, M, x - S and H.
 
-While no point that has slid turns back in contact, a = S all the time and t = sign(e) min(k |e|, tau): friction.csv and friction_steady.csv
-are of such paths. Whether they are is looked at in every point of a path on 8001 places; the displacement at which it first happens
-is the column one_way_until. friction_cycle.csv is computed with anchors: after each step they are a polynomial on every sub-interval.
-Formulas change at places that move (where stick meets slip, where d passes d_eq and d_c): nodes of the mesh are laid there, again and
-again until nothing changes. Turns are where the tangent has no component, on meshes that resolve the solution on either side.
+While no point has turned back, t = sign(e) tau (1 - exp(-|e|/delta)) with e = x_b - S, and no step has an error. Whether one has is looked
+at in every point of a path and at the peak, on 8001 places. Where one has, x_b and s behind each step are kept as polynomials on
+sub-intervals, and a point turns back where a step ends: an error of the order of the square of the steps, which halved steps take away.
+Nodes lie where formulas change: where a point has not moved, and where earlier such places have left a kink in s. Turns are where
+the tangent has no component, on meshes that resolve the solution on either side.
 
 Steady peeling: with the first integral I = H x' + V y' + M theta' - stored - b Psi,  I' = b t x_b',  so that from the rest ahead to the arm
     P (1 - cos) + P^2/2EA = w b + D',   D' = b int t (x_b' - 1) dS,
-and D' is int t da, what friction takes for a unit of length that peels.
+and D' is int b t dx_b, what friction takes for a unit of length that peels, once that is steady.
 
-Cycle: a flat strip on an elastic-perfectly plastic interface has, with lambda^2 = k b/EA and the slip length s,
-    u = d + H s/EA + tau0 b s^2/2EA,   P = H + tau0 b s,   H = EA lambda d tanh(lambda (L - s)),   d = tau0/k     (loading curve P = f(u)),
-and P = f(u1) - 2 f((u1 - u)/2) on the way back (Masing). For k to infinity f = (2 EA tau0 b u)^(1/2), so that P(0) = (1 - 2^(1/2)) f(u1).
+Cycle: a bar on such an interface has EA e'' = b tau0 s, e = x - S. Pulled from rest, e' = 0 far ahead, EA e'^2/2 = b tau0 (e - delta (1 - exp(-e/delta))):
+    P = (2 EA b tau0 (u - delta (1 - exp(-u/delta))))^(1/2).
+Back and again every point turns with the grip, s = +-1 - (+-1 - s0) exp(-|e - e0|/delta), and scipy's solve_bvp solves it.
 """
 import argparse
 import csv
@@ -30,36 +30,37 @@ from dataclasses import replace
 
 from collocation import selfcheck  # first: one thread
 import numpy as np
-from scipy.integrate import solve_ivp
+from scipy.integrate import solve_bvp, solve_ivp
 from scipy.optimize import brentq
 
 import tables
-from collocation.digits import LEVELS, off, printed
+from collocation.digits import LEVELS, good, off, printed
 from collocation.energy import adhesion
 from collocation.friction import Friction
 from collocation.law import Strip, _near, field, potential
 from collocation.mesh import rest_state
-from collocation.slip import FINE, Anchors, Walk, along, anchored, boundaries, boundary, grip, settled
+from collocation.slip import FINE, Walk, along, committed, grip, settled
 from collocation.solver import Solver
 from collocation.suite import DEFINING, Suite
 from collocation.system import Rule, System
 
 REMARKS = (
     "Strips that rub on the substrate, computed without finite elements by verification/friction.py: u and P along the pull, the rest as in strip_variants.csv.",
-    "tau0 (GPa), friction_coefficient: tau = tau0 w(d) + mu q(p(d)) of collocation/friction.py, with k = -T'(d_eq) = 7.5625 GPa/nm. pull_angle_deg, grip_across as in",
-    "pull_angle.csv. tail_displacement: x(0) at the peak; slip_boundary: where stick meets slip there, farthest from the grip; 0: the whole strip slides, and the peak is",
-    "where its last point begins to. lp1: the first displacement limit point before P has fallen to half of the peak (at 90 degrees, free: to a twentieth), if any.",
-    "one_way_until: u of the first path point (so to three digits at best) at which a point in contact has slid back by more than 1e-8 nm: the path is left there, behind",
-    "the last number of the row; empty: none up to where P had fallen. Every other number is good to the digits printed; digits_relative: the fewest of a row.",
+    "tau0 (GPa), friction_coefficient: those of Dahl's law in collocation/friction.py, with delta = tau0/(7.5625 GPa/nm). pull_angle_deg, grip_across as in pull_angle.csv.",
+    "tail_displacement: x(0) at the peak. At 0 degrees there is no peak: the force to which P tends while the whole strip slides. lp1: the first displacement limit point before",
+    "P has fallen to half of the peak (90 degrees, free across: a twentieth; row 6: a fifth), if any. one_way_until: u of the first path point (so to a digit or two) at which a point",
+    "in contact has turned back by more than 1e-9 nm; what lies behind is computed with history, two step lengths extrapolated. Empty: none up to the last number of the row.",
+    "Every other number is good to the digits printed; digits_relative: the fewest of a row.",
 )
 STEADY_REMARKS = (
-    "Steady peeling with friction, by verification/friction.py: a strip of length_nm pulled at pull_angle_deg, grip free, its front 30 nm and a tenth of the length from the free end.",
-    "force: P there; error_nN: its difference from P where the front was 60 nm farther. dissipation: D' = int t da per length of advance, nN. no_slip and frictionless: the roots of",
-    "P (1 - cos) + P^2/2EA = w b and of P (1 - cos) + P^2 sin^2/2EA = w b. balance: P (1 - cos) + P^2/2EA - w b - D', nN. slip_nm: how far slip reaches ahead of where d = d_c.",
+    "Steady peeling with friction, by verification/friction.py, with history: a strip of length_nm pulled at pull_angle_deg, grip free, its front (d = d_max) rest_nm from the free end.",
+    "force: P there; error_nN: the larger of its difference from P with twice as long steps, and from P where the front was 20 nm farther. one_way: P there by the one-way form, which",
+    "does not hold. dissipation: D' = b int t (x_b' - 1) dS, nN; rubbed: b int int t dx_b by the steps of the path, per length of advance. no_slip and frictionless: the roots of",
+    "P (1 - cos) + P^2/2EA = w b and of P (1 - cos) + P^2 sin^2/2EA = w b. balance: P (1 - cos) + P^2/2EA - w b - D', nN.",
 )
 CYCLE_REMARKS = (
-    "Pulled along the substrate to u1, back to u = 0 and to u1 again, by verification/friction.py, with anchors: L = 40 nm, E h = 10 nN/nm, k = 7.5625 GPa/nm, no far face.",
-    "steps: of each of the three ways; forces at their ends. flat_: the elastic-perfectly plastic shear lag, closed form; rigid_: the same for k to infinity.",
+    "Pulled along the substrate to u1, back to u = 0 and to u1 again, by verification/friction.py, with history: L = 40 nm, E h = 10 nN/nm, tau0/delta = 7.5625 GPa/nm, no far face.",
+    "steps: of each of the three ways; forces at their ends. flat_: of a bar that does not bend; flat_u1 in closed form.",
 )
 F = Friction
 D = Strip(friction=F(tau0=0.05))
@@ -67,100 +68,168 @@ CASES = [
     D, replace(D, friction=F(tau0=0.2)), replace(D, friction=F(tau0=0.05, mu=0.3)),
     *(replace(D, angle=a) for a in (60.0, 45.0, 30.0, 20.0, 10.0)),
     *(replace(D, angle=30.0, friction=f) for f in (F(tau0=0.01), F(tau0=0.02), F(tau0=0.2), F(tau0=0.05, mu=0.3))),
+    *(replace(D, angle=a) for a in (120.0, 150.0)),
     replace(D, horizontal="fixed"), replace(D, horizontal="fixed", rotation="fixed"), replace(D, rotation="fixed"),
     replace(D, angle=30.0, horizontal="fixed"),
     replace(D, length=200.0, angle=30.0), replace(D, length=200.0, angle=0.0), replace(D, angle=0.0),
     replace(D, angle=0.0, friction=F(tau0=0.05, mu=0.3)),
 ]
-QUICK = [CASES[i] for i in (3, 10, 12)]
-VALUES = ("peak_displacement_nm", "peak_force_nN", "tail_displacement_nm", "slip_boundary_nm", "lp1_displacement_nm", "lp1_force_nN")
+QUICK = [CASES[i] for i in (5, 10)]
+VALUES = ("peak_displacement_nm", "peak_force_nN", "tail_displacement_nm", "lp1_displacement_nm", "lp1_force_nN")
 COLUMNS = ("length_nm", "pull_angle_deg", "grip_rotation", "grip_across", "tau0_GPa", "friction_coefficient", *VALUES, "one_way_until_nm")
 RUBS = {"tau0_GPa": "tau0", "friction_coefficient": "mu"}
-STEADY = [replace(D, length=300.0, angle=a, friction=F(tau0=t)) for a, t in ((30.0, 0.05), (30.0, 0.5), (90.0, 0.05))]
-CYCLES = [(replace(D, length=40.0, height=h, young=10.0 / h, angle=0.0, far_face=False), 0.5, steps) for h, steps in ((0.5, 1), (0.5, 8), (0.25, 1), (0.1, 1))]
+STEPS = tuple(0.03 / 8 ** k for k in range(5))                                   # errors of a prediction, for steps half as long each
+STEADY = [replace(D, length=120.0, angle=a, friction=F(tau0=t)) for a, t in ((30.0, 0.05), (30.0, 0.5), (90.0, 0.05))]
+CYCLES = [(replace(D, length=40.0, height=h, young=10.0 / h, angle=0.0, far_face=False), 0.5, steps)
+          for h, steps in ((0.5, 64), (0.5, 128), (0.25, 64), (0.1, 64))]
 
 
-def compute(strip, level, verbose):
-    """The numbers of one path; None where a thing does not occur."""
-    least = 0.05 if strip.angle == 90.0 and strip.horizontal == "free" else 0.5
-    path = Walk(strip, fine=level["fine"], rough=(level["N"], level["n"], 1e-6), goal=2.0 * level["goal"], verbose=verbose,
-                want=("slide",) if strip.angle == 0.0 else ("slide", "peak", "lp1"), least=least, most=level.get("most", 400))
-    out = dict.fromkeys(VALUES)
-    s = path.s
-    peak = path.found.get("peak", path.found.get("slide"))
-    if peak is not None:
-        out.update(peak_displacement_nm=s.u(peak), peak_force_nN=s.P(peak), tail_displacement_nm=float(peak.zn[0, 4]))
-        at = boundary(s, peak)
-        out["slip_boundary_nm"] = 0.0 if at is not None and at < 1e-6 else at
-    if "lp1" in path.found:
-        out["lp1_displacement_nm"], out["lp1_force_nN"] = s.u(path.found["lp1"]), s.P(path.found["lp1"])
-    compute.back = path.turned
+def least(strip):
+    """Down to what share of the peak lp1 is looked for."""
+    return 0.05 if strip.angle == 90.0 and strip.horizontal == "free" else 0.2 if strip == CASES[5] else 0.5
+
+
+def peak_of(path):
+    st = path.found["peak"]
+    return dict(zip(VALUES[:3], (path.s.u(st), path.s.P(st), float(st.zn[0, 4]))))
+
+
+def lp1_of(path):
+    st = path.found["lp1"]
+    return dict(zip(VALUES[3:], (path.s.u(st), path.s.P(st))))
+
+
+def sliding(path, fine):
+    """The force while the whole strip slides."""
+    s, st = path.s, path.points[-1]
+    up = grip(s, "u")
+    st, _ = settled(s, st, up, up @ st.zn[-1], *fine)
+    return {"peak_force_nN": s.P(st)}
+
+
+def extrapolated(rough, fine):
+    """Errors go with the square of the steps; these are half as long in `fine`. Numbers, and how far they are from the finer."""
+    return {k: (fine[k] + (fine[k] - rough[k]) / 3.0, abs(fine[k] - rough[k]) / 3.0 / abs(fine[k])) for k in fine}
+
+
+def converged(compute, goals):
+    """Steps halved until the extrapolated numbers have six digits, or to the last."""
+    rough, out = compute(goals[0]), {}
+    for goal in goals[1:]:
+        fine = compute(goal)
+        out, rough = extrapolated(rough, fine), fine
+        if all(good(difference) >= 6 for _, difference in out.values()):
+            break
     return out
+
+
+def numbers(strip, levels, verbose=False):
+    """{column: (number, relative error or how far levels differ)} of a row, and its one_way_until."""
+    far = 60.0 * strip.friction.delta(strip)
+    walks = [Walk(strip, fine=level["fine"], rough=(level["N"], level["n"], 1e-6), goal=2.0 * level["goal"], verbose=verbose,
+                  stop=lambda s, st: strip.angle == 0.0 and st.zn[0, 4] > far or s.u(st) > 100.0) for level in levels]
+    if strip.angle == 0.0:
+        a, b = sliding(walks[0], levels[0]["fine"]), sliding(walks[-1], levels[-1]["fine"])
+        return {k: (b[k], abs(a[k] / b[k] - 1.0)) for k in b}, walks[-1].turned
+    at_peak = None if walks[-1].one_way["peak"] else walks[-1].s.u(walks[-1].found["peak"])
+    until, carried = walks[-1].turned or at_peak, lambda goal, want: Walk(strip, goal=goal, want=want, history=True, most=3000, least=least(strip), verbose=verbose)
+    if walks[-1].one_way["peak"]:
+        a, b = peak_of(walks[0]), peak_of(walks[-1])
+        out = {k: (b[k], abs(a[k] / b[k] - 1.0)) for k in b}
+    else:
+        out = converged(lambda goal: peak_of(carried(goal, ("peak",))), STEPS[1:])
+    path = carried(STEPS[0], ("peak", "lp1"))
+    if "lp1" in path.found:
+        out |= converged(lambda goal: lp1_of(path if goal == path.goal else carried(goal, ("peak", "lp1"))), STEPS)
+        until = until or path.turned
+    return out, until
 
 
 class Rubbing(Suite):
     """A suite whose strips have friction."""
 
     def row(self, strip, verbose):
-        row, remarks = super().row(strip, verbose)
+        found, until = numbers(strip, LEVELS, verbose)
+        row = {}
+        for column in self.columns:
+            value = getattr(strip, self.defining[column]) if column in self.defining else None
+            row[column] = repr(value).removesuffix(".0") if isinstance(value, float) else value
+            if column in found:
+                row[column] = printed(*found[column])
         for column, name in RUBS.items():
             row[column] = repr(getattr(strip.friction, name)).removesuffix(".0")
-        row["one_way_until_nm"] = None if compute.back is None else f"{compute.back:.3g}"
-        return row, remarks
+        row["one_way_until_nm"] = None if until is None else f"{until:.2g}"
+        row["digits_relative"] = min(good(difference) for _, difference in found.values())
+        return row, []
 
     def mismatches(self, strip, row, verbose):
-        self.values = VALUES
-        return super().mismatches(strip, row, verbose)
+        now, until = numbers(strip, LEVELS[1:], verbose)
+        for column in VALUES:
+            if (column in now) != bool(row[column]):
+                yield f"{column}: {row[column] or 'nothing'} in the table, {now.get(column)} now"
+            elif column in now and (difference := off(row[column], now[column][0])) is not None:
+                yield f"{column}: {row[column]} in the table, {now[column][0]!r} now, differs by {difference:.1e}"
+        if (until is None) != (not row["one_way_until_nm"]):
+            yield f"one_way_until_nm: {row['one_way_until_nm'] or 'nothing'} in the table, {until} now"
 
     def strip_of(self, row):
         return replace(super().strip_of(row), friction=Friction(**{name: float(row[column]) for column, name in RUBS.items()}))
 
 
 def front(s, st):
-    """Where d = d_c, nearest to the free end; None where it is nowhere."""
+    """Where d = d_max, nearest to the free end; None where it is nowhere."""
     c = s.strip
-    wide = lambda S: c.friction.corners(c.at(S), st.at(S), _near)[2]
+    wide = lambda S: c.friction.face(c.at(S), st.at(S))[1] - c.friction.farthest(c)
     at = wide(st.X)
     i = np.flatnonzero((at[:-1] < 0.0) & (at[1:] >= 0.0))
     return brentq(lambda x: float(wide(np.array([x]))[0]), st.X[i[0]], st.X[i[0] + 1]) if len(i) else None
 
 
-def steady(c):
+def steady(c, rest=40.0, before=20.0):
     """A row of friction_steady.csv."""
-    place = lambda s, st: (front(s, st) or c.length) - 30.0 - 0.1 * c.length
-    path = Walk(c, want=("never",), most=2000, goal=0.03, stop=lambda s, st: place(s, st) < 0.0)
-    s = path.s
-    if path.end != "stopped":
-        raise ArithmeticError(f"{c}: {path.end}")
-    up = grip(s, "u")
-    before = next(st for st in path.points if place(s, st) < 60.0)
-    (old, _), (st, _) = (settled(s, st, up, up @ st.zn[-1], *FINE[0]) for st in (before, path.points[-1]))
+    place = lambda s, st: front(s, st) or c.length
+    ends = []
+    for goal, history in ((STEPS[0], True), (STEPS[1], True), (STEPS[0], False)):
+        path = Walk(c, want=("never",), most=3000, goal=goal, history=history, stop=lambda s, st: place(s, st) < rest)
+        s = path.s
+        if path.end != "stopped":
+            raise ArithmeticError(f"{c}: {path.end}")
+        fronts = np.array([place(s, st) for st in path.points])
+        P = lambda at: float(np.interp(-at, -fronts[-60:], [s.P(st) for st in path.points[-60:]]))
+        ends.append((path, fronts, P(rest), P(rest + before)))
+    path, fronts, P, old = ends[1]
+    s, st = path.s, path.points[-1]
     z = st.inner()
-    f = field(c, z, 0.0, jac=False)
-    t = c.friction.traction(c, z, _near)[0]
+    here = s.strip.at(st.points())
+    f = field(here, z, 0.0, jac=False)
+    t = c.friction.traction(here, z, _near)[0]
     D = c.width * float(np.diff(st.X) @ ((t * (f[..., 4] + 0.5 * c.height * np.cos(z[..., 1]) * f[..., 1])) @ Rule(st.n).w))
+    i = int(np.flatnonzero(fronts > rest + before)[-1])
+    rubbed = (path.rubbed[-1] - path.rubbed[i]) / (fronts[i] - fronts[-1])
     cos, sin = c.pull
-    w, P = adhesion(s), s.P(st)
+    w, P_now = adhesion(s), s.P(st)
     root = lambda part: brentq(lambda P: P * (1.0 - cos) + P * P * part / (2.0 * c.EA) - w, 0.0, 10.0, xtol=1e-15)
-    return {"length_nm": c.length, "pull_angle_deg": c.angle, "tau0_GPa": c.friction.tau0, "force_nN": f"{P:.9f}", "error_nN": f"{abs(P - s.P(old)):.1e}",
-            "dissipation_nN": f"{D:.9f}", "no_slip_nN": f"{root(1.0):.9f}", "frictionless_nN": f"{root(sin * sin):.9f}",
-            "balance_nN": f"{P * (1.0 - cos) + P * P / (2.0 * c.EA) - w - D:.0e}", "slip_nm": f"{front(s, st) - boundary(s, st):.6f}"}
+    return {"length_nm": c.length, "pull_angle_deg": c.angle, "tau0_GPa": c.friction.tau0, "rest_nm": rest, "force_nN": f"{P:.7f}",
+            "error_nN": f"{max(abs(P - ends[0][2]), abs(P - old)):.1e}", "one_way_nN": f"{ends[2][2]:.7f}", "dissipation_nN": f"{D:.7f}", "rubbed_nN": f"{rubbed:.4f}",
+            "no_slip_nN": f"{root(1.0):.9f}", "frictionless_nN": f"{root(sin * sin):.9f}", "balance_nN": f"{P_now * (1.0 - cos) + P_now * P_now / (2.0 * c.EA) - w - D:.0e}"}
 
 
-def loading(c):
-    """f of a flat strip."""
-    k, tau, EA, b = c.friction.k(c), c.friction.tau0, c.EA, c.width
-    lam, d = math.sqrt(k * b / EA), tau / k
-    ahead = lambda s: EA * lam * d * math.tanh(lam * (c.length - s))
-    end = lambda s: d + ahead(s) * s / EA + tau * b * s * s / (2.0 * EA)
-
-    def f(u):
-        if u <= d:
-            return EA * lam * math.tanh(lam * c.length) * u
-        s = brentq(lambda s: end(s) - u, 0.0, c.length, xtol=1e-15)
-        return ahead(s) + tau * b * s
-
-    return f
+def flat(c, top):
+    """Forces of a bar that does not bend, at u = top, 0 and top again: EA e'' = b tau0 s. Every point turns back when the grip does."""
+    delta, tau, EA, L = c.friction.delta(c), c.friction.tau0 * c.width, c.EA, c.length
+    S = np.linspace(0.0, L, 2001)
+    x, share, out = (lambda S: 0.0 * S), (lambda S: 0.0 * S), []
+    guess = np.array([top * np.exp((S - L) / 5.0), top / 5.0 * np.exp((S - L) / 5.0)])
+    for sense, end in ((1.0, top), (-1.0, 0.0), (1.0, top)):
+        left = lambda S, e, x=x, share=share, sense=sense: (sense - share(S)) * np.exp(np.minimum(-sense * (e - x(S)) / delta, 3.0))
+        found = solve_bvp(lambda S, z: np.array([z[1], tau / EA * (sense - left(S, z[0]))]), lambda a, b: np.array([a[1], b[0] - end]), S, guess,
+                          tol=1e-9, max_nodes=200000)
+        if found.status:
+            raise ArithmeticError(found.message)
+        out.append(EA * float(found.y[1, -1]))
+        x, share = (lambda S, f=found: f.sol(S)[0]), (lambda S, f=found, l=left, sense=sense: sense - l(S, f.sol(S)[0]))
+        guess = found.sol(S)
+    return out
 
 
 def cycle(c, top, steps, level=FINE[0]):
@@ -169,31 +238,25 @@ def cycle(c, top, steps, level=FINE[0]):
     st = rest_state(s, [32], level[1])
     up = grip(s, "u")
     rest = up @ st.zn[-1]
-    anchors, out, u = None, [], 0.0
-    for way, goal in enumerate((top, 0.0, top)):
+    out, u = [], 0.0
+    for goal in (top, 0.0, top):
         begin = u
         for j in range(1, steps + 1):
-            to = begin + (goal - begin) * j / steps
-            for share in (0.25, 0.5, 0.75, 1.0) if steps < 4 else (1.0,):
-                st, _ = settled(s, st, up, rest + u + (to - u) * share, *level)
-            u = to
-            here = s.strip.at(st.points())
-            moved = c.friction.slip(here, st.inner(), _near)[0] + here.slid
-            anchors = Anchors(st.X, moved, tuple(sorted({*(anchors.breaks if anchors else ()), *boundaries(s, st)})))
-            s.strip = anchored(c, anchors)
+            u = begin + (goal - begin) * j / steps
+            st, _ = settled(s, st, up, rest + u, *level)
+            s.strip = committed(c, s, st)
         out.append(s.P(st))
     return out
 
 
 def cycle_row(c, top, steps):
-    a, b = (cycle(c, top, steps, level) for level in FINE)
-    f = loading(c)
-    rigid = math.sqrt(2.0 * c.EA * c.friction.tau0 * c.width * top)
-    row = {"height_nm": c.height, "tau0_GPa": c.friction.tau0, "u1_nm": top, "steps": steps}
-    for name, p, q in zip(("force_u1_nN", "force_back_nN", "force_again_nN"), a, b):
-        row[name] = printed(q, max(abs(p / q - 1.0), 1e-11))
-    return row | {"flat_u1_nN": f"{f(top):.12g}", "flat_back_nN": f"{f(top) - 2.0 * f(0.5 * top):.12g}", "rigid_u1_nN": f"{rigid:.12g}",
-                  "rigid_back_nN": f"{rigid * (1.0 - math.sqrt(2.0)):.12g}"}
+    a = cycle(c, top, steps)
+    b = flat(c, top)
+    delta = c.friction.delta(c)
+    closed = math.sqrt(2.0 * c.EA * c.friction.tau0 * c.width * (top + delta * math.expm1(-top / delta)))
+    return {"height_nm": c.height, "tau0_GPa": c.friction.tau0, "u1_nm": top, "steps": steps,
+            **{name: f"{q:.10g}" for name, q in zip(("force_u1_nN", "force_back_nN", "force_again_nN"), a)},
+            "flat_u1_nN": f"{closed:.10g}", "flat_back_nN": f"{b[1]:.8g}", "flat_again_nN": f"{b[2]:.8g}"}
 
 
 TINY = 1e-30
@@ -207,15 +270,16 @@ def slope(c):
     psi = lambda y, th: (W(y - 0.5 * h * np.cos(th)) - W(y + 0.5 * h * np.cos(th))) / np.cos(th)
     EA, EI, GA = c.young * h * b, c.young * h ** 3 / 12.0 * b, c.shear_correction * c.young / (2.0 * (1.0 + c.poisson)) * h * b
     near, far = c.r0 * 15.0 ** (-1 / 6), c.r0 * 5.0 ** (-1 / 6)
-    k = -np.imag(T(near + 1j * TINY)) / TINY
+    delta = -f.tau0 * TINY / np.imag(T(near + 1j * TINY))
+    onset = min(-0.1 * T(far), f.tau0 / f.mu)
 
     def of(S, z):
         g, th, V, M, w, H = z
         y, co, si = g + 0.5 * h, np.cos(th), np.sin(th)
         d, e = y - 0.5 * h * co, w + 0.5 * h * si
-        s, p = min(max((d - near) / (far - near), 0.0), 1.0), max(T(d), 0.0)
-        tau = f.tau0 * (1.0 - s ** 3 * (10.0 - 15.0 * s + 6.0 * s * s)) + f.mu * p ** 3 / (p * p + (0.1 * T(far)) ** 2)
-        t = math.copysign(min(k * abs(e), tau), e)
+        q = lambda p: 0.5 * (p + math.hypot(p, onset))
+        tau = (f.tau0 + f.mu * (q(T(d)) - q(0.0))) * 82.0 / 81.0 / (1.0 + (d / far) ** 24)
+        t = math.copysign(tau * (1.0 - math.exp(-abs(e) / delta)), e)
         N, Q = H * co + V * si, V * co - H * si
         x1, y1 = (1.0 + N / EA) * co - Q / GA * si, (1.0 + N / EA) * si + Q / GA * co
         py, pt = np.imag(psi(y + 1j * TINY, th)) / TINY, np.imag(psi(y, th + 1j * TINY)) / TINY
@@ -279,10 +343,10 @@ def check_work(c=replace(D, angle=45.0), a=0.15, b=0.3, nodes=8):
 
 
 def check_history(c=replace(D, angle=30.0)):
-    """A peak with anchors that come along after every step against the one with a = S."""
+    """A peak with history against the one-way form, where no point turns back."""
     plain, carried = Walk(c), Walk(c, history=True)
     a, b = (p.s.P(p.found["peak"]) for p in (plain, carried))
-    print(f"peak of {c}: {a:.12g} nN, with anchors in {len(carried.points)} steps {b:.12g}, differs by {abs(b / a - 1.0):.1e}")
+    print(f"peak of {c}: {a:.12g} nN, with history in {len(carried.points)} steps {b:.12g}, differs by {abs(b / a - 1.0):.1e}")
     return abs(b / a - 1.0) < 1e-9
 
 
@@ -306,7 +370,7 @@ def main():
     ap.add_argument("--verbose", action="store_true", help="print every point of every path of friction.csv")
     a = ap.parse_args()
     started, wrong = time.time(), 0
-    suite = Rubbing("friction.csv", REMARKS, CASES, COLUMNS, compute, QUICK, DEFINING | {"pull_angle_deg": "angle", "grip_across": "horizontal"}, paper=Strip())
+    suite = Rubbing("friction.csv", REMARKS, CASES, COLUMNS, None, QUICK, DEFINING | {"pull_angle_deg": "angle", "grip_across": "horizontal"}, paper=Strip())
     if a.table is None:
         wrong += sum(not check() for check in ((check_again,) if a.quick else (check_again, check_work, check_history)))
     if a.table in (None, "peaks"):

@@ -39,7 +39,7 @@ class Beam:
     r0: float = 0.4                      # nm
     friction: Friction | None = None
 
-    slid = 0.0                           # how far the anchors of the friction have come, nm
+    slid, share = 0.0, 0.0               # what friction remembers: x_b - S, nm, and s
 
     @property
     def K(self):

@@ -3,7 +3,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from . import laws
-from .law import _near, field, potential
+from .law import field, potential
 from .system import Rule, State
 
 
@@ -63,7 +63,7 @@ def mesh(s, st, N, n_eff=12.0, quiet=1e-5):
         act = np.maximum(act, v / max(v.max(), 1e-300))
     gate = act * act / (act * act + quiet * quiet)        # what is quieter is noise of the discretisation
     if s.d == 6:
-        lam1 = lam1 + np.sqrt(c.friction.k(c) * c.width / c.EA)
+        lam1 = lam1 + np.sqrt(c.friction.tau0 / c.friction.delta(c) * c.width / c.EA)
     rho = ((lam1 + lam2) * act ** (1.0 / n_eff) + lams * act ** 0.33) * gate + 1.5 * lam3 + 2.0 / s.strip.length
     return equidistribute(s.strip.ends, S, rho, N)
 
@@ -116,7 +116,7 @@ def with_corners(s, st, X):
     t = lambda S: laws.opening(c, *st.at(S)[:, :2].T)[0]
     changes = [lambda S, p=p: t(S) - p for p in corners]
     if c.friction:
-        changes += [lambda S, j=j: c.friction.corners(c.at(S), st.at(S), _near)[j] for j in range(3)]
+        changes += [lambda S: c.friction.face(c.at(S), st.at(S))[0]]
     for change in changes:
         at = change(S)
         for i in np.flatnonzero(at[:-1] * at[1:] < 0.0):

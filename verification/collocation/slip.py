@@ -1,12 +1,12 @@
-"""Paths with friction: formulas change at places that move, and where a point slides back its anchor has a history.
+"""Paths with friction: where a point turns back, what it remembers counts.
 
-Every solution has nodes where formulas change, so that it converges as fast as a smooth one. The path is followed along a direction in
-the space of what the grip does (gap, rotation, forces, place), which does not depend on the mesh.
+The path is followed along a direction in the space of what the grip does (gap, rotation, forces, place), which does not depend on the
+mesh. Nodes lie where a point has not moved since the last step, and where those steps have left a kink.
 """
 import copy
 
 import numpy as np
-from scipy.optimize import brentq, minimize_scalar
+from scipy.optimize import brentq
 
 from .law import _near, field
 from .mesh import mesh, rest_state, with_corners
@@ -16,15 +16,17 @@ from .turns import divided, tails
 
 MOST_INTERVALS = 600
 ROUGH = (32, 10, 1e-6)                                                # N, n, tail: between the turns
-SLID_BACK = 1e-8                                                      # nm, what counts
+TURNED_BACK = 1e-9                                                    # nm, what counts
+APART = 1e-3                                                          # nm, of kinks
+WEAK = 1e-5                                                           # 1/nm, jump of the slope of s
 FINE = ((30, 16, 1e-11), (39, 20, 1e-12))
 
 
-class Anchors:
-    """How far the anchors have come, a piecewise polynomial of S."""
+class Memory:
+    """x_b - S and s behind the last step, piecewise polynomials of S; kinks: where they are not smooth."""
 
-    def __init__(self, X, values, breaks=()):
-        self.X, self.values, self.breaks = X, values, breaks
+    def __init__(self, X, values, kinks=()):
+        self.X, self.values, self.kinks = X, values, kinks
 
     def __call__(self, S):
         R = Rule(self.values.shape[1])
@@ -38,41 +40,75 @@ class Anchors:
         hit = np.abs(dx) < 1e-15
         q = weight / np.where(hit, 1.0, dx)
         q[hit.any(axis=1)] = hit[hit.any(axis=1)]
-        return ((q * self.values[i]).sum(axis=1) / q.sum(axis=1)).reshape(shape)
+        return np.moveaxis(np.einsum("ik,ikd->id", q, self.values[i]) / q.sum(axis=1)[:, None], -1, 0).reshape(2, *shape)
 
 
-def anchored(strip, anchors):
-    """The strip with its anchors where they have come to."""
+def remembering(strip, memory):
+    """The strip with what its points remember."""
     out = copy.copy(strip)
 
     def at(S):
         here = copy.copy(strip)
-        object.__setattr__(here, "slid", anchors(S))
+        slid, share = memory(S)
+        object.__setattr__(here, "slid", slid)
+        object.__setattr__(here, "share", share)
         return here
 
     object.__setattr__(out, "at", at)
-    object.__setattr__(out, "breaks", anchors.breaks)
+    object.__setattr__(out, "kinks", memory.kinks)
     return out
 
 
+def remembered(s, st, S):
+    """x_b - S and s at places S, and tau there."""
+    c = s.strip.at(S)
+    way, d = c.friction.face(c, st.at(np.ravel(S)).reshape(*np.shape(S), s.d))
+    return way + c.slid, c.friction.share(c, way)[0], c.friction.limit(c, d, _near)[0]
+
+
+def committed(bare, s, st):
+    """The strip behind a step that ends in st."""
+    slid, share, _ = remembered(s, st, st.points())
+    kinks = list(getattr(s.strip, "kinks", ()))
+    for place in unmoved(s, st):
+        if all(abs(place - k) > APART for k in kinks):
+            kinks.append(place)
+    if kinks:
+        tau = remembered(s, st, np.array(kinks))[2]
+        kinks = [k for k, held in zip(kinks, tau) if held > 1e-9 * bare.friction.tau0]
+    return remembering(bare, Memory(st.X, np.stack([slid, share], axis=-1), tuple(sorted(kinks))))
+
+
+def unmoved(s, st):
+    """Where a point has not moved since the last step."""
+    c = s.strip
+    way = lambda S: c.friction.face(c.at(S), st.at(S))[0]
+    S = np.sort(np.concatenate([st.X, st.points().ravel()]))
+    at = way(S)
+    jump = np.abs(np.diff(at) / np.maximum(np.diff(S), 1e-12) * c.at(0.5 * (S[1:] + S[:-1])).share) / c.friction.delta(c)
+    i = np.flatnonzero((at[:-1] * at[1:] < 0.0) & (jump > WEAK))
+    return [brentq(lambda x: float(way(np.array([x]))[0]), S[k], S[k + 1], xtol=1e-13) for k in i]
+
+
 def nodes(s, st, X):
-    """The mesh with nodes where formulas change in st and where the anchors have a kink."""
+    """The mesh with nodes where the law has a kink in st and where what is remembered has one."""
     X = with_corners(s, st, X)
-    for place in getattr(s.strip, "breaks", ()):
+    for place in getattr(s.strip, "kinks", ()):
         j = int(np.searchsorted(X, place))
         if min(X[j] - place, place - X[j - 1]) > 1e-9:
             X = np.insert(X, j, place)
-    return X
+    return np.delete(X, np.flatnonzero(np.diff(X[:-1]) < 1e-9) + 1)
 
 
 def settled(s, st, way, value, N, n, tol, most=8):
     """The solution near st with way . (what the grip does) = value, and the tangent of the path there, way . tangent = 1.
 
-    A corner off its node by x costs the order x^2: laid anew around the corners of the last solution the mesh converges like Newton.
+    A kink off its node by x costs the order x^2: laid anew around the kinks of the last solution the mesh converges like Newton.
     """
-    X, load = mesh(s, st, N, quiet=1e-8 if tol < 1e-8 else 1e-5)
+    quiet = 1e-8 if tol < 1e-8 else 1e-5
+    X, load = mesh(s, st, N, quiet=quiet)
     if load.sum() > 1.6 * N:
-        X, _ = mesh(s, st, int(load.sum() / 1.6) + 1, quiet=1e-8 if tol < 1e-8 else 1e-5)
+        X, _ = mesh(s, st, int(load.sum() / 1.6) + 1, quiet=quiet)
     last = None
     for k in range(most):
         Y = nodes(s, st, X)
@@ -103,22 +139,22 @@ def grip(s, what):
 
 
 class Walk:
-    """The path from rest. found: peak, lp1, and slide, from where on the whole strip slides; points; back: of every step u, P, S and how
-    far a point in contact has slid back there.
+    """The path from rest. found: peak, lp1, and whether one_way; points; turned: u of the first of them at which a point of the strip in
+    contact has turned back by more than TURNED_BACK; rubbed: work of the friction up to each, by the trapezoidal rule.
 
-    Anchors stay at rest, which is exact, until a point slides back (u = `turned` at the point that shows it). There the path ends, or
-    with `carry` they come along after every step from the last point before, number `since`, on; with `history` from the first. Ends, too, where P has fallen to `least` of the peak.
+    In the one-way form, or with `history`: what points remember is that of the last point of the path; `longest`: the longest step then.
+    Ends, too, where P has fallen to `least` of the peak.
     """
 
-    def __init__(self, strip, fine=FINE[0], rough=ROUGH, want=("peak",), most=400, goal=0.03, history=False, longest=np.inf, stop=None, least=-np.inf, carry=False,
+    def __init__(self, strip, fine=FINE[0], rough=ROUGH, want=("peak",), most=400, goal=0.03, history=False, longest=np.inf, stop=None, least=-np.inf,
                  verbose=False):
         self.s, self.fine, self.rough, self.want = Solver(strip), fine, rough, want
         self.goal, self.history, self.longest, self.stop, self.verbose = goal, history, longest, stop, verbose
-        self.bare, self.least, self.carry = strip, least, carry
-        self.found, self.points, self.tangents, self.back = {}, [], [], []
+        self.bare, self.least = strip, least
+        self.found, self.one_way, self.points, self.tangents = {}, {}, [], []
         self.grid = np.linspace(0.0, strip.length, 8001)
-        self.slips = np.zeros_like(self.grid)
-        self.anchors, self.since, self.turned = None, None, None
+        self.slid, self.gone, self.held = (np.zeros_like(self.grid) for _ in range(3))
+        self.turned, self.rubbed = None, [0.0]
         self.end = self.follow(most)
 
     def size(self):
@@ -135,35 +171,28 @@ class Walk:
 
     def follow(self, most):
         self.start()
-        s, ds = self.s, 0.02
+        s, ds = self.s, min(0.02, self.longest)
         while len(self.points) < most:
             try:
                 st, T, way, err, ds = self.step(ds)
             except Failure as why:
                 return str(why)
-            if not self.history and self.turns_back(st)[3] > SLID_BACK:
-                self.turned = s.u(st)
-                if not self.carry:
-                    return "a point slides back"
-                self.history = True
-                self.commit(self.points[-1])                          # the step once more, with the anchors where they are now
-                self.since = len(self.points)
-                continue
             self.points.append(st)
             self.tangents.append(T)
             self.labels.append(self.labels[-1] + ds)
-            self.back.append(self.turns_back(st))
-            self.slips = self.slip_of(st, self.grid)[0]
+            found = set(self.found)
+            self.look(way)
+            for kind in set(self.found) - found:
+                self.one_way[kind] = self.turned is None and self.back(self.found[kind])[0] <= TURNED_BACK
             if self.verbose:
                 print(f"    {len(self.points):4d} u={s.u(st):.8g} P={s.P(st):.8g} gap={st.zn[-1, 0]:.6g} thL={st.zn[-1, 1]:.5f} x0={st.zn[0, 4]:.4g} "
-                      f"ds={ds:.3g} err={err:.2g} N={len(st.X)} back={self.back[-1][3]:.1e} at {self.back[-1][2]:.2f}", flush=True)
-            self.look(way)
-            if self.history:
-                self.commit(st)
+                      f"ds={ds:.3g} err={err:.2g} N={len(st.X)} back={self.back(st)[0]:.1e} at {self.back(st)[1]:.2f}", flush=True)
             if all(w in self.found for w in self.want):
                 return "found"
-            top = self.found.get("peak", self.found.get("slide"))
-            if top is not None and s.P(st) < self.least * s.P(top):
+            self.watch(st)
+            if self.history:
+                s.strip = committed(self.bare, s, st)
+            if "peak" in self.found and s.P(st) < self.least * s.P(self.found["peak"]):
                 return "fallen"
             if s.P(st) < 0.0:
                 return "P back to zero"
@@ -217,54 +246,41 @@ class Walk:
             inner += w * st.at(S.ravel()).reshape(inner.shape)
         return State(last.X, zn, field(s.strip.at(S), inner, 0.0, jac=False))
 
-    def slip_of(self, st, S):
-        """How far the anchors are from where they were at rest, and tau."""
-        c = self.s.strip
-        here = c.at(S)
-        slip, tau = c.friction.slip(here, st.at(np.ravel(S)).reshape(*np.shape(S), self.s.d), _near)
-        return slip + here.slid, tau
-
-    def turns_back(self, st):
-        """u, P, S and how far a point in contact has slid back there since the last point of the path."""
-        s = self.s
-        slips, tau = self.slip_of(st, self.grid)
-        back = np.where(tau > 1e-3 * s.strip.friction.tau0, np.minimum(-np.sign(self.slips) * (slips - self.slips), np.abs(self.slips)), 0.0)
+    def back(self, st):
+        """How far a point in contact has turned back in st, at most, and where: half of what it has gone more than it is away."""
+        slid, _, tau = remembered(self.s, st, self.grid)
+        back = 0.5 * (self.gone + np.abs(slid - self.slid) - np.abs(slid))
+        back[tau < 1e-3 * self.bare.friction.tau0] = 0.0
         i = int(np.argmax(back))
-        return s.u(st), s.P(st), float(self.grid[i]), float(back[i])
+        return float(back[i]), float(self.grid[i])
+
+    def watch(self, st):
+        if self.turned is None and self.back(st)[0] > TURNED_BACK:
+            self.turned = self.s.u(st)
+        slid, share, tau = remembered(self.s, st, self.grid)
+        taken = np.trapezoid(0.5 * (share * tau + self.held) * (slid - self.slid), self.grid)
+        self.rubbed.append(self.rubbed[-1] + self.bare.width * float(taken))
+        self.gone, self.slid, self.held = self.gone + np.abs(slid - self.slid), slid, share * tau
 
     def look(self, way):
         """Turns between the last two points."""
         s = self.s
         a, b = self.points[-2:]
-        for kind, what in (("slide", None), ("peak", "P"), ("lp1", "u")):
+        for kind, what in (("peak", "P"), ("lp1", "u")):
             if kind in self.found or kind not in self.want:
                 continue
-            form = what and grip(s, what)
-            reads = (lambda st, T: form @ T) if what else lambda st, T: self.sticks(st)
-            before, after = (reads(st, T / (way @ T)) for st, T in zip((a, b), self.tangents[-2:]))
-            if not before > 0.0 >= after or what and "slide" in self.found:
+            form = grip(s, what)
+            before, after = (form @ T / (way @ T) for T in self.tangents[-2:])
+            if not before > 0.0 >= after:
                 continue
             try:
-                self.found[kind] = self.turn(a, b, way, reads)
+                self.found[kind] = self.turn(a, b, way, form)
             except (Failure, np.linalg.LinAlgError, ValueError) as why:
                 if self.verbose:
                     print(f"      no {kind} here: {why}")
 
-    def sticks(self, st):
-        """How far below tau the traction is where it is farthest below: negative where the whole strip slides."""
-        c = self.s.strip
-        S = np.concatenate([st.X, st.points().ravel()])
-        depth = lambda S: -c.friction.corners(c.at(S), st.at(S), _near)[0]
-        S = S[np.argsort(S)]
-        at = depth(S)
-        i = int(np.argmax(at))
-        if not 0 < i < len(S) - 1:
-            return float(at[i])
-        best = minimize_scalar(lambda x: -float(depth(np.array([x]))[0]), bounds=(S[i - 1], S[i + 1]), method="bounded", options={"xatol": 1e-10})
-        return max(float(at[i]), -float(best.fun))
-
-    def turn(self, a, b, way, reads):
-        """Where reads(solution, tangent) is nought between two points."""
+    def turn(self, a, b, way, form):
+        """Where form @ tangent is nought between two points."""
         s = self.s
         known = {float(way @ st.zn[-1]): st for st in (a, b)}
         low, high = min(known), max(known)
@@ -279,7 +295,7 @@ class Walk:
                 component(0.5 * (near + value), tries - 1)
                 return component(value, tries - 1)
             known[value] = st
-            return float(reads(st, T[-s.d:]))
+            return float(form @ T[-s.d:])
 
         if component(low) * component(high) > 0.0:                    # the rough solutions were on the wrong side
             wide = high - low
@@ -288,33 +304,3 @@ class Walk:
         if value not in known:
             component(value)
         return known[value]
-
-    def commit(self, st):
-        """The anchors come along; a kink stays where stick meets slip."""
-        values, _ = self.slip_of(st, st.points())
-        kinks = [p for p in boundaries(self.s, st)]
-        old = self.anchors.breaks if self.anchors else ()
-        self.anchors = Anchors(st.X, values, tuple(sorted({*old, *kinks})))
-        self.s.strip = anchored(self.bare, self.anchors)
-
-
-def boundaries(s, st):
-    """Where stick meets slip."""
-    c = s.strip
-    corner = lambda S: c.friction.corners(c.at(S), st.at(S), _near)[0]
-    h = np.diff(st.X)
-    S = np.sort(np.concatenate([st.X[:-1] + 1e-9 * h, st.X[1:] - 1e-9 * h, st.points().ravel()]))
-    at = corner(S)
-    changes = np.flatnonzero((at[:-1] <= 0.0) != (at[1:] <= 0.0))
-    return [brentq(lambda x: float(corner(np.array([x]))[0]), S[i], S[i + 1], xtol=1e-13) for i in changes]
-
-
-def boundary(s, st):
-    """The boundary of slip farthest from the grip, that of a few nm at the free end aside; 0 where the whole strip slides or nearly so,
-    None where nothing does."""
-    at = boundaries(s, st)
-    c = s.strip
-    if c.friction.corners(c.at(st.X[:1]), st.zn[:1], _near)[0][0] > 0.0:
-        at = at[1:]                                                   # the free end slides, too
-        return at[0] if at else 0.0
-    return at[0] if at else None
