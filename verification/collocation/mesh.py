@@ -125,6 +125,8 @@ def with_corners(s, st, X):
             place = brentq(lambda x: float(change(np.array([x]))[0]), S[i], S[i + 1], xtol=1e-14, rtol=1e-14)
             j = int(np.searchsorted(X, place))
             k = j if X[j] - place < place - X[j - 1] else j - 1
+            if c.friction and abs(X[k] - place) < 1e-9:
+                continue
             close = abs(X[k] - place) < 0.2 * (X[j] - X[j - 1])
             if close and 0 < k < len(X) - 1:
                 X[k] = place

@@ -192,6 +192,8 @@ class Walk:
             self.watch(st)
             if self.history:
                 s.strip = committed(self.bare, s, st)
+            if self.turned is not None and "peak" in self.found and not self.history:
+                return "turns back"
             if "peak" in self.found and s.P(st) < self.least * s.P(self.found["peak"]):
                 return "fallen"
             if s.P(st) < 0.0:
@@ -297,8 +299,12 @@ class Walk:
             known[value] = st
             return float(form @ T[-s.d:])
 
-        if component(low) * component(high) > 0.0:                    # the rough solutions were on the wrong side
-            wide = high - low
+        wide = high - low
+        if self.history:                                              # in the last point itself nothing tells which way points go
+            low += 1e-4 * wide
+            if component(low) <= 0.0:                                 # it turns there, as well as steps tell
+                return known[low]
+        elif component(low) * component(high) > 0.0:                  # the rough solutions were on the wrong side
             low, high = low - 0.1 * wide, high + 0.1 * wide
         value = float(brentq(component, low, high, xtol=1e-14, rtol=1e-14, maxiter=40))
         if value not in known:
