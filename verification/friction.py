@@ -110,8 +110,9 @@ def sliding(path, fine):
 
 
 def extrapolated(rough, fine):
-    """Errors go with the square of the steps; these are half as long in `fine`. Numbers, and how far they are from the finer."""
-    return {k: (fine[k] + (fine[k] - rough[k]) / 3.0, abs(fine[k] - rough[k]) / 3.0 / abs(fine[k])) for k in fine}
+    """Errors go with the square of the steps; these are half as long in `fine`. Numbers, and how far they are from the finer: eight digits at
+    best, as that may be chance."""
+    return {k: (fine[k] + (fine[k] - rough[k]) / 3.0, max(3e-9, abs(fine[k] - rough[k]) / 3.0 / abs(fine[k]))) for k in fine}
 
 
 def converged(compute, goals):
@@ -215,8 +216,8 @@ def steady(c, rest=40.0, before=20.0):
     cos, sin = c.pull
     w, P_now = adhesion(s), s.P(st)
     root = lambda part: brentq(lambda P: P * (1.0 - cos) + P * P * part / (2.0 * c.EA) - w, 0.0, 10.0, xtol=1e-15)
-    return {"length_nm": c.length, "pull_angle_deg": c.angle, "tau0_GPa": c.friction.tau0, "rest_nm": rest, "force_nN": f"{P:.7f}",
-            "error_nN": f"{max(abs(P - ends[0][2]), abs(P - old)):.1e}", "one_way_nN": f"{ends[2][2]:.7f}", "dissipation_nN": f"{D:.7f}", "rubbed_nN": f"{rubbed:.4f}",
+    return {"length_nm": c.length, "pull_angle_deg": c.angle, "tau0_GPa": c.friction.tau0, "rest_nm": rest, "force_nN": f"{P:.5f}",
+            "error_nN": f"{max(abs(P - ends[0][2]), abs(P - old)):.1e}", "one_way_nN": f"{ends[2][2]:.5f}", "dissipation_nN": f"{D:.5f}", "rubbed_nN": f"{rubbed:.4f}",
             "no_slip_nN": f"{root(1.0):.9f}", "frictionless_nN": f"{root(sin * sin):.9f}", "balance_nN": f"{P_now * (1.0 - cos) + P_now * P_now / (2.0 * c.EA) - w - D:.0e}"}
 
 
