@@ -23,8 +23,9 @@ const STAGNATION: f64 = 2e-8;
 const PLAIN: f64 = 0.1;
 /// Length of the steps of a path that confirms another, over those of the other.
 const SHORTER: f64 = 0.5;
-/// What shorter steps change is of first order in them at best: bounds are this times it.
-const WARY: f64 = 4.0;
+/// Bounds are what shorter strides change times this: the steps behind a turn are what they are, so that the strides shorten not all of
+/// them, and 1.1 times four times that change was found.
+const WARY: f64 = 8.0;
 /// Bounds may then be so many times what was asked for.
 const NEARLY: f64 = 2.0;
 /// Most such paths.

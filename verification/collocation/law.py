@@ -19,6 +19,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from . import laws
+from .friction import Friction
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,6 +39,9 @@ class Beam:
     shear_correction: float = 5.0 / 6.0
     hamaker: float = 1e-19               # J
     r0: float = 0.4                      # nm
+    friction: Friction | None = None
+
+    slid, share = 0.0, 0.0               # what friction remembers: x_b - S, nm, and s
 
     @property
     def K(self):
@@ -206,8 +210,10 @@ def loads(c, g, th):
 
 
 def field(c, z, H, jac=True):
-    """z' and its derivatives to z and H. z[..., :] = g, theta, V, M (, w); c: the section there (Strip.at)."""
+    """z' and its derivatives to z and H. z[..., :] = g, theta, V, M (, w (, H)); c: the section there (Strip.at)."""
     d = z.shape[-1]
+    if d == 6:
+        return rubbing(c, z, jac)
     g, th, V, M = z[..., 0], z[..., 1], z[..., 2], z[..., 3]
     co, si = np.cos(th), np.sin(th)
     Tc, Mc, Ty, Tt, My, Mt = loads(c, g, th)
@@ -247,3 +253,24 @@ def field(c, z, H, jac=True):
     fH[..., 3] = -x_H * V + y1 + xy * H
     fH[..., 4] = x_H
     return f, J, fH
+
+
+def rubbing(c, z, jac):
+    """The same with friction, where H changes along S and is the last of z."""
+    t, t_g, t_th, t_w = c.friction.traction(c, z, _near)
+    co, si, b = np.cos(z[..., 1]), np.sin(z[..., 1]), c.width
+    arm = 0.5 * c.height * co
+    f = np.empty_like(z)
+    smooth = field(c, z[..., :5], z[..., 5], jac)
+    f[..., :5] = smooth if not jac else smooth[0]
+    f[..., 3] += b * t * arm
+    f[..., 5] = b * t
+    if not jac:
+        return f
+    J = np.zeros(z.shape + (6,))
+    J[..., :5, :5], J[..., :5, 5] = smooth[1], smooth[2]
+    for i, slope in ((0, t_g), (1, t_th), (4, t_w)):
+        J[..., 5, i] = b * slope
+        J[..., 3, i] += b * slope * arm
+    J[..., 3, 1] -= b * t * 0.5 * c.height * si
+    return f, J, None

@@ -52,16 +52,18 @@ def mesh(s, st, N, n_eff=12.0, quiet=1e-5):
     k = c.width * np.abs(P[3])
     lam1 = (k / c.EI) ** 0.25
     lams = np.minimum((k / c.GA) ** 0.5, 3.0 * lam1 + 3.0 * s.lam0)
-    lam2 = np.sqrt((np.abs(z[:, 2]) + abs(st.H)) / c.EI)
+    lam2 = np.sqrt((np.abs(z[:, 2]) + np.abs(z[:, 5] if s.d == 6 else st.H)) / c.EI)
     si, lift = np.sin(z[:, 1]), np.sin(0.5 * z[:, 1]) ** 2
     gap = z[:, 0] + (0.0 if blind else c.height * lift)
     slope = np.abs(f[:, 0] + (0.0 if blind else 0.5 * c.height * si * f[:, 1] + c.rise * lift))
     lam3 = slope * (laws.sharpness(c, z[:, 0], z[:, 1]) if c.law in laws.COHESIVE else 1.0 / np.abs(gap))
     act = np.zeros(len(S))
-    for a in (1, 2, 3):
+    for a in (1, 2, 3) if s.d < 6 else (1, 2, 3, 5):
         v = np.abs(f[:, a])
         act = np.maximum(act, v / max(v.max(), 1e-300))
     gate = act * act / (act * act + quiet * quiet)        # what is quieter is noise of the discretisation
+    if s.d == 6:
+        lam1 = lam1 + np.sqrt(c.friction.tau0 / c.friction.delta(c) * c.width / c.EA)
     rho = ((lam1 + lam2) * act ** (1.0 / n_eff) + lams * act ** 0.33) * gate + 1.5 * lam3 + 2.0 / s.strip.length
     return equidistribute(s.strip.ends, S, rho, N)
 
@@ -108,16 +110,23 @@ def with_corners(s, st, X):
     one is put in."""
     c = s.strip
     corners = laws.COHESIVE[c.law].corners if c.law in laws.COHESIVE else ()
-    if not corners:
+    if not corners and not c.friction:
         return X
     S = np.sort(np.concatenate([st.X, st.points().ravel()]))
     t = lambda S: laws.opening(c, *st.at(S)[:, :2].T)[0]
-    at = t(S)
-    for p in corners:
-        for i in np.flatnonzero((at[:-1] - p) * (at[1:] - p) < 0.0):
-            place = brentq(lambda x: float(t(np.array([x]))[0]) - p, S[i], S[i + 1], xtol=1e-14, rtol=1e-14)
+    changes = [lambda S, p=p: t(S) - p for p in corners]
+    if c.friction:
+        changes += [lambda S: c.friction.face(c.at(S), st.at(S))[0]]
+    for change in changes:
+        at = change(S)
+        for i in np.flatnonzero(at[:-1] * at[1:] < 0.0):
+            if c.friction and abs(at[i + 1] - at[i]) < 1e-7:          # of no account far down the strip
+                continue
+            place = brentq(lambda x: float(change(np.array([x]))[0]), S[i], S[i + 1], xtol=1e-14, rtol=1e-14)
             j = int(np.searchsorted(X, place))
             k = j if X[j] - place < place - X[j - 1] else j - 1
+            if c.friction and abs(X[k] - place) < 1e-9:
+                continue
             close = abs(X[k] - place) < 0.2 * (X[j] - X[j - 1])
             if close and 0 < k < len(X) - 1:
                 X[k] = place

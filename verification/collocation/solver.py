@@ -20,7 +20,7 @@ class Solver:
 
     def __init__(self, strip):
         self.strip = strip
-        self.d = 4 if strip.horizontal == "free" and strip.angle == 90.0 else 5
+        self.d = 6 if strip.friction else 4 if strip.horizontal == "free" and strip.angle == 90.0 else 5
         self.tip = strip.at(0.0)
         self.g0 = rest_gap(self.tip)
         self.raised = strip.end_gap                                   # gap of the grip at u = 0
@@ -40,7 +40,8 @@ class Solver:
         """The size of each unknown on N sub-intervals."""
         c = self.tip
         M = c.EI * 0.1 * self.lam0
-        s = [c.r0, 0.1, 0.1 * c.K / c.r0 * c.width * self.ell, M, self.ell][:self.d]
+        force = 0.1 * c.K / c.r0 * c.width * self.ell
+        s = [c.r0, 0.1, force, M, self.ell, force][:self.d]
         v = np.tile(s, N + 1)
         return np.append(v, s[2]) if self.d == 5 else v
 
@@ -53,7 +54,7 @@ class Solver:
     def P(self, st):
         """Force along the pull."""
         cos, sin = self.strip.pull
-        return float(st.zn[-1, 2] if self.d == 4 else sin * st.zn[-1, 2] + cos * st.H)
+        return float(st.zn[-1, 2] if self.d == 4 else sin * st.zn[-1, 2] + cos * (st.H if self.d == 5 else st.zn[-1, 5]))
 
     def power(self, st):
         """Work of the grip per displacement: the force along the pull and, where the grip turns as it goes, the moment."""
@@ -65,8 +66,8 @@ class Solver:
         row = np.zeros(self.d * (N + 1) + (self.d == 5))
         up = self.d * N + (0 if what == "u" else 2)
         row[up] = sin
-        if self.d == 5:
-            row[up + 4 if what == "u" else -1] = cos
+        if self.d >= 5:
+            row[up + 4 if what == "u" else -1 if self.d == 5 else up + 3] = cos
         return row
 
     def correct(self, st, row=None, target=None, tol=1e-8, most=8):
@@ -157,10 +158,14 @@ class Solver:
     def distance(self, a, b):
         """How far two solutions are apart as functions of S, wherever their meshes lie."""
         dz = np.concatenate([a.zn - b.at(a.X), a.at(b.X) - b.zn])
-        return math.sqrt(np.mean((dz[:, 0] / self.ell) ** 2) + np.mean((dz[:, 1] / 0.1) ** 2))
+        along = np.mean((dz[:, 4] / self.ell) ** 2) if self.d == 6 else 0.0
+        return math.sqrt(np.mean((dz[:, 0] / self.ell) ** 2) + np.mean((dz[:, 1] / 0.1) ** 2) + along)
 
     def error(self, predicted, st):
         """How good a prediction was, relative to the gap and to the largest rotation."""
         dg = np.abs(predicted.zn[:, 0] - st.zn[:, 0])
         dt = np.abs(predicted.zn[:, 1] - st.zn[:, 1]).max()
-        return max(float((dg / (np.abs(st.zn[:, 0]) + 0.5 * self.strip.r0)).max()), dt / (np.abs(st.zn[:, 1]).max() + 1e-3))
+        along = 0.0
+        if self.d == 6:
+            along = np.abs(predicted.zn[:, 4] - st.zn[:, 4]).max() / (np.abs(st.zn[:, 4]).max() + 0.1 * self.strip.r0)
+        return max(float((dg / (np.abs(st.zn[:, 0]) + 0.5 * self.strip.r0)).max()), dt / (np.abs(st.zn[:, 1]).max() + 1e-3), along)

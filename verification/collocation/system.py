@@ -1,13 +1,14 @@
 """A solution on a mesh of sub-intervals, and one linearisation of the boundary value problem.
 
 Chebyshev collocation with points of the first kind: z' is a polynomial on each sub-interval, z its integral. Left end: V = M = 0
-(and w = 0). Right end: M = 0 or theta as at rest, or turned from there by an angle and in proportion to the displacement, and across the pull no force, H sin - V cos = 0, or no displacement,
+(and w = 0; with friction H = 0). Right end: M = 0 or theta as at rest, or turned from there by an angle and in proportion to the displacement, and across the pull no force, H sin - V cos = 0, or no displacement,
 w sin - (y - y_rest) cos = 0; only where the pull is upright and free across is H = 0 and w left out. The displacement of the grip
 along the pull is not prescribed: one condition is missing, and the solutions form the path.
 """
 import math
 
 import numpy as np
+from scipy.linalg import solve_banded
 
 from .law import field
 
@@ -88,6 +89,22 @@ class State:
         return np.append(v, self.H) if self.zn.shape[1] == 5 else v.copy()
 
 
+class Banded:
+    """A matrix whose entries lie within WIDE of the diagonal."""
+    WIDE = 8
+
+    def __init__(self, size):
+        self.size, self.bands = size, np.zeros((2 * self.WIDE + 1, size))
+
+    def __setitem__(self, at, values):
+        i, j = (np.arange(self.size)[k] for k in at)
+        i, j = np.broadcast_arrays(np.reshape(i, (-1, 1)), j)
+        self.bands[self.WIDE + i - j, j] = values
+
+    def solve(self, b):
+        return solve_banded((self.WIDE, self.WIDE), self.bands, b)
+
+
 class System:
     """One linearisation of the boundary value problem, condensed to the nodes: rows x unknowns = m x (m + 1)."""
 
@@ -111,48 +128,55 @@ class System:
         end = h[:, None, None] * np.einsum("k,ikac->iac", R.w, sol)
         gap = st.zn[1:] - st.zn[:-1] - h[:, None] * np.einsum("k,ika->ia", R.w, st.K)
         size = d * (N + 1) + (d == 5)
-        A = np.zeros((size, size))
+        top = 3 if d == 6 else 0                                      # the left end above the rest: banded
+        A = Banded(size) if d == 6 else np.zeros((size, size))
         r = np.zeros(size)
         for i in range(N):
-            rows = slice(d * i, d * i + d)
+            rows = slice(top + d * i, top + d * i + d)
             A[rows, d * i:d * i + d] = -np.eye(d) - end[i, :, 1:d + 1]
             A[rows, d * i + d:d * i + 2 * d] = np.eye(d)
             if d == 5:
                 A[rows, -1] = -end[i, :, d + 1]
             r[rows] = end[i, :, 0] - gap[i]
-        o, e = d * N, d * N
-        conditions = [(2, st.zn[0, 2]), (3, st.zn[0, 3])]
+        e = d * N
         tip = 1 if c.rotation == "fixed" else 3
-        conditions.append((e + tip, st.zn[-1, tip] - (c.end_rotation + math.radians(c.turned) if tip == 1 else 0.0)))
-        if d == 5:
-            conditions.append((4, st.zn[0, 4]))
-        for k, (col, val) in enumerate(conditions):
-            A[o + k, col] = 1.0
-            r[o + k] = -val
+        left = [2, 3] + [d - 1] * (d >= 5)                            # V, M, and w or with friction H
+        conditions = [(col, st.zn[0, col]) for col in left]
+        turned = c.end_rotation + math.radians(c.turned)
+        conditions.insert(3 if d == 6 else 2, (e + tip, st.zn[-1, tip] - (turned if tip == 1 else 0.0)))
+        row_of = [0, 1, 2, e + 3] if d == 6 else range(e, size)
+        for k, (col, val) in zip(row_of, conditions):
+            A[k, col] = 1.0
+            r[k] = -val
         if c.turn:                                                    # theta - turn u
             cos, sin = c.pull
-            u = [(e, sin, st.zn[-1, 0] - c.end_gap)] + ([(e + 4, cos, st.zn[-1, 4] - c.stretch)] if d == 5 else [])
+            row = e + 3 if d == 6 else e + 2
+            u = [(e, sin, st.zn[-1, 0] - c.end_gap)] + ([(e + 4, cos, st.zn[-1, 4] - c.stretch)] if d >= 5 else [])
             for col, share, moved in u:
-                A[o + 2, col] -= math.radians(c.turn) * share
-                r[o + 2] += math.radians(c.turn) * share * moved
-        if d == 5:                                                    # across the pull
+                A[row, col] -= math.radians(c.turn) * share
+                r[row] += math.radians(c.turn) * share * moved
+        if d >= 5:                                                    # across the pull
             cos, sin = c.pull
-            k = o + len(conditions)
+            k = size - 2
             if c.horizontal == "fixed":
                 A[k, e + 4], A[k, e] = sin, -cos
                 r[k] = (st.zn[-1, 0] - c.end_gap) * cos - (st.zn[-1, 4] - c.stretch) * sin
             else:
-                A[k, -1], A[k, e + 2] = sin, -cos
-                r[k] = st.zn[-1, 2] * cos - st.H * sin
+                A[k, -1 if d == 5 else e + 5], A[k, e + 2] = sin, -cos
+                r[k] = st.zn[-1, 2] * cos - (st.H if d == 5 else st.zn[-1, 5]) * sin
         self.A, self.r, self.d, self.N = A, r, d, N
         self.defect = max(np.abs(gap).max(), np.abs(f - st.K).max())
 
     def solve(self, row, value):
-        """Newton step with row . step = value, and the null vector T with row . T = 1."""
-        self.A[-1] = row
+        """Newton step with row . step = value, and the null vector T with row . T = 1. With friction the row is of the grip alone."""
         b = np.column_stack([self.r, np.zeros_like(self.r)])
         b[-1] = value, 1.0
-        x = np.linalg.solve(self.A, b)
+        if self.d == 6:
+            self.A[-1, len(row) - 6:] = row[-6:]
+            x = self.A.solve(b)
+        else:
+            self.A[-1] = row
+            x = np.linalg.solve(self.A, b)
         return x[:, 0], x[:, 1]
 
     def apply(self, st, dx, share=1.0):
