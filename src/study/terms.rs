@@ -51,11 +51,12 @@ pub struct TermEffect {
 /// Step along the path over which the energies are differenced, relative as in [`Problem::relative_size`].
 const STEP: f64 = 1e-4;
 
-/// The effects of the terms that the model has, at its initiation peak; none without one, or of a grip that turns as it goes.
+/// The effects of the terms that the model has, at its initiation peak; none without one, or of a grip that turns as it goes, or with
+/// friction, where a change of the force is no change of an energy.
 pub(super) fn terms(model: &PeelModel, trace: &Trace) -> Vec<TermEffect> {
     let Some(peak) = &trace.peak else { return Vec::new() };
     // dΠ/du is then the force with a share of the moment, and has its largest value elsewhere
-    if trace.problem.turn != 0.0 {
+    if trace.problem.turn != 0.0 || trace.problem.slips.is_some() {
         return Vec::new();
     }
     let along = Along { model, problem: &trace.problem, peak, rule: rule(&trace.problem) };
