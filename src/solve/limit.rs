@@ -187,7 +187,17 @@ pub fn locate(
     let mut guess = stretch.observable(turn.pick(), 0.5 * (from + to)).turning_point(from, to);
     for k in 1..=3 * MOST_SOLVES {
         let nearer = if guess - low.0 < high.0 - guess { low.0 } else { high.0 };
-        let solution = reach(problem, &mut stretch, nearer, guess, ROUGH, work)?;
+        let solution = match reach(problem, &mut stretch, nearer, guess, ROUGH, work) {
+            Ok(solution) => solution,
+            // next to a corner of the path Newton's method may go to and fro: the turn is no farther than the bracket is wide
+            Err(cause) if problem.slips.is_some() => {
+                let known = stretch.extreme(turn.pick(), rising, (from, to)).ok_or(cause)?;
+                let steepest = low.1.abs().max(high.1.abs());
+                let width = high.0 - low.0;
+                return Ok(beside(problem, &stretch, turn, known, (steepest, width), iterations, work));
+            }
+            Err(cause) => return Err(cause),
+        };
         iterations += solution.iterations;
         let label = stretch.label(&solution.observables);
         let slope = match relative {
@@ -243,6 +253,28 @@ pub fn locate(
     Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
 }
 
+/// A turning point of which no more is known than a solution beside it, the steepest slope there of what turns, per label, and how wide
+/// the bracket around it is, in labels.
+fn beside(
+    problem: &Problem,
+    stretch: &Stretch,
+    turn: Turn,
+    solution: Arc<Solution>,
+    (steepest, width): (f64, f64),
+    iterations: usize,
+    work: &mut Workspace,
+) -> Located {
+    let finer = on_more_elements(problem, &solution, stretch.weights, work);
+    // no solution there either: what is missed by the width is far more
+    let change = finer.map_or_else(|_| Observables::default(), |finer| finer.observables.since(&solution.observables));
+    let mut located = at_corner(stretch, solution, change, iterations);
+    let per_label = located.solution.slope.times(width / stretch.weights.dot(&located.solution.slope));
+    let missed = |own: Turn| if own == turn { steepest * width } else { own.pick()(&per_label).abs() };
+    located.difference.displacement += missed(Turn::Displacement);
+    located.difference.force += missed(Turn::Load);
+    located
+}
+
 /// A turning point at which the path has a corner, as where a face that slid sticks: a solution next to it.
 fn corner(
     problem: &Problem,
@@ -252,17 +284,15 @@ fn corner(
     work: &mut Workspace,
 ) -> Result<Located, SolveError> {
     let finer = on_more_elements(problem, &solution, stretch.weights, work)?;
-    let mut difference = finer.observables.since(&solution.observables);
+    let change = finer.observables.since(&solution.observables);
+    Ok(at_corner(stretch, solution, change, iterations + finer.iterations))
+}
+
+/// The same with what a finer mesh changes.
+fn at_corner(stretch: &Stretch, solution: Arc<Solution>, mut difference: Observables, iterations: usize) -> Located {
     difference.displacement = difference.displacement.abs() + CORNER * stretch.change().displacement.abs();
     difference.force = difference.force.abs() + CORNER * stretch.change().force.abs();
-    Ok(Located {
-        observables: solution.observables,
-        solution,
-        difference,
-        force_curvature: 0.0,
-        flat: false,
-        iterations: iterations + finer.iterations,
-    })
+    Located { observables: solution.observables, solution, difference, force_curvature: 0.0, flat: false, iterations }
 }
 
 /// A turning point of the force that could not be located: the solution where an interpolant has it, or an end of its step,
