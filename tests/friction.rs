@@ -19,7 +19,7 @@ use assert_cmd::Command;
 use common::{paper_law, paper_strip};
 use peelkit::adhesion::{FrictionLaw, GroundLaw, LineLoad, Substrate};
 use peelkit::beam::{BeamOnGround, Density, PointResponse, Profile};
-use peelkit::model::{Form, Friction, PeelModel, Pull};
+use peelkit::model::{Form, Friction, Hold, PeelModel, Pull, Step};
 use peelkit::scene::Scene;
 use peelkit::solve::{Observables, Path, PathOptions, Solution, controlled};
 use peelkit::study::{Accuracy, Bounds, Choice, End, NoTest, observed, peel};
@@ -213,6 +213,26 @@ fn small_angles_gain() {
     let gains = [90.0, 45.0, 20.0].map(gain);
     println!("gain at 90, 45 and 20 degrees: {gains:?}");
     assert!(gains[0] < 1.15 && gains[2] > gains[1] && gains[1] > gains[0], "{gains:?}");
+}
+
+/// What the grip did before the pull stays in the strip: dragged along the substrate before it is pulled straight up it holds more, and
+/// pushed back again less. Without friction steps there and back change nothing.
+#[test]
+fn steps_before_the_pull_are_remembered() {
+    let force = |strength: Option<f64>, steps: Vec<Step>| {
+        let mut model = PeelModel { steps, ..rubbing(100.0, 90.0, 0.05) };
+        model.grip.horizontal = Hold::Fixed;
+        model.friction.strength = strength;
+        let peel = peel(&model, &Accuracy::to(1e-4), &Bounds { displacement: Some(3.0), ..BOUNDS });
+        peel.initiation_peak.unwrap().force
+    };
+    let there_and_back = || vec![Step::Drag(0.5), Step::Push(0.5)];
+    let [plain, dragged, back] =
+        [vec![], vec![Step::Drag(0.5)], there_and_back()].map(|steps| force(Some(0.05), steps));
+    println!("first peak {plain}, dragged before {dragged}, dragged and pushed back {back}");
+    assert!(dragged > 1.2 * plain && (back / plain - 1.0).abs() > 1e-2, "{plain} {dragged} {back}");
+    let [free, moved] = [vec![], there_and_back()].map(|steps| force(None, steps));
+    assert_relative_eq!(free, moved, max_relative = 1e-4);
 }
 
 /// The command tells how the strip has slid.

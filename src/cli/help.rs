@@ -70,7 +70,8 @@ what is kept. Turning points and error bounds are computed again, as is the test
 (--json without --out) keep nothing.
 
 The path ends  detached (no point nearer than 10 r0), pivoting (the force is back at zero, an edge still holds),
-turned-back (back at u = 0), sliding and snapped (with friction: all of it slides; it snaps off), bound (a bound of [bounds] was reached) or failed.
+turned-back (back at u = 0), with friction sliding (all of it slides) or snapped (it snaps off), bound (a bound of
+[bounds] was reached) or failed.
 
 {OUTPUTS}
 
