@@ -53,6 +53,8 @@ const SHORT: f64 = 10.0;
 const A_BREAK: usize = 4;
 /// How many times as many a law with corners takes.
 const CORNERED: f64 = 5.0;
+/// Most more that friction takes.
+const MOST_SLIDING: f64 = 400.0;
 /// Error of a prediction, over the gap, and of a solution on the way and at the end.
 const STEP_TOLERANCE: f64 = 1e-2;
 const ROUGH: f64 = 1e-9;
@@ -90,7 +92,7 @@ fn elements(model: &PeelModel, problem: &Problem) -> usize {
         Attraction::Cohesive(CohesiveShape::Bilinear | CohesiveShape::Dugdale) => CORNERED,
         _ => 1.0,
     };
-    let slides = model.sticking_length().map_or(0.0, |_| model.length() / model.detail());
+    let slides = model.sticking_length().map_or(0.0, |_| (model.length() / model.detail()).min(MOST_SLIDING));
     let elements = corners * (SHORT + span * span) + slides;
     (elements.ceil() as usize + A_BREAK * model.breaks().len()).next_multiple_of(BUNDLE)
 }
