@@ -75,7 +75,7 @@ const CLOSE: f64 = 1e-5;
 const CERTAIN: f64 = 1e-10;
 /// A turn of the force is flat where what is left to find changes it by less than this share of the accuracy.
 const FLAT: f64 = 0.2;
-/// A turning point that is closed in to this share of its step and no nearer is a corner of the path.
+/// How near a corner of the path is closed in to, at best, over its step.
 const CORNER: f64 = 1e-5;
 /// The secant rule starts when it expects to move by no more than this share of the step.
 const NEAR: f64 = 0.05;
@@ -243,8 +243,9 @@ pub fn locate(
         guess = if k % 3 == 0 || !chord.is_finite() { 0.5 * (low.0 + high.0) } else { chord };
     }
     let middle = solve_on(problem, &stretch, 0.5 * (low.0 + high.0), ROUGH, work)?;
-    if problem.slips.is_some() && high.0 - low.0 < CORNER * (to - from) {
-        return corner(problem, &stretch, middle, iterations, work);
+    if problem.slips.is_some() {
+        let around = (low.1.abs().max(high.1.abs()), high.0 - low.0);
+        return Ok(beside(problem, &stretch, turn, middle, around, iterations, work));
     }
     let change = turn.pick()(&middle.slope) * (high.0 - low.0);
     if relative.is_some_and(|r| change.abs() < r * middle.observables.force.abs()) {
@@ -275,20 +276,8 @@ fn beside(
     located
 }
 
-/// A turning point at which the path has a corner, as where a face that slid sticks: a solution next to it.
-fn corner(
-    problem: &Problem,
-    stretch: &Stretch,
-    solution: Arc<Solution>,
-    iterations: usize,
-    work: &mut Workspace,
-) -> Result<Located, SolveError> {
-    let finer = on_more_elements(problem, &solution, stretch.weights, work)?;
-    let change = finer.observables.since(&solution.observables);
-    Ok(at_corner(stretch, solution, change, iterations + finer.iterations))
-}
-
-/// The same with what a finer mesh changes.
+/// A turning point at which the path has a corner, as where a face that slid sticks: a solution next to it, with what a finer mesh
+/// changes there.
 fn at_corner(stretch: &Stretch, solution: Arc<Solution>, mut difference: Observables, iterations: usize) -> Located {
     difference.displacement = difference.displacement.abs() + CORNER * stretch.change().displacement.abs();
     difference.force = difference.force.abs() + CORNER * stretch.change().force.abs();
