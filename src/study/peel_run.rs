@@ -264,6 +264,14 @@ impl Attempt {
             let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);
             point.force_error = point.force_error.max(WARY * force.abs());
             point.displacement_error = point.displacement_error.max(WARY * displacement.abs());
+            if !counts(problem, point.kind) {
+                // at a corner of the path two strides may agree by luck: what was not certain stays so, and no bound is below what was
+                // asked for
+                let asked = self.peel.asked;
+                point.force_error = point.force_error.max(twin.force_error).max(asked * point.force.abs());
+                let least = asked * point.displacement.abs();
+                point.displacement_error = point.displacement_error.max(twin.displacement_error).max(least);
+            }
             let place = if point.flat { 0.0 } else { (displacement / point.displacement).abs() };
             if counts(problem, point.kind) {
                 largest = largest.max(WARY * (force / point.force).abs().max(place));
