@@ -24,6 +24,8 @@ pub fn controlled(
     let mut value = weights.dot(&super::observables(problem, &start, energy));
     let mut here = solve(problem, start, &Condition { weights, target: value }, &options, &mut work)?;
     let mut found = Vec::with_capacity(targets.len());
+    let remembered = |at: &Solution| problem.chain.slid(at.at.configuration()).map(Arc::new);
+    let mut slips = remembered(&here);
     let mut step = f64::INFINITY;
     for &target in targets {
         let whole = (target - value).abs();
@@ -31,10 +33,10 @@ pub fn controlled(
             let left = target - value;
             let (ahead, next) =
                 if left.abs() <= step { (left, target) } else { (step.copysign(left), value + step.copysign(left)) };
-            let slips = problem.chain.slid(here.at.configuration()).map(Arc::new);
-            let start = Equilibrium { slips, ..here.moved(ahead) };
+            let start = Equilibrium { slips: slips.clone(), ..here.moved(ahead) };
             match solve(problem, start, &Condition { weights, target: next }, &options, &mut work) {
                 Ok(solution) => {
+                    slips = remembered(&solution);
                     here = solution;
                     value = next;
                     step = ahead.abs() * GROWTH;

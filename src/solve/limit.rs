@@ -192,9 +192,7 @@ pub fn locate(
             // next to a corner of the path Newton's method may go to and fro: the turn is no farther than the bracket is wide
             Err(cause) if problem.slips.is_some() => {
                 let known = stretch.extreme(turn.pick(), rising, (from, to)).ok_or(cause)?;
-                let steepest = low.1.abs().max(high.1.abs());
-                let width = high.0 - low.0;
-                return Ok(beside(problem, &stretch, turn, known, (steepest, width), iterations, work));
+                return Ok(beside(problem, &stretch, turn, known, [low, high], iterations, work));
             }
             Err(cause) => return Err(cause),
         };
@@ -244,8 +242,7 @@ pub fn locate(
     }
     let middle = solve_on(problem, &stretch, 0.5 * (low.0 + high.0), ROUGH, work)?;
     if problem.slips.is_some() {
-        let around = (low.1.abs().max(high.1.abs()), high.0 - low.0);
-        return Ok(beside(problem, &stretch, turn, middle, around, iterations, work));
+        return Ok(beside(problem, &stretch, turn, middle, [low, high], iterations, work));
     }
     let change = turn.pick()(&middle.slope) * (high.0 - low.0);
     if relative.is_some_and(|r| change.abs() < r * middle.observables.force.abs()) {
@@ -254,33 +251,28 @@ pub fn locate(
     Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
 }
 
-/// A turning point of which no more is known than a solution beside it, the steepest slope there of what turns, per label, and how wide
-/// the bracket around it is, in labels.
+/// A turning point of which no more is known than a solution beside it and the ends of its bracket, each with the slope there of what
+/// turns, per label: one at which the path has a corner, as where a face that slid sticks.
 fn beside(
     problem: &Problem,
     stretch: &Stretch,
     turn: Turn,
     solution: Arc<Solution>,
-    (steepest, width): (f64, f64),
+    [low, high]: [(f64, f64); 2],
     iterations: usize,
     work: &mut Workspace,
 ) -> Located {
+    let (steepest, width) = (low.1.abs().max(high.1.abs()), high.0 - low.0);
     let finer = on_more_elements(problem, &solution, stretch.weights, work);
     // no solution there either: what is missed by the width is far more
     let change = finer.map_or_else(|_| Observables::default(), |finer| finer.observables.since(&solution.observables));
-    let mut located = at_corner(stretch, solution, change, iterations);
-    let per_label = located.solution.slope.times(width / stretch.weights.dot(&located.solution.slope));
-    let missed = |own: Turn| if own == turn { steepest * width } else { own.pick()(&per_label).abs() };
-    located.difference.displacement += missed(Turn::Displacement);
-    located.difference.force += missed(Turn::Load);
-    located
-}
-
-/// A turning point at which the path has a corner, as where a face that slid sticks: a solution next to it, with what a finer mesh
-/// changes there.
-fn at_corner(stretch: &Stretch, solution: Arc<Solution>, mut difference: Observables, iterations: usize) -> Located {
-    difference.displacement = difference.displacement.abs() + CORNER * stretch.change().displacement.abs();
-    difference.force = difference.force.abs() + CORNER * stretch.change().force.abs();
+    let per_label = solution.slope.times(width / stretch.weights.dot(&solution.slope));
+    let missed = |own: Turn| {
+        let pick = own.pick();
+        let within = if own == turn { steepest * width } else { pick(&per_label).abs() };
+        pick(&change).abs() + CORNER * pick(&stretch.change()).abs() + within
+    };
+    let difference = Observables { displacement: missed(Turn::Displacement), force: missed(Turn::Load), ..change };
     Located { observables: solution.observables, solution, difference, force_curvature: 0.0, flat: false, iterations }
 }
 
