@@ -9,6 +9,7 @@ use peelkit::adhesion::{CohesiveShape, LineLoad, Round, Shape, Sinusoid, Substra
 use peelkit::beam::Material;
 use peelkit::model::{Attraction, Body, Ground, Hold, Pull, Spatula, Start, Step};
 use peelkit::scene::{KEYS, Key, Need, Scene};
+use peelkit::study::Terms;
 use proptest::prelude::*;
 
 const MINIMAL: &str = r#"
@@ -85,6 +86,7 @@ fn what_a_scene_leaves_out_has_its_default() {
 fn every_key_is_read() {
     let text = r#"
 title = "All"
+terms = "auto"
 [strip]
 length = "0.2 um"
 height = "1e-8 m"
@@ -144,7 +146,7 @@ displacement = "0.5 um"
     let choice = scene.accuracy.choice;
     assert_eq!((choice.order, choice.elements, choice.step), (Some(5), Some(30), Some(0.05)));
     assert_eq!((scene.bounds.points, scene.bounds.time_s, scene.bounds.displacement), (50, Some(120.0), Some(500.0)));
-    assert_eq!(scene.title, "All");
+    assert_eq!((scene.title.as_str(), scene.accuracy.terms), ("All", Terms::Auto));
     let wave = Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 100.0, offset: -25.0 });
     assert_eq!(scene.model.ground, Ground { substrate: wave, start: Start::Crests });
     // pretension and friction are those of flat ground: tests/pull.rs, tests/friction.rs

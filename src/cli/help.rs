@@ -217,7 +217,7 @@ fn note(key: &Key) -> String {
         (Kind::Bound(..) | Kind::Steps(_), _) => "none unless given".into(),
         (Kind::Fixed(..) | Kind::Share(..), _) => "chosen by itself".into(),
         (Kind::Text(_), _) => "the name of the file unless given".into(),
-        (Kind::LineLoad(_) | Kind::Hold(_) | Kind::Shape(_) | Kind::Start(_), _) => key.takes(),
+        (Kind::LineLoad(_) | Kind::Hold(_) | Kind::Shape(_) | Kind::Start(_) | Kind::Terms(_), _) => key.takes(),
         _ => String::new(),
     }
 }

@@ -63,7 +63,8 @@ impl KeptRun {
             return (files, None);
         }
         match self.partial.write_all() {
-            Ok(()) => (files, Some(format!("its points are kept in {}", self.partial.path().display()))),
+            Ok(true) => (files, Some(format!("its points are kept in {}", self.partial.path().display()))),
+            Ok(false) => (files, Some("it had no points to keep".into())),
             Err(error) => (files.and(Err(error)), None),
         }
     }

@@ -1,12 +1,12 @@
 //! What a run found, laid out for a person.
 
 use peelkit::model::Step;
-use peelkit::report::{end_reason, end_word, ground_warning, left_out, reached_accuracy};
+use peelkit::report::{end_reason, end_word, ground_warning, left_out, why_kept};
 use peelkit::scene::{Key, Scene};
 use peelkit::solve::{GripForces, GripState};
 use peelkit::study::{
-    Contact, End, FollowedSweep, LimitPoint, Observed, Peak, Peel, PointKind, PullOff, Sliding, SweepRow, TermEffect,
-    TestEnd, Turn,
+    Considered, Contact, End, FollowedSweep, LeftOut, LimitPoint, Observed, Peak, Peel, PointKind, PullOff, Sliding,
+    SweepRow, TermEffect, TestEnd, Turn,
 };
 use std::fmt::{Display, Write};
 
@@ -49,13 +49,14 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
     if let Some(left_out) = left_out(peel) {
         lines.push(("", format!("left out: {} {left_out}", peel.ripple)));
     }
-    if let Some(reached) = reached_accuracy(peel).filter(|&reached| reached > peel.asked) {
+    if let Some(reached) = peel.reached_accuracy().filter(|&reached| reached > peel.asked) {
         let why =
             if reached < ROUND_OFF { "it is round-off, finer meshes gain nothing" } else { "no mesh tried did better" };
         let text = format!("{reached:.0e} where {:e} was asked: {why}", peel.asked);
         lines.push(("accuracy", text));
     }
     lines.extend(terms(peel));
+    lines.extend(peel.considered.iter().flat_map(considered));
     lines.extend(peel.sliding_at_peak().iter().map(|sliding| ("friction", slid(sliding))));
     lines.extend(peel.contact(0).iter().flat_map(|contact| on_ground(peel, contact)));
     lines.push(("end", end(&peel.end)));
@@ -100,6 +101,25 @@ fn terms(peel: &Peel) -> Option<(&'static str, String)> {
     let all = effects.iter().map(one).collect::<Vec<_>>().join(", ");
     (!effects.is_empty())
         .then(|| ("without a term", format!("the initiation peak would change by, in shares of it: {all}")))
+}
+
+/// Which terms were left out, and why the others were not.
+fn considered(considered: &Considered) -> Vec<(&'static str, String)> {
+    let left = considered.left_out.iter().map(|left| {
+        let LeftOut { term, force, displacement, largest } = left;
+        let word = term.word();
+        match largest {
+            0.0 => format!("{word}: exactly nothing would change"),
+            _ => format!(
+                "{word}: the initiation peak would change by {force:+.1e} nN at {displacement:+.1e} nm, nothing by more than {largest:.1e} of it"
+            ),
+        }
+    });
+    let kept = considered.kept.iter().map(|(term, why)| format!("{}: {}", term.word(), why_kept(why)));
+    let named = |name: &'static str, texts: Vec<String>| {
+        texts.into_iter().enumerate().map(move |(index, text)| (if index == 0 { name } else { "" }, text))
+    };
+    named("left out", left.collect()).chain(named("kept", kept.collect())).collect()
 }
 
 /// How the beam has slid at the peak.

@@ -2,7 +2,7 @@
 
 use super::number::Finite;
 use crate::model::Form;
-use crate::study::{Peel, Turn};
+use crate::study::Peel;
 
 /// The accuracy of a peel as summary.json tells it.
 #[derive(Debug, serde::Serialize)]
@@ -22,7 +22,7 @@ impl AccuracySummary {
     pub fn of(peel: &Peel) -> Self {
         Self {
             asked: Finite(peel.asked),
-            reached: reached_accuracy(peel).map(Finite),
+            reached: peel.reached_accuracy().map(Finite),
             load_limit_points_left_out: peel.ripple,
             left_out: left_out(peel),
             form: form_word(peel.choice.form),
@@ -40,23 +40,6 @@ pub(super) fn form_word(form: Form) -> &'static str {
         Form::TwoField => "two-field",
         Form::ThreeField => "three-field",
     }
-}
-
-/// The largest relative error bound of the forces and displacements of the limit points and the peaks; `None` where there
-/// are none. A limit point around which the force is flat counts with its force alone.
-pub fn reached_accuracy(peel: &Peel) -> Option<f64> {
-    // zero has no relative error
-    let relative = |error: f64, value: f64| if value == 0.0 { 0.0 } else { (error / value).abs() };
-    let turns = peel.limit_points.iter().flat_map(|at| {
-        let place = if at.flat { 0.0 } else { relative(at.displacement_error, at.displacement) };
-        [place, relative(at.force_error, at.force)]
-    });
-    // a peak that is no limit point is the end of the path
-    let at_turn = |force: f64| peel.limit_points.iter().any(|at| at.kind == Turn::Load && at.force == force);
-    let peak = peel.peak.filter(|peak| !at_turn(peak.force)).into_iter().flat_map(|peak| {
-        [relative(peak.displacement_error, peak.displacement), relative(peak.force_error, peak.force)]
-    });
-    turns.chain(peak).reduce(f64::max)
 }
 
 /// What the list of limit points leaves out, in words.

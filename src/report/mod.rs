@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod chart;
+mod considered;
 mod error;
 mod figure;
 mod figure_beam;
@@ -37,7 +38,8 @@ mod table;
 mod verification;
 mod work_precision;
 
-pub use accuracy::{left_out, reached_accuracy};
+pub use accuracy::left_out;
+pub use considered::why_kept;
 pub use error::ReportError;
 pub use figure::{draw_figures, holds_figures};
 pub use file::write_whole;

@@ -130,11 +130,12 @@ impl PartialRun {
         &self.path
     }
 
-    /// Writes what is not written yet, whatever the time.
-    pub fn write_all(&self) -> Result<(), ReportError> {
+    /// Writes what is not written yet, whatever the time. Whether there is a file then: a run that got no further than paths without
+    /// some terms has no points to keep.
+    pub fn write_all(&self) -> Result<bool, ReportError> {
         let mut writing = self.writing.borrow_mut();
         self.flush(&mut writing);
-        writing.trouble.take().map_or(Ok(()), Err)
+        writing.trouble.take().map_or(Ok(writing.length.is_some()), Err)
     }
 
     fn flush(&self, writing: &mut Writing) {

@@ -2,6 +2,7 @@
 
 use super::ReportError;
 use super::accuracy::AccuracySummary;
+use super::considered::ConsideredSummary;
 use super::file::write_whole;
 use super::ground::GroundSummary;
 use super::number::{Finite, to_json};
@@ -9,7 +10,7 @@ use super::observed::ObservedSummary;
 use super::sliding::SlidingSummary;
 use super::table::SweepLine;
 use crate::model::Step;
-use crate::scene::{KEYS, Key, Scene, Value};
+use crate::scene::{KEYS, Key, Kind, Scene, Value};
 use crate::solve::GripState;
 use crate::study::{self, End, FollowedSweep, Observed, Peel, SweepRow, Turn};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -32,6 +33,9 @@ pub struct PeelSummary {
     accuracy: AccuracySummary,
     /// What leaving out a term of the model would change, to first order.
     terms: Vec<TermEffect>,
+    /// What was left out and what not, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    considered: Option<ConsideredSummary>,
     path: Effort,
     timing: Timing,
     /// The steps before the pull, as far as they were taken.
@@ -164,6 +168,7 @@ impl PeelSummary {
             }),
             accuracy: AccuracySummary::of(peel),
             terms: peel.terms().iter().map(TermEffect::from).collect(),
+            considered: peel.considered.as_ref().map(ConsideredSummary::from),
             path: Effort {
                 points: peel.effort.points,
                 newton_iterations: peel.effort.newton_iterations,
@@ -305,6 +310,12 @@ pub(super) struct Parameters(pub Scene);
 impl Serialize for Parameters {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut tables = serializer.serialize_map(None)?;
+        // the title has a place of its own
+        for key in KEYS.iter().filter(|key| key.table.is_empty() && !matches!(key.kind, Kind::Text(_))) {
+            if let Some(Value::Text(text)) = key.value(&self.0) {
+                tables.serialize_entry(key.name, &text)?;
+            }
+        }
         let stands = |key: &Key| !key.table.is_empty() && key.belongs_to(&self.0);
         for keys in KEYS.chunk_by(|a, b| a.table == b.table).filter(|keys| stands(&keys[0])) {
             tables.serialize_entry(keys[0].table, &Table { scene: &self.0, keys })?;

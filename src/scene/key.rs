@@ -10,6 +10,7 @@ use super::steps;
 use super::table::{read_heights, read_table};
 use crate::adhesion::{CohesiveShape, LineLoad, Substrate};
 use crate::model::{Attraction, Hold, ProfileTable, Start, Step};
+use crate::study::Terms;
 use std::fmt;
 use std::sync::Arc;
 
@@ -72,6 +73,8 @@ pub enum Kind {
     Heights(fn(&mut Scene) -> &mut Substrate),
     /// A word for how the beam has come to lie.
     Start(fn(&mut Scene) -> &mut Start),
+    /// A word for which terms of the model are computed.
+    Terms(fn(&mut Scene) -> &mut Terms),
     /// A list of what the grip does before the pull.
     Steps(fn(&mut Scene) -> &mut Vec<Step>),
 }
@@ -112,6 +115,7 @@ const ATTRACTIONS: &[(&str, Attraction)] = &[
 const LINE_LOADS: &[(&str, LineLoad)] =
     &[("full", LineLoad::Full), ("force-only", LineLoad::ForceOnly), ("axis-gap", LineLoad::AxisGap)];
 const STARTS: &[(&str, Start)] = &[("conformed", Start::Conformed), ("flat", Start::Crests)];
+const TERMS: &[(&str, Terms)] = &[("all", Terms::All), ("auto", Terms::Auto)];
 const HOLDS: &[(&str, Hold)] = &[("free", Hold::Free), ("fixed", Hold::Fixed)];
 
 impl Key {
@@ -189,6 +193,7 @@ impl Key {
             (Kind::LineLoad(place), Value::Text(word)) => *place(scene) = self.pick(LINE_LOADS, word)?,
             (Kind::Hold(place), Value::Text(word)) => *place(scene) = self.pick(HOLDS, word)?,
             (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
+            (Kind::Terms(place), Value::Text(word)) => *place(scene) = self.pick(TERMS, word)?,
             (Kind::Steps(place), Value::List(texts)) => {
                 *place(scene) = steps::read(texts).map_err(|found| Problem::new(found, self.remedy()))?;
             }
@@ -277,6 +282,7 @@ impl Key {
             Kind::LineLoad(place) => Value::Text(word(LINE_LOADS, *place(&mut scene))),
             Kind::Hold(place) => Value::Text(word(HOLDS, *place(&mut scene))),
             Kind::Start(place) => Value::Text(word(STARTS, *place(&mut scene))),
+            Kind::Terms(place) => Value::Text(word(TERMS, *place(&mut scene))),
             Kind::Steps(place) => Value::List(place(&mut scene).iter().map(Step::to_string).collect()),
             Kind::Shape(place) => Value::Text(word(shape::SHAPES, shape::of(place(&mut scene)))),
             Kind::Heights(place) => match place(&mut scene) {
@@ -310,6 +316,7 @@ impl Key {
             Kind::LineLoad(_) => words(LINE_LOADS),
             Kind::Hold(_) => words(HOLDS),
             Kind::Start(_) => words(STARTS),
+            Kind::Terms(_) => words(TERMS),
             Kind::Steps(_) => steps::TAKES.into(),
             Kind::Shape(_) => words(shape::SHAPES),
             Kind::Heights(_) => {
@@ -360,6 +367,7 @@ impl Key {
             (_, Kind::Hold(_)) => "\"fixed\"",
             (_, Kind::Steps(_)) => "[\"press 0.1 nm\", \"turn 1 deg\", \"hold\"]",
             (_, Kind::Start(_)) => "\"conformed\"",
+            (_, Kind::Terms(_)) => "\"auto\"",
             (_, Kind::Shape(_)) => "\"flat\"",
             (_, Kind::Heights(_)) => "\"x_nm,height_nm\\n0,0\\n50,-8\\n100,0\"",
         }

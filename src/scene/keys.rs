@@ -21,6 +21,7 @@ const HALF_TURN: f64 = 1.0001 * std::f64::consts::PI;
 #[rustfmt::skip]
 pub static KEYS: &[Key] = &[
     key("", "title", Optional, Kind::Text(|s| &mut s.title), "what the pictures and tables are headed with"),
+    key("", "terms", Optional, Kind::Terms(|s| &mut s.accuracy.terms), "of the model: all, or what matters at the accuracy asked for"),
 
     key("strip", "length", Required, Kind::Quantity(Length, |s| &mut strip(s).length), "length L of the strip"),
     key("strip", "height", Required, Kind::Quantity(Length, |s| &mut strip(s).height), "height h of the section"),

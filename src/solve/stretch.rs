@@ -31,6 +31,8 @@ const NEIGHBOURS_COSINE: f64 = 0.85;
 const CROWDED: f64 = 0.25;
 /// Points that an interpolation uses.
 const USED: usize = 4;
+/// Step of a difference of an interpolant, over the step of the path.
+const BESIDE: f64 = 1e-3;
 
 impl Stretch {
     /// The stretch around the step from `points[index]` to `points[index + 1]`.
@@ -162,6 +164,18 @@ impl Stretch {
         let middle = 0.5 * self.end;
         let [best, less] = [count, count - 1].map(|points| self.interpolant(pick, middle, points).at(middle).0);
         (count > 2).then_some((best - less).abs())
+    }
+
+    /// A quantity that changes by `per_unit` of the parameter of each point, at the label `at`: how fast it changes a label, and how fast
+    /// that changes.
+    pub fn rate(&self, per_unit: &dyn Fn(&Solution) -> f64, at: f64) -> (f64, f64) {
+        let used = self.nearest(at, USED);
+        let of = |point: &Arc<Solution>| per_unit(point) / self.weights.dot(&point.slope);
+        let rates: Vec<f64> = self.points[used.clone()].iter().map(of).collect();
+        let labels = &self.labels[used];
+        let value = |at: f64| lagrange_weights(labels, at).iter().zip(&rates).map(|(w, rate)| w * rate).sum::<f64>();
+        let step = BESIDE * self.end;
+        (value(at), (value(at + step) - value(at - step)) / (2.0 * step))
     }
 
     /// The Hermite interpolant of one observable through so many points nearest to `near`.

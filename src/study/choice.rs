@@ -1,5 +1,6 @@
 //! What the user asks of the numbers, and what follows from it: order, elements and steps.
 
+use super::Terms;
 use crate::adhesion::{CohesiveShape, Substrate};
 use crate::model::{Attraction, Form, PeelModel};
 use crate::solve::{BUNDLE, MOST_POINTS, Mesh, PathOptions};
@@ -11,13 +12,15 @@ pub struct Accuracy {
     pub relative: f64,
     /// What is fixed; the rest follows from `relative`.
     pub choice: Choice,
+    /// Which terms of the model are computed.
+    pub terms: Terms,
 }
 
 impl Accuracy {
     /// A relative error, with nothing fixed.
     pub const fn to(relative: f64) -> Self {
         let choice = Choice { order: None, elements: None, step: None, mesh: Mesh::Moving, form: Form::TwoField };
-        Self { relative, choice }
+        Self { relative, choice, terms: Terms::All }
     }
 
     /// The same with what `choice` fixes.

@@ -5,7 +5,7 @@
 //! sides of the cusp, and its zero a regular one, where the turning points themselves are singular.
 
 use super::choice::{ORDER, Resolution};
-use super::{Accuracy, Bounds, End, peel};
+use super::{Accuracy, Bounds, End, Terms, peel};
 use crate::model::{Form, PeelModel};
 use crate::solve::{Condition, Equilibrium, NewtonOptions, Observables, Problem, Solution, Turn, Workspace, solve};
 use std::sync::Arc;
@@ -41,6 +41,7 @@ const SAFETY: f64 = 2.0;
 /// Finds the cusp next to the value `from`, at which the path has a snap-back; `model` gives the model at a value, and the
 /// snap-back vanishes as the value grows. The error says what was not found.
 pub fn cusp<M: Into<PeelModel>>(model: &dyn Fn(f64) -> M, from: f64, accuracy: &Accuracy) -> Result<Cusp, String> {
+    let accuracy = &Accuracy { terms: Terms::All, ..*accuracy };
     let model = |value: f64| model(value).into();
     let first = Snapback::on_path(&model(from), accuracy)?;
     let elements = Resolution::first(&model(from), accuracy).elements;

@@ -10,7 +10,7 @@ use super::anchor::anchor;
 use super::choice::{ORDER, Resolution};
 use super::continuation::{Continuation, Known, Lost, problem, search};
 use super::told::{ROUND_OFF, ROUND_OFF_PLACE};
-use super::{Accuracy, Bounds, End, FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing};
+use super::{Accuracy, Bounds, End, FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing, Terms};
 use crate::model::{Form, PeelModel};
 use crate::solve::{Equilibrium, Located, Observables, Path, SolveError, Workspace};
 use std::time::Instant;
@@ -135,6 +135,8 @@ pub fn follow_point<M: Into<PeelModel>>(
     done: &dyn Fn(),
 ) -> FollowedSweep {
     let model = |value: f64| model(value).into();
+    // the point is one equilibrium, from which nothing is left out
+    let accuracy = &Accuracy { terms: Terms::All, ..*accuracy };
     let at_coordinate = |s: f64| model(spacing.value(s));
     let sweep = Sweep { kind, values, spacing, model: &model, at_coordinate: &at_coordinate, accuracy, bounds };
     let mut followed = FollowedSweep { kind, rows: Vec::with_capacity(values.len()), remarks: Vec::new() };

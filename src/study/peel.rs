@@ -2,7 +2,7 @@
 
 use super::terms::{TermEffect, terms};
 use super::trace::Trace;
-use super::{Accuracy, Choice, Keeping};
+use super::{Accuracy, Choice, Considered, Keeping};
 use crate::model::PeelModel;
 use crate::solve::{GripState, NodeState, Turn};
 use serde::{Deserialize, Serialize};
@@ -138,6 +138,8 @@ pub struct Peel {
     /// Load limit points left out, because the force changes by less than the accuracy between them.
     pub ripple: usize,
     pub solve_s: f64,
+    /// What was decided of the terms of the model, of [`super::Terms::Auto`]; `model` is then without those that were left out.
+    pub considered: Option<Considered>,
     /// Whether time or an interruption ended the run although it goes on, along the path or to a finer mesh.
     pub unfinished: bool,
     /// The solutions behind the points, for pictures.
@@ -182,7 +184,7 @@ pub fn peel<'m, M>(model: &'m M, accuracy: &Accuracy, bounds: &Bounds) -> Peel
 where
     PeelModel: From<&'m M>,
 {
-    super::peel_run::run(&model.into(), accuracy, bounds, &Keeping::NOTHING)
+    super::economy::run(&model.into(), accuracy, bounds, &Keeping::NOTHING)
 }
 
 /// The same, with the points that an earlier run of the same model and accuracy has kept: bit for bit what [`peel`] finds, but
@@ -191,5 +193,5 @@ pub fn peel_on<'m, M>(model: &'m M, accuracy: &Accuracy, bounds: &Bounds, keepin
 where
     PeelModel: From<&'m M>,
 {
-    super::peel_run::run(&model.into(), accuracy, bounds, keeping)
+    super::economy::run(&model.into(), accuracy, bounds, keeping)
 }

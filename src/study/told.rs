@@ -192,6 +192,27 @@ fn peak_at(problem: &Problem, last: &Arc<Solution>, relative: f64) -> Option<Pea
 }
 
 impl Peel {
+    /// The largest relative error bound of the forces and displacements of the limit points and the peaks; `None` where there
+    /// are none. A limit point around which the force is flat counts with its force alone.
+    pub fn reached_accuracy(&self) -> Option<f64> {
+        // zero has no relative error
+        let relative = |error: f64, value: f64| if value == 0.0 { 0.0 } else { (error / value).abs() };
+        let turns = self.limit_points.iter().flat_map(|at| {
+            let place = if at.flat { 0.0 } else { relative(at.displacement_error, at.displacement) };
+            [place, relative(at.force_error, at.force)]
+        });
+        let end = self.peak_at_end().into_iter().flat_map(|peak| {
+            [relative(peak.displacement_error, peak.displacement), relative(peak.force_error, peak.force)]
+        });
+        turns.chain(end).reduce(f64::max)
+    }
+
+    /// The peak where it is no limit point but an end of the path.
+    pub(super) fn peak_at_end(&self) -> Option<&Peak> {
+        let at_turn = |peak: &Peak| self.limit_points.iter().any(|at| at.kind == Turn::Load && at.force == peak.force);
+        self.peak.as_ref().filter(|peak| !at_turn(peak))
+    }
+
     /// Gives the special points the bounds that their limit points have.
     pub(super) fn tell_bounds(&mut self) {
         let Self { limit_points, initiation_peak, peak, snap_off, .. } = self;
@@ -224,6 +245,7 @@ pub(super) fn empty(model: &PeelModel) -> Peel {
         choice: Accuracy::to(0.0).choice,
         ripple: 0,
         solve_s: 0.0,
+        considered: None,
         unfinished: false,
         trace: None,
     }

@@ -74,6 +74,9 @@ pub fn corpus() -> Vec<(String, String)> {
 pub fn absurd_scene(dice: &mut Dice) -> String {
     let mut text = String::new();
     let mut line = |line: String| text += &(line + "\n");
+    if dice.below(4) == 0 {
+        line("terms = \"auto\"".into());
+    }
     let body = dice.pick(&["strip", "strip", "strip", "spatula"]);
     line(format!("[{body}]"));
     let keys = KEYS.iter().filter(|key| key.table == body && matches!(key.kind, Kind::Quantity(Dimension::Length, _)));
@@ -495,13 +498,15 @@ pub fn printed(scene: &Scene) -> Result<String, String> {
     let json = SweepSummary::new(scene, key, &[], &[]).to_json().map_err(|error| error.to_string())?;
     let json: serde_json::Value = serde_json::from_str(&json).map_err(|error| error.to_string())?;
     let mut text = format!("title = {}\n", toml::Value::from(scene.title.as_str()));
-    for key in KEYS.iter().filter(|key| !key.table.is_empty()) {
+    for key in KEYS.iter().filter(|key| key.name != "title") {
         let (name, unit) = (key.name, key.unit());
         let column = if unit.is_empty() { name.to_owned() } else { format!("{name}_{}", unit.replace('/', "_per_")) };
-        let line = match &json["parameters"][key.table][&column] {
+        let parameters = &json["parameters"];
+        let table = if key.table.is_empty() { parameters } else { &parameters[key.table] };
+        let line = match &table[&column] {
             serde_json::Value::Null => continue,
-            value if unit.is_empty() => format!("{}.{name} = {value}\n", key.table),
-            value => format!("{}.{name} = \"{value} {unit}\"\n", key.table),
+            value if unit.is_empty() => format!("{} = {value}\n", key.path()),
+            value => format!("{} = \"{value} {unit}\"\n", key.path()),
         };
         text += &line;
     }

@@ -1,0 +1,308 @@
+//! Leaves out of a model what does not change the answer at the accuracy asked for, and says what that was.
+//!
+//! The path is followed without the terms that take something to compute, and what each would change is estimated on that path for every
+//! number that is reported ([`super::shift`]). Bounds are widened by twice that. Where they are within the accuracy then, the path stands;
+//! else the term that changes most is put back, and the path followed again.
+
+use super::probe::Probe;
+use super::shift::Shift;
+use super::terms::{Term, has_far_face};
+use super::trace::Trace;
+use super::{Accuracy, Bounds, End, Keeping, LimitPoint, Peel, peel_run};
+use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
+use crate::model::{Body, Form, Friction, Ground, Hold, PeelModel};
+use crate::solve::{Direction, Solution};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Which terms of the model are computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Terms {
+    /// All of them.
+    #[default]
+    All,
+    /// Those that matter at the accuracy asked for.
+    Auto,
+}
+
+/// A term that was left out, and what it would change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeftOut {
+    pub term: Term,
+    /// By how much the force (nN) and the displacement (nm) of the initiation peak would change with it; of a path without one, zero
+    pub force: f64,
+    pub displacement: f64,
+    /// The largest relative change of anything that is reported
+    pub largest: f64,
+}
+
+/// Why a term was not left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Why {
+    /// It would change what is reported by this share.
+    Matters(f64),
+    /// There is nothing less to compute without it.
+    NothingSaved,
+    /// What it changes cannot be told from a path without it; why.
+    NotTold(&'static str),
+}
+
+/// What was decided of each term of a model.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Considered {
+    pub left_out: Vec<LeftOut>,
+    pub kept: Vec<(Term, Why)>,
+}
+
+/// What is estimated to change may be so many times as large.
+const SAFETY: f64 = 2.0;
+/// The upper face may change a number by so many times the share that it has of the work of adhesion.
+const UPPER: f64 = 8.0;
+/// Heights of the ground over r0 beyond which it is no small change.
+const SHALLOW: f64 = 0.1;
+
+/// Follows the peel with the terms that are asked for.
+pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &Keeping) -> Peel {
+    match accuracy.terms {
+        Terms::All => peel_run::run(model, accuracy, bounds, keeping),
+        Terms::Auto => Economy { model, accuracy, bounds, keeping }.run(),
+    }
+}
+
+struct Economy<'a> {
+    model: &'a PeelModel,
+    accuracy: &'a Accuracy,
+    bounds: &'a Bounds,
+    keeping: &'a Keeping<'a>,
+}
+
+impl Economy<'_> {
+    fn run(&self) -> Peel {
+        let started = Instant::now();
+        let (mut terms, mut kept) = candidates(self.model, self.accuracy.relative);
+        let mut iterations = 0;
+        while !terms.is_empty() {
+            let mut peel = self.without(&terms, started);
+            iterations += peel.effort.newton_iterations;
+            let Some(mut found) = self.found(&peel, &terms) else {
+                let why = Why::NotTold("the path without it could not be followed");
+                kept.extend(terms.drain(..).map(|term| (term, why)));
+                break;
+            };
+            found.iter().for_each(|found| found.widen(&mut peel));
+            peel.tell_bounds();
+            if peel.reached_accuracy().is_none_or(|reached| reached <= self.accuracy.relative) {
+                let left_out = found.iter().map(|found| found.left_out).collect();
+                return self.told(peel, left_out, kept, iterations, started);
+            }
+            found.sort_by(|a, b| b.left_out.largest.total_cmp(&a.left_out.largest));
+            let LeftOut { term, largest, .. } = found[0].left_out;
+            terms.retain(|&other| other != term);
+            kept.push((term, Why::Matters(largest)));
+            if term == Term::Friction {
+                // on a path with it a change of the force is no change of an energy
+                kept.extend(terms.drain(..).map(|term| (term, Why::NotTold("with friction"))));
+            }
+        }
+        let peel = peel_run::run(self.model, self.accuracy, &self.bounds_since(started), self.keeping);
+        iterations += peel.effort.newton_iterations;
+        self.told(peel, Vec::new(), kept, iterations, started)
+    }
+
+    /// The path without some terms, of which nothing is kept: it is short beside the one with them.
+    fn without(&self, terms: &[Term], started: Instant) -> Peel {
+        let model = terms.iter().fold(self.model.clone(), |model, &term| without(term, model));
+        let keeping = Keeping { go_on: self.keeping.go_on, ..Keeping::NOTHING };
+        peel_run::run(&model, self.accuracy, &self.bounds_since(started), &keeping)
+    }
+
+    /// What is left of the time.
+    fn bounds_since(&self, started: Instant) -> Bounds {
+        let time_s = self.bounds.time_s.map(|most| (most - started.elapsed().as_secs_f64()).max(0.0));
+        Bounds { time_s, ..*self.bounds }
+    }
+
+    /// What each of the terms would change of a path without them; none where that has failed.
+    fn found(&self, peel: &Peel, terms: &[Term]) -> Option<Vec<Found>> {
+        let trace = peel.trace.as_ref().filter(|_| !matches!(peel.end, End::Failed(_)))?;
+        let found: Vec<Found> = terms.iter().map(|&term| Found::of(peel, trace, self.model, term)).collect();
+        found.iter().all(|found| found.left_out.largest.is_finite()).then_some(found)
+    }
+
+    /// The result, with what was decided.
+    fn told(
+        &self,
+        mut peel: Peel,
+        mut left_out: Vec<LeftOut>,
+        mut kept: Vec<(Term, Why)>,
+        iterations: usize,
+        started: Instant,
+    ) -> Peel {
+        match peel.model.form(peel.choice.form) {
+            Form::TwoField => {
+                left_out.push(LeftOut { term: Term::Horizontal, force: 0.0, displacement: 0.0, largest: 0.0 });
+            }
+            Form::ThreeField => kept.push((Term::Horizontal, Why::NotTold("the ground or friction acts along them"))),
+        }
+        let moment = (peel.model.adhesion.line_load == LineLoad::Full).then_some(Term::ContactMoment);
+        kept.extend([Term::Shear, Term::Extension].into_iter().chain(moment).map(|term| (term, Why::NothingSaved)));
+        peel.effort.newton_iterations = iterations;
+        peel.solve_s = started.elapsed().as_secs_f64();
+        peel.considered = Some(Considered { left_out, kept });
+        peel
+    }
+}
+
+/// The terms to try without, and those of the model that are kept untried.
+fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, Why)>) {
+    let (mut tried, mut kept) = (Vec::new(), Vec::new());
+    let mut consider = |term: Term, obstacle: Option<Why>| match obstacle {
+        None => tried.push(term),
+        Some(why) => kept.push((term, why)),
+    };
+    let law = model.line_law();
+    let driven = if !law.has_potential() {
+        Some(Why::NotTold("the law of adhesion has no potential"))
+    } else if model.pull.turn != 0.0 {
+        Some(Why::NotTold("the grip turns as it goes"))
+    } else if !model.steps.is_empty() {
+        Some(Why::NotTold("the path begins behind other steps"))
+    } else {
+        None
+    };
+    let has_friction = model.friction_law().is_some();
+    if has_friction {
+        let held = model.grip.horizontal == Hold::Fixed || model.pull.direction() != Direction::UP;
+        let alone = held.then_some(Why::NotTold("it alone holds the beam along the substrate"));
+        consider(Term::Friction, driven.or(alone));
+    }
+    let substrate = &model.ground.substrate;
+    if !substrate.is_flat() {
+        let deep = depth(substrate, model.length()) > SHALLOW * model.adhesion.equilibrium_distance;
+        let deep = deep.then_some(Why::NotTold("the ground is deeper than a tenth of r0"));
+        let curved = !matches!(model.body, Body::Strip(_));
+        let curved = curved.then_some(Why::NotTold("the beam is not straight when it is free of stress"));
+        consider(Term::Ground, driven.or(curved).or(deep));
+    }
+    if has_far_face(&law) {
+        // what it takes of the work of adhesion it takes of the force behind the peak
+        let share = 1.0 - law.rest_energy() / LineLaw { far_face: false, ..law }.rest_energy();
+        let matters = (SAFETY * UPPER * share > relative).then_some(Why::Matters(share));
+        consider(Term::FarFace, driven.or(matters));
+    }
+    (tried, kept)
+}
+
+/// How far ground reaches above and below the height that it has at the free end of a strip, nm.
+fn depth(substrate: &Substrate, length: f64) -> f64 {
+    const PLACES: usize = 1000;
+    let height = |k: usize| -substrate.clearance(length * k as f64 / PLACES as f64, 0.0);
+    (0..=PLACES).map(|k| (height(k) - height(0)).abs()).fold(0.0, f64::max)
+}
+
+fn without(term: Term, mut model: PeelModel) -> PeelModel {
+    match term {
+        Term::FarFace => model.adhesion.far_face = false,
+        Term::Ground => model.ground = Ground::default(),
+        Term::Friction => model.friction = Friction::NONE,
+        Term::ContactMoment | Term::Shear | Term::Extension | Term::Horizontal => {}
+    }
+    model
+}
+
+/// What a term would change of a path without it.
+struct Found {
+    left_out: LeftOut,
+    /// Of each limit point
+    shifts: Vec<Shift>,
+    /// Of a peak that is none: the end of the path
+    end: Shift,
+}
+
+/// What a term does on a path without it.
+enum Work {
+    /// The energy of the adhesion changes from that of the first to that of the second.
+    Adhesion(GroundLaw, GroundLaw),
+    Friction(FrictionLaw),
+}
+
+impl Work {
+    /// Per unit of the path's parameter, of a beam that lies higher by `lift` (nm) with the term.
+    fn rate(&self, probe: &Probe, lift: f64) -> f64 {
+        match self {
+            Self::Adhesion(without, with) => probe.rate(|at| at.adhesion_on(with, lift) - at.adhesion_on(without, 0.0)),
+            Self::Friction(law) => probe.dissipation(law),
+        }
+    }
+
+    /// Of a term that `model` has and the path of `reduced` has not.
+    fn of(term: Term, model: &PeelModel, reduced: &PeelModel) -> Option<Self> {
+        let law = reduced.line_law();
+        let on = |substrate: &Substrate, law: LineLaw| GroundLaw { law, substrate: substrate.clone() };
+        match term {
+            Term::FarFace => {
+                let substrate = &reduced.ground.substrate;
+                Some(Self::Adhesion(on(substrate, law), on(substrate, LineLaw { far_face: true, ..law })))
+            }
+            Term::Ground => Some(Self::Adhesion(on(&Substrate::Flat, law), on(&model.ground.substrate, law))),
+            Term::Friction => model.friction_law().map(Self::Friction),
+            Term::ContactMoment | Term::Shear | Term::Extension | Term::Horizontal => None,
+        }
+    }
+}
+
+impl Found {
+    fn of(peel: &Peel, trace: &Trace, model: &PeelModel, term: Term) -> Self {
+        let nothing = LeftOut { term, force: 0.0, displacement: 0.0, largest: 0.0 };
+        let Some(work) = Work::of(term, model, &peel.model) else {
+            return Self { left_out: nothing, shifts: Vec::new(), end: Shift::default() };
+        };
+        let rate = |solution: &Solution, lift: f64| work.rate(&Probe::new(&peel.model, &trace.problem, solution), lift);
+        // where the path begins, from where displacements count
+        let lift = match term {
+            // friction holds nothing yet
+            Term::Friction => 0.0,
+            Term::FarFace => LineLaw { far_face: true, ..peel.model.line_law() }.rest_gap() - trace.problem.rest_gap,
+            _ => trace.points.first().map_or(0.0, |first| -rate(first, 0.0) / first.slope.force),
+        };
+        let rate = |solution: &Solution| rate(solution, lift);
+        let shift = |point: &LimitPoint| {
+            let shift = Shift::of(trace, point, &rate);
+            // where the force is level the place does not matter
+            if point.flat { Shift { displacement: 0.0, ..shift } } else { shift }
+        };
+        let shifts: Vec<Shift> = peel.limit_points.iter().map(shift).collect();
+        let is_peak = |end: &&Arc<Solution>| {
+            peel.peak_at_end().is_some_and(|peak| peak.displacement == end.observables.displacement)
+        };
+        let end = [trace.points.first(), trace.points.last()].into_iter().flatten().find(is_peak);
+        let end = end.map_or(Shift::default(), |end| Shift::at_end(end, &rate));
+        let mut found = Self { left_out: nothing, shifts, end };
+        let peak = peel.initiation_peak.map(|peak| peak.displacement);
+        // not a number is larger than any
+        let larger =
+            |largest: f64, share: f64| if largest.is_nan() || share.abs() <= largest { largest } else { share.abs() };
+        for (point, shift) in peel.limit_points.iter().zip(&found.shifts) {
+            let shares = [shift.force / point.force, shift.displacement / point.displacement];
+            found.left_out.largest = shares.into_iter().fold(found.left_out.largest, larger);
+            if Some(point.displacement) == peak {
+                (found.left_out.force, found.left_out.displacement) = (shift.force, shift.displacement);
+            }
+        }
+        if let Some(peak) = peel.peak_at_end() {
+            found.left_out.largest = larger(found.left_out.largest, end.force / peak.force);
+        }
+        found
+    }
+
+    /// Adds what the term may change to the bounds.
+    fn widen(&self, peel: &mut Peel) {
+        for (point, shift) in peel.limit_points.iter_mut().zip(&self.shifts) {
+            point.force_error += SAFETY * shift.force.abs();
+            point.displacement_error += SAFETY * shift.displacement.abs();
+        }
+        if peel.peak_at_end().is_some() {
+            peel.peak.iter_mut().for_each(|peak| peak.force_error += SAFETY * self.end.force.abs());
+        }
+    }
+}
