@@ -188,7 +188,7 @@ impl PeelModel {
         match &self.body {
             Body::Strip(_) => None,
             Body::Spatula(spatula) => Some(Arc::new(spatula.clone())),
-            Body::Profile(profile) => Some(Arc::new(profile.table.clone())),
+            Body::Profile(profile) => Some(Arc::new(profile.form.clone())),
         }
     }
 
@@ -211,7 +211,7 @@ impl PeelModel {
         match &self.body {
             Body::Strip(strip) => strip.length,
             Body::Spatula(spatula) => spatula.length(),
-            Body::Profile(profile) => profile.table.length(),
+            Body::Profile(profile) => profile.form.length(),
         }
     }
 
@@ -230,7 +230,7 @@ impl PeelModel {
         match &self.body {
             Body::Strip(strip) => [strip.width, strip.height, 0.0],
             Body::Spatula(spatula) => of(spatula),
-            Body::Profile(profile) => of(&profile.table),
+            Body::Profile(profile) => of(&profile.form),
         }
     }
 
@@ -239,7 +239,7 @@ impl PeelModel {
         let outline = match &self.body {
             Body::Strip(strip) => return (self.section(), strip.width, strip.height),
             Body::Spatula(spatula) => spatula.at(place),
-            Body::Profile(profile) => profile.table.at(place),
+            Body::Profile(profile) => profile.form.at(place),
         };
         let (width, height) = (outline.width, outline.height[0]);
         (self.material().section(width, height, outline.roundness), width, height)

@@ -9,15 +9,18 @@ mod friction;
 mod key;
 mod keys;
 mod near;
+mod pieces;
 mod quantity;
 mod shape;
 mod steps;
 mod table;
+mod value;
 
 pub use error::{Problem, SceneError};
-pub use key::{Key, Kind, Need, Range, Value};
+pub use key::{Key, Kind, Need, Range};
 pub use keys::{BODIES, KEYS, body_of, find_key};
 pub use quantity::{Dimension, QuantityError, parse_quantity};
+pub use value::Value;
 
 use crate::adhesion::LineLoad;
 use crate::model::{Adhesion, Attraction, Body, Friction, Grip, Ground, Hold, PeelModel, Pull, Strip};
