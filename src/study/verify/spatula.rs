@@ -5,8 +5,7 @@ use super::reference::{self, Row};
 use super::{Check, Measure, Topic, bounds};
 use crate::adhesion::LineLoad;
 use crate::model::{
-    Adhesion, Attraction, Body, Course, Friction, Grip, Ground, Hold, PeelModel, Piece, Profile, ProfileForm,
-    ProfilePieces, ProfileTable, Pull, Spatula, StripModel,
+    Body, Course, Grip, Hold, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, ProfileTable, Spatula,
 };
 use crate::solve::Workspace;
 use crate::study::step_curve::StepCurve;
@@ -66,9 +65,9 @@ fn run() -> Vec<Check> {
     beams.extend(rows.iter().find(|row| row.text("case") == Some(NECK_CASE)).cloned());
     let held = |row: &Row| {
         let name = row.text("profile").unwrap_or(NECK);
-        let rotation = row.text("grip_rotation").unwrap_or_default();
-        let peel = peel(&profile(name, rotation)?, &Accuracy::to(RELATIVE), &BOUNDS);
-        Some(numbers(&format!("profile {name}, rotation {rotation}"), row, &peel))
+        let peel = peel(&profile(name, rotation(row))?, &Accuracy::to(RELATIVE), &BOUNDS);
+        let case = format!("profile {name}, rotation {}", row.text("grip_rotation").unwrap_or_default());
+        Some(numbers(&case, row, &peel))
     };
     checks.extend(beams.par_iter().filter_map(held).collect::<Vec<_>>().into_iter().flatten());
     let Some(default) = rows.first().map(model) else { return checks };
@@ -102,51 +101,32 @@ fn model(row: &Row) -> PeelModel {
     };
     spatula.material.youngs_modulus = number("youngs_modulus_GPa");
     spatula.material.poissons_ratio = number("poissons_ratio");
-    let forced = row.text("line_load") == Some("force-only");
-    let fixed = row.text("grip_rotation") == Some("fixed");
-    PeelModel {
-        body: Body::Spatula(spatula),
-        adhesion: Adhesion {
-            hamaker_constant: 1e18 * number("hamaker_constant_J"),
-            equilibrium_distance: number("equilibrium_distance_nm"),
-            attraction: Attraction::BodyForce,
-            work: None,
-            strength: None,
-            line_load: if forced { LineLoad::ForceOnly } else { LineLoad::Full },
-            far_face: row.text("far_face") == Some("true"),
-        },
-        grip: Grip {
-            rotation: if fixed { Hold::Fixed } else { Hold::Free },
-            horizontal: Hold::Free,
-            stiffness: None,
-            pretension: None,
-        },
-        pull: Pull::UP,
-        steps: Vec::new(),
-        ground: Ground::default(),
-        friction: Friction::NONE,
+    let mut model = spatula.model();
+    model.adhesion.hamaker_constant = 1e18 * number("hamaker_constant_J");
+    model.adhesion.equilibrium_distance = number("equilibrium_distance_nm");
+    model.adhesion.far_face = row.text("far_face") == Some("true");
+    if row.text("line_load") == Some("force-only") {
+        model.adhesion.line_load = LineLoad::ForceOnly;
     }
+    model.grip.rotation = rotation(row);
+    model
+}
+
+/// What the grip of a row does with the rotation.
+fn rotation(row: &Row) -> Hold {
+    if row.text("grip_rotation") == Some("fixed") { Hold::Fixed } else { Hold::Free }
 }
 
 /// The beam of this name, with the default's material and adhesion.
-fn profile(name: &str, rotation: &str) -> Option<PeelModel> {
+fn profile(name: &str, rotation: Hold) -> Option<PeelModel> {
     let text = |texts: &[(&str, &'static str)]| texts.iter().find(|(known, _)| *known == name).map(|(_, text)| *text);
     let form = match text(&TABLES) {
         Some(table) => ProfileForm::Table(ProfileTable::parse(table).ok()?),
         None => ProfileForm::Pieces(pieces(text(&LISTS)?)?),
     };
-    let profile = Profile { form, material: Spatula::default().material };
-    let paper = StripModel::of_the_paper(100.0, 1.0);
-    let rotation = if rotation == "fixed" { Hold::Fixed } else { Hold::Free };
-    Some(PeelModel {
-        body: Body::Profile(profile),
-        adhesion: paper.adhesion,
-        grip: Grip { rotation, ..paper.grip },
-        pull: paper.pull,
-        steps: Vec::new(),
-        ground: Ground::default(),
-        friction: Friction::NONE,
-    })
+    let spatula = Spatula::default().model();
+    let body = Body::Profile(Profile { form, material: spatula.material() });
+    Some(PeelModel::of(body, spatula.adhesion, Grip { rotation, ..Grip::FREE }))
 }
 
 /// The pieces of a list, a row a piece.
