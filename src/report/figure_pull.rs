@@ -56,7 +56,7 @@ pub(super) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportEr
 
 /// The force per width where the front is nearest to the middle.
 fn half_way(peel: &Peel) -> Option<f64> {
-    let point = peel.nearest_front(0.5 * LONG)?;
+    let point = &peel.points[peel.nearest_front(0.5 * LONG)?];
     ((point.front - 0.5 * LONG).abs() < 0.2 * LONG).then_some(point.force)
 }
 
