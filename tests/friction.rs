@@ -133,12 +133,7 @@ fn steady_peeling_balances() {
     let accuracy = Accuracy::to(1e-4).with(Choice { step: Some(1e-4), ..Accuracy::to(1e-4).choice });
     let peel = peel(&model, &accuracy, &Bounds { displacement: Some(44.0), ..BOUNDS });
     let at = |front: f64| {
-        let index = (0..peel.points.len())
-            .min_by(|&a, &b| {
-                let away = |k: usize| (peel.points[k].front - front).abs();
-                away(a).total_cmp(&away(b))
-            })
-            .unwrap();
+        let index = peel.nearest_front(front).unwrap();
         (peel.points[index].front, peel.sliding_at(index).unwrap().dissipated, peel.points[index].force)
     };
     let ((ahead, some, _), (behind, more, force)) = (at(110.0), at(90.0));

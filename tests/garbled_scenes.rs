@@ -33,6 +33,9 @@ fn with_value(key: &Key, value: &str) -> String {
     let fits = |other: &&Key| {
         fits(other) && if rubs { other.table == "friction" || !apart(other) } else { other.table != "friction" }
     };
+    // a profile takes a table or pieces
+    let outline = if key.alternative().is_some() { key.name } else { "table" };
+    let fits = |other: &&Key| fits(other) && (other.alternative().is_none() || other.name == outline);
     let line = |other: &Key| match shape {
         _ if other.path() == key.path() => format!("{} = {value}\n", other.path()),
         Some(shape) if other.name == "shape" => format!("{} = \"{shape}\"\n", other.path()),
@@ -193,7 +196,9 @@ proptest! {
         prop_assert!(doubled.contains("duplicate") && doubled.contains(&format!("`{}`", key.path())), "{}", doubled);
         if key.need == Need::Required {
             let missing = complaint(&text.replace(&line, ""));
-            prop_assert!(missing.contains(&format!("[{}] lacks `{}`", key.table, key.name)), "{}", missing);
+            // of a table and pieces, one of which a profile takes, the table is named first
+            let name = if key.alternative().is_some() { "table` or `pieces" } else { key.name };
+            prop_assert!(missing.contains(&format!("[{}] lacks `{name}`", key.table)), "{}", missing);
         }
         let place = if other.table.is_empty() { String::new() } else { format!("{}.", other.table) };
         let is_one = KEYS.iter().any(|known| known.path() == format!("{place}{}", key.name));

@@ -7,7 +7,9 @@
 
 use peelkit::adhesion::{CohesiveShape, LineLoad, Round, Shape, Sinusoid, Substrate};
 use peelkit::beam::Material;
-use peelkit::model::{Attraction, Body, Ground, Hold, Pull, Spatula, Start, Step};
+use peelkit::model::{
+    Attraction, Body, Course, Ground, Hold, Piece, ProfileForm, ProfilePieces, Pull, Spatula, Start, Step,
+};
 use peelkit::scene::{KEYS, Key, Need, Scene};
 use peelkit::study::Terms;
 use proptest::prelude::*;
@@ -39,6 +41,27 @@ s_nm, width_nm, height_nm, angle_deg
 100, 10, 10, 30
 """
 youngs_modulus = "2 GPa"
+[adhesion]
+hamaker_constant = "1e-19 J"
+equilibrium_distance = "0.4 nm"
+"#;
+
+/// Every key of a piece, and the least that one needs.
+const PIECES: &str = r#"
+[profile]
+youngs_modulus = "2 GPa"
+[[profile.pieces]]
+length = "0.25 um"
+width = ["200 nm", "150 nm"]
+height = "5 nm"
+[[profile.pieces]]
+length = "150 nm"
+width = ["150 nm", "50 nm"]
+height = ["5 nm", "50 nm"]
+roundness = [0, 1]
+bend = "30 deg"
+course = "smooth"
+height_course = "smooth"
 [adhesion]
 hamaker_constant = "1e-19 J"
 equilibrium_distance = "0.4 nm"
@@ -277,10 +300,11 @@ fn a_scene_peels_one_body() {
 fn a_table_stands_in_the_scene_or_beside_it() {
     let inside = Scene::parse("a.toml", PROFILE, &[]).unwrap().model;
     let Body::Profile(profile) = &inside.body else { panic!("{:?} is no profile", inside.body) };
+    let ProfileForm::Table(table) = &profile.form else { panic!("{profile:?} is no table") };
     assert_eq!((inside.length(), inside.free_end(), inside.breaks()), (100.0, (20.0, 5.0), vec![40.0]));
     let folder = std::env::temp_dir().join(format!("peelkit-profile-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
-    std::fs::write(folder.join("beam.csv"), profile.table.text()).unwrap();
+    std::fs::write(folder.join("beam.csv"), table.text()).unwrap();
     let name = folder.join("a.toml").display().to_string();
     let text = PROFILE.split("\"\"\"").collect::<Vec<_>>();
     let beside = Scene::parse(&name, &format!("{}\"beam.csv\"{}", text[0], text[2]), &[]).unwrap().model;
@@ -301,6 +325,104 @@ fn what_is_wrong_with_a_table_is_named() {
     let text = PROFILE.split("\"\"\"").collect::<Vec<_>>();
     let parts = ["dir/a.toml, line 3: `profile.table` names the file dir/no.csv, which cannot be read"];
     assert_says(&complaint(&format!("{}\"no.csv\"{}", text[0], text[2])), &parts);
+}
+
+/// In tables of their own or in one list: the same beam.
+#[test]
+fn pieces_are_read() {
+    let read = |text: &str| Scene::parse("a.toml", text, &[]).unwrap().model;
+    let beam = read(PIECES);
+    let Body::Profile(profile) = &beam.body else { panic!("{:?} is no profile", beam.body) };
+    let pad = Piece { width: [200.0, 150.0], ..Piece::straight(250.0, 200.0, 5.0) };
+    let neck = Piece {
+        length: 150.0,
+        width: [150.0, 50.0],
+        height: [5.0, 50.0],
+        roundness: [0.0, 1.0],
+        bend: 30f64.to_radians(),
+        course: Course::Smooth,
+        height_course: Course::Smooth,
+    };
+    assert_eq!(profile.form, ProfileForm::Pieces(ProfilePieces::new(vec![pad, neck]).unwrap()));
+    assert_eq!((beam.length(), beam.free_end(), beam.breaks()), (400.0, (200.0, 5.0), vec![250.0]));
+    let [before, first, second] = PIECES.split("[[profile.pieces]]\n").collect::<Vec<_>>()[..] else { panic!() };
+    let (second, behind) = second.split_once("[adhesion]").unwrap();
+    let inline = |lines: &str| format!("{{ {} }}", lines.trim().replace('\n', ", "));
+    let list = format!("pieces = [{}, {}]", inline(first), inline(second));
+    assert_eq!(read(&format!("{before}{list}\n[adhesion]{behind}")), beam);
+    let (_, list) = list.split_once('=').unwrap();
+    let over = Scene::parse("a.toml", &format!("{before}[adhesion]{behind}"), &set("profile.pieces", list));
+    assert_eq!(over.unwrap().model, beam);
+}
+
+#[test]
+fn what_is_wrong_with_pieces_is_named() {
+    for (good, wrong, parts) in [
+        (
+            "length = \"150",
+            "lenght = \"150",
+            ["line 8: `profile.pieces` has in piece 2 the key `lenght`", "did you mean `length`?"],
+        ),
+        (
+            "length = \"150 nm\"\n",
+            "",
+            ["line 8: `profile.pieces` has in piece 2 no `length`", "each with length, width"],
+        ),
+        (
+            "length = \"150 nm\"",
+            "length = 150",
+            ["has in piece 2 `length` = 150, a number without a unit", "\"150 nm\""],
+        ),
+        ("\"0.25 um\"", "\"um\"", ["line 4: `profile.pieces` has in piece 1 `length` = \"um\"", "begin with a number"]),
+        (
+            "\"0.25 um\"",
+            "\"0.25\"",
+            ["piece 1 `length` = \"0.25\", whose amount has no unit (nm", "length = \"90 nm\""],
+        ),
+        ("\"0.25 um\"", "\"0 um\"", ["piece 1 `length` = 0 nm", "not above zero"]),
+        ("\"0.25 um\"", "[\"1 nm\"]", ["piece 1 `length` = a list", "not a length with its unit"]),
+        ("\"30 deg\"", "\"30 nm\"", ["piece 2 `bend` = \"30 nm\"", "none of an angle (rad, deg)"]),
+        ("\"30 deg\"", "\"181 deg\"", ["turns the underside by 181 deg up to the end of piece 2", "-180 to 180"]),
+        ("[\"5 nm\", \"50 nm\"]", "[\"5 nm\"]", ["piece 2 `height` = a list, which has 1 values", "or two"]),
+        (
+            "[\"5 nm\", \"50 nm\"]",
+            "\"6 nm\"",
+            ["ends piece 1 with a height of 5 nm and begins the next with 6 nm", "the same"],
+        ),
+        (
+            "height_course = \"smooth\"",
+            "height_course = \"linear\"",
+            ["has a kink between piece 1", "height_course away"],
+        ),
+        ("[0, 1]", "[0, 1.5]", ["piece 2 `roundness` = 1.5", "from 0 to 1"]),
+        ("[0, 1]", "\"round\"", ["piece 2 `roundness` = \"round\"", "not a number"]),
+        ("course = \"smooth\"", "course = \"s5\"", ["piece 2 `course` = \"s5\"", "neither \"linear\" nor \"smooth\""]),
+        ("[profile]", "[profile]\npieces = []", ["line ", "duplicate key"]),
+        ("youngs", "table = \"a.csv\"\nyoungs", ["names the file dir/a.csv", "which cannot be read"]),
+    ] {
+        assert!(PIECES.contains(good), "{good}");
+        assert_says(&complaint(&PIECES.replacen(good, wrong, 1)), &parts);
+    }
+    let without = PIECES.split("[[").next().unwrap();
+    for (list, said) in [
+        ("[]", "`profile.pieces` has 0 pieces; it takes 1 to 200"),
+        ("[1]", "`profile.pieces` has as piece 1 1, no table of its keys"),
+        ("{ length = \"1 nm\" }", "`profile.pieces` is a table"),
+        ("\"pad\"", "`profile.pieces` is \"pad\""),
+        (
+            "[{ length = \"1 nm\", width = \"1 nm\", height = \"1 nm\" }]\ntable = \"s_nm\\n\"",
+            "`profile.table` is given beside `profile.pieces`",
+        ),
+    ] {
+        assert_says(&complaint(&format!("{without}pieces = {list}\n")), &["dir/a.toml, line ", said]);
+    }
+    let table = "[{ length = \"1 nm\", width = \"1 nm\", height = \"1 nm\" }]";
+    let error = Scene::parse("a.toml", PROFILE, &set("profile.pieces", table)).unwrap_err();
+    assert_says(
+        &error.to_string(),
+        &["--set profile.pieces=", "is given beside `profile.table`, and the beam has one outline"],
+    );
+    assert_says(error.remedy(), &["Leave one of `pieces` and `table` away."]);
 }
 
 #[test]
@@ -331,6 +453,7 @@ fn every_example_that_messages_give_is_right() {
     for key in KEYS {
         let text = match key.table {
             "spatula" => SPATULA.to_owned(),
+            "profile" if key.name == "pieces" => PIECES.to_owned(),
             "profile" => PROFILE.to_owned(),
             "substrate" => on_ground(key.shapes()[0]),
             "friction" => format!("{MINIMAL}[friction]\nstrength = \"50 MPa\"\n"),
@@ -347,7 +470,7 @@ fn every_example_that_messages_give_is_right() {
 
 #[test]
 fn the_ready_scenes_are_right() {
-    for name in ["strip", "strip-100nm", "strip-soft", "strip-rough", "strip-friction", "spatula"] {
+    for name in ["strip", "strip-100nm", "strip-soft", "strip-rough", "strip-friction", "spatula", "profile"] {
         let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
         Scene::parse(&path, &std::fs::read_to_string(&path).unwrap(), &[]).unwrap();
     }
@@ -355,7 +478,7 @@ fn the_ready_scenes_are_right() {
 
 #[test]
 fn the_remarks_of_the_ready_scene_show_the_defaults() {
-    ["strip", "spatula"].into_iter().for_each(assert_remarks_show_defaults);
+    ["strip", "spatula", "profile"].into_iter().for_each(assert_remarks_show_defaults);
 }
 
 fn assert_remarks_show_defaults(name: &str) {
@@ -469,7 +592,10 @@ fn what_is_missing_is_named_with_an_example() {
     let no_adhesion = MINIMAL.split("[adhesion]").next().unwrap();
     assert_says(&complaint(no_adhesion), &["the scene lacks the table [adhesion]", r#"hamaker_constant = "1e-19 J""#]);
     let no_table = PROFILE.split("table").next().unwrap();
-    assert_says(&complaint(no_table), &["line 2: [profile] lacks `table`", "s_nm,width_nm,height_nm\\n0,20,5"]);
+    assert_says(
+        &complaint(no_table),
+        &["line 2: [profile] lacks `table` or `pieces` in its place", "s_nm,width_nm,height_nm\\n0,20,5"],
+    );
     for key in KEYS.iter().filter(|key| key.need == Need::Required && !["profile", "substrate"].contains(&key.table)) {
         let without: Vec<&str> = MINIMAL.lines().filter(|line| !line.starts_with(key.name)).collect();
         let example = format!("{} = ", key.name);

@@ -22,9 +22,10 @@ from collocation import laws
 from collocation.digits import LEVELS
 from collocation.energy import adhesion, energy, first_integral, refined, work
 from collocation.law import Strip, field, loads, potential
-from collocation.path import TURNS, Path
+from collocation.path import Path
 from collocation.suite import DEFINING, Suite, run
 from collocation.system import Rule
+from collocation.turning import VALUES, turning_points
 
 REMARKS = (
     "Strips under other laws of adhesion, computed without finite elements by verification/laws.py; the rest as in strip_variants.csv.",
@@ -45,7 +46,6 @@ CASES = [
     replace(BILINEAR, length=200.0), replace(EXPONENTIAL, angle=60.0),
 ]
 QUICK = [CASES[i] for i in (0, 2, 11, 13, 15, 16)]
-VALUES = [f"{kind}_{value}" for kind in TURNS for value in ("displacement_nm", "force_nN")]
 COLUMNS = ("length_nm", "bending_stiffness_factor", "youngs_modulus_GPa", "law", "grip_rotation", "line_load", "far_face", "pull_angle_deg", *VALUES)
 
 
@@ -68,16 +68,7 @@ def integral(s, st):
 
 def compute(strip, level, verbose):
     """The numbers of one path; None where a point does not occur."""
-    path = Path(strip, verbose=verbose, **level)
-    out = dict.fromkeys(VALUES)
-    for kind in TURNS:
-        if kind in path.found:
-            s, st = path.s, path.found[kind]
-            spread = np.ptp(integral(s, st)) / (adhesion(s) + abs(s.P(st)))
-            if spread > 1e-11:
-                raise ArithmeticError(f"{strip}: the first integral at {kind} differs by {spread:.1e} along S")
-            out[f"{kind}_displacement_nm"], out[f"{kind}_force_nN"] = s.u(st), s.P(st)
-    return out
+    return turning_points(Path(strip, verbose=verbose, **level), integral)
 
 
 def ramp(x, e):

@@ -9,14 +9,11 @@ from where the grip is at rest.
 from dataclasses import replace
 
 from collocation import selfcheck  # first: one thread
-import numpy as np
-
-import tables
 from collocation.digits import LEVELS
-from collocation.energy import adhesion, first_integral
 from collocation.law import Strip
-from collocation.path import TURNS, Path
-from collocation.suite import DEFINING, Suite, run
+from collocation.path import Path
+from collocation.suite import DEFINING, Suite, known, run
+from collocation.turning import VALUES, turning_points
 
 REMARKS = (
     "Strips laid down under the tension pretension_nN and pulled by a grip that does not move across the pull, computed without finite elements by",
@@ -28,31 +25,17 @@ CASES = [
     *(replace(D, pretension=t) for t in (0.01, 0.1, 0.5, 2.0)), replace(D, factor=0.01), replace(D, factor=100.0),
     replace(D, rotation="fixed"), replace(D, length=200.0, pretension=1.0), replace(D, angle=60.0), replace(D, line_load="axis-gap", pretension=1.0),
 ]
-VALUES = [f"{kind}_{value}" for kind in TURNS for value in ("displacement_nm", "force_nN")]
 COLUMNS = ("length_nm", "bending_stiffness_factor", "pretension_nN", "pull_angle_deg", "grip_rotation", "grip_across", "line_load", *VALUES)
 
 
 def compute(strip, level, verbose):
     """The numbers of one path; None where a point does not occur."""
-    path = Path(strip, verbose=verbose, **level)
-    out = dict.fromkeys(VALUES)
-    for kind in TURNS:
-        if kind in path.found:
-            s, st = path.s, path.found[kind]
-            spread = np.ptp(first_integral(s, st)) / (adhesion(s) + abs(s.P(st)))
-            if spread > 1e-11:
-                raise ArithmeticError(f"{strip}: the first integral at {kind} differs by {spread:.1e} along S")
-            if s.near(st.X, st.zn).min() > 10.0 * strip.r0:
-                continue                                              # the strip is off
-            out[f"{kind}_displacement_nm"], out[f"{kind}_force_nN"] = s.u(st), s.P(st)
-    return out
+    return turning_points(Path(strip, verbose=verbose, **level), reach=10.0)
 
 
 def check_none():
     """A tension of a billionth of a nanonewton: the strip of strip_variants.csv that is held across the pull."""
-    suite = Suite("strip_variants.csv", (), (), (), None)
-    plain = replace(D, pretension=0.0)
-    row = next(row for row in tables.read(suite.table) if suite.strip_of(row) == plain)
+    row = known(replace(D, pretension=0.0))
     now = compute(replace(D, pretension=1e-9), dict(LEVELS[0], want=("peak", "lp1")), False)
     worst = max(abs(now[name] / float(row[name]) - 1.0) for name in VALUES[:4] if row[name])
     print(f"peak and lp1 under 1e-9 nN against strip_variants.csv: differ by {worst:.1e}")

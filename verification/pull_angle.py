@@ -16,15 +16,14 @@ the one and P + P^2/2EA in the other, so that
 from dataclasses import replace
 
 from collocation import selfcheck  # first: one thread
-import numpy as np
 from scipy.optimize import brentq
 
-import tables
 from collocation.digits import LEVELS
-from collocation.energy import adhesion, first_integral, refined
+from collocation.energy import adhesion, refined
 from collocation.law import Strip
-from collocation.path import TURNS, Path
-from collocation.suite import DEFINING, Suite, run
+from collocation.path import Path
+from collocation.suite import DEFINING, Suite, known, run
+from collocation.turning import VALUES, turning_points
 
 REMARKS = (
     "Strips pulled at an angle, computed without finite elements by verification/pull_angle.py: u and P along the pull, the rest as in strip_variants.csv.",
@@ -41,28 +40,17 @@ CASES = [
     *(replace(D, angle=a, horizontal="fixed") for a in (60.0, 80.0, 100.0, 120.0, 150.0)),
 ]
 QUICK = CASES[::3]
-VALUES = [f"{kind}_{value}" for kind in TURNS for value in ("displacement_nm", "force_nN")]
 COLUMNS = ("length_nm", "bending_stiffness_factor", "pull_angle_deg", "grip_rotation", "grip_across", "line_load", *VALUES)
 
 
 def compute(strip, level, verbose):
     """The numbers of one path; None where a point does not occur."""
-    path = Path(strip, verbose=verbose, **level)
-    out = dict.fromkeys(VALUES)
-    for kind in TURNS:
-        if kind in path.found:
-            s, st = path.s, path.found[kind]
-            spread = np.ptp(first_integral(s, st)) / (adhesion(s) + abs(s.P(st)))
-            if spread > 1e-11:
-                raise ArithmeticError(f"{strip}: the first integral at {kind} differs by {spread:.1e} along S")
-            out[f"{kind}_displacement_nm"], out[f"{kind}_force_nN"] = s.u(st), s.P(st)
-    return out
+    return turning_points(Path(strip, verbose=verbose, **level))
 
 
 def check_upright(tilt=1e-3):
     """On average at 90 degrees -+ tilt: peak and lp1 of strip_variants.csv, where H = 0 is no unknown."""
-    suite = Suite("strip_variants.csv", (), (), (), None)
-    row = next(row for row in tables.read(suite.table) if suite.strip_of(row) == D)
+    row = known(D)
     a, b = (compute(replace(D, angle=90.0 + t), dict(LEVELS[0], want=("peak", "lp1")), False) for t in (-tilt, tilt))
     worst = max(abs(0.5 * (a[name] + b[name]) / float(row[name]) - 1.0) for name in VALUES[:4])
     print(f"peak and lp1, mean of {90.0 - tilt:g} and {90.0 + tilt:g} degrees, against strip_variants.csv: differ by {worst:.1e}")

@@ -9,14 +9,12 @@ The work of the grip is that of P on u and of its moment M on theta: along the p
 from dataclasses import replace
 
 from collocation import selfcheck  # first: one thread
-import numpy as np
-
-import tables
 from collocation.digits import LEVELS
-from collocation.energy import adhesion, energy, first_integral, work
+from collocation.energy import energy, work
 from collocation.law import Strip
-from collocation.path import TURNS, Path
-from collocation.suite import DEFINING, Suite, run
+from collocation.path import Path
+from collocation.suite import DEFINING, Suite, known, run
+from collocation.turning import VALUES, turning_points
 from collocation.turns import resolved
 
 REMARKS = (
@@ -30,9 +28,8 @@ CASES = [
     *(replace(D, turned=t) for t in (5.0, 10.0, 30.0, -3.0)), replace(D, turned=10.0, horizontal="fixed"), replace(D, turned=10.0, factor=0.01),
     replace(D, turned=5.0, turn=0.5, length=200.0),
 ]
-VALUES = ["start_force_nN", *(f"{kind}_{value}" for kind in TURNS for value in ("displacement_nm", "force_nN"))]
 COLUMNS = ("length_nm", "bending_stiffness_factor", "grip_turned_deg", "grip_turn_deg_per_nm", "pull_angle_deg", "grip_rotation", "grip_across",
-           "line_load", *VALUES)
+           "line_load", "start_force_nN", *VALUES)
 
 
 def start(path):
@@ -44,27 +41,14 @@ def start(path):
 def compute(strip, level, verbose):
     """The numbers of one path; None where a point does not occur."""
     path = Path(strip, verbose=verbose, **level)
-    out = dict.fromkeys(VALUES)
-    if strip.turned:
-        out["start_force_nN"] = start(path)
-    for kind in TURNS:
-        if kind in path.found:
-            s, st = path.s, path.found[kind]
-            spread = np.ptp(first_integral(s, st)) / (adhesion(s) + abs(s.P(st)))
-            if spread > 1e-11:
-                raise ArithmeticError(f"{strip}: the first integral at {kind} differs by {spread:.1e} along S")
-            if s.near(st.X, st.zn).min() > 10.0 * strip.r0:
-                continue                                              # the strip is off
-            out[f"{kind}_displacement_nm"], out[f"{kind}_force_nN"] = s.u(st), s.P(st)
-    return out
+    return {"start_force_nN": start(path) if strip.turned else None} | turning_points(path, reach=10.0)
 
 
 def check_none():
     """A billionth of a degree, before and on the way: the strip of strip_variants.csv whose grip does not turn."""
-    suite = Suite("strip_variants.csv", (), (), (), None)
-    row = next(row for row in tables.read(suite.table) if suite.strip_of(row) == D)
+    row = known(D)
     now = compute(replace(D, turned=1e-9, turn=1e-9), dict(LEVELS[0], want=("peak", "lp1")), False)
-    names = [name for name in VALUES[1:5] if row[name]]
+    names = [name for name in VALUES[:4] if row[name]]
     worst = max(abs(now[name] / float(row[name]) - 1.0) for name in names)
     print(f"peak and lp1 of a grip that turns by 1e-9 degrees against strip_variants.csv: differ by {worst:.1e}")
     return worst < 1e-8

@@ -21,6 +21,13 @@ const OUTPUTS: &str = "\
 The files of a command appear in their folder all at once, when it is done. A folder that is not empty is refused before
 anything is computed, unless --force is given: then files of the same names are replaced, and all others stay.";
 
+const PIECES: &str = "\
+Each piece of profile.pieces, from the free end on, has length, width and height and, if wanted, roundness (0: a
+rectangle, 1: an ellipse), bend (by how much the underside turns along it: \"30 deg\"), course of all but the height
+(\"linear\" or \"smooth\") and height_course (\"smooth\", or \"linear\" where the height has no kink). Width, height and
+roundness are one value, or two in a list: at its beginning and at its end.
+";
+
 /// Of `peel --help`.
 pub fn overview() -> String {
     format!(
@@ -197,12 +204,13 @@ fn keys() -> String {
         };
         text += &format!("  {sample:<47} {}{note}\n", key.about);
     }
-    text
+    text + PIECES
 }
 
 fn sample(key: &Key) -> String {
     match key.default_value() {
         Some(Value::Number(number)) if !key.unit().is_empty() => format!("\"{number} {}\"", key.unit()),
+        _ if matches!(key.kind, Kind::Pieces(_)) => format!("[{{ length = {:?}, ... }}]", "90 nm"),
         Some(Value::List(_)) => "[]".into(),
         Some(Value::Text(text)) if !text.is_empty() => format!("\"{text}\""),
         Some(value @ (Value::Number(_) | Value::Flag(_))) => value.to_string(),
@@ -213,7 +221,7 @@ fn sample(key: &Key) -> String {
 fn note(key: &Key) -> String {
     match (&key.kind, key.need) {
         (_, Need::Required) if !key.shapes().is_empty() => format!("required for shape {}", key.shapes().join(", ")),
-        (_, Need::Required) => "required".into(),
+        (_, Need::Required) => key.alternative().map_or("required".into(), |other| format!("required, or {other}")),
         (Kind::Bound(..) | Kind::Steps(_), _) => "none unless given".into(),
         (Kind::Fixed(..) | Kind::Share(..), _) => "chosen by itself".into(),
         (Kind::Text(_), _) => "the name of the file unless given".into(),

@@ -26,6 +26,8 @@ enum Body {
     Strip,
     /// A gecko's spatula
     Spatula,
+    /// A beam piece by piece
+    Profile,
 }
 
 impl Body {
@@ -33,6 +35,7 @@ impl Body {
         match self {
             Self::Strip => ("strip", include_str!("../../scenes/strip.toml")),
             Self::Spatula => ("spatula", include_str!("../../scenes/spatula.toml")),
+            Self::Profile => ("profile", include_str!("../../scenes/profile.toml")),
         }
     }
 }

@@ -92,21 +92,26 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let key = key_to_vary(&args.vary)?;
     let scenes = vary(args, &scene, key)?;
     match args.followed() {
-        Some(_) if scene.model.friction_law().is_some() => Err(Stop::bad_input(
-            "a point of the peel is followed without friction only, and friction.strength is given",
-            "Leave --follow and --peak-only away: whole peels can be swept.",
-        )),
-        Some(_) if !scene.model.ground.substrate.is_flat() => Err(Stop::bad_input(
-            "a point of the peel is followed on flat ground only, and substrate.shape is another",
-            "Leave --follow and --peak-only away: whole peels can be swept.",
-        )),
-        Some(_) if scenes.iter().any(|(_, scene)| !scene.model.steps.is_empty()) => Err(Stop::bad_input(
-            "a point of the peel is followed from rest only, and drive.steps has steps before the pull",
-            "Leave --follow and --peak-only away: whole peels can be swept.",
-        )),
-        Some(kind) => follow(args, kind, &scene, key, &scenes),
+        Some(kind) => match not_followed(&scenes) {
+            Some(why) => Err(Stop::bad_input(
+                format!("a point of the peel is followed {why}"),
+                "Leave --follow and --peak-only away: whole peels can be swept.",
+            )),
+            None => follow(args, kind, &scene, key, &scenes),
+        },
         None => peel_each(args, &scene, key, &scenes),
     }
+}
+
+/// Why no point of these peels can be followed, if none can.
+fn not_followed(scenes: &[(f64, Scene)]) -> Option<&'static str> {
+    let why = |(_, scene): &(f64, Scene)| match &scene.model {
+        model if model.friction_law().is_some() => Some("without friction only, and friction.strength is given"),
+        model if !model.ground.substrate.is_flat() => Some("on flat ground only, and substrate.shape is another"),
+        model if !model.steps.is_empty() => Some("from rest only, and drive.steps has steps before the pull"),
+        _ => None,
+    };
+    scenes.iter().find_map(why)
 }
 
 /// Follows one point of the peel over the values.

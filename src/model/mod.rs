@@ -1,18 +1,22 @@
 //! A structure in a grip, on a substrate or on its own: what `solve` is given.
 mod chain;
+mod course;
 mod friction;
 mod ground;
 mod lie;
 mod peel;
+mod pieces;
 mod profile;
 mod rod;
 mod spatula;
 mod step;
 mod steps;
 mod strip;
+pub use course::*;
 pub use friction::*;
 pub use ground::*;
 pub use peel::*;
+pub use pieces::*;
 pub use profile::*;
 pub use rod::*;
 pub use spatula::*;

@@ -41,6 +41,19 @@ pub struct Adhesion {
 }
 
 impl Adhesion {
+    /// Of the half space's body force, with line force and moment and both faces: A_H (aJ) and r0 (nm).
+    pub fn of_half_space(hamaker_constant: f64, equilibrium_distance: f64) -> Self {
+        Self {
+            hamaker_constant,
+            equilibrium_distance,
+            attraction: Attraction::BodyForce,
+            work: None,
+            strength: None,
+            line_load: LineLoad::Full,
+            far_face: true,
+        }
+    }
+
     /// The line load per width on a section of this height, nm.
     pub fn line_law(&self, height: f64) -> LineLaw {
         let half_space = self.half_space();
@@ -80,6 +93,11 @@ pub struct Grip {
     pub stiffness: Option<f64>,
     /// Force along the strip with which it is stretched before it is laid down, nN, held across the pull from then on; none: it is not
     pub pretension: Option<f64>,
+}
+
+impl Grip {
+    /// Free to turn and to move across the pull, without a spring.
+    pub const FREE: Self = Self { rotation: Hold::Free, horizontal: Hold::Free, stiffness: None, pretension: None };
 }
 
 /// How the grip is moved.
@@ -148,6 +166,12 @@ impl From<&Self> for PeelModel {
 }
 
 impl PeelModel {
+    /// Pulled straight up, on flat ground without friction, with nothing done before.
+    pub fn of(body: Body, adhesion: Adhesion, grip: Grip) -> Self {
+        let (ground, friction) = (Ground::default(), Friction::NONE);
+        Self { body, adhesion, grip, pull: Pull::UP, steps: Vec::new(), ground, friction }
+    }
+
     /// The strip, where it is one.
     pub fn strip(&self) -> Option<&Strip> {
         if let Body::Strip(strip) = &self.body { Some(strip) } else { None }
@@ -188,7 +212,7 @@ impl PeelModel {
         match &self.body {
             Body::Strip(_) => None,
             Body::Spatula(spatula) => Some(Arc::new(spatula.clone())),
-            Body::Profile(profile) => Some(Arc::new(profile.table.clone())),
+            Body::Profile(profile) => Some(Arc::new(profile.form.clone())),
         }
     }
 
@@ -211,7 +235,7 @@ impl PeelModel {
         match &self.body {
             Body::Strip(strip) => strip.length,
             Body::Spatula(spatula) => spatula.length(),
-            Body::Profile(profile) => profile.table.length(),
+            Body::Profile(profile) => profile.form.length(),
         }
     }
 
@@ -230,7 +254,7 @@ impl PeelModel {
         match &self.body {
             Body::Strip(strip) => [strip.width, strip.height, 0.0],
             Body::Spatula(spatula) => of(spatula),
-            Body::Profile(profile) => of(&profile.table),
+            Body::Profile(profile) => of(&profile.form),
         }
     }
 
@@ -239,7 +263,7 @@ impl PeelModel {
         let outline = match &self.body {
             Body::Strip(strip) => return (self.section(), strip.width, strip.height),
             Body::Spatula(spatula) => spatula.at(place),
-            Body::Profile(profile) => profile.table.at(place),
+            Body::Profile(profile) => profile.form.at(place),
         };
         let (width, height) = (outline.width, outline.height[0]);
         (self.material().section(width, height, outline.roundness), width, height)

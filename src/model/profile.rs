@@ -1,15 +1,46 @@
-//! A beam whose width, height, direction and roundness are given by a table along S.
+//! A beam whose width, height, direction and roundness are given by a table along S, or piece by piece.
 //!
-//! Between the rows each is a monotone cubic (Fritsch and Butland's PCHIP: SIAM J. Sci. Stat. Comput. 5 (1984) 300), which has no
+//! Between the rows of a table each is a monotone cubic (Fritsch and Butland's PCHIP: SIAM J. Sci. Stat. Comput. 5 (1984) 300), which has no
 //! bulge that the table does not have. Its second derivative jumps at the rows, so elements end there.
 
+use super::ProfilePieces;
 use crate::beam::{Contour, Material, Outline};
 
-/// A beam by a table, and what it is made of.
+/// A beam by a table or by pieces, and what it is made of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
-    pub table: ProfileTable,
+    pub form: ProfileForm,
     pub material: Material,
+}
+
+/// What gives the outline of a profile.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ProfileForm {
+    Table(ProfileTable),
+    Pieces(ProfilePieces),
+}
+
+impl ProfileForm {
+    fn contour(&self) -> &dyn Contour {
+        match self {
+            Self::Table(table) => table,
+            Self::Pieces(pieces) => pieces,
+        }
+    }
+}
+
+impl Contour for ProfileForm {
+    fn length(&self) -> f64 {
+        self.contour().length()
+    }
+
+    fn breaks(&self) -> Vec<f64> {
+        self.contour().breaks()
+    }
+
+    fn at(&self, place: f64) -> Outline {
+        self.contour().at(place)
+    }
 }
 
 /// The table: a row a place.

@@ -5,6 +5,7 @@
 //! w + (1 - w)(1 - (1 - t)⁴) with t = S/rounding; the section goes from a rectangle to a circle with q, and the underside turns up
 //! by the shaft's angle times s5((S - pad)/bend). A choice within the ranges of the literature: the paper gives no dimensions.
 
+use super::{Adhesion, Body, Course, Grip, Hold, PeelModel};
 use crate::beam::{Contour, Material, Outline};
 
 /// Geometry and material of a spatula. Lengths in nm.
@@ -53,19 +54,13 @@ impl Default for Spatula {
     }
 }
 
-/// s5 and its first two derivatives.
-fn smooth_step(t: f64) -> [f64; 3] {
-    if t <= 0.0 {
-        return [0.0; 3];
-    }
-    if t >= 1.0 {
-        return [1.0, 0.0, 0.0];
-    }
-    let rest = 1.0 - t;
-    [t * t * t * (10.0 - 15.0 * t + 6.0 * t * t), 30.0 * t * t * rest * rest, 60.0 * t * rest * (rest - t)]
-}
-
 impl Spatula {
+    /// In a grip that holds its rotation, with the adhesion of the paper's strip: scenes/spatula.toml.
+    pub fn model(self) -> PeelModel {
+        let grip = Grip { rotation: Hold::Fixed, ..Grip::FREE };
+        PeelModel::of(Body::Spatula(self), Adhesion::of_half_space(0.1, 0.4), grip)
+    }
+
     /// Width of the rounded tip over that of a blunt one.
     fn rounding(&self, place: f64) -> f64 {
         if place >= self.tip_rounding_length {
@@ -97,14 +92,14 @@ impl Contour for Spatula {
 
     fn at(&self, place: f64) -> Outline {
         let beyond = place - self.pad_length;
-        let [q, q1, q2] = smooth_step(beyond / self.neck_length);
+        let [q, q1, q2] = Course::Smooth.at(beyond / self.neck_length);
         let thicker = self.shaft_diameter - self.pad_thickness;
         let width = if beyond < 0.0 {
             self.tip_width + (self.neck_width - self.tip_width) * place / self.pad_length
         } else {
             self.neck_width + (self.shaft_diameter - self.neck_width) * q
         };
-        let [turned, turning, _] = smooth_step(beyond / self.bend_length);
+        let [turned, turning, _] = Course::Smooth.at(beyond / self.bend_length);
         Outline {
             width: width * self.rounding(place),
             height: [

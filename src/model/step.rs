@@ -53,17 +53,14 @@ impl fmt::Display for Step {
             Self::Lift(amount) => write!(f, "lift {amount} nm"),
             Self::Drag(amount) => write!(f, "drag {amount} nm"),
             Self::Push(amount) => write!(f, "push {amount} nm"),
-            Self::Turn(amount) => match whole_degrees(*amount) {
-                Some(degrees) => write!(f, "turn {degrees} deg"),
-                None => write!(f, "turn {amount} rad"),
-            },
+            Self::Turn(amount) => write!(f, "turn {}", angle_text(*amount)),
             Self::Hold => write!(f, "hold"),
         }
     }
 }
 
-/// An angle in degrees, where a number of at most nine decimals of them is the same to the last digit.
-fn whole_degrees(angle: f64) -> Option<f64> {
+/// An angle with its unit: in degrees, where a number of at most nine decimals of them is the same to the last digit.
+pub(crate) fn angle_text(angle: f64) -> String {
     let degrees = (1e9 * angle.to_degrees()).round() / 1e9;
-    (degrees * 1f64.to_radians() == angle).then_some(degrees)
+    if degrees * 1f64.to_radians() == angle { format!("{degrees} deg") } else { format!("{angle} rad") }
 }

@@ -1,7 +1,7 @@
 //! A uniform strip of rectangular section.
 
-use super::{Adhesion, Attraction, Body, Form, Friction, Grip, Ground, Hold, PeelModel, Pull};
-use crate::adhesion::{LineLaw, LineLoad};
+use super::{Adhesion, Body, Form, Grip, PeelModel, Pull};
+use crate::adhesion::LineLaw;
 use crate::beam::{Material, Section};
 use crate::solve::Problem;
 
@@ -56,16 +56,8 @@ impl StripModel {
                 shear_correction: 5.0 / 6.0,
                 bending_stiffness_factor: bending,
             },
-            adhesion: Adhesion {
-                hamaker_constant: 0.1,
-                equilibrium_distance: 0.4,
-                attraction: Attraction::BodyForce,
-                work: None,
-                strength: None,
-                line_load: LineLoad::Full,
-                far_face: true,
-            },
-            grip: Grip { rotation: Hold::Free, horizontal: Hold::Free, stiffness: None, pretension: None },
+            adhesion: Adhesion::of_half_space(0.1, 0.4),
+            grip: Grip::FREE,
             pull: Pull::UP,
         }
     }
@@ -98,15 +90,7 @@ impl StripModel {
 
 impl From<&StripModel> for PeelModel {
     fn from(model: &StripModel) -> Self {
-        Self {
-            body: Body::Strip(model.strip),
-            adhesion: model.adhesion,
-            grip: model.grip,
-            pull: model.pull,
-            steps: Vec::new(),
-            ground: Ground::default(),
-            friction: Friction::NONE,
-        }
+        Self { pull: model.pull, ..Self::of(Body::Strip(model.strip), model.adhesion, model.grip) }
     }
 }
 

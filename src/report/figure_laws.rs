@@ -3,7 +3,6 @@
 use super::ReportError;
 use super::chart::{Axis, Frame, Line, Panel, Picture, Stroke, WIDTH, colour};
 use super::figure::{ACCURACY, Figure, Runner, Table, paper_strip};
-use super::figure_spatula::spatula;
 use super::picture_sweep::{FORCE, plateau_per_width, series};
 use super::summary::end_word;
 use crate::adhesion::CohesiveShape;
@@ -58,7 +57,7 @@ pub(super) fn figures(runner: &Runner<'_>, dir: &Path) -> Result<Vec<Figure>, Re
             runner.sweep_to(if cornered { CORNERED } else { ACCURACY }, &cases.collect::<Vec<_>>())
         };
         let strips = rows(STRIPS, (&paper_strip(LENGTH)).into());
-        let spatulae = if cornered { Vec::new() } else { rows(SPATULAE, spatula()) };
+        let spatulae = if cornered { Vec::new() } else { rows(SPATULAE, Spatula::default().model()) };
         Series { name, colour, strips, spatulae }
     });
     Ok(vec![tractions(dir)?, against_modulus(&all, dir)?])

@@ -3,11 +3,10 @@
 use super::ReportError;
 use super::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, WIDTH, colour};
 use super::figure::{Figure, Runner, Table, paper_strip};
-use super::figure_spatula::spatula;
 use super::picture_sweep::FORCE;
 use super::summary::end_word;
 use crate::analytic::{kendall_force, sliding_force};
-use crate::model::{PeelModel, Pull, StripModel};
+use crate::model::{PeelModel, Pull, Spatula, StripModel};
 use crate::study::{Peel, SweepRow};
 use std::path::Path;
 
@@ -40,7 +39,7 @@ pub(super) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportEr
     let spatulae = runner.sweep(
         &angles(0.0, 45.0, 2.5)
             .chain(angles(52.5, 180.0, 7.5))
-            .map(|angle| pulled(spatula(), angle))
+            .map(|angle| pulled(Spatula::default().model(), angle))
             .collect::<Vec<_>>(),
     );
     let picture = picture(&strips, &steady, &spatulae);
@@ -57,7 +56,7 @@ pub(super) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportEr
 
 /// The force per width where the front is nearest to the middle.
 fn half_way(peel: &Peel) -> Option<f64> {
-    let point = peel.nearest_front(0.5 * LONG)?;
+    let point = &peel.points[peel.nearest_front(0.5 * LONG)?];
     ((point.front - 0.5 * LONG).abs() < 0.2 * LONG).then_some(point.force)
 }
 

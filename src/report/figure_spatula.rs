@@ -5,37 +5,15 @@ use super::chart::significant;
 use super::figure::{Figure, Runner};
 use super::figure_strip::{curve_table, shape_table};
 use super::picture_peel::{curve, numbered_points, shapes};
-use crate::adhesion::LineLoad;
-use crate::model::{Adhesion, Attraction, Body, Friction, Grip, Ground, Hold, PeelModel, Pull, Spatula};
+use crate::model::Spatula;
 use crate::study::Peel;
 use std::path::Path;
 
 /// How many peels the figures of this file take.
 pub(super) const PEELS: usize = 1;
 
-/// The spatula of scenes/spatula.toml.
-pub(super) fn spatula() -> PeelModel {
-    PeelModel {
-        body: Body::Spatula(Spatula::default()),
-        adhesion: Adhesion {
-            hamaker_constant: 0.1,
-            equilibrium_distance: 0.4,
-            attraction: Attraction::BodyForce,
-            work: None,
-            strength: None,
-            line_load: LineLoad::Full,
-            far_face: true,
-        },
-        grip: Grip { rotation: Hold::Fixed, horizontal: Hold::Free, stiffness: None, pretension: None },
-        pull: Pull::UP,
-        steps: Vec::new(),
-        ground: Ground::default(),
-        friction: Friction::NONE,
-    }
-}
-
 pub(super) fn figures(runner: &Runner<'_>, dir: &Path) -> Result<Vec<Figure>, ReportError> {
-    let peel = runner.peel(&spatula());
+    let peel = runner.peel(&Spatula::default().model());
     let numbered = numbered_points(&peel);
     Ok(vec![force(&peel, &numbered, dir)?, deformed(&peel, &numbered, dir)?])
 }

@@ -317,7 +317,7 @@ impl Serialize for Parameters {
             }
         }
         let stands = |key: &Key| !key.table.is_empty() && key.belongs_to(&self.0);
-        for keys in KEYS.chunk_by(|a, b| a.table == b.table).filter(|keys| stands(&keys[0])) {
+        for keys in KEYS.chunk_by(|a, b| a.table == b.table).filter(|keys| keys.iter().any(stands)) {
             tables.serialize_entry(keys[0].table, &Table { scene: &self.0, keys })?;
         }
         tables.end()
@@ -337,14 +337,26 @@ impl Serialize for Table<'_> {
             let name = if unit.is_empty() { key.name.to_owned() } else { format!("{}_{unit}", key.name) };
             match key.value(self.scene) {
                 Some(Value::Number(count)) if key.is_count() => table.serialize_entry(&name, &(count as u64))?,
-                Some(Value::Number(number)) => table.serialize_entry(&name, &Finite(number))?,
-                Some(Value::Text(text)) => table.serialize_entry(&name, &text)?,
-                Some(Value::Flag(flag)) => table.serialize_entry(&name, &flag)?,
-                Some(Value::List(texts)) => table.serialize_entry(&name, &texts)?,
-                Some(Value::Other(_)) | None => table.serialize_entry(&name, &None::<()>)?,
+                value => table.serialize_entry(&name, &value.as_ref().map(Given))?,
             }
         }
         table.end()
+    }
+}
+
+/// A value as a scene holds it.
+struct Given<'a>(&'a Value);
+
+impl Serialize for Given<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            Value::Number(number) => Finite(*number).serialize(serializer),
+            Value::Text(text) => serializer.serialize_str(text),
+            Value::Flag(flag) => serializer.serialize_bool(*flag),
+            Value::List(items) => serializer.collect_seq(items.iter().map(Given)),
+            Value::Table(entries) => serializer.collect_map(entries.iter().map(|(name, value)| (name, Given(value)))),
+            Value::Other(_) => serializer.serialize_none(),
+        }
     }
 }
 

@@ -2,9 +2,10 @@
 
 use super::Scene;
 use super::error::{Origin, Problem, SceneError, one_line};
-use super::key::{Key, Kind, Need, Value};
+use super::key::{Key, Kind, Need};
 use super::keys::{BODIES, KEYS, find_key, set_body, tables};
 use super::near::nearest;
+use super::value::Value;
 use std::collections::HashSet;
 use std::ops::Range;
 use toml::Spanned;
@@ -37,7 +38,7 @@ pub(super) fn read(scene: &mut Scene, text: &str, overrides: &[(String, String)]
             found if tables().contains(&name_of(key)) => {
                 let table = name_of(key);
                 let problem = Problem::new(
-                    format!("is {}", convert(found)),
+                    format!("is {}", convert(found, 0)),
                     format!("It is a table: write [{table}] on a line of its own and its keys below it."),
                 );
                 return Err(file.error(value.span(), &format!("`{table}`"), problem));
@@ -86,7 +87,7 @@ fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, Scene
     if !key.belongs_to(scene) {
         return Err(origin.error(0..path.len(), &format!("`{}`", key.path()), key.foreign(scene)));
     }
-    let parsed = DeValue::parse(value.trim()).ok().map(|value| convert(value.get_ref()));
+    let parsed = DeValue::parse(value.trim()).ok().map(|value| convert(value.get_ref(), NESTED));
     let parsed = match parsed {
         Some(parsed @ Value::Text(_)) => parsed,
         Some(parsed) if !key.is_text() => parsed,
@@ -98,8 +99,11 @@ fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, Scene
 }
 
 fn store(scene: &mut Scene, file: &Origin, key: &Key, value: &Spanned<DeValue>) -> Result<(), SceneError> {
-    let stored = key.store(scene, &convert(value.get_ref()));
-    stored.map_err(|problem| file.error(value.span(), &format!("`{}`", key.path()), problem))
+    let stored = key.store(scene, &convert(value.get_ref(), NESTED));
+    stored.map_err(|problem| {
+        let item = value.get_ref().as_array().zip(problem.item).and_then(|(items, item)| items.get(item));
+        file.error(item.unwrap_or(value).span(), &format!("`{}`", key.path()), problem)
+    })
 }
 
 /// The entries of a table in the order of the text.
@@ -113,7 +117,11 @@ fn name_of<'a>(key: &'a Spanned<toml::de::DeString>) -> &'a str {
     key.get_ref()
 }
 
-fn convert(value: &DeValue) -> Value {
+/// How deep a value is that a key takes: a list of tables of lists.
+const NESTED: usize = 3;
+
+/// The value, of which nothing is told that is deeper than `levels`.
+fn convert(value: &DeValue, levels: usize) -> Value {
     match value {
         DeValue::String(text) => Value::Text(text.to_string()),
         DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
@@ -126,14 +134,15 @@ fn convert(value: &DeValue) -> Value {
         },
         DeValue::Boolean(flag) => Value::Flag(*flag),
         DeValue::Datetime(_) => Value::Other("a date or time"),
-        DeValue::Array(items) => {
-            let texts = items.iter().map(|item| match item.get_ref() {
-                DeValue::String(text) => Some(text.to_string()),
-                _ => None,
-            });
-            texts.collect::<Option<_>>().map_or(Value::Other("a list"), Value::List)
+        DeValue::Array(_) if levels == 0 => Value::Other("a list"),
+        DeValue::Table(_) if levels == 0 => Value::Other("a table"),
+        DeValue::Array(items) => Value::List(items.iter().map(|item| convert(item.get_ref(), levels - 1)).collect()),
+        DeValue::Table(table) => {
+            let entry = |(name, value): (&Spanned<_>, &Spanned<DeValue>)| {
+                (name_of(name).to_owned(), convert(value.get_ref(), levels - 1))
+            };
+            Value::Table(in_order(table).into_iter().map(entry).collect())
         }
-        DeValue::Table(_) => Value::Other("a table"),
     }
 }
 
@@ -182,14 +191,18 @@ fn missing(
     scene: &Scene,
 ) -> SceneError {
     let needed = |other: &&Key| other.table == key.table && other.need == Need::Required && other.belongs_to(scene);
-    let wanted = KEYS.iter().filter(needed);
+    // of two of which one is wanted the first is shown
+    let shown = |other: &&Key| needed(other) && !matches!(other.kind, Kind::Pieces(_));
+    let wanted = KEYS.iter().filter(shown);
     let wanted: Vec<String> = wanted.filter(|other| !given.contains(&other.path())).map(Key::example_line).collect();
     let wanted = wanted.join(", ");
     let header = in_order(document).into_iter().find(|(name, _)| name_of(name) == key.table);
     match header {
         Some((table, _)) => {
             let remedy = format!("`{}` is the {}. Add for example {wanted}", key.name, key.about);
-            file.error(table.span(), &format!("[{}]", key.table), Problem::new(format!("lacks `{}`", key.name), remedy))
+            let instead = key.alternative().map(|other| format!(" or `{other}` in its place")).unwrap_or_default();
+            let problem = Problem::new(format!("lacks `{}`{instead}", key.name), remedy);
+            file.error(table.span(), &format!("[{}]", key.table), problem)
         }
         None => {
             let remedy = format!("Add a line [{}] and below it for example {wanted}", key.table);

@@ -36,11 +36,13 @@ pub struct Problem {
     pub found: String,
     /// What would be right: a sentence of its own.
     pub remedy: String,
+    /// Which item of a list it is in, counted from 0, where the value is one.
+    pub item: Option<usize>,
 }
 
 impl Problem {
     pub(crate) fn new(found: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self { found: found.into(), remedy: remedy.into() }
+        Self { found: found.into(), remedy: remedy.into(), item: None }
     }
 }
 
@@ -62,7 +64,7 @@ pub(crate) enum Origin<'a> {
 impl Origin<'_> {
     /// The error that `subject` is as the problem says, at `span` of this text.
     pub(crate) fn error(&self, span: Range<usize>, subject: &str, problem: Problem) -> SceneError {
-        let Problem { found, remedy } = problem;
+        let Problem { found, remedy, .. } = problem;
         let (message, name, text) = match self {
             Self::File { name, text } => {
                 let line = 1 + text.as_bytes().iter().take(span.start).filter(|&&byte| byte == b'\n').count();

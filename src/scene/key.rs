@@ -4,12 +4,14 @@ use super::Scene;
 use super::error::{Problem, one_line};
 use super::keys::{BODIES, body_of};
 use super::near::nearest;
+use super::pieces;
 use super::quantity::{Dimension, QuantityError, parse_quantity};
 use super::shape;
 use super::steps;
 use super::table::{read_heights, read_table};
+use super::value::{Value, quoted, show};
 use crate::adhesion::{CohesiveShape, LineLoad, Substrate};
-use crate::model::{Attraction, Hold, ProfileTable, Start, Step};
+use crate::model::{Attraction, Body, Hold, ProfileForm, Start, Step};
 use crate::study::Terms;
 use std::fmt;
 use std::sync::Arc;
@@ -60,7 +62,9 @@ pub enum Kind {
     /// true or false
     Flag(fn(&mut Scene) -> &mut bool),
     /// A table along a beam: a CSV of several lines, or the name of its file, which is looked for beside the scene.
-    Table(fn(&mut Scene) -> &mut ProfileTable),
+    Table(fn(&mut Scene) -> &mut ProfileForm),
+    /// A list of the pieces of a beam, in place of a table.
+    Pieces(fn(&mut Scene) -> &mut ProfileForm),
     /// A word for the law of adhesion.
     Attraction(fn(&mut Scene) -> &mut Attraction),
     /// A word for the load on the axis.
@@ -90,21 +94,6 @@ pub enum Range {
     From(f64, f64),
 }
 
-/// A value as it stands in a TOML text, or as a scene holds it.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Value {
-    /// A TOML string.
-    Text(String),
-    /// A TOML integer or float; of a scene in the unit of the library.
-    Number(f64),
-    /// true or false
-    Flag(bool),
-    /// A list of TOML strings
-    List(Vec<String>),
-    /// Something that no key takes: "a list", "a table", "a date".
-    Other(&'static str),
-}
-
 const ATTRACTIONS: &[(&str, Attraction)] = &[
     ("body-force", Attraction::BodyForce),
     ("surface-traction", Attraction::SurfaceTraction),
@@ -129,7 +118,20 @@ impl Key {
     pub fn belongs_to(&self, scene: &Scene) -> bool {
         match self.table {
             shape::TABLE => shape::has(&scene.model.ground.substrate, self.name),
-            table => !BODIES.contains(&table) || table == body_of(scene),
+            table if !BODIES.contains(&table) => true,
+            table => match &scene.model.body {
+                Body::Profile(profile) => table == body_of(scene) && pieces::fit(&self.kind, &profile.form),
+                _ => table == body_of(scene),
+            },
+        }
+    }
+
+    /// The key of its table that a scene may hold in its place.
+    pub fn alternative(&self) -> Option<&'static str> {
+        match self.kind {
+            Kind::Table(_) => Some("pieces"),
+            Kind::Pieces(_) => Some("table"),
+            _ => None,
         }
     }
 
@@ -144,6 +146,12 @@ impl Key {
             return shape::foreign(&scene.model.ground.substrate, self.name);
         }
         let body = body_of(scene);
+        if let Some(other) = self.alternative().filter(|_| self.table == body) {
+            return Problem::new(
+                format!("is given beside `{}.{other}`, and the beam has one outline", self.table),
+                format!("Leave one of `{}` and `{other}` away.", self.name),
+            );
+        }
         Problem::new(
             format!("is a key of [{}], and the scene peels a [{body}]", self.table),
             format!("A scene has one of the tables [{}].", BODIES.join("], [")),
@@ -177,7 +185,8 @@ impl Key {
 
     /// Whether its values are TOML strings.
     pub(crate) fn is_text(&self) -> bool {
-        !matches!(self.kind, Kind::Number(..) | Kind::Share(..) | Kind::Flag(_) | Kind::Steps(_)) && !self.is_count()
+        !matches!(self.kind, Kind::Number(..) | Kind::Share(..) | Kind::Flag(_) | Kind::Steps(_) | Kind::Pieces(_))
+            && !self.is_count()
     }
 
     /// Puts a value into the scene if it has a meaning there.
@@ -187,15 +196,22 @@ impl Key {
             (Kind::Flag(place), &Value::Flag(flag)) => *place(scene) = flag,
             (Kind::Table(place), Value::Text(text)) => {
                 let table = read_table(&scene.name, text).map_err(|found| Problem::new(found, self.remedy()))?;
-                *place(scene) = table;
+                *place(scene) = ProfileForm::Table(table);
+            }
+            (Kind::Pieces(place), Value::List(items)) => {
+                let problem =
+                    |fault: pieces::Fault| Problem { item: fault.item, ..Problem::new(fault.found, self.remedy()) };
+                *place(scene) = ProfileForm::Pieces(pieces::read(items).map_err(problem)?);
             }
             (Kind::Attraction(place), Value::Text(word)) => *place(scene) = self.pick(ATTRACTIONS, word)?,
             (Kind::LineLoad(place), Value::Text(word)) => *place(scene) = self.pick(LINE_LOADS, word)?,
             (Kind::Hold(place), Value::Text(word)) => *place(scene) = self.pick(HOLDS, word)?,
             (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
             (Kind::Terms(place), Value::Text(word)) => *place(scene) = self.pick(TERMS, word)?,
-            (Kind::Steps(place), Value::List(texts)) => {
-                *place(scene) = steps::read(texts).map_err(|found| Problem::new(found, self.remedy()))?;
+            (Kind::Steps(place), Value::List(items)) => {
+                let text = |item: &Value| if let Value::Text(text) = item { Some(text.clone()) } else { None };
+                let texts = items.iter().map(text).collect::<Option<Vec<_>>>().ok_or_else(|| self.wrong_type(value))?;
+                *place(scene) = steps::read(&texts).map_err(|found| Problem::new(found, self.remedy()))?;
             }
             (Kind::Shape(place), Value::Text(word)) => {
                 let shape = self.pick(shape::SHAPES, word)?;
@@ -277,13 +293,22 @@ impl Key {
             Kind::Fixed(_, place) => Value::Number((*place(&mut scene))? as f64),
             Kind::Count(place) => Value::Number(*place(&mut scene) as f64),
             Kind::Flag(place) => Value::Flag(*place(&mut scene)),
-            Kind::Table(place) => Value::Text(place(&mut scene).text().to_owned()),
+            Kind::Table(place) => match place(&mut scene) {
+                ProfileForm::Table(table) => Value::Text(table.text().to_owned()),
+                ProfileForm::Pieces(_) => return None,
+            },
+            Kind::Pieces(place) => match place(&mut scene) {
+                ProfileForm::Pieces(pieces) => pieces::written(pieces),
+                ProfileForm::Table(_) => return None,
+            },
             Kind::Attraction(place) => Value::Text(word(ATTRACTIONS, *place(&mut scene))),
             Kind::LineLoad(place) => Value::Text(word(LINE_LOADS, *place(&mut scene))),
             Kind::Hold(place) => Value::Text(word(HOLDS, *place(&mut scene))),
             Kind::Start(place) => Value::Text(word(STARTS, *place(&mut scene))),
             Kind::Terms(place) => Value::Text(word(TERMS, *place(&mut scene))),
-            Kind::Steps(place) => Value::List(place(&mut scene).iter().map(Step::to_string).collect()),
+            Kind::Steps(place) => {
+                Value::List(place(&mut scene).iter().map(|step| Value::Text(step.to_string())).collect())
+            }
             Kind::Shape(place) => Value::Text(word(shape::SHAPES, shape::of(place(&mut scene)))),
             Kind::Heights(place) => match place(&mut scene) {
                 Substrate::Profile(heights) => Value::Text(heights.text().to_owned()),
@@ -318,6 +343,7 @@ impl Key {
             Kind::Start(_) => words(STARTS),
             Kind::Terms(_) => words(TERMS),
             Kind::Steps(_) => steps::TAKES.into(),
+            Kind::Pieces(_) => pieces::TAKES.into(),
             Kind::Shape(_) => words(shape::SHAPES),
             Kind::Heights(_) => {
                 "a CSV in quotes, or the name of its file beside the scene: a row a place, with the columns x_nm and \
@@ -362,6 +388,7 @@ impl Key {
             (_, Kind::Share(..)) => "0.01",
             (_, Kind::Flag(_)) => "true",
             (_, Kind::Table(_)) => "\"s_nm,width_nm,height_nm\\n0,20,5\\n100,20,10\"",
+            (_, Kind::Pieces(_)) => "[{ length = \"90 nm\", width = [\"9 nm\", \"5 nm\"], height = \"5 nm\" }]",
             (_, Kind::Attraction(_)) => "\"bilinear\"",
             (_, Kind::LineLoad(_)) => "\"full\"",
             (_, Kind::Hold(_)) => "\"fixed\"",
@@ -451,16 +478,6 @@ fn words<T>(choices: &[(&'static str, T)]) -> String {
     words.join(" or ")
 }
 
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", one_line(text))
-}
-
-/// A number as a person writes it.
-fn show(number: f64) -> String {
-    let plain = number == 0.0 || !number.is_finite() || (1e-4..1e7).contains(&number.abs());
-    if plain { number.to_string() } else { format!("{number:e}") }
-}
-
 impl Range {
     fn contains(self, number: f64) -> bool {
         match self {
@@ -477,18 +494,6 @@ impl fmt::Display for Range {
             Self::Positive => write!(f, "a number above zero"),
             Self::Between(low, high) => write!(f, "a number between {low} and {high}, both excluded"),
             Self::From(low, high) => write!(f, "a number from {low:e} to {high:e}"),
-        }
-    }
-}
-
-impl fmt::Display for Value {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::Text(text) => f.write_str(&quoted(text)),
-            Self::Number(number) => f.write_str(&show(*number)),
-            Self::Flag(flag) => write!(f, "{flag}"),
-            Self::List(_) => write!(f, "a list"),
-            Self::Other(what) => write!(f, "{what}"),
         }
     }
 }

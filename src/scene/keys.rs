@@ -7,7 +7,7 @@ use super::near::nearest;
 use super::quantity::Dimension::{Angle, AnglePerLength, Energy, Force, Length, Pressure, Stiffness, Time, Work};
 use crate::adhesion::Substrate;
 use crate::beam::Material;
-use crate::model::{Body, Profile, ProfileTable, Spatula, Strip};
+use crate::model::{Body, Profile, ProfileForm, ProfileTable, Spatula, Strip};
 use Need::{Optional, Required};
 
 const fn key(table: &'static str, name: &'static str, need: Need, kind: Kind, about: &'static str) -> Key {
@@ -47,7 +47,8 @@ pub static KEYS: &[Key] = &[
     key("spatula", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut spatula(s).material.shear_correction), "shear correction factor of the section"),
     key("spatula", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut spatula(s).material.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
 
-    key("profile", "table", Required, Kind::Table(|s| &mut profile(s).table), "the beam: a CSV, or the name of its file"),
+    key("profile", "table", Required, Kind::Table(|s| &mut profile(s).form), "beam: a CSV, or its file's name"),
+    key("profile", "pieces", Required, Kind::Pieces(|s| &mut profile(s).form), "beam piece by piece, in place of table"),
     key("profile", "youngs_modulus", Required, Kind::Quantity(Pressure, |s| &mut profile(s).material.youngs_modulus), "Young's modulus E"),
     key("profile", "poissons_ratio", Optional, Kind::Number(Range::Between(-1.0, 0.5), |s| &mut profile(s).material.poissons_ratio), "Poisson's ratio"),
     key("profile", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut profile(s).material.shear_correction), "shear correction factor of the section"),
@@ -132,7 +133,7 @@ body!(strip, Strip, Strip::UNKNOWN);
 body!(spatula, Spatula, Spatula::default());
 body!(profile, Profile, {
     let material = Material { youngs_modulus: f64::NAN, ..Spatula::default().material };
-    Profile { table: ProfileTable::default(), material }
+    Profile { form: ProfileForm::Table(ProfileTable::default()), material }
 });
 
 /// What the scene's body lies on.

@@ -9,18 +9,20 @@ mod friction;
 mod key;
 mod keys;
 mod near;
+mod pieces;
 mod quantity;
 mod shape;
 mod steps;
 mod table;
+mod value;
 
 pub use error::{Problem, SceneError};
-pub use key::{Key, Kind, Need, Range, Value};
+pub use key::{Key, Kind, Need, Range};
 pub use keys::{BODIES, KEYS, body_of, find_key};
 pub use quantity::{Dimension, QuantityError, parse_quantity};
+pub use value::Value;
 
-use crate::adhesion::LineLoad;
-use crate::model::{Adhesion, Attraction, Body, Friction, Grip, Ground, Hold, PeelModel, Pull, Strip};
+use crate::model::{Adhesion, Attraction, Body, Grip, Hold, PeelModel, Strip};
 use crate::study::{Accuracy, Bounds};
 use std::path::Path;
 
@@ -144,28 +146,11 @@ impl Scene {
     /// A scene that holds the defaults; what has none is NaN until the text gives it.
     pub(crate) fn empty(name: &str) -> Self {
         let title = Path::new(name).file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let adhesion = Adhesion {
-            hamaker_constant: f64::NAN,
-            equilibrium_distance: f64::NAN,
-            attraction: Attraction::BodyForce,
-            work: None,
-            strength: None,
-            line_load: LineLoad::Full,
-            far_face: true,
-        };
-        let grip = Grip { rotation: Hold::Free, horizontal: Hold::Free, stiffness: None, pretension: None };
+        let adhesion = Adhesion::of_half_space(f64::NAN, f64::NAN);
         Self {
             name: name.to_owned(),
             title,
-            model: PeelModel {
-                body: Body::Strip(Strip::UNKNOWN),
-                adhesion,
-                grip,
-                pull: Pull::UP,
-                steps: Vec::new(),
-                ground: Ground::default(),
-                friction: Friction::NONE,
-            },
+            model: PeelModel::of(Body::Strip(Strip::UNKNOWN), adhesion, Grip::FREE),
             accuracy: Accuracy::to(1e-6),
             bounds: Bounds { points: 20_000, time_s: Some(60.0), displacement: None },
         }

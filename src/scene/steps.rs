@@ -30,11 +30,11 @@ fn one(text: &str) -> Result<Step, String> {
     match (word, length) {
         ("hold", _) if amount.is_empty() => Ok(Step::Hold),
         ("hold", _) => Err("and to hold takes nothing behind it".into()),
-        ("turn", _) => match quantity(amount, Dimension::Angle)? {
+        ("turn", _) => match quantity(amount, Dimension::Angle, "whose word is not followed by an angle")? {
             angle if angle != 0.0 => Ok(Step::Turn(angle)),
             _ => Err("which turns nothing: write \"hold\"".into()),
         },
-        (_, Some((_, step))) => match quantity(amount, Dimension::Length)? {
+        (_, Some((_, step))) => match quantity(amount, Dimension::Length, "whose word is not followed by a length")? {
             length if length > 0.0 => Ok(step(length)),
             _ => Err("whose amount is not above zero: lift is the way back of press, push that of drag".into()),
         },
@@ -42,12 +42,13 @@ fn one(text: &str) -> Result<Step, String> {
     }
 }
 
-fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
+/// Reads a finite quantity; else what the amount is that is none, which `no_number` says of one without a number.
+pub(super) fn quantity(text: &str, dimension: Dimension, no_number: &str) -> Result<f64, String> {
     let units = dimension.units().join(", ");
     match parse_quantity(text, dimension) {
         Ok(number) if number.is_finite() => Ok(number),
         Ok(_) => Err("whose amount is not a finite number".into()),
-        Err(QuantityError::NoNumber) => Err(format!("whose word is not followed by {dimension}")),
+        Err(QuantityError::NoNumber) => Err(no_number.into()),
         Err(QuantityError::NoUnit) => Err(format!("whose amount has no unit ({units})")),
         Err(QuantityError::UnknownUnit { .. } | QuantityError::WrongDimension { .. }) => {
             Err(format!("whose unit is none of {dimension} ({units})"))

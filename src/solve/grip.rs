@@ -101,8 +101,7 @@ impl Problem {
 
     /// Where a pull that is not straight up mixes x and height: the slot of x in [`Problem::held`], and the direction.
     fn turned(&self) -> Option<(usize, Direction)> {
-        let x = if self.chain.has_border() { SLIDE } else { 0 };
-        (self.direction != Direction::UP).then_some((x, self.direction))
+        (self.direction != Direction::UP).then_some((self.slot_of_x(), self.direction))
     }
 
     /// How far a field of the right end is from where it began, or the end's place where that is the slot of x and no field.

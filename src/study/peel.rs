@@ -156,10 +156,10 @@ impl Peel {
         }
     }
 
-    /// The path point whose front is nearest to a place along the beam, nm.
-    pub fn nearest_front(&self, place: f64) -> Option<&PathPoint> {
-        let away = |point: &&PathPoint| (point.front - place).abs();
-        self.points.iter().min_by(|a, b| away(a).total_cmp(&away(b)))
+    /// Which of `points` has its front nearest to a place along the beam, nm.
+    pub fn nearest_front(&self, place: f64) -> Option<usize> {
+        let away = |&index: &usize| (self.points[index].front - place).abs();
+        (0..self.points.len()).min_by(|a, b| away(a).total_cmp(&away(b)))
     }
 
     /// Section forces, stretch and adhesion at the ends of the elements at `points[index]`, from S = 0 to S = L; empty

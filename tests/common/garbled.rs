@@ -72,12 +72,37 @@ pub fn corpus() -> Vec<(String, String)> {
 
 /// A scene whose every number lies anywhere in a range that no strip has seen, for a run of at most 60 points and 0.2 s.
 pub fn absurd_scene(dice: &mut Dice) -> String {
+    let body = dice.pick(&["strip", "strip", "strip", "spatula"]);
+    absurd_scene_of(body, dice)
+}
+
+/// Four pieces: lengths over six decades, widths over twelve, heights as far apart, bends of either sign, and as round as
+/// may be.
+fn absurd_pieces(dice: &mut Dice) -> String {
+    let size = dice.decades(1e-3, 1e9);
+    let mut height = dice.decades(1e-3, 1e9);
+    let mut piece = |_| {
+        let begins = std::mem::replace(&mut height, dice.decades(1e-3, 1e9));
+        let length = size * dice.decades(1e-6, 1.0);
+        let [width, next] = [0; 2].map(|_| dice.decades(1e-3, 1e9));
+        let (bend, course) = (dice.between(-44.9, 44.9), dice.pick(&["linear", "smooth"]));
+        let [round, rounder] = [0; 2].map(|_| dice.between(0.0, 1.0));
+        format!(
+            "{{ length = \"{length:e} nm\", width = [\"{width:e} nm\", \"{next:e} nm\"], \
+             height = [\"{begins:e} nm\", \"{height:e} nm\"], roundness = [{round}, {rounder}], bend = \"{bend} deg\", \
+             course = \"{course}\" }}"
+        )
+    };
+    (0..4).map(&mut piece).collect::<Vec<_>>().join(", ")
+}
+
+/// The same of a body of this table.
+pub fn absurd_scene_of(body: &str, dice: &mut Dice) -> String {
     let mut text = String::new();
     let mut line = |line: String| text += &(line + "\n");
     if dice.below(4) == 0 {
         line("terms = \"auto\"".into());
     }
-    let body = dice.pick(&["strip", "strip", "strip", "spatula"]);
     line(format!("[{body}]"));
     let keys = KEYS.iter().filter(|key| key.table == body && matches!(key.kind, Kind::Quantity(Dimension::Length, _)));
     let lengths: Vec<(&str, f64)> = keys.map(|key| (key.name, dice.decades(1e-3, 1e9))).collect();
@@ -86,6 +111,9 @@ pub fn absurd_scene(dice: &mut Dice) -> String {
         // a bend ends on the shaft
         let length = if name == "bend_length" { length.min(behind) } else { length };
         line(format!("{name} = \"{length:e} nm\""));
+    }
+    if body == "profile" {
+        line(format!("pieces = [{}]", absurd_pieces(dice)));
     }
     if body == "spatula" {
         line(format!("shaft_angle = \"{} deg\"", dice.between(-179.9, 179.9)));
@@ -279,8 +307,10 @@ fn keys_of(body: &str) -> impl Iterator<Item = &'static Key> {
 pub fn garbled_text(dice: &mut Dice) -> String {
     let body = dice.pick(&BODIES);
     let shape = dice.pick(&["flat", "flat", "sphere", "cylinder", "sinusoid", "profile"]);
+    let left_out = dice.pick(&["pieces", "table"]);
     let mut entries: Vec<(&str, String, String)> = keys_of(body)
         .filter(|key| key.table != "substrate" || key.shapes().contains(&shape))
+        .filter(|key| key.alternative().is_none() || key.name != left_out)
         .filter(|key| key.need == Need::Required || key.name == "shape" || dice.below(2) == 0)
         .map(|key| (key.table, key.name.to_owned(), key.example().to_owned()))
         .collect();
@@ -421,13 +451,7 @@ fn holds_what_was_given(text: &str, scene: &Scene) -> Result<(), String> {
         let same = match (value, &stored) {
             (toml::Value::String(text), Value::Text(word)) => text == word,
             (toml::Value::Boolean(flag), Value::Flag(stored)) => flag == stored,
-            (toml::Value::Array(given), Value::List(stored)) => {
-                given.len() == stored.len()
-                    && given
-                        .iter()
-                        .zip(stored)
-                        .all(|(given, stored)| given.as_str().is_some_and(|given| same_step(given, stored)))
-            }
+            (toml::Value::Array(_), Value::List(_)) => same_item(value, &stored),
             (toml::Value::Integer(number), Value::Number(stored)) => *number as f64 == *stored,
             (toml::Value::Float(number), Value::Number(stored)) => number == stored,
             (toml::Value::String(text), &Value::Number(stored)) => quantity(text, key.unit()).is_none_or(|number| {
@@ -450,6 +474,27 @@ fn holds_what_was_given(text: &str, scene: &Scene) -> Result<(), String> {
         }
     }
     Ok(())
+}
+
+/// Whether what is in a list is the same: a step, a piece, or a value of one, of which two that are the same are stored as one.
+fn same_item(given: &toml::Value, stored: &Value) -> bool {
+    match (given, stored) {
+        (toml::Value::Array(given), Value::List(stored)) => {
+            given.len() == stored.len() && given.iter().zip(stored).all(|(given, stored)| same_item(given, stored))
+        }
+        (toml::Value::Array(given), stored) => given.len() == 2 && given.iter().all(|given| same_item(given, stored)),
+        (toml::Value::Table(given), Value::Table(stored)) => given.iter().all(|(name, given)| {
+            stored.iter().find(|(known, _)| known == name).is_some_and(|(_, stored)| same_item(given, stored))
+        }),
+        (toml::Value::Integer(given), Value::Number(stored)) => *given as f64 == *stored,
+        (toml::Value::Float(given), Value::Number(stored)) => given == stored,
+        (toml::Value::String(given), Value::Text(stored)) => {
+            let number = |text: &str| quantity(text, "nm").or_else(|| quantity(text, "rad"));
+            let same = |(a, b): (f64, f64)| (a - b).abs() <= 1e-12 * b.abs() || (a.abs() < 1e-290 && b.abs() < 1e-290);
+            number(given).zip(number(stored)).map_or_else(|| same_step(given, stored), same)
+        }
+        _ => false,
+    }
 }
 
 /// Whether two texts are the same step: the word, and the amount in whatever unit.
@@ -505,6 +550,10 @@ pub fn printed(scene: &Scene) -> Result<String, String> {
         let table = if key.table.is_empty() { parameters } else { &parameters[key.table] };
         let line = match &table[&column] {
             serde_json::Value::Null => continue,
+            value @ serde_json::Value::Array(_) => {
+                let value = toml::Value::try_from(value).map_err(|error| error.to_string())?;
+                format!("{} = {value}\n", key.path())
+            }
             value if unit.is_empty() => format!("{} = {value}\n", key.path()),
             value => format!("{} = \"{value} {unit}\"\n", key.path()),
         };

@@ -1,4 +1,4 @@
-"""Beams whose section and rest curve vary along S: the spatula, and profiles given by a table.
+"""Beams whose section and rest curve vary along S: the spatula, and profiles given by a table or by pieces.
 
 The rest curve has the slope theta0 = angle + atan(h'/2), angle that of the underside; y0' = sin theta0, and the tip's axis lies at
 the flat equilibrium height. With the roundness q from rectangle (0) to circle (1) the area is b h [1 + (pi/4 - 1) q], the second
@@ -172,3 +172,40 @@ class Profile(Shape):
     def form(self, S):
         height, width, angle, roundness = self.curves
         return Form(width(S), height(S), height(S, 1), height(S, 2), angle(S), angle(S, 1), roundness(S))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pieces(Shape):
+    """A beam given piece by piece, from the tip on, by profiles/NAME.csv: a row a piece.
+
+    Along a piece width, roundness and the angle of the underside go from their first value to their last with t = (S - beginning)/length, or
+    with s5(t) where the course is smooth, and so does the height with the course of its own. The angle begins with 0.
+    """
+    name: str
+
+    @cached_property
+    def columns(self):
+        with open(PROFILES / f"{self.name}.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        words = ("course", "height_course")
+        return {key: np.array([row[key] == "smooth" if key in words else float(row[key]) for row in rows]) for key in rows[0]}
+
+    @cached_property
+    def ends(self):
+        return (0.0, *(float(s) for s in np.cumsum(self.columns["length_nm"])))
+
+    @property
+    def length(self):
+        return self.ends[-1]
+
+    def form(self, S):
+        c = self.columns
+        i = np.clip(np.searchsorted(self.ends, S, side="right") - 1, 0, len(c["length_nm"]) - 1)
+        length, turns = c["length_nm"][i], np.radians(c["bend_deg"])
+        t = (S - np.array(self.ends)[i]) / length
+        gone, lifted = (np.where(c[course][i], step(t), (t, np.ones_like(t), np.zeros_like(t))) for course in ("course", "height_course"))
+        width, height, roundness = ((c[name][i], (c[name.replace("_nm", "") + "_end" + "_nm" * name.endswith("_nm")] - c[name])[i])
+                                    for name in ("width_nm", "height_nm", "roundness"))
+        return Form(width[0] + width[1] * gone[0], height[0] + height[1] * lifted[0], height[1] * lifted[1] / length,
+                    height[1] * lifted[2] / length ** 2, (np.cumsum(turns) - turns)[i] + turns[i] * gone[0], turns[i] * gone[1] / length,
+                    roundness[0] + roundness[1] * gone[0])

@@ -85,6 +85,12 @@ class Suite:
         print(f"wrote verification/{self.table}: {len(rows)} rows")
 
 
+def known(strip):
+    """The row of strip_variants.csv of a strip that is in it."""
+    suite = Suite("strip_variants.csv", (), (), (), None)
+    return next(row for row in tables.read(suite.table) if suite.strip_of(row) == strip)
+
+
 def run(description, suite, checks=()):
     """The command line of a script. checks: functions without arguments that print a line and return whether it holds."""
     ap = argparse.ArgumentParser(description=description)

@@ -99,7 +99,7 @@ fn steady(degrees: f64) -> Check {
         TOPIC.name,
         format!("force with the front half-way, nN, {degrees} degrees, L = {LONG} nm"),
         "P (1 - cos α) + P² sin² α/(2EA) = -bΨ(y_eq, 0), from the first integral",
-        peel.nearest_front(0.5 * LONG).map(|point| point.force).ok_or_else(|| missing(&peel.end)),
+        peel.nearest_front(0.5 * LONG).map(|index| peel.points[index].force).ok_or_else(|| missing(&peel.end)),
         sliding_force(rest, model.section().axial, degrees.to_radians()),
         Measure::Relative,
         1e-6,

@@ -1,12 +1,11 @@
 //! Beams of varying section and curved rest shape, against a collocation that uses no finite elements: spatulae, and beams that a
-//! table gives.
+//! table or a list of pieces gives.
 
 use super::reference::{self, Row};
 use super::{Check, Measure, Topic, bounds};
 use crate::adhesion::LineLoad;
 use crate::model::{
-    Adhesion, Attraction, Body, Friction, Grip, Ground, Hold, PeelModel, Profile, ProfileTable, Pull, Spatula,
-    StripModel,
+    Body, Course, Grip, Hold, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, ProfileTable, Spatula,
 };
 use crate::solve::Workspace;
 use crate::study::step_curve::StepCurve;
@@ -28,6 +27,18 @@ const TABLES: [(&str, &str); 3] = [
     ("curved", include_str!("../../../verification/profiles/curved.csv")),
     ("spatula", include_str!("../../../verification/profiles/spatula.csv")),
 ];
+const PIECE_BEAMS: &str = include_str!("../../../verification/piece_beams.csv");
+/// The lists of pieces of those, by name; of the last one, a spatula, the numbers stand with the spatulae.
+const LISTS: [(&str, &str); 5] = [
+    ("stepped", include_str!("../../../verification/profiles/stepped.csv")),
+    ("raised", include_str!("../../../verification/profiles/raised.csv")),
+    ("wedge", include_str!("../../../verification/profiles/wedge.csv")),
+    ("lobe", include_str!("../../../verification/profiles/lobe.csv")),
+    (NECK, include_str!("../../../verification/profiles/neck.csv")),
+];
+const NECK: &str = "neck";
+/// The spatula that bends where its neck is, so that three pieces are the same.
+const NECK_CASE: &str = "neck_length=50";
 const CURVE: &str = include_str!("../../../verification/spatula_curve.csv");
 const SOURCE: &str = "verification/spatula.py: collocation of the strong form";
 /// The accuracy of the table's spatulae: the default.
@@ -45,12 +56,20 @@ fn run() -> Vec<Check> {
     let rows = reference::read(TABLE);
     let peeled = |row: &Row| peel(&model(row), &Accuracy::to(RELATIVE), &BOUNDS);
     let peels: Vec<Peel> = rows.par_iter().map(peeled).collect();
-    let mut checks: Vec<Check> = rows.iter().zip(&peels).flat_map(|(row, peel)| numbers(row, peel)).collect();
-    for row in reference::read(PROFILES) {
-        if let Some(model) = profile(&row) {
-            checks.extend(numbers(&row, &peel(&model, &Accuracy::to(RELATIVE), &BOUNDS)));
-        }
-    }
+    let mut checks: Vec<Check> = rows
+        .iter()
+        .zip(&peels)
+        .flat_map(|(row, peel)| numbers(row.text("case").unwrap_or_default(), row, peel))
+        .collect();
+    let mut beams: Vec<Row> = [PROFILES, PIECE_BEAMS].into_iter().flat_map(reference::read).collect();
+    beams.extend(rows.iter().find(|row| row.text("case") == Some(NECK_CASE)).cloned());
+    let held = |row: &Row| {
+        let name = row.text("profile").unwrap_or(NECK);
+        let peel = peel(&profile(name, rotation(row))?, &Accuracy::to(RELATIVE), &BOUNDS);
+        let case = format!("profile {name}, rotation {}", row.text("grip_rotation").unwrap_or_default());
+        Some(numbers(&case, row, &peel))
+    };
+    checks.extend(beams.par_iter().filter_map(held).collect::<Vec<_>>().into_iter().flatten());
     let Some(default) = rows.first().map(model) else { return checks };
     let fine = peel(&default, &Accuracy::to(FINE), &BOUNDS);
     checks.extend(curve(&fine));
@@ -82,57 +101,54 @@ fn model(row: &Row) -> PeelModel {
     };
     spatula.material.youngs_modulus = number("youngs_modulus_GPa");
     spatula.material.poissons_ratio = number("poissons_ratio");
-    let forced = row.text("line_load") == Some("force-only");
-    let fixed = row.text("grip_rotation") == Some("fixed");
-    PeelModel {
-        body: Body::Spatula(spatula),
-        adhesion: Adhesion {
-            hamaker_constant: 1e18 * number("hamaker_constant_J"),
-            equilibrium_distance: number("equilibrium_distance_nm"),
-            attraction: Attraction::BodyForce,
-            work: None,
-            strength: None,
-            line_load: if forced { LineLoad::ForceOnly } else { LineLoad::Full },
-            far_face: row.text("far_face") == Some("true"),
-        },
-        grip: Grip {
-            rotation: if fixed { Hold::Fixed } else { Hold::Free },
-            horizontal: Hold::Free,
-            stiffness: None,
-            pretension: None,
-        },
-        pull: Pull::UP,
-        steps: Vec::new(),
-        ground: Ground::default(),
-        friction: Friction::NONE,
+    let mut model = spatula.model();
+    model.adhesion.hamaker_constant = 1e18 * number("hamaker_constant_J");
+    model.adhesion.equilibrium_distance = number("equilibrium_distance_nm");
+    model.adhesion.far_face = row.text("far_face") == Some("true");
+    if row.text("line_load") == Some("force-only") {
+        model.adhesion.line_load = LineLoad::ForceOnly;
     }
+    model.grip.rotation = rotation(row);
+    model
 }
 
-/// The beam of a row that names a table, with the default's material and adhesion.
-fn profile(row: &Row) -> Option<PeelModel> {
-    let (_, table) = TABLES.iter().find(|(name, _)| row.text("profile") == Some(name))?;
-    let profile = Profile { table: ProfileTable::parse(table).ok()?, material: Spatula::default().material };
-    let paper = StripModel::of_the_paper(100.0, 1.0);
-    let rotation = if row.text("grip_rotation") == Some("fixed") { Hold::Fixed } else { Hold::Free };
-    Some(PeelModel {
-        body: Body::Profile(profile),
-        adhesion: paper.adhesion,
-        grip: Grip { rotation, ..paper.grip },
-        pull: paper.pull,
-        steps: Vec::new(),
-        ground: Ground::default(),
-        friction: Friction::NONE,
-    })
+/// What the grip of a row does with the rotation.
+fn rotation(row: &Row) -> Hold {
+    if row.text("grip_rotation") == Some("fixed") { Hold::Fixed } else { Hold::Free }
+}
+
+/// The beam of this name, with the default's material and adhesion.
+fn profile(name: &str, rotation: Hold) -> Option<PeelModel> {
+    let text = |texts: &[(&str, &'static str)]| texts.iter().find(|(known, _)| *known == name).map(|(_, text)| *text);
+    let form = match text(&TABLES) {
+        Some(table) => ProfileForm::Table(ProfileTable::parse(table).ok()?),
+        None => ProfileForm::Pieces(pieces(text(&LISTS)?)?),
+    };
+    let spatula = Spatula::default().model();
+    let body = Body::Profile(Profile { form, material: spatula.material() });
+    Some(PeelModel::of(body, spatula.adhesion, Grip { rotation, ..Grip::FREE }))
+}
+
+/// The pieces of a list, a row a piece.
+fn pieces(list: &str) -> Option<ProfilePieces> {
+    let piece = |row: &Row| {
+        let ends = |begins: &str, ends: &str| Some([row.number(begins)?, row.number(ends)?]);
+        let course = |column: &str| if row.text(column) == Some("smooth") { Course::Smooth } else { Course::Linear };
+        Some(Piece {
+            length: row.number("length_nm")?,
+            width: ends("width_nm", "width_end_nm")?,
+            height: ends("height_nm", "height_end_nm")?,
+            roundness: ends("roundness", "roundness_end")?,
+            bend: row.number("bend_deg")?.to_radians(),
+            course: course("course"),
+            height_course: course("height_course"),
+        })
+    };
+    ProfilePieces::new(reference::read(list).iter().map(piece).collect::<Option<_>>()?).ok()
 }
 
 /// Every number of a row: met to the accuracy asked for, and its bound no smaller than its error.
-fn numbers(row: &Row, peel: &Peel) -> Vec<Check> {
-    let case = match (row.text("case"), row.text("profile"), row.text("grip_rotation")) {
-        (Some(case), ..) => case.to_owned(),
-        (None, name, rotation) => {
-            format!("profile {}, rotation {}", name.unwrap_or_default(), rotation.unwrap_or_default())
-        }
-    };
+fn numbers(case: &str, row: &Row, peel: &Peel) -> Vec<Check> {
     let (first, largest, snap) = (peel.initiation_peak, peel.peak, peel.snap_off);
     let reported = [
         ("initiation_displacement_nm", first.map(|p| (p.displacement, p.displacement_error))),

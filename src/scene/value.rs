@@ -1,0 +1,45 @@
+//! A value of a scene, whichever key it is of.
+
+use super::error::one_line;
+use std::fmt;
+
+/// A value as it stands in a TOML text, or as a scene holds it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A TOML string.
+    Text(String),
+    /// A TOML integer or float; of a scene in the unit of the library.
+    Number(f64),
+    /// true or false
+    Flag(bool),
+    /// A TOML list
+    List(Vec<Value>),
+    /// A TOML table: names with their values
+    Table(Vec<(String, Value)>),
+    /// Something that no key takes: "a date".
+    Other(&'static str),
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Text(text) => f.write_str(&quoted(text)),
+            Self::Number(number) => f.write_str(&show(*number)),
+            Self::Flag(flag) => write!(f, "{flag}"),
+            Self::List(_) => write!(f, "a list"),
+            Self::Table(_) => write!(f, "a table"),
+            Self::Other(what) => write!(f, "{what}"),
+        }
+    }
+}
+
+/// A text in quotes, as it stands in a message.
+pub(super) fn quoted(text: &str) -> String {
+    format!("\"{}\"", one_line(text))
+}
+
+/// A number as a person writes it.
+pub(super) fn show(number: f64) -> String {
+    let plain = number == 0.0 || !number.is_finite() || (1e-4..1e7).contains(&number.abs());
+    if plain { number.to_string() } else { format!("{number:e}") }
+}
