@@ -279,8 +279,12 @@ fn what_does_not_belong_to_a_substrate_is_named() {
         &["`adhesion.line_load` is \"force-only\"", "no potential"],
     );
     assert_says(
-        &complaint(&format!("{SPATULA}[substrate]\nshape = \"sphere\"\nradius = \"9 nm\"")),
-        &["`substrate.shape` is not flat, on which a strip can be peeled"],
+        &complaint(&format!("{SPATULA}[substrate]\nshape = \"sphere\"\nradius = \"1 nm\"")),
+        &[
+            "`substrate.shape` is that of ground on which the beam lies on",
+            "no more than 100",
+            "a shorter strip or pad",
+        ],
     );
 }
 
@@ -470,7 +474,8 @@ fn every_example_that_messages_give_is_right() {
 
 #[test]
 fn the_ready_scenes_are_right() {
-    for name in ["strip", "strip-100nm", "strip-soft", "strip-rough", "strip-friction", "spatula", "profile"] {
+    let strips = ["strip", "strip-100nm", "strip-soft", "strip-rough", "strip-friction", "strip-auto"];
+    for name in strips.into_iter().chain(["spatula", "spatula-rough", "profile"]) {
         let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
         Scene::parse(&path, &std::fs::read_to_string(&path).unwrap(), &[]).unwrap();
     }

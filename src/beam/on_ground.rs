@@ -1,6 +1,6 @@
 //! The three-field Reissner beam on ground of any shape.
 
-use super::reissner::{section_from_forces, section_of, stored};
+use super::reissner::stored;
 use super::{Coupling, Density, PointResponse, Profile, SectionState};
 use crate::adhesion::{FrictionLaw, GroundLaw, Slip};
 use crate::number::Real;
@@ -91,20 +91,11 @@ impl Density<3> for BeamOnGround {
         self.friction.is_none() && self.ground.law.has_potential()
     }
 
-    fn section_state(&self, place: f64, value: [f64; 3], [dx, gap_slope, turn]: [f64; 3], _: f64) -> SectionState {
-        let station = self.profile.at(place);
-        let slopes = [dx, gap_slope + station.rise, turn];
-        section_of(&stored(&station.section, value[2], slopes, station.curvature), slopes)
+    fn section_state(&self, place: f64, value: [f64; 3], slopes: [f64; 3], _: f64) -> SectionState {
+        self.profile.section_state(place, value[2], slopes)
     }
 
-    fn section_state_from_forces(
-        &self,
-        place: f64,
-        [_, _, rotation]: [f64; 3],
-        forces: [f64; 3],
-        _: f64,
-    ) -> SectionState {
-        let station = self.profile.at(place);
-        section_from_forces(&station.section, rotation, forces, station.curvature)
+    fn section_state_from_forces(&self, place: f64, value: [f64; 3], forces: [f64; 3], _: f64) -> SectionState {
+        self.profile.section_state_from_forces(place, value[2], forces)
     }
 }

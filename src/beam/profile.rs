@@ -1,6 +1,7 @@
 //! What a density asks of a beam at one place: stiffness, outline, and how it lies when free of stress.
 
-use super::{Section, Varying};
+use super::reissner::{section_from_forces, section_of, stored};
+use super::{Section, SectionState, Varying};
 use crate::number::Real;
 
 /// A beam at one place, or at four side by side.
@@ -49,5 +50,18 @@ impl Profile {
             },
             Self::Varying(beam) => beam.at(place),
         }
+    }
+
+    /// The section at S, turned by θ, under the slopes x', η' of the gap below it, and θ'.
+    pub(super) fn section_state(&self, place: f64, rotation: f64, [dx, gap_slope, turn]: [f64; 3]) -> SectionState {
+        let station = self.at(place);
+        let slopes = [dx, gap_slope + station.rise, turn];
+        section_of(&stored(&station.section, rotation, slopes, station.curvature), slopes)
+    }
+
+    /// The same section under the forces H, V and the moment M.
+    pub(super) fn section_state_from_forces(&self, place: f64, rotation: f64, forces: [f64; 3]) -> SectionState {
+        let station = self.at(place);
+        section_from_forces(&station.section, rotation, forces, station.curvature)
     }
 }

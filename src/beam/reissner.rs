@@ -114,22 +114,12 @@ impl Density<3> for ReissnerBeam {
         self.law.has_potential()
     }
 
-    fn section_state(&self, place: f64, value: [f64; 3], [dx, gap_slope, turn]: [f64; 3], _: f64) -> SectionState {
-        let station = self.profile.at(place);
-        let dy = gap_slope + station.rise;
-        let response = stored(&station.section, value[2], [dx, dy, turn], station.curvature);
-        section_of(&response, [dx, dy, turn])
+    fn section_state(&self, place: f64, value: [f64; 3], slopes: [f64; 3], _: f64) -> SectionState {
+        self.profile.section_state(place, value[2], slopes)
     }
 
-    fn section_state_from_forces(
-        &self,
-        place: f64,
-        [_, _, rotation]: [f64; 3],
-        forces: [f64; 3],
-        _: f64,
-    ) -> SectionState {
-        let station = self.profile.at(place);
-        section_from_forces(&station.section, rotation, forces, station.curvature)
+    fn section_state_from_forces(&self, place: f64, value: [f64; 3], forces: [f64; 3], _: f64) -> SectionState {
+        self.profile.section_state_from_forces(place, value[2], forces)
     }
 }
 

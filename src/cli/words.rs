@@ -130,11 +130,11 @@ fn slid(sliding: &Sliding) -> String {
     )
 }
 
-/// How the strip lies on ground that is not flat, and what is to be said of that ground.
+/// How the beam lies on ground that is not flat, and what is to be said of that ground.
 fn on_ground(peel: &Peel, contact: &Contact) -> Vec<(&'static str, String)> {
     let reach = contact.reach.map(|reach| format!("; it reaches {:.1} % of the depth of the valleys", 100.0 * reach));
     let lies = format!(
-        "{:.1} % of the strip nearer than 2 r0, {:.1} % of the adhesion of flat ground, gaps {:.4} to {:.4} nm{}",
+        "{:.1} % of what lies on flat ground nearer than 2 r0, {:.1} % of the adhesion of flat ground, gaps {:.4} to {:.4} nm{}",
         100.0 * contact.adhered_fraction,
         100.0 * contact.energy_fraction,
         contact.least_gap,

@@ -1,7 +1,6 @@
 //! What holds a beam along the substrate.
 
 use crate::adhesion::{FrictionLaw, HalfSpace};
-use crate::solve::Focus;
 
 /// Friction of the face that looks down on level ground, as [`FrictionLaw`] has it. The free end is then held by nothing else.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,10 +14,9 @@ pub struct Friction {
     pub presliding: Option<f64>,
 }
 
-/// Width of a focus that is the same everywhere, over the length of the beam.
-const WIDE: f64 = 10.0;
-/// Length of elements far from the front relative to those at it, over the length in which a strip that sticks takes over a force.
-const FLOOR: f64 = 2.0;
+/// Length of elements far from the front relative to those at it, over the length in which a strip that sticks takes over a force: sliding
+/// may begin there.
+pub(super) const FLOOR: f64 = 2.0;
 
 impl Friction {
     /// None.
@@ -28,11 +26,5 @@ impl Friction {
     pub fn law(&self, half_space: HalfSpace) -> Option<FrictionLaw> {
         let Self { strength, coefficient, presliding } = *self;
         strength.map(|strength| FrictionLaw::new(half_space, strength, coefficient, presliding))
-    }
-
-    /// A focus so wide that it makes elements short everywhere: sliding may begin far behind the front.
-    pub(super) fn everywhere(&self, length: f64, sticking_length: Option<f64>) -> Option<Focus> {
-        let wide = WIDE * length;
-        sticking_length.map(|short| Focus { center: 0.5 * length, length: wide, weight: wide / (FLOOR * short) })
     }
 }

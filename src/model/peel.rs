@@ -2,7 +2,7 @@
 
 use super::chain::{three_field, two_field};
 use super::lie::Lie;
-use super::{Friction, Ground, Moved, Profile, Spatula, Step, Strip, steps};
+use super::{Friction, Ground, Moved, Profile, Spatula, Step, Strip, friction, steps};
 use crate::adhesion::{
     Cohesive, CohesiveShape, FrictionLaw, GroundLaw, HalfSpace, Law, LineLaw, LineLoad, Slip, Substrate,
 };
@@ -239,6 +239,12 @@ impl PeelModel {
         }
     }
 
+    /// S behind which it stays clear of the ground when free of stress, nm: L of a strip.
+    pub fn reach(&self) -> f64 {
+        let Some(contour) = self.contour() else { return self.length() };
+        Lie::reach(&Varying::new(contour, self.material()), &self.adhesion, &self.ground)
+    }
+
     /// Width and height of the free end, nm.
     pub fn free_end(&self) -> (f64, f64) {
         let [width, height, _] = self.free_section();
@@ -337,14 +343,15 @@ impl PeelModel {
             Some(contour) => {
                 let beam = Varying::new(contour, self.material());
                 let front = Focus { center: 0.0, length: process_length, weight: 1.0 };
-                let lie = Lie::varying(&beam, &self.adhesion, front, &mut fixed_foci);
+                let lie = Lie::varying(&beam, &self.adhesion, &self.ground, front, &mut fixed_foci);
                 (beam::Profile::Varying(beam), lie)
             }
         };
         let substrate = self.ground.substrate.clone();
-        fixed_foci.extend(self.ground.everywhere(length, process_length));
-        fixed_foci.extend(self.friction.everywhere(length, self.sticking_length()));
         let friction = self.friction_law();
+        let sticking = self.sticking_length().map(|short| friction::FLOOR * short);
+        let floors = [self.ground.floor(process_length), sticking];
+        fixed_foci.extend(floors.into_iter().flatten().map(|floor| Focus::everywhere(length, floor)));
         let mut problem = Problem {
             slips: friction.map(|law| Arc::new(self.not_slid(&lie.rest, &law))),
             chain: chain(profile, law, (&substrate, friction), form, self.has_horizontal_force(), order),
@@ -376,7 +383,7 @@ impl PeelModel {
             beginning: Beginning::AtRest,
             steps: Vec::new(),
         };
-        problem.beginning = self.ground.beginning(&mut problem);
+        problem.beginning = self.ground.beginning(&mut problem, self.reach());
         steps::take(self, &mut problem, deadline);
         problem
     }

@@ -41,7 +41,7 @@ pub struct PeelSummary {
     /// The steps before the pull, as far as they were taken.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     steps: Vec<StepEnd>,
-    /// How the strip lies where the path begins, on ground that is not flat.
+    /// How the beam lies where the path begins, on ground that is not flat.
     #[serde(skip_serializing_if = "Option::is_none")]
     ground: Option<GroundSummary>,
     /// How the beam has slid at the initiation peak, with friction.

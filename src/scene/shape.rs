@@ -82,44 +82,44 @@ pub(super) fn foreign(substrate: &Substrate, name: &str) -> Problem {
     Problem::new(found, format!("It belongs to shape \"{shapes}\"; \"{word}\" has {own}."))
 }
 
-/// Most waves or radii, and most process zones, that a strip is long on ground that is not flat.
+/// Most waves or radii, and most process zones, on which a beam lies on ground that is not flat.
 const MOST_DETAILS: f64 = 100.0;
 const MOST_ZONES: f64 = 1000.0;
 
 /// What of a substrate does not fit the rest of a model: the key, what was found, and what would be right.
 pub(super) fn misfit(model: &PeelModel) -> Option<(&'static str, String, &'static str)> {
     let substrate = &model.ground.substrate;
-    if !substrate.is_flat() && model.strip().is_none() {
-        let found = "is not flat, on which a strip can be peeled and no other beam".to_owned();
-        return Some(("substrate.shape", found, "Peel a [strip], or leave the table [substrate] away."));
+    if substrate.is_flat() {
+        return None;
     }
-    if !substrate.is_flat() && !model.line_law().has_potential() {
+    if !model.line_law().has_potential() {
         let (path, word) = match model.adhesion.line_load {
             LineLoad::ForceOnly => ("adhesion.line_load", "force-only"),
             LineLoad::Full | LineLoad::AxisGap => ("adhesion.law", "surface-traction"),
         };
         let found = format!(
-            "is \"{word}\", which has no potential: how a strip comes to lie on ground that is not flat is not defined"
+            "is \"{word}\", which has no potential: how a beam comes to lie on ground that is not flat is not defined"
         );
         return Some((path, found, "Take another line_load or law, or leave the table [substrate] away."));
     }
-    let details = model.length() / substrate.detail();
+    let reach = model.reach();
+    let details = reach / substrate.detail();
     if details > MOST_DETAILS {
         let found = format!(
-            "is that of ground on which the strip is {details:.0} waves or radii long; no more than {MOST_DETAILS} are resolved"
+            "is that of ground on which the beam lies on {details:.0} waves or radii; no more than {MOST_DETAILS} are resolved"
         );
         return Some((
             "substrate.shape",
             found,
-            "Take a shorter strip, a longer wave, or a profile that is given at fewer places.",
+            "Take a shorter strip or pad, a longer wave, or a profile that is given at fewer places.",
         ));
     }
-    let zones = model.length() / model.process_length();
-    if !substrate.is_flat() && zones > MOST_ZONES {
+    let zones = reach / model.process_length();
+    if zones > MOST_ZONES {
         let found = format!(
-            "is not flat, where elements have to be small everywhere, and the strip is {zones:.0} process zones long; no more than {MOST_ZONES} are resolved"
+            "is not flat, where elements have to be small wherever the beam lies, and it lies on {zones:.0} process zones; no more than {MOST_ZONES} are resolved"
         );
-        return Some(("substrate.shape", found, "Take a shorter or a stiffer strip."));
+        return Some(("substrate.shape", found, "Take a shorter or a stiffer strip or pad."));
     }
     match substrate {
         Substrate::Round(round) if round.offset.abs() >= round.radius => Some((

@@ -26,7 +26,21 @@ pub struct Focus {
     pub weight: f64,
 }
 
+/// Width of a focus that is the same everywhere, over the length of the chain.
+const WIDE: f64 = 10.0;
+
 impl Focus {
+    /// So wide that elements are alike all along a chain: as long as those where a focus of weight 1 has the length `floor`, nm.
+    pub fn everywhere(length: f64, floor: f64) -> Self {
+        let wide = WIDE * length;
+        Self { center: 0.5 * length, length: wide, weight: wide / floor }
+    }
+
+    /// How much of F lies between two places for these foci: what elements are shared out by.
+    pub fn between(foci: &[Self], from: f64, to: f64) -> f64 {
+        total(foci, to).0 - total(foci, from).0
+    }
+
     /// Value and slope of its part of F.
     fn value(&self, s: f64) -> (f64, f64) {
         // asinh, to the absolute accuracy that a mesh needs, without the library's care for tiny arguments
@@ -57,16 +71,12 @@ impl Pieces {
         Self { ends: vec![0.0, length], shares: vec![1.0] }
     }
 
-    /// Cut at `breaks`, ascending and inside of [0, length]. Each piece gets as many elements as are needed when the mesh is
-    /// finest there, of those that each of `meshes` asks for.
-    pub fn cut(length: f64, breaks: &[f64], meshes: &[Vec<Focus>]) -> Self {
+    /// Cut at `breaks`, ascending and inside of [0, length]. Elements are shared out as `wanted` asks for, from place to place.
+    pub fn cut(length: f64, breaks: &[f64], wanted: impl Fn(f64, f64) -> f64) -> Self {
         let mut ends = vec![0.0];
         ends.extend(breaks.iter().filter(|&&place| place > 0.0 && place < length));
         ends.push(length);
-        let most = |from: f64, to: f64| {
-            meshes.iter().map(|foci| total(foci, to).0 - total(foci, from).0).fold(f64::MIN_POSITIVE, f64::max)
-        };
-        let parts: Vec<f64> = ends.windows(2).map(|pair| most(pair[0], pair[1])).collect();
+        let parts: Vec<f64> = ends.windows(2).map(|pair| wanted(pair[0], pair[1])).collect();
         let sum: f64 = parts.iter().sum();
         Self { ends, shares: parts.iter().map(|part| part / sum).collect() }
     }
@@ -166,7 +176,8 @@ mod tests {
     #[test]
     fn elements_end_where_pieces_do_and_their_number_is_kept() {
         let foci = |center| vec![Focus { center, length: 1.0, weight: 1.0 }];
-        let pieces = Pieces::cut(100.0, &[20.0, 30.0, 30.5], &[foci(0.0), foci(25.0)]);
+        let most = |from, to| Focus::between(&foci(0.0), from, to).max(Focus::between(&foci(25.0), from, to));
+        let pieces = Pieces::cut(100.0, &[20.0, 30.0, 30.5], most);
         for elements in 1..60 {
             let counts = pieces.elements(elements);
             assert_eq!(counts.iter().sum::<usize>(), elements.max(4), "{counts:?}");

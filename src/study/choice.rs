@@ -96,7 +96,7 @@ impl Resolution {
         let elements = match &model.ground.substrate {
             Substrate::Flat => elements,
             substrate => {
-                elements + model.length() / (EVEN * model.process_length() / sharp).min(OF_DETAIL * substrate.detail())
+                elements + model.reach() / (EVEN * model.process_length() / sharp).min(OF_DETAIL * substrate.detail())
             }
         };
         let elements = match model.sticking_length() {

@@ -1,23 +1,27 @@
-//! How a strip lies on ground that is not flat: how much of it adheres, how deep it reaches, and how far the ground is from
+//! How a beam lies on ground that is not flat: how much of it adheres, how deep it reaches, and how far the ground is from
 //! the half space that stands for it.
 
+use super::choice::ORDER;
 use super::{Peel, Shape, Turn};
-use crate::adhesion::{self, CurvedBody, HalfSpace, Substrate};
+use crate::adhesion::{self, CurvedBody, HalfSpace, Sinusoid, Substrate};
+use crate::model::{Body, Form, Ground, PeelModel, Start};
+use crate::solve::Beginning;
 
-/// How a strip lies at one point of its path. From samples, six an element.
+/// How a beam lies at one point of its path. From samples, six an element. A strip lies on flat ground with all its length; of a spatula and
+/// other beams it is where that lies on flat ground without a force with which they are compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// Share of the length whose lower edge is nearer than 2 r0.
+    /// Length whose lower edge is nearer than 2 r0, over that on flat ground.
     pub adhered_fraction: f64,
-    /// Adhesion energy over that of the same strip at rest on flat ground.
+    /// Adhesion energy over that of the same beam on flat ground.
     pub energy_fraction: f64,
-    /// Least and largest distance of the lower edge from the ground, nm
+    /// Least and largest distance of the lower edge of what lies on flat ground from this, nm
     pub least_gap: f64,
     pub largest_gap: f64,
     /// How far below the crests the lower edge comes, over how far the ground does: 0 on the crests, 1 on the bottom of the
-    /// deepest valley; both less the gap at rest. None on ground that has no valley below the strip.
+    /// deepest valley; both less the gap at rest. None on ground that has no valley below what lies on flat ground.
     pub reach: Option<f64>,
-    /// Smallest radius of curvature of crests and of valleys where the strip adheres, nm; none where there is no such.
+    /// Smallest radius of curvature of crests and of valleys where the beam adheres, nm; none where there is no such.
     pub crest_radius: Option<f64>,
     pub valley_radius: Option<f64>,
     /// Relative error of the largest traction in front of the smallest of these crests, and of these valleys, by taking the
@@ -43,10 +47,11 @@ impl Contact {
 }
 
 impl Peel {
-    /// How the strip lies at `points[index]`; none on flat ground, or where there is no such point.
+    /// How the beam lies at `points[index]`; none on flat ground, or where there is no such point.
     pub fn contact(&self, index: usize) -> Option<Contact> {
         let substrate = &self.model.ground.substrate;
-        let point = self.points.get(index)?;
+        let trace = self.trace.as_ref()?;
+        let front = trace.points.get(index)?.observables.front;
         let shape = self.shape(index);
         let law = self.model.line_law();
         let material = law.half_space;
@@ -55,25 +60,21 @@ impl Peel {
         }
         let samples = samples(substrate, &shape);
         let near = NEAR * material.equilibrium_distance;
-        let (mut adhered, mut length) = (0.0, 0.0);
-        for pair in samples.windows(2) {
-            let step = (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y);
-            length += step;
-            adhered += 0.5 * step * pair.iter().filter(|sample| sample.gap < near).count() as f64;
-        }
-        let gaps = || samples.iter().map(|sample| sample.gap);
-        let (from, to) = samples.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s.x), b.max(s.x)));
+        let whole = Whole::of(&self.model, &samples, near)?;
+        let lying = &samples[..whole.samples];
+        let gaps = || lying.iter().map(|sample| sample.gap);
+        let (from, to) = lying.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s.x), b.max(s.x)));
         let top = substrate.top(from, to);
-        let bottom = samples.iter().map(|sample| sample.ground).fold(f64::INFINITY, f64::min);
-        let lowest = samples.iter().map(|sample| sample.edge).fold(f64::INFINITY, f64::min);
+        let bottom = lying.iter().map(|sample| sample.ground).fold(f64::INFINITY, f64::min);
+        let lowest = lying.iter().map(|sample| sample.edge).fold(f64::INFINITY, f64::min);
         let sharpest = |sign: f64| {
             let touched = samples.iter().filter(|sample| sample.gap < near).map(|sample| sign * sample.curvature);
             touched.reduce(f64::max).filter(|&curvature| curvature * to.abs() > LEVEL).map(f64::recip)
         };
         let (crest_radius, valley_radius) = (sharpest(-1.0), sharpest(1.0));
         Some(Contact {
-            adhered_fraction: adhered / length,
-            energy_fraction: point.front / self.model.length(),
+            adhered_fraction: adhered(&samples, near) / whole.length,
+            energy_fraction: front / whole.front,
             least_gap: gaps().fold(f64::INFINITY, f64::min),
             largest_gap: gaps().fold(f64::NEG_INFINITY, f64::max),
             reach: (top - bottom > LEVEL).then(|| (top + law.rest_gap() - lowest) / (top - bottom)),
@@ -94,7 +95,48 @@ impl Peel {
     }
 }
 
-/// One place of a strip.
+/// What of a beam lies on flat ground without a force.
+struct Whole {
+    /// How many of the samples
+    samples: usize,
+    /// Length that is nearer than 2 r0, nm
+    length: f64,
+    /// Adhesion energy over that of a unit length of the free end, nm
+    front: f64,
+}
+
+impl Whole {
+    fn of(model: &PeelModel, samples: &[Sample], near: f64) -> Option<Self> {
+        if matches!(model.body, Body::Strip(_)) {
+            let length = steps(samples).sum();
+            return Some(Self { samples: samples.len(), length, front: model.length() });
+        }
+        let level = Substrate::Sinusoid(Sinusoid { height: 0.0, wavelength: model.length(), offset: 0.0 });
+        let ground = Ground { substrate: level, start: Start::Conformed };
+        let problem = PeelModel { ground, steps: Vec::new(), ..model.clone() }.problem(Form::ThreeField, ORDER);
+        let Beginning::Settled(at) = &problem.beginning else { return None };
+        let length = adhered(&self::samples(&problem.substrate, &Shape::of(&problem, at)), near);
+        let front = problem.front(problem.chain.energy(at.configuration(), &at.state).0.adhesion);
+        let lying = steps(samples).scan(0.0, |sum, step| {
+            *sum += step;
+            Some(*sum)
+        });
+        Some(Self { samples: 1 + lying.take_while(|&place| place <= length).count(), length, front })
+    }
+}
+
+/// Lengths of the axis from sample to sample, nm.
+fn steps(samples: &[Sample]) -> impl Iterator<Item = f64> + '_ {
+    samples.windows(2).map(|pair| (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y))
+}
+
+/// Length whose lower edge is `near` to the ground, nm.
+fn adhered(samples: &[Sample], near: f64) -> f64 {
+    let share = |pair: &[Sample]| 0.5 * pair.iter().filter(|sample| sample.gap < near).count() as f64;
+    samples.windows(2).map(share).zip(steps(samples)).map(|(share, step)| share * step).sum()
+}
+
+/// One place of a beam.
 struct Sample {
     /// Of the axis, nm
     x: f64,

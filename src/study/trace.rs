@@ -1,7 +1,7 @@
 //! The solutions behind a peel: the curve between its points and the deformed strip.
 
 use super::{LimitPoint, Shape};
-use crate::solve::{NodeState, Problem, Solution, Stretch, Turn};
+use crate::solve::{Equilibrium, NodeState, Problem, Solution, Stretch, Turn};
 use std::sync::Arc;
 
 /// Path points with the problem that they solve.
@@ -58,9 +58,14 @@ impl Trace {
 
     /// Axis and rotation at one point, with x from the section's x' by Simpson's rule between samples.
     pub fn shape(&self, index: usize) -> Shape {
-        let mut shape = Shape::default();
-        let Some(point) = self.points.get(index) else { return shape };
-        let (problem, at) = (&self.problem, &point.at);
+        self.points.get(index).map(|point| Shape::of(&self.problem, &point.at)).unwrap_or_default()
+    }
+}
+
+impl Shape {
+    /// Axis and rotation of an equilibrium.
+    pub(super) fn of(problem: &Problem, at: &Equilibrium) -> Self {
+        let mut shape = Self::default();
         let sample = |e: usize, fraction: f64| {
             let (values, section) = problem.chain.sample(at.configuration(), e, 2.0 * fraction - 1.0);
             let height = problem.height_at(at.ends[e] + fraction * (at.ends[e + 1] - at.ends[e]));
@@ -80,6 +85,13 @@ impl Trace {
         }
         shape.push(x, sample(at.ends.len() - 2, 1.0).0);
         shape
+    }
+
+    fn push(&mut self, x: f64, [y, rotation, height]: [f64; 3]) {
+        self.x.push(x);
+        self.y.push(y);
+        self.rotation.push(rotation);
+        self.height.push(height);
     }
 }
 
@@ -102,13 +114,4 @@ fn split(inner: Vec<(f64, f64)>, turn: &LimitPoint, before: usize, after: usize)
             (u, p, count(k))
         })
         .collect()
-}
-
-impl Shape {
-    fn push(&mut self, x: f64, [y, rotation, height]: [f64; 3]) {
-        self.x.push(x);
-        self.y.push(y);
-        self.rotation.push(rotation);
-        self.height.push(height);
-    }
 }

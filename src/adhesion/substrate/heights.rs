@@ -123,6 +123,12 @@ impl Heights {
         WAVE * self.least()
     }
 
+    /// Highest less lowest height, nm.
+    pub fn relief(&self) -> f64 {
+        let [top, bottom, ..] = self.graph;
+        top - bottom
+    }
+
     /// The least distance of two places, nm.
     fn least(&self) -> f64 {
         self.places.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min)

@@ -109,6 +109,15 @@ impl Substrate {
         }
     }
 
+    /// How high it may rise above where a beam lies on it, nm: from valley to crest; zero where it has no valley.
+    pub fn relief(&self) -> f64 {
+        match self {
+            Self::Flat | Self::Round(_) => 0.0,
+            Self::Sinusoid(sinusoid) => sinusoid.height,
+            Self::Profile(heights) => heights.relief(),
+        }
+    }
+
     /// The length in which it changes, nm: no element may be much longer. Infinite where it is the same everywhere.
     pub fn detail(&self) -> f64 {
         match self {
