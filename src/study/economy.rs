@@ -58,6 +58,8 @@ pub struct Considered {
 const SAFETY: f64 = 2.0;
 /// The upper face may change a number by so many times the share that it has of the work of adhesion.
 const UPPER: f64 = 8.0;
+/// A shift may vanish by luck to first order: none is taken to be below this share of the largest relative one.
+const MODESTY: f64 = 0.1;
 /// Heights of the ground over r0 beyond which it is no small change.
 const SHALLOW: f64 = 0.1;
 
@@ -180,9 +182,11 @@ fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, Why)>)
     if !substrate.is_flat() {
         let deep = depth(substrate, model.length()) > SHALLOW * model.adhesion.equilibrium_distance;
         let deep = deep.then_some(Why::NotTold("the ground is deeper than a tenth of r0"));
+        let free = model.grip.rotation == Hold::Free && model.grip.horizontal == Hold::Free;
+        let held = (!free).then_some(Why::NotTold("the grip holds the beam as it has come to lie"));
         let curved = !matches!(model.body, Body::Strip(_));
         let curved = curved.then_some(Why::NotTold("the beam is not straight when it is free of stress"));
-        consider(Term::Ground, driven.or(curved).or(deep));
+        consider(Term::Ground, driven.or(curved).or(deep).or(held));
     }
     if has_far_face(&law) {
         // what it takes of the work of adhesion it takes of the force behind the peak
@@ -221,8 +225,10 @@ struct Found {
 
 /// What a term does on a path without it.
 enum Work {
-    /// The energy of the adhesion changes from that of the first to that of the second.
-    Adhesion(GroundLaw, GroundLaw),
+    /// The energy of the adhesion changes from that without the upper face to that with it.
+    FarFace(GroundLaw, GroundLaw),
+    /// Level ground gets a shape.
+    Ground(LineLaw, Substrate),
     Friction(FrictionLaw),
 }
 
@@ -230,7 +236,8 @@ impl Work {
     /// Per unit of the path's parameter, of a beam that lies higher by `lift` (nm) with the term.
     fn rate(&self, probe: &Probe, lift: f64) -> f64 {
         match self {
-            Self::Adhesion(without, with) => probe.rate(|at| at.adhesion_on(with, lift) - at.adhesion_on(without, 0.0)),
+            Self::FarFace(without, with) => probe.rate(|at| at.adhesion_on(with, lift) - at.adhesion_on(without, 0.0)),
+            Self::Ground(law, substrate) => probe.rate(|at| at.adhesion_by_ground(law, substrate, lift)),
             Self::Friction(law) => probe.dissipation(law),
         }
     }
@@ -242,9 +249,9 @@ impl Work {
         match term {
             Term::FarFace => {
                 let substrate = &reduced.ground.substrate;
-                Some(Self::Adhesion(on(substrate, law), on(substrate, LineLaw { far_face: true, ..law })))
+                Some(Self::FarFace(on(substrate, law), on(substrate, LineLaw { far_face: true, ..law })))
             }
-            Term::Ground => Some(Self::Adhesion(on(&Substrate::Flat, law), on(&model.ground.substrate, law))),
+            Term::Ground => Some(Self::Ground(law, model.ground.substrate.clone())),
             Term::Friction => model.friction_law().map(Self::Friction),
             Term::ContactMoment | Term::Shear | Term::Extension | Term::Horizontal => None,
         }
@@ -298,11 +305,16 @@ impl Found {
     /// Adds what the term may change to the bounds.
     fn widen(&self, peel: &mut Peel) {
         for (point, shift) in peel.limit_points.iter_mut().zip(&self.shifts) {
-            point.force_error += SAFETY * shift.force.abs();
-            point.displacement_error += SAFETY * shift.displacement.abs();
+            point.force_error += self.wide(shift.force, point.force);
+            point.displacement_error += self.wide(shift.displacement, point.displacement);
         }
         if peel.peak_at_end().is_some() {
-            peel.peak.iter_mut().for_each(|peak| peak.force_error += SAFETY * self.end.force.abs());
+            peel.peak.iter_mut().for_each(|peak| peak.force_error += self.wide(self.end.force, peak.force));
         }
+    }
+
+    /// What a number that shifts is to be bounded by besides.
+    fn wide(&self, shift: f64, value: f64) -> f64 {
+        SAFETY * shift.abs().max(MODESTY * self.left_out.largest * value.abs())
     }
 }

@@ -1,6 +1,6 @@
 //! A beam at one point of its path, as a term of the model sees it.
 
-use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, Rule};
+use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, Rule, Substrate};
 use crate::beam::Section;
 use crate::model::PeelModel;
 use crate::solve::{Configuration, Equilibrium, Problem, Solution, lagrange_weights};
@@ -142,6 +142,16 @@ impl Point {
     pub fn adhesion_on(&self, ground: &GroundLaw, lift: f64) -> f64 {
         let (sin, cos) = self.rotation.sin_cos();
         self.width * ground.response(self.height, [self.x, self.gap + lift], [sin, cos]).energy
+    }
+
+    /// What Ψ on level ground times the width changes by, nN, to first order in heights and slopes of the ground, where the beam lies
+    /// higher by `lift`, nm. In contact, where Ψ hardly changes with the gap, the beam follows the ground: the second order is no energy.
+    pub fn adhesion_by_ground(&self, law: &LineLaw, substrate: &Substrate, lift: f64) -> f64 {
+        let (sin, cos) = self.rotation.sin_cos();
+        let response = law.response_of(self.height, self.gap, sin, cos);
+        let (height, foot) = (-substrate.clearance(self.x, 0.0), substrate.foot(self.x, 0.0));
+        let slope = foot.sin.atan2(foot.cos);
+        self.width * ((lift - height) * response.by_gap - slope * response.energy_by_rotation)
     }
 
     /// ½ Q²/GA_s
