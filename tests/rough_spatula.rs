@@ -18,7 +18,9 @@
 
 use approx::assert_relative_eq;
 use peelkit::adhesion::{Heights, Round, Shape, Sinusoid, Substrate};
-use peelkit::model::{Body, Form, Ground, Hold, PeelModel, Profile, ProfileTable, Spatula, Start, StripModel};
+use peelkit::model::{
+    Body, Form, Ground, Hold, PeelModel, Profile, ProfileForm, ProfileTable, Spatula, Start, StripModel,
+};
 use peelkit::scene::Scene;
 use peelkit::solve::Beginning;
 use peelkit::study::{Accuracy, Bounds, End, Peak, TestEnd, observed, peel};
@@ -91,7 +93,7 @@ fn a_sphere_is_a_cylinder_in_the_plane() {
 fn a_table_of_one_section_is_the_strip() {
     let strip: PeelModel = StripModel::of_the_paper(100.0, 1.0).into();
     let table = ProfileTable::parse("s_nm,width_nm,height_nm\n0,1,10\n40,1,10\n100,1,10\n").unwrap();
-    let body = Body::Profile(Profile { table, material: strip.material() });
+    let body = Body::Profile(Profile { form: ProfileForm::Table(table), material: strip.material() });
     for start in [Start::Conformed, Start::Crests] {
         let ground = Ground { substrate: wave(8.0, 100.0), start };
         let [a, b] = [&strip.body, &body].map(|body| {
