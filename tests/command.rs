@@ -419,6 +419,29 @@ fn a_followed_snap_off_says_where_it_vanishes() {
     }
     let both = peel(dir.path(), &[&key[..], &["--points", "5", "--follow", "peak", "--peak-only"]].concat());
     both.is_bad_input(&["--follow", "--peak-only"]);
+    // a term that only the values bring in
+    let rubs = ["sweep", "strip-100nm.toml", "--vary", "friction.strength", "--from", "1 MPa", "--to", "2 MPa"];
+    peel(dir.path(), &[&rubs[..], &["--points", "2", "--peak-only"]].concat()).is_bad_input(&["without friction only"]);
+}
+
+#[test]
+fn what_does_not_matter_is_left_out_and_told() {
+    let dir = bench();
+    let args = ["run", "strip-100nm.toml", "--set", "strip.height=40nm", "--set", "accuracy.relative=1e-3"];
+    let auto = peel(dir.path(), &[&args[..], &["--set", "terms=auto", "--json"]].concat());
+    assert_eq!((auto.status, auto.stderr.as_str()), (0, ""));
+    let json = auto.json();
+    assert_eq!(json["parameters"]["terms"], "auto");
+    let considered = &json["considered"];
+    let left: Vec<&Value> = considered["left_out"].as_array().unwrap().iter().map(|left| &left["term"]).collect();
+    assert_eq!(left, ["far face", "horizontal unknowns"]);
+    assert!(considered["left_out"][0]["largest_relative_change"].as_f64().unwrap() > 1e-6);
+    let kept: Vec<&Value> = considered["kept"].as_array().unwrap().iter().map(|kept| &kept["term"]).collect();
+    assert_eq!(kept, ["shear", "extension", "contact moment"]);
+    let told = peel(dir.path(), &[&args[..], &["--set", "terms=auto", "--out", "o"]].concat()).stdout;
+    assert!(told.contains("far face: the initiation peak would change by -5.4e-7 nN"), "{told}");
+    let all = peel(dir.path(), &[&args[..], &["--json"]].concat());
+    assert_eq!(all.json()["considered"], Value::Null);
 }
 
 #[test]
