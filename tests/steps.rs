@@ -265,6 +265,28 @@ fn slope_and_stability_of_a_turning_grip_are_those_of_its_equilibria() {
     }
 }
 
+/// A grip that rises by 0.1 pm a radian peels by its rotation alone: up to where it snaps off it is in the state to which a step
+/// turns it at its place, and no step goes beyond.
+#[test]
+fn rotation_alone_peels() {
+    let fast = strip(Hold::Fixed, Hold::Free, &[]);
+    let fast = peeled(&PeelModel { pull: Pull { turn: 1e4, ..Pull::UP }, ..fast });
+    assert_eq!(fast.peak, None, "it pushes all the way");
+    let snap_off = fast.snap_off.unwrap();
+    for angle in [1.0, 2.0, 2.654] {
+        let turned = peeled(&strip(Hold::Fixed, Hold::Free, &[Step::Turn(angle)]));
+        let forces = turned.steps[0].forces;
+        let curve = fast.dense_curve(20);
+        let behind = curve.iter().position(|at| at.0 * 1e4 >= angle).unwrap();
+        let ((u0, p0, _), (u1, p1, _)) = (curve[behind - 1], curve[behind]);
+        let force = p0 + (p1 - p0) * (angle * 1e-4 - u0) / (u1 - u0);
+        assert_near("force", forces.vertical, force, 2e-3 * force.abs());
+    }
+    assert_near("snap-off", snap_off.end_rotation, 2.655, 1e-4);
+    let beyond = failure(&strip(Hold::Fixed, Hold::Free, &[Step::Turn(2.66)]));
+    assert!(beyond.contains("turning point at 2.65500"), "{beyond}");
+}
+
 #[test]
 fn a_step_that_cannot_be_taken_says_how_far_it_came() {
     let snap_off = peeled(&strip(Hold::Free, Hold::Free, &[])).snap_off.unwrap().displacement;

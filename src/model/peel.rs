@@ -311,6 +311,12 @@ impl PeelModel {
         self.bending_length().min(3.0 * self.shear_length())
     }
 
+    /// How far the grip goes until it has moved a section by r0, or has turned it over the length of the process zone by as much, nm.
+    pub fn first_way(&self) -> f64 {
+        let (r0, process) = (self.adhesion.equilibrium_distance, self.process_length());
+        r0.min(process).min((r0 / process).min(1.0) / self.pull.turn.abs())
+    }
+
     /// How much longer a strip is under its pretension, T L/EA, nm.
     fn prestretch(&self) -> f64 {
         self.grip.pretension.map_or(0.0, |tension| tension * self.length() / self.section().axial)

@@ -80,7 +80,7 @@ pub static KEYS: &[Key] = &[
     key("grip", "pretension", Optional, Kind::Bound(Force, |s| &mut s.model.grip.pretension), "of a strip, with which it is laid down; horizontal is fixed"),
 
     key("drive", "angle", Optional, Kind::Measure(Angle, Range::From(0.0, HALF_TURN), |s| &mut s.model.pull.angle), "of the pull to the substrate; 90 deg: straight up"),
-    key("drive", "turn", Optional, Kind::Measure(AnglePerLength, Range::From(-10.0, 10.0), |s| &mut s.model.pull.turn), "of a fixed rotation, over the displacement"),
+    key("drive", "turn", Optional, Kind::Measure(AnglePerLength, Range::From(-1e4, 1e4), |s| &mut s.model.pull.turn), "of a fixed rotation, over the displacement"),
     key("drive", "steps", Optional, Kind::Steps(|s| &mut s.model.steps), "of the grip before the pull: press, lift, drag, push, turn, hold"),
 
     key("accuracy", "relative", Optional, Kind::Number(Range::From(1e-11, 1e-2), |s| &mut s.accuracy.relative), "relative error wanted of every force and displacement"),

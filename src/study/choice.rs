@@ -57,6 +57,8 @@ pub struct Choice {
 /// Order of the elements. At an accuracy of 1e-3 order 5 is faster by half, but on so few elements that the difference to
 /// half as many again is no bound yet.
 pub const ORDER: usize = 7;
+/// First step, over the way in which a grip moves a section by its gap.
+const FIRST: f64 = 0.02;
 /// Elements more for each place where the outline of a beam has a break.
 const A_BREAK: usize = 2;
 /// Length of the elements besides on ground that is not flat, over that of the process zone, at the accuracy 1e-6, and over the length in which
@@ -120,7 +122,7 @@ impl Resolution {
             stride: self.stride,
             prediction: MOST_POINTS,
             tolerance: (1e-2 * relative).clamp(1e-12, 1e-6),
-            first_displacement: self.stride * 0.02 * model.adhesion.equilibrium_distance.min(model.process_length()),
+            first_displacement: self.stride * FIRST * model.first_way(),
         }
     }
 

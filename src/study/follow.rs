@@ -235,7 +235,9 @@ fn step(problem: &Problem, path: &mut Path, far: f64, limits: &Limits) -> Result
     if o.displacement <= 0.0 {
         return Ok(Some(End::TurnedBack));
     }
-    if o.force <= 0.0 && has_pulled(problem, path.points()) {
+    // a grip that turns may push where its moment peels
+    let turns = problem.turn != 0.0 && path.points().iter().all(|point| point.slope.displacement >= 0.0);
+    if o.force <= 0.0 && has_pulled(problem, path.points()) && !turns {
         return Ok(Some(End::Pivoting));
     }
     if stands_upright(problem, path.points()) {

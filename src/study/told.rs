@@ -158,6 +158,8 @@ fn fill_special_points(peel: &mut Peel, problem: &Problem, followed: &Followed, 
     if let Some(first) = followed.points.first().filter(|first| first.observables.force > least) {
         peel.peak = peak_at(problem, first, relative).or(peel.peak);
     }
+    // a grip that turns may push all the way
+    peel.peak = peel.peak.filter(|peak| peak.force > 0.0);
     if let Some(first) = first_maximum {
         let last = followed.points.len().saturating_sub(2);
         let snap = peel.snap_off.map_or(last, |s| s.after);
