@@ -3,8 +3,8 @@
 use super::chart::{Picture, save};
 use super::{
     ReportError, figure_beam, figure_friction, figure_laws, figure_levels, figure_points, figure_pull, figure_rough,
-    figure_round_off, figure_spatula, figure_speed, figure_stiffness, figure_strip, figure_verification, figure_work,
-    write_whole,
+    figure_rough_spatula, figure_round_off, figure_spatula, figure_speed, figure_stiffness, figure_strip,
+    figure_verification, figure_work, write_whole,
 };
 use crate::model::{PeelModel, StripModel};
 use crate::study::{Accuracy, Bounds, Peel, SweepCase, SweepRow, peel, sweep};
@@ -29,6 +29,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
     let total = figure_strip::PEELS
         + figure_spatula::PEELS
         + figure_rough::PEELS
+        + figure_rough_spatula::PEELS
         + figure_pull::PEELS
         + figure_friction::PEELS
         + figure_laws::PEELS
@@ -39,6 +40,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
     let mut figures = figure_strip::figures(&runner, dir)?;
     figures.extend(figure_spatula::figures(&runner, dir)?);
     figures.push(figure_rough::figure(&runner, dir)?);
+    figures.push(figure_rough_spatula::figure(&runner, dir)?);
     figures.push(figure_pull::figure(&runner, dir)?);
     figures.push(figure_friction::figure(&runner, dir)?);
     figures.extend(figure_laws::figures(&runner, dir)?);

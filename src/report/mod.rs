@@ -12,6 +12,7 @@ mod figure_levels;
 mod figure_points;
 mod figure_pull;
 mod figure_rough;
+mod figure_rough_spatula;
 mod figure_round_off;
 mod figure_spatula;
 mod figure_speed;
