@@ -70,14 +70,18 @@ pub struct Traction<T> {
 
 /// Most that p_s is over the strength of the half space.
 const ONSET: f64 = 0.1;
+/// Shortest δ that is not given, over r0: a contact that gives way by less has corners, which no step resolves and no force feels.
+const SHORTEST: f64 = 0.0025;
 /// A limit below this share of the strength is that of a face out of contact.
 const APART: f64 = 1e-9;
 
 impl FrictionLaw {
     /// The law of a shear strength τ0 (GPa), Coulomb's coefficient μ and a way before sliding δ (nm); without one, the stick is as
-    /// stiff as the half space across the gap, τ0/δ = -T'(d_eq).
+    /// stiff as the half space across the gap, τ0/δ = -T'(d_eq), or, of weak friction, δ = r0/400.
     pub fn new(half_space: HalfSpace, strength: f64, coefficient: f64, presliding: Option<f64>) -> Self {
-        let presliding = presliding.unwrap_or_else(|| strength / half_space.body_force(half_space.equilibrium_gap()));
+        let least = SHORTEST * half_space.equilibrium_distance;
+        let as_across = || strength / half_space.body_force(half_space.equilibrium_gap());
+        let presliding = presliding.unwrap_or_else(|| as_across().max(least));
         let onset = (ONSET * half_space.strength()).min(strength / coefficient);
         Self { half_space, strength, coefficient, presliding, onset }
     }

@@ -10,7 +10,7 @@ pub struct Friction {
     /// Coulomb's coefficient μ of what presses on it
     pub coefficient: f64,
     /// How far it gives way until it slides at the strength τ0, nm; none: it is as stiff along the substrate as the half space is
-    /// across
+    /// across, or gives way by r0/400
     pub presliding: Option<f64>,
 }
 
