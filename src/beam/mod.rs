@@ -1,26 +1,11 @@
-//! What bends: section stiffness, energy densities of the planar Reissner beam, with and without adhesion, the element that
-//! integrates them.
-mod basis;
-mod density;
-mod element;
-mod front;
-mod on_ground;
-mod profile;
-mod reduced;
-mod reissner;
+//! What bends: section stiffness, outline, reference curves, and the planar beam.
+pub mod mesh;
+mod planar;
 mod rest;
-mod rod;
 mod section;
 mod varying;
-pub use basis::Basis;
-pub use density::{Coupling, Density, PointResponse, SectionState};
-pub use element::{Element, ElementEnergy, WeightedPoints};
-pub use front::{Front, FrontRow, Pivots};
-pub use on_ground::BeamOnGround;
-pub use profile::{Profile, Station};
-pub use reduced::ReducedBeam;
-pub use reissner::ReissnerBeam;
+pub use mesh::{Focus, MeshKind, Pieces as MeshPieces, graded_ends};
+pub use planar::*;
 pub use rest::{Rest, RestCurve, VaryingRest};
-pub use rod::ReissnerRod;
 pub use section::{Material, Section, rectangle_second_moment};
 pub use varying::{Contour, Outline, Varying};

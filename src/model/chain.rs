@@ -1,7 +1,6 @@
 //! Chains of a density, with elements of order 1 to 8 chosen when the program runs.
 
-use crate::beam::Density;
-use crate::solve::{Chain, UniformChain};
+use crate::beam::{Chain, Density, UniformChain};
 
 /// Picks the chain of the given order, N = order + 1 nodes an element.
 macro_rules! by_order {

@@ -1,18 +1,18 @@
 //! A structure in a grip, on a substrate or on its own: what `solve` is given.
+mod build;
 mod chain;
-mod course;
 mod friction;
 mod ground;
-mod lie;
 mod peel;
 mod pieces;
 mod profile;
 mod rod;
 mod spatula;
 mod step;
-mod steps;
+mod stress_free_placement;
 mod strip;
-pub use course::*;
+mod transition;
+pub use build::*;
 pub use friction::*;
 pub use ground::*;
 pub use peel::*;
@@ -22,3 +22,4 @@ pub use rod::*;
 pub use spatula::*;
 pub use step::*;
 pub use strip::*;
+pub use transition::*;

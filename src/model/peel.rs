@@ -1,16 +1,12 @@
 //! A beam on a flat half space, lifted at its right end.
 
-use super::chain::{three_field, two_field};
-use super::lie::Lie;
-use super::{Friction, Ground, Moved, Profile, Spatula, Step, Strip, friction, steps};
-use crate::adhesion::{
-    Cohesive, CohesiveShape, FrictionLaw, GroundLaw, HalfSpace, Law, LineLaw, LineLoad, Slip, Substrate,
-};
-use crate::beam::{self, BeamOnGround, Contour, Material, ReducedBeam, ReissnerBeam, Rest, Section, Varying};
-use crate::solve::{Beginning, Chain, Direction, Focus, MOST_FIELDS, Mesh, Problem, Slips};
+use super::stress_free_placement::StressFreePlacement;
+use super::{Friction, Ground, Moved, Profile, Spatula, Step, Strip};
+use crate::adhesion::{Cohesive, CohesiveShape, FrictionLaw, HalfSpace, Law, LineLaw, LineLoad};
+use crate::beam::{Contour, Material, Section, Varying};
+use crate::solve::Direction;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
-use std::time::Instant;
 
 /// What pulls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,8 +120,6 @@ impl Pull {
     }
 }
 
-/// From one remembered slip to the next, over the least length over which what happens at the front changes.
-const REMEMBERED: f64 = 1.0 / 24.0;
 /// An angle that differs from a right one by less, rad, is that, rounded.
 const ROUNDED: f64 = 1e-12;
 
@@ -208,7 +202,7 @@ impl PeelModel {
     }
 
     /// How the body varies along its length, where it does.
-    fn contour(&self) -> Option<Arc<dyn Contour>> {
+    pub(super) fn contour(&self) -> Option<Arc<dyn Contour>> {
         match &self.body {
             Body::Strip(_) => None,
             Body::Spatula(spatula) => Some(Arc::new(spatula.clone())),
@@ -242,7 +236,7 @@ impl PeelModel {
     /// S behind which it stays clear of the ground when free of stress, nm: L of a strip.
     pub fn reach(&self) -> f64 {
         let Some(contour) = self.contour() else { return self.length() };
-        Lie::reach(&Varying::new(contour, self.material()), &self.adhesion, &self.ground)
+        StressFreePlacement::reach(&Varying::new(contour, self.material()), &self.adhesion, &self.ground)
     }
 
     /// Width and height of the free end, nm.
@@ -318,123 +312,7 @@ impl PeelModel {
     }
 
     /// How much longer a strip is under its pretension, T L/EA, nm.
-    fn prestretch(&self) -> f64 {
+    pub(super) fn prestretch(&self) -> f64 {
         self.grip.pretension.map_or(0.0, |tension| tension * self.length() / self.section().axial)
-    }
-
-    /// What the solver is given, with elements of order 1 to 8. The displacement is that of the grip, whatever spring moves it.
-    /// On ground that is not flat the form is [`Form::ThreeField`], and the beam is relaxed to where its path starts. The steps before
-    /// the pull have then been taken.
-    pub fn problem(&self, form: Form, order: usize) -> Problem {
-        self.problem_until(form, order, None)
-    }
-
-    /// The same, with steps that begin nothing after `deadline`: the problem then begins nowhere, and says so.
-    pub fn problem_until(&self, form: Form, order: usize, deadline: Option<Instant>) -> Problem {
-        let form = self.form(form);
-        let (width, height) = self.free_end();
-        let (law, length) = (self.line_law(), self.length());
-        let r0 = self.adhesion.equilibrium_distance;
-        let lead = usize::from(form == Form::ThreeField);
-        let process_length = 0.7 * self.process_length();
-        let mut held = [false; MOST_FIELDS + 1];
-        let mut scale = [r0; MOST_FIELDS];
-        held[lead + 1] = self.grip.rotation == Hold::Fixed;
-        scale[lead + 1] = (r0 / process_length).min(1.0);
-        held[if form == Form::ThreeField { 0 } else { MOST_FIELDS }] = self.grip.horizontal == Hold::Fixed;
-        let mut fixed_foci = self.fixed_foci(process_length);
-        let rest_adhesion = width * law.rest_energy();
-        let (profile, lie) = match self.contour() {
-            None => (beam::Profile::uniform(self.section(), width, height), Lie::flat(length, law.rest_gap())),
-            Some(contour) => {
-                let beam = Varying::new(contour, self.material());
-                let front = Focus { center: 0.0, length: process_length, weight: 1.0 };
-                let lie = Lie::varying(&beam, &self.adhesion, &self.ground, front, &mut fixed_foci);
-                (beam::Profile::Varying(beam), lie)
-            }
-        };
-        let substrate = self.ground.substrate.clone();
-        let friction = self.friction_law();
-        let sticking = self.sticking_length().map(|short| friction::FLOOR * short);
-        let floors = [self.ground.floor(process_length), sticking];
-        fixed_foci.extend(floors.into_iter().flatten().map(|floor| Focus::everywhere(length, floor)));
-        let mut problem = Problem {
-            slips: friction.map(|law| Arc::new(self.not_slid(&lie.rest, &law))),
-            chain: chain(profile, law, (&substrate, friction), form, self.has_horizontal_force(), order),
-            length,
-            rest: lie.rest,
-            rest_gap: law.rest_gap(),
-            driven: lead,
-            direction: self.pull.direction(),
-            rotation: lead + 1,
-            held,
-            turn: if self.grip.rotation == Hold::Fixed { self.pull.turn } else { 0.0 },
-            pretension: self.grip.pretension.unwrap_or(0.0),
-            stretch: self.prestretch(),
-            compliance: 0.0,
-            scale,
-            force_scale: rest_adhesion.abs(),
-            round_off: 0.0,
-            rest_adhesion,
-            fronts: lie.fronts,
-            rest_front: lie.rest_front,
-            mesh: if substrate.is_flat() { Mesh::Moving } else { Mesh::Graded },
-            fixed_foci,
-            pieces: lie.pieces,
-            process_length,
-            height,
-            sees_tilt: law.line_load != LineLoad::AxisGap,
-            conservative: law.has_potential() && friction.is_none(),
-            substrate,
-            beginning: Beginning::AtRest,
-            steps: Vec::new(),
-        };
-        problem.beginning = self.ground.beginning(&mut problem, self.reach());
-        steps::take(self, &mut problem, deadline);
-        problem
-    }
-
-    /// The face that looks down where it is free of stress, which has not slid.
-    fn not_slid(&self, rest: &Rest, law: &FrictionLaw) -> Slips {
-        let face = |s: f64| {
-            let ([x, gap, rotation], half) = (rest.at(s), 0.5 * self.section_at(s).2);
-            let [limit, _] = law.limit(gap + half * (1.0 - rotation.cos()));
-            Slip { place: x + half * rotation.sin(), share: 0.0, limit }
-        };
-        Slips::none(self.length(), REMEMBERED * self.detail(), face)
-    }
-
-    /// Where elements are small whatever the front: at the free end, which may come to stand on its edge, a wedge whose attraction
-    /// is concentrated on a part of r0, and at the end of a strip that may not turn there, or that steps bend before the pull.
-    fn fixed_foci(&self, process_length: f64) -> Vec<Focus> {
-        let edge = (0.36 * process_length).min(0.25 * self.adhesion.equilibrium_distance);
-        let mut foci = vec![Focus { center: 0.0, length: edge, weight: 0.8 }];
-        let bent = self.grip.rotation == Hold::Fixed || !self.steps.is_empty();
-        if let Some(strip) = self.strip().filter(|_| bent) {
-            foci.push(Focus { center: strip.length, length: process_length, weight: 0.2 });
-        }
-        foci
-    }
-}
-
-/// The chain of a profile under a line load, with a horizontal section force or without.
-fn chain(
-    profile: beam::Profile,
-    law: LineLaw,
-    (substrate, friction): (&Substrate, Option<FrictionLaw>),
-    form: Form,
-    pulled_along: bool,
-    order: usize,
-) -> Box<dyn Chain> {
-    if !substrate.is_flat() || friction.is_some() {
-        let ground = GroundLaw { law, substrate: substrate.clone() };
-        let end = if friction.is_some() { None } else { Some(0.0) };
-        return three_field(BeamOnGround { profile, ground, friction }, order, [end, None, None]);
-    }
-    match (form, pulled_along) {
-        (Form::TwoField, false) => two_field(ReducedBeam::<false> { profile, law }, order),
-        (Form::TwoField, true) => two_field(ReducedBeam::<true> { profile, law }, order),
-        // held at x(0) = 0, which without a horizontal section force carries none
-        (Form::ThreeField, _) => three_field(ReissnerBeam { profile, law }, order, [Some(0.0), None, None]),
     }
 }

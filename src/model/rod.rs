@@ -1,10 +1,12 @@
 //! A beam on its own: nothing adheres, it may be curved at rest, and its ends are held as chosen.
 
-use super::Hold;
 use super::chain::three_field;
+use super::{Hold, PlanarProblem};
 use crate::adhesion::Substrate;
-use crate::beam::{ReissnerRod, Rest, RestCurve, Section};
-use crate::solve::{Beginning, Direction, Fronts, MOST_FIELDS, Mesh, Pieces, Problem};
+use crate::beam::{
+    FrontPosition, MOST_FIELDS, MeshKind, MeshPieces, MeshPolicy, PlanarBeam, ReissnerRod, Rest, RestCurve, Section,
+};
+use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure};
 
 /// What an end of a rod does with each of its unknowns: `Fixed` at the value of the rest curve, or `Free`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,49 +70,48 @@ pub enum RodError {
 
 impl RodModel {
     /// What the solver is given, with elements of order 1 to 8, equally long.
-    pub fn problem(&self, order: usize) -> Result<Problem, RodError> {
+    pub fn problem(&self, order: usize) -> Result<PlanarProblem, RodError> {
         self.check(order)?;
         let Self { length, section, rest, .. } = *self;
-        let driven = self.driven();
         let start = rest.at(0.0);
         let left = self.left.held();
         let pinned_left = std::array::from_fn(|f| left[f].then_some(start[f]));
         // a force by the moment that bends the rod by a radian
         let moment = section.bending / length;
-        Ok(Problem {
+        let scale: [f64; MOST_FIELDS] = std::array::from_fn(|f| if f == 2 { 1.0 } else { length });
+        let beam = PlanarBeam {
             chain: three_field(ReissnerRod { section, rest }, order, pinned_left),
             length,
             rest: Rest::Curve(rest),
-            driven,
-            rotation: 2,
             rest_gap: start[1],
-            direction: Direction::UP,
-            turn: 0.0,
+            rotation: 2,
             pretension: 0.0,
             stretch: 0.0,
-            held: {
-                let [x, y, rotation] = self.right.held();
-                [x, y, rotation, false]
-            },
-            compliance: 0.0,
-            scale: std::array::from_fn::<_, MOST_FIELDS, _>(|f| if f == 2 { 1.0 } else { length }),
-            force_scale: if self.drive == Drive::Rotation { moment } else { moment / length },
+            scale,
             round_off: f64::EPSILON * section.axial.max(section.shear) * length / moment,
             rest_adhesion: 0.0,
-            fronts: Fronts::Even,
+            fronts: FrontPosition::Even,
             rest_front: length,
-            mesh: Mesh::Moving,
-            fixed_foci: Vec::new(),
-            pieces: Pieces::whole(length),
+            mesh: MeshPolicy { kind: MeshKind::Moving, fixed_foci: Vec::new(), pieces: MeshPieces::whole(length) },
             process_length: length,
             height: 0.0,
             sees_tilt: false,
             substrate: Substrate::Flat,
-            beginning: Beginning::AtRest,
-            slips: None,
-            steps: Vec::new(),
+            history: None,
             conservative: true,
-        })
+        };
+        let (mut held, mut scales) = ([false; INTERFACE], [1.0; INTERFACE]);
+        held[..MOST_FIELDS].copy_from_slice(&self.right.held());
+        scales[..MOST_FIELDS].copy_from_slice(&scale);
+        let grip = EndConditions {
+            held,
+            scale: scales,
+            origin: beam.interface_at_rest(),
+            ..EndConditions::drive(self.driven())
+        };
+        let force = if self.drive == Drive::Rotation { moment } else { moment / length };
+        let measure = PathMeasure { monitors: [f64::INFINITY, scale[2]], force, by_force: true };
+        Ok(PlanarProblem::new(beam, grip, measure, InitialState::StressFree))
     }
 
     fn driven(&self) -> usize {

@@ -1,9 +1,8 @@
 //! A uniform strip of rectangular section.
 
-use super::{Adhesion, Body, Form, Grip, PeelModel, Pull};
+use super::{Adhesion, Body, Form, Grip, PeelModel, PlanarProblem, Pull};
 use crate::adhesion::LineLaw;
 use crate::beam::{Material, Section};
-use crate::solve::Problem;
 
 /// Geometry and material of a uniform strip of rectangular section.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +82,7 @@ impl StripModel {
     }
 
     /// As [`PeelModel::problem`].
-    pub fn problem(&self, form: Form, order: usize) -> Problem {
+    pub fn problem(&self, form: Form, order: usize) -> PlanarProblem {
         PeelModel::from(self).problem(form, order)
     }
 }

@@ -1,7 +1,7 @@
 //! Which terms of a model were left out and which not, and why.
 
 use super::number::Finite;
-use crate::study::{Considered, LeftOut, Term, Why};
+use crate::study::{KeptReason as Why, LeftOut, Term, TermDecisions as Considered};
 
 /// What was decided of the terms as summary.json tells it.
 #[derive(Debug, serde::Serialize)]

@@ -11,7 +11,7 @@ use super::sliding::SlidingSummary;
 use super::table::SweepLine;
 use crate::model::Step;
 use crate::scene::{KEYS, Key, Kind, Scene, Value};
-use crate::solve::GripState;
+use crate::beam::GripState;
 use crate::study::{self, End, FollowedSweep, Observed, Peel, SweepRow, Turn};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io;

@@ -7,7 +7,7 @@ use super::chart::{
 };
 use super::number::Finite;
 use super::table::write_table;
-use crate::solve::Mesh;
+use crate::beam::MeshKind as Mesh;
 use crate::study::{Trial, WorkPrecision};
 use std::path::{Path, PathBuf};
 

@@ -1,9 +1,9 @@
 //! Where a path loses its stability without turning: a branching point, such as a strip that stands upright and falls to either
 //! side. The smallest eigenvalue passes through zero there, which the inertia tells.
 
-use super::limit::refined;
+use super::limit_point::locate::refined;
 use super::{
-    Condition, Equilibrium, Located, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve,
+    PathConstraint, State, Located, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve,
 };
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ const MOST_SOLVES: usize = 80;
 /// It is located when it lies between displacements that differ by this share, and no better: round-off is an imperfection that
 /// turns the path to one of its branches before or behind it, by a power 2/3 of its size.
 const CLOSE: f64 = 1e-7;
-/// Error of a solution, relative as in [`Problem::relative_size`].
+/// Error of a solution, relative as in [`crate::solve::System::size`].
 const TOLERANCE: f64 = 1e-9;
 
 /// The first equilibrium that is not stable behind the stable one `from`, on its way to the displacement `to`, where it is
@@ -21,10 +21,10 @@ pub fn locate_branching(
     problem: &Problem,
     from: &Solution,
     to: f64,
-    work: &mut Workspace,
+    ws: &mut Workspace,
 ) -> Result<Located, SolveError> {
-    let (coarse, iterations) = bisected(problem, from.at.clone(), to, work)?;
-    let (fine, more) = bisected(problem, refined(problem, &from.at), to, work)?;
+    let (coarse, iterations) = bisected(problem, from.at.clone(), to, ws)?;
+    let (fine, more) = bisected(problem, refined(problem, &from.at), to, ws)?;
     let mut difference = fine.observables.since(&coarse.observables);
     difference.displacement = difference.displacement.abs() + CLOSE * coarse.observables.displacement.abs();
     difference.force = difference.force.abs() + CLOSE * coarse.observables.force.abs();
@@ -41,19 +41,19 @@ pub fn locate_branching(
 /// The unstable end of the bracket, on the mesh of `from`, and Newton iterations.
 fn bisected(
     problem: &Problem,
-    from: Equilibrium,
+    from: State,
     to: f64,
-    work: &mut Workspace,
+    ws: &mut Workspace,
 ) -> Result<(Solution, usize), SolveError> {
     let options = NewtonOptions { tolerance: TOLERANCE, largest_update: 0.5, most_iterations: 12, exact_slope: true };
-    let mut solved = |start: Equilibrium, target: f64| {
-        solve(problem, start, &Condition { weights: Observables::DISPLACEMENT, target }, &options, work)
+    let mut solved = |start: State, target: f64| {
+        solve(problem, start, &PathConstraint { weights: Observables::DISPLACEMENT, target }, &options, ws)
     };
     let start = problem.displacement(&from);
     let mut stable = solved(from, start)?;
     let mut iterations = stable.iterations;
     let (mut unstable, mut high, mut longest) = (None, to, f64::INFINITY);
-    let mut trouble = SolveError::TurnNotConfirmed;
+    let mut trouble = SolveError::LimitPointNotConfirmed;
     for _ in 0..MOST_SOLVES {
         let here = stable.observables.displacement;
         if (high - here).abs() <= CLOSE * here.abs() {
@@ -61,7 +61,7 @@ fn bisected(
         }
         let ahead = 0.5 * (high - here);
         let ahead = ahead.abs().min(longest).copysign(ahead);
-        match solved(stable.moved(ahead), here + ahead) {
+        match solved(stable.moved(problem, ahead), here + ahead) {
             Ok(next) => {
                 iterations += next.iterations;
                 if next.negative == 0 {

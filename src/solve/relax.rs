@@ -1,23 +1,23 @@
 //! Where a structure goes that has lost its stability: down the gradient of its energy Π at a held displacement or force.
 //!
-//!   M dq/dt = -∂Π/∂q,  discretised as  (K + M/Δt) δ = -∂Π/∂q
+//!   C dq/dt = -∂Π/∂q,  discretised as  (K + C/Δt) δ = -∂Π/∂q
 //!
-//! M is the length that belongs to a node, in units in which heights and rotations count alike (`Problem::scale`) and the
-//! pseudo-time is of the order of one. It says how fast what moves: not where an equilibrium lies, but where several lie
+//! C is the damping of the system, in units in which its unknowns count alike and the pseudo-time is of the order of one. It says how
+//! fast what moves: not where an equilibrium lies, but where several lie
 //! downhill it has a say in which is reached, as friction and inertia would have. A step is repeated with
-//! a shorter Δt where it moves too far, where K + M/Δt is not positive (Δt beyond the growth time of an instability) or where
+//! a shorter Δt where it moves too far, where K + C/Δt is not positive (Δt beyond the growth time of an instability) or where
 //! the energy does not fall. It ends in a stable equilibrium to which Newton's own method converges from near by, or fails.
 
-use super::limit::{FINE, SINGULAR};
+use super::limit_point::locate::{FINE, SINGULAR};
 use super::newton::damped_step;
 use super::{
-    Condition, Equilibrium, Mesh, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve,
+    Coefficients, NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve,
 };
 
 /// How a structure is relaxed.
 #[derive(Clone, Copy, Debug)]
 pub struct RelaxOptions {
-    /// Most that a step moves, relative as in [`Problem::relative_size`]; a step that moves by less than a third of it is
+    /// Most that a step moves, relative as in [`crate::solve::System::size`]; a step that moves by less than a third of it is
     /// followed by a longer one.
     pub largest_update: f64,
     /// Most steps that are taken, and most that are tried, before it is given up.
@@ -41,10 +41,10 @@ pub enum Held {
 }
 
 impl Held {
-    fn condition(self) -> Condition {
+    fn constraint(self) -> PathConstraint {
         match self {
-            Self::Displacement(target) => Condition { weights: Observables::DISPLACEMENT, target },
-            Self::Force(target) => Condition { weights: Observables::FORCE, target },
+            Self::Displacement(target) => PathConstraint { weights: Observables::DISPLACEMENT, target },
+            Self::Force(target) => PathConstraint { weights: Observables::FORCE, target },
         }
     }
 
@@ -95,51 +95,44 @@ const TRIES: usize = 8;
 const NEAR: f64 = 0.2;
 /// The energy is known to this share of its largest parts.
 const ROUND_OFF: f64 = 1e-13;
-/// The mesh is renewed when the front has moved by this share of the process zone.
-const MOVED: f64 = 0.3;
-/// Size of the disturbance that starts a relaxation, relative as in [`Problem::relative_size`].
+/// Size of the disturbance that starts a relaxation, relative as in [`crate::solve::System::size`].
 const DISTURBED: f64 = 1e-2;
 
 /// A limit point left a little along its tangent, which is the critical direction there: onward, where the unstable part of the
 /// path turns off, because there the energy at the held displacement falls.
-pub fn disturbed(problem: &Problem, limit: &Solution) -> Equilibrium {
-    limit.moved(DISTURBED / problem.relative_size(&limit.tangent.state, &limit.at.state))
+pub fn disturbed(problem: &Problem, limit: &Solution) -> State {
+    limit.moved(problem, DISTURBED / problem.system.size(&limit.tangent.direction, &limit.at.values))
 }
 
-/// An equilibrium turned a little, the more the farther from the grip: a disturbance that has a part in any critical direction.
-pub fn turned(problem: &Problem, at: &Equilibrium) -> Equilibrium {
-    let mut at = at.clone();
-    let nodes = at.state.len() / problem.fields();
-    for (node, fields) in at.state.chunks_exact_mut(problem.fields()).enumerate() {
-        let away = 1.0 - node as f64 / (nodes - 1) as f64;
-        fields[problem.rotation] += DISTURBED * problem.scale[problem.rotation] * away;
-    }
-    at
+/// An equilibrium disturbed a little, with a part in any critical direction.
+pub fn disturbed_anyhow(problem: &Problem, at: &State) -> State {
+    let mut disturbed = at.clone();
+    problem.system.retract(&mut disturbed, &problem.system.disturbance(at), DISTURBED);
+    disturbed
 }
 
 /// Relaxes from `start` with the displacement or the force held.
 pub fn relax(
     problem: &Problem,
-    start: Equilibrium,
+    start: State,
     held: Held,
     options: &RelaxOptions,
-    work: &mut Workspace,
+    ws: &mut Workspace,
 ) -> Result<Relaxed, RelaxError> {
-    let condition = held.condition();
-    let energy_of = |at: &Equilibrium| energy_of(problem, at, held);
+    let constraint = held.constraint();
+    let energy_of = |at: &State| energy_of(problem, at, held);
     let mut at = held_at(problem, start, held);
     let mut energies = vec![energy_of(&at)];
-    let mut mass = mass(problem, &at);
     let (mut time, mut steps, mut eliminations) = (FIRST, 0, 0);
     while steps < options.most_steps && eliminations < TRIES * options.most_steps {
         let energy = energies[energies.len() - 1];
-        if let Some(solution) = landed(problem, &at, energy, held, work, &mut eliminations) {
+        if let Some(solution) = landed(problem, &at, energy, held, ws, &mut eliminations) {
             return Ok(Relaxed { solution, energies, steps, eliminations });
         }
-        let damping: Vec<f64> = mass.iter().map(|m| m / time).collect();
+        let damping = Coefficients { damping: 1.0 / time, mass: 0.0 };
         let mut next = at.clone();
         eliminations += 1;
-        let tried = match damped_step(problem, &mut next, &condition, &damping, f64::INFINITY, work) {
+        let tried = match damped_step(problem, &mut next, &constraint, damping, f64::INFINITY, ws) {
             Ok((size, negative))
                 if held.negative(negative) == 0
                     && size <= options.largest_update
@@ -162,10 +155,9 @@ pub fn relax(
         time = (time * if 3.0 * size < options.largest_update { GROWTH } else { 1.0 }).min(LONGEST);
         at = next;
         // a mesh on which the energy of this step is lost again is put off
-        let moved = on_new_mesh(problem, &at).map(|moved| held_at(problem, moved, held));
+        let moved = problem.system.remeshed(&at).map(|moved| held_at(problem, moved, held));
         if let Some(moved) = moved.filter(|moved| energy_of(moved) < energy) {
             at = moved;
-            mass = self::mass(problem, &at);
         }
         energies.push(energy_of(&at));
     }
@@ -175,24 +167,24 @@ pub fn relax(
 /// The stable equilibrium near by, if the tangent is positive here and Newton's own method goes there without much ado.
 fn landed(
     problem: &Problem,
-    at: &Equilibrium,
+    at: &State,
     energy: f64,
     held: Held,
-    work: &mut Workspace,
+    ws: &mut Workspace,
     eliminations: &mut usize,
 ) -> Option<Solution> {
-    let condition = &held.condition();
+    let constraint = &held.constraint();
     let mut probe = at.clone();
     *eliminations += 1;
-    let (size, negative) = damped_step(problem, &mut probe, condition, &[], f64::INFINITY, work).ok()?;
+    let (size, negative) = damped_step(problem, &mut probe, constraint, Coefficients::STATIC, f64::INFINITY, ws).ok()?;
     if held.negative(negative) > 0 || size > NEAR {
         return None;
     }
-    let solved = |tolerance, work: &mut Workspace| {
+    let solved = |tolerance, ws: &mut Workspace| {
         let newton = NewtonOptions { tolerance, largest_update: NEAR, most_iterations: 10, exact_slope: true };
-        solve(problem, at.clone(), condition, &newton, work)
+        solve(problem, at.clone(), constraint, &newton, ws)
     };
-    let solution = solved(FINE, work).or_else(|_| solved(SINGULAR, work)).ok()?;
+    let solution = solved(FINE, ws).or_else(|_| solved(SINGULAR, ws)).ok()?;
     *eliminations += solution.iterations;
     let lower = energy_of(problem, &solution.at, held) <= energy + slack(energy);
     let negative = held.negative((solution.negative, solution.negative_load));
@@ -205,8 +197,9 @@ fn slack(energy: f64) -> f64 {
 }
 
 /// What falls: the energy of a configuration, whether in equilibrium or not, less P u of a held force, aJ.
-fn energy_of(problem: &Problem, at: &Equilibrium, held: Held) -> f64 {
-    let energy = problem.energy(at, problem.chain.energy(at.configuration(), &at.state).0);
+fn energy_of(problem: &Problem, at: &State, held: Held) -> f64 {
+    let direction = vec![0.0; problem.system.unknowns(at)];
+    let energy = problem.energy(at, problem.system.evaluate(at, &direction).0.energy);
     match held {
         Held::Displacement(_) => energy,
         Held::Force(force) => energy - force * problem.displacement(at),
@@ -215,46 +208,16 @@ fn energy_of(problem: &Problem, at: &Equilibrium, held: Held) -> f64 {
 
 /// The configuration with the force as held, or with the displacement exactly so: where a spring takes part, its force
 /// follows the grip, and otherwise the grip is put there.
-fn held_at(problem: &Problem, mut at: Equilibrium, held: Held) -> Equilibrium {
+fn held_at(problem: &Problem, mut at: State, held: Held) -> State {
     let displacement = match held {
         Held::Displacement(displacement) => displacement,
-        Held::Force(force) => return Equilibrium { force, ..at },
+        Held::Force(force) => return State { force, ..at },
     };
     let missing = displacement - problem.displacement(&at);
-    if problem.compliance > 0.0 {
-        at.force += missing / problem.compliance;
+    if problem.grip.compliance > 0.0 {
+        at.force += missing / problem.grip.compliance;
     } else {
         at = problem.moved(at, missing);
     }
     at
-}
-
-/// M, an unknown each: the length that belongs to the node times the adhesion's own stiffness, w/scale².
-fn mass(problem: &Problem, at: &Equilibrium) -> Vec<f64> {
-    let (fields, order) = (problem.fields(), problem.chain.order());
-    let mut lengths = vec![0.0; at.state.len() / fields];
-    for (e, pair) in at.ends.windows(2).enumerate() {
-        let share = (pair[1] - pair[0]) / order as f64;
-        for rank in 0..=order {
-            let inside = rank > 0 && rank < order;
-            lengths[e * order + rank] += if inside { share } else { 0.5 * share };
-        }
-    }
-    let energy = problem.rest_adhesion.abs();
-    lengths.iter().flat_map(|length| (0..fields).map(move |f| energy * length / problem.scale[f].powi(2))).collect()
-}
-
-/// The configuration on a mesh that lies where its front is, if that has moved.
-fn on_new_mesh(problem: &Problem, at: &Equilibrium) -> Option<Equilibrium> {
-    if problem.mesh != Mesh::Moving {
-        return None;
-    }
-    let energy = problem.chain.energy(at.configuration(), &at.state).0;
-    let center = problem.centered(problem.front(energy.adhesion));
-    if (center - at.center).abs() < MOVED * problem.process_length {
-        return None;
-    }
-    let ends = problem.ends_near(center, at.ends.len() - 1, &at.ends);
-    let state = problem.chain.resampled(at.configuration(), &ends);
-    Some(Equilibrium { state, ends, center, ..at.clone() })
 }

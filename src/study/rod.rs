@@ -1,14 +1,15 @@
 //! The path of a rod under its drive, from rest on: every turning point located, none missed without a word.
 
 use crate::solve::{
-    Located, Path, PathError, PathOptions, Problem, Solution, SolveError, Stretch, Turn, Workspace, brackets, locate,
+    LimitPointKind, Located, Path, PathError, PathOptions, PathSegment, Problem, Solution, SolveError, Workspace, brackets,
+    locate,
 };
 use std::sync::Arc;
 
 /// A turning point on the path of a rod.
 #[derive(Clone, Debug)]
 pub struct RodTurn {
-    pub kind: Turn,
+    pub kind: LimitPointKind,
     /// It lies between `points[after]` and `points[after + 1]`.
     pub after: usize,
     pub located: Located,
@@ -31,11 +32,11 @@ pub enum RodTrouble {
     #[error("{points} points were not enough to reach the end that was asked for")]
     TooLong { points: usize },
     #[error("the turning point of the {kind:?} behind path point {after} was not located: {cause}")]
-    NotLocated { kind: Turn, after: usize, cause: SolveError },
+    NotLocated { kind: LimitPointKind, after: usize, cause: SolveError },
     #[error(
         "behind path point {after} the number of negative eigenvalues changes by {change} with {turns} {kind:?} turns"
     )]
-    Missed { kind: Turn, after: usize, change: usize, turns: usize },
+    Missed { kind: LimitPointKind, after: usize, change: usize, turns: usize },
 }
 
 /// Follows the path of `problem`, which adheres to nothing, from rest until `stop` says so of a point, for at most
@@ -53,9 +54,9 @@ pub fn follow_rod(
         }
     }
     let mut followed = RodPath { points: path.points().to_vec(), turns: Vec::new(), iterations: path.iterations() };
-    let mut work = Workspace::default();
+    let mut ws = Workspace::default();
     for after in 0..followed.points.len() - 1 {
-        let mut turns = turns_of_step(problem, &followed.points, after, &mut work)?;
+        let mut turns = turns_of_step(problem, &followed.points, after, &mut ws)?;
         check_inertia(&followed.points, after, &turns)?;
         followed.iterations += turns.iter().map(|turn| turn.located.iterations).sum::<usize>();
         followed.turns.append(&mut turns);
@@ -68,18 +69,18 @@ fn turns_of_step(
     problem: &Problem,
     points: &[Arc<Solution>],
     after: usize,
-    work: &mut Workspace,
+    ws: &mut Workspace,
 ) -> Result<Vec<RodTurn>, RodTrouble> {
-    let stretch = Stretch::around(problem, points, after);
+    let segment = PathSegment::around(problem, points, after);
     let mut turns = Vec::new();
-    for kind in [Turn::Load, Turn::Displacement] {
+    for kind in [LimitPointKind::Load, LimitPointKind::Displacement] {
         let not_located = |cause| RodTrouble::NotLocated { kind, after, cause };
-        for bracket in brackets(problem, points, after, &stretch, kind, 0.0, work).map_err(not_located)? {
-            let located = locate(problem, &stretch, kind, bracket, None, work).map_err(not_located)?;
+        for bracket in brackets(problem, points, after, &segment, kind, 0.0, ws).map_err(not_located)? {
+            let located = locate(problem, &segment, kind, bracket, None, ws).map_err(not_located)?;
             turns.push(RodTurn { kind, after, located });
         }
     }
-    let label = |turn: &RodTurn| stretch.label(&turn.located.observables);
+    let label = |turn: &RodTurn| segment.label(&turn.located.observables);
     turns.sort_by(|a, b| label(a).total_cmp(&label(b)));
     Ok(turns)
 }
@@ -89,8 +90,8 @@ fn turns_of_step(
 fn check_inertia(points: &[Arc<Solution>], after: usize, turns: &[RodTurn]) -> Result<(), RodTrouble> {
     let (from, to) = (&points[after], &points[after + 1]);
     let changes = [
-        (Turn::Displacement, from.negative.abs_diff(to.negative)),
-        (Turn::Load, from.negative_load.abs_diff(to.negative_load)),
+        (LimitPointKind::Displacement, from.negative.abs_diff(to.negative)),
+        (LimitPointKind::Load, from.negative_load.abs_diff(to.negative_load)),
     ];
     for (kind, change) in changes {
         let turns = turns.iter().filter(|turn| turn.kind == kind).count();

@@ -3,7 +3,7 @@
 
 use super::{Accuracy, Bounds, Choice, Effort, End, Peel, peel};
 use crate::model::{Form, PeelModel};
-use crate::solve::Mesh;
+use crate::beam::MeshKind as Mesh;
 use cpu_time::ThreadTime;
 
 /// Errors of one run against the refined one, relative; `None` where the strip has no such point or the run did not find it.

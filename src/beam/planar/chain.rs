@@ -1,0 +1,116 @@
+//! What the solver asks of a chain of elements: to be eliminated down to its last node, and to go back from there.
+
+use super::{ElementEnergy, SectionState};
+use crate::solve::{History, SolveError};
+use std::any::Any;
+use std::ops::Range;
+
+/// The most fields a node can have.
+pub const MOST_FIELDS: usize = 3;
+/// Size of the root block: fields of the last node, border, residual and path.
+pub const ROOT: usize = MOST_FIELDS + 2;
+
+/// A configuration of the chain: where its elements end, and its unknowns.
+#[derive(Clone, Copy, Debug)]
+pub struct Configuration<'a> {
+    /// Reference coordinates S of the ends of the elements, nm; one more than there are elements.
+    pub ends: &'a [f64],
+    /// Fields node by node from left to right.
+    pub state: &'a [f64],
+    pub border: f64,
+    /// What its material points remember, where there is friction.
+    pub history: Option<&'a History>,
+}
+
+/// What the path condition wants of the chain: a linear functional of adhesion energy and of the left end's fields.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PathRow {
+    pub adhesion: f64,
+    pub left: [f64; MOST_FIELDS],
+}
+
+/// What is left of the chain when all nodes but the last are eliminated.
+#[derive(Clone, Copy, Debug)]
+pub struct Root {
+    /// Leading block: fields of the last node, then the border; then the residual column and the path row.
+    pub matrix: [[f64; ROOT]; ROOT],
+    /// Negative eigenvalues of the chain with its last node held.
+    pub negative: usize,
+    /// Energy before the update.
+    pub energy: ElementEnergy,
+}
+
+/// Size of the block of an element's two ends: their fields, border, residual or path.
+pub(super) const EDGE: usize = 2 * MOST_FIELDS + 2;
+
+/// A row of the block of an element's ends.
+pub(super) type EndRow = [f64; EDGE];
+
+/// What a chain keeps for the way back; reused from solve to solve.
+#[derive(Debug, Default)]
+pub struct ChainFactors {
+    /// Of a type that the chain alone knows: the fronts of its elements.
+    pub(super) fronts: Option<Box<dyn Any + Send + Sync>>,
+    /// Pivot rows of the left ends of the elements.
+    pub(super) ends: Vec<EndRow>,
+}
+
+/// State of one node between elements, from nodal forces.
+#[derive(Clone, Copy, Debug)]
+pub struct NodeState {
+    /// S, nm
+    pub position: f64,
+    /// Fields at the node.
+    pub values: [f64; MOST_FIELDS],
+    /// Section forces and stretch there.
+    pub section: SectionState,
+    /// Adhesion energy per length there, nN
+    pub adhesion: f64,
+}
+
+impl NodeState {
+    /// The first integral H x' + V y' + M θ' - stored - bΨ, nN.
+    pub fn first_integral(&self) -> f64 {
+        self.section.eshelby() - self.adhesion
+    }
+}
+
+/// A chain of elements of one order and one density.
+pub trait Chain: Send + Sync {
+    /// Fields a node.
+    fn fields(&self) -> usize;
+    /// Order p of the elements.
+    fn order(&self) -> usize;
+    /// Place of the node of rank `rank` (0 to p) within its element, as a fraction of its length.
+    fn node_fraction(&self, rank: usize) -> f64;
+    /// Whether one unknown is shared by the whole chain.
+    fn has_border(&self) -> bool;
+    /// Integrates and eliminates; what is needed to go back stays in `work`.
+    fn eliminate(&self, at: Configuration, path: &PathRow, work: &mut ChainFactors) -> Result<Root, SolveError> {
+        self.eliminate_damped(at, path, &[], work)
+    }
+    /// The same with `damping` added to the diagonal of the tangent, a number an unknown; nothing where it is empty.
+    fn eliminate_damped(
+        &self,
+        at: Configuration,
+        path: &PathRow,
+        damping: &[f64],
+        work: &mut ChainFactors,
+    ) -> Result<Root, SolveError>;
+    /// Goes back from the root's solution `root` (last node's fields, border): x = scale × residual part - U⁻¹ root part.
+    /// Panics unless `work` comes from an elimination of a chain of this kind.
+    fn recover(&self, work: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]);
+    /// Energy of a configuration, and how its adhesion energy changes along `direction`, a change of the fields.
+    fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64);
+    /// Section state at every end of the elements of a range.
+    fn node_states(&self, at: Configuration, elements: Range<usize>) -> Vec<NodeState>;
+    /// What the material points remember behind a step that ended in a configuration; nothing without friction.
+    fn slid(&self, at: Configuration) -> Option<History>;
+    /// Fields at the local coordinate `local` in [-1, 1] of element `element`, and the section state there.
+    fn sample(&self, at: Configuration, element: usize, local: f64) -> ([f64; MOST_FIELDS], SectionState);
+    /// The state on element ends that lie a little beside its own: each node's value moved along its element's polynomial,
+    /// to second order in the move.
+    fn shifted(&self, at: Configuration, ends: &[f64]) -> Vec<f64>;
+    /// The state on other ends of elements, each new node read off the element it falls in.
+    fn resampled(&self, at: Configuration, ends: &[f64]) -> Vec<f64>;
+}

@@ -1,0 +1,139 @@
+//! Reissner's geometrically exact planar beam, three unknowns a node: x, gap, rotation.
+//!
+//! Γ1 = x' cos θ + y' sin θ - 1, Γ2 = -x' sin θ + y' cos θ, κ = θ' - κ0; stored energy ½EA Γ1² + ½GA_s Γ2² + ½EI κ² per
+//! length, and the adhesion bΨ(y, θ). κ0 is the curvature at rest, zero for a strip.
+
+use super::{Coupling, Density, PointResponse, Profile, SectionState};
+use crate::adhesion::LineLaw;
+use crate::beam::Section;
+use crate::number::Real;
+
+/// The three-field form of the planar Reissner beam on a flat half space. Fields: x (nm), gap η = y - h/2 (nm), rotation
+/// θ. It has no border.
+#[derive(Clone, Debug)]
+pub struct ReissnerBeam {
+    pub profile: Profile,
+    pub law: LineLaw,
+}
+
+/// What couples in a beam whose adhesion looks at gap and rotation.
+pub(super) const COUPLING: Coupling<3> = Coupling {
+    value_value: [[false, false, false], [false, true, true], [false, true, true]],
+    value_slope: [[false; 3], [false; 3], [true, true, false]],
+    slope_slope: [[true, true, false], [true, true, false], [false, false, true]],
+};
+
+/// The stored energy at one point and its derivatives, for a rotation θ, the slopes x', y', θ' and the rest curvature κ0.
+#[inline(always)]
+pub(super) fn stored<T: Real>(
+    &Section { axial, shear, bending }: &Section<T>,
+    rotation: T,
+    [dx, dy, turn]: [T; 3],
+    rest_curvature: T,
+) -> PointResponse<T, 3> {
+    let (sin, cos) = rotation.sin_cos();
+    let curvature = turn - rest_curvature;
+    let (stretch, slide) = (dx * cos + dy * sin - 1.0, dy * cos - dx * sin);
+    let (n, q) = (stretch * axial, slide * shear);
+    // ∂Γ1/∂θ = Γ2 and ∂Γ2/∂θ = -(1 + Γ1)
+    let (stretch_t, slide_t) = (slide, -(stretch + 1.0));
+    let (horizontal, vertical) = (n * cos - q * sin, n * sin + q * cos);
+    let horizontal_t = stretch_t * cos * axial - slide_t * sin * shear - vertical;
+    let vertical_t = stretch_t * sin * axial + slide_t * cos * shear + horizontal;
+    let rotation_rotation = stretch_t * stretch_t * axial + slide_t * slide_t * shear + n * slide_t - q * stretch_t;
+
+    let mut response = PointResponse::zero();
+    response.energy = (n * stretch + q * slide + curvature * curvature * bending) * 0.5;
+    response.by_value[2] = n * stretch_t + q * slide_t;
+    response.by_slope = [horizontal, vertical, curvature * bending];
+    response.value_value[2][2] = rotation_rotation;
+    response.value_slope[2][0] = horizontal_t;
+    response.value_slope[2][1] = vertical_t;
+    response.slope_value[0][2] = horizontal_t;
+    response.slope_value[1][2] = vertical_t;
+    let mixed = sin * cos * (axial - shear);
+    response.slope_slope[0][0] = cos * cos * axial + sin * sin * shear;
+    response.slope_slope[0][1] = mixed;
+    response.slope_slope[1][0] = mixed;
+    response.slope_slope[1][1] = sin * sin * axial + cos * cos * shear;
+    response.slope_slope[2][2] = bending;
+    response
+}
+
+/// The section at the rotation θ under the forces H, V and the moment M.
+pub(super) fn section_from_forces(
+    &Section { axial, shear, bending }: &Section,
+    rotation: f64,
+    [horizontal, vertical, moment]: [f64; 3],
+    rest_curvature: f64,
+) -> SectionState {
+    let (sin, cos) = rotation.sin_cos();
+    let (n, q) = (horizontal * cos + vertical * sin, vertical * cos - horizontal * sin);
+    let (stretch, slide) = (n / axial, q / shear);
+    SectionState {
+        horizontal_slope: (1.0 + stretch) * cos - slide * sin,
+        vertical_slope: (1.0 + stretch) * sin + slide * cos,
+        horizontal_force: horizontal,
+        vertical_force: vertical,
+        moment,
+        curvature: moment / bending + rest_curvature,
+        stored: 0.5 * (n * stretch + q * slide + moment * moment / bending),
+    }
+}
+
+impl Density<3> for ReissnerBeam {
+    const COUPLING: Coupling<3> = COUPLING;
+
+    #[inline(always)]
+    fn response<T: Real>(
+        &self,
+        place: T,
+        [_, gap, rotation]: [T; 3],
+        [dx, gap_slope, turn]: [T; 3],
+        _: f64,
+    ) -> PointResponse<T, 3> {
+        let (sin, cos) = rotation.sin_cos();
+        let station = self.profile.at(place);
+        let adhesion = self.law.response_of(station.height, gap, sin, cos);
+        let b = station.width;
+        let slopes = [dx, gap_slope + station.rise, turn];
+        let mut response = stored(&station.section, rotation, slopes, station.curvature);
+        response.adhesion = adhesion.energy * b;
+        response.energy = response.energy + response.adhesion;
+        response.by_value[1] = adhesion.by_gap * b;
+        response.by_value[2] = response.by_value[2] + adhesion.by_rotation * b;
+        response.value_value[1][1] = adhesion.gap_gap * b;
+        response.value_value[1][2] = adhesion.gap_rotation * b;
+        response.value_value[2][1] = adhesion.rotation_gap * b;
+        response.value_value[2][2] = response.value_value[2][2] + adhesion.rotation_rotation * b;
+        response.adhesion_by_value[1] = adhesion.by_gap * b;
+        response.adhesion_by_value[2] = adhesion.energy_by_rotation * b;
+        response
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.law.has_potential()
+    }
+
+    fn section_state(&self, place: f64, value: [f64; 3], slopes: [f64; 3], _: f64) -> SectionState {
+        self.profile.section_state(place, value[2], slopes)
+    }
+
+    fn section_state_from_forces(&self, place: f64, value: [f64; 3], forces: [f64; 3], _: f64) -> SectionState {
+        self.profile.section_state_from_forces(place, value[2], forces)
+    }
+}
+
+/// The section of a response to the slopes x', y' and θ'.
+pub(super) fn section_of(response: &PointResponse<f64, 3>, [dx, dy, turn]: [f64; 3]) -> SectionState {
+    let [horizontal_force, vertical_force, moment] = response.by_slope;
+    SectionState {
+        horizontal_slope: dx,
+        vertical_slope: dy,
+        horizontal_force,
+        vertical_force,
+        moment,
+        curvature: turn,
+        stored: response.energy,
+    }
+}

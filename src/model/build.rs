@@ -1,0 +1,206 @@
+//! A model made into what the solver is given. Nothing is solved here.
+
+use super::chain::{three_field, two_field};
+use super::stress_free_placement::StressFreePlacement;
+use super::{Form, Hold, PeelModel, friction};
+use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
+use crate::beam::{
+    self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, PlanarBeam, ReducedBeam, ReissnerBeam, Rest, Varying,
+};
+use crate::solve::{Direction, EndConditions, History, INTERFACE, InitialState, PathMeasure, Problem};
+use std::ops::{Deref, DerefMut};
+use std::sync::Arc;
+
+/// A problem whose system is a planar beam.
+#[derive(Clone)]
+pub struct PlanarProblem {
+    problem: Problem,
+    pub beam: Arc<PlanarBeam>,
+}
+
+impl Deref for PlanarProblem {
+    type Target = Problem;
+
+    fn deref(&self) -> &Problem {
+        &self.problem
+    }
+}
+
+impl DerefMut for PlanarProblem {
+    fn deref_mut(&mut self) -> &mut Problem {
+        &mut self.problem
+    }
+}
+
+impl PlanarProblem {
+    /// A beam in a grip.
+    pub fn new(beam: PlanarBeam, grip: EndConditions, measure: PathMeasure, start: InitialState) -> Self {
+        let beam = Arc::new(beam);
+        Self { problem: Problem { system: beam.clone(), grip, measure, start }, beam }
+    }
+
+    /// The same problem under other end conditions.
+    pub fn with_grip(&self, grip: EndConditions) -> Self {
+        Self { problem: Problem { grip, ..self.problem.clone() }, beam: self.beam.clone() }
+    }
+}
+
+/// How a beam is discretised.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Discretisation {
+    pub form: Form,
+    /// Order p of the elements, 1 to 8
+    pub order: usize,
+    pub mesh: MeshKind,
+}
+
+/// From one remembered slip to the next, over the least length over which what happens at the front changes.
+const REMEMBERED: f64 = 1.0 / 24.0;
+
+impl PeelModel {
+    /// What the solver is given, with elements of order 1 to 8 and a mesh that follows the front. The displacement is that of the
+    /// grip, whatever spring moves it. On ground that is not flat the form is [`Form::ThreeField`] and the mesh fixed; the beam is then
+    /// free of stress above its ground, and `study::prepared` lets it settle there and takes the steps before the pull.
+    pub fn problem(&self, form: Form, order: usize) -> PlanarProblem {
+        self.discretised(Discretisation { form, order, mesh: MeshKind::Moving }, |_| {})
+    }
+
+    /// The same as `how` says, with a beam that `adjust` may change before it is shared.
+    pub fn discretised(&self, how: Discretisation, adjust: impl FnOnce(&mut PlanarBeam)) -> PlanarProblem {
+        let form = self.form(how.form);
+        let (width, height) = self.free_end();
+        let (law, length) = (self.line_law(), self.length());
+        let r0 = self.adhesion.equilibrium_distance;
+        let lead = usize::from(form == Form::ThreeField);
+        let process_length = 0.7 * self.process_length();
+        let mut scale = [r0; MOST_FIELDS];
+        scale[lead + 1] = (r0 / process_length).min(1.0);
+        let mut fixed_foci = self.fixed_foci(process_length);
+        let rest_adhesion = width * law.rest_energy();
+        let (profile, placement) = match self.contour() {
+            None => {
+                let uniform = beam::Profile::uniform(self.section(), width, height);
+                (uniform, StressFreePlacement::flat(length, law.rest_gap()))
+            }
+            Some(contour) => {
+                let beam = Varying::new(contour, self.material());
+                let front = Focus { center: 0.0, length: process_length, weight: 1.0 };
+                let placement =
+                    StressFreePlacement::varying(&beam, &self.adhesion, &self.ground, front, &mut fixed_foci);
+                (beam::Profile::Varying(beam), placement)
+            }
+        };
+        let substrate = self.ground.substrate.clone();
+        let friction = self.friction_law();
+        let sticking = self.sticking_length().map(|short| friction::FLOOR * short);
+        let floors = [self.ground.floor(process_length), sticking];
+        fixed_foci.extend(floors.into_iter().flatten().map(|floor| Focus::everywhere(length, floor)));
+        let start = match placement.rest {
+            Rest::Curve(_) => InitialState::StressFree,
+            Rest::Varying(_) => InitialState::Settling,
+        };
+        let mut beam = PlanarBeam {
+            history: friction.map(|law| Arc::new(self.not_slid(&placement.rest, &law))),
+            chain: chain(profile, law, (&substrate, friction), form, self.has_horizontal_force(), how.order),
+            length,
+            rest: placement.rest,
+            rest_gap: law.rest_gap(),
+            rotation: lead + 1,
+            pretension: self.grip.pretension.unwrap_or(0.0),
+            stretch: self.prestretch(),
+            scale,
+            round_off: 0.0,
+            rest_adhesion,
+            fronts: placement.fronts,
+            rest_front: placement.rest_front,
+            mesh: MeshPolicy {
+                kind: if substrate.is_flat() { how.mesh } else { MeshKind::Graded },
+                fixed_foci,
+                pieces: placement.pieces,
+            },
+            process_length,
+            height,
+            sees_tilt: law.line_load != LineLoad::AxisGap,
+            conservative: law.has_potential() && friction.is_none(),
+            substrate,
+        };
+        adjust(&mut beam);
+        let measure = PathMeasure {
+            monitors: [beam.process_length, beam.scale[beam.rotation]],
+            force: rest_adhesion.abs(),
+            by_force: false,
+        };
+        let grip = self.end_conditions(&beam);
+        PlanarProblem::new(beam, grip, measure, start)
+    }
+
+    /// What the grip of a pull drives and holds.
+    fn end_conditions(&self, beam: &PlanarBeam) -> EndConditions {
+        let (height, rotation, across) = (beam.slot_of_height(), beam.slot_of_rotation(), beam.slot_of_x());
+        let fixed = self.grip.rotation == Hold::Fixed;
+        let mut held = [false; INTERFACE];
+        held[rotation] = fixed;
+        let mut scale = [1.0; INTERFACE];
+        scale[..beam.fields()].copy_from_slice(&beam.scale[..beam.fields()]);
+        if let Some(across) = across {
+            held[across] = self.grip.horizontal == Hold::Fixed;
+            scale[across] = beam.scale[height];
+        }
+        EndConditions {
+            driven: height,
+            across,
+            direction: self.pull.direction(),
+            held,
+            geared: rotation,
+            gear: if fixed { self.pull.turn } else { 0.0 },
+            compliance: 0.0,
+            origin: beam.interface_at_rest(),
+            scale,
+        }
+    }
+
+    /// The face that looks down where it is free of stress, which has not slid.
+    fn not_slid(&self, rest: &Rest, law: &FrictionLaw) -> History {
+        let face = |s: f64| {
+            let ([x, gap, rotation], half) = (rest.at(s), 0.5 * self.section_at(s).2);
+            let [limit, _] = law.limit(gap + half * (1.0 - rotation.cos()));
+            [x + half * rotation.sin(), 0.0, limit]
+        };
+        History::new(self.length(), REMEMBERED * self.detail(), face)
+    }
+
+    /// Where elements are small whatever the front: at the free end, which may come to stand on its edge, a wedge whose attraction
+    /// is concentrated on a part of r0, and at the end of a strip that may not turn there, or that steps bend before the pull.
+    fn fixed_foci(&self, process_length: f64) -> Vec<Focus> {
+        let edge = (0.36 * process_length).min(0.25 * self.adhesion.equilibrium_distance);
+        let mut foci = vec![Focus { center: 0.0, length: edge, weight: 0.8 }];
+        let bent = self.grip.rotation == Hold::Fixed || !self.steps.is_empty();
+        if let Some(strip) = self.strip().filter(|_| bent) {
+            foci.push(Focus { center: strip.length, length: process_length, weight: 0.2 });
+        }
+        foci
+    }
+}
+
+/// The chain of a profile under a line load, with a horizontal section force or without.
+fn chain(
+    profile: beam::Profile,
+    law: LineLaw,
+    (substrate, friction): (&Substrate, Option<FrictionLaw>),
+    form: Form,
+    pulled_along: bool,
+    order: usize,
+) -> Box<dyn Chain> {
+    if !substrate.is_flat() || friction.is_some() {
+        let ground = GroundLaw { law, substrate: substrate.clone() };
+        let end = if friction.is_some() { None } else { Some(0.0) };
+        return three_field(BeamOnGround { profile, ground, friction }, order, [end, None, None]);
+    }
+    match (form, pulled_along) {
+        (Form::TwoField, false) => two_field(ReducedBeam::<false> { profile, law }, order),
+        (Form::TwoField, true) => two_field(ReducedBeam::<true> { profile, law }, order),
+        // held at x(0) = 0, which without a horizontal section force carries none
+        (Form::ThreeField, _) => three_field(ReissnerBeam { profile, law }, order, [Some(0.0), None, None]),
+    }
+}
+

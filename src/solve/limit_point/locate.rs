@@ -1,0 +1,432 @@
+//! Turning points of the path, located and not sampled, with a bound on their error from half as many elements again.
+
+use super::LimitPointKind;
+use crate::solve::{
+    NewtonOptions, Observables, PathConstraint, PathSegment, Problem, Solution, SolveError, State, Workspace, slopes, solve,
+};
+use std::sync::Arc;
+
+/// A point of the path found by a constraint on it.
+#[derive(Clone, Debug)]
+pub struct Located {
+    /// The solution next to it.
+    pub solution: Arc<Solution>,
+    /// The observables there.
+    pub observables: Observables,
+    /// Their difference to those on half as many elements again.
+    pub difference: Observables,
+    /// d²P/du² there, for a turn of the force.
+    pub force_curvature: f64,
+    /// Whether the force is too flat there for the place to be told.
+    pub flat: bool,
+    /// Newton iterations it took, on both meshes.
+    pub iterations: usize,
+}
+
+impl Located {
+    /// Whether its numbers and their errors are finite.
+    pub fn is_finite(&self) -> bool {
+        self.observables.is_finite() && self.difference.is_finite()
+    }
+
+    /// Whether its place is less certain than the accuracy `relative`, but the force does not change by a share of it over
+    /// that error: then the place matters as little.
+    pub fn is_flat(&self, relative: f64) -> bool {
+        let (o, d) = (&self.observables, &self.difference);
+        let change = 0.5 * self.force_curvature * d.displacement.powi(2);
+        d.displacement.abs() > 0.1 * relative * o.displacement.abs() && change.abs() < FLAT * relative * o.force.abs()
+    }
+}
+
+/// Most solves until a limit point is located.
+const MOST_SOLVES: usize = 8;
+/// Solves after which it is taken as it stands, if it is close.
+const ENOUGH: usize = 4;
+/// A limit point is located when what is left is this share of the step it lies in; the rest is extrapolated.
+const CLOSE: f64 = 1e-5;
+/// The place of a limit point may be wrong by this share of its step.
+const CERTAIN: f64 = 1e-10;
+/// A turn of the force is flat where what is left to find changes it by less than this share of the accuracy.
+const FLAT: f64 = 0.2;
+/// How near a corner of the path is closed in to, at best, over its step.
+const CORNER: f64 = 1e-5;
+/// The secant rule starts when it expects to move by no more than this share of the step.
+const NEAR: f64 = 0.05;
+
+/// Error of a solution on the way to a limit point, relative as in [`crate::solve::System::size`].
+pub const ROUGH: f64 = 1e-10;
+/// The same of the last ones.
+pub(in crate::solve) const FINE: f64 = 1e-12;
+/// Error of a solution next to a singular point, where round-off leaves no better.
+pub(in crate::solve) const SINGULAR: f64 = 1e-5;
+
+fn options(tolerance: f64, exact_slope: bool) -> NewtonOptions {
+    NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 10, exact_slope }
+}
+
+/// A further solution on a segment, at the label `at`, with an error of `tolerance`; from fewer points where more extrapolate
+/// badly.
+pub fn solve_on(
+    problem: &Problem,
+    segment: &PathSegment,
+    at: f64,
+    tolerance: f64,
+    ws: &mut Workspace,
+) -> Result<Arc<Solution>, SolveError> {
+    let constraint = PathConstraint { weights: segment.weights, target: segment.target(at) };
+    let mut trouble = SolveError::SingularGrip;
+    for points in [6, 3, 2] {
+        let start = segment.near(problem, at).unwrap_or_else(|| segment.start(problem, at, points));
+        match solve(problem, start, &constraint, &options(tolerance, false), ws) {
+            Ok(solution) => return Ok(Arc::new(solution)),
+            Err(error) => trouble = error,
+        }
+    }
+    Err(trouble)
+}
+
+/// How often the way to a solution inside a step is halved.
+const MOST_HALVINGS: i32 = 4;
+/// Most tries on that way: where there is no solution at its end, steps towards it would become shorter for ever.
+const MOST_TRIES: usize = 40;
+
+/// A further solution on a segment, which it joins, at the label `at`; where the start is too far away, by way of solutions
+/// between there and `from`, where one is known.
+pub fn reach(
+    problem: &Problem,
+    segment: &mut PathSegment,
+    from: f64,
+    at: f64,
+    tolerance: f64,
+    ws: &mut Workspace,
+) -> Result<Arc<Solution>, SolveError> {
+    let mut known = from;
+    let mut share = 1.0;
+    let mut trouble = SolveError::SingularGrip;
+    for _ in 0..MOST_TRIES {
+        let next = if share == 1.0 { at } else { known + share * (at - known) };
+        match solve_on(problem, segment, next, tolerance, ws) {
+            Ok(solution) => {
+                segment.insert(solution.clone());
+                if share == 1.0 {
+                    return Ok(solution);
+                }
+                known = next;
+                share = 1.0;
+            }
+            Err(error) if share > 0.5f64.powi(MOST_HALVINGS) => {
+                trouble = error;
+                share *= 0.5;
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    Err(trouble)
+}
+
+/// Slope of a quantity at a solution on a segment, per unit of its label: at the solution itself.
+pub(in crate::solve) fn slope_at(
+    problem: &Problem,
+    segment: &PathSegment,
+    solution: &Solution,
+    turn: LimitPointKind,
+    ws: &mut Workspace,
+) -> Result<f64, SolveError> {
+    let constraint = PathConstraint { weights: segment.weights, target: segment.weights.dot(&solution.observables) };
+    let (displacement, force) = slopes(problem, &solution.at, &constraint, ws)?;
+    Ok(turn.pick()(&Observables { displacement, force, ..Observables::default() }))
+}
+
+/// Locates the limit point of `turn` between the labels `from` and `to`, at which its slope differs in sign.
+///
+/// First on meshes that follow the front, by chords of the slope; once near, on one mesh, on which the path is smooth to
+/// rounding, by the secant rule for the slope. With an accuracy `relative`, a turn of the force in a segment over which it
+/// hardly changes, measured by that, is taken as it stands.
+pub fn locate(
+    problem: &Problem,
+    around: &PathSegment,
+    turn: LimitPointKind,
+    (from, to): (f64, f64),
+    relative: Option<f64>,
+    ws: &mut Workspace,
+) -> Result<Located, SolveError> {
+    let mut segment = around.clone();
+    let mut iterations = 0;
+    let (first, second) = around.end_slopes();
+    let (mut low, mut high) = ((from, turn.pick()(&first)), (to, turn.pick()(&second)));
+    let rising = if from == 0.0 { low.1 < 0.0 } else { high.1 > 0.0 };
+    // where the slope is the discretisation's, the quantity may go further than where it seems to turn
+    let furthest = |segment: &PathSegment, turned| segment.extreme(turn.pick(), rising, (from, to)).unwrap_or(turned);
+    let mut guess = segment.observable(turn.pick(), 0.5 * (from + to)).turning_point(from, to);
+    for k in 1..=3 * MOST_SOLVES {
+        let nearer = if guess - low.0 < high.0 - guess { low.0 } else { high.0 };
+        let solution = match reach(problem, &mut segment, nearer, guess, ROUGH, ws) {
+            Ok(solution) => solution,
+            // next to a corner of the path Newton's method may go to and fro: the turn is no farther than the bracket is wide
+            Err(cause) if problem.system.has_history() => {
+                let known = segment.extreme(turn.pick(), rising, (from, to)).ok_or(cause)?;
+                return Ok(beside(problem, &segment, turn, known, [low, high], iterations, ws));
+            }
+            Err(cause) => return Err(cause),
+        };
+        iterations += solution.iterations;
+        let label = segment.label(&solution.observables);
+        let slope = match relative {
+            // Newton's last slope is one update back: where the force is flat that is too far
+            Some(_) => slope_at(problem, &segment, &solution, turn, ws)?,
+            None => turn.pick()(&solution.slope),
+        };
+        if (slope < 0.0) == rising {
+            low = (label, slope);
+        } else {
+            high = (label, slope);
+        }
+        let width = high.0 - low.0;
+        let value = turn.pick()(&solution.observables);
+        if relative.is_some_and(|r| (slope * width).abs() < FLAT * r * value.abs()) {
+            return flat(problem, &segment, furthest(&segment, solution), slope * width, iterations, ws);
+        }
+        let bend = (high.1 - low.1) / width;
+        let left = (slope / bend).abs();
+        if left < NEAR * (to - from) && left * solution.slope.monitors[0].abs() < NEAR * problem.measure.monitors[0] {
+            let other_bend = segment.observable(turn.other().pick(), label).at(label).2;
+            let search = Search {
+                problem,
+                weights: segment.weights,
+                turn,
+                rising,
+                width: to - from,
+                bend,
+                other_bend,
+                iterations,
+            };
+            let slack = NEAR * (to - from);
+            match search.confirmed(solution, segment.target(label), ws) {
+                Ok(located) if (low.0 - slack..high.0 + slack).contains(&segment.label(&located.observables)) => {
+                    return Ok(located);
+                }
+                // the secant rule went elsewhere, or the turn is weak: close in further
+                Ok(_) | Err(_) => iterations += MOST_SOLVES,
+            }
+        }
+        // the chord of the slopes, kept off the ends; every third guess halves the bracket
+        let chord = (low.0 - low.1 / bend).max(low.0 + 0.01 * width).min(high.0 - 0.01 * width);
+        guess = if k % 3 == 0 || !chord.is_finite() { 0.5 * (low.0 + high.0) } else { chord };
+    }
+    let middle = solve_on(problem, &segment, 0.5 * (low.0 + high.0), ROUGH, ws)?;
+    if problem.system.has_history() {
+        return Ok(beside(problem, &segment, turn, middle, [low, high], iterations, ws));
+    }
+    let change = turn.pick()(&middle.slope) * (high.0 - low.0);
+    if relative.is_some_and(|r| change.abs() < r * middle.observables.force.abs()) {
+        return flat(problem, &segment, furthest(&segment, middle), change, iterations, ws);
+    }
+    Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
+}
+
+/// A limit point of which no more is known than a solution beside it and the ends of its bracket, each with the slope there of what
+/// turns, per label: one at which the path has a corner, as where a face that slid sticks.
+fn beside(
+    problem: &Problem,
+    segment: &PathSegment,
+    turn: LimitPointKind,
+    solution: Arc<Solution>,
+    [low, high]: [(f64, f64); 2],
+    iterations: usize,
+    ws: &mut Workspace,
+) -> Located {
+    let (steepest, width) = (low.1.abs().max(high.1.abs()), high.0 - low.0);
+    let finer = on_more_elements(problem, &solution, segment.weights, ws);
+    // no solution there either: what is missed by the width is far more
+    let change = finer.map_or_else(|_| Observables::default(), |finer| finer.observables.since(&solution.observables));
+    let per_label = solution.slope.times(width / segment.weights.dot(&solution.slope));
+    let missed = |own: LimitPointKind| {
+        let pick = own.pick();
+        let within = if own == turn { steepest * width } else { pick(&per_label).abs() };
+        pick(&change).abs() + CORNER * pick(&segment.change()).abs() + within
+    };
+    let difference = Observables { displacement: missed(LimitPointKind::Displacement), force: missed(LimitPointKind::Load), ..change };
+    Located { observables: solution.observables, solution, difference, force_curvature: 0.0, flat: false, iterations }
+}
+
+/// A limit point of the force that could not be located: the solution where an interpolant has it, or an end of its step,
+/// with the step as the error of both numbers.
+pub fn unlocated(problem: &Problem, segment: &PathSegment, ws: &mut Workspace) -> Result<Located, SolveError> {
+    let end = segment.end();
+    let guess = segment.observable(LimitPointKind::Load.pick(), 0.5 * end).turning_point(0.0, end);
+    let solution = reach(problem, &mut segment.clone(), 0.0, guess, ROUGH, ws).unwrap_or_else(|_| segment.first());
+    let mut difference = difference_on_more_elements(problem, &solution, ws)?;
+    difference.displacement = segment.change().displacement.abs();
+    difference.force = difference.force.abs() + segment.change().force.abs();
+    let observables = solution.observables;
+    Ok(Located { observables, solution, difference, force_curvature: 0.0, flat: true, iterations: 3 })
+}
+
+/// A limit point of the force in a segment so flat that its place cannot be told and does not matter: a solution in it,
+/// with the whole step as the error of its displacement and `change` as that of its force.
+fn flat(
+    problem: &Problem,
+    segment: &PathSegment,
+    solution: Arc<Solution>,
+    change: f64,
+    iterations: usize,
+    ws: &mut Workspace,
+) -> Result<Located, SolveError> {
+    let mut difference = difference_on_more_elements(problem, &solution, ws)?;
+    difference.displacement = segment.change().displacement.abs();
+    difference.force = difference.force.abs() + change.abs();
+    Ok(Located {
+        observables: solution.observables,
+        solution,
+        difference,
+        force_curvature: 0.0,
+        flat: true,
+        iterations: iterations + 2,
+    })
+}
+
+/// The secant rule for the slope of one quantity, on one mesh.
+#[derive(Clone, Copy)]
+struct Search<'p> {
+    problem: &'p Problem,
+    weights: Observables,
+    turn: LimitPointKind,
+    /// Whether the slope rises through zero, as at a minimum: of two limit points near by the other one does not.
+    rising: bool,
+    /// Width of the bracket, in labels.
+    width: f64,
+    /// Second derivatives along the path: of the quantity that turns, and of the other.
+    bend: f64,
+    other_bend: f64,
+    iterations: usize,
+}
+
+/// Where a [`Search`] ended.
+struct Found {
+    solution: Solution,
+    /// Label of the limit point relative to the solution.
+    ahead: f64,
+    /// Target of the constraint at the solution.
+    target: f64,
+    /// At the limit point.
+    observables: Observables,
+    /// Size of what is neglected in them.
+    neglected: Observables,
+}
+
+impl<'p> Search<'p> {
+    /// The limit point next to `near` on its mesh, and on half as many elements again.
+    fn confirmed(self, near: Arc<Solution>, target: f64, ws: &mut Workspace) -> Result<Located, SolveError> {
+        let (coarse, search) = self.run(near.at.clone(), target, ws)?;
+        let start = refined(self.problem, &coarse.solution.moved(self.problem, coarse.ahead));
+        let (fine, search) =
+            search.run(start, coarse.target + coarse.ahead, ws).map_err(|_| SolveError::LimitPointNotConfirmed)?;
+        if (search.bend > 0.0) != self.rising {
+            return Err(SolveError::LimitPointNotConfirmed);
+        }
+        let difference = fine.observables.since(&coarse.observables);
+        Ok(Located {
+            solution: Arc::new(coarse.solution),
+            observables: coarse.observables,
+            difference: Observables {
+                displacement: difference.displacement.abs() + coarse.neglected.displacement.abs(),
+                force: difference.force.abs() + coarse.neglected.force.abs(),
+                ..difference
+            },
+            force_curvature: search.bend / fine.solution.slope.displacement.powi(2),
+            flat: false,
+            iterations: search.iterations,
+        })
+    }
+
+    fn run(mut self, start: State, target: f64, ws: &mut Workspace) -> Result<(Found, Self), SolveError> {
+        let (pick, other) = (self.turn.pick(), self.turn.other().pick());
+        let (mut start, mut target) = (start, target);
+        let mut before: Option<(f64, Observables)> = None;
+        let mut ahead = f64::INFINITY;
+        for solves in 1..=MOST_SOLVES {
+            let constraint = PathConstraint { weights: self.weights, target };
+            let solution = solve(self.problem, start, &constraint, &options(FINE, true), ws)?;
+            self.iterations += solution.iterations;
+            if let Some((step, slope)) = before {
+                self.bend = (pick(&solution.slope) - pick(&slope)) / step;
+                self.other_bend = (other(&solution.slope) - other(&slope)) / step;
+            }
+            ahead = -pick(&solution.slope) / self.bend;
+            if !ahead.is_finite() {
+                break;
+            }
+            // the second derivative is a secant's: it is that of the middle of the last step, and what it is wrong by
+            // there it is wrong by in `ahead`; the first one is an interpolant's and not trusted
+            let uncertain =
+                before.map_or(f64::INFINITY, |(step, _)| ahead * (step.abs() + ahead.abs()) / self.width).abs();
+            // where round-off leaves no better, what is left counts as neglected
+            let certain = uncertain <= CERTAIN * self.width || (uncertain.is_finite() && solves > ENOUGH);
+            if ahead.abs() <= CLOSE * self.width && certain {
+                let observables = self.extrapolated(&solution, ahead);
+                let mut neglected = solution.slope.times(uncertain);
+                let (bend_u, bend_p) = self.bends();
+                neglected.displacement = neglected.displacement.abs() + bend_u.abs() * ahead * ahead;
+                neglected.force = neglected.force.abs() + bend_p.abs() * ahead * ahead;
+                return Ok((Found { solution, ahead, target, observables, neglected }, self));
+            }
+            let least = 10.0 * CLOSE * self.width;
+            ahead = if before.is_none() && ahead.abs() < least { least.copysign(ahead) } else { ahead };
+            ahead = ahead.clamp(-NEAR * self.width, NEAR * self.width);
+            before = Some((ahead, solution.slope));
+            start = solution.moved(self.problem, ahead);
+            target += ahead;
+        }
+        Err(SolveError::NotConverged { update: ahead / self.width, iterations: self.iterations })
+    }
+
+    /// Second derivatives of displacement and force along the path.
+    fn bends(&self) -> (f64, f64) {
+        match self.turn {
+            LimitPointKind::Displacement => (self.bend, self.other_bend),
+            LimitPointKind::Load => (self.other_bend, self.bend),
+        }
+    }
+
+    /// The observables a little ahead of a solution; second derivatives only of displacement and force.
+    fn extrapolated(&self, solution: &Solution, ahead: f64) -> Observables {
+        let (o, s) = (&solution.observables, &solution.slope);
+        let (bend_u, bend_p) = self.bends();
+        Observables {
+            monitors: std::array::from_fn(|k| o.monitors[k] + ahead * s.monitors[k]),
+            displacement: o.displacement + ahead * (s.displacement + 0.5 * ahead * bend_u),
+            force: o.force + ahead * (s.force + 0.5 * ahead * bend_p),
+            recorded: o.recorded + ahead * s.recorded,
+        }
+    }
+}
+
+/// Difference to the solution on half as many elements again at the same displacement.
+pub fn difference_on_more_elements(
+    problem: &Problem,
+    coarse: &Solution,
+    ws: &mut Workspace,
+) -> Result<Observables, SolveError> {
+    Ok(on_more_elements(problem, coarse, Observables::DISPLACEMENT, ws)?.observables.since(&coarse.observables))
+}
+
+/// The solution on half as many elements again with the same `weights` · observables.
+pub fn on_more_elements(
+    problem: &Problem,
+    coarse: &Solution,
+    weights: Observables,
+    ws: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    let constraint = PathConstraint { weights, target: weights.dot(&coarse.observables) };
+    let solved = |tolerance, ws: &mut Workspace| {
+        solve(problem, refined(problem, &coarse.at), &constraint, &options(tolerance, true), ws)
+    };
+    // next to a singular point round-off is larger, and shows in the difference
+    solved(FINE, ws).or_else(|_| solved(SINGULAR, ws))
+}
+
+/// The configuration on half as many elements again.
+pub(in crate::solve) fn refined(problem: &Problem, at: &State) -> State {
+    let elements = at.mesh.elements();
+    problem.system.on_elements(at, elements + elements.div_ceil(2))
+}

@@ -1,0 +1,325 @@
+//! The path of equilibria from its start, point by point, through every limit point.
+//!
+//! The path parameter is a linear functional of observables that do not all turn at once: the monitors of the system, the displacement,
+//! and of a system whose monitors do not go forward the force. Its weights are renewed at every step from the tangent, each
+//! observable measured by its own recent changes.
+
+use super::metric::Metric;
+use super::predictor::{self, MOST_POINTS};
+use crate::solve::{
+    Held, History, InitialState, NewtonOptions, Observables, PathConstraint, Problem, RelaxOptions, ShouldStop, Solution,
+    SolveError, State, Workspace, relax, settle, solve,
+};
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+use std::vec;
+
+/// How a path is stepped. Its points follow from this and the problem alone.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PathOptions {
+    /// Elements of the chain.
+    pub elements: usize,
+    /// Error wanted of a prediction, relative as in [`crate::solve::System::size`].
+    pub step_tolerance: f64,
+    /// Length of a step over that which predictions allow, at most 1.
+    pub stride: f64,
+    /// Error wanted of a solution, likewise.
+    pub tolerance: f64,
+    /// Most points that a prediction uses: 2 is the secant
+    pub prediction: usize,
+    /// First displacement, nm (rad where the rotation is driven); its sign is the direction of the path
+    pub first_displacement: f64,
+}
+
+/// Where a path stopped and why.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "the path cannot be continued from u = {displacement_nm:.6} nm, P = {force:.6} nN (point {point}): after {tries} shorter and shorter steps: {cause}"
+)]
+pub struct PathError {
+    pub point: usize,
+    pub displacement_nm: f64,
+    pub force: f64,
+    pub tries: usize,
+    pub cause: SolveError,
+}
+
+/// A point of a path and what the path has learnt there: with the points before, all that it takes to go on.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Waypoint {
+    pub point: Arc<Solution>,
+    errors: Vec<f64>,
+    iterations: usize,
+}
+
+/// A path being followed: an iterator over its points, to be driven and stopped at will. All points stay in it.
+pub struct Path<'p> {
+    problem: &'p Problem,
+    options: PathOptions,
+    start: State,
+    /// Points that need not be computed.
+    known: vec::IntoIter<Waypoint>,
+    points: Vec<Arc<Solution>>,
+    /// Errors at the newest point of predictions through 1, 2, … points.
+    errors: Vec<f64>,
+    ws: Workspace,
+    iterations: usize,
+    /// What the material points remember behind the newest point.
+    history: Option<Arc<History>>,
+}
+
+/// Most tries of one step, each shorter.
+const MOST_TRIES: usize = 14;
+/// A step is refused when its prediction was wrong by this multiple of the step tolerance.
+const REFUSE: f64 = 12.0;
+/// A step is refused when the path turns from its chord by more than the angle of this cosine.
+const LEAST_COSINE: f64 = 0.5;
+/// Most growth of a step.
+const MOST_GROWTH: f64 = 3.5;
+/// Points at the beginning of a path that are stepped by the displacement alone: the monitors may not move yet.
+const OUTSET: usize = 3;
+/// The same for the second, before anything is known of the force's curvature.
+const OUTSET_GROWTH: f64 = 2.0;
+/// Points over which the path's direction is taken.
+const CHORD: usize = 4;
+/// Most that a step of settling down moves, relative as in [`crate::solve::System::size`].
+const SETTLING: f64 = 0.3;
+
+impl<'p> Path<'p> {
+    /// A path that starts at rest.
+    pub fn new(problem: &'p Problem, options: PathOptions) -> Self {
+        Self::from(problem, options, problem.initial(options.elements))
+    }
+
+    /// A path that starts at the equilibrium next to `start`, on its elements, with its displacement. A beam that is curved when
+    /// free of stress bends towards the substrate. It must not turn there.
+    pub fn from(problem: &'p Problem, options: PathOptions, start: State) -> Self {
+        let (known, points, errors) = (Vec::new().into_iter(), Vec::new(), Vec::new());
+        Self { problem, options, start, known, points, errors, ws: Workspace::default(), iterations: 0, history: None }
+    }
+
+    /// The same path where its first points are known, from another run of the same problem with the same options: they
+    /// are not computed again, and all behind them is as if they had been.
+    pub fn knowing(self, first: Vec<Waypoint>) -> Self {
+        Self { known: first.into_iter(), ..self }
+    }
+
+    /// The same, with no solve begun once `should_stop` says so.
+    pub fn until(self, should_stop: Option<ShouldStop>) -> Self {
+        Self { ws: Workspace::until(should_stop), ..self }
+    }
+
+    /// The points so far.
+    pub fn points(&self) -> &[Arc<Solution>] {
+        &self.points
+    }
+
+    /// What the material points remember behind the newest point.
+    pub fn history(&self) -> Option<&History> {
+        self.history.as_deref()
+    }
+
+    /// Newton iterations so far, of refused steps too.
+    pub fn iterations(&self) -> usize {
+        self.iterations
+    }
+
+    fn newton(&self) -> NewtonOptions {
+        NewtonOptions { tolerance: self.options.tolerance, largest_update: 0.5, most_iterations: 9, exact_slope: false }
+    }
+
+    /// The newest point, for a path that is to go on from there.
+    pub fn waypoint(&self) -> Option<Waypoint> {
+        let point = self.points.last()?.clone();
+        Some(Waypoint { point, errors: self.errors.clone(), iterations: self.iterations })
+    }
+
+    /// Computes the next point, where it is not known.
+    pub fn advance(&mut self) -> Result<Arc<Solution>, PathError> {
+        let point = match self.known.next() {
+            Some(Waypoint { point, errors, iterations }) => {
+                (self.errors, self.iterations) = (errors, iterations);
+                point
+            }
+            None if self.points.is_empty() => Arc::new(self.first()?),
+            None => Arc::new(self.step()?),
+        };
+        self.history = self.problem.system.commit(&point.at);
+        self.points.push(point.clone());
+        Ok(point)
+    }
+
+    fn first(&mut self) -> Result<Solution, PathError> {
+        if let InitialState::NoEquilibrium(why) = &self.problem.start {
+            return Err(self.stopped(1, SolveError::NoEquilibrium(why.clone())));
+        }
+        let start = self.start.clone();
+        let weights = self.outset();
+        let target = weights.displacement * self.problem.displacement(&start);
+        let constraint = PathConstraint { weights, target };
+        let solved = if self.problem.start.settles() {
+            self.settled(start, &constraint)
+        } else {
+            solve(self.problem, start, &constraint, &self.newton(), &mut self.ws)
+        };
+        solved.inspect(|s| self.iterations += s.iterations).map_err(|cause| self.stopped(1, cause))
+    }
+
+    /// The equilibrium next to a start that is none, on the mesh that its own monitors ask for.
+    fn settled(&mut self, start: State, constraint: &PathConstraint) -> Result<Solution, SolveError> {
+        let found = self.settled_near(start, constraint)?;
+        let at = self.problem.system.refocused(&found.at, found.observables.monitors);
+        settle(self.problem, at, constraint, &self.newton(), &mut self.ws)
+    }
+
+    /// The same on the mesh of the start: by Newton's method, or, where that wanders, down the gradient of the energy.
+    fn settled_near(&mut self, start: State, constraint: &PathConstraint) -> Result<Solution, SolveError> {
+        let displacement = self.problem.displacement(&start);
+        let settled = settle(self.problem, start.clone(), constraint, &self.newton(), &mut self.ws);
+        // long steps may have gone through an obstacle
+        let above = settled.and_then(|solution| {
+            let inside = SolveError::NotConverged { update: solution.correction, iterations: solution.iterations };
+            if self.problem.system.is_admissible(&solution.at) { Ok(solution) } else { Err(inside) }
+        });
+        above.or_else(|error| {
+            let options = RelaxOptions::by(SETTLING);
+            let relaxed = relax(self.problem, start, Held::Displacement(displacement), &options, &mut self.ws);
+            relaxed.map(|relaxed| relaxed.solution).map_err(|_| error)
+        })
+    }
+
+    fn step(&mut self) -> Result<Solution, PathError> {
+        let newest = self.points[self.points.len() - 1].clone();
+        let weights = self.weights();
+        let (points, labels) = self.labelled(&weights);
+        let outset = self.points.len() <= 2;
+        let (mut count, mut step) = if outset { (1, self.first_step(&labels)) } else { self.choose(&labels) };
+        let mut cause = SolveError::SingularGrip;
+        for _ in 0..MOST_TRIES {
+            let mut start = if outset {
+                newest.moved(self.problem, step / weights.dot(&newest.slope))
+            } else {
+                let combination = predictor::lagrange_weights(&labels[..count], step);
+                predictor::combine(self.problem, &points[..count], &combination)
+            };
+            start.history.clone_from(&self.history);
+            if !self.problem.system.admits(&newest.at, newest.observables.monitors, &start) {
+                step *= 0.4;
+                continue;
+            }
+            let constraint = PathConstraint { weights, target: weights.dot(&newest.observables) + step };
+            match solve(self.problem, start, &constraint, &self.newton(), &mut self.ws) {
+                Ok(next) => {
+                    self.iterations += next.iterations;
+                    let turned = points.len() > 1 && self.turns_sharply(&next);
+                    if turned || next.correction > REFUSE * self.options.step_tolerance && points.len() > 1 {
+                        cause = SolveError::NotConverged { update: next.correction, iterations: next.iterations };
+                        step *= 0.4;
+                    } else {
+                        self.errors = predictor::errors(self.problem, &points, &labels, &next, step);
+                        return Ok(next);
+                    }
+                }
+                Err(error) => {
+                    self.iterations += 3;
+                    cause = error;
+                    step *= 0.25;
+                }
+            }
+            count = count.min(3);
+        }
+        Err(self.stopped(MOST_TRIES, cause))
+    }
+
+    /// Weights of the first steps: the displacement in the path's direction.
+    fn outset(&self) -> Observables {
+        Observables { displacement: self.options.first_displacement.signum(), ..Observables::default() }
+    }
+
+    /// Weights of the path parameter: a direction between the tangent's and that of the last points, in which those go
+    /// forward although one observable may turn; each observable in units of its recent changes.
+    fn weights(&self) -> Observables {
+        let n = self.points.len();
+        let newest = &self.points[n - 1];
+        if n <= OUTSET {
+            return self.outset();
+        }
+        let metric = self.metric(None);
+        let chord = newest.observables.since(&self.points[n.saturating_sub(1 + CHORD)].observables);
+        metric.weights(&metric.unit(&newest.slope).plus(&metric.unit(&chord)))
+    }
+
+    /// Whether the path turns too much on the step to `next`, from either end to the chord.
+    fn turns_sharply(&self, next: &Solution) -> bool {
+        let newest = &self.points[self.points.len() - 1];
+        let metric = self.metric(Some(&next.observables));
+        let chord = next.observables.since(&newest.observables);
+        metric.cosine(&newest.slope, &chord) < LEAST_COSINE || metric.cosine(&next.slope, &chord) < LEAST_COSINE
+    }
+
+    /// The metric of the newest points, and of a further one.
+    fn metric(&self, next: Option<&Observables>) -> Metric {
+        let from = self.points.len().saturating_sub(if next.is_some() { 3 } else { 4 });
+        Metric::of(self.problem, self.points[from..].iter().map(|p| &p.observables).chain(next))
+    }
+
+    /// The newest points, newest first, and their labels relative to the newest; as many as labels keep their order.
+    fn labelled(&self, weights: &Observables) -> (Vec<Arc<Solution>>, Vec<f64>) {
+        let newest = &self.points[self.points.len() - 1];
+        let (mut points, mut labels) = (vec![newest.clone()], vec![0.0f64]);
+        for point in self.points.iter().rev().skip(1).take(self.options.prediction.clamp(1, MOST_POINTS)) {
+            let label = weights.dot(&point.observables.since(&newest.observables));
+            let gap = labels[labels.len() - 1] - label;
+            if gap <= 0.0 || (labels.len() > 1 && gap < 0.02 * -labels[1]) {
+                break;
+            }
+            points.push(point.clone());
+            labels.push(label);
+        }
+        (points, labels)
+    }
+
+    /// The steps along the tangent with which a path begins: the second as long as the first was good, whose error is of
+    /// second order.
+    fn first_step(&self, labels: &[f64]) -> f64 {
+        match labels {
+            [_, before] => {
+                let error = self.points[1].correction.max(f64::MIN_POSITIVE);
+                let growth = (0.7 * self.options.step_tolerance / error).sqrt();
+                -before * growth.min(OUTSET_GROWTH)
+            }
+            _ => self.options.first_displacement.abs(),
+        }
+    }
+
+    /// How many points to predict from, and the step.
+    fn choose(&self, labels: &[f64]) -> (usize, f64) {
+        if labels.len() == 1 {
+            return (1, 1e-2);
+        }
+        let stride = self.options.stride;
+        let most = MOST_GROWTH / stride * -labels[1];
+        let mut best = (labels.len().min(2), 0.5 / stride * -labels[1]);
+        for count in 1..labels.len() {
+            let Some(&error) = self.errors.get(count - 1) else { break };
+            let step = predictor::longest_step(labels, count, error, 0.7 * self.options.step_tolerance, most);
+            if step > best.1 || count == 1 {
+                best = (count, step);
+            }
+        }
+        (best.0, stride * best.1)
+    }
+
+    fn stopped(&self, tries: usize, cause: SolveError) -> PathError {
+        let last = self.points.last().map(|p| p.observables).unwrap_or_default();
+        PathError { point: self.points.len(), displacement_nm: last.displacement, force: last.force, tries, cause }
+    }
+}
+
+impl Iterator for Path<'_> {
+    type Item = Result<Arc<Solution>, PathError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        Some(self.advance())
+    }
+}

@@ -1,0 +1,67 @@
+//! The polynomial through values and slopes.
+
+/// Polynomial through values and slopes, in Newton's form.
+#[derive(Clone, Debug)]
+pub struct Hermite {
+    nodes: Vec<f64>,
+    coefficients: Vec<f64>,
+}
+
+impl Hermite {
+    /// From (place, value, slope); places are distinct.
+    pub fn new(data: &[(f64, f64, f64)]) -> Self {
+        let nodes: Vec<f64> = data.iter().flat_map(|d| [d.0, d.0]).collect();
+        let mut table: Vec<f64> = data.iter().flat_map(|d| [d.1, d.1]).collect();
+        let mut coefficients = vec![table[0]];
+        for order in 1..nodes.len() {
+            for i in 0..nodes.len() - order {
+                table[i] = if order == 1 && i % 2 == 0 {
+                    data[i / 2].2
+                } else {
+                    (table[i + 1] - table[i]) / (nodes[i + order] - nodes[i])
+                };
+            }
+            coefficients.push(table[0]);
+        }
+        Self { nodes, coefficients }
+    }
+
+    /// Value, first and second derivative.
+    pub fn at(&self, t: f64) -> (f64, f64, f64) {
+        let (mut value, mut first, mut second) = (0.0, 0.0, 0.0);
+        for (c, node) in self.coefficients.iter().zip(&self.nodes).rev() {
+            second = second * (t - node) + 2.0 * first;
+            first = first * (t - node) + value;
+            value = value * (t - node) + c;
+        }
+        (value, first, second)
+    }
+
+    /// A zero of the first derivative between two places at which it differs in sign.
+    pub fn turning_point(&self, from: f64, to: f64) -> f64 {
+        let (mut low, mut high) = (from, to);
+        let rising = self.at(from).1 < self.at(to).1;
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if (self.at(middle).1 < 0.0) == rising { low = middle } else { high = middle }
+        }
+        0.5 * (low + high)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn hermite_is_exact_for_degree_seven() {
+        let f = |t: f64| (t.powi(7) - 3.0 * t * t + 1.0, 7.0 * t.powi(6) - 6.0 * t, 42.0 * t.powi(5) - 6.0);
+        let data: Vec<_> = [-1.0, 0.2, 0.9, 2.0].iter().map(|&t| (t, f(t).0, f(t).1)).collect();
+        let (value, first, second) = Hermite::new(&data).at(0.5);
+        assert_relative_eq!(value, f(0.5).0, epsilon = 1e-12);
+        assert_relative_eq!(first, f(0.5).1, epsilon = 1e-12);
+        assert_relative_eq!(second, f(0.5).2, epsilon = 1e-11);
+        assert_relative_eq!(Hermite::new(&data).turning_point(0.5, 1.5), (6f64 / 7.0).powf(0.2), max_relative = 1e-12);
+    }
+}

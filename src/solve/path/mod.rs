@@ -1,0 +1,10 @@
+//! Paths of equilibria: stepped, predicted, interpolated.
+mod equilibrium_path;
+mod hermite;
+mod metric;
+mod predictor;
+mod segment;
+pub use equilibrium_path::{Path, PathError, PathOptions, Waypoint};
+pub use hermite::Hermite;
+pub use predictor::{MOST_POINTS, lagrange_weights, longest_step};
+pub use segment::PathSegment;

@@ -1,0 +1,78 @@
+//! Extrapolation along the path with the order and the step that measured errors allow.
+//!
+//! Stored points are compared at equal mesh coordinates, so nothing is interpolated between meshes. Along the path they
+//! are labelled by one linear functional of the observables, the same for all points of one prediction, so that labels
+//! are a smooth function of position.
+
+use crate::solve::{MONITORS, Problem, Solution, State};
+use std::sync::Arc;
+
+/// The most points an extrapolation uses.
+pub const MOST_POINTS: usize = 8;
+
+/// Share of the force's relative error in that of a prediction: Newton's method does not mind it, the curve does.
+const FORCE: f64 = 0.3;
+
+/// Lagrange weights at `at` for the nodes `labels`.
+pub fn lagrange_weights(labels: &[f64], at: f64) -> Vec<f64> {
+    (0..labels.len())
+        .map(|i| (0..labels.len()).filter(|&j| j != i).map(|j| (at - labels[j]) / (labels[i] - labels[j])).product())
+        .collect()
+}
+
+/// Combination of stored points with the given weights; the mesh follows the combined monitors.
+pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> State {
+    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned.as_slice()).collect();
+    let (mut monitors, mut force) = ([0.0; MONITORS], 0.0);
+    for (point, &weight) in points.iter().zip(weights) {
+        (0..MONITORS).for_each(|k| monitors[k] += weight * point.observables.monitors[k]);
+        force += weight * point.at.force;
+    }
+    State {
+        mesh: problem.system.mesh_for(monitors, &points[0].at.mesh),
+        values: problem.system.combine(&states, weights),
+        force,
+        history: points[0].at.history.clone(),
+    }
+}
+
+/// Errors at `solution` of the extrapolations through the newest 1, 2, … points (newest first, at `labels`), relative as
+/// in [`crate::solve::System::size`], or of the force, relative to itself and its scale.
+pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solution: &Solution, at: f64) -> Vec<f64> {
+    let force_scale = solution.at.force.abs() + problem.measure.force;
+    let per_unit = problem.system.per_unit(&solution.aligned);
+    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned.as_slice()).collect();
+    let mut update = Vec::with_capacity(solution.aligned.len());
+    (1..=points.len())
+        .map(|count| {
+            let weights = lagrange_weights(&labels[..count], at);
+            let mut force = solution.at.force;
+            for (point, weight) in points[..count].iter().zip(&weights) {
+                force -= weight * point.at.force;
+            }
+            problem.system.miss(&solution.aligned, &states[..count], &weights, &mut update);
+            let sizes = update.iter().zip(&per_unit).map(|(u, unit)| (u * unit).abs());
+            sizes.fold(FORCE * force.abs() / force_scale, |largest, size| if size > largest { size } else { largest })
+        })
+        .collect()
+}
+
+/// The longest step that keeps the error of an extrapolation through `count` points at `tolerance`, given the error it
+/// made at the newest point. `labels`: of the newest point (0) and those behind it (negative), newest first.
+///
+/// The error of an extrapolation is proportional to the product of the distances from its points.
+pub fn longest_step(labels: &[f64], count: usize, error: f64, tolerance: f64, most: f64) -> f64 {
+    let product = |at: f64, from: usize| labels[from..from + count].iter().map(|l| at - l).product::<f64>();
+    let before = product(labels[0], 1);
+    let allowed = tolerance * before / error.max(f64::MIN_POSITIVE);
+    if product(most, 0) <= allowed {
+        return most;
+    }
+    let (mut low, mut high) = (0.0, most);
+    // a step need not be sharp
+    while high - low > 1e-2 * high {
+        let middle = 0.5 * (low + high);
+        if product(middle, 0) <= allowed { low = middle } else { high = middle }
+    }
+    low
+}

@@ -1,0 +1,275 @@
+//! What a solver may ask of a discretised structure.
+//!
+//! A system is any structure with unknowns q and an energy Π(q), or, where its load has no potential, a residual R(q) in the
+//! place of ∂Π/∂q. A chain of beam elements is one, a truss another. Newton's method, path following, limit points, branching
+//! points and relaxation know nothing but this.
+//!
+//! Few of its unknowns are its *interface*: what end conditions hold or drive. To factorise eliminates all others, so that
+//! the solver is left with a small dense block, to which it adds the grip, the force and the path constraint. A call
+//! costs one dynamic dispatch a factorisation.
+
+use super::{History, MONITORS, Mesh, SolveError, State};
+use std::any::Any;
+use std::sync::Arc;
+
+/// The most unknowns of an interface.
+pub const INTERFACE: usize = 6;
+
+/// An unknown of the interface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unknown {
+    pub name: &'static str,
+    pub unit: &'static str,
+}
+
+/// What is added to the tangent K: K + `damping` C + `mass` M, with matrices C and M of the system.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Coefficients {
+    pub damping: f64,
+    pub mass: f64,
+}
+
+impl Coefficients {
+    /// The tangent alone.
+    pub const STATIC: Self = Self { damping: 0.0, mass: 0.0 };
+}
+
+/// What is left of a system when all unknowns but those of the interface are eliminated. Slots are those of the interface.
+#[derive(Clone, Copy, Debug)]
+pub struct CondensedSystem {
+    pub matrix: [[f64; INTERFACE]; INTERFACE],
+    pub residual: [f64; INTERFACE],
+    /// The gradient of the weighed monitors, and what elimination adds to their sum.
+    pub gradient: [f64; INTERFACE],
+    pub gradient_residual: f64,
+    /// Negative eigenvalues of the system with its interface held.
+    pub negative: usize,
+    /// The smallest pivot without its sign.
+    pub least_pivot: f64,
+    /// Before the update.
+    pub evaluation: Evaluation,
+}
+
+/// Energy and monitors of a state.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Evaluation {
+    /// Π without the work of the force, aJ
+    pub energy: f64,
+    pub monitors: [f64; MONITORS],
+    /// A number for the record, as in [`super::Observables::recorded`].
+    pub recorded: f64,
+}
+
+/// How the monitors of a state change along a direction.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rates {
+    pub monitors: [f64; MONITORS],
+    pub recorded: f64,
+}
+
+/// Asks whether to go on: once it says true, no solve is begun.
+pub type ShouldStop = Arc<dyn Fn() -> bool + Send + Sync>;
+
+/// Room that solves use again, and the factors of the last of them.
+#[derive(Default)]
+pub struct Workspace {
+    /// Of a type that the system alone knows.
+    factors: Option<Box<dyn Any + Send + Sync>>,
+    should_stop: Option<ShouldStop>,
+}
+
+impl Workspace {
+    /// One in which no solve is begun once `should_stop` says so: it is [`SolveError::Stopped`].
+    pub fn until(should_stop: Option<ShouldStop>) -> Self {
+        Self { factors: None, should_stop }
+    }
+
+    /// Whether no solve is to be begun.
+    pub fn is_stopped(&self) -> bool {
+        self.should_stop.as_ref().is_some_and(|should_stop| should_stop())
+    }
+
+    /// The factors of a system, made anew where the last ones were of another kind.
+    pub fn factors<F: Any + Send + Sync + Default>(&mut self) -> &mut F {
+        let known = self.factors.as_ref().is_some_and(|factors| factors.is::<F>());
+        if !known {
+            self.factors = Some(Box::<F>::default());
+        }
+        let factors = self.factors.as_mut().and_then(|factors| factors.downcast_mut());
+        factors.unwrap_or_else(|| unreachable!("factors of this kind were put there"))
+    }
+
+    /// The factors of the last factorisation of a system of this kind.
+    pub fn factored<F: Any + Send + Sync>(&self) -> Option<&F> {
+        self.factors.as_ref().and_then(|factors| factors.downcast_ref())
+    }
+}
+
+/// A discretised structure.
+///
+/// A *direction* is a change of the unknowns, one number each in the system's order; a state holds values, which may be more
+/// numbers than that where rotations are kept as quaternions.
+pub trait System: Send + Sync {
+    /// The unknowns that end conditions may be set on, at most [`INTERFACE`].
+    fn interface(&self) -> &[Unknown];
+
+    /// Numbers of a direction at this state.
+    fn unknowns(&self, at: &State) -> usize;
+
+    /// Values of the interface.
+    fn interface_values(&self, at: &State) -> [f64; INTERFACE];
+
+    /// Where in a direction the unknown of a slot of the interface stands.
+    fn place_of(&self, slot: usize, at: &State) -> usize;
+
+    /// How many unknowns are Lagrange multipliers: each adds a negative eigenvalue that is none of the structure's.
+    fn multipliers(&self) -> usize {
+        0
+    }
+
+    /// Whether the load has a potential: then the tangent is symmetric, work is a difference of energies, and the number of
+    /// negative eigenvalues tells stability.
+    fn is_conservative(&self) -> bool {
+        true
+    }
+
+    /// Whether material points remember what they went through.
+    fn has_history(&self) -> bool {
+        false
+    }
+
+    /// Updates of this relative size, as in [`System::size`], may be round-off.
+    fn round_off(&self) -> f64 {
+        0.0
+    }
+
+    /// Factorises the tangent, with the gradient of Σ weights·monitors carried along; the factors stay in `ws`.
+    ///
+    /// Errors: a pivot that is zero to rounding, a number that is not finite, with their place.
+    fn factorise(
+        &self,
+        at: &State,
+        coefficients: Coefficients,
+        weights: [f64; MONITORS],
+        ws: &mut Workspace,
+    ) -> Result<CondensedSystem, SolveError>;
+
+    /// The direction that solves K q = scale R, given its values on the interface. Of the residual at the factorised state.
+    fn recover(&self, ws: &Workspace, interface: &[f64; INTERFACE], scale: f64, direction: &mut [f64]);
+
+    /// Takes a right-hand side down to the interface with the factors of the last factorisation; what stays in `right` is for
+    /// [`System::substitute`]. With `transposed` of Kᵀ.
+    fn reduce(&self, ws: &Workspace, right: &mut [f64], transposed: bool) -> [f64; INTERFACE];
+
+    /// From a reduced right-hand side and the solution on the interface to the whole solution, in place.
+    fn substitute(&self, ws: &Workspace, interface: &[f64; INTERFACE], right: &mut [f64], transposed: bool);
+
+    /// Energy and monitors of a state, and the rates of the monitors along a direction.
+    fn evaluate(&self, at: &State, direction: &[f64]) -> (Evaluation, Rates);
+
+    /// Parameters of the model that the residual can be differentiated by.
+    fn parameters(&self) -> &[&'static str] {
+        &[]
+    }
+
+    /// ∂R/∂ln p of a parameter, of the free structure without its grip, added to nothing: one number an unknown; and ∂Π/∂ln p.
+    fn parameter_derivative(&self, _parameter: usize, at: &State) -> (Vec<f64>, f64) {
+        (vec![0.0; self.unknowns(at)], 0.0)
+    }
+
+    /// Goes on from a state by `factor` times a direction.
+    fn retract(&self, at: &mut State, direction: &[f64], factor: f64) {
+        for (value, change) in at.values.iter_mut().zip(direction) {
+            *value += factor * change;
+        }
+    }
+
+    /// The direction that leads from one state to another on the same mesh.
+    fn difference(&self, from: &[f64], to: &[f64]) -> Vec<f64> {
+        to.iter().zip(from).map(|(to, from)| to - from).collect()
+    }
+
+    /// Σ weights·states of states on the same mesh, weights that sum to one: where an extrapolation leads. Rotations go by their
+    /// differences to the first.
+    fn combine(&self, states: &[&[f64]], weights: &[f64]) -> Vec<f64> {
+        let mut sum = vec![0.0; states.first().map_or(0, |state| state.len())];
+        for (state, weight) in states.iter().zip(weights) {
+            for (s, value) in sum.iter_mut().zip(*state) {
+                *s += weight * value;
+            }
+        }
+        sum
+    }
+
+    /// By what a combination of states misses another one, as a direction, into `out`.
+    fn miss(&self, reached: &[f64], states: &[&[f64]], weights: &[f64], out: &mut Vec<f64>) {
+        out.clear();
+        out.extend_from_slice(reached);
+        for (state, weight) in states.iter().zip(weights) {
+            for (o, value) in out.iter_mut().zip(*state) {
+                *o -= weight * value;
+            }
+        }
+    }
+
+    /// Size of a direction at these values: 1 is a change of the order of the problem's own scales. NaN where a number is none.
+    fn size(&self, direction: &[f64], values: &[f64]) -> f64;
+
+    /// What each number of a direction is multiplied with to be measured as in [`System::size`].
+    fn per_unit(&self, values: &[f64]) -> Vec<f64>;
+
+    /// The stress-free configuration on so many elements.
+    fn stress_free(&self, elements: usize) -> State;
+
+    /// The same configuration on another number of elements.
+    fn on_elements(&self, at: &State, elements: usize) -> State {
+        let _ = elements;
+        at.clone()
+    }
+
+    /// The same configuration on a mesh of its own for these monitors, on as many elements.
+    fn refocused(&self, at: &State, monitors: [f64; MONITORS]) -> State {
+        let _ = monitors;
+        at.clone()
+    }
+
+    /// The mesh for these monitors, with as many elements as `like` and near to it.
+    fn mesh_for(&self, monitors: [f64; MONITORS], like: &Mesh) -> Mesh {
+        let _ = monitors;
+        like.clone()
+    }
+
+    /// The values of a state on the mesh that its monitors ask for, which is next to its own. Predictions combine these.
+    fn aligned(&self, at: &State, monitors: [f64; MONITORS]) -> Vec<f64> {
+        let _ = monitors;
+        at.values.clone()
+    }
+
+    /// The same state on the mesh that it asks for, if its own is too far from that.
+    fn remeshed(&self, at: &State) -> Option<State> {
+        let _ = at;
+        None
+    }
+
+    /// What the material points remember behind a step that ended in a state.
+    fn commit(&self, at: &State) -> Option<Arc<History>> {
+        let _ = at;
+        None
+    }
+
+    /// A small direction that has a part in any critical direction, as a push that starts a relaxation.
+    fn disturbance(&self, at: &State) -> Vec<f64> {
+        vec![1e-2; self.unknowns(at)]
+    }
+
+    /// Whether a prediction may be tried from a state with these monitors. A body that is far from an obstacle predicts well,
+    /// whatever the step, and knows nothing of the obstacle.
+    fn admits(&self, _from: &State, _monitors: [f64; MONITORS], _prediction: &State) -> bool {
+        true
+    }
+
+    /// Whether a state is one that the structure can be in: no body within another.
+    fn is_admissible(&self, _at: &State) -> bool {
+        true
+    }
+}

@@ -1,0 +1,174 @@
+//! What the user asks of the numbers, and what follows from it: order, elements and steps.
+
+use super::terms::Terms;
+use crate::adhesion::{CohesiveShape, Substrate};
+use crate::beam::{BUNDLE, MeshKind};
+use crate::model::{Attraction, Form, PeelModel};
+use crate::solve::{MOST_POINTS, PathOptions};
+
+/// What the user asks of the numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accuracy {
+    /// Relative error wanted of every reported force and displacement.
+    pub relative: f64,
+    /// What is fixed; the rest follows from `relative`.
+    pub choice: Choice,
+    /// Which terms of the model are computed.
+    pub terms: Terms,
+}
+
+impl Accuracy {
+    /// A relative error, with nothing fixed.
+    pub const fn to(relative: f64) -> Self {
+        let choice = Choice { order: None, elements: None, step: None, mesh: MeshKind::Moving, form: Form::TwoField };
+        Self { relative, choice, terms: Terms::All }
+    }
+
+    /// The same with what `choice` fixes.
+    pub const fn with(self, choice: Choice) -> Self {
+        Self { choice, ..self }
+    }
+
+    /// The same as far as it can be had: on ground that is not flat with x at every node and a mesh that stays.
+    pub(super) fn fitted(&self, model: &PeelModel) -> Self {
+        let Choice { mesh, form, .. } = self.choice;
+        let mesh = if model.ground.substrate.is_flat() { mesh } else { MeshKind::Graded };
+        self.with(Choice { mesh, form: model.form(form), ..self.choice })
+    }
+
+    /// Order p of the elements.
+    pub(super) fn order(&self) -> usize {
+        self.choice.order.unwrap_or(ORDER)
+    }
+}
+
+/// What is fixed of a discretisation. Where the elements are, they stay what they are, whatever the error bounds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Choice {
+    /// Order p of the elements, 1 to 8
+    pub order: Option<usize>,
+    /// Number of elements
+    pub elements: Option<usize>,
+    /// Error of a prediction along the path, relative to the gap, that the steps aim at
+    pub step: Option<f64>,
+    pub mesh: MeshKind,
+    pub form: Form,
+}
+
+/// Order of the elements. At an accuracy of 1e-3 order 5 is faster by half, but on so few elements that the difference to
+/// half as many again is no bound yet.
+pub const ORDER: usize = 7;
+/// First step, over the way in which a grip moves a section by its gap.
+const FIRST: f64 = 0.02;
+/// Elements more for each place where the outline of a beam has a break.
+const A_BREAK: usize = 2;
+/// Length of the elements besides on ground that is not flat, over that of the process zone, at the accuracy 1e-6, and over the length in which
+/// the ground changes.
+const EVEN: f64 = 1.0;
+const OF_DETAIL: f64 = 0.5;
+/// Most elements that are chosen, and where the law has corners.
+const MOST_ELEMENTS: usize = 400;
+const MOST_CORNERED: usize = 1000;
+/// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its fourth
+/// root, so that the curve between the points keeps up with the points.
+const STEP_TOLERANCE: f64 = 1.2e-2;
+/// The same at any accuracy: beyond it Newton's method takes more than it saves.
+const LONGEST: f64 = 5e-2;
+
+/// Order, elements and steps of one try.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Resolution {
+    pub order: usize,
+    pub elements: usize,
+    pub step_tolerance: f64,
+    pub stride: f64,
+}
+
+impl Resolution {
+    /// What sufficed on the reference cases: elements grow like the square of the logarithm of the length, and with the
+    /// digits asked for.
+    pub(super) fn first(model: &PeelModel, accuracy: &Accuracy) -> Self {
+        let relative = accuracy.relative;
+        let span = (model.length() / model.process_length()).asinh();
+        let digits = -relative.log10();
+        // two decay lengths, of bending and of shear, take more than one
+        let apart = (5.0 * (0.6 * model.bending_length() / model.shear_length()).ln()).clamp(0.0, 7.0);
+        let sharp = 0.32 + 0.052 * digits + 0.0083 * digits * digits + 0.2 * (digits - 8.0).max(0.0);
+        let elements =
+            (5.1 + 0.434 * span * span + apart) * sharp * cornered(model) + (A_BREAK * model.breaks().len()) as f64;
+        let elements = match &model.ground.substrate {
+            Substrate::Flat => elements,
+            substrate => {
+                elements + model.reach() / (EVEN * model.process_length() / sharp).min(OF_DETAIL * substrate.detail())
+            }
+        };
+        let elements = match model.sticking_length() {
+            None => elements,
+            Some(_) => elements + model.length() / (EVEN * model.detail() / sharp),
+        };
+        let chosen = whole_bundles(elements).clamp(6, most_elements(model));
+        Self {
+            order: accuracy.order(),
+            elements: accuracy.choice.elements.unwrap_or(chosen),
+            step_tolerance: accuracy.choice.step.unwrap_or((STEP_TOLERANCE * (1e6 * relative).powf(0.25)).min(LONGEST)),
+            stride: 1.0,
+        }
+    }
+
+    /// How a path is stepped at this resolution.
+    pub(super) fn path_options(self, model: &PeelModel, relative: f64) -> PathOptions {
+        PathOptions {
+            elements: self.elements,
+            step_tolerance: self.step_tolerance,
+            stride: self.stride,
+            prediction: MOST_POINTS,
+            tolerance: (1e-2 * relative).clamp(1e-12, 1e-6),
+            first_displacement: self.stride * FIRST * model.first_way(),
+        }
+    }
+
+    /// Finer by this factor.
+    pub(super) fn times(self, growth: f64) -> Self {
+        Self { elements: whole_bundles(self.elements as f64 * growth), ..self }
+    }
+
+    /// Finer, by what it takes to reduce an error of `worst` times the wanted one, which is of order 2p, and a first integral
+    /// that spreads by `spread` times as much as it may, which was found to be of order p.
+    pub(super) fn finer(self, worst: f64, spread: f64) -> Self {
+        let order = self.order as f64;
+        let growth = (2.0 * worst).powf(0.5 / order).max((2.0 * spread).powf(1.0 / order)).clamp(1.15, 2.0);
+        self.times(growth)
+    }
+}
+
+/// What share of the accuracy asked for is aimed at where a law has corners: between two meshes they fall elsewhere between the
+/// points of the quadrature, so that a difference to a finer mesh may be small by luck.
+const CAUTION: f64 = 0.25;
+
+/// The accuracy that is aimed at, and the relative error below which no bound is, if there is one.
+pub(super) fn aim(model: &PeelModel, accuracy: &Accuracy) -> (Accuracy, Option<f64>) {
+    if cornered(model) > 1.0 {
+        (Accuracy { relative: CAUTION * accuracy.relative, ..*accuracy }, Some(accuracy.relative))
+    } else {
+        (*accuracy, None)
+    }
+}
+
+/// Most elements that are chosen for a model.
+pub(super) fn most_elements(model: &PeelModel) -> usize {
+    if cornered(model) > 1.0 { MOST_CORNERED } else { MOST_ELEMENTS }
+}
+
+/// How many times as many elements the corners of the model's law take: the narrower they are, the more.
+fn cornered(model: &PeelModel) -> f64 {
+    match model.adhesion.attraction {
+        Attraction::Cohesive(CohesiveShape::Bilinear) => 5.0,
+        Attraction::Cohesive(CohesiveShape::Dugdale) => 10.0,
+        Attraction::BodyForce | Attraction::SurfaceTraction | Attraction::Cohesive(CohesiveShape::Exponential) => 1.0,
+    }
+}
+
+/// Elements come in bundles, of which the last costs the same however full it is.
+fn whole_bundles(elements: f64) -> usize {
+    (elements.ceil() as usize).next_multiple_of(BUNDLE)
+}

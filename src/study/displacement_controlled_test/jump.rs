@@ -1,0 +1,99 @@
+//! A jump with its numbers and the bounds on their errors.
+
+use super::result::{Jump, JumpEnd, JumpKind, Way};
+use super::stable_branch::Machine;
+use crate::beam::FRONT;
+use crate::model::PlanarProblem;
+use crate::solve::{Located, Observables, Relaxed, Solution, SolveError, Workspace, on_more_elements};
+use crate::study::error_bounds::{ROUND_OFF, SAFETY, least, modesty};
+
+/// From where stability is lost to where the strip comes to rest.
+pub(super) fn described(
+    machine: &Machine,
+    limit: &Located,
+    relaxed: &Relaxed,
+    way: Way,
+    ws: &mut Workspace,
+) -> Result<Jump, SolveError> {
+    let (problem, landed, o) = (machine.problem, &relaxed.solution, &limit.observables);
+    let share = ROUND_OFF + modesty(limit, machine.relative);
+    let machine_error = SAFETY * limit.difference.displacement.abs() + share * o.displacement.abs();
+    let (before, before_difference) = at_limit(problem, limit, machine_error, share, ws)?;
+    let floor = ROUND_OFF + least(machine.relative);
+    let (after, after_difference) = at_rest(problem, landed, machine_error, floor, ws)?;
+    let energies =
+        SAFETY * (before_difference + after_difference) + floor * before.energy.abs().max(after.energy.abs());
+    let kind = if after.front < before.front { JumpKind::SnapOff } else { JumpKind::IntoContact };
+    Ok(Jump {
+        kind,
+        way,
+        machine: o.displacement,
+        machine_error,
+        before,
+        after,
+        released: before.energy - after.energy,
+        released_error: energies + (before.force - after.force).abs() * machine_error,
+        detached: problem.beam.is_clear(&landed.at, machine.far),
+        steps: relaxed.steps,
+    })
+}
+
+/// The limit point: place and force as they were located; the energy of the solution next to it with P dU from there. Of the
+/// energy the difference to more elements, both with the force held, at which it is E - P U that has an error of second order.
+fn at_limit(
+    problem: &PlanarProblem,
+    limit: &Located,
+    machine_error: f64,
+    share: f64,
+    ws: &mut Workspace,
+) -> Result<(JumpEnd, f64), SolveError> {
+    let (near, o) = (&limit.solution, &limit.observables);
+    let ahead = o.displacement - near.observables.displacement;
+    let energy = problem.energy(&near.at, near.energy) + near.observables.force * ahead;
+    let finer = on_more_elements(problem, near, Observables::FORCE, ws)?;
+    let enthalpy = |s: &Solution| problem.energy(&s.at, s.energy) - s.observables.force * s.observables.displacement;
+    let force_error = SAFETY * limit.difference.force.abs() + share * o.force.abs();
+    Ok((end(problem, o, (machine_error, force_error), energy), (enthalpy(&finer) - enthalpy(near)).abs()))
+}
+
+/// Where the strip comes to rest, and the difference of its energy to that on more elements at the same displacement.
+fn at_rest(
+    problem: &PlanarProblem,
+    landed: &Solution,
+    machine_error: f64,
+    floor: f64,
+    ws: &mut Workspace,
+) -> Result<(JumpEnd, f64), SolveError> {
+    let finer = on_more_elements(problem, landed, Observables::DISPLACEMENT, ws)?;
+    let o = &landed.observables;
+    let difference = finer.observables.force - o.force;
+    let along = (landed.slope.force / landed.slope.displacement).abs() * machine_error;
+    let force_error = SAFETY * difference.abs() + along + floor * o.force.abs();
+    let energy = problem.energy(&landed.at, landed.energy);
+    let energy_difference = (problem.energy(&finer.at, finer.energy) - energy).abs();
+    Ok((end(problem, o, (machine_error, force_error), energy), energy_difference))
+}
+
+fn end(problem: &PlanarProblem, o: &Observables, (machine_error, force_error): (f64, f64), energy: f64) -> JumpEnd {
+    JumpEnd {
+        displacement: o.displacement - problem.grip.compliance * o.force,
+        force: o.force,
+        displacement_error: machine_error + problem.grip.compliance * force_error,
+        force_error,
+        energy,
+        front: o.monitors[FRONT],
+    }
+}
+
+impl Jump {
+    /// No bound is less than twice the difference to the same jump on another mesh.
+    pub(super) fn widen(&mut self, twin: &Self) {
+        let widened = |error: f64, here: f64, there: f64| error.max(SAFETY * (here - there).abs());
+        self.machine_error = widened(self.machine_error, self.machine, twin.machine);
+        self.released_error = widened(self.released_error, self.released, twin.released);
+        for (end, other) in [(&mut self.before, &twin.before), (&mut self.after, &twin.after)] {
+            end.force_error = widened(end.force_error, end.force, other.force);
+            end.displacement_error = widened(end.displacement_error, end.displacement, other.displacement);
+        }
+    }
+}

@@ -1,0 +1,6 @@
+//! What a testing machine records: the stable branches, the jumps between them, and the way back.
+mod jump;
+mod result;
+mod run;
+mod stable_branch;
+pub use result::*;

@@ -1,0 +1,209 @@
+//! What a testing machine would record: the stable part of the path, the jumps, and the way back.
+
+use crate::model::PeelModel;
+use crate::study::{Accuracy, Bounds};
+
+/// Which way the machine moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// Away from the substrate.
+    Retreat,
+    /// Towards it.
+    Approach,
+}
+
+/// One equilibrium of the test.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TestPoint {
+    pub way: Way,
+    /// U = u + P/k of the machine, nm
+    pub machine: f64,
+    /// u of the grip, nm
+    pub displacement: f64,
+    /// nN
+    pub force: f64,
+    /// ∫ P dU from the start of the test, aJ
+    pub work: f64,
+    /// S of the peeling front, nm
+    pub front: f64,
+    /// Whether the strip has jumped here from the point before.
+    pub jumped: bool,
+}
+
+/// An equilibrium on one side of a jump.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JumpEnd {
+    /// u, nm
+    pub displacement: f64,
+    /// nN
+    pub force: f64,
+    /// Bounds on their errors, nm and nN
+    pub displacement_error: f64,
+    pub force_error: f64,
+    /// Stored, adhesion and spring energy, aJ; zero where the strip is free of stress and out of reach
+    pub energy: f64,
+    /// S of the peeling front, nm
+    pub front: f64,
+}
+
+/// What a jump is called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JumpKind {
+    /// Less adheres behind it.
+    SnapOff,
+    /// More adheres behind it.
+    IntoContact,
+}
+
+/// A loss of stability, and where the strip comes to rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Jump {
+    pub kind: JumpKind,
+    pub way: Way,
+    /// U at which it happens, nm, and a bound on its error
+    pub machine: f64,
+    pub machine_error: f64,
+    pub before: JumpEnd,
+    pub after: JumpEnd,
+    /// Energy before minus energy after, aJ, and a bound on its error
+    pub released: f64,
+    pub released_error: f64,
+    /// Whether no point of the strip is nearer than 10 r0 behind it.
+    pub detached: bool,
+    /// Steps of the relaxation.
+    pub steps: usize,
+}
+
+/// A largest force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PullOff {
+    /// U, nm
+    pub machine: f64,
+    /// nN, and a bound on its error
+    pub force: f64,
+    pub force_error: f64,
+}
+
+/// Work of the machine against change of energy and energy released, aJ.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Balance {
+    /// ∫ P dU over the stable pieces
+    pub work: f64,
+    /// Energy at the end minus energy at the start
+    pub energy_change: f64,
+    /// Sum over the jumps
+    pub released: f64,
+    /// The largest of these and of the works of the two ways, without its sign
+    pub largest: f64,
+}
+
+impl Balance {
+    /// What is not accounted for, over the largest term.
+    pub fn error(&self) -> f64 {
+        (self.work - self.energy_change - self.released).abs() / self.largest.max(f64::MIN_POSITIVE)
+    }
+}
+
+/// How a test ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TestEnd {
+    /// The machine is back where it started, and so is the strip.
+    Closed,
+    /// The machine is back, the strip came to rest in another equilibrium; how its energy differs, in words.
+    Returned(String),
+    /// A bound that the scene sets was reached; which one, in words.
+    Bound(String),
+    /// The computation stopped short; why, with numbers and what to try.
+    Failed(String),
+}
+
+/// What it took.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TestEffort {
+    pub points: usize,
+    /// Of paths, limit points and equilibria
+    pub newton_iterations: usize,
+    pub relaxation_steps: usize,
+    pub elements: usize,
+    pub order: usize,
+    pub solve_s: f64,
+}
+
+/// A test under control of the machine's displacement.
+#[derive(Clone, Debug)]
+pub struct Observed {
+    pub points: Vec<TestPoint>,
+    pub jumps: Vec<Jump>,
+    /// (U, P) between the jumps, close enough to draw, piece by piece.
+    pub pieces: Vec<(Way, Vec<(f64, f64)>)>,
+    /// The largest force of the stable retreat.
+    pub pull_off: Option<PullOff>,
+    /// ∮ P dU of a closed cycle, aJ
+    pub hysteresis: Option<f64>,
+    /// Up to where the strip is detached; there and back.
+    pub retreat: Option<Balance>,
+    pub cycle: Option<Balance>,
+    pub end: TestEnd,
+    pub effort: TestEffort,
+    /// Largest bound on the error of a number of a jump, relative to that number.
+    pub reached: f64,
+}
+
+/// Why a scene has no test.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NoTest {
+    /// There is friction.
+    #[error(
+        "there is friction: where a strip that slides while it jumps comes to rest depends on how fast it jumps, and no path of equilibria tells"
+    )]
+    Friction,
+    /// The load has no potential.
+    #[error(
+        "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): where a strip goes that loses its stability, and the energy it releases, are not defined"
+    )]
+    NoPotential,
+    /// The grip takes steps before the pull.
+    #[error("drive.steps has steps before the pull, and a test begins at rest and ends where it began")]
+    Steps,
+    /// The grip turns as it goes.
+    #[error("drive.turn turns the grip as it goes, and the work of the machine is that of a force alone")]
+    LimitPointKind,
+}
+
+impl NoTest {
+    /// What to try.
+    pub const fn remedy(self) -> &'static str {
+        match self {
+            Self::Friction => "Leave --observed away, or the table [friction]",
+            Self::NoPotential => "Leave --observed away, or choose another line_load or law",
+            Self::Steps => "Leave --observed away, or drive.steps",
+            Self::LimitPointKind => "Leave --observed away, or drive.turn",
+        }
+    }
+}
+
+/// Pulls the strip off and comes back, with the machine behind a spring where the grip has one.
+///
+/// The machine's displacement U rises from 0 until no point of the strip is nearer than 10 r0, and falls back to 0. At each
+/// turning point of U on the stable path the strip jumps at that U; where it comes to rest is found by [`crate::solve::relax()`].
+/// Errors: turning points as in [`crate::study::peel()`]; ∫ P dU against the energies in [`Balance::error`], which is at most 1e-6 or
+/// the accuracy asked for, or the test fails.
+pub fn observed<'m, M>(model: &'m M, accuracy: &Accuracy, bounds: &Bounds) -> Result<Observed, NoTest>
+where
+    PeelModel: From<&'m M>,
+{
+    let model = PeelModel::from(model);
+    if model.friction_law().is_some() {
+        return Err(NoTest::Friction);
+    }
+    if !model.line_law().has_potential() {
+        return Err(NoTest::NoPotential);
+    }
+    if !model.steps.is_empty() {
+        return Err(NoTest::Steps);
+    }
+    if model.pull.turn != 0.0 {
+        return Err(NoTest::LimitPointKind);
+    }
+    Ok(super::run::run(&model, accuracy, bounds))
+}

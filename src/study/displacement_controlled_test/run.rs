@@ -1,0 +1,367 @@
+//! The run behind [`super::observed`]: retreat, jump, approach, jump, on a mesh from the accuracy asked for, and on a finer one
+//! where the errors of the jumps say so.
+
+use super::jump;
+use super::result::*;
+use super::stable_branch::{Leg, LegEnd, LegTrouble, Machine, Until};
+use crate::beam::FRONT;
+use crate::model::{Discretisation, Form, PeelModel, PlanarProblem};
+use crate::solve::{
+    EndConditions, Held, Located, RelaxError, RelaxOptions, Solution, SolveError, State, Workspace, disturbed,
+    disturbed_anyhow, relax,
+};
+use crate::study::accuracy::{Resolution, most_elements};
+use crate::study::error_bounds::{ROUND_OFF, SAFETY, least};
+use crate::study::initial::prepared;
+use crate::study::{Accuracy, Bounds};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Most meshes tried.
+const MOST_MESHES: usize = 8;
+/// Most jumps on one way.
+const MOST_JUMPS: usize = 50;
+/// Most that a step of relaxation moves, relative to the gap.
+const RELAXING: f64 = 0.1;
+/// A mesh whose errors are at most this many times those of the best one tells of its round-off.
+const COMPARABLE: f64 = 10.0;
+/// The balance of work and energy closes to this, or to the accuracy asked for where that is more.
+const BALANCED: f64 = 1e-6;
+
+/// Why a test stopped.
+#[derive(Clone, Debug, thiserror::Error)]
+enum Trouble {
+    #[error("{0}")]
+    Leg(LegTrouble),
+    #[error("where the strip goes from U = {machine_nm:.6} nm was not found: {cause}")]
+    Relax { machine_nm: f64, cause: RelaxError },
+    #[error("the error of the jump at U = {machine_nm:.6} nm was not found: {cause}")]
+    NoBound { machine_nm: f64, cause: SolveError },
+    #[error("the jump at U = {machine_nm:.6} nm releases {released:.3e} aJ: that is no jump")]
+    NoRelease { machine_nm: f64, released: f64 },
+    #[error("there were {MOST_JUMPS} jumps on the {way} and no end of them")]
+    TooManyJumps { way: &'static str },
+    #[error(
+        "work and energy do not balance: ∫ P dU = {:.9e} aJ, change of energy {:.9e} aJ, released {:.9e} aJ, which leaves \
+         {:.1e} of the largest term", .0.work, .0.energy_change, .0.released, .0.error()
+    )]
+    Unbalanced(Balance),
+}
+
+pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Observed {
+    let started = Instant::now();
+    let accuracy = &accuracy.fitted(model);
+    let mut resolution = Resolution::first(model, accuracy);
+    let mut best: Option<Test> = None;
+    let mut others = Vec::new();
+    let (mut iterations, mut steps) = (0, 0);
+    for _ in 0..MOST_MESHES {
+        let problem = problem(model, accuracy, resolution.order);
+        let machine = Machine {
+            problem: &problem,
+            options: resolution.path_options(model, accuracy.relative),
+            bounds,
+            relative: accuracy.relative,
+            far: model.line_law().reach(),
+            started,
+        };
+        let mut test = Test::new();
+        test.effort.elements = resolution.elements;
+        test.effort.order = resolution.order;
+        test.run(&machine, resolution.elements);
+        iterations += test.effort.newton_iterations;
+        steps += test.effort.relaxation_steps;
+        let (failed, worst) = (test.trouble.is_some(), test.worst() / accuracy.relative);
+        if !failed {
+            others.push((test.worst(), test.jumps.clone()));
+        }
+        if best.as_ref().is_none_or(|best| test.is_better_than(best)) {
+            best = Some(test);
+        }
+        let late = bounds.time_s.is_some_and(|most| started.elapsed().as_secs_f64() > most);
+        if (worst <= 1.0 && !failed) || late || accuracy.choice.elements.is_some() {
+            break;
+        }
+        resolution = if failed { resolution.times(1.5) } else { resolution.finer(worst, 0.0) };
+        if resolution.elements > most_elements(model) {
+            break;
+        }
+    }
+    let mut test = best.unwrap_or_else(Test::new);
+    if test.worst() > accuracy.relative {
+        test.widen(&others);
+    }
+    test.effort = TestEffort {
+        newton_iterations: iterations,
+        relaxation_steps: steps,
+        solve_s: started.elapsed().as_secs_f64(),
+        ..test.effort
+    };
+    test.told(accuracy.relative)
+}
+
+/// The strip behind its spring. Without x its horizontal section force, where it has one, is a multiplier, and the energy no
+/// minimum: such a strip is relaxed with all three unknowns.
+fn problem(model: &PeelModel, accuracy: &Accuracy, order: usize) -> PlanarProblem {
+    let form = if model.has_horizontal_force() { Form::ThreeField } else { accuracy.choice.form };
+    let compliance = model.grip.stiffness.map_or(0.0, f64::recip);
+    let problem = prepared(model, Discretisation { form, order, mesh: accuracy.choice.mesh }, None).problem;
+    problem.with_grip(EndConditions { compliance, ..problem.grip })
+}
+
+/// How stability is lost.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Loss {
+    /// The machine's displacement turns.
+    LimitPointKind,
+    /// It does not, and the path branches.
+    Branching,
+}
+
+/// A test under way.
+struct Test {
+    points: Vec<TestPoint>,
+    jumps: Vec<Jump>,
+    pieces: Vec<(Way, Vec<(f64, f64)>)>,
+    pull_off: Option<PullOff>,
+    retreat: Option<Balance>,
+    cycle: Option<Balance>,
+    end: TestEnd,
+    effort: TestEffort,
+    trouble: Option<Trouble>,
+    /// ∫ P dU so far, and what its parts amount to without their signs
+    work: f64,
+    largest: f64,
+    /// Energy at the start
+    start: f64,
+    /// Whether the next point is where the strip has jumped to.
+    jumped: bool,
+}
+
+impl Test {
+    fn new() -> Self {
+        Self {
+            points: Vec::new(),
+            jumps: Vec::new(),
+            pieces: Vec::new(),
+            pull_off: None,
+            retreat: None,
+            cycle: None,
+            end: TestEnd::Failed("nothing was computed".into()),
+            effort: TestEffort::default(),
+            trouble: None,
+            work: 0.0,
+            largest: 0.0,
+            start: 0.0,
+            jumped: false,
+        }
+    }
+
+    fn run(&mut self, machine: &Machine, elements: usize) {
+        match self.cycle(machine, elements) {
+            Ok(end) => self.end = end,
+            Err(trouble) => {
+                self.end = TestEnd::Failed(trouble.to_string());
+                self.trouble = Some(trouble);
+            }
+        }
+        self.effort.points = self.points.len();
+    }
+
+    fn cycle(&mut self, machine: &Machine, elements: usize) -> Result<TestEnd, Trouble> {
+        let rest = machine.problem.initial(elements);
+        let (far, bound) = self.way(machine, rest, Way::Retreat)?;
+        if let Some(bound) = bound {
+            return Ok(TestEnd::Bound(bound));
+        }
+        self.retreat = Some(self.balance(machine, &far)?);
+        let (back, bound) = self.way(machine, far.at.clone(), Way::Approach)?;
+        if let Some(bound) = bound {
+            return Ok(TestEnd::Bound(bound));
+        }
+        let cycle = self.balance(machine, &back)?;
+        self.cycle = Some(cycle);
+        let closed = cycle.energy_change.abs() <= BALANCED.max(machine.relative) * cycle.largest;
+        Ok(if closed { TestEnd::Closed } else { TestEnd::Returned(elsewhere(&cycle, &back)) })
+    }
+
+    /// One way to its end: the last equilibrium, and the bound that was reached, if one was.
+    fn way(
+        &mut self,
+        machine: &Machine,
+        start: State,
+        way: Way,
+    ) -> Result<(Arc<Solution>, Option<String>), Trouble> {
+        let until = match way {
+            Way::Retreat => Until::Detached,
+            Way::Approach => Until::Displacement(0.0),
+        };
+        let mut at = start;
+        for _ in 0..=MOST_JUMPS {
+            let leg = machine.follow(at, way == Way::Retreat, until, self.points.len()).map_err(Trouble::Leg)?;
+            let last = leg.points[leg.points.len() - 1].clone();
+            self.take(machine.problem, &leg, way);
+            if way == Way::Retreat {
+                self.take_peak(machine, &leg)?;
+            }
+            let (located, loss) = match leg.end {
+                LegEnd::Arrived => return Ok((last, None)),
+                LegEnd::Bound(bound) => return Ok((last, Some(bound))),
+                LegEnd::Limit(located) => (located, Loss::LimitPointKind),
+                LegEnd::Branching(located) => (located, Loss::Branching),
+            };
+            let landed = Arc::new(self.lost(machine, &located, loss, way)?);
+            if way == Way::Retreat && machine.problem.beam.is_clear(&landed.at, machine.far) {
+                self.point(machine.problem, &landed, way, self.work);
+                return Ok((landed, None));
+            }
+            at = landed.at.clone();
+        }
+        Err(Trouble::TooManyJumps { way: way.word() })
+    }
+
+    /// The points of a stable piece.
+    fn take(&mut self, problem: &PlanarProblem, leg: &Leg, way: Way) {
+        if self.points.is_empty() {
+            self.start = leg.points.first().map_or(0.0, |s| problem.energy(&s.at, s.energy));
+        }
+        for (solution, work) in leg.points.iter().zip(&leg.works) {
+            self.point(problem, solution, way, self.work + work);
+        }
+        let work = leg.works.last().copied().unwrap_or(0.0);
+        self.work += work;
+        self.largest = self.largest.max(work.abs()).max(self.work.abs());
+        self.effort.newton_iterations += leg.iterations;
+        self.pieces.push((way, leg.curve.clone()));
+    }
+
+    /// The largest force of a piece of the retreat: a maximum of its own, or its turning point.
+    fn take_peak(&mut self, machine: &Machine, leg: &Leg) -> Result<(), Trouble> {
+        let largest = leg.points.iter().map(|p| p.observables.force).fold(f64::NEG_INFINITY, f64::max);
+        if self.pull_off.is_some_and(|known| known.force > largest) {
+            return Ok(());
+        }
+        let peak = machine.peak(leg).map_err(Trouble::Leg)?;
+        let at_limit = match &leg.end {
+            LegEnd::Limit(located) | LegEnd::Branching(located) => Some(Located::clone(located)),
+            LegEnd::Arrived | LegEnd::Bound(_) => None,
+        };
+        let highest = peak.into_iter().chain(at_limit);
+        let highest = highest.max_by(|a, b| a.observables.force.total_cmp(&b.observables.force));
+        if let Some(Located { observables: o, difference, .. }) = highest {
+            let force_error = SAFETY * difference.force.abs() + (ROUND_OFF + least(machine.relative)) * o.force.abs();
+            self.pull_off = Some(PullOff { machine: o.displacement, force: o.force, force_error });
+        }
+        Ok(())
+    }
+
+    fn point(&mut self, problem: &PlanarProblem, solution: &Solution, way: Way, work: f64) {
+        let o = &solution.observables;
+        self.points.push(TestPoint {
+            way,
+            machine: o.displacement,
+            displacement: o.displacement - problem.grip.compliance * o.force,
+            force: o.force,
+            work,
+            front: o.monitors[FRONT],
+            jumped: std::mem::take(&mut self.jumped),
+        });
+    }
+
+    /// Relaxes from where stability is lost; where it comes to rest. A path that branches may go on without a jump.
+    fn lost(&mut self, machine: &Machine, limit: &Located, loss: Loss, way: Way) -> Result<Solution, Trouble> {
+        let problem = machine.problem;
+        let (mut ws, machine_nm) = (Workspace::default(), limit.observables.displacement);
+        let options = RelaxOptions::by(RELAXING);
+        let start = match loss {
+            Loss::LimitPointKind => disturbed(problem, &limit.solution),
+            Loss::Branching => disturbed_anyhow(problem, &limit.solution.at),
+        };
+        let relaxed = relax(problem, start, Held::Displacement(machine_nm), &options, &mut ws)
+            .map_err(|cause| Trouble::Relax { machine_nm, cause })?;
+        self.effort.relaxation_steps += relaxed.steps;
+        let jump = jump::described(machine, limit, &relaxed, way, &mut ws)
+            .map_err(|cause| Trouble::NoBound { machine_nm, cause })?;
+        if loss == Loss::Branching && jump.released.abs() <= jump.released_error {
+            return Ok(relaxed.solution);
+        }
+        if jump.released <= 0.0 {
+            return Err(Trouble::NoRelease { machine_nm, released: jump.released });
+        }
+        self.largest = self.largest.max(jump.released);
+        self.jumps.push(jump);
+        self.jumped = true;
+        Ok(relaxed.solution)
+    }
+
+    /// The balance so far, if it closes.
+    fn balance(&self, machine: &Machine, at: &Solution) -> Result<Balance, Trouble> {
+        let energy_change = machine.problem.energy(&at.at, at.energy) - self.start;
+        let released = self.jumps.iter().map(|jump| jump.released).sum();
+        let largest = self.largest.max(energy_change.abs());
+        let balance = Balance { work: self.work, energy_change, released, largest };
+        if balance.error() <= BALANCED.max(machine.relative) { Ok(balance) } else { Err(Trouble::Unbalanced(balance)) }
+    }
+
+    /// One that did not fail comes first, then the one that found more, then the errors.
+    fn is_better_than(&self, best: &Self) -> bool {
+        let rank = |test: &Self| (test.trouble.is_none(), test.jumps.len());
+        rank(self) > rank(best) || (rank(self) == rank(best) && self.worst() < best.worst())
+    }
+
+    /// Largest relative bound of what is told of the jumps.
+    fn worst(&self) -> f64 {
+        let relative = |jump: &Jump| {
+            let place = jump.machine_error / jump.machine.abs();
+            // the two forces of a jump are read on one scale
+            let force = jump.before.force.abs().max(jump.after.force.abs());
+            let ends = jump.before.force_error.max(jump.after.force_error) / force;
+            place.max(ends).max(jump.released_error / jump.released)
+        };
+        let pull_off = self.pull_off.map_or(0.0, |peak| peak.force_error / peak.force.abs());
+        self.jumps.iter().map(relative).fold(pull_off, f64::max)
+    }
+
+    /// Where finer meshes did not bring the errors down to what was asked for, they are round-off: no bound is less than twice
+    /// the difference to what comparable meshes gave.
+    fn widen(&mut self, others: &[(f64, Vec<Jump>)]) {
+        let worst = self.worst();
+        let comparable = |other: &&(f64, Vec<Jump>)| other.0 <= COMPARABLE * worst && other.1.len() == self.jumps.len();
+        let others: Vec<_> = others.iter().filter(comparable).collect();
+        for (n, jump) in self.jumps.iter_mut().enumerate() {
+            others.iter().for_each(|(_, twins)| jump.widen(&twins[n]));
+        }
+    }
+
+    /// What a user is told.
+    fn told(self, relative: f64) -> Observed {
+        let reached = self.worst();
+        let end = match self.end {
+            TestEnd::Failed(reason) => TestEnd::Failed(format!(
+                "{reason}; on {} elements of order {}. What was reached is kept. Try another accuracy.relative than {relative:e}",
+                self.effort.elements, self.effort.order
+            )),
+            end => end,
+        };
+        let hysteresis = self.cycle.filter(|_| end == TestEnd::Closed).map(|cycle| cycle.work);
+        let Self { points, jumps, pieces, pull_off, retreat, cycle, effort, .. } = self;
+        Observed { points, jumps, pieces, pull_off, hysteresis, retreat, cycle, end, effort, reached }
+    }
+}
+
+fn elsewhere(cycle: &Balance, back: &Solution) -> String {
+    format!(
+        "at U = 0 the strip rests in another equilibrium than at first: its energy is {:.6} aJ from that, P = {:.6} nN",
+        cycle.energy_change, back.observables.force
+    )
+}
+
+impl Way {
+    /// In words.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Retreat => "retreat",
+            Self::Approach => "approach",
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! One stable piece of a test: from an equilibrium on until it is lost or the machine has arrived.
+
+use crate::model::PlanarProblem;
+use crate::solve::{
+    LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathError, PathOptions, PathSegment, Solution,
+    SolveError, State, Workspace, brackets, locate, locate_branching, solve,
+};
+use crate::study::Bounds;
+use crate::study::peel::{StepCurve, is_clear};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Where a piece ends.
+pub(super) enum LegEnd {
+    /// The machine has arrived.
+    Arrived,
+    /// U turns: stability is lost.
+    Limit(Box<Located>),
+    /// Stability is lost where U does not turn.
+    Branching(Box<Located>),
+    /// A bound of the scene.
+    Bound(String),
+}
+
+/// A stable piece.
+pub(super) struct Leg {
+    /// Its equilibria; the last is the limit point, or the one next to it.
+    pub points: Vec<Arc<Solution>>,
+    /// (U, P) between them.
+    pub curve: Vec<(f64, f64)>,
+    /// ∫ P dU from its start to each point, aJ
+    pub works: Vec<f64>,
+    pub end: LegEnd,
+    pub iterations: usize,
+}
+
+/// Why a piece could not be followed.
+#[derive(Clone, Debug, thiserror::Error)]
+pub(super) enum LegTrouble {
+    #[error("{0}")]
+    Path(PathError),
+    #[error("the turning point of the machine's displacement near U = {machine_nm:.6} nm was not located: {cause}")]
+    NotLocated { machine_nm: f64, cause: SolveError },
+    #[error(
+        "stability is lost between U = {from_nm:.6} nm and {to_nm:.6} nm where the machine's displacement does not turn, and \
+         where the path branches was not located: {cause}"
+    )]
+    NoBranching { from_nm: f64, to_nm: f64, cause: SolveError },
+    #[error("the largest force of the stable piece near U = {machine_nm:.6} nm was not located: {cause}")]
+    NoPeak { machine_nm: f64, cause: SolveError },
+    #[error("the last point, at U = {machine_nm:.6} nm, was not found: {cause}")]
+    NotArrived { machine_nm: f64, cause: SolveError },
+}
+
+/// What a piece is followed under.
+pub(super) struct Machine<'a> {
+    pub problem: &'a PlanarProblem,
+    pub options: PathOptions,
+    pub bounds: &'a Bounds,
+    /// Accuracy asked for.
+    pub relative: f64,
+    /// A strip with no point nearer than this is detached, nm.
+    pub far: f64,
+    pub started: Instant,
+}
+
+/// When the machine has arrived.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Until {
+    /// The strip is detached.
+    Detached,
+    /// U has come down to this, nm.
+    Displacement(f64),
+}
+
+/// Further points behind a turning point, for a better interpolation of it.
+const BEHIND: usize = 2;
+/// Places at which the curve is given inside a step.
+const INSIDE: usize = 8;
+
+impl Machine<'_> {
+    /// Follows the stable equilibria from `start` on; U rises or falls as `rising` says. `points` have been computed before.
+    pub fn follow(&self, start: State, rising: bool, until: Until, points: usize) -> Result<Leg, LegTrouble> {
+        let first = self.options.first_displacement.copysign(if rising { 1.0 } else { -1.0 });
+        let options = PathOptions { first_displacement: first, elements: start.mesh.elements(), ..self.options };
+        let mut path = Path::from(self.problem, options, start);
+        let mut ws = Workspace::default();
+        loop {
+            if let Some(bound) = self.bound(&path, rising, points) {
+                return Ok(self.leg(path.points(), LegEnd::Bound(bound), path.iterations()));
+            }
+            let newest = path.advance().map_err(LegTrouble::Path)?;
+            let Some(before) = path.points().len().checked_sub(2) else { continue };
+            let found = self.turn(&mut path, before, &mut ws)?;
+            if let Some(located) = found {
+                let last = located.solution.clone();
+                return Ok(self.leg_to(&path, before, last, LegEnd::Limit(Box::new(located))));
+            }
+            if newest.negative > 0 {
+                let from = &path.points()[before];
+                let (from_nm, to_nm) = (from.observables.displacement, newest.observables.displacement);
+                let located = locate_branching(self.problem, from, to_nm, &mut ws)
+                    .map_err(|cause| LegTrouble::NoBranching { from_nm, to_nm, cause })?;
+                let last = located.solution.clone();
+                return Ok(self.leg_to(&path, before, last, LegEnd::Branching(Box::new(located))));
+            }
+            if let Some(last) = self.arrived(&path, before, until, &mut ws)? {
+                return Ok(self.leg_to(&path, before, last, LegEnd::Arrived));
+            }
+        }
+    }
+
+    /// The bound that has been reached; a piece has one point at least.
+    fn bound(&self, path: &Path, rising: bool, points: usize) -> Option<String> {
+        let u = path.points().last()?.observables.displacement;
+        let Bounds { points: most, time_s, displacement } = *self.bounds;
+        if points + path.points().len() >= most {
+            return Some(format!("bounds.points = {most}"));
+        }
+        let late = time_s.filter(|&most| self.started.elapsed().as_secs_f64() > most);
+        if let Some(most) = late {
+            return Some(format!("bounds.time = {most} s"));
+        }
+        let beyond = displacement.filter(|&most| rising && u > most);
+        beyond.map(|most| format!("bounds.displacement = {most} nm"))
+    }
+
+    /// The first turning point of U on the step behind the point `index`.
+    fn turn(&self, path: &mut Path, index: usize, ws: &mut Workspace) -> Result<Option<Located>, LegTrouble> {
+        let machine_nm = path.points()[index].observables.displacement;
+        let not_located = |cause| LegTrouble::NotLocated { machine_nm, cause };
+        let look = |path: &Path, ws: &mut Workspace| {
+            let segment = PathSegment::around(self.problem, path.points(), index);
+            let turn = LimitPointKind::Displacement;
+            let found = brackets(self.problem, path.points(), index, &segment, turn, self.relative, ws)?;
+            Ok((segment, found.first().copied()))
+        };
+        let (segment, Some(bracket)) = look(path, ws).map_err(not_located)? else { return Ok(None) };
+        let behind = (0..BEHIND).try_for_each(|_| path.advance().map(|_| ())).ok();
+        let (segment, bracket) = match behind.and_then(|()| look(path, ws).ok()) {
+            Some((behind, Some(bracket))) => (behind, bracket),
+            _ => (segment, bracket),
+        };
+        let located = locate(self.problem, &segment, LimitPointKind::Displacement, bracket, None, ws).map_err(not_located)?;
+        Ok(Some(located))
+    }
+
+    /// The largest force of a piece, if it is a maximum within.
+    pub fn peak(&self, leg: &Leg) -> Result<Option<Located>, LegTrouble> {
+        let (points, mut ws) = (&leg.points, Workspace::default());
+        let force = |p: &Solution| p.observables.force;
+        let largest = (0..points.len()).max_by(|&a, &b| force(&points[a]).total_cmp(&force(&points[b])));
+        let Some(largest) = largest else { return Ok(None) };
+        for index in [largest.saturating_sub(1), largest] {
+            let Some(next) = points.get(index + 1) else { continue };
+            if points[index].slope.force <= 0.0 || next.slope.force > 0.0 {
+                continue;
+            }
+            let segment = PathSegment::around(self.problem, points, index);
+            let bracket = (0.0, segment.end());
+            let located = locate(self.problem, &segment, LimitPointKind::Load, bracket, Some(self.relative), &mut ws);
+            let machine_nm = points[index].observables.displacement;
+            return located.map(Some).map_err(|cause| LegTrouble::NoPeak { machine_nm, cause });
+        }
+        Ok(None)
+    }
+
+    /// The last point, if the newest is there or beyond it.
+    fn arrived(
+        &self,
+        path: &Path,
+        before: usize,
+        until: Until,
+        ws: &mut Workspace,
+    ) -> Result<Option<Arc<Solution>>, LegTrouble> {
+        let newest = &path.points()[before + 1];
+        match until {
+            Until::Detached if is_clear(self.problem, path, self.far) => Ok(Some(newest.clone())),
+            Until::Displacement(target) if newest.observables.displacement <= target => {
+                let segment = PathSegment::around(self.problem, path.points(), before);
+                let from = path.points()[before].observables.displacement;
+                let share = (from - target) / (from - newest.observables.displacement);
+                let start = segment.start(self.problem, share * segment.end(), 4);
+                let weights = Observables { displacement: -1.0, ..Observables::default() };
+                let options =
+                    NewtonOptions { tolerance: 1e-10, largest_update: 0.5, most_iterations: 10, exact_slope: true };
+                let constraint = PathConstraint { weights, target: -target };
+                solve(self.problem, start, &constraint, &options, ws)
+                    .map(|last| Some(Arc::new(last)))
+                    .map_err(|cause| LegTrouble::NotArrived { machine_nm: target, cause })
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The piece up to `last`, which lies on the step behind the point `before`.
+    fn leg_to(&self, path: &Path, before: usize, last: Arc<Solution>, end: LegEnd) -> Leg {
+        let mut segment = PathSegment::around(self.problem, path.points(), before);
+        let label = segment.insert(last.clone());
+        let mut leg = self.leg(&path.points()[..=before], end, path.iterations());
+        leg.add(&StepCurve::pieces(self.problem, &segment, label, &last, &mut Workspace::default()));
+        leg.points.push(last);
+        leg
+    }
+
+    fn leg(&self, points: &[Arc<Solution>], end: LegEnd, iterations: usize) -> Leg {
+        let first = points.first().map(|p| (p.observables.displacement, p.observables.force));
+        let curve = first.into_iter().collect();
+        let mut leg = Leg { points: points.to_vec(), curve, works: vec![0.0], end, iterations };
+        let mut ws = Workspace::default();
+        for index in 0..points.len().saturating_sub(1) {
+            let segment = PathSegment::around(self.problem, points, index);
+            leg.add(&StepCurve::pieces(self.problem, &segment, segment.end(), &points[index + 1], &mut ws));
+        }
+        leg
+    }
+}
+
+impl Leg {
+    /// Takes in the step behind its last point, in pieces.
+    fn add(&mut self, pieces: &[StepCurve]) {
+        let work: f64 = pieces.iter().map(StepCurve::work).sum();
+        self.works.push(self.works[self.works.len() - 1] + work);
+        for piece in pieces {
+            for k in 1..=INSIDE {
+                let (u, _, force, _) = piece.at(2.0 * k as f64 / INSIDE as f64 - 1.0);
+                self.curve.push((u, force));
+            }
+        }
+    }
+}

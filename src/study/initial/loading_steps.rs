@@ -1,0 +1,318 @@
+//! What the grip does before it pulls: a list of steps, each from the equilibrium to which the one before has led.
+//!
+//! A step moves one thing of the grip, its height, its place along the substrate or its rotation. Held meanwhile are the height,
+//! and place and rotation as far as the scene's grip holds them; a place that a step has moved in a grip that is free there is let go
+//! before the next step, and before the pull: the force on what is free falls to zero first. The equilibria are followed as a path in
+//! what is moved; there is no time in it. A step ends at its amount, and not beyond a loss of stability, where a beam would jump.
+
+use crate::adhesion::CohesiveShape;
+use crate::beam::{BUNDLE, FRONT, GripForces, GripState};
+use crate::model::{Attraction, Moved, PeelModel, PlanarProblem, Step};
+use crate::solve::{
+    Direction, EndConditions, INTERFACE, InitialState, LimitPointKind, Located, MOST_POINTS, NewtonOptions, Observables, Path,
+    PathConstraint, PathError, PathOptions, PathSegment, ShouldStop, Solution, SolveError, State, Workspace, locate, settle, solve,
+};
+use std::sync::Arc;
+
+/// Why a step was not taken to its end.
+#[derive(Debug, thiserror::Error)]
+enum Trouble {
+    #[error("finds no equilibrium to begin with: {0}")]
+    Start(PathError),
+    #[error("cannot be followed beyond {}: {why}", place_text(.at))]
+    Path { at: Reached, why: PathError },
+    #[error("comes to a limit point at {}, behind which the beam jumps", place_text(.at))]
+    Turns { at: Reached },
+    #[error("leads through the surface of the substrate, behind {}", place_text(.at))]
+    Inside { at: Reached },
+    #[error("comes to where equilibrium is no longer stable, behind {}: there the beam leaves its path", place_text(.at))]
+    Unstable { at: Reached },
+    #[error("is not at its end after {points} equilibria, at {}", place_text(.at))]
+    Long { at: Reached, points: usize },
+    #[error("finds no equilibrium at its end, behind {}: {why}", place_text(.at))]
+    End { at: Reached, why: SolveError },
+}
+
+/// How far a step has come: in what it moves, nm or rad, with what the grip exerts there.
+#[derive(Clone, Copy, Debug)]
+struct Reached {
+    amount: f64,
+    unit: &'static str,
+    forces: GripForces,
+}
+
+fn place_text(at: &Reached) -> String {
+    let Reached { amount, unit, forces: GripForces { horizontal, vertical, moment } } = at;
+    format!("{amount:.6} {unit} (H = {horizontal:.6} nN, V = {vertical:.6} nN, M = {moment:.6} nN nm)")
+}
+
+/// Elements on which steps are followed, over those of a short strip, and more for each break of an outline; their ends are found on
+/// twice as many.
+const SHORT: f64 = 10.0;
+const A_BREAK: usize = 4;
+/// How many times as many a law with corners takes.
+const CORNERED: f64 = 5.0;
+/// Most more that friction takes.
+const MOST_SLIDING: f64 = 400.0;
+/// Error of a prediction, over the gap, and of a solution on the way and at the end.
+const STEP_TOLERANCE: f64 = 1e-2;
+const ROUGH: f64 = 1e-9;
+const FINE: f64 = 1e-11;
+/// First step, over the scale of what moves and over the whole way.
+const FIRST: f64 = 0.02;
+const OF_WAY: f64 = 0.1;
+/// Most equilibria of a step.
+const MOST_EQUILIBRIA: usize = 500;
+/// Parts of a segment of the path in which its end is looked for.
+const PARTS: usize = 64;
+/// A force below this share of its scale is none.
+const NONE: f64 = 1e-9;
+
+/// Takes the steps of a model: its problem then starts where they have led, or has no start, with the reason. The grip behind each.
+pub(super) fn take(model: &PeelModel, problem: &mut PlanarProblem, should_stop: Option<ShouldStop>) -> Vec<GripState> {
+    if model.steps.is_empty() || matches!(problem.start, InitialState::NoEquilibrium(_)) {
+        return Vec::new();
+    }
+    let pull = GripControl::of(&problem.grip);
+    let mut sequence =
+        LoadingSequence { elements: elements(model, problem), pull, first: None, should_stop, taken: Vec::new() };
+    let taken = sequence.all(&model.steps, problem);
+    pull.set(&mut problem.grip);
+    if let Err(why) = taken {
+        problem.start = InitialState::NoEquilibrium(why);
+    }
+    sequence.taken
+}
+
+/// Elements on which steps are followed.
+fn elements(model: &PeelModel, problem: &PlanarProblem) -> usize {
+    if let Some(at) = problem.start.known() {
+        return at.mesh.elements() / 2;
+    }
+    let span = (model.length() / model.process_length()).asinh();
+    let corners = match model.adhesion.attraction {
+        Attraction::Cohesive(CohesiveShape::Bilinear | CohesiveShape::Dugdale) => CORNERED,
+        _ => 1.0,
+    };
+    let slides = model.sticking_length().map_or(0.0, |_| (model.length() / model.detail()).min(MOST_SLIDING));
+    let elements = corners * (SHORT + span * span) + slides;
+    (elements.ceil() as usize + A_BREAK * model.breaks().len()).next_multiple_of(BUNDLE)
+}
+
+/// What the grip moves and what it holds.
+#[derive(Clone, Copy)]
+struct GripControl {
+    driven: usize,
+    direction: Direction,
+    held: [bool; INTERFACE],
+    gear: f64,
+}
+
+impl GripControl {
+    fn of(grip: &EndConditions) -> Self {
+        Self { driven: grip.driven, direction: grip.direction, held: grip.held, gear: grip.gear }
+    }
+
+    fn set(self, grip: &mut EndConditions) {
+        Self { driven: grip.driven, direction: grip.direction, held: grip.held, gear: grip.gear } = self;
+    }
+}
+
+/// What the path of a step ends at.
+#[derive(Clone, Copy)]
+struct Goal {
+    what: LimitPointKind,
+    value: f64,
+    /// First displacement on the way there.
+    first: f64,
+    unit: &'static str,
+}
+
+/// Steps under way.
+struct LoadingSequence {
+    elements: usize,
+    /// What the grip does in the pull behind them.
+    pull: GripControl,
+    /// Where they began.
+    first: Option<Arc<State>>,
+    should_stop: Option<ShouldStop>,
+    /// The grip behind each step.
+    taken: Vec<GripState>,
+}
+
+impl LoadingSequence {
+    fn all(&mut self, steps: &[Step], problem: &mut PlanarProblem) -> Result<(), String> {
+        let tried = |why: Trouble, what: String| format!("{what} {why}. Try a shorter step, or other steps before it");
+        self.begin(problem).map_err(|why| tried(why, "the first of drive.steps".into()))?;
+        for (index, step) in steps.iter().enumerate() {
+            let named = || format!("step {} of drive.steps, \"{step}\",", index + 1);
+            if let Some((moved, amount)) = step.motion() {
+                self.take_hold(problem, moved).map_err(|why| tried(why, format!("letting go before {}", named())))?;
+                let scale = problem.grip.displacement_scale();
+                let first = (FIRST * scale).min(OF_WAY * amount.abs()).copysign(amount);
+                let unit = if moved == Moved::Rotation { "rad" } else { "nm" };
+                let goal = Goal { what: LimitPointKind::Displacement, value: amount, first, unit };
+                self.follow(problem, goal).map_err(|why| tried(why, named()))?;
+            }
+            if let (Some(at), Some(first)) = (problem.start.known(), &self.first) {
+                self.taken.push(problem.beam.grip_state(at, first));
+            }
+        }
+        self.pull.set(&mut problem.grip);
+        self.let_go(problem).map_err(|why| tried(why, "letting go before the pull".into()))
+    }
+
+    /// The equilibrium from which the first step goes.
+    fn begin(&mut self, problem: &mut PlanarProblem) -> Result<(), Trouble> {
+        let options = self.options(problem.grip.displacement_scale());
+        let start = Path::new(problem, options).until(self.should_stop.clone()).advance().map_err(Trouble::Start)?;
+        let constraint = PathConstraint { weights: Observables::DISPLACEMENT, target: start.observables.displacement };
+        self.lead(problem, &start, &constraint)?;
+        self.first = problem.start.known().cloned();
+        Ok(())
+    }
+
+    /// Makes the grip move this and hold the rest, from the equilibrium where it is.
+    fn take_hold(&self, problem: &mut PlanarProblem, moved: Moved) -> Result<(), Trouble> {
+        let (height, rotation) = (self.pull.driven, problem.beam.slot_of_rotation());
+        let mut held = self.pull.held;
+        let (driven, direction) = match moved {
+            Moved::Height => (height, Direction::UP),
+            // the height is then what is held across
+            Moved::Place => (height, Direction { along: 1.0, up: 0.0 }),
+            Moved::Rotation => (rotation, Direction::UP),
+        };
+        held[height] = moved == Moved::Rotation;
+        held[rotation] &= moved != Moved::Rotation;
+        if let Some(across) = problem.grip.across {
+            held[across] |= moved == Moved::Place;
+        }
+        GripControl { driven, direction, held, gear: 0.0 }.set(&mut problem.grip);
+        self.let_go(problem)
+    }
+
+    /// Lets the force on what the grip does not hold across fall to zero, with all else held.
+    fn let_go(&self, problem: &mut PlanarProblem) -> Result<(), Trouble> {
+        let control = GripControl::of(&problem.grip);
+        let (Some(across), Some(at)) = (problem.grip.across, problem.start.known().cloned()) else { return Ok(()) };
+        if control.held[across] {
+            return Ok(());
+        }
+        let GripForces { horizontal, vertical, .. } = problem.beam.grip_forces(&at);
+        let Direction { along, up } = control.direction;
+        let (force, _) = control.direction.turned(horizontal, vertical);
+        if force.abs() < NONE * problem.measure.force {
+            return Ok(());
+        }
+        let mut held = control.held;
+        // what is about to be moved as well, and the height across the way in which the place is let go
+        held[control.driven] = true;
+        (held[across], held[self.pull.driven]) = (true, false);
+        GripControl { driven: self.pull.driven, direction: Direction { along: up, up: -along }, held, gear: 0.0 }
+            .set(&mut problem.grip);
+        let first = -(FIRST * problem.grip.displacement_scale()).copysign(force);
+        let done = self.follow(problem, Goal { what: LimitPointKind::Load, value: 0.0, first, unit: "nm" });
+        control.set(&mut problem.grip);
+        done
+    }
+
+    fn options(&self, first: f64) -> PathOptions {
+        PathOptions {
+            elements: self.elements,
+            step_tolerance: STEP_TOLERANCE,
+            stride: 1.0,
+            tolerance: ROUGH,
+            prediction: MOST_POINTS,
+            first_displacement: first,
+        }
+    }
+
+    /// Follows the equilibria from where the problem begins to the goal, where it then begins.
+    fn follow(&self, problem: &mut PlanarProblem, goal: Goal) -> Result<(), Trouble> {
+        let end = self.path(problem, goal)?;
+        let weights = goal.weights();
+        self.lead(problem, &end, &PathConstraint { weights, target: goal.value })
+    }
+
+    /// The solution at the goal, on the elements of the path there.
+    fn path(&self, problem: &PlanarProblem, goal: Goal) -> Result<Solution, Trouble> {
+        let mut path = Path::new(problem, self.options(goal.first)).until(self.should_stop.clone());
+        let start = path.advance().map_err(Trouble::Start)?;
+        let value = goal.what.pick();
+        let onward = (goal.value - value(&start.observables)).signum();
+        let is_there = |o: &Observables| (value(o) - goal.value) * onward >= 0.0;
+        let mut before = start.clone();
+        while path.points().len() < MOST_EQUILIBRIA {
+            let here = path.advance().map_err(|why| Trouble::Path { at: goal.reached(problem, &before), why })?;
+            if problem.beam.nearest(&here.at) <= 0.0 {
+                return Err(Trouble::Inside { at: goal.reached(problem, &before) });
+            }
+            let turned = here.slope.displacement * goal.first < 0.0;
+            let is_lost = |s: &Solution| problem.system.is_conservative() && s.negative > start.negative;
+            if turned || is_there(&here.observables) || is_lost(&here) {
+                let last = path.points().len() - 1;
+                let segment = PathSegment::around(problem, path.points(), last - 1);
+                let label = |part: usize| segment.end() * part as f64 / PARTS as f64;
+                let at = |label: f64| segment.observable(value, 0.5 * segment.end()).at(label).0;
+                let part = (1..=PARTS).find(|&part| (at(label(part)) - goal.value) * onward >= 0.0);
+                let Some(part) = part.or(is_there(&here.observables).then_some(PARTS)) else {
+                    return Err(lost(problem, &segment, goal, &before, turned));
+                };
+                let constraint = PathConstraint { weights: goal.weights(), target: goal.value };
+                let guess = segment.start(problem, label(part) - 0.5 * label(1), 4);
+                let end = solve(problem, guess, &constraint, &newton(ROUGH), &mut Workspace::default());
+                let end = end.map_err(|why| match turned {
+                    true => lost(problem, &segment, goal, &before, turned),
+                    false => Trouble::End { at: goal.reached(problem, &before), why },
+                })?;
+                return if is_lost(&end) { Err(lost(problem, &segment, goal, &before, turned)) } else { Ok(end) };
+            }
+            before = here;
+        }
+        Err(Trouble::Long { at: goal.reached(problem, &before), points: MOST_EQUILIBRIA })
+    }
+
+    /// Lets the problem begin in a solution, on twice as many elements and a mesh that is fine at its front.
+    fn lead(&self, problem: &mut PlanarProblem, end: &Solution, constraint: &PathConstraint) -> Result<(), Trouble> {
+        let beam = &problem.beam;
+        let mesh = beam.mesh_at(end.observables.monitors[FRONT], 2 * self.elements);
+        let finer = beam.resampled(&end.at, mesh);
+        let settled = settle(problem, finer, constraint, &newton(FINE), &mut Workspace::default());
+        let at = Reached { amount: end.observables.displacement, unit: "nm", forces: problem.beam.grip_forces(&end.at) };
+        problem.start_at(Arc::new(settled.map_err(|why| Trouble::End { at, why })?.at));
+        Ok(())
+    }
+}
+
+impl Goal {
+    fn weights(self) -> Observables {
+        match self.what {
+            LimitPointKind::Displacement => Observables::DISPLACEMENT,
+            LimitPointKind::Load => Observables::FORCE,
+        }
+    }
+
+    fn reached(self, problem: &PlanarProblem, solution: &Solution) -> Reached {
+        let amount = solution.observables.displacement;
+        Reached { amount, unit: self.unit, forces: problem.beam.grip_forces(&solution.at) }
+    }
+}
+
+/// Why a segment that loses its stability does not lead to the goal: the displacement turns, or the path branches.
+fn lost(problem: &PlanarProblem, segment: &PathSegment, goal: Goal, before: &Solution, turned: bool) -> Trouble {
+    let whole = (0.0, segment.end());
+    let turn = |at: Located| {
+        let reached = goal.reached(problem, &at.solution);
+        Trouble::Turns { at: Reached { amount: at.observables.displacement, ..reached } }
+    };
+    let located =
+        turned.then(|| locate(problem, segment, LimitPointKind::Displacement, whole, None, &mut Workspace::default()).ok());
+    match located.flatten() {
+        Some(at) => turn(at),
+        None => Trouble::Unstable { at: goal.reached(problem, before) },
+    }
+}
+
+fn newton(tolerance: f64) -> NewtonOptions {
+    NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 20, exact_slope: false }
+}

@@ -1,0 +1,113 @@
+//! How a beam comes to lie on ground that is not flat: relaxed without a grip, from a guess, to the stable equilibrium next to it.
+
+use crate::beam::{PlanarBeam, Rest};
+use crate::model::{Ground, PlanarProblem, Start};
+use crate::solve::{
+    EndConditions, Held, INTERFACE, Mesh, NewtonOptions, Observables, PathConstraint, RelaxOptions, ShouldStop, State, System,
+    Workspace, relax, settle,
+};
+
+/// Lengths of the elements on which it relaxes, over the length of the process zone and over the least length in which the
+/// ground changes; the equilibrium is then found on twice as many.
+const ELEMENT: f64 = 2.0;
+const OF_DETAIL: f64 = 0.25;
+/// Fewest and most elements on which it relaxes, and those besides for a piece of the outline behind the first.
+const FEWEST: f64 = 12.0;
+const MOST: f64 = 400.0;
+const A_PIECE: f64 = 2.0;
+/// Most steps of relaxation.
+const MOST_STEPS: usize = 1000;
+/// Most that a step of relaxation moves, relative as in [`System::size`].
+const RELAXING: f64 = 0.3;
+
+/// The equilibrium without a grip of a beam that is free of stress, and that its ground can touch up to S = `reach`. An error says why
+/// there is none.
+pub(super) fn settled_on_ground(
+    problem: &PlanarProblem,
+    ground: &Ground,
+    reach: f64,
+    should_stop: &Option<ShouldStop>,
+) -> Result<State, String> {
+    // no grip yet
+    let problem = &problem.with_grip(EndConditions { held: [false; INTERFACE], ..problem.grip });
+    let beam = &*problem.beam;
+    let detail = ground.substrate.detail();
+    let elements = (reach / (ELEMENT * beam.process_length).min(OF_DETAIL * detail)).ceil().clamp(FEWEST, MOST);
+    let elements = elements + A_PIECE * (beam.mesh.pieces.count() - 1) as f64;
+    let guess = guess(beam, ground, elements as usize);
+    let (options, mut ws) =
+        (RelaxOptions { largest_update: RELAXING, most_steps: MOST_STEPS }, Workspace::until(should_stop.clone()));
+    let mut relaxed = |from| {
+        let relaxed = relax(problem, from, Held::Force(0.0), &options, &mut ws);
+        relaxed.map(|relaxed| relaxed.solution.at).map_err(|error| error.to_string())
+    };
+    let finer = beam.on_elements(&relaxed(guess)?, 2 * elements as usize);
+    let constraint = PathConstraint { weights: Observables::FORCE, target: 0.0 };
+    let newton = NewtonOptions { tolerance: 1e-11, largest_update: 0.5, most_iterations: 20, exact_slope: false };
+    let settled = |from| settle(problem, from, &constraint, &newton, &mut Workspace::until(should_stop.clone()));
+    // on few elements an equilibrium may be one that is none on more
+    let settled = settled(finer.clone()).or_else(|_| {
+        let relaxed = relaxed(finer)?;
+        settled(relaxed).map_err(|error| error.to_string())
+    })?;
+    Ok(settled.at)
+}
+
+/// Where it relaxes from.
+fn guess(beam: &PlanarBeam, ground: &Ground, elements: usize) -> State {
+    let boundaries = beam.ends(0.0, elements);
+    let places = beam.places(&boundaries);
+    let half = |place: f64| 0.5 * beam.height_at(place);
+    let axis = |&place: &f64| {
+        let [x, gap, rotation] = beam.rest.at(place);
+        [x, gap + half(place), rotation]
+    };
+    let flat: Vec<[f64; 3]> = places.iter().map(axis).collect();
+    // the last node may be behind the end by round-off
+    let all = beam.rest_front >= beam.length;
+    let lying = places.iter().take_while(|&&place| all || place <= beam.rest_front).count().max(1);
+    let mut axes = match ground.start {
+        Start::Conformed => conformed(ground, &flat, lying),
+        Start::Crests => {
+            let up = ground.substrate.top(0.0, flat[lying - 1][0]);
+            flat.iter().map(|&[x, y, rotation]| [x, y + up, rotation]).collect()
+        }
+    };
+    if matches!(beam.rest, Rest::Varying(_)) {
+        for (axis, &place) in axes.iter_mut().zip(&places) {
+            *axis = kept_off(ground, *axis, half(place), beam.rest_gap);
+        }
+    }
+    let values =
+        axes.iter().zip(&places).flat_map(|(&[x, y, rotation], &place)| [x, y - half(place), rotation]).collect();
+    let focus = beam.fronts.near(beam.rest_front);
+    State { mesh: Mesh { boundaries, focus }, values, ..State::default() }
+}
+
+/// The axis of a beam on flat ground, bent over to this: what lies keeps its place along the ground and its distance from it, and
+/// behind it the beam is carried on as it is, turned by the slope of the ground at the last node that lies.
+fn conformed(ground: &Ground, flat: &[[f64; 3]], lying: usize) -> Vec<[f64; 3]> {
+    let distance = flat[0][1];
+    let along: Vec<f64> = flat[..lying].iter().map(|axis| axis[0]).collect();
+    let line = ground.substrate.along(distance, &along);
+    let bent = |(&[x, y, slope], &[_, height, rotation]): (&[f64; 3], &[f64; 3])| {
+        let ((sin, cos), above) = (slope.sin_cos(), height - distance);
+        [x - above * sin, y + above * cos, slope + rotation]
+    };
+    let mut axes: Vec<[f64; 3]> = line.iter().zip(flat).map(bent).collect();
+    let ([x, y, _], [x0, y0, _], slope) = (axes[lying - 1], flat[lying - 1], line[lying - 1][2]);
+    let (sin, cos) = slope.sin_cos();
+    axes.extend(flat[lying..].iter().map(|[to, up, rotation]| {
+        let (to, up) = (to - x0, up - y0);
+        [x + to * cos - up * sin, y + to * sin + up * cos, slope + rotation]
+    }));
+    axes
+}
+
+/// A section of this half height where its lower edge is no nearer to the ground than `gap`, nm.
+fn kept_off(ground: &Ground, [x, y, rotation]: [f64; 3], half: f64, gap: f64) -> [f64; 3] {
+    let foot = ground.substrate.foot(x, y);
+    let tilt = rotation - foot.sin.atan2(foot.cos);
+    let short = (gap + half * tilt.cos().abs() - foot.distance).max(0.0);
+    [x - short * foot.sin, y + short * foot.cos, rotation]
+}

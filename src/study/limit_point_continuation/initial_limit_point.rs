@@ -1,0 +1,87 @@
+//! Where the path from rest has the point that is to be followed.
+
+use super::result::PointKind;
+use crate::beam::MeshKind;
+use crate::model::{Discretisation, Form, PeelModel};
+use crate::solve::{LimitPointKind, Located, Path, PathSegment, Problem, Workspace, brackets, locate};
+use crate::study::accuracy::{ORDER, Resolution};
+use crate::study::initial::prepared;
+use crate::study::peel::is_clear;
+use crate::study::{Accuracy, Bounds, End, peel};
+
+/// The accuracy of the beginning of the path that finds the first maximum; the point is solved for again on a mesh of its
+/// own.
+const ROUGH: f64 = 1e-6;
+/// Path points behind the first fall of the force that interpolation may use.
+const BEHIND: usize = 2;
+
+/// The point on the path from rest, or nothing where the path has none; an error where the path cannot be computed.
+pub(super) fn initial_limit_point(
+    model: &PeelModel,
+    kind: PointKind,
+    accuracy: &Accuracy,
+    bounds: &Bounds,
+) -> Result<Option<Located>, String> {
+    match kind {
+        PointKind::InitiationPeak => first_maximum(model, bounds),
+        PointKind::SnapOff => snap_off(model, accuracy, bounds),
+    }
+}
+
+/// The first maximum of the force, from the beginning of the path.
+fn first_maximum(model: &PeelModel, bounds: &Bounds) -> Result<Option<Located>, String> {
+    let how = Discretisation { form: Form::TwoField, order: ORDER, mesh: MeshKind::Moving };
+    let problem = prepared(model, how, None).problem;
+    let far = model.line_law().reach();
+    let mut path = Path::new(&problem, Resolution::first(model, &Accuracy::to(ROUGH)).path_options(model, ROUGH));
+    let mut behind = 0;
+    while behind <= BEHIND {
+        if path.points().len() >= bounds.points {
+            return Err(format!("the path has no maximum of the force within bounds.points = {}", bounds.points));
+        }
+        let newest = match path.advance() {
+            Ok(newest) => newest,
+            // what is needed is there already
+            Err(_) if behind > 0 => break,
+            Err(error) => return Err(error.to_string()),
+        };
+        let o = newest.observables;
+        if let Some(most) = bounds.displacement.filter(|&most| o.displacement > most && behind == 0) {
+            return Err(format!("the path has no maximum of the force within bounds.displacement = {most} nm"));
+        }
+        let ended = is_clear(&problem, &path, far) || o.displacement <= 0.0 || o.force <= 0.0;
+        if behind == 0 && ended && path.points().len() > 2 {
+            return Ok(None);
+        }
+        behind += usize::from(behind > 0 || newest.slope.force < 0.0);
+    }
+    let (points, mut ws) = (path.points(), Workspace::default());
+    for index in 0..points.len() - 1 {
+        let segment = PathSegment::around(&problem, points, index);
+        let found = brackets(&problem, points, index, &segment, LimitPointKind::Load, ROUGH, &mut ws);
+        if let Some(&bracket) = found.map_err(|error| error.to_string())?.first() {
+            let located = locate(&problem, &segment, LimitPointKind::Load, bracket, None, &mut ws);
+            return located.map(Some).map_err(|error| error.to_string());
+        }
+    }
+    Err("the force falls along the path, but its maximum was not found".into())
+}
+
+/// The first turning point at which the displacement turns back, from the whole path.
+fn snap_off(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Result<Option<Located>, String> {
+    let peel = peel(model, accuracy, bounds);
+    let (Some(at), Some(trace)) = (peel.snap_off, &peel.trace) else {
+        return match peel.end {
+            End::Failed(reason) | End::Bound(reason) => Err(reason),
+            End::Detached | End::Pivoting | End::TurnedBack | End::Sliding | End::Snapped => Ok(None),
+        };
+    };
+    let problem: &Problem = &trace.problem;
+    let segment = PathSegment::around(problem, &trace.points, at.after);
+    let mut ws = Workspace::default();
+    let found = brackets(problem, &trace.points, at.after, &segment, LimitPointKind::Displacement, accuracy.relative, &mut ws);
+    let bracket = found.map_err(|error| error.to_string())?.first().copied();
+    let bracket = bracket.ok_or("the snap-off was not found again on its path")?;
+    let located = locate(problem, &segment, LimitPointKind::Displacement, bracket, None, &mut ws);
+    located.map(Some).map_err(|error| error.to_string())
+}

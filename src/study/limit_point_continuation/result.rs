@@ -1,0 +1,157 @@
+//! What a sweep that follows one point gives.
+
+use crate::solve::LimitPointKind;
+use crate::study::peel::{LimitPoint, Peak};
+
+/// The point of a peel that can be followed in a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PointKind {
+    /// The first local maximum of the force along the path.
+    InitiationPeak,
+    /// The first turning point of the displacement.
+    SnapOff,
+}
+
+impl PointKind {
+    /// Which quantity turns there.
+    pub fn turn(self) -> LimitPointKind {
+        match self {
+            Self::InitiationPeak => LimitPointKind::Load,
+            Self::SnapOff => LimitPointKind::Displacement,
+        }
+    }
+
+    /// Its name in outputs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::InitiationPeak => "initiation peak",
+            Self::SnapOff => "snap-off",
+        }
+    }
+}
+
+/// How the values of a parameter are spaced, and in what the point is a smooth function of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spacing {
+    Linear,
+    /// All values are above zero.
+    Logarithmic,
+}
+
+impl Spacing {
+    /// The number in which the values are evenly spaced.
+    pub fn coordinate(self, value: f64) -> f64 {
+        match self {
+            Self::Linear => value,
+            Self::Logarithmic => value.ln(),
+        }
+    }
+
+    /// The value of a coordinate.
+    pub fn value(self, coordinate: f64) -> f64 {
+        match self {
+            Self::Linear => coordinate,
+            Self::Logarithmic => coordinate.exp(),
+        }
+    }
+}
+
+/// The point at one value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FollowedPoint {
+    /// nm
+    pub displacement: f64,
+    /// nN
+    pub force: f64,
+    /// rad
+    pub end_rotation: f64,
+    /// ∫ P du from rest, aJ; absent where the load has no potential.
+    pub work: Option<f64>,
+    /// Bound on the error of `displacement`, nm
+    pub displacement_error: f64,
+    /// Bound on the error of `force`, nN
+    pub force_error: f64,
+}
+
+impl From<Peak> for FollowedPoint {
+    fn from(at: Peak) -> Self {
+        Self {
+            displacement: at.displacement,
+            force: at.force,
+            end_rotation: at.end_rotation,
+            work: None,
+            displacement_error: at.displacement_error,
+            force_error: at.force_error,
+        }
+    }
+}
+
+impl From<LimitPoint> for FollowedPoint {
+    fn from(at: LimitPoint) -> Self {
+        Self {
+            displacement: at.displacement,
+            force: at.force,
+            end_rotation: at.end_rotation,
+            work: Some(at.work),
+            displacement_error: at.displacement_error,
+            force_error: at.force_error,
+        }
+    }
+}
+
+/// One value of the parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FollowedRow {
+    /// In the parameter's own unit.
+    pub value: f64,
+    /// Absent where the path has no such point or could not be computed; a remark says which.
+    pub point: Option<FollowedPoint>,
+    pub newton_iterations: usize,
+    pub elements: usize,
+    pub solve_s: f64,
+}
+
+/// All values, and what is to be said about them.
+#[derive(Clone, Debug)]
+pub struct FollowedSweep {
+    pub kind: PointKind,
+    pub rows: Vec<FollowedRow>,
+    pub remarks: Vec<Remark>,
+}
+
+/// What happened to the point on the way.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Remark {
+    /// The turning point meets another one and both vanish.
+    #[error(
+        "the {} that was followed meets another turning point and vanishes between {} and {}; behind that it is looked \
+         for on the path from rest",
+        .kind.word(), .between.0, .between.1
+    )]
+    Vanished { kind: PointKind, between: (f64, f64) },
+    /// The turning point could not be followed.
+    #[error(
+        "the {} could not be followed from {} to {}: {cause}; behind that it is looked for on the path from rest",
+        .kind.word(), .between.0, .between.1
+    )]
+    Lost { kind: PointKind, between: (f64, f64), cause: String },
+    /// The turning point goes on, but is not the one that it was.
+    #[error(
+        "the turning point that was followed is the {} up to {} and no longer at {}, where the path from rest has another; \
+         from there on that one is followed",
+        .kind.word(), .between.0, .between.1
+    )]
+    Replaced { kind: PointKind, between: (f64, f64) },
+    /// The path from rest could not be computed where the point was to be held against it.
+    #[error("at {value} the {} that was followed could not be held against the path from rest: {reason}", .kind.word())]
+    Unconfirmed { kind: PointKind, value: f64, reason: String },
+    /// The path from rest has no such point at any of the values from the one to the other.
+    #[error("from {from} to {to} the path has no {}", .kind.word())]
+    Absent { kind: PointKind, from: f64, to: f64 },
+    /// The point could not be solved for by itself and is that of a whole peel.
+    #[error("at {value} the {} is that of a whole peel, because it could not be taken up: {reason}", .kind.word())]
+    Peeled { kind: PointKind, value: f64, reason: String },
+    /// The path from rest could not be computed.
+    #[error("at {value} the {} was not found: {reason}", .kind.word())]
+    NotFound { kind: PointKind, value: f64, reason: String },
+}

@@ -1,0 +1,181 @@
+//! How a beam lies on ground that is not flat: how much of it adheres, how deep it reaches, and how far the ground is from
+//! the half space that stands for it.
+
+use super::{Peel, Shape};
+use crate::adhesion::{self, CurvedBody, HalfSpace, Sinusoid, Substrate};
+use crate::beam::{FRONT, MeshKind};
+use crate::model::{Body, Discretisation, Form, Ground, PeelModel, Start};
+use crate::solve::LimitPointKind;
+use crate::study::accuracy::ORDER;
+use crate::study::initial::prepared;
+
+/// How a beam lies at one point of its path. From samples, six an element. A strip lies on flat ground with all its length; of a spatula and
+/// other beams it is where that lies on flat ground without a force with which they are compared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// Length whose lower edge is nearer than 2 r0, over that on flat ground.
+    pub adhered_fraction: f64,
+    /// Adhesion energy over that of the same beam on flat ground.
+    pub energy_fraction: f64,
+    /// Least and largest distance of the lower edge of what lies on flat ground from this, nm
+    pub least_gap: f64,
+    pub largest_gap: f64,
+    /// How far below the crests the lower edge comes, over how far the ground does: 0 on the crests, 1 on the bottom of the
+    /// deepest valley; both less the gap at rest. None on ground that has no valley below what lies on flat ground.
+    pub reach: Option<f64>,
+    /// Smallest radius of curvature of crests and of valleys where the beam adheres, nm; none where there is no such.
+    pub crest_radius: Option<f64>,
+    pub valley_radius: Option<f64>,
+    /// Relative error of the largest traction in front of the smallest of these crests, and of these valleys, by taking the
+    /// half space for the body: eq. (10) in front of the exact cylinder or sphere over that of the half space, less one, at
+    /// the gap 5^(-1/6) r0. A valley is taken to gain what a crest of its radius loses, which is so to first order.
+    pub crest_error: Option<f64>,
+    pub valley_error: Option<f64>,
+}
+
+/// Radius of curvature down to which eq. (9) is very good by Sauer and Wriggers (2009), nm.
+pub const SMALLEST_RADIUS: f64 = 8.0;
+/// What adheres is nearer than this many r0.
+const NEAR: f64 = 2.0;
+/// A ground that falls by less than this below its crests has no valley, nm.
+const LEVEL: f64 = 1e-6;
+
+impl Contact {
+    /// The smallest radius where it is below [`SMALLEST_RADIUS`], nm.
+    pub fn sharp(&self) -> Option<f64> {
+        let radii = [self.crest_radius, self.valley_radius].into_iter().flatten();
+        radii.reduce(f64::min).filter(|&radius| radius < SMALLEST_RADIUS)
+    }
+}
+
+impl Peel {
+    /// How the beam lies at `points[index]`; none on flat ground, or where there is no such point.
+    pub fn contact(&self, index: usize) -> Option<Contact> {
+        let substrate = &self.model.ground.substrate;
+        let trace = self.trace.as_ref()?;
+        let front = trace.points.get(index)?.observables.monitors[FRONT];
+        let shape = self.shape(index);
+        let law = self.model.line_law();
+        let material = law.half_space;
+        if substrate.is_flat() || shape.x.len() < 2 {
+            return None;
+        }
+        let samples = samples(substrate, &shape);
+        let near = NEAR * material.equilibrium_distance;
+        let whole = Whole::of(&self.model, &samples, near)?;
+        let lying = &samples[..whole.samples];
+        let gaps = || lying.iter().map(|sample| sample.gap);
+        let (from, to) = lying.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s.x), b.max(s.x)));
+        let top = substrate.top(from, to);
+        let bottom = lying.iter().map(|sample| sample.ground).fold(f64::INFINITY, f64::min);
+        let lowest = lying.iter().map(|sample| sample.edge).fold(f64::INFINITY, f64::min);
+        let sharpest = |sign: f64| {
+            let touched = samples.iter().filter(|sample| sample.gap < near).map(|sample| sign * sample.curvature);
+            touched.reduce(f64::max).filter(|&curvature| curvature * to.abs() > LEVEL).map(f64::recip)
+        };
+        let (crest_radius, valley_radius) = (sharpest(-1.0), sharpest(1.0));
+        Some(Contact {
+            adhered_fraction: adhered(&samples, near) / whole.length,
+            energy_fraction: front / whole.front,
+            least_gap: gaps().fold(f64::INFINITY, f64::min),
+            largest_gap: gaps().fold(f64::NEG_INFINITY, f64::max),
+            reach: (top - bottom > LEVEL).then(|| (top + law.rest_gap() - lowest) / (top - bottom)),
+            crest_radius,
+            valley_radius,
+            crest_error: crest_radius.map(|radius| curvature_error(substrate, &material, radius)),
+            valley_error: valley_radius.map(|radius| -curvature_error(substrate, &material, radius)),
+        })
+    }
+
+    /// The largest force at any point of the path, nN, behind the snap-off too: where the path goes up to a maximum or ends.
+    pub fn largest_force(&self) -> Option<f64> {
+        let turns = self.limit_points.iter().filter(|point| point.kind == LimitPointKind::Load).map(|point| point.force);
+        turns
+            .chain(self.points.last().map(|point| point.force))
+            .chain(self.peak.map(|peak| peak.force))
+            .reduce(f64::max)
+    }
+}
+
+/// What of a beam lies on flat ground without a force.
+struct Whole {
+    /// How many of the samples
+    samples: usize,
+    /// Length that is nearer than 2 r0, nm
+    length: f64,
+    /// Adhesion energy over that of a unit length of the free end, nm
+    front: f64,
+}
+
+impl Whole {
+    fn of(model: &PeelModel, samples: &[Sample], near: f64) -> Option<Self> {
+        if matches!(model.body, Body::Strip(_)) {
+            let length = steps(samples).sum();
+            return Some(Self { samples: samples.len(), length, front: model.length() });
+        }
+        let level = Substrate::Sinusoid(Sinusoid { height: 0.0, wavelength: model.length(), offset: 0.0 });
+        let ground = Ground { substrate: level, start: Start::Conformed };
+        let how = Discretisation { form: Form::ThreeField, order: ORDER, mesh: MeshKind::Graded };
+        let problem = prepared(&PeelModel { ground, steps: Vec::new(), ..model.clone() }, how, None).problem;
+        let (beam, at) = (&*problem.beam, problem.start.known()?);
+        let length = adhered(&self::samples(&beam.substrate, &Shape::of(beam, at)), near);
+        let front = beam.front_of(at);
+        let lying = steps(samples).scan(0.0, |sum, step| {
+            *sum += step;
+            Some(*sum)
+        });
+        Some(Self { samples: 1 + lying.take_while(|&place| place <= length).count(), length, front })
+    }
+}
+
+/// Lengths of the axis from sample to sample, nm.
+fn steps(samples: &[Sample]) -> impl Iterator<Item = f64> + '_ {
+    samples.windows(2).map(|pair| (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y))
+}
+
+/// Length whose lower edge is `near` to the ground, nm.
+fn adhered(samples: &[Sample], near: f64) -> f64 {
+    let share = |pair: &[Sample]| 0.5 * pair.iter().filter(|sample| sample.gap < near).count() as f64;
+    samples.windows(2).map(share).zip(steps(samples)).map(|(share, step)| share * step).sum()
+}
+
+/// One place of a beam.
+struct Sample {
+    /// Of the axis, nm
+    x: f64,
+    y: f64,
+    /// Distance of the lower edge from the ground, nm
+    gap: f64,
+    /// Height of the lower edge, and of the ground along y below the axis, nm
+    edge: f64,
+    ground: f64,
+    /// Of the ground, 1/nm
+    curvature: f64,
+}
+
+fn samples(substrate: &Substrate, shape: &Shape) -> Vec<Sample> {
+    let places = shape.x.iter().zip(&shape.y).zip(shape.rotation.iter().zip(&shape.height));
+    let sample = |((&x, &y), (&rotation, &height)): ((&f64, &f64), (&f64, &f64))| {
+        let foot = substrate.foot(x, y);
+        let tilt = rotation - foot.sin.atan2(foot.cos);
+        Sample {
+            x,
+            y,
+            gap: foot.distance - 0.5 * height * tilt.cos().abs(),
+            edge: y - 0.5 * height * rotation.cos().abs(),
+            ground: y - substrate.clearance(x, y),
+            curvature: foot.curvature,
+        }
+    };
+    places.map(sample).collect()
+}
+
+/// Traction in front of a convex body of this radius over that of the half space, less one.
+fn curvature_error(substrate: &Substrate, material: &HalfSpace, radius: f64) -> f64 {
+    let shape = match substrate {
+        Substrate::Round(round) => round.shape,
+        _ => adhesion::Shape::Cylinder,
+    };
+    let gap = material.strongest_gap();
+    CurvedBody { shape, radius }.traction(material, gap) / material.traction(gap) - 1.0
+}

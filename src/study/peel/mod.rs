@@ -1,0 +1,20 @@
+//! The whole peel of one model: path, special points, error bounds, how it ended.
+mod assembly;
+mod contact;
+mod equilibrium_path;
+mod path_refinement;
+mod plateau;
+mod result;
+pub(super) mod run;
+mod sliding;
+mod slope_polishing;
+mod solution_history;
+mod step_curve;
+mod work;
+pub use contact::{Contact, SMALLEST_RADIUS};
+pub use result::*;
+pub use sliding::Sliding;
+pub(super) use equilibrium_path::is_clear;
+pub(super) use solution_history::SolutionHistory;
+pub(super) use step_curve::StepCurve;
+pub(super) use work::power;

@@ -1,0 +1,176 @@
+//! The whole peel of one model: path, special points, error bounds, how it ended.
+
+use super::solution_history::SolutionHistory;
+use crate::beam::{GripState, NodeState};
+use crate::model::PeelModel;
+use crate::solve::LimitPointKind;
+use crate::study::Choice;
+use crate::study::terms::TermDecisions;
+use serde::{Deserialize, Serialize};
+
+/// Where a path may be stopped although it goes on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Most path points.
+    pub points: usize,
+    /// Most seconds of wall clock; none when absent.
+    pub time_s: Option<f64>,
+    /// Largest grip displacement, nm; none when absent.
+    pub displacement: Option<f64>,
+}
+
+/// How a path ended.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum End {
+    /// No point of the beam is nearer than [`crate::adhesion::LineLaw::reach`].
+    Detached,
+    /// The force has come back to zero after a snap-off while an edge still holds.
+    Pivoting,
+    /// The path has returned to u = 0.
+    TurnedBack,
+    /// All of the contact slides, and would from here on at a force that stays; or next to none of it is left.
+    Sliding,
+    /// With friction, the displacement turned back: how a beam slides while it jumps no equilibrium tells.
+    Snapped,
+    /// A bound that the scene sets was reached; which one, in words.
+    Bound(String),
+    /// The computation stopped short; why, with numbers and what to try.
+    Failed(String),
+}
+
+/// One equilibrium of the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathPoint {
+    /// nm
+    pub displacement: f64,
+    /// nN
+    pub force: f64,
+    /// rad
+    pub end_rotation: f64,
+    /// ∫ P du from where the path begins, aJ; of a grip that turns as it goes ∫ P du + M dθ
+    pub work: f64,
+    /// Negative eigenvalues of the tangent with the grip held at its displacement.
+    pub negative_eigenvalues: usize,
+    /// The same with the force held.
+    pub negative_eigenvalues_load: usize,
+    /// S of the peeling front, nm: the adhesion energy that is left over that of a unit length at rest.
+    pub front: f64,
+    /// Newton iterations it took.
+    pub iterations: usize,
+}
+
+/// A turning point of the path, located and not sampled.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LimitPoint {
+    pub kind: LimitPointKind,
+    /// nm
+    pub displacement: f64,
+    /// nN
+    pub force: f64,
+    /// rad
+    pub end_rotation: f64,
+    /// ∫ P du from where the path begins, aJ; of a grip that turns as it goes ∫ P du + M dθ
+    pub work: f64,
+    /// Bound on the error of `displacement`, nm
+    pub displacement_error: f64,
+    /// Bound on the error of `force`, nN
+    pub force_error: f64,
+    /// Whether the force is so flat around it that its displacement cannot be told any better and does not matter.
+    pub flat: bool,
+    /// It lies between `points[after]` and `points[after + 1]` of the path.
+    pub after: usize,
+}
+
+/// A largest force: at a limit point, or at the end of the path.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Peak {
+    pub displacement: f64,
+    pub force: f64,
+    pub end_rotation: f64,
+    pub force_error: f64,
+    pub displacement_error: f64,
+}
+
+/// Where the force changes least with the displacement.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Plateau {
+    pub displacement: f64,
+    pub force: f64,
+}
+
+/// What it took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Effort {
+    pub points: usize,
+    pub newton_iterations: usize,
+    pub elements: usize,
+    pub order: usize,
+}
+
+/// The axis of the beam at one equilibrium, sampled: x and y in nm, the rotation in rad, and the height of the section in nm.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shape {
+    pub x: Vec<f64>,
+    pub y: Vec<f64>,
+    pub rotation: Vec<f64>,
+    pub height: Vec<f64>,
+}
+
+/// The result of one run.
+#[derive(Clone, Debug)]
+pub struct Peel {
+    pub model: PeelModel,
+    /// The grip behind each step before the pull, as far as they were taken, seen from where it took hold.
+    pub steps: Vec<GripState>,
+    pub points: Vec<PathPoint>,
+    /// In path order.
+    pub limit_points: Vec<LimitPoint>,
+    pub initiation_peak: Option<Peak>,
+    pub peak: Option<Peak>,
+    pub plateau: Option<Plateau>,
+    /// The first displacement limit point at which u turns back.
+    pub snap_off: Option<LimitPoint>,
+    pub end: End,
+    pub effort: Effort,
+    /// Relative accuracy asked for.
+    pub asked: f64,
+    /// What was fixed of the discretisation.
+    pub choice: Choice,
+    /// Load limit points left out, because the force changes by less than the accuracy between them.
+    pub ripple: usize,
+    pub solve_s: f64,
+    /// What was decided of the terms of the model, of [`crate::study::Terms::Auto`]; `model` is then without those that were left out.
+    pub considered: Option<TermDecisions>,
+    /// Whether time or an interruption ended the run although it goes on, along the path or to a finer mesh.
+    pub unfinished: bool,
+    /// The solutions behind the points, for pictures.
+    pub(in crate::study) trace: Option<SolutionHistory>,
+}
+
+impl Peel {
+    /// The curve between the path points as well, `per_step` intervals a step: (u, P, negative eigenvalues under
+    /// displacement control). The displacement limit points are among its points.
+    pub fn dense_curve(&self, per_step: usize) -> Vec<(f64, f64, usize)> {
+        match &self.trace {
+            Some(trace) => trace.dense_curve(&self.limit_points, per_step),
+            None => self.points.iter().map(|p| (p.displacement, p.force, p.negative_eigenvalues)).collect(),
+        }
+    }
+
+    /// Which of `points` has its front nearest to a place along the beam, nm.
+    pub fn nearest_front(&self, place: f64) -> Option<usize> {
+        let away = |&index: &usize| (self.points[index].front - place).abs();
+        (0..self.points.len()).min_by(|a, b| away(a).total_cmp(&away(b)))
+    }
+
+    /// Section forces, stretch and adhesion at the ends of the elements at `points[index]`, from S = 0 to S = L; empty
+    /// where there is none. H x' + V y' + M θ' - stored - bΨ is the same at all of them.
+    pub fn sections(&self, index: usize) -> Vec<NodeState> {
+        self.trace.as_ref().map(|trace| trace.sections(index)).unwrap_or_default()
+    }
+
+    /// The deformed axis at `points[index]`; empty where there is none.
+    pub fn shape(&self, index: usize) -> Shape {
+        self.trace.as_ref().map(|trace| trace.shape(index)).unwrap_or_default()
+    }
+}

@@ -1,0 +1,329 @@
+//! The run behind [`super::peel`]: a mesh from the accuracy asked for, the path on it, and, where the error bounds say
+//! so, a finer mesh and the path again.
+
+use super::assembly::{empty, report, worst_difference};
+use super::equilibrium_path::{Followed, Trouble, follow};
+use super::solution_history::SolutionHistory;
+use super::{Effort, End, LimitPoint, Peel};
+use crate::model::{Discretisation, PeelModel, PlanarProblem};
+use crate::solve::{InitialState, LimitPointKind};
+use crate::study::accuracy::{Choice, Resolution, aim, most_elements};
+use crate::study::checkpoint::Limits;
+use crate::study::error_bounds::{SAFETY, counts};
+use crate::study::initial::{Prepared, prepared};
+use crate::study::{Accuracy, Bounds, Checkpoint};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// The first integral may spread by this many times the accuracy asked for, in units of the work of adhesion, at any point:
+/// where it spreads by 1.4e-5, at an edge that carries the strip, the force of that point was wrong by 6e-8.
+const SPREAD: f64 = 100.0;
+/// Round-off of that spread.
+const SPREAD_ROUND_OFF: f64 = 5e-10;
+/// Below this relative error, an error that does not fall with more elements is taken for round-off.
+const STAGNATION: f64 = 2e-8;
+/// Of two errors near round-off, the one that is less by this is less in earnest.
+const PLAIN: f64 = 0.1;
+/// Length of the steps of a path that confirms another, over those of the other.
+const SHORTER: f64 = 0.5;
+/// Bounds are what shorter strides change times this: the steps behind a turn are what they are, so that the strides shorten not all of
+/// them, and 1.1 times four times that change was found.
+const WARY: f64 = 8.0;
+/// Bounds may then be so many times what was asked for.
+const NEARLY: f64 = 2.0;
+/// Most such paths.
+const MOST_SHORTER: i32 = 3;
+/// Most meshes tried.
+const MOST_MESHES: usize = 8;
+/// Follows the peel from rest to its end.
+pub(in crate::study) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &Checkpoint) -> Peel {
+    let (aimed, least) = aim(model, accuracy);
+    let mut peel = on_meshes(model, &aimed, bounds, keeping);
+    peel.asked = accuracy.relative;
+    let Peel { limit_points, initiation_peak, peak, snap_off, .. } = &mut peel;
+    if let Some(share) = least {
+        for point in limit_points.iter_mut().chain(snap_off) {
+            point.force_error = point.force_error.max(share * point.force.abs());
+            point.displacement_error = point.displacement_error.max(share * point.displacement.abs());
+        }
+        for peak in initiation_peak.iter_mut().chain(peak) {
+            peak.force_error = peak.force_error.max(share * peak.force.abs());
+            peak.displacement_error = peak.displacement_error.max(share * peak.displacement.abs());
+        }
+    }
+    peel
+}
+
+/// The path on one mesh after another, until its bounds are what is wanted.
+fn on_meshes(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &Checkpoint) -> Peel {
+    let started = Instant::now();
+    let accuracy = &accuracy.fitted(model);
+    let limits = Limits { bounds, keeping, started };
+    let Choice { mesh, form, .. } = accuracy.choice;
+    let mut resolution = Resolution::first(model, accuracy);
+    let how = Discretisation { form, order: resolution.order, mesh };
+    let Prepared { problem, steps } = prepared(model, how, limits.should_stop());
+    let problem = Arc::new(problem);
+    if let InitialState::NoEquilibrium(why) = &problem.start {
+        let solve_s = started.elapsed().as_secs_f64();
+        let (end, asked) = (End::Failed(why.clone()), accuracy.relative);
+        return Peel { steps, end, asked, choice: accuracy.choice, solve_s, ..empty(model) };
+    }
+    let far = model.line_law().reach();
+    let mut best: Option<Attempt> = None;
+    let mut others: Vec<Vec<LimitPoint>> = Vec::new();
+    let (mut iterations, mut unfinished) = (0, false);
+    for _ in 0..MOST_MESHES {
+        let options = resolution.path_options(model, accuracy.relative);
+        let followed = follow(&problem, options, far, accuracy.relative, &limits);
+        iterations += followed.iterations;
+        let attempt = Attempt::new(model, &problem, followed, resolution, accuracy);
+        let enough = accuracy.choice.elements.is_some()
+            || attempt.is_enough()
+            || best.as_ref().is_some_and(|b| attempt.is_stuck_behind(b));
+        let over = attempt.cut || limits.reached().is_some();
+        unfinished = over && (attempt.cut || attempt.trouble.is_some() || !enough);
+        resolution = attempt.next;
+        if attempt.trouble.is_none() {
+            others.push(attempt.peel.limit_points.clone());
+        }
+        if best.as_ref().is_none_or(|b| attempt.is_better_than(b)) {
+            best = Some(attempt);
+        }
+        if enough || over || resolution.elements > most_elements(model) {
+            break;
+        }
+    }
+    if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {
+        best.widen(&others);
+    }
+    if problem.system.has_history() && accuracy.choice.step.is_none() && !unfinished {
+        best = best.map(|best| {
+            let shorter = Shorter { model, problem: &problem, accuracy, limits: &limits, far };
+            let (confirmed, further) = shorter.confirmed(best);
+            iterations += further;
+            unfinished = confirmed.cut;
+            confirmed
+        });
+    }
+    let mut peel = best.map_or_else(|| empty(model), Attempt::into_peel);
+    peel.steps = steps;
+    peel.effort.newton_iterations = iterations;
+    peel.unfinished = unfinished;
+    peel.solve_s = started.elapsed().as_secs_f64();
+    peel
+}
+
+/// Where the material points remember how they have slid, what a path ends in depends on its steps: it is followed again with shorter
+/// ones.
+struct Shorter<'r> {
+    model: &'r PeelModel,
+    problem: &'r Arc<PlanarProblem>,
+    accuracy: &'r Accuracy,
+    limits: &'r Limits<'r>,
+    far: f64,
+}
+
+impl Shorter<'_> {
+    /// The same path with shorter steps, until what that changes is within the accuracy asked for, with bounds that hold it; and the
+    /// Newton iterations it took. One that cannot be confirmed has failed.
+    fn confirmed(&self, mut best: Attempt) -> (Attempt, usize) {
+        let mut iterations = 0;
+        let relative = self.accuracy.relative;
+        let first = Resolution::first(self.model, self.accuracy);
+        for tries in 1..=MOST_SHORTER {
+            if best.trouble.is_some() || best.cut {
+                break;
+            }
+            let Effort { elements, order, .. } = best.peel.effort;
+            let resolution = Resolution { elements, order, stride: SHORTER.powi(tries), ..first };
+            let options = resolution.path_options(self.model, relative);
+            let followed = follow(self.problem, options, self.far, relative, self.limits);
+            iterations += followed.iterations;
+            let mut next = Attempt::new(self.model, self.problem, followed, resolution, self.accuracy);
+            let change = next.allow_for(&best, self.problem);
+            best = next;
+            if change <= relative {
+                break;
+            }
+        }
+        (best, iterations)
+    }
+}
+
+/// One mesh tried, and what it was worth.
+struct Attempt {
+    peel: Peel,
+    /// Largest relative difference to more elements, over the accuracy asked for.
+    difference: f64,
+    /// Largest spread of the first integral over what is wanted: the error between the points that `difference` looks at.
+    spread: f64,
+    /// Why the path is unusable, if it is.
+    trouble: Option<String>,
+    /// Whether its path was left before its end for want of time, or because the user wanted it.
+    cut: bool,
+    /// What to try next.
+    next: Resolution,
+    /// Whether its material points remember how they have slid.
+    remembers: bool,
+}
+
+impl Attempt {
+    fn new(
+        model: &PeelModel,
+        problem: &Arc<PlanarProblem>,
+        followed: Followed,
+        resolution: Resolution,
+        accuracy: &Accuracy,
+    ) -> Self {
+        let Resolution { elements, step_tolerance, order, .. } = resolution;
+        let relative = accuracy.relative;
+        let mut spread = f64::INFINITY;
+        let mut peel = report(model, problem, &followed, relative);
+        // a peak where the path begins is no turning point
+        let at_rest = peel.peak.filter(|peak| Some(peak.displacement) == peel.points.first().map(|p| p.displacement));
+        let at_rest = at_rest.map_or(0.0, |peak| peak.force_error / peak.force);
+        let difference = (SAFETY * worst_difference(&followed, problem)).max(at_rest) / relative;
+        let next = match &followed.trouble {
+            None => {
+                spread = followed.spread / (SPREAD * relative).max(SPREAD_ROUND_OFF);
+                resolution.finer(difference, spread)
+            }
+            // a displacement that turns nowhere may be a jump as well
+            Some(
+                Trouble::Missed { .. }
+                | Trouble::Jumped { .. }
+                | Trouble::TooManyPoints { .. }
+                | Trouble::NotLocated { turn: LimitPointKind::Displacement, .. },
+            ) => Resolution { step_tolerance: 0.3 * step_tolerance, ..resolution.times(1.25) },
+            Some(_) => resolution.times(1.5),
+        };
+        let trouble = followed.trouble.as_ref().map(ToString::to_string);
+        let trouble = trouble.or_else(|| followed.late().map(|late| late.to_string()));
+        peel.asked = relative;
+        peel.choice = accuracy.choice;
+        peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order };
+        let cut = followed.cut;
+        let first = |place: f64| followed.turns.iter().find(|turn| turn.2.observables.displacement == place);
+        let peak = peel.initiation_peak.and_then(|peak| first(peak.displacement)).map(|turn| turn.2.solution.clone());
+        peel.trace = Some(SolutionHistory { problem: problem.clone(), points: followed.points, peak });
+        Self { peel, difference, spread, trouble, cut, next, remembers: problem.system.has_history() }
+    }
+
+    /// The difference to more elements; infinite where the path is unusable.
+    fn worst(&self) -> f64 {
+        if self.trouble.is_some() { f64::INFINITY } else { self.difference }
+    }
+
+    /// Whether nothing finer is needed.
+    fn is_enough(&self) -> bool {
+        self.worst() <= 1.0 && self.spread <= 1.0
+    }
+
+    /// A whole path comes before one that was cut, then the error bounds; among those that are met, the first integral.
+    fn is_better_than(&self, best: &Self) -> bool {
+        let met = |attempt: &Self| attempt.worst() <= 1.0;
+        let small = |attempt: &Self| attempt.worst() * attempt.peel.asked < STAGNATION;
+        if self.cut && best.trouble.is_none() {
+            false
+        } else if self.trouble.is_some() && best.trouble.is_some() {
+            let reached =
+                |attempt: &Self| attempt.peel.limit_points.iter().filter(|p| p.kind == LimitPointKind::Displacement).count();
+            (reached(self), best.difference) > (reached(best), self.difference)
+        } else if met(self) && met(best) {
+            self.spread <= best.spread
+        } else if met(self) || !small(best) {
+            self.worst() <= best.worst()
+        } else if best.spread > 1.0 {
+            self.spread < best.spread
+        } else {
+            // of two that have come down to round-off the one with fewer elements, unless the difference is plain
+            self.worst() <= PLAIN * best.worst() && self.spread <= 1.0
+        }
+    }
+
+    /// Where more elements did not bring the error down to what was asked for, it is round-off: no bound is less than twice the
+    /// difference to what other meshes gave.
+    fn widen(&mut self, others: &[Vec<LimitPoint>]) {
+        let Peel { asked, limit_points, .. } = &mut self.peel;
+        let count = limit_points.len();
+        for other in others.iter().filter(|other| other.len() == count) {
+            for (point, twin) in limit_points.iter_mut().zip(other) {
+                let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);
+                let near = force.abs() < STAGNATION.max(*asked) * point.force.abs();
+                if point.kind == twin.kind && near {
+                    point.force_error = point.force_error.max(SAFETY * force.abs());
+                    if !point.flat {
+                        point.displacement_error = point.displacement_error.max(SAFETY * displacement.abs());
+                    }
+                }
+            }
+        }
+        self.peel.tell_bounds();
+    }
+
+    /// Widens the bounds to what another choice of steps changed; returns the largest relative change of a limit point that counts.
+    fn allow_for(&mut self, other: &Self, problem: &PlanarProblem) -> f64 {
+        let mut largest = 0.0f64;
+        for (point, twin) in self.peel.limit_points.iter_mut().zip(&other.peel.limit_points) {
+            let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);
+            point.force_error = point.force_error.max(WARY * force.abs());
+            point.displacement_error = point.displacement_error.max(WARY * displacement.abs());
+            if !counts(problem, point.kind) {
+                // at a corner of the path two strides may agree by luck: what was not certain stays so, and no bound is below what was
+                // asked for
+                let asked = self.peel.asked;
+                point.force_error = point.force_error.max(twin.force_error).max(asked * point.force.abs());
+                let least = asked * point.displacement.abs();
+                point.displacement_error = point.displacement_error.max(twin.displacement_error).max(least);
+            }
+            let place = if point.flat { 0.0 } else { (displacement / point.displacement).abs() };
+            if counts(problem, point.kind) {
+                largest = largest.max(WARY * (force / point.force).abs().max(place));
+            }
+        }
+        self.peel.tell_bounds();
+        let kinds = |attempt: &Self| attempt.peel.limit_points.iter().map(|point| point.kind).collect::<Vec<_>>();
+        if self.trouble.is_none() && !self.cut && kinds(self) != kinds(other) {
+            self.trouble = Some(format!(
+                "with shorter steps the path has {} turning points, with longer ones {}: what slides depends on the steps",
+                self.peel.limit_points.len(),
+                other.peel.limit_points.len()
+            ));
+        }
+        largest
+    }
+
+    /// Whether more elements did not help. Where the error is small, what is left is round-off, which grows with them; where
+    /// the bounds are met and the first integral is not, the path has come upon a pole of its law.
+    fn is_stuck_behind(&self, best: &Self) -> bool {
+        if best.worst() <= 1.0 {
+            return self.spread > 0.5 * best.spread;
+        }
+        let small = self.worst() * self.peel.asked < STAGNATION;
+        let many_more = 2 * self.peel.effort.elements >= 3 * best.peel.effort.elements;
+        small && many_more && self.worst() > 0.5 * best.worst()
+    }
+
+    /// The result, as a failure where the path cannot be used.
+    fn into_peel(self) -> Peel {
+        let fixed = self.peel.choice.elements.is_some();
+        let worst = self.worst();
+        // a path that remembers has been followed again with other steps, whose mesh may be a little worse
+        let missed =
+            worst > if self.remembers { NEARLY } else { 1.0 } && worst * self.peel.asked > STAGNATION && !fixed;
+        let mut peel = self.peel;
+        let bounded = matches!(peel.end, End::Bound(_));
+        let trouble = self
+            .trouble
+            .or((missed && !bounded).then(|| format!("the error bounds are {worst:.1} times what was asked for")));
+        if let Some(trouble) = trouble {
+            let Effort { elements, order, .. } = peel.effort;
+            peel.end = End::Failed(format!(
+                "{trouble}; on {elements} elements of order {order}. What was reached is kept. Try another accuracy.relative than {:e}, or bounds.displacement to stop before",
+                peel.asked
+            ));
+        }
+        peel
+    }
+}

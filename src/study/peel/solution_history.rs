@@ -1,0 +1,120 @@
+//! The solutions behind a peel: the curve between its points and the deformed strip.
+
+use super::{LimitPoint, Shape};
+use crate::beam::{NodeState, PlanarBeam};
+use crate::model::PlanarProblem;
+use crate::solve::{LimitPointKind, PathSegment, Solution, State};
+use std::sync::Arc;
+
+/// Path points with the problem that they solve.
+#[derive(Clone)]
+pub(in crate::study) struct SolutionHistory {
+    pub problem: Arc<PlanarProblem>,
+    pub points: Vec<Arc<Solution>>,
+    /// The solution next to the initiation peak, if there is one.
+    pub peak: Option<Arc<Solution>>,
+}
+
+impl std::fmt::Debug for SolutionHistory {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "SolutionHistory({} points)", self.points.len())
+    }
+}
+
+/// Samples of the axis an element gets.
+const SAMPLES: usize = 6;
+
+impl SolutionHistory {
+    /// (u, P, negative eigenvalues under displacement control) with `per_step` intervals a step. A displacement limit
+    /// point is put where it splits its step into a stable and an unstable part.
+    pub fn dense_curve(&self, limit_points: &[LimitPoint], per_step: usize) -> Vec<(f64, f64, usize)> {
+        let mut curve = Vec::new();
+        for (index, point) in self.points.iter().enumerate() {
+            curve.push((point.observables.displacement, point.observables.force, point.negative));
+            let Some(next) = self.points.get(index + 1) else { break };
+            let turn = limit_points.iter().find(|p| p.after == index && p.kind == LimitPointKind::Displacement);
+            let inner = self.step(index, per_step);
+            match turn {
+                Some(turn) => curve.extend(split(inner, turn, point.negative, next.negative)),
+                None => curve.extend(inner.into_iter().map(|(u, p)| (u, p, point.negative))),
+            }
+        }
+        curve
+    }
+
+    /// Displacement and force inside one step.
+    fn step(&self, index: usize, per_step: usize) -> Vec<(f64, f64)> {
+        let segment = PathSegment::around(&self.problem, &self.points, index);
+        let middle = 0.5 * segment.end();
+        let displacement = segment.observable(|o| o.displacement, middle);
+        let force = segment.observable(|o| o.force, middle);
+        let label = |k: usize| segment.end() * k as f64 / per_step as f64;
+        (1..per_step).map(|k| (displacement.at(label(k)).0, force.at(label(k)).0)).collect()
+    }
+
+    /// Section states at the ends of the elements.
+    pub fn sections(&self, index: usize) -> Vec<NodeState> {
+        let at = self.points.get(index).map(|p| &p.at);
+        let beam = &self.problem.beam;
+        at.map(|at| beam.chain.node_states(beam.configuration(at), 0..at.mesh.elements())).unwrap_or_default()
+    }
+
+    /// Axis and rotation at one point, with x from the section's x' by Simpson's rule between samples.
+    pub fn shape(&self, index: usize) -> Shape {
+        self.points.get(index).map(|point| Shape::of(&self.problem.beam, &point.at)).unwrap_or_default()
+    }
+}
+
+impl Shape {
+    /// Axis and rotation of an equilibrium.
+    pub(super) fn of(beam: &PlanarBeam, at: &State) -> Self {
+        let mut shape = Self::default();
+        let sample = |e: usize, fraction: f64| {
+            let (values, section) = beam.chain.sample(beam.configuration(at), e, 2.0 * fraction - 1.0);
+            let height = beam.height_at(at.mesh.boundaries[e] + fraction * (at.mesh.boundaries[e + 1] - at.mesh.boundaries[e]));
+            let rotation = values[beam.rotation];
+            ([values[beam.rotation - 1] + 0.5 * height, rotation, height], section.horizontal_slope)
+        };
+        // the free end is held there, unless friction alone holds it
+        let mut x = if beam.history.is_some() { at.values[0] } else { 0.0 };
+        for e in 0..at.mesh.elements() {
+            let step = (at.mesh.boundaries[e + 1] - at.mesh.boundaries[e]) / SAMPLES as f64;
+            for k in 0..SAMPLES {
+                let fraction = |part: f64| (k as f64 + part) / SAMPLES as f64;
+                let (here, slope) = sample(e, fraction(0.0));
+                shape.push(x, here);
+                x += step * (slope + 4.0 * sample(e, fraction(0.5)).1 + sample(e, fraction(1.0)).1) / 6.0;
+            }
+        }
+        shape.push(x, sample(at.mesh.elements() - 1, 1.0).0);
+        shape
+    }
+
+    fn push(&mut self, x: f64, [y, rotation, height]: [f64; 3]) {
+        self.x.push(x);
+        self.y.push(y);
+        self.rotation.push(rotation);
+        self.height.push(height);
+    }
+}
+
+/// The inner points of a step with the one nearest to the turn replaced by it; before it the count of the step's first
+/// point holds, behind it that of its last, and the turn itself belongs to the stable side.
+fn split(inner: Vec<(f64, f64)>, turn: &LimitPoint, before: usize, after: usize) -> Vec<(f64, f64, usize)> {
+    let away = |&(u, p): &(f64, f64)| (u / turn.displacement - 1.0).hypot(p / turn.force - 1.0);
+    let nearest = (0..inner.len()).min_by(|&a, &b| away(&inner[a]).total_cmp(&away(&inner[b])));
+    let count = |k: usize| match nearest {
+        Some(n) if k == n => before.min(after),
+        Some(n) if k > n => after,
+        _ => before,
+    };
+    let place = |k: usize, (u, p)| if Some(k) == nearest { (turn.displacement, turn.force) } else { (u, p) };
+    inner
+        .into_iter()
+        .enumerate()
+        .map(|(k, point)| {
+            let (u, p) = place(k, point);
+            (u, p, count(k))
+        })
+        .collect()
+}

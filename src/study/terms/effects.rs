@@ -1,0 +1,72 @@
+//! What each term of the model adds to the initiation peak, to first order.
+//!
+//! Along the path, at the displacement u, the energy Π(q(u)) has the slope P. A term that adds Q(q) to it is left out at the cost of
+//! -Q, and as q is stationary P changes by -dQ/du: no path without it has to be followed. At a peak dP/du = 0, so that this is the
+//! change of the peak as well. A compliance s that adds ½ s N² to the complementary energy is left out by stiffening; there
+//! Π changes by +½ ∫ s N² dS. Of a line load that has no potential, δR the change of the residual, it is δR · dq/du: this is so
+//! for the contact moment, whose potential is that of the force as well. All of it takes a symmetric tangent.
+//!
+//! Error: of the order of the square of the change, in shares of the peak: an effect of a hundredth or more tells that the term matters and
+//! not by how much (`tests/terms.rs`).
+
+use super::decision::Term;
+use super::section_sampling::{Point, SectionSampling};
+use crate::adhesion::{Law, LineLaw, LineLoad};
+use crate::model::{Hold, PeelModel};
+use crate::study::peel::{Peel, SolutionHistory};
+
+/// A term, and what leaving it out would change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TermEffect {
+    pub term: Term,
+    /// By how much the force of the initiation peak would change, nN
+    pub force: f64,
+}
+
+/// The effects of the terms that the model has, at its initiation peak; none without one, or of a grip that turns as it goes, with
+/// friction or of a law without a potential, where a change of the force is no change of an energy.
+fn terms(model: &PeelModel, trace: &SolutionHistory) -> Vec<TermEffect> {
+    let Some(peak) = &trace.peak else { return Vec::new() };
+    // with a turn dΠ/du is the force with a share of the moment, and has its largest value elsewhere
+    if trace.problem.grip.gear != 0.0 || !trace.problem.system.is_conservative() {
+        return Vec::new();
+    }
+    let probe = SectionSampling::new(model, &trace.problem, peak);
+    let mut effects = Vec::new();
+    let mut add = |term: Term, work: f64| {
+        effects.push(TermEffect { term, force: work / peak.slope.displacement });
+    };
+    let law = model.line_law();
+    if model.ground.substrate.is_flat() {
+        if has_far_face(&law) {
+            let near = LineLaw { far_face: false, ..law };
+            add(Term::FarFace, probe.rate(|at| at.adhesion(&near) - at.adhesion(&law)));
+        }
+        if law.line_load == LineLoad::Full {
+            let moment = |at: &Point| {
+                let (sin, cos) = at.rotation.sin_cos();
+                -at.width * law.response_of(at.height, at.gap, sin, cos).by_rotation
+            };
+            add(Term::ContactMoment, probe.work_of_moment(moment));
+        }
+    }
+    add(Term::Shear, probe.rate(Point::shear));
+    // held across the pull what does not stretch is not lifted: no small change
+    if model.grip.horizontal == Hold::Free {
+        add(Term::Extension, probe.rate(Point::extension));
+    }
+    effects.retain(|effect| effect.force.is_finite());
+    effects
+}
+
+/// Whether the upper face of a section makes a difference.
+pub(super) fn has_far_face(law: &LineLaw) -> bool {
+    law.far_face && !matches!(law.law, Law::Cohesive(_))
+}
+
+impl Peel {
+    /// What each term of the model adds to the initiation peak, to first order.
+    pub fn terms(&self) -> Vec<TermEffect> {
+        self.trace.as_ref().map(|trace| terms(&self.model, trace)).unwrap_or_default()
+    }
+}

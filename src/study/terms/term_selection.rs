@@ -1,0 +1,283 @@
+//! Leaves out of a model what does not change the answer at the accuracy asked for, and says what that was.
+//!
+//! The path is followed without the terms that take something to compute, and what each would change is estimated on that path for every
+//! number that is reported ([`super::shift`]). Bounds are widened by twice that. Where they are within the accuracy then, the path stands;
+//! else the term that changes most is put back, and the path followed again.
+
+use super::decision::{KeptReason, LeftOut, Term, TermDecisions, Terms};
+use super::effects::has_far_face;
+use super::first_order_change::FirstOrderChange;
+use super::section_sampling::SectionSampling;
+use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
+use crate::model::{Body, Form, Friction, Ground, Hold, PeelModel};
+use crate::solve::{Direction, Solution};
+use crate::study::peel::run as whole_path;
+use crate::study::peel::{End, LimitPoint, Peel, SolutionHistory};
+use crate::study::{Accuracy, Bounds, Checkpoint};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// What is estimated to change may be so many times as large.
+const SAFETY: f64 = 2.0;
+/// The upper face may change a number by so many times the share that it has of the work of adhesion.
+const UPPER: f64 = 8.0;
+/// A shift may vanish by luck to first order: none is taken to be below this share of the largest relative one.
+const MODESTY: f64 = 0.1;
+/// Heights of the ground over r0 beyond which it is no small change.
+const SHALLOW: f64 = 0.1;
+
+/// Follows the peel with the terms that are asked for.
+pub(in crate::study) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &Checkpoint) -> Peel {
+    match accuracy.terms {
+        Terms::All => whole_path::run(model, accuracy, bounds, keeping),
+        Terms::Auto => TermSelection { model, accuracy, bounds, keeping }.run(),
+    }
+}
+
+struct TermSelection<'a> {
+    model: &'a PeelModel,
+    accuracy: &'a Accuracy,
+    bounds: &'a Bounds,
+    keeping: &'a Checkpoint<'a>,
+}
+
+impl TermSelection<'_> {
+    fn run(&self) -> Peel {
+        let started = Instant::now();
+        let (mut terms, mut kept) = candidates(self.model, self.accuracy.relative);
+        let mut iterations = 0;
+        while !terms.is_empty() {
+            let mut peel = self.without(&terms, started);
+            iterations += peel.effort.newton_iterations;
+            let Some(mut found) = self.found(&peel, &terms) else {
+                let why = KeptReason::NotTold("the path without it could not be followed");
+                kept.extend(terms.drain(..).map(|term| (term, why)));
+                break;
+            };
+            found.iter().for_each(|found| found.widen(&mut peel));
+            peel.tell_bounds();
+            if peel.reached_accuracy().is_none_or(|reached| reached <= self.accuracy.relative) {
+                let left_out = found.iter().map(|found| found.left_out).collect();
+                return self.told(peel, left_out, kept, iterations, started);
+            }
+            found.sort_by(|a, b| b.left_out.largest.total_cmp(&a.left_out.largest));
+            let LeftOut { term, largest, .. } = found[0].left_out;
+            terms.retain(|&other| other != term);
+            kept.push((term, KeptReason::Matters(largest)));
+            if term == Term::Friction {
+                // on a path with it a change of the force is no change of an energy
+                kept.extend(terms.drain(..).map(|term| (term, KeptReason::NotTold("with friction"))));
+            }
+        }
+        let peel = whole_path::run(self.model, self.accuracy, &self.bounds_since(started), self.keeping);
+        iterations += peel.effort.newton_iterations;
+        self.told(peel, Vec::new(), kept, iterations, started)
+    }
+
+    /// The path without some terms, of which nothing is kept: it is short beside the one with them.
+    fn without(&self, terms: &[Term], started: Instant) -> Peel {
+        let model = terms.iter().fold(self.model.clone(), |model, &term| without(term, model));
+        let keeping = Checkpoint { go_on: self.keeping.go_on, ..Checkpoint::NOTHING };
+        whole_path::run(&model, self.accuracy, &self.bounds_since(started), &keeping)
+    }
+
+    /// What is left of the time.
+    fn bounds_since(&self, started: Instant) -> Bounds {
+        let time_s = self.bounds.time_s.map(|most| (most - started.elapsed().as_secs_f64()).max(0.0));
+        Bounds { time_s, ..*self.bounds }
+    }
+
+    /// What each of the terms would change of a path without them; none where that has failed.
+    fn found(&self, peel: &Peel, terms: &[Term]) -> Option<Vec<Found>> {
+        let trace = peel.trace.as_ref().filter(|_| !matches!(peel.end, End::Failed(_)))?;
+        let found: Vec<Found> = terms.iter().map(|&term| Found::of(peel, trace, self.model, term)).collect();
+        found.iter().all(|found| found.left_out.largest.is_finite()).then_some(found)
+    }
+
+    /// The result, with what was decided.
+    fn told(
+        &self,
+        mut peel: Peel,
+        mut left_out: Vec<LeftOut>,
+        mut kept: Vec<(Term, KeptReason)>,
+        iterations: usize,
+        started: Instant,
+    ) -> Peel {
+        match peel.model.form(peel.choice.form) {
+            Form::TwoField => {
+                left_out.push(LeftOut { term: Term::Horizontal, force: 0.0, displacement: 0.0, largest: 0.0 });
+            }
+            Form::ThreeField => kept.push((Term::Horizontal, KeptReason::NotTold("the ground or friction acts along them"))),
+        }
+        let moment = (peel.model.adhesion.line_load == LineLoad::Full).then_some(Term::ContactMoment);
+        kept.extend([Term::Shear, Term::Extension].into_iter().chain(moment).map(|term| (term, KeptReason::NothingSaved)));
+        peel.effort.newton_iterations = iterations;
+        peel.solve_s = started.elapsed().as_secs_f64();
+        peel.considered = Some(TermDecisions { left_out, kept });
+        peel
+    }
+}
+
+/// The terms to try without, and those of the model that are kept untried.
+fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, KeptReason)>) {
+    let (mut tried, mut kept) = (Vec::new(), Vec::new());
+    let mut consider = |term: Term, obstacle: Option<KeptReason>| match obstacle {
+        None => tried.push(term),
+        Some(why) => kept.push((term, why)),
+    };
+    let law = model.line_law();
+    let driven = if !law.has_potential() {
+        Some(KeptReason::NotTold("the law of adhesion has no potential"))
+    } else if model.pull.turn != 0.0 {
+        Some(KeptReason::NotTold("the grip turns as it goes"))
+    } else if !model.steps.is_empty() {
+        Some(KeptReason::NotTold("the path begins behind other steps"))
+    } else {
+        None
+    };
+    let has_friction = model.friction_law().is_some();
+    if has_friction {
+        let held = model.grip.horizontal == Hold::Fixed || model.pull.direction() != Direction::UP;
+        let alone = held.then_some(KeptReason::NotTold("it alone holds the beam along the substrate"));
+        consider(Term::Friction, driven.or(alone));
+    }
+    let substrate = &model.ground.substrate;
+    if !substrate.is_flat() {
+        let deep = depth(substrate, model.length()) > SHALLOW * model.adhesion.equilibrium_distance;
+        let deep = deep.then_some(KeptReason::NotTold("the ground is deeper than a tenth of r0"));
+        let free = model.grip.rotation == Hold::Free && model.grip.horizontal == Hold::Free;
+        let held = (!free).then_some(KeptReason::NotTold("the grip holds the beam as it has come to lie"));
+        let curved = !matches!(model.body, Body::Strip(_));
+        let curved = curved.then_some(KeptReason::NotTold("the beam is not straight when it is free of stress"));
+        consider(Term::Ground, driven.or(curved).or(deep).or(held));
+    }
+    if has_far_face(&law) {
+        // what it takes of the work of adhesion it takes of the force behind the peak
+        let share = 1.0 - law.rest_energy() / LineLaw { far_face: false, ..law }.rest_energy();
+        let matters = (SAFETY * UPPER * share > relative).then_some(KeptReason::Matters(share));
+        consider(Term::FarFace, driven.or(matters));
+    }
+    (tried, kept)
+}
+
+/// How far ground reaches above and below the height that it has at the free end of a strip, nm.
+fn depth(substrate: &Substrate, length: f64) -> f64 {
+    const PLACES: usize = 1000;
+    let height = |k: usize| -substrate.clearance(length * k as f64 / PLACES as f64, 0.0);
+    (0..=PLACES).map(|k| (height(k) - height(0)).abs()).fold(0.0, f64::max)
+}
+
+fn without(term: Term, mut model: PeelModel) -> PeelModel {
+    match term {
+        Term::FarFace => model.adhesion.far_face = false,
+        Term::Ground => model.ground = Ground::default(),
+        Term::Friction => model.friction = Friction::NONE,
+        Term::ContactMoment | Term::Shear | Term::Extension | Term::Horizontal => {}
+    }
+    model
+}
+
+/// What a term would change of a path without it.
+struct Found {
+    left_out: LeftOut,
+    /// Of each limit point
+    shifts: Vec<FirstOrderChange>,
+    /// Of a peak that is none: the end of the path
+    end: FirstOrderChange,
+}
+
+/// What a term does on a path without it.
+enum Work {
+    /// The energy of the adhesion changes from that without the upper face to that with it.
+    FarFace(GroundLaw, GroundLaw),
+    /// Level ground gets a shape.
+    Ground(LineLaw, Substrate),
+    Friction(FrictionLaw),
+}
+
+impl Work {
+    /// Per unit of the path's parameter, of a beam that lies higher by `lift` (nm) with the term.
+    fn rate(&self, probe: &SectionSampling, lift: f64) -> f64 {
+        match self {
+            Self::FarFace(without, with) => probe.rate(|at| at.adhesion_on(with, lift) - at.adhesion_on(without, 0.0)),
+            Self::Ground(law, substrate) => probe.rate(|at| at.adhesion_by_ground(law, substrate, lift)),
+            Self::Friction(law) => probe.dissipation(law),
+        }
+    }
+
+    /// Of a term that `model` has and the path of `reduced` has not.
+    fn of(term: Term, model: &PeelModel, reduced: &PeelModel) -> Option<Self> {
+        let law = reduced.line_law();
+        let on = |substrate: &Substrate, law: LineLaw| GroundLaw { law, substrate: substrate.clone() };
+        match term {
+            Term::FarFace => {
+                let substrate = &reduced.ground.substrate;
+                Some(Self::FarFace(on(substrate, law), on(substrate, LineLaw { far_face: true, ..law })))
+            }
+            Term::Ground => Some(Self::Ground(law, model.ground.substrate.clone())),
+            Term::Friction => model.friction_law().map(Self::Friction),
+            Term::ContactMoment | Term::Shear | Term::Extension | Term::Horizontal => None,
+        }
+    }
+}
+
+impl Found {
+    fn of(peel: &Peel, trace: &SolutionHistory, model: &PeelModel, term: Term) -> Self {
+        let nothing = LeftOut { term, force: 0.0, displacement: 0.0, largest: 0.0 };
+        let Some(work) = Work::of(term, model, &peel.model) else {
+            return Self { left_out: nothing, shifts: Vec::new(), end: FirstOrderChange::default() };
+        };
+        let rate = |solution: &Solution, lift: f64| work.rate(&SectionSampling::new(&peel.model, &trace.problem, solution), lift);
+        // where the path begins, from where displacements count
+        let lift = match term {
+            // friction holds nothing yet
+            Term::Friction => 0.0,
+            Term::FarFace => LineLaw { far_face: true, ..peel.model.line_law() }.rest_gap() - trace.problem.beam.rest_gap,
+            _ => trace.points.first().map_or(0.0, |first| -rate(first, 0.0) / first.slope.force),
+        };
+        let rate = |solution: &Solution| rate(solution, lift);
+        let shift = |point: &LimitPoint| {
+            let shift = FirstOrderChange::of(trace, point, &rate);
+            // where the force is level the place does not matter
+            if point.flat { FirstOrderChange { displacement: 0.0, ..shift } } else { shift }
+        };
+        let shifts: Vec<FirstOrderChange> = peel.limit_points.iter().map(shift).collect();
+        let is_peak = |end: &&Arc<Solution>| {
+            peel.peak_at_end().is_some_and(|peak| peak.displacement == end.observables.displacement)
+        };
+        let end = [trace.points.first(), trace.points.last()].into_iter().flatten().find(is_peak);
+        let end = end.map_or(FirstOrderChange::default(), |end| FirstOrderChange::at_end(end, &rate));
+        let mut found = Self { left_out: nothing, shifts, end };
+        let peak = peel.initiation_peak.map(|peak| peak.displacement);
+        // not a number is larger than any
+        let larger =
+            |largest: f64, share: f64| if largest.is_nan() || share.abs() <= largest { largest } else { share.abs() };
+        for (point, shift) in peel.limit_points.iter().zip(&found.shifts) {
+            let shares = [shift.force / point.force, shift.displacement / point.displacement];
+            found.left_out.largest = shares.into_iter().fold(found.left_out.largest, larger);
+            if Some(point.displacement) == peak {
+                (found.left_out.force, found.left_out.displacement) = (shift.force, shift.displacement);
+            }
+        }
+        if let Some(peak) = peel.peak_at_end() {
+            found.left_out.largest = larger(found.left_out.largest, end.force / peak.force);
+        }
+        found
+    }
+
+    /// Adds what the term may change to the bounds.
+    fn widen(&self, peel: &mut Peel) {
+        for (point, shift) in peel.limit_points.iter_mut().zip(&self.shifts) {
+            point.force_error += self.wide(shift.force, point.force);
+            point.displacement_error += self.wide(shift.displacement, point.displacement);
+        }
+        if peel.peak_at_end().is_some() {
+            peel.peak.iter_mut().for_each(|peak| peak.force_error += self.wide(self.end.force, peak.force));
+        }
+    }
+
+    /// What a number that shifts is to be bounded by besides.
+    fn wide(&self, shift: f64, value: f64) -> f64 {
+        SAFETY * shift.abs().max(MODESTY * self.left_out.largest * value.abs())
+    }
+}
