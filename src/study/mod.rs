@@ -28,9 +28,7 @@ mod sweep;
 mod terms;
 mod told;
 mod trace;
-pub mod verify;
 mod work;
-mod work_precision;
 pub use crate::solve::Turn;
 /// Order of the elements with which a point is followed.
 pub use choice::ORDER as FOLLOWED_ORDER;
@@ -48,4 +46,3 @@ pub use rod::{RodPath, RodTrouble, RodTurn, follow_rod};
 pub use sliding::Sliding;
 pub use sweep::*;
 pub use terms::{Term, TermEffect};
-pub use work_precision::{ASKED, Errors, Line, Trial, WorkPrecision, work_precision};

@@ -1,0 +1,53 @@
+//! Which terms of a model were left out and which not, and why.
+
+use crate::number::Finite;
+use peelkit::study::{Considered, LeftOut, Term, Why};
+
+/// What was decided of the terms as summary.json tells it.
+#[derive(Debug, serde::Serialize)]
+pub(super) struct ConsideredSummary {
+    left_out: Vec<Left>,
+    kept: Vec<Kept>,
+}
+
+/// What leaving a term in would change.
+#[derive(Debug, serde::Serialize)]
+struct Left {
+    term: &'static str,
+    #[serde(rename = "initiation_peak_change_nN")]
+    force: Finite,
+    #[serde(rename = "initiation_peak_change_nm")]
+    displacement: Finite,
+    largest_relative_change: Finite,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Kept {
+    term: &'static str,
+    why: String,
+}
+
+impl From<&Considered> for ConsideredSummary {
+    fn from(considered: &Considered) -> Self {
+        let left = |left: &LeftOut| Left {
+            term: left.term.word(),
+            force: Finite(left.force),
+            displacement: Finite(left.displacement),
+            largest_relative_change: Finite(left.largest),
+        };
+        let kept = |(term, why): &(Term, Why)| Kept { term: term.word(), why: why_kept(why) };
+        Self {
+            left_out: considered.left_out.iter().map(left).collect(),
+            kept: considered.kept.iter().map(kept).collect(),
+        }
+    }
+}
+
+/// Why a term was not left out, in words.
+pub fn why_kept(why: &Why) -> String {
+    match why {
+        Why::Matters(share) => format!("it would change what is reported by {share:.1e} of it"),
+        Why::NothingSaved => "there is nothing less to compute without it".into(),
+        Why::NotTold(why) => format!("what it changes is not told: {why}"),
+    }
+}
