@@ -5,10 +5,10 @@
 //! prints the table of verification/README.md.
 
 use peelkit::model::Form;
-use peelkit::report::end_word;
-use peelkit::scene::Scene;
 use peelkit::solve::{MOST_POINTS, Mesh, Observables, Path, PathOptions, controlled};
 use peelkit::study::{Accuracy, Bounds, Choice, End, Peel, peel};
+use peelkit_report::end_word;
+use peelkit_scene::Scene;
 use rayon::prelude::*;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

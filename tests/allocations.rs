@@ -8,13 +8,14 @@
 //! Expected: the tight solve takes more iterations and not one allocation more. Why: what a solve allocates is its result;
 //! memory asked for in the loop would show in every one of the hundreds of iterations of a peel.
 
-mod common;
+#[path = "shared/strip.rs"]
+mod strip;
 
-use common::paper_strip;
 use peelkit::model::Form;
 use peelkit::solve::{Condition, NewtonOptions, Observables, Path, PathOptions, Solution, Workspace, solve};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
+use strip::paper_strip;
 
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
