@@ -2,8 +2,8 @@
 //!
 //!     cargo run --release --example first_peel
 
-use peelkit::scene::Scene;
 use peelkit::study::peel;
+use peelkit_scene::Scene;
 
 const SCENE: &str = r#"
 [strip]

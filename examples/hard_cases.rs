@@ -5,10 +5,10 @@
 //! prints the table of verification/README.md.
 
 use peelkit::model::Form;
-use peelkit::report::end_word;
-use peelkit::scene::Scene;
 use peelkit::solve::{MOST_POINTS, Mesh, Observables, Path, PathOptions, controlled};
 use peelkit::study::{Accuracy, Bounds, Choice, End, Peel, peel};
+use peelkit_report::end_word;
+use peelkit_scene::Scene;
 use rayon::prelude::*;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -43,7 +43,7 @@ fn row(name: &str, scene: &Scene) -> String {
 
 /// Eight times as many elements, equally long, that do not follow the front; five seconds.
 fn on_a_mesh_that_stays(scene: &Scene, own: &Peel) -> String {
-    let choice = Choice { mesh: Mesh::Uniform, elements: Some(8 * own.effort.elements), ..scene.accuracy.choice };
+    let choice = Choice { mesh: MeshKind::Uniform, elements: Some(8 * own.effort.elements), ..scene.accuracy.choice };
     let bounds = Bounds { time_s: Some(5.0), ..scene.bounds };
     let other = peel(&scene.model, &Accuracy { choice, ..scene.accuracy }, &bounds);
     let off = match (own.initiation_peak, other.initiation_peak) {
@@ -84,8 +84,8 @@ fn by_secants(scene: &Scene, own: &Peel) -> String {
                         || passed
                         || (matches!(own.end, End::Pivoting)
                             && path.points().len() > 3
-                            && o.front < 1.0001 * end
-                            && o.tip_rotation > 1.57)
+                            && o.monitors[FRONT] < 1.0001 * end
+                            && o.monitors[TIP_ROTATION] > 1.57)
                     {
                         return (path.points().len(), path.iterations(), true);
                     }
@@ -111,7 +111,7 @@ fn by_displacement(scene: &Scene, own: &Peel) -> String {
     let largest = own.points.iter().map(|p| p.displacement).fold(0.0, f64::max);
     let targets: Vec<f64> = (1..=400).map(|k| largest * f64::from(k) / 400.0).collect();
     let weights = Observables::DISPLACEMENT;
-    let mut start = problem.at_rest(own.effort.elements);
+    let mut start = problem.initial(own.effort.elements);
     for (k, &target) in targets.iter().enumerate() {
         match controlled(&problem, start, weights, &[target], 1e-2 * scene.accuracy.relative) {
             Ok(found) => start = found.into_iter().next().map(|s| s.at).unwrap_or_default(),

@@ -3,11 +3,11 @@
 //!
 //! Prints how the scenes ended and how long it took, and each fault with its scene. Exit status 1 where there is any.
 
-#[path = "../tests/common/garbled.rs"]
+#[path = "../tests/report/garbled/generator.rs"]
 mod garbled;
 
 use garbled::{Dice, Random, absurd_scene, check_parse, check_run, garbled_text};
-use peelkit::report::{draw_peel, end_word};
+use peelkit_report::{draw_peel, end_word};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;

@@ -13,7 +13,5 @@ pub mod adhesion;
 pub mod analytic;
 pub mod beam;
 pub mod model;
-pub mod report;
-pub mod scene;
 pub mod solve;
 pub mod study;

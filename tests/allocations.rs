@@ -8,13 +8,14 @@
 //! Expected: the tight solve takes more iterations and not one allocation more. Why: what a solve allocates is its result;
 //! memory asked for in the loop would show in every one of the hundreds of iterations of a peel.
 
-mod common;
+#[path = "shared/strip.rs"]
+mod strip;
 
-use common::paper_strip;
 use peelkit::model::Form;
-use peelkit::solve::{Condition, NewtonOptions, Observables, Path, PathOptions, Solution, Workspace, solve};
+use peelkit::solve::{NewtonOptions, Observables, Path, PathConstraint, PathOptions, Solution, Workspace, solve};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
+use strip::paper_strip;
 
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
@@ -35,7 +36,7 @@ fn iterations_allocate_nothing() {
         let points: Vec<_> = Path::new(&problem, options).take(7).collect::<Result<_, _>>().unwrap();
         let (before, after) = (&points[5], &points[6]);
         let weights = Observables::DISPLACEMENT;
-        let condition = Condition { weights, target: after.observables.displacement };
+        let condition = PathConstraint { weights, target: after.observables.displacement };
         let mut work = Workspace::default();
         let mut counted = |tolerance: f64| -> (Solution, usize) {
             let options = NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 10, exact_slope: false };

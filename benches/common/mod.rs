@@ -3,7 +3,7 @@
 use peelkit::adhesion::LineLaw;
 use peelkit::model::{Form, StripModel};
 use peelkit::number::Four;
-use peelkit::solve::{Equilibrium, PathRow, Problem, ROOT, Workspace};
+use peelkit::solve::{PathRow, Problem, ROOT, State, Workspace};
 use std::hint::black_box;
 
 /// Points that the law is evaluated at side by side.
@@ -12,7 +12,7 @@ pub const LANES: usize = 4;
 /// A problem at rest, with room to solve it.
 pub struct Setting {
     pub problem: Problem,
-    pub at: Equilibrium,
+    pub at: State,
     row: PathRow,
     work: Workspace,
     out: Vec<f64>,
@@ -24,27 +24,27 @@ impl Setting {
     pub fn new(elements: usize, order: usize) -> Self {
         let model = StripModel::of_the_paper(100.0, 1.0);
         let problem = model.problem(Form::TwoField, order);
-        let at = problem.at_rest(elements);
+        let at = problem.initial(elements);
         let (out, row) = (vec![0.0; at.state.len()], PathRow { adhesion: 1.0, ..PathRow::default() });
         Self { law: model.line_law(), problem, at, row, work: Workspace::default(), out }
     }
 
     /// Integrates the elements and eliminates all nodes but the last.
     pub fn eliminate(&mut self) {
-        let root = self.problem.chain.eliminate(black_box(self.at.configuration()), &self.row, &mut self.work);
+        let root = self.problem.beam.chain.eliminate(black_box(self.at.configuration()), &self.row, &mut self.work);
         black_box(root.is_ok());
     }
 
     /// The same and the way back: what a Newton iteration takes.
     pub fn iterate(&mut self) {
         self.eliminate();
-        self.problem.chain.recover(&self.work, black_box(&[1e-3; ROOT]), -1.0, &mut self.out);
+        self.problem.beam.chain.recover(&self.work, black_box(&[1e-3; ROOT]), -1.0, &mut self.out);
         black_box(&self.out);
     }
 
     /// The energy alone.
     pub fn energy(&mut self) {
-        black_box(self.problem.chain.energy(black_box(self.at.configuration()), &self.out));
+        black_box(self.problem.beam.chain.energy(black_box(self.at.configuration()), &self.out));
     }
 
     /// The bare law with all second derivatives at so many points.

@@ -5,9 +5,10 @@ use super::stress_free_placement::StressFreePlacement;
 use super::{Form, Hold, PeelModel, friction};
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
 use crate::beam::{
-    self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, PlanarBeam, ReducedBeam, ReissnerBeam, Rest, Varying,
+    self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, PlanarBeam, ReducedBeam, ReissnerBeam, Rest,
+    Varying,
 };
-use crate::solve::{Direction, EndConditions, History, INTERFACE, InitialState, PathMeasure, Problem};
+use crate::solve::{EndConditions, History, INTERFACE, InitialState, PathMeasure, Problem};
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
@@ -54,6 +55,13 @@ pub struct Discretisation {
     pub mesh: MeshKind,
 }
 
+impl Discretisation {
+    /// With a mesh that follows the front.
+    pub const fn moving(form: Form, order: usize) -> Self {
+        Self { form, order, mesh: MeshKind::Moving }
+    }
+}
+
 /// From one remembered slip to the next, over the least length over which what happens at the front changes.
 const REMEMBERED: f64 = 1.0 / 24.0;
 
@@ -62,7 +70,7 @@ impl PeelModel {
     /// grip, whatever spring moves it. On ground that is not flat the form is [`Form::ThreeField`] and the mesh fixed; the beam is then
     /// free of stress above its ground, and `study::prepared` lets it settle there and takes the steps before the pull.
     pub fn problem(&self, form: Form, order: usize) -> PlanarProblem {
-        self.discretised(Discretisation { form, order, mesh: MeshKind::Moving }, |_| {})
+        self.discretised(Discretisation::moving(form, order), |_| {})
     }
 
     /// The same as `how` says, with a beam that `adjust` may change before it is shared.
@@ -203,4 +211,3 @@ fn chain(
         (Form::ThreeField, _) => three_field(ReissnerBeam { profile, law }, order, [Some(0.0), None, None]),
     }
 }
-

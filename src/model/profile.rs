@@ -46,8 +46,6 @@ impl Contour for ProfileForm {
 /// The table: a row a place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProfileTable {
-    /// As it was read.
-    text: String,
     /// S, nm
     places: Vec<f64>,
     /// Width (nm), height (nm), direction of the underside (rad) and roundness, each with its slopes at the places.
@@ -61,101 +59,98 @@ struct Column {
     slopes: Vec<f64>,
 }
 
+/// The columns of a table, a number a row; the last two may be left empty and are zero all along then.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ProfileColumns {
+    /// S, nm: 0 at the free end, and ascending
+    pub places: Vec<f64>,
+    /// nm
+    pub widths: Vec<f64>,
+    /// nm
+    pub heights: Vec<f64>,
+    /// Direction of the underside, free of stress, degrees
+    pub angles: Vec<f64>,
+    /// 0: a rectangle, 1: an ellipse
+    pub roundness: Vec<f64>,
+}
+
 /// What is wrong with a table.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TableError {
-    #[error("is no CSV: {0}")]
-    Csv(String),
-    #[error("has no column `{0}`")]
-    Missing(&'static str),
-    #[error("has a column `{0}`, which is none of {names}", names = NAMES.join(", "))]
-    Unknown(String),
     #[error("has in row {row} `{column}` = {found}, which {wrong}")]
     Cell { row: usize, column: &'static str, found: String, wrong: &'static str },
-    #[error("has {0} rows; it takes 2 to {MOST_ROWS}")]
+    #[error("has {0} rows; it takes 2 to {most}", most = ProfileTable::MOST_ROWS)]
     Rows(usize),
+    #[error("has {found} rows of `{column}` and {rows} of `s_nm`")]
+    Uneven { column: &'static str, found: usize, rows: usize },
 }
 
-/// Names of the columns; the last two may be left out and are zero then.
-const NAMES: [&str; 5] = ["s_nm", "width_nm", "height_nm", "angle_deg", "roundness"];
+/// How many columns have to be given.
 const NEEDED: usize = 3;
-/// Most rows: there is an element at least between two.
-const MOST_ROWS: usize = 200;
 /// Places beyond this are taken for a slip, nm.
 const LARGEST: f64 = 1e12;
 
 impl Default for ProfileTable {
-    /// A beam of unit length, width and height, of no text.
+    /// A beam of unit length, width and height.
     fn default() -> Self {
         let column = |value: f64| Column { values: vec![value; 2], slopes: vec![0.0; 2] };
-        Self { text: String::new(), places: vec![0.0, 1.0], columns: [1.0, 1.0, 0.0, 0.0].map(column) }
+        Self { places: vec![0.0, 1.0], columns: [1.0, 1.0, 0.0, 0.0].map(column) }
     }
 }
 
 impl ProfileTable {
-    /// Reads a CSV with the columns `s_nm`, `width_nm`, `height_nm` and, if wanted, `angle_deg` (direction of the underside, free of
-    /// stress) and `roundness` (0: a rectangle, 1: an ellipse). S begins with 0 at the free end and ascends. A line that begins with
-    /// `#` is a remark.
+    /// Names of the columns in texts and messages.
+    pub const COLUMNS: [&str; 5] = ["s_nm", "width_nm", "height_nm", "angle_deg", "roundness"];
+    /// Most rows: there is an element at least between two.
+    pub const MOST_ROWS: usize = 200;
+
+    /// The table of these columns, checked row by row. Rows are counted from 1 in an error.
     ///
     /// ```
     /// use peelkit::beam::Contour;
-    /// use peelkit::model::ProfileTable;
+    /// use peelkit::model::{ProfileColumns, ProfileTable};
     ///
-    /// let table = ProfileTable::parse("s_nm,width_nm,height_nm\n0,20,5\n40,20,5\n100,10,10\n")?;
+    /// let table = ProfileTable::new(ProfileColumns {
+    ///     places: vec![0.0, 40.0, 100.0],
+    ///     widths: vec![20.0, 20.0, 10.0],
+    ///     heights: vec![5.0, 5.0, 10.0],
+    ///     ..Default::default()
+    /// })?;
     /// assert_eq!((table.length(), table.breaks()), (100.0, vec![40.0]));
     /// assert_eq!(table.at(30.0).height, [5.0, 0.0, 0.0]);
     /// # Ok::<(), peelkit::model::TableError>(())
     /// ```
-    pub fn parse(text: &str) -> Result<Self, TableError> {
-        let mut reader =
-            csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
-        let no_csv = |error: csv::Error| TableError::Csv(error.to_string());
-        let header = reader.headers().map_err(no_csv)?.clone();
-        if let Some(unknown) = header.iter().find(|name| !NAMES.contains(name)) {
-            return Err(TableError::Unknown(unknown.chars().take(40).collect()));
-        }
-        let place_of = |name: &str| header.iter().position(|found| found == name);
-        if let Some(missing) = NAMES[..NEEDED].iter().find(|name| place_of(name).is_none()) {
-            return Err(TableError::Missing(missing));
-        }
-        let mut cells: [Vec<f64>; 5] = Default::default();
-        for record in reader.records() {
-            let record = record.map_err(no_csv)?;
-            let row = cells[0].len() + 1;
-            if row > MOST_ROWS {
-                return Err(TableError::Rows(row));
-            }
-            for (column, name) in NAMES.into_iter().enumerate() {
-                let Some(found) = place_of(name).and_then(|place| record.get(place)) else {
-                    cells[column].push(0.0);
-                    continue;
-                };
-                let before = cells[column].last().copied();
-                let cell =
-                    |wrong| TableError::Cell { row, column: name, found: found.chars().take(40).collect(), wrong };
-                let value = found.parse().map_err(|_| cell("is no number"))?;
-                match wrong(column, value, before) {
-                    Some(wrong) => return Err(cell(wrong)),
-                    None => cells[column].push(value),
+    pub fn new(columns: ProfileColumns) -> Result<Self, TableError> {
+        let ProfileColumns { places, widths, heights, angles, roundness } = columns;
+        let mut cells = [places, widths, heights, angles, roundness];
+        let longest = cells.iter().map(Vec::len).max().unwrap_or(0);
+        for row in 0..longest.min(Self::MOST_ROWS) {
+            for (column, values) in cells.iter().enumerate() {
+                let Some(&value) = values.get(row) else { continue };
+                let before = row.checked_sub(1).and_then(|before| values.get(before)).copied();
+                if let Some(wrong) = wrong(column, value, before) {
+                    let column = Self::COLUMNS[column];
+                    return Err(TableError::Cell { row: row + 1, column, found: value.to_string(), wrong });
                 }
             }
         }
-        Self::from_cells(text, cells)
-    }
-
-    fn from_cells(text: &str, [places, widths, heights, angles, roundness]: [Vec<f64>; 5]) -> Result<Self, TableError> {
-        if places.len() < 2 {
-            return Err(TableError::Rows(places.len()));
+        let rows = cells[0].len();
+        if !(2..=Self::MOST_ROWS).contains(&rows) {
+            return Err(TableError::Rows(rows));
         }
+        for (index, values) in cells.iter_mut().enumerate() {
+            if index >= NEEDED && values.is_empty() {
+                values.resize(rows, 0.0);
+            }
+            if values.len() != rows {
+                return Err(TableError::Uneven { column: Self::COLUMNS[index], found: values.len(), rows });
+            }
+        }
+        let [places, widths, heights, angles, roundness] = cells;
         let angles = angles.into_iter().map(f64::to_radians).collect();
         let columns = [widths, heights, angles, roundness];
         let columns = columns.map(|values| Column { slopes: monotone_slopes(&places, &values), values });
-        Ok(Self { text: text.to_owned(), places, columns })
-    }
-
-    /// The text that it was read from.
-    pub fn text(&self) -> &str {
-        &self.text
+        Ok(Self { places, columns })
     }
 }
 
@@ -243,9 +238,14 @@ mod tests {
     #[test]
     fn the_cubics_are_scipys() {
         let (places, values) = ([0.0, 1.0, 3.0, 4.0, 6.0], [1.0, 2.0, 2.5, 2.4, 5.0]);
-        let rows: String =
-            places.iter().zip(values).map(|(place, value)| format!("{place},{value},{value},{value},0\n")).collect();
-        let table = ProfileTable::parse(&format!("s_nm,width_nm,height_nm,angle_deg,roundness\n{rows}")).unwrap();
+        let columns = ProfileColumns {
+            places: places.to_vec(),
+            widths: values.to_vec(),
+            heights: values.to_vec(),
+            angles: values.to_vec(),
+            roundness: vec![0.0; 5],
+        };
+        let table = ProfileTable::new(columns).unwrap();
         for (place, expected) in SCIPY {
             let outline = table.at(place);
             for (found, expected) in outline.height.into_iter().zip(expected) {
@@ -263,21 +263,18 @@ mod tests {
     ];
 
     #[test]
-    fn bad_tables_are_refused_by_name() {
-        let refused = |text: &str| ProfileTable::parse(text).unwrap_err().to_string();
-        assert_eq!(refused("s_nm,width_nm\n0,1\n"), "has no column `height_nm`");
-        assert!(refused("s_nm,width_nm,height_nm,hight\n").starts_with("has a column `hight`, which is none of s_nm,"));
-        let head = "s_nm,width_nm,height_nm\n";
-        assert_eq!(refused(head), "has 0 rows; it takes 2 to 200");
-        for (rows, said) in [
-            ("1,1,1\n2,1,1\n", "has in row 1 `s_nm` = 1, which is not 0, where the free end is"),
-            ("0,1,1\n0,1,1\n", "has in row 2 `s_nm` = 0, which does not ascend"),
-            ("0,1,1\n5,0,1\n", "has in row 2 `width_nm` = 0, which is not above zero"),
-            ("0,1,x\n5,0,1\n", "has in row 1 `height_nm` = x, which is no number"),
-            ("0,1,nan\n5,0,1\n", "has in row 1 `height_nm` = nan, which is not finite"),
-        ] {
-            assert_eq!(refused(&format!("{head}{rows}")), said);
-        }
-        assert!(refused(&format!("{head}0,1\n")).starts_with("is no CSV: "));
+    fn bad_columns_are_refused_by_name() {
+        let refused = |places: &[f64], widths: &[f64], heights: &[f64]| {
+            let columns = ProfileColumns {
+                places: places.to_vec(),
+                widths: widths.to_vec(),
+                heights: heights.to_vec(),
+                ..Default::default()
+            };
+            ProfileTable::new(columns).unwrap_err().to_string()
+        };
+        assert_eq!(refused(&[], &[], &[]), "has 0 rows; it takes 2 to 200");
+        assert_eq!(refused(&[0.0, 0.0], &[1.0; 2], &[1.0; 2]), "has in row 2 `s_nm` = 0, which does not ascend");
+        assert_eq!(refused(&[0.0, 5.0], &[1.0; 2], &[1.0]), "has 1 rows of `height_nm` and 2 of `s_nm`");
     }
 }

@@ -60,7 +60,7 @@ impl fmt::Display for Step {
 }
 
 /// An angle with its unit: in degrees, where a number of at most nine decimals of them is the same to the last digit.
-pub(crate) fn angle_text(angle: f64) -> String {
+pub fn angle_text(angle: f64) -> String {
     let degrees = (1e9 * angle.to_degrees()).round() / 1e9;
     if degrees * 1f64.to_radians() == angle { format!("{degrees} deg") } else { format!("{angle} rad") }
 }

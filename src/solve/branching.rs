@@ -3,7 +3,7 @@
 
 use super::limit_point::locate::refined;
 use super::{
-    PathConstraint, State, Located, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve,
+    Located, NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve,
 };
 use std::sync::Arc;
 
@@ -39,12 +39,7 @@ pub fn locate_branching(
 }
 
 /// The unstable end of the bracket, on the mesh of `from`, and Newton iterations.
-fn bisected(
-    problem: &Problem,
-    from: State,
-    to: f64,
-    ws: &mut Workspace,
-) -> Result<(Solution, usize), SolveError> {
+fn bisected(problem: &Problem, from: State, to: f64, ws: &mut Workspace) -> Result<(Solution, usize), SolveError> {
     let options = NewtonOptions { tolerance: TOLERANCE, largest_update: 0.5, most_iterations: 12, exact_slope: true };
     let mut solved = |start: State, target: f64| {
         solve(problem, start, &PathConstraint { weights: Observables::DISPLACEMENT, target }, &options, ws)

@@ -1,6 +1,6 @@
 //! Equilibria at chosen values of one quantity: displacement, force or rotation control.
 
-use super::{PathConstraint, State, NewtonOptions, Observables, Problem, Solution, SolveError, Workspace, solve};
+use super::{NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve};
 
 /// Shortest step, as a share of the way from one target to the next.
 const SHORTEST: f64 = 1e-6;

@@ -23,6 +23,4 @@ pub use path::*;
 pub use problem::{InitialState, PathMeasure, Problem};
 pub use relax::{Held, RelaxError, RelaxOptions, Relaxed, disturbed, disturbed_anyhow, relax};
 pub use state::{History, Mesh, State};
-pub use system::{
-    Coefficients, CondensedSystem, Evaluation, INTERFACE, Rates, ShouldStop, System, Unknown, Workspace,
-};
+pub use system::{Coefficients, CondensedSystem, Evaluation, INTERFACE, Rates, ShouldStop, System, Unknown, Workspace};

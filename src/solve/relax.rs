@@ -176,7 +176,8 @@ fn landed(
     let constraint = &held.constraint();
     let mut probe = at.clone();
     *eliminations += 1;
-    let (size, negative) = damped_step(problem, &mut probe, constraint, Coefficients::STATIC, f64::INFINITY, ws).ok()?;
+    let (size, negative) =
+        damped_step(problem, &mut probe, constraint, Coefficients::STATIC, f64::INFINITY, ws).ok()?;
     if held.negative(negative) > 0 || size > NEAR {
         return None;
     }

@@ -11,12 +11,10 @@ mod power_law;
 mod rod;
 mod sweep;
 mod terms;
-pub mod verify;
-mod work_precision;
 pub use crate::solve::LimitPointKind as Turn;
-pub use accuracy::{Accuracy, Choice};
 /// Order of the elements with which a point is followed.
 pub use accuracy::ORDER as FOLLOWED_ORDER;
+pub use accuracy::{Accuracy, Choice};
 pub use checkpoint::Checkpoint as Keeping;
 pub use checkpoint::Checkpoint;
 pub use displacement_controlled_test::*;
@@ -28,4 +26,3 @@ pub use power_law::power_law;
 pub use rod::{RodPath, RodTrouble, RodTurn, follow_rod};
 pub use sweep::*;
 pub use terms::{KeptReason, LeftOut, Term, TermDecisions, TermEffect, Terms};
-pub use work_precision::{ASKED, Errors, Line, Trial, WorkPrecision, work_precision};

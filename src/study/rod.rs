@@ -1,8 +1,8 @@
 //! The path of a rod under its drive, from rest on: every turning point located, none missed without a word.
 
 use crate::solve::{
-    LimitPointKind, Located, Path, PathError, PathOptions, PathSegment, Problem, Solution, SolveError, Workspace, brackets,
-    locate,
+    LimitPointKind, Located, Path, PathError, PathOptions, PathSegment, Problem, Solution, SolveError, Workspace,
+    brackets, locate,
 };
 use std::sync::Arc;
 

@@ -7,8 +7,6 @@ use super::closest::{Graph, closest};
 /// curvature at its ends, behind which it goes on as a straight line. Its third derivative jumps at the places.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heights {
-    /// As it was read.
-    text: String,
     /// nm, ascending
     places: Vec<f64>,
     /// nm
@@ -22,80 +20,65 @@ pub struct Heights {
 /// What is wrong with a table of heights.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum HeightsError {
-    #[error("is no CSV: {0}")]
-    Csv(String),
-    #[error("has the columns {0}; it takes x_nm and height_nm")]
-    Columns(String),
     #[error("has in row {row} `{column}` = {found}, which {wrong}")]
     Cell { row: usize, column: &'static str, found: String, wrong: &'static str },
-    #[error("has {0} rows; it takes 3 to {MOST_ROWS}")]
+    #[error("has {0} rows; it takes 3 to {most}", most = Heights::MOST_ROWS)]
     Rows(usize),
+    #[error("has {places} places and {heights} heights")]
+    Uneven { places: usize, heights: usize },
 }
 
-/// Most rows.
-const MOST_ROWS: usize = 20_000;
 /// Numbers beyond this are taken for a slip, nm.
 const LARGEST: f64 = 1e9;
 /// Places on the shortest wave.
 const WAVE: f64 = 4.0;
 /// Samples between two neighbouring places.
 const SAMPLES: f64 = 4.0;
-const COLUMNS: [&str; 2] = ["x_nm", "height_nm"];
 
 impl Heights {
-    /// Reads a CSV with the columns `x_nm`, ascending, and `height_nm`. A line that begins with `#` is a remark.
+    /// Names of the columns in texts and messages.
+    pub const COLUMNS: [&str; 2] = ["x_nm", "height_nm"];
+    /// Most rows.
+    pub const MOST_ROWS: usize = 20_000;
+
+    /// The spline through heights at places, both in nm, the places ascending; checked row by row. Rows are counted from 1 in an
+    /// error.
     ///
     /// ```
     /// use peelkit::adhesion::Heights;
     ///
-    /// let valley = Heights::parse("x_nm,height_nm\n0,0\n50,-8\n100,0\n")?;
+    /// let valley = Heights::new(vec![0.0, 50.0, 100.0], vec![0.0, -8.0, 0.0])?;
     /// assert_eq!(valley.at(50.0)[0], -8.0);
     /// assert_eq!(valley.at(-10.0)[2], 0.0);
     /// # Ok::<(), peelkit::adhesion::HeightsError>(())
     /// ```
-    pub fn parse(text: &str) -> Result<Self, HeightsError> {
-        let mut reader =
-            csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
-        let no_csv = |error: csv::Error| HeightsError::Csv(error.to_string());
-        let header = reader.headers().map_err(no_csv)?.clone();
-        if header.iter().ne(COLUMNS) {
-            let found: Vec<String> = header.iter().map(|name| name.chars().take(40).collect()).collect();
-            return Err(HeightsError::Columns(found.join(", ")));
-        }
-        let mut cells: [Vec<f64>; 2] = Default::default();
-        for record in reader.records() {
-            let record = record.map_err(no_csv)?;
-            let row = cells[0].len() + 1;
-            if row > MOST_ROWS {
-                return Err(HeightsError::Rows(row));
-            }
-            for (column, found) in record.iter().take(2).enumerate() {
-                let cell = |wrong| HeightsError::Cell {
-                    row,
-                    column: COLUMNS[column],
-                    found: found.chars().take(40).collect(),
-                    wrong,
+    pub fn new(places: Vec<f64>, values: Vec<f64>) -> Result<Self, HeightsError> {
+        for row in 0..places.len().max(values.len()).min(Self::MOST_ROWS) {
+            for (column, cells) in [&places, &values].into_iter().enumerate() {
+                let Some(&value) = cells.get(row) else { continue };
+                let wrong = if value.is_nan() || value.abs() > LARGEST {
+                    "is not from -1e9 to 1e9"
+                } else if column == 0 && row > 0 && value <= cells[row - 1] {
+                    "does not ascend"
+                } else {
+                    continue;
                 };
-                let value: f64 = found.parse().map_err(|_| cell("is no number"))?;
-                if value.is_nan() || value.abs() > LARGEST {
-                    return Err(cell("is not from -1e9 to 1e9"));
-                }
-                if column == 0 && cells[0].last().is_some_and(|&before| value <= before) {
-                    return Err(cell("does not ascend"));
-                }
-                cells[column].push(value);
+                let column = Self::COLUMNS[column];
+                return Err(HeightsError::Cell { row: row + 1, column, found: value.to_string(), wrong });
             }
         }
-        let [places, values] = cells;
-        if places.len() < 3 {
+        if !(3..=Self::MOST_ROWS).contains(&places.len()) {
             return Err(HeightsError::Rows(places.len()));
         }
-        Ok(Self::through(text.to_owned(), places, values))
+        if places.len() != values.len() {
+            return Err(HeightsError::Uneven { places: places.len(), heights: values.len() });
+        }
+        Ok(Self::through(places, values))
     }
 
-    fn through(text: String, places: Vec<f64>, values: Vec<f64>) -> Self {
+    fn through(places: Vec<f64>, values: Vec<f64>) -> Self {
         let bends = bends(&places, &values);
-        let mut heights = Self { text, places, values, bends, graph: [0.0; 4] };
+        let mut heights = Self { places, values, bends, graph: [0.0; 4] };
         let (mut top, mut bottom) = (f64::NEG_INFINITY, f64::INFINITY);
         for pair in heights.places.windows(2) {
             for k in 0..=SAMPLES as usize {
@@ -108,14 +91,9 @@ impl Heights {
         heights
     }
 
-    /// Level, of no text.
-    pub(crate) fn level() -> Self {
-        Self::through(String::new(), vec![0.0, 1.0, 2.0], vec![0.0; 3])
-    }
-
-    /// The text that it was read from.
-    pub fn text(&self) -> &str {
-        &self.text
+    /// Level ground at three places.
+    pub fn level() -> Self {
+        Self::through(vec![0.0, 1.0, 2.0], vec![0.0; 3])
     }
 
     /// The length of the shortest wave that it can tell, nm: four times the least distance of two places.

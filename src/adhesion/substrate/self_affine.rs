@@ -27,6 +27,23 @@ const A_WAVE: f64 = 8.0;
 impl SelfAffine {
     /// The profile as a CSV with the columns `x_nm` and `height_nm`, to a nanometre's 1e-9; its mean is zero.
     pub fn table(&self) -> String {
+        let mut text = String::from("x_nm,height_nm\n");
+        for [place, height] in self.rows() {
+            let _ = writeln!(text, "{place:.9},{height:.9}");
+        }
+        text
+    }
+
+    /// The same through a spline.
+    pub fn heights(&self) -> Result<Heights, HeightsError> {
+        // as a reader of the table has them
+        let printed = |value: f64| format!("{value:.9}").parse().unwrap_or(value);
+        let (places, values) = self.rows().into_iter().map(|[place, height]| (printed(place), printed(height))).unzip();
+        Heights::new(places, values)
+    }
+
+    /// Places and heights, nm.
+    fn rows(&self) -> Vec<[f64; 2]> {
         let (first, last) = ((self.length / self.longest).ceil().max(1.0), (self.length / self.shortest).floor());
         let mut phases = SplitMix(self.seed);
         let mut waves = Vec::new();
@@ -38,18 +55,12 @@ impl SelfAffine {
         let square: f64 = waves.iter().map(|wave| 0.5 * wave.1 * wave.1).sum();
         let scale = self.roughness / square.sqrt();
         let rows = (A_WAVE * self.length / self.shortest).ceil() as usize;
-        let mut text = String::from("x_nm,height_nm\n");
-        for row in 0..=rows {
+        let row = |row: usize| {
             let part = row as f64 / rows as f64;
             let height: f64 = waves.iter().map(|(n, a, phase)| a * (TAU * n * part + phase).cos()).sum();
-            let _ = writeln!(text, "{:.9},{:.9}", self.length * part, scale * height);
-        }
-        text
-    }
-
-    /// The same through a spline.
-    pub fn heights(&self) -> Result<Heights, HeightsError> {
-        Heights::parse(&self.table())
+            [self.length * part, scale * height]
+        };
+        (0..=rows).map(row).collect()
     }
 }
 

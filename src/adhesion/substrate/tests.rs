@@ -7,12 +7,9 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 const PAPER: Sinusoid = Sinusoid { height: 8.0, wavelength: 100.0, offset: 13.0 };
 
 fn rough() -> Heights {
-    let mut text = String::from("x_nm,height_nm\n");
-    for k in 0..=60 {
-        let x = 5.0 * f64::from(k);
-        text += &format!("{x},{}\n", 3.0 * (0.11 * x).sin() + 2.0 * (0.031 * x * x).cos());
-    }
-    Heights::parse(&text).unwrap()
+    let places: Vec<f64> = (0..=60).map(|k| 5.0 * f64::from(k)).collect();
+    let heights = places.iter().map(|x| 3.0 * (0.11 * x).sin() + 2.0 * (0.031 * x * x).cos()).collect();
+    Heights::new(places, heights).unwrap()
 }
 
 /// A substrate, and y = f(x) of it.
@@ -167,7 +164,7 @@ fn nearly_flat_ground_is_flat() {
     let nearly = [
         (Substrate::Round(Round { shape: Shape::Sphere, radius: 1e12, offset: 0.0 }), 1e-7),
         (Substrate::Sinusoid(Sinusoid { height: 1e-9, wavelength: 100.0, offset: 3.0 }), 1e-7),
-        (Substrate::Profile(Arc::new(Heights::parse("x_nm,height_nm\n0,0\n7,0\n100,0\n").unwrap())), 1e-12),
+        (Substrate::Profile(Arc::new(Heights::new(vec![0.0, 7.0, 100.0], vec![0.0; 3]).unwrap())), 1e-12),
     ];
     for (substrate, order) in nearly {
         let ground = law(substrate);
@@ -203,10 +200,10 @@ fn a_line_at_a_distance() {
 
 #[test]
 fn a_table_that_is_none_is_refused() {
-    let wrong = |text: &str| Heights::parse(text).unwrap_err().to_string();
-    assert_eq!(wrong("x_nm,height_nm\n0,0\n1,1\n"), "has 2 rows; it takes 3 to 20000");
-    assert_eq!(wrong("x,y\n"), "has the columns x, y; it takes x_nm and height_nm");
-    assert_eq!(wrong("x_nm,height_nm\n0,0\n0,1\n"), "has in row 2 `x_nm` = 0, which does not ascend");
-    assert_eq!(wrong("x_nm,height_nm\n0,NaN\n"), "has in row 1 `height_nm` = NaN, which is not from -1e9 to 1e9");
-    assert_eq!(wrong("x_nm,height_nm\n0,a\n"), "has in row 1 `height_nm` = a, which is no number");
+    let wrong =
+        |places: &[f64], heights: &[f64]| Heights::new(places.to_vec(), heights.to_vec()).unwrap_err().to_string();
+    assert_eq!(wrong(&[0.0, 1.0], &[0.0, 1.0]), "has 2 rows; it takes 3 to 20000");
+    assert_eq!(wrong(&[0.0, 0.0], &[0.0, 1.0]), "has in row 2 `x_nm` = 0, which does not ascend");
+    assert_eq!(wrong(&[0.0], &[f64::NAN]), "has in row 1 `height_nm` = NaN, which is not from -1e9 to 1e9");
+    assert_eq!(wrong(&[0.0, 1.0, 2.0], &[0.0]), "has 3 places and 1 heights");
 }

@@ -4,8 +4,8 @@ use super::{Chain, ChainFactors, Configuration, ElementEnergy, FrontPosition, MO
 use crate::adhesion::Substrate;
 use crate::beam::{Focus, MeshKind, MeshPieces, Rest, graded_ends};
 use crate::solve::{
-    Coefficients, CondensedSystem, Evaluation, History, INTERFACE, MONITORS, Mesh, Rates, SolveError, State, System, Unknown,
-    Workspace,
+    Coefficients, CondensedSystem, Evaluation, History, INTERFACE, MONITORS, Mesh, Rates, SolveError, State, System,
+    Unknown, Workspace,
 };
 use std::sync::Arc;
 

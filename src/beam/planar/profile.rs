@@ -1,7 +1,7 @@
 //! What a density asks of a beam at one place: stiffness, outline, and how it lies when free of stress.
 
-use super::reissner::{section_from_forces, section_of, stored};
 use super::SectionState;
+use super::reissner::{section_from_forces, section_of, stored};
 use crate::beam::{Section, Varying};
 use crate::number::Real;
 

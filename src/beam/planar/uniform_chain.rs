@@ -8,8 +8,8 @@
 
 use super::chain::{EDGE, EndRow};
 use super::{
-    Basis, Chain, ChainFactors, Configuration, Density, Element, ElementEnergy, Front, MOST_FIELDS, NodeState, PathRow, ROOT,
-    Root, SectionState, WeightedPoints,
+    Basis, Chain, ChainFactors, Configuration, Density, Element, ElementEnergy, Front, MOST_FIELDS, NodeState, PathRow,
+    ROOT, Root, SectionState, WeightedPoints,
 };
 use crate::adhesion::Slip;
 use crate::number::Four;
@@ -171,7 +171,10 @@ impl<D: Density<F>, const F: usize, const N: usize> UniformChain<D, F, N> {
                 negative += pivots.negative.0[l] as usize + negative_end;
                 let least = least.min(pivots.least.0[l]);
                 if least < LEAST_PIVOT {
-                    return Err(SolveError::Singular { pivot: least, place: Place { element: e, position: at.ends[e] } });
+                    return Err(SolveError::Singular {
+                        pivot: least,
+                        place: Place { element: e, position: at.ends[e] },
+                    });
                 }
                 ends.extend_from_slice(&block[..F]);
                 carry = Self::load(&block);

@@ -64,7 +64,11 @@ fn turned_load(
 
 /// A label at which the displacement goes the other way than at both ends of the step. Two limit points that have just been
 /// born lie close together: where the slope is small between them, solutions there say whether it changes its sign.
-fn turned_displacement(problem: &Problem, segment: &PathSegment, ws: &mut Workspace) -> Result<Option<f64>, SolveError> {
+fn turned_displacement(
+    problem: &Problem,
+    segment: &PathSegment,
+    ws: &mut Workspace,
+) -> Result<Option<f64>, SolveError> {
     let (pick, end) = (LimitPointKind::Displacement.pick(), segment.end());
     let (first, last) = segment.end_slopes();
     let sign = pick(&first).signum();

@@ -2,7 +2,8 @@
 
 use super::LimitPointKind;
 use crate::solve::{
-    NewtonOptions, Observables, PathConstraint, PathSegment, Problem, Solution, SolveError, State, Workspace, slopes, solve,
+    NewtonOptions, Observables, PathConstraint, PathSegment, Problem, Solution, SolveError, State, Workspace, slopes,
+    solve,
 };
 use std::sync::Arc;
 
@@ -245,7 +246,11 @@ fn beside(
         let within = if own == turn { steepest * width } else { pick(&per_label).abs() };
         pick(&change).abs() + CORNER * pick(&segment.change()).abs() + within
     };
-    let difference = Observables { displacement: missed(LimitPointKind::Displacement), force: missed(LimitPointKind::Load), ..change };
+    let difference = Observables {
+        displacement: missed(LimitPointKind::Displacement),
+        force: missed(LimitPointKind::Load),
+        ..change
+    };
     Located { observables: solution.observables, solution, difference, force_curvature: 0.0, flat: false, iterations }
 }
 

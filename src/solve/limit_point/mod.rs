@@ -6,6 +6,4 @@ pub(super) mod locate;
 pub use augmented::{Fold, FoldSearch};
 pub use bracket::brackets;
 pub use kind::LimitPointKind;
-pub use locate::{
-    Located, ROUGH, difference_on_more_elements, locate, on_more_elements, reach, solve_on, unlocated,
-};
+pub use locate::{Located, ROUGH, difference_on_more_elements, locate, on_more_elements, reach, solve_on, unlocated};

@@ -7,8 +7,8 @@
 use super::metric::Metric;
 use super::predictor::{self, MOST_POINTS};
 use crate::solve::{
-    Held, History, InitialState, NewtonOptions, Observables, PathConstraint, Problem, RelaxOptions, ShouldStop, Solution,
-    SolveError, State, Workspace, relax, settle, solve,
+    Held, History, InitialState, NewtonOptions, Observables, PathConstraint, Problem, RelaxOptions, ShouldStop,
+    Solution, SolveError, State, Workspace, relax, settle, solve,
 };
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;

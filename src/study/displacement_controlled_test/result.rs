@@ -167,7 +167,7 @@ pub enum NoTest {
     Steps,
     /// The grip turns as it goes.
     #[error("drive.turn turns the grip as it goes, and the work of the machine is that of a force alone")]
-    LimitPointKind,
+    Turn,
 }
 
 impl NoTest {
@@ -177,7 +177,7 @@ impl NoTest {
             Self::Friction => "Leave --observed away, or the table [friction]",
             Self::NoPotential => "Leave --observed away, or choose another line_load or law",
             Self::Steps => "Leave --observed away, or drive.steps",
-            Self::LimitPointKind => "Leave --observed away, or drive.turn",
+            Self::Turn => "Leave --observed away, or drive.turn",
         }
     }
 }
@@ -203,7 +203,7 @@ where
         return Err(NoTest::Steps);
     }
     if model.pull.turn != 0.0 {
-        return Err(NoTest::LimitPointKind);
+        return Err(NoTest::Turn);
     }
     Ok(super::run::run(&model, accuracy, bounds))
 }

@@ -113,7 +113,7 @@ fn problem(model: &PeelModel, accuracy: &Accuracy, order: usize) -> PlanarProble
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Loss {
     /// The machine's displacement turns.
-    LimitPointKind,
+    LimitPoint,
     /// It does not, and the path branches.
     Branching,
 }
@@ -186,12 +186,7 @@ impl Test {
     }
 
     /// One way to its end: the last equilibrium, and the bound that was reached, if one was.
-    fn way(
-        &mut self,
-        machine: &Machine,
-        start: State,
-        way: Way,
-    ) -> Result<(Arc<Solution>, Option<String>), Trouble> {
+    fn way(&mut self, machine: &Machine, start: State, way: Way) -> Result<(Arc<Solution>, Option<String>), Trouble> {
         let until = match way {
             Way::Retreat => Until::Detached,
             Way::Approach => Until::Displacement(0.0),
@@ -207,7 +202,7 @@ impl Test {
             let (located, loss) = match leg.end {
                 LegEnd::Arrived => return Ok((last, None)),
                 LegEnd::Bound(bound) => return Ok((last, Some(bound))),
-                LegEnd::Limit(located) => (located, Loss::LimitPointKind),
+                LegEnd::Limit(located) => (located, Loss::LimitPoint),
                 LegEnd::Branching(located) => (located, Loss::Branching),
             };
             let landed = Arc::new(self.lost(machine, &located, loss, way)?);
@@ -274,7 +269,7 @@ impl Test {
         let (mut ws, machine_nm) = (Workspace::default(), limit.observables.displacement);
         let options = RelaxOptions::by(RELAXING);
         let start = match loss {
-            Loss::LimitPointKind => disturbed(problem, &limit.solution),
+            Loss::LimitPoint => disturbed(problem, &limit.solution),
             Loss::Branching => disturbed_anyhow(problem, &limit.solution.at),
         };
         let relaxed = relax(problem, start, Held::Displacement(machine_nm), &options, &mut ws)

@@ -2,8 +2,8 @@
 
 use crate::model::PlanarProblem;
 use crate::solve::{
-    LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathError, PathOptions, PathSegment, Solution,
-    SolveError, State, Workspace, brackets, locate, locate_branching, solve,
+    LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathError, PathOptions, PathSegment,
+    Solution, SolveError, State, Workspace, brackets, locate, locate_branching, solve,
 };
 use crate::study::Bounds;
 use crate::study::peel::{StepCurve, is_clear};
@@ -141,7 +141,8 @@ impl Machine<'_> {
             Some((behind, Some(bracket))) => (behind, bracket),
             _ => (segment, bracket),
         };
-        let located = locate(self.problem, &segment, LimitPointKind::Displacement, bracket, None, ws).map_err(not_located)?;
+        let located =
+            locate(self.problem, &segment, LimitPointKind::Displacement, bracket, None, ws).map_err(not_located)?;
         Ok(Some(located))
     }
 

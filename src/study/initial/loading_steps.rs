@@ -9,8 +9,9 @@ use crate::adhesion::CohesiveShape;
 use crate::beam::{BUNDLE, FRONT, GripForces, GripState};
 use crate::model::{Attraction, Moved, PeelModel, PlanarProblem, Step};
 use crate::solve::{
-    Direction, EndConditions, INTERFACE, InitialState, LimitPointKind, Located, MOST_POINTS, NewtonOptions, Observables, Path,
-    PathConstraint, PathError, PathOptions, PathSegment, ShouldStop, Solution, SolveError, State, Workspace, locate, settle, solve,
+    Direction, EndConditions, INTERFACE, InitialState, LimitPointKind, Located, MOST_POINTS, NewtonOptions,
+    Observables, Path, PathConstraint, PathError, PathOptions, PathSegment, ShouldStop, Solution, SolveError, State,
+    Workspace, locate, settle, solve,
 };
 use std::sync::Arc;
 
@@ -278,7 +279,8 @@ impl LoadingSequence {
         let mesh = beam.mesh_at(end.observables.monitors[FRONT], 2 * self.elements);
         let finer = beam.resampled(&end.at, mesh);
         let settled = settle(problem, finer, constraint, &newton(FINE), &mut Workspace::default());
-        let at = Reached { amount: end.observables.displacement, unit: "nm", forces: problem.beam.grip_forces(&end.at) };
+        let at =
+            Reached { amount: end.observables.displacement, unit: "nm", forces: problem.beam.grip_forces(&end.at) };
         problem.start_at(Arc::new(settled.map_err(|why| Trouble::End { at, why })?.at));
         Ok(())
     }
@@ -305,8 +307,8 @@ fn lost(problem: &PlanarProblem, segment: &PathSegment, goal: Goal, before: &Sol
         let reached = goal.reached(problem, &at.solution);
         Trouble::Turns { at: Reached { amount: at.observables.displacement, ..reached } }
     };
-    let located =
-        turned.then(|| locate(problem, segment, LimitPointKind::Displacement, whole, None, &mut Workspace::default()).ok());
+    let located = turned
+        .then(|| locate(problem, segment, LimitPointKind::Displacement, whole, None, &mut Workspace::default()).ok());
     match located.flatten() {
         Some(at) => turn(at),
         None => Trouble::Unstable { at: goal.reached(problem, before) },

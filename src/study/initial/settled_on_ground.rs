@@ -3,8 +3,8 @@
 use crate::beam::{PlanarBeam, Rest};
 use crate::model::{Ground, PlanarProblem, Start};
 use crate::solve::{
-    EndConditions, Held, INTERFACE, Mesh, NewtonOptions, Observables, PathConstraint, RelaxOptions, ShouldStop, State, System,
-    Workspace, relax, settle,
+    EndConditions, Held, INTERFACE, Mesh, NewtonOptions, Observables, PathConstraint, RelaxOptions, ShouldStop, State,
+    System, Workspace, relax, settle,
 };
 
 /// Lengths of the elements on which it relaxes, over the length of the process zone and over the least length in which the

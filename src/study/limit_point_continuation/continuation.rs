@@ -5,7 +5,7 @@
 //! coordinates, as many as have been best so far; the mesh follows the front and the process zone of each model. Values between those that are asked for are taken where the extrapolation would be too far off.
 
 use super::result::PointKind;
-use crate::beam::{FRONT, MeshKind};
+use crate::beam::FRONT;
 use crate::model::{Discretisation, Form, PeelModel, PlanarProblem};
 use crate::solve::{
     Fold, FoldSearch, Mesh, Observables, Problem, SolveError, State, System, Workspace, lagrange_weights, longest_step,
@@ -70,7 +70,7 @@ pub(super) struct Lost {
 
 /// The model's problem with the mesh that the point needs.
 pub(super) fn problem(model: &PeelModel, kind: PointKind) -> PlanarProblem {
-    let how = Discretisation { form: Form::TwoField, order: ORDER, mesh: MeshKind::Moving };
+    let how = Discretisation::moving(Form::TwoField, ORDER);
     model.discretised(how, |beam| {
         if kind == PointKind::InitiationPeak {
             // the free end of a long strip is still at rest, and that of no strip stands on its edge

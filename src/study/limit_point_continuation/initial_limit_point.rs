@@ -1,7 +1,6 @@
 //! Where the path from rest has the point that is to be followed.
 
 use super::result::PointKind;
-use crate::beam::MeshKind;
 use crate::model::{Discretisation, Form, PeelModel};
 use crate::solve::{LimitPointKind, Located, Path, PathSegment, Problem, Workspace, brackets, locate};
 use crate::study::accuracy::{ORDER, Resolution};
@@ -30,7 +29,7 @@ pub(super) fn initial_limit_point(
 
 /// The first maximum of the force, from the beginning of the path.
 fn first_maximum(model: &PeelModel, bounds: &Bounds) -> Result<Option<Located>, String> {
-    let how = Discretisation { form: Form::TwoField, order: ORDER, mesh: MeshKind::Moving };
+    let how = Discretisation::moving(Form::TwoField, ORDER);
     let problem = prepared(model, how, None).problem;
     let far = model.line_law().reach();
     let mut path = Path::new(&problem, Resolution::first(model, &Accuracy::to(ROUGH)).path_options(model, ROUGH));
@@ -79,7 +78,8 @@ fn snap_off(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Result<O
     let problem: &Problem = &trace.problem;
     let segment = PathSegment::around(problem, &trace.points, at.after);
     let mut ws = Workspace::default();
-    let found = brackets(problem, &trace.points, at.after, &segment, LimitPointKind::Displacement, accuracy.relative, &mut ws);
+    let found =
+        brackets(problem, &trace.points, at.after, &segment, LimitPointKind::Displacement, accuracy.relative, &mut ws);
     let bracket = found.map_err(|error| error.to_string())?.first().copied();
     let bracket = bracket.ok_or("the snap-off was not found again on its path")?;
     let located = locate(problem, &segment, LimitPointKind::Displacement, bracket, None, &mut ws);

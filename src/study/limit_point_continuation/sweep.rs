@@ -9,12 +9,12 @@
 use super::continuation::{Continuation, Known, Lost, problem, search};
 use super::initial_limit_point::initial_limit_point;
 use super::result::{FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing};
-use crate::beam::{FRONT, MeshKind};
+use crate::beam::FRONT;
 use crate::model::{Discretisation, Form, PeelModel};
 use crate::solve::{Located, Mesh, Observables, Path, SolveError, Workspace};
 use crate::study::accuracy::{ORDER, Resolution};
-use crate::study::initial::prepared;
 use crate::study::error_bounds::{ROUND_OFF, ROUND_OFF_PLACE};
+use crate::study::initial::prepared;
 use crate::study::{Accuracy, Bounds, End, Terms, peel};
 use std::time::Instant;
 
@@ -462,7 +462,7 @@ fn energy_at_rest(model: &PeelModel) -> Option<f64> {
     if let Some(strip) = model.strip() {
         return Some(strip.width * model.line_law().rest_energy() * strip.length);
     }
-    let how = Discretisation { form: Form::TwoField, order: ORDER, mesh: MeshKind::Moving };
+    let how = Discretisation::moving(Form::TwoField, ORDER);
     let problem = prepared(model, how, None).problem;
     let accuracy = Accuracy::to(1e-8);
     let options = Resolution::first(model, &accuracy).path_options(model, accuracy.relative);

@@ -3,7 +3,7 @@
 use super::equilibrium_path::Followed;
 use super::plateau::plateau;
 use super::work::{work_near, works};
-use super::{End, Effort, LimitPoint, PathPoint, Peak, Peel};
+use super::{Effort, End, LimitPoint, PathPoint, Peak, Peel};
 use crate::beam::FRONT;
 use crate::model::{PeelModel, PlanarProblem};
 use crate::solve::{LimitPointKind, Located, Solution, Workspace, difference_on_more_elements};
@@ -106,7 +106,8 @@ fn level(points: &[Arc<Solution>], after: usize, located: &Located, force_error:
 }
 
 fn fill_special_points(peel: &mut Peel, problem: &PlanarProblem, followed: &Followed, relative: f64) {
-    let maximum = |p: &&LimitPoint| p.kind == LimitPointKind::Load && followed.points[p.after].slope.force > 0.0 && p.force > 0.0;
+    let maximum =
+        |p: &&LimitPoint| p.kind == LimitPointKind::Load && followed.points[p.after].slope.force > 0.0 && p.force > 0.0;
     let turns_back =
         |p: &&LimitPoint| p.kind == LimitPointKind::Displacement && followed.points[p.after].slope.displacement > 0.0;
     let first_maximum = peel.limit_points.iter().find(maximum).copied();
@@ -179,7 +180,8 @@ impl Peel {
 
     /// The peak where it is no limit point but an end of the path.
     pub(in crate::study) fn peak_at_end(&self) -> Option<&Peak> {
-        let at_turn = |peak: &Peak| self.limit_points.iter().any(|at| at.kind == LimitPointKind::Load && at.force == peak.force);
+        let at_turn =
+            |peak: &Peak| self.limit_points.iter().any(|at| at.kind == LimitPointKind::Load && at.force == peak.force);
         self.peak.as_ref().filter(|peak| !at_turn(peak))
     }
 

@@ -89,7 +89,8 @@ impl Peel {
 
     /// The largest force at any point of the path, nN, behind the snap-off too: where the path goes up to a maximum or ends.
     pub fn largest_force(&self) -> Option<f64> {
-        let turns = self.limit_points.iter().filter(|point| point.kind == LimitPointKind::Load).map(|point| point.force);
+        let turns =
+            self.limit_points.iter().filter(|point| point.kind == LimitPointKind::Load).map(|point| point.force);
         turns
             .chain(self.points.last().map(|point| point.force))
             .chain(self.peak.map(|peak| peak.force))

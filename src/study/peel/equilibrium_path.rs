@@ -3,11 +3,11 @@
 use super::End;
 use super::path_refinement::fill_in;
 use super::slope_polishing::sharpen;
-use crate::beam::{FRONT, FrictionHistory, Rest, TIP_ROTATION};
+use crate::beam::{FrictionHistory, Rest, TIP_ROTATION};
 use crate::model::PlanarProblem;
 use crate::solve::{
-    Direction, LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathError, PathOptions, PathSegment,
-    ROUGH, ShouldStop, Solution, SolveError, Workspace, brackets, locate, solve, solve_on, unlocated,
+    Direction, LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathError, PathOptions,
+    PathSegment, ROUGH, ShouldStop, Solution, SolveError, Workspace, brackets, locate, solve, solve_on, unlocated,
 };
 use crate::study::checkpoint::Limits;
 use std::f64::consts::FRAC_PI_2;
@@ -104,7 +104,13 @@ fn name(turn: &LimitPointKind) -> &'static str {
 }
 
 /// Follows the path and locates its turning points.
-pub(super) fn follow(problem: &PlanarProblem, options: PathOptions, far: f64, relative: f64, limits: &Limits) -> Followed {
+pub(super) fn follow(
+    problem: &PlanarProblem,
+    options: PathOptions,
+    far: f64,
+    relative: f64,
+    limits: &Limits,
+) -> Followed {
     let known = (limits.keeping.taken)(&options);
     let taken = known.len();
     let mut path = Path::new(problem, options).until(limits.should_stop()).knowing(known);
@@ -180,7 +186,10 @@ pub(super) fn follow(problem: &PlanarProblem, options: PathOptions, far: f64, re
 /// a mesh resolves the beam. Without a potential, along a beam of varying outline and on ground that is not flat there is
 /// no such integral.
 fn worst_spread(problem: &PlanarProblem, points: &[Arc<Solution>]) -> f64 {
-    if !problem.system.is_conservative() || matches!(problem.beam.rest, Rest::Varying(_)) || !problem.beam.substrate.is_flat() {
+    if !problem.system.is_conservative()
+        || matches!(problem.beam.rest, Rest::Varying(_))
+        || !problem.beam.substrate.is_flat()
+    {
         return 0.0;
     }
     let spread = |point: &Arc<Solution>| {
@@ -293,9 +302,7 @@ impl Followed {
             return self.finish_detached(problem, far);
         }
         let (weights, target) = match self.end {
-            End::Pivoting if stands_upright(problem, &self.points) => {
-                (Observables::monitor(TIP_ROTATION), FRAC_PI_2)
-            }
+            End::Pivoting if stands_upright(problem, &self.points) => (Observables::monitor(TIP_ROTATION), FRAC_PI_2),
             End::Pivoting => (Observables::FORCE, 0.0),
             End::TurnedBack => (Observables::DISPLACEMENT, 0.0),
             _ => return,
@@ -420,7 +427,8 @@ impl Followed {
     /// The same filter on what was located: an interpolant over a long step can make a ripple look large.
     fn drop_ripple(&mut self, relative: f64) {
         loop {
-            let loads: Vec<usize> = (0..self.turns.len()).filter(|&i| self.turns[i].0 == LimitPointKind::Load).collect();
+            let loads: Vec<usize> =
+                (0..self.turns.len()).filter(|&i| self.turns[i].0 == LimitPointKind::Load).collect();
             let force = |i: usize| self.turns[i].2.observables.force;
             let weak = loads.windows(2).find(|w| (force(w[0]) - force(w[1])).abs() < relative * force(w[0]).abs());
             let Some(&[first, second]) = weak else { return };
@@ -440,7 +448,8 @@ impl Followed {
         for (after, pair) in self.points[..checked].windows(2).enumerate() {
             let change = pair[0].negative.abs_diff(pair[1].negative);
             let turns = self.turns.iter().filter(|t| t.0 == LimitPointKind::Displacement && t.1 == after).count();
-            let explained = (turns + change).is_multiple_of(2) && (change <= turns || !problem.system.is_conservative());
+            let explained =
+                (turns + change).is_multiple_of(2) && (change <= turns || !problem.system.is_conservative());
             if !explained {
                 return Err(Trouble::Missed {
                     after,
@@ -463,7 +472,7 @@ fn pick_at(solution: &Solution, turn: LimitPointKind) -> f64 {
 mod tests {
     use super::*;
     use crate::model::{Form, PeelModel, StripModel};
-    use crate::study::choice::Resolution;
+    use crate::study::accuracy::Resolution;
     use crate::study::{Accuracy, Bounds, Checkpoint};
 
     /// What the count of negative eigenvalues is for: turning points that were not located are missed by name.
@@ -473,7 +482,7 @@ mod tests {
         let problem = model.problem(Form::TwoField, accuracy.order());
         let options = Resolution::first(&model, &accuracy).path_options(&model, accuracy.relative);
         let bounds = Bounds { points: 5000, time_s: None, displacement: None };
-        let limits = Limits { bounds: &bounds, keeping: &Checkpoint::NOTHING, started: Instant::now() };
+        let limits = Limits { bounds: &bounds, keeping: &Checkpoint::NOTHING, started: std::time::Instant::now() };
         let mut followed = follow(&problem, options, 4.0, accuracy.relative, &limits);
         assert!(followed.check_inertia(&problem).is_ok());
         let located = followed.turns.iter().position(|turn| turn.0 == LimitPointKind::Displacement).unwrap();

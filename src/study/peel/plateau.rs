@@ -12,7 +12,12 @@ const SAMPLES: usize = 64;
 
 /// The plateau between the initiation peak and the snap-off (or the end of the path): the flattest segment of the curve,
 /// and on it the place of least steepness. Load limit points are level too, but only for a moment.
-pub(super) fn plateau(problem: &PlanarProblem, followed: &Followed, peak_after: usize, snap_after: usize) -> Option<Plateau> {
+pub(super) fn plateau(
+    problem: &PlanarProblem,
+    followed: &Followed,
+    peak_after: usize,
+    snap_after: usize,
+) -> Option<Plateau> {
     let points = &followed.points;
     // between points by differences: slopes at the points are not exact enough to tell one flat place from another
     let between = |i: usize| {

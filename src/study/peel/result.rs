@@ -169,6 +169,11 @@ impl Peel {
         self.trace.as_ref().map(|trace| trace.sections(index)).unwrap_or_default()
     }
 
+    /// The same without the solutions behind its points, which take most of its memory: without shapes, sections and terms.
+    pub fn without_solutions(self) -> Self {
+        Self { trace: None, ..self }
+    }
+
     /// The deformed axis at `points[index]`; empty where there is none.
     pub fn shape(&self, index: usize) -> Shape {
         self.trace.as_ref().map(|trace| trace.shape(index)).unwrap_or_default()

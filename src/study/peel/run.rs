@@ -227,8 +227,9 @@ impl Attempt {
         if self.cut && best.trouble.is_none() {
             false
         } else if self.trouble.is_some() && best.trouble.is_some() {
-            let reached =
-                |attempt: &Self| attempt.peel.limit_points.iter().filter(|p| p.kind == LimitPointKind::Displacement).count();
+            let reached = |attempt: &Self| {
+                attempt.peel.limit_points.iter().filter(|p| p.kind == LimitPointKind::Displacement).count()
+            };
             (reached(self), best.difference) > (reached(best), self.difference)
         } else if met(self) && met(best) {
             self.spread <= best.spread

@@ -71,7 +71,8 @@ impl Shape {
         let mut shape = Self::default();
         let sample = |e: usize, fraction: f64| {
             let (values, section) = beam.chain.sample(beam.configuration(at), e, 2.0 * fraction - 1.0);
-            let height = beam.height_at(at.mesh.boundaries[e] + fraction * (at.mesh.boundaries[e + 1] - at.mesh.boundaries[e]));
+            let height =
+                beam.height_at(at.mesh.boundaries[e] + fraction * (at.mesh.boundaries[e + 1] - at.mesh.boundaries[e]));
             let rotation = values[beam.rotation];
             ([values[beam.rotation - 1] + 0.5 * height, rotation, height], section.horizontal_slope)
         };

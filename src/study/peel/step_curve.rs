@@ -3,6 +3,7 @@
 //! Slopes of the path belong to the mesh of a point; between points whose meshes differ they are good to few digits. Here
 //! only values count: u and P are polynomials through solutions at Gauss-Lobatto labels.
 
+use super::Peel;
 use crate::beam::Basis;
 use crate::model::PlanarProblem;
 use crate::solve::{Observables, PathSegment, ROUGH, Solution, Workspace, lagrange_weights, reach};
@@ -37,7 +38,13 @@ impl StepCurve {
     }
 
     /// The same in pieces, halved where one curve would not be certain of its work.
-    pub fn pieces(problem: &PlanarProblem, segment: &PathSegment, to: f64, end: &Solution, ws: &mut Workspace) -> Vec<Self> {
+    pub fn pieces(
+        problem: &PlanarProblem,
+        segment: &PathSegment,
+        to: f64,
+        end: &Solution,
+        ws: &mut Workspace,
+    ) -> Vec<Self> {
         let mut known = segment.clone();
         Self::halved(problem, &mut known, [(0.0, &segment.first()), (to, end)], MOST_HALVINGS, ws)
     }
@@ -122,5 +129,24 @@ impl StepCurve {
             self.basis.weights[q] * force * rise
         };
         (0..NODES - 1).map(power).sum()
+    }
+}
+
+impl Peel {
+    /// The force where the path first has a displacement (nm), nN, by interpolation between solutions around it; nothing where the
+    /// path does not go there or was not kept.
+    pub fn force_at(&self, displacement: f64) -> Option<f64> {
+        let trace = self.trace.as_ref()?;
+        let after = trace.points.iter().position(|s| s.observables.displacement >= displacement)?;
+        if after == 0 {
+            return Some(trace.points[0].observables.force);
+        }
+        let curve = StepCurve::behind(&trace.problem, &trace.points, after - 1, &mut Workspace::default());
+        let (mut low, mut high) = (-1.0, 1.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if curve.at(middle).0 < displacement { low = middle } else { high = middle }
+        }
+        Some(curve.at(low).2)
     }
 }

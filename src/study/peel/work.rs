@@ -1,6 +1,7 @@
 //! The work of the grip along a path, of its force, and of its moment where it turns: the energy it changed, or, where the load has no
 //! potential, ∫ P du.
 
+use super::Peel;
 use super::step_curve::StepCurve;
 use crate::model::PlanarProblem;
 use crate::solve::{Located, PathSegment, Solution, Workspace};
@@ -51,4 +52,16 @@ pub(in crate::study) fn power(problem: &PlanarProblem, s: &Solution) -> f64 {
 /// Stored and adhesion energy, aJ.
 pub(super) fn energy(problem: &PlanarProblem, s: &Solution) -> f64 {
     problem.energy(&s.at, s.energy)
+}
+
+impl Peel {
+    /// ∫ P du from rest to `points[index]`, by quadrature, which knows nothing of energies, and the change of stored and adhesion
+    /// energy on that way, both aJ; nothing where the path was not kept. They are equal where the load has a potential and the
+    /// grip does not turn.
+    pub fn work_and_energy(&self, index: usize) -> Option<(f64, f64)> {
+        let trace = self.trace.as_ref()?;
+        let points = trace.points.get(..=index)?;
+        let work = *works_of_force(&trace.problem, points, &mut Workspace::default()).last()?;
+        Some((work, energy(&trace.problem, points.last()?) - energy(&trace.problem, points.first()?)))
+    }
 }

@@ -26,8 +26,8 @@ impl FirstOrderChange {
     pub fn of(trace: &SolutionHistory, point: &LimitPoint, rate: &dyn Fn(&Solution) -> f64) -> Self {
         let segment = PathSegment::around(&trace.problem, &trace.points, point.after);
         let middle = 0.5 * segment.end();
-        let [displacement, force] =
-            [LimitPointKind::Displacement.pick(), LimitPointKind::Load.pick()].map(|pick| segment.observable(pick, middle));
+        let [displacement, force] = [LimitPointKind::Displacement.pick(), LimitPointKind::Load.pick()]
+            .map(|pick| segment.observable(pick, middle));
         let turning = if point.kind == LimitPointKind::Load { &force } else { &displacement };
         let at = turning.turning_point(0.0, segment.end());
         let (work, work_slope) = segment.rate(rate, at);

@@ -107,10 +107,14 @@ impl TermSelection<'_> {
             Form::TwoField => {
                 left_out.push(LeftOut { term: Term::Horizontal, force: 0.0, displacement: 0.0, largest: 0.0 });
             }
-            Form::ThreeField => kept.push((Term::Horizontal, KeptReason::NotTold("the ground or friction acts along them"))),
+            Form::ThreeField => {
+                kept.push((Term::Horizontal, KeptReason::NotTold("the ground or friction acts along them")))
+            }
         }
         let moment = (peel.model.adhesion.line_load == LineLoad::Full).then_some(Term::ContactMoment);
-        kept.extend([Term::Shear, Term::Extension].into_iter().chain(moment).map(|term| (term, KeptReason::NothingSaved)));
+        kept.extend(
+            [Term::Shear, Term::Extension].into_iter().chain(moment).map(|term| (term, KeptReason::NothingSaved)),
+        );
         peel.effort.newton_iterations = iterations;
         peel.solve_s = started.elapsed().as_secs_f64();
         peel.considered = Some(TermDecisions { left_out, kept });
@@ -227,12 +231,16 @@ impl Found {
         let Some(work) = Work::of(term, model, &peel.model) else {
             return Self { left_out: nothing, shifts: Vec::new(), end: FirstOrderChange::default() };
         };
-        let rate = |solution: &Solution, lift: f64| work.rate(&SectionSampling::new(&peel.model, &trace.problem, solution), lift);
+        let rate = |solution: &Solution, lift: f64| {
+            work.rate(&SectionSampling::new(&peel.model, &trace.problem, solution), lift)
+        };
         // where the path begins, from where displacements count
         let lift = match term {
             // friction holds nothing yet
             Term::Friction => 0.0,
-            Term::FarFace => LineLaw { far_face: true, ..peel.model.line_law() }.rest_gap() - trace.problem.beam.rest_gap,
+            Term::FarFace => {
+                LineLaw { far_face: true, ..peel.model.line_law() }.rest_gap() - trace.problem.beam.rest_gap
+            }
             _ => trace.points.first().map_or(0.0, |first| -rate(first, 0.0) / first.slope.force),
         };
         let rate = |solution: &Solution| rate(solution, lift);

@@ -1,0 +1,154 @@
+//! What friction adds to a strip that is pulled at an angle, and where it slides.
+
+use super::super::figure::{Figure, Table};
+use super::super::runner::Runner;
+use peelkit::analytic::kendall_force;
+use peelkit::model::{Friction, PeelModel, Pull, StripModel};
+use peelkit::study::{Accuracy, Bounds, Peel, Sliding};
+use peelkit_report::chart::RGBColor;
+use peelkit_report::chart::{Axis, Frame, Line, Panel, Picture, Stroke, WIDTH, colour};
+use peelkit_report::pictures::sweep::FORCE;
+use peelkit_report::{ReportError, end_word};
+use std::path::Path;
+
+/// L, nm
+const LENGTH: f64 = 100.0;
+/// Shear strength of the contact (GPa), and how it is drawn.
+const STRENGTHS: [(f64, RGBColor, &str); 3] =
+    [(0.01, colour::GREEN, "10 MPa"), (0.05, colour::BLUE, "50 MPa"), (0.2, colour::VERMILLION, "200 MPa")];
+/// The strength whose sliding is shown, and the angles in degrees at which it is.
+const SHOWN: usize = 1;
+const SLIDING: [(f64, RGBColor, &str); 4] = [
+    (10.0, colour::BLUE, "10 degrees"),
+    (30.0, colour::GREEN, "30 degrees"),
+    (60.0, colour::INK, "60 degrees"),
+    (120.0, colour::VERMILLION, "120 degrees"),
+];
+/// Angles, degrees.
+const STEP: f64 = 5.0;
+const ANGLES: usize = 34;
+/// Up to it the first peak comes, nm.
+const FAR: f64 = 20.0;
+const ACCURACY: Accuracy = Accuracy::to(1e-4);
+const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: Some(FAR) };
+
+/// How many peels the figure takes.
+pub(in crate::figures) const PEELS: usize = (STRENGTHS.len() + 1) * ANGLES;
+
+fn angles() -> impl Iterator<Item = f64> {
+    (1..=ANGLES).map(|k| STEP * k as f64)
+}
+
+fn strip(degrees: f64, strength: Option<f64>) -> PeelModel {
+    let friction = Friction { strength, ..Friction::NONE };
+    PeelModel {
+        pull: Pull { angle: degrees.to_radians(), ..Pull::UP },
+        friction,
+        ..StripModel::of_the_paper(LENGTH, 1.0).into()
+    }
+}
+
+/// The first largest force, or where there is none because all slides before it, that.
+fn first_peak(peel: &Peel) -> Option<f64> {
+    peel.initiation_peak.or(peel.peak).map(|peak| peak.force)
+}
+
+pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportError> {
+    let of = |strength| {
+        let models: Vec<PeelModel> = angles().map(|angle| strip(angle, strength)).collect();
+        runner.peel_all(&models, &ACCURACY, &BOUNDS)
+    };
+    let free = of(None);
+    let held = STRENGTHS.map(|(strength, ..)| of(Some(strength)));
+    let picture = picture(&free, &held);
+    let caption = format!(
+        "Above: the initiation peak of a strip of {LENGTH} nm (h = 10 nm, E = 2 GPa) against the angle at which it is pulled, the force along \
+         the pull: with friction of three shear strengths, which alone holds the strip along the substrate, and without friction, its free \
+         end held at x = 0. At the smallest angles the strip slides as a whole before it peels, and the force is the one that it slides at. Dotted: Kendall's force. Below: \
+         what share of its limit the friction of 50 MPa carries at the peak along the strip, whose grip is at S = {LENGTH} nm: ±1 where the face \
+         slides, forwards or backwards."
+    );
+    Figure::write(dir, "friction", caption, &picture, &table(&free, &held))
+}
+
+fn picture(free: &[Peel], held: &[Vec<Peel>; STRENGTHS.len()]) -> Picture {
+    let frame = |top: f64, bottom: f64| Frame { left: 88.0, top, right: f64::from(WIDTH) - 18.0, bottom };
+    let line = |points: Vec<(f64, f64)>, stroke, name: &str| Line { points, stroke, name: Some(name.into()) };
+    let curve = |peels: &[Peel]| {
+        angles().zip(peels).filter_map(|(angle, peel)| Some((angle, first_peak(peel)?))).collect::<Vec<_>>()
+    };
+    let mut above = Panel::new(
+        frame(40.0, 330.0),
+        Axis::linear("angle of the pull (degrees)", 0.0, 180.0),
+        Axis::log(FORCE, 1e-2, 1e1),
+    );
+    for ((_, colour, name), peels) in STRENGTHS.iter().zip(held).rev() {
+        above.lines.push(line(curve(peels), Stroke::solid(*colour, 2.0), &format!("initiation peak, {name}")));
+    }
+    above.lines.push(line(curve(free), Stroke::dashed(colour::INK, 1.6), "without friction"));
+    above.lines.push(line(
+        angles().map(|angle| (angle, kendall(angle))).collect(),
+        Stroke::dotted(colour::GREY, 2.0),
+        "Kendall",
+    ));
+    let mut below = Panel::new(
+        frame(400.0, 620.0),
+        Axis::linear("place along the strip S (nm)", 0.0, LENGTH),
+        Axis::linear("share of the friction", -1.05, 1.05),
+    );
+    for (degrees, colour, name) in SLIDING {
+        let at = angles().position(|angle| angle == degrees).and_then(|k| held[SHOWN].get(k));
+        let Some(Sliding { along, .. }) = at.and_then(Peel::sliding_at_peak) else { continue };
+        let limit = |tau: f64| tau > TOUCHING * STRENGTHS[SHOWN].0;
+        let points = along.iter().filter(|(.., tau)| limit(*tau)).map(|&(s, share, _)| (s, share)).collect();
+        below.lines.push(line(points, Stroke::solid(colour, 1.8), name));
+    }
+    Picture { title: "Peeling with friction".into(), height: 674, panels: vec![above, below] }
+}
+
+/// Where the limit is above this share of the strength, the face is drawn.
+const TOUCHING: f64 = 0.05;
+
+/// Kendall's force at an angle in degrees, nN.
+fn kendall(degrees: f64) -> f64 {
+    let strip = StripModel::of_the_paper(LENGTH, 1.0);
+    let work = -PeelModel::from(strip).line_law().rest_energy();
+    kendall_force(work, strip.strip.youngs_modulus, strip.strip.height, strip.strip.width, degrees.to_radians())
+}
+
+fn table(free: &[Peel], held: &[Vec<Peel>; STRENGTHS.len()]) -> Table {
+    let mut table = Table::new(&[
+        "series",
+        "angle_deg",
+        "strength_GPa",
+        "force_nN",
+        "error_nN",
+        "displacement_nm",
+        "free_end_nm",
+        "sliding_length_nm",
+        "kendall_nN",
+        "end",
+    ]);
+    let mut push = |series: &str, strength: Option<f64>, peels: &[Peel]| {
+        for (angle, peel) in angles().zip(peels) {
+            let peak = peel.initiation_peak.or(peel.peak);
+            let sliding = peel.sliding_at_peak();
+            let numbers = [
+                Some(angle),
+                strength,
+                peak.map(|p| p.force),
+                peak.map(|p| p.force_error),
+                peak.map(|p| p.displacement),
+                sliding.as_ref().map(|s| s.free_end),
+                sliding.as_ref().map(|s| s.sliding),
+                Some(kendall(angle)),
+            ];
+            table.push(&[series], &numbers, &[end_word(&peel.end)]);
+        }
+    };
+    push("without friction", None, free);
+    for ((strength, ..), peels) in STRENGTHS.iter().zip(held) {
+        push("with friction", Some(*strength), peels);
+    }
+    table
+}

@@ -1,0 +1,12 @@
+//! Figures of what peels.
+
+pub(super) mod friction;
+pub(super) mod laws;
+pub(super) mod points;
+pub(super) mod pull;
+pub(super) mod rough;
+pub(super) mod rough_spatula;
+pub(super) mod spatula;
+pub(super) mod stiffness;
+pub(super) mod strip;
+pub(super) mod work;

@@ -1,0 +1,114 @@
+//! One strip: Fig. 9 of the paper, and the whole peel curve with its shapes.
+
+use super::super::figure::{Figure, Table};
+use super::super::runner::{Runner, paper_strip};
+use peelkit::study::{End, Peel};
+use peelkit_report::ReportError;
+use peelkit_report::chart::significant;
+use peelkit_report::pictures::peel::{curve, numbered_points, shapes};
+use std::path::Path;
+
+/// How many peels the figures of this file take.
+pub(in crate::figures) const PEELS: usize = 2;
+
+/// Shapes in Fig. 9, the one at rest included.
+const SHAPES: usize = 7;
+
+pub(in crate::figures) fn figures(runner: &Runner<'_>, dir: &Path) -> Result<Vec<Figure>, ReportError> {
+    let long = runner.peel(&paper_strip(200.0));
+    let short = runner.peel(&paper_strip(100.0));
+    Ok(vec![peeling(&long, dir)?, peel_curve(&short, dir)?, peel_shapes(&short, dir)?])
+}
+
+fn peeling(peel: &Peel, dir: &Path) -> Result<Figure, ReportError> {
+    let stem = "fig09-peeling";
+    let shown = stable_shapes(peel);
+    let picture = shapes(peel, &shown, "Peeling of an elastic strip, L = 200 nm", &dir.join(format!("{stem}.svg")))?;
+    let caption = format!(
+        "The strip of Fig. 9 of the paper (h = 10 nm, E = 2 GPa, A_H = 1e-19 J, r0 = 0.4 nm; the length of 200 nm is \
+         ours), drawn to scale: at rest and lifted at its right end, which is free to turn and to move sideways, up \
+         to the snap-off{}.",
+        peel.snap_off.map(|s| format!(" at u = {} nm", significant(s.displacement, 5))).unwrap_or_default()
+    );
+    Figure::write(dir, stem, caption, &picture, &shape_table(peel, &shown))
+}
+
+/// The path point at rest and those nearest to even steps of u up to the snap-off.
+pub(in crate::figures) fn stable_shapes(peel: &Peel) -> Vec<usize> {
+    let last = peel.points.len().saturating_sub(1);
+    let (to, end) = match peel.snap_off {
+        Some(snap) => (snap.displacement, (snap.after + 1).min(last)),
+        None => (peel.points.last().map_or(0.0, |p| p.displacement), last),
+    };
+    let off = |i: usize, u: f64| (peel.points[i].displacement - u).abs();
+    let nearest = |n: usize| {
+        let u = to * n as f64 / (SHAPES - 1) as f64;
+        (0..=end).min_by(|&a, &b| off(a, u).total_cmp(&off(b, u))).unwrap_or(0)
+    };
+    let mut chosen: Vec<usize> = if peel.points.is_empty() { Vec::new() } else { (0..SHAPES).map(nearest).collect() };
+    chosen.dedup();
+    chosen
+}
+
+fn peel_curve(peel: &Peel, dir: &Path) -> Result<Figure, ReportError> {
+    let stem = "peel-curve";
+    let title = "Force against displacement, L = 100 nm";
+    let picture = curve(peel, &numbered_points(peel), title, &dir.join(format!("{stem}.svg")))?;
+    let caption = format!(
+        "Force on the grip of a strip of 100 nm against its displacement. Left the initiation, right the whole path, \
+         which {}. Dashed: equilibria that are unstable while the displacement is held. The numbers are those of \
+         `peel-shapes`.",
+        ending(&peel.end)
+    );
+    let mut figure = Figure::write(dir, stem, caption, &picture, &curve_table(peel))?;
+    let mut points = Table::new(&["kind", "displacement_nm", "force_nN", "error_nm", "error_nN", "work_aJ"]);
+    for limit in &peel.limit_points {
+        let kind = format!("{:?}", limit.kind).to_lowercase();
+        let errors = [limit.displacement_error, limit.force_error];
+        let numbers = [limit.displacement, limit.force, errors[0], errors[1], limit.work].map(Some);
+        points.push(&[&kind], &numbers, &[]);
+    }
+    figure.add_table(dir, "peel-curve-limit-points", &points)?;
+    Ok(figure)
+}
+
+fn peel_shapes(peel: &Peel, dir: &Path) -> Result<Figure, ReportError> {
+    let stem = "peel-shapes";
+    let numbered = numbered_points(peel);
+    let picture =
+        shapes(peel, &numbered, "The strip at the numbered points of the curve", &dir.join(format!("{stem}.svg")))?;
+    let caption = "The strip of `peel-curve`, drawn to scale, at the points numbered there.".to_string();
+    Figure::write(dir, stem, caption, &picture, &shape_table(peel, &numbered))
+}
+
+pub(in crate::figures) fn curve_table(peel: &Peel) -> Table {
+    let mut table = Table::new(&["displacement_nm", "force_nN", "negative_eigenvalues"]);
+    for (u, force, negative) in peel.dense_curve(8) {
+        table.push(&[], &[Some(u), Some(force)], &[&negative.to_string()]);
+    }
+    table
+}
+
+pub(in crate::figures) fn shape_table(peel: &Peel, shown: &[usize]) -> Table {
+    let mut table = Table::new(&["shape", "displacement_nm", "force_nN", "x_nm", "y_nm", "rotation_rad"]);
+    for (n, &i) in shown.iter().enumerate() {
+        let (point, shape) = (&peel.points[i], peel.shape(i));
+        for ((x, y), turn) in shape.x.iter().zip(&shape.y).zip(&shape.rotation) {
+            let numbers = [point.displacement, point.force, *x, *y, *turn].map(Some);
+            table.push(&[&(n + 1).to_string()], &numbers, &[]);
+        }
+    }
+    table
+}
+
+fn ending(end: &End) -> String {
+    match end {
+        End::Detached => "ends with the strip detached".into(),
+        End::Pivoting => "ends where the force has come back to zero while the left edge still holds".into(),
+        End::TurnedBack => "ends back at u = 0".into(),
+        End::Sliding => "slides on from there".into(),
+        End::Snapped => "snaps off there".into(),
+        End::Bound(what) => format!("was stopped by a bound ({what})"),
+        End::Failed(why) => format!("stops short ({why})"),
+    }
+}

@@ -1,0 +1,73 @@
+//! Runs the peels of the figures.
+
+use peelkit::model::{PeelModel, StripModel};
+use peelkit::study::{Accuracy, Bounds, Peel, SweepCase, SweepRow, peel, sweep};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Runs peels and counts them.
+pub(crate) struct Runner<'a> {
+    done: AtomicUsize,
+    total: usize,
+    progress: &'a (dyn Fn(usize, usize) + Sync),
+}
+
+pub(crate) const ACCURACY: Accuracy = Accuracy::to(1e-6);
+pub(crate) const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+
+impl<'a> Runner<'a> {
+    /// `progress` is called with the number of finished peels and `total`, from any thread.
+    pub fn new(total: usize, progress: &'a (dyn Fn(usize, usize) + Sync)) -> Self {
+        Self { done: AtomicUsize::new(0), total, progress }
+    }
+
+    /// Tells that nothing is left to do, where fewer peels were run than planned.
+    pub fn finish(&self) {
+        if self.done.load(Ordering::Relaxed) < self.total {
+            (self.progress)(self.total, self.total);
+        }
+    }
+
+    pub fn peel<'m, M>(&self, model: &'m M) -> Peel
+    where
+        PeelModel: From<&'m M>,
+    {
+        let peel = peel(model, &ACCURACY, &BOUNDS);
+        self.count();
+        peel
+    }
+
+    /// The same of several, on all cores, as far as `bounds` say and as well as `accuracy` says.
+    pub fn peel_all(&self, models: &[PeelModel], accuracy: &Accuracy, bounds: &Bounds) -> Vec<Peel> {
+        let peel = |model: &PeelModel| {
+            let peel = peel(model, accuracy, bounds);
+            self.count();
+            peel
+        };
+        models.par_iter().map(peel).collect()
+    }
+
+    pub fn sweep<M: Clone + Into<PeelModel>>(&self, cases: &[(f64, M)]) -> Vec<SweepRow> {
+        self.sweep_to(ACCURACY, cases)
+    }
+
+    pub fn sweep_to<M: Clone + Into<PeelModel>>(&self, accuracy: Accuracy, cases: &[(f64, M)]) -> Vec<SweepRow> {
+        let case = |(value, model): &(f64, M)| SweepCase {
+            value: *value,
+            model: model.clone().into(),
+            accuracy,
+            bounds: BOUNDS,
+        };
+        sweep(&cases.iter().map(case).collect::<Vec<_>>(), &|| true, &|_| self.count())
+    }
+
+    fn count(&self) {
+        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        (self.progress)(done, self.total);
+    }
+}
+
+/// The strip of Section 6 of the paper, of the given length in nm.
+pub(crate) fn paper_strip(length: f64) -> StripModel {
+    StripModel::of_the_paper(length, 1.0)
+}

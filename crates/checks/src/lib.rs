@@ -1,0 +1,12 @@
+//! The verification suite behind `peel verify`, the figures behind `peel figures`, and what an accuracy costs.
+
+#![forbid(unsafe_code)]
+
+mod check_text;
+mod figures;
+pub mod suite;
+mod work_precision;
+
+pub use check_text::{check_line, checks_json};
+pub use figures::{draw_figures, holds_figures};
+pub use work_precision::{ASKED, AUTOMATIC, Errors, Line, Trial, WorkPrecision, work_precision, write_work_precision};

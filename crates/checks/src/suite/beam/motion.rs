@@ -1,0 +1,68 @@
+//! Rigid motions store no energy and change none.
+
+use super::{Check, Measure, cantilever, check, problem};
+use peelkit::beam::{Configuration, RestCurve};
+use peelkit::model::{Drive, PlanarProblem, RodModel, Support};
+
+const ELEMENTS: usize = 5;
+const AXIAL: f64 = 1e4;
+
+pub(super) fn checks() -> Vec<Check> {
+    let straight = RodModel { left: Support::FREE, ..cantilever(AXIAL, 0.4 * AXIAL, Drive::Y) };
+    let arch = RodModel { rest: RestCurve::arc(1.0, -2.0), ..straight };
+    let at_most = |name: String, computed| check(name, "zero: rigid motion", computed, 0.0, Measure::AtMost, 1e-12);
+    let mut checks = Vec::new();
+    for turn in [1e-3, 1.0, 3.0, 100.0] {
+        let moved = problem(&straight, 7).map(|p| (moved(&p.initial(ELEMENTS).values, turn), p));
+        checks.push(at_most(
+            format!("stored energy over EA L, straight rod turned by {turn} rad and moved by (3, -2) L"),
+            moved.as_ref().map(|(state, p)| energy(p, state) / AXIAL).map_err(String::clone),
+        ));
+        checks.push(at_most(
+            format!("largest section force over EA, straight rod turned by {turn} rad and moved by (3, -2) L"),
+            moved.map(|(state, p)| largest_force(&p, &state) / AXIAL),
+        ));
+    }
+    for turn in [1.0, 100.0] {
+        checks.push(at_most(
+            format!("relative change of the stored energy of a bent, stretched and sheared arch turned by {turn} rad"),
+            problem(&arch, 7).map(|p| {
+                let state = deformed(&p);
+                (energy(&p, &moved(&state, turn)) / energy(&p, &state) - 1.0).abs()
+            }),
+        ));
+    }
+    checks.push(at_most(
+        "stored energy over EA L, arch of 2 rad at rest, 5 elements of order 7".into(),
+        problem(&arch, 7).map(|p| energy(&p, &p.initial(ELEMENTS).values) / AXIAL),
+    ));
+    checks
+}
+
+fn energy(problem: &PlanarProblem, state: &[f64]) -> f64 {
+    let ends = problem.beam.ends(0.0, ELEMENTS);
+    problem.beam.chain.energy(Configuration { ends: &ends, state, border: 0.0, history: None }, state).0.total
+}
+
+fn largest_force(problem: &PlanarProblem, state: &[f64]) -> f64 {
+    let ends = problem.beam.ends(0.0, ELEMENTS);
+    let states = problem
+        .beam
+        .chain
+        .node_states(Configuration { ends: &ends, state, border: 0.0, history: None }, 0..ends.len() - 1);
+    states.iter().map(|s| s.section.horizontal_force.abs().max(s.section.vertical_force.abs())).fold(0.0, f64::max)
+}
+
+/// The state turned about the origin and moved by (3, -2).
+fn moved(state: &[f64], turn: f64) -> Vec<f64> {
+    let (sin, cos) = turn.sin_cos();
+    let node = |n: &[f64]| [3.0 + cos * n[0] - sin * n[1], -2.0 + sin * n[0] + cos * n[1], n[2] + turn];
+    state.chunks_exact(3).flat_map(node).collect()
+}
+
+/// The rest state with a wave of a tenth of the length in every field: strains of order one, no equilibrium.
+fn deformed(problem: &PlanarProblem) -> Vec<f64> {
+    let rest = problem.initial(ELEMENTS).values;
+    let wave = |n: &[f64]| [n[0] + 0.1 * (3.0 * n[1]).cos(), n[1] + 0.1 * (4.0 * n[0]).sin(), n[2] + 0.3 * n[0] * n[0]];
+    rest.chunks_exact(3).flat_map(wave).collect()
+}

@@ -1,0 +1,25 @@
+//! Strips that friction holds against collocation.
+
+use super::turns::Turns;
+use super::{Check, Topic};
+
+pub(super) const TOPIC: Topic =
+    Topic { name: "friction", about: "strips that friction holds along the substrate: collocation", run };
+
+const TABLE: Turns = Turns {
+    topic: TOPIC.name,
+    table: include_str!("../../../../verification/friction.csv"),
+    source: "verification/friction.py: collocation",
+    named: &[
+        ("tau0_GPa", "τ0 = ", " GPa"),
+        ("friction_coefficient", "μ = ", ""),
+        ("pull_angle_deg", "", " degrees"),
+        ("grip_across", "across ", ""),
+        ("grip_rotation", "rotation ", ""),
+        ("length_nm", "L = ", " nm"),
+    ],
+};
+
+fn run() -> Vec<Check> {
+    TABLE.checks()
+}

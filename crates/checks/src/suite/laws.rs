@@ -1,0 +1,59 @@
+//! Strips under other laws of adhesion against collocation, and their steady force against the work of adhesion.
+
+use super::check::missing;
+use super::turns::Turns;
+use super::{Check, Measure, Topic};
+use peelkit::adhesion::CohesiveShape;
+use peelkit::analytic::kendall_force;
+use peelkit::model::{Attraction, PeelModel, StripModel};
+use peelkit::study::{Accuracy, Bounds, peel};
+use rayon::prelude::*;
+use std::f64::consts::FRAC_PI_2;
+
+pub(super) const TOPIC: Topic =
+    Topic { name: "laws", about: "other laws of adhesion: collocation, steady force of those with a potential", run };
+
+const TABLE: Turns = Turns {
+    topic: TOPIC.name,
+    table: include_str!("../../../../verification/laws.csv"),
+    source: "verification/laws.py: collocation",
+    named: &[
+        ("law", "", ""),
+        ("line_load", "", ""),
+        ("far_face", "far face ", ""),
+        ("grip_rotation", "rotation ", ""),
+        ("bending_stiffness_factor", "EI × ", ""),
+        ("youngs_modulus_GPa", "E = ", " GPa"),
+        ("pull_angle_deg", "", " degrees"),
+        ("length_nm", "L = ", " nm"),
+    ],
+};
+/// Length of the strips that peel steadily, nm.
+const LONG: f64 = 1000.0;
+const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+
+fn run() -> Vec<Check> {
+    let mut checks = TABLE.checks();
+    let shapes = [CohesiveShape::Bilinear, CohesiveShape::Exponential, CohesiveShape::Dugdale];
+    checks.extend(shapes.par_iter().map(|&shape| steady(shape)).collect::<Vec<_>>());
+    checks
+}
+
+/// The plateau of a long strip: Kendall's force, with the stretch of the free part.
+fn steady(shape: CohesiveShape) -> Check {
+    let mut model = StripModel::of_the_paper(LONG, 1.0);
+    model.adhesion.attraction = Attraction::Cohesive(shape);
+    let peel = peel(&model, &Accuracy::to(1e-6), &BOUNDS);
+    let strip = model.strip;
+    let model = PeelModel::from(model);
+    let work = -model.line_law().rest_energy();
+    Check::new(
+        TOPIC.name,
+        format!("plateau, nN, {shape:?}, L = {LONG} nm"),
+        "P + P²/(2EA) = w b, from the first integral",
+        peel.plateau.map(|plateau| plateau.force).ok_or_else(|| missing(&peel.end)),
+        kendall_force(work, strip.youngs_modulus, strip.height, strip.width, FRAC_PI_2),
+        Measure::Relative,
+        1e-6,
+    )
+}

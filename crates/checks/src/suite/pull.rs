@@ -1,0 +1,106 @@
+//! The strip pulled at an angle against collocation, and its steady force against a closed form.
+
+use super::check::missing;
+use super::reference::{Row, read};
+use super::turns::Turns;
+use super::{Check, Measure, Topic};
+use peelkit::analytic::sliding_force;
+use peelkit::model::{Discretisation, Form, PeelModel, Pull, StripModel};
+use peelkit::solve::InitialState;
+use peelkit::study::{Accuracy, Bounds, FOLLOWED_ORDER, Prepared, peel, prepared};
+use rayon::prelude::*;
+
+pub(super) const TOPIC: Topic = Topic {
+    name: "pull",
+    about: "strips pulled at an angle, laid down under tension, or in a grip that turns: collocation, steady force",
+    run,
+};
+
+const TABLE: Turns = Turns {
+    topic: TOPIC.name,
+    table: include_str!("../../../../verification/pull_angle.csv"),
+    source: "verification/pull_angle.py: collocation",
+    named: &[
+        ("pull_angle_deg", "", " degrees"),
+        ("grip_across", "across ", ""),
+        ("grip_rotation", "rotation ", ""),
+        ("line_load", "", ""),
+        ("bending_stiffness_factor", "EI × ", ""),
+        ("length_nm", "L = ", " nm"),
+    ],
+};
+const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+const STRETCHED: Turns = Turns {
+    topic: TOPIC.name,
+    table: include_str!("../../../../verification/pretension.csv"),
+    source: "verification/pretension.py: collocation",
+    named: &[
+        ("pretension_nN", "pretension ", " nN"),
+        ("pull_angle_deg", "", " degrees"),
+        ("grip_rotation", "rotation ", ""),
+        ("line_load", "", ""),
+        ("bending_stiffness_factor", "EI × ", ""),
+        ("length_nm", "L = ", " nm"),
+    ],
+};
+const TURNED: Turns = Turns {
+    topic: TOPIC.name,
+    table: include_str!("../../../../verification/turned_grip.csv"),
+    source: "verification/turned_grip.py: collocation",
+    named: &[
+        ("grip_turned_deg", "grip turned by ", " degrees"),
+        ("grip_turn_deg_per_nm", "turning by ", " degrees/nm"),
+        ("pull_angle_deg", "", " degrees"),
+        ("grip_across", "across ", ""),
+        ("bending_stiffness_factor", "EI × ", ""),
+        ("length_nm", "L = ", " nm"),
+    ],
+};
+/// Relative error of the force behind a step.
+const BEHIND_STEP: f64 = 1e-8;
+/// Angles (degrees) of long strips, of this length in nm, whose front is looked at half-way.
+const STEADY: [f64; 7] = [20.0, 45.0, 60.0, 90.0, 120.0, 150.0, 170.0];
+const LONG: f64 = 2000.0;
+
+fn run() -> Vec<Check> {
+    let mut checks = TABLE.checks();
+    checks.extend(STRETCHED.checks());
+    checks.extend(TURNED.checks());
+    checks.extend(read(TURNED.table).par_iter().filter_map(turned).collect::<Vec<_>>());
+    checks.extend(STEADY.par_iter().map(|&angle| steady(angle)).collect::<Vec<_>>());
+    checks
+}
+
+/// The force along the pull behind the turn of a grip.
+fn turned(row: &Row) -> Option<Check> {
+    let (expected, model) = (row.number("start_force_nN")?, row.model()?);
+    let Prepared { problem, steps } = prepared(&model, Discretisation::moving(Form::TwoField, FOLLOWED_ORDER), None);
+    let direction = model.pull.direction();
+    let force = steps.first().map(|grip| direction.ahead(grip.forces.horizontal, grip.forces.vertical));
+    let name =
+        format!("force behind a turn by {} degrees, L = {} nm", row.text("grip_turned_deg")?, row.text("length_nm")?);
+    let missing = || match &problem.start {
+        InitialState::NoEquilibrium(why) => why.clone(),
+        _ => "no step was taken".into(),
+    };
+    let (source, measure) = (TURNED.source, Measure::Relative);
+    Some(Check::new(TOPIC.name, name, source, force.ok_or_else(missing), expected, measure, BEHIND_STEP))
+}
+
+/// The force where the front of a long strip is half-way.
+fn steady(degrees: f64) -> Check {
+    let mut model = StripModel::of_the_paper(LONG, 1.0);
+    model.pull = Pull { angle: degrees.to_radians(), ..Pull::UP };
+    let peel = peel(&model, &Accuracy::to(1e-6), &BOUNDS);
+    let model = PeelModel::from(model);
+    let rest = model.free_end().0 * model.line_law().rest_energy();
+    Check::new(
+        TOPIC.name,
+        format!("force with the front half-way, nN, {degrees} degrees, L = {LONG} nm"),
+        "P (1 - cos α) + P² sin² α/(2EA) = -bΨ(y_eq, 0), from the first integral",
+        peel.nearest_front(0.5 * LONG).map(|index| peel.points[index].force).ok_or_else(|| missing(&peel.end)),
+        sliding_force(rest, model.section().axial, degrees.to_radians()),
+        Measure::Relative,
+        1e-6,
+    )
+}

@@ -1,0 +1,78 @@
+//! Initiation peak and first two displacement limit points of the strips of a table, each with its error over its bound.
+
+use super::check::missing;
+use super::reference::{Row, read};
+use super::{Check, Measure, bounds};
+use peelkit::study::{Accuracy, Bounds, End, peel};
+use rayon::prelude::*;
+
+/// Relative errors asked for: the default, and a fine one, of which a law with corners is not capable, nor a path that remembers
+/// how it has slid.
+const ACCURACIES: [f64; 2] = [1e-6, 1e-9];
+const CORNERED: [&str; 2] = ["bilinear", "dugdale"];
+const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+
+/// A table of turning points.
+pub(super) struct Turns {
+    pub topic: &'static str,
+    pub table: &'static str,
+    /// Who computed it.
+    pub source: &'static str,
+    /// What tells its strips apart: a column, and what stands around its cell in the name of a check.
+    pub named: &'static [(&'static str, &'static str, &'static str)],
+}
+
+impl Turns {
+    /// Every number of every row, at two accuracies.
+    pub fn checks(&self) -> Vec<Check> {
+        let rows = read(self.table);
+        let accuracies = |row: &Row| match row.text("law") {
+            Some(law) if CORNERED.contains(&law) => &ACCURACIES[..1],
+            _ if row.text("tau0_GPa").is_some() => &ACCURACIES[..1],
+            _ => &ACCURACIES[..],
+        };
+        let tasks: Vec<(&Row, f64)> =
+            rows.iter().flat_map(|row| accuracies(row).iter().map(move |&relative| (row, relative))).collect();
+        tasks.par_iter().flat_map(|&(row, relative)| self.of_row(row, relative)).collect()
+    }
+
+    fn of_row(&self, row: &Row, relative: f64) -> Vec<Check> {
+        let parts = self
+            .named
+            .iter()
+            .filter_map(|(column, before, behind)| row.text(column).map(|cell| format!("{before}{cell}{behind}")));
+        let name = parts.collect::<Vec<_>>().join(", ");
+        let check = |name, computed, expected, measure, tolerance| {
+            Check::new(self.topic, name, self.source, computed, expected, measure, tolerance)
+        };
+        let Some(model) = row.model() else {
+            return vec![check(
+                name,
+                Err("a word of the row is not known".into()),
+                f64::NAN,
+                Measure::Relative,
+                relative,
+            )];
+        };
+        let peel = peel(&model, &Accuracy::to(relative), &BOUNDS);
+        let mut checks = Vec::new();
+        for (quantity, found) in bounds::reported(&peel) {
+            let (Some(text), Some(expected)) = (row.text(quantity), row.number(quantity)) else { continue };
+            // where all slides before it peels, the force at which it does
+            let sliding = || peel.peak.filter(|_| quantity == "peak_force_nN" && peel.end == End::Sliding);
+            let found = found.or_else(|| sliding().map(|peak| (peak.force, peak.force_error)));
+            let found = found.ok_or_else(|| missing(&peel.end));
+            let unknown = 0.5 * bounds::last_digit(text);
+            let over = found.clone().map(|(value, bound)| ((value - expected).abs() - unknown).max(0.0) / bound);
+            let about = format!("{quantity} at {relative:e}, {name}");
+            let over_bound = format!("error over its bound: {about}");
+            // behind its peak a path that remembers may be known less well than was asked, and says so, and so may a row
+            let bound = found.as_ref().map_or(0.0, |(value, bound)| (bound / value).abs());
+            let known = bound + (unknown / expected).abs();
+            let tolerance = if row.text("tau0_GPa").is_some() { relative.max(known) } else { relative };
+            checks.push(check(about, found.map(|(value, _)| value), expected, Measure::Relative, tolerance));
+            checks.push(check(over_bound, over, 1.0, Measure::AtMost, 0.0));
+        }
+        checks
+    }
+}

@@ -1,0 +1,35 @@
+//! `peel figures`: every figure, drawn anew.
+
+use crate::help;
+use crate::output::{OutArgs, list_files, progress_bar, say};
+use crate::stop::Stop;
+use clap::Args;
+use peelkit_checks::{draw_figures, holds_figures};
+use peelkit_report::{Existing, OutputFolder};
+use std::path::Path;
+
+/// Regenerates every figure, and the data behind each
+#[derive(Args)]
+#[command(after_long_help = help::figures(), mut_arg("out", |out| out.help("Folder for the figures, made where it is missing [default: figures]")))]
+pub struct Figures {
+    #[command(flatten)]
+    out: OutArgs,
+}
+
+pub fn figures(args: &Figures) -> Result<(), Stop> {
+    let folder = args.out.out.as_deref().unwrap_or(Path::new("figures"));
+    let folder = match holds_figures(folder) {
+        true => OutputFolder::claim(folder, Existing::Replace)?,
+        false => args.out.claim(folder)?,
+    };
+    let bar = progress_bar(0);
+    let progress = |done, total| {
+        bar.set_length(total as u64);
+        bar.set_position(done as u64);
+    };
+    let files = folder.write(|dir| draw_figures(dir, &progress));
+    bar.finish_and_clear();
+    say(&list_files(&files))?;
+    files?;
+    Ok(())
+}

@@ -1,0 +1,49 @@
+//! What `run` and `sweep` read: a scene and the keys that replace those of its text.
+
+use crate::stop::Stop;
+use clap::Args;
+use peelkit_scene::Scene;
+use std::path::{Path, PathBuf};
+
+#[derive(Args)]
+pub struct SceneArgs {
+    /// The scene: a TOML file; `peel new` writes one to start from
+    #[arg(value_name = "SCENE")]
+    pub path: PathBuf,
+
+    /// Replaces a key of the scene, such as strip.length="50 nm"; may stand more than once
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_override)]
+    pub overrides: Vec<(String, String)>,
+}
+
+impl SceneArgs {
+    /// Reads the scene.
+    pub fn load(&self) -> Result<Scene, Stop> {
+        let name = self.path.display().to_string();
+        let bytes = std::fs::read(&self.path).map_err(|error| {
+            Stop::bad_input(
+                format!("cannot read the scene {name}: {error}"),
+                "Give the path of a scene file; `peel new` writes one to start from.",
+            )
+        })?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let valid = error.utf8_error().valid_up_to();
+            let line = 1 + error.as_bytes()[..valid].iter().filter(|&&byte| byte == b'\n').count();
+            Stop::bad_input(
+                format!("{name}, line {line}: this is not text in UTF-8"),
+                "A scene is a TOML file, saved as UTF-8; `peel new` writes one to start from.",
+            )
+        })?;
+        Ok(Scene::parse(&name, &text, &self.overrides)?)
+    }
+
+    /// Where the outputs go when the user does not say: `out/` and the name of the scene.
+    pub fn default_folder(&self) -> PathBuf {
+        Path::new("out").join(self.path.file_stem().unwrap_or_default())
+    }
+}
+
+pub fn parse_override(text: &str) -> Result<(String, String), String> {
+    let (key, value) = text.split_once('=').ok_or("write KEY=VALUE, for example strip.length=\"50 nm\"")?;
+    Ok((key.trim().to_owned(), value.to_owned()))
+}

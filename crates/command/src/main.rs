@@ -1,0 +1,60 @@
+//! The command `peel`, one file a subcommand.
+
+#![forbid(unsafe_code)]
+
+mod accuracy;
+mod figures;
+mod hard_scenes;
+mod help;
+mod input;
+mod interrupt;
+mod new;
+mod output;
+mod run;
+mod stop;
+mod sweep;
+mod text_summary;
+mod verify;
+
+use clap::{Parser, Subcommand};
+use std::io::IsTerminal;
+use std::process::ExitCode;
+
+/// Computes how thin adhesive beams peel from a surface.
+#[derive(Parser)]
+#[command(name = "peel", version, after_help = help::EXIT_STATUS, after_long_help = help::overview())]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Run(run::Run),
+    Sweep(sweep::Sweep),
+    Accuracy(accuracy::Accuracy),
+    Verify(verify::Verify),
+    New(new::New),
+    Figures(figures::Figures),
+}
+
+/// Reads the command line, does what it says, and turns what went wrong into a message and an exit status.
+fn main() -> ExitCode {
+    let wrap = std::io::stderr().is_terminal();
+    // Long messages stay on one line where another program may search them. It fails only if it was set before.
+    let _ = miette::set_hook(Box::new(move |_| {
+        Box::new(miette::MietteHandlerOpts::new().wrap_lines(wrap).context_lines(1).build())
+    }));
+    let done = match Cli::parse().command {
+        Command::Run(args) => run::run(&args),
+        Command::Sweep(args) => sweep::sweep(&args),
+        Command::Accuracy(args) => accuracy::accuracy(&args),
+        Command::Verify(args) => verify::verify(&args),
+        Command::New(args) => new::new(&args),
+        Command::Figures(args) => figures::figures(&args),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(stop) => stop.tell(),
+    }
+}

@@ -1,0 +1,50 @@
+//! Where results go: the folder of a command, standard output, and the bar on a terminal.
+
+use crate::stop::Stop;
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use peelkit_report::{Existing, OutputFolder, ReportError};
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// Where a command that writes files writes them.
+#[derive(Args)]
+pub struct OutArgs {
+    /// Folder for the outputs, made where it is missing [default: out/ and the name of the scene]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+
+    /// Writes to a folder that is not empty: files of the same names are replaced, all others stay
+    #[arg(long)]
+    pub force: bool,
+}
+
+impl OutArgs {
+    /// The folder, if it may be written to; to be asked before anything is computed.
+    pub fn claim(&self, folder: &Path) -> Result<OutputFolder, ReportError> {
+        OutputFolder::claim(folder, if self.force { Existing::Replace } else { Existing::Keep })
+    }
+}
+
+/// Writes to standard output. A reader that has read enough and closed the pipe is no error.
+pub fn say(text: &str) -> Result<(), Stop> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Stop::other(format!("cannot print: {error}"))),
+        _ => Ok(()),
+    }
+}
+
+/// The files that were written, if they were, a line each.
+pub fn list_files(files: &Result<Vec<PathBuf>, ReportError>) -> String {
+    files.iter().flatten().map(|file| format!("wrote {}\n", file.display())).collect()
+}
+
+/// A bar on standard error if that is a terminal; nothing in a pipe.
+pub fn progress_bar(length: usize) -> ProgressBar {
+    let bar = ProgressBar::new(length as u64);
+    match ProgressStyle::with_template("{bar:40} {pos} of {len}, {elapsed} gone, {eta} to go") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}

@@ -1,0 +1,116 @@
+//! `peel run`: the whole peel of one scene.
+
+mod kept;
+
+use crate::help;
+use crate::input::SceneArgs;
+use crate::output::{OutArgs, list_files, say};
+use crate::stop::Stop;
+use crate::text_summary;
+use clap::Args;
+use kept::KeptRun;
+use peelkit::study::{self, End, Observed, Peel, TestEnd};
+use peelkit_report::{self as report, PeelSummary, ReportError};
+use peelkit_scene::Scene;
+use std::path::{Path, PathBuf};
+
+/// How an unfinished run is finished.
+const GOES_ON: &str = "the same command goes on from there, --fresh starts anew";
+
+/// Peels one scene from rest to its end: the whole path with its limit points, and how far they may be wrong
+#[derive(Args)]
+#[command(after_long_help = help::run())]
+pub struct Run {
+    #[command(flatten)]
+    scene: SceneArgs,
+
+    #[command(flatten)]
+    out: OutArgs,
+
+    /// Adds what a testing machine would record: the stable part, the jumps, the way back, and the energy released
+    #[arg(long)]
+    observed: bool,
+
+    /// Discards the points that an unfinished run has kept in the folder, and starts anew
+    #[arg(long)]
+    fresh: bool,
+
+    /// Prints the object of summary.json and nothing else; files are written only if --out is given
+    #[arg(long)]
+    json: bool,
+}
+
+impl Run {
+    /// Where files go, if they are written.
+    fn folder(&self) -> Option<PathBuf> {
+        match &self.out.out {
+            None if self.json => None,
+            None => Some(self.scene.default_folder()),
+            given => given.clone(),
+        }
+    }
+}
+
+pub fn run(args: &Run) -> Result<(), Stop> {
+    let scene = args.scene.load()?;
+    let mut kept = args.folder().map(|folder| KeptRun::open(&args.out, args.fresh, &folder, &scene)).transpose()?;
+    let peel = match &mut kept {
+        Some(kept) => kept.peel(&scene),
+        None => study::peel(&scene.model, &scene.accuracy, &scene.bounds),
+    };
+    let interrupted = kept.as_ref().is_some_and(|kept| kept.interrupted);
+    let test = if args.observed && !interrupted { Some(observed(&scene)?) } else { None };
+    let summary = PeelSummary::new(&scene, &peel);
+    let summary = match &test {
+        Some(test) => summary.with_observed(test),
+        None => summary,
+    };
+    let (files, left) = kept.as_ref().map_or((Ok(Vec::new()), None), |kept| {
+        kept.write(&peel, |dir| write(dir, &scene, &peel, test.as_ref(), &summary))
+    });
+    // what was found is told although it could not be written
+    if args.json {
+        say(&summary.to_json().map_err(Stop::other)?)?;
+    } else {
+        let recorded = test.as_ref().map(|test| format!("\n{}", text_summary::observed(test))).unwrap_or_default();
+        let taken = text_summary::taken(kept.as_ref().map_or(0, KeptRun::taken));
+        let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
+        say(&format!("{}{recorded}{taken}\n{}{left}", text_summary::peel(&scene, &peel), list_files(&files)))?;
+    }
+    files?;
+    if interrupted {
+        return Err(Stop::cut_short(format!("interrupted; {}: {GOES_ON}", left.unwrap_or_default())));
+    }
+    match (&peel.end, test.map(|test| test.end)) {
+        (End::Failed(reason), _) => Err(Stop::cut_short(reason)),
+        (_, Some(TestEnd::Failed(reason))) => Err(Stop::cut_short(format!("in the observed test, {reason}"))),
+        _ => Ok(()),
+    }
+}
+
+/// What a test of the scene would record.
+fn observed(scene: &Scene) -> Result<Observed, Stop> {
+    study::observed(&scene.model, &scene.accuracy, &scene.bounds)
+        .map_err(|none| Stop::bad_input(format!("there is no observed test: {none}"), none.remedy()))
+}
+
+fn write(
+    folder: &Path,
+    scene: &Scene,
+    peel: &Peel,
+    test: Option<&Observed>,
+    summary: &PeelSummary,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let mut files =
+        vec![summary.write(folder)?, report::write_curve(folder, peel)?, report::write_limit_points(folder, peel)?];
+    if peel.points.len() > 1 {
+        files.extend(report::draw_peel(peel, &scene.title, folder)?);
+    }
+    if let Some(test) = test {
+        files.push(report::write_observed(folder, test)?);
+        if test.points.len() > 1 {
+            files.extend(report::draw_observed(test, &scene.title, folder)?);
+        }
+    }
+    Ok(files)
+}

@@ -1,0 +1,95 @@
+//! Why the command stops before its end, and the exit status that says so.
+
+use peelkit_report::ReportError;
+use peelkit_scene::{Problem, SceneError};
+use std::io::Write;
+use std::process::ExitCode;
+
+/// A message for standard error and an exit status.
+#[derive(Debug)]
+pub struct Stop {
+    status: Status,
+    report: miette::Report,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Status {
+    Other = 1,
+    BadInput = 2,
+    CutShort = 3,
+}
+
+impl Stop {
+    /// Something in what the user gave: what, and what would be right.
+    pub fn bad_input(found: impl std::fmt::Display, remedy: impl std::fmt::Display) -> Self {
+        Self { status: Status::BadInput, report: miette::miette!(help = remedy.to_string(), "{found}") }
+    }
+
+    /// An argument of the command line that is as the problem says.
+    pub fn bad_argument(argument: impl std::fmt::Display, problem: &Problem) -> Self {
+        Self::bad_input(format!("{argument} {}", problem.found), &problem.remedy)
+    }
+
+    /// The computation stopped short; everything that was reached is written.
+    pub fn cut_short(reason: impl std::fmt::Display) -> Self {
+        Self { status: Status::CutShort, report: miette::miette!("the computation stopped short: {reason}") }
+    }
+
+    /// Something that neither the input nor the computation is to blame for.
+    pub fn other(reason: impl std::fmt::Display) -> Self {
+        Self { status: Status::Other, report: miette::miette!("{reason}") }
+    }
+
+    /// Tells the message on standard error.
+    pub fn tell(self) -> ExitCode {
+        // Where standard error is closed there is nobody to tell; the status still says it.
+        let _ = writeln!(std::io::stderr(), "{:?}", self.report);
+        ExitCode::from(self.status as u8)
+    }
+}
+
+impl From<SceneError> for Stop {
+    fn from(error: SceneError) -> Self {
+        Self { status: Status::BadInput, report: error.into() }
+    }
+}
+
+impl From<ReportError> for Stop {
+    fn from(error: ReportError) -> Self {
+        match &error {
+            ReportError::Exists { .. } => Self::bad_input(
+                &error,
+                "Give another folder with --out DIR, or --force to replace the files of the same names.",
+            ),
+            ReportError::OtherSweep { .. } => Self::bad_input(
+                &error,
+                "Finish that sweep by its own command, or give another folder with --out DIR, or --fresh to discard its values.",
+            ),
+            ReportError::OtherRun { .. } => Self::bad_input(
+                &error,
+                "Finish that run by its own command, or give another folder with --out DIR, or --fresh to discard its points.",
+            ),
+            _ => Self::other(error),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_has_its_exit_status() {
+        let status = |stop: Stop| stop.status as u8;
+        assert_eq!(status(Stop::other("x")), 1);
+        assert_eq!(status(Stop::bad_input("x", "y")), 2);
+        assert_eq!(status(Stop::cut_short("x")), 3);
+        let scene = peelkit_scene::Scene::parse("a.toml", "", &[]).unwrap_err();
+        assert_eq!(status(scene.into()), 2);
+        let report = ReportError::Draw { path: "x".into(), reason: "y".into() };
+        assert_eq!(status(report.into()), 1);
+        assert_eq!(status(ReportError::Exists { path: "x".into() }.into()), 2);
+        assert_eq!(status(ReportError::OtherSweep { path: "x".into() }.into()), 2);
+        assert_eq!(status(ReportError::OtherRun { path: "x".into() }.into()), 2);
+    }
+}

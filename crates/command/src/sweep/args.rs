@@ -1,0 +1,83 @@
+//! The arguments of `peel sweep`.
+
+use crate::help;
+use crate::input::SceneArgs;
+use crate::output::OutArgs;
+use clap::{Args, ValueEnum};
+use peelkit::study::PointKind;
+use std::path::PathBuf;
+
+/// Varies one number of a scene and peels each value: peak force, plateau, snap-off and work against it
+#[derive(Args)]
+#[command(after_long_help = help::sweep())]
+pub struct Sweep {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+
+    /// The key to vary, such as strip.bending_stiffness_factor or strip.length
+    #[arg(long, value_name = "KEY")]
+    pub vary: String,
+
+    /// First value; with its unit where the key has one: "100 nm"
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    pub from: String,
+
+    /// Last value; with its unit where the key has one
+    #[arg(long, value_name = "B", allow_hyphen_values = true)]
+    pub to: String,
+
+    /// How many values, both ends counted
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub points: u32,
+
+    /// Values at equal ratios in place of equal differences; both ends above zero
+    #[arg(long)]
+    pub log: bool,
+
+    /// Follows one point of the peel from value to value in place of whole peels: much faster
+    #[arg(long, value_name = "POINT", conflicts_with = "peak_only")]
+    follow: Option<Point>,
+
+    /// The same as --follow peak: the initiation peak, the first local maximum of the force, and nothing else
+    #[arg(long)]
+    peak_only: bool,
+
+    #[command(flatten)]
+    pub out: OutArgs,
+
+    /// Prints one JSON object and nothing else; files are written only if --out is given
+    #[arg(long)]
+    pub json: bool,
+
+    /// Discards the values that an interrupted sweep has kept in the folder, and starts anew
+    #[arg(long)]
+    pub fresh: bool,
+}
+
+/// What can be followed.
+#[derive(Clone, Copy, ValueEnum)]
+enum Point {
+    /// The initiation peak
+    Peak,
+    /// Where a test with held displacement jumps
+    SnapOff,
+}
+
+impl Sweep {
+    pub fn followed(&self) -> Option<PointKind> {
+        match self.follow {
+            Some(Point::SnapOff) => Some(PointKind::SnapOff),
+            Some(Point::Peak) => Some(PointKind::InitiationPeak),
+            None => self.peak_only.then_some(PointKind::InitiationPeak),
+        }
+    }
+
+    /// Where files go, if they are written.
+    pub fn folder(&self) -> Option<PathBuf> {
+        match &self.out.out {
+            None if self.json => None,
+            None => Some(self.scene.default_folder()),
+            given => given.clone(),
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! `peel sweep` of whole peels: each value peeled from rest to its end, kept as soon as it is done, and taken up again
+//! by the same command after it was interrupted.
+
+use super::args::Sweep;
+use super::failed::failed;
+use crate::interrupt::Interrupt;
+use crate::output::{list_files, progress_bar, say};
+use crate::stop::Stop;
+use crate::text_summary;
+use indicatif::ProgressBar;
+use peelkit::study::{self, End, SweepCase, SweepRow};
+use peelkit_report::{self as report, Existing, OutputFolder, PartialSweep, ReportError, SweepSummary};
+use peelkit_scene::{Key, Scene};
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+/// Peels every value.
+pub fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]) -> Result<(), Stop> {
+    let case = |(value, scene): &(f64, Scene)| SweepCase {
+        value: *value,
+        model: scene.model.clone(),
+        accuracy: scene.accuracy,
+        bounds: scene.bounds,
+    };
+    let cases: Vec<SweepCase> = scenes.iter().map(case).collect();
+    let (rows, remarks, files) = match args.folder() {
+        Some(folder) => {
+            let bar = progress_bar(cases.len());
+            // before anything is written
+            let above = bar.clone();
+            let answer = "stopping once the values under way are done; Ctrl-C again quits at once";
+            let interrupt = Interrupt::listen(move || above.println(answer));
+            let (partial, output) = open(args, &folder, scene, key)?;
+            let kept = Kept { partial, bar, interrupt };
+            let (rows, remarks) = kept.peel(&cases)?;
+            let files = write(args, &output, scene, key, &rows);
+            if files.is_ok() && rows.len() == cases.len() {
+                PartialSweep::discard(&folder)?;
+            }
+            (rows, remarks, files)
+        }
+        None => (peel_unkept(&cases), Vec::new(), Ok(Vec::new())),
+    };
+    if args.json {
+        say(&SweepSummary::new(scene, key, &rows, &remarks).to_json().map_err(Stop::other)?)?;
+    } else {
+        say(&format!("{}\n{}", text_summary::sweep(scene, key, &rows, &remarks), list_files(&files)))?;
+    }
+    files?;
+    stopped_short(key, &rows, cases.len())
+}
+
+/// Nothing is written, so nothing is kept.
+fn peel_unkept(cases: &[SweepCase]) -> Vec<SweepRow> {
+    let bar = progress_bar(cases.len());
+    let rows = study::sweep(cases, &|| true, &|_| bar.inc(1));
+    bar.finish_and_clear();
+    rows
+}
+
+/// A sweep whose finished values are kept while it runs.
+struct Kept {
+    partial: PartialSweep,
+    bar: ProgressBar,
+    interrupt: Interrupt,
+}
+
+/// A folder that keeps the values of an unfinished sweep is one to go on with; any other that holds something is refused.
+fn open(args: &Sweep, folder: &Path, scene: &Scene, key: &Key) -> Result<(PartialSweep, OutputFolder), ReportError> {
+    if !PartialSweep::is_in(folder) {
+        args.out.claim(folder)?;
+    } else if args.fresh {
+        PartialSweep::discard(folder)?;
+    }
+    let partial = PartialSweep::open(folder, scene, key)?;
+    Ok((partial, OutputFolder::claim(folder, Existing::Replace)?))
+}
+
+impl Kept {
+    /// The rows in the order of the cases, those of an earlier run among them, and where they come from. After Ctrl-C
+    /// some are missing.
+    fn peel(&self, cases: &[SweepCase]) -> Result<(Vec<SweepRow>, Vec<String>), ReportError> {
+        let missing: Vec<SweepCase> =
+            cases.iter().filter(|case| self.partial.found(case.value).is_none()).cloned().collect();
+        let taken = cases.len() - missing.len();
+        let computed = self.peel_missing(&missing, taken)?;
+        let mut computed = computed.into_iter().peekable();
+        let row = |&SweepCase { value, ref model, .. }: &SweepCase| match self.partial.found(value) {
+            Some(found) => Some(SweepRow { value, model: model.clone(), found: found.clone() }),
+            None => computed.next_if(|row| row.value == value),
+        };
+        Ok((cases.iter().filter_map(row).collect(), self.remarks(taken, cases.len())))
+    }
+
+    /// Stops on Ctrl-C, and with an error where a row cannot be kept.
+    fn peel_missing(&self, missing: &[SweepCase], taken: usize) -> Result<Vec<SweepRow>, ReportError> {
+        self.bar.set_position(taken as u64);
+        // what was taken says nothing about the time to go
+        self.bar.reset_eta();
+        let trouble = OnceLock::new();
+        let done = |row: &SweepRow| {
+            if let Err(error) = self.partial.keep(row) {
+                // the first one is told
+                let _ = trouble.set(error);
+            }
+            self.bar.inc(1);
+        };
+        let rows = study::sweep(missing, &|| !self.interrupt.asked() && trouble.get().is_none(), &done);
+        self.bar.finish_and_clear();
+        trouble.into_inner().map_or(Ok(rows), Err)
+    }
+
+    fn remarks(&self, taken: usize, values: usize) -> Vec<String> {
+        let resumed = (taken > 0).then(|| format!("{taken} of {values} values taken from an earlier, interrupted run"));
+        resumed.into_iter().collect()
+    }
+}
+
+/// Nothing is written where nothing was reached.
+fn write(
+    args: &Sweep,
+    output: &OutputFolder,
+    scene: &Scene,
+    key: &Key,
+    rows: &[SweepRow],
+) -> Result<Vec<PathBuf>, ReportError> {
+    if rows.is_empty() {
+        return Ok(Vec::new());
+    }
+    output.write(|dir| {
+        let mut files = vec![report::write_sweep(dir, rows)?];
+        if rows.iter().any(|row| row.found.peak.is_some()) {
+            files.extend(report::draw_sweep(rows, &key.path(), &scene.title, args.log, dir)?);
+        }
+        Ok(files)
+    })
+}
+
+/// Whether values are missing, and those whose computation stopped short.
+fn stopped_short(key: &Key, rows: &[SweepRow], values: usize) -> Result<(), Stop> {
+    let interrupted = (rows.len() < values).then(|| {
+        let done = rows.len();
+        format!(
+            "interrupted, {done} of {values} values are done; the same command goes on from there, --fresh starts anew"
+        )
+    });
+    let reasons = rows.iter().filter_map(|row| match &row.found.end {
+        End::Failed(reason) => {
+            Some(format!("at {} = {}{}: {reason}", key.path(), row.value, text_summary::spaced(key.unit())))
+        }
+        _ => None,
+    });
+    let parts: Vec<String> = interrupted.into_iter().chain(failed(&reasons.collect::<Vec<_>>(), rows.len())).collect();
+    if parts.is_empty() { Ok(()) } else { Err(Stop::cut_short(parts.join("\nand "))) }
+}

@@ -1,0 +1,399 @@
+//! What a run found, laid out for a person.
+
+use peelkit::beam::{GripForces, GripState};
+use peelkit::model::Step;
+use peelkit::study::{
+    Contact, End, FollowedSweep, LeftOut, LimitPoint, Observed, Peak, Peel, PointKind, PullOff, Sliding, SweepRow,
+    TermDecisions, TermEffect, TestEnd, Turn,
+};
+use peelkit_report::{end_reason, end_word, ground_warning, jump_word, left_out, test_end_word, why_kept};
+use peelkit_scene::{Key, Scene};
+use std::fmt::{Display, Write};
+
+/// A relative error below this that finer meshes do not reduce is round-off.
+const ROUND_OFF: f64 = 2e-8;
+
+/// The summary of one peel.
+pub fn peel(scene: &Scene, peel: &Peel) -> String {
+    let none = || "none".to_owned();
+    let at_peak = |at: Peak| {
+        let force = with_error(at.force, at.force_error);
+        format!("{force} nN at u = {} nm", with_error(at.displacement, at.displacement_error))
+    };
+    let snap_off = |at: LimitPoint| {
+        let what = if peel.model.pull.turn == 0.0 { "work" } else { "work of force and moment" };
+        format!("u = {} nm, {what} to there {}", with_error(at.displacement, at.displacement_error), work(at.work))
+    };
+    let mut lines = steps(peel);
+    lines.extend([
+        ("peak force", peel.peak.map_or_else(none, at_peak)),
+        ("initiation peak", peel.initiation_peak.map_or_else(none, at_peak)),
+        (
+            "plateau",
+            peel.plateau.map_or_else(none, |at| format!("{:.6} nN at u = {:.4} nm", at.force, at.displacement)),
+        ),
+        ("snap-off", peel.snap_off.map_or_else(none, snap_off)),
+    ]);
+    for (index, at) in peel.limit_points.iter().enumerate() {
+        let turns = match at.kind {
+            Turn::Displacement => "u turns",
+            Turn::Load => "P turns",
+        };
+        let displacement = with_error(at.displacement, at.displacement_error);
+        let force = with_error(at.force, at.force_error);
+        lines.push((
+            if index == 0 { "limit points" } else { "" },
+            format!("{turns} at u = {displacement} nm, P = {force} nN{}", if at.flat { " (flat)" } else { "" }),
+        ));
+    }
+    if let Some(left_out) = left_out(peel) {
+        lines.push(("", format!("left out: {} {left_out}", peel.ripple)));
+    }
+    if let Some(reached) = peel.reached_accuracy().filter(|&reached| reached > peel.asked) {
+        let why =
+            if reached < ROUND_OFF { "it is round-off, finer meshes gain nothing" } else { "no mesh tried did better" };
+        let text = format!("{reached:.0e} where {:e} was asked: {why}", peel.asked);
+        lines.push(("accuracy", text));
+    }
+    lines.extend(terms(peel));
+    lines.extend(peel.considered.iter().flat_map(considered));
+    lines.extend(peel.sliding_at_peak().iter().map(|sliding| ("friction", slid(sliding))));
+    lines.extend(peel.contact(0).iter().flat_map(|contact| on_ground(peel, contact)));
+    lines.push(("end", end(&peel.end)));
+    let effort = &peel.effort;
+    lines.push((
+        "effort",
+        format!(
+            "{} points, {} Newton iterations, {} elements of order {}, {:.1} ms",
+            effort.points,
+            effort.newton_iterations,
+            effort.elements,
+            effort.order,
+            1e3 * peel.solve_s
+        ),
+    ));
+    let mut text = format!("{}\n\n", scene.title);
+    for (name, value) in lines {
+        let _ = writeln!(text, "  {name:<16} {value}");
+    }
+    text
+}
+
+/// The grip behind each step before the pull.
+fn steps(peel: &Peel) -> Vec<(&'static str, String)> {
+    let told = |(index, (step, grip)): (usize, (&Step, &GripState))| {
+        let GripForces { horizontal, vertical, moment } = grip.forces;
+        let x = grip.x.map(|x| format!("x = {x:.4} nm, ")).unwrap_or_default();
+        let place = format!("{x}y = {:.4} nm, θ = {:.4} deg", grip.y, grip.rotation.to_degrees());
+        (
+            if index == 0 { "steps" } else { "" },
+            format!("{step}: {place}; H = {horizontal:.6} nN, V = {vertical:.6} nN, M = {moment:.6} nN nm"),
+        )
+    };
+    peel.model.steps.iter().zip(&peel.steps).enumerate().map(told).collect()
+}
+
+/// What leaving out a term would change, in shares of the initiation peak.
+fn terms(peel: &Peel) -> Option<(&'static str, String)> {
+    let peak = peel.initiation_peak?.force;
+    let effects = peel.terms();
+    let one = |effect: &TermEffect| format!("{} {:+.1e}", effect.term.word(), effect.force / peak);
+    let all = effects.iter().map(one).collect::<Vec<_>>().join(", ");
+    (!effects.is_empty())
+        .then(|| ("without a term", format!("the initiation peak would change by, in shares of it: {all}")))
+}
+
+/// Which terms were left out, and why the others were not.
+fn considered(considered: &TermDecisions) -> Vec<(&'static str, String)> {
+    let left = considered.left_out.iter().map(|left| {
+        let LeftOut { term, force, displacement, largest } = left;
+        let word = term.word();
+        match largest {
+            0.0 => format!("{word}: exactly nothing would change"),
+            _ => format!(
+                "{word}: the initiation peak would change by {force:+.1e} nN at {displacement:+.1e} nm, nothing by more than {largest:.1e} of it"
+            ),
+        }
+    });
+    let kept = considered.kept.iter().map(|(term, why)| format!("{}: {}", term.word(), why_kept(why)));
+    let named = |name: &'static str, texts: Vec<String>| {
+        texts.into_iter().enumerate().map(move |(index, text)| (if index == 0 { name } else { "" }, text))
+    };
+    named("left out", left.collect()).chain(named("kept", kept.collect())).collect()
+}
+
+/// How the beam has slid at the peak.
+fn slid(sliding: &Sliding) -> String {
+    format!(
+        "at the initiation peak {:.4} of {:.4} nN along the substrate, sliding on {:.1} of {:.1} nm in contact, the free end by {:.4} nm, {:.4} aJ dissipated",
+        sliding.force, sliding.capacity, sliding.sliding, sliding.contact, sliding.free_end, sliding.dissipated
+    )
+}
+
+/// How the beam lies on ground that is not flat, and what is to be said of that ground.
+fn on_ground(peel: &Peel, contact: &Contact) -> Vec<(&'static str, String)> {
+    let reach = contact.reach.map(|reach| format!("; it reaches {:.1} % of the depth of the valleys", 100.0 * reach));
+    let lies = format!(
+        "{:.1} % of what lies on flat ground nearer than 2 r0, {:.1} % of the adhesion of flat ground, gaps {:.4} to {:.4} nm{}",
+        100.0 * contact.adhered_fraction,
+        100.0 * contact.energy_fraction,
+        contact.least_gap,
+        contact.largest_gap,
+        reach.unwrap_or_default()
+    );
+    let mut lines = vec![("at the start", lies)];
+    lines.extend(peel.largest_force().map(|force| ("largest force", format!("{force:.6} nN on the whole path"))));
+    for (name, radius, error) in [
+        ("crests", contact.crest_radius, contact.crest_error),
+        ("valleys", contact.valley_radius, contact.valley_error),
+    ] {
+        let (Some(radius), Some(error)) = (radius, error) else { continue };
+        let percent = 100.0 * error;
+        lines.push((name, format!("radius from {radius:.2} nm: {percent:+.2} % of the largest traction by curvature")));
+    }
+    lines.extend(ground_warning(contact).map(|warning| ("warning", warning)));
+    lines
+}
+
+/// What a test would record.
+pub fn observed(test: &Observed) -> String {
+    let none = || "none".to_owned();
+    let pull_off = |peak: PullOff| {
+        let force = with_error(peak.force, peak.force_error);
+        format!("{force} nN at U = {:.6} nm, the largest of the stable retreat", peak.machine)
+    };
+    let mut lines = vec![("pull-off force", test.pull_off.map_or_else(none, pull_off))];
+    for jump in &test.jumps {
+        let landed = if jump.detached { "detached".to_owned() } else { format!("front at {:.2} nm", jump.after.front) };
+        lines.push((
+            jump_word(jump.kind),
+            format!(
+                "U = {} nm, P = {} to {} nN, released {} aJ, {landed}",
+                with_error(jump.machine, jump.machine_error),
+                with_error(jump.before.force, jump.before.force_error),
+                with_error(jump.after.force, jump.after.force_error),
+                with_error(jump.released, jump.released_error),
+            ),
+        ));
+    }
+    lines.push(("hysteresis", test.hysteresis.map_or_else(none, work)));
+    if let Some(balance) = test.cycle.or(test.retreat) {
+        let text = format!("work less change of energy less released: {:.1e} of the largest", balance.error());
+        lines.push(("work balance", text));
+    }
+    let end = match &test.end {
+        TestEnd::Closed => "closed: the machine is back where it began".to_owned(),
+        TestEnd::Returned(reason) | TestEnd::Bound(reason) | TestEnd::Failed(reason) => {
+            format!("{}: {reason}", test_end_word(&test.end))
+        }
+    };
+    lines.push(("end", end));
+    let effort = &test.effort;
+    lines.push((
+        "effort",
+        format!(
+            "{} points, {} Newton iterations, {} steps of relaxation, {} elements of order {}, {:.1} ms",
+            effort.points,
+            effort.newton_iterations,
+            effort.relaxation_steps,
+            effort.elements,
+            effort.order,
+            1e3 * effort.solve_s
+        ),
+    ));
+    let mut text = "What a test would record\n\n".to_owned();
+    for (name, value) in lines {
+        let _ = writeln!(text, "  {name:<17} {value}");
+    }
+    text
+}
+
+/// A sweep as a table, with what is to be said of its rows.
+pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) -> String {
+    let mut text = format!("{}\n{} varied{}\n\n", scene.title, key.path(), in_unit(key.unit()));
+    let _ = writeln!(
+        text,
+        "{:>14} {:>14} {:>9} {:>14} {:>14} {:>12} {:>9}  end",
+        "value", "peak nN", "± nN", "plateau nN", "snap-off nm", "work aJ", "ms"
+    );
+    let cell = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.8}"));
+    for SweepRow { value, found, .. } in rows {
+        let error = found.peak.map_or_else(|| "-".to_owned(), |at| format!("{:.0e}", at.force_error));
+        let work = found.work.map_or_else(|| "-".to_owned(), |work| format!("{work:.5}"));
+        let snap_off = found.snap_off.map_or_else(|| "-".to_owned(), |at| format!("{:.6}", at.displacement));
+        let _ = writeln!(
+            text,
+            "{:>14} {:>14} {:>9} {:>14} {:>14} {:>12} {:>9.2}  {}",
+            short(*value),
+            cell(found.peak.map(|at| at.force)),
+            error,
+            cell(found.plateau.map(|at| at.force)),
+            snap_off,
+            work,
+            1e3 * found.solve_s,
+            end_word(&found.end)
+        );
+    }
+    text + &listed(remarks)
+}
+
+/// A sweep that followed one point as a table, with what happened to the point on the way.
+pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep) -> String {
+    let what = match sweep.kind {
+        PointKind::InitiationPeak => "the initiation peak (the first local maximum of the force)",
+        PointKind::SnapOff => "the snap-off",
+    };
+    let mut text = format!("{}\n{} varied{}; {what} followed\n\n", scene.title, key.path(), in_unit(key.unit()));
+    let _ = writeln!(
+        text,
+        "{:>14} {:>14} {:>9} {:>14} {:>9} {:>12} {:>9}",
+        "value", "force nN", "± nN", "at u nm", "± nm", "work aJ", "ms"
+    );
+    for row in &sweep.rows {
+        let cell = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.8}"));
+        let error = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.0e}"));
+        let work = row.point.and_then(|at| at.work).map_or_else(|| "-".to_owned(), |work| format!("{work:.5}"));
+        let _ = writeln!(
+            text,
+            "{:>14} {:>14} {:>9} {:>14} {:>9} {work:>12} {:>9.3}",
+            short(row.value),
+            cell(row.point.map(|at| at.force)),
+            error(row.point.map(|at| at.force_error)),
+            cell(row.point.map(|at| at.displacement)),
+            error(row.point.map(|at| at.displacement_error)),
+            1e3 * row.solve_s,
+        );
+    }
+    text + &listed(&sweep.remarks)
+}
+
+/// Remarks below a table.
+fn listed<T: Display>(remarks: &[T]) -> String {
+    let lines: String = remarks.iter().map(|remark| format!("  remark: {remark}\n")).collect();
+    if lines.is_empty() { lines } else { format!("\n{lines}") }
+}
+
+/// " nm", or nothing where there is no unit.
+pub fn spaced(unit: &str) -> String {
+    if unit.is_empty() { String::new() } else { format!(" {unit}") }
+}
+
+/// Of a run whose first path points are those of an earlier one.
+pub fn taken(points: usize) -> String {
+    if points == 0 { String::new() } else { format!("\n{points} path points taken from an earlier, unfinished run\n") }
+}
+
+fn in_unit(unit: &str) -> String {
+    if unit.is_empty() { String::new() } else { format!(", in {unit}") }
+}
+
+fn end(end: &End) -> String {
+    let meaning = match end {
+        End::Detached => "no point of the strip is nearer than 10 r0",
+        End::Pivoting => "the force has come back to zero while an edge still holds",
+        End::TurnedBack => "the path has returned to where it began",
+        End::Sliding => "all that is in contact slides, and the force stays from here on",
+        End::Snapped => "the strip snaps off, and how it slides while it jumps no equilibrium tells",
+        End::Bound(_) => "a bound of the scene was reached",
+        End::Failed(_) => "the computation stopped short",
+    };
+    let reason = end_reason(end).map(|reason| format!(": {reason}")).unwrap_or_default();
+    format!("{}: {meaning}{reason}", end_word(end))
+}
+
+fn work(work: f64) -> String {
+    format!("{work:.6} aJ")
+}
+
+/// As many decimals as the error leaves, and the error.
+fn with_error(value: f64, error: f64) -> String {
+    if !(error > 0.0 && error.is_finite()) {
+        return format!("{value}");
+    }
+    let decimals = (-error.log10().floor()).clamp(0.0, 15.0) as usize;
+    format!("{value:.decimals$} ± {error:.0e}")
+}
+
+/// Six digits are enough to know a value again.
+fn short(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
+        let decimals = (5.0 - value.abs().max(1e-3).log10().floor()).clamp(0.0, 9.0) as usize;
+        let text = format!("{value:.decimals$}");
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    } else {
+        format!("{value:.5e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use peelkit::study::{self, Bounds, Effort};
+
+    #[test]
+    fn digits_end_where_the_error_begins() {
+        assert_eq!(with_error(0.341121483196, 3e-8), "0.34112148 ± 3e-8");
+        assert_eq!(with_error(48.2156178228, 0.02), "48.22 ± 2e-2");
+        assert_eq!(with_error(48.2156178228, 2.0), "48 ± 2e0");
+        assert_eq!(with_error(0.5, 0.0), "0.5");
+        assert_eq!(with_error(0.5, f64::NAN), "0.5");
+    }
+
+    #[test]
+    fn the_summary_of_a_peel_is_laid_out_in_two_columns() {
+        let text = r#"
+            strip = { length = "100 nm", height = "10 nm", youngs_modulus = "2 GPa" }
+            adhesion = { hamaker_constant = "1e-19 J", equilibrium_distance = "0.4 nm" }
+        "#;
+        let scene = Scene::parse("short.toml", text, &[]).unwrap();
+        let bounds = Bounds { points: 1, ..scene.bounds };
+        let snap_off = LimitPoint {
+            kind: Turn::Displacement,
+            displacement: 48.2156178228,
+            force: 0.0375627292,
+            end_rotation: 0.9,
+            work: 3.25,
+            displacement_error: 3e-6,
+            force_error: 4e-9,
+            flat: false,
+            after: 0,
+        };
+        let mut made_up = study::peel(&scene.model, &scene.accuracy, &bounds);
+        made_up.limit_points = vec![LimitPoint { kind: Turn::Load, ..snap_off }, snap_off];
+        made_up.initiation_peak = None;
+        made_up.peak = Some(Peak {
+            displacement: 0.2496,
+            force: 0.341121,
+            end_rotation: 0.1,
+            force_error: 1e-5,
+            displacement_error: 1e-3,
+        });
+        made_up.plateau = None;
+        made_up.snap_off = Some(snap_off);
+        made_up.end = End::Bound("20 points".into());
+        made_up.effort = Effort { points: 20, newton_iterations: 70, elements: 16, order: 4 };
+        made_up.solve_s = 0.0042;
+        let expected = "\
+short
+
+  peak force       0.34112 ± 1e-5 nN at u = 0.250 ± 1e-3 nm
+  initiation peak  none
+  plateau          none
+  snap-off         u = 48.215618 ± 3e-6 nm, work to there 3.250000 aJ
+  limit points     P turns at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
+                   u turns at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
+  accuracy         4e-3 where 1e-6 was asked: no mesh tried did better
+  end              bound: a bound of the scene was reached: 20 points
+  effort           20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
+";
+        assert_eq!(peel(&scene, &made_up), expected);
+    }
+
+    #[test]
+    fn values_of_a_sweep_are_short() {
+        assert_eq!(short(100.0), "100");
+        assert_eq!(short(0.4), "0.4");
+        assert_eq!(short(1e-4), "1.00000e-4");
+        assert_eq!(short(1.0 / 3.0), "0.333333");
+    }
+}

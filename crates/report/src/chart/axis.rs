@@ -1,0 +1,174 @@
+//! An axis: its range, where a value lies on it, its ticks and how they are printed.
+
+/// A labelled axis, linear or logarithmic.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    pub label: String,
+    pub from: f64,
+    pub to: f64,
+    pub log: bool,
+}
+
+/// A tick; the small ones between carry no text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tick {
+    pub value: f64,
+    pub text: Option<String>,
+}
+
+impl Axis {
+    pub fn linear(label: &str, from: f64, to: f64) -> Self {
+        Axis { label: label.into(), from, to, log: false }
+    }
+
+    pub fn log(label: &str, from: f64, to: f64) -> Self {
+        Axis { label: label.into(), from, to, log: true }
+    }
+
+    /// Around the values with a small margin; a linear axis starts at 0 where that costs little.
+    pub fn around(label: &str, values: impl IntoIterator<Item = f64>, log: bool) -> Self {
+        let usable = values.into_iter().filter(|v| v.is_finite() && (!log || *v > 0.0));
+        let (low, high) = usable.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
+        if low > high {
+            return Axis { label: label.into(), from: if log { 0.1 } else { 0.0 }, to: 1.0, log };
+        }
+        if log {
+            let margin = (high / low).powf(0.03).max(1.1);
+            return Axis::log(label, low / margin, high * margin);
+        }
+        let margin = if high > low { 0.06 * (high - low) } else { (0.1 * high.abs()).max(1e-9) };
+        let from = if low >= 0.0 && low <= 0.3 * high { 0.0 } else { low - margin };
+        Axis::linear(label, from, high + margin)
+    }
+
+    /// Where a value lies: 0 at the start of the axis, 1 at its end.
+    pub fn place(&self, value: f64) -> f64 {
+        if self.log {
+            (value / self.from).ln() / (self.to / self.from).ln()
+        } else {
+            (value - self.from) / (self.to - self.from)
+        }
+    }
+
+    /// Ticks for about `count` texts.
+    pub fn ticks(&self, count: usize) -> Vec<Tick> {
+        let ticks = if self.log { self.log_ticks(count) } else { self.linear_ticks(count) };
+        ticks.into_iter().filter(|t| (-1e-9..=1.0 + 1e-9).contains(&self.place(t.value))).collect()
+    }
+
+    fn linear_ticks(&self, count: usize) -> Vec<Tick> {
+        let rough = (self.to - self.from) / count.max(1) as f64;
+        let decade = 10f64.powf(rough.log10().floor());
+        let off = |step: &f64| (step / rough).ln().abs();
+        let round = [1.0, 2.0, 5.0, 10.0].map(|m| m * decade);
+        let step = round.into_iter().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(rough);
+        let digits = (-step.log10().floor()).clamp(0.0, 12.0) as usize;
+        let (first, last) = ((self.from / step).ceil() as i64, (self.to / step).floor() as i64);
+        (first..=last)
+            .map(|i| Tick { value: i as f64 * step, text: Some(minus(format!("{:.digits$}", i as f64 * step))) })
+            .collect()
+    }
+
+    fn log_ticks(&self, count: usize) -> Vec<Tick> {
+        let (first, last) = (self.from.log10().floor() as i32, self.to.log10().ceil() as i32);
+        let whole = (self.to.log10().floor() as i32 - self.from.log10().ceil() as i32).max(0);
+        let every = (whole as usize / count.max(1) + 1) as i32;
+        let plain = (-3..=3).contains(&first) && (-3..=4).contains(&last) && whole <= 2;
+        let written: &[i32] = if whole >= 2 { &[1] } else { &[1, 2, 5] };
+        let mut ticks = Vec::new();
+        for decade in first..=last {
+            for digit in 1..10 {
+                let value = f64::from(digit) * 10f64.powi(decade);
+                let shown = written.contains(&digit) && decade.rem_euclid(every) == 0;
+                if digit > 1 && every > 1 {
+                    continue;
+                }
+                let text = shown.then(|| match plain {
+                    true => format!("{value:.*}", (-decade).max(0) as usize),
+                    false if digit == 1 => format!("10{}", raised(decade)),
+                    false => format!("{digit}·10{}", raised(decade)),
+                });
+                ticks.push(Tick { value, text });
+            }
+        }
+        ticks
+    }
+}
+
+/// A number with so many significant digits, as one prints it in a picture.
+pub fn significant(value: f64, digits: i32) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    if !value.is_finite() {
+        return minus(format!("{value}"));
+    }
+    let decade = value.abs().log10().floor() as i32;
+    if !(-4..=6).contains(&decade) {
+        let mantissa = value / 10f64.powi(decade);
+        return minus(format!("{mantissa:.*}·10{}", (digits - 1).max(0) as usize, raised(decade)));
+    }
+    minus(format!("{value:.*}", (digits - 1 - decade).max(0) as usize))
+}
+
+/// The minus sign of typography in place of the hyphen.
+fn minus(text: String) -> String {
+    text.replace('-', "−")
+}
+
+/// An exponent in raised digits.
+fn raised(exponent: i32) -> String {
+    exponent
+        .to_string()
+        .chars()
+        .map(|c| match c.to_digit(10) {
+            Some(d) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][d as usize],
+            None => '⁻',
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(axis: &Axis, count: usize) -> Vec<String> {
+        axis.ticks(count).into_iter().filter_map(|t| t.text).collect()
+    }
+
+    #[test]
+    fn linear_ticks_are_round_and_inside() {
+        assert_eq!(texts(&Axis::linear("u", 0.0, 70.0), 7), ["0", "10", "20", "30", "40", "50", "60", "70"]);
+        assert_eq!(texts(&Axis::linear("P", -0.011, 0.04), 5), ["−0.01", "0.00", "0.01", "0.02", "0.03", "0.04"]);
+    }
+
+    #[test]
+    fn log_ticks_are_decades_in_raised_digits() {
+        assert_eq!(texts(&Axis::log("f", 1e-4, 1e-1), 9), ["10⁻⁴", "10⁻³", "10⁻²", "10⁻¹"]);
+        assert_eq!(texts(&Axis::log("P", 0.03, 0.9), 6), ["0.05", "0.1", "0.2", "0.5"]);
+    }
+
+    #[test]
+    fn long_log_axes_skip_decades() {
+        assert_eq!(
+            texts(&Axis::log("f", 1e-8, 1e8), 9),
+            ["10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "10⁰", "10²", "10⁴", "10⁶", "10⁸"]
+        );
+    }
+
+    #[test]
+    fn numbers_keep_their_significant_digits() {
+        assert_eq!(significant(48.215_617, 4), "48.22");
+        assert_eq!(significant(0.037_562_7, 3), "0.0376");
+        assert_eq!(significant(-2.5e-9, 3), "−2.50·10⁻⁹");
+        assert_eq!(significant(-0.0, 3), "0");
+    }
+
+    #[test]
+    fn an_axis_around_nothing_or_one_value_has_a_length() {
+        for axis in [Axis::around("x", [], false), Axis::around("x", [3.0], false), Axis::around("x", [0.0], false)] {
+            assert!(axis.to > axis.from && !axis.ticks(5).is_empty());
+        }
+        assert!(Axis::around("x", [2.0], true).ticks(5).iter().any(|t| t.text.is_some()));
+    }
+}

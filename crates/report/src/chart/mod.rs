@@ -1,0 +1,22 @@
+//! The small vocabulary that every picture is drawn with: a picture has panels; a panel has two axes, bands, shapes,
+//! lines and marks. Labels and the legend find their own places.
+
+mod axis;
+mod canvas;
+mod drawn;
+mod font;
+mod output;
+mod panel;
+mod picture;
+mod place;
+mod style;
+
+pub use axis::{Axis, significant};
+pub use canvas::{Dash, Stroke};
+pub use drawn::{DrawError, Drawn};
+pub use output::save;
+pub use panel::{Band, Line, Mark, Note, Panel, Shape, Symbol};
+pub use picture::Picture;
+pub use place::Frame;
+pub use plotters::style::RGBColor;
+pub use style::{WIDTH, colour, order_shade};

@@ -1,0 +1,268 @@
+//! One panel: axes around a frame, and what is drawn inside it.
+
+use super::axis::Axis;
+use super::canvas::{Align, Canvas, Pixel, Stroke};
+use super::drawn::Drawn;
+use super::place::{Frame, Places, clip};
+use super::style::{colour, size};
+use plotters::style::RGBColor;
+
+/// A curve; with a name it stands in the legend.
+#[derive(Clone, Debug)]
+pub struct Line {
+    pub points: Vec<(f64, f64)>,
+    pub stroke: Stroke,
+    pub name: Option<String>,
+}
+
+/// A shaded range of x over the whole height; with a name it stands in the legend.
+#[derive(Clone, Debug)]
+pub struct Band {
+    pub from: f64,
+    pub to: f64,
+    pub colour: RGBColor,
+    pub name: Option<String>,
+}
+
+/// A filled outline.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    pub corners: Vec<(f64, f64)>,
+    pub colour: RGBColor,
+    pub opacity: f64,
+}
+
+/// The shape of a mark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Symbol {
+    /// Nothing: the mark is there for its note.
+    None,
+    Dot,
+    Diamond,
+    Triangle,
+}
+
+/// A marked point; with a name its symbol stands in the legend, with a note it is labelled.
+#[derive(Clone, Debug)]
+pub struct Mark {
+    pub at: (f64, f64),
+    pub symbol: Symbol,
+    pub colour: RGBColor,
+    pub name: Option<String>,
+    pub note: Option<Note>,
+}
+
+impl Mark {
+    /// A dot without name and note.
+    pub fn dot(at: (f64, f64), colour: RGBColor) -> Self {
+        Mark { at, symbol: Symbol::Dot, colour, name: None, note: None }
+    }
+}
+
+/// A label: a number in a disc, lines of text, or both.
+#[derive(Clone, Debug, Default)]
+pub struct Note {
+    pub badge: Option<usize>,
+    pub text: Vec<String>,
+}
+
+/// A frame with two axes and all that is drawn inside.
+#[derive(Clone, Debug)]
+pub struct Panel {
+    /// Where the frame stands on the sheet; ticks and labels lie outside.
+    pub frame: Frame,
+    pub title: String,
+    pub x: Axis,
+    pub y: Axis,
+    pub bands: Vec<Band>,
+    pub shapes: Vec<Shape>,
+    pub lines: Vec<Line>,
+    pub marks: Vec<Mark>,
+}
+
+/// A row of the legend.
+enum Key<'a> {
+    Line(&'a Stroke),
+    Band(RGBColor),
+    Mark(Symbol, RGBColor),
+    Badge(usize, RGBColor),
+}
+
+/// Radius of the disc around a number.
+const BADGE: f64 = 9.0;
+/// Room for the sample of a legend row.
+const KEY: f64 = 34.0;
+
+impl Panel {
+    pub fn new(frame: Frame, x: Axis, y: Axis) -> Self {
+        let (bands, shapes, lines, marks) = Default::default();
+        Panel { frame, title: String::new(), x, y, bands, shapes, lines, marks }
+    }
+
+    /// Whether a point lies within both axes.
+    pub fn shows(&self, at: (f64, f64)) -> bool {
+        self.frame.grown(1.0).holds(self.pixel(at))
+    }
+
+    fn pixel(&self, (x, y): (f64, f64)) -> Pixel {
+        let right = self.frame.left + self.x.place(x) * self.frame.width();
+        (right, self.frame.bottom - self.y.place(y) * self.frame.height())
+    }
+
+    fn pixels(&self, points: &[(f64, f64)]) -> Vec<Pixel> {
+        points.iter().map(|&p| self.pixel(p)).collect()
+    }
+
+    pub(super) fn draw(&self, canvas: &Canvas<'_>) -> Drawn {
+        let mut places = Places::new(self.frame);
+        for band in &self.bands {
+            let (a, b) = (self.pixel((band.from, self.y.from)), self.pixel((band.to, self.y.to)));
+            let (left, right) =
+                (a.0.clamp(self.frame.left, self.frame.right), b.0.clamp(self.frame.left, self.frame.right));
+            canvas.area(&Frame { left, right, ..self.frame }.corners(), band.colour, 0.16)?;
+        }
+        self.draw_axes(canvas)?;
+        for shape in &self.shapes {
+            canvas.area(&self.pixels(&shape.corners), shape.colour, shape.opacity)?;
+        }
+        for line in &self.lines {
+            for piece in clip(&self.pixels(&line.points), &self.frame.grown(1.0)) {
+                canvas.line(&piece, &line.stroke)?;
+                places.add_line(&piece);
+            }
+        }
+        let marks: Vec<&Mark> = self.marks.iter().filter(|m| self.shows(m.at)).collect();
+        for mark in &marks {
+            let at = self.pixel(mark.at);
+            draw_symbol(canvas, mark.symbol, at, mark.colour)?;
+            if mark.symbol != Symbol::None {
+                places.add_spot(Frame { left: at.0, top: at.1, right: at.0, bottom: at.1 }.grown(5.0));
+            }
+        }
+        self.draw_legend(canvas, &mut places)?;
+        marks.iter().try_for_each(|mark| match &mark.note {
+            Some(note) => draw_note(canvas, &mut places, self.pixel(mark.at), mark, note),
+            None => Ok(()),
+        })
+    }
+
+    fn draw_axes(&self, canvas: &Canvas<'_>) -> Drawn {
+        let Frame { left, top, right, bottom } = self.frame;
+        let (thin, rule) = (Stroke::solid(colour::PALE, 0.8), Stroke::solid(colour::INK, 1.0));
+        let label = |text: &str, at, align| canvas.text(text, at, size::TEXT, colour::INK, align);
+        for tick in self.x.ticks((self.frame.width() / 70.0) as usize) {
+            let (x, _) = self.pixel((tick.value, self.y.from));
+            let depth = if tick.text.is_some() { 6.0 } else { 3.0 };
+            if let Some(text) = tick.text {
+                canvas.line(&[(x, top), (x, bottom)], &thin)?;
+                label(&text, (x, bottom + 16.0), Align::Centre)?;
+            }
+            canvas.line(&[(x, bottom), (x, bottom + depth)], &rule)?;
+        }
+        let mut widest: f64 = 0.0;
+        for tick in self.y.ticks((self.frame.height() / 50.0) as usize) {
+            let (_, y) = self.pixel((self.x.from, tick.value));
+            let depth = if tick.text.is_some() { 6.0 } else { 3.0 };
+            if let Some(text) = tick.text {
+                widest = widest.max(canvas.length(&text, size::TEXT)?);
+                canvas.line(&[(left, y), (right, y)], &thin)?;
+                label(&text, (left - 9.0, y), Align::Right)?;
+            }
+            canvas.line(&[(left - depth, y), (left, y)], &rule)?;
+        }
+        let mut rim = self.frame.corners().to_vec();
+        rim.push(rim[0]);
+        canvas.line(&rim, &rule)?;
+        let (middle, half) = (0.5 * (left + right), 0.5 * (top + bottom));
+        canvas.text(&self.x.label, (middle, bottom + 37.0), size::LABEL, colour::INK, Align::Centre)?;
+        canvas.text(&self.y.label, (left - widest - 22.0, half), size::LABEL, colour::INK, Align::Upwards)?;
+        label(&self.title, (middle, top - 12.0), Align::Centre)
+    }
+
+    fn draw_legend(&self, canvas: &Canvas<'_>, places: &mut Places) -> Drawn {
+        let lines = self.lines.iter().map(|l| (&l.name, Key::Line(&l.stroke)));
+        let marks = self.marks.iter().map(|m| match m.note.as_ref().and_then(|note| note.badge) {
+            Some(number) => (&m.name, Key::Badge(number, m.colour)),
+            None => (&m.name, Key::Mark(m.symbol, m.colour)),
+        });
+        let bands = self.bands.iter().map(|b| (&b.name, Key::Band(b.colour)));
+        let mut rows: Vec<(&str, Key<'_>)> = Vec::new();
+        for (name, key) in lines.chain(marks).chain(bands) {
+            if let Some(name) = name.as_deref().filter(|&n| rows.iter().all(|row| row.0 != n)) {
+                rows.push((name, key));
+            }
+        }
+        if rows.is_empty() {
+            return Ok(());
+        }
+        let mut widest: f64 = 0.0;
+        for (name, _) in &rows {
+            widest = widest.max(canvas.length(name, size::TEXT)?);
+        }
+        let numbered = rows.iter().any(|row| matches!(row.1, Key::Badge(..)));
+        let leading = if numbered { 2.0 * BADGE + 3.0 } else { size::LEADING };
+        let place = places.along_rim(KEY + widest + 14.0, rows.len() as f64 * leading + 8.0);
+        canvas.area(&place.corners(), plotters::style::WHITE, 0.85)?;
+        for (i, (name, key)) in rows.iter().enumerate() {
+            let (left, y) = (place.left + 6.0, place.top + 4.0 + (i as f64 + 0.5) * leading);
+            match key {
+                Key::Line(stroke) => canvas.line(&[(left, y), (left + KEY - 8.0, y)], stroke)?,
+                Key::Mark(symbol, colour) => draw_symbol(canvas, *symbol, (left + 0.5 * KEY - 4.0, y), *colour)?,
+                Key::Badge(number, colour) => draw_badge(canvas, *number, (left + 0.5 * KEY - 4.0, y), *colour)?,
+                Key::Band(colour) => {
+                    let swatch = Frame { left, top: y - 6.0, right: left + KEY - 8.0, bottom: y + 6.0 };
+                    canvas.area(&swatch.corners(), *colour, 0.25)?;
+                }
+            }
+            canvas.text(name, (left + KEY, y), size::TEXT, colour::INK, Align::Left)?;
+        }
+        Ok(())
+    }
+}
+
+fn draw_symbol(canvas: &Canvas<'_>, symbol: Symbol, (x, y): Pixel, colour: RGBColor) -> Drawn {
+    let corners = match symbol {
+        Symbol::None => return Ok(()),
+        Symbol::Dot => return canvas.disc((x, y), 3.6, colour),
+        Symbol::Diamond => vec![(x, y - 6.0), (x + 6.0, y), (x, y + 6.0), (x - 6.0, y)],
+        Symbol::Triangle => vec![(x, y - 6.0), (x + 5.6, y + 4.2), (x - 5.6, y + 4.2)],
+    };
+    canvas.area(&corners, colour, 1.0)
+}
+
+fn draw_badge(canvas: &Canvas<'_>, number: usize, centre: Pixel, colour: RGBColor) -> Drawn {
+    canvas.disc(centre, BADGE, colour)?;
+    canvas.disc(centre, BADGE - 1.4, plotters::style::WHITE)?;
+    canvas.text(&number.to_string(), centre, 12.0, colour::INK, Align::Centre)
+}
+
+fn draw_note(canvas: &Canvas<'_>, places: &mut Places, at: Pixel, mark: &Mark, note: &Note) -> Drawn {
+    let indent = if note.badge.is_some() { 2.0 * BADGE } else { 0.0 };
+    let mut width = indent;
+    for text in &note.text {
+        width = width.max(indent + 5.0 + canvas.length(text, size::TEXT)?);
+    }
+    let height = (note.text.len() as f64 * size::LEADING).max(indent);
+    let place = places.beside(at, width, height);
+    let near = place.nearest(at);
+    let (across, down) = (near.0 - at.0, near.1 - at.1);
+    let away = across.hypot(down);
+    if away > 16.0 && mark.symbol != Symbol::None {
+        let leader = [(at.0 + 7.0 * across / away, at.1 + 7.0 * down / away), near];
+        canvas.line(&leader, &Stroke::solid(colour::GREY, 0.8))?;
+        places.add_line(&leader);
+    }
+    if !note.text.is_empty() {
+        canvas.area(&place.corners(), plotters::style::WHITE, 0.8)?;
+    }
+    if let Some(number) = note.badge {
+        let centre = (place.left + BADGE, 0.5 * (place.top + place.bottom));
+        draw_badge(canvas, number, centre, mark.colour)?;
+    }
+    let left = if note.badge.is_some() { place.left + indent + 5.0 } else { place.left + 2.0 };
+    for (i, text) in note.text.iter().enumerate() {
+        let y = 0.5 * (place.top + place.bottom) + (i as f64 - 0.5 * (note.text.len() as f64 - 1.0)) * size::LEADING;
+        canvas.text(text, (left, y), size::TEXT, colour::INK, Align::Left)?;
+    }
+    Ok(())
+}

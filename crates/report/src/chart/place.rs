@@ -1,0 +1,188 @@
+//! Where labels go: near what they name, off the curves and off one another.
+
+use super::canvas::Pixel;
+
+/// A rectangle of the sheet, pixels; y runs downwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    pub left: f64,
+    pub top: f64,
+    pub right: f64,
+    pub bottom: f64,
+}
+
+impl Frame {
+    pub fn width(&self) -> f64 {
+        self.right - self.left
+    }
+    pub fn height(&self) -> f64 {
+        self.bottom - self.top
+    }
+    pub fn grown(&self, by: f64) -> Frame {
+        Frame { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
+    }
+    pub fn holds(&self, p: Pixel) -> bool {
+        p.0 >= self.left && p.0 <= self.right && p.1 >= self.top && p.1 <= self.bottom
+    }
+    pub fn corners(&self) -> [Pixel; 4] {
+        [(self.left, self.top), (self.right, self.top), (self.right, self.bottom), (self.left, self.bottom)]
+    }
+    fn shared(&self, other: &Frame) -> f64 {
+        let wide = (self.right.min(other.right) - self.left.max(other.left)).max(0.0);
+        let high = (self.bottom.min(other.bottom) - self.top.max(other.top)).max(0.0);
+        wide * high
+    }
+    /// The point of the frame nearest to `p`.
+    pub fn nearest(&self, p: Pixel) -> Pixel {
+        (p.0.clamp(self.left, self.right), p.1.clamp(self.top, self.bottom))
+    }
+}
+
+/// What of a panel is taken already.
+pub(crate) struct Places {
+    room: Frame,
+    ink: Vec<Pixel>,
+    taken: Vec<Frame>,
+}
+
+impl Places {
+    pub fn new(room: Frame) -> Self {
+        Places { room, ink: Vec::new(), taken: Vec::new() }
+    }
+
+    /// A line that labels should not cover.
+    pub fn add_line(&mut self, points: &[Pixel]) {
+        for pair in points.windows(2) {
+            let ((ax, ay), (bx, by)) = (pair[0], pair[1]);
+            let pieces = ((bx - ax).hypot(by - ay) / 3.0).ceil().clamp(1.0, 1000.0) as usize;
+            let along = |i: usize| i as f64 / pieces as f64;
+            self.ink.extend((0..pieces).map(|i| (ax + along(i) * (bx - ax), ay + along(i) * (by - ay))));
+        }
+        self.ink.extend(points.last());
+    }
+
+    /// A spot that nothing may cover.
+    pub fn add_spot(&mut self, spot: Frame) {
+        self.taken.push(spot);
+    }
+
+    /// Takes the emptiest place along the rim for a block, a legend say.
+    pub fn along_rim(&mut self, width: f64, height: f64) -> Frame {
+        let free = (self.room.width() - width - 16.0, self.room.height() - height - 16.0);
+        let steps = [0.0, 1.0, 0.5, 0.25, 0.75];
+        let at = |fx: f64, fy: f64| {
+            let (left, top) = (self.room.left + 8.0 + fx * free.0, self.room.top + 8.0 + fy * free.1);
+            Frame { left, top, right: left + width, bottom: top + height }
+        };
+        let tries = steps.iter().flat_map(|&fx| [0.0, 1.0, 0.5, 0.25, 0.75].map(|fy| (fx, fy)));
+        let rim = tries.filter(|&(fx, fy)| [0.0, 1.0].contains(&fx) || [0.0, 1.0].contains(&fy));
+        let toll =
+            |fx: f64, fy: f64| [fx, fy].iter().map(|f| if [0.0, 1.0].contains(f) { 0.0 } else { 2.0 }).sum::<f64>();
+        let best = rim.map(|(fx, fy)| (at(fx, fy), toll(fx, fy)));
+        self.take(best.collect())
+    }
+
+    /// Takes a place near `at` for a block.
+    pub fn beside(&mut self, at: Pixel, width: f64, height: f64) -> Frame {
+        let mut tries = Vec::new();
+        for distance in [9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0, 80.0, 100.0, 125.0, 150.0] {
+            for turn in 0..24 {
+                let (sin, cos) = (f64::from(turn) * std::f64::consts::PI / 12.0).sin_cos();
+                let (x, y) = (at.0 + distance * cos, at.1 - distance * sin);
+                // The block touches (x, y) with the point of its rim that faces `at`.
+                let (left, top) = (x - width * 0.5 * (1.0 - cos), y - height * 0.5 * (1.0 + sin));
+                let frame = Frame { left, top, right: left + width, bottom: top + height };
+                // Whatever stands between the point and its label.
+                let between =
+                    (1..8).map(|i| f64::from(i) / 8.0).map(|t| (at.0 + t * (x - at.0), at.1 + t * (y - at.1)));
+                let hidden = between.filter(|&p| self.taken.iter().any(|t| t.holds(p) && !t.holds(at))).count();
+                tries.push((frame, 0.12 * distance + 10.0 * hidden as f64));
+            }
+        }
+        self.take(tries)
+    }
+
+    fn take(&mut self, tries: Vec<(Frame, f64)>) -> Frame {
+        let dear = |&(frame, toll): &(Frame, f64)| toll + self.cost(&frame);
+        let best = tries.iter().min_by(|a, b| dear(a).total_cmp(&dear(b))).map_or(self.room, |&(frame, _)| frame);
+        self.taken.push(best);
+        best
+    }
+
+    fn cost(&self, frame: &Frame) -> f64 {
+        let wide = frame.grown(4.0);
+        let outside = frame.width() * frame.height() - frame.shared(&self.room.grown(-3.0));
+        let crossed = self.ink.iter().filter(|&&p| wide.holds(p)).count() as f64;
+        let covered: f64 = self.taken.iter().map(|t| wide.shared(t)).sum();
+        crossed + covered + 5.0 * outside.max(0.0)
+    }
+}
+
+/// The pieces of a line that lie inside a frame.
+pub(crate) fn clip(points: &[Pixel], frame: &Frame) -> Vec<Vec<Pixel>> {
+    let mut pieces: Vec<Vec<Pixel>> = Vec::new();
+    let mut open = false;
+    for pair in points.windows(2) {
+        match clip_segment(pair[0], pair[1], frame) {
+            Some((a, b)) => {
+                if !open {
+                    pieces.push(vec![a]);
+                }
+                if let Some(piece) = pieces.last_mut() {
+                    piece.push(b);
+                }
+                open = b == pair[1];
+            }
+            None => open = false,
+        }
+    }
+    pieces
+}
+
+/// Liang and Barsky's clipping.
+fn clip_segment(a: Pixel, b: Pixel, frame: &Frame) -> Option<(Pixel, Pixel)> {
+    let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+    if !(dx.is_finite() && dy.is_finite()) {
+        return None;
+    }
+    let (mut enter, mut leave) = (0.0f64, 1.0f64);
+    let sides = [(-dx, a.0 - frame.left), (dx, frame.right - a.0), (-dy, a.1 - frame.top), (dy, frame.bottom - a.1)];
+    for (step, room) in sides {
+        if step == 0.0 {
+            if room < 0.0 {
+                return None;
+            }
+        } else if step < 0.0 {
+            enter = enter.max(room / step);
+        } else {
+            leave = leave.min(room / step);
+        }
+    }
+    let at = |t: f64| (a.0 + t * dx, a.1 + t * dy);
+    let start = if enter > 0.0 { at(enter) } else { a };
+    let end = if leave < 1.0 { at(leave) } else { b };
+    (enter <= leave).then_some((start, end))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ROOM: Frame = Frame { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
+
+    #[test]
+    fn a_line_through_a_frame_is_cut_at_both_sides() {
+        assert_eq!(clip(&[(-50.0, 50.0), (150.0, 50.0)], &ROOM), vec![vec![(0.0, 50.0), (100.0, 50.0)]]);
+        assert_eq!(clip(&[(50.0, 50.0), (150.0, 50.0), (50.0, 60.0)], &ROOM).len(), 2);
+        assert!(clip(&[(-1.0, -1.0), (-2.0, 50.0)], &ROOM).is_empty());
+    }
+
+    #[test]
+    fn two_labels_of_one_spot_do_not_overlap() {
+        let mut places = Places::new(ROOM);
+        places.add_line(&[(0.0, 50.0), (100.0, 50.0)]);
+        let (a, b) = (places.beside((50.0, 50.0), 40.0, 12.0), places.beside((50.0, 50.0), 40.0, 12.0));
+        assert_eq!(a.shared(&b), 0.0);
+        assert!(!a.holds((50.0, 50.0)) && !b.holds((50.0, 50.0)));
+    }
+}

@@ -1,0 +1,40 @@
+//! Colours and sizes of every picture.
+
+use plotters::style::RGBColor;
+
+/// Okabe and Ito's palette, which colour-blind readers tell apart.
+pub mod colour {
+    use plotters::style::RGBColor;
+    pub const BLUE: RGBColor = RGBColor(0, 114, 178);
+    pub const VERMILLION: RGBColor = RGBColor(213, 94, 0);
+    pub const GREEN: RGBColor = RGBColor(0, 158, 115);
+    pub const ORANGE: RGBColor = RGBColor(230, 159, 0);
+    pub const INK: RGBColor = RGBColor(30, 30, 30);
+    pub const GREY: RGBColor = RGBColor(120, 120, 120);
+    pub const PALE: RGBColor = RGBColor(232, 232, 232);
+}
+
+/// The width of every picture, pixels: what a README shows.
+pub const WIDTH: u32 = 800;
+
+/// Text sizes, pixels.
+pub mod size {
+    pub const TITLE: f64 = 15.0;
+    pub const LABEL: f64 = 14.0;
+    pub const TEXT: f64 = 13.0;
+    /// From one line of text to the next.
+    pub const LEADING: f64 = 17.0;
+}
+
+/// Colours from dark to light, for `count` things in an order.
+pub fn order_shade(index: usize, count: usize) -> RGBColor {
+    // Five knots of viridis, its last fifth left out: too pale on white.
+    const KNOTS: [(f64, f64, f64); 5] =
+        [(68.0, 1.0, 84.0), (62.0, 73.0, 137.0), (38.0, 130.0, 142.0), (53.0, 170.0, 110.0), (140.0, 190.0, 50.0)];
+    let part = index as f64 / count.saturating_sub(1).max(1) as f64;
+    let along = part.min(1.0) * (KNOTS.len() - 1) as f64;
+    let i = (along as usize).min(KNOTS.len() - 2);
+    let (a, b, t) = (KNOTS[i], KNOTS[i + 1], along - i as f64);
+    let mix = |p: f64, q: f64| (p + t * (q - p)).round() as u8;
+    RGBColor(mix(a.0, b.0), mix(a.1, b.1), mix(a.2, b.2))
+}

@@ -1,0 +1,222 @@
+//! The path points of a run that is not finished yet, kept in a file as they come: a run that was interrupted loses none
+//! but the last of them, and the next run of the same scene takes them up.
+
+use crate::error::ReportError;
+use crate::file::remove;
+use crate::summary::Parameters;
+use peelkit::solve::{PathOptions, Waypoint};
+use peelkit::study::Bounds;
+use peelkit_scene::Scene;
+use serde::{Deserialize, Serialize};
+use std::cell::RefCell;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufReader, ErrorKind, Read, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// The file of an unfinished run: a line that tells which run it is, then a frame a path point, mesh by mesh. A frame is the
+/// length and the CRC-32 of what follows, four bytes each, and a record in the format of the crate `postcard`, in which
+/// a number keeps all of its bits.
+#[derive(Debug)]
+pub struct PartialRun {
+    path: PathBuf,
+    header: Vec<u8>,
+    interval: Duration,
+    /// Points of an earlier run, a path each.
+    taken: RefCell<Vec<(PathOptions, Vec<Waypoint>)>>,
+    points_taken: usize,
+    writing: RefCell<Writing>,
+}
+
+#[derive(Debug)]
+struct Writing {
+    /// None before the first write.
+    file: Option<File>,
+    /// Of the part of the file that is whole; none where there is no file.
+    length: Option<u64>,
+    waiting: Vec<Record>,
+    last: Instant,
+    /// Why nothing more is written.
+    trouble: Option<ReportError>,
+}
+
+/// The first line. Two runs have the same points where these lines are the same, whatever their bounds.
+#[derive(Serialize)]
+struct Header {
+    peelkit: &'static str,
+    scene: Parameters,
+}
+
+/// A point of the path that has these options.
+#[derive(Debug, Serialize, Deserialize)]
+struct Record {
+    options: PathOptions,
+    waypoint: Waypoint,
+}
+
+/// Nothing is written before a run has lasted so long, and then no oftener.
+const INTERVAL: Duration = Duration::from_secs(1);
+/// Bytes before the record of a frame.
+const FRAME: usize = 8;
+
+impl PartialRun {
+    /// Its name in the folder of the outputs.
+    pub const NAME: &str = "run.partial";
+
+    /// Takes up what the file in `dir` holds of this scene, if there is one. The file of another scene is refused. Nothing is
+    /// written yet, and nothing ever where the run is short.
+    pub fn open(dir: &Path, scene: &Scene) -> Result<Self, ReportError> {
+        Self::with_interval(dir, scene, INTERVAL)
+    }
+
+    fn with_interval(dir: &Path, scene: &Scene, interval: Duration) -> Result<Self, ReportError> {
+        let path = dir.join(Self::NAME);
+        let bounds = Bounds { points: 0, time_s: None, displacement: None };
+        let scene = Scene { bounds, ..scene.clone() };
+        let header = Header { peelkit: env!("CARGO_PKG_VERSION"), scene: Parameters(scene) };
+        let header = serde_json::to_vec(&header).map(|mut line| {
+            line.push(b'\n');
+            line
+        });
+        let header = header.map_err(|error| ReportError::Write { path: path.clone(), source: error.into() })?;
+        let (records, length) = match read(&path, &header) {
+            Err(error) if error.kind() == ErrorKind::NotFound => (Vec::new(), None),
+            Err(error) if error.kind() == ErrorKind::InvalidData => return Err(ReportError::OtherRun { path }),
+            Err(source) => return Err(ReportError::Read { path, source }),
+            Ok((records, length)) => (records, Some(length)),
+        };
+        let points_taken = records.len();
+        let writing = Writing { file: None, length, waiting: Vec::new(), last: Instant::now(), trouble: None };
+        let (taken, writing) = (RefCell::new(by_path(records)), RefCell::new(writing));
+        Ok(Self { path, header, interval, taken, points_taken, writing })
+    }
+
+    /// Whether `dir` holds the file of a run that is not finished.
+    pub fn is_in(dir: &Path) -> bool {
+        dir.join(Self::NAME).is_file()
+    }
+
+    /// Removes the file in `dir`, if there is one.
+    pub fn discard(dir: &Path) -> Result<(), ReportError> {
+        remove(dir.join(Self::NAME))
+    }
+
+    /// How many points an earlier run has kept.
+    pub fn points_taken(&self) -> usize {
+        self.points_taken
+    }
+
+    /// The first points of the path with these options, as far as they were kept; only once.
+    pub fn taken(&self, options: &PathOptions) -> Vec<Waypoint> {
+        let mut taken = self.taken.borrow_mut();
+        let place = taken.iter().position(|(of, _)| of == options);
+        place.map(|place| taken.swap_remove(place).1).unwrap_or_default()
+    }
+
+    /// Keeps a further point: in memory, and once in a while in the file.
+    pub fn keep(&self, options: &PathOptions, waypoint: Waypoint) {
+        let mut writing = self.writing.borrow_mut();
+        if writing.trouble.is_some() {
+            return;
+        }
+        writing.waiting.push(Record { options: *options, waypoint });
+        if writing.last.elapsed() >= self.interval {
+            self.flush(&mut writing);
+        }
+    }
+
+    /// Where the file is, once there is one.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes what is not written yet, whatever the time. Whether there is a file then: a run that got no further than paths without
+    /// some terms has no points to keep.
+    pub fn write_all(&self) -> Result<bool, ReportError> {
+        let mut writing = self.writing.borrow_mut();
+        self.flush(&mut writing);
+        writing.trouble.take().map_or(Ok(writing.length.is_some()), Err)
+    }
+
+    fn flush(&self, writing: &mut Writing) {
+        if !writing.waiting.is_empty() {
+            let written = self.append(writing);
+            writing.trouble = written.err().map(|source| ReportError::Write { path: self.path.clone(), source });
+            writing.waiting.clear();
+        }
+        writing.last = Instant::now();
+    }
+
+    fn append(&self, writing: &mut Writing) -> io::Result<()> {
+        let mut text = if writing.length.is_some() { Vec::new() } else { self.header.clone() };
+        for record in &writing.waiting {
+            let record = postcard::to_stdvec(record).map_err(io::Error::other)?;
+            text.extend(u32::try_from(record.len()).map_err(io::Error::other)?.to_le_bytes());
+            text.extend(crc32fast::hash(&record).to_le_bytes());
+            text.extend(record);
+        }
+        let length = writing.length.unwrap_or(0);
+        if writing.file.is_none() {
+            self.path.parent().map_or(Ok(()), fs::create_dir_all)?;
+            let file = OpenOptions::new().create(true).append(true).open(&self.path)?;
+            // what comes next does not continue a torn frame
+            file.set_len(length)?;
+            writing.file = Some(file);
+        }
+        writing.file.as_mut().map_or(Ok(()), |file| file.write_all(&text))?;
+        writing.length = Some(length + text.len() as u64);
+        Ok(())
+    }
+}
+
+/// The records of a file that begins with `header`, up to the first that is torn, and how many bytes they end at.
+fn read(path: &Path, header: &[u8]) -> io::Result<(Vec<Record>, u64)> {
+    let file = File::open(path)?;
+    let mut left = file.metadata()?.len();
+    let mut file = BufReader::new(file);
+    let mut begin = Vec::new();
+    (&mut file).take(header.len() as u64).read_to_end(&mut begin)?;
+    if begin != header {
+        return Err(ErrorKind::InvalidData.into());
+    }
+    let mut end = header.len() as u64;
+    left -= end;
+    let mut records = Vec::new();
+    while let Some((record, length)) = next(&mut file, left)? {
+        records.push(record);
+        end += length;
+        left -= length;
+    }
+    Ok((records, end))
+}
+
+/// The next record and the length of its frame, if it is whole; there are `left` bytes.
+fn next(file: &mut impl Read, left: u64) -> io::Result<Option<(Record, u64)>> {
+    let mut frame = [0; FRAME];
+    if left < FRAME as u64 {
+        return Ok(None);
+    }
+    file.read_exact(&mut frame)?;
+    let [a, b, c, d, e, f, g, h] = frame;
+    let (length, sum) = (u32::from_le_bytes([a, b, c, d]), u32::from_le_bytes([e, f, g, h]));
+    let whole = FRAME as u64 + u64::from(length);
+    if left < whole {
+        return Ok(None);
+    }
+    let mut record = vec![0; length as usize];
+    file.read_exact(&mut record)?;
+    let record = (crc32fast::hash(&record) == sum).then(|| postcard::from_bytes(&record).ok()).flatten();
+    Ok(record.map(|record| (record, whole)))
+}
+
+/// The points of each path, in their order.
+fn by_path(records: Vec<Record>) -> Vec<(PathOptions, Vec<Waypoint>)> {
+    let mut paths: Vec<(PathOptions, Vec<Waypoint>)> = Vec::new();
+    for Record { options, waypoint } in records {
+        match paths.iter_mut().find(|(of, _)| *of == options) {
+            Some((_, path)) => path.push(waypoint),
+            None => paths.push((options, vec![waypoint])),
+        }
+    }
+    paths
+}

@@ -1,0 +1,243 @@
+//! The rows of a sweep that is not finished yet, kept in a file as they come: a run that was interrupted loses none of
+//! them, and the next run of the same sweep takes them up.
+
+use crate::error::ReportError;
+use crate::file::{remove, write_whole};
+use crate::summary::Parameters;
+use peelkit::study::{Found, SweepRow};
+use peelkit_scene::{Key, Scene};
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+/// The file of an unfinished sweep: a line that tells which sweep it is, then a line a finished value, in no order.
+#[derive(Debug)]
+pub struct PartialSweep {
+    path: PathBuf,
+    file: Mutex<File>,
+    /// By the bits of the value.
+    taken: HashMap<u64, Found>,
+}
+
+/// The first line. Two sweeps are the same where these lines are: one program, one scene with its defaults, one key.
+#[derive(Serialize)]
+struct Header {
+    peelkit: &'static str,
+    vary: String,
+    scene: Parameters,
+}
+
+/// A finished value.
+#[derive(Clone, PartialEq, Serialize, Deserialize)]
+struct Line {
+    value: f64,
+    found: Found,
+}
+
+impl PartialSweep {
+    /// Its name in the folder of the outputs.
+    pub const NAME: &str = "sweep.partial.jsonl";
+
+    /// Opens the file in `dir`, or begins it, and takes up what it holds of this sweep: the scene in which `key` is varied.
+    /// The file of another sweep is refused.
+    pub fn open(dir: &Path, scene: &Scene, key: &Key) -> Result<Self, ReportError> {
+        let path = dir.join(Self::NAME);
+        let refuse = |source: io::Error| ReportError::Write { path: path.clone(), source };
+        let header = Header { peelkit: env!("CARGO_PKG_VERSION"), vary: key.path(), scene: Parameters(scene.clone()) };
+        let header = text_line(&header).map_err(refuse)?;
+        let old = match fs::read(&path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => Vec::new(),
+            read => read.map_err(|source| ReportError::Read { path: path.clone(), source })?,
+        };
+        let lines = match old.strip_prefix(header.as_slice()) {
+            Some(kept) => read_lines(kept),
+            None if old.is_empty() => Vec::new(),
+            None => return Err(ReportError::OtherSweep { path }),
+        };
+        // Written anew, so that what comes next does not continue a torn line, and whole or not at all.
+        let mut text = header;
+        for line in &lines {
+            text.extend(text_line(line).map_err(refuse)?);
+        }
+        write_whole(&path, &text)?;
+        let file = OpenOptions::new().append(true).open(&path).map_err(refuse)?;
+        let taken = lines.into_iter().map(|line| (line.value.to_bits(), line.found)).collect();
+        Ok(Self { path, file: Mutex::new(file), taken })
+    }
+
+    /// Whether `dir` holds the file of a sweep that is not finished.
+    pub fn is_in(dir: &Path) -> bool {
+        dir.join(Self::NAME).is_file()
+    }
+
+    /// Removes the file in `dir`, if there is one.
+    pub fn discard(dir: &Path) -> Result<(), ReportError> {
+        remove(dir.join(Self::NAME))
+    }
+
+    /// What an earlier run found at this value.
+    pub fn found(&self, value: f64) -> Option<&Found> {
+        self.taken.get(&value.to_bits())
+    }
+
+    /// Appends a finished value, at once and from any thread.
+    pub fn keep(&self, row: &SweepRow) -> Result<(), ReportError> {
+        let line = Line { value: row.value, found: row.found.clone() };
+        let refuse = |source: io::Error| ReportError::Write { path: self.path.clone(), source };
+        let text = text_line(&line).map_err(refuse)?;
+        // What would not come back as it is, such as a NaN, is computed again.
+        if read_lines(&text) != [line] {
+            return Ok(());
+        }
+        let mut file = self.file.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        file.write_all(&text).map_err(refuse)
+    }
+}
+
+fn text_line<T: Serialize>(line: &T) -> io::Result<Vec<u8>> {
+    let mut text = serde_json::to_vec(line)?;
+    text.push(b'\n');
+    Ok(text)
+}
+
+/// The lines that can be read: one that was torn when its run was killed is left out.
+fn read_lines(text: &[u8]) -> Vec<Line> {
+    text.split(|&byte| byte == b'\n').filter_map(|line| serde_json::from_slice(line).ok()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use peelkit::study::{Effort, End, LimitPoint, Peak, Plateau, Turn};
+    use peelkit_scene::find_key;
+
+    fn scene() -> Scene {
+        let text = r#"
+            strip = { length = "100 nm", height = "10 nm", youngs_modulus = "2 GPa" }
+            adhesion = { hamaker_constant = "1e-19 J", equilibrium_distance = "0.4 nm" }
+        "#;
+        Scene::parse("a.toml", text, &[]).unwrap()
+    }
+
+    /// Numbers whose last digit a careless reader loses.
+    fn row(value: f64) -> SweepRow {
+        let peak = Peak {
+            displacement: 0.1 + 0.2,
+            force: 1.0 / 3.0,
+            end_rotation: -5e-324,
+            force_error: 1.797_693_134_862_315_7e308,
+            displacement_error: 2.225_073_858_507_201e-308,
+        };
+        let snap_off = LimitPoint {
+            kind: Turn::Displacement,
+            displacement: 48.215_617_822_8,
+            force: 9.007_199_254_740_993e15,
+            end_rotation: 0.9,
+            work: std::f64::consts::PI,
+            displacement_error: 7.038_531_3e-26,
+            force_error: 4e-9,
+            flat: true,
+            after: 17,
+        };
+        let found = Found {
+            initiation_peak: None,
+            peak: Some(peak),
+            plateau: Some(Plateau { displacement: 1e23, force: 8.41e21 }),
+            plateau_front: Some(-0.0),
+            snap_off: Some(snap_off),
+            work: Some(5e-5),
+            end: End::Failed("no root at \"u = 3 nm\",\nand none behind it".into()),
+            effort: Effort { points: 3, newton_iterations: 5, elements: 8, order: 7 },
+            solve_s: 0.001,
+        };
+        SweepRow { value, model: scene().model, found }
+    }
+
+    fn open(dir: &Path, scene: &Scene) -> PartialSweep {
+        PartialSweep::open(dir, scene, find_key("strip.length").unwrap()).unwrap()
+    }
+
+    #[test]
+    fn rows_come_back_bit_for_bit() {
+        let dir = tempfile::tempdir().unwrap();
+        for value in [0.1, 0.1 + 0.2] {
+            open(dir.path(), &scene()).keep(&row(value)).unwrap();
+        }
+        let partial = open(dir.path(), &scene());
+        for value in [0.1, 0.1 + 0.2] {
+            let (found, expected) = (partial.found(value).unwrap(), row(value).found);
+            assert_eq!(*found, expected);
+            assert!(found.plateau_front.unwrap().is_sign_negative());
+        }
+        assert_eq!(partial.found(0.3), None);
+    }
+
+    #[test]
+    fn every_double_comes_back() {
+        let mut bits = 1u64;
+        for _ in 0..20_000 {
+            bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let number = f64::from_bits(bits);
+            if number.is_finite() {
+                let back: f64 = serde_json::from_slice(&text_line(&number).unwrap()).unwrap();
+                assert_eq!(back.to_bits(), bits, "{number:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_torn_line_is_no_row_and_spoils_none() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join(PartialSweep::NAME);
+        for value in [1.0, 2.0] {
+            open(dir.path(), &scene()).keep(&row(value)).unwrap();
+        }
+        let whole = fs::read(&path).unwrap();
+        fs::write(&path, &whole[..whole.len() - 40]).unwrap();
+        let partial = open(dir.path(), &scene());
+        assert!(partial.found(1.0).is_some() && partial.found(2.0).is_none());
+        partial.keep(&row(3.0)).unwrap();
+        let partial = open(dir.path(), &scene());
+        assert!(partial.found(1.0).is_some() && partial.found(3.0).is_some());
+    }
+
+    #[test]
+    fn the_file_of_another_scene_key_or_version_is_refused_until_it_is_discarded() {
+        let other_scene = {
+            let mut scene = scene();
+            scene.accuracy.relative = 1e-7;
+            scene
+        };
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join(PartialSweep::NAME);
+        let refused = |scene: &Scene, key: &str| {
+            let before = fs::read(&path).unwrap();
+            let error = PartialSweep::open(dir.path(), scene, find_key(key).unwrap()).unwrap_err();
+            assert!(matches!(error, ReportError::OtherSweep { .. }) && error.to_string().contains(PartialSweep::NAME));
+            assert_eq!(fs::read(&path).unwrap(), before);
+        };
+        open(dir.path(), &scene()).keep(&row(1.0)).unwrap();
+        refused(&other_scene, "strip.length");
+        refused(&scene(), "strip.height");
+        let text = fs::read_to_string(&path).unwrap();
+        fs::write(&path, text.replace(env!("CARGO_PKG_VERSION"), "0.0.9")).unwrap();
+        refused(&scene(), "strip.length");
+        assert!(PartialSweep::is_in(dir.path()));
+        PartialSweep::discard(dir.path()).unwrap();
+        assert!(!PartialSweep::is_in(dir.path()));
+        assert!(open(dir.path(), &scene()).found(1.0).is_none());
+        PartialSweep::discard(&dir.path().join("none")).unwrap();
+    }
+
+    #[test]
+    fn a_row_without_a_number_is_computed_again() {
+        let dir = tempfile::tempdir().unwrap();
+        let mut row = row(1.0);
+        row.found.work = Some(f64::NAN);
+        open(dir.path(), &scene()).keep(&row).unwrap();
+        assert!(open(dir.path(), &scene()).found(1.0).is_none());
+    }
+}

@@ -1,0 +1,206 @@
+//! Force against displacement, with the limit points and the peak.
+//!
+//! The peel begins within a nanometre and runs on for a hundred: where that is so, a panel of its own shows the
+//! initiation, and the panel of the whole path is cut above what follows.
+
+use crate::chart::{
+    Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, order_shade, significant,
+};
+use peelkit::study::{LimitPoint, Peel, Turn};
+
+const HEIGHT: u32 = 440;
+/// About how many points the curve is drawn with.
+const DENSE: usize = 1500;
+/// The initiation panel reaches to so many times the displacement of the initiation peak.
+const INITIATION: f64 = 16.0;
+/// Most limit points that are labelled; all are marked.
+const LABELLED: usize = 8;
+/// A limit point nearer than this to a labelled one goes without a label, in parts of the ranges of both axes.
+const CROWDED: f64 = 0.02;
+
+type Curve = Vec<(f64, f64, usize)>;
+
+/// The curve of a peel with two or more points.
+pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], title: &str) -> Picture {
+    let curve = peel.dense_curve((DENSE / peel.points.len().max(1)).clamp(2, 40));
+    let farthest = curve.iter().fold(0.0f64, |r, p| r.max(p.0));
+    let zoom = peel.initiation_peak.map(|p| INITIATION * p.displacement).filter(|&u| u > 0.0 && u < 0.4 * farthest);
+    let frame = |left, right| Frame {
+        left,
+        top: if zoom.is_some() { 52.0 } else { 40.0 },
+        right,
+        bottom: f64::from(HEIGHT) - 56.0,
+    };
+    let wide = f64::from(WIDTH) - 14.0;
+    let mut panels = match zoom {
+        Some(to) => {
+            let first = panel(frame(74.0, 284.0), &curve, to, highest(&curve), "initiation");
+            let whole = panel(frame(366.0, wide), &curve, 1.04 * farthest, beyond(peel, &curve, to), "whole path");
+            vec![whole, first]
+        }
+        None => vec![panel(frame(84.0, wide), &curve, 1.04 * farthest, highest(&curve), "")],
+    };
+    name_stability(&mut panels[0], &curve);
+    for mark in marks(peel, numbered) {
+        let early = zoom.is_some_and(|to| mark.at.0 <= to) || !panels[0].shows(mark.at);
+        let place = if early { panels.len() - 1 } else { 0 };
+        panels[place].marks.push(mark);
+    }
+    name_symbols(&mut panels[0]);
+    if let (Some(_), Some(peak)) = (zoom, peel.initiation_peak.filter(|p| p.force > panels[0].y.to)) {
+        let at = (peak.displacement, panels[0].y.to);
+        let text = vec![format!("↑ to {} nN", significant(peak.force, 4))];
+        let note = Some(Note { badge: None, text });
+        panels[0].marks.push(Mark { at, symbol: Symbol::None, colour: colour::GREY, name: None, note });
+    }
+    Picture { title: title.into(), height: HEIGHT, panels }
+}
+
+fn highest(curve: &Curve) -> f64 {
+    curve.iter().fold(0.0f64, |r, p| r.max(p.1)).max(f64::MIN_POSITIVE)
+}
+
+/// The force up to which the panel of the whole path reaches: from where the curve leaves the panel of the initiation, at
+/// `u`, and well above all that follows.
+fn beyond(peel: &Peel, curve: &Curve, u: f64) -> f64 {
+    let leaving = curve.iter().find(|p| p.0 >= u).map_or(0.0, |p| p.1);
+    let limits = peel.limit_points.iter().filter(|p| p.displacement > u).map(|p| p.force);
+    let later = limits.chain(peel.plateau.map(|p| p.force)).fold(0.0, f64::max);
+    let (reach, high) = (leaving.max(1.8 * later), highest(curve));
+    if reach > 0.0 && reach < 0.7 * high { reach } else { high }
+}
+
+/// A panel from u = 0 or the smallest u to `to`, its force axis up to a little over `force`.
+fn panel(frame: Frame, curve: &Curve, to: f64, force: f64, title: &str) -> Panel {
+    let shown = || curve.iter().filter(|p| p.0 <= to);
+    let (left, low) = shown().fold((0.0f64, 0.0f64), |(u, f), p| (u.min(p.0), f.min(p.1)));
+    let bottom = if low < -0.005 * force { low - 0.06 * (force - low) } else { 0.0 };
+    let left = if left < -1e-6 * to { left - 0.03 * to } else { 0.0 };
+    let x = Axis::linear("displacement u (nm)", left, to);
+    let mut panel = Panel::new(frame, x, Axis::linear("force P (nN)", bottom, force + 0.12 * (force - bottom)));
+    panel.title = title.into();
+    if bottom < 0.0 {
+        let zero = vec![(left, 0.0), (to, 0.0)];
+        panel.lines.push(Line { points: zero, stroke: Stroke::solid(colour::GREY, 0.9), name: None });
+    }
+    for (unstable, points) in runs(curve) {
+        let stroke = if unstable { Stroke::dashed(colour::VERMILLION, 2.0) } else { Stroke::solid(colour::BLUE, 2.0) };
+        panel.lines.push(Line { points, stroke, name: None });
+    }
+    panel
+}
+
+/// The curve in stretches of one kind, stable or not; neighbours share their end points.
+fn runs(curve: &Curve) -> Vec<(bool, Vec<(f64, f64)>)> {
+    let mut runs: Vec<(bool, Vec<(f64, f64)>)> = Vec::new();
+    for &(u, force, negative) in curve {
+        match runs.last_mut() {
+            Some((unstable, points)) if *unstable == (negative > 0) => points.push((u, force)),
+            Some((_, points)) => {
+                let joint = points.last().copied().unwrap_or((u, force));
+                runs.push((negative > 0, vec![joint, (u, force)]));
+            }
+            None => runs.push((negative > 0, vec![(u, force)])),
+        }
+    }
+    runs
+}
+
+fn name_stability(panel: &mut Panel, curve: &Curve) {
+    if curve.iter().all(|p| p.2 == 0) {
+        return;
+    }
+    for line in &mut panel.lines {
+        match line.stroke.colour {
+            colour::BLUE => line.name = Some("stable".into()),
+            colour::VERMILLION => line.name = Some("unstable while u is held".into()),
+            _ => {}
+        }
+    }
+}
+
+fn name_symbols(panel: &mut Panel) {
+    let shown: Vec<bool> = panel.marks.iter().map(|m| panel.shows(m.at)).collect();
+    for (mark, _) in panel.marks.iter_mut().zip(shown).filter(|(_, shown)| *shown) {
+        mark.name = match mark.symbol {
+            Symbol::Diamond => Some("displacement limit point".into()),
+            Symbol::Triangle => Some("load limit point".into()),
+            _ => None,
+        };
+    }
+}
+
+/// Limit points and peak with their values, then the numbered points.
+fn marks(peel: &Peel, numbered: &[usize]) -> Vec<Mark> {
+    // Those with a name choose their places first.
+    let mut limits: Vec<(Option<&str>, &LimitPoint)> =
+        peel.limit_points.iter().map(|l| (title_of(peel, l), l)).collect();
+    limits.sort_by_key(|(name, _)| name.is_none());
+    let range = |of: fn(&LimitPoint) -> f64| peel.limit_points.iter().fold(0.0f64, |r, l| r.max(of(l).abs()));
+    let (wide, high) = (range(|l| l.displacement), range(|l| l.force));
+    let mut marks = Vec::new();
+    let mut labelled: Vec<&LimitPoint> = Vec::new();
+    for (name, limit) in limits {
+        let near = |other: &&LimitPoint| {
+            let apart = (limit.displacement - other.displacement).abs() / wide;
+            apart + (limit.force - other.force).abs() / high < CROWDED
+        };
+        let wanted = name.is_some() || (labelled.len() < LABELLED && !labelled.iter().any(near));
+        labelled.extend(wanted.then_some(limit));
+        let note = wanted.then(|| values(name, limit.displacement, limit.force));
+        let symbol = if limit.kind == Turn::Displacement { Symbol::Diamond } else { Symbol::Triangle };
+        marks.push(Mark { at: (limit.displacement, limit.force), symbol, colour: colour::INK, name: None, note });
+    }
+    if let Some(peak) = peel.peak.filter(|p| !peel.limit_points.iter().any(|l| same(l.displacement, p.displacement))) {
+        let note = Some(values(Some("peak force"), peak.displacement, peak.force));
+        let at = (peak.displacement, peak.force);
+        marks.push(Mark { at, symbol: Symbol::Triangle, colour: colour::INK, name: None, note });
+    }
+    for (n, &i) in numbered.iter().enumerate() {
+        let at = (peel.points[i].displacement, peel.points[i].force);
+        let note = Some(Note { badge: Some(n + 1), text: Vec::new() });
+        marks.push(Mark { at, symbol: Symbol::Dot, colour: order_shade(n, numbered.len()), name: None, note });
+    }
+    marks
+}
+
+fn title_of(peel: &Peel, limit: &LimitPoint) -> Option<&'static str> {
+    // A path that returns passes the place of its peak again: the first one carries the name.
+    let is = |u: Option<f64>| {
+        let here = |l: &&LimitPoint| l.kind == limit.kind && u.is_some_and(|u| same(u, l.displacement));
+        peel.limit_points.iter().find(here) == Some(limit)
+    };
+    match limit.kind {
+        Turn::Displacement if is(peel.snap_off.map(|s| s.displacement)) => Some("snap-off"),
+        Turn::Load if is(peel.initiation_peak.map(|p| p.displacement)) => Some("initiation peak"),
+        Turn::Load if is(peel.peak.map(|p| p.displacement)) => Some("peak force"),
+        _ => None,
+    }
+}
+
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-6 * a.abs().max(b.abs())
+}
+
+fn values(name: Option<&str>, u: f64, force: f64) -> Note {
+    let mut text: Vec<String> = name.map(String::from).into_iter().collect();
+    text.push(format!("u = {} nm", significant(u, 4)));
+    text.push(format!("P = {} nN", significant(force, 4)));
+    Note { badge: None, text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stretches_of_one_kind_share_their_end_points() {
+        let curve = vec![(0.0, 0.0, 0), (1.0, 1.0, 0), (0.5, 0.8, 1), (0.2, 0.5, 1), (0.4, 0.0, 0)];
+        let expected = vec![
+            (false, vec![(0.0, 0.0), (1.0, 1.0)]),
+            (true, vec![(1.0, 1.0), (0.5, 0.8), (0.2, 0.5)]),
+            (false, vec![(0.2, 0.5), (0.4, 0.0)]),
+        ];
+        assert_eq!(runs(&curve), expected);
+    }
+}

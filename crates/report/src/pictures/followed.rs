@@ -1,0 +1,60 @@
+//! The picture of a sweep that followed one point: its force, or its displacement, against the varied value.
+
+use super::sweep::{STIFFNESS, STIFFNESS_LABEL, dotted, panel};
+use crate::chart::{Axis, Frame, Line, Picture, Stroke, WIDTH, colour, save};
+use crate::error::ReportError;
+use peelkit::study::{FollowedPoint, FollowedRow, FollowedSweep, PointKind};
+use std::path::{Path, PathBuf};
+
+/// Draws `sweep.svg` and `sweep.png` into `dir`: the force at the initiation peak, or displacement and work at the
+/// snap-off, against the values of `key`, on a logarithmic axis where `log` is set.
+pub fn draw_followed(
+    sweep: &FollowedSweep,
+    key: &str,
+    title: &str,
+    log: bool,
+    dir: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let refuse = |reason: String| ReportError::Draw { path: dir.join("sweep.svg"), reason };
+    if let Some(row) = sweep.rows.iter().find(|row| log && row.value <= 0.0) {
+        return Err(refuse(format!("{key} = {} has no place on a logarithmic axis", row.value)));
+    }
+    if sweep.rows.iter().all(|row| row.point.is_none()) {
+        let (count, point) = (sweep.rows.len(), sweep.kind.word());
+        return Err(refuse(format!("none of the {count} values of {key} has the {point}")));
+    }
+    save(&picture(sweep, key, title, log), dir, "sweep")
+}
+
+fn picture(sweep: &FollowedSweep, key: &str, title: &str, log: bool) -> Picture {
+    let label = if key == STIFFNESS { STIFFNESS_LABEL } else { key };
+    let x = Axis::around(label, sweep.rows.iter().map(|row| row.value), log);
+    let (left, right) = (88.0, f64::from(WIDTH) - 18.0);
+    let upper = Frame { left, top: 40.0, right, bottom: 330.0 };
+    let lower = Frame { left, top: 400.0, right, bottom: 620.0 };
+    let mut panels = Vec::new();
+    match sweep.kind {
+        PointKind::InitiationPeak => {
+            let lines = lines(&sweep.rows, |at| Some(at.force), Stroke::solid(colour::BLUE, 2.0));
+            panels.push(dotted(panel(upper, &x, "initiation peak P (nN)", lines)));
+        }
+        PointKind::SnapOff => {
+            let places = lines(&sweep.rows, |at| Some(at.displacement), Stroke::solid(colour::BLUE, 2.0));
+            panels.push(dotted(panel(upper, &x, "displacement at snap-off u (nm)", places)));
+            let works = lines(&sweep.rows, |at| at.work, Stroke::solid(colour::GREEN, 2.0));
+            if !works.is_empty() {
+                panels.push(dotted(panel(lower, &x, "work to snap-off W (aJ)", works)));
+            }
+        }
+    }
+    let height = panels.last().map_or(0.0, |panel| panel.frame.bottom) + 54.0;
+    Picture { title: title.into(), height: height as u32, panels }
+}
+
+/// The values that exist, as lines that break where one is missing.
+fn lines(rows: &[FollowedRow], value: impl Fn(&FollowedPoint) -> Option<f64>, stroke: Stroke) -> Vec<Line> {
+    let points: Vec<Option<(f64, f64)>> =
+        rows.iter().map(|row| Some((row.value, row.point.as_ref().and_then(&value)?))).collect();
+    let pieces = points.split(Option::is_none).filter(|piece| !piece.is_empty());
+    pieces.map(|piece| Line { points: piece.iter().flatten().copied().collect(), stroke, name: None }).collect()
+}

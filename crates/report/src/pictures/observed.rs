@@ -1,0 +1,62 @@
+//! The picture of a test: force against the machine's displacement, there and back.
+
+use crate::chart::{Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, save, significant};
+use crate::error::ReportError;
+use crate::names::jump_word;
+use peelkit::study::{Observed, Way};
+use std::path::{Path, PathBuf};
+
+const HEIGHT: u32 = 460;
+/// Most jumps that are labelled; all are drawn.
+const LABELLED: usize = 6;
+
+/// Draws `observed.svg` and `observed.png` into `dir`: what is recorded as the machine retreats and comes back, jumps dashed.
+pub fn draw_observed(test: &Observed, title: &str, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    if test.points.len() < 2 {
+        let reason = format!("the test has {} points", test.points.len());
+        return Err(ReportError::Draw { path: dir.join("observed.svg"), reason });
+    }
+    save(&picture(test, title), dir, "observed")
+}
+
+fn picture(test: &Observed, title: &str) -> Picture {
+    let farthest = test.points.iter().fold(0.0f64, |far, p| far.max(p.machine));
+    let frame = Frame { left: 84.0, top: 40.0, right: f64::from(WIDTH) - 14.0, bottom: f64::from(HEIGHT) - 56.0 };
+    Picture { title: title.into(), height: HEIGHT, panels: vec![panel(test, frame, 1.04 * farthest)] }
+}
+
+fn panel(test: &Observed, frame: Frame, to: f64) -> Panel {
+    let shown = test.pieces.iter().flat_map(|piece| &piece.1);
+    let (low, high) = shown.fold((0.0f64, 0.0f64), |(low, high), p| (low.min(p.1), high.max(p.1)));
+    let room = 0.12 * (high - low).max(f64::MIN_POSITIVE);
+    let bottom = if low < 0.0 { low - room } else { 0.0 };
+    let x = Axis::linear("displacement of the machine U (nm)", -0.03 * to, to);
+    let mut panel = Panel::new(frame, x, Axis::linear("force P (nN)", bottom, high + room));
+    let zero = vec![(-0.03 * to, 0.0), (to, 0.0)];
+    panel.lines.push(Line { points: zero, stroke: Stroke::solid(colour::GREY, 0.9), name: None });
+    for way in [Way::Retreat, Way::Approach] {
+        let stroke = match way {
+            Way::Retreat => Stroke::solid(colour::BLUE, 2.4),
+            Way::Approach => Stroke::solid(colour::ORANGE, 1.6),
+        };
+        let mut name = Some(way.word().to_owned());
+        for (_, points) in test.pieces.iter().filter(|piece| piece.0 == way) {
+            panel.lines.push(Line { points: points.clone(), stroke, name: name.take() });
+        }
+    }
+    let mut name = Some("jump".to_owned());
+    for (n, jump) in test.jumps.iter().enumerate() {
+        let (from, landed) = ((jump.machine, jump.before.force), (jump.machine, jump.after.force));
+        let stroke = Stroke::dashed(colour::INK, 1.4);
+        panel.lines.push(Line { points: vec![from, landed], stroke, name: name.take() });
+        let text = vec![
+            jump_word(jump.kind).to_owned(),
+            format!("U = {} nm", significant(jump.machine, 4)),
+            format!("released {} aJ", significant(jump.released, 4)),
+        ];
+        let note = (n < LABELLED).then_some(Note { badge: None, text });
+        panel.marks.push(Mark { at: from, symbol: Symbol::Diamond, colour: colour::INK, name: None, note });
+        panel.marks.push(Mark::dot(landed, colour::INK));
+    }
+    panel
+}

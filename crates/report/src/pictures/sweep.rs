@@ -1,0 +1,124 @@
+//! The picture of a sweep: peak force and plateau, and below them the peeling work, against the varied value.
+
+use crate::chart::{Axis, Dash, Frame, Line, Mark, Panel, Picture, Stroke, WIDTH, colour, save};
+use crate::error::ReportError;
+use peelkit::analytic::kendall_force;
+use peelkit::study::SweepRow;
+use peelkit_scene::find_key;
+use std::path::{Path, PathBuf};
+
+/// The key that Fig. 10 of the paper varies.
+pub const STIFFNESS: &str = "strip.bending_stiffness_factor";
+
+/// The angle of the pull.
+const ANGLE: &str = "drive.angle";
+
+pub const FORCE: &str = "force per width P/b (nN/nm)";
+pub const WORK: &str = "work to snap-off W/b (aJ/nm)";
+pub const STIFFNESS_LABEL: &str = "EI / EI₀";
+
+/// Draws `sweep.svg` and `sweep.png` into `dir`: peak force, plateau and the work up to the snap-off, of strips each per width,
+/// against the values of `key`, on a logarithmic axis where `log` is set.
+///
+/// Where the bending stiffness or the angle of the pull is varied Kendall's force is drawn too.
+pub fn draw_sweep(
+    rows: &[SweepRow],
+    key: &str,
+    title: &str,
+    log: bool,
+    dir: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let refuse = |reason: String| ReportError::Draw { path: dir.join("sweep.svg"), reason };
+    if let Some(row) = rows.iter().find(|row| log && row.value <= 0.0) {
+        return Err(refuse(format!("{key} = {} has no place on a logarithmic axis", row.value)));
+    }
+    if rows.iter().all(|row| row.found.peak.is_none()) {
+        return Err(refuse(format!("none of the {} values of {key} has a peak force", rows.len())));
+    }
+    save(&sweep_picture(rows, key, title, log), dir, "sweep")
+}
+
+fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Picture {
+    let (left, right) = (88.0, f64::from(WIDTH) - 18.0);
+    let stiffness = key == STIFFNESS;
+    let strips = rows.iter().all(|row| row.model.strip().is_some());
+    let labels = if strips { (FORCE, WORK) } else { ("force P (nN)", "work to snap-off W (aJ)") };
+    let label = match find_key(key) {
+        _ if stiffness => STIFFNESS_LABEL.to_owned(),
+        Ok(key) => key.label(),
+        Err(_) => key.to_owned(),
+    };
+    let x = Axis::around(&label, rows.iter().map(|r| r.value), log);
+    let mut lines =
+        series(rows, |r| Some(per_width(r, r.found.peak?.force)), Stroke::solid(colour::BLUE, 2.0), "peak force");
+    let dashed = Stroke::dashed(colour::VERMILLION, 2.0);
+    lines.extend(series(rows, plateau_per_width, dashed, "plateau"));
+    if strips && (stiffness || key == ANGLE) {
+        lines.extend(series(rows, |r| Some(kendall_per_width(r)), Stroke::dotted(colour::GREY, 2.0), "Kendall"));
+    }
+    let forces = panel(Frame { left, top: 40.0, right, bottom: 330.0 }, &x, labels.0, lines);
+    let mut work = series(rows, work_per_width, Stroke::solid(colour::GREEN, 2.0), "");
+    work.iter_mut().for_each(|line| line.name = None);
+    let mut panels = vec![dotted(forces)];
+    if !work.is_empty() {
+        panels.push(dotted(panel(Frame { left, top: 400.0, right, bottom: 620.0 }, &x, labels.1, work)));
+    }
+    let height = panels.last().map_or(0.0, |p| p.frame.bottom) + 54.0;
+    Picture { title: title.into(), height: height as u32, panels }
+}
+
+/// A force or a work of a strip over its width; as it is of a body whose width varies.
+pub fn per_width(row: &SweepRow, value: f64) -> f64 {
+    value / row.model.strip().map_or(1.0, |strip| strip.width)
+}
+
+/// The work up to the snap-off, per width.
+pub fn work_per_width(row: &SweepRow) -> Option<f64> {
+    Some(per_width(row, row.found.snap_off?.work))
+}
+
+/// A plateau is one of peeling while more than this share of the strip still adheres.
+pub const ADHERING: f64 = 0.01;
+
+/// The plateau of peeling per width. A stiff strip that tilts upright on its edge has none, however level its force is
+/// at the end.
+pub fn plateau_per_width(row: &SweepRow) -> Option<f64> {
+    let plateau = row.found.plateau?;
+    let tilts = row.found.plateau_front.is_some_and(|front| front < ADHERING * row.model.length());
+    (!tilts).then(|| per_width(row, plateau.force))
+}
+
+/// Kendall's force per width at the angle of the pull, nN/nm, with the work of adhesion that the strip has at rest.
+pub fn kendall_per_width(row: &SweepRow) -> f64 {
+    let work = -row.model.line_law().rest_energy();
+    let (width, height) = row.model.free_end();
+    per_width(row, kendall_force(work, row.model.material().youngs_modulus, height, width, row.model.pull.angle))
+}
+
+/// A panel around its lines, its y axis logarithmic where the values span about a decade.
+pub fn panel(frame: Frame, x: &Axis, label: &str, lines: Vec<Line>) -> Panel {
+    let values = || lines.iter().flat_map(|l| l.points.iter().map(|p| p.1));
+    let (low, high) = values().fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
+    let y = Axis::around(label, values(), low > 0.0 && high > 8.0 * low);
+    Panel { lines, ..Panel::new(frame, x.clone(), y) }
+}
+
+/// Dots at the computed values, where they are not so many that the line says enough.
+pub fn dotted(mut panel: Panel) -> Panel {
+    for line in panel.lines.iter().filter(|l| l.stroke.dash != Dash::Dotted && l.points.len() <= 60) {
+        panel.marks.extend(line.points.iter().map(|&at| Mark::dot(at, line.stroke.colour)));
+    }
+    panel
+}
+
+/// The values that exist, as lines that break where one is missing.
+pub fn series(rows: &[SweepRow], value: impl Fn(&SweepRow) -> Option<f64>, stroke: Stroke, name: &str) -> Vec<Line> {
+    let point = |row: &SweepRow| value(row).filter(|v| v.is_finite()).map(|v| (row.value, v));
+    let points: Vec<Option<(f64, f64)>> = rows.iter().map(point).collect();
+    let pieces = points.split(Option::is_none).filter(|piece| !piece.is_empty());
+    let name = |i: usize| (i == 0).then(|| name.to_string());
+    pieces
+        .enumerate()
+        .map(|(i, piece)| Line { points: piece.iter().flatten().copied().collect(), stroke, name: name(i) })
+        .collect()
+}

@@ -1,0 +1,17 @@
+//! What was found as one JSON object: summary.json, and what `--json` prints.
+
+mod accuracy;
+mod ground;
+mod observed;
+mod parameters;
+mod peel;
+mod sliding;
+mod sweep;
+mod term_summary;
+
+pub use accuracy::left_out;
+pub use ground::ground_warning;
+pub(crate) use parameters::Parameters;
+pub use peel::PeelSummary;
+pub use sweep::SweepSummary;
+pub use term_summary::why_kept;

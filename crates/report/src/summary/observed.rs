@@ -1,0 +1,158 @@
+//! What a test would record, as an object of summary.json.
+
+use crate::names::{jump_word, test_end_word};
+use crate::number::Finite;
+use peelkit::study::{Balance, Jump, JumpEnd, Observed, TestEnd};
+use serde::Serialize;
+
+/// The object `observed` of summary.json; `None` where a thing does not occur or was not reached.
+#[derive(Debug, Serialize)]
+pub(super) struct ObservedSummary {
+    end: &'static str,
+    /// Of every end but `closed`.
+    reason: Option<String>,
+    #[serde(rename = "pull_off_force_nN")]
+    pull_off_force: Option<Finite>,
+    #[serde(rename = "pull_off_error_nN")]
+    pull_off_error: Option<Finite>,
+    /// ∮ P dU
+    #[serde(rename = "hysteresis_aJ")]
+    hysteresis: Option<Finite>,
+    jumps: Vec<JumpLine>,
+    work_balance: Balances,
+    accuracy_reached: Option<Finite>,
+    effort: Effort,
+}
+
+#[derive(Debug, Serialize)]
+struct JumpLine {
+    kind: &'static str,
+    way: &'static str,
+    #[serde(rename = "machine_displacement_nm")]
+    machine: Finite,
+    #[serde(rename = "error_nm")]
+    machine_error: Finite,
+    before: EndLine,
+    after: EndLine,
+    #[serde(rename = "released_aJ")]
+    released: Finite,
+    #[serde(rename = "released_error_aJ")]
+    released_error: Finite,
+    landed: &'static str,
+    relaxation_steps: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct EndLine {
+    #[serde(rename = "displacement_nm")]
+    displacement: Finite,
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    #[serde(rename = "error_nm")]
+    displacement_error: Finite,
+    #[serde(rename = "error_nN")]
+    force_error: Finite,
+    #[serde(rename = "energy_aJ")]
+    energy: Finite,
+    #[serde(rename = "front_nm")]
+    front: Finite,
+}
+
+#[derive(Debug, Serialize)]
+struct Balances {
+    retreat: Option<BalanceLine>,
+    cycle: Option<BalanceLine>,
+}
+
+#[derive(Debug, Serialize)]
+struct BalanceLine {
+    #[serde(rename = "work_aJ")]
+    work: Finite,
+    #[serde(rename = "energy_change_aJ")]
+    energy_change: Finite,
+    #[serde(rename = "released_aJ")]
+    released: Finite,
+    /// What is not accounted for, over the largest term.
+    relative_error: Finite,
+}
+
+#[derive(Debug, Serialize)]
+struct Effort {
+    points: usize,
+    newton_iterations: usize,
+    relaxation_steps: usize,
+    elements: usize,
+    order: usize,
+    solve_s: Finite,
+}
+
+impl From<&Observed> for ObservedSummary {
+    fn from(test: &Observed) -> Self {
+        let reason = match &test.end {
+            TestEnd::Closed => None,
+            TestEnd::Returned(reason) | TestEnd::Bound(reason) | TestEnd::Failed(reason) => Some(reason.clone()),
+        };
+        Self {
+            end: test_end_word(&test.end),
+            reason,
+            pull_off_force: test.pull_off.map(|peak| Finite(peak.force)),
+            pull_off_error: test.pull_off.map(|peak| Finite(peak.force_error)),
+            hysteresis: test.hysteresis.map(Finite),
+            jumps: test.jumps.iter().map(JumpLine::from).collect(),
+            work_balance: Balances {
+                retreat: test.retreat.map(BalanceLine::from),
+                cycle: test.cycle.map(BalanceLine::from),
+            },
+            accuracy_reached: Some(test.reached).filter(|reached| reached.is_finite()).map(Finite),
+            effort: Effort {
+                points: test.effort.points,
+                newton_iterations: test.effort.newton_iterations,
+                relaxation_steps: test.effort.relaxation_steps,
+                elements: test.effort.elements,
+                order: test.effort.order,
+                solve_s: Finite(test.effort.solve_s),
+            },
+        }
+    }
+}
+
+impl From<&Jump> for JumpLine {
+    fn from(jump: &Jump) -> Self {
+        Self {
+            kind: jump_word(jump.kind),
+            way: jump.way.word(),
+            machine: Finite(jump.machine),
+            machine_error: Finite(jump.machine_error),
+            before: EndLine::from(&jump.before),
+            after: EndLine::from(&jump.after),
+            released: Finite(jump.released),
+            released_error: Finite(jump.released_error),
+            landed: if jump.detached { "detached" } else { "adhered" },
+            relaxation_steps: jump.steps,
+        }
+    }
+}
+
+impl From<&JumpEnd> for EndLine {
+    fn from(end: &JumpEnd) -> Self {
+        Self {
+            displacement: Finite(end.displacement),
+            force: Finite(end.force),
+            displacement_error: Finite(end.displacement_error),
+            force_error: Finite(end.force_error),
+            energy: Finite(end.energy),
+            front: Finite(end.front),
+        }
+    }
+}
+
+impl From<Balance> for BalanceLine {
+    fn from(balance: Balance) -> Self {
+        Self {
+            work: Finite(balance.work),
+            energy_change: Finite(balance.energy_change),
+            released: Finite(balance.released),
+            relative_error: Finite(balance.error()),
+        }
+    }
+}

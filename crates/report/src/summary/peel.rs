@@ -1,0 +1,251 @@
+//! What a run found, as one JSON object: summary.json, and what `--json` prints.
+
+use super::accuracy::AccuracySummary;
+use super::ground::GroundSummary;
+use super::observed::ObservedSummary;
+use super::parameters::Parameters;
+use super::sliding::SlidingSummary;
+use super::term_summary::ConsideredSummary;
+use crate::error::ReportError;
+use crate::file::write_whole;
+use crate::names::{end_reason, end_word, turn_word};
+use crate::number::{Finite, to_json};
+use peelkit::beam::GripState;
+use peelkit::model::Step;
+use peelkit::study::{self, Observed, Peel};
+use peelkit_scene::Scene;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Everything of a peel but its curve. Forces in nN, lengths in nm, works in aJ; `None` where a thing does not occur.
+#[derive(Debug, serde::Serialize)]
+pub struct PeelSummary {
+    scene: String,
+    title: String,
+    end: &'static str,
+    /// Of the ends `bound` and `failed`.
+    reason: Option<String>,
+    peak: Option<Peak>,
+    initiation_peak: Option<Peak>,
+    plateau: Option<Plateau>,
+    limit_points: Vec<LimitPoint>,
+    snap_off: Option<SnapOff>,
+    accuracy: AccuracySummary,
+    /// What leaving out a term of the model would change, to first order.
+    terms: Vec<TermEffect>,
+    /// What was left out and what not, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    considered: Option<ConsideredSummary>,
+    path: Effort,
+    timing: Timing,
+    /// The steps before the pull, as far as they were taken.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    steps: Vec<StepEnd>,
+    /// How the beam lies where the path begins, on ground that is not flat.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ground: Option<GroundSummary>,
+    /// How the beam has slid at the initiation peak, with friction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sliding: Option<SlidingSummary>,
+    /// What a test would record, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    observed: Option<ObservedSummary>,
+    parameters: Parameters,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Peak {
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    #[serde(rename = "displacement_nm")]
+    displacement: Finite,
+    #[serde(rename = "end_rotation_rad")]
+    end_rotation: Finite,
+    #[serde(rename = "error_nN")]
+    force_error: Finite,
+    #[serde(rename = "error_nm")]
+    displacement_error: Finite,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Plateau {
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    #[serde(rename = "displacement_nm")]
+    displacement: Finite,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct LimitPoint {
+    kind: &'static str,
+    #[serde(rename = "displacement_nm")]
+    displacement: Finite,
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    #[serde(rename = "end_rotation_rad")]
+    end_rotation: Finite,
+    #[serde(rename = "work_aJ")]
+    work: Finite,
+    #[serde(rename = "error_nm")]
+    displacement_error: Finite,
+    #[serde(rename = "error_nN")]
+    force_error: Finite,
+    /// Of a load limit point around which the force is so level that its place cannot be told and does not matter.
+    flat: bool,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct SnapOff {
+    #[serde(rename = "displacement_nm")]
+    displacement: Finite,
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    #[serde(rename = "work_aJ")]
+    work: Finite,
+    #[serde(rename = "error_nm")]
+    displacement_error: Finite,
+    #[serde(rename = "error_nN")]
+    force_error: Finite,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Effort {
+    points: usize,
+    newton_iterations: usize,
+    elements: usize,
+    order: usize,
+}
+
+/// The grip behind a step, seen from where it took hold.
+#[derive(Debug, serde::Serialize)]
+struct StepEnd {
+    step: String,
+    /// None where the grip is free along the substrate and nothing looks at it.
+    #[serde(rename = "x_nm")]
+    x: Option<Finite>,
+    #[serde(rename = "y_nm")]
+    y: Finite,
+    #[serde(rename = "end_rotation_rad")]
+    rotation: Finite,
+    #[serde(rename = "horizontal_force_nN")]
+    horizontal: Finite,
+    #[serde(rename = "vertical_force_nN")]
+    vertical: Finite,
+    #[serde(rename = "moment_nN_nm")]
+    moment: Finite,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct TermEffect {
+    left_out: &'static str,
+    #[serde(rename = "initiation_peak_change_nN")]
+    force: Finite,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Timing {
+    solve_s: Finite,
+}
+
+impl PeelSummary {
+    /// What is told of the peel of this scene.
+    pub fn new(scene: &Scene, peel: &Peel) -> Self {
+        Self {
+            scene: scene.name.clone(),
+            title: scene.title.clone(),
+            end: end_word(&peel.end),
+            reason: end_reason(&peel.end).map(str::to_owned),
+            peak: peel.peak.map(Peak::from),
+            initiation_peak: peel.initiation_peak.map(Peak::from),
+            plateau: peel.plateau.map(|at| Plateau { force: Finite(at.force), displacement: Finite(at.displacement) }),
+            limit_points: peel.limit_points.iter().map(LimitPoint::from).collect(),
+            snap_off: peel.snap_off.map(|at| SnapOff {
+                displacement: Finite(at.displacement),
+                force: Finite(at.force),
+                work: Finite(at.work),
+                displacement_error: Finite(at.displacement_error),
+                force_error: Finite(at.force_error),
+            }),
+            accuracy: AccuracySummary::of(peel),
+            terms: peel.terms().iter().map(TermEffect::from).collect(),
+            considered: peel.considered.as_ref().map(ConsideredSummary::from),
+            path: Effort {
+                points: peel.effort.points,
+                newton_iterations: peel.effort.newton_iterations,
+                elements: peel.effort.elements,
+                order: peel.effort.order,
+            },
+            timing: Timing { solve_s: Finite(peel.solve_s) },
+            steps: peel.model.steps.iter().zip(&peel.steps).map(StepEnd::from).collect(),
+            ground: GroundSummary::of(peel),
+            sliding: SlidingSummary::of(peel),
+            observed: None,
+            parameters: Parameters(scene.clone()),
+        }
+    }
+
+    /// The same with what a test of this scene would record.
+    pub fn with_observed(self, test: &Observed) -> Self {
+        Self { observed: Some(ObservedSummary::from(test)), ..self }
+    }
+
+    /// The object as text; a number that is not finite is an error that names its key.
+    pub fn to_json(&self) -> io::Result<String> {
+        to_json(self)
+    }
+
+    /// Writes summary.json.
+    pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
+        let path = dir.join("summary.json");
+        let json = self.to_json().map_err(|source| ReportError::Write { path: path.clone(), source })?;
+        write_whole(&path, json.as_bytes())?;
+        Ok(path)
+    }
+}
+
+impl From<(&Step, &GripState)> for StepEnd {
+    fn from((step, grip): (&Step, &GripState)) -> Self {
+        Self {
+            step: step.to_string(),
+            x: grip.x.map(Finite),
+            y: Finite(grip.y),
+            rotation: Finite(grip.rotation),
+            horizontal: Finite(grip.forces.horizontal),
+            vertical: Finite(grip.forces.vertical),
+            moment: Finite(grip.forces.moment),
+        }
+    }
+}
+
+impl From<&study::TermEffect> for TermEffect {
+    fn from(effect: &study::TermEffect) -> Self {
+        Self { left_out: effect.term.word(), force: Finite(effect.force) }
+    }
+}
+
+impl From<study::Peak> for Peak {
+    fn from(at: study::Peak) -> Self {
+        Self {
+            force: Finite(at.force),
+            displacement: Finite(at.displacement),
+            end_rotation: Finite(at.end_rotation),
+            force_error: Finite(at.force_error),
+            displacement_error: Finite(at.displacement_error),
+        }
+    }
+}
+
+impl From<&study::LimitPoint> for LimitPoint {
+    fn from(at: &study::LimitPoint) -> Self {
+        Self {
+            kind: turn_word(at.kind),
+            displacement: Finite(at.displacement),
+            force: Finite(at.force),
+            end_rotation: Finite(at.end_rotation),
+            work: Finite(at.work),
+            displacement_error: Finite(at.displacement_error),
+            force_error: Finite(at.force_error),
+            flat: at.flat,
+        }
+    }
+}

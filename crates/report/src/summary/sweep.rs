@@ -1,0 +1,61 @@
+//! What a sweep found, as one JSON object.
+
+use super::parameters::Parameters;
+use crate::number::to_json;
+use crate::tables::SweepLine;
+use peelkit::study::{FollowedSweep, SweepRow};
+use peelkit_scene::{Key, Scene};
+use std::io;
+
+/// A sweep as one object: the key that was varied, its unit, and a row a value.
+#[derive(Debug, serde::Serialize)]
+pub struct SweepSummary {
+    scene: String,
+    title: String,
+    vary: String,
+    /// Of `value` in the rows; `None` where the key is a plain number.
+    unit: Option<&'static str>,
+    /// The point that was followed from value to value, where the values were not peeled one by one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    followed: Option<&'static str>,
+    /// What happened to that point on the way, or where the rows come from.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    remarks: Vec<String>,
+    rows: Vec<SweepLine>,
+    /// The scene before the sweep.
+    parameters: Parameters,
+}
+
+impl SweepSummary {
+    /// What is told of these rows, in which `key` of the scene was varied, and what is to be said of them besides.
+    pub fn new(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) -> Self {
+        Self { remarks: remarks.to_vec(), ..Self::of(scene, key, rows.iter().map(SweepLine::from).collect()) }
+    }
+
+    /// The same for a point that was followed while `key` was varied.
+    pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep) -> Self {
+        Self {
+            followed: Some(sweep.kind.word()),
+            remarks: sweep.remarks.iter().map(ToString::to_string).collect(),
+            ..Self::of(scene, key, SweepLine::followed(sweep))
+        }
+    }
+
+    fn of(scene: &Scene, key: &Key, rows: Vec<SweepLine>) -> Self {
+        Self {
+            scene: scene.name.clone(),
+            title: scene.title.clone(),
+            vary: key.path(),
+            unit: Some(key.unit()).filter(|unit| !unit.is_empty()),
+            followed: None,
+            remarks: Vec::new(),
+            rows,
+            parameters: Parameters(scene.clone()),
+        }
+    }
+
+    /// The object as text; a number that is not finite is an error that names its key.
+    pub fn to_json(&self) -> io::Result<String> {
+        to_json(self)
+    }
+}

@@ -1,0 +1,94 @@
+//! The tables of one peel: curve.csv, limit_points.csv, observed.csv. Units stand in the names of the columns.
+
+use super::table::write_table;
+use crate::error::ReportError;
+use crate::names::turn_word;
+use crate::number::Finite;
+use peelkit::study::{Observed, Peel};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// Writes curve.csv: one row a path point.
+pub fn write_curve(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
+    #[derive(Default, Serialize)]
+    struct Line {
+        displacement_nm: Finite,
+        #[serde(rename = "force_nN")]
+        force: Finite,
+        end_rotation_rad: Finite,
+        #[serde(rename = "work_aJ")]
+        work: Finite,
+        negative_eigenvalues: usize,
+        negative_eigenvalues_load: usize,
+        front_nm: Finite,
+        newton_iterations: usize,
+    }
+    let lines = peel.points.iter().map(|point| Line {
+        displacement_nm: Finite(point.displacement),
+        force: Finite(point.force),
+        end_rotation_rad: Finite(point.end_rotation),
+        work: Finite(point.work),
+        negative_eigenvalues: point.negative_eigenvalues,
+        negative_eigenvalues_load: point.negative_eigenvalues_load,
+        front_nm: Finite(point.front),
+        newton_iterations: point.iterations,
+    });
+    write_table(dir, "curve.csv", lines)
+}
+
+/// Writes limit_points.csv: one row a limit point, in path order.
+pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
+    #[derive(Default, Serialize)]
+    struct Line {
+        kind: &'static str,
+        displacement_nm: Finite,
+        #[serde(rename = "force_nN")]
+        force: Finite,
+        end_rotation_rad: Finite,
+        #[serde(rename = "work_aJ")]
+        work: Finite,
+        error_nm: Finite,
+        #[serde(rename = "error_nN")]
+        force_error: Finite,
+        flat: bool,
+        after_point: usize,
+    }
+    let lines = peel.limit_points.iter().map(|at| Line {
+        kind: turn_word(at.kind),
+        displacement_nm: Finite(at.displacement),
+        force: Finite(at.force),
+        end_rotation_rad: Finite(at.end_rotation),
+        work: Finite(at.work),
+        error_nm: Finite(at.displacement_error),
+        force_error: Finite(at.force_error),
+        flat: at.flat,
+        after_point: at.after,
+    });
+    write_table(dir, "limit_points.csv", lines)
+}
+
+/// Writes observed.csv: one row a point of the test, in its order.
+pub fn write_observed(dir: &Path, test: &Observed) -> Result<PathBuf, ReportError> {
+    #[derive(Default, Serialize)]
+    struct Line {
+        branch: &'static str,
+        machine_displacement_nm: Finite,
+        displacement_nm: Finite,
+        #[serde(rename = "force_nN")]
+        force: Finite,
+        #[serde(rename = "work_aJ")]
+        work: Finite,
+        front_nm: Finite,
+        jump: bool,
+    }
+    let lines = test.points.iter().map(|point| Line {
+        branch: point.way.word(),
+        machine_displacement_nm: Finite(point.machine),
+        displacement_nm: Finite(point.displacement),
+        force: Finite(point.force),
+        work: Finite(point.work),
+        front_nm: Finite(point.front),
+        jump: point.jumped,
+    });
+    write_table(dir, "observed.csv", lines)
+}

@@ -1,0 +1,9 @@
+//! Tables in CSV.
+
+mod curve;
+mod sweep;
+mod table;
+
+pub use curve::{write_curve, write_limit_points, write_observed};
+pub use sweep::{SweepLine, write_followed, write_sweep};
+pub use table::write_table;

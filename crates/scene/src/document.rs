@@ -1,0 +1,272 @@
+//! From TOML texts to a scene: finds every key, hands its value over, and says where a problem stands.
+
+use super::bodies::{BODIES, set_body};
+use super::error::{Origin, Problem, SceneError, one_line};
+use super::key::{Key, Kind, Need};
+use super::keys::{KEYS, find_key, tables};
+use super::near::nearest;
+use super::scene::Scene;
+use super::value::Value;
+use std::collections::HashSet;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+impl Scene {
+    /// Reads a scene. `name` is that of the file and stands in every message; `overrides` are keys with values that
+    /// replace those of the text (`--set`): a TOML value, or a text without its quotes.
+    ///
+    /// ```
+    /// use peelkit_scene::Scene;
+    ///
+    /// let text = r#"
+    /// [strip]
+    /// length = "0.1 um"
+    /// height = "10 nm"
+    /// youngs_modulus = "2 GPa"
+    /// [adhesion]
+    /// hamaker_constant = "1e-19 J"
+    /// equilibrium_distance = "0.4 nm"
+    /// "#;
+    /// let scene = Scene::parse("strip.toml", text, &[("strip.height".into(), "5 nm".into())])?;
+    /// assert_eq!((scene.model.length(), scene.model.free_end()), (100.0, (1.0, 5.0)));
+    ///
+    /// let error = Scene::parse("strip.toml", &text.replace("10 nm", "10"), &[]).unwrap_err();
+    /// assert_eq!(error.to_string(), "strip.toml, line 4: `strip.height` is \"10\", a number without a unit");
+    /// # Ok::<(), peelkit_scene::SceneError>(())
+    /// ```
+    pub fn parse(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
+        let mut scene = Self::empty(name);
+        read(&mut scene, text, overrides)?;
+        Ok(scene)
+    }
+}
+
+/// Fills the scene from the text and then from the overrides.
+fn read(scene: &mut Scene, text: &str, overrides: &[(String, String)]) -> Result<(), SceneError> {
+    let name = scene.name.clone();
+    let file = Origin::File { name: &name, text };
+    let document = DeTable::parse(text).map_err(|error| not_toml(&file, text, &error))?;
+    let mut given = HashSet::new();
+    if let Some((table, _)) = in_order(document.get_ref()).into_iter().find(|(key, _)| BODIES.contains(&name_of(key))) {
+        set_body(scene, name_of(table));
+    }
+    set_shape(scene, &file, document.get_ref())?;
+    for (key, value) in in_order(document.get_ref()) {
+        match value.get_ref() {
+            DeValue::Table(table) if tables().contains(&name_of(key)) => {
+                for (inner, value) in in_order(table) {
+                    let key = lookup(&file, name_of(key), inner)?;
+                    if !key.belongs_to(scene) {
+                        let subject = format!("`{}`", key.path());
+                        return Err(file.error(inner.span(), &subject, key.foreign(scene)));
+                    }
+                    store(scene, &file, key, value)?;
+                    given.insert(key.path());
+                }
+            }
+            DeValue::Table(_) => return Err(unknown_table(&file, key)),
+            found if tables().contains(&name_of(key)) => {
+                let table = name_of(key);
+                let problem = Problem::new(
+                    format!("is {}", convert(found, 0)),
+                    format!("It is a table: write [{table}] on a line of its own and its keys below it."),
+                );
+                return Err(file.error(value.span(), &format!("`{table}`"), problem));
+            }
+            _ => {
+                let key = lookup(&file, "", key)?;
+                store(scene, &file, key, value)?;
+                given.insert(key.path());
+            }
+        }
+    }
+    for (path, value) in overrides {
+        given.insert(set(scene, path, value)?.path());
+    }
+    // one that had a meaning until an override gave the substrate another shape
+    if let Some(key) = KEYS.iter().find(|key| given.contains(&key.path()) && !key.belongs_to(scene)) {
+        let span = place_of(document.get_ref(), key).unwrap_or_else(|| end_of(text));
+        return Err(file.error(span, &format!("`{}`", key.path()), key.foreign(scene)));
+    }
+    let needed = |key: &&Key| key.need == Need::Required && key.belongs_to(scene);
+    if let Some(key) = KEYS.iter().filter(needed).find(|key| !given.contains(&key.path())) {
+        return Err(missing(&file, text, document.get_ref(), key, &given, scene));
+    }
+    let fits = scene.check();
+    fits.map_err(|(key, problem)| match place_of(document.get_ref(), key) {
+        Some(span) => file.error(span, &format!("`{}`", key.path()), problem),
+        None => file.error(end_of(text), &format!("`{}`", key.path()), problem),
+    })
+}
+
+/// Gives the substrate the shape that the text names, which says what its other keys mean.
+fn set_shape(scene: &mut Scene, file: &Origin, document: &DeTable) -> Result<(), SceneError> {
+    let Some(key) = KEYS.iter().find(|key| matches!(key.kind, Kind::Shape(_))) else { return Ok(()) };
+    let table = document.iter().find(|(name, _)| name_of(name) == key.table);
+    let Some(DeValue::Table(table)) = table.map(|(_, table)| table.get_ref()) else { return Ok(()) };
+    let value = table.iter().find(|(name, _)| name_of(name) == key.name);
+    value.map_or(Ok(()), |(_, value)| store(scene, file, key, value))
+}
+
+/// Applies one `--set`.
+fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, SceneError> {
+    let text = format!("{path}={value}");
+    let origin = Origin::Override { text: &text };
+    let key =
+        find_key(path).map_err(|problem| origin.error(0..path.len(), &format!("`{}`", one_line(path)), problem))?;
+    if !key.belongs_to(scene) {
+        return Err(origin.error(0..path.len(), &format!("`{}`", key.path()), key.foreign(scene)));
+    }
+    let parsed = DeValue::parse(value.trim()).ok().map(|value| convert(value.get_ref(), NESTED));
+    let parsed = match parsed {
+        Some(parsed @ Value::Text(_)) => parsed,
+        Some(parsed) if !key.is_text() => parsed,
+        _ => Value::Text(value.trim().to_owned()),
+    };
+    key.store(scene, &parsed)
+        .map_err(|problem| origin.error(path.len() + 1..text.len(), &format!("`{}`", key.path()), problem))?;
+    Ok(key)
+}
+
+fn store(scene: &mut Scene, file: &Origin, key: &Key, value: &Spanned<DeValue>) -> Result<(), SceneError> {
+    let stored = key.store(scene, &convert(value.get_ref(), NESTED));
+    stored.map_err(|problem| {
+        let item = value.get_ref().as_array().zip(problem.item).and_then(|(items, item)| items.get(item));
+        file.error(item.unwrap_or(value).span(), &format!("`{}`", key.path()), problem)
+    })
+}
+
+/// The entries of a table in the order of the text.
+fn in_order<'a, 'i>(table: &'a DeTable<'i>) -> Vec<(&'a Spanned<toml::de::DeString<'i>>, &'a Spanned<DeValue<'i>>)> {
+    let mut entries: Vec<_> = table.iter().collect();
+    entries.sort_by_key(|(key, _)| key.span().start);
+    entries
+}
+
+fn name_of<'a>(key: &'a Spanned<toml::de::DeString>) -> &'a str {
+    key.get_ref()
+}
+
+/// How deep a value is that a key takes: a list of tables of lists.
+const NESTED: usize = 3;
+
+/// The value, of which nothing is told that is deeper than `levels`.
+fn convert(value: &DeValue, levels: usize) -> Value {
+    match value {
+        DeValue::String(text) => Value::Text(text.to_string()),
+        DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
+            Ok(integer) => Value::Number(integer as f64),
+            Err(_) => Value::Other("a whole number of more digits than can be held"),
+        },
+        DeValue::Float(float) => match float.as_str().parse() {
+            Ok(float) => Value::Number(float),
+            Err(_) => Value::Other("a number that cannot be read"),
+        },
+        DeValue::Boolean(flag) => Value::Flag(*flag),
+        DeValue::Datetime(_) => Value::Other("a date or time"),
+        DeValue::Array(_) if levels == 0 => Value::Other("a list"),
+        DeValue::Table(_) if levels == 0 => Value::Other("a table"),
+        DeValue::Array(items) => Value::List(items.iter().map(|item| convert(item.get_ref(), levels - 1)).collect()),
+        DeValue::Table(table) => {
+            let entry = |(name, value): (&Spanned<_>, &Spanned<DeValue>)| {
+                (name_of(name).to_owned(), convert(value.get_ref(), levels - 1))
+            };
+            Value::Table(in_order(table).into_iter().map(entry).collect())
+        }
+    }
+}
+
+/// The key of this name in this table, or the message that there is none.
+fn lookup(file: &Origin, table: &str, found: &Spanned<toml::de::DeString>) -> Result<&'static Key, SceneError> {
+    let name = name_of(found);
+    if let Some(key) = KEYS.iter().find(|key| key.table == table && key.name == name) {
+        return Ok(key);
+    }
+    let here: Vec<&str> = KEYS.iter().filter(|key| key.table == table).map(|key| key.name).collect();
+    let place = |table: &str| match table {
+        "" => "at the top of the file, above the tables".to_owned(),
+        table => format!("in the table [{table}]"),
+    };
+    let remedy = if let Some(elsewhere) = KEYS.iter().find(|key| key.name == name) {
+        format!("`{name}` stands {}.", place(elsewhere.table))
+    } else if let Some(near) = nearest(name, here.iter().copied()) {
+        format!("Did you mean `{near}`?")
+    } else if let Some(near) = nearest(name, KEYS.iter().map(|key| key.name)) {
+        let tables = KEYS.iter().filter(|key| key.name == near).map(|key| place(key.table));
+        format!("Did you mean `{near}`, which stands {}?", tables.collect::<String>())
+    } else {
+        format!("The keys {} are {}.", place(table), here.join(", "))
+    };
+    let shown = one_line(name);
+    let subject = if table.is_empty() { format!("`{shown}`") } else { format!("`{table}.{shown}`") };
+    Err(file.error(found.span(), &subject, Problem::new("is not a key of a scene", remedy)))
+}
+
+fn unknown_table(file: &Origin, found: &Spanned<toml::de::DeString>) -> SceneError {
+    let remedy = match nearest(name_of(found), tables()) {
+        Some(near) => format!("Did you mean [{near}]?"),
+        None => format!("The tables are [{}].", tables().join("], [")),
+    };
+    let problem = Problem::new("is not a table of a scene", remedy);
+    file.error(found.span(), &format!("[{}]", one_line(name_of(found))), problem)
+}
+
+/// Says which table or key a scene has to have besides what it has.
+fn missing(
+    file: &Origin,
+    text: &str,
+    document: &DeTable,
+    key: &Key,
+    given: &HashSet<String>,
+    scene: &Scene,
+) -> SceneError {
+    let needed = |other: &&Key| other.table == key.table && other.need == Need::Required && other.belongs_to(scene);
+    // of two of which one is wanted the first is shown
+    let shown = |other: &&Key| needed(other) && !matches!(other.kind, Kind::Pieces(_));
+    let wanted = KEYS.iter().filter(shown);
+    let wanted: Vec<String> = wanted.filter(|other| !given.contains(&other.path())).map(Key::example_line).collect();
+    let wanted = wanted.join(", ");
+    let header = in_order(document).into_iter().find(|(name, _)| name_of(name) == key.table);
+    match header {
+        Some((table, _)) => {
+            let remedy = format!("`{}` is the {}. Add for example {wanted}", key.name, key.about);
+            let instead = key.alternative().map(|other| format!(" or `{other}` in its place")).unwrap_or_default();
+            let problem = Problem::new(format!("lacks `{}`{instead}", key.name), remedy);
+            file.error(table.span(), &format!("[{}]", key.table), problem)
+        }
+        None => {
+            let remedy = format!("Add a line [{}] and below it for example {wanted}", key.table);
+            let problem = Problem::new(format!("lacks the table [{}]", key.table), remedy);
+            file.error(end_of(text), "the scene", problem)
+        }
+    }
+}
+
+/// Where a key stands in a text, if it does.
+fn place_of(document: &DeTable, key: &Key) -> Option<Range<usize>> {
+    let (_, table) = document.iter().find(|(name, _)| name_of(name) == key.table)?;
+    let DeValue::Table(table) = table.get_ref() else { return None };
+    table.iter().find(|(name, _)| name_of(name) == key.name).map(|(_, value)| value.span())
+}
+
+fn end_of(text: &str) -> Range<usize> {
+    let end = text.trim_end().len();
+    end..end
+}
+
+fn not_toml(file: &Origin, text: &str, error: &toml::de::Error) -> SceneError {
+    let span = error.span().unwrap_or_else(|| end_of(text));
+    let reason = error.message().lines().collect::<Vec<_>>().join("; ");
+    let remedy = "A scene is a TOML file: [table] on a line of its own, below it key = value; \
+                  texts and quantities stand in quotes: length = \"100 nm\". `peel new` writes one to start from.";
+    file.error(span.clone(), &key_on_line(text, span.start), Problem::new(format!("is not TOML: {reason}"), remedy))
+}
+
+/// The key that stands on the line of this place in a text that is not TOML, or "this".
+fn key_on_line(text: &str, at: usize) -> String {
+    let start = text.as_bytes()[..at.min(text.len())].iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
+    let key = text.get(start..).and_then(|line| line.lines().next()?.split_once('=')).map_or("", |(key, _)| key.trim());
+    let is_key = !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || "._-".contains(c));
+    if is_key { format!("`{}`", one_line(key)) } else { "this".to_owned() }
+}

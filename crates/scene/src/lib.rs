@@ -1,0 +1,31 @@
+//! The text a user writes, and every message about it.
+//!
+//! A scene is a TOML file; quantities are texts with their unit ("100 nm"). [`KEYS`] is the one list of what it may
+//! hold.
+
+#![forbid(unsafe_code)]
+
+mod bodies;
+mod check;
+mod document;
+mod error;
+mod friction;
+mod key;
+mod keys;
+mod near;
+mod pieces;
+mod quantity;
+mod scene;
+mod shape;
+mod steps;
+mod table;
+mod value;
+
+pub use bodies::{BODIES, body_of};
+pub use error::{Problem, SceneError};
+pub use key::{Key, Kind, Need, Range};
+pub use keys::{KEYS, find_key};
+pub use quantity::{Dimension, QuantityError, parse_quantity};
+pub use scene::{Scene, TableTexts};
+pub use table::{CsvError, parse_heights, parse_profile};
+pub use value::Value;

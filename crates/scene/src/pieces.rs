@@ -1,0 +1,131 @@
+//! The pieces of a profile as a scene writes them.
+
+use super::error::one_line;
+use super::near::nearest;
+use super::quantity::Dimension;
+use super::steps::quantity;
+use super::value::Value;
+use peelkit::model::{Course, Piece, ProfilePieces, angle_text};
+
+/// What a list of pieces takes.
+pub(super) const TAKES: &str = "a list of pieces from the free end on, each with length, width and height and, if wanted, roundness (0: a rectangle, 1: an \
+                                ellipse), bend (by how much the underside turns along it), course and height_course (\"linear\" or \"smooth\"); width, height and \
+                                roundness as one value, or as two, at its beginning and at its end";
+
+/// The keys of a piece; the first three it has to have.
+const NAMES: [&str; 7] = ["length", "width", "height", "roundness", "bend", "course", "height_course"];
+const NEEDED: usize = 3;
+const COURSES: [(&str, Course); 2] = [("linear", Course::Linear), ("smooth", Course::Smooth)];
+
+/// What is wrong with pieces, and with which of them, counted from 0.
+pub(super) struct Fault {
+    pub item: Option<usize>,
+    pub found: String,
+}
+
+/// Reads the pieces of a list.
+pub(super) fn read(items: &[Value]) -> Result<ProfilePieces, Fault> {
+    let piece = |(item, value): (usize, &Value)| {
+        let number = item + 1;
+        let read = match value {
+            Value::Table(entries) => one(entries).map_err(|found| format!("has in piece {number} {found}")),
+            value => Err(format!("has as piece {number} {value}, no table of its keys")),
+        };
+        read.map_err(|found| Fault { item: Some(item), found })
+    };
+    let pieces = items.iter().enumerate().map(piece).collect::<Result<_, _>>()?;
+    ProfilePieces::new(pieces)
+        .map_err(|error| Fault { item: error.piece().map(|piece| piece - 1), found: error.to_string() })
+}
+
+/// Reads one from its keys.
+fn one(entries: &[(String, Value)]) -> Result<Piece, String> {
+    if let Some((name, _)) = entries.iter().find(|(name, _)| !NAMES.contains(&name.as_str())) {
+        let guess = nearest(name, NAMES).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+        return Err(format!("the key `{}`, which is none of {}{guess}", one_line(name), NAMES.join(", ")));
+    }
+    let given = |name: &str| entries.iter().find(|(given, _)| given == name).map(|(_, value)| value);
+    if let Some(name) = NAMES[..NEEDED].iter().find(|name| given(name).is_none()) {
+        return Err(format!("no `{name}`"));
+    }
+    // what a key holds, or its default
+    fn of<T>(
+        name: &str,
+        value: Option<&Value>,
+        default: T,
+        read: impl Fn(&Value) -> Result<T, String>,
+    ) -> Result<T, String> {
+        value.map_or(Ok(default), |value| read(value).map_err(|why| format!("`{name}` = {value}, {why}")))
+    }
+    let length = |name: &str| of(name, given(name), f64::NAN, |value| measure(value, Dimension::Length));
+    let lengths = |name: &str| {
+        of(name, given(name), [f64::NAN; 2], |value| ends(value, |value| measure(value, Dimension::Length)))
+    };
+    let plain = Piece::straight(length("length")?, f64::NAN, f64::NAN);
+    Ok(Piece {
+        width: lengths("width")?,
+        height: lengths("height")?,
+        roundness: of("roundness", given("roundness"), plain.roundness, |value| ends(value, number))?,
+        bend: of("bend", given("bend"), plain.bend, |value| measure(value, Dimension::Angle))?,
+        course: of("course", given("course"), plain.course, course)?,
+        height_course: of("height_course", given("height_course"), plain.height_course, course)?,
+        ..plain
+    })
+}
+
+/// One value all along, or those at the beginning and at the end.
+fn ends(value: &Value, one: impl Fn(&Value) -> Result<f64, String>) -> Result<[f64; 2], String> {
+    match value {
+        Value::List(values) => match &values[..] {
+            [begins, ends] => Ok([one(begins)?, one(ends)?]),
+            values => {
+                Err(format!("which has {} values: it takes one, or two, at its beginning and at its end", values.len()))
+            }
+        },
+        value => one(value).map(|value| [value; 2]),
+    }
+}
+
+fn measure(value: &Value, dimension: Dimension) -> Result<f64, String> {
+    match value {
+        Value::Text(text) => quantity(text, dimension, "which does not begin with a number"),
+        Value::Number(number) => {
+            Err(format!("a number without a unit: write \"{number} {}\" if that is meant", dimension.unit()))
+        }
+        _ => Err(format!("which is not {dimension} with its unit in quotes")),
+    }
+}
+
+fn number(value: &Value) -> Result<f64, String> {
+    if let Value::Number(number) = value { Ok(*number) } else { Err("which is not a number".into()) }
+}
+
+fn course(value: &Value) -> Result<Course, String> {
+    let found = COURSES.iter().find(|(word, _)| matches!(value, Value::Text(text) if text == word));
+    found.map(|&(_, course)| course).ok_or_else(|| "which is neither \"linear\" nor \"smooth\"".into())
+}
+
+/// Pieces as a scene writes them.
+pub(super) fn written(pieces: &ProfilePieces) -> Value {
+    let nanometres = |length: f64| Value::Text(format!("{length} nm"));
+    let both = |[begins, ends]: [f64; 2], value: fn(f64) -> Value| {
+        if begins == ends { value(begins) } else { Value::List(vec![value(begins), value(ends)]) }
+    };
+    let word = |course: Course| {
+        let word = COURSES.iter().find(|(_, known)| *known == course).map_or("", |(word, _)| word);
+        Value::Text(word.to_owned())
+    };
+    let piece = |piece: &Piece| {
+        let values = [
+            nanometres(piece.length),
+            both(piece.width, nanometres),
+            both(piece.height, nanometres),
+            both(piece.roundness, Value::Number),
+            Value::Text(angle_text(piece.bend)),
+            word(piece.course),
+            word(piece.height_course),
+        ];
+        Value::Table(NAMES.iter().map(|&name| name.to_owned()).zip(values).collect())
+    };
+    Value::List(pieces.pieces().iter().map(piece).collect())
+}

@@ -1,0 +1,59 @@
+//! A scene as data.
+
+use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
+use peelkit::study::{Accuracy, Bounds};
+use std::path::Path;
+
+/// A whole scene, every value checked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Where it was read from.
+    pub name: String,
+    /// What it is called; the stem of `name` where the text gives no title.
+    pub title: String,
+    /// The body, its adhesion, its grip and how that is moved.
+    pub model: PeelModel,
+    /// What the user asks of the numbers.
+    pub accuracy: Accuracy,
+    /// Where the path may be stopped although it goes on.
+    pub bounds: Bounds,
+    /// The tables that the text gives, as they were read.
+    pub table_texts: TableTexts,
+}
+
+/// The texts of a scene's tables, in CSV: what the model holds of them are numbers alone, and a summary tells them as they were
+/// written. Each is empty where the scene has no such table.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TableTexts {
+    /// Of `profile.table`.
+    pub profile: String,
+    /// Of `substrate.table`.
+    pub substrate: String,
+}
+
+impl Scene {
+    /// A scene that holds the defaults; what has none is NaN until the text gives it.
+    pub(crate) fn empty(name: &str) -> Self {
+        let title = Path::new(name).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let adhesion = Adhesion::of_half_space(f64::NAN, f64::NAN);
+        Self {
+            name: name.to_owned(),
+            title,
+            model: PeelModel::of(Body::Strip(UNKNOWN_STRIP), adhesion, Grip::FREE),
+            accuracy: Accuracy::to(1e-6),
+            bounds: Bounds { points: 20_000, time_s: Some(60.0), displacement: None },
+            table_texts: TableTexts::default(),
+        }
+    }
+}
+
+/// The defaults of a strip; what has none is NaN until a text gives it.
+pub(crate) const UNKNOWN_STRIP: Strip = Strip {
+    length: f64::NAN,
+    height: f64::NAN,
+    width: 1.0,
+    youngs_modulus: f64::NAN,
+    poissons_ratio: 0.2,
+    shear_correction: 5.0 / 6.0,
+    bending_stiffness_factor: 1.0,
+};

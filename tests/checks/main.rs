@@ -1,0 +1,9 @@
+//! The verification suite and its tables, held against what is computed.
+
+mod cusp;
+mod figures;
+mod ground;
+mod levels;
+#[path = "../shared/pictures.rs"]
+mod pictures;
+mod reference_values;

@@ -1,0 +1,243 @@
+//! Sweeps that are interrupted or killed, and go on where they stopped.
+//!
+//!     values:    o--o--o--o | o--o--o--o--o
+//!     run 1      computed   ^ Ctrl-C or kill: the rows to the left are kept in sweep.partial.jsonl
+//!     run 2      taken        computed
+//!
+//! Parameters: the strip of 100 nm, 40 lengths from 60 to 120 nm, whole peels. The reference is the same sweep without an
+//! interruption, on one core. Expected: exit status 3 and the finished rows in sweep.csv after Ctrl-C, 130 after a second
+//! one; the same table as the reference in every column but `solve_s` after the second run, however the first one ended;
+//! no row of another sweep, and none of its rows lost; nothing left behind. Why: a sweep may take hours, and what is computed should never be lost
+//! nor mixed with something else.
+#![cfg(unix)]
+
+use std::fs;
+use std::os::unix::process::ExitStatusExt;
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+use std::sync::OnceLock;
+use std::time::{Duration, Instant};
+use tempfile::{TempDir, tempdir};
+
+const VALUES: usize = 40;
+const PARTIAL: &str = "out/sweep.partial.jsonl";
+const TABLE: &str = "out/sweep.csv";
+
+/// `peel sweep` over the length in this folder, on so many cores.
+fn sweep_over(dir: &Path, cores: &str, [from, to, points]: [&str; 3], more: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_peel"));
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/strip-100nm.toml");
+    command.current_dir(dir).env("RAYON_NUM_THREADS", cores).stdout(Stdio::piped()).stderr(Stdio::piped());
+    command.args(["sweep", scene, "--vary", "strip.length", "--from", from, "--to", to, "--points", points]);
+    command.args(["--out", "out"]).args(more);
+    command
+}
+
+/// The sweep of these tests.
+fn sweep(dir: &Path, cores: &str, more: &[&str]) -> Command {
+    sweep_over(dir, cores, ["60 nm", "120 nm", &VALUES.to_string()], more)
+}
+
+/// Runs to the end, which is a good one; what it printed.
+#[track_caller]
+fn finish(dir: &Path, cores: &str, more: &[&str]) -> String {
+    let output = sweep(dir, cores, more).output().unwrap();
+    let (stdout, stderr) = texts(&output);
+    assert_eq!((output.status.code(), stderr.as_str()), (Some(0), ""));
+    assert!(!dir.join(PARTIAL).exists(), "a finished sweep leaves nothing behind");
+    for picture in ["out/sweep.svg", "out/sweep.png"] {
+        assert!(dir.join(picture).exists(), "{picture}");
+    }
+    stdout
+}
+
+fn texts(output: &Output) -> (String, String) {
+    (String::from_utf8(output.stdout.clone()).unwrap(), String::from_utf8(output.stderr.clone()).unwrap())
+}
+
+/// The lines of sweep.csv without the column `solve_s`.
+fn table(dir: &Path) -> Vec<String> {
+    let text = fs::read_to_string(dir.join(TABLE)).unwrap();
+    let place = text.lines().next().unwrap().split(',').position(|name| name == "solve_s").unwrap();
+    let without = |line: &str| {
+        let cells = line.split(',').enumerate().filter(|&(i, _)| i != place).map(|(_, cell)| cell);
+        cells.collect::<Vec<_>>().join(",")
+    };
+    text.lines().map(without).collect()
+}
+
+/// The table of the sweep without an interruption.
+fn reference() -> &'static [String] {
+    static TABLE: OnceLock<Vec<String>> = OnceLock::new();
+    TABLE.get_or_init(|| {
+        let dir = tempdir().unwrap();
+        let stdout = finish(dir.path(), "1", &[]);
+        assert!(!stdout.contains("remark"), "{stdout}");
+        table(dir.path())
+    })
+}
+
+/// Finished values in the file of the unfinished sweep.
+fn kept(dir: &Path) -> usize {
+    let text = fs::read_to_string(dir.join(PARTIAL)).unwrap_or_default();
+    text.matches('\n').count().saturating_sub(1)
+}
+
+#[track_caller]
+fn wait_for(what: &str, mut happened: impl FnMut() -> bool) {
+    let began = Instant::now();
+    while !happened() {
+        assert!(began.elapsed() < Duration::from_secs(120), "waited in vain for {what}");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+fn signal(child: &Child, name: &str) {
+    let status = Command::new("kill").args([&format!("-{name}"), &child.id().to_string()]).status().unwrap();
+    assert!(status.success());
+}
+
+/// Whether these tests were started with a signal ignored, by nohup or in the background of a script: the command
+/// leaves that as it is, and there is nothing to test.
+fn signals_are_ignored() -> bool {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let ignored = ignored.map_or(0, |mask| u64::from_str_radix(mask.trim(), 16).unwrap());
+    [1, 2, 15].iter().any(|signal| ignored >> (signal - 1) & 1 == 1)
+}
+
+/// A sweep that got this signal when it had finished a few of its values, and how it ended. A machine may be so busy
+/// that the sweep is over before the signal comes: then once more.
+fn stopped(name: &str) -> (TempDir, Output) {
+    for _ in 0..10 {
+        let dir = tempdir().unwrap();
+        let mut child = sweep(dir.path(), "1", &[]).spawn().unwrap();
+        wait_for("three values", || kept(dir.path()) >= 3 || child.try_wait().unwrap().is_some());
+        signal(&child, name);
+        let output = child.wait_with_output().unwrap();
+        if output.status.code() != Some(0) {
+            return (dir, output);
+        }
+    }
+    panic!("the sweep was over before the signal came, ten times");
+}
+
+#[test]
+fn the_number_of_cores_changes_no_digit() {
+    let dir = tempdir().unwrap();
+    finish(dir.path(), "2", &[]);
+    assert_eq!(table(dir.path()), reference());
+}
+
+#[test]
+fn ctrl_c_writes_what_is_done_and_the_same_command_goes_on() {
+    if signals_are_ignored() {
+        return;
+    }
+    let (dir, output) = stopped("INT");
+    let (stdout, stderr) = texts(&output);
+    assert_eq!(output.status.code(), Some(3), "{stderr}");
+    let done = kept(dir.path());
+    assert!((3..VALUES).contains(&done), "{done}");
+    for part in [&format!("{done} of {VALUES} values"), "the same command", "--fresh"] {
+        assert!(stderr.contains(part), "{part:?} is not in\n{stderr}");
+    }
+    assert!(stdout.contains("sweep.csv") && dir.path().join("out/sweep.svg").exists(), "{stdout}");
+    let (rows, reference) = (table(dir.path()), reference());
+    assert_eq!((rows.len(), &rows[0]), (1 + done, &reference[0]));
+    let places: Vec<_> = rows.iter().map(|row| reference.iter().position(|other| other == row)).collect();
+    assert!(places.iter().all(Option::is_some) && places.is_sorted(), "rows of the sweep in its order: {places:?}");
+
+    let stdout = finish(dir.path(), "2", &[]);
+    assert!(stdout.contains(&format!("{done} of {VALUES} values taken")), "{stdout}");
+    assert_eq!(table(dir.path()), reference);
+}
+
+#[test]
+fn a_killed_sweep_goes_on_behind_a_torn_line() {
+    let (dir, output) = stopped("KILL");
+    assert_eq!(output.status.signal(), Some(9));
+    assert!(!dir.path().join(TABLE).exists());
+    let done = kept(dir.path());
+    let mut text = fs::read(dir.path().join(PARTIAL)).unwrap();
+    let last = text.iter().rposition(|&byte| byte == b'\n').unwrap();
+    text.truncate(last - 30);
+    fs::write(dir.path().join(PARTIAL), text).unwrap();
+
+    let stdout = finish(dir.path(), "2", &["--json"]);
+    let json: serde_json::Value = serde_json::from_str(&stdout).unwrap();
+    let remark = json["remarks"][0].as_str().unwrap();
+    assert!(remark.starts_with(&format!("{} of {VALUES} values taken", done - 1)), "{remark}");
+    assert_eq!(json["rows"].as_array().unwrap().len(), VALUES);
+    assert_eq!(table(dir.path()), reference());
+}
+
+#[test]
+fn rows_of_another_scene_are_not_taken() {
+    let (dir, _) = stopped("KILL");
+    let partial = fs::read(dir.path().join(PARTIAL)).unwrap();
+    let one_value = |more: &[&str]| sweep_over(dir.path(), "1", ["60 nm", "60 nm", "1"], more).output().unwrap();
+    let run = |more: &[&str]| {
+        let output = one_value(more);
+        assert!(output.status.success(), "{}", texts(&output).1);
+        assert!(!dir.path().join(PARTIAL).exists());
+        texts(&output).0
+    };
+    let refused = one_value(&["--set", "strip.height=9 nm", "--force"]);
+    let (stdout, stderr) = texts(&refused);
+    assert_eq!((refused.status.code(), stdout.as_str()), (Some(2), ""));
+    assert!(stderr.contains(PARTIAL) && stderr.contains("another scene") && stderr.contains("--fresh"), "{stderr}");
+    assert_eq!(fs::read(dir.path().join(PARTIAL)).unwrap(), partial, "nothing is lost");
+    let thinner = run(&["--set", "strip.height=9 nm", "--fresh"]);
+    assert!(!thinner.contains("remark"), "{thinner}");
+    assert_ne!(table(dir.path())[1], reference()[1], "the row of the thinner strip");
+
+    fs::write(dir.path().join(PARTIAL), &partial).unwrap();
+    let same = run(&[]);
+    assert!(same.contains("1 of 1 values taken"), "fewer values of the same sweep: {same}");
+    assert_eq!(table(dir.path())[1], reference()[1]);
+
+    fs::write(dir.path().join(PARTIAL), &partial).unwrap();
+    let fresh = run(&["--fresh"]);
+    assert!(!fresh.contains("remark"), "{fresh}");
+    assert_eq!(table(dir.path())[1], reference()[1]);
+}
+
+/// Values that take long: each of hundreds of times the work that it needs. Where the first signal comes before a value
+/// is begun the sweep ends by itself: then once more, later.
+#[test]
+fn a_second_ctrl_c_quits_at_once() {
+    if signals_are_ignored() {
+        return;
+    }
+    let slow = ["--set", "accuracy.elements=2000", "--set", "accuracy.step=1e-6"];
+    for wait in [100, 200, 400, 800, 1600].map(Duration::from_millis) {
+        let dir = tempdir().unwrap();
+        let mut child = sweep_over(dir.path(), "1", ["10 um", "11 um", "3"], &slow).spawn().unwrap();
+        wait_for("the sweep to begin", || dir.path().join(PARTIAL).exists());
+        std::thread::sleep(wait);
+        signal(&child, "INT");
+        // signals that come together are one
+        std::thread::sleep(wait);
+        if child.try_wait().unwrap().is_some() {
+            continue;
+        }
+        signal(&child, "INT");
+        let status = child.wait().unwrap();
+        if status.code() != Some(3) {
+            assert_eq!((status.code(), kept(dir.path())), (Some(130), 0));
+            return;
+        }
+    }
+    panic!("no value was under way when the second signal came, five times");
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_told_before_anything_is_computed() {
+    let dir = tempdir().unwrap();
+    fs::write(dir.path().join("out"), "in the way").unwrap();
+    let output = sweep(dir.path(), "1", &[]).output().unwrap();
+    let (stdout, stderr) = texts(&output);
+    assert_eq!((output.status.code(), stdout.as_str()), (Some(1), ""));
+    assert!(stderr.contains("cannot write out: "), "{stderr}");
+}

@@ -1,0 +1,13 @@
+//! The command `peel`, run as a user runs it.
+
+mod friction;
+mod interrupt;
+mod observed;
+mod output_folders;
+mod pull;
+#[cfg(unix)]
+mod resume;
+mod statuses;
+mod steps;
+#[path = "../shared/strip.rs"]
+mod strip;

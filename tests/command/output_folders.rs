@@ -1,0 +1,239 @@
+//! Folders of outputs: whole or not there, never overwritten unasked, and what is told where they cannot be written.
+//!
+//! Reference: the files of a run to a new folder, and the bytes that a user had put into one. Expected: exit status 2 and
+//! no computation where the folder holds something, unless --force is given; then the command's own files are new and
+//! all others untouched. Where the disk is full, the folder read-only or the run killed, nothing stands under the name
+//! of the folder that was not there before, and the message names the file and the system's reason (status 1). Why: a
+//! person who finds a folder takes it for a result, and a person's files are theirs.
+#![cfg(unix)]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+use tempfile::{TempDir, tempdir};
+
+const PEEL: &str = env!("CARGO_BIN_EXE_peel");
+const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/strip-100nm.toml");
+const RUN: [&str; 7] =
+    ["curve.csv", "curve.png", "curve.svg", "limit_points.csv", "shapes.png", "shapes.svg", "summary.json"];
+/// Whole peels of so many values would take an hour.
+const LONG_SWEEP: [&str; 11] =
+    ["sweep", SCENE, "--vary", "strip.length", "--from", "60 nm", "--to", "120 nm", "--points", "1000000", "--json"];
+
+fn peel(dir: &Path, args: &[&str]) -> Command {
+    let mut command = Command::new(PEEL);
+    command.current_dir(dir).args(args).stdout(Stdio::piped()).stderr(Stdio::piped());
+    command
+}
+
+fn texts(output: &Output) -> (Option<i32>, String, String) {
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    (output.status.code(), text(&output.stdout), text(&output.stderr))
+}
+
+/// What the command said, after a good end.
+#[track_caller]
+fn done(dir: &Path, args: &[&str]) -> String {
+    let (status, stdout, stderr) = texts(&peel(dir, args).output().unwrap());
+    assert_eq!((status, stderr.as_str()), (Some(0), ""));
+    stdout
+}
+
+#[track_caller]
+fn refused(dir: &Path, args: &[&str], status: i32, parts: &[&str]) {
+    let (found, stdout, stderr) = texts(&peel(dir, args).output().unwrap());
+    assert_eq!((found, stdout.as_str()), (Some(status), ""), "{stderr}");
+    for part in parts {
+        assert!(stderr.contains(part), "{part:?} is not in\n{stderr}");
+    }
+}
+
+fn listing(dir: &Path) -> Vec<String> {
+    let entries = fs::read_dir(dir).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let mut names: Vec<String> = entries.collect();
+    names.sort();
+    names
+}
+
+/// A folder `out` with one file of a user in it.
+fn used() -> TempDir {
+    let dir = tempdir().unwrap();
+    fs::create_dir(dir.path().join("out")).unwrap();
+    fs::write(dir.path().join("out/summary.json"), "mine").unwrap();
+    dir
+}
+
+#[test]
+fn a_new_or_empty_folder_holds_the_files_and_nothing_else() {
+    for name in ["new", "deep/er", "empty"] {
+        let dir = tempdir().unwrap();
+        fs::create_dir(dir.path().join("empty")).unwrap();
+        let said = done(dir.path(), &["run", SCENE, "--out", name]);
+        assert_eq!(listing(&dir.path().join(name)), RUN);
+        for file in RUN {
+            assert!(said.contains(&format!("wrote {name}/{file}\n")), "{said}");
+        }
+        assert!(listing(dir.path()).iter().all(|name| !name.starts_with('.')), "{:?}", listing(dir.path()));
+    }
+}
+
+#[test]
+fn the_working_directory_stays_the_one_it_was() {
+    let dir = tempdir().unwrap();
+    let args = format!("'{PEEL}' run '{SCENE}' --out . && ls");
+    let output = Command::new("bash").current_dir(dir.path()).args(["-c", &args]).output().unwrap();
+    let (status, stdout, stderr) = texts(&output);
+    assert_eq!((status, stderr.as_str()), (Some(0), ""));
+    assert!(stdout.ends_with(&(RUN.join("\n") + "\n")), "{stdout}");
+}
+
+#[test]
+fn a_folder_that_is_not_empty_is_refused_before_anything_is_computed() {
+    let dir = used();
+    let long = LONG_SWEEP;
+    let followed = [&long[..], &["--peak-only"]].concat();
+    for command in [&["run", SCENE][..], &["run", SCENE, "--json"], &long, &followed, &["accuracy"], &["figures"]] {
+        let args = [command, &["--out", "out"]].concat();
+        refused(dir.path(), &args, 2, &["out exists, is not empty and is left as it is", "--force", "--out"]);
+    }
+    assert_eq!(listing(dir.path()), ["out"]);
+    assert_eq!(listing(&dir.path().join("out")), ["summary.json"]);
+    assert_eq!(fs::read(dir.path().join("out/summary.json")).unwrap(), b"mine");
+}
+
+#[test]
+fn the_same_run_a_second_time_is_refused_and_forced() {
+    let dir = tempdir().unwrap();
+    done(dir.path(), &["run", SCENE]);
+    refused(dir.path(), &["run", SCENE], 2, &["out/strip-100nm exists"]);
+    done(dir.path(), &["run", SCENE, "--force"]);
+}
+
+#[test]
+fn force_replaces_the_files_of_the_command_and_no_other() {
+    let dir = used();
+    let out = dir.path().join("out");
+    fs::create_dir(out.join("notes")).unwrap();
+    fs::write(out.join("notes/monday.txt"), "mine").unwrap();
+    done(dir.path(), &["run", SCENE, "--out", "out", "--force"]);
+    let mut expected = [&RUN[..], &["notes"]].concat();
+    expected.sort_unstable();
+    assert_eq!(listing(&out), expected);
+    assert_eq!(listing(dir.path()), ["out"]);
+    assert!(fs::read_to_string(out.join("summary.json")).unwrap().starts_with('{'));
+    assert_eq!(fs::read(out.join("notes/monday.txt")).unwrap(), b"mine");
+}
+
+#[test]
+fn a_finished_sweep_is_refused_and_its_folder_can_be_forced() {
+    let dir = tempdir().unwrap();
+    let sweep = ["sweep", SCENE, "--vary", "strip.length", "--from", "90 nm", "--to", "100 nm", "--points", "2"];
+    let with = |more: &[&'static str]| [&sweep[..], more].concat();
+    done(dir.path(), &sweep);
+    for again in [with(&[]), with(&["--fresh"]), with(&["--peak-only"])] {
+        refused(dir.path(), &again, 2, &["out/strip-100nm exists", "--force"]);
+    }
+    done(dir.path(), &with(&["--force"]));
+    done(dir.path(), &with(&["--force", "--peak-only"]));
+    assert_eq!(listing(&dir.path().join("out/strip-100nm")), ["sweep.csv", "sweep.png", "sweep.svg"]);
+}
+
+#[test]
+fn a_place_that_cannot_be_written_is_told_before_anything_is_computed() {
+    let dir = tempdir().unwrap();
+    fs::write(dir.path().join("file"), "mine").unwrap();
+    for (place, reason) in [("file", "irectory"), ("file/inner", "irectory"), ("/proc/inner", "No such file")] {
+        for command in [&["run", SCENE][..], &LONG_SWEEP, &["accuracy"], &["figures"]] {
+            let args = [command, &["--out", place, "--force"]].concat();
+            refused(dir.path(), &args, 1, &[&format!("cannot write {place}: "), reason]);
+        }
+    }
+    assert_eq!(listing(dir.path()), ["file"]);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// A disk that is full in the middle: no file may be longer than so many kB
+// ---------------------------------------------------------------------------------------------------------------
+
+/// A run in which a longer file fails as on a full disk: the small tables can be written, the pictures cannot.
+fn on_a_small_disk(dir: &Path, args: &[&str]) -> (Option<i32>, String, String) {
+    // where the signal is ignored the write fails
+    let limited = "trap '' XFSZ; ulimit -f 30; exec \"$0\" \"$@\"";
+    let output = Command::new("bash").current_dir(dir).args(["-c", limited, PEEL]).args(args).output().unwrap();
+    texts(&output)
+}
+
+#[test]
+fn a_full_disk_leaves_nothing_and_what_was_found_is_told() {
+    for existing in [false, true] {
+        let dir = if existing { used() } else { tempdir().unwrap() };
+        let before = listing(dir.path());
+        let (status, stdout, stderr) = on_a_small_disk(dir.path(), &["run", SCENE, "--out", "out", "--force"]);
+        assert_eq!(status, Some(1), "{stderr}");
+        assert!(stderr.contains("cannot write out/") && stderr.contains("File too large"), "{stderr}");
+        assert!(stdout.contains("peak force") && !stdout.contains("wrote"), "{stdout}");
+        assert_eq!(listing(dir.path()), before);
+        if existing {
+            assert_eq!(listing(&dir.path().join("out")), ["summary.json"]);
+            assert_eq!(fs::read(dir.path().join("out/summary.json")).unwrap(), b"mine");
+        }
+    }
+}
+
+#[test]
+fn a_full_disk_loses_no_value_of_a_sweep() {
+    let dir = tempdir().unwrap();
+    let sweep = ["sweep", SCENE, "--vary", "strip.length", "--from", "90 nm", "--to", "100 nm", "--points", "3"];
+    let sweep = [&sweep[..], &["--out", "out"]].concat();
+    let (status, stdout, stderr) = on_a_small_disk(dir.path(), &sweep);
+    assert_eq!(status, Some(1), "{stderr}");
+    assert!(stderr.contains("cannot write out/sweep.") && stderr.contains("File too large"), "{stderr}");
+    assert!(stdout.contains("peak nN"), "{stdout}");
+    assert_eq!(
+        (listing(dir.path()), listing(&dir.path().join("out"))),
+        (vec!["out".into()], vec!["sweep.partial.jsonl".into()])
+    );
+    assert!(done(dir.path(), &sweep).contains("3 of 3 values taken"));
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// A run that is killed while it writes: the figures take long enough
+// ---------------------------------------------------------------------------------------------------------------
+
+/// `peel figures` killed when its first files were written; whether it was.
+fn killed_figures(dir: &Path, staging: impl Fn(&Child) -> String) -> bool {
+    let mut child = peel(dir, &["figures", "--out", "out"]).spawn().unwrap();
+    let staging = dir.join(staging(&child));
+    let began = Instant::now();
+    while !staging.join("fig09-peeling.svg").exists() {
+        assert!(child.try_wait().unwrap().is_none(), "it was over before anything was written");
+        assert!(began.elapsed() < Duration::from_secs(300), "waited in vain for the first figure");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    !child.wait().unwrap().success()
+}
+
+#[test]
+fn a_killed_run_leaves_nothing_under_the_name_and_the_next_one_works() {
+    let dir = tempdir().unwrap();
+    assert!(killed_figures(dir.path(), |child| format!(".out.{}.part", child.id())));
+    assert!(!dir.path().join("out").exists());
+    done(dir.path(), &["run", SCENE, "--out", "out"]);
+    assert_eq!(listing(&dir.path().join("out")), RUN);
+}
+
+/// Figures that `peel figures` has written are its own.
+#[test]
+fn figures_are_drawn_anew_unasked_and_stay_whole_when_that_is_killed() {
+    let dir = tempdir().unwrap();
+    let out = dir.path().join("out");
+    fs::create_dir(&out).unwrap();
+    let readme = include_str!("../../figures/README.md");
+    fs::write(out.join("README.md"), readme).unwrap();
+    fs::write(out.join("fig09-peeling.svg"), "old").unwrap();
+    assert!(killed_figures(dir.path(), |child| format!("out/.{}.part", child.id())));
+    assert_eq!(fs::read_to_string(out.join("README.md")).unwrap(), readme);
+    assert_eq!(fs::read(out.join("fig09-peeling.svg")).unwrap(), b"old");
+}

@@ -1,0 +1,112 @@
+//! Steps before the pull, told and refused.
+
+use crate::strip::{paper_strip, with_grip};
+use assert_cmd::Command;
+use peelkit::model::{Hold, PeelModel, Pull, Step};
+use peelkit::study::{Accuracy, Bounds, NoTest, observed};
+use serde_json::Value;
+use std::f64::consts::FRAC_PI_3;
+
+const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/strip-100nm.toml");
+
+/// The strip in this grip, behind these steps.
+fn strip(rotation: Hold, horizontal: Hold, steps: &[Step]) -> PeelModel {
+    let model = with_grip(paper_strip(100.0, 1.0), rotation, horizontal);
+    PeelModel { steps: steps.to_vec(), ..model.into() }
+}
+
+#[track_caller]
+fn assert_near(what: &str, a: f64, b: f64, bound: f64) {
+    assert!((a - b).abs() <= bound, "{what}: {a} and {b}, apart by {:.1e}, bound {bound:.1e}", a - b);
+}
+
+fn turning() -> Vec<PeelModel> {
+    let grip = |horizontal, angle, turn: f64| PeelModel {
+        pull: Pull { angle, turn: turn.to_radians() },
+        ..strip(Hold::Fixed, horizontal, &[])
+    };
+    vec![grip(Hold::Free, FRAC_PI_3, 0.5), grip(Hold::Fixed, 1.2, -0.5), grip(Hold::Free, Pull::UP.angle, 1.0)]
+}
+
+fn run(args: &[&str]) -> (Option<i32>, Value, String) {
+    let output = Command::cargo_bin("peel").unwrap().args(args).output().unwrap();
+    let summary = serde_json::from_slice(&output.stdout).unwrap_or_default();
+    (output.status.code(), summary, String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+#[test]
+fn the_command_tells_every_step() {
+    let steps = "drive.steps=[\"press 0.02 nm\", \"drag 0.2 nm\", \"turn 2 deg\", \"hold\"]";
+    let more = ["--set", "grip.rotation=fixed", "--set", "grip.horizontal=fixed", "--set", steps];
+    let folder = std::env::temp_dir().join(format!("peelkit-steps-{}", std::process::id()));
+    let (code, summary, told) = run(&[&["run", SCENE, "--json"], &more[..]].concat());
+    assert_eq!(code, Some(0), "{told}");
+    let ends = summary["steps"].as_array().unwrap();
+    let words: Vec<&str> = ends.iter().map(|end| end["step"].as_str().unwrap()).collect();
+    assert_eq!(words, ["press 0.02 nm", "drag 0.2 nm", "turn 2 deg", "hold"]);
+    let last = &ends[3];
+    assert_near("y", last["y_nm"].as_f64().unwrap(), -0.02, 1e-15);
+    assert_near("x", last["x_nm"].as_f64().unwrap(), 0.2, 1e-15);
+    for key in ["horizontal_force_nN", "vertical_force_nN", "moment_nN_nm", "end_rotation_rad"] {
+        assert!(last[key].is_f64(), "{key} of {last}");
+    }
+    assert_eq!(summary["parameters"]["drive"]["steps"][2], "turn 2 deg");
+    let output =
+        Command::cargo_bin("peel").unwrap().args(["run", SCENE, "--out"]).arg(&folder).args(more).output().unwrap();
+    std::fs::remove_dir_all(folder).unwrap();
+    let told = String::from_utf8_lossy(&output.stdout);
+    assert!(
+        told.contains("steps            press 0.02 nm: x = 0.0000 nm, y = -0.0200 nm, θ = 0.0000 deg; H = "),
+        "{told}"
+    );
+    assert!(told.contains("hold: x = 0.2000 nm, y = -0.0200 nm, θ = 2.0000 deg"), "{told}");
+}
+
+#[test]
+fn what_does_not_fit_is_refused_by_name() {
+    let fixed = "grip.rotation=fixed";
+    for (sets, command, parts) in [
+        (vec!["drive.turn=1 deg/nm"], vec!["run"], vec!["`drive.turn`", "`grip.rotation` is \"free\""]),
+        (vec!["drive.steps=[\"turn 1 deg\"]"], vec!["run"], vec!["`drive.steps`", "\"turn 1 deg\"", "`grip.rotation`"]),
+        (
+            vec![fixed, "drive.turn=1 deg/nm", "adhesion.line_load=force-only"],
+            vec!["run"],
+            vec!["`drive.turn`", "no potential"],
+        ),
+        (vec![fixed, "drive.turn=1 deg/nm"], vec!["run", "--observed"], vec!["drive.turn", "Leave --observed away"]),
+        (vec!["drive.steps=[\"lift 1 nm\"]"], vec!["run", "--observed"], vec!["drive.steps", "Leave --observed away"]),
+        (
+            vec!["drive.steps=[\"lift 1 nm\"]"],
+            vec!["sweep", "--vary", "strip.height", "--from", "9 nm", "--to", "10 nm", "--points", "2", "--peak-only"],
+            vec!["drive.steps", "--peak-only"],
+        ),
+    ] {
+        let sets = sets.iter().flat_map(|set| ["--set", set]);
+        let args: Vec<&str> =
+            [command[0], SCENE, "--json"].into_iter().chain(sets).chain(command[1..].to_vec()).collect();
+        let (code, _, told) = run(&args);
+        assert_eq!(code, Some(2), "{args:?}: {told}");
+        let told = told.split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>().join(" ");
+        parts.iter().for_each(|part| assert!(told.contains(part), "{part} is not in {told}"));
+    }
+    let turning = &turning()[2];
+    assert_eq!(observed(turning, &Accuracy::to(1e-6), &BOUNDS).err(), Some(NoTest::Turn));
+}
+
+/// The peak followed in the turn is that of whole peels.
+#[test]
+fn the_peak_is_followed_in_the_turn() {
+    let sweep = |more: &[&str]| {
+        let vary = ["--vary", "drive.turn", "--from", "-1 deg/nm", "--to", "1 deg/nm", "--points", "5", "--json"];
+        let (code, summary, told) = run(&[&["sweep", SCENE, "--set", "grip.rotation=fixed"], &vary[..], more].concat());
+        assert_eq!(code, Some(0), "{told}");
+        summary["rows"].as_array().unwrap().clone()
+    };
+    for (followed, whole) in sweep(&["--peak-only"]).iter().zip(&sweep(&[])) {
+        for column in ["initiation_peak_nN", "value"] {
+            let [a, b] = [followed, whole].map(|row| row[column].as_f64().unwrap());
+            assert!((a - b).abs() <= 1e-6 * a.abs(), "at {} rad/nm: {a} and {b}", followed["value"]);
+        }
+    }
+}

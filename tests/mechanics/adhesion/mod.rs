@@ -1,0 +1,4 @@
+//! What pulls a section.
+
+mod laws;
+mod line_load;

@@ -1,0 +1,7 @@
+//! Elements and their forms.
+
+mod convergence;
+mod first_integral;
+mod forms;
+mod rods;
+mod tangents;

@@ -1,0 +1,8 @@
+//! Bodies, their ground, and what the grip does.
+
+mod friction;
+mod ground;
+mod pieces;
+mod pull;
+mod rough_spatula;
+mod steps;

@@ -1,0 +1,9 @@
+//! The mechanics: laws of adhesion, elements, bodies on their ground, and whole peels.
+//!
+//! A topic is run by its name: `cargo test --test mechanics friction::`.
+
+mod adhesion;
+mod beam;
+mod body;
+mod common;
+mod study;

@@ -1,0 +1,9 @@
+//! Whole peels: how they end, how far they may be wrong, what a test records of them.
+
+mod choice;
+mod curve;
+mod ends;
+mod error_bounds;
+mod observed;
+mod peak_only;
+mod terms;

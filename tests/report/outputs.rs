@@ -1,0 +1,184 @@
+//! Files and objects that a peel is written to.
+//!
+//! Expected: the keys and columns of the contract (design.md, section 4), every number to its last digit, null and empty
+//! cells where a thing does not occur, and an error in place of a NaN. Why: other programs read these files.
+
+use peelkit::study::{Bounds, End, Found, LimitPoint, PathPoint, Peak, Peel, Plateau, SweepRow, Turn, peel};
+use peelkit_report::{PeelSummary, SweepLine, write_curve, write_limit_points, write_sweep};
+use peelkit_scene::Scene;
+use serde_json::Value;
+use std::fs;
+
+const SCENE: &str = r#"
+title = "A strip"
+[strip]
+length = "100 nm"
+height = "10 nm"
+youngs_modulus = "2 GPa"
+[adhesion]
+hamaker_constant = "1e-19 J"
+equilibrium_distance = "0.4 nm"
+"#;
+
+/// Numbers that do not look alike, so that no two can be taken for each other.
+fn made_up() -> (Scene, Peel) {
+    let scene = Scene::parse("a.toml", SCENE, &[]).unwrap();
+    let bounds = Bounds { points: 1, ..scene.bounds };
+    let mut made_up = peel(&scene.model, &scene.accuracy, &bounds);
+    let peak = Peak {
+        displacement: 0.1 + 0.2,
+        force: 0.341,
+        end_rotation: 0.035,
+        force_error: 1e-9,
+        displacement_error: 2e-9,
+    };
+    let snap_off = LimitPoint {
+        kind: Turn::Displacement,
+        displacement: 48.2,
+        force: 0.0375,
+        end_rotation: 0.9,
+        work: 3.25,
+        displacement_error: 3e-8,
+        force_error: 4e-9,
+        flat: false,
+        after: 0,
+    };
+    let point = |displacement: f64, force: f64, work: f64| PathPoint {
+        displacement,
+        force,
+        end_rotation: 0.25,
+        work,
+        negative_eigenvalues: 1,
+        negative_eigenvalues_load: 2,
+        front: 77.5,
+        iterations: 3,
+    };
+    made_up.points = vec![point(0.0, 0.0, 0.0), point(40.0, 1.0 / 3.0, 2.5)];
+    made_up.limit_points = vec![LimitPoint { kind: Turn::Load, ..snap_off }, snap_off];
+    made_up.peak = Some(peak);
+    made_up.initiation_peak = Some(Peak { force: 0.3, ..peak });
+    made_up.plateau = Some(Plateau { displacement: 20.0, force: 0.0307 });
+    made_up.snap_off = Some(snap_off);
+    made_up.end = End::Pivoting;
+    made_up.solve_s = 0.004;
+    (scene, made_up)
+}
+
+fn row(value: f64, peel: &Peel) -> SweepRow {
+    SweepRow { value, model: peel.model.clone(), found: Found::from(peel) }
+}
+
+fn summary(scene: &Scene, peel: &Peel) -> Value {
+    serde_json::from_str(&PeelSummary::new(scene, peel).to_json().unwrap()).unwrap()
+}
+
+#[test]
+fn the_summary_has_every_key_at_full_precision() {
+    let (scene, peel) = made_up();
+    let summary = summary(&scene, &peel);
+    let number = |path: &str| summary.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("{path}"));
+    assert_eq!((summary["scene"].as_str(), summary["title"].as_str()), (Some("a.toml"), Some("A strip")));
+    assert_eq!((summary["end"].as_str(), &summary["reason"]), (Some("pivoting"), &Value::Null));
+    assert_eq!(number("/peak/displacement_nm"), 0.1 + 0.2);
+    assert_eq!((number("/peak/force_nN"), number("/initiation_peak/force_nN")), (0.341, 0.3));
+    assert_eq!((number("/peak/end_rotation_rad"), number("/peak/error_nN")), (0.035, 1e-9));
+    assert_eq!((number("/plateau/force_nN"), number("/plateau/displacement_nm")), (0.0307, 20.0));
+    let snap_off = (number("/snap_off/displacement_nm"), number("/snap_off/force_nN"), number("/snap_off/work_aJ"));
+    assert_eq!(snap_off, (48.2, 0.0375, 3.25));
+    assert_eq!(summary["limit_points"][0]["kind"], "load");
+    assert_eq!(summary["limit_points"][1]["kind"], "displacement");
+    assert_eq!((number("/limit_points/1/error_nm"), number("/limit_points/1/error_nN")), (3e-8, 4e-9));
+    assert_eq!(summary["limit_points"][0]["flat"], false);
+    assert_eq!(number("/timing/solve_s"), 0.004);
+}
+
+#[test]
+fn the_accuracy_tells_what_was_asked_reached_and_left_out() {
+    let (scene, mut peel) = made_up();
+    let accuracy = |peel: &Peel| summary(&scene, peel)["accuracy"].clone();
+    let all_kept = accuracy(&peel);
+    assert_eq!((all_kept["asked"].as_f64(), all_kept["form"].as_str()), (Some(1e-6), Some("two-field")));
+    assert_eq!((all_kept["load_limit_points_left_out"].as_u64(), &all_kept["left_out"]), (Some(0), &Value::Null));
+    let reached = |accuracy: &Value, bound: f64| (accuracy["reached"].as_f64().unwrap() / bound - 1.0).abs() < 1e-14;
+    assert!(reached(&all_kept, 4e-9 / 0.0375), "the worst relative bound, here of a force: {all_kept}");
+    peel.limit_points[0].displacement_error = 0.1;
+    assert!(reached(&accuracy(&peel), 0.1 / 48.2));
+    peel.limit_points[0].flat = true;
+    assert_eq!(accuracy(&peel)["reached"], all_kept["reached"], "of a flat limit point the force alone counts");
+    peel.limit_points[0].displacement = 0.0;
+    peel.limit_points[0].flat = false;
+    assert_eq!(accuracy(&peel)["reached"], all_kept["reached"], "zero has no relative error");
+    peel.ripple = 4;
+    assert_eq!(accuracy(&peel)["load_limit_points_left_out"], 4);
+    assert!(accuracy(&peel)["left_out"].as_str().unwrap().contains("less than the accuracy asked for"));
+    (peel.peak, peel.limit_points) = (None, Vec::new());
+    assert_eq!(accuracy(&peel)["reached"], Value::Null);
+}
+
+#[test]
+fn what_does_not_occur_is_null_or_an_empty_cell() {
+    let (scene, mut peel) = made_up();
+    (peel.peak, peel.initiation_peak, peel.plateau, peel.snap_off) = (None, None, None, None);
+    let summary = summary(&scene, &peel);
+    for key in ["peak", "initiation_peak", "plateau", "snap_off"] {
+        assert_eq!(summary.get(key), Some(&Value::Null), "{key}");
+    }
+    let row: Value = serde_json::to_value(SweepLine::from(&row(2.0, &peel))).unwrap();
+    assert_eq!(row["peak_force_nN"], Value::Null);
+    assert_eq!(row["work_aJ"], 2.5, "the work to the end of a path without a snap-off");
+}
+
+#[test]
+fn every_end_has_its_word_and_its_reason() {
+    let (scene, mut peel) = made_up();
+    for (end, word, reason) in [
+        (End::Detached, "detached", None),
+        (End::Pivoting, "pivoting", None),
+        (End::TurnedBack, "turned-back", None),
+        (End::Sliding, "sliding", None),
+        (End::Snapped, "snapped", None),
+        (End::Bound("20 points".into()), "bound", Some("20 points")),
+        (End::Failed("no root".into()), "failed", Some("no root")),
+    ] {
+        peel.end = end;
+        let summary = summary(&scene, &peel);
+        assert_eq!((summary["end"].as_str(), summary["reason"].as_str()), (Some(word), reason));
+    }
+}
+
+#[test]
+fn the_tables_have_a_header_and_a_row_a_point() {
+    let (_, mut peel) = made_up();
+    let dir = tempfile::tempdir().unwrap();
+    let read = |path| fs::read_to_string(path).unwrap();
+    let header = "displacement_nm,force_nN,end_rotation_rad,work_aJ,negative_eigenvalues,\
+                  negative_eigenvalues_load,front_nm,newton_iterations\n";
+    let rows = "0.0,0.0,0.25,0.0,1,2,77.5,3\n40.0,0.3333333333333333,0.25,2.5,1,2,77.5,3\n";
+    assert_eq!(read(write_curve(dir.path(), &peel).unwrap()), format!("{header}{rows}"));
+    let limit_points = read(write_limit_points(dir.path(), &peel).unwrap());
+    assert_eq!(limit_points.lines().nth(1), Some("load,48.2,0.0375,0.9,3.25,3e-8,4e-9,false,0"));
+    peel.points.clear();
+    assert_eq!(read(write_curve(dir.path(), &peel).unwrap()), header, "a path without points is a header");
+}
+
+#[test]
+fn a_row_of_a_sweep_tells_the_work_to_the_snap_off() {
+    let (_, peel) = made_up();
+    let dir = tempfile::tempdir().unwrap();
+    let table = fs::read_to_string(write_sweep(dir.path(), &[row(0.5, &peel)]).unwrap()).unwrap();
+    let row = table.lines().nth(1).unwrap();
+    assert!(row.starts_with("0.5,0.341,1e-9,0.3,0.0307,48.2,3.25,0.004,pivoting,"), "{row}");
+}
+
+#[test]
+fn a_nan_is_an_error_that_names_its_place_and_leaves_no_file() {
+    let (scene, mut peel) = made_up();
+    let dir = tempfile::tempdir().unwrap();
+    peel.points[1].force = f64::NAN;
+    let error = write_curve(dir.path(), &peel).unwrap_err().to_string();
+    assert!(error.contains("curve.csv") && error.contains("NaN"), "{error}");
+    peel.limit_points[1].force_error = f64::INFINITY;
+    let error = PeelSummary::new(&scene, &peel).write(dir.path()).unwrap_err().to_string();
+    assert!(error.contains("summary.json") && error.contains("limit_points[1].error_nN"), "{error}");
+    assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
+}
