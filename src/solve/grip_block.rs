@@ -141,22 +141,44 @@ impl<'p> GripBlock<'p> {
         self.step(right)
     }
 
-    /// Solves the whole bordered system for a right-hand side on the interface and `last` on the path constraint, all in the
-    /// coordinates of the grip. What is held stays. With `transposed` of the transpose: `last` then stands for the force's row.
+    /// Solves the block for a right-hand side `right` of the interface and `last` of the path constraint; what is held does not move.
     pub fn solve_right(&self, right: &[f64; INTERFACE], last: f64) -> Result<GripStep, SolveError> {
         let grip = &self.problem.grip;
         let mut vector = SVector::<f64, BLOCK>::zeros();
-        for slot in 0..self.interface {
-            vector[slot] = right[slot];
-        }
+        vector.as_mut_slice()[..self.interface].copy_from_slice(&right[..self.interface]);
         if let Some((across, direction)) = grip.mixed() {
             (vector[across], vector[grip.driven]) = direction.turned(vector[across], vector[grip.driven]);
         }
-        for slot in (0..self.interface).filter(|&slot| grip.held[slot]) {
-            vector[slot] = 0.0;
-        }
+        self.held_slots().for_each(|slot| vector[slot] = 0.0);
         vector[self.interface] = last;
         self.step(vector)
+    }
+
+    /// Solves the transpose of the block: for the derivatives of a functional by the unknowns of the interface and by the force, the
+    /// multipliers of the interface's equations and of the path constraint. Those of what is held are zero.
+    pub fn solve_transposed(&self, right: &[f64; INTERFACE], force: f64) -> Result<([f64; INTERFACE], f64), SolveError> {
+        let grip = &self.problem.grip;
+        let mut vector = SVector::<f64, BLOCK>::zeros();
+        vector.as_mut_slice()[..self.interface].copy_from_slice(&right[..self.interface]);
+        if let Some((across, direction)) = grip.mixed() {
+            (vector[across], vector[grip.driven]) = direction.turned(vector[across], vector[grip.driven]);
+        }
+        if grip.gear != 0.0 {
+            vector[grip.driven] += grip.gear * right[grip.geared];
+        }
+        vector[self.interface] = force;
+        let mut values = self.solved(&self.matrix.transpose(), vector)?;
+        let constraint = values[self.interface];
+        self.held_slots().for_each(|slot| values[slot] = 0.0);
+        if let Some((across, direction)) = grip.mixed() {
+            (values[across], values[grip.driven]) = direction.back(values[across], values[grip.driven]);
+        }
+        Ok((std::array::from_fn(|slot| if slot < self.interface { values[slot] } else { 0.0 }), constraint))
+    }
+
+    fn held_slots(&self) -> impl Iterator<Item = usize> {
+        let held = self.problem.grip.held;
+        (0..self.interface).filter(move |&slot| held[slot])
     }
 
     /// Negative eigenvalues of the whole tangent with the displacement held, and with the force held; of a geared unknown, with

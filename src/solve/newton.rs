@@ -141,7 +141,7 @@ pub fn solve(
 }
 
 /// The system factorised at a state, with the block of its grip.
-fn factorised<'p>(
+pub(super) fn factorised<'p>(
     problem: &'p Problem,
     at: &State,
     constraint: &PathConstraint,

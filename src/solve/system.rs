@@ -99,9 +99,13 @@ impl Workspace {
         factors.unwrap_or_else(|| unreachable!("factors of this kind were put there"))
     }
 
-    /// The factors of the last factorisation of a system of this kind.
-    pub fn factored<F: Any + Send + Sync>(&self) -> Option<&F> {
-        self.factors.as_ref().and_then(|factors| factors.downcast_ref())
+    /// The factors of the last factorisation.
+    ///
+    /// # Panics
+    /// Where the last system that was factorised in this workspace is of another kind.
+    pub fn factored<F: Any + Send + Sync>(&self) -> &F {
+        let factors = self.factors.as_ref().and_then(|factors| factors.downcast_ref());
+        factors.unwrap_or_else(|| panic!("a system of this kind has been factorised in this workspace"))
     }
 }
 
@@ -167,14 +171,21 @@ pub trait System: Send + Sync {
     /// Energy and monitors of a state, and the rates of the monitors along a direction.
     fn evaluate(&self, at: &State, direction: &[f64]) -> (Evaluation, Rates);
 
+    /// The gradient of Σ weights·monitors, one number an unknown.
+    fn gradient(&self, at: &State, weights: [f64; MONITORS]) -> Vec<f64>;
+
+    /// R of the free structure, without its grip: ∂Π/∂q where there is Π, one number an unknown.
+    fn residual(&self, at: &State) -> Vec<f64>;
+
     /// Parameters of the model that the residual can be differentiated by.
     fn parameters(&self) -> &[&'static str] {
         &[]
     }
 
-    /// ∂R/∂ln p of a parameter, of the free structure without its grip, added to nothing: one number an unknown; and ∂Π/∂ln p.
-    fn parameter_derivative(&self, _parameter: usize, at: &State) -> (Vec<f64>, f64) {
-        (vec![0.0; self.unknowns(at)], 0.0)
+    /// ∂R/∂ln p of the parameter with this index at a state that stays, one number an unknown.
+    fn residual_by_parameter(&self, parameter: usize, at: &State) -> Vec<f64> {
+        let _ = parameter;
+        vec![0.0; self.unknowns(at)]
     }
 
     /// Goes on from a state by `factor` times a direction.

@@ -6,4 +6,5 @@ mod adhesion;
 mod beam;
 mod body;
 mod common;
+mod solve;
 mod study;

@@ -394,9 +394,8 @@ impl System for PlanarBeam {
 
     fn recover(&self, ws: &Workspace, interface: &[f64; INTERFACE], scale: f64, direction: &mut [f64]) {
         let nodes = self.nodes(direction).len();
-        let (fields, factors) = (self.fields(), ws.factored::<ChainFactors>());
-        let factors = factors.unwrap_or_else(|| unreachable!("a planar beam was factorised in this workspace"));
-        self.chain.recover(factors, interface, scale, &mut direction[..nodes]);
+        let fields = self.fields();
+        self.chain.recover(ws.factored::<ChainFactors>(), interface, scale, &mut direction[..nodes]);
         direction[nodes..].copy_from_slice(&interface[fields..fields + self.behind()]);
     }
 

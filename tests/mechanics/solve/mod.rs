@@ -1,0 +1,4 @@
+//! The solver, held against systems that are no beams.
+mod dense_truss;
+mod linear;
+mod truss;
