@@ -8,7 +8,7 @@
 //! the machine. `compare` leaves with status 1 unless every number is the same bit for bit, or within a relative difference (`--within`).
 //! The sampled scenes end by a bound on points, not on time: a time bound would end them elsewhere on another machine.
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::error::Error;
@@ -21,7 +21,7 @@ use std::time::Instant;
 #[command(about = "Keeps what a build of `peel` computes, and compares two builds")]
 struct Args {
     #[command(subcommand)]
-    task: Task,
+    task: Option<Task>,
 }
 
 #[derive(Subcommand)]
@@ -62,7 +62,11 @@ enum Task {
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
-    match Args::parse().task {
+    let Some(task) = Args::parse().task else {
+        Args::command().print_help()?;
+        return Ok(ExitCode::SUCCESS);
+    };
+    match task {
         Task::Write { peel, out, scenes, sampled, seed, only, times } => {
             let mut jobs = scenes_of(&scenes)?;
             jobs.extend((0..sampled).map(|index| sampled_scene(seed, index)));

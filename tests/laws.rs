@@ -1,7 +1,7 @@
 //! The other laws of adhesion: surface traction and cohesive laws on a tilted section.
 //!
 //! Reference: R. A. Sauer, Advances in the computational modeling of the gecko adhesion mechanism, eqs. (10)-(12); for the
-//! cohesive laws their own definitions (`src/adhesion/cohesive/`).
+//! cohesive laws their own definitions (`src/adhesion/section/cohesive/`).
 //!
 //!         ___/                θ: rotation of the section's middle line, h = 10 nm
 //!     ___/  /                 surface traction: T(r1) cos θ on the bottom face, -T(r2) cos θ on the top face,

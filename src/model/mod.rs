@@ -1,4 +1,5 @@
 //! A structure in a grip, on a substrate or on its own: what `solve` is given.
+mod body;
 mod chain;
 mod course;
 mod friction;
@@ -12,6 +13,8 @@ mod spatula;
 mod step;
 mod steps;
 mod strip;
+pub use crate::adhesion::Attraction;
+pub use body::*;
 pub use course::*;
 pub use friction::*;
 pub use ground::*;

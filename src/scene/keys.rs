@@ -5,6 +5,7 @@ use super::error::Problem;
 use super::key::{Key, Kind, Need, Range};
 use super::near::nearest;
 use super::quantity::Dimension::{Angle, AnglePerLength, Energy, Force, Length, Pressure, Stiffness, Time, Work};
+use super::shape;
 use crate::adhesion::Substrate;
 use crate::beam::Material;
 use crate::model::{Body, Profile, ProfileForm, ProfileTable, Spatula, Strip};
@@ -63,10 +64,10 @@ pub static KEYS: &[Key] = &[
     key("adhesion", "far_face", Optional, Kind::Flag(|s| &mut s.model.adhesion.far_face), "whether the upper face of the strip counts"),
 
     key("substrate", "shape", Optional, Kind::Shape(substrate), "of what the beam lies on"),
-    key("substrate", "radius", Required, Kind::Quantity(Length, |s| &mut substrate(s).round_mut().radius), "of the sphere or the cylinder"),
-    key("substrate", "height", Required, Kind::Quantity(Length, |s| &mut substrate(s).sinusoid_mut().height), "from crest to valley"),
-    key("substrate", "wavelength", Required, Kind::Quantity(Length, |s| &mut substrate(s).sinusoid_mut().wavelength), "from crest to crest"),
-    key("substrate", "offset", Optional, Kind::Measure(Length, Range::From(-1e9, 1e9), |s| substrate(s).offset_mut()), "of a crest, or of the top, from the free end"),
+    key("substrate", "radius", Required, Kind::Quantity(Length, |s| shape::number(substrate(s), "radius")), "of the sphere or the cylinder"),
+    key("substrate", "height", Required, Kind::Quantity(Length, |s| shape::number(substrate(s), "height")), "from crest to valley"),
+    key("substrate", "wavelength", Required, Kind::Quantity(Length, |s| shape::number(substrate(s), "wavelength")), "from crest to crest"),
+    key("substrate", "offset", Optional, Kind::Measure(Length, Range::From(-1e9, 1e9), |s| shape::number(substrate(s), "offset")), "of a crest, or of the top, from the free end"),
     key("substrate", "table", Required, Kind::Heights(substrate), "a CSV, or the name of its file"),
     key("substrate", "start", Optional, Kind::Start(|s| &mut s.model.ground.start), "pressed on, so that it follows the ground, or lying on the crests"),
 
@@ -98,11 +99,7 @@ pub const BODIES: [&str; 3] = ["strip", "spatula", "profile"];
 
 /// The table of what this scene peels.
 pub fn body_of(scene: &Scene) -> &'static str {
-    match scene.model.body {
-        Body::Strip(_) => BODIES[0],
-        Body::Spatula(_) => BODIES[1],
-        Body::Profile(_) => BODIES[2],
-    }
+    scene.model.body.geometry().name()
 }
 
 /// Makes the scene one of the body of this table, if it is none.

@@ -3,8 +3,8 @@
 
 use super::choice::ORDER;
 use super::{Peel, Shape, Turn};
-use crate::adhesion::{self, CurvedBody, HalfSpace, Sinusoid, Substrate};
-use crate::model::{Body, Form, Ground, PeelModel, Start};
+use crate::adhesion::{CurvedBody, HalfSpace, Sinusoid, Substrate};
+use crate::model::{Form, Ground, PeelModel, Start};
 use crate::solve::Beginning;
 
 /// How a beam lies at one point of its path. From samples, six an element. A strip lies on flat ground with all its length; of a spatula and
@@ -107,7 +107,7 @@ struct Whole {
 
 impl Whole {
     fn of(model: &PeelModel, samples: &[Sample], near: f64) -> Option<Self> {
-        if matches!(model.body, Body::Strip(_)) {
+        if model.is_uniform() {
             let length = steps(samples).sum();
             return Some(Self { samples: samples.len(), length, front: model.length() });
         }
@@ -169,10 +169,7 @@ fn samples(substrate: &Substrate, shape: &Shape) -> Vec<Sample> {
 
 /// Traction in front of a convex body of this radius over that of the half space, less one.
 fn curvature_error(substrate: &Substrate, material: &HalfSpace, radius: f64) -> f64 {
-    let shape = match substrate {
-        Substrate::Round(round) => round.shape,
-        _ => adhesion::Shape::Cylinder,
-    };
+    let shape = substrate.crest();
     let gap = material.strongest_gap();
     CurvedBody { shape, radius }.traction(material, gap) / material.traction(gap) - 1.0
 }

@@ -6,11 +6,11 @@
 
 use super::probe::Probe;
 use super::shift::Shift;
-use super::terms::{Term, has_far_face};
+use super::terms::Term;
 use super::trace::Trace;
 use super::{Accuracy, Bounds, End, Keeping, LimitPoint, Peel, peel_run};
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
-use crate::model::{Body, Form, Friction, Ground, Hold, PeelModel};
+use crate::model::{Form, Friction, Ground, Hold, PeelModel};
 use crate::solve::{Direction, Solution};
 use std::sync::Arc;
 use std::time::Instant;
@@ -184,11 +184,11 @@ fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, Why)>)
         let deep = deep.then_some(Why::NotTold("the ground is deeper than a tenth of r0"));
         let free = model.grip.rotation == Hold::Free && model.grip.horizontal == Hold::Free;
         let held = (!free).then_some(Why::NotTold("the grip holds the beam as it has come to lie"));
-        let curved = !matches!(model.body, Body::Strip(_));
+        let curved = !model.is_uniform();
         let curved = curved.then_some(Why::NotTold("the beam is not straight when it is free of stress"));
         consider(Term::Ground, driven.or(curved).or(deep).or(held));
     }
-    if has_far_face(&law) {
+    if law.has_far_face() {
         // what it takes of the work of adhesion it takes of the force behind the peak
         let share = 1.0 - law.rest_energy() / LineLaw { far_face: false, ..law }.rest_energy();
         let matters = (SAFETY * UPPER * share > relative).then_some(Why::Matters(share));

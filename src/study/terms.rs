@@ -11,7 +11,7 @@
 
 use super::probe::{Point, Probe};
 use super::trace::Trace;
-use crate::adhesion::{Law, LineLaw, LineLoad};
+use crate::adhesion::{LineLaw, LineLoad};
 use crate::model::{Hold, PeelModel};
 
 /// A term of the model.
@@ -71,7 +71,7 @@ pub(super) fn terms(model: &PeelModel, trace: &Trace) -> Vec<TermEffect> {
     };
     let law = model.line_law();
     if model.ground.substrate.is_flat() {
-        if has_far_face(&law) {
+        if law.has_far_face() {
             let near = LineLaw { far_face: false, ..law };
             add(Term::FarFace, probe.rate(|at| at.adhesion(&near) - at.adhesion(&law)));
         }
@@ -90,9 +90,4 @@ pub(super) fn terms(model: &PeelModel, trace: &Trace) -> Vec<TermEffect> {
     }
     effects.retain(|effect| effect.force.is_finite());
     effects
-}
-
-/// Whether the upper face of a section makes a difference.
-pub(super) fn has_far_face(law: &LineLaw) -> bool {
-    law.far_face && !matches!(law.law, Law::Cohesive(_))
 }
