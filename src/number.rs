@@ -25,6 +25,8 @@ pub trait Real:
     fn each<const K: usize>(self, function: impl Fn(f64) -> [f64; K]) -> [Self; K];
     /// Several functions of each pair of numbers, computed one by one.
     fn each_pair<const K: usize>(self, other: Self, function: impl Fn(f64, f64) -> [f64; K]) -> [Self; K];
+    /// Several functions of several numbers, computed one by one.
+    fn each_of<const N: usize, const K: usize>(of: [Self; N], function: impl Fn([f64; N]) -> [f64; K]) -> [Self; K];
     /// One over it.
     #[inline(always)]
     fn recip(self) -> Self {
@@ -52,6 +54,10 @@ impl Real for f64 {
     #[inline(always)]
     fn each_pair<const K: usize>(self, other: Self, function: impl Fn(f64, f64) -> [f64; K]) -> [Self; K] {
         function(self, other)
+    }
+    #[inline(always)]
+    fn each_of<const N: usize, const K: usize>(of: [Self; N], function: impl Fn([f64; N]) -> [f64; K]) -> [Self; K] {
+        function(of)
     }
 }
 
@@ -176,6 +182,11 @@ impl Real for Four {
     #[inline(always)]
     fn each_pair<const K: usize>(self, other: Self, function: impl Fn(f64, f64) -> [f64; K]) -> [Self; K] {
         let each: [[f64; K]; 4] = std::array::from_fn(|l| function(self.0[l], other.0[l]));
+        std::array::from_fn(|k| Self(each.map(|values| values[k])))
+    }
+    #[inline(always)]
+    fn each_of<const N: usize, const K: usize>(of: [Self; N], function: impl Fn([f64; N]) -> [f64; K]) -> [Self; K] {
+        let each: [[f64; K]; 4] = std::array::from_fn(|l| function(of.map(|number| number.0[l])));
         std::array::from_fn(|k| Self(each.map(|values| values[k])))
     }
 }

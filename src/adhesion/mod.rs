@@ -1,30 +1,21 @@
-//! What pulls: pair potential, half space, traction, line load.
+//! What pulls, and what resists sliding: pair potential, half space, traction, line load, friction, ground.
 //!
-//! From atoms to beams in the order of the paper: [`LennardJones`] and [`pair_sum`] (eqs. 1, 2), [`double_integral`] (3-7),
-//! [`HalfSpace`] (9, 10, 18), [`LineLaw`] (17-22); [`Piece`] evaluates one and the same body at every level. A [`Law`] says
-//! what pulls a section of a beam, [`Substrate`] is the shape of the ground and [`GroundLaw`] a line law on it.
+//! From atoms to beams in the order of the paper: `levels/` up to the [`HalfSpace`] (eqs. 1-10 and 18), `section/` with what pulls a
+//! section of a beam, [`Law`] and [`LineLaw`] (17-22); [`Piece`] evaluates one and the same body at every level. `friction/` has what resists
+//! sliding, `substrate/` the shape of the ground, and [`GroundLaw`] is a line law on it.
 
-mod body_force;
-mod cohesive;
-mod curved;
 mod friction;
-mod half_space;
-mod lattice;
-mod line_load;
-mod pair;
+mod levels;
 mod piece;
-mod rule;
+mod section;
 mod substrate;
-mod surface_traction;
-mod volume;
-pub use cohesive::{Cohesive, CohesiveShape};
-pub use curved::{CurvedBody, Shape};
 pub use friction::{FrictionLaw, Slip, Traction};
-pub use half_space::HalfSpace;
-pub use lattice::{LatticeHalfSpace, Place, cubic_block, pair_sum};
-pub use line_load::{Law, LineLaw, LineLoad, LineResponse};
-pub use pair::LennardJones;
+pub use levels::{
+    Cuboid, CurvedBody, HalfSpace, LatticeHalfSpace, LennardJones, Place, Rule, Shape, body_force_by_volume,
+    cubic_block, double_integral, pair_sum,
+};
 pub use piece::{Faces, Level, Piece, Resultant, section_by_body_force};
-pub use rule::Rule;
-pub use substrate::{Foot, GroundLaw, GroundResponse, Heights, HeightsError, Round, SelfAffine, Sinusoid, Substrate};
-pub use volume::{Cuboid, body_force_by_volume, double_integral};
+pub use section::{
+    Attraction, Cohesive, CohesiveShape, Law, LineLaw, LineLoad, LineResponse, OwnLaw, SectionLaw, TiltedSection,
+};
+pub use substrate::*;

@@ -8,9 +8,8 @@
 //!  ------------------
 //! ```
 
-use super::lattice::LatticeHalfSpace;
-use super::volume::body_force_by_volume;
-use super::{HalfSpace, Law, LennardJones, LineLaw, LineLoad, Rule};
+use super::levels::{HalfSpace, LatticeHalfSpace, LennardJones, Rule, body_force_by_volume};
+use super::section::{Law, LineLaw, LineLoad};
 
 /// A rectangle l × h, a unit of width of it.
 #[derive(Clone, Copy, Debug, PartialEq)]

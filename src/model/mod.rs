@@ -1,4 +1,5 @@
 //! A structure in a grip, on a substrate or on its own: what `solve` is given.
+mod body;
 mod build;
 mod chain;
 mod friction;
@@ -12,6 +13,8 @@ mod step;
 mod stress_free_placement;
 mod strip;
 mod transition;
+pub use crate::adhesion::Attraction;
+pub use body::*;
 pub use build::*;
 pub use friction::*;
 pub use ground::*;

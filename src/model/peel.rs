@@ -1,23 +1,12 @@
 //! A beam on a flat half space, lifted at its right end.
 
 use super::stress_free_placement::StressFreePlacement;
-use super::{Friction, Ground, Moved, Profile, Spatula, Step, Strip};
-use crate::adhesion::{Cohesive, CohesiveShape, FrictionLaw, HalfSpace, Law, LineLaw, LineLoad};
+use super::{Body, Friction, Geometry, Ground, Moved, Step, Strip};
+use crate::adhesion::{Attraction, FrictionLaw, HalfSpace, LineLaw, LineLoad};
 use crate::beam::{Contour, Material, Section, Varying};
 use crate::solve::Direction;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
-
-/// What pulls.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Attraction {
-    /// The half space's body force over the height of the section.
-    BodyForce,
-    /// The half space's traction on the faces of the section.
-    SurfaceTraction,
-    /// A cohesive law between the face that looks down and the substrate.
-    Cohesive(CohesiveShape),
-}
 
 /// The adhesion between the beam and the half space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,15 +42,7 @@ impl Adhesion {
     /// The line load per width on a section of this height, nm.
     pub fn line_law(&self, height: f64) -> LineLaw {
         let half_space = self.half_space();
-        let law = match self.attraction {
-            Attraction::BodyForce => Law::BodyForce,
-            Attraction::SurfaceTraction => Law::SurfaceTraction,
-            Attraction::Cohesive(shape) => {
-                let strength = self.strength.unwrap_or_else(|| half_space.strength());
-                let work = self.work.unwrap_or_else(|| half_space.work_of_adhesion());
-                Law::Cohesive(Cohesive::calibrated(shape, strength, work, &half_space))
-            }
-        };
+        let law = self.attraction.law(&half_space, self.work, self.strength);
         LineLaw { half_space, height, law, line_load: self.line_load, far_face: self.far_face }
     }
 
@@ -122,14 +103,6 @@ impl Pull {
 
 /// An angle that differs from a right one by less, rad, is that, rounded.
 const ROUNDED: f64 = 1e-12;
-
-/// What is peeled. It begins at S = 0 with its free end.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Body {
-    Strip(Strip),
-    Spatula(Spatula),
-    Profile(Profile),
-}
 
 /// A body, its adhesion, its grip and how that is moved.
 #[derive(Clone, Debug, PartialEq)]
@@ -201,36 +174,34 @@ impl PeelModel {
         self.sticking_length().unwrap_or(f64::INFINITY).min(self.process_length())
     }
 
+    /// Its geometry and material.
+    fn geometry(&self) -> &dyn Geometry {
+        self.body.geometry()
+    }
+
+    /// Whether it is straight when free of stress, and its section the same everywhere.
+    pub fn is_uniform(&self) -> bool {
+        self.geometry().is_uniform()
+    }
+
     /// How the body varies along its length, where it does.
     pub(super) fn contour(&self) -> Option<Arc<dyn Contour>> {
-        match &self.body {
-            Body::Strip(_) => None,
-            Body::Spatula(spatula) => Some(Arc::new(spatula.clone())),
-            Body::Profile(profile) => Some(Arc::new(profile.form.clone())),
-        }
+        (!self.is_uniform()).then(|| self.geometry().shared())
     }
 
     /// Where elements have to end, nm.
     pub fn breaks(&self) -> Vec<f64> {
-        self.contour().map(|contour| contour.breaks()).unwrap_or_default()
+        self.geometry().breaks()
     }
 
     /// What the body is made of.
     pub fn material(&self) -> Material {
-        match &self.body {
-            Body::Strip(strip) => strip.material(),
-            Body::Spatula(spatula) => spatula.material,
-            Body::Profile(profile) => profile.material,
-        }
+        self.geometry().material()
     }
 
     /// L, nm
     pub fn length(&self) -> f64 {
-        match &self.body {
-            Body::Strip(strip) => strip.length,
-            Body::Spatula(spatula) => spatula.length(),
-            Body::Profile(profile) => profile.form.length(),
-        }
+        self.geometry().length()
     }
 
     /// S behind which it stays clear of the ground when free of stress, nm: L of a strip.
@@ -241,38 +212,20 @@ impl PeelModel {
 
     /// Width and height of the free end, nm.
     pub fn free_end(&self) -> (f64, f64) {
-        let [width, height, _] = self.free_section();
+        let (_, width, height) = self.section_at(0.0);
         (width, height)
-    }
-
-    /// Width (nm), height (nm) and roundness of the free end.
-    fn free_section(&self) -> [f64; 3] {
-        let of = |contour: &dyn Contour| {
-            let outline = contour.at(0.0);
-            [outline.width, outline.height[0], outline.roundness]
-        };
-        match &self.body {
-            Body::Strip(strip) => [strip.width, strip.height, 0.0],
-            Body::Spatula(spatula) => of(spatula),
-            Body::Profile(profile) => of(&profile.form),
-        }
     }
 
     /// EA, GA_s and EI at S, nm, with the adhering width and the height there, nm.
     pub fn section_at(&self, place: f64) -> (Section, f64, f64) {
-        let outline = match &self.body {
-            Body::Strip(strip) => return (self.section(), strip.width, strip.height),
-            Body::Spatula(spatula) => spatula.at(place),
-            Body::Profile(profile) => profile.form.at(place),
-        };
+        let outline = self.geometry().at(place);
         let (width, height) = (outline.width, outline.height[0]);
         (self.material().section(width, height, outline.roundness), width, height)
     }
 
     /// EA, GA_s and EI of the free end.
     pub fn section(&self) -> Section {
-        let [width, height, roundness] = self.free_section();
-        self.material().section(width, height, roundness)
+        self.section_at(0.0).0
     }
 
     /// The line load per width on the free end.
@@ -285,14 +238,9 @@ impl PeelModel {
         (self.section().bending / self.rest_stiffness()).powf(0.25)
     }
 
-    /// k, the adhesion's stiffness at rest at the free end, of a cohesive law over its range, nN/nm².
+    /// k, the adhesion's stiffness at rest at the free end, nN/nm².
     fn rest_stiffness(&self) -> f64 {
-        let line = self.line_law();
-        let per_width = match line.law {
-            Law::Cohesive(law) => law.strength / law.range,
-            Law::BodyForce | Law::SurfaceTraction => line.response(line.rest_gap(), 0.0, 1.0).gap_gap,
-        };
-        per_width * self.free_end().0
+        self.line_law().rest_stiffness() * self.free_end().0
     }
 
     /// Decay length (GA_s/k)^(1/2) of the free end as a shear beam on the adhesion's stiffness k at rest, nm.

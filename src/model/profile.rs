@@ -3,8 +3,9 @@
 //! Between the rows of a table each is a monotone cubic (Fritsch and Butland's PCHIP: SIAM J. Sci. Stat. Comput. 5 (1984) 300), which has no
 //! bulge that the table does not have. Its second derivative jumps at the rows, so elements end there.
 
-use super::ProfilePieces;
+use super::{Geometry, ProfilePieces};
 use crate::beam::{Contour, Material, Outline};
+use std::sync::Arc;
 
 /// A beam by a table or by pieces, and what it is made of.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,6 +41,34 @@ impl Contour for ProfileForm {
 
     fn at(&self, place: f64) -> Outline {
         self.contour().at(place)
+    }
+}
+
+impl Contour for Profile {
+    fn length(&self) -> f64 {
+        self.form.length()
+    }
+
+    fn breaks(&self) -> Vec<f64> {
+        self.form.breaks()
+    }
+
+    fn at(&self, place: f64) -> Outline {
+        self.form.at(place)
+    }
+}
+
+impl Geometry for Profile {
+    fn name(&self) -> &'static str {
+        "profile"
+    }
+
+    fn material(&self) -> Material {
+        self.material
+    }
+
+    fn shared(&self) -> Arc<dyn Contour> {
+        Arc::new(self.form.clone())
     }
 }
 

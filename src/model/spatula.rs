@@ -5,8 +5,9 @@
 //! w + (1 - w)(1 - (1 - t)⁴) with t = S/rounding; the section goes from a rectangle to a circle with q, and the underside turns up
 //! by the shaft's angle times s5((S - pad)/bend). A choice within the ranges of the literature: the paper gives no dimensions.
 
-use super::{Adhesion, Body, Course, Grip, Hold, PeelModel};
+use super::{Adhesion, Body, Course, Geometry, Grip, Hold, PeelModel};
 use crate::beam::{Contour, Material, Outline};
+use std::sync::Arc;
 
 /// Geometry and material of a spatula. Lengths in nm.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,6 +111,20 @@ impl Contour for Spatula {
             roundness: q,
             underside: [self.shaft_angle * turned, self.shaft_angle * turning / self.bend_length],
         }
+    }
+}
+
+impl Geometry for Spatula {
+    fn name(&self) -> &'static str {
+        "spatula"
+    }
+
+    fn material(&self) -> Material {
+        self.material
+    }
+
+    fn shared(&self) -> Arc<dyn Contour> {
+        Arc::new(self.clone())
     }
 }
 

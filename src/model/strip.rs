@@ -1,8 +1,9 @@
 //! A uniform strip of rectangular section.
 
-use super::{Adhesion, Body, Form, Grip, PeelModel, PlanarProblem, Pull};
+use super::{Adhesion, Body, Form, Geometry, Grip, PeelModel, PlanarProblem, Pull};
 use crate::adhesion::LineLaw;
-use crate::beam::{Material, Section};
+use crate::beam::{Contour, Material, Outline, Section};
+use std::sync::Arc;
 
 /// Geometry and material of a uniform strip of rectangular section.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +31,38 @@ impl Strip {
             shear_correction: self.shear_correction,
             bending_stiffness_factor: self.bending_stiffness_factor,
         }
+    }
+}
+
+impl Contour for Strip {
+    fn length(&self) -> f64 {
+        self.length
+    }
+
+    fn breaks(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    fn at(&self, _place: f64) -> Outline {
+        Outline { width: self.width, height: [self.height, 0.0, 0.0], roundness: 0.0, underside: [0.0; 2] }
+    }
+}
+
+impl Geometry for Strip {
+    fn name(&self) -> &'static str {
+        "strip"
+    }
+
+    fn material(&self) -> Material {
+        Self::material(self)
+    }
+
+    fn shared(&self) -> Arc<dyn Contour> {
+        Arc::new(*self)
+    }
+
+    fn is_uniform(&self) -> bool {
+        true
     }
 }
 

@@ -1,9 +1,8 @@
 //! What the user asks of the numbers, and what follows from it: order, elements and steps.
 
 use super::terms::Terms;
-use crate::adhesion::{CohesiveShape, Substrate};
 use crate::beam::{BUNDLE, MeshKind};
-use crate::model::{Attraction, Form, PeelModel};
+use crate::model::{Form, PeelModel};
 use crate::solve::{MOST_POINTS, PathOptions};
 
 /// What the user asks of the numbers.
@@ -96,11 +95,11 @@ impl Resolution {
         let sharp = 0.32 + 0.052 * digits + 0.0083 * digits * digits + 0.2 * (digits - 8.0).max(0.0);
         let elements =
             (5.1 + 0.434 * span * span + apart) * sharp * cornered(model) + (A_BREAK * model.breaks().len()) as f64;
-        let elements = match &model.ground.substrate {
-            Substrate::Flat => elements,
-            substrate => {
-                elements + model.reach() / (EVEN * model.process_length() / sharp).min(OF_DETAIL * substrate.detail())
-            }
+        let substrate = &model.ground.substrate;
+        let elements = if substrate.is_flat() {
+            elements
+        } else {
+            elements + model.reach() / (EVEN * model.process_length() / sharp).min(OF_DETAIL * substrate.detail())
         };
         let elements = match model.sticking_length() {
             None => elements,
@@ -161,11 +160,7 @@ pub(super) fn most_elements(model: &PeelModel) -> usize {
 
 /// How many times as many elements the corners of the model's law take: the narrower they are, the more.
 fn cornered(model: &PeelModel) -> f64 {
-    match model.adhesion.attraction {
-        Attraction::Cohesive(CohesiveShape::Bilinear) => 5.0,
-        Attraction::Cohesive(CohesiveShape::Dugdale) => 10.0,
-        Attraction::BodyForce | Attraction::SurfaceTraction | Attraction::Cohesive(CohesiveShape::Exponential) => 1.0,
-    }
+    model.adhesion.attraction.corners()
 }
 
 /// Elements come in bundles, of which the last costs the same however full it is.

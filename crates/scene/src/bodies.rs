@@ -9,11 +9,7 @@ pub const BODIES: [&str; 3] = ["strip", "spatula", "profile"];
 
 /// The table of what this scene peels.
 pub fn body_of(scene: &Scene) -> &'static str {
-    match scene.model.body {
-        Body::Strip(_) => BODIES[0],
-        Body::Spatula(_) => BODIES[1],
-        Body::Profile(_) => BODIES[2],
-    }
+    scene.model.body.geometry().name()
 }
 
 /// Makes the scene one of the body of this table, if it is none.

@@ -15,14 +15,18 @@ impl Scene {
             key.map_or(Ok(()), |key| Err((key, Problem::new(found, remedy))))
         };
         let adhesion = &self.model.adhesion;
-        if !matches!(adhesion.attraction, Attraction::Cohesive(_)) {
+        if !adhesion.attraction.takes_work_and_strength() {
             for (path, value) in [("adhesion.work", adhesion.work), ("adhesion.strength", adhesion.strength)] {
                 if value.is_some() {
+                    let laws: Vec<String> = Attraction::cohesive().map(|law| format!("\"{}\"", law.name())).collect();
                     return problem(
                         path,
                         "is of a cohesive law, and the law of this scene is none".into(),
-                        "Give `law = \"bilinear\"`, \"exponential\" or \"dugdale\" beside it, or leave it away: \
-                         without one, hamaker_constant and equilibrium_distance say all.",
+                        &format!(
+                            "Give `law` = {} beside it, or leave it away: without one, hamaker_constant and \
+                             equilibrium_distance say all.",
+                            laws.join(" or ")
+                        ),
                     );
                 }
             }

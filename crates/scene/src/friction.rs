@@ -1,6 +1,6 @@
 //! What of a scene's friction does not fit the rest.
 
-use peelkit::model::{Attraction, PeelModel};
+use peelkit::model::PeelModel;
 
 /// The key, what was found, and what would be right.
 pub(super) fn misfit(model: &PeelModel) -> Option<(&'static str, String, &'static str)> {
@@ -21,7 +21,7 @@ pub(super) fn misfit(model: &PeelModel) -> Option<(&'static str, String, &'stati
         let found = "is given, and the substrate is not flat; friction is that of flat ground".to_owned();
         return Some(("friction.strength", found, "Leave the table [substrate] or the table [friction] away."));
     }
-    if !matches!(model.adhesion.attraction, Attraction::BodyForce | Attraction::SurfaceTraction) {
+    if !model.adhesion.attraction.takes_friction() {
         let found = "is given beside a cohesive law; where the face is in contact, friction takes from the half space"
             .to_owned();
         return Some((

@@ -10,7 +10,7 @@ use super::shape;
 use super::steps;
 use super::table::{read_heights, read_profile};
 use super::value::{Value, quoted, show};
-use peelkit::adhesion::{CohesiveShape, LineLoad, Substrate};
+use peelkit::adhesion::{LineLoad, Substrate};
 use peelkit::model::{Attraction, Body, Hold, ProfileForm, Start, Step};
 use peelkit::study::Terms;
 use std::fmt;
@@ -94,13 +94,6 @@ pub enum Range {
     From(f64, f64),
 }
 
-const ATTRACTIONS: &[(&str, Attraction)] = &[
-    ("body-force", Attraction::BodyForce),
-    ("surface-traction", Attraction::SurfaceTraction),
-    ("bilinear", Attraction::Cohesive(CohesiveShape::Bilinear)),
-    ("exponential", Attraction::Cohesive(CohesiveShape::Exponential)),
-    ("dugdale", Attraction::Cohesive(CohesiveShape::Dugdale)),
-];
 const LINE_LOADS: &[(&str, LineLoad)] =
     &[("full", LineLoad::Full), ("force-only", LineLoad::ForceOnly), ("axis-gap", LineLoad::AxisGap)];
 const STARTS: &[(&str, Start)] = &[("conformed", Start::Conformed), ("flat", Start::Crests)];
@@ -216,7 +209,7 @@ impl Key {
                     |fault: pieces::Fault| Problem { item: fault.item, ..Problem::new(fault.found, self.remedy()) };
                 *place(scene) = ProfileForm::Pieces(pieces::read(items).map_err(problem)?);
             }
-            (Kind::Attraction(place), Value::Text(word)) => *place(scene) = self.pick(ATTRACTIONS, word)?,
+            (Kind::Attraction(place), Value::Text(word)) => *place(scene) = self.pick(&attractions(), word)?,
             (Kind::LineLoad(place), Value::Text(word)) => *place(scene) = self.pick(LINE_LOADS, word)?,
             (Kind::Hold(place), Value::Text(word)) => *place(scene) = self.pick(HOLDS, word)?,
             (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
@@ -227,9 +220,9 @@ impl Key {
                 *place(scene) = steps::read(&texts).map_err(|found| Problem::new(found, self.remedy()))?;
             }
             (Kind::Shape(place), Value::Text(word)) => {
-                let shape = self.pick(shape::SHAPES, word)?;
-                shape::set(place(scene), shape);
-                if shape != shape::Named::Profile {
+                let name = self.pick(&shape::names(), word)?;
+                place(scene).take_shape(name);
+                if !matches!(place(scene), Substrate::Profile(_)) {
                     scene.table_texts.substrate.clear();
                 }
             }
@@ -319,7 +312,7 @@ impl Key {
                 ProfileForm::Pieces(pieces) => pieces::written(pieces),
                 ProfileForm::Table(_) => return None,
             },
-            Kind::Attraction(place) => Value::Text(word(ATTRACTIONS, *place(&mut scene))),
+            Kind::Attraction(place) => Value::Text(place(&mut scene).name().to_owned()),
             Kind::LineLoad(place) => Value::Text(word(LINE_LOADS, *place(&mut scene))),
             Kind::Hold(place) => Value::Text(word(HOLDS, *place(&mut scene))),
             Kind::Start(place) => Value::Text(word(STARTS, *place(&mut scene))),
@@ -327,7 +320,7 @@ impl Key {
             Kind::Steps(place) => {
                 Value::List(place(&mut scene).iter().map(|step| Value::Text(step.to_string())).collect())
             }
-            Kind::Shape(place) => Value::Text(word(shape::SHAPES, shape::of(place(&mut scene)))),
+            Kind::Shape(place) => Value::Text(place(&mut scene).name().to_owned()),
             Kind::Heights(place) => match place(&mut scene) {
                 Substrate::Profile(_) => Value::Text(scene.table_texts.substrate.clone()),
                 _ => return None,
@@ -355,14 +348,14 @@ impl Key {
                                width_nm, height_nm and, if wanted, angle_deg and roundness"
                     .into()
             }
-            Kind::Attraction(_) => words(ATTRACTIONS),
+            Kind::Attraction(_) => words(&attractions()),
             Kind::LineLoad(_) => words(LINE_LOADS),
             Kind::Hold(_) => words(HOLDS),
             Kind::Start(_) => words(STARTS),
             Kind::Terms(_) => words(TERMS),
             Kind::Steps(_) => steps::TAKES.into(),
             Kind::Pieces(_) => pieces::TAKES.into(),
-            Kind::Shape(_) => words(shape::SHAPES),
+            Kind::Shape(_) => words(&shape::names()),
             Kind::Heights(_) => {
                 "a CSV in quotes, or the name of its file beside the scene: a row a place, with the columns x_nm and \
                                height_nm"
@@ -485,6 +478,11 @@ impl Key {
             _ => Problem::new(format!("is {value}"), self.remedy()),
         }
     }
+}
+
+/// What a scene may call what pulls.
+fn attractions() -> Vec<(&'static str, Attraction)> {
+    Attraction::all().map(|attraction| (attraction.name(), attraction)).collect()
 }
 
 fn word<T: Copy + PartialEq>(choices: &[(&'static str, T)], value: T) -> String {

@@ -6,7 +6,7 @@ use super::key::{Key, Kind, Need, Range};
 use super::near::nearest;
 use super::quantity::Dimension::{Angle, AnglePerLength, Energy, Force, Length, Pressure, Stiffness, Time, Work};
 use super::scene::Scene;
-use super::shape::{offset, round, sinusoid};
+use super::shape;
 use super::value::Value;
 use Need::{Optional, Required};
 use peelkit::adhesion::Substrate;
@@ -64,10 +64,10 @@ pub static KEYS: &[Key] = &[
     key("adhesion", "far_face", Optional, Kind::Flag(|s| &mut s.model.adhesion.far_face), "whether the upper face of the strip counts"),
 
     key("substrate", "shape", Optional, Kind::Shape(substrate), "of what the beam lies on"),
-    key("substrate", "radius", Required, Kind::Quantity(Length, |s| &mut round(substrate(s)).radius), "of the sphere or the cylinder"),
-    key("substrate", "height", Required, Kind::Quantity(Length, |s| &mut sinusoid(substrate(s)).height), "from crest to valley"),
-    key("substrate", "wavelength", Required, Kind::Quantity(Length, |s| &mut sinusoid(substrate(s)).wavelength), "from crest to crest"),
-    key("substrate", "offset", Optional, Kind::Measure(Length, Range::From(-1e9, 1e9), |s| offset(substrate(s))), "of a crest, or of the top, from the free end"),
+    key("substrate", "radius", Required, Kind::Quantity(Length, |s| shape::number(substrate(s), "radius")), "of the sphere or the cylinder"),
+    key("substrate", "height", Required, Kind::Quantity(Length, |s| shape::number(substrate(s), "height")), "from crest to valley"),
+    key("substrate", "wavelength", Required, Kind::Quantity(Length, |s| shape::number(substrate(s), "wavelength")), "from crest to crest"),
+    key("substrate", "offset", Optional, Kind::Measure(Length, Range::From(-1e9, 1e9), |s| shape::number(substrate(s), "offset")), "of a crest, or of the top, from the free end"),
     key("substrate", "table", Required, Kind::Heights(substrate), "a CSV, or the name of its file"),
     key("substrate", "start", Optional, Kind::Start(|s| &mut s.model.ground.start), "pressed on, so that it follows the ground, or lying on the crests"),
 

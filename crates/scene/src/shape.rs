@@ -1,82 +1,41 @@
 //! The shape of a substrate as a scene names it, and which keys belong to it.
 
 use super::error::Problem;
-use peelkit::adhesion::{Heights, LineLoad, Round, Shape, Sinusoid, Substrate};
+use peelkit::adhesion::{LineLoad, Substrate};
 use peelkit::model::PeelModel;
-use std::sync::Arc;
 
 /// The table of a scene.
 pub(super) const TABLE: &str = "substrate";
 
-/// What a scene calls the shape.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Named {
-    Flat,
-    Round(Shape),
-    Sinusoid,
-    Profile,
-}
-
-pub(super) const SHAPES: &[(&str, Named)] = &[
-    ("flat", Named::Flat),
-    ("sphere", Named::Round(Shape::Sphere)),
-    ("cylinder", Named::Round(Shape::Cylinder)),
-    ("sinusoid", Named::Sinusoid),
-    ("profile", Named::Profile),
-];
-
-/// The shape of a substrate.
-pub(super) fn of(substrate: &Substrate) -> Named {
-    match substrate {
-        Substrate::Flat => Named::Flat,
-        Substrate::Round(round) => Named::Round(round.shape),
-        Substrate::Sinusoid(_) => Named::Sinusoid,
-        Substrate::Profile(_) => Named::Profile,
-    }
-}
-
-/// Makes the substrate one of this shape; what both shapes have stays.
-pub(super) fn set(substrate: &mut Substrate, named: Named) {
-    match named {
-        Named::Flat => *substrate = Substrate::Flat,
-        Named::Round(shape) => round(substrate).shape = shape,
-        Named::Sinusoid => drop(sinusoid(substrate)),
-        Named::Profile if of(substrate) == Named::Profile => {}
-        Named::Profile => *substrate = Substrate::Profile(Arc::new(Heights::level())),
-    }
-}
-
-/// The keys of each shape besides `shape` itself.
-fn keys(substrate: &Substrate) -> &'static [&'static str] {
-    match substrate {
-        Substrate::Flat => &[],
-        Substrate::Round(_) => &["radius", "offset", "start"],
-        Substrate::Sinusoid(_) => &["height", "wavelength", "offset", "start"],
-        Substrate::Profile(_) => &["table", "start"],
-    }
+/// What a scene may call the shape.
+pub(super) fn names() -> Vec<(&'static str, &'static str)> {
+    Substrate::all().into_iter().map(|(name, _)| (name, name)).collect()
 }
 
 /// Whether a substrate of this shape has a key of this name.
 pub(super) fn has(substrate: &Substrate, name: &str) -> bool {
-    name == "shape" || keys(substrate).contains(&name)
+    name == "shape" || substrate.keys().contains(&name)
 }
 
 /// The shapes that have a key of this name, as a scene calls them.
 pub(super) fn shapes_with(name: &str) -> Vec<&'static str> {
-    let with = |named: Named| {
-        let mut substrate = Substrate::Flat;
-        set(&mut substrate, named);
-        has(&substrate, name)
-    };
-    SHAPES.iter().filter(|(_, named)| with(*named)).map(|(word, _)| *word).collect()
+    Substrate::all().iter().filter(|(_, substrate)| has(substrate, name)).map(|(word, _)| *word).collect()
+}
+
+/// The number of this key; a substrate that has none becomes the first shape that has one.
+pub(super) fn number<'a>(substrate: &'a mut Substrate, name: &str) -> &'a mut f64 {
+    if substrate.number(name).is_none() {
+        let shapes = Substrate::all().into_iter();
+        shapes.filter(|(_, shape)| has(shape, name)).take(1).for_each(|(_, shape)| *substrate = shape);
+    }
+    substrate.number(name).unwrap_or_else(|| unreachable!("{name} is a number of a shape"))
 }
 
 /// That it has none.
 pub(super) fn foreign(substrate: &Substrate, name: &str) -> Problem {
-    let shape = of(substrate);
-    let word = SHAPES.iter().find(|(_, named)| *named == shape).map_or("", |(word, _)| word);
+    let word = substrate.name();
     let found = format!("is a key of [{TABLE}] for another `shape` than \"{word}\"");
-    let own = keys(substrate);
+    let own = substrate.keys();
     let own = if own.is_empty() { "no other keys".to_owned() } else { format!("the keys {}", own.join(", ")) };
     let shapes = shapes_with(name).join("\" or \"");
     Problem::new(found, format!("It belongs to shape \"{shapes}\"; \"{word}\" has {own}."))
@@ -95,7 +54,7 @@ pub(super) fn misfit(model: &PeelModel) -> Option<(&'static str, String, &'stati
     if !model.line_law().has_potential() {
         let (path, word) = match model.adhesion.line_load {
             LineLoad::ForceOnly => ("adhesion.line_load", "force-only"),
-            LineLoad::Full | LineLoad::AxisGap => ("adhesion.law", "surface-traction"),
+            LineLoad::Full | LineLoad::AxisGap => ("adhesion.law", model.adhesion.attraction.name()),
         };
         let found = format!(
             "is \"{word}\", which has no potential: how a beam comes to lie on ground that is not flat is not defined"
@@ -121,45 +80,5 @@ pub(super) fn misfit(model: &PeelModel) -> Option<(&'static str, String, &'stati
         );
         return Some(("substrate.shape", found, "Take a shorter or a stiffer strip or pad."));
     }
-    match substrate {
-        Substrate::Round(round) if round.offset.abs() >= round.radius => Some((
-            "substrate.offset",
-            format!(
-                "is {} nm, and the strip begins beside the body, whose radius is {} nm",
-                round.offset, round.radius
-            ),
-            "Let the strip begin above it: an `offset` less than `radius`.",
-        )),
-        _ => None,
-    }
-}
-
-/// The circle, which the substrate becomes where it has another shape.
-pub(super) fn round(substrate: &mut Substrate) -> &mut Round {
-    if !matches!(substrate, Substrate::Round(_)) {
-        *substrate = Substrate::Round(Round { shape: Shape::Cylinder, radius: f64::NAN, offset: 0.0 });
-    }
-    match substrate {
-        Substrate::Round(round) => round,
-        _ => unreachable!("the shape has just been set"),
-    }
-}
-
-/// The wave, likewise.
-pub(super) fn sinusoid(substrate: &mut Substrate) -> &mut Sinusoid {
-    if !matches!(substrate, Substrate::Sinusoid(_)) {
-        *substrate = Substrate::Sinusoid(Sinusoid { height: f64::NAN, wavelength: f64::NAN, offset: 0.0 });
-    }
-    match substrate {
-        Substrate::Sinusoid(sinusoid) => sinusoid,
-        _ => unreachable!("the shape has just been set"),
-    }
-}
-
-/// x of the top or of a crest; of a wave where the substrate has none.
-pub(super) fn offset(substrate: &mut Substrate) -> &mut f64 {
-    match substrate {
-        Substrate::Round(round) => &mut round.offset,
-        _ => &mut sinusoid(substrate).offset,
-    }
+    substrate.misfit().map(|misfit| (misfit.key, misfit.found, misfit.remedy))
 }

@@ -9,7 +9,7 @@
 //! the best distance. Each change of the sign of q from - to + is a candidate; a root at which q' < 0 is a farthest point
 //! between two candidates, and both are taken.
 
-use super::Foot;
+use super::surface::Foot;
 
 /// What is known of a curve as a whole.
 pub(super) struct Graph {

@@ -1,7 +1,7 @@
 //! A measured profile: heights at places.
 
-use super::Foot;
 use super::closest::{Graph, closest};
+use super::surface::{Foot, Surface};
 
 /// A cubic spline through heights, twice continuously differentiable (I. J. Schoenberg, Quart. Appl. Math. 4 (1946) 45), with no
 /// curvature at its ends, behind which it goes on as a straight line. Its third derivative jumps at the places.
@@ -96,17 +96,6 @@ impl Heights {
         Self::through(vec![0.0, 1.0, 2.0], vec![0.0; 3])
     }
 
-    /// The length of the shortest wave that it can tell, nm: four times the least distance of two places.
-    pub fn detail(&self) -> f64 {
-        WAVE * self.least()
-    }
-
-    /// Highest less lowest height, nm.
-    pub fn relief(&self) -> f64 {
-        let [top, bottom, ..] = self.graph;
-        top - bottom
-    }
-
     /// The least distance of two places, nm.
     fn least(&self) -> f64 {
         self.places.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min)
@@ -144,9 +133,35 @@ impl Heights {
             (m1 - m0) / step,
         ]
     }
+}
 
-    /// The nearest point.
-    pub fn foot(&self, x: f64, y: f64) -> Foot {
+/// As scenes name it.
+pub(super) const NAMED: &[(&str, fn() -> Heights)] = &[("profile", Heights::level)];
+
+impl Surface for Heights {
+    fn name(&self) -> &'static str {
+        "profile"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["table", "start"]
+    }
+
+    fn clearance(&self, x: f64, y: f64) -> f64 {
+        y - self.at(x)[0]
+    }
+
+    /// The length of the shortest wave that it can tell, nm: four times the least distance of two places.
+    fn detail(&self) -> f64 {
+        WAVE * self.least()
+    }
+
+    fn relief(&self) -> f64 {
+        let [top, bottom, ..] = self.graph;
+        top - bottom
+    }
+
+    fn foot(&self, x: f64, y: f64) -> Foot {
         let [top, bottom, bend, step] = self.graph;
         // behind its ends it goes on straight, and may be higher there than anywhere
         let reach = (y - self.at(x)[0]).abs();
@@ -158,7 +173,7 @@ impl Heights {
     }
 
     /// The highest place of the table or point between its places, nm.
-    pub fn top(&self, from: f64, to: f64) -> f64 {
+    fn top(&self, from: f64, to: f64) -> f64 {
         let ends = self.at(from)[0].max(self.at(to)[0]);
         let samples = (((to - from) / self.graph[3]).ceil()).clamp(1.0, 1e5) as usize;
         (0..=samples).map(|k| self.at(from + (to - from) * k as f64 / samples as f64)[0]).fold(ends, f64::max)

@@ -12,64 +12,76 @@
 //! Several points of the curve may be near, and the nearest counts. Where two are equally near (above a valley, farther from
 //! it than its centre of curvature) the distance is continuous and its gradient is not. What that costs is stated in
 //! [`Foot::runner_up`].
+//!
+//! A shape is a file here with a type that is a [`Surface`], and a line of the list below.
 
+mod along;
 mod closest;
-mod heights;
+mod flat;
 mod response;
-mod round;
 mod self_affine;
-mod sinusoid;
-pub use heights::{Heights, HeightsError};
+mod surface;
 pub use response::{GroundLaw, GroundResponse};
-pub use round::Round;
 pub use self_affine::SelfAffine;
-pub use sinusoid::Sinusoid;
+pub use surface::{Foot, Misfit, Surface};
 
+use flat::Flat;
 use std::sync::Arc;
 
-/// What a beam lies on. To add a shape is to add a file with its curve, and a line here and in each `match` below.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum Substrate {
-    /// y = 0.
-    #[default]
-    Flat,
+/// Makes the list of substrates from lines `/// what it is` and `Name(type) = file`. A file has a [`Surface`] and `NAMED`: the names by which a
+/// scene takes it, each with what makes one of which no number is given yet.
+macro_rules! substrates {
+    ($($(#[$what:meta])* $shape:ident($surface:ty) = $file:ident,)*) => {
+        $(
+            mod $file;
+            pub use $file::*;
+        )*
+
+        /// What a beam lies on.
+        #[derive(Clone, Debug, Default, PartialEq)]
+        pub enum Substrate {
+            /// y = 0.
+            #[default]
+            Flat,
+            $($(#[$what])* $shape($surface),)*
+        }
+
+        impl Substrate {
+            /// What it is asked for.
+            fn surface(&self) -> &dyn Surface {
+                match self {
+                    Self::Flat => &Flat,
+                    $(Self::$shape(surface) => surface,)*
+                }
+            }
+
+            /// The number that a scene gives by this key, if it has one.
+            pub fn number(&mut self, key: &str) -> Option<&mut f64> {
+                match self {
+                    Self::Flat => None,
+                    $(Self::$shape(surface) => surface.number(key),)*
+                }
+            }
+
+            /// What a scene may name, each with a substrate of which no number is given yet: NaN, or its default.
+            pub fn all() -> Vec<(&'static str, Self)> {
+                let mut all = vec![(Flat.name(), Self::Flat)];
+                $(all.extend($file::NAMED.iter().map(|&(name, new)| (name, Self::$shape(new().into()))));)*
+                all
+            }
+        }
+    };
+}
+
+substrates! {
     /// A sphere or a cylinder across the beam: for a beam in their plane of symmetry both are a circle.
-    Round(Round),
+    Round(Round) = round,
     /// y = H/2 (cos(2π (x - x0)/λ) - 1).
-    Sinusoid(Sinusoid),
+    Sinusoid(Sinusoid) = sinusoid,
     /// Heights by a table.
-    Profile(Arc<Heights>),
-}
-
-/// The nearest point of a substrate.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Foot {
-    /// d, nm; negative within the solid
-    pub distance: f64,
-    /// Where it is along x, nm
-    pub place: f64,
-    /// sin φ and cos φ of the substrate there
-    pub sin: f64,
-    pub cos: f64,
-    /// κ, 1/nm; positive in a valley
-    pub curvature: f64,
-    /// κ', 1/nm²
-    pub curvature_slope: f64,
-    /// Distance of the next nearest of the candidates, nm; infinite where there is one alone.
-    ///
-    /// Where it equals `distance` the energy of a section is continuous and its force jumps from T n₁ to T n₂. That happens
-    /// no nearer than the radius of the valley between the two, ρ, so that the jump is at most 2 T(ρ - h/2), to be compared
-    /// with the largest attraction T(5^(-1/6) r0): 6e-7 of it for the valleys of the paper's sinusoid, ρ = 63.3 nm, under a
-    /// strip 10 nm high.
-    pub runner_up: f64,
-}
-
-impl Foot {
-    /// Level ground with this height above it.
-    fn level(place: f64, distance: f64) -> Self {
-        let runner_up = f64::INFINITY;
-        Self { distance, place, sin: 0.0, cos: 1.0, curvature: 0.0, curvature_slope: 0.0, runner_up }
-    }
+    Profile(Arc<Heights>) = heights,
+    /// y = -(x - x0)²/(2R).
+    Ridge(Ridge) = ridge,
 }
 
 impl Substrate {
@@ -78,100 +90,69 @@ impl Substrate {
         matches!(self, Self::Flat)
     }
 
+    /// What a scene calls it.
+    pub fn name(&self) -> &'static str {
+        self.surface().name()
+    }
+
+    /// The keys of a scene that belong to it, besides that of the shape itself.
+    pub fn keys(&self) -> &'static [&'static str] {
+        self.surface().keys()
+    }
+
+    /// Makes it one of the shape that a scene calls so; where both shapes have the same keys, what was given stays. Whether there is one.
+    pub fn take_shape(&mut self, name: &str) -> bool {
+        let Some((_, mut shape)) = Self::all().into_iter().find(|(known, _)| *known == name) else { return false };
+        if shape.name() == self.name() {
+            return true;
+        }
+        if shape.keys() == self.keys() {
+            for key in self.keys() {
+                if let (Some(given), Some(place)) = (self.number(key).copied(), shape.number(key)) {
+                    *place = given;
+                }
+            }
+        }
+        *self = shape;
+        true
+    }
+
     /// The nearest point of (x, y), nm. NaN where a coordinate is.
     #[inline(never)]
     pub fn foot(&self, x: f64, y: f64) -> Foot {
-        match self {
-            Self::Flat => Foot::level(x, y),
-            Self::Round(round) => round.foot(x, y),
-            Self::Sinusoid(sinusoid) => sinusoid.foot(x, y),
-            Self::Profile(heights) => heights.foot(x, y),
-        }
+        self.surface().foot(x, y)
     }
 
     /// About how far (x, y) is above the substrate, nm: along y, or from the centre of a circle.
     pub fn clearance(&self, x: f64, y: f64) -> f64 {
-        match self {
-            Self::Flat => y,
-            Self::Round(round) => round.foot(x, y).distance,
-            Self::Sinusoid(sinusoid) => y - sinusoid.at(x)[0],
-            Self::Profile(heights) => y - heights.at(x)[0],
-        }
+        self.surface().clearance(x, y)
     }
 
     /// The highest point between two places, nm.
     pub fn top(&self, from: f64, to: f64) -> f64 {
-        match self {
-            Self::Flat => 0.0,
-            Self::Round(round) => round.top(from, to),
-            Self::Sinusoid(sinusoid) => sinusoid.top(from, to),
-            Self::Profile(heights) => heights.top(from, to),
-        }
+        self.surface().top(from, to)
     }
 
     /// How high it may rise above where a beam lies on it, nm: from valley to crest; zero where it has no valley.
     pub fn relief(&self) -> f64 {
-        match self {
-            Self::Flat | Self::Round(_) => 0.0,
-            Self::Sinusoid(sinusoid) => sinusoid.height,
-            Self::Profile(heights) => heights.relief(),
-        }
+        self.surface().relief()
     }
 
     /// The length in which it changes, nm: no element may be much longer. Infinite where it is the same everywhere.
     pub fn detail(&self) -> f64 {
-        match self {
-            Self::Flat => f64::INFINITY,
-            Self::Round(round) => round.radius,
-            Self::Sinusoid(sinusoid) => sinusoid.wavelength,
-            Self::Profile(heights) => heights.detail(),
-        }
+        self.surface().detail()
     }
 
-    /// The place at this distance above x, nm: the y that is `distance` from the substrate.
-    pub fn above(&self, x: f64, distance: f64) -> f64 {
-        let mut y = self.top(x - distance, x + distance) + distance;
-        // the distance is concave along a line on a convex body and at most as steep as the line: the steps stay above
-        for _ in 0..MOST_LEVELLING {
-            let off = self.foot(x, y).distance - distance;
-            y -= off;
-            if off.abs() <= LEVELLED * distance {
-                break;
-            }
-        }
-        y
+    /// The convex body that a crest is like.
+    pub fn crest(&self) -> crate::adhesion::Shape {
+        self.surface().crest()
     }
 
-    /// The line that keeps this distance to the substrate, from above x = 0 on: x, y and φ at each of the ascending lengths
-    /// `places` along it, nm. Valleys narrower than the distance are passed over, as by a ball that rolls.
-    pub fn along(&self, distance: f64, places: &[f64]) -> Vec<[f64; 3]> {
-        let (mut x, mut y, mut here) = (0.0, self.above(0.0, distance), 0.0);
-        let step = (0.02 * distance).min(0.005 * self.detail());
-        let line = places.iter().map(|&place| {
-            let steps = ((place - here) / step).ceil().clamp(0.0, MOST_A_PLACE);
-            for _ in 0..steps as usize {
-                let length = (place - here) / steps;
-                let from = self.foot(x, y);
-                // the middle of the step, its direction, and back to the distance
-                let middle = self.foot(x + 0.5 * length * from.cos, y + 0.5 * length * from.sin);
-                (x, y) = (x + length * middle.cos, y + length * middle.sin);
-                let to = self.foot(x, y);
-                (x, y) = (x + (to.distance - distance) * to.sin, y - (to.distance - distance) * to.cos);
-            }
-            here = place;
-            let foot = self.foot(x, y);
-            [x, y, foot.sin.atan2(foot.cos)]
-        });
-        line.collect()
+    /// What of its numbers do not fit each other.
+    pub fn misfit(&self) -> Option<Misfit> {
+        self.surface().misfit()
     }
 }
-
-/// Steps that lower a point to a distance, and how near they come, relative.
-const MOST_LEVELLING: usize = 200;
-const LEVELLED: f64 = 1e-13;
-
-/// Steps along a line from place to place.
-const MOST_A_PLACE: f64 = 1e3;
 
 #[cfg(test)]
 mod tests;

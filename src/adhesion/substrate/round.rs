@@ -1,6 +1,6 @@
 //! A sphere or a cylinder.
 
-use super::Foot;
+use super::surface::{Foot, Misfit, Surface};
 use crate::adhesion::Shape;
 
 /// A sphere, or a cylinder whose axis is across the beam. Its top is at y = 0.
@@ -13,9 +13,57 @@ pub struct Round {
     pub offset: f64,
 }
 
-impl Round {
+/// As scenes name them.
+pub(super) const NAMED: &[(&str, fn() -> Round)] =
+    &[("sphere", || new(Shape::Sphere)), ("cylinder", || new(Shape::Cylinder))];
+
+fn new(shape: Shape) -> Round {
+    Round { shape, radius: f64::NAN, offset: 0.0 }
+}
+
+impl Surface for Round {
+    fn name(&self) -> &'static str {
+        match self.shape {
+            Shape::Sphere => "sphere",
+            Shape::Cylinder => "cylinder",
+        }
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["radius", "offset", "start"]
+    }
+
+    fn number(&mut self, key: &str) -> Option<&mut f64> {
+        match key {
+            "radius" => Some(&mut self.radius),
+            "offset" => Some(&mut self.offset),
+            _ => None,
+        }
+    }
+
+    fn misfit(&self) -> Option<Misfit> {
+        let Self { radius, offset, .. } = self;
+        (offset.abs() >= *radius).then(|| Misfit {
+            key: "substrate.offset",
+            found: format!("is {offset} nm, and the strip begins beside the body, whose radius is {radius} nm"),
+            remedy: "Let the strip begin above it: an `offset` less than `radius`.",
+        })
+    }
+
+    fn clearance(&self, x: f64, y: f64) -> f64 {
+        self.foot(x, y).distance
+    }
+
+    fn detail(&self) -> f64 {
+        self.radius
+    }
+
+    fn crest(&self) -> Shape {
+        self.shape
+    }
+
     /// d = √(ξ² + (y + R)²) - R with ξ = x - x0, without the difference of two large numbers: κ = -1/R, κ' = 0.
-    pub fn foot(&self, x: f64, y: f64) -> Foot {
+    fn foot(&self, x: f64, y: f64) -> Foot {
         let (across, up) = (x - self.offset, y + self.radius);
         let from_center = across.hypot(up);
         let (sin, cos) = (-across / from_center, up / from_center);
@@ -30,8 +78,8 @@ impl Round {
         }
     }
 
-    /// The highest point between two places, nm; its equator beside it.
-    pub fn top(&self, from: f64, to: f64) -> f64 {
+    /// The equator beside it.
+    fn top(&self, from: f64, to: f64) -> f64 {
         let beside = self.offset.clamp(from.min(to), from.max(to)) - self.offset;
         let share = (beside / self.radius).clamp(-1.0, 1.0);
         self.radius * ((1.0 - share * share).sqrt() - 1.0)

@@ -1,7 +1,7 @@
 //! A wavy substrate.
 
-use super::Foot;
 use super::closest::{Graph, closest};
+use super::surface::{Foot, Surface};
 use std::f64::consts::TAU;
 
 /// y = H/2 (cos(2π (x - x0)/λ) - 1): crests at y = 0, valleys at y = -H.
@@ -29,8 +29,47 @@ impl Sinusoid {
         [a * down, -a * k * sin, -a * k * k * cos, a * k * k * k * sin]
     }
 
-    /// The nearest point.
-    pub fn foot(&self, x: f64, y: f64) -> Foot {
+    /// The smallest radius of curvature, of crests and of valleys alike, nm: λ²/(2π² H).
+    pub fn radius(&self) -> f64 {
+        (self.wavelength / TAU).powi(2) / (0.5 * self.height)
+    }
+}
+
+/// As scenes name it.
+pub(super) const NAMED: &[(&str, fn() -> Sinusoid)] =
+    &[("sinusoid", || Sinusoid { height: f64::NAN, wavelength: f64::NAN, offset: 0.0 })];
+
+impl Surface for Sinusoid {
+    fn name(&self) -> &'static str {
+        "sinusoid"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["height", "wavelength", "offset", "start"]
+    }
+
+    fn number(&mut self, key: &str) -> Option<&mut f64> {
+        match key {
+            "height" => Some(&mut self.height),
+            "wavelength" => Some(&mut self.wavelength),
+            "offset" => Some(&mut self.offset),
+            _ => None,
+        }
+    }
+
+    fn clearance(&self, x: f64, y: f64) -> f64 {
+        y - self.at(x)[0]
+    }
+
+    fn relief(&self) -> f64 {
+        self.height
+    }
+
+    fn detail(&self) -> f64 {
+        self.wavelength
+    }
+
+    fn foot(&self, x: f64, y: f64) -> Foot {
         let k = TAU / self.wavelength;
         let bend = 0.5 * self.height * k * k;
         let graph = Graph { ceiling: 0.0, top: 0.0, bottom: -self.height, bend, step: self.wavelength / SAMPLES };
@@ -39,14 +78,8 @@ impl Sinusoid {
         closest(|s| self.at(s), &graph, [x, crest], (x, y))
     }
 
-    /// The highest point between two places, nm.
-    pub fn top(&self, from: f64, to: f64) -> f64 {
+    fn top(&self, from: f64, to: f64) -> f64 {
         let crest = self.offset + ((from - self.offset) / self.wavelength).ceil() * self.wavelength;
         if crest <= to { 0.0 } else { self.at(from)[0].max(self.at(to)[0]) }
-    }
-
-    /// The smallest radius of curvature, of crests and of valleys alike, nm: λ²/(2π² H).
-    pub fn radius(&self) -> f64 {
-        (self.wavelength / TAU).powi(2) / (0.5 * self.height)
     }
 }

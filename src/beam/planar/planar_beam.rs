@@ -415,6 +415,14 @@ impl System for PlanarBeam {
         (self.evaluation(at, energy), rates)
     }
 
+    fn gradient(&self, at: &State, _weights: [f64; MONITORS]) -> Vec<f64> {
+        vec![0.0; at.values.len()]
+    }
+
+    fn residual(&self, at: &State) -> Vec<f64> {
+        vec![0.0; at.values.len()]
+    }
+
     fn size(&self, direction: &[f64], values: &[f64]) -> f64 {
         let (fields, rotation, up) = (self.fields(), self.rotation, self.rotation - 1);
         let per_rotation = 1.0 / self.scale[rotation];

@@ -5,9 +5,8 @@
 //! before the next step, and before the pull: the force on what is free falls to zero first. The equilibria are followed as a path in
 //! what is moved; there is no time in it. A step ends at its amount, and not beyond a loss of stability, where a beam would jump.
 
-use crate::adhesion::CohesiveShape;
 use crate::beam::{BUNDLE, FRONT, GripForces, GripState};
-use crate::model::{Attraction, Moved, PeelModel, PlanarProblem, Step};
+use crate::model::{Moved, PeelModel, PlanarProblem, Step};
 use crate::solve::{
     Direction, EndConditions, INTERFACE, InitialState, LimitPointKind, Located, MOST_POINTS, NewtonOptions,
     Observables, Path, PathConstraint, PathError, PathOptions, PathSegment, ShouldStop, Solution, SolveError, State,
@@ -91,10 +90,7 @@ fn elements(model: &PeelModel, problem: &PlanarProblem) -> usize {
         return at.mesh.elements() / 2;
     }
     let span = (model.length() / model.process_length()).asinh();
-    let corners = match model.adhesion.attraction {
-        Attraction::Cohesive(CohesiveShape::Bilinear | CohesiveShape::Dugdale) => CORNERED,
-        _ => 1.0,
-    };
+    let corners = if model.adhesion.attraction.corners() > 1.0 { CORNERED } else { 1.0 };
     let slides = model.sticking_length().map_or(0.0, |_| (model.length() / model.detail()).min(MOST_SLIDING));
     let elements = corners * (SHORT + span * span) + slides;
     (elements.ceil() as usize + A_BREAK * model.breaks().len()).next_multiple_of(BUNDLE)

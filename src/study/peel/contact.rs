@@ -2,9 +2,9 @@
 //! the half space that stands for it.
 
 use super::{Peel, Shape};
-use crate::adhesion::{self, CurvedBody, HalfSpace, Sinusoid, Substrate};
+use crate::adhesion::{CurvedBody, HalfSpace, Sinusoid, Substrate};
 use crate::beam::{FRONT, MeshKind};
-use crate::model::{Body, Discretisation, Form, Ground, PeelModel, Start};
+use crate::model::{Discretisation, Form, Ground, PeelModel, Start};
 use crate::solve::LimitPointKind;
 use crate::study::accuracy::ORDER;
 use crate::study::initial::prepared;
@@ -110,7 +110,7 @@ struct Whole {
 
 impl Whole {
     fn of(model: &PeelModel, samples: &[Sample], near: f64) -> Option<Self> {
-        if matches!(model.body, Body::Strip(_)) {
+        if model.is_uniform() {
             let length = steps(samples).sum();
             return Some(Self { samples: samples.len(), length, front: model.length() });
         }
@@ -173,10 +173,7 @@ fn samples(substrate: &Substrate, shape: &Shape) -> Vec<Sample> {
 
 /// Traction in front of a convex body of this radius over that of the half space, less one.
 fn curvature_error(substrate: &Substrate, material: &HalfSpace, radius: f64) -> f64 {
-    let shape = match substrate {
-        Substrate::Round(round) => round.shape,
-        _ => adhesion::Shape::Cylinder,
-    };
+    let shape = substrate.crest();
     let gap = material.strongest_gap();
     CurvedBody { shape, radius }.traction(material, gap) / material.traction(gap) - 1.0
 }

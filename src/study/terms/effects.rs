@@ -11,7 +11,7 @@
 
 use super::decision::Term;
 use super::section_sampling::{Point, SectionSampling};
-use crate::adhesion::{Law, LineLaw, LineLoad};
+use crate::adhesion::{LineLaw, LineLoad};
 use crate::model::{Hold, PeelModel};
 use crate::study::peel::{Peel, SolutionHistory};
 
@@ -38,7 +38,7 @@ fn terms(model: &PeelModel, trace: &SolutionHistory) -> Vec<TermEffect> {
     };
     let law = model.line_law();
     if model.ground.substrate.is_flat() {
-        if has_far_face(&law) {
+        if law.has_far_face() {
             let near = LineLaw { far_face: false, ..law };
             add(Term::FarFace, probe.rate(|at| at.adhesion(&near) - at.adhesion(&law)));
         }
@@ -57,11 +57,6 @@ fn terms(model: &PeelModel, trace: &SolutionHistory) -> Vec<TermEffect> {
     }
     effects.retain(|effect| effect.force.is_finite());
     effects
-}
-
-/// Whether the upper face of a section makes a difference.
-pub(super) fn has_far_face(law: &LineLaw) -> bool {
-    law.far_face && !matches!(law.law, Law::Cohesive(_))
 }
 
 impl Peel {

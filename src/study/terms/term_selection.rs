@@ -5,11 +5,10 @@
 //! else the term that changes most is put back, and the path followed again.
 
 use super::decision::{KeptReason, LeftOut, Term, TermDecisions, Terms};
-use super::effects::has_far_face;
 use super::first_order_change::FirstOrderChange;
 use super::section_sampling::SectionSampling;
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
-use crate::model::{Body, Form, Friction, Ground, Hold, PeelModel};
+use crate::model::{Form, Friction, Ground, Hold, PeelModel};
 use crate::solve::{Direction, Solution};
 use crate::study::peel::run as whole_path;
 use crate::study::peel::{End, LimitPoint, Peel, SolutionHistory};
@@ -151,11 +150,11 @@ fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, KeptRe
         let deep = deep.then_some(KeptReason::NotTold("the ground is deeper than a tenth of r0"));
         let free = model.grip.rotation == Hold::Free && model.grip.horizontal == Hold::Free;
         let held = (!free).then_some(KeptReason::NotTold("the grip holds the beam as it has come to lie"));
-        let curved = !matches!(model.body, Body::Strip(_));
+        let curved = !model.is_uniform();
         let curved = curved.then_some(KeptReason::NotTold("the beam is not straight when it is free of stress"));
         consider(Term::Ground, driven.or(curved).or(deep).or(held));
     }
-    if has_far_face(&law) {
+    if law.has_far_face() {
         // what it takes of the work of adhesion it takes of the force behind the peak
         let share = 1.0 - law.rest_energy() / LineLaw { far_face: false, ..law }.rest_energy();
         let matters = (SAFETY * UPPER * share > relative).then_some(KeptReason::Matters(share));

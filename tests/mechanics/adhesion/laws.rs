@@ -1,7 +1,7 @@
 //! The other laws of adhesion: surface traction and cohesive laws on a tilted section.
 //!
 //! Reference: R. A. Sauer, Advances in the computational modeling of the gecko adhesion mechanism, eqs. (10)-(12); for the
-//! cohesive laws their own definitions (`src/adhesion/cohesive/`).
+//! cohesive laws their own definitions (`src/adhesion/section/cohesive/`).
 //!
 //!         ___/                θ: rotation of the section's middle line, h = 10 nm
 //!     ___/  /                 surface traction: T(r1) cos θ on the bottom face, -T(r2) cos θ on the top face,
@@ -20,14 +20,15 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use peelkit::adhesion::{Cohesive, CohesiveShape, Law, LineLaw, LineLoad, LineResponse};
 use peelkit::model::StripModel;
 
-const SHAPES: [CohesiveShape; 3] = [CohesiveShape::Bilinear, CohesiveShape::Exponential, CohesiveShape::Dugdale];
+const SHAPES: &[CohesiveShape] = CohesiveShape::ALL;
 const LOADS: [LineLoad; 3] = [LineLoad::Full, LineLoad::ForceOnly, LineLoad::AxisGap];
 const GAPS: [f64; 6] = [0.2, 0.2547, 0.29, 0.41, 0.7, 1.5];
 const DEGREES: [f64; 10] = [0.0, 0.4, 3.0, 11.0, 40.0, 83.0, -7.0, -30.0, 104.0, 170.0];
 
 fn laws() -> Vec<LineLaw> {
     let cohesive = SHAPES
-        .map(|shape| Law::Cohesive(Cohesive::calibrated(shape, PAPER.strength(), PAPER.work_of_adhesion(), &PAPER)));
+        .iter()
+        .map(|&shape| Law::Cohesive(Cohesive::calibrated(shape, PAPER.strength(), PAPER.work_of_adhesion(), &PAPER)));
     let mut laws = Vec::new();
     for law in [Law::SurfaceTraction].into_iter().chain(cohesive) {
         for line_load in LOADS {
@@ -132,7 +133,7 @@ fn flat_sections() {
             epsilon = 1e-13 * scale.max(1.0)
         );
     }
-    for shape in SHAPES {
+    for &shape in SHAPES {
         let law = Cohesive::calibrated(shape, 0.05, 0.02, &PAPER);
         let largest =
             (1..4000).map(|k| -flat(Law::Cohesive(law), law.closed + 1e-3 * f64::from(k))).fold(0.0, f64::max);
@@ -144,7 +145,7 @@ fn flat_sections() {
 #[test]
 fn work_of_adhesion_of_a_strip() {
     let mut model = StripModel::of_the_paper(100.0, 1.0);
-    for shape in SHAPES {
+    for &shape in SHAPES {
         model.adhesion.attraction = peelkit::model::Attraction::Cohesive(shape);
         assert_relative_eq!(-model.line_law().rest_energy(), PAPER.work_of_adhesion(), max_relative = 1e-13);
     }

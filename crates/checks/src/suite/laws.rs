@@ -34,8 +34,7 @@ const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None
 
 fn run() -> Vec<Check> {
     let mut checks = TABLE.checks();
-    let shapes = [CohesiveShape::Bilinear, CohesiveShape::Exponential, CohesiveShape::Dugdale];
-    checks.extend(shapes.par_iter().map(|&shape| steady(shape)).collect::<Vec<_>>());
+    checks.extend(CohesiveShape::ALL.par_iter().map(|&shape| steady(shape)).collect::<Vec<_>>());
     checks
 }
 

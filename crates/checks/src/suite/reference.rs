@@ -1,6 +1,6 @@
 //! The tables of `verification/`, built into the program so that a check needs no file and no Python.
 
-use peelkit::adhesion::{CohesiveShape, LineLoad};
+use peelkit::adhesion::LineLoad;
 use peelkit::model::{Attraction, Friction, Hold, PeelModel, Step, StripModel};
 use std::collections::HashMap;
 
@@ -45,14 +45,9 @@ impl Row {
         grip.pretension = self.number("pretension_nN");
         let holds = [("free", Hold::Free), ("fixed", Hold::Fixed)];
         let loads = [("full", LineLoad::Full), ("force-only", LineLoad::ForceOnly), ("axis-gap", LineLoad::AxisGap)];
-        let laws = [
-            ("body-force", Attraction::BodyForce),
-            ("surface-traction", Attraction::SurfaceTraction),
-            ("bilinear", Attraction::Cohesive(CohesiveShape::Bilinear)),
-            ("exponential", Attraction::Cohesive(CohesiveShape::Exponential)),
-            ("dugdale", Attraction::Cohesive(CohesiveShape::Dugdale)),
-        ];
-        self.pick("law", &laws, &mut adhesion.attraction)?;
+        if let Some(word) = self.text("law") {
+            adhesion.attraction = Attraction::named(word)?;
+        }
         self.pick("grip_rotation", &holds, &mut grip.rotation)?;
         self.pick("grip_horizontal", &holds, &mut grip.horizontal)?;
         self.pick("grip_across", &holds, &mut grip.horizontal)?;

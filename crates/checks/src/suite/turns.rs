@@ -3,13 +3,13 @@
 use super::check::missing;
 use super::reference::{Row, read};
 use super::{Check, Measure, bounds};
+use peelkit::adhesion::Attraction;
 use peelkit::study::{Accuracy, Bounds, End, peel};
 use rayon::prelude::*;
 
 /// Relative errors asked for: the default, and a fine one, of which a law with corners is not capable, nor a path that remembers
 /// how it has slid.
 const ACCURACIES: [f64; 2] = [1e-6, 1e-9];
-const CORNERED: [&str; 2] = ["bilinear", "dugdale"];
 const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
 
 /// A table of turning points.
@@ -27,7 +27,7 @@ impl Turns {
     pub fn checks(&self) -> Vec<Check> {
         let rows = read(self.table);
         let accuracies = |row: &Row| match row.text("law") {
-            Some(law) if CORNERED.contains(&law) => &ACCURACIES[..1],
+            Some(law) if Attraction::named(law).is_some_and(|law| law.corners() > 1.0) => &ACCURACIES[..1],
             _ if row.text("tau0_GPa").is_some() => &ACCURACIES[..1],
             _ => &ACCURACIES[..],
         };

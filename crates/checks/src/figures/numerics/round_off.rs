@@ -26,7 +26,7 @@ pub(in crate::figures) fn figure(dir: &Path) -> Result<Figure, ReportError> {
     });
     let caption = "Digits on which the paper's form of the line load, eqs. (17) and (20), and its potential \
                    [W(r1) - W(r2)]/cos θ agree with the form without cancellation that the program uses \
-                   (`src/adhesion/line_load.rs`), both in double precision, as a section comes upright; its lower edge stays at r0, \
+                   (`src/adhesion/section/line_load.rs`), both in double precision, as a section comes upright; its lower edge stays at r0, \
                    h = 10 nm. The force is a difference of nearly equal tractions over cos θ and loses a digit a decade, the \
                    moment two. At cos θ = 0 they are 0/0. The form that is used is that of tanh-sinh quadrature to 12 digits at every \
                    tilt (`peel verify --only levels`)."

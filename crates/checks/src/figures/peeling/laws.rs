@@ -40,7 +40,7 @@ struct Series {
 
 pub(in crate::figures) fn figures(runner: &Runner<'_>, dir: &Path) -> Result<Vec<Figure>, ReportError> {
     let all = LAWS.map(|(attraction, name, colour)| {
-        let cornered = matches!(attraction, Attraction::Cohesive(CohesiveShape::Bilinear | CohesiveShape::Dugdale));
+        let cornered = attraction.corners() > 1.0;
         let rows = |moduli: std::ops::RangeInclusive<i32>, model: PeelModel| {
             let cases = moduli.map(|decade| {
                 let modulus = 2.0 * 10f64.powi(decade);

@@ -3,7 +3,7 @@
 //! A corner at x = 0 is the ramp max(x, 0), rounded over |x| < e: with t = x/e, e R(t), where R'' = (35/32)(1 - t²)³. R is four
 //! times continuously differentiable; its corner is lifted by 35/256 e, and its integral by e²/18.
 
-use super::At;
+use super::at::At;
 
 /// One corner.
 #[derive(Clone, Copy)]

@@ -6,11 +6,11 @@
 //!   T_c = cos θ [T(r1) - T(r2)],   M_c = (h/2) sin θ cos θ [T(r1) + T(r2)].
 //!
 //! It has no potential: ∂T_c/∂θ - ∂M_c/∂y = -sin θ [T(r1) - T(r2)]. Over the four faces of a piece the traction is the body force
-//! ([`super::Piece`]); the faces at the ends of a beam, which would make up for that, are left out, as in a mesh of which the
+//! ([`crate::adhesion::Piece`]); the faces at the ends of a beam, which would make up for that, are left out, as in a mesh of which the
 //! bottom face alone is a contact surface. As its energy stands cos θ [W(r1) - W(r2)], whose slope along y is -T_c.
 
-use super::line_load::one_minus;
-use super::{HalfSpace, LineResponse};
+use super::response::{LineResponse, one_minus};
+use crate::adhesion::HalfSpace;
 use crate::number::Real;
 
 /// The bottom face and, turned the other way, the top face.

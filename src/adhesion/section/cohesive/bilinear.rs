@@ -3,8 +3,11 @@
 //! Source: P. P. Camanho, C. G. Dávila, NASA/TM-2002-211737 (2002), for one mode and without damage: it closes as it has opened.
 //! Its corners are rounded, so that elements of high order keep their order.
 
-use super::At;
+use super::at::At;
 use super::ramp::{Corner, Lines};
+
+pub(super) const NAME: &str = "bilinear";
+pub(super) const CORNERS: f64 = 5.0;
 
 /// Where the top is, as a share of the range, which is rounded over ± half of that.
 const RISE: f64 = 0.1;

@@ -2,7 +2,10 @@
 //!
 //! Source: J. H. Rose, J. Ferrante, J. R. Smith, Universal binding energy curves for metals and bimetallic interfaces (1981).
 
-use super::At;
+use super::at::At;
+
+pub(super) const NAME: &str = "exponential";
+pub(super) const CORNERS: f64 = 1.0;
 
 #[inline]
 pub(super) fn at(t: f64) -> At {

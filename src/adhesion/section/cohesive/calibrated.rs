@@ -1,4 +1,4 @@
-//! Cohesive laws: traction against opening of the face that looks down, in place of a half space's.
+//! A cohesive law: traction against opening of the face that looks down, in place of a half space's.
 //!
 //! The face at the distance r from the substrate is open by δ = r - r_eq. With the range δ_r the nominal traction, per area of
 //! reference, is -σ s(δ/δ_r): it attracts where the face is open, and repels where it is pressed. A shape has a largest s of 1, so
@@ -9,24 +9,10 @@
 //!
 //! Where the section is upright, cos θ = 0, the face that looks down is another one, and M_c changes its sign.
 
-mod bilinear;
-mod dugdale;
-mod exponential;
-mod ramp;
-
-use super::{HalfSpace, LineResponse, line_load::one_minus};
+use super::CohesiveShape;
+use crate::adhesion::HalfSpace;
+use crate::adhesion::section::LineResponse;
 use crate::number::Real;
-
-/// How the traction falls with the opening.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CohesiveShape {
-    /// It rises and falls in straight lines, with rounded corners.
-    Bilinear,
-    /// s = t exp(1 - t)
-    Exponential,
-    /// The same over most of its range; flanks are steep, corners rounded.
-    Dugdale,
-}
 
 /// A cohesive law.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,25 +24,6 @@ pub struct Cohesive {
     pub range: f64,
     /// r_eq, the distance at which a face is closed, nm
     pub closed: f64,
-}
-
-/// A shape at one opening t = δ/δ_r: ∫ s from t on, s, and its slope.
-type At = [f64; 3];
-
-impl CohesiveShape {
-    #[inline(always)]
-    fn at(self, t: f64) -> At {
-        match self {
-            Self::Bilinear => bilinear::at(t),
-            Self::Exponential => exponential::at(t),
-            Self::Dugdale => dugdale::at(t),
-        }
-    }
-
-    /// ∫ s over the openings above zero: the work of adhesion over strength and range.
-    pub fn work(self) -> f64 {
-        self.at(0.0)[0]
-    }
 }
 
 impl Cohesive {
@@ -87,23 +54,8 @@ impl Cohesive {
 
     /// The load on a section whose face is at the distance `gap` where it is not tilted.
     #[inline(never)]
-    pub(super) fn on_face<T: Real>(&self, height: T, gap: T, sin: T, cos: T) -> LineResponse<T> {
-        let (s, c) = (cos.choose(sin, -sin), cos.choose(cos, -cos));
-        let half = height * 0.5;
-        let [w, t, b] = self.levels(gap + one_minus(s, c) * half);
-        let lever = half * s;
-        let by_rotation = -t * lever;
-        let mixed = b * lever;
-        LineResponse {
-            energy: w,
-            by_gap: -t,
-            by_rotation,
-            energy_by_rotation: by_rotation,
-            gap_gap: b,
-            gap_rotation: mixed,
-            rotation_gap: mixed,
-            rotation_rotation: b * lever * lever - t * half * c,
-        }
+    pub(in crate::adhesion::section) fn on_face<T: Real>(&self, height: T, gap: T, sin: T, cos: T) -> LineResponse<T> {
+        LineResponse::of_face(|r| self.levels(r), height, gap, sin, cos)
     }
 }
 
@@ -114,12 +66,12 @@ mod tests {
     use approx::{assert_abs_diff_eq, assert_relative_eq};
     use std::num::NonZeroUsize;
 
-    const SHAPES: [CohesiveShape; 3] = [CohesiveShape::Bilinear, CohesiveShape::Exponential, CohesiveShape::Dugdale];
+    const SHAPES: &[CohesiveShape] = CohesiveShape::ALL;
     const PAPER: HalfSpace = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };
 
     #[test]
     fn each_is_minus_the_slope_of_the_one_before() {
-        for shape in SHAPES {
+        for &shape in SHAPES {
             for k in -40..400 {
                 let (t, d) = (0.003_7 * f64::from(k), 1e-4);
                 let slope = |i: usize| {
@@ -137,7 +89,7 @@ mod tests {
     #[test]
     fn work_and_strength_are_those_asked_for() {
         let rule = Rule::new(NonZeroUsize::new(12).unwrap());
-        for shape in SHAPES {
+        for &shape in SHAPES {
             let (strength, work) = (PAPER.strength(), PAPER.work_of_adhesion());
             let law = Cohesive::calibrated(shape, strength, work, &PAPER);
             let traction = |delta: f64| -law.levels(law.closed + delta)[1];
@@ -160,7 +112,7 @@ mod tests {
 
     #[test]
     fn reach_is_where_a_thousandth_is_left() {
-        for shape in SHAPES {
+        for &shape in SHAPES {
             let law = Cohesive::calibrated(shape, 0.2, 0.03, &PAPER);
             assert_relative_eq!(-law.levels(law.reach())[1], 2e-4, max_relative = 1e-6);
         }

@@ -3,8 +3,11 @@
 //! Source: D. S. Dugdale, Yielding of steel sheets containing slits (1960); D. Maugis (1992) for adhesion. It rises over a tenth of
 //! its range and falls over a fifth, with rounded corners, so that elements of high order keep their order.
 
-use super::At;
+use super::at::At;
 use super::ramp::{Corner, Lines};
+
+pub(super) const NAME: &str = "dugdale";
+pub(super) const CORNERS: f64 = 10.0;
 
 /// What the flanks take of the range; the corners at their ends are rounded over ± half of that.
 const RISE: f64 = 0.1;

@@ -1,0 +1,4 @@
+//! What resists sliding, with memory.
+
+mod dahl;
+pub use dahl::{FrictionLaw, Slip, Traction};

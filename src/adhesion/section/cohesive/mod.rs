@@ -1,0 +1,68 @@
+//! Cohesive laws: traction against opening of the face that looks down, in place of a half space's.
+//!
+//! A shape is a file here that says what the law is called, what its corners take, and what it is, and a line of the list below.
+
+mod at;
+mod calibrated;
+mod ramp;
+pub use calibrated::Cohesive;
+
+use at::At;
+
+/// Makes the list of shapes from lines `/// what it is` and `Name = file`. A file has `NAME`, as a scene calls the law, `CORNERS`, how many
+/// times as many elements it takes as a law without corners, and `at`.
+macro_rules! shapes {
+    ($($(#[$what:meta])* $shape:ident = $file:ident,)*) => {
+        $(mod $file;)*
+
+        /// How the traction falls with the opening.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum CohesiveShape {
+            $($(#[$what])* $shape,)*
+        }
+
+        impl CohesiveShape {
+            /// Every shape.
+            pub const ALL: &'static [Self] = &[$(Self::$shape),*];
+
+            #[inline(always)]
+            fn at(self, t: f64) -> At {
+                match self {
+                    $(Self::$shape => $file::at(t),)*
+                }
+            }
+
+            /// What a scene calls the law.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$shape => $file::NAME,)*
+                }
+            }
+
+            /// How many times as many elements its corners take: the narrower they are, the more; 1 where it has none.
+            pub const fn corners(self) -> f64 {
+                match self {
+                    $(Self::$shape => $file::CORNERS,)*
+                }
+            }
+        }
+    };
+}
+
+shapes! {
+    /// It rises and falls in straight lines, with rounded corners.
+    Bilinear = bilinear,
+    /// s = t exp(1 - t)
+    Exponential = exponential,
+    /// The same over most of its range; flanks are steep, corners rounded.
+    Dugdale = dugdale,
+    /// s = 27/4 t (1 - t)² up to t = 1
+    Polynomial = polynomial,
+}
+
+impl CohesiveShape {
+    /// ∫ s over the openings above zero: the work of adhesion over strength and range.
+    pub fn work(self) -> f64 {
+        self.at(0.0)[0]
+    }
+}

@@ -1,0 +1,119 @@
+//! What pulls a section, and everything that is asked of it elsewhere.
+
+use super::{Cohesive, CohesiveShape, OwnLaw};
+use crate::adhesion::HalfSpace;
+
+/// What pulls, without its numbers: what a scene names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Attraction {
+    /// The half space's body force over the height of the section.
+    BodyForce,
+    /// The half space's traction on the faces of the section.
+    SurfaceTraction,
+    /// A cohesive law between the face that looks down and the substrate.
+    Cohesive(CohesiveShape),
+    /// A law of the user's own.
+    Own(OwnLaw),
+}
+
+/// What pulls a tilted section.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Law {
+    /// The body force of eq. (9) over its height, eqs. (17)-(22). It has a potential.
+    BodyForce,
+    /// The traction of eq. (10) on its faces, eqs. (11) and (12). It has none.
+    SurfaceTraction,
+    /// A cohesive law between the face that looks down and the substrate, in place of the half space's traction. It has a potential.
+    Cohesive(Cohesive),
+    /// A law of the user's own.
+    Own(OwnLaw),
+}
+
+impl Attraction {
+    /// Everything that a scene may name, in the order in which help and messages list it.
+    pub fn all() -> impl Iterator<Item = Self> {
+        [Self::BodyForce, Self::SurfaceTraction].into_iter().chain(Self::cohesive())
+    }
+
+    /// The cohesive ones among them.
+    pub fn cohesive() -> impl Iterator<Item = Self> {
+        CohesiveShape::ALL.iter().map(|&shape| Self::Cohesive(shape))
+    }
+
+    /// What a scene calls it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::BodyForce => "body-force",
+            Self::SurfaceTraction => "surface-traction",
+            Self::Cohesive(shape) => shape.name(),
+            Self::Own(own) => own.law().name(),
+        }
+    }
+
+    /// What a scene calls so.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::all().find(|attraction| attraction.name() == name)
+    }
+
+    /// How many times as many elements its corners take: the narrower they are, the more; 1 where it has none.
+    pub fn corners(self) -> f64 {
+        match self {
+            Self::BodyForce | Self::SurfaceTraction => 1.0,
+            Self::Cohesive(shape) => shape.corners(),
+            Self::Own(own) => own.law().corners(),
+        }
+    }
+
+    /// Whether friction goes with it, whose limit is that of a face in the half space's contact.
+    pub fn takes_friction(self) -> bool {
+        self.is_of_half_space()
+    }
+
+    /// Whether work of adhesion and strength may be given; all others follow from their own constants.
+    pub fn takes_work_and_strength(self) -> bool {
+        matches!(self, Self::Cohesive(_))
+    }
+
+    fn is_of_half_space(self) -> bool {
+        matches!(self, Self::BodyForce | Self::SurfaceTraction)
+    }
+
+    /// The law with its numbers: work of adhesion (nN/nm) and strength (nN/nm²) of a cohesive one, which are else the half space's.
+    pub fn law(self, half_space: &HalfSpace, work: Option<f64>, strength: Option<f64>) -> Law {
+        match self {
+            Self::BodyForce => Law::BodyForce,
+            Self::SurfaceTraction => Law::SurfaceTraction,
+            Self::Cohesive(shape) => {
+                let strength = strength.unwrap_or_else(|| half_space.strength());
+                let work = work.unwrap_or_else(|| half_space.work_of_adhesion());
+                Law::Cohesive(Cohesive::calibrated(shape, strength, work, half_space))
+            }
+            Self::Own(own) => Law::Own(own),
+        }
+    }
+}
+
+impl Law {
+    /// Whether force and moment derive from a potential.
+    pub fn has_potential(&self) -> bool {
+        match self {
+            Self::BodyForce | Self::Cohesive(_) => true,
+            Self::SurfaceTraction => false,
+            Self::Own(own) => own.law().has_potential(),
+        }
+    }
+
+    /// Whether the face that looks up may make a difference.
+    pub fn has_far_face(&self) -> bool {
+        matches!(self, Self::BodyForce | Self::SurfaceTraction)
+    }
+
+    /// As [`super::LineLaw::reach`].
+    pub(super) fn reach(&self, half_space: &HalfSpace) -> f64 {
+        match self {
+            Self::BodyForce | Self::SurfaceTraction => 10.0 * half_space.equilibrium_distance,
+            Self::Cohesive(law) => law.reach(),
+            Self::Own(own) => own.law().reach(),
+        }
+    }
+}

@@ -1,0 +1,17 @@
+//! What pulls a section of a beam: one law a file, and [`Law`], which answers everything about itself.
+//!
+//! A law of the half space is a file here. A cohesive law is a file in `cohesive/` and a line of its list. A law of the user's own is a
+//! [`SectionLaw`]. [`LineLaw`] is a law with the height of a section and with what of it reaches the axis.
+
+mod body_force;
+mod cohesive;
+mod law;
+mod line_load;
+mod own;
+mod response;
+mod surface_traction;
+pub use cohesive::{Cohesive, CohesiveShape};
+pub use law::{Attraction, Law};
+pub use line_load::{LineLaw, LineLoad};
+pub use own::{OwnLaw, SectionLaw, TiltedSection};
+pub use response::LineResponse;

@@ -1,0 +1,116 @@
+//! What is asked of the ground.
+
+use crate::adhesion::Shape;
+use std::fmt::Debug;
+use std::sync::Arc;
+
+/// The nearest point of a substrate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Foot {
+    /// d, nm; negative within the solid
+    pub distance: f64,
+    /// Where it is along x, nm
+    pub place: f64,
+    /// sin φ and cos φ of the substrate there
+    pub sin: f64,
+    pub cos: f64,
+    /// κ, 1/nm; positive in a valley
+    pub curvature: f64,
+    /// κ', 1/nm²
+    pub curvature_slope: f64,
+    /// Distance of the next nearest of the candidates, nm; infinite where there is one alone.
+    ///
+    /// Where it equals `distance` the energy of a section is continuous and its force jumps from T n₁ to T n₂. That happens
+    /// no nearer than the radius of the valley between the two, ρ, so that the jump is at most 2 T(ρ - h/2), to be compared
+    /// with the largest attraction T(5^(-1/6) r0): 6e-7 of it for the valleys of the paper's sinusoid, ρ = 63.3 nm, under a
+    /// strip 10 nm high.
+    pub runner_up: f64,
+}
+
+impl Foot {
+    /// Level ground with this height above it.
+    pub(super) fn level(place: f64, distance: f64) -> Self {
+        let runner_up = f64::INFINITY;
+        Self { distance, place, sin: 0.0, cos: 1.0, curvature: 0.0, curvature_slope: 0.0, runner_up }
+    }
+}
+
+/// A shape of the ground: a curve in the plane of the beam, with the solid below it. Lengths in nm.
+pub trait Surface: Debug + Send + Sync {
+    /// What a scene calls it.
+    fn name(&self) -> &'static str;
+
+    /// The keys of a scene that belong to it, besides that of the shape itself: its `numbers` and what else it takes.
+    fn keys(&self) -> &'static [&'static str];
+
+    /// The nearest point of (x, y). NaN where a coordinate is.
+    fn foot(&self, x: f64, y: f64) -> Foot;
+
+    /// About how far (x, y) is above it: along y, or from the centre of a circle.
+    fn clearance(&self, x: f64, y: f64) -> f64;
+
+    /// The highest point between two places.
+    fn top(&self, from: f64, to: f64) -> f64;
+
+    /// How high it may rise above where a beam lies on it: from valley to crest; zero where it has no valley.
+    fn relief(&self) -> f64 {
+        0.0
+    }
+
+    /// The length in which it changes: no element may be much longer. Infinite where it is the same everywhere.
+    fn detail(&self) -> f64;
+
+    /// The convex body that a crest is like.
+    fn crest(&self) -> Shape {
+        Shape::Cylinder
+    }
+
+    /// The number that a scene gives by this key.
+    fn number(&mut self, _key: &str) -> Option<&mut f64> {
+        None
+    }
+
+    /// What of its numbers do not fit each other.
+    fn misfit(&self) -> Option<Misfit> {
+        None
+    }
+}
+
+/// Numbers that do not fit each other: the path of the key of one in a scene, what was found, and what would be right.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Misfit {
+    pub key: &'static str,
+    pub found: String,
+    pub remedy: &'static str,
+}
+
+/// One that is shared; its numbers are fixed.
+impl<S: Surface> Surface for Arc<S> {
+    fn name(&self) -> &'static str {
+        (**self).name()
+    }
+    fn keys(&self) -> &'static [&'static str] {
+        (**self).keys()
+    }
+    fn foot(&self, x: f64, y: f64) -> Foot {
+        (**self).foot(x, y)
+    }
+    fn clearance(&self, x: f64, y: f64) -> f64 {
+        (**self).clearance(x, y)
+    }
+    fn top(&self, from: f64, to: f64) -> f64 {
+        (**self).top(from, to)
+    }
+    fn relief(&self) -> f64 {
+        (**self).relief()
+    }
+    fn detail(&self) -> f64 {
+        (**self).detail()
+    }
+    fn crest(&self) -> Shape {
+        (**self).crest()
+    }
+    fn misfit(&self) -> Option<Misfit> {
+        (**self).misfit()
+    }
+}

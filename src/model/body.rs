@@ -1,0 +1,41 @@
+//! What is peeled.
+
+use super::{Profile, Spatula, Strip};
+use crate::beam::{Contour, Material};
+use std::sync::Arc;
+
+/// What a model asks of its body. A body is a file with a type that is one, and a line of each list below.
+pub trait Geometry: Contour {
+    /// The table of a scene that gives it.
+    fn name(&self) -> &'static str;
+
+    /// What it is made of.
+    fn material(&self) -> Material;
+
+    /// Its outline, to be kept by a beam.
+    fn shared(&self) -> Arc<dyn Contour>;
+
+    /// Whether it is straight when free of stress, and its section the same everywhere.
+    fn is_uniform(&self) -> bool {
+        false
+    }
+}
+
+/// What is peeled. It begins at S = 0 with its free end.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Body {
+    Strip(Strip),
+    Spatula(Spatula),
+    Profile(Profile),
+}
+
+impl Body {
+    /// Its geometry and material: everything that is asked of it.
+    pub fn geometry(&self) -> &dyn Geometry {
+        match self {
+            Self::Strip(strip) => strip,
+            Self::Spatula(spatula) => spatula,
+            Self::Profile(profile) => profile,
+        }
+    }
+}
