@@ -1,6 +1,7 @@
 //! Which quantity turns at a limit point.
 
-use crate::solve::Observables;
+use crate::solve::{Observables, Solution};
+use std::fmt;
 
 /// Which quantity has a limit point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -26,5 +27,22 @@ impl LimitPointKind {
             Self::Displacement => |o| o.displacement,
             Self::Load => |o| o.force,
         }
+    }
+
+    /// Negative eigenvalues of a solution with this quantity held.
+    pub fn negative(self, solution: &Solution) -> usize {
+        match self {
+            Self::Displacement => solution.negative,
+            Self::Load => solution.negative_load,
+        }
+    }
+}
+
+impl fmt::Display for LimitPointKind {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match self {
+            Self::Displacement => "displacement",
+            Self::Load => "force",
+        })
     }
 }

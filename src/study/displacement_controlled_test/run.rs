@@ -3,7 +3,7 @@
 
 use super::jump;
 use super::result::*;
-use super::stable_branch::{Leg, LegEnd, LegTrouble, Machine, Until};
+use super::stable_branch::{StableBranch, BranchEnd, BranchTrouble, Machine, Until};
 use crate::beam::FRONT;
 use crate::model::{Discretisation, Form, PeelModel, PlanarProblem};
 use crate::solve::{
@@ -32,7 +32,7 @@ const BALANCED: f64 = 1e-6;
 #[derive(Clone, Debug, thiserror::Error)]
 enum Trouble {
     #[error("{0}")]
-    Leg(LegTrouble),
+    Branch(BranchTrouble),
     #[error("where the strip goes from U = {machine_nm:.6} nm was not found: {cause}")]
     Relax { machine_nm: f64, cause: RelaxError },
     #[error("the error of the jump at U = {machine_nm:.6} nm was not found: {cause}")]
@@ -193,17 +193,17 @@ impl Test {
         };
         let mut at = start;
         for _ in 0..=MOST_JUMPS {
-            let leg = machine.follow(at, way == Way::Retreat, until, self.points.len()).map_err(Trouble::Leg)?;
+            let leg = machine.follow(at, way == Way::Retreat, until, self.points.len()).map_err(Trouble::Branch)?;
             let last = leg.points[leg.points.len() - 1].clone();
             self.take(machine.problem, &leg, way);
             if way == Way::Retreat {
                 self.take_peak(machine, &leg)?;
             }
             let (located, loss) = match leg.end {
-                LegEnd::Arrived => return Ok((last, None)),
-                LegEnd::Bound(bound) => return Ok((last, Some(bound))),
-                LegEnd::Limit(located) => (located, Loss::LimitPoint),
-                LegEnd::Branching(located) => (located, Loss::Branching),
+                BranchEnd::Arrived => return Ok((last, None)),
+                BranchEnd::Bound(bound) => return Ok((last, Some(bound))),
+                BranchEnd::Limit(located) => (located, Loss::LimitPoint),
+                BranchEnd::Branching(located) => (located, Loss::Branching),
             };
             let landed = Arc::new(self.lost(machine, &located, loss, way)?);
             if way == Way::Retreat && machine.problem.beam.is_clear(&landed.at, machine.far) {
@@ -216,7 +216,7 @@ impl Test {
     }
 
     /// The points of a stable piece.
-    fn take(&mut self, problem: &PlanarProblem, leg: &Leg, way: Way) {
+    fn take(&mut self, problem: &PlanarProblem, leg: &StableBranch, way: Way) {
         if self.points.is_empty() {
             self.start = leg.points.first().map_or(0.0, |s| problem.energy(&s.at, s.energy));
         }
@@ -231,15 +231,15 @@ impl Test {
     }
 
     /// The largest force of a piece of the retreat: a maximum of its own, or its turning point.
-    fn take_peak(&mut self, machine: &Machine, leg: &Leg) -> Result<(), Trouble> {
+    fn take_peak(&mut self, machine: &Machine, leg: &StableBranch) -> Result<(), Trouble> {
         let largest = leg.points.iter().map(|p| p.observables.force).fold(f64::NEG_INFINITY, f64::max);
         if self.pull_off.is_some_and(|known| known.force > largest) {
             return Ok(());
         }
-        let peak = machine.peak(leg).map_err(Trouble::Leg)?;
+        let peak = machine.peak(leg).map_err(Trouble::Branch)?;
         let at_limit = match &leg.end {
-            LegEnd::Limit(located) | LegEnd::Branching(located) => Some(Located::clone(located)),
-            LegEnd::Arrived | LegEnd::Bound(_) => None,
+            BranchEnd::Limit(located) | BranchEnd::Branching(located) => Some(Located::clone(located)),
+            BranchEnd::Arrived | BranchEnd::Bound(_) => None,
         };
         let highest = peak.into_iter().chain(at_limit);
         let highest = highest.max_by(|a, b| a.observables.force.total_cmp(&b.observables.force));

@@ -2,8 +2,8 @@
 
 use crate::model::PlanarProblem;
 use crate::solve::{
-    LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathError, PathOptions, PathSegment,
-    Solution, SolveError, State, Workspace, brackets, locate, locate_branching, solve,
+    LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathEvent, PathOptions, PathSegment, PathTracer,
+    Solution, SolveError, State, TraceError, TraceOptions, Workspace, locate, solve,
 };
 use crate::study::Bounds;
 use crate::study::peel::{StepCurve, is_clear};
@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 /// Where a piece ends.
-pub(super) enum LegEnd {
+pub(super) enum BranchEnd {
     /// The machine has arrived.
     Arrived,
     /// U turns: stability is lost.
@@ -23,29 +23,22 @@ pub(super) enum LegEnd {
 }
 
 /// A stable piece.
-pub(super) struct Leg {
+pub(super) struct StableBranch {
     /// Its equilibria; the last is the limit point, or the one next to it.
     pub points: Vec<Arc<Solution>>,
     /// (U, P) between them.
     pub curve: Vec<(f64, f64)>,
     /// ∫ P dU from its start to each point, aJ
     pub works: Vec<f64>,
-    pub end: LegEnd,
+    pub end: BranchEnd,
     pub iterations: usize,
 }
 
 /// Why a piece could not be followed.
 #[derive(Clone, Debug, thiserror::Error)]
-pub(super) enum LegTrouble {
+pub(super) enum BranchTrouble {
     #[error("{0}")]
-    Path(PathError),
-    #[error("the turning point of the machine's displacement near U = {machine_nm:.6} nm was not located: {cause}")]
-    NotLocated { machine_nm: f64, cause: SolveError },
-    #[error(
-        "stability is lost between U = {from_nm:.6} nm and {to_nm:.6} nm where the machine's displacement does not turn, and \
-         where the path branches was not located: {cause}"
-    )]
-    NoBranching { from_nm: f64, to_nm: f64, cause: SolveError },
+    Trace(#[from] TraceError),
     #[error("the largest force of the stable piece near U = {machine_nm:.6} nm was not located: {cause}")]
     NoPeak { machine_nm: f64, cause: SolveError },
     #[error("the last point, at U = {machine_nm:.6} nm, was not found: {cause}")]
@@ -80,32 +73,37 @@ const INSIDE: usize = 8;
 
 impl Machine<'_> {
     /// Follows the stable equilibria from `start` on; U rises or falls as `rising` says. `points` have been computed before.
-    pub fn follow(&self, start: State, rising: bool, until: Until, points: usize) -> Result<Leg, LegTrouble> {
+    pub fn follow(&self, start: State, rising: bool, until: Until, points: usize) -> Result<StableBranch, BranchTrouble> {
         let first = self.options.first_displacement.copysign(if rising { 1.0 } else { -1.0 });
         let options = PathOptions { first_displacement: first, elements: start.mesh.elements(), ..self.options };
-        let mut path = Path::from(self.problem, options, start);
-        let mut ws = Workspace::default();
+        let path = Path::from(self.problem, options, start);
+        let trace = TraceOptions {
+            kinds: &[LimitPointKind::Displacement],
+            branches: true,
+            relative: self.relative,
+            behind: BEHIND,
+        };
+        let (mut tracer, mut ws) = (PathTracer::new(self.problem, path, trace), Workspace::default());
         loop {
-            if let Some(bound) = self.bound(&path, rising, points) {
-                return Ok(self.leg(path.points(), LegEnd::Bound(bound), path.iterations()));
+            let path = tracer.path();
+            if let Some(bound) = self.bound(path, rising, points) {
+                return Ok(self.leg(path.points(), BranchEnd::Bound(bound), path.iterations()));
             }
-            let newest = path.advance().map_err(LegTrouble::Path)?;
-            let Some(before) = path.points().len().checked_sub(2) else { continue };
-            let found = self.turn(&mut path, before, &mut ws)?;
-            if let Some(located) = found {
-                let last = located.solution.clone();
-                return Ok(self.leg_to(&path, before, last, LegEnd::Limit(Box::new(located))));
-            }
-            if newest.negative > 0 {
-                let from = &path.points()[before];
-                let (from_nm, to_nm) = (from.observables.displacement, newest.observables.displacement);
-                let located = locate_branching(self.problem, from, to_nm, &mut ws)
-                    .map_err(|cause| LegTrouble::NoBranching { from_nm, to_nm, cause })?;
-                let last = located.solution.clone();
-                return Ok(self.leg_to(&path, before, last, LegEnd::Branching(Box::new(located))));
-            }
-            if let Some(last) = self.arrived(&path, before, until, &mut ws)? {
-                return Ok(self.leg_to(&path, before, last, LegEnd::Arrived));
+            let event = tracer.advance()?;
+            let path = tracer.path();
+            let lost = |after: usize, located: Located, end: fn(Box<Located>) -> BranchEnd| {
+                self.leg_to(path, after, located.solution.clone(), end(Box::new(located)))
+            };
+            match event {
+                PathEvent::LimitPoint { after, located, .. } => return Ok(lost(after, located, BranchEnd::Limit)),
+                PathEvent::BranchPoint { after, located } => return Ok(lost(after, located, BranchEnd::Branching)),
+                PathEvent::InertiaChange { .. } => {}
+                PathEvent::Point(_) => {
+                    let Some(before) = path.points().len().checked_sub(2) else { continue };
+                    if let Some(last) = self.arrived(path, before, until, &mut ws)? {
+                        return Ok(self.leg_to(path, before, last, BranchEnd::Arrived));
+                    }
+                }
             }
         }
     }
@@ -125,29 +123,8 @@ impl Machine<'_> {
         beyond.map(|most| format!("bounds.displacement = {most} nm"))
     }
 
-    /// The first turning point of U on the step behind the point `index`.
-    fn turn(&self, path: &mut Path, index: usize, ws: &mut Workspace) -> Result<Option<Located>, LegTrouble> {
-        let machine_nm = path.points()[index].observables.displacement;
-        let not_located = |cause| LegTrouble::NotLocated { machine_nm, cause };
-        let look = |path: &Path, ws: &mut Workspace| {
-            let segment = PathSegment::around(self.problem, path.points(), index);
-            let turn = LimitPointKind::Displacement;
-            let found = brackets(self.problem, path.points(), index, &segment, turn, self.relative, ws)?;
-            Ok((segment, found.first().copied()))
-        };
-        let (segment, Some(bracket)) = look(path, ws).map_err(not_located)? else { return Ok(None) };
-        let behind = (0..BEHIND).try_for_each(|_| path.advance().map(|_| ())).ok();
-        let (segment, bracket) = match behind.and_then(|()| look(path, ws).ok()) {
-            Some((behind, Some(bracket))) => (behind, bracket),
-            _ => (segment, bracket),
-        };
-        let located =
-            locate(self.problem, &segment, LimitPointKind::Displacement, bracket, None, ws).map_err(not_located)?;
-        Ok(Some(located))
-    }
-
     /// The largest force of a piece, if it is a maximum within.
-    pub fn peak(&self, leg: &Leg) -> Result<Option<Located>, LegTrouble> {
+    pub fn peak(&self, leg: &StableBranch) -> Result<Option<Located>, BranchTrouble> {
         let (points, mut ws) = (&leg.points, Workspace::default());
         let force = |p: &Solution| p.observables.force;
         let largest = (0..points.len()).max_by(|&a, &b| force(&points[a]).total_cmp(&force(&points[b])));
@@ -161,7 +138,7 @@ impl Machine<'_> {
             let bracket = (0.0, segment.end());
             let located = locate(self.problem, &segment, LimitPointKind::Load, bracket, Some(self.relative), &mut ws);
             let machine_nm = points[index].observables.displacement;
-            return located.map(Some).map_err(|cause| LegTrouble::NoPeak { machine_nm, cause });
+            return located.map(Some).map_err(|cause| BranchTrouble::NoPeak { machine_nm, cause });
         }
         Ok(None)
     }
@@ -173,7 +150,7 @@ impl Machine<'_> {
         before: usize,
         until: Until,
         ws: &mut Workspace,
-    ) -> Result<Option<Arc<Solution>>, LegTrouble> {
+    ) -> Result<Option<Arc<Solution>>, BranchTrouble> {
         let newest = &path.points()[before + 1];
         match until {
             Until::Detached if is_clear(self.problem, path, self.far) => Ok(Some(newest.clone())),
@@ -188,14 +165,14 @@ impl Machine<'_> {
                 let constraint = PathConstraint { weights, target: -target };
                 solve(self.problem, start, &constraint, &options, ws)
                     .map(|last| Some(Arc::new(last)))
-                    .map_err(|cause| LegTrouble::NotArrived { machine_nm: target, cause })
+                    .map_err(|cause| BranchTrouble::NotArrived { machine_nm: target, cause })
             }
             _ => Ok(None),
         }
     }
 
     /// The piece up to `last`, which lies on the step behind the point `before`.
-    fn leg_to(&self, path: &Path, before: usize, last: Arc<Solution>, end: LegEnd) -> Leg {
+    fn leg_to(&self, path: &Path, before: usize, last: Arc<Solution>, end: BranchEnd) -> StableBranch {
         let mut segment = PathSegment::around(self.problem, path.points(), before);
         let label = segment.insert(last.clone());
         let mut leg = self.leg(&path.points()[..=before], end, path.iterations());
@@ -204,10 +181,10 @@ impl Machine<'_> {
         leg
     }
 
-    fn leg(&self, points: &[Arc<Solution>], end: LegEnd, iterations: usize) -> Leg {
+    fn leg(&self, points: &[Arc<Solution>], end: BranchEnd, iterations: usize) -> StableBranch {
         let first = points.first().map(|p| (p.observables.displacement, p.observables.force));
         let curve = first.into_iter().collect();
-        let mut leg = Leg { points: points.to_vec(), curve, works: vec![0.0], end, iterations };
+        let mut leg = StableBranch { points: points.to_vec(), curve, works: vec![0.0], end, iterations };
         let mut ws = Workspace::default();
         for index in 0..points.len().saturating_sub(1) {
             let segment = PathSegment::around(self.problem, points, index);
@@ -217,7 +194,7 @@ impl Machine<'_> {
     }
 }
 
-impl Leg {
+impl StableBranch {
     /// Takes in the step behind its last point, in pieces.
     fn add(&mut self, pieces: &[StepCurve]) {
         let work: f64 = pieces.iter().map(StepCurve::work).sum();

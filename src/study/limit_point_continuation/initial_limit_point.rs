@@ -2,16 +2,17 @@
 
 use super::result::PointKind;
 use crate::model::{Discretisation, Form, PeelModel};
-use crate::solve::{LimitPointKind, Located, Path, PathSegment, Problem, Workspace, brackets, locate};
+use crate::solve::{
+    LimitPointKind, Located, Path, PathEvent, PathSegment, PathTracer, Problem, TraceOptions, Workspace, brackets, locate,
+};
 use crate::study::accuracy::{ORDER, Resolution};
 use crate::study::initial::prepared;
-use crate::study::peel::is_clear;
 use crate::study::{Accuracy, Bounds, End, peel};
 
 /// The accuracy of the beginning of the path that finds the first maximum; the point is solved for again on a mesh of its
 /// own.
 const ROUGH: f64 = 1e-6;
-/// Path points behind the first fall of the force that interpolation may use.
+/// Path points behind the maximum that interpolation may use.
 const BEHIND: usize = 2;
 
 /// The point on the path from rest, or nothing where the path has none; an error where the path cannot be computed.
@@ -32,38 +33,28 @@ fn first_maximum(model: &PeelModel, bounds: &Bounds) -> Result<Option<Located>, 
     let how = Discretisation::moving(Form::TwoField, ORDER);
     let problem = prepared(model, how, None).problem;
     let far = model.line_law().reach();
-    let mut path = Path::new(&problem, Resolution::first(model, &Accuracy::to(ROUGH)).path_options(model, ROUGH));
-    let mut behind = 0;
-    while behind <= BEHIND {
-        if path.points().len() >= bounds.points {
+    let path = Path::new(&problem, Resolution::first(model, &Accuracy::to(ROUGH)).path_options(model, ROUGH));
+    let trace = TraceOptions { kinds: &[LimitPointKind::Load], branches: false, relative: ROUGH, behind: BEHIND };
+    let mut tracer = PathTracer::new(&problem, path, trace);
+    loop {
+        if tracer.path().points().len() >= bounds.points {
             return Err(format!("the path has no maximum of the force within bounds.points = {}", bounds.points));
         }
-        let newest = match path.advance() {
-            Ok(newest) => newest,
-            // what is needed is there already
-            Err(_) if behind > 0 => break,
-            Err(error) => return Err(error.to_string()),
-        };
-        let o = newest.observables;
-        if let Some(most) = bounds.displacement.filter(|&most| o.displacement > most && behind == 0) {
-            return Err(format!("the path has no maximum of the force within bounds.displacement = {most} nm"));
-        }
-        let ended = is_clear(&problem, &path, far) || o.displacement <= 0.0 || o.force <= 0.0;
-        if behind == 0 && ended && path.points().len() > 2 {
-            return Ok(None);
-        }
-        behind += usize::from(behind > 0 || newest.slope.force < 0.0);
-    }
-    let (points, mut ws) = (path.points(), Workspace::default());
-    for index in 0..points.len() - 1 {
-        let segment = PathSegment::around(&problem, points, index);
-        let found = brackets(&problem, points, index, &segment, LimitPointKind::Load, ROUGH, &mut ws);
-        if let Some(&bracket) = found.map_err(|error| error.to_string())?.first() {
-            let located = locate(&problem, &segment, LimitPointKind::Load, bracket, None, &mut ws);
-            return located.map(Some).map_err(|error| error.to_string());
+        match tracer.advance().map_err(|error| error.to_string())? {
+            PathEvent::LimitPoint { located, .. } => return Ok(Some(located)),
+            PathEvent::Point(point) => {
+                let o = point.observables;
+                if let Some(most) = bounds.displacement.filter(|&most| o.displacement > most) {
+                    return Err(format!("the path has no maximum of the force within bounds.displacement = {most} nm"));
+                }
+                let ended = problem.beam.is_clear(&point.at, far) || o.displacement <= 0.0 || o.force <= 0.0;
+                if ended && tracer.path().points().len() > 2 {
+                    return Ok(None);
+                }
+            }
+            PathEvent::BranchPoint { .. } | PathEvent::InertiaChange { .. } => {}
         }
     }
-    Err("the force falls along the path, but its maximum was not found".into())
 }
 
 /// The first turning point at which the displacement turns back, from the whole path.
