@@ -107,7 +107,7 @@ pub fn disturbed(problem: &Problem, limit: &Solution) -> State {
 /// An equilibrium disturbed a little, with a part in any critical direction.
 pub fn disturbed_anyhow(problem: &Problem, at: &State) -> State {
     let mut disturbed = at.clone();
-    problem.system.retract(&mut disturbed, &problem.system.disturbance(at), DISTURBED);
+    problem.system.retract(&mut disturbed, &problem.system.disturbance(at, DISTURBED), 1.0);
     disturbed
 }
 
@@ -129,7 +129,7 @@ pub fn relax(
         if let Some(solution) = landed(problem, &at, energy, held, ws, &mut eliminations) {
             return Ok(Relaxed { solution, energies, steps, eliminations });
         }
-        let damping = Coefficients { damping: 1.0 / time, mass: 0.0 };
+        let damping = Coefficients { per_damping: time, ..Coefficients::STATIC };
         let mut next = at.clone();
         eliminations += 1;
         let tried = match damped_step(problem, &mut next, &constraint, damping, f64::INFINITY, ws) {

@@ -22,16 +22,17 @@ pub struct Unknown {
     pub unit: &'static str,
 }
 
-/// What is added to the tangent K: K + `damping` C + `mass` M, with matrices C and M of the system.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// What is added to the tangent K: K + C/`per_damping` + M/`per_mass`, with matrices C and M of the system; where one of them is infinite,
+/// nothing. A step Δt of a gradient flow has Δt and ∞, one of an implicit rule of motion multiples of Δt and Δt².
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficients {
-    pub damping: f64,
-    pub mass: f64,
+    pub per_damping: f64,
+    pub per_mass: f64,
 }
 
 impl Coefficients {
     /// The tangent alone.
-    pub const STATIC: Self = Self { damping: 0.0, mass: 0.0 };
+    pub const STATIC: Self = Self { per_damping: f64::INFINITY, per_mass: f64::INFINITY };
 }
 
 /// What is left of a system when all unknowns but those of the interface are eliminated. Slots are those of the interface.
@@ -268,9 +269,9 @@ pub trait System: Send + Sync {
         None
     }
 
-    /// A small direction that has a part in any critical direction, as a push that starts a relaxation.
-    fn disturbance(&self, at: &State) -> Vec<f64> {
-        vec![1e-2; self.unknowns(at)]
+    /// A direction of this size, as in [`System::size`], that has a part in any critical direction: a push that starts a relaxation.
+    fn disturbance(&self, at: &State, size: f64) -> Vec<f64> {
+        vec![size; self.unknowns(at)]
     }
 
     /// Whether a prediction may be tried from a state with these monitors. A body that is far from an obstacle predicts well,

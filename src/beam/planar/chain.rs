@@ -102,6 +102,11 @@ pub trait Chain: Send + Sync {
     fn recover(&self, work: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]);
     /// Energy of a configuration, and how its adhesion energy changes along `direction`, a change of the fields.
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64);
+    /// The gradient of the energy by the fields of the nodes, and by the border; for the fields that the left end holds, how far they are
+    /// from there.
+    fn residual(&self, at: Configuration) -> (Vec<f64>, f64);
+    /// The gradient of the adhesion energy by the fields of the nodes.
+    fn adhesion_gradient(&self, at: Configuration) -> Vec<f64>;
     /// Section state at every end of the elements of a range.
     fn node_states(&self, at: Configuration, elements: Range<usize>) -> Vec<NodeState>;
     /// What the material points remember behind a step that ended in a configuration; nothing without friction.

@@ -1,6 +1,6 @@
 //! The front of an element: its tangent with all that elimination takes along.
 
-use super::{Basis, Density, PointResponse};
+use super::{Basis, PointResponse};
 use crate::number::Real;
 
 /// One row: an equation, with a column for each unknown.
@@ -98,7 +98,7 @@ impl<T: Real, const F: usize, const N: usize> Front<T, F, N> {
 
     /// Adds what Gauss point `q` gives to gradient, border and path; `once` weighs values and `twice` slopes.
     #[inline(always)]
-    pub(super) fn add_gradient<D: Density<F>>(
+    pub(super) fn add_gradient<const BORDER: bool>(
         &mut self,
         r: &PointResponse<T, F>,
         basis: &Basis<N>,
@@ -114,14 +114,14 @@ impl<T: Real, const F: usize, const N: usize> Front<T, F, N> {
                 let row = &mut self.rows[a][f];
                 row.residual = row.residual + on_value * value + on_slope * slope;
                 self.path.fields[a][f] = self.path.fields[a][f] + on_path * value;
-                if D::BORDER {
+                if BORDER {
                     let mixed = r.border_value[f] * once * value + r.border_slope[f] * twice * slope;
                     row.border = row.border + mixed;
                     self.border.fields[a][f] = self.border.fields[a][f] + mixed;
                 }
             }
         }
-        if D::BORDER {
+        if BORDER {
             self.border.border = self.border.border + r.border_border * once;
             self.border.residual = self.border.residual + r.by_border * once;
         }

@@ -292,9 +292,10 @@ impl PlanarBeam {
 
     /// The diagonal that coefficients add to the tangent of the chain, a number an unknown of a node; empty where they are zero.
     ///
-    /// C: the length that belongs to a node times the adhesion's own stiffness, w/scale².
+    /// C: the length that belongs to a node times the adhesion's own stiffness, w/scale². The beam has no mass yet: M is zero.
     fn diagonal(&self, at: &State, coefficients: Coefficients) -> Vec<f64> {
-        if coefficients == Coefficients::STATIC {
+        let Coefficients { per_damping: time, per_mass: _ } = coefficients;
+        if time.is_infinite() {
             return Vec::new();
         }
         let (fields, order) = (self.fields(), self.chain.order());
@@ -307,7 +308,7 @@ impl PlanarBeam {
             }
         }
         let energy = self.rest_adhesion.abs();
-        let damping = |length: f64, f: usize| coefficients.damping * (energy * length / self.scale[f].powi(2));
+        let damping = |length: f64, f: usize| energy * length / self.scale[f].powi(2) / time;
         lengths.iter().flat_map(|&length| (0..fields).map(move |f| damping(length, f))).collect()
     }
 }
@@ -415,12 +416,25 @@ impl System for PlanarBeam {
         (self.evaluation(at, energy), rates)
     }
 
-    fn gradient(&self, at: &State, _weights: [f64; MONITORS]) -> Vec<f64> {
-        vec![0.0; at.values.len()]
+    fn gradient(&self, at: &State, weights: [f64; MONITORS]) -> Vec<f64> {
+        let mut gradient = if weights[FRONT] == 0.0 {
+            vec![0.0; self.nodes(&at.values).len()]
+        } else {
+            self.chain.adhesion_gradient(self.configuration(at))
+        };
+        gradient.iter_mut().for_each(|entry| *entry = weights[FRONT] * self.front(*entry));
+        gradient[self.rotation] += weights[TIP_ROTATION];
+        gradient.resize(at.values.len(), 0.0);
+        gradient
     }
 
     fn residual(&self, at: &State) -> Vec<f64> {
-        vec![0.0; at.values.len()]
+        let (mut residual, by_force) = self.chain.residual(self.configuration(at));
+        if self.chain.has_border() {
+            let (force, end) = self.axial(&at.values);
+            residual.extend([by_force + self.span() + end, force]);
+        }
+        residual
     }
 
     fn size(&self, direction: &[f64], values: &[f64]) -> f64 {
@@ -509,12 +523,12 @@ impl System for PlanarBeam {
     }
 
     /// Turned, the more the farther from the grip.
-    fn disturbance(&self, at: &State) -> Vec<f64> {
+    fn disturbance(&self, at: &State, size: f64) -> Vec<f64> {
         let mut direction = vec![0.0; at.values.len()];
         let (fields, nodes) = (self.fields(), self.nodes(&at.values).len() / self.fields());
         for node in 0..nodes {
             let away = 1.0 - node as f64 / (nodes - 1) as f64;
-            direction[node * fields + self.rotation] = self.scale[self.rotation] * away;
+            direction[node * fields + self.rotation] = size * self.scale[self.rotation] * away;
         }
         direction
     }
