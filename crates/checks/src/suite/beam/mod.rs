@@ -9,7 +9,7 @@ mod end_force;
 mod locking;
 mod motion;
 
-use super::{Check, Measure, Topic};
+use super::check::{Check, Measure, Topic};
 use peelkit::beam::{RestCurve, Section};
 use peelkit::model::{Drive, RodModel, Support};
 use peelkit::solve::{Observables, Problem, Solution, controlled};
