@@ -172,7 +172,7 @@ displacement = "0.5 um"
     assert_eq!((scene.title.as_str(), scene.accuracy.terms), ("All", Terms::Auto));
     let wave = Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 100.0, offset: -25.0 });
     assert_eq!(scene.model.ground, Ground { substrate: wave, start: Start::Crests });
-    // pretension and friction are those of flat ground: tests/pull.rs, tests/friction.rs
+    // pretension and friction are those of flat ground: pull.rs, friction.rs
     let elsewhere = |key: &Key| key.name == "pretension" || key.table == "friction";
     for key in KEYS.iter().filter(|key| key.belongs_to(&scene) && !elsewhere(key)) {
         assert!(text.contains(&format!("{} = ", key.name)), "{} is not in this test", key.path());

@@ -7,7 +7,7 @@
 //! for the contact moment, whose potential is that of the force as well. All of it takes a symmetric tangent.
 //!
 //! Error: of the order of the square of the change, in shares of the peak: an effect of a hundredth or more tells that the term matters and
-//! not by how much (`tests/terms.rs`).
+//! not by how much (`tests/mechanics/study/terms.rs`).
 
 use super::decision::Term;
 use super::section_sampling::{Point, SectionSampling};

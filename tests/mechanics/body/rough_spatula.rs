@@ -1,7 +1,7 @@
 //! Spatulae, and beams of any outline, on ground that is not flat.
 //!
 //! Reference: the flat spatula; the strip; a cylinder for a sphere, which in the plane is the same circle. (Against the strong form by
-//! scipy's solve_bvp: verification/rough_spatula.csv, looked at in tests/ground.rs.)
+//! scipy's solve_bvp: verification/rough_spatula.csv, looked at in tests/checks/ground.rs.)
 //!
 //! ```text
 //!                        ___/  shaft

@@ -126,7 +126,7 @@ fn a_strip_that_lies_flat_is_dragged_by_its_stiffness() {
         assert_shifted(&whole, &part, 0.0);
         let held = peeled(&strip(Hold::Free, Hold::Fixed, &[step]));
         assert_near("H", held.steps[0].forces.horizontal, force, 1e-10);
-        // laid down under that tension it is the same strip: tests/pull.rs
+        // laid down under that tension it is the same strip: pull.rs
         let mut stretched = with_grip(paper_strip(100.0, 1.0), Hold::Free, Hold::Fixed);
         stretched.grip.pretension = (force > 0.0).then_some(force);
         if force > 0.0 {

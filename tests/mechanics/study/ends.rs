@@ -170,7 +170,7 @@ fn work_is_the_area_under_the_curve_of_a_clamped_strip() {
     assert_work_is_area(&with_grip(paper_strip(100.0, 1.0), Hold::Fixed, Hold::Fixed));
 }
 
-/// Without a potential the work is an integral itself, over the same interpolants; tests/first_integral.rs has another.
+/// Without a potential the work is an integral itself, over the same interpolants; tests/mechanics/beam/first_integral.rs has another.
 #[test]
 fn work_is_the_area_under_the_curve_without_a_potential() {
     assert_work_is_area(&with_load(paper_strip(100.0, 1.0), LineLoad::ForceOnly));

@@ -1,6 +1,6 @@
 //! A point followed in a parameter against whole peels, value by value.
 //!
-//! Reference: the full path of the same scene at a hundredth of the accuracy (tests/reference_values.rs holds that against
+//! Reference: the full path of the same scene at a hundredth of the accuracy (tests/checks/reference_values.rs holds that against
 //! an independent method), and verification's table for the paper's strip.
 //!
 //!      P |   * followed: the maximum itself, from value to value

@@ -3,7 +3,8 @@
 //! The true values are those of a collocation of the strong form without finite elements, good to the digits printed, for
 //! the initiation peak and the first two displacement limit points where they exist.
 
-use super::{Check, Measure, Topic, reference};
+use super::check::{Check, Measure, Topic};
+use super::reference;
 use peelkit::model::StripModel;
 use peelkit::study::{Accuracy, Bounds, End, Peel, Turn, peel};
 use rayon::prelude::*;

@@ -1,7 +1,7 @@
 //! Strips drawn over wide ranges, each peeled twice: what the coarser run claims must hold for the finer one. Loads `full` and
 //! `force-only`; strips of `axis-gap`, which is blind to its edges, may go several ways at their end.
 
-use super::{Check, Measure};
+use super::check::{Check, Measure};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
 use peelkit::study::{Accuracy, Bounds, End, LimitPoint, Peel, peel};

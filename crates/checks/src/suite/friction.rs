@@ -1,7 +1,7 @@
 //! Strips that friction holds against collocation.
 
+use super::check::{Check, Topic};
 use super::turns::Turns;
-use super::{Check, Topic};
 
 pub(super) const TOPIC: Topic =
     Topic { name: "friction", about: "strips that friction holds along the substrate: collocation", run };

@@ -2,9 +2,8 @@
 //! form without finite elements.
 
 use super::bounds::last_digit;
-use super::check::missing;
+use super::check::{Check, Measure, Topic, missing};
 use super::reference::{Row, read};
-use super::{Check, Measure, Topic};
 use peelkit::adhesion::{Round, Shape, Sinusoid, Substrate};
 use peelkit::model::{Body, Discretisation, Form, Ground, Hold, PeelModel, Spatula, Start, StripModel};
 use peelkit::solve::InitialState;

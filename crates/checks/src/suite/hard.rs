@@ -3,8 +3,9 @@
 //! The scenes are texts, which this room does not read: the caller hands over what they say. The true values are those of
 //! `verification/hard_scenes.csv`, a collocation of the strong form without finite elements.
 
+use super::check::{Check, Measure};
 use super::reference::{self, Row};
-use super::{Check, Measure, bounds, drawn, repeated};
+use super::{bounds, drawn, repeated};
 use peelkit::model::{Hold, PeelModel};
 use peelkit::study::{Accuracy, Bounds, End, Peel, peel};
 use rayon::prelude::*;

@@ -1,8 +1,7 @@
 //! Strips under other laws of adhesion against collocation, and their steady force against the work of adhesion.
 
-use super::check::missing;
+use super::check::{Check, Measure, Topic, missing};
 use super::turns::Turns;
-use super::{Check, Measure, Topic};
 use peelkit::adhesion::CohesiveShape;
 use peelkit::analytic::kendall_force;
 use peelkit::model::{Attraction, PeelModel, StripModel};

@@ -4,7 +4,7 @@
 //! energy converges with it: every quantity at order 2p. At high p an error is round-off before its rate is near 2p; the rate
 //! between two meshes approaches it linearly in h, so that it is extrapolated to h = 0.
 
-use super::{Check, Measure, Topic};
+use super::check::{Check, Measure, Topic};
 use peelkit::model::{Form, PlanarProblem, StripModel};
 use peelkit::solve::{NewtonOptions, Observables, PathConstraint, Solution, State, Workspace, solve};
 

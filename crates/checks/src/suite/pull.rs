@@ -1,9 +1,8 @@
 //! The strip pulled at an angle against collocation, and its steady force against a closed form.
 
-use super::check::missing;
+use super::check::{Check, Measure, Topic, missing};
 use super::reference::{Row, read};
 use super::turns::Turns;
-use super::{Check, Measure, Topic};
 use peelkit::analytic::sliding_force;
 use peelkit::model::{Discretisation, Form, PeelModel, Pull, StripModel};
 use peelkit::solve::InitialState;

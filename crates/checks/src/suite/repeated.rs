@@ -4,8 +4,8 @@
 //! number of it is rounded otherwise, from the first element to the last step. What differs is round-off, and what follows from it:
 //! other steps, other meshes where a decision was close. Both runs' bounds together must cover it.
 
+use super::check::{Check, Measure};
 use super::hard::HardScene;
-use super::{Check, Measure};
 use peelkit::model::{Body, PeelModel};
 use peelkit::study::{Accuracy, Bounds, End, LimitPoint, Peel, Turn, peel};
 use rayon::prelude::*;

@@ -1,8 +1,9 @@
 //! Beams of varying section and curved rest shape, against a collocation that uses no finite elements: spatulae, and beams that a
 //! table or a list of pieces gives.
 
+use super::bounds;
+use super::check::{Check, Measure, Topic};
 use super::reference::{self, Row};
-use super::{Check, Measure, Topic, bounds};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Body, Course, Grip, Hold, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Spatula};
 use peelkit::study::{Accuracy, Bounds, Peel, peel};

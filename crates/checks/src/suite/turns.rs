@@ -1,8 +1,8 @@
 //! Initiation peak and first two displacement limit points of the strips of a table, each with its error over its bound.
 
-use super::check::missing;
+use super::bounds;
+use super::check::{Check, Measure, missing};
 use super::reference::{Row, read};
-use super::{Check, Measure, bounds};
 use peelkit::adhesion::Attraction;
 use peelkit::study::{Accuracy, Bounds, End, peel};
 use rayon::prelude::*;

@@ -9,9 +9,8 @@ mod end_force;
 mod locking;
 mod motion;
 
-use super::{Check, Measure, Topic};
-use peelkit::beam::TIP_ROTATION;
-use peelkit::beam::{RestCurve, Section};
+use super::check::{Check, Measure, Topic};
+use peelkit::beam::{RestCurve, Section, TIP_ROTATION};
 use peelkit::model::{Drive, PlanarProblem, RodModel, Support};
 use peelkit::solve::{Observables, Solution, controlled};
 

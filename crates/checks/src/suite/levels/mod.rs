@@ -5,8 +5,8 @@ mod half_space;
 mod lattice;
 mod section;
 
+use super::check::{Check, Measure, Topic};
 use super::reference::{Row, read};
-use super::{Check, Measure, Topic};
 use peelkit::adhesion::{HalfSpace, Rule};
 use std::num::NonZeroUsize;
 

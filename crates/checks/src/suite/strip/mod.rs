@@ -5,9 +5,8 @@ mod points;
 mod steady;
 mod work;
 
-use super::check::missing;
+use super::check::{Check, Measure, Topic, missing};
 use super::reference::{self, Row, published};
-use super::{Check, Measure, Topic};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::StripModel;
 use peelkit::study::{Accuracy, Bounds, Peel, peel};
