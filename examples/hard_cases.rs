@@ -4,8 +4,9 @@
 //!
 //! prints the table of verification/README.md.
 
+use peelkit::beam::{FRONT, MeshKind, TIP_ROTATION};
 use peelkit::model::Form;
-use peelkit::solve::{MOST_POINTS, Mesh, Observables, Path, PathOptions, controlled};
+use peelkit::solve::{MOST_POINTS, Observables, Path, PathOptions, controlled};
 use peelkit::study::{Accuracy, Bounds, Choice, End, Peel, peel};
 use peelkit_report::end_word;
 use peelkit_scene::Scene;
@@ -78,7 +79,7 @@ fn by_secants(scene: &Scene, own: &Peel) -> String {
                     let over = path.points().len() > 3
                         && (o.force <= 0.0
                             || o.displacement <= 0.0
-                            || path.is_clear(10.0 * scene.model.adhesion.equilibrium_distance));
+                            || problem.beam.is_clear(&point.at, 10.0 * scene.model.adhesion.equilibrium_distance));
                     let passed = scene.bounds.displacement.is_some_and(|most| o.displacement > most);
                     if over
                         || passed

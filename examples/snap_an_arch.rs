@@ -34,7 +34,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         tolerance: 1e-10,
         first_displacement: -0.01 * rise,
     };
-    let path = follow_rod(&arch.problem(7)?, options, 1000, |point| point.observables.displacement < -2.2 * rise)?;
+    let problem = arch.problem(7)?;
+    let path = follow_rod(&problem, options, 1000, |point| point.observables.displacement < -2.2 * rise)?;
 
     println!("an arch with a rise of {rise:.3} nm, pressed down at its crown: {} points", path.points.len());
     println!("{:>12} {:>14} {:>12} {:>10}", "turn of", "lowered / nm", "load / nN", "error / nN");

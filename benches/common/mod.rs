@@ -1,9 +1,10 @@
 //! What both counts of the hot loop measure: the bare law, and one Newton iteration on the elements that hold its points.
 
 use peelkit::adhesion::LineLaw;
-use peelkit::model::{Form, StripModel};
+use peelkit::beam::{ChainFactors, PathRow, ROOT};
+use peelkit::model::{Form, PlanarProblem, StripModel};
 use peelkit::number::Four;
-use peelkit::solve::{PathRow, Problem, ROOT, State, Workspace};
+use peelkit::solve::State;
 use std::hint::black_box;
 
 /// Points that the law is evaluated at side by side.
@@ -11,10 +12,10 @@ pub const LANES: usize = 4;
 
 /// A problem at rest, with room to solve it.
 pub struct Setting {
-    pub problem: Problem,
+    pub problem: PlanarProblem,
     pub at: State,
     row: PathRow,
-    work: Workspace,
+    work: ChainFactors,
     out: Vec<f64>,
     law: LineLaw,
 }
@@ -25,13 +26,18 @@ impl Setting {
         let model = StripModel::of_the_paper(100.0, 1.0);
         let problem = model.problem(Form::TwoField, order);
         let at = problem.initial(elements);
-        let (out, row) = (vec![0.0; at.state.len()], PathRow { adhesion: 1.0, ..PathRow::default() });
-        Self { law: model.line_law(), problem, at, row, work: Workspace::default(), out }
+        let (out, row) =
+            (vec![0.0; problem.beam.nodes(&at.values).len()], PathRow { adhesion: 1.0, ..PathRow::default() });
+        Self { law: model.line_law(), problem, at, row, work: ChainFactors::default(), out }
     }
 
     /// Integrates the elements and eliminates all nodes but the last.
     pub fn eliminate(&mut self) {
-        let root = self.problem.beam.chain.eliminate(black_box(self.at.configuration()), &self.row, &mut self.work);
+        let root = self.problem.beam.chain.eliminate(
+            black_box(self.problem.beam.configuration(&self.at)),
+            &self.row,
+            &mut self.work,
+        );
         black_box(root.is_ok());
     }
 
@@ -44,7 +50,7 @@ impl Setting {
 
     /// The energy alone.
     pub fn energy(&mut self) {
-        black_box(self.problem.beam.chain.energy(black_box(self.at.configuration()), &self.out));
+        black_box(self.problem.beam.chain.energy(black_box(self.problem.beam.configuration(&self.at)), &self.out));
     }
 
     /// The bare law with all second derivatives at so many points.

@@ -16,7 +16,8 @@
 //! digit printed; every error bound no smaller than the true error, as far as the printed digits tell it; no path that stops
 //! short. Rows that are known not to be met are in [`EXCEPTIONS`], each with what is reached. Why: this is what the program is for.
 
-use peelkit::study::{Accuracy, Bounds, Effort, End, Peel, Turn, peel};
+use peelkit::solve::LimitPointKind;
+use peelkit::study::{Accuracy, Bounds, Effort, End, Peel, peel};
 use peelkit_checks::suite::reference::{Row, read};
 use rayon::prelude::*;
 use std::str::FromStr;
@@ -75,7 +76,7 @@ type Computed = Option<(f64, Option<f64>)>;
 /// What the columns of the tables are called here.
 fn computed(peel: &Peel) -> Vec<(&'static str, Computed)> {
     let peak = peel.initiation_peak;
-    let mut turns = peel.limit_points.iter().filter(|l| l.kind == Turn::Displacement);
+    let mut turns = peel.limit_points.iter().filter(|l| l.kind == LimitPointKind::Displacement);
     let (lp1, lp2) = (turns.next(), turns.next());
     vec![
         ("peak_displacement_nm", peak.map(|p| (p.displacement, Some(p.displacement_error)))),

@@ -3,7 +3,8 @@
 //! Expected: the keys and columns of the contract (design.md, section 4), every number to its last digit, null and empty
 //! cells where a thing does not occur, and an error in place of a NaN. Why: other programs read these files.
 
-use peelkit::study::{Bounds, End, Found, LimitPoint, PathPoint, Peak, Peel, Plateau, SweepRow, Turn, peel};
+use peelkit::solve::LimitPointKind;
+use peelkit::study::{Bounds, End, Found, LimitPoint, PathPoint, Peak, Peel, Plateau, SweepRow, peel};
 use peelkit_report::{PeelSummary, SweepLine, write_curve, write_limit_points, write_sweep};
 use peelkit_scene::Scene;
 use serde_json::Value;
@@ -33,7 +34,7 @@ fn made_up() -> (Scene, Peel) {
         displacement_error: 2e-9,
     };
     let snap_off = LimitPoint {
-        kind: Turn::Displacement,
+        kind: LimitPointKind::Displacement,
         displacement: 48.2,
         force: 0.0375,
         end_rotation: 0.9,
@@ -54,7 +55,7 @@ fn made_up() -> (Scene, Peel) {
         iterations: 3,
     };
     made_up.points = vec![point(0.0, 0.0, 0.0), point(40.0, 1.0 / 3.0, 2.5)];
-    made_up.limit_points = vec![LimitPoint { kind: Turn::Load, ..snap_off }, snap_off];
+    made_up.limit_points = vec![LimitPoint { kind: LimitPointKind::Load, ..snap_off }, snap_off];
     made_up.peak = Some(peak);
     made_up.initiation_peak = Some(Peak { force: 0.3, ..peak });
     made_up.plateau = Some(Plateau { displacement: 20.0, force: 0.0307 });

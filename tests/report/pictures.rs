@@ -7,7 +7,8 @@
 
 use crate::shared_pictures::check_pictures;
 use peelkit::model::StripModel;
-use peelkit::study::{Accuracy, Bounds, End, Found, LimitPoint, Peak, Peel, Plateau, SweepRow, Turn, peel};
+use peelkit::solve::LimitPointKind;
+use peelkit::study::{Accuracy, Bounds, End, Found, LimitPoint, Peak, Peel, Plateau, SweepRow, peel};
 use peelkit_report::{ReportError, draw_peel, draw_sweep};
 use std::path::Path;
 
@@ -42,7 +43,7 @@ fn factors(values: &[f64]) -> Vec<SweepRow> {
             Some(Peak { displacement: 0.25, force, end_rotation: 0.04, force_error: 1e-9, displacement_error: 1e-9 });
         peel.plateau = Some(Plateau { displacement: 20.0, force: 0.031 });
         peel.snap_off = Some(LimitPoint {
-            kind: Turn::Displacement,
+            kind: LimitPointKind::Displacement,
             displacement: 48.0,
             force: 0.037,
             end_rotation: 1.0,

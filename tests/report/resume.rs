@@ -16,7 +16,7 @@
 use crate::strip::{paper_strip, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
-use peelkit::study::{Accuracy, Bounds, Keeping, Peel, peel, peel_on};
+use peelkit::study::{Accuracy, Bounds, Checkpoint, Peel, peel, peel_on};
 use peelkit_report::{PartialRun, PeelSummary, ReportError, write_curve, write_limit_points};
 use peelkit_scene::Scene;
 use std::cell::Cell;
@@ -63,7 +63,7 @@ fn outputs(scene: &Scene, peel: &Peel) -> Vec<Vec<u8>> {
 fn run(dir: &Path, scene: &Scene, most: usize) -> (Peel, usize) {
     let partial = PartialRun::open(dir, scene).unwrap();
     let computed = Cell::new(0);
-    let keeping = Keeping {
+    let keeping = Checkpoint {
         taken: &|options| partial.taken(options),
         keep: &|options, waypoint| {
             computed.set(computed.get() + 1);

@@ -16,7 +16,7 @@
 
 use crate::common::paper_strip;
 use peelkit::model::Form;
-use peelkit::solve::{NewtonOptions, Observables, PathConstraint, Workspace, solve};
+use peelkit::solve::{Mesh, NewtonOptions, Observables, PathConstraint, Workspace, solve};
 
 /// Relative error of the force, order p = 1 to 8 (rows) on n = 2, 4, 8, 16, 32, 64, 128 elements. Round-off below 1e-13.
 #[rustfmt::skip]
@@ -38,14 +38,13 @@ fn force(form: Form, order: usize, elements: usize) -> (f64, usize) {
     let options = NewtonOptions { tolerance: 1e-13, largest_update: 5.0, most_iterations: 30, exact_slope: false };
     let mut work = Workspace::default();
     let mut at = problem.initial(elements);
-    let ends: Vec<f64> = (0..=elements).map(|k| problem.beam.length * k as f64 / elements as f64).collect();
-    at.state = problem.beam.chain.resampled(at.configuration(), &ends);
-    at.ends = ends;
+    let boundaries = (0..=elements).map(|k| problem.beam.length * k as f64 / elements as f64).collect();
+    at = problem.beam.resampled(&at, Mesh { boundaries, ..at.mesh });
     let (mut force, mut iterations) = (0.0, 0);
     for target in [0.0, 0.05, 0.1, 0.15, 0.2] {
         let solution = solve(&problem, at, &PathConstraint { weights, target }, &options, &mut work)
             .unwrap_or_else(|error| panic!("order {order}, {elements} elements, u = {target} nm: {error}"));
-        at = solution.moved(0.05);
+        at = solution.moved(&problem, 0.05);
         (force, iterations) = (solution.observables.force, iterations + solution.iterations);
     }
     (force, iterations)

@@ -17,6 +17,7 @@
 use crate::common::{paper_strip, whole_peel, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::analytic::steady_force;
+use peelkit::beam::{FRONT, TIP_ROTATION};
 use peelkit::model::{Form, Hold, PeelModel, StripModel};
 use peelkit::solve::{Hermite, Observables, Path, PathOptions, Problem, Solution};
 use peelkit::study::Peel;
@@ -149,7 +150,8 @@ fn plateau_is_the_steady_force() {
 fn work_between(from: &Solution, to: &Solution) -> f64 {
     let chord = to.observables.since(&from.observables);
     // along the chord, 0.1 rad counting as much as 1 nm
-    let weights = Observables { tip_rotation: 100.0 * chord.tip_rotation, force: 0.0, ..chord };
+    let mut weights = Observables { force: 0.0, ..chord };
+    weights.monitors[TIP_ROTATION] *= 100.0;
     let end = weights.dot(&chord);
     let cubic = |pick: fn(&Observables) -> f64| {
         let at = |s: &Solution, t: f64| (t, pick(&s.observables), pick(&s.slope) / weights.dot(&s.slope));
@@ -184,7 +186,7 @@ fn work(points: &[Arc<Solution>]) -> f64 {
 /// Work and change of stored plus adhesion energy, aJ, from rest until a hundredth of the strip's adhesion is left.
 fn work_and_energy(model: &StripModel) -> (f64, f64) {
     let points = finely(&model.problem(Form::TwoField, 7), |p| p.observables.monitors[FRONT] < 1.0);
-    (work(&points), points[points.len() - 1].energy.total - points[0].energy.total)
+    (work(&points), points[points.len() - 1].energy - points[0].energy)
 }
 
 /// The work reported at the snap-off against ∫ P du along a path in short steps.

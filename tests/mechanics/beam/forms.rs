@@ -15,8 +15,9 @@
 
 use crate::common::{LOADS, paper_strip, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
-use peelkit::model::{Body, Form, Hold, PeelModel, Spatula, StripModel};
-use peelkit::solve::{NewtonOptions, Observables, PathConstraint, Problem, Solution, Workspace, solve};
+use peelkit::beam::{FRONT, TIP_ROTATION};
+use peelkit::model::{Body, Form, Hold, PeelModel, PlanarProblem, Spatula, StripModel};
+use peelkit::solve::{Mesh, NewtonOptions, Observables, PathConstraint, Solution, Workspace, solve};
 use peelkit::study::{Accuracy, Bounds, Choice, peel};
 
 const STEPS: [f64; 14] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.35, 0.5, 0.75, 1.0, 1.5, 2.2, 3.3, 5.0];
@@ -25,14 +26,13 @@ const STEPS: [f64; 14] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.35, 0.5, 0.75, 1.0,
 const LONGEST: f64 = 0.05;
 
 /// Equilibria under displacement control, at every one of [`STEPS`]. The mesh stays: fine where the front is at 5 nm.
-fn lift(problem: &Problem, elements: usize) -> Vec<Solution> {
+fn lift(problem: &PlanarProblem, elements: usize) -> Vec<Solution> {
     let weights = Observables::DISPLACEMENT;
     let options = NewtonOptions { tolerance: 1e-12, largest_update: 1.0, most_iterations: 20, exact_slope: false };
     let mut work = Workspace::default();
-    let mut at = problem.initial(elements);
-    let ends = problem.beam.ends(0.9 * problem.beam.length, elements);
-    at.state = problem.beam.chain.resampled(at.configuration(), &ends);
-    (at.ends, at.center) = (ends, 0.9 * problem.beam.length);
+    let focus = 0.9 * problem.beam.length;
+    let mesh = Mesh { boundaries: problem.beam.ends(focus, elements), focus };
+    let mut at = problem.beam.resampled(&problem.initial(elements), mesh);
     let (mut solutions, mut u) = (Vec::new(), 0.0);
     for target in STEPS {
         loop {
@@ -42,11 +42,11 @@ fn lift(problem: &Problem, elements: usize) -> Vec<Solution> {
             u = next;
             if u == target {
                 let ahead = STEPS.iter().find(|&&s| s > target).map_or(0.0, |s| (s - target).min(LONGEST));
-                at = solution.moved(ahead);
+                at = solution.moved(problem, ahead);
                 solutions.push(solution);
                 break;
             }
-            at = solution.moved((target - u).min(LONGEST));
+            at = solution.moved(problem, (target - u).min(LONGEST));
         }
     }
     solutions
@@ -60,11 +60,11 @@ fn assert_same(model: &StripModel, order: usize) {
     let largest = full.iter().map(|s| s.observables.force).fold(0.0, f64::max);
     let stiffest = full.iter().map(|s| s.slope.force.abs()).fold(0.0, f64::max);
     // energies count from rest
-    let energy = |p: &Problem, s: &[Solution], i: usize| {
-        let of = |s: &Solution| s.energy.total + s.at.border * p.length;
-        of(&s[i]) - of(&s[0])
+    let energy = |s: &[Solution], i: usize| s[i].energy - s[0].energy;
+    let adhesion = |p: &PlanarProblem, s: &Solution| {
+        p.beam.chain.energy(p.beam.configuration(&s.at), p.beam.nodes(&s.at.values)).0.adhesion
     };
-    let whole = energy(&three, &full, STEPS.len() - 1);
+    let whole = energy(&full, STEPS.len() - 1);
     let held = model.grip.horizontal == Hold::Fixed;
     for (i, (a, b)) in reduced.iter().zip(&full).enumerate() {
         let case = format!("{:?} {:?} order {order}, u = {} nm", model.adhesion.line_load, model.grip, STEPS[i]);
@@ -79,16 +79,17 @@ fn assert_same(model: &StripModel, order: usize) {
             b.observables.monitors[TIP_ROTATION],
             0.1,
         );
-        close("front", a.observables.monitors[FRONT], b.observables.monitors[FRONT], two.length);
-        close("energy", energy(&two, &reduced, i), energy(&three, &full, i), whole);
-        close("adhesion energy", a.energy.adhesion, b.energy.adhesion, whole);
+        close("front", a.observables.monitors[FRONT], b.observables.monitors[FRONT], two.beam.length);
+        close("energy", energy(&reduced, i), energy(&full, i), whole);
+        close("adhesion energy", adhesion(&two, a), adhesion(&three, b), whole);
         // taken one Newton update before the solution, hence coarser
         close("stiffness", a.slope.force, b.slope.force, 1e4 * stiffest);
         assert_eq!((a.negative, a.negative_load), (b.negative, b.negative_load), "negative eigenvalues, {case}");
         if held {
-            let states = three.chain.node_states(b.at.configuration(), 0..b.at.mesh.boundaries.len() - 1);
+            let states = three.beam.chain.node_states(three.beam.configuration(&b.at), 0..b.at.mesh.elements());
+            let border = two.beam.configuration(&a.at).border;
             for state in states {
-                close("horizontal force", a.at.border, state.section.horizontal_force, largest);
+                close("horizontal force", border, state.section.horizontal_force, largest);
             }
         }
     }

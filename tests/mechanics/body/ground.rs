@@ -12,9 +12,9 @@
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use peelkit::adhesion::{GroundLaw, Heights, Ridge, Round, Shape, Sinusoid, Substrate};
 use peelkit::beam::{BeamOnGround, Density, Profile};
-use peelkit::model::{Form, Ground, Hold, PeelModel, Start, StripModel};
-use peelkit::solve::Beginning;
-use peelkit::study::{Accuracy, Bounds, End, Peel, TestEnd, observed, peel};
+use peelkit::model::{Discretisation, Form, Ground, Hold, PeelModel, Start, StripModel};
+use peelkit::solve::InitialState;
+use peelkit::study::{Accuracy, Bounds, End, Peel, TestEnd, observed, peel, prepared};
 use std::sync::Arc;
 
 const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
@@ -95,10 +95,10 @@ fn a_wide_ridge_is_a_cylinder() {
 }
 
 fn energy_at_start(model: &PeelModel) -> f64 {
-    let problem = model.problem(Form::TwoField, 7);
-    let Beginning::Settled(at) = &problem.beginning else { panic!("{:?}", problem.beginning) };
+    let problem = prepared(model, Discretisation::moving(Form::TwoField, 7), None).problem;
+    let InitialState::Known { at, .. } = &problem.start else { panic!("{:?}", problem.start) };
     assert_eq!((at.force, problem.displacement(at)), (0.0, 0.0));
-    problem.beam.chain.energy(at.configuration(), &at.state).0.total
+    problem.beam.chain.energy(problem.beam.configuration(at), &at.values).0.total
 }
 
 /// A thin strip follows the ground, however it came there; a thick one stays on the crests, or in the valley once it is pressed

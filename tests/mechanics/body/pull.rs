@@ -14,7 +14,8 @@
 
 use crate::common::{paper_strip, with_grip};
 use peelkit::model::{Body, Form, Hold, PeelModel, Pull, Spatula, StripModel};
-use peelkit::study::{Accuracy, Bounds, Choice, End, LimitPoint, Peel, TestEnd, Turn, observed, peel};
+use peelkit::solve::LimitPointKind;
+use peelkit::study::{Accuracy, Bounds, Choice, End, LimitPoint, Peel, TestEnd, observed, peel};
 
 const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
 
@@ -32,7 +33,7 @@ fn peeled(model: &PeelModel, form: Form) -> Peel {
 #[track_caller]
 fn assert_agree(a: &Peel, b: &Peel) {
     let turns = |peel: &Peel| -> Vec<LimitPoint> {
-        peel.limit_points.iter().filter(|point| point.kind == Turn::Displacement).copied().collect()
+        peel.limit_points.iter().filter(|point| point.kind == LimitPointKind::Displacement).copied().collect()
     };
     let (turns_a, turns_b) = (turns(a), turns(b));
     assert_eq!(turns_a.len(), turns_b.len(), "{turns_a:?}\n{turns_b:?}");

@@ -19,10 +19,11 @@
 use approx::assert_relative_eq;
 use peelkit::adhesion::{Heights, Round, Shape, Sinusoid, Substrate};
 use peelkit::model::{
-    Body, Form, Ground, Hold, PeelModel, Profile, ProfileColumns, ProfileForm, ProfileTable, Spatula, Start, StripModel,
+    Body, Discretisation, Form, Ground, Hold, PeelModel, Profile, ProfileColumns, ProfileForm, ProfileTable, Spatula,
+    Start, StripModel,
 };
-use peelkit::solve::Beginning;
-use peelkit::study::{Accuracy, Bounds, End, Peak, TestEnd, observed, peel};
+use peelkit::solve::InitialState;
+use peelkit::study::{Accuracy, Bounds, End, Peak, TestEnd, observed, peel, prepared};
 use std::sync::Arc;
 
 const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
@@ -154,8 +155,9 @@ fn how_it_lies_depends_on_how_it_came_there() {
 #[test]
 fn it_rests_off_the_ground() {
     for (substrate, start) in [(round(Shape::Cylinder, 60.0), Start::Conformed), (wave(3.0, 50.0), Start::Conformed)] {
-        let problem = on(substrate, start).problem(Form::TwoField, 7);
-        let Beginning::Settled(at) = &problem.beginning else { panic!("{:?}", problem.beginning) };
+        let how = Discretisation::moving(Form::TwoField, 7);
+        let problem = prepared(&on(substrate, start), how, None).problem;
+        let InitialState::Known { at, .. } = &problem.start else { panic!("{:?}", problem.start) };
         assert!(problem.beam.nearest(at) > 0.5 * problem.beam.rest_gap, "{}", problem.beam.nearest(at));
         assert!(problem.beam.grip_forces(at).vertical.abs() < 1e-7, "{:?}", problem.beam.grip_forces(at));
     }

@@ -13,8 +13,8 @@
 //! is not honoured, or bounds that hold for the program's own choice alone, would make every comparison of choices worthless.
 
 use crate::common::paper_strip;
+use peelkit::beam::MeshKind;
 use peelkit::model::Form;
-use peelkit::solve::Mesh;
 use peelkit::study::{Accuracy, Bounds, Choice, End, Peel, peel};
 
 /// (u, P) of peak and snap-off, strip.csv.

@@ -16,7 +16,8 @@
 use crate::common::{paper_strip, whole_peel, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
-use peelkit::study::{Accuracy, Bounds, End, Peel, Turn, peel};
+use peelkit::solve::LimitPointKind;
+use peelkit::study::{Accuracy, Bounds, End, Peel, peel};
 
 const FREE: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
 
@@ -40,9 +41,9 @@ fn strip_of_100_nm_pivots_on_its_edge() {
     let last = peel.points[peel.points.len() - 1];
     assert!(last.force.abs() < 1e-9, "P = {:e} nN at the last point", last.force);
     assert!(peel.points[1..peel.points.len() - 1].iter().all(|p| p.force > 0.0), "the force vanishes at the end only");
-    let kinds: Vec<Turn> = peel.limit_points.iter().map(|l| l.kind).collect();
-    assert_eq!(kinds[..2], [Turn::Load, Turn::Displacement][..], "peak, then snap-off: {kinds:?}");
-    assert_eq!(kinds.iter().filter(|k| **k == Turn::Displacement).count(), 2, "{kinds:?}");
+    let kinds: Vec<LimitPointKind> = peel.limit_points.iter().map(|l| l.kind).collect();
+    assert_eq!(kinds[..2], [LimitPointKind::Load, LimitPointKind::Displacement][..], "peak, then snap-off: {kinds:?}");
+    assert_eq!(kinds.iter().filter(|k| **k == LimitPointKind::Displacement).count(), 2, "{kinds:?}");
     // effort: 75 points, 253 iterations, 14 elements when written
     let effort = peel.effort;
     assert!(effort.points <= 94 && effort.newton_iterations <= 316 && effort.elements <= 17, "{effort:?}");
@@ -97,7 +98,7 @@ fn negative_eigenvalues_tell_the_snap_off() {
     for model in [paper_strip(100.0, 1.0), with_grip(paper_strip(100.0, 1.0), Hold::Fixed, Hold::Free)] {
         let peel = whole_peel(&model, 1e-6);
         let turns: Vec<usize> =
-            peel.limit_points.iter().filter(|l| l.kind == Turn::Displacement).map(|l| l.after).collect();
+            peel.limit_points.iter().filter(|l| l.kind == LimitPointKind::Displacement).map(|l| l.after).collect();
         assert!(turns.len() >= 2, "{:?}", peel.limit_points);
         for (i, p) in peel.points[..peel.points.len() - 1].iter().enumerate() {
             let passed = turns.iter().filter(|&&after| i > after).count();
@@ -183,7 +184,7 @@ fn assert_dense_curve_stays_between(model: &StripModel, relative: f64) {
     let peel = whole_peel(model, relative);
     let curve = peel.dense_curve(PER_STEP);
     for i in 0..peel.points.len() - 1 {
-        if peel.limit_points.iter().any(|l| l.after == i && l.kind == Turn::Displacement) {
+        if peel.limit_points.iter().any(|l| l.after == i && l.kind == LimitPointKind::Displacement) {
             continue;
         }
         let (from, to) = (peel.points[i].displacement, peel.points[i + 1].displacement);

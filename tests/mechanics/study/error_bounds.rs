@@ -13,7 +13,8 @@
 
 use crate::common::{paper_strip, whole_peel, with_grip};
 use peelkit::model::Hold;
-use peelkit::study::{End, Turn};
+use peelkit::solve::LimitPointKind;
+use peelkit::study::End;
 
 #[test]
 fn a_failure_at_the_end_keeps_what_was_reached() {
@@ -28,7 +29,7 @@ fn a_failure_at_the_end_keeps_what_was_reached() {
     }
 
     let peak = peel.initiation_peak.expect("an initiation peak");
-    let mut turns = peel.limit_points.iter().filter(|point| point.kind == Turn::Displacement);
+    let mut turns = peel.limit_points.iter().filter(|point| point.kind == LimitPointKind::Displacement);
     let (snap, end) = (turns.next().expect("a snap-off"), turns.next().expect("an end of the snap-back"));
     for (name, value, bound, exact, digit) in [
         ("peak u", peak.displacement, peak.displacement_error, 0.57147872313, 1e-11),

@@ -17,8 +17,9 @@
 use crate::common::{LOADS, paper_strip, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
+use peelkit::solve::LimitPointKind;
 use peelkit::study::{
-    Accuracy, Bounds, FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing, Turn, follow_point, peel,
+    Accuracy, Bounds, FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing, follow_point, peel,
 };
 
 const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
@@ -197,7 +198,7 @@ fn where_the_snap_off_vanishes_is_said_by_name() {
     // two turning points that meet at EI_c lie (EI_c - EI)^(3/2) apart in u: EI_c from two full paths before it
     let apart = |value: f64| {
         let peel = peel(&case.model(value), &Accuracy::to(1e-8), &BOUNDS);
-        let turns = peel.limit_points.iter().filter(|p| p.kind == Turn::Displacement).map(|p| p.displacement);
+        let turns = peel.limit_points.iter().filter(|p| p.kind == LimitPointKind::Displacement).map(|p| p.displacement);
         let [first, second] = turns.collect::<Vec<_>>()[..] else { panic!("{:?}", peel.limit_points) };
         (first - second).powf(2.0 / 3.0)
     };

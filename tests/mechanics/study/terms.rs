@@ -19,7 +19,7 @@
 use crate::common::{paper_strip, with_grip};
 use peelkit::adhesion::{LineLoad, Sinusoid, Substrate};
 use peelkit::model::{Body, Friction, Ground, Hold, PeelModel, Pull, Spatula, Strip, StripModel};
-use peelkit::study::{Accuracy, Bounds, LeftOut, LimitPoint, Peel, Term, Terms, Why, peel};
+use peelkit::study::{Accuracy, Bounds, KeptReason, LeftOut, LimitPoint, Peel, Term, Terms, peel};
 
 const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
 
@@ -165,17 +165,17 @@ fn what_matters_is_kept() {
     assert_eq!((&auto.points, &auto.limit_points), (&all.points, &all.limit_points));
     let why =
         |peel: &Peel, term: Term| peel.considered.as_ref().unwrap().kept.iter().find(|kept| kept.0 == term).unwrap().1;
-    assert!(matches!(why(&auto, Term::FarFace), Why::Matters(share) if share > 1e-4));
-    assert_eq!(why(&auto, Term::Shear), Why::NothingSaved);
+    assert!(matches!(why(&auto, Term::FarFace), KeptReason::Matters(share) if share > 1e-4));
+    assert_eq!(why(&auto, Term::Shear), KeptReason::NothingSaved);
     assert_eq!(all.considered, None);
 
     let short = Bounds { points: 20, ..BOUNDS };
     let strong = Friction { strength: Some(0.05), coefficient: 0.0, presliding: None };
     let rubs = left_out(&PeelModel { friction: strong, ..paper.clone() }, 1e-4, &short);
-    assert!(matches!(why(&rubs, Term::Friction), Why::Matters(share) if share > 0.01), "{:?}", rubs.considered);
+    assert!(matches!(why(&rubs, Term::Friction), KeptReason::Matters(share) if share > 0.01), "{:?}", rubs.considered);
     let oblique = PeelModel { friction: strong, pull: Pull { angle: 0.5, ..Pull::UP }, ..paper.clone() };
-    assert!(matches!(why(&left_out(&oblique, 1e-2, &short), Term::Friction), Why::NotTold(_)));
+    assert!(matches!(why(&left_out(&oblique, 1e-2, &short), Term::Friction), KeptReason::NotTold(_)));
     let substrate = Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 100.0, offset: 0.0 });
     let deep = PeelModel { ground: Ground { substrate, ..Ground::default() }, ..paper };
-    assert!(matches!(why(&left_out(&deep, 1e-2, &short), Term::Ground), Why::NotTold(_)));
+    assert!(matches!(why(&left_out(&deep, 1e-2, &short), Term::Ground), KeptReason::NotTold(_)));
 }
