@@ -40,12 +40,7 @@ pub struct TraceOptions {
 impl Default for TraceOptions {
     /// All limit points, no branch points.
     fn default() -> Self {
-        Self {
-            kinds: &[LimitPointKind::Load, LimitPointKind::Displacement],
-            branches: false,
-            relative: 0.0,
-            behind: 3,
-        }
+        Self { kinds: &[LimitPointKind::Load, LimitPointKind::Displacement], branches: false, relative: 0.0, behind: 3 }
     }
 }
 
@@ -153,11 +148,7 @@ impl<'p> PathTracer<'p> {
         Ok(self.options.kinds)
     }
 
-    fn bracketed(
-        &mut self,
-        after: usize,
-        kind: LimitPointKind,
-    ) -> Result<(PathSegment, Vec<(f64, f64)>), SolveError> {
+    fn bracketed(&mut self, after: usize, kind: LimitPointKind) -> Result<(PathSegment, Vec<(f64, f64)>), SolveError> {
         let segment = PathSegment::around(self.problem, self.path.points(), after);
         let points = self.path.points();
         let found = brackets(self.problem, points, after, &segment, kind, self.options.relative, &mut self.ws)?;

@@ -3,7 +3,7 @@
 
 use super::jump;
 use super::result::*;
-use super::stable_branch::{StableBranch, BranchEnd, BranchTrouble, Machine, Until};
+use super::stable_branch::{BranchEnd, BranchTrouble, Machine, StableBranch, Until};
 use crate::beam::FRONT;
 use crate::model::{Discretisation, Form, PeelModel, PlanarProblem};
 use crate::solve::{

@@ -2,8 +2,8 @@
 
 use crate::model::PlanarProblem;
 use crate::solve::{
-    LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathEvent, PathOptions, PathSegment, PathTracer,
-    Solution, SolveError, State, TraceError, TraceOptions, Workspace, locate, solve,
+    LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathEvent, PathOptions, PathSegment,
+    PathTracer, Solution, SolveError, State, TraceError, TraceOptions, Workspace, locate, solve,
 };
 use crate::study::Bounds;
 use crate::study::peel::{StepCurve, is_clear};
@@ -73,7 +73,13 @@ const INSIDE: usize = 8;
 
 impl Machine<'_> {
     /// Follows the stable equilibria from `start` on; U rises or falls as `rising` says. `points` have been computed before.
-    pub fn follow(&self, start: State, rising: bool, until: Until, points: usize) -> Result<StableBranch, BranchTrouble> {
+    pub fn follow(
+        &self,
+        start: State,
+        rising: bool,
+        until: Until,
+        points: usize,
+    ) -> Result<StableBranch, BranchTrouble> {
         let first = self.options.first_displacement.copysign(if rising { 1.0 } else { -1.0 });
         let options = PathOptions { first_displacement: first, elements: start.mesh.elements(), ..self.options };
         let path = Path::from(self.problem, options, start);

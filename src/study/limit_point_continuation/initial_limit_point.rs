@@ -3,7 +3,8 @@
 use super::result::PointKind;
 use crate::model::{Discretisation, Form, PeelModel};
 use crate::solve::{
-    LimitPointKind, Located, Path, PathEvent, PathSegment, PathTracer, Problem, TraceOptions, Workspace, brackets, locate,
+    LimitPointKind, Located, Path, PathEvent, PathSegment, PathTracer, Problem, TraceOptions, Workspace, brackets,
+    locate,
 };
 use crate::study::accuracy::{ORDER, Resolution};
 use crate::study::initial::prepared;
