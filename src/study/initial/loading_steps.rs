@@ -21,7 +21,7 @@ enum Trouble {
     Start(PathError),
     #[error("cannot be followed beyond {}: {why}", place_text(.at))]
     Path { at: Reached, why: PathError },
-    #[error("comes to a limit point at {}, behind which the beam jumps", place_text(.at))]
+    #[error("comes to a turning point at {}, behind which the beam jumps", place_text(.at))]
     Turns { at: Reached },
     #[error("leads through the surface of the substrate, behind {}", place_text(.at))]
     Inside { at: Reached },
