@@ -4,10 +4,11 @@
 //! `verification/hard_scenes.csv`, a collocation of the strong form without finite elements.
 
 use super::check::{Check, Measure};
+pub use super::hard_scene::{Ending, HardScene};
 use super::reference::{self, Row};
 use super::{bounds, drawn, repeated};
 use peelkit::model::{Hold, PeelModel};
-use peelkit::study::{Accuracy, Bounds, End, Peel, peel};
+use peelkit::study::{Peel, peel};
 use rayon::prelude::*;
 
 /// The name under which the checks are reported.
@@ -17,44 +18,6 @@ const TABLE: &str = include_str!("../../../../verification/hard_scenes.csv");
 const SOURCE: &str = "verification/hard_scenes.py: Chebyshev collocation of the strong form";
 /// Two numbers of a scene are the same within this.
 const SAME: f64 = 1e-12;
-
-/// How a path is expected to end.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
-    Detached,
-    Pivoting,
-    TurnedBack,
-    Sliding,
-    Snapped,
-    Bound,
-    /// Stopped short, with a reason.
-    Refused,
-}
-
-impl Ending {
-    /// How a path did end; a refusal must give a reason.
-    pub fn of(end: &End) -> Self {
-        match end {
-            End::Detached => Self::Detached,
-            End::Pivoting => Self::Pivoting,
-            End::TurnedBack => Self::TurnedBack,
-            End::Sliding => Self::Sliding,
-            End::Snapped => Self::Snapped,
-            End::Bound(_) => Self::Bound,
-            End::Failed(_) => Self::Refused,
-        }
-    }
-}
-
-/// A hard scene, read.
-#[derive(Clone, Debug)]
-pub struct HardScene {
-    pub name: &'static str,
-    pub model: PeelModel,
-    pub accuracy: Accuracy,
-    pub bounds: Bounds,
-    pub expected: Ending,
-}
 
 /// Peels every scene, once more in other units, and the drawn strips, on all cores, and judges what came out.
 pub fn run(scenes: &[HardScene]) -> Vec<Check> {
