@@ -23,14 +23,15 @@ use peelkit::adhesion::{Cohesive, CohesiveShape, Law, LineLaw, LineLoad, LineRes
 use peelkit::model::StripModel;
 use peelkit::scene::Scene;
 
-const SHAPES: [CohesiveShape; 3] = [CohesiveShape::Bilinear, CohesiveShape::Exponential, CohesiveShape::Dugdale];
+const SHAPES: &[CohesiveShape] = CohesiveShape::ALL;
 const LOADS: [LineLoad; 3] = [LineLoad::Full, LineLoad::ForceOnly, LineLoad::AxisGap];
 const GAPS: [f64; 6] = [0.2, 0.2547, 0.29, 0.41, 0.7, 1.5];
 const DEGREES: [f64; 10] = [0.0, 0.4, 3.0, 11.0, 40.0, 83.0, -7.0, -30.0, 104.0, 170.0];
 
 fn laws() -> Vec<LineLaw> {
     let cohesive = SHAPES
-        .map(|shape| Law::Cohesive(Cohesive::calibrated(shape, PAPER.strength(), PAPER.work_of_adhesion(), &PAPER)));
+        .iter()
+        .map(|&shape| Law::Cohesive(Cohesive::calibrated(shape, PAPER.strength(), PAPER.work_of_adhesion(), &PAPER)));
     let mut laws = Vec::new();
     for law in [Law::SurfaceTraction].into_iter().chain(cohesive) {
         for line_load in LOADS {
@@ -135,7 +136,7 @@ fn flat_sections() {
             epsilon = 1e-13 * scale.max(1.0)
         );
     }
-    for shape in SHAPES {
+    for &shape in SHAPES {
         let law = Cohesive::calibrated(shape, 0.05, 0.02, &PAPER);
         let largest =
             (1..4000).map(|k| -flat(Law::Cohesive(law), law.closed + 1e-3 * f64::from(k))).fold(0.0, f64::max);
@@ -166,7 +167,7 @@ fn a_scene_says_which_law() {
 #[test]
 fn work_of_adhesion_of_a_strip() {
     let mut model = StripModel::of_the_paper(100.0, 1.0);
-    for shape in SHAPES {
+    for &shape in SHAPES {
         model.adhesion.attraction = peelkit::model::Attraction::Cohesive(shape);
         assert_relative_eq!(-model.line_law().rest_energy(), PAPER.work_of_adhesion(), max_relative = 1e-13);
     }

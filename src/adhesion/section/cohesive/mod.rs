@@ -56,6 +56,8 @@ shapes! {
     Exponential = exponential,
     /// The same over most of its range; flanks are steep, corners rounded.
     Dugdale = dugdale,
+    /// Level up to half of its range, with a long flank and rounded corners.
+    Trapezoidal = trapezoidal,
 }
 
 impl CohesiveShape {
