@@ -10,7 +10,7 @@
 //! start, or a force without a potential, would still draw a curve.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use peelkit::adhesion::{GroundLaw, Heights, Round, Shape, Sinusoid, Substrate};
+use peelkit::adhesion::{GroundLaw, Heights, Ridge, Round, Shape, Sinusoid, Substrate};
 use peelkit::beam::{BeamOnGround, Density, Profile};
 use peelkit::model::{Form, Ground, Hold, PeelModel, Start, StripModel};
 use peelkit::solve::Beginning;
@@ -89,12 +89,25 @@ fn a_wave_of_no_height_is_flat_ground() {
     for substrate in [
         wave(1e-9, 100.0, 0.0),
         Substrate::Round(Round { shape: Shape::Sphere, radius: 1e13, offset: 0.0 }),
+        Substrate::Ridge(Ridge { radius: 1e13, offset: 0.0 }),
         Substrate::Profile(Arc::new(Heights::parse("x_nm,height_nm\n0,0\n50,0\n120,0\n").unwrap())),
     ] {
         let found = first(&strip(100.0, 10.0, substrate, Start::Conformed));
         assert_relative_eq!(found.force, flat.force, max_relative = 2e-7);
         assert_relative_eq!(found.displacement, flat.displacement, max_relative = 2e-6);
     }
+}
+
+/// Within a contact much shorter than its radius a parabola is its circle.
+#[test]
+fn a_wide_ridge_is_a_cylinder() {
+    let round = Round { shape: Shape::Cylinder, radius: 1e5, offset: 20.0 };
+    let ridge = Ridge { radius: round.radius, offset: round.offset };
+    let [cylinder, ridge] = [Substrate::Round(round), Substrate::Ridge(ridge)].map(|substrate| {
+        peel(&strip(60.0, 10.0, substrate, Start::Conformed), &Accuracy::to(1e-6), &NEAR).initiation_peak.unwrap()
+    });
+    assert_relative_eq!(ridge.force, cylinder.force, max_relative = 1e-5);
+    assert_relative_eq!(ridge.displacement, cylinder.displacement, max_relative = 1e-5);
 }
 
 fn energy_at_start(model: &PeelModel) -> f64 {

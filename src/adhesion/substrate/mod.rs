@@ -80,6 +80,8 @@ substrates! {
     Sinusoid(Sinusoid) = sinusoid,
     /// Heights by a table.
     Profile(Arc<Heights>) = heights,
+    /// y = -(x - x0)²/(2R).
+    Ridge(Ridge) = ridge,
 }
 
 impl Substrate {

@@ -26,6 +26,7 @@ fn substrates() -> Vec<Case> {
     vec![
         (Substrate::Sinusoid(PAPER), Box::new(|s| PAPER.at(s)[0])),
         (Substrate::Sinusoid(steep), Box::new(move |s| steep.at(s)[0])),
+        (Substrate::Ridge(Ridge { radius: 35.0, offset: 120.0 }), Box::new(|s| -(s - 120.0).powi(2) / 70.0)),
         (Substrate::Profile(heights), Box::new(move |s| same.at(s)[0])),
         (
             Substrate::Round(round),
