@@ -73,10 +73,10 @@ pub struct Relaxed {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RelaxError {
     /// Steps became too short.
-    #[error("after {steps} steps of relaxing no shorter one lowers the energy {energy:.9e} aJ: {cause}")]
+    #[error("after {steps} relaxation steps no shorter one lowers the energy {energy:.9e} aJ: {cause}")]
     Stuck { steps: usize, energy: f64, cause: SolveError },
     /// There were too many.
-    #[error("{steps} steps of relaxing did not end in an equilibrium; the energy is {energy:.9e} aJ")]
+    #[error("{steps} relaxation steps did not lead to an equilibrium; the energy is {energy:.9e} aJ")]
     Endless { steps: usize, energy: f64 },
 }
 

@@ -23,7 +23,7 @@ pub(super) const MODESTY: f64 = 0.1;
 pub(super) fn least(relative: f64) -> f64 {
     (0.1 * relative).min(2e-10)
 }
-/// Whether turning points of this kind are wanted as well as was asked.
+/// Whether limit points of this kind are wanted as well as was asked.
 pub(super) fn counts(problem: &Problem, kind: LimitPointKind) -> bool {
     !problem.system.has_history() || kind == LimitPointKind::Load
 }

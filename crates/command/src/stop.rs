@@ -40,9 +40,9 @@ impl Stop {
         Self { status: Status::Other, report: miette::miette!("{reason}") }
     }
 
-    /// Tells the message on standard error.
+    /// Reports the message on standard error.
     pub fn tell(self) -> ExitCode {
-        // Where standard error is closed there is nobody to tell; the status still says it.
+        // Where standard error is closed nobody reads it; the status still says it.
         let _ = writeln!(std::io::stderr(), "{:?}", self.report);
         ExitCode::from(self.status as u8)
     }

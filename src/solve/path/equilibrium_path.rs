@@ -34,7 +34,7 @@ pub struct PathOptions {
 /// Where a path stopped and why.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "the path cannot be continued from u = {displacement_nm:.6} nm, P = {force:.6} nN (point {point}): after {tries} shorter and shorter steps: {cause}"
+    "the path cannot be continued from u = {displacement_nm:.6} nm, P = {force:.6} nN (point {point}): after {tries} ever shorter steps: {cause}"
 )]
 pub struct PathError {
     pub point: usize,

@@ -3,7 +3,8 @@
 use super::result::PointKind;
 use crate::model::{Discretisation, Form, PeelModel};
 use crate::solve::{
-    LimitPointKind, Located, Path, PathEvent, PathSegment, PathTracer, Problem, TraceOptions, Workspace, brackets, locate,
+    LimitPointKind, Located, Path, PathEvent, PathSegment, PathTracer, Problem, TraceOptions, Workspace, brackets,
+    locate,
 };
 use crate::study::accuracy::{ORDER, Resolution};
 use crate::study::initial::prepared;
@@ -57,7 +58,7 @@ fn first_maximum(model: &PeelModel, bounds: &Bounds) -> Result<Option<Located>, 
     }
 }
 
-/// The first turning point at which the displacement turns back, from the whole path.
+/// The first displacement limit point, from the whole path.
 fn snap_off(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Result<Option<Located>, String> {
     let peel = peel(model, accuracy, bounds);
     let (Some(at), Some(trace)) = (peel.snap_off, &peel.trace) else {

@@ -1,4 +1,4 @@
-//! What is told of a path that was followed: its numbers, and how far each may be wrong.
+//! What is reported of a path that was followed: its numbers and their error bounds.
 
 use super::equilibrium_path::Followed;
 use super::plateau::plateau;
@@ -28,7 +28,7 @@ pub(super) fn worst_difference(followed: &Followed, problem: &PlanarProblem) -> 
     turns.fold(0.0, f64::max)
 }
 
-/// What a user is told of a path.
+/// What is reported of a path.
 pub(super) fn report(model: &PeelModel, problem: &PlanarProblem, followed: &Followed, relative: f64) -> Peel {
     let mut ws = followed.workspace();
     let works = works(problem, &followed.points, &mut ws);

@@ -38,7 +38,14 @@ fn truss(height: f64) -> Truss {
 }
 
 fn options() -> PathOptions {
-    PathOptions { elements: 0, step_tolerance: 1e-3, stride: 1.0, tolerance: 1e-12, prediction: 8, first_displacement: -1e-3 }
+    PathOptions {
+        elements: 0,
+        step_tolerance: 1e-3,
+        stride: 1.0,
+        tolerance: 1e-12,
+        prediction: 8,
+        first_displacement: -1e-3,
+    }
 }
 
 /// P and dP/du at an apex height.

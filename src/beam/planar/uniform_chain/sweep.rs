@@ -87,7 +87,10 @@ impl<const F: usize, const N: usize> UniformChain<F, N> {
                 negative += pivots.negative.0[l] as usize + negative_end;
                 let least = least.min(pivots.least.0[l]);
                 if least < LEAST_PIVOT {
-                    return Err(SolveError::Singular { pivot: least, place: Place { element: e, position: at.ends[e] } });
+                    return Err(SolveError::Singular {
+                        pivot: least,
+                        place: Place { element: e, position: at.ends[e] },
+                    });
                 }
                 ends.extend_from_slice(&block[..F]);
                 carry = Ends::<F, BORDER>::load(&block);
