@@ -63,11 +63,11 @@ impl From<ReportError> for Stop {
             ),
             ReportError::OtherSweep { .. } => Self::bad_input(
                 &error,
-                "Finish that sweep by its own command, or give another folder with --out DIR, or --fresh to discard its values.",
+                "Finish that sweep with its own command, or give another folder with --out DIR, or --fresh to discard its values.",
             ),
             ReportError::OtherRun { .. } => Self::bad_input(
                 &error,
-                "Finish that run by its own command, or give another folder with --out DIR, or --fresh to discard its points.",
+                "Finish that run with its own command, or give another folder with --out DIR, or --fresh to discard its points.",
             ),
             _ => Self::other(error),
         }
