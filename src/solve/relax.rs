@@ -1,4 +1,4 @@
-//! Where a structure goes that has lost its stability: down the gradient of its energy Π at a held displacement or force.
+//! Where a structure goes that has lost its stability: by gradient flow of its energy Π at a fixed displacement or force.
 //!
 //!   C dq/dt = -∂Π/∂q,  discretised as  (K + C/Δt) δ = -∂Π/∂q
 //!
@@ -99,7 +99,7 @@ const ROUND_OFF: f64 = 1e-13;
 const DISTURBED: f64 = 1e-2;
 
 /// A limit point left a little along its tangent, which is the critical direction there: onward, where the unstable part of the
-/// path turns off, because there the energy at the held displacement falls.
+/// path turns off, because there the energy at the fixed displacement falls.
 pub fn disturbed(problem: &Problem, limit: &Solution) -> State {
     limit.moved(problem, DISTURBED / problem.system.size(&limit.tangent.direction, &limit.at.values))
 }

@@ -43,7 +43,7 @@ struct Bends {
     force: f64,
 }
 
-/// What is sought: a limit point of `turn` on a problem, with the place along the path told by `weights`.
+/// What is sought: a limit point of `turn` on a problem, with the place along the path given by `weights`.
 #[derive(Clone, Copy)]
 pub struct FoldSearch<'p> {
     pub problem: &'p Problem,

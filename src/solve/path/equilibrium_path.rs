@@ -92,7 +92,7 @@ impl<'p> Path<'p> {
     }
 
     /// A path that starts at the equilibrium next to `start`, on its elements, with its displacement. A beam that is curved when
-    /// free of stress bends towards the substrate. It must not turn there.
+    /// stress-free bends towards the substrate. It must not have a limit point there.
     pub fn from(problem: &'p Problem, options: PathOptions, start: State) -> Self {
         let (known, points, errors) = (Vec::new().into_iter(), Vec::new(), Vec::new());
         Self { problem, options, start, known, points, errors, ws: Workspace::default(), iterations: 0, history: None }

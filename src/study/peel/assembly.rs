@@ -122,7 +122,7 @@ fn fill_special_points(peel: &mut Peel, problem: &PlanarProblem, followed: &Foll
         _ => None,
     };
     peel.peak = at_turns.chain(at_end).max_by(|a, b| a.force.total_cmp(&b.force));
-    // a beam that is curved when free of stress is pulled where it begins
+    // a beam that is curved in its stress-free configuration is pulled where it begins
     let least = peel.peak.map_or(0.0, |peak| peak.force).max(PULL * problem.measure.force);
     if let Some(first) = followed.points.first().filter(|first| first.observables.force > least) {
         peel.peak = peak_at(problem, first, relative).or(peel.peak);

@@ -272,7 +272,7 @@ fn slides(problem: &PlanarProblem, path: &Path) -> bool {
     FrictionHistory(now).slides(little * FrictionHistory(rest).capacity())
 }
 
-/// Whether the force has been above zero: where a beam is curved when free of stress, the grip may have to push at first.
+/// Whether the force has been above zero: where a beam is curved in its stress-free configuration, the grip may have to push at first.
 fn has_pulled(problem: &PlanarProblem, points: &[Arc<Solution>]) -> bool {
     let pushes = points[0].observables.force < -PUSH * problem.measure.force;
     !pushes || points.iter().any(|point| point.observables.force > 0.0)
