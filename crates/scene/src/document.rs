@@ -157,7 +157,7 @@ fn convert(value: &DeValue, levels: usize) -> Value {
         DeValue::String(text) => Value::Text(text.to_string()),
         DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
             Ok(integer) => Value::Number(integer as f64),
-            Err(_) => Value::Other("a whole number of more digits than can be held"),
+            Err(_) => Value::Other("a whole number with too many digits"),
         },
         DeValue::Float(float) => match float.as_str().parse() {
             Ok(float) => Value::Number(float),

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic = Topic {
     name: "ground",
-    about: "strips and spatulae on waves and cylinders: where they lie, first peak, against solve_bvp",
+    about: "strips and spatulae on waves and cylinders: free equilibria and first peaks, against solve_bvp",
     run,
 };
 

@@ -21,7 +21,7 @@ const TABLE: Turns = Turns {
     source: "verification/pull_angle.py: collocation",
     named: &[
         ("pull_angle_deg", "", " degrees"),
-        ("grip_across", "across ", ""),
+        ("grip_across", "normal to the pull ", ""),
         ("grip_rotation", "rotation ", ""),
         ("line_load", "", ""),
         ("bending_stiffness_factor", "EI × ", ""),
@@ -47,10 +47,10 @@ const TURNED: Turns = Turns {
     table: include_str!("../../../../verification/turned_grip.csv"),
     source: "verification/turned_grip.py: collocation",
     named: &[
-        ("grip_turned_deg", "grip turned by ", " degrees"),
-        ("grip_turn_deg_per_nm", "turning by ", " degrees/nm"),
+        ("grip_turned_deg", "grip rotated by ", " degrees"),
+        ("grip_turn_deg_per_nm", "rotating by ", " degrees/nm"),
         ("pull_angle_deg", "", " degrees"),
-        ("grip_across", "across ", ""),
+        ("grip_across", "normal to the pull ", ""),
         ("bending_stiffness_factor", "EI × ", ""),
         ("length_nm", "L = ", " nm"),
     ],

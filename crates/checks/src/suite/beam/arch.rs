@@ -51,7 +51,7 @@ fn checks_of(name: &str) -> Vec<Check> {
     )];
     for (k, row) in turns.iter().enumerate() {
         let kind = row.text("kind").unwrap_or("?");
-        let label = format!("turn {} ({kind}) of the {name} arch", k + 1);
+        let label = format!("limit point {} ({kind}) of the {name} arch", k + 1);
         for (what, column) in [("lowering of the crown, L", "lowering"), ("load of half the arch, EI/L²", "load")] {
             let expected = row.number(column).unwrap_or(f64::NAN);
             let value =
