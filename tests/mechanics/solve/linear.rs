@@ -8,7 +8,7 @@ use super::dense_truss::Truss;
 use approx::assert_abs_diff_eq;
 use nalgebra::{DMatrix, DVector};
 use peelkit::solve::{
-    Bordered, Direction, EndConditions, NewtonOptions, Observables, PathConstraint, Problem, State, System, Tangents,
+    Bordered, Direction, EndConditions, NewtonOptions, Observables, PathConstraint, Problem, State, Tangents,
     Workspace, solve,
 };
 
