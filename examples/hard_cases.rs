@@ -1,4 +1,4 @@
-//! What the hard scenes do to other ways of computing them: a mesh that stays, secant steps, displacement control.
+//! What the hard scenes do to other ways of computing them: a fixed mesh, secant steps, displacement control.
 //!
 //!     cargo run --release --example hard_cases
 //!
@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let scenes = files.iter().map(read).collect::<Result<Vec<_>, _>>()?;
     println!(
-        "| scene | end | initiation peak, nN | bound | points, iterations, elements | mesh that stays | secant steps | displacement control |"
+        "| scene | end | initiation peak, nN | bound | points, iterations, elements | fixed mesh | secant steps | displacement control |"
     );
     println!("|---|---|---|---|---|---|---|---|");
     let rows: Vec<String> = scenes.par_iter().map(|(name, scene)| row(name, scene)).collect();

@@ -1,7 +1,7 @@
 //! How thin adhesive beams peel from a surface.
 //!
 //! Units inside the library: nm and nN, hence 1 nN/nm² = 1 GPa, 1 nN/nm = 1 J/m², 1 nN·nm = 1 aJ.
-//! The rooms stand on one another in this order; each knows only those above it.
+//! The modules build on one another in this order; each knows only those above it.
 
 #![forbid(unsafe_code)]
 // sums over fields, nodes and points read as in the equations

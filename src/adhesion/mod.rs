@@ -1,6 +1,6 @@
-//! What pulls, and what resists sliding: pair potential, half space, traction, line load, friction, ground.
+//! Adhesion model and friction: pair potential, half space, traction, line load, friction, ground.
 //!
-//! From atoms to beams in the order of the paper: `levels/` up to the [`HalfSpace`] (eqs. 1-10 and 18), `section/` with what pulls a
+//! From atoms to beams in the order of the paper: `levels/` up to the [`HalfSpace`] (eqs. 1-10 and 18), `section/` with the adhesion of a
 //! section of a beam, [`Law`] and [`LineLaw`] (17-22); [`Piece`] evaluates one and the same body at every level. `friction/` has what resists
 //! sliding, `substrate/` the shape of the ground, and [`GroundLaw`] is a line law on it.
 

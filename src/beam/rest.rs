@@ -1,8 +1,8 @@
-//! The curve along which a beam is free of stress.
+//! The stress-free configuration of a beam.
 
 use super::Varying;
 
-/// Where a beam lies that is free of stress.
+/// The stress-free configuration of a beam.
 #[derive(Clone, Debug)]
 pub enum Rest {
     /// Along a curve of its own; what is called y is that of the axis or of a gap below it, as the density has it.
@@ -105,7 +105,7 @@ impl RestCurve {
 const PANELS: f64 = 128.0;
 const PANELS_A_PIECE: usize = 8;
 
-/// Where a beam of varying outline lies that is free of stress: x0' = cos θ0, y0' = sin θ0.
+/// The stress-free configuration of a beam of varying outline: x0' = cos θ0, y0' = sin θ0.
 #[derive(Clone, Debug)]
 pub struct VaryingRest {
     beam: Varying,

@@ -1,6 +1,6 @@
 //! A beam whose section and stress-free direction vary along it.
 //!
-//! Its underside lies, free of stress, in the direction φ(S), and the axis half a height above it, in the direction
+//! In the stress-free configuration its underside lies in the direction φ(S), and the axis half a height above it, in the direction
 //! θ0 = φ + atan(h'/2). So a beam of varying height with φ = 0 lies flat on a flat substrate.
 
 use super::{Material, Section, Station};
@@ -50,7 +50,7 @@ impl Varying {
         &*self.contour
     }
 
-    /// θ0, the direction of the axis that is free of stress, rad.
+    /// θ0, the direction of the stress-free axis, rad.
     pub fn rotation(&self, place: f64) -> f64 {
         let outline = self.contour.at(place);
         (0.5 * outline.height[1]).atan() + outline.underside[0]

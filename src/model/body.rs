@@ -15,7 +15,7 @@ pub trait Geometry: Contour {
     /// Its outline, to be kept by a beam.
     fn shared(&self) -> Arc<dyn Contour>;
 
-    /// Whether it is straight when free of stress, and its section the same everywhere.
+    /// Whether it is straight in its stress-free configuration, and its section the same everywhere.
     fn is_uniform(&self) -> bool {
         false
     }

@@ -71,7 +71,7 @@ const REMEMBERED: f64 = 1.0 / 24.0;
 impl PeelModel {
     /// What the solver is given, with elements of order 1 to 8 and a mesh that follows the front. The displacement is that of the
     /// grip, whatever spring moves it. On ground that is not flat the form is [`Form::ThreeField`] and the mesh fixed; the beam is then
-    /// free of stress above its ground, and `study::prepared` lets it settle there and takes the steps before the pull.
+    /// stress-free above its ground, and `study::prepared` lets it settle there and takes the steps before the pull.
     pub fn problem(&self, form: Form, order: usize) -> PlanarProblem {
         self.discretised(Discretisation::moving(form, order), |_| {})
     }
@@ -199,7 +199,7 @@ impl PeelModel {
         }
     }
 
-    /// The face that looks down where it is free of stress, which has not slid.
+    /// The lower face in the stress-free configuration, which has not slid.
     fn not_slid(&self, rest: &Rest, law: &FrictionLaw) -> History {
         let face = |s: f64| {
             let ([x, gap, rotation], half) = (rest.at(s), 0.5 * self.section_at(s).2);

@@ -11,10 +11,10 @@ use crate::adhesion::Substrate;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Start {
     /// It follows the ground at the gap of a flat section at rest, as where it has been pressed on: everywhere it can it stays
-    /// in contact. What of it rises when free of stress goes on from there as it then would.
+    /// in contact. What rises in the stress-free configuration continues from there as it then would.
     #[default]
     Conformed,
-    /// It lies free of stress on the crests at that gap, as where it has come near from above: it sinks in as far as adhesion
+    /// It lies stress-free on the crests at that gap, as where it has come near from above: it sinks in as far as adhesion
     /// draws it.
     Crests,
 }

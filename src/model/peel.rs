@@ -21,7 +21,7 @@ pub struct Adhesion {
     /// Strength of a cohesive law, GPa; none: that of the half space
     pub strength: Option<f64>,
     pub line_load: LineLoad,
-    /// Whether the top face counts (the r2 terms).
+    /// Whether the attraction of the upper surface is included (the r2 terms).
     pub far_face: bool,
 }
 
@@ -68,7 +68,7 @@ pub struct Grip {
     pub horizontal: Hold,
     /// k of a spring between the grip and the machine that moves it, nN/nm; none: the machine moves the grip itself
     pub stiffness: Option<f64>,
-    /// Force along the strip with which it is stretched before it is laid down, nN, held across the pull from then on; none: it is not
+    /// Pretension, nN: the strip adheres stretched by this force, constrained normal to the pull direction from then on; none: no pretension
     pub pretension: Option<f64>,
 }
 
@@ -179,7 +179,7 @@ impl PeelModel {
         self.body.geometry()
     }
 
-    /// Whether it is straight when free of stress, and its section the same everywhere.
+    /// Whether it is straight in its stress-free configuration, and its section the same everywhere.
     pub fn is_uniform(&self) -> bool {
         self.geometry().is_uniform()
     }
@@ -204,7 +204,7 @@ impl PeelModel {
         self.geometry().length()
     }
 
-    /// S behind which it stays clear of the ground when free of stress, nm: L of a strip.
+    /// S beyond which it stays clear of the ground in its stress-free configuration, nm: L of a strip.
     pub fn reach(&self) -> f64 {
         let Some(contour) = self.contour() else { return self.length() };
         StressFreePlacement::reach(&Varying::new(contour, self.material()), &self.adhesion, &self.ground)

@@ -20,7 +20,7 @@ pub struct Piece {
     pub height: [f64; 2],
     /// Likewise; 0: a rectangle, 1: an ellipse
     pub roundness: [f64; 2],
-    /// By how much the underside, free of stress, turns along it, rad
+    /// Rotation of the stress-free underside along it, rad
     pub bend: f64,
     /// Of width, roundness and the direction of the underside
     pub course: Course,
@@ -44,7 +44,7 @@ pub enum PiecesError {
     #[error("has in piece {piece} `{key}` = {found}{unit}, which {wrong}")]
     Value { piece: usize, key: &'static str, found: f64, unit: &'static str, wrong: &'static str },
     #[error(
-        "has piece {piece} of {length} nm in a beam of {whole} nm, less than a billionth: leave it away, or mend its unit"
+        "has piece {piece} of {length} nm in a beam of {whole} nm, less than a billionth: remove it, or correct its unit"
     )]
     Short { piece: usize, length: f64, whole: f64 },
     #[error(
@@ -53,10 +53,10 @@ pub enum PiecesError {
     Step { piece: usize, ends: f64, begins: f64 },
     #[error(
         "has a kink between piece {piece}, whose height rises by {ends} nm/nm at its end, and the next, by {begins} at its \
-         beginning: leave height_course away from both"
+         beginning: omit height_course from both"
     )]
     Kink { piece: usize, ends: f64, begins: f64 },
-    #[error("turns the underside by {degrees} deg up to the end of piece {piece}, which is not from -180 to 180")]
+    #[error("rotates the underside by {degrees} deg up to the end of piece {piece}, which is not from -180 to 180")]
     Turned { piece: usize, degrees: f64 },
 }
 
@@ -290,7 +290,7 @@ mod tests {
             (Piece { roundness: [0.0, 1.1], ..good }, "has in piece 2 `roundness` = 1.1, which is not from 0 to 1"),
             (Piece { length: 1e-8, ..good }, "has piece 2 of 0.00000001 nm in a beam of 40.00000001 nm"),
             (Piece { height: [6.0, 5.0], ..good }, "ends piece 1 with a height of 5 nm and begins the next with 6 nm"),
-            (Piece { bend: -4.0, ..good }, "turns the underside by -229.1831180523293 deg up to the end of piece 2"),
+            (Piece { bend: -4.0, ..good }, "rotates the underside by -229.1831180523293 deg up to the end of piece 2"),
             (
                 Piece { height: [5.0, 9.0], height_course: Course::Linear, ..good },
                 "has a kink between piece 1, whose height rises by 0 nm/nm at its end, and the next, by 0.1",

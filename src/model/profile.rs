@@ -97,7 +97,7 @@ pub struct ProfileColumns {
     pub widths: Vec<f64>,
     /// nm
     pub heights: Vec<f64>,
-    /// Direction of the underside, free of stress, degrees
+    /// Direction of the stress-free underside, degrees
     pub angles: Vec<f64>,
     /// 0: a rectangle, 1: an ellipse
     pub roundness: Vec<f64>,

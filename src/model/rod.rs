@@ -41,7 +41,7 @@ pub enum Drive {
     Rotation,
 }
 
-/// A rod of uniform section: free of stress along `rest`, held at both ends, driven at the right one (S = L).
+/// A rod of uniform section: stress-free along `rest`, held at both ends, driven at the right one (S = L).
 ///
 /// The driven unknown must be free at the right end; its conjugate force is what the solver calls the force.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,9 +1,9 @@
-//! How a beam lies on the substrate when it is free of stress, and what follows for its mesh.
+//! The stress-free configuration of a beam on the substrate, and what follows for its mesh.
 
 use super::{Adhesion, Ground};
 use crate::beam::{Focus, FrontPosition, MeshPieces, Rest, RestCurve, Varying, VaryingRest};
 
-/// Where a beam is free of stress, where its front may be, and how its elements are shared out.
+/// The stress-free configuration of a beam, where its front may be, and how its elements are shared out.
 pub(super) struct StressFreePlacement {
     pub rest: Rest,
     pub fronts: FrontPosition,

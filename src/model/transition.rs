@@ -1,4 +1,4 @@
-//! How a quantity goes over from one value to another along a piece of a beam.
+//! The transition of a quantity from one value to another along a piece of a beam: linear or quintic.
 
 /// The course that a quantity takes, with t from 0 to 1 along a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

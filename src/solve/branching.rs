@@ -1,5 +1,5 @@
 //! Where a path loses its stability without turning: a branching point, such as a strip that stands upright and falls to either
-//! side. The smallest eigenvalue passes through zero there, which the inertia tells.
+//! side. The smallest eigenvalue passes through zero there, which the inertia shows.
 
 use super::limit_point::locate::refined;
 use super::{

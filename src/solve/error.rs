@@ -37,7 +37,7 @@ pub enum SolveError {
     )]
     NotConverged { update: f64, iterations: usize },
     /// The caller's [`super::Workspace`] said to stop.
-    #[error("the time that was given is over")]
+    #[error("the time limit was reached")]
     Stopped,
     /// There is no equilibrium to start from.
     #[error("{0}")]

@@ -20,7 +20,7 @@ pub struct Observables {
 
 impl Observables {
     const NOTHING: Self = Self { monitors: [0.0; MONITORS], displacement: 0.0, force: 0.0, recorded: 0.0 };
-    /// Weights of a held displacement.
+    /// Weights of displacement control.
     pub const DISPLACEMENT: Self = Self { displacement: 1.0, ..Self::NOTHING };
     /// Weights of a held force.
     pub const FORCE: Self = Self { force: 1.0, ..Self::NOTHING };

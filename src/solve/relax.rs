@@ -1,4 +1,4 @@
-//! Where a structure goes that has lost its stability: down the gradient of its energy Π at a held displacement or force.
+//! Where a structure goes that has lost its stability: by gradient flow of its energy Π at a fixed displacement or force.
 //!
 //!   C dq/dt = -∂Π/∂q,  discretised as  (K + C/Δt) δ = -∂Π/∂q
 //!
@@ -74,10 +74,10 @@ pub struct Relaxed {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RelaxError {
     /// Steps became too short.
-    #[error("after {steps} steps of relaxing no shorter one lowers the energy {energy:.9e} aJ: {cause}")]
+    #[error("after {steps} relaxation steps no shorter one lowers the energy {energy:.9e} aJ: {cause}")]
     Stuck { steps: usize, energy: f64, cause: SolveError },
     /// There were too many.
-    #[error("{steps} steps of relaxing did not end in an equilibrium; the energy is {energy:.9e} aJ")]
+    #[error("{steps} relaxation steps did not lead to an equilibrium; the energy is {energy:.9e} aJ")]
     Endless { steps: usize, energy: f64 },
 }
 
@@ -100,7 +100,7 @@ const ROUND_OFF: f64 = 1e-13;
 const DISTURBED: f64 = 1e-2;
 
 /// A limit point left a little along its tangent, which is the critical direction there: onward, where the unstable part of the
-/// path turns off, because there the energy at the held displacement falls.
+/// path turns off, because there the energy at the fixed displacement falls.
 pub fn disturbed(problem: &Problem, limit: &Solution) -> State {
     limit.moved(problem, DISTURBED / problem.system.size(&limit.tangent.direction, &limit.at.values))
 }

@@ -133,7 +133,7 @@ pub trait System: Send + Sync {
     }
 
     /// Whether the load has a potential: then the tangent is symmetric, work is a difference of energies, and the number of
-    /// negative eigenvalues tells stability.
+    /// negative eigenvalues gives stability.
     fn is_conservative(&self) -> bool {
         true
     }

@@ -23,7 +23,7 @@ pub(super) const MODESTY: f64 = 0.1;
 pub(super) fn least(relative: f64) -> f64 {
     (0.1 * relative).min(2e-10)
 }
-/// Whether turning points of this kind are wanted as well as was asked.
+/// Whether limit points of this kind are wanted as well as was asked.
 pub(super) fn counts(problem: &Problem, kind: LimitPointKind) -> bool {
     !problem.system.has_history() || kind == LimitPointKind::Load
 }
@@ -33,6 +33,6 @@ pub(super) fn modesty(located: &Located, relative: f64) -> f64 {
     let (o, d) = (&located.observables, &located.difference);
     // the place of a flat turn says nothing of its force
     let place = if located.flat { 0.0 } else { (d.displacement / o.displacement).abs() };
-    // more than all of it, as of a force that is zero, tells no more than that it is wrong
+    // more than all of it, as of a force that is zero, shows no more than that it is wrong
     MODESTY * place.max((d.force / o.force).abs()).min(1.0) + least(relative)
 }

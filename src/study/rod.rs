@@ -1,11 +1,11 @@
-//! The path of a rod under its drive, from rest on: every turning point located, none missed without a word.
+//! The path of a rod under its drive, from rest on: every limit point located, none missed without a report.
 
 use crate::solve::{
     LimitPointKind, Located, Path, PathEvent, PathOptions, PathTracer, Problem, Solution, TraceError, TraceOptions,
 };
 use std::sync::Arc;
 
-/// A turning point on the path of a rod.
+/// A limit point on the path of a rod.
 #[derive(Clone, Debug)]
 pub struct RodTurn {
     pub kind: LimitPointKind,
@@ -14,12 +14,12 @@ pub struct RodTurn {
     pub located: Located,
 }
 
-/// A path with its turning points, in path order.
+/// A path with its limit points, in path order.
 #[derive(Clone, Debug)]
 pub struct RodPath {
     pub points: Vec<Arc<Solution>>,
     pub turns: Vec<RodTurn>,
-    /// Newton iterations, on the path and to the turning points.
+    /// Newton iterations, on the path and to the limit points.
     pub iterations: usize,
 }
 
@@ -31,7 +31,7 @@ pub enum RodTrouble {
     #[error("{points} points were not enough to reach the end that was asked for")]
     TooLong { points: usize },
     #[error(
-        "behind path point {after} the number of negative eigenvalues goes from {from} to {to} with {limit_points} limit points of the {kind}"
+        "after path point {after} the number of negative eigenvalues goes from {from} to {to} with {limit_points} limit points of the {kind}"
     )]
     Missed { kind: LimitPointKind, after: usize, from: usize, to: usize, limit_points: usize },
 }

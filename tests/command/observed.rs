@@ -28,7 +28,7 @@ fn the_command_writes_what_a_test_would_record() {
 
     let (status, text, trouble) = run(&[&grip[..], &["--observed", "--out", "test"]].concat());
     assert_eq!(status, Some(0), "{trouble}");
-    assert!(text.contains("What a test would record") && text.contains("jump into contact"), "{text}");
+    assert!(text.contains("Displacement-controlled test") && text.contains("jump into contact"), "{text}");
     let summary = std::fs::read_to_string(dir.path().join("test/summary.json")).unwrap();
     let summary: Value = serde_json::from_str(&summary).unwrap();
     // the path is that of the strip without its spring

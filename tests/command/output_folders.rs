@@ -95,7 +95,7 @@ fn a_folder_that_is_not_empty_is_refused_before_anything_is_computed() {
     let followed = [&long[..], &["--peak-only"]].concat();
     for command in [&["run", SCENE][..], &["run", SCENE, "--json"], &long, &followed, &["accuracy"], &["figures"]] {
         let args = [command, &["--out", "out"]].concat();
-        refused(dir.path(), &args, 2, &["out exists, is not empty and is left as it is", "--force", "--out"]);
+        refused(dir.path(), &args, 2, &["out exists, is not empty and is not changed", "--force", "--out"]);
     }
     assert_eq!(listing(dir.path()), ["out"]);
     assert_eq!(listing(&dir.path().join("out")), ["summary.json"]);

@@ -57,7 +57,7 @@ fn the_command_tells_every_step() {
     std::fs::remove_dir_all(folder).unwrap();
     let told = String::from_utf8_lossy(&output.stdout);
     assert!(
-        told.contains("steps            press 0.02 nm: x = 0.0000 nm, y = -0.0200 nm, θ = 0.0000 deg; H = "),
+        told.contains("steps              press 0.02 nm: x = 0.0000 nm, y = -0.0200 nm, θ = 0.0000 deg; H = "),
         "{told}"
     );
     assert!(told.contains("hold: x = 0.2000 nm, y = -0.0200 nm, θ = 2.0000 deg"), "{told}");
@@ -74,8 +74,8 @@ fn what_does_not_fit_is_refused_by_name() {
             vec!["run"],
             vec!["`drive.turn`", "no potential"],
         ),
-        (vec![fixed, "drive.turn=1 deg/nm"], vec!["run", "--observed"], vec!["drive.turn", "Leave --observed away"]),
-        (vec!["drive.steps=[\"lift 1 nm\"]"], vec!["run", "--observed"], vec!["drive.steps", "Leave --observed away"]),
+        (vec![fixed, "drive.turn=1 deg/nm"], vec!["run", "--observed"], vec!["drive.turn", "Omit --observed"]),
+        (vec!["drive.steps=[\"lift 1 nm\"]"], vec!["run", "--observed"], vec!["drive.steps", "Omit --observed"]),
         (
             vec!["drive.steps=[\"lift 1 nm\"]"],
             vec!["sweep", "--vary", "strip.height", "--from", "9 nm", "--to", "10 nm", "--points", "2", "--peak-only"],

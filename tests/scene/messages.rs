@@ -427,7 +427,7 @@ fn what_is_wrong_with_pieces_is_named() {
         &error.to_string(),
         &["--set profile.pieces=", "is given beside `profile.table`, and the beam has one outline"],
     );
-    assert_says(error.remedy(), &["Leave one of `pieces` and `table` away."]);
+    assert_says(error.remedy(), &["Remove one of `pieces` and `table`."]);
 }
 
 #[test]
@@ -521,8 +521,8 @@ fn every_mistake_in_a_value_is_named_with_its_line_and_remedy() {
         (r#"length = "100 NM""#, r#"unit "NM" is not known"#, r#"Did you mean "nm"?"#),
         (r#"length = "100 GPa""#, "GPa measures a pressure, not a length", "nm, um, mm, m"),
         (r#"length = "100 nN""#, "nN measures a force, not a length", "nm, um, mm, m"),
-        (r#"length = "-1 nm""#, "is -1 nm, which has no meaning", "above zero"),
-        (r#"length = "0 nm""#, "is 0 nm, which has no meaning", "above zero"),
+        (r#"length = "-1 nm""#, "is -1 nm, which is out of range", "above zero"),
+        (r#"length = "0 nm""#, "is 0 nm, which is out of range", "above zero"),
         (r#"length = "nan nm""#, "not a finite number", "above zero"),
         (r#"length = "inf nm""#, "not a finite number", "above zero"),
         (r#"length = "1e999 nm""#, "not a finite number", "above zero"),

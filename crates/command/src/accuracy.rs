@@ -1,4 +1,4 @@
-//! `peel accuracy`: what an error costs.
+//! `peel accuracy`: computing time against error.
 
 use crate::help;
 use crate::input::{SceneArgs, parse_override};
@@ -9,7 +9,7 @@ use peelkit_checks::{AUTOMATIC, Trial, WorkPrecision, work_precision, write_work
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
 
-/// Speed against error: one scene over orders, elements, meshes, forms and steps, timed
+/// Measures computing time against error over orders, elements, meshes, forms and steps
 #[derive(Args)]
 #[command(after_long_help = help::accuracy(), mut_arg("out", |out| out.help(FOLDER)))]
 pub struct Accuracy {
@@ -17,7 +17,7 @@ pub struct Accuracy {
     #[arg(value_name = "SCENE")]
     path: Option<PathBuf>,
 
-    /// Replaces a key of the scene, such as strip.length="50 nm"; may stand more than once
+    /// Sets a key of the scene, such as strip.length="50 nm"; may be given more than once
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_override)]
     overrides: Vec<(String, String)>,
 
@@ -25,7 +25,8 @@ pub struct Accuracy {
     out: OutArgs,
 }
 
-const FOLDER: &str = "Folder for the outputs, made where it is missing [default: out/accuracy, or out/accuracy- and the name of the scene]";
+const FOLDER: &str =
+    "Folder for the outputs, created if missing [default: out/accuracy, or out/accuracy- and the name of the scene]";
 
 /// The scene where none is given.
 const PLAIN: &str = include_str!("../../../scenes/strip-100nm.toml");
@@ -57,10 +58,10 @@ pub fn accuracy(args: &Accuracy) -> Result<(), Stop> {
     Ok(())
 }
 
-/// What the program chooses by itself, and the best run that is no more wrong.
+/// The automatic choice, and the fastest run with no larger error.
 fn table(measured: &WorkPrecision) -> String {
     let mut text = format!("{AUTOMATIC}; errors against a refined run, CPU time on one core\n\n");
-    text += "   asked   error of points   of curve      time  order  elements  points  iterations  best run that is no worse\n";
+    text += "requested  error of points  of curve      time  order  elements  points  iterations  fastest run with no larger error\n";
     for trial in &measured.automatic {
         text += &line(measured, trial);
     }

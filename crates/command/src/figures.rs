@@ -8,9 +8,9 @@ use peelkit_checks::{draw_figures, holds_figures};
 use peelkit_report::{Existing, OutputFolder};
 use std::path::Path;
 
-/// Regenerates every figure, and the data behind each
+/// Draws every figure again, with its data
 #[derive(Args)]
-#[command(after_long_help = help::figures(), mut_arg("out", |out| out.help("Folder for the figures, made where it is missing [default: figures]")))]
+#[command(after_long_help = help::figures(), mut_arg("out", |out| out.help("Folder for the figures, created if missing [default: figures]")))]
 pub struct Figures {
     #[command(flatten)]
     out: OutArgs,

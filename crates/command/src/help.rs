@@ -6,26 +6,26 @@ use peelkit_scene::{KEYS, Key, Kind, Need, Value};
 pub const EXIT_STATUS: &str = "\
 Exit status:
   0  done
-  1  something else went wrong, such as a folder that cannot be written
-  2  bad input: the message names the key, the line and what would be right; or a folder for the outputs that is
-     not empty, without --force
+  1  another error, such as a folder that cannot be written
+  2  bad input: the message names the key, the line and what would be right. Also: the output folder is not empty
+     and --force is not given
   3  the computation stopped short: what was reached is written all the same
-  130  quit by a second Ctrl-C";
+  130  stopped at once by a second Ctrl-C";
 
 const UNITS: &str = "\
-Quantities are texts with their unit: \"100 nm\", \"0.1 um\", \"2 GPa\", \"2000 MPa\", \"1e-19 J\", \"100 zJ\", \"0.6 eV\".
-Outputs carry the unit in the name: force_nN, displacement_nm, work_aJ (1 aJ = 1 nN nm). A positive force pulls the
-grip away from the surface.";
+A quantity is a text with its unit: \"100 nm\", \"0.1 um\", \"2 GPa\", \"2000 MPa\", \"1e-19 J\", \"100 zJ\", \"0.6 eV\".
+The name of an output includes its unit: force_nN, displacement_nm, work_aJ (1 aJ = 1 nN nm). A positive force pulls
+the grip away from the surface.";
 
 const OUTPUTS: &str = "\
-The files of a command appear in their folder all at once, when it is done. A folder that is not empty is refused before
-anything is computed, unless --force is given: then files of the same names are replaced, and all others stay.";
+The output files appear in their folder all at once, when the command is done. A folder that is not empty is refused
+before anything is computed. With --force, files of the same names are replaced and all others stay.";
 
 const PIECES: &str = "\
-Each piece of profile.pieces, from the free end on, has length, width and height and, if wanted, roundness (0: a
-rectangle, 1: an ellipse), bend (by how much the underside turns along it: \"30 deg\"), course of all but the height
-(\"linear\" or \"smooth\") and height_course (\"smooth\", or \"linear\" where the height has no kink). Width, height and
-roundness are one value, or two in a list: at its beginning and at its end.
+The pieces of profile.pieces begin at the free end. Each piece needs length, width and height. Optional are roundness
+(0: rectangle, 1: ellipse), bend (rotation of the underside along the piece: \"30 deg\"), course (\"linear\" or \"smooth\"
+transition of width, roundness and direction) and height_course (\"smooth\": quintic transition; or \"linear\", where the
+height has no kink). Width, height and roundness are one value, or a list of two: at the beginning and at the end.
 ";
 
 /// Of `peel --help`.
@@ -34,11 +34,11 @@ pub fn overview() -> String {
         "\
 Examples:
   peel new                       writes strip.toml, a commented scene
-  peel run strip.toml            peels it: summary, curve, limit points and pictures in out/strip/
+  peel run strip.toml            computes the peeling: summary, curve, limit points and pictures in out/strip/
   peel run strip.toml --set strip.length=\"50 nm\" --set grip.rotation=fixed --json
   peel sweep strip.toml --vary strip.bending_stiffness_factor --from 1e-4 --to 1e4 --points 33 --log
-  peel accuracy                  what an error costs: a table and a picture
-  peel verify                    holds the program against published and independent values
+  peel accuracy                  computing time against error: a table and a picture
+  peel verify                    compares the program with published and independent values
 
 {UNITS}
 
@@ -59,26 +59,33 @@ Examples:
   peel run strip.toml --set grip.rotation=fixed --set grip.stiffness=\"0.05 N/m\" --observed
 
 Files:
-  summary.json       peaks, plateau, limit points, snap-off, how the path ended, effort, the scene as computed
-  curve.csv          one row a point of the path
-  limit_points.csv   one row a turning point of displacement or force, with error bounds
-  curve.svg, .png    force against displacement; shapes.svg, .png  the strip at marked points
-  observed.csv, .svg, .png   with --observed: one row a point of the test, there and back; force against the machine's U
+  summary.json       peaks, plateau, limit points, snap-off, how the path ended, computational cost, the scene as computed
+  curve.csv          one row for each point of the path
+  limit_points.csv   one row for each limit point of load or displacement, with error bounds
+  curve.svg, .png    force against displacement
+  shapes.svg, .png   the strip at marked points of the curve
+  observed.csv, .svg, .png   with --observed: the displacement-controlled test, one row for each point, pulling off and
+                     returning; force against the displacement U of the machine
+  run.partial        checkpoint of a run of more than a second: the points of its path, written every second
 
-  run.partial        while a run lasts longer than a second: the points of its path, kept every second
+Interrupting a run: Ctrl-C stops the path at its next point and writes what was reached (exit status 3). A second
+Ctrl-C stops the program at once (130).
 
-Ctrl-C ends the path at its next point, writes what was reached, and says so (exit status 3); a second Ctrl-C quits
-at once (130). The same command then goes on where the path stopped, also after it was killed, and after a path that
-bounds.time ended: it takes what run.partial holds of this scene and version, computes the rest, and writes the files
-that a run without an interruption writes, to the last bit but for solve_s. The points of a path follow from the scene
-alone, time only says where it is left: so bounds may change, and bounds.time begins anew. What another scene has kept
-there is refused. A folder in which a run is unfinished is one to go on with, and needs no --force; --fresh discards
-what is kept. Turning points and error bounds are computed again, as is the test of --observed. Runs that write no files
-(--json without --out) keep nothing.
+Resuming a run: give the same command again. It also resumes a run that was killed, and one that bounds.time ended.
+The points in run.partial are used again; the rest is computed. The files are then those of an uninterrupted run, bit
+for bit, except for solve_s. The points of a path depend on the scene alone. So [bounds] may be changed, and
+bounds.time starts anew. Limit points, error bounds and the test of --observed are computed again. A folder with an
+unfinished run needs no --force. The checkpoint of another scene or version is refused. --fresh discards the
+checkpoint. Runs that write no files (--json without --out) keep none.
 
-The path ends  detached (no point nearer than 10 r0), pivoting (the force is back at zero, an edge still holds),
-turned-back (back at u = 0), with friction sliding (all of it slides) or snapped (it snaps off), bound (a bound of
-[bounds] was reached) or failed.
+How a path ends:
+  detached     no point of the strip is nearer than 10 r0
+  pivoting     the force has returned to zero, and the strip is still in edge contact
+  turned-back  re-adhered: u has returned to 0
+  sliding      with friction: the whole contact slides
+  snapped      with friction: the strip snaps off
+  bound        a limit set under [bounds] was reached
+  failed       the computation stopped short
 
 {OUTPUTS}
 
@@ -100,27 +107,28 @@ Examples:
   peel sweep strip.toml --vary strip.bending_stiffness_factor --from 1e-4 --to 1e4 --points 1000 --log --peak-only
 
 Files:
-  sweep.csv          one row a value: peak force, plateau, snap-off, work, time, how the path ended; `value` is in
-                     nm, GPa, aJ or s, or a plain number, as the key is; a cell is empty where a thing does not occur
-  pictures beside it, SVG and PNG
-  sweep.partial.jsonl  while the sweep runs: each finished value, kept at once
+  sweep.csv          one row for each value: peak force, plateau, snap-off, work, time, how the path ended. `value` is
+                     in nm, GPa, aJ, s, rad, ..., or a plain number. Empty cells: it does not occur
+  sweep.svg, .png    these results against the varied value
+  sweep.partial.jsonl  checkpoint while the sweep runs: each finished value, written at once
 
-Ctrl-C lets the values under way finish, writes what is done to sweep.csv and the pictures, and says how many values
-those are (exit status 3); a second Ctrl-C quits at once (130). The same command then goes on where it stopped, also
-after it was killed: it takes what sweep.partial.jsonl holds of this scene, key and version and computes the rest,
-with the same result but for solve_s. The range and the number of values may change. What another sweep has kept there
-is refused. Sweeps that write no files (--json without --out) and those with --follow or --peak-only, which take
-milliseconds, keep nothing and are not resumed.
+Interrupting a sweep: after Ctrl-C the values being computed are finished. The finished values are written to sweep.csv
+and the pictures (exit status 3). A second Ctrl-C stops the program at once (130).
+
+Resuming a sweep: give the same command again, also after the sweep was killed. The values in sweep.partial.jsonl are
+used again; the rest is computed. The results are the same except for solve_s. The range and the number of values may be
+changed. A folder with an unfinished sweep needs no --force. The checkpoint of another scene, key or version is refused.
+--fresh discards the checkpoint, of this sweep or another, and nothing else. Sweeps that write no files (--json without
+--out) keep no checkpoint; neither do those with --follow or --peak-only, which take milliseconds.
 
 {OUTPUTS}
-A folder in which a sweep is unfinished is one to go on with, and needs no --force. --fresh discards the values that
-sweep.partial.jsonl keeps, of this sweep or another, and nothing else.
 
-With --follow peak (or --peak-only) or --follow snap-off no path is computed for each value: the point itself is solved
-for, from an extrapolation of the values before. What peak means is then the initiation peak, the first local maximum of
-the force, and only the columns of that point are filled. Each value has a bound on its error, from meshes half as fine
-again at some of the values. At the first, the last and three values between the point is held against the path from
-rest; where it vanishes, or is the first no longer, a remark says at which value, and the path from rest is asked again.
+Continuation of one point: with --follow peak (or --peak-only) or --follow snap-off no whole path is computed for each
+value. The limit point is solved for directly, from an extrapolation of the previous values. Here peak means the
+initiation peak, the first local maximum of the force. Only the columns of that point are filled. The error bounds come
+from meshes of 1.5 times as many elements at some of the values. At the first, the last and three intermediate
+values the point is compared with the path from rest. If it vanishes, or is no longer the first of its kind, a remark
+gives the value, and the path from rest is computed again.
 With --json the object holds scene, title, vary, unit, rows (the columns of sweep.csv) and parameters.
 
 {UNITS}
@@ -135,18 +143,19 @@ With --json the object holds scene, title, vary, unit, rows (the columns of swee
 pub fn accuracy() -> String {
     format!(
         "\
-Without a scene the strip of 100 nm is taken. Each kind of run is repeated on more and more elements: orders 1 to 8; then, at
-order 7, three fields a node instead of two, meshes that stay (graded, uniform) instead of moving with the front, steps that
-are ten times shorter or longer. Beside them stand the runs in which all of that follows from accuracy.relative, from 1e-3 to
-1e-10. A time is the least of several runs on one core; keep the machine quiet. It takes a minute.
+Without a scene the strip of 100 nm is used. Each discretisation is run on more and more elements: orders 1 to 8; then, at
+order 7, three fields per node instead of two, a fixed mesh (graded or uniform) instead of one that moves with the front,
+and steps ten times shorter or longer. They are compared with the runs whose discretisation follows from
+accuracy.relative, from 1e-3 to 1e-10. A time is the shortest of several runs on one core: run nothing else meanwhile.
+It takes a minute.
 
 Examples:
   peel accuracy
   peel accuracy strip.toml --set strip.length=\"1 um\" --out out/long
 
 Files:
-  accuracy.csv         one row a run: errors of peak, snap-off and curve, time, points, iterations, elements
-  accuracy.svg, .png   time against error, the best of all runs marked
+  accuracy.csv         one row for each run: errors of peak, snap-off and curve, time, points, iterations, elements
+  accuracy.svg, .png   time against error; the best of all runs are marked
 
 {OUTPUTS}
 
@@ -158,8 +167,8 @@ Files:
 pub fn figures() -> String {
     format!(
         "\
-The figures of the repository, from computed data only, with a caption of each in README.md. A folder that peel figures
-has written before is written anew; any other that is not empty needs --force. It takes minutes.
+Draws the figures of the repository, from computed data only. README.md in their folder has the captions. A folder that
+peel figures has written before is overwritten; any other folder that is not empty needs --force. It takes minutes.
 
 Examples:
   peel figures
@@ -176,9 +185,9 @@ pub fn verify() -> String {
     let topics: String = TOPICS.iter().map(|topic| format!("  {:<12} {}\n", topic.name, topic.about)).collect();
     format!(
         "\
-One line a check: pass or FAIL, topic and name, the value computed, the value expected, their difference, the tolerance,
-and the source of the expected value. The tables that it needs are built in; verification/README.md tells how each was
-computed without finite elements. Exit status 0 only if every check passes.
+Prints one line for each check: pass or FAIL, topic and name, the computed value, the expected value, their difference,
+the tolerance, and the source of the expected value. The tables of expected values are built in; verification/README.md
+describes how each was computed without finite elements. The exit status is 0 only if every check passes.
 
 Examples:
   peel verify
@@ -193,7 +202,7 @@ Topics:
 
 /// Every key with its default, or with an example where it has none.
 fn keys() -> String {
-    let mut text = "Keys of a scene, for --set and (the numbers) for --vary:\n".to_owned();
+    let mut text = "Keys of a scene, for --set; those with a number also for --vary:\n".to_owned();
     for key in KEYS {
         let sample = format!("{} = {}", key.path(), sample(key));
         let room = 70;
@@ -223,7 +232,7 @@ fn note(key: &Key) -> String {
         (_, Need::Required) if !key.shapes().is_empty() => format!("required for shape {}", key.shapes().join(", ")),
         (_, Need::Required) => key.alternative().map_or("required".into(), |other| format!("required, or {other}")),
         (Kind::Bound(..) | Kind::Steps(_), _) => "none unless given".into(),
-        (Kind::Fixed(..) | Kind::Share(..), _) => "chosen by itself".into(),
+        (Kind::Fixed(..) | Kind::Share(..), _) => "chosen automatically".into(),
         (Kind::Text(_), _) => "the name of the file unless given".into(),
         (Kind::LineLoad(_) | Kind::Hold(_) | Kind::Shape(_) | Kind::Start(_) | Kind::Terms(_), _) => key.takes(),
         _ => String::new(),

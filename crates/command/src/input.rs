@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 pub struct SceneArgs {
-    /// The scene: a TOML file; `peel new` writes one to start from
+    /// The scene: a TOML file; `peel new` writes a template
     #[arg(value_name = "SCENE")]
     pub path: PathBuf,
 
-    /// Replaces a key of the scene, such as strip.length="50 nm"; may stand more than once
+    /// Sets a key of the scene, such as strip.length="50 nm"; may be given more than once
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_override)]
     pub overrides: Vec<(String, String)>,
 }
@@ -23,7 +23,7 @@ impl SceneArgs {
         let bytes = std::fs::read(&self.path).map_err(|error| {
             Stop::bad_input(
                 format!("cannot read the scene {name}: {error}"),
-                "Give the path of a scene file; `peel new` writes one to start from.",
+                "Give the path of a scene file; `peel new` writes a template.",
             )
         })?;
         let text = String::from_utf8(bytes).map_err(|error| {
@@ -31,7 +31,7 @@ impl SceneArgs {
             let line = 1 + error.as_bytes()[..valid].iter().filter(|&&byte| byte == b'\n').count();
             Stop::bad_input(
                 format!("{name}, line {line}: this is not text in UTF-8"),
-                "A scene is a TOML file, saved as UTF-8; `peel new` writes one to start from.",
+                "A scene is a TOML file, saved as UTF-8; `peel new` writes a template.",
             )
         })?;
         Ok(Scene::parse(&name, &text, &self.overrides)?)

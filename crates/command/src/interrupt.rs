@@ -10,7 +10,7 @@ const QUIT: i32 = 130;
 pub struct Interrupt(Arc<AtomicBool>);
 
 impl Interrupt {
-    /// Listens from now on; `answer` tells the user what the first Ctrl-C does.
+    /// Listens from now on; `answer` reports to the user what the first Ctrl-C does.
     pub fn listen(answer: impl Fn() + Send + 'static) -> Self {
         let asked = Arc::new(AtomicBool::new(false));
         let seen = Arc::clone(&asked);

@@ -7,14 +7,14 @@ use std::fs::{self, OpenOptions};
 use std::io::{ErrorKind, Write};
 use std::path::PathBuf;
 
-/// Writes a commented scene to start from
+/// Writes a commented scene as a template
 #[derive(Args)]
 pub struct New {
-    /// Name of the scene, that of its body unless given; .toml is added where it is missing
+    /// Name of the scene file [default: the name of the body]; .toml is added if missing
     #[arg(value_name = "NAME")]
     name: Option<PathBuf>,
 
-    /// What is peeled
+    /// The beam that is peeled
     #[arg(long, value_name = "BODY", default_value = "strip")]
     body: Body,
 }
@@ -26,7 +26,7 @@ enum Body {
     Strip,
     /// A gecko's spatula
     Spatula,
-    /// A beam piece by piece
+    /// A beam given piece by piece
     Profile,
 }
 
@@ -51,14 +51,14 @@ pub fn new(args: &New) -> Result<(), Stop> {
     let mut file = match OpenOptions::new().write(true).create_new(true).open(&path) {
         Err(error) if error.kind() == ErrorKind::AlreadyExists => {
             return Err(Stop::bad_input(
-                format!("{shown} exists and is left as it is"),
+                format!("{shown} exists and is not replaced"),
                 "Give another name: peel new NAME",
             ));
         }
         opened => opened.map_err(cannot)?,
     };
     if let Err(error) = file.write_all(scene.as_bytes()) {
-        // Half a scene is worse than none; the error is told in either case.
+        // Half a scene is worse than none; the error is reported in either case.
         let _ = fs::remove_file(&path);
         return Err(cannot(error));
     }

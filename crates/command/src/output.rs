@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// Where a command that writes files writes them.
 #[derive(Args)]
 pub struct OutArgs {
-    /// Folder for the outputs, made where it is missing [default: out/ and the name of the scene]
+    /// Folder for the outputs, created if missing [default: out/ and the name of the scene]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 
@@ -26,7 +26,7 @@ impl OutArgs {
     }
 }
 
-/// Writes to standard output. A reader that has read enough and closed the pipe is no error.
+/// Writes to standard output. A reader that has closed the pipe is no error.
 pub fn say(text: &str) -> Result<(), Stop> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
@@ -43,7 +43,7 @@ pub fn list_files(files: &Result<Vec<PathBuf>, ReportError>) -> String {
 /// A bar on standard error if that is a terminal; nothing in a pipe.
 pub fn progress_bar(length: usize) -> ProgressBar {
     let bar = ProgressBar::new(length as u64);
-    match ProgressStyle::with_template("{bar:40} {pos} of {len}, {elapsed} gone, {eta} to go") {
+    match ProgressStyle::with_template("{bar:40} {pos} of {len}, {elapsed} elapsed, {eta} left") {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }

@@ -40,9 +40,9 @@ impl Stop {
         Self { status: Status::Other, report: miette::miette!("{reason}") }
     }
 
-    /// Tells the message on standard error.
+    /// Reports the message on standard error.
     pub fn tell(self) -> ExitCode {
-        // Where standard error is closed there is nobody to tell; the status still says it.
+        // Where standard error is closed nobody reads it; the status still says it.
         let _ = writeln!(std::io::stderr(), "{:?}", self.report);
         ExitCode::from(self.status as u8)
     }
@@ -63,11 +63,11 @@ impl From<ReportError> for Stop {
             ),
             ReportError::OtherSweep { .. } => Self::bad_input(
                 &error,
-                "Finish that sweep by its own command, or give another folder with --out DIR, or --fresh to discard its values.",
+                "Finish that sweep with its own command, or give another folder with --out DIR, or --fresh to discard its values.",
             ),
             ReportError::OtherRun { .. } => Self::bad_input(
                 &error,
-                "Finish that run by its own command, or give another folder with --out DIR, or --fresh to discard its points.",
+                "Finish that run with its own command, or give another folder with --out DIR, or --fresh to discard its points.",
             ),
             _ => Self::other(error),
         }

@@ -35,24 +35,26 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
         ("snap-off", peel.snap_off.map_or_else(none, snap_off)),
     ]);
     for (index, at) in peel.limit_points.iter().enumerate() {
-        let turns = match at.kind {
-            Turn::Displacement => "u turns",
-            Turn::Load => "P turns",
+        let kind = match at.kind {
+            Turn::Displacement => "displacement limit point",
+            Turn::Load => "load limit point",
         };
         let displacement = with_error(at.displacement, at.displacement_error);
         let force = with_error(at.force, at.force_error);
         lines.push((
             if index == 0 { "limit points" } else { "" },
-            format!("{turns} at u = {displacement} nm, P = {force} nN{}", if at.flat { " (flat)" } else { "" }),
+            format!("{kind} at u = {displacement} nm, P = {force} nN{}", if at.flat { " (flat)" } else { "" }),
         ));
     }
     if let Some(left_out) = left_out(peel) {
         lines.push(("", format!("left out: {} {left_out}", peel.ripple)));
     }
     if let Some(reached) = peel.reached_accuracy().filter(|&reached| reached > peel.asked) {
-        let why =
-            if reached < ROUND_OFF { "it is round-off, finer meshes gain nothing" } else { "no mesh tried did better" };
-        let text = format!("{reached:.0e} where {:e} was asked: {why}", peel.asked);
+        let why = match reached < ROUND_OFF {
+            true => "limited by round-off, which finer meshes do not reduce",
+            false => "the tolerance was not met on any mesh",
+        };
+        let text = format!("{reached:.0e}, requested {:e}: {why}", peel.asked);
         lines.push(("accuracy", text));
     }
     lines.extend(terms(peel));
@@ -62,7 +64,7 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
     lines.push(("end", end(&peel.end)));
     let effort = &peel.effort;
     lines.push((
-        "effort",
+        "computational cost",
         format!(
             "{} points, {} Newton iterations, {} elements of order {}, {:.1} ms",
             effort.points,
@@ -74,14 +76,14 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
     ));
     let mut text = format!("{}\n\n", scene.title);
     for (name, value) in lines {
-        let _ = writeln!(text, "  {name:<16} {value}");
+        let _ = writeln!(text, "  {name:<18} {value}");
     }
     text
 }
 
-/// The grip behind each step before the pull.
+/// The grip after each step before the pull.
 fn steps(peel: &Peel) -> Vec<(&'static str, String)> {
-    let told = |(index, (step, grip)): (usize, (&Step, &GripState))| {
+    let line = |(index, (step, grip)): (usize, (&Step, &GripState))| {
         let GripForces { horizontal, vertical, moment } = grip.forces;
         let x = grip.x.map(|x| format!("x = {x:.4} nm, ")).unwrap_or_default();
         let place = format!("{x}y = {:.4} nm, θ = {:.4} deg", grip.y, grip.rotation.to_degrees());
@@ -90,17 +92,17 @@ fn steps(peel: &Peel) -> Vec<(&'static str, String)> {
             format!("{step}: {place}; H = {horizontal:.6} nN, V = {vertical:.6} nN, M = {moment:.6} nN nm"),
         )
     };
-    peel.model.steps.iter().zip(&peel.steps).enumerate().map(told).collect()
+    peel.model.steps.iter().zip(&peel.steps).enumerate().map(line).collect()
 }
 
-/// What leaving out a term would change, in shares of the initiation peak.
+/// The relative change of the initiation peak if a term is neglected.
 fn terms(peel: &Peel) -> Option<(&'static str, String)> {
     let peak = peel.initiation_peak?.force;
     let effects = peel.terms();
     let one = |effect: &TermEffect| format!("{} {:+.1e}", effect.term.word(), effect.force / peak);
     let all = effects.iter().map(one).collect::<Vec<_>>().join(", ");
     (!effects.is_empty())
-        .then(|| ("without a term", format!("the initiation peak would change by, in shares of it: {all}")))
+        .then(|| ("neglected terms", format!("relative change of the initiation peak if the term is neglected: {all}")))
 }
 
 /// Which terms were left out, and why the others were not.
@@ -109,9 +111,9 @@ fn considered(considered: &TermDecisions) -> Vec<(&'static str, String)> {
         let LeftOut { term, force, displacement, largest } = left;
         let word = term.word();
         match largest {
-            0.0 => format!("{word}: exactly nothing would change"),
+            0.0 => format!("{word}: no result would change at all"),
             _ => format!(
-                "{word}: the initiation peak would change by {force:+.1e} nN at {displacement:+.1e} nm, nothing by more than {largest:.1e} of it"
+                "{word}: the initiation peak would change by {force:+.1e} nN and move by {displacement:+.1e} nm; the largest relative change of any result is {largest:.1e}"
             ),
         }
     });
@@ -122,19 +124,20 @@ fn considered(considered: &TermDecisions) -> Vec<(&'static str, String)> {
     named("left out", left.collect()).chain(named("kept", kept.collect())).collect()
 }
 
-/// How the beam has slid at the peak.
+/// How far the beam has slid at the peak.
 fn slid(sliding: &Sliding) -> String {
     format!(
-        "at the initiation peak {:.4} of {:.4} nN along the substrate, sliding on {:.1} of {:.1} nm in contact, the free end by {:.4} nm, {:.4} aJ dissipated",
+        "at the initiation peak {:.4} nN of at most {:.4} nN; {:.1} of {:.1} nm in contact slide, the free end has slid by {:.4} nm, {:.4} aJ are dissipated",
         sliding.force, sliding.capacity, sliding.sliding, sliding.contact, sliding.free_end, sliding.dissipated
     )
 }
 
 /// How the beam lies on ground that is not flat, and what is to be said of that ground.
 fn on_ground(peel: &Peel, contact: &Contact) -> Vec<(&'static str, String)> {
-    let reach = contact.reach.map(|reach| format!("; it reaches {:.1} % of the depth of the valleys", 100.0 * reach));
+    let reach =
+        contact.reach.map(|reach| format!("; it penetrates to {:.1} % of the depth of the valleys", 100.0 * reach));
     let lies = format!(
-        "{:.1} % of what lies on flat ground nearer than 2 r0, {:.1} % of the adhesion of flat ground, gaps {:.4} to {:.4} nm{}",
+        "contact length (gap below 2 r0) {:.1} %, adhesion energy {:.1} % of those on flat ground; gaps from {:.4} to {:.4} nm{}",
         100.0 * contact.adhered_fraction,
         100.0 * contact.energy_fraction,
         contact.least_gap,
@@ -149,18 +152,21 @@ fn on_ground(peel: &Peel, contact: &Contact) -> Vec<(&'static str, String)> {
     ] {
         let (Some(radius), Some(error)) = (radius, error) else { continue };
         let percent = 100.0 * error;
-        lines.push((name, format!("radius from {radius:.2} nm: {percent:+.2} % of the largest traction by curvature")));
+        lines.push((
+            name,
+            format!("smallest radius {radius:.2} nm: curvature changes the largest traction by {percent:+.2} %"),
+        ));
     }
     lines.extend(ground_warning(contact).map(|warning| ("warning", warning)));
     lines
 }
 
-/// What a test would record.
+/// The displacement-controlled test.
 pub fn observed(test: &Observed) -> String {
     let none = || "none".to_owned();
     let pull_off = |peak: PullOff| {
         let force = with_error(peak.force, peak.force_error);
-        format!("{force} nN at U = {:.6} nm, the largest of the stable retreat", peak.machine)
+        format!("{force} nN at U = {:.6} nm, the largest force on the stable retreat", peak.machine)
     };
     let mut lines = vec![("pull-off force", test.pull_off.map_or_else(none, pull_off))];
     for jump in &test.jumps {
@@ -178,11 +184,12 @@ pub fn observed(test: &Observed) -> String {
     }
     lines.push(("hysteresis", test.hysteresis.map_or_else(none, work)));
     if let Some(balance) = test.cycle.or(test.retreat) {
-        let text = format!("work less change of energy less released: {:.1e} of the largest", balance.error());
+        let text =
+            format!("work minus change of energy minus released energy: {:.1e} of the largest term", balance.error());
         lines.push(("work balance", text));
     }
     let end = match &test.end {
-        TestEnd::Closed => "closed: the machine is back where it began".to_owned(),
+        TestEnd::Closed => "closed: machine and strip are back in their initial state".to_owned(),
         TestEnd::Returned(reason) | TestEnd::Bound(reason) | TestEnd::Failed(reason) => {
             format!("{}: {reason}", test_end_word(&test.end))
         }
@@ -190,9 +197,9 @@ pub fn observed(test: &Observed) -> String {
     lines.push(("end", end));
     let effort = &test.effort;
     lines.push((
-        "effort",
+        "computational cost",
         format!(
-            "{} points, {} Newton iterations, {} steps of relaxation, {} elements of order {}, {:.1} ms",
+            "{} points, {} Newton iterations, {} relaxation steps, {} elements of order {}, {:.1} ms",
             effort.points,
             effort.newton_iterations,
             effort.relaxation_steps,
@@ -201,9 +208,9 @@ pub fn observed(test: &Observed) -> String {
             1e3 * effort.solve_s
         ),
     ));
-    let mut text = "What a test would record\n\n".to_owned();
+    let mut text = "Displacement-controlled test\n\n".to_owned();
     for (name, value) in lines {
-        let _ = writeln!(text, "  {name:<17} {value}");
+        let _ = writeln!(text, "  {name:<18} {value}");
     }
     text
 }
@@ -288,17 +295,21 @@ fn in_unit(unit: &str) -> String {
 }
 
 fn end(end: &End) -> String {
+    let word = match end {
+        End::TurnedBack => "re-adhered",
+        _ => end_word(end),
+    };
     let meaning = match end {
         End::Detached => "no point of the strip is nearer than 10 r0",
-        End::Pivoting => "the force has come back to zero while an edge still holds",
-        End::TurnedBack => "the path has returned to where it began",
-        End::Sliding => "all that is in contact slides, and the force stays from here on",
-        End::Snapped => "the strip snaps off, and how it slides while it jumps no equilibrium tells",
-        End::Bound(_) => "a bound of the scene was reached",
+        End::Pivoting => "the force has returned to zero, and the strip is still in edge contact",
+        End::TurnedBack => "u has returned to 0",
+        End::Sliding => "the whole contact slides, at a constant force from here on",
+        End::Snapped => "the strip snaps off; equilibrium does not determine how it slides during the jump",
+        End::Bound(_) => "a limit set under [bounds] was reached",
         End::Failed(_) => "the computation stopped short",
     };
     let reason = end_reason(end).map(|reason| format!(": {reason}")).unwrap_or_default();
-    format!("{}: {meaning}{reason}", end_word(end))
+    format!("{word}: {meaning}{reason}")
 }
 
 fn work(work: f64) -> String {
@@ -314,7 +325,7 @@ fn with_error(value: f64, error: f64) -> String {
     format!("{value:.decimals$} ± {error:.0e}")
 }
 
-/// Six digits are enough to know a value again.
+/// Six digits are enough to recognise a value.
 fn short(value: f64) -> String {
     if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
         let decimals = (5.0 - value.abs().max(1e-3).log10().floor()).clamp(0.0, 9.0) as usize;
@@ -376,15 +387,15 @@ mod tests {
         let expected = "\
 short
 
-  peak force       0.34112 ± 1e-5 nN at u = 0.250 ± 1e-3 nm
-  initiation peak  none
-  plateau          none
-  snap-off         u = 48.215618 ± 3e-6 nm, work to there 3.250000 aJ
-  limit points     P turns at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
-                   u turns at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
-  accuracy         4e-3 where 1e-6 was asked: no mesh tried did better
-  end              bound: a bound of the scene was reached: 20 points
-  effort           20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
+  peak force         0.34112 ± 1e-5 nN at u = 0.250 ± 1e-3 nm
+  initiation peak    none
+  plateau            none
+  snap-off           u = 48.215618 ± 3e-6 nm, work to there 3.250000 aJ
+  limit points       load limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
+                     displacement limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
+  accuracy           4e-3, requested 1e-6: the tolerance was not met on any mesh
+  end                bound: a limit set under [bounds] was reached: 20 points
+  computational cost 20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
 ";
         assert_eq!(peel(&scene, &made_up), expected);
     }

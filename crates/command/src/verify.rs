@@ -8,7 +8,7 @@ use clap::Args;
 use peelkit_checks::suite::{Check, TOPICS, Topic, hard};
 use peelkit_checks::{check_line, checks_json};
 
-/// Holds the program against published values, closed forms and the tables of verification/
+/// Compares the program with published values, closed forms and the tables of verification/
 #[derive(Args)]
 #[command(after_long_help = help::verify())]
 pub struct Verify {
@@ -16,7 +16,7 @@ pub struct Verify {
     #[arg(long, value_name = "TOPIC")]
     only: Vec<String>,
 
-    /// The hard scenes alone: extremes, sections on edge, turning points that meet
+    /// Only the hard scenes: extreme parameters, sections on edge, limit points that meet
     #[arg(long, conflicts_with = "only")]
     hard: bool,
 

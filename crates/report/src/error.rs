@@ -9,13 +9,13 @@ pub enum ReportError {
     #[error("cannot write {path}: {source}")]
     Write { path: PathBuf, source: std::io::Error },
     /// The folder holds something that must not be replaced.
-    #[error("{path} exists, is not empty and is left as it is")]
+    #[error("{path} exists, is not empty and is not changed")]
     Exists { path: PathBuf },
     /// The rows of another sweep would be lost.
-    #[error("{path} keeps the finished values of an interrupted sweep of another scene, key or version")]
+    #[error("{path} is the checkpoint of an interrupted sweep of another scene, key or version")]
     OtherSweep { path: PathBuf },
     /// The points of another run would be lost.
-    #[error("{path} keeps the path points of an interrupted run of another scene or version")]
+    #[error("{path} is the checkpoint of an interrupted run of another scene or version")]
     OtherRun { path: PathBuf },
     /// What an earlier run has left cannot be read.
     #[error("cannot read {path}: {source}")]

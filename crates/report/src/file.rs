@@ -13,7 +13,7 @@ pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
     let written =
         fs::create_dir_all(dir).and_then(|()| fs::write(&part, content)).and_then(|()| fs::rename(&part, path));
     written.map_err(|source| {
-        // The error is told; what a failed attempt may leave behind is not worth a second one.
+        // The error is reported; what a failed attempt may leave behind is not worth a second one.
         let _ = fs::remove_file(&part);
         ReportError::Write { path: path.to_path_buf(), source }
     })

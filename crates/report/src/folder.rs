@@ -41,7 +41,7 @@ impl OutputFolder {
     }
 
     /// Has `write` put files into the folder that it is given, and then shows them all under the name of this one: the
-    /// paths that it returns, and those in its error, are told as of there.
+    /// paths that it returns, and those in its error, are reported as of there.
     pub fn write(
         &self,
         write: impl FnOnce(&Path) -> Result<Vec<PathBuf>, ReportError>,

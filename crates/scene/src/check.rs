@@ -21,10 +21,10 @@ impl Scene {
                     let laws: Vec<String> = Attraction::cohesive().map(|law| format!("\"{}\"", law.name())).collect();
                     return problem(
                         path,
-                        "is of a cohesive law, and the law of this scene is none".into(),
+                        "belongs to a cohesive law, and the law of this scene is not cohesive".into(),
                         &format!(
-                            "Give `law` = {} beside it, or leave it away: without one, hamaker_constant and \
-                             equilibrium_distance say all.",
+                            "Give `law` = {} beside it, or remove it: hamaker_constant and equilibrium_distance define the \
+                             half space.",
                             laws.join(" or ")
                         ),
                     );
@@ -36,8 +36,8 @@ impl Scene {
         if grip.pretension.is_some() && (!stretched || grip.horizontal == Hold::Free) {
             return problem(
                 "grip.pretension",
-                "stretches a strip on flat ground whose grip is held across the pull, and this scene has none".into(),
-                "Peel a [strip] with `horizontal = \"fixed\"` under [grip], on a flat substrate, or leave `pretension` away.",
+                "stretches a strip on a flat substrate whose grip is constrained normal to the pull direction, and this scene has none".into(),
+                "Peel a [strip] with `horizontal = \"fixed\"` under [grip], on a flat substrate, or remove `pretension`.",
             );
         }
         let misfit = friction::misfit(&self.model).or_else(|| shape::misfit(&self.model));
@@ -50,7 +50,7 @@ impl Scene {
                 return problem(
                     "drive.angle",
                     format!(
-                        "is {} degrees, along the strip, which that only stretches or presses",
+                        "is {} degrees, along the strip, which is then only stretched or compressed",
                         self.model.pull.angle.to_degrees()
                     ),
                     "Pull at an angle between, above 0 and below 180 degrees: `angle = \"60 deg\"`.",
@@ -63,7 +63,7 @@ impl Scene {
             return problem(
                 "spatula.tip_rounding_length",
                 format!("is {rounding} nm, more than the pad is long ({pad} nm)"),
-                "Round no more than the pad: `tip_rounding_length` at most `pad_length`.",
+                "Round the pad at most: `tip_rounding_length` not above `pad_length`.",
             );
         }
         let (width, tip) = (spatula.tip_rounding_width, spatula.tip_width);
@@ -71,7 +71,7 @@ impl Scene {
             return problem(
                 "spatula.tip_rounding_width",
                 format!("is {width} nm, more than the tip is wide ({tip} nm)"),
-                "A rounded tip is narrower at its end: `tip_rounding_width` at most `tip_width`.",
+                "A rounded tip is narrower at its end: `tip_rounding_width` not above `tip_width`.",
             );
         }
         let (bend, behind) = (spatula.bend_length, spatula.neck_length + spatula.shaft_length);
@@ -79,7 +79,7 @@ impl Scene {
             return problem(
                 "spatula.bend_length",
                 format!("is {bend} nm, more than neck and shaft are long ({behind} nm)"),
-                "Let the bend end on the shaft: `bend_length` at most `neck_length` and `shaft_length` together.",
+                "Let the bend end on the shaft: `bend_length` not above `neck_length` plus `shaft_length`.",
             );
         }
         Ok(())

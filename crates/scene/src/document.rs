@@ -84,7 +84,7 @@ fn read(scene: &mut Scene, text: &str, overrides: &[(String, String)]) -> Result
     for (path, value) in overrides {
         given.insert(set(scene, path, value)?.path());
     }
-    // one that had a meaning until an override gave the substrate another shape
+    // one that was valid until an override gave the substrate another shape
     if let Some(key) = KEYS.iter().find(|key| given.contains(&key.path()) && !key.belongs_to(scene)) {
         let span = place_of(document.get_ref(), key).unwrap_or_else(|| end_of(text));
         return Err(file.error(span, &format!("`{}`", key.path()), key.foreign(scene)));
@@ -151,13 +151,13 @@ fn name_of<'a>(key: &'a Spanned<toml::de::DeString>) -> &'a str {
 /// How deep a value is that a key takes: a list of tables of lists.
 const NESTED: usize = 3;
 
-/// The value, of which nothing is told that is deeper than `levels`.
+/// The value, with nothing deeper than `levels`.
 fn convert(value: &DeValue, levels: usize) -> Value {
     match value {
         DeValue::String(text) => Value::Text(text.to_string()),
         DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
             Ok(integer) => Value::Number(integer as f64),
-            Err(_) => Value::Other("a whole number of more digits than can be held"),
+            Err(_) => Value::Other("a whole number with too many digits"),
         },
         DeValue::Float(float) => match float.as_str().parse() {
             Ok(float) => Value::Number(float),
@@ -231,7 +231,7 @@ fn missing(
     match header {
         Some((table, _)) => {
             let remedy = format!("`{}` is the {}. Add for example {wanted}", key.name, key.about);
-            let instead = key.alternative().map(|other| format!(" or `{other}` in its place")).unwrap_or_default();
+            let instead = key.alternative().map(|other| format!(" or `{other}` instead")).unwrap_or_default();
             let problem = Problem::new(format!("lacks `{}`{instead}", key.name), remedy);
             file.error(table.span(), &format!("[{}]", key.table), problem)
         }
@@ -259,7 +259,7 @@ fn not_toml(file: &Origin, text: &str, error: &toml::de::Error) -> SceneError {
     let span = error.span().unwrap_or_else(|| end_of(text));
     let reason = error.message().lines().collect::<Vec<_>>().join("; ");
     let remedy = "A scene is a TOML file: [table] on a line of its own, below it key = value; \
-                  texts and quantities stand in quotes: length = \"100 nm\". `peel new` writes one to start from.";
+                  texts and quantities are in quotes: length = \"100 nm\". `peel new` writes a template.";
     file.error(span.clone(), &key_on_line(text, span.start), Problem::new(format!("is not TOML: {reason}"), remedy))
 }
 

@@ -13,26 +13,26 @@ pub(super) fn misfit(model: &PeelModel) -> Option<(&'static str, String, &'stati
         let (path, _) = given.into_iter().find(|(_, given)| *given)?;
         return Some((
             path,
-            "is of a contact that resists sliding, and this one has no strength".into(),
-            "Give `strength = \"50 MPa\"` beside it under [friction], or leave the table away.",
+            "belongs to a contact with friction, and this one has no strength".into(),
+            "Give `strength = \"50 MPa\"` beside it under [friction], or remove the table.",
         ));
     }
     if !model.ground.substrate.is_flat() {
-        let found = "is given, and the substrate is not flat; friction is that of flat ground".to_owned();
-        return Some(("friction.strength", found, "Leave the table [substrate] or the table [friction] away."));
+        let found = "is given, and the substrate is not flat; friction requires a flat substrate".to_owned();
+        return Some(("friction.strength", found, "Remove the table [substrate] or the table [friction]."));
     }
     if !model.adhesion.attraction.takes_friction() {
-        let found = "is given beside a cohesive law; where the face is in contact, friction takes from the half space"
+        let found = "is given beside a cohesive law; friction requires a half-space law, which defines where the face is in contact"
             .to_owned();
         return Some((
             "friction.strength",
             found,
-            "Take `law = \"body-force\"` or \"surface-traction\" under [adhesion], or leave the table [friction] away.",
+            "Use `law = \"body-force\"` or \"surface-traction\" under [adhesion], or remove the table [friction].",
         ));
     }
     if model.grip.pretension.is_some() {
-        let found = "is given, and friction holds the strip that it stretches only as far as it can".to_owned();
-        return Some(("grip.pretension", found, "Leave `pretension` or the table [friction] away."));
+        let found = "is given, and friction cannot hold the stretched strip up to an arbitrary tension".to_owned();
+        return Some(("grip.pretension", found, "Remove `pretension` or the table [friction]."));
     }
     None
 }

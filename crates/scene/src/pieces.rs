@@ -8,9 +8,9 @@ use super::value::Value;
 use peelkit::model::{Course, Piece, ProfilePieces, angle_text};
 
 /// What a list of pieces takes.
-pub(super) const TAKES: &str = "a list of pieces from the free end on, each with length, width and height and, if wanted, roundness (0: a rectangle, 1: an \
-                                ellipse), bend (by how much the underside turns along it), course and height_course (\"linear\" or \"smooth\"); width, height and \
-                                roundness as one value, or as two, at its beginning and at its end";
+pub(super) const TAKES: &str = "a list of pieces from the free end on, each with length, width and height and, optionally, roundness (0: rectangle, 1: \
+                                ellipse), bend (rotation of the underside along the piece), course and height_course (\"linear\" or \"smooth\"); width, height and \
+                                roundness are one value, or two: at the beginning and at the end";
 
 /// The keys of a piece; the first three it has to have.
 const NAMES: [&str; 7] = ["length", "width", "height", "roundness", "bend", "course", "height_course"];
@@ -79,7 +79,7 @@ fn ends(value: &Value, one: impl Fn(&Value) -> Result<f64, String>) -> Result<[f
         Value::List(values) => match &values[..] {
             [begins, ends] => Ok([one(begins)?, one(ends)?]),
             values => {
-                Err(format!("which has {} values: it takes one, or two, at its beginning and at its end", values.len()))
+                Err(format!("which has {} values: it takes one, or two, at the beginning and at the end", values.len()))
             }
         },
         value => one(value).map(|value| [value; 2]),

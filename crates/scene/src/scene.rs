@@ -21,7 +21,7 @@ pub struct Scene {
     pub table_texts: TableTexts,
 }
 
-/// The texts of a scene's tables, in CSV: what the model holds of them are numbers alone, and a summary tells them as they were
+/// The texts of a scene's tables, in CSV: what the model holds of them are numbers alone, and a summary reports them as they were
 /// written. Each is empty where the scene has no such table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TableTexts {

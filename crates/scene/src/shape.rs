@@ -57,28 +57,26 @@ pub(super) fn misfit(model: &PeelModel) -> Option<(&'static str, String, &'stati
             LineLoad::Full | LineLoad::AxisGap => ("adhesion.law", model.adhesion.attraction.name()),
         };
         let found = format!(
-            "is \"{word}\", which has no potential: how a beam comes to lie on ground that is not flat is not defined"
+            "is \"{word}\", which has no potential: the initial equilibrium on a substrate that is not flat is not defined"
         );
-        return Some((path, found, "Take another line_load or law, or leave the table [substrate] away."));
+        return Some((path, found, "Use another line_load or law, or remove the table [substrate]."));
     }
     let reach = model.reach();
     let details = reach / substrate.detail();
     if details > MOST_DETAILS {
-        let found = format!(
-            "is that of ground on which the beam lies on {details:.0} waves or radii; no more than {MOST_DETAILS} are resolved"
-        );
+        let found = format!("lets the beam lie on {details:.0} waves or radii; at most {MOST_DETAILS} are resolved");
         return Some((
             "substrate.shape",
             found,
-            "Take a shorter strip or pad, a longer wave, or a profile that is given at fewer places.",
+            "Use a shorter strip or pad, a longer wave, or a profile with fewer rows.",
         ));
     }
     let zones = reach / model.process_length();
     if zones > MOST_ZONES {
         let found = format!(
-            "is not flat, where elements have to be small wherever the beam lies, and it lies on {zones:.0} process zones; no more than {MOST_ZONES} are resolved"
+            "is not flat, which requires small elements along the whole contact of {zones:.0} process zones; at most {MOST_ZONES} are resolved"
         );
-        return Some(("substrate.shape", found, "Take a shorter or a stiffer strip or pad."));
+        return Some(("substrate.shape", found, "Use a shorter or a stiffer strip or pad."));
     }
     substrate.misfit().map(|misfit| (misfit.key, misfit.found, misfit.remedy))
 }

@@ -1,4 +1,4 @@
-//! The steps of the grip before the pull as a scene writes them, and what of the drive does not fit the grip.
+//! The steps of the grip before the pull as a scene writes them, and where drive and grip contradict each other.
 
 use super::quantity::{Dimension, QuantityError, parse_quantity};
 use peelkit::model::{Hold, Moved, PeelModel, Step};
@@ -29,14 +29,14 @@ fn one(text: &str) -> Result<Step, String> {
     let length = WORDS.iter().find(|(name, _)| *name == word);
     match (word, length) {
         ("hold", _) if amount.is_empty() => Ok(Step::Hold),
-        ("hold", _) => Err("and to hold takes nothing behind it".into()),
+        ("hold", _) => Err("and hold takes no amount".into()),
         ("turn", _) => match quantity(amount, Dimension::Angle, "whose word is not followed by an angle")? {
             angle if angle != 0.0 => Ok(Step::Turn(angle)),
-            _ => Err("which turns nothing: write \"hold\"".into()),
+            _ => Err("which is no rotation: write \"hold\"".into()),
         },
         (_, Some((_, step))) => match quantity(amount, Dimension::Length, "whose word is not followed by a length")? {
             length if length > 0.0 => Ok(step(length)),
-            _ => Err("whose amount is not above zero: lift is the way back of press, push that of drag".into()),
+            _ => Err("whose amount is not above zero: lift reverses press, push reverses drag".into()),
         },
         _ => Err("which does not begin with press, lift, drag, push, turn or hold".into()),
     }
@@ -61,21 +61,17 @@ pub(super) fn misfit(model: &PeelModel) -> Option<(&'static str, String, &'stati
     let free = model.grip.rotation == Hold::Free;
     let turn = model.pull.turn;
     if turn != 0.0 && free {
-        let found = format!("is {turn} rad/nm, and `grip.rotation` is \"free\": such a grip does not turn the end");
-        return Some(("drive.turn", found, "Give `rotation = \"fixed\"` under [grip], or leave `turn` away."));
+        let found = format!("is {turn} rad/nm, and `grip.rotation` is \"free\": such a grip cannot rotate the end");
+        return Some(("drive.turn", found, "Give `rotation = \"fixed\"` under [grip], or remove `turn`."));
     }
     if turn != 0.0 && !model.line_law().has_potential() {
-        let found = "turns the grip under a load that has no potential: its work, of force and moment, is told as a change of energy";
-        return Some((
-            "drive.turn",
-            found.into(),
-            "Take another law or line_load under [adhesion], or leave `turn` away.",
-        ));
+        let found = "rotates the grip under a load without a potential: the work of force and moment is computed as a change of energy";
+        return Some(("drive.turn", found.into(), "Use another law or line_load under [adhesion], or remove `turn`."));
     }
     if let Some(step) = model.steps.iter().find(|step| step.moves(Moved::Rotation)).filter(|_| free) {
         let found =
-            format!("has the step \"{step}\", and `grip.rotation` is \"free\": such a grip does not turn the end");
-        return Some(("drive.steps", found, "Give `rotation = \"fixed\"` under [grip], or leave the step away."));
+            format!("has the step \"{step}\", and `grip.rotation` is \"free\": such a grip cannot rotate the end");
+        return Some(("drive.steps", found, "Give `rotation = \"fixed\"` under [grip], or remove the step."));
     }
     None
 }

@@ -31,8 +31,8 @@ const LARGEST: u64 = 1 << 20;
 /// The first columns of a profile, which it has to have.
 const NEEDED: usize = 3;
 
-/// Reads a CSV with the columns `s_nm`, `width_nm`, `height_nm` and, if wanted, `angle_deg` (direction of the underside, free of
-/// stress) and `roundness` (0: a rectangle, 1: an ellipse). S begins with 0 at the free end and ascends. A line that begins with
+/// Reads a CSV with the columns `s_nm`, `width_nm`, `height_nm` and, optionally, `angle_deg` (direction of the underside in the
+/// stress-free configuration) and `roundness` (0: a rectangle, 1: an ellipse). S begins with 0 at the free end and ascends. A line that begins with
 /// `#` is a remark.
 ///
 /// ```
@@ -195,8 +195,9 @@ fn read<T>(name: &str, text: &str, parse: fn(&str) -> Result<T, CsvError>) -> Re
     }
     let path = Path::new(name).parent().unwrap_or(Path::new("")).join(text);
     let shown = one_line(&path.display().to_string());
-    let told = fs::metadata(&path).map_err(|error| format!("names the file {shown}, which cannot be read: {error}"))?;
-    if !told.is_file() || told.len() > LARGEST {
+    let metadata =
+        fs::metadata(&path).map_err(|error| format!("names the file {shown}, which cannot be read: {error}"))?;
+    if !metadata.is_file() || metadata.len() > LARGEST {
         return Err(format!("names {shown}, which is no file of at most {LARGEST} bytes"));
     }
     let text =
@@ -238,7 +239,7 @@ mod tests {
         assert_eq!(wrong("x_nm,height_nm\n0,a\n"), "has in row 1 `height_nm` = a, which is no number");
     }
 
-    /// What is wrong first is told, whether with a number or with the text.
+    /// The first error is reported, whether with a number or with the text.
     #[test]
     fn the_first_fault_of_a_table_is_told() {
         let refused =

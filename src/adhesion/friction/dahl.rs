@@ -4,23 +4,23 @@
 //!
 //!   τ(d) = w(d) [τ0 + μ (q(p) - q(0))],   p = T(d),
 //!
-//! the shear strength τ0 within the range of contact, which ends about the gap d_max where the half space pulls most, and Coulomb's
+//! the shear strength τ0 within the range of contact, which ends about the gap d_max of the largest attraction of the half space, and Coulomb's
 //! μ p on top of it where it pushes,
 //!
 //!   w = (1 + 1/81)/(1 + (d/d_max)²⁴),   q = ½ (p + (p² + p_s²)^½),   p_s = min(σ/10, τ0/μ),
 //!
 //! with σ the half space's strength: smooth functions, and w = 1 at the gap of no traction.
 //!
-//! The face carries a share s of that, t = s τ(d), which grows with the way it goes, Dahl's law (1968):
+//! The traction over shear strength, s = t/τ(d), follows Dahl's law (1968):
 //!
 //!   ds = (1 ∓ s) dx_b/δ,   the upper sign where the place x_b of the face moves towards +x.
 //!
-//! So it sticks with the stiffness τ/δ at first and slides at the limit behind a way of a few δ, backwards likewise, and |s| never
+//! So it sticks with the stiffness τ/δ at first and slides at the limit after a few δ, backwards likewise, and |s| never
 //! exceeds 1. Over a step in which the face does not turn back the law is integrated exactly, whatever the gap does,
 //!
 //!   s₁ = ±1 - (±1 - s₀) exp(-|Δx_b|/δ),
 //!
-//! which is the return mapping: the share returns to the surface |s| = 1. Its tangent is exact as well. The elastic way of the face is
+//! which is the return mapping: s returns to the surface |s| = 1. Its tangent is exact as well. The elastic way of the face is
 //! δ s and stores ½ τ δ s²; the rest of the work ∫ t dx_b is dissipated.
 //!
 //! P. R. Dahl, A solid friction model, Aerospace Corporation, TOR-0158(3107-18)-1, 1968; the limit is that of an adhering contact, as
@@ -207,7 +207,7 @@ mod tests {
         assert!(slip.place.abs() < 1e-15 && slip.share < -0.8 && dissipated > 0.0);
     }
 
-    /// At rest the contact is as stiff along as across; the strength is τ0 where nothing presses, half of it where the half space
+    /// At rest the tangential stiffness equals the normal one; the strength is τ0 where nothing presses, half of it where the half space
     /// pulls most, and nothing farther away.
     #[test]
     fn values_at_the_ends() {

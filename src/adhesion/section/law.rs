@@ -1,9 +1,9 @@
-//! What pulls a section, and everything that is asked of it elsewhere.
+//! The adhesion model of a section, and everything that is asked of it elsewhere.
 
 use super::{Cohesive, CohesiveShape, OwnLaw};
 use crate::adhesion::HalfSpace;
 
-/// What pulls, without its numbers: what a scene names.
+/// The adhesion model without its numbers: what a scene names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Attraction {
     /// The half space's body force over the height of the section.
@@ -16,7 +16,7 @@ pub enum Attraction {
     Own(OwnLaw),
 }
 
-/// What pulls a tilted section.
+/// The adhesion of a tilted section.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
     /// The body force of eq. (9) over its height, eqs. (17)-(22). It has a potential.

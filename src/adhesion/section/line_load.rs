@@ -15,11 +15,11 @@ pub enum LineLoad {
     Full,
     /// The line force without the moment; it has no potential.
     ForceOnly,
-    /// The traction at the gap below the axis, blind to tilt: Ψ = W(η), less W(η + h) where the far face counts.
+    /// The traction at the gap below the axis, independent of the section's rotation: Ψ = W(η), less W(η + h) where the upper surface is included.
     AxisGap,
 }
 
-/// The law of one section: half space, height, what pulls, which load, which faces.
+/// The law of one section: half space, height, adhesion model, which load, which faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineLaw {
     pub half_space: HalfSpace,
@@ -27,7 +27,7 @@ pub struct LineLaw {
     pub height: f64,
     pub law: Law,
     pub line_load: LineLoad,
-    /// Whether the top face counts (the r2 terms); a cohesive law knows none.
+    /// Whether the attraction of the upper surface is included (the r2 terms); a cohesive law has none.
     pub far_face: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What pulls a section of a beam: one law a file, and [`Law`], which answers everything about itself.
+//! The adhesion model of a section: one law a file, and [`Law`], which answers everything about itself.
 //!
 //! A law of the half space is a file here. A cohesive law is a file in `cohesive/` and a line of its list. A law of the user's own is a
 //! [`SectionLaw`]. [`LineLaw`] is a law with the height of a section and with what of it reaches the axis.

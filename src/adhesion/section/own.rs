@@ -24,7 +24,7 @@ impl TiltedSection {
     }
 }
 
-/// What pulls a section, by a law that is none of the library's. `examples/own_law.rs` is one.
+/// The adhesion of a section by a law of the user's own. `examples/own_law.rs` is one.
 ///
 /// The derivatives of a response have to be those of its energy and load; what they are not costs Newton's method its convergence.
 pub trait SectionLaw: Debug + Send + Sync {

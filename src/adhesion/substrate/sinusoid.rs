@@ -15,7 +15,7 @@ pub struct Sinusoid {
     pub offset: f64,
 }
 
-/// Samples a wavelength, between which the nearest points are told apart.
+/// Samples a wavelength, which separate the nearest points.
 const SAMPLES: f64 = 48.0;
 
 impl Sinusoid {

@@ -26,7 +26,7 @@ pub struct Front<T, const F: usize, const N: usize> {
     pub path: FrontRow<T, F, N>,
 }
 
-/// What elimination tells of its pivots.
+/// What elimination reports of its pivots.
 #[derive(Clone, Copy, Debug)]
 pub struct Pivots<T> {
     /// The smallest, without its sign.

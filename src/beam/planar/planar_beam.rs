@@ -20,7 +20,7 @@ pub struct PlanarBeam {
     pub chain: Box<dyn Chain>,
     /// Reference length L, nm
     pub length: f64,
-    /// x, height and rotation where it is free of stress; a chain of two fields a node leaves x out.
+    /// x, height and rotation in the stress-free configuration; a chain of two fields a node leaves x out.
     pub rest: Rest,
     /// The height field at the left end at rest, nm.
     pub rest_gap: f64,
@@ -135,7 +135,7 @@ impl PlanarBeam {
         std::array::from_fn(|f| all.get(f + left_out).copied().unwrap_or(0.0))
     }
 
-    /// Values of the interface where the beam is free of stress, or stretched by its pretension.
+    /// Values of the interface in the stress-free configuration, or stretched by its pretension.
     pub fn interface_at_rest(&self) -> [f64; INTERFACE] {
         let rest = self.rest_at(self.length);
         let mut values = [0.0; INTERFACE];

@@ -1,4 +1,4 @@
-//! What a density asks of a beam at one place: stiffness, outline, and how it lies when free of stress.
+//! What a density asks of a beam at one place: stiffness, outline, and the stress-free configuration.
 
 use super::SectionState;
 use super::reissner::{section_from_forces, section_of, stored};
@@ -17,7 +17,7 @@ pub struct Station<T> {
     pub height: T,
     /// h'/2: how much faster the axis rises than the gap below the underside
     pub rise: T,
-    /// κ0, the curvature of the axis that is free of stress, 1/nm
+    /// κ0, the curvature of the stress-free axis, 1/nm
     pub curvature: T,
 }
 

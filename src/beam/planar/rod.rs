@@ -5,7 +5,7 @@ use super::{Coupling, Density, PointResponse, SectionState};
 use crate::beam::{RestCurve, Section};
 use crate::number::Real;
 
-/// A planar Reissner beam that is free of stress along a given curve. Fields: x, y (nm), rotation θ. It has no border.
+/// A planar Reissner beam that is stress-free along a given curve. Fields: x, y (nm), rotation θ. It has no border.
 ///
 /// Γ1 and Γ2 as in [`super::ReissnerBeam`], the change of curvature θ' - κ0(S); stored energy per length
 /// ½EA Γ1² + ½GA_s Γ2² + ½EI (θ' - κ0)².

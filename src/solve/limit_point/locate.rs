@@ -1,4 +1,4 @@
-//! Turning points of the path, located and not sampled, with a bound on their error from half as many elements again.
+//! Limit points of the path, located and not sampled, with a bound on their error from half as many elements again.
 
 use super::LimitPointKind;
 use super::search::{BendRule, Bends, FINE, LimitPointSearch};
@@ -19,7 +19,7 @@ pub struct Located {
     pub difference: Observables,
     /// d²P/du² there, for a turn of the force.
     pub force_curvature: f64,
-    /// Whether the force is too flat there for the place to be told.
+    /// Whether the force is too flat there for its place to be determined.
     pub flat: bool,
     /// Newton iterations it took, on both meshes.
     pub iterations: usize,
@@ -255,7 +255,7 @@ pub fn unlocated(problem: &Problem, segment: &PathSegment, ws: &mut Workspace) -
     Ok(Located { observables, solution, difference, force_curvature: 0.0, flat: true, iterations: 3 })
 }
 
-/// A limit point of the force in a segment so flat that its place cannot be told and does not matter: a solution in it,
+/// A limit point of the force in a segment so flat that its place cannot be determined and does not matter: a solution in it,
 /// with the whole step as the error of its displacement and `change` as that of its force.
 fn flat(
     problem: &Problem,

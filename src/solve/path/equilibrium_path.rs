@@ -34,7 +34,7 @@ pub struct PathOptions {
 /// Where a path stopped and why.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "the path cannot be continued from u = {displacement_nm:.6} nm, P = {force:.6} nN (point {point}): after {tries} shorter and shorter steps: {cause}"
+    "the path cannot be continued from u = {displacement_nm:.6} nm, P = {force:.6} nN (point {point}): after {tries} ever shorter steps: {cause}"
 )]
 pub struct PathError {
     pub point: usize,
@@ -91,8 +91,8 @@ impl<'p> Path<'p> {
         Self::from(problem, options, problem.initial(options.elements))
     }
 
-    /// A path that starts at the equilibrium next to `start`, on its elements, with its displacement. A beam that is curved when
-    /// free of stress bends towards the substrate. It must not turn there.
+    /// A path that starts at the equilibrium next to `start`, on its elements, with its displacement. A beam that is curved in its
+    /// stress-free configuration bends towards the substrate. It must not have a limit point there.
     pub fn from(problem: &'p Problem, options: PathOptions, start: State) -> Self {
         let (known, points, errors) = (Vec::new().into_iter(), Vec::new(), Vec::new());
         Self { problem, options, start, known, points, errors, ws: Workspace::default(), iterations: 0, history: None }

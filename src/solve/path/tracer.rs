@@ -33,7 +33,7 @@ pub struct TraceOptions {
     pub branches: bool,
     /// A force that changes by less than this share of itself does not turn.
     pub relative: f64,
-    /// Points behind a limit point that its interpolation may use.
+    /// Points beyond a limit point that its interpolation may use.
     pub behind: usize,
 }
 
@@ -49,10 +49,10 @@ impl Default for TraceOptions {
 pub enum TraceError {
     #[error("{0}")]
     Path(#[from] PathError),
-    #[error("the limit point of the {kind} behind path point {after} (u = {displacement:.6}) was not located: {cause}")]
+    #[error("the limit point of the {kind} after path point {after} (u = {displacement:.6}) was not located: {cause}")]
     NotLocated { kind: LimitPointKind, after: usize, displacement: f64, cause: SolveError },
     #[error(
-        "stability is lost between u = {from:.6} and {to:.6}, where the displacement does not turn, and where the path branches was not \
+        "stability is lost between u = {from:.6} and {to:.6}, where the displacement has no limit point, and the bifurcation was not \
          located: {cause}"
     )]
     NoBranching { from: f64, to: f64, cause: SolveError },
@@ -68,7 +68,7 @@ pub struct PathTracer<'p> {
     events: VecDeque<PathEvent>,
     ws: Workspace,
     iterations: usize,
-    /// Whether the path could not be continued behind a limit point; that is told when its points are over.
+    /// Whether the path could not be continued beyond a limit point; reported after its last point.
     broken: Option<PathError>,
 }
 
@@ -155,7 +155,7 @@ impl<'p> PathTracer<'p> {
         Ok((segment, found))
     }
 
-    /// Computes the points behind a limit point that are missing; whether there are any.
+    /// Computes the points beyond a limit point that are missing; whether there are any.
     fn wait_behind(&mut self, second: usize) -> bool {
         while self.broken.is_none() && self.path.points().len() <= second + self.options.behind {
             self.broken = self.path.advance().err();

@@ -40,7 +40,7 @@ pub struct JumpEnd {
     /// Bounds on their errors, nm and nN
     pub displacement_error: f64,
     pub force_error: f64,
-    /// Stored, adhesion and spring energy, aJ; zero where the strip is free of stress and out of reach
+    /// Stored, adhesion and spring energy, aJ; zero for a stress-free strip beyond the range of adhesion
     pub energy: f64,
     /// S of the peeling front, nm
     pub front: f64,
@@ -68,7 +68,7 @@ pub struct Jump {
     /// Energy before minus energy after, aJ, and a bound on its error
     pub released: f64,
     pub released_error: f64,
-    /// Whether no point of the strip is nearer than 10 r0 behind it.
+    /// Whether no point of the strip is nearer than 10 r0 after it.
     pub detached: bool,
     /// Steps of the relaxation.
     pub steps: usize,
@@ -136,7 +136,7 @@ pub struct Observed {
     pub jumps: Vec<Jump>,
     /// (U, P) between the jumps, close enough to draw, piece by piece.
     pub pieces: Vec<(Way, Vec<(f64, f64)>)>,
-    /// The largest force of the stable retreat.
+    /// The largest force on the stable retreat.
     pub pull_off: Option<PullOff>,
     /// ∮ P dU of a closed cycle, aJ
     pub hysteresis: Option<f64>,
@@ -154,19 +154,19 @@ pub struct Observed {
 pub enum NoTest {
     /// There is friction.
     #[error(
-        "there is friction: where a strip that slides while it jumps comes to rest depends on how fast it jumps, and no path of equilibria tells"
+        "there is friction: where a strip that slides during a jump comes to rest depends on the speed of the jump, and equilibrium does not determine it"
     )]
     Friction,
     /// The load has no potential.
     #[error(
-        "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): where a strip goes that loses its stability, and the energy it releases, are not defined"
+        "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): the state after a loss of stability, and the energy released, are not defined"
     )]
     NoPotential,
     /// The grip takes steps before the pull.
-    #[error("drive.steps has steps before the pull, and a test begins at rest and ends where it began")]
+    #[error("drive.steps has steps before the pull; the test has to begin at rest, where it also ends")]
     Steps,
     /// The grip turns as it goes.
-    #[error("drive.turn turns the grip as it goes, and the work of the machine is that of a force alone")]
+    #[error("drive.turn rotates the grip during the pull; the work of the machine is that of a force alone")]
     Turn,
 }
 
@@ -174,10 +174,10 @@ impl NoTest {
     /// What to try.
     pub const fn remedy(self) -> &'static str {
         match self {
-            Self::Friction => "Leave --observed away, or the table [friction]",
-            Self::NoPotential => "Leave --observed away, or choose another line_load or law",
-            Self::Steps => "Leave --observed away, or drive.steps",
-            Self::Turn => "Leave --observed away, or drive.turn",
+            Self::Friction => "Omit --observed, or remove the table [friction]",
+            Self::NoPotential => "Omit --observed, or use another line_load or law",
+            Self::Steps => "Omit --observed, or remove drive.steps",
+            Self::Turn => "Omit --observed, or remove drive.turn",
         }
     }
 }
@@ -185,8 +185,8 @@ impl NoTest {
 /// Pulls the strip off and comes back, with the machine behind a spring where the grip has one.
 ///
 /// The machine's displacement U rises from 0 until no point of the strip is nearer than 10 r0, and falls back to 0. At each
-/// turning point of U on the stable path the strip jumps at that U; where it comes to rest is found by [`crate::solve::relax()`].
-/// Errors: turning points as in [`crate::study::peel()`]; ∫ P dU against the energies in [`Balance::error`], which is at most 1e-6 or
+/// limit point of U on the stable path the strip jumps at that U; where it comes to rest is found by [`crate::solve::relax()`].
+/// Errors: limit points as in [`crate::study::peel()`]; ∫ P dU against the energies in [`Balance::error`], which is at most 1e-6 or
 /// the accuracy asked for, or the test fails.
 pub fn observed<'m, M>(model: &'m M, accuracy: &Accuracy, bounds: &Bounds) -> Result<Observed, NoTest>
 where

@@ -23,7 +23,7 @@ const MOST_MESHES: usize = 8;
 const MOST_JUMPS: usize = 50;
 /// Most that a step of relaxation moves, relative to the gap.
 const RELAXING: f64 = 0.1;
-/// A mesh whose errors are at most this many times those of the best one tells of its round-off.
+/// A mesh whose errors are at most this many times those of the best one shows its round-off.
 const COMPARABLE: f64 = 10.0;
 /// The balance of work and energy closes to this, or to the accuracy asked for where that is more.
 const BALANCED: f64 = 1e-6;
@@ -33,16 +33,16 @@ const BALANCED: f64 = 1e-6;
 enum Trouble {
     #[error("{0}")]
     Branch(BranchTrouble),
-    #[error("where the strip goes from U = {machine_nm:.6} nm was not found: {cause}")]
+    #[error("the state after the jump at U = {machine_nm:.6} nm was not found: {cause}")]
     Relax { machine_nm: f64, cause: RelaxError },
-    #[error("the error of the jump at U = {machine_nm:.6} nm was not found: {cause}")]
+    #[error("the error of the jump at U = {machine_nm:.6} nm was not determined: {cause}")]
     NoBound { machine_nm: f64, cause: SolveError },
     #[error("the jump at U = {machine_nm:.6} nm releases {released:.3e} aJ: that is no jump")]
     NoRelease { machine_nm: f64, released: f64 },
-    #[error("there were {MOST_JUMPS} jumps on the {way} and no end of them")]
+    #[error("there were {MOST_JUMPS} jumps on the {way}, more than are computed")]
     TooManyJumps { way: &'static str },
     #[error(
-        "work and energy do not balance: ∫ P dU = {:.9e} aJ, change of energy {:.9e} aJ, released {:.9e} aJ, which leaves \
+        "work and energy do not balance: ∫ P dU = {:.9e} aJ, change of energy {:.9e} aJ, released {:.9e} aJ; the difference is \
          {:.1e} of the largest term", .0.work, .0.energy_change, .0.released, .0.error()
     )]
     Unbalanced(Balance),
@@ -230,7 +230,7 @@ impl Test {
         self.pieces.push((way, leg.curve.clone()));
     }
 
-    /// The largest force of a piece of the retreat: a maximum of its own, or its turning point.
+    /// The largest force of a piece of the retreat: a maximum of its own, or its limit point.
     fn take_peak(&mut self, machine: &Machine, leg: &StableBranch) -> Result<(), Trouble> {
         let largest = leg.points.iter().map(|p| p.observables.force).fold(f64::NEG_INFINITY, f64::max);
         if self.pull_off.is_some_and(|known| known.force > largest) {
@@ -304,7 +304,7 @@ impl Test {
         rank(self) > rank(best) || (rank(self) == rank(best) && self.worst() < best.worst())
     }
 
-    /// Largest relative bound of what is told of the jumps.
+    /// Largest relative bound of the reported numbers of the jumps.
     fn worst(&self) -> f64 {
         let relative = |jump: &Jump| {
             let place = jump.machine_error / jump.machine.abs();
@@ -328,12 +328,12 @@ impl Test {
         }
     }
 
-    /// What a user is told.
+    /// What a user reads.
     fn told(self, relative: f64) -> Observed {
         let reached = self.worst();
         let end = match self.end {
             TestEnd::Failed(reason) => TestEnd::Failed(format!(
-                "{reason}; on {} elements of order {}. What was reached is kept. Try another accuracy.relative than {relative:e}",
+                "{reason}; on {} elements of order {}. The results so far are kept. Try another accuracy.relative than {relative:e}",
                 self.effort.elements, self.effort.order
             )),
             end => end,

@@ -14,7 +14,7 @@ use std::time::Instant;
 pub(super) enum BranchEnd {
     /// The machine has arrived.
     Arrived,
-    /// U turns: stability is lost.
+    /// A limit point of U: stability is lost.
     Limit(Box<Located>),
     /// Stability is lost where U does not turn.
     Branching(Box<Located>),
@@ -39,7 +39,7 @@ pub(super) struct StableBranch {
 pub(super) enum BranchTrouble {
     #[error("{0}")]
     Trace(#[from] TraceError),
-    #[error("the largest force of the stable piece near U = {machine_nm:.6} nm was not located: {cause}")]
+    #[error("the largest force on the stable branch near U = {machine_nm:.6} nm was not located: {cause}")]
     NoPeak { machine_nm: f64, cause: SolveError },
     #[error("the last point, at U = {machine_nm:.6} nm, was not found: {cause}")]
     NotArrived { machine_nm: f64, cause: SolveError },
@@ -66,7 +66,7 @@ pub(super) enum Until {
     Displacement(f64),
 }
 
-/// Further points behind a turning point, for a better interpolation of it.
+/// Further points beyond a limit point, for a better interpolation of it.
 const BEHIND: usize = 2;
 /// Places at which the curve is given inside a step.
 const INSIDE: usize = 8;

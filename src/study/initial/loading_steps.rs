@@ -21,15 +21,15 @@ enum Trouble {
     Start(PathError),
     #[error("cannot be followed beyond {}: {why}", place_text(.at))]
     Path { at: Reached, why: PathError },
-    #[error("comes to a turning point at {}, behind which the beam jumps", place_text(.at))]
+    #[error("comes to a limit point at {}, beyond which the beam jumps", place_text(.at))]
     Turns { at: Reached },
-    #[error("leads through the surface of the substrate, behind {}", place_text(.at))]
+    #[error("leads through the surface of the substrate, beyond {}", place_text(.at))]
     Inside { at: Reached },
-    #[error("comes to where equilibrium is no longer stable, behind {}: there the beam leaves its path", place_text(.at))]
+    #[error("comes to where equilibrium is no longer stable, beyond {}: there the beam leaves its path", place_text(.at))]
     Unstable { at: Reached },
     #[error("is not at its end after {points} equilibria, at {}", place_text(.at))]
     Long { at: Reached, points: usize },
-    #[error("finds no equilibrium at its end, behind {}: {why}", place_text(.at))]
+    #[error("finds no equilibrium at its end, beyond {}: {why}", place_text(.at))]
     End { at: Reached, why: SolveError },
 }
 

@@ -20,7 +20,7 @@ const MOST_STEPS: usize = 1000;
 /// Most that a step of relaxation moves, relative as in [`System::size`].
 const RELAXING: f64 = 0.3;
 
-/// The equilibrium without a grip of a beam that is free of stress, and that its ground can touch up to S = `reach`. An error says why
+/// The free equilibrium, found by gradient flow from the stress-free configuration, of a beam that its ground can touch up to S = `reach`. An error says why
 /// there is none.
 pub(super) fn settled_on_ground(
     problem: &PlanarProblem,

@@ -1,6 +1,6 @@
-//! A turning point of the path followed in a parameter of the model.
+//! A limit point of the path followed in a parameter of the model.
 //!
-//! The turning point is the solution of an augmented system (see `solve::LimitPointSearch`). Its state and
+//! The limit point is the solution of an augmented system (see `solve::LimitPointSearch`). Its state and
 //! its force are extrapolated in the parameter by Lagrange polynomials through the values behind it, at equal mesh
 //! coordinates, as many as have been best so far; the mesh follows the front and the process zone of each model. Values between those that are asked for are taken where the extrapolation would be too far off.
 
@@ -32,25 +32,25 @@ const OLDEST_BEND: usize = 4;
 const LEAST_STEP: f64 = 1e-6;
 /// Most steps that are refused on the way to one value, and a tenth of the most that are taken.
 const MOST_TRIES: usize = 100;
-/// A turning point is about to meet another where dg/dσ has fallen to this share since the last value asked for.
+/// A limit point is about to meet another where dg/dσ has fallen to this share since the last value asked for.
 const MEETS: f64 = 0.1;
-/// The width of a turning point, as a share of its displacement or force.
+/// The width of a limit point, as a share of its displacement or force.
 const WIDTH: f64 = 0.3;
 
-/// A turning point at one value of the parameter, as the extrapolation needs it.
+/// A limit point at one value of the parameter, as the extrapolation needs it.
 #[derive(Clone, Debug)]
 pub(super) struct Known {
     /// The parameter.
     pub at: f64,
-    /// The turning point on the mesh whose focus is at `center`; `ends` are those of a mesh near it.
+    /// The limit point on the mesh whose focus is at `center`; `ends` are those of a mesh near it.
     pub equilibrium: State,
     /// The constraint's target.
     pub target: f64,
-    /// dg/dσ of the turning point.
+    /// dg/dσ of the limit point.
     pub bend: f64,
     /// How many values ago that was measured.
     pub bend_age: usize,
-    /// Of the turning point.
+    /// Of the limit point.
     pub observables: Observables,
     /// Size of what was neglected in displacement and force.
     pub neglected: Observables,
@@ -58,13 +58,13 @@ pub(super) struct Known {
     pub energy: f64,
 }
 
-/// Why a turning point could not be followed further.
+/// Why a limit point could not be followed further.
 #[derive(Clone, Debug)]
 pub(super) struct Lost {
     /// The last value of the parameter at which it was there, and the nearest at which it was not found.
     pub last: f64,
     pub next: f64,
-    /// Whether it was about to meet another turning point: dg/dσ was going to zero.
+    /// Whether it was about to meet another limit point: dg/dσ was going to zero.
     pub meets: bool,
     pub cause: SolveError,
 }
@@ -94,7 +94,7 @@ pub(super) fn search(problem: &Problem, kind: PointKind, target: f64) -> LimitPo
 }
 
 impl Known {
-    /// A located turning point, on a mesh whose focus is exactly at the front of the solution next to it: on the mesh of
+    /// A located limit point, on a mesh whose focus is exactly at the front of the solution next to it: on the mesh of
     /// the search it is where the front was predicted, and that prediction's error would be noise to the next one.
     pub fn new(problem: &PlanarProblem, kind: PointKind, at: f64, fold: &FoundLimitPoint) -> Self {
         let FoundLimitPoint { solution, ahead, .. } = fold;
@@ -120,7 +120,7 @@ impl Known {
         }
     }
 
-    /// The same turning point on `elements` elements, and how it was found.
+    /// The same limit point on `elements` elements, and how it was found.
     pub fn on_elements(
         &self,
         problem: &PlanarProblem,
@@ -140,7 +140,7 @@ impl Known {
     }
 }
 
-/// Follows one turning point from value to value of a parameter.
+/// Follows one limit point from value to value of a parameter.
 pub(super) struct Continuation<'m> {
     kind: PointKind,
     model: &'m dyn Fn(f64) -> PeelModel,
@@ -155,7 +155,7 @@ pub(super) struct Continuation<'m> {
 }
 
 impl<'m> Continuation<'m> {
-    /// Begins at a turning point that is known.
+    /// Begins at a limit point that is known.
     pub fn new(kind: PointKind, model: &'m dyn Fn(f64) -> PeelModel, first: Known) -> Self {
         Self {
             kind,
@@ -173,7 +173,7 @@ impl<'m> Continuation<'m> {
         self.iterations
     }
 
-    /// The turning point at the value `to` of the parameter.
+    /// The limit point at the value `to` of the parameter.
     pub fn reach(&mut self, to: f64) -> Result<&Known, Lost> {
         let (asked, bend) = (to - self.newest().at, self.newest().bend);
         let mut tries = 0;
@@ -234,7 +234,7 @@ impl<'m> Continuation<'m> {
         if n < 2 { f64::INFINITY } else { (self.history[n - 1].at - self.history[n - 2].at).abs() }
     }
 
-    /// The turning point at a value, from an extrapolation through `count` values.
+    /// The limit point at a value, from an extrapolation through `count` values.
     fn attempt(&mut self, at: f64, count: usize) -> Result<Known, SolveError> {
         let problem = problem(&(self.model)(at), self.kind);
         let (start, target) = self.extrapolated(&problem, at, count);
@@ -244,7 +244,7 @@ impl<'m> Continuation<'m> {
         let fold = found.inspect_err(|_| self.iterations += 3)?;
         self.iterations += fold.iterations;
         let moved = fold.correction.max((fold.target + fold.ahead - target).abs() / target.abs());
-        // a maximum that has become a minimum is another turning point
+        // a maximum that has become a minimum is another limit point
         let turned = fold.bends.of(self.kind.turn()) * self.newest().bend <= 0.0;
         if moved > REFUSE || turned || fold.observables.force <= 0.0 {
             return Err(SolveError::NotConverged { update: moved, iterations: fold.iterations });

@@ -1,8 +1,8 @@
-//! Where a snap-back vanishes: the cusp at which the two turning points of the displacement meet.
+//! Where a snap-back vanishes: the cusp at which the two displacement limit points meet.
 //!
 //! Between them u falls along the path while P falls, so that du/dP > 0; before the first and behind the second du/dP < 0. At the
 //! cusp its largest value is zero. That maximum, over P, is a smooth function of any parameter of the model on both
-//! sides of the cusp, and its zero a regular one, where the turning points themselves are singular.
+//! sides of the cusp, and its zero a regular one, where the limit points themselves are singular.
 
 use crate::model::{Form, PeelModel, PlanarProblem};
 use crate::solve::{
@@ -72,7 +72,7 @@ struct Snapback {
 }
 
 impl Snapback {
-    /// A point of the path half-way between its two turning points.
+    /// A point of the path half-way between its two limit points.
     fn on_path(model: &PeelModel, accuracy: &Accuracy) -> Result<Self, String> {
         let bounds = Bounds { points: 20_000, time_s: None, displacement: None };
         let peel = peel(model, accuracy, &bounds);

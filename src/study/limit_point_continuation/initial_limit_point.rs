@@ -58,7 +58,7 @@ fn first_maximum(model: &PeelModel, bounds: &Bounds) -> Result<Option<Located>, 
     }
 }
 
-/// The first turning point at which the displacement turns back, from the whole path.
+/// The first displacement limit point, from the whole path.
 fn snap_off(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Result<Option<Located>, String> {
     let peel = peel(model, accuracy, bounds);
     let (Some(at), Some(trace)) = (peel.snap_off, &peel.trace) else {

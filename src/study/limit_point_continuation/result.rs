@@ -8,12 +8,12 @@ use crate::study::peel::{LimitPoint, Peak};
 pub enum PointKind {
     /// The first local maximum of the force along the path.
     InitiationPeak,
-    /// The first turning point of the displacement.
+    /// The first displacement limit point.
     SnapOff,
 }
 
 impl PointKind {
-    /// Which quantity turns there.
+    /// Which kind of limit point it is.
     pub fn turn(self) -> LimitPointKind {
         match self {
             Self::InitiationPeak => LimitPointKind::Load,
@@ -122,34 +122,34 @@ pub struct FollowedSweep {
 /// What happened to the point on the way.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Remark {
-    /// The turning point meets another one and both vanish.
+    /// The limit point meets another one and both vanish.
     #[error(
-        "the {} that was followed meets another turning point and vanishes between {} and {}; behind that it is looked \
+        "the {} that was followed meets another limit point and vanishes between {} and {}; beyond that it is looked \
          for on the path from rest",
         .kind.word(), .between.0, .between.1
     )]
     Vanished { kind: PointKind, between: (f64, f64) },
-    /// The turning point could not be followed.
+    /// The limit point could not be followed.
     #[error(
-        "the {} could not be followed from {} to {}: {cause}; behind that it is looked for on the path from rest",
+        "the {} could not be followed from {} to {}: {cause}; beyond that it is looked for on the path from rest",
         .kind.word(), .between.0, .between.1
     )]
     Lost { kind: PointKind, between: (f64, f64), cause: String },
-    /// The turning point goes on, but is not the one that it was.
+    /// The limit point goes on, but is not the one that it was.
     #[error(
-        "the turning point that was followed is the {} up to {} and no longer at {}, where the path from rest has another; \
+        "the limit point that was followed is the {} up to {} and no longer at {}, where the path from rest has another; \
          from there on that one is followed",
         .kind.word(), .between.0, .between.1
     )]
     Replaced { kind: PointKind, between: (f64, f64) },
-    /// The path from rest could not be computed where the point was to be held against it.
-    #[error("at {value} the {} that was followed could not be held against the path from rest: {reason}", .kind.word())]
+    /// The path from rest could not be computed where the point was to be compared with it.
+    #[error("at {value} the {} that was followed could not be compared with the path from rest: {reason}", .kind.word())]
     Unconfirmed { kind: PointKind, value: f64, reason: String },
     /// The path from rest has no such point at any of the values from the one to the other.
     #[error("from {from} to {to} the path has no {}", .kind.word())]
     Absent { kind: PointKind, from: f64, to: f64 },
     /// The point could not be solved for by itself and is that of a whole peel.
-    #[error("at {value} the {} is that of a whole peel, because it could not be taken up: {reason}", .kind.word())]
+    #[error("at {value} the {} is that of a whole path, because it could not be solved for directly: {reason}", .kind.word())]
     Peeled { kind: PointKind, value: f64, reason: String },
     /// The path from rest could not be computed.
     #[error("at {value} the {} was not found: {reason}", .kind.word())]

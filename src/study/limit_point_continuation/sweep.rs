@@ -2,7 +2,7 @@
 //!
 //! The point is taken up where the path from rest has it and followed by [`Continuation`]. At some values, the first and
 //! the last among them, it is solved for again on half as many elements again, which bounds the error of the values
-//! between, and at fewer values it is held against the path from rest: what is followed might still be a turning point, but
+//! between, and at fewer values it is held against the path from rest: what is followed might still be a limit point, but
 //! no longer the first. Where the point is lost, or is another one, a remark says so and the path from rest gives the
 //! point of the next value.
 
@@ -113,7 +113,7 @@ impl Strand {
         self.found[self.found.len() - 1].elements
     }
 
-    /// Drops the values behind the last check, where that found no turning point on more elements.
+    /// Drops the values behind the last check, where that found no limit point on more elements.
     fn drop_unbounded(&mut self) {
         while self.checks.len() > 1 && self.checks.last().is_some_and(|(_, difference)| !difference.force.is_finite()) {
             self.checks.pop();

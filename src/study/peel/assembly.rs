@@ -1,4 +1,4 @@
-//! What is told of a path that was followed: its numbers, and how far each may be wrong.
+//! What is reported of a path that was followed: its numbers and their error bounds.
 
 use super::equilibrium_path::Followed;
 use super::plateau::plateau;
@@ -28,7 +28,7 @@ pub(super) fn worst_difference(followed: &Followed, problem: &PlanarProblem) -> 
     turns.fold(0.0, f64::max)
 }
 
-/// What a user is told of a path.
+/// What is reported of a path.
 pub(super) fn report(model: &PeelModel, problem: &PlanarProblem, followed: &Followed, relative: f64) -> Peel {
     let mut ws = followed.workspace();
     let works = works(problem, &followed.points, &mut ws);
@@ -122,7 +122,7 @@ fn fill_special_points(peel: &mut Peel, problem: &PlanarProblem, followed: &Foll
         _ => None,
     };
     peel.peak = at_turns.chain(at_end).max_by(|a, b| a.force.total_cmp(&b.force));
-    // a beam that is curved when free of stress is pulled where it begins
+    // a beam that is curved in its stress-free configuration is pulled where it begins
     let least = peel.peak.map_or(0.0, |peak| peak.force).max(PULL * problem.measure.force);
     if let Some(first) = followed.points.first().filter(|first| first.observables.force > least) {
         peel.peak = peak_at(problem, first, relative).or(peel.peak);

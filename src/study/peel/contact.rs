@@ -1,4 +1,4 @@
-//! How a beam lies on ground that is not flat: how much of it adheres, how deep it reaches, and how far the ground is from
+//! How a beam lies on ground that is not flat: how much of it adheres, how deep it penetrates, and how far the ground is from
 //! the half space that stands for it.
 
 use super::{Peel, Shape};
@@ -87,7 +87,7 @@ impl Peel {
         })
     }
 
-    /// The largest force at any point of the path, nN, behind the snap-off too: where the path goes up to a maximum or ends.
+    /// The largest force at any point of the path, nN, also beyond the snap-off: where the path goes up to a maximum or ends.
     pub fn largest_force(&self) -> Option<f64> {
         let turns =
             self.limit_points.iter().filter(|point| point.kind == LimitPointKind::Load).map(|point| point.force);

@@ -1,4 +1,4 @@
-//! One path on one mesh: followed to its end, every turning point on it located, none missed without a word.
+//! One path on one mesh: followed to its end, every limit point on it located, none missed without a report.
 
 use super::End;
 use super::path_refinement::fill_in;
@@ -13,7 +13,7 @@ use crate::study::checkpoint::Limits;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-/// A path with its turning points.
+/// A path with its limit points.
 pub(super) struct Followed {
     pub points: Vec<Arc<Solution>>,
     /// In path order, each with the index of the point before it.
@@ -24,7 +24,7 @@ pub(super) struct Followed {
     pub iterations: usize,
     /// Whether it ended with the strip upright, where an eigenvalue is zero by symmetry.
     pub upright: bool,
-    /// Turning points of the force left out because it hardly changes between them.
+    /// Load limit points left out because the force hardly changes between them.
     pub ripple: usize,
     /// Largest spread of the first integral along the beam at any point, over the work of adhesion.
     pub spread: f64,
@@ -34,7 +34,7 @@ pub(super) struct Followed {
     should_stop: Option<ShouldStop>,
 }
 
-/// A step that holds a turning point.
+/// A step that contains a limit point.
 struct Candidate {
     turn: LimitPointKind,
     index: usize,
@@ -64,19 +64,19 @@ pub(super) enum Trouble {
     #[error("{0}")]
     Path(PathError),
     #[error(
-        "the turning point of the {} behind path point {after} (u = {displacement_nm:.6} nm) was not located: {cause}",
+        "the limit point of the {} after path point {after} (u = {displacement_nm:.6} nm) was not located: {cause}",
         name(.turn)
     )]
     NotLocated { turn: LimitPointKind, after: usize, displacement_nm: f64, cause: SolveError },
     #[error(
         "between path points {after} and {} (u = {displacement_nm:.6} nm) the number of negative eigenvalues goes from \
-         {from} to {to}, which {turns} located turning points of the displacement do not explain",
+         {from} to {to}, which {turns} located displacement limit points do not explain",
         after + 1
     )]
     Missed { after: usize, displacement_nm: f64, from: usize, to: usize, turns: usize },
     #[error(
-        "between path points {after} and {} (u = {displacement_nm:.6} nm) no solution was found, and neither force nor displacement \
-         goes smoothly from one to the other: the path may have jumped over a part of itself",
+        "between path points {after} and {} (u = {displacement_nm:.6} nm) no solution was found, and force and displacement do \
+         not change smoothly: the path may have skipped a part of itself",
         after + 1
     )]
     Jumped { after: usize, displacement_nm: f64 },
@@ -88,11 +88,11 @@ pub(super) enum Trouble {
     #[error("the first step, {step_nm:e} nm, is lost in the rounding of the displacement")]
     Stuck { step_nm: f64 },
     #[error(
-        "bounds.time, and as long again and a second, were over before the turning points of the path and its work were \
-         computed: a larger one leaves more time for them"
+        "the limit points and the work of the path were not computed within twice bounds.time and a second: a larger \
+         bounds.time allows more time"
     )]
     OutOfTime,
-    #[error("{points} path points were not enough on {elements} elements: the mesh holds the path up")]
+    #[error("{points} path points were not enough on {elements} elements: the continuation steps have collapsed")]
     TooManyPoints { points: usize, elements: usize },
 }
 
@@ -103,7 +103,7 @@ fn name(turn: &LimitPointKind) -> &'static str {
     }
 }
 
-/// Follows the path and locates its turning points.
+/// Follows the path and locates its limit points.
 pub(super) fn follow(
     problem: &PlanarProblem,
     options: PathOptions,
@@ -272,7 +272,7 @@ fn slides(problem: &PlanarProblem, path: &Path) -> bool {
     FrictionHistory(now).slides(little * FrictionHistory(rest).capacity())
 }
 
-/// Whether the force has been above zero: where a beam is curved when free of stress, the grip may have to push at first.
+/// Whether the force has been above zero: where a beam is curved in its stress-free configuration, the grip may have to push at first.
 fn has_pulled(problem: &PlanarProblem, points: &[Arc<Solution>]) -> bool {
     let pushes = points[0].observables.force < -PUSH * problem.measure.force;
     !pushes || points.iter().any(|point| point.observables.force > 0.0)
@@ -364,7 +364,7 @@ impl Followed {
         self.workspace().is_stopped().then_some(Trouble::OutOfTime)
     }
 
-    /// Locates every turning point but those of a flat segment, where the force rises and falls by less than `relative`
+    /// Locates every limit point but those of a flat segment, where the force rises and falls by less than `relative`
     /// of itself: there its slope is the discretisation's.
     fn locate_turns(&mut self, problem: &PlanarProblem, relative: f64) -> Result<(), Trouble> {
         let mut ws = self.workspace();
@@ -475,7 +475,7 @@ mod tests {
     use crate::study::accuracy::Resolution;
     use crate::study::{Accuracy, Bounds, Checkpoint};
 
-    /// What the count of negative eigenvalues is for: turning points that were not located are missed by name.
+    /// What the count of negative eigenvalues is for: limit points that were not located are reported as missing.
     #[test]
     fn a_turning_point_that_was_not_located_is_missed() {
         let (model, accuracy) = (PeelModel::from(StripModel::of_the_paper(100.0, 1.0)), Accuracy::to(1e-6));

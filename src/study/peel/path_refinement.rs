@@ -10,7 +10,7 @@ use std::sync::Arc;
 const MOST_HALVINGS: usize = 4;
 /// Error wanted of the curve between points, over the square root of the accuracy asked for of the points themselves.
 const BETWEEN: f64 = 0.1;
-/// What one point less tells of the error of an interpolant is taken so many times.
+/// What one point less shows of the error of an interpolant is taken so many times.
 const CAUTION: f64 = 2.0;
 /// The least error wanted of it.
 const LEAST: f64 = 1e-6;
@@ -59,7 +59,7 @@ pub(super) fn fill_in(
     (iterations, jump)
 }
 
-/// The relative error of the interpolated displacement and force, where it can be told.
+/// The relative error of the interpolated displacement and force, where it can be determined.
 fn error(segment: &PathSegment, least: (f64, f64)) -> Option<f64> {
     let Observables { displacement, force, .. } = segment.first().observables;
     let displacement = segment.interpolation_error(|o| o.displacement)? / (displacement.abs() + least.0);

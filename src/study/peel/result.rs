@@ -24,13 +24,13 @@ pub struct Bounds {
 pub enum End {
     /// No point of the beam is nearer than [`crate::adhesion::LineLaw::reach`].
     Detached,
-    /// The force has come back to zero after a snap-off while an edge still holds.
+    /// The force has come back to zero after a snap-off, and the beam is still in edge contact.
     Pivoting,
-    /// The path has returned to u = 0.
+    /// The beam has re-adhered: u has returned to 0.
     TurnedBack,
-    /// All of the contact slides, and would from here on at a force that stays; or next to none of it is left.
+    /// The whole contact slides, and would at a constant force from here on; or next to none of it is left.
     Sliding,
-    /// With friction, the displacement turned back: how a beam slides while it jumps no equilibrium tells.
+    /// With friction, the displacement has a limit point: equilibrium does not determine how a beam slides during a jump.
     Snapped,
     /// A bound that the scene sets was reached; which one, in words.
     Bound(String),
@@ -59,7 +59,7 @@ pub struct PathPoint {
     pub iterations: usize,
 }
 
-/// A turning point of the path, located and not sampled.
+/// A limit point of the path, located and not sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LimitPoint {
     pub kind: LimitPointKind,
@@ -75,7 +75,7 @@ pub struct LimitPoint {
     pub displacement_error: f64,
     /// Bound on the error of `force`, nN
     pub force_error: f64,
-    /// Whether the force is so flat around it that its displacement cannot be told any better and does not matter.
+    /// Whether the force is so flat around it that its displacement cannot be determined any better and does not matter.
     pub flat: bool,
     /// It lies between `points[after]` and `points[after + 1]` of the path.
     pub after: usize,
@@ -128,7 +128,7 @@ pub struct Peel {
     pub initiation_peak: Option<Peak>,
     pub peak: Option<Peak>,
     pub plateau: Option<Plateau>,
-    /// The first displacement limit point at which u turns back.
+    /// The first displacement limit point: a displacement-controlled test jumps here.
     pub snap_off: Option<LimitPoint>,
     pub end: End,
     pub effort: Effort,

@@ -26,7 +26,7 @@ const STAGNATION: f64 = 2e-8;
 const PLAIN: f64 = 0.1;
 /// Length of the steps of a path that confirms another, over those of the other.
 const SHORTER: f64 = 0.5;
-/// Bounds are what shorter strides change times this: the steps behind a turn are what they are, so that the strides shorten not all of
+/// Bounds are what shorter strides change times this: the steps beyond a limit point are what they are, so that the strides shorten not all of
 /// them, and 1.1 times four times that change was found.
 const WARY: f64 = 8.0;
 /// Bounds may then be so many times what was asked for.
@@ -180,7 +180,7 @@ impl Attempt {
         let relative = accuracy.relative;
         let mut spread = f64::INFINITY;
         let mut peel = report(model, problem, &followed, relative);
-        // a peak where the path begins is no turning point
+        // a peak where the path begins is no limit point
         let at_rest = peel.peak.filter(|peak| Some(peak.displacement) == peel.points.first().map(|p| p.displacement));
         let at_rest = at_rest.map_or(0.0, |peak| peak.force_error / peak.force);
         let difference = (SAFETY * worst_difference(&followed, problem)).max(at_rest) / relative;
@@ -287,7 +287,7 @@ impl Attempt {
         let kinds = |attempt: &Self| attempt.peel.limit_points.iter().map(|point| point.kind).collect::<Vec<_>>();
         if self.trouble.is_none() && !self.cut && kinds(self) != kinds(other) {
             self.trouble = Some(format!(
-                "with shorter steps the path has {} turning points, with longer ones {}: what slides depends on the steps",
+                "with shorter steps the path has {} limit points, with longer ones {}: what slides depends on the steps",
                 self.peel.limit_points.len(),
                 other.peel.limit_points.len()
             ));
@@ -317,11 +317,11 @@ impl Attempt {
         let bounded = matches!(peel.end, End::Bound(_));
         let trouble = self
             .trouble
-            .or((missed && !bounded).then(|| format!("the error bounds are {worst:.1} times what was asked for")));
+            .or((missed && !bounded).then(|| format!("the error bounds are {worst:.1} times the requested tolerance")));
         if let Some(trouble) = trouble {
             let Effort { elements, order, .. } = peel.effort;
             peel.end = End::Failed(format!(
-                "{trouble}; on {elements} elements of order {order}. What was reached is kept. Try another accuracy.relative than {:e}, or bounds.displacement to stop before",
+                "{trouble}; on {elements} elements of order {order}. The results so far are kept. Try another accuracy.relative than {:e}, or bounds.displacement to stop before",
                 peel.asked
             ));
         }

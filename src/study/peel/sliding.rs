@@ -21,11 +21,11 @@ pub struct Sliding {
     pub sliding: f64,
     /// Energy dissipated since the path began, aJ
     pub dissipated: f64,
-    /// S (nm), share s carried of the limit τ, and τ (GPa), along the beam
+    /// S (nm), traction over shear strength s, and shear strength τ (GPa), along the beam
     pub along: Vec<(f64, f64, f64)>,
 }
 
-/// Share of its limit from which a face counts as sliding, and share of the strength from which it counts as in contact.
+/// Traction over shear strength from which a face counts as sliding, and fraction of the strength from which it counts as in contact.
 const SLIDES: f64 = 0.9;
 const TOUCHES: f64 = 0.5;
 

@@ -40,7 +40,7 @@ pub enum Terms {
     /// All of them.
     #[default]
     All,
-    /// Those that matter at the accuracy asked for.
+    /// Automatic model reduction to the requested tolerance.
     Auto,
 }
 
@@ -58,11 +58,11 @@ pub struct LeftOut {
 /// Why a term was not left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum KeptReason {
-    /// It would change what is reported by this share.
+    /// Neglecting it would change a result by this, relative.
     Matters(f64),
     /// There is nothing less to compute without it.
     NothingSaved,
-    /// What it changes cannot be told from a path without it; why.
+    /// Its effect cannot be estimated on a path without it; why.
     NotTold(&'static str),
 }
 

@@ -6,7 +6,7 @@
 //! Π changes by +½ ∫ s N² dS. Of a line load that has no potential, δR the change of the residual, it is δR · dq/du: this is so
 //! for the contact moment, whose potential is that of the force as well. All of it takes a symmetric tangent.
 //!
-//! Error: of the order of the square of the change, in shares of the peak: an effect of a hundredth or more tells that the term matters and
+//! Error: of the order of the square of the relative change of the peak: an effect of a hundredth or more shows that the term matters and
 //! not by how much (`tests/mechanics/study/terms.rs`).
 
 use super::decision::Term;
@@ -51,7 +51,7 @@ fn terms(model: &PeelModel, trace: &SolutionHistory) -> Vec<TermEffect> {
         }
     }
     add(Term::Shear, probe.rate(Point::shear));
-    // held across the pull what does not stretch is not lifted: no small change
+    // constrained normal to the pull, what does not stretch is not lifted: no small change
     if model.grip.horizontal == Hold::Free {
         add(Term::Extension, probe.rate(Point::extension));
     }

@@ -1,4 +1,4 @@
-//! How the turning points of a path move when a term is added to the model, to first order.
+//! How the limit points of a path move when a term is added to the model, to first order.
 //!
 //! Along the path, with the parameter t, a term does the work W' dt: that of its energy, Q', or what it dissipates. Adding it moves the
 //! curve u(t), P(t) by δu and δP with
@@ -12,7 +12,7 @@
 use crate::solve::{LimitPointKind, PathSegment, Solution};
 use crate::study::peel::{LimitPoint, SolutionHistory};
 
-/// How a turning point moves.
+/// How a limit point moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct FirstOrderChange {
     /// nN
@@ -22,7 +22,7 @@ pub(super) struct FirstOrderChange {
 }
 
 impl FirstOrderChange {
-    /// How the turning point of a path moves by a term that does the work `rate` per unit of the path's parameter.
+    /// How the limit point of a path moves by a term that does the work `rate` per unit of the path's parameter.
     pub fn of(trace: &SolutionHistory, point: &LimitPoint, rate: &dyn Fn(&Solution) -> f64) -> Self {
         let segment = PathSegment::around(&trace.problem, &trace.points, point.after);
         let middle = 0.5 * segment.end();
@@ -45,7 +45,7 @@ impl FirstOrderChange {
         }
     }
 
-    /// The same for an end of the path at a displacement that stays.
+    /// The same for an end of the path at a fixed displacement.
     pub fn at_end(end: &Solution, rate: &dyn Fn(&Solution) -> f64) -> Self {
         Self { force: rate(end) / end.slope.displacement, displacement: 0.0 }
     }

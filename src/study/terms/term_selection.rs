@@ -132,9 +132,9 @@ fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, KeptRe
     let driven = if !law.has_potential() {
         Some(KeptReason::NotTold("the law of adhesion has no potential"))
     } else if model.pull.turn != 0.0 {
-        Some(KeptReason::NotTold("the grip turns as it goes"))
+        Some(KeptReason::NotTold("the grip rotates during the pull"))
     } else if !model.steps.is_empty() {
-        Some(KeptReason::NotTold("the path begins behind other steps"))
+        Some(KeptReason::NotTold("the path begins after other steps"))
     } else {
         None
     };
@@ -149,13 +149,13 @@ fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, KeptRe
         let deep = depth(substrate, model.length()) > SHALLOW * model.adhesion.equilibrium_distance;
         let deep = deep.then_some(KeptReason::NotTold("the ground is deeper than a tenth of r0"));
         let free = model.grip.rotation == Hold::Free && model.grip.horizontal == Hold::Free;
-        let held = (!free).then_some(KeptReason::NotTold("the grip holds the beam as it has come to lie"));
+        let held = (!free).then_some(KeptReason::NotTold("the grip constrains the beam in its initial equilibrium"));
         let curved = !model.is_uniform();
-        let curved = curved.then_some(KeptReason::NotTold("the beam is not straight when it is free of stress"));
+        let curved = curved.then_some(KeptReason::NotTold("the beam is not straight in its stress-free configuration"));
         consider(Term::Ground, driven.or(curved).or(deep).or(held));
     }
     if law.has_far_face() {
-        // what it takes of the work of adhesion it takes of the force behind the peak
+        // what it takes of the work of adhesion it takes of the force beyond the peak
         let share = 1.0 - law.rest_energy() / LineLaw { far_face: false, ..law }.rest_energy();
         let matters = (SAFETY * UPPER * share > relative).then_some(KeptReason::Matters(share));
         consider(Term::FarFace, driven.or(matters));

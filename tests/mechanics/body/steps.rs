@@ -266,14 +266,14 @@ fn rotation_alone_peels() {
     }
     assert_near("snap-off", snap_off.end_rotation, 2.655, 1e-4);
     let beyond = failure(&strip(Hold::Fixed, Hold::Free, &[Step::Turn(2.66)]));
-    assert!(beyond.contains("turning point at 2.65500"), "{beyond}");
+    assert!(beyond.contains("limit point at 2.65500"), "{beyond}");
 }
 
 #[test]
 fn a_step_that_cannot_be_taken_says_how_far_it_came() {
     let snap_off = peeled(&strip(Hold::Free, Hold::Free, &[])).snap_off.unwrap().displacement;
     let why = failure(&strip(Hold::Free, Hold::Free, &[Step::Lift(1.0), Step::Lift(60.0)]));
-    assert!(why.contains("step 2 of drive.steps, \"lift 60 nm\", comes to a turning point at"), "{why}");
+    assert!(why.contains("step 2 of drive.steps, \"lift 60 nm\", comes to a limit point at"), "{why}");
     let place: f64 = why.split("point at ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
     assert_near("where it turns", place, snap_off - 1.0, 1e-5);
     assert!(why.contains("V = 0.0375") && why.contains("Try a shorter step"), "{why}");

@@ -25,7 +25,7 @@ fn a_failure_at_the_end_keeps_what_was_reached() {
     let peel = whole_peel(&model, 1e-6);
 
     if let End::Failed(reason) = &peel.end {
-        assert!(reason.contains("turning point") && reason.contains("u = 182"), "{reason}");
+        assert!(reason.contains("limit point") && reason.contains("u = 182"), "{reason}");
     }
 
     let peak = peel.initiation_peak.expect("an initiation peak");

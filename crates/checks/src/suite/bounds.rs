@@ -1,4 +1,4 @@
-//! Error bounds held against true errors on 200 drawn scenes.
+//! Error bounds compared with true errors on 200 randomly sampled scenes.
 //!
 //! The true values are those of a collocation of the strong form without finite elements, good to the digits printed, for
 //! the initiation peak and the first two displacement limit points where they exist.
@@ -10,7 +10,7 @@ use peelkit::study::{Accuracy, Bounds, End, Peel, Turn, peel};
 use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic =
-    Topic { name: "bounds", about: "error bounds against true errors on 200 drawn scenes", run };
+    Topic { name: "bounds", about: "error bounds against true errors on 200 randomly sampled scenes", run };
 
 const TABLE: &str = include_str!("../../../../verification/bound_scenes.csv");
 /// The scenes' accuracy: the default.
@@ -26,7 +26,7 @@ pub struct Judged {
     pub quantity: &'static str,
     /// Relative to the true value.
     pub bound: f64,
-    /// Likewise; no smaller than what the table's digits tell.
+    /// Likewise; no smaller than what the table's digits allow.
     pub error: f64,
     /// Half a unit of the last digit of the table, likewise.
     pub unknown: f64,
@@ -56,7 +56,7 @@ pub struct Survey {
 }
 
 impl Survey {
-    /// The share of bounds that hold, of all numbers in the table.
+    /// The fraction of bounds that hold, of all numbers in the table.
     pub fn share(&self) -> f64 {
         let held = self.judged.iter().filter(|judged| judged.holds()).count();
         held as f64 / (self.judged.len() + self.missing.len()) as f64
@@ -134,10 +134,10 @@ fn run() -> Vec<Check> {
     };
     let ended = 1.0 - survey.failed.len() as f64 / survey.scenes as f64;
     vec![
-        check(format!("share of bounds that hold, {of}"), Ok(survey.share()), 0.99, Measure::AtLeast),
+        check(format!("fraction of bounds that hold, {of}"), Ok(survey.share()), 0.99, Measure::AtLeast),
         check("median of bound over true error".into(), median, 20.0, Measure::AtMost),
         check("largest true error, relative".into(), Ok(largest), RELATIVE, Measure::AtMost),
-        check("share of scenes that end without a failure".into(), Ok(ended), 0.99, Measure::AtLeast),
+        check("fraction of scenes that end without a failure".into(), Ok(ended), 0.99, Measure::AtLeast),
     ]
 }
 

@@ -1,4 +1,4 @@
-//! Strips drawn over wide ranges, each peeled twice: what the coarser run claims must hold for the finer one. Loads `full` and
+//! Strips sampled over wide ranges, each peeled twice: what the coarser run claims must hold for the finer one. Loads `full` and
 //! `force-only`; strips of `axis-gap`, which is blind to its edges, may go several ways at their end.
 
 use super::check::{Check, Measure};
@@ -7,14 +7,14 @@ use peelkit::model::{Hold, StripModel};
 use peelkit::study::{Accuracy, Bounds, End, LimitPoint, Peel, peel};
 use rayon::prelude::*;
 
-/// How many are drawn.
+/// How many are sampled.
 const SCENES: usize = 500;
 /// The accuracy that is judged, and the one it is judged by.
 const RELATIVE: f64 = 1e-6;
 const FINER: f64 = 1e-8;
 /// A path is followed for so many seconds at most.
 const LONGEST: f64 = 1.0;
-/// Least and largest of length, height, EI factor, Hamaker constant (aJ), equilibrium distance; drawn evenly in logarithms.
+/// Least and largest of length, height, EI factor, Hamaker constant (aJ), equilibrium distance; sampled evenly in logarithms.
 const RANGES: [(f64, f64); 5] = [(5.0, 1e4), (1.0, 100.0), (1e-4, 1e3), (1e-2, 1.0), (0.2, 1.0)];
 
 /// What became of the strips.
@@ -124,7 +124,7 @@ pub(super) fn checks(topic: &'static str) -> Vec<Check> {
         let source = "the same at 1e-8";
         Check::new(topic, name, source, Ok(list.len() as f64), most, Measure::AtMost, 0.0)
     };
-    let of = format!("{SCENES} drawn strips");
+    let of = format!("{SCENES} randomly sampled strips");
     vec![
         check(
             format!("{of}: of {judged} numbers at 1e-6, how many are outside of their bounds"),

@@ -4,7 +4,7 @@ use super::check::{Check, Topic};
 use super::turns::Turns;
 
 pub(super) const TOPIC: Topic =
-    Topic { name: "friction", about: "strips that friction holds along the substrate: collocation", run };
+    Topic { name: "friction", about: "strips with friction along the substrate: collocation", run };
 
 const TABLE: Turns = Turns {
     topic: TOPIC.name,
@@ -14,7 +14,7 @@ const TABLE: Turns = Turns {
         ("tau0_GPa", "τ0 = ", " GPa"),
         ("friction_coefficient", "μ = ", ""),
         ("pull_angle_deg", "", " degrees"),
-        ("grip_across", "across ", ""),
+        ("grip_across", "normal to the pull ", ""),
         ("grip_rotation", "rotation ", ""),
         ("length_nm", "L = ", " nm"),
     ],

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic = Topic {
     name: "ground",
-    about: "strips and spatulae on waves and cylinders: where they lie, first peak, against solve_bvp",
+    about: "strips and spatulae on waves and cylinders: free equilibria and first peaks, against solve_bvp",
     run,
 };
 
@@ -22,7 +22,7 @@ const SPATULAE: &str = include_str!("../../../../verification/rough_spatula.csv"
 const SPATULAE_SOURCE: &str = "verification/rough_spatula.py: scipy's solve_bvp on the strong form";
 /// The path of a strip as far as its first peak.
 const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: Some(5.0) };
-/// How far a spatula's path goes on behind its first peak, relative.
+/// How far a spatula's path goes on beyond its first peak, relative.
 const BEHIND: f64 = 1.05;
 const ASKED: f64 = 1e-6;
 /// Tolerance of what is looked at where no force acts, relative: the table's own error.

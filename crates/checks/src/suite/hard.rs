@@ -1,6 +1,6 @@
 //! The hard scenes: results within their bounds, or a named refusal; never a wrong number.
 //!
-//! The scenes are texts, which this room does not read: the caller hands over what they say. The true values are those of
+//! The scenes are texts, which this module does not read: the caller hands over what they say. The true values are those of
 //! `verification/hard_scenes.csv`, a collocation of the strong form without finite elements.
 
 use super::check::{Check, Measure};
@@ -19,7 +19,7 @@ const SOURCE: &str = "verification/hard_scenes.py: Chebyshev collocation of the 
 /// Two numbers of a scene are the same within this.
 const SAME: f64 = 1e-12;
 
-/// Peels every scene, once more in other units, and the drawn strips, on all cores, and judges what came out.
+/// Peels every scene, once more in other units, and the randomly sampled strips, on all cores, and judges what came out.
 pub fn run(scenes: &[HardScene]) -> Vec<Check> {
     let rows = reference::read(TABLE);
     let peels: Vec<Peel> = scenes.par_iter().map(|s| peel(&s.model, &s.accuracy, &s.bounds)).collect();

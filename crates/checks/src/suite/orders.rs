@@ -167,7 +167,7 @@ impl Measured {
     }
 }
 
-/// A mesh that stays, and the last equilibrium on it.
+/// A fixed mesh, and the last equilibrium on it.
 struct Mesh<'a> {
     problem: &'a PlanarProblem,
     at: State,

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic = Topic {
     name: "pull",
-    about: "strips pulled at an angle, laid down under tension, or in a grip that turns: collocation, steady force",
+    about: "strips pulled at an angle, adhered under pretension, or in a grip that rotates: collocation, steady force",
     run,
 };
 
@@ -21,7 +21,7 @@ const TABLE: Turns = Turns {
     source: "verification/pull_angle.py: collocation",
     named: &[
         ("pull_angle_deg", "", " degrees"),
-        ("grip_across", "across ", ""),
+        ("grip_across", "normal to the pull ", ""),
         ("grip_rotation", "rotation ", ""),
         ("line_load", "", ""),
         ("bending_stiffness_factor", "EI × ", ""),
@@ -47,15 +47,15 @@ const TURNED: Turns = Turns {
     table: include_str!("../../../../verification/turned_grip.csv"),
     source: "verification/turned_grip.py: collocation",
     named: &[
-        ("grip_turned_deg", "grip turned by ", " degrees"),
-        ("grip_turn_deg_per_nm", "turning by ", " degrees/nm"),
+        ("grip_turned_deg", "grip rotated by ", " degrees"),
+        ("grip_turn_deg_per_nm", "rotating by ", " degrees/nm"),
         ("pull_angle_deg", "", " degrees"),
-        ("grip_across", "across ", ""),
+        ("grip_across", "normal to the pull ", ""),
         ("bending_stiffness_factor", "EI × ", ""),
         ("length_nm", "L = ", " nm"),
     ],
 };
-/// Relative error of the force behind a step.
+/// Relative error of the force after a step.
 const BEHIND_STEP: f64 = 1e-8;
 /// Angles (degrees) of long strips, of this length in nm, whose front is looked at half-way.
 const STEADY: [f64; 7] = [20.0, 45.0, 60.0, 90.0, 120.0, 150.0, 170.0];
@@ -70,14 +70,17 @@ fn run() -> Vec<Check> {
     checks
 }
 
-/// The force along the pull behind the turn of a grip.
+/// The force along the pull after the rotation of a grip.
 fn turned(row: &Row) -> Option<Check> {
     let (expected, model) = (row.number("start_force_nN")?, row.model()?);
     let Prepared { problem, steps } = prepared(&model, Discretisation::moving(Form::TwoField, FOLLOWED_ORDER), None);
     let direction = model.pull.direction();
     let force = steps.first().map(|grip| direction.ahead(grip.forces.horizontal, grip.forces.vertical));
-    let name =
-        format!("force behind a turn by {} degrees, L = {} nm", row.text("grip_turned_deg")?, row.text("length_nm")?);
+    let name = format!(
+        "force after a rotation by {} degrees, L = {} nm",
+        row.text("grip_turned_deg")?,
+        row.text("length_nm")?
+    );
     let missing = || match &problem.start {
         InitialState::NoEquilibrium(why) => why.clone(),
         _ => "no step was taken".into(),

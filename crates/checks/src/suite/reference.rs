@@ -21,7 +21,7 @@ impl Row {
         self.text(column)?.parse().ok()
     }
 
-    /// The strip of a row: the paper's, with what the row says otherwise. None where a column holds what has no meaning there.
+    /// The strip of a row: the paper's, with what the row says otherwise. None where a column holds something out of range.
     pub fn strip(&self) -> Option<StripModel> {
         let mut model =
             StripModel::of_the_paper(self.number("length_nm")?, self.number("bending_stiffness_factor").unwrap_or(1.0));

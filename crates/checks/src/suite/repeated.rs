@@ -17,7 +17,7 @@ const ACCURACIES: [f64; 2] = [1e-6, 1e-9];
 /// A path is followed for so many seconds at most; one that is not done then is not compared.
 const LONGEST: f64 = 5.0;
 
-/// A scene whose plateau ripples by 1e-8 of the force: finer than that, turning points of the force come and go on it and are
+/// A scene whose plateau ripples by 1e-8 of the force: finer than that, load limit points come and go on it and are
 /// further apart than their bounds (5 of 72 numbers at 1e-9). It is left out there.
 const RIPPLES: (&str, f64) = ("bending-1e-6", 1e-8);
 
@@ -29,7 +29,7 @@ struct Repeated {
     worst: f64,
     /// Numbers further apart than that.
     wrong: Vec<String>,
-    /// Turning points that one run alone has: of the displacement, and of the force, which on a plateau come and go in pairs
+    /// Limit points that one run alone has: of the displacement, and of the force, which on a plateau come and go in pairs
     /// between which it changes by hardly more than the accuracy.
     alone: [usize; 2],
 }
@@ -51,15 +51,15 @@ pub(super) fn checks(topic: &'static str, scenes: &[HardScene]) -> Vec<Check> {
 }
 
 fn checks_at(topic: &'static str, scenes: &[HardScene], relative: f64) -> [Check; 2] {
-    let told = scenes.par_iter().filter(|scene| scene.name != RIPPLES.0 || relative >= RIPPLES.1);
-    let all = told.map(|scene| repeated(scene, relative)).reduce(Repeated::default, Repeated::and);
+    let chosen = scenes.par_iter().filter(|scene| scene.name != RIPPLES.0 || relative >= RIPPLES.1);
+    let all = chosen.map(|scene| repeated(scene, relative)).reduce(Repeated::default, Repeated::and);
     let Repeated { compared, worst, wrong, alone: [displacement, load] } = all;
     let of = format!("hard scenes in {} other units at {relative:e}", UNITS.len());
     let first = wrong.first().map_or(String::new(), |first| format!("; the first: {first}"));
     let differ = format!(
         "{of}: of {compared} numbers, how many differ by more than both bounds; most {worst:.2} of them{first}"
     );
-    let missing = format!("{of}: turning points of the displacement that one run alone has (of the force: {load})");
+    let missing = format!("{of}: displacement limit points that one run alone has (load limit points: {load})");
     let check = |name, count: usize| {
         Check::new(topic, name, "the same in nm and nN", Ok(count as f64), 0.0, Measure::AtMost, 0.0)
     };
@@ -103,7 +103,7 @@ fn compare(name: &str, one: &Peel, other: &Peel, units: (f64, f64)) -> Repeated 
     of_kind(Turn::Displacement).and(of_kind(Turn::Load))
 }
 
-/// Turning points of one kind, in path order; the first of them alone where one run has more of them.
+/// Limit points of one kind, in path order; the first of them alone where one run has more of them.
 fn compare_turns(name: &str, one: &[LimitPoint], other: &[LimitPoint], (length, modulus): (f64, f64)) -> Repeated {
     let same = one.len() == other.len();
     let mut found = Repeated::default();

@@ -179,7 +179,7 @@ fn numbers(case: &str, row: &Row, peel: &Peel) -> Vec<Check> {
     checks
 }
 
-/// The force at held displacements on the way to the peak.
+/// The force at given displacements on the way to the peak.
 fn curve(peel: &Peel) -> Vec<Check> {
     let check = |row: &Row| {
         let (displacement, force) = (row.number("displacement_nm")?, row.number("force_nN")?);

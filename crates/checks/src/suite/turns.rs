@@ -12,13 +12,13 @@ use rayon::prelude::*;
 const ACCURACIES: [f64; 2] = [1e-6, 1e-9];
 const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
 
-/// A table of turning points.
+/// A table of limit points.
 pub(super) struct Turns {
     pub topic: &'static str,
     pub table: &'static str,
     /// Who computed it.
     pub source: &'static str,
-    /// What tells its strips apart: a column, and what stands around its cell in the name of a check.
+    /// What distinguishes its strips: a column, and what stands around its cell in the name of a check.
     pub named: &'static [(&'static str, &'static str, &'static str)],
 }
 
@@ -66,7 +66,7 @@ impl Turns {
             let over = found.clone().map(|(value, bound)| ((value - expected).abs() - unknown).max(0.0) / bound);
             let about = format!("{quantity} at {relative:e}, {name}");
             let over_bound = format!("error over its bound: {about}");
-            // behind its peak a path that remembers may be known less well than was asked, and says so, and so may a row
+            // beyond its peak a path with a friction history may be known less well than was asked, and says so, and so may a row
             let bound = found.as_ref().map_or(0.0, |(value, bound)| (bound / value).abs());
             let known = bound + (unknown / expected).abs();
             let tolerance = if row.text("tau0_GPa").is_some() { relative.max(known) } else { relative };

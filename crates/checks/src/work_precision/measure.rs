@@ -63,7 +63,7 @@ const GROWTH: f64 = 1.3;
 /// A time is the least of several, as many as fit into this time, s.
 const TIMING: f64 = 0.04;
 const MOST_REPEATS: usize = 9;
-/// Intervals a step of the refined curve, and of one that is held against it.
+/// Intervals a step of the refined curve, and of one that is compared with it.
 const FINE: usize = 60;
 const COARSE: usize = 9;
 
@@ -77,7 +77,7 @@ impl WorkPrecision {
     }
 }
 
-/// Measures a strip. `done` is told how many lines there are, once for each that is finished. An error says why the refined
+/// Measures a strip. `done` is given the number of lines there are, once for each that is finished. An error says why the refined
 /// run failed.
 pub fn work_precision<'m, M>(model: &'m M, bounds: &Bounds, done: &dyn Fn(usize)) -> Result<WorkPrecision, String>
 where
@@ -102,8 +102,8 @@ fn kinds() -> Vec<(String, Choice)> {
     let high = Choice { order: Some(FOLLOWED_ORDER), ..plain };
     let mut kinds: Vec<_> = (1..=8).map(|p| (format!("order {p}"), Choice { order: Some(p), ..plain })).collect();
     kinds.push(("three-field".into(), Choice { form: Form::ThreeField, ..high }));
-    kinds.push(("graded mesh that stays".into(), Choice { mesh: MeshKind::Graded, ..high }));
-    kinds.push(("uniform mesh that stays".into(), Choice { mesh: MeshKind::Uniform, ..high }));
+    kinds.push(("fixed graded mesh".into(), Choice { mesh: MeshKind::Graded, ..high }));
+    kinds.push(("fixed uniform mesh".into(), Choice { mesh: MeshKind::Uniform, ..high }));
     for step in [1e-3, 1e-1] {
         kinds.push((format!("steps of {step:e}"), Choice { step: Some(step), ..high }));
     }
@@ -129,7 +129,7 @@ impl<'a> Truth<'a> {
             _ => refined,
         };
         if let End::Failed(reason) = &peel.end {
-            return Err(format!("the refined run that others are held against failed: {reason}"));
+            return Err(format!("the refined reference run failed: {reason}"));
         }
         let curve = dense(&peel, FINE);
         let largest = curve.iter().map(|&(_, force)| force).fold(0.0, f64::max);

@@ -1,4 +1,4 @@
-//! Speed against error: what an accuracy costs, measured and drawn.
+//! Computing time against error, measured and plotted.
 
 mod measure;
 mod report;

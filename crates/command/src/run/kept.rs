@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// What a first Ctrl-C does.
-const ANSWER: &str = "stopping at the next point of the path, and looking for the turning points of what was reached; Ctrl-C again quits at once";
+const ANSWER: &str = "stopping at the next point of the path, then locating the limit points of what was reached; Ctrl-C again stops at once";
 
 /// A run whose path points are kept.
 pub struct KeptRun {
@@ -29,7 +29,7 @@ impl KeptRun {
             true => OutputFolder::claim(folder, Existing::Replace)?,
             false => out.claim(folder)?,
         };
-        // before anything is written; where standard error is closed there is nobody to tell
+        // before anything is written; nobody reads a message on a closed standard error
         let interrupt = Interrupt::listen(|| drop(writeln!(io::stderr(), "{ANSWER}")));
         if fresh {
             PartialRun::discard(folder)?;

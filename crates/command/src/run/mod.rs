@@ -15,9 +15,9 @@ use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
 
 /// How an unfinished run is finished.
-const GOES_ON: &str = "the same command goes on from there, --fresh starts anew";
+const GOES_ON: &str = "the same command resumes from there, --fresh starts anew";
 
-/// Peels one scene from rest to its end: the whole path with its limit points, and how far they may be wrong
+/// Computes the whole equilibrium path of one scene, with its limit points and their error bounds
 #[derive(Args)]
 #[command(after_long_help = help::run())]
 pub struct Run {
@@ -27,15 +27,15 @@ pub struct Run {
     #[command(flatten)]
     out: OutArgs,
 
-    /// Adds what a testing machine would record: the stable part, the jumps, the way back, and the energy released
+    /// Adds a displacement-controlled test: stable branches, jumps with the energy they release, and the return
     #[arg(long)]
     observed: bool,
 
-    /// Discards the points that an unfinished run has kept in the folder, and starts anew
+    /// Discards the checkpoint of an unfinished run in the folder and starts anew
     #[arg(long)]
     fresh: bool,
 
-    /// Prints the object of summary.json and nothing else; files are written only if --out is given
+    /// Prints only the object of summary.json; writes files only if --out is given
     #[arg(long)]
     json: bool,
 }
@@ -68,7 +68,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
     let (files, left) = kept.as_ref().map_or((Ok(Vec::new()), None), |kept| {
         kept.write(&peel, |dir| write(dir, &scene, &peel, test.as_ref(), &summary))
     });
-    // what was found is told although it could not be written
+    // the results are reported even if they could not be written
     if args.json {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
@@ -83,12 +83,14 @@ pub fn run(args: &Run) -> Result<(), Stop> {
     }
     match (&peel.end, test.map(|test| test.end)) {
         (End::Failed(reason), _) => Err(Stop::cut_short(reason)),
-        (_, Some(TestEnd::Failed(reason))) => Err(Stop::cut_short(format!("in the observed test, {reason}"))),
+        (_, Some(TestEnd::Failed(reason))) => {
+            Err(Stop::cut_short(format!("in the displacement-controlled test, {reason}")))
+        }
         _ => Ok(()),
     }
 }
 
-/// What a test of the scene would record.
+/// The displacement-controlled test of the scene.
 fn observed(scene: &Scene) -> Result<Observed, Stop> {
     study::observed(&scene.model, &scene.accuracy, &scene.bounds)
         .map_err(|none| Stop::bad_input(format!("there is no observed test: {none}"), none.remedy()))

@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use peelkit::study::PointKind;
 use std::path::PathBuf;
 
-/// Varies one number of a scene and peels each value: peak force, plateau, snap-off and work against it
+/// Varies one number of a scene: peak force, plateau, snap-off and work against its value
 #[derive(Args)]
 #[command(after_long_help = help::sweep())]
 pub struct Sweep {
@@ -26,30 +26,30 @@ pub struct Sweep {
     #[arg(long, value_name = "B", allow_hyphen_values = true)]
     pub to: String,
 
-    /// How many values, both ends counted
+    /// Number of values, both ends included
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub points: u32,
 
-    /// Values at equal ratios in place of equal differences; both ends above zero
+    /// Logarithmic spacing: equal ratios instead of equal differences; both ends must be above zero
     #[arg(long)]
     pub log: bool,
 
-    /// Follows one point of the peel from value to value in place of whole peels: much faster
+    /// Follows one limit point from value to value instead of computing whole paths: much faster
     #[arg(long, value_name = "POINT", conflicts_with = "peak_only")]
     follow: Option<Point>,
 
-    /// The same as --follow peak: the initiation peak, the first local maximum of the force, and nothing else
+    /// The same as --follow peak: only the initiation peak, the first local maximum of the force
     #[arg(long)]
     peak_only: bool,
 
     #[command(flatten)]
     pub out: OutArgs,
 
-    /// Prints one JSON object and nothing else; files are written only if --out is given
+    /// Prints one JSON object only; writes files only if --out is given
     #[arg(long)]
     pub json: bool,
 
-    /// Discards the values that an interrupted sweep has kept in the folder, and starts anew
+    /// Discards the checkpoint of an interrupted sweep in the folder and starts anew
     #[arg(long)]
     pub fresh: bool,
 }
@@ -59,7 +59,7 @@ pub struct Sweep {
 enum Point {
     /// The initiation peak
     Peak,
-    /// Where a test with held displacement jumps
+    /// The first displacement limit point: a displacement-controlled test jumps here
     SnapOff,
 }
 

@@ -8,7 +8,7 @@ pub fn failed(reasons: &[String], values: usize) -> Option<String> {
         text += &format!("\n{reason}");
     }
     if reasons.len() > SHOWN {
-        text += &format!("\nand {} more: the column `end` tells which", reasons.len() - SHOWN);
+        text += &format!("\nand {} more: see the column `end`", reasons.len() - SHOWN);
     }
     (!reasons.is_empty()).then_some(text)
 }

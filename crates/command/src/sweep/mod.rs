@@ -22,8 +22,8 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     match args.followed() {
         Some(kind) => match not_followed(&scenes) {
             Some(why) => Err(Stop::bad_input(
-                format!("a point of the peel is followed {why}"),
-                "Leave --follow and --peak-only away: whole peels can be swept.",
+                format!("--follow computes a limit point {why}"),
+                "Omit --follow and --peak-only: the sweep then computes whole paths.",
             )),
             None => follow(args, kind, &scene, key, &scenes),
         },
@@ -35,7 +35,7 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
 fn not_followed(scenes: &[(f64, Scene)]) -> Option<&'static str> {
     let why = |(_, scene): &(f64, Scene)| match &scene.model {
         model if model.friction_law().is_some() => Some("without friction only, and friction.strength is given"),
-        model if !model.ground.substrate.is_flat() => Some("on flat ground only, and substrate.shape is another"),
+        model if !model.ground.substrate.is_flat() => Some("on a flat substrate only, and substrate.shape is another"),
         model if !model.steps.is_empty() => Some("from rest only, and drive.steps has steps before the pull"),
         _ => None,
     };
@@ -112,7 +112,7 @@ fn vary(args: &Sweep, scene: &Scene, key: &Key) -> Result<Vec<(f64, Scene)>, Sto
         if args.log && value <= 0.0 {
             return Err(Stop::bad_input(
                 format!("--{name} {text} is not above zero, which --log needs"),
-                "Give two ends above zero, or leave --log away.",
+                "Give two ends above zero, or omit --log.",
             ));
         }
         key.store_number(&mut scene.clone(), value).map_err(stop)?;

@@ -28,7 +28,7 @@ pub fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]
             let bar = progress_bar(cases.len());
             // before anything is written
             let above = bar.clone();
-            let answer = "stopping once the values under way are done; Ctrl-C again quits at once";
+            let answer = "stopping when the values being computed are done; Ctrl-C again stops at once";
             let interrupt = Interrupt::listen(move || above.println(answer));
             let (partial, output) = open(args, &folder, scene, key)?;
             let kept = Kept { partial, bar, interrupt };
@@ -100,7 +100,7 @@ impl Kept {
         let trouble = OnceLock::new();
         let done = |row: &SweepRow| {
             if let Err(error) = self.partial.keep(row) {
-                // the first one is told
+                // only the first one is reported
                 let _ = trouble.set(error);
             }
             self.bar.inc(1);
@@ -141,7 +141,7 @@ fn stopped_short(key: &Key, rows: &[SweepRow], values: usize) -> Result<(), Stop
     let interrupted = (rows.len() < values).then(|| {
         let done = rows.len();
         format!(
-            "interrupted, {done} of {values} values are done; the same command goes on from there, --fresh starts anew"
+            "interrupted, {done} of {values} values are done; the same command resumes from there, --fresh starts anew"
         )
     });
     let reasons = rows.iter().filter_map(|row| match &row.found.end {

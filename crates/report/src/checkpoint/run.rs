@@ -14,7 +14,7 @@ use std::io::{self, BufReader, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// The file of an unfinished run: a line that tells which run it is, then a frame a path point, mesh by mesh. A frame is the
+/// The file of an unfinished run: a line that identifies the run, then a frame a path point, mesh by mesh. A frame is the
 /// length and the CRC-32 of what follows, four bytes each, and a record in the format of the crate `postcard`, in which
 /// a number keeps all of its bits.
 #[derive(Debug)]

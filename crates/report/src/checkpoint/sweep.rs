@@ -13,7 +13,7 @@ use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-/// The file of an unfinished sweep: a line that tells which sweep it is, then a line a finished value, in no order.
+/// The file of an unfinished sweep: a line that identifies the sweep, then a line a finished value, in no order.
 #[derive(Debug)]
 pub struct PartialSweep {
     path: PathBuf,

@@ -90,7 +90,7 @@ fn panel(frame: Frame, curve: &Curve, to: f64, force: f64, title: &str) -> Panel
     panel
 }
 
-/// The curve in stretches of one kind, stable or not; neighbours share their end points.
+/// The curve in segments of one kind, stable or not; neighbours share their end points.
 fn runs(curve: &Curve) -> Vec<(bool, Vec<(f64, f64)>)> {
     let mut runs: Vec<(bool, Vec<(f64, f64)>)> = Vec::new();
     for &(u, force, negative) in curve {
@@ -113,7 +113,7 @@ fn name_stability(panel: &mut Panel, curve: &Curve) {
     for line in &mut panel.lines {
         match line.stroke.colour {
             colour::BLUE => line.name = Some("stable".into()),
-            colour::VERMILLION => line.name = Some("unstable while u is held".into()),
+            colour::VERMILLION => line.name = Some("unstable under displacement control".into()),
             _ => {}
         }
     }

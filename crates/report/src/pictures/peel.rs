@@ -12,7 +12,7 @@ const SHAPES: usize = 6;
 
 /// Draws `curve.svg`, `curve.png`, `shapes.svg` and `shapes.png` into `dir`.
 ///
-/// The curve carries its limit points and its peak with their values; what is unstable while the displacement is held
+/// The curve carries its limit points and its peak with their values; what is unstable under displacement control
 /// is dashed. The shapes are those of the points with the same numbers on the curve.
 pub fn draw_peel(peel: &Peel, title: &str, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let numbered = numbered_points(peel);
@@ -62,8 +62,8 @@ fn nothing(path: &Path, peel: &Peel) -> ReportError {
     ReportError::Draw { path: path.to_path_buf(), reason }
 }
 
-/// Path points that tell the story: at the initiation peak, on the plateau, at the snap-off, at the end of the snap-back
-/// and at the end; the longest stretches between them and from rest on are halved until there are enough.
+/// Characteristic path points: at the initiation peak, on the plateau, at the snap-off, at the end of the snap-back
+/// and at the end; the longest segments between them and from rest on are halved until there are enough.
 pub fn numbered_points(peel: &Peel) -> Vec<usize> {
     let Some(last) = peel.points.len().checked_sub(1) else { return Vec::new() };
     let nearest = |u: f64, from: usize, to: usize| {
@@ -89,9 +89,9 @@ pub fn numbered_points(peel: &Peel) -> Vec<usize> {
     chosen
 }
 
-/// The point halfway along the longest stretch between chosen ones.
+/// The point halfway along the longest segment between chosen ones.
 fn halfway(chosen: &[usize], seen: &[f64]) -> Option<usize> {
-    // the way from rest to the first is a stretch as well
+    // from rest to the first is a segment as well
     let from_rest: Vec<usize> = std::iter::once(0).chain(chosen.iter().copied()).collect();
     let stretches = from_rest.windows(2).filter(|w| w[1] > w[0] + 1);
     let longest = stretches.max_by(|a, b| (seen[a[1]] - seen[a[0]]).total_cmp(&(seen[b[1]] - seen[b[0]])))?;

@@ -1,11 +1,11 @@
-//! How far what is reported may be wrong, and what was left out.
+//! Error bounds of the results, and what was left out.
 
 use crate::names::form_word;
 use crate::number::Finite;
 use peelkit::model::Form;
 use peelkit::study::Peel;
 
-/// The accuracy of a peel as summary.json tells it.
+/// The accuracy of a peel as summary.json reports it.
 #[derive(Debug, serde::Serialize)]
 pub(super) struct AccuracySummary {
     /// Relative.

@@ -1,4 +1,4 @@
-//! How a beam lies on ground that is not flat, as summary.json tells it.
+//! How a beam lies on ground that is not flat, as summary.json reports it.
 
 use crate::number::Finite;
 use peelkit::study::{Contact, Peel, SMALLEST_RADIUS};
@@ -49,7 +49,7 @@ pub fn ground_warning(contact: &Contact) -> Option<String> {
         let worst = [contact.crest_error, contact.valley_error].into_iter().flatten().fold(0.0, |worst: f64, error| worst.max(error.abs()));
         format!(
             "the ground has a radius of curvature of {radius:.2} nm where the beam adheres, less than the {SMALLEST_RADIUS} nm down to which \
-             a half space stands for it well; its traction is wrong by about {:.1} % there",
+             the half space is a good approximation; its traction is wrong by about {:.1} % there",
             100.0 * worst
         )
     })

@@ -1,4 +1,4 @@
-//! What a test would record, as an object of summary.json.
+//! The displacement-controlled test, as an object of summary.json.
 
 use crate::names::{jump_word, test_end_word};
 use crate::number::Finite;

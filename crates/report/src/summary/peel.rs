@@ -31,7 +31,7 @@ pub struct PeelSummary {
     limit_points: Vec<LimitPoint>,
     snap_off: Option<SnapOff>,
     accuracy: AccuracySummary,
-    /// What leaving out a term of the model would change, to first order.
+    /// The relative change of the peak if a term of the model is neglected, to first order.
     terms: Vec<TermEffect>,
     /// What was left out and what not, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -44,10 +44,10 @@ pub struct PeelSummary {
     /// How the beam lies where the path begins, on ground that is not flat.
     #[serde(skip_serializing_if = "Option::is_none")]
     ground: Option<GroundSummary>,
-    /// How the beam has slid at the initiation peak, with friction.
+    /// How far the beam has slid at the initiation peak, with friction.
     #[serde(skip_serializing_if = "Option::is_none")]
     sliding: Option<SlidingSummary>,
-    /// What a test would record, where that was asked for.
+    /// The displacement-controlled test, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     observed: Option<ObservedSummary>,
     parameters: Parameters,
@@ -90,7 +90,7 @@ struct LimitPoint {
     displacement_error: Finite,
     #[serde(rename = "error_nN")]
     force_error: Finite,
-    /// Of a load limit point around which the force is so level that its place cannot be told and does not matter.
+    /// Of a load limit point around which the force is so level that its place cannot be determined and does not matter.
     flat: bool,
 }
 
@@ -116,7 +116,7 @@ struct Effort {
     order: usize,
 }
 
-/// The grip behind a step, seen from where it took hold.
+/// The grip after a step, relative to where it took hold.
 #[derive(Debug, serde::Serialize)]
 struct StepEnd {
     step: String,
@@ -148,7 +148,7 @@ struct Timing {
 }
 
 impl PeelSummary {
-    /// What is told of the peel of this scene.
+    /// The summary of the peel of this scene.
     pub fn new(scene: &Scene, peel: &Peel) -> Self {
         Self {
             scene: scene.name.clone(),

@@ -1,4 +1,4 @@
-//! How a beam has slid, as summary.json tells it.
+//! How a beam has slid, as summary.json reports it.
 
 use crate::number::Finite;
 use peelkit::study::{Peel, Sliding};

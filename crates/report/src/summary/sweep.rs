@@ -27,7 +27,7 @@ pub struct SweepSummary {
 }
 
 impl SweepSummary {
-    /// What is told of these rows, in which `key` of the scene was varied, and what is to be said of them besides.
+    /// The summary of these rows, in which `key` of the scene was varied, and what is to be said of them besides.
     pub fn new(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) -> Self {
         Self { remarks: remarks.to_vec(), ..Self::of(scene, key, rows.iter().map(SweepLine::from).collect()) }
     }

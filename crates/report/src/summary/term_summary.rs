@@ -3,7 +3,7 @@
 use crate::number::Finite;
 use peelkit::study::{KeptReason, LeftOut, Term, TermDecisions};
 
-/// What was decided of the terms as summary.json tells it.
+/// What was decided of the terms as summary.json reports it.
 #[derive(Debug, serde::Serialize)]
 pub(super) struct ConsideredSummary {
     left_out: Vec<Left>,
@@ -46,8 +46,8 @@ impl From<&TermDecisions> for ConsideredSummary {
 /// Why a term was not left out, in words.
 pub fn why_kept(why: &KeptReason) -> String {
     match why {
-        KeptReason::Matters(share) => format!("it would change what is reported by {share:.1e} of it"),
-        KeptReason::NothingSaved => "there is nothing less to compute without it".into(),
-        KeptReason::NotTold(why) => format!("what it changes is not told: {why}"),
+        KeptReason::Matters(share) => format!("neglecting it would change a result by {share:.1e}, relative"),
+        KeptReason::NothingSaved => "neglecting it would not reduce the computational cost".into(),
+        KeptReason::NotTold(why) => format!("its effect was not estimated: {why}"),
     }
 }

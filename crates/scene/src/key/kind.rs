@@ -45,7 +45,7 @@ pub enum Kind {
     Attraction(fn(&mut Scene) -> &mut Attraction),
     /// A word for the load on the axis.
     LineLoad(fn(&mut Scene) -> &mut LineLoad),
-    /// A word for what the grip does.
+    /// A word for what the grip constrains.
     Hold(fn(&mut Scene) -> &mut Hold),
     /// A word for the shape of the substrate.
     Shape(fn(&mut Scene) -> &mut Substrate),
@@ -55,11 +55,11 @@ pub enum Kind {
     Start(fn(&mut Scene) -> &mut Start),
     /// A word for which terms of the model are computed.
     Terms(fn(&mut Scene) -> &mut Terms),
-    /// A list of what the grip does before the pull.
+    /// A list of motions of the grip before the pull.
     Steps(fn(&mut Scene) -> &mut Vec<Step>),
 }
 
-/// The numbers that have a meaning.
+/// The numbers in range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Range {
     /// Above zero.

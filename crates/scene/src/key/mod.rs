@@ -92,8 +92,8 @@ impl Key {
         let body = body_of(scene);
         if let Some(other) = self.alternative().filter(|_| self.table == body) {
             return Problem::new(
-                format!("is given beside `{}.{other}`, and the beam has one outline", self.table),
-                format!("Leave one of `{}` and `{other}` away.", self.name),
+                format!("is given beside `{}.{other}`, and the beam has one geometry", self.table),
+                format!("Remove one of `{}` and `{other}`.", self.name),
             );
         }
         Problem::new(
@@ -133,7 +133,7 @@ impl Key {
             && !self.is_count()
     }
 
-    /// Puts a value into the scene if it has a meaning there.
+    /// Puts a value into the scene if it is in range.
     pub(crate) fn store(&self, scene: &mut Scene, value: &Value) -> Result<(), Problem> {
         match (&self.kind, value) {
             (Kind::Text(place), Value::Text(text)) => *place(scene) = text.clone(),
@@ -187,7 +187,7 @@ impl Key {
         Ok(())
     }
 
-    /// Puts a number into the scene, in the unit of the library, if it is one that has a meaning there.
+    /// Puts a number into the scene, in the unit of the library, if it is in range.
     pub fn store_number(&self, scene: &mut Scene, number: f64) -> Result<(), Problem> {
         if !self.belongs_to(scene) {
             return Err(self.foreign(scene));
@@ -204,7 +204,7 @@ impl Key {
             return Err(Problem::new(format!("is {shown}, which is not a finite number"), self.remedy()));
         }
         if !range.contains(number) {
-            return Err(Problem::new(format!("is {shown}, which has no meaning here"), self.remedy()));
+            return Err(Problem::new(format!("is {shown}, which is out of range"), self.remedy()));
         }
         match self.kind {
             Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => *place(scene) = number,
@@ -284,8 +284,8 @@ impl Key {
             Kind::Fixed(most, _) => format!("a whole number from 1 to {most}"),
             Kind::Flag(_) => "true or false".into(),
             Kind::Table(_) => {
-                "a CSV in quotes, or the name of its file beside the scene: a row a place, with the columns s_nm, \
-                               width_nm, height_nm and, if wanted, angle_deg and roundness"
+                "a CSV in quotes, or the name of a file beside the scene: one row for each position, with the columns s_nm, \
+                               width_nm, height_nm and, optionally, angle_deg and roundness"
                     .into()
             }
             Kind::Attraction(_) => words(&attractions()),
@@ -297,7 +297,7 @@ impl Key {
             Kind::Pieces(_) => pieces::TAKES.into(),
             Kind::Shape(_) => words(&shape::names()),
             Kind::Heights(_) => {
-                "a CSV in quotes, or the name of its file beside the scene: a row a place, with the columns x_nm and \
+                "a CSV in quotes, or the name of a file beside the scene: one row for each position, with the columns x_nm and \
                                height_nm"
                     .into()
             }
@@ -408,19 +408,19 @@ impl Key {
             {
                 Problem::new(
                     format!("is {}, a number in quotes", quoted(text)),
-                    format!("Take the quotes away: {} = {}", self.name, one_line(text.trim())),
+                    format!("Remove the quotes: {} = {}", self.name, one_line(text.trim())),
                 )
             }
             (Kind::Flag(_), Value::Text(text)) if matches!(text.trim(), "true" | "false") => Problem::new(
                 format!("is {} in quotes", quoted(text)),
-                format!("Take the quotes away: {} = {}", self.name, text.trim()),
+                format!("Remove the quotes: {} = {}", self.name, text.trim()),
             ),
             _ => Problem::new(format!("is {value}"), self.remedy()),
         }
     }
 }
 
-/// What a scene may call what pulls.
+/// The names of the adhesion models in a scene.
 fn attractions() -> Vec<(&'static str, Attraction)> {
     Attraction::all().map(|attraction| (attraction.name(), attraction)).collect()
 }

@@ -28,8 +28,8 @@ pub(in crate::figures) fn figure(dir: &Path) -> Result<Figure, ReportError> {
     let caption = "Left: a cantilever that an end moment rolls up, from an eighth of a circle to two full ones; dots: the \
                    closed form. Right: circular arches on two hinges, pressed down at the crown, load against lowering, \
                    half an arch being L long; dots: shooting (`verification/arch.py`). The shallow arch opens over 0.8 rad, \
-                   the steep one over 1.4 rad; EA L²/EI = 400. The steep arch turns in the load four times and in the \
-                   displacement twice. In the data, x and y of the left panel are in L, lowering and load of the right \
+                   the steep one over 1.4 rad; EA L²/EI = 400. The steep arch has four load limit points and two \
+                   displacement limit points. In the data, x and y of the left panel are in L, lowering and load of the right \
                    one in L and EI/L².";
     Figure::write(dir, STEM, caption.into(), &picture, &table)
 }

@@ -56,7 +56,7 @@ pub(in crate::figures) fn figure(dir: &Path) -> Result<Figure, ReportError> {
          against the error relative to `verification/pieces.csv`. A mark is a resolution: the spacing of the atoms (1 to \
          0.1 nm; A_H is kept), or the Gauss points along an edge (2 to 48). Volumes: eq. (7) by 6³ points for every \
          point of the piece, in coordinates in which that is exact. Dashed: as the paper proposes it, without the faces \
-         that look away; the error that stays is that of the model. Atoms beyond {CUTOFF} nm count as a continuum. \
+         that look away; the remaining error is that of the model. Atoms beyond {CUTOFF} nm count as a continuum. \
          Times are of the machine that drew the figure.",
         PIECE.gap
     );

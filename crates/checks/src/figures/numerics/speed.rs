@@ -35,9 +35,9 @@ fn accuracy(dir: &Path) -> Result<Option<Figure>, ReportError> {
     let Ok(measured) = work_precision(&paper_strip(LENGTH), &BOUNDS, &|_| ()) else { return Ok(None) };
     let files = write_work_precision(dir, &measured, &format!("strip of {LENGTH} nm"))?;
     let caption = format!(
-        "CPU time of the whole peel of a strip of {LENGTH} nm against its error, held against a refined run: elements of order 1 to 8 on a \
-         mesh that moves with the front; at order 7 the three-field form, meshes that stay, and other steps. Above the larger error of \
-         initiation peak and snap-off, below that of the curve between the path points. Diamonds: what the program chooses for \
+        "CPU time of the whole peel of a strip of {LENGTH} nm against its error, compared with a refined run: elements of order 1 to 8 on a \
+         mesh that moves with the front; at order 7 the three-field form, fixed meshes, and other steps. Above the larger error of \
+         initiation peak and snap-off, below that of the curve between the path points. Diamonds: the automatic choice for \
          `relative` = 1e-3 to 1e-10. Times are of the machine that drew the figure. `peel accuracy` does it for any scene."
     );
     Ok(Some(Figure { stem: "accuracy", caption, files }))
@@ -89,10 +89,10 @@ fn cost(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportError> {
     }
     let exponent = |of: fn(&Cost) -> f64| significant(fitted(&lengths, of).1, 2);
     let caption = format!(
-        "Time of a whole peel (path, turning points, error bounds, `relative` = 1e-6) on one core, the best of {REPEATS}. Left against the \
+        "Time of a whole peel (path, limit points, error bounds, `relative` = 1e-6) on one core, the best of {REPEATS}. Left against the \
          length of the paper's strip; right against the bending stiffness at {LENGTH} nm. Dotted: c ln(2L/ℓ)^n fitted, ℓ the \
          length of the process zone: the elements grow with n = {}, the points of the path with {}, the time with {}. On the \
-         right the soft strips close again behind the snap-off, a second peel; where the time jumps a first mesh did not meet the accuracy. Times \
+         right the soft strips re-adhere beyond the snap-off, a second peel; where the time jumps, a first mesh did not meet the tolerance. Times \
          are of the machine that drew the figure.",
         exponent(|c| c.peel.effort.elements as f64),
         exponent(|c| c.peel.effort.points as f64),
@@ -144,7 +144,7 @@ fn others(dir: &Path) -> Result<Figure, ReportError> {
     let caption = "The strip of 100 nm from rest over peak and snap-off to P = 0: time on one core against the largest relative error of \
                    displacement and force at peak and snap-off. scipy's `solve_bvp` with an arc length around it and `peel run` were timed in \
                    one run of `verification/solve_bvp.py`, which wrote [the table](../verification/solve_bvp.csv) that this picture is drawn from; \
-                   peel's times have the error bounds in them. The two points of AUTO-07p were measured apart, on a machine of this kind."
+                   peel's times include the error bounds. The two points of AUTO-07p were measured separately, on a machine of this kind."
         .to_owned();
     Figure::write(dir, "against-others", caption, &others_picture(&all), &table)
 }
@@ -159,7 +159,7 @@ fn others_picture(all: &[(&str, Vec<(f64, f64)>)]) -> Picture {
         let apart = *program == "AUTO-07p";
         panel.marks.extend(points.iter().map(|&at| Mark {
             symbol: if apart { Symbol::Diamond } else { Symbol::Dot },
-            name: apart.then(|| "AUTO-07p, measured apart".to_owned()),
+            name: apart.then(|| "AUTO-07p, measured separately".to_owned()),
             ..Mark::dot(at, tone)
         }));
         if !apart {

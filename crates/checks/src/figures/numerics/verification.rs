@@ -72,11 +72,11 @@ fn effectivity(survey: &Survey, dir: &Path) -> Result<Figure, ReportError> {
     let all = survey.effectivities();
     let quantile = |part: f64| all.get((part * all.len() as f64) as usize).copied().unwrap_or(f64::NAN);
     let caption = format!(
-        "Reported error bound against true error of {} numbers of {} drawn scenes at `relative = 1e-6`: initiation peak and \
+        "Reported error bound against true error of {} numbers of {} randomly sampled scenes at `relative = 1e-6`: initiation peak and \
          first two displacement limit points, the truth from a collocation without finite elements \
          (`verification/bound_scenes.csv`). A bound fails where a point lies below the line. {} of the bounds hold; bound \
-         over error has the median {}, and nine of ten are above {}. Errors below those of the table are drawn at the \
-         table's.",
+         over error has the median {}, and nine of ten are above {}. Errors below the precision of the table are plotted at that \
+         precision.",
         survey.judged.len(),
         survey.scenes,
         significant(survey.share(), 4),

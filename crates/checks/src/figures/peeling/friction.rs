@@ -65,7 +65,7 @@ pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figu
         "Above: the initiation peak of a strip of {LENGTH} nm (h = 10 nm, E = 2 GPa) against the angle at which it is pulled, the force along \
          the pull: with friction of three shear strengths, which alone holds the strip along the substrate, and without friction, its free \
          end held at x = 0. At the smallest angles the strip slides as a whole before it peels, and the force is the one that it slides at. Dotted: Kendall's force. Below: \
-         what share of its limit the friction of 50 MPa carries at the peak along the strip, whose grip is at S = {LENGTH} nm: ±1 where the face \
+         traction over shear strength along the strip at the peak, for a shear strength of 50 MPa; the grip is at S = {LENGTH} nm. It is ±1 where the face \
          slides, forwards or backwards."
     );
     Figure::write(dir, "friction", caption, &picture, &table(&free, &held))
@@ -93,8 +93,8 @@ fn picture(free: &[Peel], held: &[Vec<Peel>; STRENGTHS.len()]) -> Picture {
     ));
     let mut below = Panel::new(
         frame(400.0, 620.0),
-        Axis::linear("place along the strip S (nm)", 0.0, LENGTH),
-        Axis::linear("share of the friction", -1.05, 1.05),
+        Axis::linear("position along the strip S (nm)", 0.0, LENGTH),
+        Axis::linear("traction over shear strength", -1.05, 1.05),
     );
     for (degrees, colour, name) in SLIDING {
         let at = angles().position(|angle| angle == degrees).and_then(|k| held[SHOWN].get(k));

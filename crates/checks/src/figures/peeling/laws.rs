@@ -84,7 +84,7 @@ fn tractions(dir: &Path) -> Result<Figure, ReportError> {
     let title = "Traction of the laws of adhesion";
     let picture = Picture { title: title.into(), height: 384, panels: vec![panel] };
     let caption = "Attraction of a flat face against how far it is open from its equilibrium, for A_H = 1e-19 J and r0 = 0.4 nm. All have the \
-         strength 0.124 GPa and the work of adhesion 0.0307 J/m². Surface traction and body force are one for a face that is not tilted. The \
+         strength 0.124 GPa and the work of adhesion 0.0307 J/m². Surface traction and body force are equal for a face that is not tilted. The \
          corners of the bilinear law and of Dugdale's are rounded, its flanks take a tenth of the range each.";
     Figure::write(dir, "law-tractions", caption.into(), &picture, &table)
 }
@@ -112,7 +112,7 @@ fn against_modulus(all: &[Series], dir: &Path) -> Result<Figure, ReportError> {
     }
     let title = "Peak force of every law against the stiffness of the material";
     let picture = Picture { title: title.into(), height: 744, panels: vec![above, below] };
-    let told = |points: Vec<(f64, f64)>| {
+    let listed = |points: Vec<(f64, f64)>| {
         points.iter().map(|(e, percent)| format!("{percent:+.2} % at {e} GPa")).collect::<Vec<_>>().join(", ")
     };
     let surface = &all[1];
@@ -121,8 +121,8 @@ fn against_modulus(all: &[Series], dir: &Path) -> Result<Figure, ReportError> {
          Dashed: the plateau. Below: how much the peak differs from that of the body force, of strips (solid, the initiation peak) and of the \
          spatula of scenes/spatula.toml (dashed, the largest force up to the snap-off). The surface traction differs by {} in strips, by {} in \
          spatulae. The strip's initiation peak depends on how the traction falls; the spatula's peak hardly.",
-        told(apart(&surface.strips, &body.strips, initiation)),
-        told(apart(&surface.spatulae, &body.spatulae, largest)),
+        listed(apart(&surface.strips, &body.strips, initiation)),
+        listed(apart(&surface.spatulae, &body.spatulae, largest)),
     );
     Figure::write(dir, "law-stiffness", caption, &picture, &table(all))
 }

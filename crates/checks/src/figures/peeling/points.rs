@@ -45,7 +45,7 @@ pub(in crate::figures) fn figure(sweeps: &Sweeps, dir: &Path) -> Result<Figure, 
     let loads = [
         load("full", "full: force and moment", colour::BLUE, 4.4, &sweeps.full),
         load("force-only", "force-only: without the moment", colour::VERMILLION, 2.8, &sweeps.force_only),
-        load("axis-gap", "axis-gap: blind to tilt", colour::GREEN, 1.5, &sweeps.axis_gap),
+        load("axis-gap", "axis-gap: independent of rotation", colour::GREEN, 1.5, &sweeps.axis_gap),
     ];
     let points = reference::read(POINTS);
     let (data, worst) = compared(&loads, &points);
@@ -55,7 +55,7 @@ pub(in crate::figures) fn figure(sweeps: &Sweeps, dir: &Path) -> Result<Figure, 
          `verification/strip_points.py` computes without finite elements: dots for peak and work, diamonds for the plateau. \
          The largest relative difference at the points is {worst:.0e}. The curves are those of \
          [fig10-bending-stiffness.csv](fig10-bending-stiffness.csv); the data here are the points. Where the load has a \
-         potential (full, axis-gap) the work pays for the energy of the strip that is laid free; without the moment \
+         potential (full, axis-gap) the work equals the change of energy; without the moment \
          (force-only) the soft strip comes off for a quarter of it."
     );
     Figure::write(dir, "independent-points", caption, &picture(&loads, &points), &data)

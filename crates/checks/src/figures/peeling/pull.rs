@@ -48,8 +48,8 @@ pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figu
          the strip, 180 degrees backwards; the force points along the pull, and the free end is held at x = 0. Solid: the initiation peak, for \
          EI and for EI/100. Dots: the force of a strip of {LONG} nm with the front half-way. Dotted: Kendall's force. Dashed: what it \
          becomes where the adhering part slides without friction, P (1 - cos α) + P² sin² α/(2EA) = w, on which the dots lie. Below: the spatula of scenes/spatula.toml, \
-         which is bent up by 45 degrees when free of stress: the largest force up to the snap-off. It is largest where the line of the pull \
-         runs through the pad, which then comes off at once and not from one end; at smaller angles the high end of the shaft turns the pad off the substrate."
+         which is bent up by 45 degrees in its stress-free configuration: the largest force up to the snap-off. It is largest where the line of the pull \
+         runs through the pad, which then comes off at once and not from one end; at smaller angles the high end of the shaft rotates the pad off the substrate."
     );
     Figure::write(dir, "pull-angle", caption, &picture, &table(&strips, &steady, &spatulae))
 }

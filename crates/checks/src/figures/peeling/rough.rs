@@ -103,9 +103,9 @@ pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figu
     };
     let caption = format!(
         "Strips two waves long (E = 2 GPa, EI from h) on y = H/2 (cos(2πx/λ) - 1); but for what is varied H = {} nm and λ = {} nm, the \
-         roughness of the paper's Fig. 8, and h = {} nm. Above: lower edges of strips that have been laid on the crests and drawn in \
-         by adhesion, no force on them. Below: share of the length nearer than 2 r0, and the largest force on the path up to its first snap-off or u = {FAR} nm, \
-         pulled straight up at the end, which begins on a crest and may turn. Blue: the strip has been pressed on; red: laid on the \
+         roughness of the paper's Fig. 8, and h = {} nm. Above: lower edges of strips in free equilibrium, laid on the crests and pulled in \
+         by adhesion. Below: fraction of the length nearer than 2 r0, and the largest force on the path up to its first snap-off or u = {FAR} nm, \
+         pulled straight up at the end, which begins on a crest and is free to rotate. Blue: the strip has been pressed on; red: laid on the \
          crests. Between the two lie the strips that have both equilibria.",
         PAPER.height, PAPER.wavelength, PAPER.thickness
     );
@@ -171,7 +171,7 @@ fn frames(column: usize, row: &Row) -> (Panel, Panel) {
     let x = || Axis::linear(row.name, first, last);
     let label = |text: &'static str| if column == 0 { text } else { "" };
     (
-        Panel::new(frame(290.0, 480.0), x(), Axis::linear(label("share that adheres"), 0.0, 1.05)),
+        Panel::new(frame(290.0, 480.0), x(), Axis::linear(label("adhering fraction"), 0.0, 1.05)),
         Panel::new(frame(540.0, 720.0), x(), Axis::linear(label("peak force (nN)"), 0.0, 1.6)),
     )
 }
@@ -180,6 +180,6 @@ fn draw(panel: &mut Panel, points: Vec<(f64, f64)>, name: &str, colour: RGBColor
     let stroke = if start == Start::Conformed { Stroke::solid(colour, 2.0) } else { Stroke::dashed(colour, 2.0) };
     let marks = points.iter().map(|&at| Mark { at, symbol: Symbol::Dot, colour, name: None, note: None });
     panel.marks.extend(marks);
-    let name = panel.y.label.starts_with("share").then(|| name.to_owned());
+    let name = panel.y.label.starts_with("adhering").then(|| name.to_owned());
     panel.lines.push(Line { points, stroke, name });
 }

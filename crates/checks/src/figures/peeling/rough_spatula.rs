@@ -64,9 +64,9 @@ pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figu
     let title = "A spatula on uneven ground: how it lies, and what it holds".into();
     let picture = Picture { title, height: 590, panels: vec![lying, waves, cylinders] };
     let caption = format!(
-        "The spatula of `fig07-spatula` in a grip that is free to turn, pressed on and pulled straight up. Above: as it lies on waves {DRAWN} nm high and {WAVELENGTH} nm long without a force; \
+        "The spatula of `fig07-spatula` in a grip that is free to rotate, pressed on and pulled straight up. Above: its free equilibrium on waves {DRAWN} nm high and {WAVELENGTH} nm long; \
          heights are drawn larger than lengths. Below: the largest force up to the first snap-off and the first peak on such waves against their height, and the peak on a cylinder, with its top \
-         below the middle of the pad, against its radius. Laid on the crests the pad is drawn down into all of these waves and holds the same."
+         below the middle of the pad, against its radius. Laid on the crests, the pad is pulled down into all of these waves and holds the same force."
     );
     Figure::write(dir, "spatula-rough", caption, &picture, &table)
 }

@@ -25,9 +25,9 @@ fn force(peel: &Peel, numbered: &[usize], dir: &Path) -> Result<Figure, ReportEr
     let picture = curve(peel, numbered, title, &dir.join(format!("{stem}.svg")))?;
     let peak = peel.peak.map(|peak| significant(peak.force, 4)).unwrap_or_default();
     let caption = format!(
-        "Force on the end of a spatula's shaft, which may not turn, against its displacement (scenes/spatula.toml). The peak is {peak} \
+        "Force on the end of a spatula's shaft, whose rotation is fixed, against its displacement (scenes/spatula.toml). The peak is {peak} \
          nN; Fig. 7 of the paper has 6.7 nN, from a solid of 100 000 elements whose dimensions it does not give: those of this beam \
-         are ours. Dashed: equilibria that are unstable while the displacement is held. The numbers are those of `spatula-shapes`."
+         are ours. Dashed: equilibria that are unstable under displacement control. The numbers are those of `spatula-shapes`."
     );
     Figure::write(dir, stem, caption, &picture, &curve_table(peel))
 }

@@ -85,12 +85,12 @@ pub(in crate::figures) fn figures(sweeps: &Sweeps, dir: &Path) -> Result<Vec<Fig
     let loads = [
         ("full: force and moment", colour::BLUE, &sweeps.full),
         ("force-only: without the moment", colour::VERMILLION, &sweeps.force_only),
-        ("axis-gap: blind to tilt", colour::GREEN, &sweeps.axis_gap),
+        ("axis-gap: independent of rotation", colour::GREEN, &sweeps.axis_gap),
     ];
     let caption = format!(
         "Force per width of a strip of {LENGTH} nm against its bending stiffness, EI0 = E h³/12 with E = 2 GPa and h \
          = 10 nm, as in Fig. 10 of the paper. EI alone is varied. Colours: the three line loads. Solid: the \
-         initiation peak. Dashed: the plateau, which ends where the force nowhere stays level while more than a hundredth of the strip adheres. \
+         initiation peak. Dashed: the plateau; it ends where the force has no plateau with more than a hundredth of the strip adhering. \
          Dotted: Kendall's force at 90 degrees with the work of adhesion of this strip. {}{SPATULA_CAPTION}{}",
         softest(&loads),
         unfinished(&loads.map(|l| l.2))

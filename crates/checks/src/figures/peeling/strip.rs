@@ -55,8 +55,8 @@ fn peel_curve(peel: &Peel, dir: &Path) -> Result<Figure, ReportError> {
     let title = "Force against displacement, L = 100 nm";
     let picture = curve(peel, &numbered_points(peel), title, &dir.join(format!("{stem}.svg")))?;
     let caption = format!(
-        "Force on the grip of a strip of 100 nm against its displacement. Left the initiation, right the whole path, \
-         which {}. Dashed: equilibria that are unstable while the displacement is held. The numbers are those of \
+        "Force on the grip of a strip of 100 nm against its displacement. Left: initiation. Right: the whole path, \
+         which {}. Dashed: equilibria that are unstable under displacement control. The numbers are those of \
          `peel-shapes`.",
         ending(&peel.end)
     );
@@ -104,11 +104,11 @@ pub(in crate::figures) fn shape_table(peel: &Peel, shown: &[usize]) -> Table {
 fn ending(end: &End) -> String {
     match end {
         End::Detached => "ends with the strip detached".into(),
-        End::Pivoting => "ends where the force has come back to zero while the left edge still holds".into(),
-        End::TurnedBack => "ends back at u = 0".into(),
-        End::Sliding => "slides on from there".into(),
-        End::Snapped => "snaps off there".into(),
-        End::Bound(what) => format!("was stopped by a bound ({what})"),
+        End::Pivoting => "ends where the force has returned to zero, still in edge contact at the left end".into(),
+        End::TurnedBack => "ends with the strip re-adhered: u has returned to 0".into(),
+        End::Sliding => "ends with the whole contact sliding".into(),
+        End::Snapped => "ends with the snap-off".into(),
+        End::Bound(what) => format!("was stopped by a limit ({what})"),
         End::Failed(why) => format!("stops short ({why})"),
     }
 }

@@ -1,4 +1,4 @@
-//! Snap-through of circular arches on two hinges: every turning point, and points of the path in between.
+//! Snap-through of circular arches on two hinges: every limit point, and points of the path in between.
 
 use super::super::reference::{self, Row};
 use super::{Check, DISPLACEMENT, LEFT_ROTATION, Measure, TOLERANCE, cantilever, check, problem};
@@ -7,11 +7,11 @@ use peelkit::model::{Drive, Hold, PlanarProblem, RodModel, Support};
 use peelkit::solve::{LimitPointKind, PathOptions, Solution, controlled};
 use peelkit::study::{RodPath, RodTurn, follow_rod};
 
-/// Turning points, and points of the paths.
+/// Limit points, and points of the paths.
 const TURNS: &str = include_str!("../../../../../verification/arch_turns.csv");
 pub(crate) const CURVE: &str = include_str!("../../../../../verification/arch_curve.csv");
 
-/// Where a path ends: behind the last point of the table.
+/// Where a path ends: beyond the last point of the table.
 const FAR: f64 = 2.3;
 
 const SOURCE: &str = "verification/arch.py: shooting";
@@ -42,7 +42,7 @@ fn checks_of(name: &str) -> Vec<Check> {
     let Some(model) = turns.first().map(half_arch) else { return Vec::new() };
     let (fine, coarse) = (snapped(&model, 7, 6), snapped(&model, 4, 4));
     let mut checks = vec![check(
-        format!("turning points of load and displacement, {name} arch pressed to {FAR} times its rise"),
+        format!("limit points of load and displacement, {name} arch pressed to {FAR} times its rise"),
         SOURCE,
         fine.as_ref().map(|(_, path)| path.turns.len() as f64).map_err(String::clone),
         turns.len() as f64,
@@ -51,7 +51,7 @@ fn checks_of(name: &str) -> Vec<Check> {
     )];
     for (k, row) in turns.iter().enumerate() {
         let kind = row.text("kind").unwrap_or("?");
-        let label = format!("turn {} ({kind}) of the {name} arch", k + 1);
+        let label = format!("limit point {} ({kind}) of the {name} arch", k + 1);
         for (what, column) in [("lowering of the crown, L", "lowering"), ("load of half the arch, EI/L²", "load")] {
             let expected = row.number(column).unwrap_or(f64::NAN);
             let value =
@@ -106,10 +106,10 @@ pub(crate) fn snapped(model: &RodModel, order: usize, elements: usize) -> Result
     path.map(|path| (problem, path)).map_err(|error| error.to_string())
 }
 
-/// Lowering and load at a turning point of the expected kind, and their differences to more elements.
+/// Lowering and load at a limit point of the expected kind, and their differences to more elements.
 fn of_turn(path: &RodPath, k: usize, kind: &str) -> Result<([f64; 2], [f64; 2]), String> {
     let expected = if kind == "load" { LimitPointKind::Load } else { LimitPointKind::Displacement };
-    let RodTurn { located, .. } = path.turns.get(k).filter(|t| t.kind == expected).ok_or("no such turning point")?;
+    let RodTurn { located, .. } = path.turns.get(k).filter(|t| t.kind == expected).ok_or("no such limit point")?;
     let (o, d) = (&located.observables, &located.difference);
     Ok(([-o.displacement, -o.force], [d.displacement.abs(), d.force.abs()]))
 }

@@ -8,7 +8,7 @@ use peelkit::model::{Drive, Hold, RodModel, Support};
 use peelkit::solve::{Solution, controlled};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Held across the axis, free along it.
+/// Constrained normal to the axis, free along it.
 const SLIDING_HINGE: Support = Support { x: Hold::Free, y: Hold::Fixed, rotation: Hold::Free };
 const SLIDING_CLAMP: Support = Support { x: Hold::Free, y: Hold::Fixed, rotation: Hold::Fixed };
 
