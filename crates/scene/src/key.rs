@@ -11,9 +11,8 @@ use super::steps;
 use super::table::{read_heights, read_profile};
 use super::value::{Value, quoted, show};
 use peelkit::adhesion::{LineLoad, Substrate};
-use peelkit::model::{Attraction, Body, Hold, ProfileForm, Start, Step};
+use peelkit::model::{Attraction, Body, Hold, Measured, ProfileForm, Range, Start, Step};
 use peelkit::study::Terms;
-use std::fmt;
 use std::sync::Arc;
 
 /// A key of a scene.
@@ -81,17 +80,6 @@ pub enum Kind {
     Terms(fn(&mut Scene) -> &mut Terms),
     /// A list of what the grip does before the pull.
     Steps(fn(&mut Scene) -> &mut Vec<Step>),
-}
-
-/// The numbers that have a meaning.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Range {
-    /// Above zero.
-    Positive,
-    /// Both ends excluded.
-    Between(f64, f64),
-    /// Both ends included.
-    From(f64, f64),
 }
 
 const LINE_LOADS: &[(&str, LineLoad)] =
@@ -258,19 +246,13 @@ impl Key {
             Kind::Fixed(most, _) => Range::From(1.0, most as f64),
             _ => Range::Positive,
         };
-        let unit = self.unit();
-        let shown = format!("{}{}{unit}", show(number), if unit.is_empty() { "" } else { " " });
-        if !number.is_finite() {
-            return Err(Problem::new(format!("is {shown}, which is not a finite number"), self.remedy()));
-        }
-        if !range.contains(number) {
-            return Err(Problem::new(format!("is {shown}, which has no meaning here"), self.remedy()));
-        }
+        let found = Measured { value: number, unit: self.unit() };
+        range.check(found).map_err(|wrong| Problem::new(wrong.to_string(), self.remedy()))?;
         match self.kind {
             Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => *place(scene) = number,
             Kind::Bound(_, place) | Kind::Share(_, place) => *place(scene) = Some(number),
             Kind::Count(_) | Kind::Fixed(..) if number.fract() != 0.0 => {
-                return Err(Problem::new(format!("is {shown}, which is not whole"), self.remedy()));
+                return Err(Problem::new(format!("is {found}, which is not whole"), self.remedy()));
             }
             Kind::Count(place) => *place(scene) = number as usize,
             Kind::Fixed(_, place) => *place(scene) = Some(number as usize),
@@ -492,24 +474,4 @@ fn word<T: Copy + PartialEq>(choices: &[(&'static str, T)], value: T) -> String 
 fn words<T>(choices: &[(&'static str, T)]) -> String {
     let words: Vec<String> = choices.iter().map(|(word, _)| format!("\"{word}\"")).collect();
     words.join(" or ")
-}
-
-impl Range {
-    fn contains(self, number: f64) -> bool {
-        match self {
-            Self::Positive => number > 0.0,
-            Self::Between(low, high) => low < number && number < high,
-            Self::From(low, high) => low <= number && number <= high,
-        }
-    }
-}
-
-impl fmt::Display for Range {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::Positive => write!(f, "a number above zero"),
-            Self::Between(low, high) => write!(f, "a number between {low} and {high}, both excluded"),
-            Self::From(low, high) => write!(f, "a number from {low:e} to {high:e}"),
-        }
-    }
 }

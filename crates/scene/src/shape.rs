@@ -1,8 +1,7 @@
 //! The shape of a substrate as a scene names it, and which keys belong to it.
 
 use super::error::Problem;
-use peelkit::adhesion::{LineLoad, Substrate};
-use peelkit::model::PeelModel;
+use peelkit::adhesion::Substrate;
 
 /// The table of a scene.
 pub(super) const TABLE: &str = "substrate";
@@ -39,46 +38,4 @@ pub(super) fn foreign(substrate: &Substrate, name: &str) -> Problem {
     let own = if own.is_empty() { "no other keys".to_owned() } else { format!("the keys {}", own.join(", ")) };
     let shapes = shapes_with(name).join("\" or \"");
     Problem::new(found, format!("It belongs to shape \"{shapes}\"; \"{word}\" has {own}."))
-}
-
-/// Most waves or radii, and most process zones, on which a beam lies on ground that is not flat.
-const MOST_DETAILS: f64 = 100.0;
-const MOST_ZONES: f64 = 1000.0;
-
-/// What of a substrate does not fit the rest of a model: the key, what was found, and what would be right.
-pub(super) fn misfit(model: &PeelModel) -> Option<(&'static str, String, &'static str)> {
-    let substrate = &model.ground.substrate;
-    if substrate.is_flat() {
-        return None;
-    }
-    if !model.line_law().has_potential() {
-        let (path, word) = match model.adhesion.line_load {
-            LineLoad::ForceOnly => ("adhesion.line_load", "force-only"),
-            LineLoad::Full | LineLoad::AxisGap => ("adhesion.law", model.adhesion.attraction.name()),
-        };
-        let found = format!(
-            "is \"{word}\", which has no potential: how a beam comes to lie on ground that is not flat is not defined"
-        );
-        return Some((path, found, "Take another line_load or law, or leave the table [substrate] away."));
-    }
-    let reach = model.reach();
-    let details = reach / substrate.detail();
-    if details > MOST_DETAILS {
-        let found = format!(
-            "is that of ground on which the beam lies on {details:.0} waves or radii; no more than {MOST_DETAILS} are resolved"
-        );
-        return Some((
-            "substrate.shape",
-            found,
-            "Take a shorter strip or pad, a longer wave, or a profile that is given at fewer places.",
-        ));
-    }
-    let zones = reach / model.process_length();
-    if zones > MOST_ZONES {
-        let found = format!(
-            "is not flat, where elements have to be small wherever the beam lies, and it lies on {zones:.0} process zones; no more than {MOST_ZONES} are resolved"
-        );
-        return Some(("substrate.shape", found, "Take a shorter or a stiffer strip or pad."));
-    }
-    substrate.misfit().map(|misfit| (misfit.key, misfit.found, misfit.remedy))
 }

@@ -1,7 +1,7 @@
 //! What a testing machine would record: the stable part of the path, the jumps, and the way back.
 
-use crate::model::PeelModel;
-use crate::study::{Accuracy, Bounds};
+use crate::model::{ModelError, PeelModel};
+use crate::study::{Accuracy, Bounds, checked};
 
 /// Which way the machine moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -150,8 +150,11 @@ pub struct Observed {
 }
 
 /// Why a scene has no test.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NoTest {
+    /// The model, or the accuracy asked for, cannot be computed.
+    #[error(transparent)]
+    Model(#[from] ModelError),
     /// There is friction.
     #[error(
         "there is friction: where a strip that slides while it jumps comes to rest depends on how fast it jumps, and no path of equilibria tells"
@@ -172,13 +175,15 @@ pub enum NoTest {
 
 impl NoTest {
     /// What to try.
-    pub const fn remedy(self) -> &'static str {
-        match self {
+    pub fn remedy(&self) -> String {
+        let remedy = match self {
+            Self::Model(error) => return error.remedy(),
             Self::Friction => "Leave --observed away, or the table [friction]",
             Self::NoPotential => "Leave --observed away, or choose another line_load or law",
             Self::Steps => "Leave --observed away, or drive.steps",
             Self::Turn => "Leave --observed away, or drive.turn",
-        }
+        };
+        remedy.into()
     }
 }
 
@@ -188,11 +193,15 @@ impl NoTest {
 /// turning point of U on the stable path the strip jumps at that U; where it comes to rest is found by [`crate::solve::relax()`].
 /// Errors: turning points as in [`crate::study::peel()`]; ∫ P dU against the energies in [`Balance::error`], which is at most 1e-6 or
 /// the accuracy asked for, or the test fails.
+///
+/// # Errors
+/// Where the model or the accuracy cannot be computed ([`checked`]), or has no such test.
 pub fn observed<'m, M>(model: &'m M, accuracy: &Accuracy, bounds: &Bounds) -> Result<Observed, NoTest>
 where
     PeelModel: From<&'m M>,
 {
     let model = PeelModel::from(model);
+    checked(&model, accuracy)?;
     if model.friction_law().is_some() {
         return Err(NoTest::Friction);
     }
