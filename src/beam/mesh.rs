@@ -3,8 +3,11 @@
 //! Element ends lie at equal steps of  F(S) = Σ_i w_i asinh((S - c_i)/ℓ_i):  as fine as ℓ_i at each focus, geometric away
 //! from it. One focus follows the front; others stay at an end that has a layer of its own.
 
+use serde::{Deserialize, Serialize};
+
 /// Whether element ends follow the front.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum MeshKind {
     /// They do.
     #[default]

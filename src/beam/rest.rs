@@ -1,6 +1,7 @@
 //! The stress-free configuration of a beam.
 
 use super::Varying;
+use serde::{Deserialize, Serialize};
 
 /// The stress-free configuration of a beam.
 #[derive(Clone, Debug)]
@@ -24,7 +25,7 @@ impl Rest {
 /// The axis at rest: it starts at a place in a direction and bends as its curvature says. The sections stand square to it.
 ///
 /// θ0(S) = θ0(0) + k0 S + k1 S²/2 + k2 S³/3 with the curvature κ0(S) = k0 + k1 S + k2 S²; x0' = cos θ0, y0' = sin θ0.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RestCurve {
     /// x0, y0 in nm and θ0 in rad at S = 0.
     pub start: [f64; 3],

@@ -1,10 +1,11 @@
 //! Stiffness of a beam section.
 
 use crate::number::Real;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// Section stiffnesses of a planar beam, at one place or at four side by side.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Section<T = f64> {
     /// EA, nN
     pub axial: T,
@@ -23,7 +24,7 @@ impl Section {
 }
 
 /// What a beam is made of, and how its section takes shear and bending.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Material {
     /// E, GPa = nN/nm²
     pub youngs_modulus: f64,

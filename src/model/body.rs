@@ -2,6 +2,7 @@
 
 use super::{Profile, Spatula, Strip};
 use crate::beam::{Contour, Material};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// What a model asks of its body. A body is a file with a type that is one, and a line of each list below.
@@ -22,7 +23,8 @@ pub trait Geometry: Contour {
 }
 
 /// What is peeled. It begins at S = 0 with its free end.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Body {
     Strip(Strip),
     Spatula(Spatula),

@@ -9,6 +9,7 @@ use crate::beam::{
     Variation, Varying,
 };
 use crate::solve::{EndConditions, History, INTERFACE, InitialState, PathMeasure, Problem};
+use serde::{Deserialize, Serialize};
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
@@ -47,10 +48,10 @@ impl PlanarProblem {
 }
 
 /// How a beam is discretised.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Discretisation {
     pub form: Form,
-    /// Order p of the elements, 1 to 8
+    /// Order p of the elements, 1 to [`Discretisation::MOST_ORDER`]; a higher one is taken for that
     pub order: usize,
     pub mesh: MeshKind,
 }
@@ -69,7 +70,8 @@ const VARIABLE: &[&str] = &["youngs_modulus", "shear_correction", "bending_stiff
 const REMEMBERED: f64 = 1.0 / 24.0;
 
 impl PeelModel {
-    /// What the solver is given, with elements of order 1 to 8 and a mesh that follows the front. The displacement is that of the
+    /// What the solver is given, with elements of order 1 to 8 and a mesh that follows the front, of a model that [`PeelModel::check`]
+    /// has nothing against. The displacement is that of the
     /// grip, whatever spring moves it. On ground that is not flat the form is [`Form::ThreeField`] and the mesh fixed; the beam is then
     /// stress-free above its ground, and `study::prepared` lets it settle there and takes the steps before the pull.
     pub fn problem(&self, form: Form, order: usize) -> PlanarProblem {

@@ -1,9 +1,10 @@
 //! What holds a beam along the substrate.
 
 use crate::adhesion::{FrictionLaw, HalfSpace};
+use serde::{Deserialize, Serialize};
 
 /// Friction of the face that looks down on level ground, as [`FrictionLaw`] has it. The free end is then held by nothing else.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Friction {
     /// Shear strength τ0 of the contact, GPa; none: there is no friction
     pub strength: Option<f64>,
@@ -17,6 +18,13 @@ pub struct Friction {
 /// Length of elements far from the front relative to those at it, over the length in which a strip that sticks takes over a force: sliding
 /// may begin there.
 pub(super) const FLOOR: f64 = 2.0;
+
+impl Default for Friction {
+    /// None.
+    fn default() -> Self {
+        Self::NONE
+    }
+}
 
 impl Friction {
     /// None.

@@ -6,9 +6,11 @@
 //! that P = 0, u = 0 and no moment, whatever the grip then holds.
 
 use crate::adhesion::Substrate;
+use serde::{Deserialize, Serialize};
 
 /// The guess from which a beam relaxes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Start {
     /// It follows the ground at the gap of a flat section at rest, as where it has been pressed on: everywhere it can it stays
     /// in contact. What rises in the stress-free configuration continues from there as it then would.
@@ -19,8 +21,8 @@ pub enum Start {
     Crests,
 }
 
-/// What a beam lies on.
-#[derive(Clone, Debug, Default, PartialEq)]
+/// What a beam lies on; level ground unless given.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Ground {
     pub substrate: Substrate,
     pub start: Start,

@@ -2,6 +2,7 @@
 mod body;
 mod build;
 mod chain;
+mod check;
 mod friction;
 mod ground;
 mod peel;
@@ -16,6 +17,7 @@ mod transition;
 pub use crate::adhesion::Attraction;
 pub use body::*;
 pub use build::*;
+pub use check::*;
 pub use friction::*;
 pub use ground::*;
 pub use peel::*;

@@ -5,11 +5,12 @@ use super::{Body, Friction, Geometry, Ground, Moved, Step, Strip};
 use crate::adhesion::{Attraction, FrictionLaw, HalfSpace, LineLaw, LineLoad};
 use crate::beam::{Contour, Material, Section, Varying};
 use crate::solve::Direction;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 /// The adhesion between the beam and the half space.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Adhesion {
     /// nN·nm = aJ
     pub hamaker_constant: f64,
@@ -23,6 +24,13 @@ pub struct Adhesion {
     pub line_load: LineLoad,
     /// Whether the attraction of the upper surface is included (the r2 terms).
     pub far_face: bool,
+}
+
+impl Default for Adhesion {
+    /// That of the paper: A_H = 1e-19 J, r0 = 0.4 nm, as [`Adhesion::of_half_space`] has it.
+    fn default() -> Self {
+        Self::of_half_space(0.1, 0.4)
+    }
 }
 
 impl Adhesion {
@@ -53,14 +61,16 @@ impl Adhesion {
 }
 
 /// What the grip does with one degree of freedom of the right end.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Hold {
+    #[default]
     Free,
     Fixed,
 }
 
 /// The grip at S = L.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Grip {
     pub rotation: Hold,
     /// Across the pull: free, so that the force points along the pull, or held, so that the grip moves along the pull. Where that is
@@ -72,19 +82,33 @@ pub struct Grip {
     pub pretension: Option<f64>,
 }
 
+impl Default for Grip {
+    /// [`Grip::FREE`]
+    fn default() -> Self {
+        Self::FREE
+    }
+}
+
 impl Grip {
     /// Free to turn and to move across the pull, without a spring.
     pub const FREE: Self = Self { rotation: Hold::Free, horizontal: Hold::Free, stiffness: None, pretension: None };
 }
 
 /// How the grip is moved.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pull {
     /// α, of the pull to the substrate, rad: 0 along the substrate, away from the body; π/2 straight up; π backwards, over the body.
     /// The free end stays at x = 0, where it is held as far as the pull has a horizontal part; with friction, that alone holds it.
     pub angle: f64,
     /// How far the grip turns as it goes, rad/nm: in a grip that holds the rotation, that is θ_rest + `turn` u.
     pub turn: f64,
+}
+
+impl Default for Pull {
+    /// [`Pull::UP`]
+    fn default() -> Self {
+        Self::UP
+    }
 }
 
 impl Pull {
@@ -104,8 +128,10 @@ impl Pull {
 /// An angle that differs from a right one by less, rad, is that, rounded.
 const ROUNDED: f64 = 1e-12;
 
-/// A body, its adhesion, its grip and how that is moved.
-#[derive(Clone, Debug, PartialEq)]
+/// A body, its adhesion, its grip and how that is moved: plain data, which [`PeelModel::check`] looks at before anything is computed.
+///
+/// It is written and read by serde, and the same to the last bit after that; a law of the user's own cannot be written.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PeelModel {
     pub body: Body,
     pub adhesion: Adhesion,
@@ -118,9 +144,11 @@ pub struct PeelModel {
 }
 
 /// Which unknowns a node has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Form {
     /// y and θ; x is minimised out, the horizontal force is one number. Exact on a flat substrate without friction.
+    #[default]
     TwoField,
     /// x, y and θ.
     ThreeField,

@@ -7,10 +7,11 @@
 
 use super::Course;
 use crate::beam::{Contour, Outline};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// One piece of a beam.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Piece {
     /// nm
     pub length: f64,
@@ -28,12 +29,27 @@ pub struct Piece {
     pub height_course: Course,
 }
 
-/// A beam in pieces, from its free end on.
-#[derive(Clone, Debug, PartialEq)]
+/// A beam in pieces, from its free end on. It is written as the list of these, and checked when it is read.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Vec<Piece>", into = "Vec<Piece>")]
 pub struct ProfilePieces {
     pieces: Vec<Piece>,
     /// S (nm) and φ (rad) where each begins, and at the end of the last.
     joints: Vec<[f64; 2]>,
+}
+
+impl From<ProfilePieces> for Vec<Piece> {
+    fn from(beam: ProfilePieces) -> Self {
+        beam.pieces
+    }
+}
+
+impl TryFrom<Vec<Piece>> for ProfilePieces {
+    type Error = PiecesError;
+
+    fn try_from(pieces: Vec<Piece>) -> Result<Self, PiecesError> {
+        Self::new(pieces)
+    }
 }
 
 /// What is wrong with pieces; those are counted from 1.

@@ -5,17 +5,19 @@
 
 use super::{Geometry, ProfilePieces};
 use crate::beam::{Contour, Material, Outline};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// A beam by a table or by pieces, and what it is made of.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
     pub form: ProfileForm,
     pub material: Material,
 }
 
 /// What gives the outline of a profile.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum ProfileForm {
     Table(ProfileTable),
     Pieces(ProfilePieces),
@@ -72,8 +74,9 @@ impl Geometry for Profile {
     }
 }
 
-/// The table: a row a place.
-#[derive(Clone, Debug, PartialEq)]
+/// The table: a row a place. It is written as its columns, and checked when it is read.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Columns", into = "Columns")]
 pub struct ProfileTable {
     /// S, nm
     places: Vec<f64>,
@@ -88,8 +91,15 @@ struct Column {
     slopes: Vec<f64>,
 }
 
+impl Column {
+    /// The monotone cubic through values at places.
+    fn through(places: &[f64], values: Vec<f64>) -> Self {
+        Self { slopes: monotone_slopes(places, &values), values }
+    }
+}
+
 /// The columns of a table, a number a row; the last two may be left empty and are zero all along then.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ProfileColumns {
     /// S, nm: 0 at the free end, and ascending
     pub places: Vec<f64>,
@@ -101,6 +111,37 @@ pub struct ProfileColumns {
     pub angles: Vec<f64>,
     /// 0: a rectangle, 1: an ellipse
     pub roundness: Vec<f64>,
+}
+
+/// The columns of a table as they are written: the angles as they are kept, in rad.
+#[derive(Serialize, Deserialize)]
+struct Columns {
+    places: Vec<f64>,
+    widths: Vec<f64>,
+    heights: Vec<f64>,
+    angles_rad: Vec<f64>,
+    roundness: Vec<f64>,
+}
+
+impl From<ProfileTable> for Columns {
+    fn from(table: ProfileTable) -> Self {
+        let [widths, heights, angles_rad, roundness] = table.columns.map(|column| column.values);
+        Self { places: table.places, widths, heights, angles_rad, roundness }
+    }
+}
+
+impl TryFrom<Columns> for ProfileTable {
+    type Error = TableError;
+
+    fn try_from(written: Columns) -> Result<Self, TableError> {
+        let Columns { places, widths, heights, angles_rad, roundness } = written;
+        let angles = angles_rad.iter().map(|angle| angle.to_degrees()).collect();
+        let mut table = Self::new(ProfileColumns { places, widths, heights, angles, roundness })?;
+        if !angles_rad.is_empty() {
+            table.columns[2] = Column::through(&table.places, angles_rad);
+        }
+        Ok(table)
+    }
 }
 
 /// What is wrong with a table.
@@ -178,7 +219,7 @@ impl ProfileTable {
         let [places, widths, heights, angles, roundness] = cells;
         let angles = angles.into_iter().map(f64::to_radians).collect();
         let columns = [widths, heights, angles, roundness];
-        let columns = columns.map(|values| Column { slopes: monotone_slopes(&places, &values), values });
+        let columns = columns.map(|values| Column::through(&places, values));
         Ok(Self { places, columns })
     }
 }

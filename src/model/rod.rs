@@ -1,15 +1,16 @@
 //! A beam on its own: nothing adheres, it may be curved at rest, and its ends are held as chosen.
 
 use super::chain::three_field;
-use super::{Hold, PlanarProblem};
+use super::{Discretisation, Hold, PlanarProblem};
 use crate::adhesion::Substrate;
 use crate::beam::{
     FrontPosition, MOST_FIELDS, MeshKind, MeshPieces, MeshPolicy, PlanarBeam, ReissnerRod, Rest, RestCurve, Section,
 };
 use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure};
+use serde::{Deserialize, Serialize};
 
 /// What an end of a rod does with each of its unknowns: `Fixed` at the value of the rest curve, or `Free`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Support {
     pub x: Hold,
     pub y: Hold,
@@ -31,7 +32,8 @@ impl Support {
 }
 
 /// Which unknown of the right end is driven.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Drive {
     /// x: the displacement and the force are along x
     X,
@@ -44,7 +46,7 @@ pub enum Drive {
 /// A rod of uniform section: stress-free along `rest`, held at both ends, driven at the right one (S = L).
 ///
 /// The driven unknown must be free at the right end; its conjugate force is what the solver calls the force.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RodModel {
     /// L along the rest curve, nm
     pub length: f64,
@@ -136,7 +138,7 @@ impl RodModel {
         if self.right.held()[self.driven()] {
             return Err(RodError::DrivenAndHeld(self.drive));
         }
-        if (1..=8).contains(&order) { Ok(()) } else { Err(RodError::Order(order)) }
+        if (1..=Discretisation::MOST_ORDER).contains(&order) { Ok(()) } else { Err(RodError::Order(order)) }
     }
 }
 

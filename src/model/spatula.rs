@@ -7,10 +7,11 @@
 
 use super::{Adhesion, Body, Course, Geometry, Grip, Hold, PeelModel};
 use crate::beam::{Contour, Material, Outline};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Geometry and material of a spatula. Lengths in nm.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Spatula {
     pub pad_length: f64,
     /// From the pad to the shaft.

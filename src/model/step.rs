@@ -1,9 +1,11 @@
 //! One step of the grip before the pull, as data.
 
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// What the grip does before the pull.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Step {
     /// Towards the substrate, nm
     Press(f64),
@@ -17,6 +19,17 @@ pub enum Step {
     Turn(f64),
     /// Nothing: equilibria know no time.
     Hold,
+}
+
+/// Why a step is none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum StepError {
+    #[error("whose amount is not a finite number")]
+    NotFinite,
+    #[error("whose amount is not above zero: lift reverses press, push reverses drag")]
+    NotPositive,
+    #[error("which is no rotation: write \"hold\"")]
+    NoTurn,
 }
 
 /// What a step moves.
@@ -37,6 +50,32 @@ impl Step {
             Self::Push(amount) => Some((Moved::Place, -amount)),
             Self::Turn(amount) => Some((Moved::Rotation, amount)),
             Self::Hold => None,
+        }
+    }
+
+    /// Whether it is one: a finite amount, above zero of a length, not zero of an angle.
+    pub fn check(self) -> Result<(), StepError> {
+        match self {
+            Self::Hold => Ok(()),
+            Self::Press(amount) | Self::Lift(amount) | Self::Drag(amount) | Self::Push(amount) | Self::Turn(amount)
+                if !amount.is_finite() =>
+            {
+                Err(StepError::NotFinite)
+            }
+            Self::Turn(angle) => {
+                if angle != 0.0 {
+                    Ok(())
+                } else {
+                    Err(StepError::NoTurn)
+                }
+            }
+            Self::Press(length) | Self::Lift(length) | Self::Drag(length) | Self::Push(length) => {
+                if length > 0.0 {
+                    Ok(())
+                } else {
+                    Err(StepError::NotPositive)
+                }
+            }
         }
     }
 

@@ -3,10 +3,11 @@
 use super::{Adhesion, Body, Form, Geometry, Grip, PeelModel, PlanarProblem, Pull};
 use crate::adhesion::LineLaw;
 use crate::beam::{Contour, Material, Outline, Section};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Geometry and material of a uniform strip of rectangular section.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Strip {
     /// nm
     pub length: f64,
@@ -67,7 +68,7 @@ impl Geometry for Strip {
 }
 
 /// A strip, its adhesion, its grip and how that is moved: the [`PeelModel`] of Section 4 of the paper, with its parts at hand.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StripModel {
     pub strip: Strip,
     pub adhesion: Adhesion,

@@ -1,7 +1,10 @@
 //! The transition of a quantity from one value to another along a piece of a beam: linear or quintic.
 
+use serde::{Deserialize, Serialize};
+
 /// The course that a quantity takes, with t from 0 to 1 along a piece.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Course {
     /// t
     Linear,

@@ -17,6 +17,13 @@ pub struct NewtonOptions {
     pub exact_slope: bool,
 }
 
+impl Default for NewtonOptions {
+    /// As along a path that is followed at a relative accuracy of 1e-6.
+    fn default() -> Self {
+        Self { tolerance: 1e-8, largest_update: 0.5, most_iterations: 9, exact_slope: false }
+    }
+}
+
 /// A converged equilibrium with all that is known about it there.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Solution {

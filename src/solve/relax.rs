@@ -32,6 +32,13 @@ impl RelaxOptions {
     }
 }
 
+impl Default for RelaxOptions {
+    /// Steps of a tenth of the gap, as from a jump.
+    fn default() -> Self {
+        Self::by(0.1)
+    }
+}
+
 /// What is held while a structure relaxes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Held {

@@ -2,11 +2,12 @@
 
 use super::terms::Terms;
 use crate::beam::{BUNDLE, MeshKind};
-use crate::model::{Form, PeelModel};
+use crate::model::{Discretisation, Form, ModelError, NumberOf, PeelModel, Range};
 use crate::solve::{MOST_POINTS, PathOptions};
+use serde::{Deserialize, Serialize};
 
 /// What the user asks of the numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Accuracy {
     /// Relative error wanted of every reported force and displacement.
     pub relative: f64,
@@ -16,11 +17,28 @@ pub struct Accuracy {
     pub terms: Terms,
 }
 
+impl Default for Accuracy {
+    /// 1e-6 of every reported force and displacement, with nothing fixed and all terms.
+    fn default() -> Self {
+        Self::to(1e-6)
+    }
+}
+
 impl Accuracy {
+    /// What a relative error may be: less is lost in round-off, more is no accuracy.
+    pub const RELATIVE: Range = Range::From(1e-11, 1e-2);
+
+    /// Whether its numbers have a meaning. The analyses ask this first.
+    ///
+    /// # Errors
+    /// By the keys of a scene: `accuracy.relative`, `order`, `elements`, `step`.
+    pub fn check(&self) -> Result<(), ModelError> {
+        ACCURACY_NUMBERS.iter().try_for_each(|number| number.check(self))
+    }
+
     /// A relative error, with nothing fixed.
     pub const fn to(relative: f64) -> Self {
-        let choice = Choice { order: None, elements: None, step: None, mesh: MeshKind::Moving, form: Form::TwoField };
-        Self { relative, choice, terms: Terms::All }
+        Self { relative, choice: Choice::NOTHING, terms: Terms::All }
     }
 
     /// The same with what `choice` fixes.
@@ -41,8 +59,17 @@ impl Accuracy {
     }
 }
 
-/// What is fixed of a discretisation. Where the elements are, they stay what they are, whatever the error bounds.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The numbers of an accuracy, as [`crate::model::MODEL_NUMBERS`] has those of a model.
+#[rustfmt::skip]
+pub static ACCURACY_NUMBERS: &[NumberOf<Accuracy>] = &[
+    NumberOf::new("accuracy.relative", "", Accuracy::RELATIVE, |a| Some(a.relative)),
+    NumberOf::new("accuracy.order", "", Range::From(1.0, Discretisation::MOST_ORDER as f64), |a| Some(a.choice.order? as f64)),
+    NumberOf::new("accuracy.elements", "", Range::From(1.0, 1e9), |a| Some(a.choice.elements? as f64)),
+    NumberOf::new("accuracy.step", "", Choice::STEP, |a| a.choice.step),
+];
+
+/// What is fixed of a discretisation; nothing unless given. Where the elements are, they stay what they are, whatever the error bounds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Choice {
     /// Order p of the elements, 1 to 8
     pub order: Option<usize>,
@@ -52,6 +79,14 @@ pub struct Choice {
     pub step: Option<f64>,
     pub mesh: MeshKind,
     pub form: Form,
+}
+
+impl Choice {
+    /// Nothing is fixed, with a mesh that follows the front and two unknowns a node.
+    pub const NOTHING: Self =
+        Self { order: None, elements: None, step: None, mesh: MeshKind::Moving, form: Form::TwoField };
+    /// What the error of a prediction may be, relative to the gap.
+    pub const STEP: Range = Range::From(1e-6, 0.5);
 }
 
 /// Order of the elements. At an accuracy of 1e-3 order 5 is faster by half, but on so few elements that the difference to

@@ -6,5 +6,6 @@ mod adhesion;
 mod beam;
 mod body;
 mod common;
+mod model;
 mod solve;
 mod study;

@@ -6,3 +6,4 @@ mod laws;
 mod messages;
 mod pull;
 mod steps;
+mod written;

@@ -1,87 +1,57 @@
-//! Whether the values of a scene fit one another.
+//! Whether the values of a scene can be computed, which the model and the accuracy say themselves.
 
 use super::error::Problem;
-use super::key::Key;
-use super::keys::KEYS;
 use super::scene::Scene;
-use super::{friction, shape, steps};
-use peelkit::model::{Attraction, Body, Hold};
+use peelkit::model::ModelError;
+use peelkit::study;
 
 impl Scene {
-    /// Whether values fit one another that are right by themselves: the key that does not, and why.
-    pub fn check(&self) -> Result<(), (&'static Key, Problem)> {
-        let problem = |path: &str, found: String, remedy: &str| {
-            let key = KEYS.iter().find(|key| key.path() == path);
-            key.map_or(Ok(()), |key| Err((key, Problem::new(found, remedy))))
-        };
-        let adhesion = &self.model.adhesion;
-        if !adhesion.attraction.takes_work_and_strength() {
-            for (path, value) in [("adhesion.work", adhesion.work), ("adhesion.strength", adhesion.strength)] {
-                if value.is_some() {
-                    let laws: Vec<String> = Attraction::cohesive().map(|law| format!("\"{}\"", law.name())).collect();
-                    return problem(
-                        path,
-                        "belongs to a cohesive law, and the law of this scene is not cohesive".into(),
-                        &format!(
-                            "Give `law` = {} beside it, or remove it: hamaker_constant and equilibrium_distance define the \
-                             half space.",
-                            laws.join(" or ")
-                        ),
-                    );
-                }
+    /// Whether values fit one another that are right by themselves: else the key that does not, and why.
+    pub fn check(&self) -> Result<(), ModelError> {
+        study::checked(&self.model, &self.accuracy)
+    }
+}
+
+impl From<ModelError> for Problem {
+    fn from(error: ModelError) -> Self {
+        Self::new(error.found(), error.remedy())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::key::{Key, Kind};
+    use crate::keys::{KEYS, find_key};
+    use peelkit::model::{MODEL_NUMBERS, Range};
+    use peelkit::study::ACCURACY_NUMBERS;
+
+    /// The range of a key that takes one number.
+    fn range(key: &Key) -> Option<Range> {
+        match key.kind {
+            Kind::Number(range, _) | Kind::Share(range, _) | Kind::Measure(_, range, _) => Some(range),
+            Kind::Quantity(..) | Kind::Bound(..) => Some(Range::Positive),
+            Kind::Count(_) => Some(Range::From(1.0, 1e9)),
+            Kind::Fixed(most, _) => Some(Range::From(1.0, most as f64)),
+            _ => None,
+        }
+    }
+
+    /// A scene refuses what the model refuses and nothing else, by the same name and in the same unit; the number of elements alone
+    /// may be larger in a program.
+    #[test]
+    fn the_numbers_of_a_scene_are_those_of_the_model() {
+        let model = MODEL_NUMBERS.iter().map(|number| (number.key, number.unit, number.range));
+        let accuracy = ACCURACY_NUMBERS.iter().map(|number| (number.key, number.unit, number.range));
+        let checked: Vec<_> = model.chain(accuracy).collect();
+        for &(path, unit, allowed) in &checked {
+            let key = find_key(path).unwrap();
+            assert_eq!((key.unit(), path), (unit, path));
+            if path != "accuracy.elements" {
+                assert_eq!((range(key), path), (Some(allowed), path));
             }
         }
-        let grip = &self.model.grip;
-        let stretched = self.model.strip().is_some() && self.model.ground.substrate.is_flat();
-        if grip.pretension.is_some() && (!stretched || grip.horizontal == Hold::Free) {
-            return problem(
-                "grip.pretension",
-                "stretches a strip on a flat substrate whose grip is constrained normal to the pull direction, and this scene has none".into(),
-                "Peel a [strip] with `horizontal = \"fixed\"` under [grip], on a flat substrate, or remove `pretension`.",
-            );
+        for key in KEYS.iter().filter(|key| range(key).is_some() && key.table != "bounds") {
+            assert!(checked.iter().any(|&(path, ..)| path == key.path()), "{} is not checked", key.path());
         }
-        let misfit = friction::misfit(&self.model).or_else(|| shape::misfit(&self.model));
-        if let Some((path, found, remedy)) = misfit.or_else(|| steps::misfit(&self.model)) {
-            return problem(path, found, remedy);
-        }
-        let spatula = match &self.model.body {
-            Body::Spatula(spatula) => spatula,
-            Body::Strip(_) if self.model.pull.direction().up.abs() < 1e-9 && self.model.friction_law().is_none() => {
-                return problem(
-                    "drive.angle",
-                    format!(
-                        "is {} degrees, along the strip, which is then only stretched or compressed",
-                        self.model.pull.angle.to_degrees()
-                    ),
-                    "Pull at an angle between, above 0 and below 180 degrees: `angle = \"60 deg\"`.",
-                );
-            }
-            _ => return Ok(()),
-        };
-        let (rounding, pad) = (spatula.tip_rounding_length, spatula.pad_length);
-        if rounding > pad {
-            return problem(
-                "spatula.tip_rounding_length",
-                format!("is {rounding} nm, more than the pad is long ({pad} nm)"),
-                "Round the pad at most: `tip_rounding_length` not above `pad_length`.",
-            );
-        }
-        let (width, tip) = (spatula.tip_rounding_width, spatula.tip_width);
-        if rounding > 0.0 && width > tip {
-            return problem(
-                "spatula.tip_rounding_width",
-                format!("is {width} nm, more than the tip is wide ({tip} nm)"),
-                "A rounded tip is narrower at its end: `tip_rounding_width` not above `tip_width`.",
-            );
-        }
-        let (bend, behind) = (spatula.bend_length, spatula.neck_length + spatula.shaft_length);
-        if bend > behind {
-            return problem(
-                "spatula.bend_length",
-                format!("is {bend} nm, more than neck and shaft are long ({behind} nm)"),
-                "Let the bend end on the shaft: `bend_length` not above `neck_length` plus `shaft_length`.",
-            );
-        }
-        Ok(())
     }
 }

@@ -86,17 +86,16 @@ fn read(scene: &mut Scene, text: &str, overrides: &[(String, String)]) -> Result
     }
     // one that was valid until an override gave the substrate another shape
     if let Some(key) = KEYS.iter().find(|key| given.contains(&key.path()) && !key.belongs_to(scene)) {
-        let span = place_of(document.get_ref(), key).unwrap_or_else(|| end_of(text));
+        let span = place_of(document.get_ref(), &key.path()).unwrap_or_else(|| end_of(text));
         return Err(file.error(span, &format!("`{}`", key.path()), key.foreign(scene)));
     }
     let needed = |key: &&Key| key.need == Need::Required && key.belongs_to(scene);
     if let Some(key) = KEYS.iter().filter(needed).find(|key| !given.contains(&key.path())) {
         return Err(missing(&file, text, document.get_ref(), key, &given, scene));
     }
-    let fits = scene.check();
-    fits.map_err(|(key, problem)| match place_of(document.get_ref(), key) {
-        Some(span) => file.error(span, &format!("`{}`", key.path()), problem),
-        None => file.error(end_of(text), &format!("`{}`", key.path()), problem),
+    scene.check().map_err(|error| {
+        let span = place_of(document.get_ref(), error.key()).unwrap_or_else(|| end_of(text));
+        file.error(span, &format!("`{}`", error.key()), error.into())
     })
 }
 
@@ -243,11 +242,12 @@ fn missing(
     }
 }
 
-/// Where a key stands in a text, if it does.
-fn place_of(document: &DeTable, key: &Key) -> Option<Range<usize>> {
-    let (_, table) = document.iter().find(|(name, _)| name_of(name) == key.table)?;
+/// Where the value of the key of this path stands in a text, if it does.
+fn place_of(document: &DeTable, path: &str) -> Option<Range<usize>> {
+    let (in_table, key) = path.split_once('.')?;
+    let (_, table) = document.iter().find(|(name, _)| name_of(name) == in_table)?;
     let DeValue::Table(table) = table.get_ref() else { return None };
-    table.iter().find(|(name, _)| name_of(name) == key.name).map(|(_, value)| value.span())
+    table.iter().find(|(name, _)| name_of(name) == key).map(|(_, value)| value.span())
 }
 
 fn end_of(text: &str) -> Range<usize> {

@@ -2,7 +2,7 @@
 
 use super::bodies::{profile, spatula, strip};
 use super::error::Problem;
-use super::key::{Key, Kind, Need, Range};
+use super::key::{Key, Kind, Need};
 use super::near::nearest;
 use super::quantity::Dimension::{Angle, AnglePerLength, Energy, Force, Length, Pressure, Stiffness, Time, Work};
 use super::scene::Scene;
@@ -10,13 +10,12 @@ use super::shape;
 use super::value::Value;
 use Need::{Optional, Required};
 use peelkit::adhesion::Substrate;
+use peelkit::model::{Discretisation, Range};
+use peelkit::study::{Accuracy, Choice};
 
 const fn key(table: &'static str, name: &'static str, need: Need, kind: Kind, about: &'static str) -> Key {
     Key { table, name, need, kind, about }
 }
-
-/// 180 degrees, as a user may round it.
-const HALF_TURN: f64 = 1.0001 * std::f64::consts::PI;
 
 /// Every key that a scene may hold, in the order in which a scene is written.
 #[rustfmt::skip]
@@ -28,7 +27,7 @@ pub static KEYS: &[Key] = &[
     key("strip", "height", Required, Kind::Quantity(Length, |s| &mut strip(s).height), "height h of the section"),
     key("strip", "width", Optional, Kind::Quantity(Length, |s| &mut strip(s).width), "width of the section"),
     key("strip", "youngs_modulus", Required, Kind::Quantity(Pressure, |s| &mut strip(s).youngs_modulus), "Young's modulus E"),
-    key("strip", "poissons_ratio", Optional, Kind::Number(Range::Between(-1.0, 0.5), |s| &mut strip(s).poissons_ratio), "Poisson's ratio"),
+    key("strip", "poissons_ratio", Optional, Kind::Number(Range::POISSONS_RATIO, |s| &mut strip(s).poissons_ratio), "Poisson's ratio"),
     key("strip", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut strip(s).shear_correction), "shear correction factor of the section"),
     key("strip", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut strip(s).bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
 
@@ -40,18 +39,18 @@ pub static KEYS: &[Key] = &[
     key("spatula", "neck_width", Optional, Kind::Quantity(Length, |s| &mut spatula(s).neck_width), "width of the pad at its end"),
     key("spatula", "shaft_diameter", Optional, Kind::Quantity(Length, |s| &mut spatula(s).shaft_diameter), "diameter of the shaft"),
     key("spatula", "pad_thickness", Optional, Kind::Quantity(Length, |s| &mut spatula(s).pad_thickness), "height of the pad's section"),
-    key("spatula", "shaft_angle", Optional, Kind::Measure(Angle, Range::From(-HALF_TURN, HALF_TURN), |s| &mut spatula(s).shaft_angle), "angle of the shaft to the pad"),
-    key("spatula", "tip_rounding_length", Optional, Kind::Measure(Length, Range::From(0.0, 1e9), |s| &mut spatula(s).tip_rounding_length), "length over which the tip is rounded; 0: blunt"),
+    key("spatula", "shaft_angle", Optional, Kind::Measure(Angle, Range::SHAFT_ANGLE, |s| &mut spatula(s).shaft_angle), "angle of the shaft to the pad"),
+    key("spatula", "tip_rounding_length", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut spatula(s).tip_rounding_length), "length over which the tip is rounded; 0: blunt"),
     key("spatula", "tip_rounding_width", Optional, Kind::Quantity(Length, |s| &mut spatula(s).tip_rounding_width), "width of the end face of a rounded tip"),
     key("spatula", "youngs_modulus", Optional, Kind::Quantity(Pressure, |s| &mut spatula(s).material.youngs_modulus), "Young's modulus E"),
-    key("spatula", "poissons_ratio", Optional, Kind::Number(Range::Between(-1.0, 0.5), |s| &mut spatula(s).material.poissons_ratio), "Poisson's ratio"),
+    key("spatula", "poissons_ratio", Optional, Kind::Number(Range::POISSONS_RATIO, |s| &mut spatula(s).material.poissons_ratio), "Poisson's ratio"),
     key("spatula", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut spatula(s).material.shear_correction), "shear correction factor of the section"),
     key("spatula", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut spatula(s).material.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
 
     key("profile", "table", Required, Kind::Table(|s| &mut profile(s).form), "beam as a CSV, or the name of its file"),
     key("profile", "pieces", Required, Kind::Pieces(|s| &mut profile(s).form), "beam piece by piece, instead of table"),
     key("profile", "youngs_modulus", Required, Kind::Quantity(Pressure, |s| &mut profile(s).material.youngs_modulus), "Young's modulus E"),
-    key("profile", "poissons_ratio", Optional, Kind::Number(Range::Between(-1.0, 0.5), |s| &mut profile(s).material.poissons_ratio), "Poisson's ratio"),
+    key("profile", "poissons_ratio", Optional, Kind::Number(Range::POISSONS_RATIO, |s| &mut profile(s).material.poissons_ratio), "Poisson's ratio"),
     key("profile", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut profile(s).material.shear_correction), "shear correction factor of the section"),
     key("profile", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut profile(s).material.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
 
@@ -67,12 +66,12 @@ pub static KEYS: &[Key] = &[
     key("substrate", "radius", Required, Kind::Quantity(Length, |s| shape::number(substrate(s), "radius")), "radius of the sphere or cylinder"),
     key("substrate", "height", Required, Kind::Quantity(Length, |s| shape::number(substrate(s), "height")), "height from crest to valley"),
     key("substrate", "wavelength", Required, Kind::Quantity(Length, |s| shape::number(substrate(s), "wavelength")), "distance from crest to crest"),
-    key("substrate", "offset", Optional, Kind::Measure(Length, Range::From(-1e9, 1e9), |s| shape::number(substrate(s), "offset")), "distance of a crest, or of the top, from the free end"),
+    key("substrate", "offset", Optional, Kind::Measure(Length, Range::OFFSET, |s| shape::number(substrate(s), "offset")), "distance of a crest, or of the top, from the free end"),
     key("substrate", "table", Required, Kind::Heights(substrate), "height profile as a CSV, or the name of its file"),
     key("substrate", "start", Optional, Kind::Start(|s| &mut s.model.ground.start), "initially pressed on and conforming, or lying on the crests"),
 
     key("friction", "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.friction.strength), "shear strength of the contact; none: it slides freely"),
-    key("friction", "coefficient", Optional, Kind::Number(Range::From(0.0, 1e3), |s| &mut s.model.friction.coefficient), "Coulomb's friction coefficient"),
+    key("friction", "coefficient", Optional, Kind::Number(Range::FRICTION_COEFFICIENT, |s| &mut s.model.friction.coefficient), "Coulomb's friction coefficient"),
     key("friction", "presliding", Optional, Kind::Bound(Length, |s| &mut s.model.friction.presliding), "elastic presliding displacement"),
 
     key("grip", "rotation", Optional, Kind::Hold(|s| &mut s.model.grip.rotation), "rotation of the right end, which is pulled"),
@@ -80,14 +79,14 @@ pub static KEYS: &[Key] = &[
     key("grip", "stiffness", Optional, Kind::Bound(Stiffness, |s| &mut s.model.grip.stiffness), "stiffness of a spring between grip and machine"),
     key("grip", "pretension", Optional, Kind::Bound(Force, |s| &mut s.model.grip.pretension), "adhered under this pretension; needs horizontal = \"fixed\""),
 
-    key("drive", "angle", Optional, Kind::Measure(Angle, Range::From(0.0, HALF_TURN), |s| &mut s.model.pull.angle), "angle of the pull to the substrate; 90 deg: straight up"),
-    key("drive", "turn", Optional, Kind::Measure(AnglePerLength, Range::From(-1e4, 1e4), |s| &mut s.model.pull.turn), "rotation of a fixed grip per displacement"),
+    key("drive", "angle", Optional, Kind::Measure(Angle, Range::PULL_ANGLE, |s| &mut s.model.pull.angle), "angle of the pull to the substrate; 90 deg: straight up"),
+    key("drive", "turn", Optional, Kind::Measure(AnglePerLength, Range::PULL_TURN, |s| &mut s.model.pull.turn), "rotation of a fixed grip per displacement"),
     key("drive", "steps", Optional, Kind::Steps(|s| &mut s.model.steps), "grip motions before the pull: press, lift, drag, push, turn, hold"),
 
-    key("accuracy", "relative", Optional, Kind::Number(Range::From(1e-11, 1e-2), |s| &mut s.accuracy.relative), "relative tolerance of every reported force and displacement"),
-    key("accuracy", "order", Optional, Kind::Fixed(8, |s| &mut s.accuracy.choice.order), "order p of the elements"),
+    key("accuracy", "relative", Optional, Kind::Number(Accuracy::RELATIVE, |s| &mut s.accuracy.relative), "relative tolerance of every reported force and displacement"),
+    key("accuracy", "order", Optional, Kind::Fixed(Discretisation::MOST_ORDER, |s| &mut s.accuracy.choice.order), "order p of the elements"),
     key("accuracy", "elements", Optional, Kind::Fixed(2000, |s| &mut s.accuracy.choice.elements), "number of elements, never raised"),
-    key("accuracy", "step", Optional, Kind::Share(Range::From(1e-6, 0.5), |s| &mut s.accuracy.choice.step), "predictor tolerance over the equilibrium gap"),
+    key("accuracy", "step", Optional, Kind::Share(Choice::STEP, |s| &mut s.accuracy.choice.step), "predictor tolerance over the equilibrium gap"),
 
     key("bounds", "points", Optional, Kind::Count(|s| &mut s.bounds.points), "largest number of points of a path"),
     key("bounds", "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "longest time for a path; default 60 s"),

@@ -9,7 +9,6 @@ mod bodies;
 mod check;
 mod document;
 mod error;
-mod friction;
 mod key;
 mod keys;
 mod near;
@@ -23,8 +22,9 @@ mod value;
 
 pub use bodies::{BODIES, body_of};
 pub use error::{Problem, SceneError};
-pub use key::{Key, Kind, Need, Range};
+pub use key::{Key, Kind, Need};
 pub use keys::{KEYS, find_key};
+pub use peelkit::model::Range;
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 pub use scene::{Scene, TableTexts};
 pub use table::{CsvError, parse_heights, parse_profile};

@@ -1,6 +1,7 @@
 //! A value of a scene, whichever key it is of.
 
 use super::error::one_line;
+use peelkit::model::Measured;
 use std::fmt;
 
 /// A value as it stands in a TOML text, or as a scene holds it.
@@ -40,6 +41,5 @@ pub(super) fn quoted(text: &str) -> String {
 
 /// A number as a person writes it.
 pub(super) fn show(number: f64) -> String {
-    let plain = number == 0.0 || !number.is_finite() || (1e-4..1e7).contains(&number.abs());
-    if plain { number.to_string() } else { format!("{number:e}") }
+    Measured { value: number, unit: "" }.to_string()
 }

@@ -1,11 +1,13 @@
 //! Attraction of a convex sphere or cylinder, which the half space of eq. (9) approximates.
 
 use super::{HalfSpace, Rule};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::num::NonZeroUsize;
 
 /// The shape of a curved body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Shape {
     Sphere,
     /// Endless

@@ -7,11 +7,14 @@ use super::response::LineResponse;
 use super::{Law, body_force, surface_traction};
 use crate::adhesion::HalfSpace;
 use crate::number::Real;
+use serde::{Deserialize, Serialize};
 
 /// What of the adhesion reaches the axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum LineLoad {
     /// Line force and line moment.
+    #[default]
     Full,
     /// The line force without the moment; it has no potential.
     ForceOnly,

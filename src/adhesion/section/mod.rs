@@ -10,6 +10,7 @@ mod line_load;
 mod own;
 mod response;
 mod surface_traction;
+mod written;
 pub use cohesive::{Cohesive, CohesiveShape};
 pub use law::{Attraction, Law};
 pub use line_load::{LineLaw, LineLoad};

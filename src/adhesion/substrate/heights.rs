@@ -2,10 +2,13 @@
 
 use super::closest::{Graph, closest};
 use super::surface::{Foot, Surface};
+use serde::{Deserialize, Serialize};
 
 /// A cubic spline through heights, twice continuously differentiable (I. J. Schoenberg, Quart. Appl. Math. 4 (1946) 45), with no
-/// curvature at its ends, behind which it goes on as a straight line. Its third derivative jumps at the places.
-#[derive(Clone, Debug, PartialEq)]
+/// curvature at its ends, behind which it goes on as a straight line. Its third derivative jumps at the places. It is written as its
+/// places and heights, and checked when it is read.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Rows", into = "Rows")]
 pub struct Heights {
     /// nm, ascending
     places: Vec<f64>,
@@ -15,6 +18,27 @@ pub struct Heights {
     bends: Vec<f64>,
     /// Highest and lowest height, largest f'' without its sign, and how far apart samples are taken.
     graph: [f64; 4],
+}
+
+/// A table of heights as it is written, nm.
+#[derive(Serialize, Deserialize)]
+struct Rows {
+    places: Vec<f64>,
+    heights: Vec<f64>,
+}
+
+impl From<Heights> for Rows {
+    fn from(table: Heights) -> Self {
+        Self { places: table.places, heights: table.values }
+    }
+}
+
+impl TryFrom<Rows> for Heights {
+    type Error = HeightsError;
+
+    fn try_from(rows: Rows) -> Result<Self, HeightsError> {
+        Self::new(rows.places, rows.heights)
+    }
 }
 
 /// What is wrong with a table of heights.

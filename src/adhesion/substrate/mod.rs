@@ -26,6 +26,7 @@ pub use self_affine::SelfAffine;
 pub use surface::{Foot, Misfit, Surface};
 
 use flat::Flat;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Makes the list of substrates from lines `/// what it is` and `Name(type) = file`. A file has a [`Surface`] and `NAMED`: the names by which a
@@ -38,7 +39,8 @@ macro_rules! substrates {
         )*
 
         /// What a beam lies on.
-        #[derive(Clone, Debug, Default, PartialEq)]
+        #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+        #[serde(rename_all = "kebab-case")]
         pub enum Substrate {
             /// y = 0.
             #[default]

@@ -2,9 +2,10 @@
 
 use super::closest::{Graph, closest};
 use super::surface::{Foot, Surface};
+use serde::{Deserialize, Serialize};
 
 /// y = -(x - x0)²/(2R): an asperity across the beam, whose flanks fall away without an end, unlike those of a cylinder. Its crest is at y = 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ridge {
     /// R, radius of curvature of the crest, nm
     pub radius: f64,

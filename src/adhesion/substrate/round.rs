@@ -2,9 +2,10 @@
 
 use super::surface::{Foot, Misfit, Surface};
 use crate::adhesion::Shape;
+use serde::{Deserialize, Serialize};
 
 /// A sphere, or a cylinder whose axis is across the beam. Its top is at y = 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Round {
     pub shape: Shape,
     /// R, nm

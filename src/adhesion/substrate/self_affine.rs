@@ -1,13 +1,14 @@
 //! A random rough profile.
 
 use super::{Heights, HeightsError};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
 /// A self-affine profile by its spectrum: waves of the wavelengths L/n of its length L, between two cut-offs, with amplitudes in
 /// proportion to n^-(Hu + 1/2), so that heights apart by δ differ by about δ^Hu, and with random phases. The same for the same
 /// seed, on every machine.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SelfAffine {
     /// Hu, Hurst's exponent, 0 to 1: the smaller, the rougher in the small
     pub hurst: f64,

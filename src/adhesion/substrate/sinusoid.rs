@@ -2,10 +2,11 @@
 
 use super::closest::{Graph, closest};
 use super::surface::{Foot, Surface};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// y = H/2 (cos(2π (x - x0)/λ) - 1): crests at y = 0, valleys at y = -H.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sinusoid {
     /// H from crest to valley, nm
     pub height: f64,

@@ -31,6 +31,20 @@ pub struct PathOptions {
     pub first_displacement: f64,
 }
 
+impl Default for PathOptions {
+    /// How a peel of the paper's strip is followed at a relative accuracy of 1e-6.
+    fn default() -> Self {
+        Self {
+            elements: 12,
+            step_tolerance: 1.2e-2,
+            stride: 1.0,
+            tolerance: 1e-8,
+            prediction: MOST_POINTS,
+            first_displacement: 8e-3,
+        }
+    }
+}
+
 /// Where a path stopped and why.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(

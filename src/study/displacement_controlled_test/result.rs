@@ -1,7 +1,7 @@
 //! What a testing machine would record: the stable part of the path, the jumps, and the way back.
 
-use crate::model::PeelModel;
-use crate::study::{Accuracy, Bounds};
+use crate::model::{ModelError, PeelModel};
+use crate::study::{Accuracy, Bounds, checked};
 
 /// Which way the machine moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -150,8 +150,11 @@ pub struct Observed {
 }
 
 /// Why a scene has no test.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NoTest {
+    /// The model, or the accuracy asked for, cannot be computed.
+    #[error(transparent)]
+    Model(#[from] ModelError),
     /// There is friction.
     #[error(
         "there is friction: where a strip that slides during a jump comes to rest depends on the speed of the jump, and equilibrium does not determine it"
@@ -172,13 +175,15 @@ pub enum NoTest {
 
 impl NoTest {
     /// What to try.
-    pub const fn remedy(self) -> &'static str {
-        match self {
+    pub fn remedy(&self) -> String {
+        let remedy = match self {
+            Self::Model(error) => return error.remedy(),
             Self::Friction => "Omit --observed, or remove the table [friction]",
             Self::NoPotential => "Omit --observed, or use another line_load or law",
             Self::Steps => "Omit --observed, or remove drive.steps",
             Self::Turn => "Omit --observed, or remove drive.turn",
-        }
+        };
+        remedy.into()
     }
 }
 
@@ -188,11 +193,15 @@ impl NoTest {
 /// limit point of U on the stable path the strip jumps at that U; where it comes to rest is found by [`crate::solve::relax()`].
 /// Errors: limit points as in [`crate::study::peel()`]; ∫ P dU against the energies in [`Balance::error`], which is at most 1e-6 or
 /// the accuracy asked for, or the test fails.
+///
+/// # Errors
+/// Where the model or the accuracy cannot be computed ([`checked`]), or has no such test.
 pub fn observed<'m, M>(model: &'m M, accuracy: &Accuracy, bounds: &Bounds) -> Result<Observed, NoTest>
 where
     PeelModel: From<&'m M>,
 {
     let model = PeelModel::from(model);
+    checked(&model, accuracy)?;
     if model.friction_law().is_some() {
         return Err(NoTest::Friction);
     }

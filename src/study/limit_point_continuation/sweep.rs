@@ -10,12 +10,13 @@ use super::continuation::{Continuation, Known, Lost, problem, search};
 use super::initial_limit_point::initial_limit_point;
 use super::result::{FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing};
 use crate::beam::FRONT;
-use crate::model::{Discretisation, Form, PeelModel};
+use crate::model::{Discretisation, Form, ModelError, PeelModel};
 use crate::solve::{BendRule, Located, Mesh, Observables, Path, SolveError, Workspace};
 use crate::study::accuracy::{ORDER, Resolution};
 use crate::study::error_bounds::{ROUND_OFF, ROUND_OFF_PLACE};
 use crate::study::initial::prepared;
-use crate::study::{Accuracy, Bounds, End, Terms, peel};
+use crate::study::refused::sentences;
+use crate::study::{Accuracy, Bounds, End, Terms, checked, peel};
 use std::time::Instant;
 
 /// Error bounds are the difference to half as many elements again times this: enough even where the error falls no faster
@@ -127,7 +128,8 @@ impl Strand {
 }
 
 /// Follows the point of `kind`, on flat ground and with no steps before the pull, over `values` of a parameter, which make their way evenly in the sense of `spacing`.
-/// `model` gives the model at a value, also at values in between; `done` is called once a value.
+/// `model` gives the model at a value, also at values in between; `done` is called once a value. A value at which the model cannot be
+/// computed ([`checked`]) has a row without the point, and a remark that says why.
 pub fn follow_point<M: Into<PeelModel>>(
     kind: PointKind,
     values: &[f64],
@@ -146,6 +148,12 @@ pub fn follow_point<M: Into<PeelModel>>(
     let mut started = Instant::now();
     while followed.rows.len() < values.len() {
         let next = followed.rows.len();
+        if let Err(error) = sweep.check(next) {
+            followed.remarks.push(Remark::NotFound { kind, value: values[next], reason: sentences(&error) });
+            followed.rows.push(empty(values[next], lap(&mut started)));
+            done();
+            continue;
+        }
         match sweep.strand(next, &mut started) {
             Ok(Some(strand)) => {
                 followed.rows.extend(sweep.rows(&strand));
@@ -191,6 +199,11 @@ struct Sweep<'a> {
 impl Sweep<'_> {
     fn coordinate(&self, index: usize) -> f64 {
         self.spacing.coordinate(self.values[index])
+    }
+
+    /// Whether the model at a value can be computed.
+    fn check(&self, index: usize) -> Result<(), ModelError> {
+        checked(&(self.model)(self.values[index]), self.accuracy)
     }
 
     fn anchor(&self, index: usize) -> Result<Option<Located>, String> {
@@ -254,6 +267,10 @@ impl Sweep<'_> {
         };
         while strand.last() + 1 < self.values.len() {
             let (index, before) = (strand.last() + 1, continuation.iterations());
+            if self.check(index).is_err() {
+                self.check_last(&mut strand);
+                break;
+            }
             match continuation.reach(self.coordinate(index)) {
                 Ok(known) => strand.newest.clone_from(known),
                 Err(lost) => {

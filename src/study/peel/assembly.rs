@@ -201,7 +201,8 @@ impl Peel {
     }
 }
 
-pub(super) fn empty(model: &PeelModel) -> Peel {
+/// A path of which there is nothing.
+pub(in crate::study) fn empty(model: &PeelModel) -> Peel {
     Peel {
         model: model.clone(),
         steps: Vec::new(),

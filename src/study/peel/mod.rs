@@ -11,6 +11,7 @@ mod slope_polishing;
 mod solution_history;
 mod step_curve;
 mod work;
+pub(super) use assembly::empty;
 pub use contact::{Contact, SMALLEST_RADIUS};
 pub(super) use equilibrium_path::is_clear;
 pub use result::*;

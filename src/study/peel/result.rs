@@ -39,7 +39,7 @@ pub enum End {
 }
 
 /// One equilibrium of the path.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PathPoint {
     /// nm
     pub displacement: f64,
@@ -108,7 +108,7 @@ pub struct Effort {
 }
 
 /// The axis of the beam at one equilibrium, sampled: x and y in nm, the rotation in rad, and the height of the section in nm.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Shape {
     pub x: Vec<f64>,
     pub y: Vec<f64>,
@@ -116,8 +116,8 @@ pub struct Shape {
     pub height: Vec<f64>,
 }
 
-/// The result of one run.
-#[derive(Clone, Debug)]
+/// The result of one run. It is written without the solutions behind its points.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Peel {
     pub model: PeelModel,
     /// The grip behind each step before the pull, as far as they were taken, seen from where it took hold.
@@ -144,6 +144,7 @@ pub struct Peel {
     /// Whether time or an interruption ended the run although it goes on, along the path or to a finer mesh.
     pub unfinished: bool,
     /// The solutions behind the points, for pictures.
+    #[serde(skip)]
     pub(in crate::study) trace: Option<SolutionHistory>,
 }
 

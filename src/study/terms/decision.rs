@@ -1,7 +1,10 @@
 //! The terms of a model, and what was decided of each.
 
+use serde::{Deserialize, Serialize};
+
 /// A term of the model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Term {
     /// The r2 terms of the adhesion.
     FarFace,
@@ -35,7 +38,8 @@ impl Term {
 }
 
 /// Which terms of the model are computed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Terms {
     /// All of them.
     #[default]
@@ -45,7 +49,7 @@ pub enum Terms {
 }
 
 /// A term that was left out, and what it would change.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LeftOut {
     pub term: Term,
     /// By how much the force (nN) and the displacement (nm) of the initiation peak would change with it; of a path without one, zero
@@ -56,18 +60,45 @@ pub struct LeftOut {
 }
 
 /// Why a term was not left out.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum KeptReason {
     /// Neglecting it would change a result by this, relative.
     Matters(f64),
     /// There is nothing less to compute without it.
     NothingSaved,
     /// Its effect cannot be estimated on a path without it; why.
-    NotTold(&'static str),
+    NotTold(NotTold),
+}
+
+/// Why the effect of a term cannot be estimated on a path without it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, thiserror::Error)]
+#[serde(rename_all = "kebab-case")]
+pub enum NotTold {
+    #[error("the path without it could not be followed")]
+    Failed,
+    #[error("with friction")]
+    Friction,
+    #[error("the ground or friction acts along them")]
+    ActsAlong,
+    #[error("the law of adhesion has no potential")]
+    NoPotential,
+    #[error("the grip rotates during the pull")]
+    Turning,
+    #[error("the path begins after other steps")]
+    Steps,
+    #[error("it alone holds the beam along the substrate")]
+    HoldsAlone,
+    #[error("the ground is deeper than a tenth of r0")]
+    Deep,
+    #[error("the grip constrains the beam in its initial equilibrium")]
+    Held,
+    #[error("the beam is not straight in its stress-free configuration")]
+    Curved,
 }
 
 /// What was decided of each term of a model.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct TermDecisions {
     pub left_out: Vec<LeftOut>,
     pub kept: Vec<(Term, KeptReason)>,

@@ -4,7 +4,7 @@
 //! number that is reported ([`super::shift`]). Bounds are widened by twice that. Where they are within the accuracy then, the path stands;
 //! else the term that changes most is put back, and the path followed again.
 
-use super::decision::{KeptReason, LeftOut, Term, TermDecisions, Terms};
+use super::decision::{KeptReason, LeftOut, NotTold, Term, TermDecisions, Terms};
 use super::first_order_change::FirstOrderChange;
 use super::section_sampling::SectionSampling;
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
@@ -49,7 +49,7 @@ impl TermSelection<'_> {
             let mut peel = self.without(&terms, started);
             iterations += peel.effort.newton_iterations;
             let Some(mut found) = self.found(&peel, &terms) else {
-                let why = KeptReason::NotTold("the path without it could not be followed");
+                let why = KeptReason::NotTold(NotTold::Failed);
                 kept.extend(terms.drain(..).map(|term| (term, why)));
                 break;
             };
@@ -65,7 +65,7 @@ impl TermSelection<'_> {
             kept.push((term, KeptReason::Matters(largest)));
             if term == Term::Friction {
                 // on a path with it a change of the force is no change of an energy
-                kept.extend(terms.drain(..).map(|term| (term, KeptReason::NotTold("with friction"))));
+                kept.extend(terms.drain(..).map(|term| (term, KeptReason::NotTold(NotTold::Friction))));
             }
         }
         let peel = whole_path::run(self.model, self.accuracy, &self.bounds_since(started), self.keeping);
@@ -106,9 +106,7 @@ impl TermSelection<'_> {
             Form::TwoField => {
                 left_out.push(LeftOut { term: Term::Horizontal, force: 0.0, displacement: 0.0, largest: 0.0 });
             }
-            Form::ThreeField => {
-                kept.push((Term::Horizontal, KeptReason::NotTold("the ground or friction acts along them")))
-            }
+            Form::ThreeField => kept.push((Term::Horizontal, KeptReason::NotTold(NotTold::ActsAlong))),
         }
         let moment = (peel.model.adhesion.line_load == LineLoad::Full).then_some(Term::ContactMoment);
         kept.extend(
@@ -130,28 +128,28 @@ fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, KeptRe
     };
     let law = model.line_law();
     let driven = if !law.has_potential() {
-        Some(KeptReason::NotTold("the law of adhesion has no potential"))
+        Some(KeptReason::NotTold(NotTold::NoPotential))
     } else if model.pull.turn != 0.0 {
-        Some(KeptReason::NotTold("the grip rotates during the pull"))
+        Some(KeptReason::NotTold(NotTold::Turning))
     } else if !model.steps.is_empty() {
-        Some(KeptReason::NotTold("the path begins after other steps"))
+        Some(KeptReason::NotTold(NotTold::Steps))
     } else {
         None
     };
     let has_friction = model.friction_law().is_some();
     if has_friction {
         let held = model.grip.horizontal == Hold::Fixed || model.pull.direction() != Direction::UP;
-        let alone = held.then_some(KeptReason::NotTold("it alone holds the beam along the substrate"));
+        let alone = held.then_some(KeptReason::NotTold(NotTold::HoldsAlone));
         consider(Term::Friction, driven.or(alone));
     }
     let substrate = &model.ground.substrate;
     if !substrate.is_flat() {
         let deep = depth(substrate, model.length()) > SHALLOW * model.adhesion.equilibrium_distance;
-        let deep = deep.then_some(KeptReason::NotTold("the ground is deeper than a tenth of r0"));
+        let deep = deep.then_some(KeptReason::NotTold(NotTold::Deep));
         let free = model.grip.rotation == Hold::Free && model.grip.horizontal == Hold::Free;
-        let held = (!free).then_some(KeptReason::NotTold("the grip constrains the beam in its initial equilibrium"));
+        let held = (!free).then_some(KeptReason::NotTold(NotTold::Held));
         let curved = !model.is_uniform();
-        let curved = curved.then_some(KeptReason::NotTold("the beam is not straight in its stress-free configuration"));
+        let curved = curved.then_some(KeptReason::NotTold(NotTold::Curved));
         consider(Term::Ground, driven.or(curved).or(deep).or(held));
     }
     if law.has_far_face() {

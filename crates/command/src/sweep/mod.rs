@@ -126,7 +126,7 @@ fn vary(args: &Sweep, scene: &Scene, key: &Key) -> Result<Vec<(f64, Scene)>, Sto
         let mut scene = scene.clone();
         let stop = |problem: Problem| Stop::bad_argument(format!("{} between --from and --to", key.path()), &problem);
         key.store_number(&mut scene, value).map_err(stop)?;
-        scene.check().map_err(|(_, problem)| stop(problem))?;
+        scene.check().map_err(|error| stop(error.into()))?;
         Ok((value, scene))
     });
     varied.collect()

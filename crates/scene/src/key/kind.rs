@@ -3,9 +3,8 @@
 use crate::quantity::Dimension;
 use crate::scene::Scene;
 use peelkit::adhesion::{LineLoad, Substrate};
-use peelkit::model::{Attraction, Hold, ProfileForm, Start, Step};
+use peelkit::model::{Attraction, Hold, ProfileForm, Range, Start, Step};
 use peelkit::study::Terms;
-use std::fmt;
 
 /// Whether a scene has to hold a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,36 +56,4 @@ pub enum Kind {
     Terms(fn(&mut Scene) -> &mut Terms),
     /// A list of motions of the grip before the pull.
     Steps(fn(&mut Scene) -> &mut Vec<Step>),
-}
-
-/// The numbers in range.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Range {
-    /// Above zero.
-    Positive,
-    /// Both ends excluded.
-    Between(f64, f64),
-    /// Both ends included.
-    From(f64, f64),
-}
-
-impl Range {
-    /// Whether the number is one of them.
-    pub(super) fn contains(self, number: f64) -> bool {
-        match self {
-            Self::Positive => number > 0.0,
-            Self::Between(low, high) => low < number && number < high,
-            Self::From(low, high) => low <= number && number <= high,
-        }
-    }
-}
-
-impl fmt::Display for Range {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::Positive => write!(f, "a number above zero"),
-            Self::Between(low, high) => write!(f, "a number between {low} and {high}, both excluded"),
-            Self::From(low, high) => write!(f, "a number from {low:e} to {high:e}"),
-        }
-    }
 }

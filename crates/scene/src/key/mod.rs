@@ -2,7 +2,8 @@
 
 mod kind;
 
-pub use kind::{Kind, Need, Range};
+pub use kind::{Kind, Need};
+pub use peelkit::model::Range;
 
 use crate::bodies::{BODIES, body_of};
 use crate::error::{Problem, one_line};
@@ -15,7 +16,7 @@ use crate::steps;
 use crate::table::{read_heights, read_profile};
 use crate::value::{Value, quoted, show};
 use peelkit::adhesion::{LineLoad, Substrate};
-use peelkit::model::{Attraction, Body, Hold, ProfileForm, Start};
+use peelkit::model::{Attraction, Body, Hold, Measured, ProfileForm, Start};
 use peelkit::study::Terms;
 use std::sync::Arc;
 
@@ -198,19 +199,13 @@ impl Key {
             Kind::Fixed(most, _) => Range::From(1.0, most as f64),
             _ => Range::Positive,
         };
-        let unit = self.unit();
-        let shown = format!("{}{}{unit}", show(number), if unit.is_empty() { "" } else { " " });
-        if !number.is_finite() {
-            return Err(Problem::new(format!("is {shown}, which is not a finite number"), self.remedy()));
-        }
-        if !range.contains(number) {
-            return Err(Problem::new(format!("is {shown}, which is out of range"), self.remedy()));
-        }
+        let found = Measured { value: number, unit: self.unit() };
+        range.check(found).map_err(|wrong| Problem::new(wrong.to_string(), self.remedy()))?;
         match self.kind {
             Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => *place(scene) = number,
             Kind::Bound(_, place) | Kind::Share(_, place) => *place(scene) = Some(number),
             Kind::Count(_) | Kind::Fixed(..) if number.fract() != 0.0 => {
-                return Err(Problem::new(format!("is {shown}, which is not whole"), self.remedy()));
+                return Err(Problem::new(format!("is {found}, which is not whole"), self.remedy()));
             }
             Kind::Count(place) => *place(scene) = number as usize,
             Kind::Fixed(_, place) => *place(scene) = Some(number as usize),

@@ -1,0 +1,216 @@
+//! What is wrong with a model.
+
+use super::{Measured, Range};
+use crate::adhesion::{Attraction, Misfit};
+use crate::model::{Step, StepError};
+
+/// What is wrong with a model: the key of a scene that gives the value, what was found, and what would be right. It reads as one
+/// sentence: "`strip.length` is 0 nm, which is out of range".
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("`{key}` {kind}")]
+pub struct ModelError {
+    key: &'static str,
+    kind: ModelErrorKind,
+}
+
+impl ModelError {
+    /// That the value of this key is as `kind` says.
+    pub const fn new(key: &'static str, kind: ModelErrorKind) -> Self {
+        Self { key, kind }
+    }
+
+    /// What a scene calls the value: "strip.length".
+    pub fn key(&self) -> &'static str {
+        self.key
+    }
+
+    /// What is wrong with it, with all numbers.
+    pub fn kind(&self) -> &ModelErrorKind {
+        &self.kind
+    }
+
+    /// The number that was found, where the value is one.
+    pub fn value(&self) -> Option<Measured> {
+        self.kind.value()
+    }
+
+    /// What was found and what is wrong with it: completes "`strip.length` ...".
+    pub fn found(&self) -> String {
+        self.kind.to_string()
+    }
+
+    /// What would be right: a sentence of its own.
+    pub fn remedy(&self) -> String {
+        self.kind.remedy()
+    }
+}
+
+/// What is wrong with a value, or with two that do not fit one another. Lengths in nm.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ModelErrorKind {
+    /// A number that is not finite.
+    #[error("is {found}, which is not a finite number")]
+    NotFinite { found: Measured, range: Range },
+    /// A number outside of its range.
+    #[error("is {found}, which is out of range")]
+    OutOfRange { found: Measured, range: Range },
+
+    /// Work of adhesion or strength beside a law that has its own.
+    #[error("belongs to a cohesive law, and the law of this scene is not cohesive")]
+    NotOfCohesiveLaw { found: Measured },
+    /// A pretension of something that is not stretched.
+    #[error(
+        "stretches a strip on a flat substrate whose grip is constrained normal to the pull direction, and this scene has none"
+    )]
+    NotStretched { found: Measured },
+
+    /// A number of friction without a shear strength.
+    #[error("belongs to a contact with friction, and this one has no strength")]
+    NoShearStrength { found: Measured },
+    /// Friction on ground that is not flat.
+    #[error("is given, and the substrate is not flat; friction requires a flat substrate")]
+    FrictionOffFlatGround { found: Measured },
+    /// Friction beside a law that is not the half space's.
+    #[error(
+        "is given beside a cohesive law; friction requires a half-space law, which defines where the face is in contact"
+    )]
+    FrictionBesideLaw { found: Measured },
+    /// A pretension of a strip that friction holds.
+    #[error("is given, and friction cannot hold the stretched strip up to an arbitrary tension")]
+    PretensionUnderFriction { found: Measured },
+
+    /// A load without a potential on ground that is not flat; what a scene calls it.
+    #[error(
+        "is \"{load}\", which has no potential: the initial equilibrium on a substrate that is not flat is not defined"
+    )]
+    NoPotentialOnGround { load: &'static str },
+    /// Ground of too many waves or radii.
+    #[error("lets the beam lie on {found:.0} waves or radii; at most {most} are resolved")]
+    TooManyDetails { found: f64, most: f64 },
+    /// Ground on which a beam lies on too many process zones.
+    #[error(
+        "is not flat, which requires small elements along the whole contact of {found:.0} process zones; at most {most} are resolved"
+    )]
+    TooManyZones { found: f64, most: f64 },
+    /// Numbers of a substrate that do not fit one another.
+    #[error("{}", .0.found)]
+    Substrate(Misfit),
+
+    /// A grip that is free to turn and has to, rad/nm.
+    #[error("is {turn} rad/nm, and `grip.rotation` is \"free\": such a grip cannot rotate the end")]
+    TurnOfFreeGrip { turn: f64 },
+    /// A grip that turns under a load without a potential.
+    #[error(
+        "rotates the grip under a load without a potential: the work of force and moment is computed as a change of energy"
+    )]
+    TurnWithoutPotential { found: Measured },
+    /// A step that turns a grip that is free to turn.
+    #[error("has the step \"{step}\", and `grip.rotation` is \"free\": such a grip cannot rotate the end")]
+    StepOfFreeGrip { step: Step },
+    /// A step that is none; steps are counted from 1.
+    #[error("has as step {number} \"{step}\", {wrong}")]
+    Step { number: usize, step: Step, wrong: StepError },
+    /// More steps than are taken.
+    #[error("has {found} steps, more than {most}")]
+    TooManySteps { found: usize, most: usize },
+    /// A pull along a strip, degrees.
+    #[error("is {degrees} degrees, along the strip, which is then only stretched or compressed")]
+    AlongStrip { degrees: f64 },
+
+    /// A spatula rounded over more than its pad.
+    #[error("is {found} nm, more than the pad is long ({pad} nm)")]
+    RoundingBeyondPad { found: f64, pad: f64 },
+    /// A spatula whose end face is wider than its tip.
+    #[error("is {found} nm, more than the tip is wide ({tip} nm)")]
+    RoundingWiderThanTip { found: f64, tip: f64 },
+    /// A spatula that bends over more than neck and shaft.
+    #[error("is {found} nm, more than neck and shaft are long ({behind} nm)")]
+    BendBeyondShaft { found: f64, behind: f64 },
+}
+
+impl ModelErrorKind {
+    /// The number that was found, where it is one.
+    pub fn value(&self) -> Option<Measured> {
+        let measured = |value, unit| Some(Measured { value, unit });
+        match *self {
+            Self::NotFinite { found, .. }
+            | Self::OutOfRange { found, .. }
+            | Self::NotOfCohesiveLaw { found }
+            | Self::NotStretched { found }
+            | Self::NoShearStrength { found }
+            | Self::FrictionOffFlatGround { found }
+            | Self::FrictionBesideLaw { found }
+            | Self::PretensionUnderFriction { found }
+            | Self::TurnWithoutPotential { found } => Some(found),
+            Self::TurnOfFreeGrip { turn } => measured(turn, "rad/nm"),
+            Self::AlongStrip { degrees } => measured(degrees, "deg"),
+            Self::RoundingBeyondPad { found, .. }
+            | Self::RoundingWiderThanTip { found, .. }
+            | Self::BendBeyondShaft { found, .. } => measured(found, "nm"),
+            Self::TooManySteps { found, .. } => measured(found as f64, ""),
+            Self::NoPotentialOnGround { .. }
+            | Self::TooManyDetails { .. }
+            | Self::TooManyZones { .. }
+            | Self::Substrate(_)
+            | Self::StepOfFreeGrip { .. }
+            | Self::Step { .. } => None,
+        }
+    }
+
+    /// What would be right: a sentence of its own.
+    pub fn remedy(&self) -> String {
+        match self {
+            Self::NotFinite { found, range } | Self::OutOfRange { found, range } if found.unit.is_empty() => {
+                format!("Give {range}.")
+            }
+            Self::NotFinite { found, range } | Self::OutOfRange { found, range } => {
+                format!("Give {range}, in {}.", found.unit)
+            }
+            Self::NotOfCohesiveLaw { .. } => {
+                let laws: Vec<String> = Attraction::cohesive().map(|law| format!("\"{}\"", law.name())).collect();
+                format!(
+                    "Give `law` = {} beside it, or remove it: hamaker_constant and equilibrium_distance define the half space.",
+                    laws.join(" or ")
+                )
+            }
+            Self::Substrate(misfit) => misfit.remedy.into(),
+            other => other.plain_remedy().into(),
+        }
+    }
+
+    /// The remedy that is the same whatever the numbers.
+    fn plain_remedy(&self) -> &'static str {
+        match self {
+            Self::NotFinite { .. } | Self::OutOfRange { .. } | Self::NotOfCohesiveLaw { .. } | Self::Substrate(_) => "",
+            Self::NotStretched { .. } => {
+                "Peel a [strip] with `horizontal = \"fixed\"` under [grip], on a flat substrate, or remove `pretension`."
+            }
+            Self::NoShearStrength { .. } => {
+                "Give `strength = \"50 MPa\"` beside it under [friction], or remove the table."
+            }
+            Self::FrictionOffFlatGround { .. } => "Remove the table [substrate] or the table [friction].",
+            Self::FrictionBesideLaw { .. } => {
+                "Use `law = \"body-force\"` or \"surface-traction\" under [adhesion], or remove the table [friction]."
+            }
+            Self::PretensionUnderFriction { .. } => "Remove `pretension` or the table [friction].",
+            Self::NoPotentialOnGround { .. } => "Use another line_load or law, or remove the table [substrate].",
+            Self::TooManyDetails { .. } => "Use a shorter strip or pad, a longer wave, or a profile with fewer rows.",
+            Self::TooManyZones { .. } => "Use a shorter or a stiffer strip or pad.",
+            Self::TurnOfFreeGrip { .. } => "Give `rotation = \"fixed\"` under [grip], or remove `turn`.",
+            Self::TurnWithoutPotential { .. } => "Use another law or line_load under [adhesion], or remove `turn`.",
+            Self::StepOfFreeGrip { .. } => "Give `rotation = \"fixed\"` under [grip], or remove the step.",
+            Self::Step { .. } => {
+                "Give lengths above zero, angles that are not zero, and \"hold\" for a step that moves nothing."
+            }
+            Self::TooManySteps { .. } => "Take fewer steps: one that is longer in place of several.",
+            Self::AlongStrip { .. } => "Pull at an angle between, above 0 and below 180 degrees: `angle = \"60 deg\"`.",
+            Self::RoundingBeyondPad { .. } => "Round the pad at most: `tip_rounding_length` not above `pad_length`.",
+            Self::RoundingWiderThanTip { .. } => {
+                "A rounded tip is narrower at its end: `tip_rounding_width` not above `tip_width`."
+            }
+            Self::BendBeyondShaft { .. } => {
+                "Let the bend end on the shaft: `bend_length` not above `neck_length` plus `shaft_length`."
+            }
+        }
+    }
+}
