@@ -13,7 +13,7 @@ mod rest;
 mod rod;
 mod section;
 mod varying;
-pub use basis::Basis;
+pub use basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, PerNode, slot};
 pub use density::{Coupling, Density, PointResponse, SectionState};
 pub use element::{Element, ElementEnergy, Responses};
 pub use front::{Front, FrontRow, Pivots};

@@ -1,6 +1,6 @@
 //! The block of an element's two ends, what condensation leaves of it: eliminated from its left end to its right.
 
-use crate::beam::Front;
+use crate::beam::{Front, Nodes};
 use crate::number::Four;
 use crate::solve::chain::{EDGE, EndRow};
 use crate::solve::{PathRow, ROOT};
@@ -16,9 +16,9 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
     /// What condensation left of element `l` of a bundle: rows and columns of the left end, the right end and the border, then
     /// the residual and the path.
     #[inline(always)]
-    pub fn block<const N: usize>(front: &Front<Four, F, N>, symmetric: bool, l: usize) -> [EndRow; EDGE] {
+    pub fn block(nodes: impl Nodes, front: &Front<Four, F>, symmetric: bool, l: usize) -> [EndRow; EDGE] {
         let mut block = [[0.0; EDGE]; EDGE];
-        let ends = [N - 2, N - 1];
+        let ends = [nodes.count() - 2, nodes.count() - 1];
         for i in 0..2 * F {
             let row = &front.rows[ends[i / F]][i % F];
             for j in 0..2 * F {
