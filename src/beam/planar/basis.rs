@@ -6,77 +6,125 @@
 use gauss_quad::{FiniteAboveNegOneF64, GaussJacobi, GaussLegendre};
 use std::num::NonZeroUsize;
 
-/// Shape functions of an element with N = p + 1 nodes on [-1, 1]. Nodes come in elimination order: the interior ones
-/// from left to right, then the left end, then the right end.
-#[derive(Clone, Debug)]
-pub struct Basis<const N: usize> {
-    /// Local coordinates of the nodes.
-    pub nodes: [f64; N],
-    /// Local coordinates of the N - 1 Gauss points; here and below the last of N entries is unused.
-    pub points: [f64; N],
-    /// Gauss weights.
-    pub weights: [f64; N],
-    /// `value[q][a]`: shape function a at point q.
-    pub value: [[f64; N]; N],
-    /// `slope[q][a]`: its derivative with respect to the local coordinate.
-    pub slope: [[f64; N]; N],
-    /// `value_of[a][q]` and `slope_of[a][q]`: the same two tables by node.
-    pub value_of: [[f64; N]; N],
-    /// See `value_of`.
-    pub slope_of: [[f64; N]; N],
-    /// `nodal_slope[b][a]`: derivative of shape function a at node b.
-    pub nodal_slope: [[f64; N]; N],
+/// The most nodes an element can have.
+pub const MOST_NODES: usize = 9;
+/// The highest order of an element.
+pub const MOST_ORDER: usize = MOST_NODES - 1;
+
+/// How many nodes an element has, p + 1: known when the program is compiled, which is faster, or when it runs.
+pub trait Nodes: Copy {
+    /// For elements of an order.
+    fn of_order(order: usize) -> Self;
+    /// N = p + 1, from 2 to [`MOST_NODES`]
+    fn count(self) -> usize;
 }
 
-impl<const N: usize> Basis<N> {
-    /// Order p of the element.
-    pub const ORDER: usize = N - 1;
+/// So many nodes.
+#[derive(Clone, Copy, Debug)]
+pub struct Fixed<const N: usize>;
 
-    /// The tables. N is at least 2.
-    pub fn new() -> Self {
-        const { assert!(N >= 2) };
-        let ascending = lobatto_nodes(Self::ORDER);
-        let mut nodes = [0.0; N];
-        for (rank, &node) in ascending.iter().enumerate() {
-            nodes[Self::slot(rank)] = node;
+/// Any number of nodes.
+#[derive(Clone, Copy, Debug)]
+pub struct AnyNumber(usize);
+
+impl<const N: usize> Nodes for Fixed<N> {
+    #[inline(always)]
+    fn of_order(order: usize) -> Self {
+        assert_eq!(order + 1, N);
+        Self
+    }
+
+    #[inline(always)]
+    fn count(self) -> usize {
+        N
+    }
+}
+
+impl Nodes for AnyNumber {
+    #[inline(always)]
+    fn of_order(order: usize) -> Self {
+        Self(order + 1)
+    }
+
+    #[inline(always)]
+    fn count(self) -> usize {
+        // so that the compiler knows it too
+        self.0.clamp(2, MOST_NODES)
+    }
+}
+
+/// Place of the node of rank `rank` (from the left, 0 to p) in the elimination order of an element of `nodes` nodes.
+#[inline(always)]
+pub fn slot(nodes: usize, rank: usize) -> usize {
+    match rank {
+        0 => nodes - 2,
+        r if r == nodes - 1 => r,
+        r => r - 1,
+    }
+}
+
+/// Shape functions of an element with N = p + 1 nodes on [-1, 1]. Nodes come in elimination order: the interior ones
+/// from left to right, then the left end, then the right end. Behind the last node and the last point the tables are zero.
+#[derive(Clone, Debug)]
+pub struct Basis {
+    /// p
+    pub order: usize,
+    /// Local coordinates of the nodes.
+    pub nodes: PerNode,
+    /// Local coordinates of the p Gauss points.
+    pub points: PerNode,
+    /// Gauss weights.
+    pub weights: PerNode,
+    /// `value[q][a]`: shape function a at point q.
+    pub value: [PerNode; MOST_NODES],
+    /// `slope[q][a]`: its derivative with respect to the local coordinate.
+    pub slope: [PerNode; MOST_NODES],
+    /// `value_of[a][q]` and `slope_of[a][q]`: the same two tables by node.
+    pub value_of: [PerNode; MOST_NODES],
+    /// See `value_of`.
+    pub slope_of: [PerNode; MOST_NODES],
+    /// `nodal_slope[b][a]`: derivative of shape function a at node b.
+    pub nodal_slope: [PerNode; MOST_NODES],
+}
+
+/// A number for each node or each point.
+pub type PerNode = [f64; MOST_NODES];
+
+impl Basis {
+    /// The tables of an order from 1 to [`MOST_ORDER`].
+    pub fn new(order: usize) -> Self {
+        let count = order + 1;
+        let zero = [[0.0; MOST_NODES]; MOST_NODES];
+        let mut nodes = [0.0; MOST_NODES];
+        for (rank, node) in lobatto_nodes(order).into_iter().enumerate() {
+            nodes[slot(count, rank)] = node;
         }
-        let mut basis = Self {
-            nodes,
-            points: [0.0; N],
-            weights: [0.0; N],
-            value: [[0.0; N]; N],
-            slope: [[0.0; N]; N],
-            value_of: [[0.0; N]; N],
-            slope_of: [[0.0; N]; N],
-            nodal_slope: [[0.0; N]; N],
-        };
-        basis.nodal_slope = nodes.map(|node| lagrange(&nodes, node).1);
-        for (q, (point, weight)) in gauss_points(Self::ORDER).into_iter().enumerate() {
+        let [points, weights] = [[0.0; MOST_NODES]; 2];
+        let [value, slope, value_of, slope_of, nodal_slope] = [zero; 5];
+        let mut basis = Self { order, nodes, points, weights, value, slope, value_of, slope_of, nodal_slope };
+        for b in 0..count {
+            basis.nodal_slope[b] = basis.sample(nodes[b]).1;
+        }
+        for (q, (point, weight)) in gauss_points(order).into_iter().enumerate() {
             basis.points[q] = point;
             basis.weights[q] = weight;
-            (basis.value[q], basis.slope[q]) = lagrange(&nodes, point);
+            (basis.value[q], basis.slope[q]) = basis.sample(point);
         }
         basis.value_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.value[q][a]));
         basis.slope_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.slope[q][a]));
         basis
     }
 
-    /// Place of the node of rank `rank` (from the left, 0 to p) in elimination order.
-    #[inline(always)]
-    pub fn slot(rank: usize) -> usize {
-        match rank {
-            0 => Self::ORDER - 1,
-            r if r == Self::ORDER => r,
-            r => r - 1,
-        }
-    }
-
     /// Derivatives at the nodes, with respect to the local coordinate, of fields given at the nodes.
     #[inline(always)]
-    pub fn differentiate<const F: usize>(&self, values: &[[f64; F]; N]) -> [[f64; F]; N] {
-        let mut slopes = [[0.0; F]; N];
-        for b in 0..N {
-            for a in 0..N {
+    pub fn differentiate<const F: usize>(
+        &self,
+        nodes: impl Nodes,
+        values: &[[f64; F]; MOST_NODES],
+    ) -> [[f64; F]; MOST_NODES] {
+        let mut slopes = [[0.0; F]; MOST_NODES];
+        for b in 0..nodes.count() {
+            for a in 0..nodes.count() {
                 for f in 0..F {
                     slopes[b][f] += self.nodal_slope[b][a] * values[a][f];
                 }
@@ -86,14 +134,19 @@ impl<const N: usize> Basis<N> {
     }
 
     /// Values and slopes of all shape functions at the local coordinate `at`.
-    pub fn sample(&self, at: f64) -> ([f64; N], [f64; N]) {
-        lagrange(&self.nodes, at)
-    }
-}
-
-impl<const N: usize> Default for Basis<N> {
-    fn default() -> Self {
-        Self::new()
+    pub fn sample(&self, at: f64) -> (PerNode, PerNode) {
+        let nodes = &self.nodes[..self.order + 1];
+        let (mut values, mut slopes) = ([0.0; MOST_NODES], [0.0; MOST_NODES]);
+        for a in 0..nodes.len() {
+            let (mut value, mut slope) = (1.0, 0.0);
+            for b in (0..nodes.len()).filter(|&b| b != a) {
+                let factor = 1.0 / (nodes[a] - nodes[b]);
+                slope = (slope * (at - nodes[b]) + value) * factor;
+                value *= (at - nodes[b]) * factor;
+            }
+            (values[a], slopes[a]) = (value, slope);
+        }
+        (values, slopes)
     }
 }
 
@@ -115,49 +168,28 @@ fn gauss_points(order: usize) -> Vec<(f64, f64)> {
     pairs
 }
 
-/// All Lagrange polynomials of `nodes` and their derivatives at `at`.
-fn lagrange<const N: usize>(nodes: &[f64; N], at: f64) -> ([f64; N], [f64; N]) {
-    let mut value = [1.0; N];
-    let mut slope = [0.0; N];
-    for a in 0..N {
-        for b in (0..N).filter(|&b| b != a) {
-            let factor = 1.0 / (nodes[a] - nodes[b]);
-            slope[a] = (slope[a] * (at - nodes[b]) + value[a]) * factor;
-            value[a] *= (at - nodes[b]) * factor;
-        }
-    }
-    (value, slope)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use approx::assert_abs_diff_eq;
 
     /// Interpolates a polynomial of degree p exactly and integrates one of degree 2p - 1 exactly.
-    fn exact<const N: usize>() {
-        let basis = Basis::<N>::new();
-        let p = N as i32 - 1;
+    fn exact(order: usize) {
+        let basis = Basis::new(order);
+        let p = order as i32;
         for at in [-0.93, 0.1, 0.77f64] {
             let (value, slope) = basis.sample(at);
-            let sum = |s: &[f64; N], k: i32| (0..N).map(|a| s[a] * basis.nodes[a].powi(k)).sum::<f64>();
+            let sum = |s: &PerNode, k: i32| (0..=order).map(|a| s[a] * basis.nodes[a].powi(k)).sum::<f64>();
             assert_abs_diff_eq!(sum(&value, p), at.powi(p), epsilon = 1e-13);
             assert_abs_diff_eq!(sum(&slope, p), f64::from(p) * at.powi(p - 1), epsilon = 1e-12);
         }
         let even = 2 * p - 2;
-        let integral: f64 = (0..N - 1).map(|q| basis.weights[q] * basis.points[q].powi(even)).sum();
+        let integral: f64 = (0..order).map(|q| basis.weights[q] * basis.points[q].powi(even)).sum();
         assert_abs_diff_eq!(integral, 2.0 / f64::from(even + 1), epsilon = 1e-13);
     }
 
     #[test]
     fn every_order_is_exact_to_its_degree() {
-        exact::<2>();
-        exact::<3>();
-        exact::<4>();
-        exact::<5>();
-        exact::<6>();
-        exact::<7>();
-        exact::<8>();
-        exact::<9>();
+        (1..=MOST_ORDER).for_each(exact);
     }
 }

@@ -1,7 +1,7 @@
 //! The element: integrates a density into its front, the matrix that elimination works on.
 
-use super::integrand::{Integrand, Point, PointEnergy};
-use super::{Basis, Coupling, Front, PointResponse};
+use super::integrand::{Integrand, Point};
+use super::{Basis, Coupling, Front, MOST_NODES, Nodes, PerNode, PointResponse};
 use crate::number::{Four, Real};
 use serde::{Deserialize, Serialize};
 
@@ -16,29 +16,36 @@ pub struct ElementEnergy {
 
 /// One element, or four side by side.
 #[derive(Clone, Copy, Debug)]
-pub struct Element<T, const F: usize, const N: usize> {
+pub struct Element<T, const F: usize> {
     /// `values[a][f]`: field f at node a, nodes in the elimination order of [`Basis`].
-    pub values: [[T; F]; N],
+    pub values: [[T; F]; MOST_NODES],
     /// S of the left end, nm
     pub from: T,
     /// Reference length, nm
     pub length: T,
     /// Where the face was (nm) and what share of its limit it carried at the end of the last step, at each Gauss point, of a
     /// density that remembers.
-    pub slips: [[T; 2]; N],
+    pub slips: [[T; 2]; MOST_NODES],
     /// The number that the whole chain shares.
     pub border: f64,
 }
 
-impl<T: Real, const F: usize, const N: usize> Element<T, F, N> {
+impl<T: Real, const F: usize> Element<T, F> {
+    /// All zero.
+    pub fn zero() -> Self {
+        let zero = T::splat(0.0);
+        let (values, slips) = ([[zero; F]; MOST_NODES], [[zero; 2]; MOST_NODES]);
+        Self { values, from: zero, length: zero, slips, border: 0.0 }
+    }
+
     /// What its density is asked at Gauss point `q`.
     #[inline(always)]
-    fn point(&self, basis: &Basis<N>, q: usize) -> Point<T, F> {
+    fn point(&self, nodes: impl Nodes, basis: &Basis, q: usize) -> Point<T, F> {
         let stretch = self.stretch();
         Point {
             place: self.from + self.length * (0.5 * (1.0 + basis.points[q])),
-            value: at_point(&self.values, &basis.value[q]),
-            slope: at_point(&self.values, &basis.slope[q]).map(|s| s * stretch),
+            value: at_point(nodes, &self.values, &basis.value[q]),
+            slope: at_point(nodes, &self.values, &basis.slope[q]).map(|s| s * stretch),
             slip: self.slips[q],
         }
     }
@@ -51,25 +58,31 @@ impl<T: Real, const F: usize, const N: usize> Element<T, F, N> {
 
     /// Weight of Gauss point `q`.
     #[inline(always)]
-    fn weight(&self, basis: &Basis<N>, q: usize) -> T {
+    fn weight(&self, basis: &Basis, q: usize) -> T {
         self.length * (0.5 * basis.weights[q])
     }
 }
 
-/// What the density answered at each Gauss point: room for [`Element::integrate`].
-pub type Responses<const F: usize, const N: usize> = [PointResponse<Four, F>; N];
+/// Room for [`Element::integrate`]: what the density is asked and what it answers at each Gauss point, and of one of its blocks
+/// of second derivatives what the responses are times their weights.
+#[derive(Clone, Debug)]
+pub struct Responses<const F: usize> {
+    points: [Point<Four, F>; MOST_NODES],
+    responses: [PointResponse<Four, F>; MOST_NODES],
+    weighted: Weighted,
+}
 
-impl<const F: usize, const N: usize> Element<Four, F, N> {
-    /// All its Gauss points; the last of N is a repetition.
-    #[inline(always)]
-    fn points(&self, basis: &Basis<N>) -> [Point<Four, F>; N] {
-        let mut points = [self.point(basis, 0); N];
-        for q in 1..N - 1 {
-            points[q] = self.point(basis, q);
-        }
-        points
+/// Second derivatives by two fields at each Gauss point: of values by values, values by slopes, slopes by values, slopes by slopes.
+type Weighted = [[Four; MOST_NODES]; 4];
+
+impl<const F: usize> Default for Responses<F> {
+    fn default() -> Self {
+        let weighted = [[Four::splat(0.0); MOST_NODES]; 4];
+        Self { points: [Point::zero(); MOST_NODES], responses: [PointResponse::zero(); MOST_NODES], weighted }
     }
+}
 
+impl<const F: usize> Element<Four, F> {
     /// Integrates into a front; returns the energy and its share from adhesion.
     ///
     /// The path row becomes `path_weight` times the gradient of the adhesion energy. Everything in the front is overwritten,
@@ -77,27 +90,32 @@ impl<const F: usize, const N: usize> Element<Four, F, N> {
     #[inline(always)]
     pub fn integrate<const BORDER: bool>(
         &self,
+        nodes: impl Nodes,
         (density, coupling): (&dyn Integrand<F>, &Coupling<F>),
-        basis: &Basis<N>,
+        basis: &Basis,
         symmetric: bool,
         path_weight: f64,
-        responses: &mut Responses<F, N>,
-        front: &mut Front<Four, F, N>,
+        room: &mut Responses<F>,
+        front: &mut Front<Four, F>,
     ) -> (Four, Four) {
         let zero = Four::splat(0.0);
         let stretch = self.stretch();
         let (mut energy, mut adhesion) = (zero, zero);
-        density.respond(&self.points(basis)[..N - 1], self.border, responses);
-        front.clear_gradient();
-        for q in 0..N - 1 {
+        let Responses { points, responses, weighted } = room;
+        for q in 0..nodes.count() - 1 {
+            points[q] = self.point(nodes, basis, q);
+        }
+        density.respond(&points[..nodes.count() - 1], self.border, responses);
+        front.clear_gradient(nodes);
+        for q in 0..nodes.count() - 1 {
             let (r, once) = (&responses[q], self.weight(basis, q));
             // a slope carries the factor 2/length once as a column and once as a row
             let twice = once * stretch;
             energy = energy + r.energy * once;
             adhesion = adhesion + r.adhesion * once;
-            front.add_gradient::<BORDER>(r, basis, q, (once, twice), path_weight);
+            front.add_gradient::<BORDER>(nodes, r, basis, q, (once, twice), path_weight);
         }
-        self.assemble(coupling, basis, symmetric, responses, front);
+        self.assemble(nodes, coupling, basis, symmetric, responses, weighted, front);
         (energy, adhesion)
     }
 
@@ -106,20 +124,19 @@ impl<const F: usize, const N: usize> Element<Four, F, N> {
     #[inline(always)]
     fn assemble(
         &self,
+        nodes: impl Nodes,
         coupling: &Coupling<F>,
-        basis: &Basis<N>,
+        basis: &Basis,
         symmetric: bool,
-        responses: &Responses<F, N>,
-        front: &mut Front<Four, F, N>,
+        responses: &[PointResponse<Four, F>; MOST_NODES],
+        weighted: &mut Weighted,
+        front: &mut Front<Four, F>,
     ) {
         let stretch = self.stretch();
         for f in 0..F {
             for g in 0..F {
-                let (vv, vs) = (coupling.value_value[f][g], coupling.value_slope[f][g]);
-                let (sv, ss) = (coupling.value_slope[g][f], coupling.slope_slope[f][g]);
-                let zero = [Four::splat(0.0); N];
-                let [mut value_value, mut value_slope, mut slope_value, mut slope_slope] = [zero; 4];
-                for q in 0..N - 1 {
+                let [value_value, value_slope, slope_value, slope_slope] = &mut *weighted;
+                for q in 0..nodes.count() - 1 {
                     let (r, once) = (&responses[q], self.weight(basis, q));
                     let twice = once * stretch;
                     value_value[q] = r.value_value[f][g] * once;
@@ -127,38 +144,30 @@ impl<const F: usize, const N: usize> Element<Four, F, N> {
                     slope_value[q] = r.slope_value[f][g] * twice;
                     slope_slope[q] = r.slope_slope[f][g] * twice * stretch;
                 }
-                for a in 0..N {
-                    // what row a puts on the unknown's values and on its slopes
-                    let on_value = mixed(basis, a, vv.then_some(&value_value), sv.then_some(&slope_value));
-                    let on_slope = mixed(basis, a, vs.then_some(&value_slope), ss.then_some(&slope_slope));
-                    for b in if symmetric { a } else { 0 }..N {
-                        // two sums, so that one need not wait for the other
-                        let (mut by_value, mut by_slope) = (Four::splat(0.0), Four::splat(0.0));
-                        for q in 0..N - 1 {
-                            if vv || sv {
-                                by_value = by_value + on_value[q] * basis.value_of[b][q];
-                            }
-                            if vs || ss {
-                                by_slope = by_slope + on_slope[q] * basis.slope_of[b][q];
-                            }
-                        }
-                        front.rows[a][f].fields[b][g] = by_value + by_slope;
-                    }
-                }
+                let block = Block {
+                    value_value: coupling.value_value[f][g].then_some(&*value_value),
+                    value_slope: coupling.value_slope[f][g].then_some(&*value_slope),
+                    slope_value: coupling.value_slope[g][f].then_some(&*slope_value),
+                    slope_slope: coupling.slope_slope[f][g].then_some(&*slope_slope),
+                };
+                block.assemble(nodes, basis, symmetric, (f, g), front);
             }
         }
     }
 
     /// Energy, its share from adhesion, and how that changes along `direction`, a change of the fields.
     #[inline(always)]
-    pub fn energy(&self, density: &dyn Integrand<F>, basis: &Basis<N>, direction: &[[Four; F]; N]) -> [Four; 3] {
-        let zero = Four::splat(0.0);
-        let mut energies = [PointEnergy { energy: zero, adhesion: zero, adhesion_by_value: [zero; F] }; N];
-        density.sum_up(&self.points(basis)[..N - 1], self.border, &mut energies);
-        let mut sums = [zero; 3];
-        for q in 0..N - 1 {
-            let (r, weight) = (&energies[q], self.weight(basis, q));
-            let change = at_point(direction, &basis.value[q]);
+    pub fn energy(
+        &self,
+        nodes: impl Nodes,
+        density: &dyn Integrand<F>,
+        basis: &Basis,
+        direction: &[[Four; F]; MOST_NODES],
+    ) -> [Four; 3] {
+        let mut sums = [Four::splat(0.0); 3];
+        for q in 0..nodes.count() - 1 {
+            let (r, weight) = (density.energy_at(&self.point(nodes, basis, q), self.border), self.weight(basis, q));
+            let change = at_point(nodes, direction, &basis.value[q]);
             sums[0] = sums[0] + r.energy * weight;
             sums[1] = sums[1] + r.adhesion * weight;
             for f in 0..F {
@@ -169,15 +178,16 @@ impl<const F: usize, const N: usize> Element<Four, F, N> {
     }
 }
 
-impl<const F: usize, const N: usize> Element<f64, F, N> {
+impl<const F: usize> Element<f64, F> {
     /// The gradient of the energy, node by node: the forces that hold the element in place.
-    pub fn forces(&self, density: &dyn Integrand<F>, basis: &Basis<N>) -> [[f64; F]; N] {
-        let mut forces = [[0.0; F]; N];
-        for q in 0..N - 1 {
-            let (r, weight) = (density.respond_at(&self.point(basis, q), self.border), self.weight(basis, q));
+    #[inline(always)]
+    pub fn forces(&self, nodes: impl Nodes, density: &dyn Integrand<F>, basis: &Basis) -> [[f64; F]; MOST_NODES] {
+        let mut forces = [[0.0; F]; MOST_NODES];
+        for q in 0..nodes.count() - 1 {
+            let (g, weight) = (density.gradient_at(&self.point(nodes, basis, q), self.border), self.weight(basis, q));
             for f in 0..F {
-                let (on_value, on_slope) = (r.by_value[f] * weight, r.by_slope[f] * weight * self.stretch());
-                for a in 0..N {
+                let (on_value, on_slope) = (g.by_value[f] * weight, g.by_slope[f] * weight * self.stretch());
+                for a in 0..nodes.count() {
                     forces[a][f] = forces[a][f] + on_value * basis.value[q][a] + on_slope * basis.slope[q][a];
                 }
             }
@@ -186,12 +196,17 @@ impl<const F: usize, const N: usize> Element<f64, F, N> {
     }
 
     /// The gradient of the adhesion energy, node by node.
-    pub fn adhesion_forces(&self, density: &dyn Integrand<F>, basis: &Basis<N>) -> [[f64; F]; N] {
-        let mut forces = [[0.0; F]; N];
-        for q in 0..N - 1 {
-            let (r, weight) = (density.respond_at(&self.point(basis, q), self.border), self.weight(basis, q));
+    pub fn adhesion_forces(
+        &self,
+        nodes: impl Nodes,
+        density: &dyn Integrand<F>,
+        basis: &Basis,
+    ) -> [[f64; F]; MOST_NODES] {
+        let mut forces = [[0.0; F]; MOST_NODES];
+        for q in 0..nodes.count() - 1 {
+            let (r, weight) = (density.gradient_at(&self.point(nodes, basis, q), self.border), self.weight(basis, q));
             for f in 0..F {
-                for a in 0..N {
+                for a in 0..nodes.count() {
                     forces[a][f] += r.adhesion_by_value[f] * weight * basis.value[q][a];
                 }
             }
@@ -200,17 +215,18 @@ impl<const F: usize, const N: usize> Element<f64, F, N> {
     }
 
     /// The derivative of the energy by the border.
-    pub fn border_force(&self, density: &dyn Integrand<F>, basis: &Basis<N>) -> f64 {
-        let force = |q: usize| density.respond_at(&self.point(basis, q), self.border).by_border * self.weight(basis, q);
-        (0..N - 1).map(force).sum()
+    pub fn border_force(&self, nodes: impl Nodes, density: &dyn Integrand<F>, basis: &Basis) -> f64 {
+        let force =
+            |q: usize| density.gradient_at(&self.point(nodes, basis, q), self.border).by_border * self.weight(basis, q);
+        (0..nodes.count() - 1).map(force).sum()
     }
 }
 
 /// Fields at a point, from nodal values and the shape functions there.
 #[inline(always)]
-fn at_point<T: Real, const F: usize, const N: usize>(values: &[[T; F]; N], shape: &[f64; N]) -> [T; F] {
+fn at_point<T: Real, const F: usize>(nodes: impl Nodes, values: &[[T; F]; MOST_NODES], shape: &PerNode) -> [T; F] {
     let mut sum = [T::splat(0.0); F];
-    for a in 0..N {
+    for a in 0..nodes.count() {
         for f in 0..F {
             sum[f] = sum[f] + values[a][f] * shape[a];
         }
@@ -220,14 +236,15 @@ fn at_point<T: Real, const F: usize, const N: usize>(values: &[[T; F]; N], shape
 
 /// At each Gauss point, shape function `a` times one weight and its slope times another, as far as there are any.
 #[inline(always)]
-fn mixed<T: Real, const N: usize>(
-    basis: &Basis<N>,
+fn mixed<T: Real>(
+    nodes: impl Nodes,
+    basis: &Basis,
     a: usize,
-    by_value: Option<&[T; N]>,
-    by_slope: Option<&[T; N]>,
-) -> [T; N] {
-    let mut sum = [T::splat(0.0); N];
-    for q in 0..N - 1 {
+    by_value: Option<&[T; MOST_NODES]>,
+    by_slope: Option<&[T; MOST_NODES]>,
+) -> [T; MOST_NODES] {
+    let mut sum = [T::splat(0.0); MOST_NODES];
+    for q in 0..nodes.count() - 1 {
         let (value, slope) = (basis.value_of[a][q], basis.slope_of[a][q]);
         match (by_value, by_slope) {
             (Some(v), Some(s)) => sum[q] = v[q] * value + s[q] * slope,
@@ -237,4 +254,63 @@ fn mixed<T: Real, const N: usize>(
         }
     }
     sum
+}
+
+/// What is weighted of the second derivatives by two fields, as far as there are any.
+struct Block<'a> {
+    value_value: Option<&'a [Four; MOST_NODES]>,
+    value_slope: Option<&'a [Four; MOST_NODES]>,
+    slope_value: Option<&'a [Four; MOST_NODES]>,
+    slope_slope: Option<&'a [Four; MOST_NODES]>,
+}
+
+impl Block<'_> {
+    /// Writes the columns of field `g` into the rows of field `f`.
+    #[inline(always)]
+    fn assemble<const F: usize>(
+        &self,
+        nodes: impl Nodes,
+        basis: &Basis,
+        symmetric: bool,
+        fields: (usize, usize),
+        front: &mut Front<Four, F>,
+    ) {
+        let on_value = self.value_value.is_some() || self.slope_value.is_some();
+        let on_slope = self.value_slope.is_some() || self.slope_slope.is_some();
+        match (on_value, on_slope) {
+            (true, true) => self.rows::<true, true, F>(nodes, basis, symmetric, fields, front),
+            (true, false) => self.rows::<true, false, F>(nodes, basis, symmetric, fields, front),
+            (false, true) => self.rows::<false, true, F>(nodes, basis, symmetric, fields, front),
+            (false, false) => self.rows::<false, false, F>(nodes, basis, symmetric, fields, front),
+        }
+    }
+
+    #[inline(always)]
+    fn rows<const ON_VALUE: bool, const ON_SLOPE: bool, const F: usize>(
+        &self,
+        nodes: impl Nodes,
+        basis: &Basis,
+        symmetric: bool,
+        (f, g): (usize, usize),
+        front: &mut Front<Four, F>,
+    ) {
+        for a in 0..nodes.count() {
+            // what row a puts on the unknown's values and on its slopes
+            let on_value = mixed(nodes, basis, a, self.value_value, self.slope_value);
+            let on_slope = mixed(nodes, basis, a, self.value_slope, self.slope_slope);
+            for b in if symmetric { a } else { 0 }..nodes.count() {
+                // two sums, so that one need not wait for the other
+                let (mut by_value, mut by_slope) = (Four::splat(0.0), Four::splat(0.0));
+                for q in 0..nodes.count() - 1 {
+                    if ON_VALUE {
+                        by_value = by_value + on_value[q] * basis.value_of[b][q];
+                    }
+                    if ON_SLOPE {
+                        by_slope = by_slope + on_slope[q] * basis.slope_of[b][q];
+                    }
+                }
+                front.rows[a][f].fields[b][g] = by_value + by_slope;
+            }
+        }
+    }
 }

@@ -1,13 +1,13 @@
 //! The front of an element: its tangent with all that elimination takes along.
 
-use super::{Basis, PointResponse};
+use super::{Basis, MOST_NODES, Nodes, PointResponse};
 use crate::number::Real;
 
 /// One row: an equation, with a column for each unknown.
 #[derive(Clone, Copy, Debug)]
-pub struct FrontRow<T, const F: usize, const N: usize> {
+pub struct FrontRow<T, const F: usize> {
     /// Columns of the fields, node by node in the elimination order of [`Basis`].
-    pub fields: [[T; F]; N],
+    pub fields: [[T; F]; MOST_NODES],
     /// Column of the border.
     pub border: T,
     /// Column of the gradient.
@@ -17,13 +17,13 @@ pub struct FrontRow<T, const F: usize, const N: usize> {
 /// The tangent of one element of N nodes and F fields, or of four side by side, with the gradient, the border's row and column,
 /// and one more row that carries a functional along.
 #[derive(Clone, Copy, Debug)]
-pub struct Front<T, const F: usize, const N: usize> {
+pub struct Front<T, const F: usize> {
     /// `rows[a][f]`: the equation of field f at node a.
-    pub rows: [[FrontRow<T, F, N>; F]; N],
+    pub rows: [[FrontRow<T, F>; F]; MOST_NODES],
     /// The equation of the border; unused where there is none.
-    pub border: FrontRow<T, F, N>,
+    pub border: FrontRow<T, F>,
     /// The functional, and its value in the column of the gradient.
-    pub path: FrontRow<T, F, N>,
+    pub path: FrontRow<T, F>,
 }
 
 /// What elimination reports of its pivots.
@@ -35,11 +35,11 @@ pub struct Pivots<T> {
     pub negative: T,
 }
 
-impl<T: Real, const F: usize, const N: usize> FrontRow<T, F, N> {
+impl<T: Real, const F: usize> FrontRow<T, F> {
     #[inline(always)]
     fn zero() -> Self {
         let zero = T::splat(0.0);
-        Self { fields: [[zero; F]; N], border: zero, residual: zero }
+        Self { fields: [[zero; F]; MOST_NODES], border: zero, residual: zero }
     }
 
     #[inline(always)]
@@ -49,9 +49,15 @@ impl<T: Real, const F: usize, const N: usize> FrontRow<T, F, N> {
 
     /// Takes off multiples of pivot rows, in the columns from `from` on.
     #[inline(always)]
-    fn reduce<const BORDER: bool, const ROWS: usize>(&mut self, rows: [&Self; ROWS], factors: [T; ROWS], from: usize) {
+    fn reduce<const BORDER: bool, const ROWS: usize>(
+        &mut self,
+        nodes: impl Nodes,
+        rows: [&Self; ROWS],
+        factors: [T; ROWS],
+        from: usize,
+    ) {
         let columns = self.fields.as_flattened_mut();
-        for j in from..F * N {
+        for j in from..F * nodes.count() {
             let mut sum = columns[j];
             for r in 0..ROWS {
                 sum = sum - rows[r].column(j) * factors[r];
@@ -78,19 +84,19 @@ impl<T: Real> Pivots<T> {
     }
 }
 
-impl<T: Real, const F: usize, const N: usize> Front<T, F, N> {
+impl<T: Real, const F: usize> Front<T, F> {
     /// All zero.
     #[inline(always)]
     pub fn zero() -> Self {
         let row = FrontRow::zero();
-        Self { rows: [[row; F]; N], border: row, path: row }
+        Self { rows: [[row; F]; MOST_NODES], border: row, path: row }
     }
 
     /// Clears what [`Self::add_gradient`] adds to.
     #[inline(always)]
-    pub(super) fn clear_gradient(&mut self) {
+    pub(super) fn clear_gradient(&mut self, nodes: impl Nodes) {
         let zero = T::splat(0.0);
-        for row in self.rows.as_flattened_mut() {
+        for row in &mut self.rows.as_flattened_mut()[..F * nodes.count()] {
             (row.border, row.residual) = (zero, zero);
         }
         (self.border, self.path) = (FrontRow::zero(), FrontRow::zero());
@@ -100,8 +106,9 @@ impl<T: Real, const F: usize, const N: usize> Front<T, F, N> {
     #[inline(always)]
     pub(super) fn add_gradient<const BORDER: bool>(
         &mut self,
+        nodes: impl Nodes,
         r: &PointResponse<T, F>,
-        basis: &Basis<N>,
+        basis: &Basis,
         q: usize,
         (once, twice): (T, T),
         path_weight: f64,
@@ -109,7 +116,7 @@ impl<T: Real, const F: usize, const N: usize> Front<T, F, N> {
         for f in 0..F {
             let (on_value, on_slope) = (r.by_value[f] * once, r.by_slope[f] * twice);
             let on_path = r.adhesion_by_value[f] * once * path_weight;
-            for a in 0..N {
+            for a in 0..nodes.count() {
                 let (value, slope) = (basis.value[q][a], basis.slope[q][a]);
                 let row = &mut self.rows[a][f];
                 row.residual = row.residual + on_value * value + on_slope * slope;
@@ -130,45 +137,57 @@ impl<T: Real, const F: usize, const N: usize> Front<T, F, N> {
     /// Eliminates the interior nodes, without pivoting; each pivot is replaced by one over it. Where the tangent is
     /// `symmetric`, nothing below its diagonal is looked at.
     #[inline(always)]
-    pub fn condense<const BORDER: bool>(&mut self, symmetric: bool) -> Pivots<T> {
+    pub fn condense<const BORDER: bool>(&mut self, nodes: impl Nodes, symmetric: bool) -> Pivots<T> {
         let mut pivots = Pivots { least: T::splat(f64::INFINITY), negative: T::splat(0.0) };
-        let inside = F * (N - 2);
+        let inside = F * (nodes.count() - 2);
         // two at a time: half as often every number below is read and written
         for k in (0..inside - inside % 2).step_by(2) {
-            self.eliminate_two::<BORDER>(k, symmetric, &mut pivots);
+            self.eliminate_two::<BORDER>(nodes, k, symmetric, &mut pivots);
         }
         if inside % 2 == 1 {
-            self.eliminate_one::<BORDER>(inside - 1, symmetric, &mut pivots);
+            self.eliminate_one::<BORDER>(nodes, inside - 1, symmetric, &mut pivots);
         }
         pivots
     }
 
     #[inline(always)]
-    fn eliminate_one<const BORDER: bool>(&mut self, k: usize, symmetric: bool, pivots: &mut Pivots<T>) {
-        let (done, rest) = self.rows.as_flattened_mut().split_at_mut(k + 1);
+    fn eliminate_one<const BORDER: bool>(
+        &mut self,
+        nodes: impl Nodes,
+        k: usize,
+        symmetric: bool,
+        pivots: &mut Pivots<T>,
+    ) {
+        let (done, rest) = self.rows.as_flattened_mut()[..F * nodes.count()].split_at_mut(k + 1);
         let pivot_row = &mut done[k];
         let inverse = pivots.invert(pivot_row.column(k));
         for (i, row) in (k + 1..).zip(rest) {
             let (entry, from) = if symmetric { (pivot_row.column(i), i) } else { (row.column(k), k + 1) };
-            row.reduce::<BORDER, 1>([pivot_row], [entry * inverse], from);
+            row.reduce::<BORDER, 1>(nodes, [pivot_row], [entry * inverse], from);
         }
         for row in [BORDER.then_some(&mut self.border), Some(&mut self.path)].into_iter().flatten() {
-            row.reduce::<BORDER, 1>([pivot_row], [row.column(k) * inverse], k + 1);
+            row.reduce::<BORDER, 1>(nodes, [pivot_row], [row.column(k) * inverse], k + 1);
         }
         pivot_row.fields.as_flattened_mut()[k] = inverse;
     }
 
     #[inline(always)]
-    fn eliminate_two<const BORDER: bool>(&mut self, k: usize, symmetric: bool, pivots: &mut Pivots<T>) {
-        let (done, rest) = self.rows.as_flattened_mut().split_at_mut(k + 2);
+    fn eliminate_two<const BORDER: bool>(
+        &mut self,
+        nodes: impl Nodes,
+        k: usize,
+        symmetric: bool,
+        pivots: &mut Pivots<T>,
+    ) {
+        let (done, rest) = self.rows.as_flattened_mut()[..F * nodes.count()].split_at_mut(k + 2);
         let (first, second) = done.split_at_mut(k + 1);
         let (first, second) = (&mut first[k], &mut second[0]);
         let inverse = pivots.invert(first.column(k));
         let coupling = first.column(k + 1);
         let entry = if symmetric { coupling } else { second.column(k) };
-        second.reduce::<BORDER, 1>([first], [entry * inverse], k + 1);
+        second.reduce::<BORDER, 1>(nodes, [first], [entry * inverse], k + 1);
         let next = pivots.invert(second.column(k + 1));
-        let factors = |row: &FrontRow<T, F, N>| {
+        let factors = |row: &FrontRow<T, F>| {
             let factor = row.column(k) * inverse;
             [factor, (row.column(k + 1) - coupling * factor) * next]
         };
@@ -178,10 +197,10 @@ impl<T: Real, const F: usize, const N: usize> Front<T, F, N> {
             } else {
                 (factors(row), k + 2)
             };
-            row.reduce::<BORDER, 2>([first, second], factors, from);
+            row.reduce::<BORDER, 2>(nodes, [first, second], factors, from);
         }
         for row in [BORDER.then_some(&mut self.border), Some(&mut self.path)].into_iter().flatten() {
-            row.reduce::<BORDER, 2>([first, second], factors(row), k + 2);
+            row.reduce::<BORDER, 2>(nodes, [first, second], factors(row), k + 2);
         }
         first.fields.as_flattened_mut()[k] = inverse;
         second.fields.as_flattened_mut()[k + 1] = next;

@@ -21,6 +21,15 @@ pub struct Point<T, const F: usize> {
     pub slip: [T; 2],
 }
 
+impl<T: Real, const F: usize> Point<T, F> {
+    /// All zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        let zero = T::splat(0.0);
+        Self { place: zero, value: [zero; F], slope: [zero; F], slip: [zero; 2] }
+    }
+}
+
 /// The energies at a point, per length.
 #[derive(Clone, Copy, Debug)]
 pub struct PointEnergy<T, const F: usize> {
@@ -30,6 +39,19 @@ pub struct PointEnergy<T, const F: usize> {
     pub adhesion: T,
     /// ∂(adhesion)/∂field
     pub adhesion_by_value: [T; F],
+}
+
+/// The first derivatives of the energies at a point, per length.
+#[derive(Clone, Copy, Debug)]
+pub struct PointGradient<const F: usize> {
+    /// ∂φ/∂field
+    pub by_value: [f64; F],
+    /// ∂φ/∂field'
+    pub by_slope: [f64; F],
+    /// ∂(adhesion)/∂field
+    pub adhesion_by_value: [f64; F],
+    /// ∂φ/∂border
+    pub by_border: f64,
 }
 
 /// A [`Density`] without its type: every density is one.
@@ -44,10 +66,12 @@ pub trait Integrand<const F: usize>: Send + Sync {
     fn is_symmetric(&self) -> bool;
     /// The responses at some points, with the traction that remembers; as many of them as there are points.
     fn respond(&self, points: &[Point<Four, F>], border: f64, responses: &mut [PointResponse<Four, F>]);
-    /// The energies alone, likewise.
-    fn sum_up(&self, points: &[Point<Four, F>], border: f64, energies: &mut [PointEnergy<Four, F>]);
-    /// The response at one point, with the traction that remembers.
-    fn respond_at(&self, point: &Point<f64, F>, border: f64) -> PointResponse<f64, F>;
+    /// The energies alone, at one point.
+    fn energy_at(&self, point: &Point<Four, F>, border: f64) -> PointEnergy<Four, F>;
+    /// The first derivatives at one point, with the traction that remembers.
+    fn gradient_at(&self, point: &Point<f64, F>, border: f64) -> PointGradient<F>;
+    /// Adhesion energy per length with these fields, nN
+    fn adhesion_at(&self, place: f64, value: [f64; F], border: f64) -> f64;
     /// [`Density::remembered`]
     fn remembered(&self, place: f64, value: [f64; F], before: Slip) -> (Slip, f64);
     /// [`Density::section_state`]
@@ -77,12 +101,17 @@ impl<D: Density<F>, const F: usize> Integrand<F> for D {
         respond(self, points, border, responses);
     }
 
-    fn sum_up(&self, points: &[Point<Four, F>], border: f64, energies: &mut [PointEnergy<Four, F>]) {
-        sum_up(self, points, border, energies);
+    fn energy_at(&self, point: &Point<Four, F>, border: f64) -> PointEnergy<Four, F> {
+        energy_at(self, point, border)
     }
 
-    fn respond_at(&self, point: &Point<f64, F>, border: f64) -> PointResponse<f64, F> {
-        response(self, point, border)
+    fn gradient_at(&self, point: &Point<f64, F>, border: f64) -> PointGradient<F> {
+        let PointResponse { by_value, by_slope, adhesion_by_value, by_border, .. } = response(self, point, border);
+        PointGradient { by_value, by_slope, adhesion_by_value, by_border }
+    }
+
+    fn adhesion_at(&self, place: f64, value: [f64; F], border: f64) -> f64 {
+        self.response(place, value, [0.0; F], border).adhesion
     }
 
     fn remembered(&self, place: f64, value: [f64; F], before: Slip) -> (Slip, f64) {
@@ -125,16 +154,9 @@ fn respond<D: Density<F>, const F: usize>(
     }
 }
 
-/// [`Integrand::sum_up`], likewise.
+/// [`Integrand::energy_at`], likewise.
 #[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
-fn sum_up<D: Density<F>, const F: usize>(
-    density: &D,
-    points: &[Point<Four, F>],
-    border: f64,
-    energies: &mut [PointEnergy<Four, F>],
-) {
-    for (point, out) in points.iter().zip(energies) {
-        let PointResponse { energy, adhesion, adhesion_by_value, .. } = response(density, point, border);
-        *out = PointEnergy { energy, adhesion, adhesion_by_value };
-    }
+fn energy_at<D: Density<F>, const F: usize>(density: &D, point: &Point<Four, F>, border: f64) -> PointEnergy<Four, F> {
+    let PointResponse { energy, adhesion, adhesion_by_value, .. } = response(density, point, border);
+    PointEnergy { energy, adhesion, adhesion_by_value }
 }

@@ -20,7 +20,7 @@ const COUNTS: f64 = 1e-8;
 
 /// u (nm) and P (nN) on a step, as polynomials of a local coordinate on [-1, 1].
 pub(in crate::study) struct StepCurve {
-    basis: Basis<NODES>,
+    basis: Basis,
     displacements: [f64; NODES],
     forces: [f64; NODES],
 }
@@ -76,7 +76,7 @@ impl StepCurve {
         [(from, start), (to, end)]: [(f64, &Solution); 2],
         ws: &mut Workspace,
     ) -> Self {
-        let basis = Basis::new();
+        let basis = Basis::new(NODES - 1);
         let (left, right) = (NODES - 2, NODES - 1);
         let mut at = [(0.0, 0.0); NODES];
         let of = |o: &Observables| (o.displacement, o.force);
@@ -97,7 +97,7 @@ impl StepCurve {
     /// Whether the polynomials through all nodes but the middle one miss that, by a share of what changes on the step and by more
     /// than work counts, in units of `scale`, aJ.
     fn is_uncertain(&self, scale: f64) -> bool {
-        let places: [f64; NODES] = self.basis.nodes;
+        let places = &self.basis.nodes;
         let middle = (0..NODES).min_by(|&a, &b| places[a].abs().total_cmp(&places[b].abs())).unwrap_or(0);
         let others: Vec<usize> = (0..NODES).filter(|&node| node != middle).collect();
         let weights = lagrange_weights(&others.iter().map(|&node| places[node]).collect::<Vec<_>>(), places[middle]);
@@ -115,7 +115,7 @@ impl StepCurve {
     /// (u, u', P, P') at a local coordinate.
     pub fn at(&self, place: f64) -> (f64, f64, f64, f64) {
         let (value, slope) = self.basis.sample(place);
-        let mixed = |weights: &[f64; NODES], values: &[f64; NODES]| -> f64 {
+        let mixed = |weights: &[f64], values: &[f64; NODES]| -> f64 {
             weights.iter().zip(values).map(|(weight, value)| weight * value).sum()
         };
         let (u, p) = (&self.displacements, &self.forces);

@@ -1,26 +1,26 @@
 //! The way back through an eliminated chain, from the right end to the left.
 
-use super::{BUNDLE, Fronts, UniformChain};
+use super::{BUNDLE, Kept, UniformChain};
 use crate::beam::planar::chain::EDGE;
-use crate::beam::{Basis, ChainFactors, Front};
+use crate::beam::{ChainFactors, Front, Nodes, slot};
 use crate::number::Four;
 
 /// [`UniformChain::go_back`] compiled for the vector units that the machine may have, chosen when it runs.
 #[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
-pub(super) fn back<const F: usize, const N: usize>(
-    chain: &UniformChain<F, N>,
+pub(super) fn back<N: Nodes, const F: usize>(
+    chain: &UniformChain<F>,
     work: &ChainFactors,
     root: &[f64],
     scale: f64,
     out: &mut [f64],
 ) {
-    chain.go_back(work, root, scale, out);
+    chain.go_back(N::of_order(chain.basis.order), work, root, scale, out);
 }
 
-impl<const F: usize, const N: usize> UniformChain<F, N> {
+impl<const F: usize> UniformChain<F> {
     #[inline(always)]
-    fn go_back(&self, work: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]) {
-        let elements = work.ends.len() / F;
+    fn go_back(&self, nodes: impl Nodes, work: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]) {
+        let (elements, order) = (work.ends.len() / F, nodes.count() - 1);
         let has_border = self.density.has_border();
         let border = if has_border { root[F] } else { 0.0 };
         // places of the border, and of the residual behind all unknowns, in the block of the ends
@@ -29,7 +29,7 @@ impl<const F: usize, const N: usize> UniformChain<F, N> {
         let mut x = [0.0; EDGE];
         x[F..F + F].copy_from_slice(&root[..F]);
         x[border_at] = border;
-        out[elements * Self::ORDER * F..].copy_from_slice(&root[..F]);
+        out[elements * order * F..].copy_from_slice(&root[..F]);
         for e in (0..elements).rev() {
             for k in (0..F).rev() {
                 let row = &work.ends[e * F + k];
@@ -39,14 +39,14 @@ impl<const F: usize, const N: usize> UniformChain<F, N> {
                 }
                 x[k] = sum * row[k];
             }
-            out[e * Self::ORDER * F..][..F].copy_from_slice(&x[..F]);
+            out[e * order * F..][..F].copy_from_slice(&x[..F]);
             for f in 0..F {
                 x[F + f] = x[f];
             }
         }
-        let fronts = work.fronts.as_ref().and_then(|fronts| fronts.downcast_ref::<Fronts<F, N>>());
-        for (bundle, front) in fronts.expect("work comes from an elimination of this chain").iter().enumerate() {
-            self.back_inside(front, bundle * BUNDLE, elements, border, scale, out);
+        let kept = work.fronts.as_ref().and_then(|kept| kept.downcast_ref::<Kept<F>>());
+        for (bundle, front) in kept.expect("work comes from an elimination of this chain").fronts.iter().enumerate() {
+            self.back_inside(nodes, front, bundle * BUNDLE, elements, border, scale, out);
         }
     }
 
@@ -54,26 +54,29 @@ impl<const F: usize, const N: usize> UniformChain<F, N> {
     #[inline(always)]
     fn back_inside(
         &self,
-        front: &Front<Four, F, N>,
+        nodes: impl Nodes,
+        front: &Front<Four, F>,
         first: usize,
         elements: usize,
         border: f64,
         scale: f64,
         out: &mut [f64],
     ) {
-        let mut values = self.gather_bundle(out, first, elements);
+        let (count, order) = (nodes.count(), nodes.count() - 1);
+        let inside = (count - 2) * F;
+        let mut values = self.gather_values(nodes, out, first, elements);
         let x = values.as_flattened_mut();
         // what is known first; then each unknown, as soon as it is found, is taken off all those above it
         let rows = front.rows.as_flattened();
-        for k in 0..Self::PIVOTS {
+        for k in 0..inside {
             let columns = rows[k].fields.as_flattened();
             let mut sum = rows[k].residual * scale - rows[k].border * border;
-            for j in Self::PIVOTS..N * F {
+            for j in inside..count * F {
                 sum = sum - columns[j] * x[j];
             }
             x[k] = sum;
         }
-        for k in (0..Self::PIVOTS).rev() {
+        for k in (0..inside).rev() {
             let found = x[k] * rows[k].fields.as_flattened()[k];
             x[k] = found;
             for i in 0..k {
@@ -81,10 +84,10 @@ impl<const F: usize, const N: usize> UniformChain<F, N> {
             }
         }
         for l in 0..BUNDLE.min(elements - first) {
-            for rank in 1..Self::ORDER {
+            for rank in 1..order {
                 for f in 0..F {
-                    let at = ((first + l) * Self::ORDER + rank) * F + f;
-                    out[at] = values[Basis::<N>::slot(rank)][f].0[l];
+                    let at = ((first + l) * order + rank) * F + f;
+                    out[at] = values[slot(count, rank)][f].0[l];
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! The block of an element's two ends, what condensation leaves of it: eliminated from its left end to its right.
 
 use crate::beam::planar::chain::{EDGE, EndRow};
-use crate::beam::{Front, PathRow, ROOT};
+use crate::beam::{Front, Nodes, PathRow, ROOT};
 use crate::number::Four;
 
 /// The block of F fields at each end, and of the border where there is one.
@@ -15,9 +15,9 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
     /// What condensation left of element `l` of a bundle: rows and columns of the left end, the right end and the border, then
     /// the residual and the path.
     #[inline(always)]
-    pub fn block<const N: usize>(front: &Front<Four, F, N>, symmetric: bool, l: usize) -> [EndRow; EDGE] {
+    pub fn block(nodes: impl Nodes, front: &Front<Four, F>, symmetric: bool, l: usize) -> [EndRow; EDGE] {
         let mut block = [[0.0; EDGE]; EDGE];
-        let ends = [N - 2, N - 1];
+        let ends = [nodes.count() - 2, nodes.count() - 1];
         for i in 0..2 * F {
             let row = &front.rows[ends[i / F]][i % F];
             for j in 0..2 * F {

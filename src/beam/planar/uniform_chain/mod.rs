@@ -12,8 +12,8 @@ mod read;
 mod sweep;
 
 use super::{
-    Basis, Chain, ChainFactors, Configuration, Element, ElementEnergy, Front, Integrand, MOST_FIELDS, NodeState,
-    PathRow, Root, SectionState,
+    AnyNumber, Basis, Chain, ChainFactors, Configuration, Element, ElementEnergy, Fixed, Front, Integrand, MOST_FIELDS,
+    MOST_NODES, MOST_ORDER, NodeState, Nodes, PathRow, Responses, Root, SectionState, slot,
 };
 use crate::number::Four;
 use crate::solve::{History, SolveError};
@@ -22,109 +22,164 @@ use std::ops::Range;
 /// Elements that are treated side by side.
 pub const BUNDLE: usize = 4;
 
-/// One front a bundle.
-type Fronts<const F: usize, const N: usize> = Vec<Front<Four, F, N>>;
+/// What a chain keeps of an elimination, for the way back and for the next.
+struct Kept<const F: usize> {
+    /// One front a bundle.
+    fronts: Vec<Front<Four, F>>,
+    bundle: Element<Four, F>,
+    room: Responses<F>,
+}
 
-/// The elimination of a chain, with a border or without.
-type Sweep<const F: usize, const N: usize> =
-    fn(&UniformChain<F, N>, Configuration, &PathRow, &[f64], &mut ChainFactors) -> Result<Root, SolveError>;
+impl<const F: usize> Default for Kept<F> {
+    fn default() -> Self {
+        Self { fronts: Vec::new(), bundle: Element::zero(), room: Responses::default() }
+    }
+}
 
-/// [`Chain`] of one order: N = p + 1 nodes an element, F fields a node.
-pub struct UniformChain<const F: usize, const N: usize> {
+/// The loops that take time, compiled for a number of nodes that is known then or for any.
+struct Kernels<const F: usize> {
+    sweep: fn(&UniformChain<F>, Configuration, &PathRow, &[f64], &mut ChainFactors) -> Result<Root, SolveError>,
+    back: fn(&UniformChain<F>, &ChainFactors, &[f64], f64, &mut [f64]),
+    energy: fn(&UniformChain<F>, Configuration, &[f64]) -> (ElementEnergy, f64),
+    node_states: fn(&UniformChain<F>, Configuration, Range<usize>) -> Vec<NodeState>,
+    shifted: fn(&UniformChain<F>, Configuration, &[f64]) -> Vec<f64>,
+}
+
+impl<const F: usize> Kernels<F> {
+    fn of<N: Nodes, const BORDER: bool>() -> Self {
+        Self {
+            sweep: sweep::sweep::<N, F, BORDER>,
+            back: back::back::<N, F>,
+            energy: read::energy::<N, F>,
+            node_states: read::node_states::<N, F>,
+            shifted: read::shifted::<N, F>,
+        }
+    }
+}
+
+/// The order that is used where none is asked for: its loops are compiled for it alone, those of the others for any.
+const USUAL: usize = 7;
+
+/// [`Chain`] of F fields a node.
+pub struct UniformChain<const F: usize> {
     density: Box<dyn Integrand<F>>,
-    basis: Basis<N>,
+    basis: Basis,
     /// Whether the tangent is symmetric.
     symmetric: bool,
     /// Where the fields of the left end are held, as far as they are.
     pinned_left: [Option<f64>; F],
-    sweep: Sweep<F, N>,
+    kernels: Kernels<F>,
 }
 
-impl<const F: usize, const N: usize> UniformChain<F, N> {
-    const ORDER: usize = N - 1;
-    /// Pivots of the interior nodes of an element.
-    const PIVOTS: usize = (N - 2) * F;
-
-    /// A chain whose left end is free but for the fields that `pinned_left` holds at a value. Panics unless `BORDER` is what
-    /// the density has.
-    pub fn new<const BORDER: bool>(density: Box<dyn Integrand<F>>, pinned_left: [Option<f64>; F]) -> Self {
+impl<const F: usize> UniformChain<F> {
+    /// A chain of elements of an order, 1 to 8, whose left end is free but for the fields that `pinned_left` holds at a value.
+    /// Panics unless `BORDER` is what the density has.
+    pub fn new<const BORDER: bool>(
+        density: Box<dyn Integrand<F>>,
+        order: usize,
+        pinned_left: [Option<f64>; F],
+    ) -> Self {
         assert_eq!(density.has_border(), BORDER, "a chain has a border where its density has one");
-        let symmetric = density.is_symmetric();
-        Self { density, basis: Basis::new(), symmetric, pinned_left, sweep: sweep::sweep::<F, N, BORDER> }
+        let order = order.clamp(1, MOST_ORDER);
+        let kernels = match order {
+            USUAL => Kernels::of::<Fixed<{ USUAL + 1 }>, BORDER>(),
+            _ => Kernels::of::<AnyNumber, BORDER>(),
+        };
+        Self { symmetric: density.is_symmetric(), density, basis: Basis::new(order), pinned_left, kernels }
+    }
+
+    /// As many nodes as an element has.
+    fn nodes(&self) -> AnyNumber {
+        AnyNumber::of_order(self.basis.order)
     }
 
     /// Values of element `e` in elimination order.
     #[inline(always)]
-    fn gather(&self, state: &[f64], e: usize) -> [[f64; F]; N] {
-        let at = &state[e * Self::ORDER * F..][..N * F];
-        let mut values = [[0.0; F]; N];
-        for rank in 0..N {
-            values[Basis::<N>::slot(rank)].copy_from_slice(&at[rank * F..(rank + 1) * F]);
+    fn gather(&self, nodes: impl Nodes, state: &[f64], e: usize) -> [[f64; F]; MOST_NODES] {
+        let count = nodes.count();
+        let at = &state[e * (count - 1) * F..][..count * F];
+        let mut values = [[0.0; F]; MOST_NODES];
+        for rank in 0..count {
+            values[slot(count, rank)].copy_from_slice(&at[rank * F..(rank + 1) * F]);
         }
         values
     }
 
     /// One element.
-    fn element(&self, at: Configuration, e: usize) -> Element<f64, F, N> {
+    #[inline(always)]
+    fn element(&self, nodes: impl Nodes, at: Configuration, e: usize) -> Element<f64, F> {
         let (from, to) = (at.ends[e], at.ends[e + 1]);
-        let mut slips = [[0.0; 2]; N];
+        let mut slips = [[0.0; 2]; MOST_NODES];
         if let (true, Some(known)) = (self.density.remembers(), at.history) {
             for (slip, point) in slips.iter_mut().zip(self.basis.points) {
                 *slip = known.at(from + 0.5 * (1.0 + point) * (to - from));
             }
         }
-        Element { values: self.gather(at.state, e), from, length: to - from, slips, border: at.border }
+        Element { values: self.gather(nodes, at.state, e), from, length: to - from, slips, border: at.border }
     }
 
     /// Elements `first` to `first + 3`; behind the last one it is repeated.
     #[inline(always)]
-    fn bundle(&self, at: Configuration, first: usize) -> Element<Four, F, N> {
-        let zero = Four([0.0; BUNDLE]);
-        let mut bundle =
-            Element { values: [[zero; F]; N], from: zero, length: zero, slips: [[zero; 2]; N], border: at.border };
+    fn gather_bundle(&self, nodes: impl Nodes, at: Configuration, first: usize, bundle: &mut Element<Four, F>) {
+        let elements = at.ends.len() - 1;
         for l in 0..BUNDLE {
-            let e = (first + l).min(at.ends.len() - 2);
+            let e = (first + l).min(elements - 1);
             bundle.from.0[l] = at.ends[e];
             bundle.length.0[l] = at.ends[e + 1] - at.ends[e];
+            self.gather_lane(nodes, at.state, e, l, &mut bundle.values);
         }
+        bundle.border = at.border;
         if let (true, Some(known)) = (self.density.remembers(), at.history) {
-            for (slips, point) in bundle.slips.iter_mut().zip(self.basis.points) {
+            for q in 0..nodes.count() - 1 {
+                let (slip, share) = (&mut bundle.slips[q], 0.5 * (1.0 + self.basis.points[q]));
                 for l in 0..BUNDLE {
-                    let [place, share] = known.at(bundle.from.0[l] + 0.5 * (1.0 + point) * bundle.length.0[l]);
-                    (slips[0].0[l], slips[1].0[l]) = (place, share);
+                    let [place, carried] = known.at(bundle.from.0[l] + share * bundle.length.0[l]);
+                    (slip[0].0[l], slip[1].0[l]) = (place, carried);
                 }
             }
         }
-        bundle.values = self.gather_bundle(at.state, first, at.ends.len() - 1);
-        bundle
     }
 
+    /// The same of one number a node and field.
     #[inline(always)]
-    fn gather_bundle(&self, state: &[f64], first: usize, elements: usize) -> [[Four; F]; N] {
-        let mut values = [[Four([0.0; BUNDLE]); F]; N];
+    fn gather_values(
+        &self,
+        nodes: impl Nodes,
+        state: &[f64],
+        first: usize,
+        elements: usize,
+    ) -> [[Four; F]; MOST_NODES] {
+        let mut values = [[Four([0.0; BUNDLE]); F]; MOST_NODES];
         for l in 0..BUNDLE {
-            let one = self.gather(state, (first + l).min(elements - 1));
-            for a in 0..N {
-                for f in 0..F {
-                    values[a][f].0[l] = one[a][f];
-                }
-            }
+            self.gather_lane(nodes, state, (first + l).min(elements - 1), l, &mut values);
         }
         values
     }
+
+    /// Values of element `e` in elimination order, as the numbers `l` of a bundle.
+    #[inline(always)]
+    fn gather_lane(&self, nodes: impl Nodes, state: &[f64], e: usize, l: usize, values: &mut [[Four; F]; MOST_NODES]) {
+        let count = nodes.count();
+        let at = &state[e * (count - 1) * F..][..count * F];
+        for rank in 0..count {
+            for f in 0..F {
+                values[slot(count, rank)][f].0[l] = at[rank * F + f];
+            }
+        }
+    }
 }
 
-impl<const F: usize, const N: usize> Chain for UniformChain<F, N> {
+impl<const F: usize> Chain for UniformChain<F> {
     fn fields(&self) -> usize {
         F
     }
 
     fn order(&self) -> usize {
-        Self::ORDER
+        self.basis.order
     }
 
     fn node_fraction(&self, rank: usize) -> f64 {
-        0.5 * (1.0 + self.basis.nodes[Basis::<N>::slot(rank)])
+        0.5 * (1.0 + self.basis.nodes[slot(self.basis.order + 1, rank)])
     }
 
     fn has_border(&self) -> bool {
@@ -138,15 +193,15 @@ impl<const F: usize, const N: usize> Chain for UniformChain<F, N> {
         damping: &[f64],
         work: &mut ChainFactors,
     ) -> Result<Root, SolveError> {
-        (self.sweep)(self, at, path, damping, work)
+        (self.kernels.sweep)(self, at, path, damping, work)
     }
 
     fn recover(&self, work: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]) {
-        back::back(self, work, root, scale, out);
+        (self.kernels.back)(self, work, root, scale, out);
     }
 
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64) {
-        read::energy(self, at, direction)
+        (self.kernels.energy)(self, at, direction)
     }
 
     fn residual(&self, at: Configuration) -> (Vec<f64>, f64) {
@@ -158,7 +213,7 @@ impl<const F: usize, const N: usize> Chain for UniformChain<F, N> {
     }
 
     fn node_states(&self, at: Configuration, elements: Range<usize>) -> Vec<NodeState> {
-        self.states_of(at, elements)
+        (self.kernels.node_states)(self, at, elements)
     }
 
     fn sample(&self, at: Configuration, element: usize, local: f64) -> ([f64; MOST_FIELDS], SectionState) {
@@ -170,7 +225,7 @@ impl<const F: usize, const N: usize> Chain for UniformChain<F, N> {
     }
 
     fn shifted(&self, at: Configuration, ends: &[f64]) -> Vec<f64> {
-        read::shifted(self, at, ends)
+        (self.kernels.shifted)(self, at, ends)
     }
 
     fn resampled(&self, at: Configuration, ends: &[f64]) -> Vec<f64> {

@@ -2,38 +2,47 @@
 
 use super::{BUNDLE, UniformChain};
 use crate::adhesion::Slip;
-use crate::beam::{Basis, Configuration, ElementEnergy, MOST_FIELDS, NodeState, Point, SectionState};
+use crate::beam::{
+    Configuration, Element, ElementEnergy, MOST_FIELDS, MOST_NODES, NodeState, Nodes, PerNode, SectionState, slot,
+};
 use crate::solve::History;
 use std::ops::Range;
 
 /// [`UniformChain::shift`] compiled for the vector units that the machine may have, chosen when it runs.
 #[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
-pub(super) fn shifted<const F: usize, const N: usize>(
-    chain: &UniformChain<F, N>,
+pub(super) fn shifted<N: Nodes, const F: usize>(chain: &UniformChain<F>, at: Configuration, ends: &[f64]) -> Vec<f64> {
+    chain.shift(N::of_order(chain.basis.order), at, ends)
+}
+
+/// [`UniformChain::states_of`] for a number of nodes.
+pub(super) fn node_states<N: Nodes, const F: usize>(
+    chain: &UniformChain<F>,
     at: Configuration,
-    ends: &[f64],
-) -> Vec<f64> {
-    chain.shift(at, ends)
+    elements: Range<usize>,
+) -> Vec<NodeState> {
+    chain.states_of(N::of_order(chain.basis.order), at, elements)
 }
 
 /// [`UniformChain::sum_energy`], likewise.
 #[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
-pub(super) fn energy<const F: usize, const N: usize>(
-    chain: &UniformChain<F, N>,
+pub(super) fn energy<N: Nodes, const F: usize>(
+    chain: &UniformChain<F>,
     at: Configuration,
     direction: &[f64],
 ) -> (ElementEnergy, f64) {
-    chain.sum_energy(at, direction)
+    chain.sum_energy(N::of_order(chain.basis.order), at, direction)
 }
 
-impl<const F: usize, const N: usize> UniformChain<F, N> {
+impl<const F: usize> UniformChain<F> {
     #[inline(always)]
-    fn sum_energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64) {
+    fn sum_energy(&self, nodes: impl Nodes, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64) {
         let elements = at.ends.len() - 1;
         let mut sums = [0.0; 3];
+        let mut bundle = Element::zero();
         for first in (0..elements).step_by(BUNDLE) {
-            let changes = self.gather_bundle(direction, first, elements);
-            let parts = self.bundle(at, first).energy(&*self.density, &self.basis, &changes);
+            let changes = self.gather_values(nodes, direction, first, elements);
+            self.gather_bundle(nodes, at, first, &mut bundle);
+            let parts = bundle.energy(nodes, &*self.density, &self.basis, &changes);
             for (sum, part) in sums.iter_mut().zip(parts) {
                 *sum += part.0[..BUNDLE.min(elements - first)].iter().sum::<f64>();
             }
@@ -42,20 +51,21 @@ impl<const F: usize, const N: usize> UniformChain<F, N> {
     }
 
     #[inline(always)]
-    fn shift(&self, at: Configuration, ends: &[f64]) -> Vec<f64> {
+    fn shift(&self, nodes: impl Nodes, at: Configuration, ends: &[f64]) -> Vec<f64> {
         let mut state = at.state.to_vec();
         for e in 0..ends.len() - 1 {
-            let values = self.gather(at.state, e);
+            let values = self.gather(nodes, at.state, e);
             let (from, length) = (at.ends[e], at.ends[e + 1] - at.ends[e]);
             let (new_from, new_length) = (ends[e], ends[e + 1] - ends[e]);
-            let first = self.basis.differentiate(&values);
-            let second = self.basis.differentiate(&first);
-            for rank in usize::from(e > 0)..N {
-                let a = Basis::<N>::slot(rank);
+            let first = self.basis.differentiate(nodes, &values);
+            let second = self.basis.differentiate(nodes, &first);
+            for rank in usize::from(e > 0)..nodes.count() {
+                let a = slot(nodes.count(), rank);
                 let place = 0.5 * (1.0 + self.basis.nodes[a]);
                 let shift = 2.0 / length * (new_from - from + place * (new_length - length));
                 for f in 0..F {
-                    state[(e * Self::ORDER + rank) * F + f] += shift * (first[a][f] + 0.5 * shift * second[a][f]);
+                    state[(e * (nodes.count() - 1) + rank) * F + f] +=
+                        shift * (first[a][f] + 0.5 * shift * second[a][f]);
                 }
             }
         }
@@ -64,11 +74,11 @@ impl<const F: usize, const N: usize> UniformChain<F, N> {
 
     /// [`super::Chain::residual`]
     pub(super) fn residual_of(&self, at: Configuration) -> (Vec<f64>, f64) {
-        let (mut residual, mut by_border) = (vec![0.0; at.state.len()], 0.0);
+        let (nodes, mut residual, mut by_border) = (self.nodes(), vec![0.0; at.state.len()], 0.0);
         for e in 0..at.ends.len() - 1 {
-            let element = self.element(at, e);
-            self.scatter(e, &element.forces(&*self.density, &self.basis), &mut residual);
-            by_border += element.border_force(&*self.density, &self.basis);
+            let element = self.element(nodes, at, e);
+            self.scatter(e, &element.forces(nodes, &*self.density, &self.basis), &mut residual);
+            by_border += element.border_force(nodes, &*self.density, &self.basis);
         }
         for (f, held) in self.pinned_left.iter().enumerate() {
             residual[f] = held.map_or(residual[f], |held| at.state[f] - held);
@@ -78,41 +88,44 @@ impl<const F: usize, const N: usize> UniformChain<F, N> {
 
     /// [`super::Chain::adhesion_gradient`]
     pub(super) fn adhesion_gradient_of(&self, at: Configuration) -> Vec<f64> {
-        let mut gradient = vec![0.0; at.state.len()];
+        let (nodes, mut gradient) = (self.nodes(), vec![0.0; at.state.len()]);
         for e in 0..at.ends.len() - 1 {
-            self.scatter(e, &self.element(at, e).adhesion_forces(&*self.density, &self.basis), &mut gradient);
+            let element = self.element(nodes, at, e);
+            self.scatter(e, &element.adhesion_forces(nodes, &*self.density, &self.basis), &mut gradient);
         }
         gradient
     }
 
     /// Adds numbers of the nodes of an element, in elimination order, to those of the chain.
-    fn scatter(&self, e: usize, own: &[[f64; F]; N], all: &mut [f64]) {
-        for rank in 0..N {
+    fn scatter(&self, e: usize, own: &[[f64; F]], all: &mut [f64]) {
+        let order = self.basis.order;
+        for rank in 0..=order {
             for f in 0..F {
-                all[(e * Self::ORDER + rank) * F + f] += own[Basis::<N>::slot(rank)][f];
+                all[(e * order + rank) * F + f] += own[slot(order + 1, rank)][f];
             }
         }
     }
 
     /// [`super::Chain::node_states`]
-    pub(super) fn states_of(&self, at: Configuration, elements: Range<usize>) -> Vec<NodeState> {
+    #[inline(always)]
+    fn states_of(&self, nodes: impl Nodes, at: Configuration, elements: Range<usize>) -> Vec<NodeState> {
+        let order = nodes.count() - 1;
         let mut states = Vec::with_capacity(elements.len() + 1);
         for e in elements.clone() {
-            let element = self.element(at, e);
-            let (values, forces) = (element.values, element.forces(&*self.density, &self.basis));
+            let element = self.element(nodes, at, e);
+            let (values, forces) = (element.values, element.forces(nodes, &*self.density, &self.basis));
             let mut node = |slot: usize, position: f64, sign: f64| {
                 let forces = forces[slot].map(|force| sign * force);
                 let section = self.density.section_state_from_forces(position, values[slot], forces, at.border);
-                let point = Point { place: position, value: values[slot], slope: [0.0; F], slip: [0.0; 2] };
-                let adhesion = self.density.respond_at(&point, at.border).adhesion;
+                let adhesion = self.density.adhesion_at(position, values[slot], at.border);
                 let mut all = [0.0; MOST_FIELDS];
                 all[..F].copy_from_slice(&values[slot]);
                 states.push(NodeState { position, values: all, section, adhesion });
             };
             if e == elements.start {
-                node(N - 2, at.ends[e], -1.0);
+                node(order - 1, at.ends[e], -1.0);
             }
-            node(N - 1, at.ends[e + 1], 1.0);
+            node(order, at.ends[e + 1], 1.0);
         }
         states
     }
@@ -126,7 +139,8 @@ impl<const F: usize, const N: usize> UniformChain<F, N> {
     ) -> ([f64; MOST_FIELDS], SectionState) {
         let length = at.ends[element + 1] - at.ends[element];
         let (shape, shape_slope) = self.basis.sample(local);
-        let (value, slope) = combine(&self.gather(at.state, element), &shape, &shape_slope, length);
+        let (value, slope) =
+            combine(self.nodes(), &self.gather(self.nodes(), at.state, element), &shape, &shape_slope, length);
         let mut all = [0.0; MOST_FIELDS];
         all[..F].copy_from_slice(&value);
         let place = at.ends[element] + 0.5 * (1.0 + local) * length;
@@ -136,35 +150,39 @@ impl<const F: usize, const N: usize> UniformChain<F, N> {
     /// [`super::Chain::slid`]
     pub(super) fn slide(&self, at: Configuration) -> Option<History> {
         let known = at.history.filter(|_| self.density.remembers())?;
-        let (mut e, mut values) = (0, self.gather(at.state, 0));
+        let (mut e, mut values) = (0, self.gather(self.nodes(), at.state, 0));
         Some(known.updated(|s, [place, share, limit]| {
             while e + 2 < at.ends.len() && s > at.ends[e + 1] {
                 e += 1;
-                values = self.gather(at.state, e);
+                values = self.gather(self.nodes(), at.state, e);
             }
             let local = 2.0 * (s - at.ends[e]) / (at.ends[e + 1] - at.ends[e]) - 1.0;
             let (shape, slope) = self.basis.sample(local);
             let before = Slip { place, share, limit };
-            let (slip, lost) = self.density.remembered(s, combine(&values, &shape, &slope, 2.0).0, before);
+            let fields = combine(self.nodes(), &values, &shape, &slope, 2.0).0;
+            let (slip, lost) = self.density.remembered(s, fields, before);
             ([slip.place, slip.share, slip.limit], lost)
         }))
     }
 
     /// [`super::Chain::resampled`]
     pub(super) fn resample(&self, at: Configuration, ends: &[f64]) -> Vec<f64> {
-        let mut state = Vec::with_capacity(((ends.len() - 1) * Self::ORDER + 1) * F);
+        let order = self.basis.order;
+        let mut state = Vec::with_capacity(((ends.len() - 1) * order + 1) * F);
         let mut old = 0;
         for e in 0..ends.len() - 1 {
             let last = usize::from(e + 2 == ends.len());
-            for rank in 0..Self::ORDER + last {
-                let place = 0.5 * (1.0 + self.basis.nodes[Basis::<N>::slot(rank)]);
+            for rank in 0..order + last {
+                let place = 0.5 * (1.0 + self.basis.nodes[slot(order + 1, rank)]);
                 let s = ends[e] + place * (ends[e + 1] - ends[e]);
                 while old + 2 < at.ends.len() && s > at.ends[old + 1] {
                     old += 1;
                 }
                 let local = 2.0 * (s - at.ends[old]) / (at.ends[old + 1] - at.ends[old]) - 1.0;
                 let (shape, slope) = self.basis.sample(local);
-                state.extend_from_slice(&combine(&self.gather(at.state, old), &shape, &slope, 2.0).0);
+                state.extend_from_slice(
+                    &combine(self.nodes(), &self.gather(self.nodes(), at.state, old), &shape, &slope, 2.0).0,
+                );
             }
         }
         state
@@ -173,14 +191,15 @@ impl<const F: usize, const N: usize> UniformChain<F, N> {
 
 /// Fields and slopes from nodal values.
 #[inline(always)]
-fn combine<const F: usize, const N: usize>(
-    values: &[[f64; F]; N],
-    shape: &[f64; N],
-    shape_slope: &[f64; N],
+fn combine<const F: usize>(
+    nodes: impl Nodes,
+    values: &[[f64; F]; MOST_NODES],
+    shape: &PerNode,
+    shape_slope: &PerNode,
     length: f64,
 ) -> ([f64; F], [f64; F]) {
     let (mut value, mut slope) = ([0.0; F], [0.0; F]);
-    for a in 0..N {
+    for a in 0..nodes.count() {
         for f in 0..F {
             value[f] += shape[a] * values[a][f];
             slope[f] += shape_slope[a] * (2.0 / length) * values[a][f];

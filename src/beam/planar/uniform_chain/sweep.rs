@@ -1,9 +1,9 @@
 //! The elimination, from the left end of the chain to the right.
 
 use super::ends::Ends;
-use super::{BUNDLE, Fronts, UniformChain};
+use super::{BUNDLE, Kept, UniformChain};
 use crate::beam::planar::chain::EndRow;
-use crate::beam::{ChainFactors, Configuration, ElementEnergy, Front, PathRow, PointResponse, ROOT, Root};
+use crate::beam::{ChainFactors, Configuration, ElementEnergy, Front, Nodes, PathRow, ROOT, Root};
 use crate::number::Four;
 use crate::solve::{Place, SolveError};
 
@@ -12,71 +12,72 @@ const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
 
 /// [`UniformChain::sweep_with`] compiled for the vector units that the machine may have, chosen when it runs.
 #[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
-pub(super) fn sweep<const F: usize, const N: usize, const BORDER: bool>(
-    chain: &UniformChain<F, N>,
+pub(super) fn sweep<N: Nodes, const F: usize, const BORDER: bool>(
+    chain: &UniformChain<F>,
     at: Configuration,
     path: &PathRow,
     damping: &[f64],
     work: &mut ChainFactors,
 ) -> Result<Root, SolveError> {
-    chain.sweep_with::<BORDER>(at, path, damping, work)
+    chain.sweep_with::<BORDER>(N::of_order(chain.basis.order), at, path, damping, work)
 }
 
-impl<const F: usize, const N: usize> UniformChain<F, N> {
+impl<const F: usize> UniformChain<F> {
     #[inline(always)]
     fn sweep_with<const BORDER: bool>(
         &self,
+        nodes: impl Nodes,
         at: Configuration,
         path: &PathRow,
         damping: &[f64],
         work: &mut ChainFactors,
     ) -> Result<Root, SolveError> {
-        // the fronts of the last time, if it was a chain of this kind
-        let mut fronts: Box<Fronts<F, N>> =
-            work.fronts.take().and_then(|last| last.downcast().ok()).unwrap_or_default();
-        let root = self.sweep_into::<BORDER>(at, path, damping, &mut fronts, &mut work.ends);
-        work.fronts = Some(fronts);
+        // what the last time left, if it was a chain of this kind
+        let mut kept: Box<Kept<F>> = work.fronts.take().and_then(|last| last.downcast().ok()).unwrap_or_default();
+        let root = self.sweep_into::<BORDER>(nodes, at, path, damping, &mut kept, &mut work.ends);
+        work.fronts = Some(kept);
         root
     }
 
     #[inline(always)]
     fn sweep_into<const BORDER: bool>(
         &self,
+        nodes: impl Nodes,
         at: Configuration,
         path: &PathRow,
         damping: &[f64],
-        fronts: &mut Fronts<F, N>,
+        Kept { fronts, bundle, room }: &mut Kept<F>,
         ends: &mut Vec<EndRow>,
     ) -> Result<Root, SolveError> {
-        let elements = at.ends.len() - 1;
+        let (elements, order) = (at.ends.len() - 1, nodes.count() - 1);
         fronts.resize_with(elements.div_ceil(BUNDLE), Front::zero);
         ends.clear();
-        let mut responses = [PointResponse::zero(); N];
         let coupling = self.density.coupling();
         let mut energy = ElementEnergy::default();
         let mut negative = 0;
         let mut carry = [[0.0; ROOT]; ROOT];
         for (first, front) in (0..elements).step_by(BUNDLE).zip(fronts) {
-            let bundle = self.bundle(at, first);
+            self.gather_bundle(nodes, at, first, bundle);
             let (total, adhesion) = bundle.integrate::<BORDER>(
+                nodes,
                 (&*self.density, &coupling),
                 &self.basis,
                 self.symmetric,
                 path.adhesion,
-                &mut responses,
+                room,
                 front,
             );
             if !damping.is_empty() {
-                self.damp_inside(front, damping, first, elements);
+                self.damp_inside(nodes, front, damping, first, elements);
             }
-            let pivots = front.condense::<BORDER>(self.symmetric);
+            let pivots = front.condense::<BORDER>(nodes, self.symmetric);
             for e in first..elements.min(first + BUNDLE) {
                 let l = e - first;
                 energy.total += total.0[l];
                 energy.adhesion += adhesion.0[l];
-                let mut block = Ends::<F, BORDER>::block(front, self.symmetric, l);
+                let mut block = Ends::<F, BORDER>::block(nodes, front, self.symmetric, l);
                 if !damping.is_empty() {
-                    (0..F).for_each(|f| block[f][f] += damping[e * Self::ORDER * F + f]);
+                    (0..F).for_each(|f| block[f][f] += damping[e * order * F + f]);
                 }
                 if e == 0 {
                     Ends::<F, BORDER>::start(&mut block, path, &self.pinned_left, &at.state[..F]);
@@ -101,15 +102,22 @@ impl<const F: usize, const N: usize> UniformChain<F, N> {
             }
         }
         if !damping.is_empty() {
-            (0..F).for_each(|f| carry[f][f] += damping[elements * Self::ORDER * F + f]);
+            (0..F).for_each(|f| carry[f][f] += damping[elements * order * F + f]);
         }
         Ok(Root { matrix: carry, negative, energy })
     }
 
     /// Adds to the diagonal of the interior nodes of a bundle; the ends of its elements are left to the chain.
-    fn damp_inside(&self, front: &mut Front<Four, F, N>, damping: &[f64], first: usize, elements: usize) {
-        let damping = self.gather_bundle(damping, first, elements);
-        for (slot, rows) in front.rows[..N - 2].iter_mut().enumerate() {
+    fn damp_inside(
+        &self,
+        nodes: impl Nodes,
+        front: &mut Front<Four, F>,
+        damping: &[f64],
+        first: usize,
+        elements: usize,
+    ) {
+        let damping = self.gather_values(nodes, damping, first, elements);
+        for (slot, rows) in front.rows[..nodes.count() - 2].iter_mut().enumerate() {
             for f in 0..F {
                 rows[f].fields[slot][f] = rows[f].fields[slot][f] + damping[slot][f];
             }
