@@ -29,7 +29,7 @@ fn paths(c: &mut Criterion) {
     group.finish();
 }
 
-/// The path alone, points only, without turning points and bounds, at what is chosen for 1e-8.
+/// The path alone, points only, without limit points and bounds, at what is chosen for 1e-8.
 fn path_alone(c: &mut Criterion) {
     let problem = strip(100.0, 1.0).problem(Form::TwoField, 7);
     let options = PathOptions {

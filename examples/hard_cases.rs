@@ -38,12 +38,12 @@ fn row(name: &str, scene: &Scene) -> String {
     let effort = &result.effort;
     let counts = format!("{}, {}, {}", effort.points, effort.newton_iterations, effort.elements);
     let (mesh, secant, control) =
-        (on_a_mesh_that_stays(scene, &result), by_secants(scene, &result), by_displacement(scene, &result));
+        (on_a_fixed_mesh(scene, &result), by_secants(scene, &result), by_displacement(scene, &result));
     format!("| {name} | {} | {force} | {bound} | {counts} | {mesh} | {secant} | {control} |", end_word(&result.end))
 }
 
 /// Eight times as many elements, equally long, that do not follow the front; five seconds.
-fn on_a_mesh_that_stays(scene: &Scene, own: &Peel) -> String {
+fn on_a_fixed_mesh(scene: &Scene, own: &Peel) -> String {
     let choice = Choice { mesh: MeshKind::Uniform, elements: Some(8 * own.effort.elements), ..scene.accuracy.choice };
     let bounds = Bounds { time_s: Some(5.0), ..scene.bounds };
     let other = peel(&scene.model, &Accuracy { choice, ..scene.accuracy }, &bounds);

@@ -1,4 +1,4 @@
-//! Presses a shallow arch at its crown until it has snapped through, and prints where the force turns.
+//! Presses a shallow arch at its crown until it has snapped through, and prints its limit points.
 //!
 //! A circular arch on two hinges; half of it is computed, with its crown held upright on the line of symmetry. The path goes
 //! through both limit loads without stopping at either: between them the arch is unstable under a dead weight, and, if it

@@ -20,7 +20,7 @@ type Check = fn(&[u8]) -> (String, Result<String, String>);
 const USAGE: &str = "garbled parse|run [COUNT] [SEED], or garbled run FILE";
 /// A scene that takes longer than this, on a machine that may be busy, is taken to hang.
 const HANGS: Duration = Duration::from_secs(300);
-/// Seconds of CPU time that a run may take: its `bounds.time`, as long again and a second for the turning points, and a
+/// Seconds of CPU time that a run may take: its `bounds.time`, as long again and a second for the limit points, and a
 /// second for what is under way then.
 const OVERDUE: f64 = 2.0 * 0.2 + 2.0;
 
@@ -77,7 +77,7 @@ fn main() -> ExitCode {
     ExitCode::from(u8::from(faults > 0))
 }
 
-/// Ends the program where a scene hangs, and tells which one.
+/// Ends the program where a scene hangs, and reports which one.
 fn watch() {
     loop {
         std::thread::sleep(Duration::from_secs(1));
