@@ -51,7 +51,8 @@ pub trait SectionLaw: Debug + Send + Sync {
         true
     }
 
-    /// How many times as many elements its corners take: 1 for a law that is smooth, 5 to 10 where it changes within a tenth of its range.
+    /// How many times as many elements its corners take: 1 for a law that is smooth everywhere, 5 to 10 for one of which a derivative jumps
+    /// or changes within a tenth of its range. For a jump of the traction's slope no number of elements makes up: round it.
     fn corners(&self) -> f64 {
         1.0
     }
