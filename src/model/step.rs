@@ -1,9 +1,10 @@
 //! One step of the grip before the pull, as data.
 
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// What the grip does before the pull.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Step {
     /// Towards the substrate, nm
     Press(f64),

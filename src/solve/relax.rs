@@ -13,6 +13,7 @@ use super::newton::damped_step;
 use super::{
     Coefficients, NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve,
 };
+use serde::{Deserialize, Serialize};
 
 /// How a structure is relaxed.
 #[derive(Clone, Copy, Debug)]
@@ -70,7 +71,7 @@ pub struct Relaxed {
 }
 
 /// Why it did not come to rest.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum RelaxError {
     /// Steps became too short.
     #[error("after {steps} steps of relaxing no shorter one lowers the energy {energy:.9e} aJ: {cause}")]

@@ -3,18 +3,20 @@
 use peelkit::beam::{GripForces, GripState};
 use peelkit::model::Step;
 use peelkit::study::{
-    Contact, End, FollowedSweep, LeftOut, LimitPoint, Observed, Peak, Peel, PointKind, PullOff, Sliding, SweepRow,
+    Contact, FollowedSweep, LeftOut, LimitPoint, Observed, PathEnd, Peak, Peel, PointKind, PullOff, Sliding,
     TermDecisions, TermEffect, TestEnd, Turn,
 };
-use peelkit_report::{end_reason, end_word, ground_warning, jump_word, left_out, test_end_word, why_kept};
+use peelkit_report::{
+    SweepRow, end_reason, end_word, ground_warning, jump_word, left_out, test_end_reason, test_end_word, why_kept,
+};
 use peelkit_scene::{Key, Scene};
 use std::fmt::{Display, Write};
 
 /// A relative error below this that finer meshes do not reduce is round-off.
 const ROUND_OFF: f64 = 2e-8;
 
-/// The summary of one peel.
-pub fn peel(scene: &Scene, peel: &Peel) -> String {
+/// The summary of one peel, which took so many seconds.
+pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64) -> String {
     let none = || "none".to_owned();
     let at_peak = |at: Peak| {
         let force = with_error(at.force, at.force_error);
@@ -69,7 +71,7 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
             effort.newton_iterations,
             effort.elements,
             effort.order,
-            1e3 * peel.solve_s
+            1e3 * solve_s
         ),
     ));
     let mut text = format!("{}\n\n", scene.title);
@@ -156,7 +158,7 @@ fn on_ground(peel: &Peel, contact: &Contact) -> Vec<(&'static str, String)> {
 }
 
 /// What a test would record.
-pub fn observed(test: &Observed) -> String {
+pub fn observed(test: &Observed, solve_s: f64) -> String {
     let none = || "none".to_owned();
     let pull_off = |peak: PullOff| {
         let force = with_error(peak.force, peak.force_error);
@@ -183,9 +185,7 @@ pub fn observed(test: &Observed) -> String {
     }
     let end = match &test.end {
         TestEnd::Closed => "closed: the machine is back where it began".to_owned(),
-        TestEnd::Returned(reason) | TestEnd::Bound(reason) | TestEnd::Failed(reason) => {
-            format!("{}: {reason}", test_end_word(&test.end))
-        }
+        end => format!("{}: {}", test_end_word(end), test_end_reason(end).unwrap_or_default()),
     };
     lines.push(("end", end));
     let effort = &test.effort;
@@ -198,7 +198,7 @@ pub fn observed(test: &Observed) -> String {
             effort.relaxation_steps,
             effort.elements,
             effort.order,
-            1e3 * effort.solve_s
+            1e3 * solve_s
         ),
     ));
     let mut text = "What a test would record\n\n".to_owned();
@@ -217,7 +217,7 @@ pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) ->
         "value", "peak nN", "± nN", "plateau nN", "snap-off nm", "work aJ", "ms"
     );
     let cell = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.8}"));
-    for SweepRow { value, found, .. } in rows {
+    for SweepRow { value, found, solve_s, .. } in rows {
         let error = found.peak.map_or_else(|| "-".to_owned(), |at| format!("{:.0e}", at.force_error));
         let work = found.work.map_or_else(|| "-".to_owned(), |work| format!("{work:.5}"));
         let snap_off = found.snap_off.map_or_else(|| "-".to_owned(), |at| format!("{:.6}", at.displacement));
@@ -230,7 +230,7 @@ pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) ->
             cell(found.plateau.map(|at| at.force)),
             snap_off,
             work,
-            1e3 * found.solve_s,
+            1e3 * solve_s,
             end_word(&found.end)
         );
     }
@@ -238,7 +238,7 @@ pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) ->
 }
 
 /// A sweep that followed one point as a table, with what happened to the point on the way.
-pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep) -> String {
+pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep, solve_s: &[f64]) -> String {
     let what = match sweep.kind {
         PointKind::InitiationPeak => "the initiation peak (the first local maximum of the force)",
         PointKind::SnapOff => "the snap-off",
@@ -249,7 +249,7 @@ pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep) -> String {
         "{:>14} {:>14} {:>9} {:>14} {:>9} {:>12} {:>9}",
         "value", "force nN", "± nN", "at u nm", "± nm", "work aJ", "ms"
     );
-    for row in &sweep.rows {
+    for (row, solve_s) in sweep.rows.iter().zip(solve_s) {
         let cell = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.8}"));
         let error = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.0e}"));
         let work = row.point.and_then(|at| at.work).map_or_else(|| "-".to_owned(), |work| format!("{work:.5}"));
@@ -261,7 +261,7 @@ pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep) -> String {
             error(row.point.map(|at| at.force_error)),
             cell(row.point.map(|at| at.displacement)),
             error(row.point.map(|at| at.displacement_error)),
-            1e3 * row.solve_s,
+            1e3 * solve_s,
         );
     }
     text + &listed(&sweep.remarks)
@@ -287,15 +287,15 @@ fn in_unit(unit: &str) -> String {
     if unit.is_empty() { String::new() } else { format!(", in {unit}") }
 }
 
-fn end(end: &End) -> String {
+fn end(end: &PathEnd) -> String {
     let meaning = match end {
-        End::Detached => "no point of the strip is nearer than 10 r0",
-        End::Pivoting => "the force has come back to zero while an edge still holds",
-        End::TurnedBack => "the path has returned to where it began",
-        End::Sliding => "all that is in contact slides, and the force stays from here on",
-        End::Snapped => "the strip snaps off, and how it slides while it jumps no equilibrium tells",
-        End::Bound(_) => "a bound of the scene was reached",
-        End::Failed(_) => "the computation stopped short",
+        PathEnd::Detached => "no point of the strip is nearer than 10 r0",
+        PathEnd::Pivoting => "the force has come back to zero while an edge still holds",
+        PathEnd::TurnedBack => "the path has returned to where it began",
+        PathEnd::Sliding => "all that is in contact slides, and the force stays from here on",
+        PathEnd::Snapped => "the strip snaps off, and how it slides while it jumps no equilibrium tells",
+        PathEnd::Bound(_) => "a bound of the scene was reached",
+        PathEnd::Failed(_) => "the computation stopped short",
     };
     let reason = end_reason(end).map(|reason| format!(": {reason}")).unwrap_or_default();
     format!("{}: {meaning}{reason}", end_word(end))
@@ -328,7 +328,8 @@ fn short(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use peelkit::study::{self, Bounds, Effort};
+    use peelkit::study::{self, Bound, Effort};
+    use peelkit_scene::Bounds;
 
     #[test]
     fn digits_end_where_the_error_begins() {
@@ -358,7 +359,7 @@ mod tests {
             flat: false,
             after: 0,
         };
-        let mut made_up = study::peel(&scene.model, &scene.accuracy, &bounds);
+        let mut made_up = study::peel(&scene.model, &scene.accuracy, &bounds.from_now());
         made_up.limit_points = vec![LimitPoint { kind: Turn::Load, ..snap_off }, snap_off];
         made_up.initiation_peak = None;
         made_up.peak = Some(Peak {
@@ -370,9 +371,8 @@ mod tests {
         });
         made_up.plateau = None;
         made_up.snap_off = Some(snap_off);
-        made_up.end = End::Bound("20 points".into());
+        made_up.end = PathEnd::Bound(Bound::Points(20));
         made_up.effort = Effort { points: 20, newton_iterations: 70, elements: 16, order: 4 };
-        made_up.solve_s = 0.0042;
         let expected = "\
 short
 
@@ -383,10 +383,10 @@ short
   limit points     P turns at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
                    u turns at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
   accuracy         4e-3 where 1e-6 was asked: no mesh tried did better
-  end              bound: a bound of the scene was reached: 20 points
+  end              bound: a bound of the scene was reached: bounds.points = 20
   effort           20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
 ";
-        assert_eq!(peel(&scene, &made_up), expected);
+        assert_eq!(peel(&scene, &made_up, 0.0042), expected);
     }
 
     #[test]

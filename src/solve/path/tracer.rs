@@ -7,6 +7,7 @@
 use super::{Path, PathError, PathSegment};
 use crate::solve::limit_point::brackets;
 use crate::solve::{LimitPointKind, Located, Problem, Solution, SolveError, Workspace, locate, locate_branching};
+use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -40,17 +41,12 @@ pub struct TraceOptions {
 impl Default for TraceOptions {
     /// All limit points, no branch points.
     fn default() -> Self {
-        Self {
-            kinds: &[LimitPointKind::Load, LimitPointKind::Displacement],
-            branches: false,
-            relative: 0.0,
-            behind: 3,
-        }
+        Self { kinds: &[LimitPointKind::Load, LimitPointKind::Displacement], branches: false, relative: 0.0, behind: 3 }
     }
 }
 
 /// Why a path was not traced further.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum TraceError {
     #[error("{0}")]
     Path(#[from] PathError),
@@ -153,11 +149,7 @@ impl<'p> PathTracer<'p> {
         Ok(self.options.kinds)
     }
 
-    fn bracketed(
-        &mut self,
-        after: usize,
-        kind: LimitPointKind,
-    ) -> Result<(PathSegment, Vec<(f64, f64)>), SolveError> {
+    fn bracketed(&mut self, after: usize, kind: LimitPointKind) -> Result<(PathSegment, Vec<(f64, f64)>), SolveError> {
         let segment = PathSegment::around(self.problem, self.path.points(), after);
         let points = self.path.points();
         let found = brackets(self.problem, points, after, &segment, kind, self.options.relative, &mut self.ws)?;

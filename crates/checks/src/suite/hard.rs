@@ -7,7 +7,8 @@ use super::check::{Check, Measure};
 use super::reference::{self, Row};
 use super::{bounds, drawn, repeated};
 use peelkit::model::{Hold, PeelModel};
-use peelkit::study::{Accuracy, Bounds, End, Peel, peel};
+use peelkit::study::{Accuracy, PathEnd, Peel, peel};
+use peelkit_scene::Bounds;
 use rayon::prelude::*;
 
 /// The name under which the checks are reported.
@@ -33,15 +34,15 @@ pub enum Ending {
 
 impl Ending {
     /// How a path did end; a refusal must give a reason.
-    pub fn of(end: &End) -> Self {
+    pub fn of(end: &PathEnd) -> Self {
         match end {
-            End::Detached => Self::Detached,
-            End::Pivoting => Self::Pivoting,
-            End::TurnedBack => Self::TurnedBack,
-            End::Sliding => Self::Sliding,
-            End::Snapped => Self::Snapped,
-            End::Bound(_) => Self::Bound,
-            End::Failed(_) => Self::Refused,
+            PathEnd::Detached => Self::Detached,
+            PathEnd::Pivoting => Self::Pivoting,
+            PathEnd::TurnedBack => Self::TurnedBack,
+            PathEnd::Sliding => Self::Sliding,
+            PathEnd::Snapped => Self::Snapped,
+            PathEnd::Bound(_) => Self::Bound,
+            PathEnd::Failed(_) => Self::Refused,
         }
     }
 }
@@ -59,7 +60,7 @@ pub struct HardScene {
 /// Peels every scene, once more in other units, and the drawn strips, on all cores, and judges what came out.
 pub fn run(scenes: &[HardScene]) -> Vec<Check> {
     let rows = reference::read(TABLE);
-    let peels: Vec<Peel> = scenes.par_iter().map(|s| peel(&s.model, &s.accuracy, &s.bounds)).collect();
+    let peels: Vec<Peel> = scenes.par_iter().map(|s| peel(&s.model, &s.accuracy, &s.bounds.from_now())).collect();
     let pairs = scenes.iter().zip(&peels);
     let judged = |(scene, peel)| [vec![ending(scene, peel)], numbers(scene, peel, &rows)].concat();
     pairs.flat_map(judged).chain(repeated::checks(NAME, scenes)).chain(drawn::checks(NAME)).collect()

@@ -5,7 +5,7 @@ use super::{BUNDLE, Fronts, UniformChain};
 use crate::beam::planar::chain::EndRow;
 use crate::beam::{ChainFactors, Configuration, ElementEnergy, Front, PathRow, PointResponse, ROOT, Root};
 use crate::number::Four;
-use crate::solve::{Place, SolveError};
+use crate::solve::{Place, Quantity, SolveError};
 
 /// Pivots below this are zero to rounding.
 const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
@@ -87,13 +87,16 @@ impl<const F: usize, const N: usize> UniformChain<F, N> {
                 negative += pivots.negative.0[l] as usize + negative_end;
                 let least = least.min(pivots.least.0[l]);
                 if least < LEAST_PIVOT {
-                    return Err(SolveError::Singular { pivot: least, place: Place { element: e, position: at.ends[e] } });
+                    return Err(SolveError::Singular {
+                        pivot: least,
+                        place: Place { element: e, position: at.ends[e] },
+                    });
                 }
                 ends.extend_from_slice(&block[..F]);
                 carry = Ends::<F, BORDER>::load(&block);
                 if !carry[0][0].is_finite() || !energy.total.is_finite() {
                     let place = Place { element: e, position: at.ends[e] };
-                    return Err(SolveError::NotFinite { quantity: "the tangent", place });
+                    return Err(SolveError::NotFinite { quantity: Quantity::Tangent, place });
                 }
             }
         }

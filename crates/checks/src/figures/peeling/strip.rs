@@ -2,7 +2,7 @@
 
 use super::super::figure::{Figure, Table};
 use super::super::runner::{Runner, paper_strip};
-use peelkit::study::{End, Peel};
+use peelkit::study::{PathEnd, Peel};
 use peelkit_report::ReportError;
 use peelkit_report::chart::significant;
 use peelkit_report::pictures::peel::{curve, numbered_points, shapes};
@@ -101,14 +101,14 @@ pub(in crate::figures) fn shape_table(peel: &Peel, shown: &[usize]) -> Table {
     table
 }
 
-fn ending(end: &End) -> String {
+fn ending(end: &PathEnd) -> String {
     match end {
-        End::Detached => "ends with the strip detached".into(),
-        End::Pivoting => "ends where the force has come back to zero while the left edge still holds".into(),
-        End::TurnedBack => "ends back at u = 0".into(),
-        End::Sliding => "slides on from there".into(),
-        End::Snapped => "snaps off there".into(),
-        End::Bound(what) => format!("was stopped by a bound ({what})"),
-        End::Failed(why) => format!("stops short ({why})"),
+        PathEnd::Detached => "ends with the strip detached".into(),
+        PathEnd::Pivoting => "ends where the force has come back to zero while the left edge still holds".into(),
+        PathEnd::TurnedBack => "ends back at u = 0".into(),
+        PathEnd::Sliding => "slides on from there".into(),
+        PathEnd::Snapped => "snaps off there".into(),
+        PathEnd::Bound(what) => format!("was stopped by a bound ({what})"),
+        PathEnd::Failed(why) => format!("stops short ({why})"),
     }
 }
