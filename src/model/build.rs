@@ -2,11 +2,11 @@
 
 use super::chain::{three_field, two_field};
 use super::stress_free_placement::StressFreePlacement;
-use super::{Form, Hold, PeelModel, friction};
+use super::{Body, Form, Hold, PeelModel, Profile, Spatula, friction};
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
 use crate::beam::{
     self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, PlanarBeam, ReducedBeam, ReissnerBeam, Rest,
-    Varying,
+    Variation, Varying,
 };
 use crate::solve::{EndConditions, History, INTERFACE, InitialState, PathMeasure, Problem};
 use std::ops::{Deref, DerefMut};
@@ -62,6 +62,9 @@ impl Discretisation {
     }
 }
 
+/// The parameters of a model that move none of its reference configuration.
+const VARIABLE: &[&str] = &["youngs_modulus", "shear_correction", "bending_stiffness_factor", "hamaker_constant"];
+
 /// From one remembered slip to the next, over the least length over which what happens at the front changes.
 const REMEMBERED: f64 = 1.0 / 24.0;
 
@@ -77,7 +80,7 @@ impl PeelModel {
     pub fn discretised(&self, how: Discretisation, adjust: impl FnOnce(&mut PlanarBeam)) -> PlanarProblem {
         let form = self.form(how.form);
         let (width, height) = self.free_end();
-        let (law, length) = (self.line_law(), self.length());
+        let (law, length, along) = (self.line_law(), self.length(), self.has_horizontal_force());
         let r0 = self.adhesion.equilibrium_distance;
         let lead = usize::from(form == Form::ThreeField);
         let process_length = 0.7 * self.process_length();
@@ -85,21 +88,25 @@ impl PeelModel {
         scale[lead + 1] = (r0 / process_length).min(1.0);
         let mut fixed_foci = self.fixed_foci(process_length);
         let rest_adhesion = width * law.rest_energy();
-        let (profile, placement) = match self.contour() {
-            None => {
-                let uniform = beam::Profile::uniform(self.section(), width, height);
-                (uniform, StressFreePlacement::flat(length, law.rest_gap()))
-            }
+        let placement = match self.contour() {
+            None => StressFreePlacement::flat(length, law.rest_gap()),
             Some(contour) => {
                 let beam = Varying::new(contour, self.material());
                 let front = Focus { center: 0.0, length: process_length, weight: 1.0 };
-                let placement =
-                    StressFreePlacement::varying(&beam, &self.adhesion, &self.ground, front, &mut fixed_foci);
-                (beam::Profile::Varying(beam), placement)
+                StressFreePlacement::varying(&beam, &self.adhesion, &self.ground, front, &mut fixed_foci)
             }
         };
+        let profile = self.profile();
         let substrate = self.ground.substrate.clone();
         let friction = self.friction_law();
+        let (varied, varied_substrate) = (self.clone(), substrate.clone());
+        let variation = Variation {
+            parameters: VARIABLE,
+            chain: Box::new(move |parameter, factor| {
+                let model = varied.scaled(parameter, factor);
+                chain(model.profile(), model.line_law(), (&varied_substrate, friction), form, along, how.order)
+            }),
+        };
         let sticking = self.sticking_length().map(|short| friction::FLOOR * short);
         let floors = [self.ground.floor(process_length), sticking];
         fixed_foci.extend(floors.into_iter().flatten().map(|floor| Focus::everywhere(length, floor)));
@@ -109,7 +116,7 @@ impl PeelModel {
         };
         let mut beam = PlanarBeam {
             history: friction.map(|law| Arc::new(self.not_slid(&placement.rest, &law))),
-            chain: chain(profile, law, (&substrate, friction), form, self.has_horizontal_force(), how.order),
+            chain: chain(profile, law, (&substrate, friction), form, along, how.order),
             length,
             rest: placement.rest,
             rest_gap: law.rest_gap(),
@@ -130,6 +137,7 @@ impl PeelModel {
             height,
             sees_tilt: law.line_load != LineLoad::AxisGap,
             conservative: law.has_potential() && friction.is_none(),
+            variation: Some(variation),
             substrate,
         };
         adjust(&mut beam);
@@ -140,6 +148,30 @@ impl PeelModel {
         };
         let grip = self.end_conditions(&beam);
         PlanarProblem::new(beam, grip, measure, start)
+    }
+
+    /// Its sections along S.
+    fn profile(&self) -> beam::Profile {
+        let (width, height) = self.free_end();
+        match self.contour() {
+            None => beam::Profile::uniform(self.section(), width, height),
+            Some(contour) => beam::Profile::Varying(Varying::new(contour, self.material())),
+        }
+    }
+
+    /// With one of the [`VARIABLE`] parameters times a factor.
+    fn scaled(&self, parameter: usize, factor: f64) -> Self {
+        let mut model = self.clone();
+        let (modulus, shear, bending) = match &mut model.body {
+            Body::Strip(strip) => {
+                (&mut strip.youngs_modulus, &mut strip.shear_correction, &mut strip.bending_stiffness_factor)
+            }
+            Body::Spatula(Spatula { material, .. }) | Body::Profile(Profile { material, .. }) => {
+                (&mut material.youngs_modulus, &mut material.shear_correction, &mut material.bending_stiffness_factor)
+            }
+        };
+        *[modulus, shear, bending, &mut model.adhesion.hamaker_constant][parameter] *= factor;
+        model
     }
 
     /// What the grip of a pull drives and holds.

@@ -99,6 +99,7 @@ impl RodModel {
             substrate: Substrate::Flat,
             history: None,
             conservative: true,
+            variation: None,
         };
         let (mut held, mut scales) = ([false; INTERFACE], [1.0; INTERFACE]);
         held[..MOST_FIELDS].copy_from_slice(&self.right.held());

@@ -156,7 +156,11 @@ impl<'p> GripBlock<'p> {
 
     /// Solves the transpose of the block: for the derivatives of a functional by the unknowns of the interface and by the force, the
     /// multipliers of the interface's equations and of the path constraint. Those of what is held are zero.
-    pub fn solve_transposed(&self, right: &[f64; INTERFACE], force: f64) -> Result<([f64; INTERFACE], f64), SolveError> {
+    pub fn solve_transposed(
+        &self,
+        right: &[f64; INTERFACE],
+        force: f64,
+    ) -> Result<([f64; INTERFACE], f64), SolveError> {
         let grip = &self.problem.grip;
         let mut vector = SVector::<f64, BLOCK>::zeros();
         vector.as_mut_slice()[..self.interface].copy_from_slice(&right[..self.interface]);

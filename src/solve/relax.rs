@@ -8,7 +8,8 @@
 //! a shorter Δt where it moves too far, where K + C/Δt is not positive (Δt beyond the growth time of an instability) or where
 //! the energy does not fall. It ends in a stable equilibrium to which Newton's own method converges from near by, or fails.
 
-use super::limit_point::locate::{FINE, SINGULAR};
+use super::limit_point::locate::SINGULAR;
+use super::limit_point::search::FINE;
 use super::newton::damped_step;
 use super::{
     Coefficients, NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve,

@@ -1,6 +1,7 @@
 //! Turning points of the path, located and not sampled, with a bound on their error from half as many elements again.
 
 use super::LimitPointKind;
+use super::search::{BendRule, Bends, FINE, LimitPointSearch};
 use crate::solve::{
     NewtonOptions, Observables, PathConstraint, PathSegment, Problem, Solution, SolveError, State, Workspace, slopes,
     solve,
@@ -41,12 +42,6 @@ impl Located {
 
 /// Most solves until a limit point is located.
 const MOST_SOLVES: usize = 8;
-/// Solves after which it is taken as it stands, if it is close.
-const ENOUGH: usize = 4;
-/// A limit point is located when what is left is this share of the step it lies in; the rest is extrapolated.
-const CLOSE: f64 = 1e-5;
-/// The place of a limit point may be wrong by this share of its step.
-const CERTAIN: f64 = 1e-10;
 /// A turn of the force is flat where what is left to find changes it by less than this share of the accuracy.
 const FLAT: f64 = 0.2;
 /// How near a corner of the path is closed in to, at best, over its step.
@@ -56,8 +51,6 @@ const NEAR: f64 = 0.05;
 
 /// Error of a solution on the way to a limit point, relative as in [`crate::solve::System::size`].
 pub const ROUGH: f64 = 1e-10;
-/// The same of the last ones.
-pub(in crate::solve) const FINE: f64 = 1e-12;
 /// Error of a solution next to a singular point, where round-off leaves no better.
 pub(in crate::solve) const SINGULAR: f64 = 1e-5;
 
@@ -190,21 +183,16 @@ pub fn locate(
         let bend = (high.1 - low.1) / width;
         let left = (slope / bend).abs();
         if left < NEAR * (to - from) && left * solution.slope.monitors[0].abs() < NEAR * problem.measure.monitors[0] {
-            let other_bend = segment.observable(turn.other().pick(), label).at(label).2;
-            let search = Search {
-                problem,
-                weights: segment.weights,
-                turn,
-                rising,
-                width: to - from,
-                bend,
-                other_bend,
-                iterations,
+            let other = segment.observable(turn.other().pick(), label).at(label).2;
+            let bends = match turn {
+                LimitPointKind::Displacement => Bends { displacement: bend, force: other },
+                LimitPointKind::Load => Bends { displacement: other, force: bend },
             };
+            let search = LimitPointSearch { problem, weights: segment.weights, kind: turn, width: to - from };
             let slack = NEAR * (to - from);
-            match search.confirmed(solution, segment.target(label), ws) {
+            match confirmed(&search, &solution, segment.target(label), bends, rising, ws) {
                 Ok(located) if (low.0 - slack..high.0 + slack).contains(&segment.label(&located.observables)) => {
-                    return Ok(located);
+                    return Ok(Located { iterations: iterations + located.iterations, ..located });
                 }
                 // the secant rule went elsewhere, or the turn is weak: close in further
                 Ok(_) | Err(_) => iterations += MOST_SOLVES,
@@ -290,120 +278,38 @@ fn flat(
     })
 }
 
-/// The secant rule for the slope of one quantity, on one mesh.
-#[derive(Clone, Copy)]
-struct Search<'p> {
-    problem: &'p Problem,
-    weights: Observables,
-    turn: LimitPointKind,
-    /// Whether the slope rises through zero, as at a minimum: of two limit points near by the other one does not.
-    rising: bool,
-    /// Width of the bracket, in labels.
-    width: f64,
-    /// Second derivatives along the path: of the quantity that turns, and of the other.
-    bend: f64,
-    other_bend: f64,
-    iterations: usize,
-}
-
-/// Where a [`Search`] ended.
-struct Found {
-    solution: Solution,
-    /// Label of the limit point relative to the solution.
-    ahead: f64,
-    /// Target of the constraint at the solution.
+/// The limit point next to `near` on its mesh, by the secant rule, and on half as many elements again. It is a minimum where the slope is
+/// `rising` through zero: of two limit points near by the other one does not.
+fn confirmed(
+    search: &LimitPointSearch,
+    near: &Solution,
     target: f64,
-    /// At the limit point.
-    observables: Observables,
-    /// Size of what is neglected in them.
-    neglected: Observables,
-}
-
-impl<'p> Search<'p> {
-    /// The limit point next to `near` on its mesh, and on half as many elements again.
-    fn confirmed(self, near: Arc<Solution>, target: f64, ws: &mut Workspace) -> Result<Located, SolveError> {
-        let (coarse, search) = self.run(near.at.clone(), target, ws)?;
-        let start = refined(self.problem, &coarse.solution.moved(self.problem, coarse.ahead));
-        let (fine, search) =
-            search.run(start, coarse.target + coarse.ahead, ws).map_err(|_| SolveError::LimitPointNotConfirmed)?;
-        if (search.bend > 0.0) != self.rising {
-            return Err(SolveError::LimitPointNotConfirmed);
-        }
-        let difference = fine.observables.since(&coarse.observables);
-        Ok(Located {
-            solution: Arc::new(coarse.solution),
-            observables: coarse.observables,
-            difference: Observables {
-                displacement: difference.displacement.abs() + coarse.neglected.displacement.abs(),
-                force: difference.force.abs() + coarse.neglected.force.abs(),
-                ..difference
-            },
-            force_curvature: search.bend / fine.solution.slope.displacement.powi(2),
-            flat: false,
-            iterations: search.iterations,
-        })
+    bends: Bends,
+    rising: bool,
+    ws: &mut Workspace,
+) -> Result<Located, SolveError> {
+    let coarse = search.run(near.at.clone(), target, BendRule::Secant(bends), ws)?;
+    let start = refined(search.problem, &coarse.configuration(search.problem));
+    let fine = search
+        .run(start, coarse.target + coarse.ahead, BendRule::Secant(coarse.bends), ws)
+        .map_err(|_| SolveError::LimitPointNotConfirmed)?;
+    let bend = fine.bends.of(search.kind);
+    if (bend > 0.0) != rising {
+        return Err(SolveError::LimitPointNotConfirmed);
     }
-
-    fn run(mut self, start: State, target: f64, ws: &mut Workspace) -> Result<(Found, Self), SolveError> {
-        let (pick, other) = (self.turn.pick(), self.turn.other().pick());
-        let (mut start, mut target) = (start, target);
-        let mut before: Option<(f64, Observables)> = None;
-        let mut ahead = f64::INFINITY;
-        for solves in 1..=MOST_SOLVES {
-            let constraint = PathConstraint { weights: self.weights, target };
-            let solution = solve(self.problem, start, &constraint, &options(FINE, true), ws)?;
-            self.iterations += solution.iterations;
-            if let Some((step, slope)) = before {
-                self.bend = (pick(&solution.slope) - pick(&slope)) / step;
-                self.other_bend = (other(&solution.slope) - other(&slope)) / step;
-            }
-            ahead = -pick(&solution.slope) / self.bend;
-            if !ahead.is_finite() {
-                break;
-            }
-            // the second derivative is a secant's: it is that of the middle of the last step, and what it is wrong by
-            // there it is wrong by in `ahead`; the first one is an interpolant's and not trusted
-            let uncertain =
-                before.map_or(f64::INFINITY, |(step, _)| ahead * (step.abs() + ahead.abs()) / self.width).abs();
-            // where round-off leaves no better, what is left counts as neglected
-            let certain = uncertain <= CERTAIN * self.width || (uncertain.is_finite() && solves > ENOUGH);
-            if ahead.abs() <= CLOSE * self.width && certain {
-                let observables = self.extrapolated(&solution, ahead);
-                let mut neglected = solution.slope.times(uncertain);
-                let (bend_u, bend_p) = self.bends();
-                neglected.displacement = neglected.displacement.abs() + bend_u.abs() * ahead * ahead;
-                neglected.force = neglected.force.abs() + bend_p.abs() * ahead * ahead;
-                return Ok((Found { solution, ahead, target, observables, neglected }, self));
-            }
-            let least = 10.0 * CLOSE * self.width;
-            ahead = if before.is_none() && ahead.abs() < least { least.copysign(ahead) } else { ahead };
-            ahead = ahead.clamp(-NEAR * self.width, NEAR * self.width);
-            before = Some((ahead, solution.slope));
-            start = solution.moved(self.problem, ahead);
-            target += ahead;
-        }
-        Err(SolveError::NotConverged { update: ahead / self.width, iterations: self.iterations })
-    }
-
-    /// Second derivatives of displacement and force along the path.
-    fn bends(&self) -> (f64, f64) {
-        match self.turn {
-            LimitPointKind::Displacement => (self.bend, self.other_bend),
-            LimitPointKind::Load => (self.other_bend, self.bend),
-        }
-    }
-
-    /// The observables a little ahead of a solution; second derivatives only of displacement and force.
-    fn extrapolated(&self, solution: &Solution, ahead: f64) -> Observables {
-        let (o, s) = (&solution.observables, &solution.slope);
-        let (bend_u, bend_p) = self.bends();
-        Observables {
-            monitors: std::array::from_fn(|k| o.monitors[k] + ahead * s.monitors[k]),
-            displacement: o.displacement + ahead * (s.displacement + 0.5 * ahead * bend_u),
-            force: o.force + ahead * (s.force + 0.5 * ahead * bend_p),
-            recorded: o.recorded + ahead * s.recorded,
-        }
-    }
+    let difference = fine.observables.since(&coarse.observables);
+    Ok(Located {
+        solution: Arc::new(coarse.solution),
+        observables: coarse.observables,
+        difference: Observables {
+            displacement: difference.displacement.abs() + coarse.neglected.displacement.abs(),
+            force: difference.force.abs() + coarse.neglected.force.abs(),
+            ..difference
+        },
+        force_curvature: bend / fine.solution.slope.displacement.powi(2),
+        flat: false,
+        iterations: coarse.iterations + fine.iterations,
+    })
 }
 
 /// Difference to the solution on half as many elements again at the same displacement.

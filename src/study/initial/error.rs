@@ -67,7 +67,7 @@ pub enum LoadingError {
     #[error("cannot be followed beyond {at}: {why}")]
     Path { at: LoadingProgress, why: PathError },
     /// What it moves turns back.
-    #[error("comes to a limit point at {at}, behind which the beam jumps")]
+    #[error("comes to a turning point at {at}, behind which the beam jumps")]
     Turns { at: LoadingProgress },
     /// Its equilibria go into the substrate.
     #[error("leads through the surface of the substrate, behind {at}")]

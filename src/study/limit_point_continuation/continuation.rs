@@ -1,6 +1,6 @@
 //! A turning point of the path followed in a parameter of the model.
 //!
-//! The turning point is the solution of an augmented system (see `solve::FoldSearch`). Its state and
+//! The turning point is the solution of an augmented system (see `solve::LimitPointSearch`). Its state and
 //! its force are extrapolated in the parameter by Lagrange polynomials through the values behind it, at equal mesh
 //! coordinates, as many as have been best so far; the mesh follows the front and the process zone of each model. Values between those that are asked for are taken where the extrapolation would be too far off.
 
@@ -8,7 +8,8 @@ use super::result::PointKind;
 use crate::beam::FRONT;
 use crate::model::{Discretisation, Form, PeelModel, PlanarProblem};
 use crate::solve::{
-    Fold, FoldSearch, Mesh, Observables, Problem, SolveError, State, System, Workspace, lagrange_weights, longest_step,
+    BendRule, FoundLimitPoint, LimitPointSearch, Mesh, Observables, Problem, SolveError, State, System, Workspace,
+    lagrange_weights, longest_step,
 };
 use crate::study::accuracy::ORDER;
 use crate::study::peel::power;
@@ -84,19 +85,19 @@ pub(super) fn problem(model: &PeelModel, kind: PointKind) -> PlanarProblem {
 }
 
 /// A search for the point on a problem, with the displacement or the force as the place along the path.
-pub(super) fn search(problem: &Problem, kind: PointKind, target: f64) -> FoldSearch<'_> {
+pub(super) fn search(problem: &Problem, kind: PointKind, target: f64) -> LimitPointSearch<'_> {
     let weights = match kind {
         PointKind::InitiationPeak => Observables::DISPLACEMENT,
         PointKind::SnapOff => Observables::FORCE,
     };
-    FoldSearch { problem, weights, turn: kind.turn(), width: WIDTH * target.abs() }
+    LimitPointSearch { problem, weights, kind: kind.turn(), width: WIDTH * target.abs() }
 }
 
 impl Known {
     /// A located turning point, on a mesh whose focus is exactly at the front of the solution next to it: on the mesh of
     /// the search it is where the front was predicted, and that prediction's error would be noise to the next one.
-    pub fn new(problem: &PlanarProblem, at: f64, fold: &Fold) -> Self {
-        let Fold { solution, ahead, .. } = fold;
+    pub fn new(problem: &PlanarProblem, kind: PointKind, at: f64, fold: &FoundLimitPoint) -> Self {
+        let FoundLimitPoint { solution, ahead, .. } = fold;
         let focus = problem.system.mesh_for(solution.observables.monitors, &solution.at.mesh).focus;
         let mut equilibrium = State {
             mesh: Mesh { focus, boundaries: solution.at.mesh.boundaries.clone() },
@@ -111,7 +112,7 @@ impl Known {
             at,
             equilibrium,
             target: fold.target + ahead,
-            bend: fold.bend,
+            bend: fold.bends.of(kind.turn()),
             bend_age: 0,
             observables: fold.observables,
             neglected: fold.neglected,
@@ -126,11 +127,11 @@ impl Known {
         kind: PointKind,
         elements: usize,
         ws: &mut Workspace,
-    ) -> Result<Fold, SolveError> {
+    ) -> Result<FoundLimitPoint, SolveError> {
         let from = &self.equilibrium;
         let (beam, mesh) = (&problem.beam, problem.beam.mesh_near(from.mesh.focus, &from.mesh));
         let at = beam.on_elements(&State { mesh, ..from.clone() }, elements);
-        search(problem, kind, self.target).run(at, self.target, None, ws)
+        search(problem, kind, self.target).run(at, self.target, BendRule::Difference { neighbour: None }, ws)
     }
 
     /// Numbers that tell how good an extrapolation is; a rotation that the grip holds is no such number.
@@ -238,17 +239,18 @@ impl<'m> Continuation<'m> {
         let problem = problem(&(self.model)(at), self.kind);
         let (start, target) = self.extrapolated(&problem, at, count);
         let neighbour = self.bend_near_by();
-        let found = search(&problem, self.kind, target).run(start, target, neighbour, &mut self.ws);
+        let found =
+            search(&problem, self.kind, target).run(start, target, BendRule::Difference { neighbour }, &mut self.ws);
         let fold = found.inspect_err(|_| self.iterations += 3)?;
         self.iterations += fold.iterations;
         let moved = fold.correction.max((fold.target + fold.ahead - target).abs() / target.abs());
         // a maximum that has become a minimum is another turning point
-        let turned = fold.bend * self.newest().bend <= 0.0;
+        let turned = fold.bends.of(self.kind.turn()) * self.newest().bend <= 0.0;
         if moved > REFUSE || turned || fold.observables.force <= 0.0 {
             return Err(SolveError::NotConverged { update: moved, iterations: fold.iterations });
         }
         let bend_age = if fold.measured { 0 } else { self.newest().bend_age + 1 };
-        Ok(Known { bend_age, ..Known::new(&problem, at, &fold) })
+        Ok(Known { bend_age, ..Known::new(&problem, self.kind, at, &fold) })
     }
 
     /// dg/dσ of the newest value, where it was measured not long ago and values follow closely.

@@ -12,7 +12,7 @@ use super::initial_limit_point::initial_limit_point;
 use super::result::{FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing};
 use crate::beam::FRONT;
 use crate::model::{Discretisation, Form, PeelModel};
-use crate::solve::{Located, Mesh, Observables, Path, SolveError, Workspace};
+use crate::solve::{BendRule, Located, Mesh, Observables, Path, SolveError, Workspace};
 use crate::study::accuracy::{ORDER, Resolution};
 use crate::study::error_bounds::{ROUND_OFF, ROUND_OFF_PLACE};
 use crate::study::initial::prepared;
@@ -325,15 +325,20 @@ impl Sweep<'_> {
         let at = beam.resampled(known, mesh);
         let probe = search(&problem, self.kind, 1.0);
         let target = probe.weights.dot(&located.observables);
-        let fold = search(&problem, self.kind, target).run(at, target, None, &mut Workspace::default())?;
-        Ok(Known::new(&problem, self.coordinate(index), &fold))
+        let fold = search(&problem, self.kind, target).run(
+            at,
+            target,
+            BendRule::Difference { neighbour: None },
+            &mut Workspace::default(),
+        )?;
+        Ok(Known::new(&problem, self.kind, self.coordinate(index), &fold))
     }
 
     /// A known point on another number of elements.
     fn known_on(&self, index: usize, known: &Known, elements: usize) -> Result<Known, SolveError> {
         let problem = problem(&(self.model)(self.values[index]), self.kind);
         let fold = known.on_elements(&problem, self.kind, elements, &mut Workspace::default())?;
-        Ok(Known::new(&problem, known.at, &fold))
+        Ok(Known::new(&problem, self.kind, known.at, &fold))
     }
 
     /// A known point against half as many elements again.

@@ -5,8 +5,8 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 use peelkit::solve::{
-    Coefficients, CondensedSystem, EndConditions, Evaluation, INTERFACE, InitialState, MONITORS, PathMeasure, Problem, Rates,
-    SolveError, State, System, Unknown, Workspace,
+    Coefficients, CondensedSystem, EndConditions, Evaluation, INTERFACE, InitialState, MONITORS, PathMeasure, Problem,
+    Rates, SolveError, State, System, Unknown, Workspace,
 };
 use std::sync::Arc;
 
@@ -120,7 +120,8 @@ impl System for Truss {
         ws: &mut Workspace,
     ) -> Result<CondensedSystem, SolveError> {
         let (energy, residual, mut tangent) = self.assembled(&at.values);
-        (0..2 * self.free).for_each(|k| tangent[(k, k)] += 1.0 / coefficients.per_damping + 1.0 / coefficients.per_mass);
+        (0..2 * self.free)
+            .for_each(|k| tangent[(k, k)] += 1.0 / coefficients.per_damping + 1.0 / coefficients.per_mass);
         let (inside, gradient) = (self.inside(), DVector::from_vec(self.gradient(at, weights)));
         let block = tangent.select_rows(&inside).select_columns(&inside);
         let eigenvalues = block.clone().symmetric_eigenvalues();

@@ -8,7 +8,7 @@ use super::dense_truss::Truss;
 use approx::assert_abs_diff_eq;
 use nalgebra::{DMatrix, DVector};
 use peelkit::solve::{
-    Bordered, Direction, EndConditions, NewtonOptions, Observables, PathConstraint, Problem, State, System, Tangents,
+    Bordered, Direction, EndConditions, NewtonOptions, Observables, PathConstraint, Problem, State, Tangents,
     Workspace, solve,
 };
 
@@ -16,7 +16,16 @@ fn truss() -> Truss {
     Truss {
         nodes: vec![[0.0, 1.0], [1.1, 0.9], [2.0, 1.2], [-0.2, 0.0], [1.0, 0.1], [2.3, -0.1]],
         free: 3,
-        bars: vec![(0, 1, 2.0), (1, 2, 1.5), (0, 3, 3.0), (0, 4, 1.0), (1, 4, 2.5), (2, 4, 1.2), (2, 5, 2.2), (1, 3, 0.7)],
+        bars: vec![
+            (0, 1, 2.0),
+            (1, 2, 1.5),
+            (0, 3, 3.0),
+            (0, 4, 1.0),
+            (1, 4, 2.5),
+            (2, 4, 1.2),
+            (2, 5, 2.2),
+            (1, 3, 0.7),
+        ],
         interface: vec![2, 3, 4, 5],
         monitors: [0, 3],
         follower: 0.3,
@@ -38,8 +47,7 @@ fn grip() -> EndConditions {
     }
 }
 
-const WEIGHTS: Observables =
-    Observables { monitors: [0.7, -0.2], displacement: 0.5, force: 0.1, recorded: 0.0 };
+const WEIGHTS: Observables = Observables { monitors: [0.7, -0.2], displacement: 0.5, force: 0.1, recorded: 0.0 };
 
 fn state() -> State {
     State { values: vec![0.02, -0.1, 0.05, 0.03, -0.04, 0.06], force: 0.2, ..State::default() }
@@ -72,8 +80,7 @@ fn dense(problem: &Problem, at: &State) -> DMatrix<f64> {
 #[test]
 fn many_right_hand_sides_and_their_transpose_are_those_of_a_dense_matrix() {
     let (problem, at, mut ws) = (truss().problem(grip()), state(), Workspace::default());
-    let tangents =
-        Tangents::new(&problem, &at, &PathConstraint { weights: WEIGHTS, target: 0.0 }, &mut ws).unwrap();
+    let tangents = Tangents::new(&problem, &at, &PathConstraint { weights: WEIGHTS, target: 0.0 }, &mut ws).unwrap();
     let matrix = dense(&problem, &at);
     let Direction { along, up } = problem.grip.direction;
     for k in 0..5 {

@@ -4,11 +4,11 @@
 //! `verification/hard_scenes.csv`, a collocation of the strong form without finite elements.
 
 use super::check::{Check, Measure};
+pub use super::hard_scene::{Ending, HardScene};
 use super::reference::{self, Row};
 use super::{bounds, drawn, repeated};
 use peelkit::model::{Hold, PeelModel};
-use peelkit::study::{Accuracy, PathEnd, Peel, peel};
-use peelkit_scene::Bounds;
+use peelkit::study::{Peel, peel};
 use rayon::prelude::*;
 
 /// The name under which the checks are reported.
@@ -18,44 +18,6 @@ const TABLE: &str = include_str!("../../../../verification/hard_scenes.csv");
 const SOURCE: &str = "verification/hard_scenes.py: Chebyshev collocation of the strong form";
 /// Two numbers of a scene are the same within this.
 const SAME: f64 = 1e-12;
-
-/// How a path is expected to end.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
-    Detached,
-    Pivoting,
-    TurnedBack,
-    Sliding,
-    Snapped,
-    Bound,
-    /// Stopped short, with a reason.
-    Refused,
-}
-
-impl Ending {
-    /// How a path did end; a refusal must give a reason.
-    pub fn of(end: &PathEnd) -> Self {
-        match end {
-            PathEnd::Detached => Self::Detached,
-            PathEnd::Pivoting => Self::Pivoting,
-            PathEnd::TurnedBack => Self::TurnedBack,
-            PathEnd::Sliding => Self::Sliding,
-            PathEnd::Snapped => Self::Snapped,
-            PathEnd::Bound(_) => Self::Bound,
-            PathEnd::Failed(_) => Self::Refused,
-        }
-    }
-}
-
-/// A hard scene, read.
-#[derive(Clone, Debug)]
-pub struct HardScene {
-    pub name: &'static str,
-    pub model: PeelModel,
-    pub accuracy: Accuracy,
-    pub bounds: Bounds,
-    pub expected: Ending,
-}
 
 /// Peels every scene, once more in other units, and the drawn strips, on all cores, and judges what came out.
 pub fn run(scenes: &[HardScene]) -> Vec<Check> {

@@ -9,6 +9,7 @@ pub mod drawn;
 mod friction;
 mod ground;
 pub mod hard;
+mod hard_scene;
 mod laws;
 mod levels;
 pub mod orders;

@@ -5,7 +5,7 @@
 //! other steps, other meshes where a decision was close. Both runs' bounds together must cover it.
 
 use super::check::{Check, Measure};
-use super::hard::HardScene;
+use super::hard_scene::HardScene;
 use peelkit::model::{Body, PeelModel};
 use peelkit::study::{Accuracy, LimitPoint, PathEnd, Peel, Turn, peel};
 use peelkit_scene::Bounds;

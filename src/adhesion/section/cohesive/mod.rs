@@ -56,8 +56,8 @@ shapes! {
     Exponential = exponential,
     /// The same over most of its range; flanks are steep, corners rounded.
     Dugdale = dugdale,
-    /// s = 27/4 t (1 - t)² up to t = 1
-    Polynomial = polynomial,
+    /// Level up to half of its range, with a long flank and rounded corners.
+    Trapezoidal = trapezoidal,
 }
 
 impl CohesiveShape {

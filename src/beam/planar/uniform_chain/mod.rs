@@ -12,8 +12,8 @@ mod read;
 mod sweep;
 
 use super::{
-    Basis, Chain, ChainFactors, Configuration, Element, ElementEnergy, Front, Integrand, MOST_FIELDS, NodeState, PathRow, Root,
-    SectionState,
+    Basis, Chain, ChainFactors, Configuration, Element, ElementEnergy, Front, Integrand, MOST_FIELDS, NodeState,
+    PathRow, Root, SectionState,
 };
 use crate::number::Four;
 use crate::solve::{History, SolveError};

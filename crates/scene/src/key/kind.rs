@@ -1,0 +1,92 @@
+//! What a key takes, and where in a scene its value goes.
+
+use crate::quantity::Dimension;
+use crate::scene::Scene;
+use peelkit::adhesion::{LineLoad, Substrate};
+use peelkit::model::{Attraction, Hold, ProfileForm, Start, Step};
+use peelkit::study::Terms;
+use std::fmt;
+
+/// Whether a scene has to hold a key.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Need {
+    /// A scene without it is refused.
+    Required,
+    /// What holds without it is what `Scene::empty` holds.
+    Optional,
+}
+
+/// What a key takes, and where in the scene its value goes.
+#[derive(Debug)]
+pub enum Kind {
+    /// A text in quotes.
+    Text(fn(&mut Scene) -> &mut String),
+    /// A number without a unit.
+    Number(Range, fn(&mut Scene) -> &mut f64),
+    /// A number with a unit, in a range of its own.
+    Measure(Dimension, Range, fn(&mut Scene) -> &mut f64),
+    /// A positive number with a unit.
+    Quantity(Dimension, fn(&mut Scene) -> &mut f64),
+    /// The same, or nothing.
+    Bound(Dimension, fn(&mut Scene) -> &mut Option<f64>),
+    /// A whole number from 1.
+    Count(fn(&mut Scene) -> &mut usize),
+    /// A whole number from 1 to this, or nothing.
+    Fixed(usize, fn(&mut Scene) -> &mut Option<usize>),
+    /// A number without a unit, or nothing.
+    Share(Range, fn(&mut Scene) -> &mut Option<f64>),
+    /// true or false
+    Flag(fn(&mut Scene) -> &mut bool),
+    /// A table along a beam: a CSV of several lines, or the name of its file, which is looked for beside the scene.
+    Table(fn(&mut Scene) -> &mut ProfileForm),
+    /// A list of the pieces of a beam, in place of a table.
+    Pieces(fn(&mut Scene) -> &mut ProfileForm),
+    /// A word for the law of adhesion.
+    Attraction(fn(&mut Scene) -> &mut Attraction),
+    /// A word for the load on the axis.
+    LineLoad(fn(&mut Scene) -> &mut LineLoad),
+    /// A word for what the grip does.
+    Hold(fn(&mut Scene) -> &mut Hold),
+    /// A word for the shape of the substrate.
+    Shape(fn(&mut Scene) -> &mut Substrate),
+    /// Heights of the substrate: a CSV of several lines, or the name of its file, which is looked for beside the scene.
+    Heights(fn(&mut Scene) -> &mut Substrate),
+    /// A word for how the beam has come to lie.
+    Start(fn(&mut Scene) -> &mut Start),
+    /// A word for which terms of the model are computed.
+    Terms(fn(&mut Scene) -> &mut Terms),
+    /// A list of what the grip does before the pull.
+    Steps(fn(&mut Scene) -> &mut Vec<Step>),
+}
+
+/// The numbers that have a meaning.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Range {
+    /// Above zero.
+    Positive,
+    /// Both ends excluded.
+    Between(f64, f64),
+    /// Both ends included.
+    From(f64, f64),
+}
+
+impl Range {
+    /// Whether the number is one of them.
+    pub(super) fn contains(self, number: f64) -> bool {
+        match self {
+            Self::Positive => number > 0.0,
+            Self::Between(low, high) => low < number && number < high,
+            Self::From(low, high) => low <= number && number <= high,
+        }
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Positive => write!(f, "a number above zero"),
+            Self::Between(low, high) => write!(f, "a number between {low} and {high}, both excluded"),
+            Self::From(low, high) => write!(f, "a number from {low:e} to {high:e}"),
+        }
+    }
+}

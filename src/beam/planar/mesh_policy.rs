@@ -1,0 +1,69 @@
+//! Where the elements of a planar beam lie, and how a state gets onto another mesh.
+
+use super::PlanarBeam;
+use crate::beam::{Focus, MeshKind, MeshPieces, graded_ends};
+use crate::solve::{Mesh, State};
+
+/// How the elements of a beam are laid out.
+#[derive(Clone, Debug)]
+pub struct MeshPolicy {
+    /// Whether the mesh follows the front.
+    pub kind: MeshKind,
+    /// Foci of the mesh besides the front.
+    pub fixed_foci: Vec<Focus>,
+    /// Between which places elements lie.
+    pub pieces: MeshPieces,
+}
+
+impl PlanarBeam {
+    /// A front as the focus of a mesh: no farther than the ends of the chain.
+    pub(super) fn centered(&self, front: f64) -> f64 {
+        front.clamp(0.0, self.fronts.near(self.length))
+    }
+
+    /// Element ends for a front at `center`.
+    pub fn ends(&self, center: f64, elements: usize) -> Vec<f64> {
+        self.ends_near(center, elements, &[])
+    }
+
+    /// The same, found faster from the ends of a similar mesh.
+    pub fn ends_near(&self, center: f64, elements: usize, near: &[f64]) -> Vec<f64> {
+        let MeshPolicy { kind, fixed_foci, pieces } = &self.mesh;
+        let mut foci = Vec::with_capacity(1 + fixed_foci.len());
+        if self.adheres() && *kind != MeshKind::Uniform {
+            let center = if *kind == MeshKind::Moving { self.fronts.place(center) } else { self.rest_front };
+            foci.push(Focus { center, length: self.process_length, weight: 1.0 });
+            foci.extend(fixed_foci);
+        }
+        graded_ends(pieces, &foci, elements, near)
+    }
+
+    /// A mesh of its own for a front.
+    pub fn mesh_at(&self, front: f64, elements: usize) -> Mesh {
+        let focus = self.centered(front);
+        Mesh { boundaries: self.ends(focus, elements), focus }
+    }
+
+    /// The mesh for a front with as many elements as another one, found faster near to that.
+    pub fn mesh_near(&self, front: f64, like: &Mesh) -> Mesh {
+        let focus = self.centered(front);
+        Mesh { boundaries: self.ends_near(focus, like.elements(), &like.boundaries), focus }
+    }
+
+    /// S of every node, nm.
+    pub fn places(&self, ends: &[f64]) -> Vec<f64> {
+        let (elements, order) = (ends.len() - 1, self.chain.order());
+        let place = |node: usize| {
+            let e = (node / order).min(elements - 1);
+            ends[e] + (ends[e + 1] - ends[e]) * self.chain.node_fraction(node - e * order)
+        };
+        (0..=elements * order).map(place).collect()
+    }
+
+    /// A state read off on another mesh.
+    pub fn resampled(&self, at: &State, mesh: Mesh) -> State {
+        let mut values = self.chain.resampled(self.configuration(at), &mesh.boundaries);
+        values.extend_from_slice(&at.values[self.nodes(&at.values).len()..]);
+        State { mesh, values, ..at.clone() }
+    }
+}

@@ -1,0 +1,273 @@
+//! The planar beam as a [`System`]: what a solver asks of it. Its interface is the right end.
+
+use super::{ChainFactors, FRONT, PathRow, PlanarBeam, TIP_ROTATION, Variation};
+use crate::beam::{MeshKind, Rest};
+use crate::solve::{
+    Coefficients, CondensedSystem, Evaluation, History, INTERFACE, MONITORS, Mesh, Rates, SolveError, State, System,
+    Unknown, Workspace,
+};
+use std::sync::Arc;
+
+const HEIGHT: Unknown = Unknown { name: "height of the right end", unit: "nm" };
+const ROTATION: Unknown = Unknown { name: "rotation of the right end", unit: "rad" };
+const PLACE: Unknown = Unknown { name: "place of the right end along the substrate", unit: "nm" };
+const AXIAL_FORCE: Unknown = Unknown { name: "horizontal section force", unit: "nN" };
+const FREE: [Unknown; 2] = [HEIGHT, ROTATION];
+const PULLED_ALONG: [Unknown; 4] = [HEIGHT, ROTATION, AXIAL_FORCE, PLACE];
+const WITH_X: [Unknown; 3] = [PLACE, HEIGHT, ROTATION];
+
+/// A beam of which less than this share of the process zone adheres is loose.
+const LOOSE: f64 = 0.1;
+/// One step takes a loose beam no nearer to the substrate than this share of its distance.
+const NEARER: f64 = 0.6;
+/// The mesh is renewed when the front has moved by this share of the process zone.
+const MOVED: f64 = 0.3;
+/// Step of the logarithm of a parameter over which residuals are differenced: its fourth power is the error, relative.
+const VARIED: f64 = 1e-3;
+
+impl System for PlanarBeam {
+    fn interface(&self) -> &[Unknown] {
+        match (self.rotation, self.chain.has_border()) {
+            (1, false) => &FREE,
+            (1, true) => &PULLED_ALONG,
+            _ => &WITH_X,
+        }
+    }
+
+    fn unknowns(&self, at: &State) -> usize {
+        at.values.len()
+    }
+
+    fn interface_values(&self, at: &State) -> [f64; INTERFACE] {
+        let from = self.nodes(&at.values).len() - self.fields();
+        let end = &at.values[from..];
+        let mut values = [0.0; INTERFACE];
+        values[..end.len()].copy_from_slice(end);
+        values
+    }
+
+    fn place_of(&self, slot: usize, at: &State) -> usize {
+        self.nodes(&at.values).len() - self.fields() + slot
+    }
+
+    fn multipliers(&self) -> usize {
+        usize::from(self.chain.has_border())
+    }
+
+    fn is_conservative(&self) -> bool {
+        self.conservative
+    }
+
+    fn has_history(&self) -> bool {
+        self.history.is_some()
+    }
+
+    fn round_off(&self) -> f64 {
+        self.round_off
+    }
+
+    fn factorise(
+        &self,
+        at: &State,
+        coefficients: Coefficients,
+        weights: [f64; MONITORS],
+        ws: &mut Workspace,
+    ) -> Result<CondensedSystem, SolveError> {
+        let mut row = PathRow { adhesion: self.front(weights[FRONT]), ..PathRow::default() };
+        row.left[self.rotation] = weights[TIP_ROTATION];
+        let diagonal = self.diagonal(at, coefficients);
+        let factors = ws.factors::<ChainFactors>();
+        let root = self.chain.eliminate_damped(self.configuration(at), &row, &diagonal, factors)?;
+        let known = self.fields() + usize::from(self.chain.has_border());
+        let mut condensed = CondensedSystem {
+            matrix: [[0.0; INTERFACE]; INTERFACE],
+            residual: [0.0; INTERFACE],
+            gradient: [0.0; INTERFACE],
+            gradient_residual: root.matrix[known][known],
+            negative: root.negative,
+            least_pivot: f64::INFINITY,
+            evaluation: self.evaluation(at, root.energy),
+        };
+        for i in 0..known {
+            condensed.matrix[i][..known].copy_from_slice(&root.matrix[i][..known]);
+            condensed.residual[i] = root.matrix[i][known];
+            condensed.gradient[i] = root.matrix[known][i];
+        }
+        if self.chain.has_border() {
+            // ∂Π/∂H is the distance of the ends less what the chain spans, ∂Π/∂x(L) is H
+            let (multiplier, place) = (known - 1, known);
+            let (force, end) = self.axial(&at.values);
+            condensed.matrix[place][multiplier] = 1.0;
+            condensed.matrix[multiplier][place] = 1.0;
+            condensed.residual[place] = force;
+            condensed.residual[multiplier] += self.span() + end;
+        }
+        Ok(condensed)
+    }
+
+    fn recover(&self, ws: &Workspace, interface: &[f64; INTERFACE], scale: f64, direction: &mut [f64]) {
+        let nodes = self.nodes(direction).len();
+        let fields = self.fields();
+        self.chain.recover(ws.factored::<ChainFactors>(), interface, scale, &mut direction[..nodes]);
+        direction[nodes..].copy_from_slice(&interface[fields..fields + self.behind()]);
+    }
+
+    fn reduce(&self, _ws: &Workspace, _right: &mut [f64], _transposed: bool) -> [f64; INTERFACE] {
+        [0.0; INTERFACE]
+    }
+
+    fn substitute(&self, _ws: &Workspace, _interface: &[f64; INTERFACE], _right: &mut [f64], _transposed: bool) {}
+
+    fn evaluate(&self, at: &State, direction: &[f64]) -> (Evaluation, Rates) {
+        let nodes = self.nodes(direction);
+        let (energy, adhesion) = self.chain.energy(self.configuration(at), nodes);
+        let rates = Rates {
+            monitors: [self.front(adhesion), nodes[self.rotation]],
+            recorded: nodes[nodes.len() - self.fields() + self.rotation],
+        };
+        (self.evaluation(at, energy), rates)
+    }
+
+    fn gradient(&self, at: &State, weights: [f64; MONITORS]) -> Vec<f64> {
+        let mut gradient = if weights[FRONT] == 0.0 {
+            vec![0.0; self.nodes(&at.values).len()]
+        } else {
+            self.chain.adhesion_gradient(self.configuration(at))
+        };
+        gradient.iter_mut().for_each(|entry| *entry = weights[FRONT] * self.front(*entry));
+        gradient[self.rotation] += weights[TIP_ROTATION];
+        gradient.resize(at.values.len(), 0.0);
+        gradient
+    }
+
+    fn residual(&self, at: &State) -> Vec<f64> {
+        let (mut residual, by_force) = self.chain.residual(self.configuration(at));
+        if self.chain.has_border() {
+            let (force, end) = self.axial(&at.values);
+            residual.extend([by_force + self.span() + end, force]);
+        }
+        residual
+    }
+
+    fn parameters(&self) -> &[&'static str] {
+        self.variation.as_ref().map_or(&[], |variation| variation.parameters)
+    }
+
+    /// By a central difference of the fourth order.
+    fn residual_by_parameter(&self, parameter: usize, at: &State) -> Vec<f64> {
+        let mut derivative = vec![0.0; at.values.len()];
+        let Some(Variation { chain, .. }) = &self.variation else { return derivative };
+        for (step, weight) in [(1.0, 8.0), (-1.0, -8.0), (2.0, -1.0), (-2.0, 1.0)] {
+            let (nodes, by_force) = chain(parameter, (step * VARIED).exp()).residual(self.configuration(at));
+            let behind = if self.chain.has_border() { Some(by_force) } else { None };
+            let weight = weight / (12.0 * VARIED);
+            derivative.iter_mut().zip(nodes.into_iter().chain(behind)).for_each(|(d, r)| *d += weight * r);
+        }
+        derivative
+    }
+
+    fn size(&self, direction: &[f64], values: &[f64]) -> f64 {
+        let (fields, rotation, up) = (self.fields(), self.rotation, self.rotation - 1);
+        let per_rotation = 1.0 / self.scale[rotation];
+        let (mut largest, mut sum) = (0.0f64, 0.0);
+        for (u, s) in self.nodes(direction).chunks_exact(fields).zip(self.nodes(values).chunks_exact(fields)) {
+            // x, where it is an unknown, is measured like the height
+            let height = if up > 0 { u[0].abs().max(u[up].abs()) } else { u[up].abs() };
+            let size = height / self.height_unit(s);
+            let turn = u[rotation].abs() * per_rotation;
+            largest = if size > largest { size } else { largest };
+            largest = if turn > largest { turn } else { largest };
+            sum += height + turn;
+        }
+        // a comparison passes over a NaN, a sum does not
+        if sum.is_finite() { largest } else { f64::NAN }
+    }
+
+    fn per_unit(&self, values: &[f64]) -> Vec<f64> {
+        let (rotation, nodes) = (self.rotation, self.nodes(values));
+        let mut units = vec![1.0 / self.scale[rotation]; values.len()];
+        units[nodes.len()..].fill(0.0);
+        for (units, s) in units.chunks_exact_mut(self.fields()).zip(nodes.chunks_exact(self.fields())) {
+            units[..rotation].fill(1.0 / self.height_unit(s));
+        }
+        units
+    }
+
+    /// Where a beam of varying outline would lie within the substrate it is lifted onto that.
+    fn stress_free(&self, elements: usize) -> State {
+        let focus = self.fronts.near(self.rest_front);
+        let boundaries = self.ends(focus, elements);
+        let mut values = Vec::new();
+        for s in self.places(&boundaries) {
+            let mut node = self.rest_at(s);
+            if self.rotation > 1 {
+                node[0] += self.stretch * s / self.length;
+            }
+            if let Rest::Varying(rest) = &self.rest {
+                let up = self.rotation - 1;
+                let tilted = 0.5 * rest.height(s) * (1.0 - node[self.rotation].cos().abs());
+                node[up] = node[up].max(self.rest_gap - tilted);
+            }
+            values.extend_from_slice(&node[..self.fields()]);
+        }
+        if self.chain.has_border() {
+            values.extend([self.pretension, self.stretch]);
+        }
+        State { mesh: Mesh { boundaries, focus }, values, force: 0.0, history: self.history.clone() }
+    }
+
+    fn on_elements(&self, at: &State, elements: usize) -> State {
+        let focus = at.mesh.focus;
+        self.resampled(at, Mesh { boundaries: self.ends(focus, elements), focus })
+    }
+
+    fn refocused(&self, at: &State, monitors: [f64; MONITORS]) -> State {
+        self.resampled(at, self.mesh_at(monitors[FRONT], at.mesh.elements()))
+    }
+
+    fn mesh_for(&self, monitors: [f64; MONITORS], like: &Mesh) -> Mesh {
+        self.mesh_near(monitors[FRONT], like)
+    }
+
+    fn aligned(&self, at: &State, monitors: [f64; MONITORS]) -> Vec<f64> {
+        let mesh = self.mesh_for(monitors, &at.mesh);
+        let mut values = self.chain.shifted(self.configuration(at), &mesh.boundaries);
+        values.extend_from_slice(&at.values[values.len()..]);
+        values
+    }
+
+    fn remeshed(&self, at: &State) -> Option<State> {
+        if self.mesh.kind != MeshKind::Moving {
+            return None;
+        }
+        let front = self.front_of(at);
+        if (self.centered(front) - at.mesh.focus).abs() < MOVED * self.process_length {
+            return None;
+        }
+        Some(self.resampled(at, self.mesh_near(front, &at.mesh)))
+    }
+
+    fn commit(&self, at: &State) -> Option<Arc<History>> {
+        self.chain.slid(self.configuration(at)).map(Arc::new)
+    }
+
+    /// Turned, the more the farther from the grip.
+    fn disturbance(&self, at: &State, size: f64) -> Vec<f64> {
+        let mut direction = vec![0.0; at.values.len()];
+        let (fields, nodes) = (self.fields(), self.nodes(&at.values).len() / self.fields());
+        for node in 0..nodes {
+            let away = 1.0 - node as f64 / (nodes - 1) as f64;
+            direction[node * fields + self.rotation] = size * self.scale[self.rotation] * away;
+        }
+        direction
+    }
+
+    fn admits(&self, from: &State, monitors: [f64; MONITORS], prediction: &State) -> bool {
+        let loose = self.adheres() && monitors[FRONT] < LOOSE * self.process_length;
+        !(loose && self.nearest(prediction) < NEARER * self.nearest(from))
+    }
+
+    fn is_admissible(&self, at: &State) -> bool {
+        self.nearest(at) > 0.0
+    }
+}

@@ -1,0 +1,100 @@
+//! The planar beam's derivatives by parameters of its model: one transposed solve against differences of whole solutions.
+//!
+//! The paper's strip (L = 100 nm, h = 10 nm, E = 2 GPa), and a spatula, lifted by a displacement u that is held; the derivative of the
+//! force, dP/d ln p = -λ·∂R/∂ln p with the multipliers λ of the force. Forms: x condensed, with the axial force as a multiplier (held across),
+//! x at every node, a load without a potential (unsymmetric tangent), and a pull at 60 degrees.
+//! Expected: to 2e-8 of P, which is what a central difference of solutions with a step of 1e-4 leaves.
+
+use crate::common::{paper_strip, with_grip, with_load};
+use approx::assert_abs_diff_eq;
+use peelkit::adhesion::LineLoad;
+use peelkit::model::{Body, Form, Hold, PeelModel, Pull, Spatula};
+use peelkit::solve::{
+    Bordered, Observables, PathConstraint, Problem, Solution, State, Tangents, Workspace, controlled,
+};
+
+const LIFT: f64 = 0.3;
+const ELEMENTS: usize = 18;
+
+fn solved(model: &PeelModel, form: Form, start: Option<State>) -> (impl std::ops::Deref<Target = Problem>, Solution) {
+    let problem = model.problem(form, 5);
+    let start = start.unwrap_or_else(|| problem.initial(ELEMENTS));
+    let found = controlled(&problem, start, Observables::DISPLACEMENT, &[LIFT], 1e-13).unwrap().remove(0);
+    (problem, found)
+}
+
+fn check(name: &str, model: PeelModel, form: Form) {
+    let (problem, solution) = solved(&model, form, None);
+    let constraint = PathConstraint { weights: Observables::DISPLACEMENT, target: LIFT };
+    let mut ws = Workspace::default();
+    let tangents = Tangents::new(&problem, &solution.at, &constraint, &mut ws).unwrap();
+    let unknowns = problem.system.unknowns(&solution.at);
+    let functional = Bordered { direction: vec![0.0; unknowns], last: 1.0 };
+    let multipliers = tangents.solve_transposed(&functional, &ws).unwrap().direction;
+    for (parameter, key) in problem.system.parameters().iter().enumerate() {
+        let by_parameter = problem.system.residual_by_parameter(parameter, &solution.at);
+        let adjoint: f64 = -multipliers.iter().zip(&by_parameter).map(|(m, r)| m * r).sum::<f64>();
+        let step = 1e-4;
+        let force = |factor: f64| {
+            let mut varied = model.clone();
+            match (&mut varied.body, *key) {
+                (_, "hamaker_constant") => varied.adhesion.hamaker_constant *= factor,
+                (Body::Strip(strip), "youngs_modulus") => strip.youngs_modulus *= factor,
+                (Body::Strip(strip), "shear_correction") => strip.shear_correction *= factor,
+                (Body::Strip(strip), _) => strip.bending_stiffness_factor *= factor,
+                (Body::Spatula(spatula), "youngs_modulus") => spatula.material.youngs_modulus *= factor,
+                (Body::Spatula(spatula), "shear_correction") => spatula.material.shear_correction *= factor,
+                (Body::Spatula(spatula), _) => spatula.material.bending_stiffness_factor *= factor,
+                (Body::Profile(_), _) => unreachable!("there is none here"),
+            }
+            solved(&varied, form, Some(solution.at.clone())).1.observables.force
+        };
+        let difference = (force(1.0 + step) - force(1.0 - step)) / (2.0 * step);
+        let scale = solution.observables.force.abs();
+        assert!((adjoint - difference).abs() < 2e-8 * scale, "{name}, {key}: {adjoint:e} against {difference:e}");
+    }
+}
+
+#[test]
+fn the_force_of_strips_by_material_and_adhesion() {
+    let strip = paper_strip(100.0, 1.0);
+    check("x condensed", (&strip).into(), Form::TwoField);
+    check("x at every node", (&strip).into(), Form::ThreeField);
+    check("held across", (&with_grip(strip, Hold::Fixed, Hold::Fixed)).into(), Form::TwoField);
+    check("without a potential", (&with_load(strip, LineLoad::ForceOnly)).into(), Form::TwoField);
+    let pull = Pull { angle: 60f64.to_radians(), ..Pull::UP };
+    check("at 60 degrees", PeelModel { pull, ..(&strip).into() }, Form::TwoField);
+    check("at 60 degrees, x at every node", PeelModel { pull, ..(&strip).into() }, Form::ThreeField);
+}
+
+/// The gradient of the monitors against differences, which the transposed solve with a path constraint needs.
+#[test]
+fn gradients_of_front_and_rotation() {
+    let strip: PeelModel = (&paper_strip(100.0, 1.0)).into();
+    for form in [Form::TwoField, Form::ThreeField] {
+        let (problem, solution) = solved(&strip, form, None);
+        let at = &solution.at;
+        for weights in [[1.0, 0.0], [0.0, 1.0], [0.3, -2.0]] {
+            let gradient = problem.system.gradient(at, weights);
+            let direction: Vec<f64> = (0..gradient.len()).map(|k| (0.7 * k as f64).sin()).collect();
+            let rates = problem.system.evaluate(at, &direction).1.monitors;
+            let along: f64 = gradient.iter().zip(&direction).map(|(g, d)| g * d).sum();
+            assert_abs_diff_eq!(
+                along,
+                weights[0] * rates[0] + weights[1] * rates[1],
+                epsilon = 1e-10 * along.abs().max(1.0)
+            );
+        }
+    }
+    let spatula = Spatula::default().model();
+    let (problem, solution) = solved(&spatula, Form::TwoField, None);
+    // in equilibrium the residual is the force of the grip and the moment that holds its rotation
+    let residual = problem.system.residual(&solution.at);
+    let inside = residual[..residual.len() - 2].iter().fold(0.0f64, |most, r| most.max(r.abs()));
+    assert!(inside < 1e-8 * solution.observables.force.abs(), "{inside:e}");
+    assert_abs_diff_eq!(
+        residual[residual.len() - 2],
+        solution.observables.force,
+        epsilon = 1e-8 * solution.observables.force.abs()
+    );
+}
