@@ -125,9 +125,9 @@ impl Strand {
     }
 }
 
-/// Follows the point of `kind`, on flat ground and with no steps before the pull, over `values` of a parameter, which make their way evenly in the sense of `spacing`.
-/// `model` gives the model at a value, also at values in between, `stop` the stop criteria of a
-/// whole peel, asked before each; `solved` is given the place of a value as soon as it is solved for, again where it is solved for anew.
+/// Follows the point of `kind`, on flat ground and with no steps before the pull, over `values` of a parameter, which make their way
+/// evenly in the sense of `spacing`. `model` gives the model at a value, also at values in between. `stop` gives the stop criteria of
+/// one path, anew for each. `solved` is given the place of a value as soon as it is solved for, again where it is solved for anew.
 pub fn follow_point<M: Into<PeelModel>>(
     kind: PointKind,
     values: &[f64],
