@@ -8,11 +8,11 @@ use common::Setting;
 use criterion::{Criterion, criterion_group, criterion_main};
 use peelkit::model::{Form, StripModel};
 use peelkit::solve::{MOST_POINTS, Path, PathOptions};
-use peelkit::study::{Accuracy, Bounds, PointKind, Spacing, SweepCase, follow_point, peel, sweep};
+use peelkit::study::{Accuracy, Found, PointKind, Spacing, StopCriteria, follow_point, peel, sweep};
 use std::hint::black_box;
 
 const DEFAULT: Accuracy = Accuracy::to(1e-6);
-const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
 /// The paper's strip.
 fn strip(length: f64, factor: f64) -> StripModel {
@@ -51,9 +51,9 @@ fn path_alone(c: &mut Criterion) {
 
 /// EI/EI0 from 1e-4 to 1e4 in 33 points, each the full path, on all cores.
 fn stiffness_sweep(c: &mut Criterion) {
-    let case = |value| SweepCase { value, model: strip(100.0, value).into(), accuracy: DEFAULT, bounds: BOUNDS };
-    let cases: Vec<_> = (0..33).map(|k| case(10f64.powf(-4.0 + 0.25 * f64::from(k)))).collect();
-    c.bench_function("sweep of 33 stiffnesses", |b| b.iter(|| sweep(black_box(&cases), &|| true, &|_| ())));
+    let cases: Vec<_> = (0..33).map(|k| strip(100.0, 10f64.powf(-4.0 + 0.25 * f64::from(k)))).collect();
+    let run = |model: &StripModel| Found::from(&peel(model, &DEFAULT, &BOUNDS));
+    c.bench_function("sweep of 33 stiffnesses", |b| b.iter(|| sweep(black_box(&cases), &|| true, &run)));
 }
 
 /// The initiation peak followed over EI/EI0 from 1e-4 to 1e4 in 1000 values at 1e-8, on one core: time a thousand values.
@@ -64,7 +64,15 @@ fn peak_only(c: &mut Criterion) {
     c.bench_function("peak followed over 1000 stiffnesses", |b| {
         b.iter(|| {
             let values = black_box(&values);
-            follow_point(PointKind::InitiationPeak, values, Spacing::Logarithmic, &model, &accuracy, &BOUNDS, &|| ())
+            follow_point(
+                PointKind::InitiationPeak,
+                values,
+                Spacing::Logarithmic,
+                &model,
+                &accuracy,
+                &|| BOUNDS,
+                &|_| (),
+            )
         });
     });
 }

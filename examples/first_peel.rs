@@ -18,7 +18,7 @@ equilibrium_distance = "0.4 nm"
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = Scene::parse("first_peel", SCENE, &[])?;
-    let peel = peel(&scene.model, &scene.accuracy, &scene.bounds);
+    let peel = peel(&scene.model, &scene.accuracy, &scene.bounds.from_now());
 
     let peak = peel.peak.ok_or("the path has no peak")?;
     println!("peak force  {:.9} nN, wrong by no more than {:.0e} nN", peak.force, peak.force_error);

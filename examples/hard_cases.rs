@@ -7,9 +7,9 @@
 use peelkit::beam::{FRONT, MeshKind, TIP_ROTATION};
 use peelkit::model::Form;
 use peelkit::solve::{MOST_POINTS, Observables, Path, PathOptions, controlled};
-use peelkit::study::{Accuracy, Bounds, Choice, End, Peel, peel};
+use peelkit::study::{Accuracy, Choice, PathEnd, Peel, peel};
 use peelkit_report::end_word;
-use peelkit_scene::Scene;
+use peelkit_scene::{Bounds, Scene};
 use rayon::prelude::*;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 fn row(name: &str, scene: &Scene) -> String {
-    let result = peel(&scene.model, &scene.accuracy, &scene.bounds);
+    let result = peel(&scene.model, &scene.accuracy, &scene.bounds.from_now());
     let peak = result.initiation_peak.as_ref();
     let (force, bound) =
         peak.map_or(("none".into(), String::new()), |p| (format!("{:.9}", p.force), format!("{:.0e}", p.force_error)));
@@ -46,7 +46,7 @@ fn row(name: &str, scene: &Scene) -> String {
 fn on_a_fixed_mesh(scene: &Scene, own: &Peel) -> String {
     let choice = Choice { mesh: MeshKind::Uniform, elements: Some(8 * own.effort.elements), ..scene.accuracy.choice };
     let bounds = Bounds { time_s: Some(5.0), ..scene.bounds };
-    let other = peel(&scene.model, &Accuracy { choice, ..scene.accuracy }, &bounds);
+    let other = peel(&scene.model, &Accuracy { choice, ..scene.accuracy }, &bounds.from_now());
     let off = match (own.initiation_peak, other.initiation_peak) {
         (Some(a), Some(b)) => format!("peak off by {:.0e}", (b.force / a.force - 1.0).abs()),
         (Some(_), None) => "no peak".into(),
@@ -83,7 +83,7 @@ fn by_secants(scene: &Scene, own: &Peel) -> String {
                     let passed = scene.bounds.displacement.is_some_and(|most| o.displacement > most);
                     if over
                         || passed
-                        || (matches!(own.end, End::Pivoting)
+                        || (matches!(own.end, PathEnd::Pivoting)
                             && path.points().len() > 3
                             && o.monitors[FRONT] < 1.0001 * end
                             && o.monitors[TIP_ROTATION] > 1.57)

@@ -9,7 +9,7 @@
 use peelkit::adhesion::{LineResponse, OwnLaw, SectionLaw, TiltedSection};
 use peelkit::analytic::kendall_force;
 use peelkit::model::{Attraction, StripModel};
-use peelkit::study::{Accuracy, Bounds, peel};
+use peelkit::study::{Accuracy, StopCriteria, peel};
 use std::f64::consts::FRAC_PI_2;
 
 /// s is 1 at its largest.
@@ -77,7 +77,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut model = StripModel::of_the_paper(1000.0, 1.0);
     model.adhesion.attraction = Attraction::Own(OwnLaw::kept(law));
 
-    let bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+    let bounds = StopCriteria::after_points(20_000);
     let peel = peel(&model, &Accuracy::to(1e-6), &bounds);
     let peak = peel.initiation_peak.ok_or("the path has no peak")?;
     println!("initiation peak  {:.9} nN, wrong by no more than {:.0e} nN", peak.force, peak.force_error);

@@ -1,9 +1,10 @@
 //! Why a computation stopped, with the numbers.
 
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// Where in a system something went wrong.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Place {
     pub element: usize,
     /// S of its left end, nm
@@ -16,15 +17,39 @@ impl fmt::Display for Place {
     }
 }
 
+/// What turned out not to be a finite number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Quantity {
+    /// The second derivatives of the energy.
+    Tangent,
+    /// A step of Newton's method.
+    NewtonUpdate,
+    /// A shortened step of it.
+    DampedUpdate,
+    /// The direction of the path.
+    PathTangent,
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match self {
+            Self::Tangent => "the tangent",
+            Self::NewtonUpdate => "Newton's update",
+            Self::DampedUpdate => "a damped update",
+            Self::PathTangent => "the path's tangent",
+        })
+    }
+}
+
 /// Why equilibrium was not found.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum SolveError {
     /// A number of the system is not finite.
     #[error("not a finite number in {quantity}, {place}")]
-    NotFinite { quantity: &'static str, place: Place },
+    NotFinite { quantity: Quantity, place: Place },
     /// A number of the solution as a whole is not finite.
     #[error("not a finite number in {quantity}")]
-    NotFiniteUpdate { quantity: &'static str },
+    NotFiniteUpdate { quantity: Quantity },
     /// Elimination met a pivot that is zero to rounding.
     #[error("singular tangent: pivot {pivot:.3e} in {place}")]
     Singular { pivot: f64, place: Place },
@@ -39,9 +64,6 @@ pub enum SolveError {
     /// The caller's [`super::Workspace`] said to stop.
     #[error("the time limit was reached")]
     Stopped,
-    /// There is no equilibrium to start from.
-    #[error("{0}")]
-    NoEquilibrium(String),
     /// A limit point is not there on more elements.
     #[error("a limit point was not found again on more elements: the mesh does not resolve the path")]
     LimitPointNotConfirmed,

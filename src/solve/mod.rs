@@ -16,7 +16,7 @@ mod system;
 pub use branching::locate_branching;
 pub use control::controlled;
 pub use end_conditions::{Direction, EndConditions};
-pub use error::{Place, SolveError};
+pub use error::{Place, Quantity, SolveError};
 pub use limit_point::*;
 pub use linear::{Bordered, Tangents};
 pub use newton::*;

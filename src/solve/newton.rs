@@ -1,7 +1,9 @@
 //! Newton's method for one equilibrium under one constraint that picks it from the path.
 
 use super::grip_block::GripBlock;
-use super::{Coefficients, CondensedSystem, Observables, PathConstraint, Problem, SolveError, State, Workspace};
+use super::{
+    Coefficients, CondensedSystem, Observables, PathConstraint, Problem, Quantity, SolveError, State, Workspace,
+};
 use serde::{Deserialize, Serialize};
 
 /// When Newton's iteration ends.
@@ -97,7 +99,7 @@ pub fn solve(
         system.recover(ws, &step.interface, -1.0, &mut update);
         let size = system.size(&update, &at.values);
         if !(size.is_finite() && step.force.is_finite()) {
-            return Err(SolveError::NotFiniteUpdate { quantity: "Newton's update" });
+            return Err(SolveError::NotFiniteUpdate { quantity: Quantity::NewtonUpdate });
         }
         if size > options.largest_update || (iterations > 2 && size > 0.9 * previous && size > stagnant) {
             return Err(SolveError::NotConverged { update: size, iterations });
@@ -127,7 +129,7 @@ pub fn solve(
                 recorded: rates.recorded,
             };
             if !(observables.is_finite() && slope.is_finite()) {
-                return Err(SolveError::NotFiniteUpdate { quantity: "the path's tangent" });
+                return Err(SolveError::NotFiniteUpdate { quantity: Quantity::PathTangent });
             }
             return Ok(Solution {
                 aligned: system.aligned(&at, observables.monitors),
@@ -200,7 +202,7 @@ pub fn damped_step(
     system.recover(ws, &step.interface, -1.0, &mut update);
     let size = system.size(&update, &at.values);
     if !size.is_finite() {
-        return Err(SolveError::NotFiniteUpdate { quantity: "a damped update" });
+        return Err(SolveError::NotFiniteUpdate { quantity: Quantity::DampedUpdate });
     }
     let part = (most / size).min(1.0);
     system.retract(at, &update, part);

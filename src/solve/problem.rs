@@ -32,8 +32,6 @@ pub enum InitialState {
     Settling,
     /// In an equilibrium that is known, and with it what displacements count from; `settling` as above, on another mesh.
     Known { at: Arc<State>, settling: bool },
-    /// Such an equilibrium was not found; why, and what to try.
-    NoEquilibrium(String),
 }
 
 impl InitialState {

@@ -14,6 +14,7 @@ use super::newton::damped_step;
 use super::{
     Coefficients, NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve,
 };
+use serde::{Deserialize, Serialize};
 
 /// How a structure is relaxed.
 #[derive(Clone, Copy, Debug)]
@@ -78,7 +79,7 @@ pub struct Relaxed {
 }
 
 /// Why it did not come to rest.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum RelaxError {
     /// Steps became too short.
     #[error("after {steps} relaxation steps no shorter one lowers the energy {energy:.9e} aJ: {cause}")]

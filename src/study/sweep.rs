@@ -1,28 +1,8 @@
 //! One parameter varied, each value peeled from rest to its end.
 
-use super::{Accuracy, Bounds, Effort, End, LimitPoint, Peak, Peel, Plateau, peel};
-use crate::model::PeelModel;
+use super::{Effort, LimitPoint, PathEnd, Peak, Peel, Plateau};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-
-/// One value of a sweep, before it is peeled.
-#[derive(Clone, Debug)]
-pub struct SweepCase {
-    /// The value of the varied parameter, in its own unit.
-    pub value: f64,
-    pub model: PeelModel,
-    pub accuracy: Accuracy,
-    pub bounds: Bounds,
-}
-
-/// One value of a sweep and what its peel found.
-#[derive(Clone, Debug)]
-pub struct SweepRow {
-    /// The value of the varied parameter, in its own unit.
-    pub value: f64,
-    pub model: PeelModel,
-    pub found: Found,
-}
 
 /// What a peel found, without its path.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -35,9 +15,8 @@ pub struct Found {
     pub snap_off: Option<LimitPoint>,
     /// ∫ P du from rest to the snap-off, or to the end of the path where there is none, aJ
     pub work: Option<f64>,
-    pub end: End,
+    pub end: PathEnd,
     pub effort: Effort,
-    pub solve_s: f64,
 }
 
 impl From<&Peel> for Found {
@@ -51,7 +30,6 @@ impl From<&Peel> for Found {
             work: peel.snap_off.map(|at| at.work).or_else(|| peel.points.last().map(|point| point.work)),
             end: peel.end.clone(),
             effort: peel.effort,
-            solve_s: peel.solve_s,
         }
     }
 }
@@ -65,20 +43,13 @@ fn front_at(peel: &Peel, plateau: Plateau) -> Option<f64> {
     nearest.map(|point| point.front)
 }
 
-/// Peels the cases, on all cores; the rows come back in the order of the cases and do not depend on the number of
-/// threads. `go_on` is asked before each case: once it says no, no other is begun, and the cases that were not begun
-/// have no row. `done` is given each row as soon as it is finished. Both are called from any thread.
-pub fn sweep(
-    cases: &[SweepCase],
+/// Runs the cases on all cores, each by `run`, which may peel it and measure what that takes; the results come back in the order of
+/// the cases. `go_on` is asked before each case: once it says no, no other is begun, and the cases that were not begun have no result.
+/// Both are called from any thread.
+pub fn sweep<C: Sync, R: Send>(
+    cases: &[C],
     go_on: &(dyn Fn() -> bool + Sync),
-    done: &(dyn Fn(&SweepRow) + Sync),
-) -> Vec<SweepRow> {
-    let row = |case: &SweepCase| {
-        let SweepCase { value, model, accuracy, bounds } = case;
-        let found = Found::from(&peel(model, accuracy, bounds));
-        let row = SweepRow { value: *value, model: model.clone(), found };
-        done(&row);
-        row
-    };
-    cases.par_iter().filter(|_| go_on()).map(row).collect()
+    run: &(dyn Fn(&C) -> R + Sync),
+) -> Vec<R> {
+    cases.par_iter().filter(|_| go_on()).map(run).collect()
 }

@@ -9,7 +9,7 @@
 //! accuracy asked for; and peels on either side of it that have a snap-off, or none.
 
 use peelkit::model::StripModel;
-use peelkit::study::{Accuracy, Bounds, cusp, peel};
+use peelkit::study::{Accuracy, StopCriteria, cusp, peel};
 use peelkit_checks::suite::reference;
 
 fn strip(factor: f64) -> StripModel {
@@ -46,7 +46,7 @@ fn the_cusp_is_where_the_turning_points_of_a_collocation_meet() {
 
 #[test]
 fn peels_on_either_side_have_a_snap_off_or_none() {
-    let bounds = Bounds { points: 5000, time_s: None, displacement: None };
+    let bounds = StopCriteria::after_points(5000);
     for relative in [1e-4, 1e-6, 1e-8] {
         let [below, above] = [74.609, 74.611].map(|factor| peel(&strip(factor), &Accuracy::to(relative), &bounds));
         assert!(below.snap_off.is_some(), "{relative:e}");
@@ -56,6 +56,6 @@ fn peels_on_either_side_have_a_snap_off_or_none() {
 
 #[test]
 fn without_a_snap_back_to_begin_with_there_is_no_cusp() {
-    let error = cusp(&strip, 100.0, &Accuracy::to(1e-6)).unwrap_err();
+    let error = cusp(&strip, 100.0, &Accuracy::to(1e-6)).unwrap_err().to_string();
     assert!(error.contains("no snap-back"), "{error}");
 }

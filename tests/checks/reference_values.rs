@@ -17,7 +17,7 @@
 //! short. Rows that are known not to be met are in [`EXCEPTIONS`], each with what is reached. Why: this is what the program is for.
 
 use peelkit::solve::LimitPointKind;
-use peelkit::study::{Accuracy, Bounds, Effort, End, Peel, peel};
+use peelkit::study::{Accuracy, Effort, PathEnd, Peel, StopCriteria, peel};
 use peelkit_checks::suite::reference::{Row, read};
 use rayon::prelude::*;
 use std::str::FromStr;
@@ -109,7 +109,7 @@ struct Compared {
 /// Peels the strip of a row and compares.
 fn compare(row: &Row, relative: f64) -> Compared {
     let model = row.strip().unwrap_or_else(|| panic!("not understood: {row:?}"));
-    let peel = peel(&model, &Accuracy::to(relative), &Bounds { points: 5000, time_s: None, displacement: None });
+    let peel = peel(&model, &Accuracy::to(relative), &StopCriteria::after_points(5000));
     let key = (
         model.strip.length,
         model.strip.bending_stiffness_factor,
@@ -118,7 +118,7 @@ fn compare(row: &Row, relative: f64) -> Compared {
     );
     let mut wrong = Vec::new();
     let mut compared = 0;
-    if let End::Failed(reason) = &peel.end {
+    if let PathEnd::Failed(reason) = &peel.end {
         wrong.push(format!("the path stopped short: {reason}"));
     }
     for (column, value) in computed(&peel) {

@@ -3,11 +3,11 @@
 use crate::strip::{paper_strip, with_grip};
 use assert_cmd::Command;
 use peelkit::model::{Hold, PeelModel, Pull, Step};
-use peelkit::study::{Accuracy, Bounds, NoTest, observed};
+use peelkit::study::{Accuracy, NoTest, StopCriteria, observed};
 use serde_json::Value;
 use std::f64::consts::FRAC_PI_3;
 
-const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/strip-100nm.toml");
 
 /// The strip in this grip, behind these steps.

@@ -4,9 +4,9 @@
 //! cells where a thing does not occur, and an error in place of a NaN. Why: other programs read these files.
 
 use peelkit::solve::LimitPointKind;
-use peelkit::study::{Bounds, End, Found, LimitPoint, PathPoint, Peak, Peel, Plateau, SweepRow, peel};
-use peelkit_report::{PeelSummary, SweepLine, write_curve, write_limit_points, write_sweep};
-use peelkit_scene::Scene;
+use peelkit::study::{Bound, Failure, Found, LimitPoint, PathEnd, PathPoint, Peak, Peel, Plateau, peel};
+use peelkit_report::{PeelSummary, SweepLine, SweepRow, write_curve, write_limit_points, write_sweep};
+use peelkit_scene::{Bounds, Scene};
 use serde_json::Value;
 use std::fs;
 
@@ -25,7 +25,7 @@ equilibrium_distance = "0.4 nm"
 fn made_up() -> (Scene, Peel) {
     let scene = Scene::parse("a.toml", SCENE, &[]).unwrap();
     let bounds = Bounds { points: 1, ..scene.bounds };
-    let mut made_up = peel(&scene.model, &scene.accuracy, &bounds);
+    let mut made_up = peel(&scene.model, &scene.accuracy, &bounds.from_now());
     let peak = Peak {
         displacement: 0.1 + 0.2,
         force: 0.341,
@@ -60,17 +60,16 @@ fn made_up() -> (Scene, Peel) {
     made_up.initiation_peak = Some(Peak { force: 0.3, ..peak });
     made_up.plateau = Some(Plateau { displacement: 20.0, force: 0.0307 });
     made_up.snap_off = Some(snap_off);
-    made_up.end = End::Pivoting;
-    made_up.solve_s = 0.004;
+    made_up.end = PathEnd::Pivoting;
     (scene, made_up)
 }
 
 fn row(value: f64, peel: &Peel) -> SweepRow {
-    SweepRow { value, model: peel.model.clone(), found: Found::from(peel) }
+    SweepRow { value, model: peel.model.clone(), found: Found::from(peel), solve_s: 0.004 }
 }
 
 fn summary(scene: &Scene, peel: &Peel) -> Value {
-    serde_json::from_str(&PeelSummary::new(scene, peel).to_json().unwrap()).unwrap()
+    serde_json::from_str(&PeelSummary::new(scene, peel, 0.004).to_json().unwrap()).unwrap()
 }
 
 #[test]
@@ -133,13 +132,13 @@ fn what_does_not_occur_is_null_or_an_empty_cell() {
 fn every_end_has_its_word_and_its_reason() {
     let (scene, mut peel) = made_up();
     for (end, word, reason) in [
-        (End::Detached, "detached", None),
-        (End::Pivoting, "pivoting", None),
-        (End::TurnedBack, "turned-back", None),
-        (End::Sliding, "sliding", None),
-        (End::Snapped, "snapped", None),
-        (End::Bound("20 points".into()), "bound", Some("20 points")),
-        (End::Failed("no root".into()), "failed", Some("no root")),
+        (PathEnd::Detached, "detached", None),
+        (PathEnd::Pivoting, "pivoting", None),
+        (PathEnd::TurnedBack, "turned-back", None),
+        (PathEnd::Sliding, "sliding", None),
+        (PathEnd::Snapped, "snapped", None),
+        (PathEnd::Bound(Bound::Points(20)), "bound", Some("bounds.points = 20")),
+        (PathEnd::Failed(Failure::NothingComputed), "failed", Some("nothing was computed")),
     ] {
         peel.end = end;
         let summary = summary(&scene, &peel);
@@ -179,7 +178,7 @@ fn a_nan_is_an_error_that_names_its_place_and_leaves_no_file() {
     let error = write_curve(dir.path(), &peel).unwrap_err().to_string();
     assert!(error.contains("curve.csv") && error.contains("NaN"), "{error}");
     peel.limit_points[1].force_error = f64::INFINITY;
-    let error = PeelSummary::new(&scene, &peel).write(dir.path()).unwrap_err().to_string();
+    let error = PeelSummary::new(&scene, &peel, 0.004).write(dir.path()).unwrap_err().to_string();
     assert!(error.contains("summary.json") && error.contains("limit_points[1].error_nN"), "{error}");
     assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
 }

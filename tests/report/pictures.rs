@@ -8,12 +8,12 @@
 use crate::shared_pictures::check_pictures;
 use peelkit::model::StripModel;
 use peelkit::solve::LimitPointKind;
-use peelkit::study::{Accuracy, Bounds, End, Found, LimitPoint, Peak, Peel, Plateau, SweepRow, peel};
-use peelkit_report::{ReportError, draw_peel, draw_sweep};
+use peelkit::study::{Accuracy, Failure, Found, LimitPoint, PathEnd, Peak, Peel, Plateau, StopCriteria, peel};
+use peelkit_report::{ReportError, SweepRow, draw_peel, draw_sweep};
 use std::path::Path;
 
 const ACCURACY: Accuracy = Accuracy::to(1e-6);
-const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 
 fn strip() -> StripModel {
     StripModel::of_the_paper(100.0, 1.0)
@@ -29,7 +29,7 @@ fn nothing() -> Peel {
     peel.points.clear();
     peel.limit_points.clear();
     (peel.initiation_peak, peel.peak, peel.plateau, peel.snap_off) = (None, None, None, None);
-    peel.end = End::Failed("no equilibrium at rest".into());
+    peel.end = PathEnd::Failed(Failure::NothingComputed);
     peel
 }
 
@@ -53,7 +53,7 @@ fn factors(values: &[f64]) -> Vec<SweepRow> {
             flat: false,
             after: 0,
         });
-        SweepRow { value, model: peel.model.clone(), found: Found::from(&peel) }
+        SweepRow { value, model: peel.model.clone(), found: Found::from(&peel), solve_s: 0.004 }
     };
     values.iter().map(row).collect()
 }
@@ -86,7 +86,7 @@ fn a_peel_without_points_is_an_error_that_says_why() {
     match draw_peel(&nothing(), "nothing", dir.path()) {
         Err(ReportError::Draw { path, reason }) => {
             assert!(path.ends_with("curve.svg"));
-            assert!(reason.contains("0 points") && reason.contains("no equilibrium at rest"), "{reason}");
+            assert!(reason.contains("0 points") && reason.contains("nothing was computed"), "{reason}");
         }
         other => panic!("{other:?}"),
     }

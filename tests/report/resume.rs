@@ -16,12 +16,13 @@
 use crate::strip::{paper_strip, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
-use peelkit::study::{Accuracy, Bounds, Checkpoint, Peel, peel, peel_on};
+use peelkit::study::{Accuracy, Checkpoint, Peel, Stage, StopReason, peel, peel_on};
 use peelkit_report::{PartialRun, PeelSummary, ReportError, write_curve, write_limit_points};
-use peelkit_scene::Scene;
-use std::cell::Cell;
+use peelkit_scene::{Bounds, Scene};
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use tempfile::tempdir;
 
 /// A scene of this model.
@@ -49,12 +50,10 @@ fn scenes() -> Vec<Scene> {
 /// All that a user gets of a peel, without the time it took.
 fn outputs(scene: &Scene, peel: &Peel) -> Vec<Vec<u8>> {
     let dir = tempdir().unwrap();
-    let mut peel = peel.clone();
-    peel.solve_s = 0.0;
     let files = [
-        PeelSummary::new(scene, &peel).write(dir.path()).unwrap(),
-        write_curve(dir.path(), &peel).unwrap(),
-        write_limit_points(dir.path(), &peel).unwrap(),
+        PeelSummary::new(scene, peel, 0.0).write(dir.path()).unwrap(),
+        write_curve(dir.path(), peel).unwrap(),
+        write_limit_points(dir.path(), peel).unwrap(),
     ];
     files.iter().map(|file| fs::read(file).unwrap()).collect()
 }
@@ -62,22 +61,25 @@ fn outputs(scene: &Scene, peel: &Peel) -> Vec<Vec<u8>> {
 /// A run that goes on from what `dir` keeps, is left after `most` further points, and how many it has computed.
 fn run(dir: &Path, scene: &Scene, most: usize) -> (Peel, usize) {
     let partial = PartialRun::open(dir, scene).unwrap();
-    let computed = Cell::new(0);
+    let computed = Arc::new(AtomicUsize::new(0));
     let keeping = Checkpoint {
         taken: &|options| partial.taken(options),
         keep: &|options, waypoint| {
-            computed.set(computed.get() + 1);
+            computed.fetch_add(1, Ordering::Relaxed);
             partial.keep(options, waypoint);
         },
-        go_on: &|| computed.get() < most,
     };
-    let peel = peel_on(&scene.model, &scene.accuracy, &scene.bounds, &keeping);
+    let so_far = Arc::clone(&computed);
+    let stop = scene.bounds.from_now().or_when(move |stage| {
+        (stage == Stage::Path && so_far.load(Ordering::Relaxed) >= most).then_some(StopReason::Interrupted)
+    });
+    let peel = peel_on(&scene.model, &scene.accuracy, &stop, &keeping);
     partial.write_all().unwrap();
-    (peel, computed.get())
+    (peel, computed.load(Ordering::Relaxed))
 }
 
 fn whole(scene: &Scene) -> Peel {
-    peel(&scene.model, &scene.accuracy, &scene.bounds)
+    peel(&scene.model, &scene.accuracy, &scene.bounds.from_now())
 }
 
 #[test]

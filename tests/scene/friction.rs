@@ -1,10 +1,10 @@
 //! What a scene says of friction.
 
 use peelkit::model::{Friction, PeelModel, Pull, StripModel};
-use peelkit::study::{Accuracy, Bounds, NoTest, observed};
+use peelkit::study::{Accuracy, NoTest, StopCriteria, observed};
 use peelkit_scene::Scene;
 
-const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
 fn rubbing(length: f64, degrees: f64, strength: f64) -> PeelModel {
     PeelModel {

@@ -1,10 +1,10 @@
 //! What a scene says of the steps before the pull.
 
 use peelkit::model::{PeelModel, Step};
-use peelkit::study::{Accuracy, Bounds, Effort, peel};
+use peelkit::study::{Accuracy, Effort, StopCriteria, peel};
 use peelkit_scene::Scene;
 
-const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/strip-100nm.toml");
 
 fn record(what: &str, effort: &Effort) {
@@ -21,7 +21,7 @@ fn assert_near(what: &str, a: f64, b: f64, bound: f64) {
 fn steps_begin_where_a_strip_lies_on_wavy_ground() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/strip-rough.toml");
     let scene = Scene::parse(path, &std::fs::read_to_string(path).unwrap(), &[]).unwrap();
-    let bounds = Bounds { displacement: Some(2.0), ..BOUNDS };
+    let bounds = StopCriteria { displacement: Some(2.0), ..BOUNDS };
     let peak = |steps: &[Step]| {
         let peel = peel(&PeelModel { steps: steps.to_vec(), ..scene.model.clone() }, &Accuracy::to(1e-6), &bounds);
         record("wavy ground", &peel.effort);

@@ -5,7 +5,7 @@
 
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Grip, Hold, StripModel};
-use peelkit::study::{Accuracy, Bounds, Peel, peel};
+use peelkit::study::{Accuracy, Peel, StopCriteria, peel};
 
 /// The paper's strip: h = 10 nm, width 1 nm, E = 2 GPa, nu = 0.2, both of the grip's other motions free.
 ///
@@ -28,5 +28,5 @@ pub fn with_grip(mut model: StripModel, rotation: Hold, horizontal: Hold) -> Str
 
 /// A whole peel without bounds that matter.
 pub fn whole_peel(model: &StripModel, relative: f64) -> Peel {
-    peel(model, &Accuracy::to(relative), &Bounds { points: 5000, time_s: None, displacement: None })
+    peel(model, &Accuracy::to(relative), &StopCriteria::after_points(5000))
 }

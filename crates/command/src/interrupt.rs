@@ -1,5 +1,6 @@
 //! Ctrl-C: once, nothing more is begun; twice, the command quits.
 
+use peelkit::study::{Stage, StopCriteria, StopReason};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -27,6 +28,14 @@ impl Interrupt {
 
     pub fn asked(&self) -> bool {
         self.0.load(Ordering::Relaxed)
+    }
+
+    /// These criteria, and besides: a path ends where the user has asked to stop; what was reached of it is still worked out.
+    pub fn ends(&self, stop: StopCriteria) -> StopCriteria {
+        let asked = Arc::clone(&self.0);
+        stop.or_when(move |stage| {
+            (stage == Stage::Path && asked.load(Ordering::Relaxed)).then_some(StopReason::Interrupted)
+        })
     }
 
     /// From now on the first Ctrl-C quits as well; whether there was one before.

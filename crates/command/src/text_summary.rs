@@ -3,18 +3,20 @@
 use peelkit::beam::{GripForces, GripState};
 use peelkit::model::Step;
 use peelkit::study::{
-    Contact, End, FollowedSweep, LeftOut, LimitPoint, Observed, Peak, Peel, PointKind, PullOff, Sliding, SweepRow,
+    Contact, FollowedSweep, LeftOut, LimitPoint, Observed, PathEnd, Peak, Peel, PointKind, PullOff, Sliding,
     TermDecisions, TermEffect, TestEnd, Turn,
 };
-use peelkit_report::{end_reason, end_word, ground_warning, jump_word, left_out, test_end_word, why_kept};
+use peelkit_report::{
+    SweepRow, end_reason, end_word, ground_warning, jump_word, left_out, test_end_reason, test_end_word, why_kept,
+};
 use peelkit_scene::{Key, Scene};
 use std::fmt::{Display, Write};
 
 /// A relative error below this that finer meshes do not reduce is round-off.
 const ROUND_OFF: f64 = 2e-8;
 
-/// The summary of one peel.
-pub fn peel(scene: &Scene, peel: &Peel) -> String {
+/// The summary of one peel, which took so many seconds.
+pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64) -> String {
     let none = || "none".to_owned();
     let at_peak = |at: Peak| {
         let force = with_error(at.force, at.force_error);
@@ -71,7 +73,7 @@ pub fn peel(scene: &Scene, peel: &Peel) -> String {
             effort.newton_iterations,
             effort.elements,
             effort.order,
-            1e3 * peel.solve_s
+            1e3 * solve_s
         ),
     ));
     let mut text = format!("{}\n\n", scene.title);
@@ -161,8 +163,8 @@ fn on_ground(peel: &Peel, contact: &Contact) -> Vec<(&'static str, String)> {
     lines
 }
 
-/// The displacement-controlled test.
-pub fn observed(test: &Observed) -> String {
+/// The displacement-controlled test, which took so many seconds.
+pub fn observed(test: &Observed, solve_s: f64) -> String {
     let none = || "none".to_owned();
     let pull_off = |peak: PullOff| {
         let force = with_error(peak.force, peak.force_error);
@@ -190,9 +192,7 @@ pub fn observed(test: &Observed) -> String {
     }
     let end = match &test.end {
         TestEnd::Closed => "closed: machine and strip are back in their initial state".to_owned(),
-        TestEnd::Returned(reason) | TestEnd::Bound(reason) | TestEnd::Failed(reason) => {
-            format!("{}: {reason}", test_end_word(&test.end))
-        }
+        end => format!("{}: {}", test_end_word(end), test_end_reason(end).unwrap_or_default()),
     };
     lines.push(("end", end));
     let effort = &test.effort;
@@ -205,7 +205,7 @@ pub fn observed(test: &Observed) -> String {
             effort.relaxation_steps,
             effort.elements,
             effort.order,
-            1e3 * effort.solve_s
+            1e3 * solve_s
         ),
     ));
     let mut text = "Displacement-controlled test\n\n".to_owned();
@@ -224,7 +224,7 @@ pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) ->
         "value", "peak nN", "± nN", "plateau nN", "snap-off nm", "work aJ", "ms"
     );
     let cell = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.8}"));
-    for SweepRow { value, found, .. } in rows {
+    for SweepRow { value, found, solve_s, .. } in rows {
         let error = found.peak.map_or_else(|| "-".to_owned(), |at| format!("{:.0e}", at.force_error));
         let work = found.work.map_or_else(|| "-".to_owned(), |work| format!("{work:.5}"));
         let snap_off = found.snap_off.map_or_else(|| "-".to_owned(), |at| format!("{:.6}", at.displacement));
@@ -237,7 +237,7 @@ pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) ->
             cell(found.plateau.map(|at| at.force)),
             snap_off,
             work,
-            1e3 * found.solve_s,
+            1e3 * solve_s,
             end_word(&found.end)
         );
     }
@@ -245,7 +245,7 @@ pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) ->
 }
 
 /// A sweep that followed one point as a table, with what happened to the point on the way.
-pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep) -> String {
+pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep, solve_s: &[f64]) -> String {
     let what = match sweep.kind {
         PointKind::InitiationPeak => "the initiation peak (the first local maximum of the force)",
         PointKind::SnapOff => "the snap-off",
@@ -256,7 +256,7 @@ pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep) -> String {
         "{:>14} {:>14} {:>9} {:>14} {:>9} {:>12} {:>9}",
         "value", "force nN", "± nN", "at u nm", "± nm", "work aJ", "ms"
     );
-    for row in &sweep.rows {
+    for (row, solve_s) in sweep.rows.iter().zip(solve_s) {
         let cell = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.8}"));
         let error = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.0e}"));
         let work = row.point.and_then(|at| at.work).map_or_else(|| "-".to_owned(), |work| format!("{work:.5}"));
@@ -268,7 +268,7 @@ pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep) -> String {
             error(row.point.map(|at| at.force_error)),
             cell(row.point.map(|at| at.displacement)),
             error(row.point.map(|at| at.displacement_error)),
-            1e3 * row.solve_s,
+            1e3 * solve_s,
         );
     }
     text + &listed(&sweep.remarks)
@@ -294,19 +294,19 @@ fn in_unit(unit: &str) -> String {
     if unit.is_empty() { String::new() } else { format!(", in {unit}") }
 }
 
-fn end(end: &End) -> String {
+fn end(end: &PathEnd) -> String {
     let word = match end {
-        End::TurnedBack => "re-adhered",
+        PathEnd::TurnedBack => "re-adhered",
         _ => end_word(end),
     };
     let meaning = match end {
-        End::Detached => "no point of the strip is nearer than 10 r0",
-        End::Pivoting => "the force has returned to zero, and the strip is still in edge contact",
-        End::TurnedBack => "u has returned to 0",
-        End::Sliding => "the whole contact slides, at a constant force from here on",
-        End::Snapped => "the strip snaps off; equilibrium does not determine how it slides during the jump",
-        End::Bound(_) => "a limit set under [bounds] was reached",
-        End::Failed(_) => "the computation stopped short",
+        PathEnd::Detached => "no point of the strip is nearer than 10 r0",
+        PathEnd::Pivoting => "the force has returned to zero, and the strip is still in edge contact",
+        PathEnd::TurnedBack => "u has returned to 0",
+        PathEnd::Sliding => "the whole contact slides, at a constant force from here on",
+        PathEnd::Snapped => "the strip snaps off; equilibrium does not determine how it slides during the jump",
+        PathEnd::Bound(_) => "a limit set under [bounds] was reached",
+        PathEnd::Failed(_) => "the computation stopped short",
     };
     let reason = end_reason(end).map(|reason| format!(": {reason}")).unwrap_or_default();
     format!("{word}: {meaning}{reason}")
@@ -339,7 +339,8 @@ fn short(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use peelkit::study::{self, Bounds, Effort};
+    use peelkit::study::{self, Bound, Effort};
+    use peelkit_scene::Bounds;
 
     #[test]
     fn digits_end_where_the_error_begins() {
@@ -369,7 +370,7 @@ mod tests {
             flat: false,
             after: 0,
         };
-        let mut made_up = study::peel(&scene.model, &scene.accuracy, &bounds);
+        let mut made_up = study::peel(&scene.model, &scene.accuracy, &bounds.from_now());
         made_up.limit_points = vec![LimitPoint { kind: Turn::Load, ..snap_off }, snap_off];
         made_up.initiation_peak = None;
         made_up.peak = Some(Peak {
@@ -381,9 +382,8 @@ mod tests {
         });
         made_up.plateau = None;
         made_up.snap_off = Some(snap_off);
-        made_up.end = End::Bound("20 points".into());
+        made_up.end = PathEnd::Bound(Bound::Points(20));
         made_up.effort = Effort { points: 20, newton_iterations: 70, elements: 16, order: 4 };
-        made_up.solve_s = 0.0042;
         let expected = "\
 short
 
@@ -394,10 +394,10 @@ short
   limit points       load limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
                      displacement limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
   accuracy           4e-3, requested 1e-6: the tolerance was not met on any mesh
-  end                bound: a limit set under [bounds] was reached: 20 points
+  end                bound: a limit set under [bounds] was reached: bounds.points = 20
   computational cost 20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
 ";
-        assert_eq!(peel(&scene, &made_up), expected);
+        assert_eq!(peel(&scene, &made_up, 0.0042), expected);
     }
 
     #[test]

@@ -11,16 +11,20 @@ mod names;
 mod number;
 pub mod pictures;
 mod summary;
+mod sweep_row;
 mod tables;
+mod timing;
 
 pub use checkpoint::{PartialRun, PartialSweep};
 pub use error::ReportError;
 pub use file::write_whole;
 pub use folder::{Existing, OutputFolder};
-pub use names::{end_reason, end_word, form_word, jump_word, test_end_word, turn_word};
+pub use names::{end_reason, end_word, form_word, jump_word, test_end_reason, test_end_word, turn_word};
 pub use number::{Finite, to_json};
 pub use pictures::{draw_followed, draw_observed, draw_peel, draw_sweep};
 pub use summary::{PeelSummary, SweepSummary, ground_warning, left_out, why_kept};
+pub use sweep_row::SweepRow;
 pub use tables::{
     SweepLine, write_curve, write_followed, write_limit_points, write_observed, write_sweep, write_table,
 };
+pub use timing::timed;

@@ -1,26 +1,27 @@
 //! What ends, points and forms are called in outputs.
 
 use peelkit::model::Form;
-use peelkit::study::{End, JumpKind, TestEnd, Turn};
+use peelkit::study::{JumpKind, PathEnd, TestEnd, Turn};
 
 /// The name of an end in outputs.
-pub fn end_word(end: &End) -> &'static str {
+pub fn end_word(end: &PathEnd) -> &'static str {
     match end {
-        End::Detached => "detached",
-        End::Pivoting => "pivoting",
-        End::TurnedBack => "turned-back",
-        End::Sliding => "sliding",
-        End::Snapped => "snapped",
-        End::Bound(_) => "bound",
-        End::Failed(_) => "failed",
+        PathEnd::Detached => "detached",
+        PathEnd::Pivoting => "pivoting",
+        PathEnd::TurnedBack => "turned-back",
+        PathEnd::Sliding => "sliding",
+        PathEnd::Snapped => "snapped",
+        PathEnd::Bound(_) => "bound",
+        PathEnd::Failed(_) => "failed",
     }
 }
 
 /// Why a path ended where it did, if that was not by itself.
-pub fn end_reason(end: &End) -> Option<&str> {
+pub fn end_reason(end: &PathEnd) -> Option<String> {
     match end {
-        End::Bound(reason) | End::Failed(reason) => Some(reason),
-        End::Detached | End::Pivoting | End::TurnedBack | End::Sliding | End::Snapped => None,
+        PathEnd::Bound(bound) => Some(bound.to_string()),
+        PathEnd::Failed(failure) => Some(failure.to_string()),
+        PathEnd::Detached | PathEnd::Pivoting | PathEnd::TurnedBack | PathEnd::Sliding | PathEnd::Snapped => None,
     }
 }
 
@@ -47,6 +48,16 @@ pub fn test_end_word(end: &TestEnd) -> &'static str {
         TestEnd::Returned(_) => "returned",
         TestEnd::Bound(_) => "bound",
         TestEnd::Failed(_) => "failed",
+    }
+}
+
+/// Why a test ended where it did, if that was not by itself.
+pub fn test_end_reason(end: &TestEnd) -> Option<String> {
+    match end {
+        TestEnd::Closed => None,
+        TestEnd::Returned(elsewhere) => Some(elsewhere.to_string()),
+        TestEnd::Bound(bound) => Some(bound.to_string()),
+        TestEnd::Failed(failure) => Some(failure.to_string()),
     }
 }
 

@@ -6,6 +6,7 @@
 #![forbid(unsafe_code)]
 
 mod bodies;
+mod bounds;
 mod check;
 mod document;
 mod error;
@@ -21,6 +22,7 @@ mod table;
 mod value;
 
 pub use bodies::{BODIES, body_of};
+pub use bounds::Bounds;
 pub use error::{Problem, SceneError};
 pub use key::{Key, Kind, Need};
 pub use keys::{KEYS, find_key};

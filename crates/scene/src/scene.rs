@@ -1,7 +1,8 @@
 //! A scene as data.
 
+use crate::bounds::Bounds;
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
-use peelkit::study::{Accuracy, Bounds};
+use peelkit::study::Accuracy;
 use std::path::Path;
 
 /// A whole scene, every value checked.

@@ -7,8 +7,8 @@
 use super::metric::Metric;
 use super::predictor::{self, MOST_POINTS};
 use crate::solve::{
-    Held, History, InitialState, NewtonOptions, Observables, PathConstraint, Problem, RelaxOptions, ShouldStop,
-    Solution, SolveError, State, Workspace, relax, settle, solve,
+    Held, History, NewtonOptions, Observables, PathConstraint, Problem, RelaxOptions, ShouldStop, Solution, SolveError,
+    State, Workspace, relax, settle, solve,
 };
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -46,7 +46,7 @@ impl Default for PathOptions {
 }
 
 /// Where a path stopped and why.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 #[error(
     "the path cannot be continued from u = {displacement_nm:.6} nm, P = {force:.6} nN (point {point}): after {tries} ever shorter steps: {cause}"
 )]
@@ -164,9 +164,6 @@ impl<'p> Path<'p> {
     }
 
     fn first(&mut self) -> Result<Solution, PathError> {
-        if let InitialState::NoEquilibrium(why) = &self.problem.start {
-            return Err(self.stopped(1, SolveError::NoEquilibrium(why.clone())));
-        }
         let start = self.start.clone();
         let weights = self.outset();
         let target = weights.displacement * self.problem.displacement(&start);

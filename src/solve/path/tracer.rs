@@ -7,6 +7,7 @@
 use super::{Path, PathError, PathSegment};
 use crate::solve::limit_point::brackets;
 use crate::solve::{LimitPointKind, Located, Problem, Solution, SolveError, Workspace, locate, locate_branching};
+use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -45,7 +46,7 @@ impl Default for TraceOptions {
 }
 
 /// Why a path was not traced further.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum TraceError {
     #[error("{0}")]
     Path(#[from] PathError),

@@ -1,6 +1,8 @@
 //! What a testing machine records: the stable branches, the jumps between them, and the way back.
+mod failure;
 mod jump;
 mod result;
 mod run;
 mod stable_branch;
+pub use failure::{BranchError, TestError, TestFailure};
 pub use result::*;

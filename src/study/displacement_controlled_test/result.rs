@@ -1,10 +1,13 @@
 //! What a testing machine would record: the stable part of the path, the jumps, and the way back.
 
+use super::failure::TestFailure;
 use crate::model::{ModelError, PeelModel};
-use crate::study::{Accuracy, Bounds, checked};
+use crate::study::{Accuracy, Bound, StopCriteria, checked};
+use serde::{Deserialize, Serialize};
+use std::fmt;
 
 /// Which way the machine moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Way {
     /// Away from the substrate.
     Retreat,
@@ -85,7 +88,7 @@ pub struct PullOff {
 }
 
 /// Work of the machine against change of energy and energy released, aJ.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Balance {
     /// ∫ P dU over the stable pieces
     pub work: f64,
@@ -105,16 +108,35 @@ impl Balance {
 }
 
 /// How a test ended.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum TestEnd {
     /// The machine is back where it started, and so is the strip.
     Closed,
-    /// The machine is back, the strip came to rest in another equilibrium; how its energy differs, in words.
-    Returned(String),
-    /// A bound that the scene sets was reached; which one, in words.
-    Bound(String),
+    /// The machine is back, the strip came to rest in another equilibrium.
+    Returned(Elsewhere),
+    /// It goes on; a stop criterion was met.
+    Bound(Bound),
     /// The computation stopped short; why, with numbers and what to try.
-    Failed(String),
+    Failed(TestFailure),
+}
+
+/// Another equilibrium at U = 0 than the one in which a test began.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Elsewhere {
+    /// Its energy less that of the first, aJ
+    pub energy_change: f64,
+    /// nN
+    pub force: f64,
+}
+
+impl fmt::Display for Elsewhere {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { energy_change, force } = self;
+        write!(
+            f,
+            "at U = 0 the strip rests in another equilibrium than at first: its energy is {energy_change:.6} aJ from that, P = {force:.6} nN"
+        )
+    }
 }
 
 /// What it took.
@@ -126,7 +148,6 @@ pub struct TestEffort {
     pub relaxation_steps: usize,
     pub elements: usize,
     pub order: usize,
-    pub solve_s: f64,
 }
 
 /// A test under control of the machine's displacement.
@@ -196,7 +217,7 @@ impl NoTest {
 ///
 /// # Errors
 /// Where the model or the accuracy cannot be computed ([`checked`]), or has no such test.
-pub fn observed<'m, M>(model: &'m M, accuracy: &Accuracy, bounds: &Bounds) -> Result<Observed, NoTest>
+pub fn observed<'m, M>(model: &'m M, accuracy: &Accuracy, stop: &StopCriteria) -> Result<Observed, NoTest>
 where
     PeelModel: From<&'m M>,
 {
@@ -214,5 +235,5 @@ where
     if model.pull.turn != 0.0 {
         return Err(NoTest::Turn);
     }
-    Ok(super::run::run(&model, accuracy, bounds))
+    Ok(super::run::run(&model, accuracy, stop))
 }

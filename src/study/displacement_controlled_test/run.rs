@@ -1,26 +1,25 @@
 //! The run behind [`super::observed`]: retreat, jump, approach, jump, on a mesh from the accuracy asked for, and on a finer one
 //! where the errors of the jumps say so.
 
+use super::failure::{TestError, TestFailure};
 use super::jump;
 use super::result::*;
-use super::stable_branch::{BranchEnd, BranchTrouble, Machine, StableBranch, Until};
+use super::stable_branch::{BranchEnd, Machine, StableBranch, Until};
 use crate::beam::FRONT;
 use crate::model::{Discretisation, Form, PeelModel, PlanarProblem};
 use crate::solve::{
-    EndConditions, Held, Located, RelaxError, RelaxOptions, Solution, SolveError, State, Workspace, disturbed,
-    disturbed_anyhow, relax,
+    EndConditions, Held, Located, RelaxOptions, Solution, State, Workspace, disturbed, disturbed_anyhow, relax,
 };
 use crate::study::accuracy::{Resolution, most_elements};
 use crate::study::error_bounds::{ROUND_OFF, SAFETY, least};
-use crate::study::initial::prepared;
-use crate::study::{Accuracy, Bounds};
+use crate::study::initial::{NoEquilibrium, prepared};
+use crate::study::{Accuracy, Bound, Stage, StopCriteria};
 use std::sync::Arc;
-use std::time::Instant;
 
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
 /// Most jumps on one way.
-const MOST_JUMPS: usize = 50;
+pub(super) const MOST_JUMPS: usize = 50;
 /// Most that a step of relaxation moves, relative to the gap.
 const RELAXING: f64 = 0.1;
 /// A mesh whose errors are at most this many times those of the best one shows its round-off.
@@ -28,57 +27,39 @@ const COMPARABLE: f64 = 10.0;
 /// The balance of work and energy closes to this, or to the accuracy asked for where that is more.
 const BALANCED: f64 = 1e-6;
 
-/// Why a test stopped.
-#[derive(Clone, Debug, thiserror::Error)]
-enum Trouble {
-    #[error("{0}")]
-    Branch(BranchTrouble),
-    #[error("the state after the jump at U = {machine_nm:.6} nm was not found: {cause}")]
-    Relax { machine_nm: f64, cause: RelaxError },
-    #[error("the error of the jump at U = {machine_nm:.6} nm was not determined: {cause}")]
-    NoBound { machine_nm: f64, cause: SolveError },
-    #[error("the jump at U = {machine_nm:.6} nm releases {released:.3e} aJ: that is no jump")]
-    NoRelease { machine_nm: f64, released: f64 },
-    #[error("there were {MOST_JUMPS} jumps on the {way}, more than are computed")]
-    TooManyJumps { way: &'static str },
-    #[error(
-        "work and energy do not balance: ∫ P dU = {:.9e} aJ, change of energy {:.9e} aJ, released {:.9e} aJ; the difference is \
-         {:.1e} of the largest term", .0.work, .0.energy_change, .0.released, .0.error()
-    )]
-    Unbalanced(Balance),
-}
-
-pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Observed {
-    let started = Instant::now();
+pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Observed {
     let accuracy = &accuracy.fitted(model);
     let mut resolution = Resolution::first(model, accuracy);
     let mut best: Option<Test> = None;
     let mut others = Vec::new();
     let (mut iterations, mut steps) = (0, 0);
     for _ in 0..MOST_MESHES {
-        let problem = problem(model, accuracy, resolution.order);
-        let machine = Machine {
-            problem: &problem,
-            options: resolution.path_options(model, accuracy.relative),
-            bounds,
-            relative: accuracy.relative,
-            far: model.line_law().reach(),
-            started,
-        };
         let mut test = Test::new();
         test.effort.elements = resolution.elements;
         test.effort.order = resolution.order;
-        test.run(&machine, resolution.elements);
+        match problem(model, accuracy, resolution.order) {
+            Ok(problem) => {
+                let machine = Machine {
+                    problem: &problem,
+                    options: resolution.path_options(model, accuracy.relative),
+                    stop,
+                    relative: accuracy.relative,
+                    far: model.line_law().reach(),
+                };
+                test.run(&machine, resolution.elements);
+            }
+            Err(why) => test.end = Err(TestError::NoStart(why)),
+        }
         iterations += test.effort.newton_iterations;
         steps += test.effort.relaxation_steps;
-        let (failed, worst) = (test.trouble.is_some(), test.worst() / accuracy.relative);
+        let (failed, worst) = (test.end.is_err(), test.worst() / accuracy.relative);
         if !failed {
             others.push((test.worst(), test.jumps.clone()));
         }
         if best.as_ref().is_none_or(|best| test.is_better_than(best)) {
             best = Some(test);
         }
-        let late = bounds.time_s.is_some_and(|most| started.elapsed().as_secs_f64() > most);
+        let late = stop.told(Stage::Path).is_some();
         if (worst <= 1.0 && !failed) || late || accuracy.choice.elements.is_some() {
             break;
         }
@@ -91,22 +72,18 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Ob
     if test.worst() > accuracy.relative {
         test.widen(&others);
     }
-    test.effort = TestEffort {
-        newton_iterations: iterations,
-        relaxation_steps: steps,
-        solve_s: started.elapsed().as_secs_f64(),
-        ..test.effort
-    };
+    test.effort = TestEffort { newton_iterations: iterations, relaxation_steps: steps, ..test.effort };
     test.told(accuracy.relative)
 }
 
 /// The strip behind its spring. Without x its horizontal section force, where it has one, is a multiplier, and the energy no
 /// minimum: such a strip is relaxed with all three unknowns.
-fn problem(model: &PeelModel, accuracy: &Accuracy, order: usize) -> PlanarProblem {
+fn problem(model: &PeelModel, accuracy: &Accuracy, order: usize) -> Result<PlanarProblem, NoEquilibrium> {
     let form = if model.has_horizontal_force() { Form::ThreeField } else { accuracy.choice.form };
     let compliance = model.grip.stiffness.map_or(0.0, f64::recip);
-    let problem = prepared(model, Discretisation { form, order, mesh: accuracy.choice.mesh }, None).problem;
-    problem.with_grip(EndConditions { compliance, ..problem.grip })
+    let how = Discretisation { form, order, mesh: accuracy.choice.mesh };
+    let problem = prepared(model, how, None).map_err(|failed| failed.why)?.problem;
+    Ok(problem.with_grip(EndConditions { compliance, ..problem.grip }))
 }
 
 /// How stability is lost.
@@ -126,9 +103,8 @@ struct Test {
     pull_off: Option<PullOff>,
     retreat: Option<Balance>,
     cycle: Option<Balance>,
-    end: TestEnd,
+    end: Result<TestEnd, TestError>,
     effort: TestEffort,
-    trouble: Option<Trouble>,
     /// ∫ P dU so far, and what its parts amount to without their signs
     work: f64,
     largest: f64,
@@ -147,9 +123,8 @@ impl Test {
             pull_off: None,
             retreat: None,
             cycle: None,
-            end: TestEnd::Failed("nothing was computed".into()),
+            end: Err(TestError::NothingComputed),
             effort: TestEffort::default(),
-            trouble: None,
             work: 0.0,
             largest: 0.0,
             start: 0.0,
@@ -158,17 +133,11 @@ impl Test {
     }
 
     fn run(&mut self, machine: &Machine, elements: usize) {
-        match self.cycle(machine, elements) {
-            Ok(end) => self.end = end,
-            Err(trouble) => {
-                self.end = TestEnd::Failed(trouble.to_string());
-                self.trouble = Some(trouble);
-            }
-        }
+        self.end = self.cycle(machine, elements);
         self.effort.points = self.points.len();
     }
 
-    fn cycle(&mut self, machine: &Machine, elements: usize) -> Result<TestEnd, Trouble> {
+    fn cycle(&mut self, machine: &Machine, elements: usize) -> Result<TestEnd, TestError> {
         let rest = machine.problem.initial(elements);
         let (far, bound) = self.way(machine, rest, Way::Retreat)?;
         if let Some(bound) = bound {
@@ -181,19 +150,20 @@ impl Test {
         }
         let cycle = self.balance(machine, &back)?;
         self.cycle = Some(cycle);
+        let elsewhere = Elsewhere { energy_change: cycle.energy_change, force: back.observables.force };
         let closed = cycle.energy_change.abs() <= BALANCED.max(machine.relative) * cycle.largest;
-        Ok(if closed { TestEnd::Closed } else { TestEnd::Returned(elsewhere(&cycle, &back)) })
+        Ok(if closed { TestEnd::Closed } else { TestEnd::Returned(elsewhere) })
     }
 
     /// One way to its end: the last equilibrium, and the bound that was reached, if one was.
-    fn way(&mut self, machine: &Machine, start: State, way: Way) -> Result<(Arc<Solution>, Option<String>), Trouble> {
+    fn way(&mut self, machine: &Machine, start: State, way: Way) -> Result<(Arc<Solution>, Option<Bound>), TestError> {
         let until = match way {
             Way::Retreat => Until::Detached,
             Way::Approach => Until::Displacement(0.0),
         };
         let mut at = start;
         for _ in 0..=MOST_JUMPS {
-            let leg = machine.follow(at, way == Way::Retreat, until, self.points.len()).map_err(Trouble::Branch)?;
+            let leg = machine.follow(at, way == Way::Retreat, until, self.points.len())?;
             let last = leg.points[leg.points.len() - 1].clone();
             self.take(machine.problem, &leg, way);
             if way == Way::Retreat {
@@ -212,7 +182,7 @@ impl Test {
             }
             at = landed.at.clone();
         }
-        Err(Trouble::TooManyJumps { way: way.word() })
+        Err(TestError::TooManyJumps { way })
     }
 
     /// The points of a stable piece.
@@ -231,12 +201,12 @@ impl Test {
     }
 
     /// The largest force of a piece of the retreat: a maximum of its own, or its limit point.
-    fn take_peak(&mut self, machine: &Machine, leg: &StableBranch) -> Result<(), Trouble> {
+    fn take_peak(&mut self, machine: &Machine, leg: &StableBranch) -> Result<(), TestError> {
         let largest = leg.points.iter().map(|p| p.observables.force).fold(f64::NEG_INFINITY, f64::max);
         if self.pull_off.is_some_and(|known| known.force > largest) {
             return Ok(());
         }
-        let peak = machine.peak(leg).map_err(Trouble::Branch)?;
+        let peak = machine.peak(leg)?;
         let at_limit = match &leg.end {
             BranchEnd::Limit(located) | BranchEnd::Branching(located) => Some(Located::clone(located)),
             BranchEnd::Arrived | BranchEnd::Bound(_) => None,
@@ -264,7 +234,7 @@ impl Test {
     }
 
     /// Relaxes from where stability is lost; where it comes to rest. A path that branches may go on without a jump.
-    fn lost(&mut self, machine: &Machine, limit: &Located, loss: Loss, way: Way) -> Result<Solution, Trouble> {
+    fn lost(&mut self, machine: &Machine, limit: &Located, loss: Loss, way: Way) -> Result<Solution, TestError> {
         let problem = machine.problem;
         let (mut ws, machine_nm) = (Workspace::default(), limit.observables.displacement);
         let options = RelaxOptions::by(RELAXING);
@@ -273,15 +243,15 @@ impl Test {
             Loss::Branching => disturbed_anyhow(problem, &limit.solution.at),
         };
         let relaxed = relax(problem, start, Held::Displacement(machine_nm), &options, &mut ws)
-            .map_err(|cause| Trouble::Relax { machine_nm, cause })?;
+            .map_err(|cause| TestError::Relax { machine_nm, cause })?;
         self.effort.relaxation_steps += relaxed.steps;
         let jump = jump::described(machine, limit, &relaxed, way, &mut ws)
-            .map_err(|cause| Trouble::NoBound { machine_nm, cause })?;
+            .map_err(|cause| TestError::NoBound { machine_nm, cause })?;
         if loss == Loss::Branching && jump.released.abs() <= jump.released_error {
             return Ok(relaxed.solution);
         }
         if jump.released <= 0.0 {
-            return Err(Trouble::NoRelease { machine_nm, released: jump.released });
+            return Err(TestError::NoRelease { machine_nm, released: jump.released });
         }
         self.largest = self.largest.max(jump.released);
         self.jumps.push(jump);
@@ -290,17 +260,21 @@ impl Test {
     }
 
     /// The balance so far, if it closes.
-    fn balance(&self, machine: &Machine, at: &Solution) -> Result<Balance, Trouble> {
+    fn balance(&self, machine: &Machine, at: &Solution) -> Result<Balance, TestError> {
         let energy_change = machine.problem.energy(&at.at, at.energy) - self.start;
         let released = self.jumps.iter().map(|jump| jump.released).sum();
         let largest = self.largest.max(energy_change.abs());
         let balance = Balance { work: self.work, energy_change, released, largest };
-        if balance.error() <= BALANCED.max(machine.relative) { Ok(balance) } else { Err(Trouble::Unbalanced(balance)) }
+        if balance.error() <= BALANCED.max(machine.relative) {
+            Ok(balance)
+        } else {
+            Err(TestError::Unbalanced(balance))
+        }
     }
 
     /// One that did not fail comes first, then the one that found more, then the errors.
     fn is_better_than(&self, best: &Self) -> bool {
-        let rank = |test: &Self| (test.trouble.is_none(), test.jumps.len());
+        let rank = |test: &Self| (test.end.is_ok(), test.jumps.len());
         rank(self) > rank(best) || (rank(self) == rank(best) && self.worst() < best.worst())
     }
 
@@ -331,24 +305,13 @@ impl Test {
     /// What a user reads.
     fn told(self, relative: f64) -> Observed {
         let reached = self.worst();
-        let end = match self.end {
-            TestEnd::Failed(reason) => TestEnd::Failed(format!(
-                "{reason}; on {} elements of order {}. The results so far are kept. Try another accuracy.relative than {relative:e}",
-                self.effort.elements, self.effort.order
-            )),
-            end => end,
-        };
+        let TestEffort { elements, order, .. } = self.effort;
+        let failed = |cause| TestEnd::Failed(TestFailure { cause, elements, order, asked: relative });
+        let end = self.end.unwrap_or_else(failed);
         let hysteresis = self.cycle.filter(|_| end == TestEnd::Closed).map(|cycle| cycle.work);
         let Self { points, jumps, pieces, pull_off, retreat, cycle, effort, .. } = self;
         Observed { points, jumps, pieces, pull_off, hysteresis, retreat, cycle, end, effort, reached }
     }
-}
-
-fn elsewhere(cycle: &Balance, back: &Solution) -> String {
-    format!(
-        "at U = 0 the strip rests in another equilibrium than at first: its energy is {:.6} aJ from that, P = {:.6} nN",
-        cycle.energy_change, back.observables.force
-    )
 }
 
 impl Way {

@@ -1,14 +1,14 @@
 //! One stable piece of a test: from an equilibrium on until it is lost or the machine has arrived.
 
+use super::failure::BranchError;
 use crate::model::PlanarProblem;
 use crate::solve::{
     LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathEvent, PathOptions, PathSegment,
-    PathTracer, Solution, SolveError, State, TraceError, TraceOptions, Workspace, locate, solve,
+    PathTracer, Solution, State, TraceOptions, Workspace, locate, solve,
 };
-use crate::study::Bounds;
 use crate::study::peel::{StepCurve, is_clear};
+use crate::study::{Bound, Stage, StopCriteria};
 use std::sync::Arc;
-use std::time::Instant;
 
 /// Where a piece ends.
 pub(super) enum BranchEnd {
@@ -18,8 +18,8 @@ pub(super) enum BranchEnd {
     Limit(Box<Located>),
     /// Stability is lost where U does not turn.
     Branching(Box<Located>),
-    /// A bound of the scene.
-    Bound(String),
+    /// A stop criterion is met.
+    Bound(Bound),
 }
 
 /// A stable piece.
@@ -34,27 +34,15 @@ pub(super) struct StableBranch {
     pub iterations: usize,
 }
 
-/// Why a piece could not be followed.
-#[derive(Clone, Debug, thiserror::Error)]
-pub(super) enum BranchTrouble {
-    #[error("{0}")]
-    Trace(#[from] TraceError),
-    #[error("the largest force on the stable branch near U = {machine_nm:.6} nm was not located: {cause}")]
-    NoPeak { machine_nm: f64, cause: SolveError },
-    #[error("the last point, at U = {machine_nm:.6} nm, was not found: {cause}")]
-    NotArrived { machine_nm: f64, cause: SolveError },
-}
-
 /// What a piece is followed under.
 pub(super) struct Machine<'a> {
     pub problem: &'a PlanarProblem,
     pub options: PathOptions,
-    pub bounds: &'a Bounds,
+    pub stop: &'a StopCriteria,
     /// Accuracy asked for.
     pub relative: f64,
     /// A strip with no point nearer than this is detached, nm.
     pub far: f64,
-    pub started: Instant,
 }
 
 /// When the machine has arrived.
@@ -73,13 +61,7 @@ const INSIDE: usize = 8;
 
 impl Machine<'_> {
     /// Follows the stable equilibria from `start` on; U rises or falls as `rising` says. `points` have been computed before.
-    pub fn follow(
-        &self,
-        start: State,
-        rising: bool,
-        until: Until,
-        points: usize,
-    ) -> Result<StableBranch, BranchTrouble> {
+    pub fn follow(&self, start: State, rising: bool, until: Until, points: usize) -> Result<StableBranch, BranchError> {
         let first = self.options.first_displacement.copysign(if rising { 1.0 } else { -1.0 });
         let options = PathOptions { first_displacement: first, elements: start.mesh.elements(), ..self.options };
         let path = Path::from(self.problem, options, start);
@@ -114,23 +96,19 @@ impl Machine<'_> {
         }
     }
 
-    /// The bound that has been reached; a piece has one point at least.
-    fn bound(&self, path: &Path, rising: bool, points: usize) -> Option<String> {
+    /// The criterion that is met; a piece has one point at least.
+    fn bound(&self, path: &Path, rising: bool, points: usize) -> Option<Bound> {
         let u = path.points().last()?.observables.displacement;
-        let Bounds { points: most, time_s, displacement } = *self.bounds;
+        let most = self.stop.points;
         if points + path.points().len() >= most {
-            return Some(format!("bounds.points = {most}"));
+            return Some(Bound::Points(most));
         }
-        let late = time_s.filter(|&most| self.started.elapsed().as_secs_f64() > most);
-        if let Some(most) = late {
-            return Some(format!("bounds.time = {most} s"));
-        }
-        let beyond = displacement.filter(|&most| rising && u > most);
-        beyond.map(|most| format!("bounds.displacement = {most} nm"))
+        let beyond = || self.stop.displacement.filter(|&most| rising && u > most).map(Bound::Displacement);
+        self.stop.told(Stage::Path).or_else(beyond)
     }
 
     /// The largest force of a piece, if it is a maximum within.
-    pub fn peak(&self, leg: &StableBranch) -> Result<Option<Located>, BranchTrouble> {
+    pub fn peak(&self, leg: &StableBranch) -> Result<Option<Located>, BranchError> {
         let (points, mut ws) = (&leg.points, Workspace::default());
         let force = |p: &Solution| p.observables.force;
         let largest = (0..points.len()).max_by(|&a, &b| force(&points[a]).total_cmp(&force(&points[b])));
@@ -144,7 +122,7 @@ impl Machine<'_> {
             let bracket = (0.0, segment.end());
             let located = locate(self.problem, &segment, LimitPointKind::Load, bracket, Some(self.relative), &mut ws);
             let machine_nm = points[index].observables.displacement;
-            return located.map(Some).map_err(|cause| BranchTrouble::NoPeak { machine_nm, cause });
+            return located.map(Some).map_err(|cause| BranchError::NoPeak { machine_nm, cause });
         }
         Ok(None)
     }
@@ -156,7 +134,7 @@ impl Machine<'_> {
         before: usize,
         until: Until,
         ws: &mut Workspace,
-    ) -> Result<Option<Arc<Solution>>, BranchTrouble> {
+    ) -> Result<Option<Arc<Solution>>, BranchError> {
         let newest = &path.points()[before + 1];
         match until {
             Until::Detached if is_clear(self.problem, path, self.far) => Ok(Some(newest.clone())),
@@ -171,7 +149,7 @@ impl Machine<'_> {
                 let constraint = PathConstraint { weights, target: -target };
                 solve(self.problem, start, &constraint, &options, ws)
                     .map(|last| Some(Arc::new(last)))
-                    .map_err(|cause| BranchTrouble::NotArrived { machine_nm: target, cause })
+                    .map_err(|cause| BranchError::NotArrived { machine_nm: target, cause })
             }
             _ => Ok(None),
         }

@@ -5,46 +5,14 @@
 //! before the next step, and before the pull: the force on what is free falls to zero first. The equilibria are followed as a path in
 //! what is moved; there is no time in it. A step ends at its amount, and not beyond a loss of stability, where a beam would jump.
 
+use super::error::{LoadingError, LoadingPhase, LoadingProgress, LoadingUnit, NoEquilibrium};
 use crate::beam::{BUNDLE, FRONT, GripForces, GripState};
 use crate::model::{Moved, PeelModel, PlanarProblem, Step};
 use crate::solve::{
-    Direction, EndConditions, INTERFACE, InitialState, LimitPointKind, Located, MOST_POINTS, NewtonOptions,
-    Observables, Path, PathConstraint, PathError, PathOptions, PathSegment, ShouldStop, Solution, SolveError, State,
-    Workspace, locate, settle, solve,
+    Direction, EndConditions, INTERFACE, LimitPointKind, Located, MOST_POINTS, NewtonOptions, Observables, Path,
+    PathConstraint, PathOptions, PathSegment, ShouldStop, Solution, State, Workspace, locate, settle, solve,
 };
 use std::sync::Arc;
-
-/// Why a step was not taken to its end.
-#[derive(Debug, thiserror::Error)]
-enum Trouble {
-    #[error("finds no equilibrium to begin with: {0}")]
-    Start(PathError),
-    #[error("cannot be followed beyond {}: {why}", place_text(.at))]
-    Path { at: Reached, why: PathError },
-    #[error("comes to a limit point at {}, beyond which the beam jumps", place_text(.at))]
-    Turns { at: Reached },
-    #[error("leads through the surface of the substrate, beyond {}", place_text(.at))]
-    Inside { at: Reached },
-    #[error("comes to where equilibrium is no longer stable, beyond {}: there the beam leaves its path", place_text(.at))]
-    Unstable { at: Reached },
-    #[error("is not at its end after {points} equilibria, at {}", place_text(.at))]
-    Long { at: Reached, points: usize },
-    #[error("finds no equilibrium at its end, beyond {}: {why}", place_text(.at))]
-    End { at: Reached, why: SolveError },
-}
-
-/// How far a step has come: in what it moves, nm or rad, with what the grip exerts there.
-#[derive(Clone, Copy, Debug)]
-struct Reached {
-    amount: f64,
-    unit: &'static str,
-    forces: GripForces,
-}
-
-fn place_text(at: &Reached) -> String {
-    let Reached { amount, unit, forces: GripForces { horizontal, vertical, moment } } = at;
-    format!("{amount:.6} {unit} (H = {horizontal:.6} nN, V = {vertical:.6} nN, M = {moment:.6} nN nm)")
-}
 
 /// Elements on which steps are followed, over those of a short strip, and more for each break of an outline; their ends are found on
 /// twice as many.
@@ -68,20 +36,22 @@ const PARTS: usize = 64;
 /// A force below this share of its scale is none.
 const NONE: f64 = 1e-9;
 
-/// Takes the steps of a model: its problem then starts where they have led, or has no start, with the reason. The grip behind each.
-pub(super) fn take(model: &PeelModel, problem: &mut PlanarProblem, should_stop: Option<ShouldStop>) -> Vec<GripState> {
-    if model.steps.is_empty() || matches!(problem.start, InitialState::NoEquilibrium(_)) {
-        return Vec::new();
+/// Takes the steps of a model: its problem then starts where they have led, unless one of them has no end. The grip behind each that
+/// was taken.
+pub(super) fn take(
+    model: &PeelModel,
+    problem: &mut PlanarProblem,
+    should_stop: Option<ShouldStop>,
+) -> (Vec<GripState>, Result<(), NoEquilibrium>) {
+    if model.steps.is_empty() {
+        return (Vec::new(), Ok(()));
     }
     let pull = GripControl::of(&problem.grip);
     let mut sequence =
         LoadingSequence { elements: elements(model, problem), pull, first: None, should_stop, taken: Vec::new() };
     let taken = sequence.all(&model.steps, problem);
     pull.set(&mut problem.grip);
-    if let Err(why) = taken {
-        problem.start = InitialState::NoEquilibrium(why);
-    }
-    sequence.taken
+    (sequence.taken, taken)
 }
 
 /// Elements on which steps are followed.
@@ -122,7 +92,7 @@ struct Goal {
     value: f64,
     /// First displacement on the way there.
     first: f64,
-    unit: &'static str,
+    unit: LoadingUnit,
 }
 
 /// Steps under way.
@@ -138,31 +108,31 @@ struct LoadingSequence {
 }
 
 impl LoadingSequence {
-    fn all(&mut self, steps: &[Step], problem: &mut PlanarProblem) -> Result<(), String> {
-        let tried = |why: Trouble, what: String| format!("{what} {why}. Try a shorter step, or other steps before it");
-        self.begin(problem).map_err(|why| tried(why, "the first of drive.steps".into()))?;
-        for (index, step) in steps.iter().enumerate() {
-            let named = || format!("step {} of drive.steps, \"{step}\",", index + 1);
+    fn all(&mut self, steps: &[Step], problem: &mut PlanarProblem) -> Result<(), NoEquilibrium> {
+        let failed = |phase: LoadingPhase| move |cause| NoEquilibrium::Loading { phase, cause: Box::new(cause) };
+        self.begin(problem).map_err(failed(LoadingPhase::Start))?;
+        for (number, &step) in (1..).zip(steps) {
             if let Some((moved, amount)) = step.motion() {
-                self.take_hold(problem, moved).map_err(|why| tried(why, format!("letting go before {}", named())))?;
+                self.take_hold(problem, moved).map_err(failed(LoadingPhase::LettingGo { number, step }))?;
                 let scale = problem.grip.displacement_scale();
                 let first = (FIRST * scale).min(OF_WAY * amount.abs()).copysign(amount);
-                let unit = if moved == Moved::Rotation { "rad" } else { "nm" };
+                let unit = if moved == Moved::Rotation { LoadingUnit::Radian } else { LoadingUnit::Nanometre };
                 let goal = Goal { what: LimitPointKind::Displacement, value: amount, first, unit };
-                self.follow(problem, goal).map_err(|why| tried(why, named()))?;
+                self.follow(problem, goal).map_err(failed(LoadingPhase::Step { number, step }))?;
             }
             if let (Some(at), Some(first)) = (problem.start.known(), &self.first) {
                 self.taken.push(problem.beam.grip_state(at, first));
             }
         }
         self.pull.set(&mut problem.grip);
-        self.let_go(problem).map_err(|why| tried(why, "letting go before the pull".into()))
+        self.let_go(problem).map_err(failed(LoadingPhase::LettingGoToPull))
     }
 
     /// The equilibrium from which the first step goes.
-    fn begin(&mut self, problem: &mut PlanarProblem) -> Result<(), Trouble> {
+    fn begin(&mut self, problem: &mut PlanarProblem) -> Result<(), LoadingError> {
         let options = self.options(problem.grip.displacement_scale());
-        let start = Path::new(problem, options).until(self.should_stop.clone()).advance().map_err(Trouble::Start)?;
+        let start =
+            Path::new(problem, options).until(self.should_stop.clone()).advance().map_err(LoadingError::Start)?;
         let constraint = PathConstraint { weights: Observables::DISPLACEMENT, target: start.observables.displacement };
         self.lead(problem, &start, &constraint)?;
         self.first = problem.start.known().cloned();
@@ -170,7 +140,7 @@ impl LoadingSequence {
     }
 
     /// Makes the grip move this and hold the rest, from the equilibrium where it is.
-    fn take_hold(&self, problem: &mut PlanarProblem, moved: Moved) -> Result<(), Trouble> {
+    fn take_hold(&self, problem: &mut PlanarProblem, moved: Moved) -> Result<(), LoadingError> {
         let (height, rotation) = (self.pull.driven, problem.beam.slot_of_rotation());
         let mut held = self.pull.held;
         let (driven, direction) = match moved {
@@ -189,7 +159,7 @@ impl LoadingSequence {
     }
 
     /// Lets the force on what the grip does not hold across fall to zero, with all else held.
-    fn let_go(&self, problem: &mut PlanarProblem) -> Result<(), Trouble> {
+    fn let_go(&self, problem: &mut PlanarProblem) -> Result<(), LoadingError> {
         let control = GripControl::of(&problem.grip);
         let (Some(across), Some(at)) = (problem.grip.across, problem.start.known().cloned()) else { return Ok(()) };
         if control.held[across] {
@@ -208,7 +178,8 @@ impl LoadingSequence {
         GripControl { driven: self.pull.driven, direction: Direction { along: up, up: -along }, held, gear: 0.0 }
             .set(&mut problem.grip);
         let first = -(FIRST * problem.grip.displacement_scale()).copysign(force);
-        let done = self.follow(problem, Goal { what: LimitPointKind::Load, value: 0.0, first, unit: "nm" });
+        let done =
+            self.follow(problem, Goal { what: LimitPointKind::Load, value: 0.0, first, unit: LoadingUnit::Nanometre });
         control.set(&mut problem.grip);
         done
     }
@@ -225,24 +196,24 @@ impl LoadingSequence {
     }
 
     /// Follows the equilibria from where the problem begins to the goal, where it then begins.
-    fn follow(&self, problem: &mut PlanarProblem, goal: Goal) -> Result<(), Trouble> {
+    fn follow(&self, problem: &mut PlanarProblem, goal: Goal) -> Result<(), LoadingError> {
         let end = self.path(problem, goal)?;
         let weights = goal.weights();
         self.lead(problem, &end, &PathConstraint { weights, target: goal.value })
     }
 
     /// The solution at the goal, on the elements of the path there.
-    fn path(&self, problem: &PlanarProblem, goal: Goal) -> Result<Solution, Trouble> {
+    fn path(&self, problem: &PlanarProblem, goal: Goal) -> Result<Solution, LoadingError> {
         let mut path = Path::new(problem, self.options(goal.first)).until(self.should_stop.clone());
-        let start = path.advance().map_err(Trouble::Start)?;
+        let start = path.advance().map_err(LoadingError::Start)?;
         let value = goal.what.pick();
         let onward = (goal.value - value(&start.observables)).signum();
         let is_there = |o: &Observables| (value(o) - goal.value) * onward >= 0.0;
         let mut before = start.clone();
         while path.points().len() < MOST_EQUILIBRIA {
-            let here = path.advance().map_err(|why| Trouble::Path { at: goal.reached(problem, &before), why })?;
+            let here = path.advance().map_err(|why| LoadingError::Path { at: goal.reached(problem, &before), why })?;
             if problem.beam.nearest(&here.at) <= 0.0 {
-                return Err(Trouble::Inside { at: goal.reached(problem, &before) });
+                return Err(LoadingError::Inside { at: goal.reached(problem, &before) });
             }
             let turned = here.slope.displacement * goal.first < 0.0;
             let is_lost = |s: &Solution| problem.system.is_conservative() && s.negative > start.negative;
@@ -260,24 +231,32 @@ impl LoadingSequence {
                 let end = solve(problem, guess, &constraint, &newton(ROUGH), &mut Workspace::default());
                 let end = end.map_err(|why| match turned {
                     true => lost(problem, &segment, goal, &before, turned),
-                    false => Trouble::End { at: goal.reached(problem, &before), why },
+                    false => LoadingError::End { at: goal.reached(problem, &before), why },
                 })?;
                 return if is_lost(&end) { Err(lost(problem, &segment, goal, &before, turned)) } else { Ok(end) };
             }
             before = here;
         }
-        Err(Trouble::Long { at: goal.reached(problem, &before), points: MOST_EQUILIBRIA })
+        Err(LoadingError::Long { at: goal.reached(problem, &before), points: MOST_EQUILIBRIA })
     }
 
     /// Lets the problem begin in a solution, on twice as many elements and a mesh that is fine at its front.
-    fn lead(&self, problem: &mut PlanarProblem, end: &Solution, constraint: &PathConstraint) -> Result<(), Trouble> {
+    fn lead(
+        &self,
+        problem: &mut PlanarProblem,
+        end: &Solution,
+        constraint: &PathConstraint,
+    ) -> Result<(), LoadingError> {
         let beam = &problem.beam;
         let mesh = beam.mesh_at(end.observables.monitors[FRONT], 2 * self.elements);
         let finer = beam.resampled(&end.at, mesh);
         let settled = settle(problem, finer, constraint, &newton(FINE), &mut Workspace::default());
-        let at =
-            Reached { amount: end.observables.displacement, unit: "nm", forces: problem.beam.grip_forces(&end.at) };
-        problem.start_at(Arc::new(settled.map_err(|why| Trouble::End { at, why })?.at));
+        let at = LoadingProgress {
+            amount: end.observables.displacement,
+            unit: LoadingUnit::Nanometre,
+            forces: problem.beam.grip_forces(&end.at),
+        };
+        problem.start_at(Arc::new(settled.map_err(|why| LoadingError::End { at, why })?.at));
         Ok(())
     }
 }
@@ -290,24 +269,24 @@ impl Goal {
         }
     }
 
-    fn reached(self, problem: &PlanarProblem, solution: &Solution) -> Reached {
+    fn reached(self, problem: &PlanarProblem, solution: &Solution) -> LoadingProgress {
         let amount = solution.observables.displacement;
-        Reached { amount, unit: self.unit, forces: problem.beam.grip_forces(&solution.at) }
+        LoadingProgress { amount, unit: self.unit, forces: problem.beam.grip_forces(&solution.at) }
     }
 }
 
 /// Why a segment that loses its stability does not lead to the goal: the displacement turns, or the path branches.
-fn lost(problem: &PlanarProblem, segment: &PathSegment, goal: Goal, before: &Solution, turned: bool) -> Trouble {
+fn lost(problem: &PlanarProblem, segment: &PathSegment, goal: Goal, before: &Solution, turned: bool) -> LoadingError {
     let whole = (0.0, segment.end());
     let turn = |at: Located| {
         let reached = goal.reached(problem, &at.solution);
-        Trouble::Turns { at: Reached { amount: at.observables.displacement, ..reached } }
+        LoadingError::Turns { at: LoadingProgress { amount: at.observables.displacement, ..reached } }
     };
     let located = turned
         .then(|| locate(problem, segment, LimitPointKind::Displacement, whole, None, &mut Workspace::default()).ok());
     match located.flatten() {
         Some(at) => turn(at),
-        None => Trouble::Unstable { at: goal.reached(problem, before) },
+        None => LoadingError::Unstable { at: goal.reached(problem, before) },
     }
 }
 

@@ -1,5 +1,6 @@
 //! How a beam comes to lie on ground that is not flat: relaxed without a grip, from a guess, to the stable equilibrium next to it.
 
+use super::error::SettlingError;
 use crate::beam::{PlanarBeam, Rest};
 use crate::model::{Ground, PlanarProblem, Start};
 use crate::solve::{
@@ -27,7 +28,7 @@ pub(super) fn settled_on_ground(
     ground: &Ground,
     reach: f64,
     should_stop: &Option<ShouldStop>,
-) -> Result<State, String> {
+) -> Result<State, SettlingError> {
     // no grip yet
     let problem = &problem.with_grip(EndConditions { held: [false; INTERFACE], ..problem.grip });
     let beam = &*problem.beam;
@@ -39,7 +40,7 @@ pub(super) fn settled_on_ground(
         (RelaxOptions { largest_update: RELAXING, most_steps: MOST_STEPS }, Workspace::until(should_stop.clone()));
     let mut relaxed = |from| {
         let relaxed = relax(problem, from, Held::Force(0.0), &options, &mut ws);
-        relaxed.map(|relaxed| relaxed.solution.at).map_err(|error| error.to_string())
+        relaxed.map(|relaxed| relaxed.solution.at)
     };
     let finer = beam.on_elements(&relaxed(guess)?, 2 * elements as usize);
     let constraint = PathConstraint { weights: Observables::FORCE, target: 0.0 };
@@ -47,8 +48,8 @@ pub(super) fn settled_on_ground(
     let settled = |from| settle(problem, from, &constraint, &newton, &mut Workspace::until(should_stop.clone()));
     // on few elements an equilibrium may be one that is none on more
     let settled = settled(finer.clone()).or_else(|_| {
-        let relaxed = relaxed(finer)?;
-        settled(relaxed).map_err(|error| error.to_string())
+        let relaxed = relaxed(finer).map_err(SettlingError::from)?;
+        settled(relaxed).map_err(SettlingError::from)
     })?;
     Ok(settled.at)
 }

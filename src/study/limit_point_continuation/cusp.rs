@@ -4,12 +4,13 @@
 //! cusp its largest value is zero. That maximum, over P, is a smooth function of any parameter of the model on both
 //! sides of the cusp, and its zero a regular one, where the limit points themselves are singular.
 
+use super::failure::CuspError;
 use crate::model::{Form, PeelModel, PlanarProblem};
 use crate::solve::{
     LimitPointKind, NewtonOptions, Observables, PathConstraint, Problem, Solution, State, Workspace, solve,
 };
 use crate::study::accuracy::{ORDER, Resolution};
-use crate::study::{Accuracy, Bounds, End, Terms, peel};
+use crate::study::{Accuracy, PathEnd, StopCriteria, Terms, peel};
 use std::sync::Arc;
 
 /// A cusp of the path in a parameter.
@@ -42,7 +43,7 @@ const SAFETY: f64 = 2.0;
 
 /// Finds the cusp next to the value `from`, at which the path has a snap-back; `model` gives the model at a value, and the
 /// snap-back vanishes as the value grows. The error says what was not found.
-pub fn cusp<M: Into<PeelModel>>(model: &dyn Fn(f64) -> M, from: f64, accuracy: &Accuracy) -> Result<Cusp, String> {
+pub fn cusp<M: Into<PeelModel>>(model: &dyn Fn(f64) -> M, from: f64, accuracy: &Accuracy) -> Result<Cusp, CuspError> {
     let accuracy = &Accuracy { terms: Terms::All, ..*accuracy };
     let model = |value: f64| model(value).into();
     let first = Snapback::on_path(&model(from), accuracy)?;
@@ -73,21 +74,20 @@ struct Snapback {
 
 impl Snapback {
     /// A point of the path half-way between its two limit points.
-    fn on_path(model: &PeelModel, accuracy: &Accuracy) -> Result<Self, String> {
-        let bounds = Bounds { points: 20_000, time_s: None, displacement: None };
-        let peel = peel(model, accuracy, &bounds);
-        if let End::Failed(reason) = &peel.end {
-            return Err(reason.clone());
+    fn on_path(model: &PeelModel, accuracy: &Accuracy) -> Result<Self, CuspError> {
+        let peel = peel(model, accuracy, &StopCriteria::default());
+        if let PathEnd::Failed(failure) = &peel.end {
+            return Err(CuspError::Path(Box::new(failure.clone())));
         }
         let mut turns = peel.limit_points.iter().filter(|point| point.kind == LimitPointKind::Displacement);
         let (Some(first), Some(second), Some(trace)) = (turns.next(), turns.next(), &peel.trace) else {
-            return Err("the path has no snap-back to begin with".into());
+            return Err(CuspError::NoSnapBack);
         };
         let middle = 0.5 * (first.force + second.force);
         let away = |point: &Arc<Solution>| (point.observables.force - middle).abs();
         let between = &trace.points[first.after..=(second.after + 1).min(trace.points.len() - 1)];
         let nearest = between.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
-        let point = nearest.ok_or("the path has no point on its snap-back")?;
+        let point = nearest.ok_or(CuspError::NoPoint)?;
         let (o, s) = (&point.observables, &point.slope);
         let compliance = s.displacement / s.force;
         Ok(Self { at: point.at.clone(), force: o.force, displacement: o.displacement, compliance })
@@ -99,7 +99,7 @@ impl Snapback {
     }
 
     /// The maximum of du/dP over P next to this one, by parabolas through three forces.
-    fn peaked(&self, problem: &Problem, ws: &mut Workspace) -> Result<Self, String> {
+    fn peaked(&self, problem: &Problem, ws: &mut Workspace) -> Result<Self, CuspError> {
         let mut here = self.clone();
         for _ in 0..MOST_TRIES {
             let middle = here.solved(problem, here.force, ws)?;
@@ -109,7 +109,7 @@ impl Snapback {
             let (slope, bend) = (0.5 * (above - below), above - 2.0 * middle.compliance + below);
             let step = -slope / bend * beside;
             if !step.is_finite() || bend >= 0.0 {
-                return Err(format!("du/dP has no maximum near P = {:.6} nN", middle.force));
+                return Err(CuspError::NoMaximum { force: middle.force });
             }
             if step.abs() <= CLOSE * middle.force {
                 let compliance = middle.compliance - 0.5 * slope * slope / bend;
@@ -118,21 +118,21 @@ impl Snapback {
             let most = 0.1 * middle.force;
             here = Self { force: middle.force + step.clamp(-most, most), ..middle };
         }
-        Err(format!("the maximum of du/dP near P = {:.6} nN was not found in {MOST_TRIES} steps", here.force))
+        Err(CuspError::MaximumNotFound { force: here.force, tries: MOST_TRIES })
     }
 
     /// The equilibrium at a force, from this one.
-    fn solved(&self, problem: &Problem, force: f64, ws: &mut Workspace) -> Result<Self, String> {
+    fn solved(&self, problem: &Problem, force: f64, ws: &mut Workspace) -> Result<Self, CuspError> {
         let weights = Observables::FORCE;
         let options = NewtonOptions { tolerance: FINE, largest_update: 0.5, most_iterations: 20, exact_slope: true };
-        let solution = solve(problem, self.at.clone(), &PathConstraint { weights, target: force }, &options, ws);
-        let Solution { at, observables, slope, .. } = solution.map_err(|error| error.to_string())?;
+        let solution = solve(problem, self.at.clone(), &PathConstraint { weights, target: force }, &options, ws)?;
+        let Solution { at, observables, slope, .. } = solution;
         Ok(Self { at, force, displacement: observables.displacement, compliance: slope.displacement })
     }
 }
 
 /// The value at which the largest du/dP is zero, by the secant rule.
-fn vanishing(model: &dyn Fn(f64) -> PeelModel, from: f64, first: Snapback) -> Result<Cusp, String> {
+fn vanishing(model: &dyn Fn(f64) -> PeelModel, from: f64, first: Snapback) -> Result<Cusp, CuspError> {
     let mut ws = Workspace::default();
     let mut before = (from, first.peaked(&problem(&model(from)), &mut ws)?);
     let mut value = from * (1.0 + 0.3 * LONGEST);
@@ -149,5 +149,5 @@ fn vanishing(model: &dyn Fn(f64) -> PeelModel, from: f64, first: Snapback) -> Re
         before = (value, here);
         value += step.clamp(-LONGEST * value, LONGEST * value);
     }
-    Err(format!("the snap-back did not vanish near {value:.6}, the last value tried"))
+    Err(CuspError::NotVanished { value })
 }

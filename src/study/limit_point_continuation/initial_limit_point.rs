@@ -1,5 +1,6 @@
 //! Where the path from rest has the point that is to be followed.
 
+use super::failure::PointNotFound;
 use super::result::PointKind;
 use crate::model::{Discretisation, Form, PeelModel};
 use crate::solve::{
@@ -8,7 +9,7 @@ use crate::solve::{
 };
 use crate::study::accuracy::{ORDER, Resolution};
 use crate::study::initial::prepared;
-use crate::study::{Accuracy, Bounds, End, peel};
+use crate::study::{Accuracy, Bound, PathEnd, StopCriteria, peel};
 
 /// The accuracy of the beginning of the path that finds the first maximum; the point is solved for again on a mesh of its
 /// own.
@@ -21,32 +22,32 @@ pub(super) fn initial_limit_point(
     model: &PeelModel,
     kind: PointKind,
     accuracy: &Accuracy,
-    bounds: &Bounds,
-) -> Result<Option<Located>, String> {
+    stop: &StopCriteria,
+) -> Result<Option<Located>, PointNotFound> {
     match kind {
-        PointKind::InitiationPeak => first_maximum(model, bounds),
-        PointKind::SnapOff => snap_off(model, accuracy, bounds),
+        PointKind::InitiationPeak => first_maximum(model, stop),
+        PointKind::SnapOff => snap_off(model, accuracy, stop),
     }
 }
 
 /// The first maximum of the force, from the beginning of the path.
-fn first_maximum(model: &PeelModel, bounds: &Bounds) -> Result<Option<Located>, String> {
+fn first_maximum(model: &PeelModel, stop: &StopCriteria) -> Result<Option<Located>, PointNotFound> {
     let how = Discretisation::moving(Form::TwoField, ORDER);
-    let problem = prepared(model, how, None).problem;
+    let problem = prepared(model, how, None).map_err(|failed| PointNotFound::NoStart(failed.why))?.problem;
     let far = model.line_law().reach();
     let path = Path::new(&problem, Resolution::first(model, &Accuracy::to(ROUGH)).path_options(model, ROUGH));
     let trace = TraceOptions { kinds: &[LimitPointKind::Load], branches: false, relative: ROUGH, behind: BEHIND };
     let mut tracer = PathTracer::new(&problem, path, trace);
     loop {
-        if tracer.path().points().len() >= bounds.points {
-            return Err(format!("the path has no maximum of the force within bounds.points = {}", bounds.points));
+        if tracer.path().points().len() >= stop.points {
+            return Err(PointNotFound::NoMaximum(Bound::Points(stop.points)));
         }
-        match tracer.advance().map_err(|error| error.to_string())? {
+        match tracer.advance().map_err(PointNotFound::Trace)? {
             PathEvent::LimitPoint { located, .. } => return Ok(Some(located)),
             PathEvent::Point(point) => {
                 let o = point.observables;
-                if let Some(most) = bounds.displacement.filter(|&most| o.displacement > most) {
-                    return Err(format!("the path has no maximum of the force within bounds.displacement = {most} nm"));
+                if let Some(most) = stop.displacement.filter(|&most| o.displacement > most) {
+                    return Err(PointNotFound::NoMaximum(Bound::Displacement(most)));
                 }
                 let ended = problem.beam.is_clear(&point.at, far) || o.displacement <= 0.0 || o.force <= 0.0;
                 if ended && tracer.path().points().len() > 2 {
@@ -59,12 +60,15 @@ fn first_maximum(model: &PeelModel, bounds: &Bounds) -> Result<Option<Located>, 
 }
 
 /// The first displacement limit point, from the whole path.
-fn snap_off(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Result<Option<Located>, String> {
-    let peel = peel(model, accuracy, bounds);
+fn snap_off(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Result<Option<Located>, PointNotFound> {
+    let peel = peel(model, accuracy, stop);
     let (Some(at), Some(trace)) = (peel.snap_off, &peel.trace) else {
         return match peel.end {
-            End::Failed(reason) | End::Bound(reason) => Err(reason),
-            End::Detached | End::Pivoting | End::TurnedBack | End::Sliding | End::Snapped => Ok(None),
+            PathEnd::Failed(failure) => Err(PointNotFound::Failed(Box::new(failure))),
+            PathEnd::Bound(bound) => Err(PointNotFound::Bound(bound)),
+            PathEnd::Detached | PathEnd::Pivoting | PathEnd::TurnedBack | PathEnd::Sliding | PathEnd::Snapped => {
+                Ok(None)
+            }
         };
     };
     let problem: &Problem = &trace.problem;
@@ -72,8 +76,7 @@ fn snap_off(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds) -> Result<O
     let mut ws = Workspace::default();
     let found =
         brackets(problem, &trace.points, at.after, &segment, LimitPointKind::Displacement, accuracy.relative, &mut ws);
-    let bracket = found.map_err(|error| error.to_string())?.first().copied();
-    let bracket = bracket.ok_or("the snap-off was not found again on its path")?;
+    let bracket = found?.first().copied().ok_or(PointNotFound::NotFoundAgain)?;
     let located = locate(problem, &segment, LimitPointKind::Displacement, bracket, None, &mut ws);
-    located.map(Some).map_err(|error| error.to_string())
+    Ok(Some(located?))
 }

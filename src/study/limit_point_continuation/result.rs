@@ -1,6 +1,7 @@
 //! What a sweep that follows one point gives.
 
-use crate::solve::LimitPointKind;
+use super::failure::PointNotFound;
+use crate::solve::{LimitPointKind, SolveError};
 use crate::study::peel::{LimitPoint, Peak};
 
 /// The point of a peel that can be followed in a parameter.
@@ -108,7 +109,6 @@ pub struct FollowedRow {
     pub point: Option<FollowedPoint>,
     pub newton_iterations: usize,
     pub elements: usize,
-    pub solve_s: f64,
 }
 
 /// All values, and what is to be said about them.
@@ -134,7 +134,7 @@ pub enum Remark {
         "the {} could not be followed from {} to {}: {cause}; beyond that it is looked for on the path from rest",
         .kind.word(), .between.0, .between.1
     )]
-    Lost { kind: PointKind, between: (f64, f64), cause: String },
+    Lost { kind: PointKind, between: (f64, f64), cause: SolveError },
     /// The limit point goes on, but is not the one that it was.
     #[error(
         "the limit point that was followed is the {} up to {} and no longer at {}, where the path from rest has another; \
@@ -144,14 +144,14 @@ pub enum Remark {
     Replaced { kind: PointKind, between: (f64, f64) },
     /// The path from rest could not be computed where the point was to be compared with it.
     #[error("at {value} the {} that was followed could not be compared with the path from rest: {reason}", .kind.word())]
-    Unconfirmed { kind: PointKind, value: f64, reason: String },
+    Unconfirmed { kind: PointKind, value: f64, reason: PointNotFound },
     /// The path from rest has no such point at any of the values from the one to the other.
     #[error("from {from} to {to} the path has no {}", .kind.word())]
     Absent { kind: PointKind, from: f64, to: f64 },
     /// The point could not be solved for by itself and is that of a whole peel.
     #[error("at {value} the {} is that of a whole path, because it could not be solved for directly: {reason}", .kind.word())]
-    Peeled { kind: PointKind, value: f64, reason: String },
+    Peeled { kind: PointKind, value: f64, reason: PointNotFound },
     /// The path from rest could not be computed.
     #[error("at {value} the {} was not found: {reason}", .kind.word())]
-    NotFound { kind: PointKind, value: f64, reason: String },
+    NotFound { kind: PointKind, value: f64, reason: PointNotFound },
 }

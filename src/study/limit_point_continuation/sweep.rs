@@ -7,6 +7,7 @@
 //! point of the next value.
 
 use super::continuation::{Continuation, Known, Lost, problem, search};
+use super::failure::PointNotFound;
 use super::initial_limit_point::initial_limit_point;
 use super::result::{FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing};
 use crate::beam::FRONT;
@@ -15,9 +16,8 @@ use crate::solve::{BendRule, Located, Mesh, Observables, Path, SolveError, Works
 use crate::study::accuracy::{ORDER, Resolution};
 use crate::study::error_bounds::{ROUND_OFF, ROUND_OFF_PLACE};
 use crate::study::initial::prepared;
-use crate::study::refused::sentences;
-use crate::study::{Accuracy, Bounds, End, Terms, checked, peel};
-use std::time::Instant;
+use crate::study::refused::failure;
+use crate::study::{Accuracy, PathEnd, StopCriteria, Terms, checked, peel};
 
 /// Error bounds are the difference to half as many elements again times this: enough even where the error falls no faster
 /// than the elements get shorter, as on a mesh that misses the edge of a stiff strip.
@@ -76,12 +76,11 @@ struct Found {
     energy: f64,
     elements: usize,
     iterations: usize,
-    solve_s: f64,
 }
 
 impl Found {
-    fn new(known: &Known, elements: usize, iterations: usize, solve_s: f64) -> Self {
-        Self { observables: known.observables, energy: known.energy, elements, iterations, solve_s }
+    fn new(known: &Known, elements: usize, iterations: usize) -> Self {
+        Self { observables: known.observables, energy: known.energy, elements, iterations }
     }
 }
 
@@ -127,63 +126,57 @@ impl Strand {
     }
 }
 
-/// Follows the point of `kind`, on flat ground and with no steps before the pull, over `values` of a parameter, which make their way evenly in the sense of `spacing`.
-/// `model` gives the model at a value, also at values in between; `done` is called once a value. A value at which the model cannot be
-/// computed ([`checked`]) has a row without the point, and a remark that says why.
+/// Follows the point of `kind`, on flat ground and with no steps before the pull, over `values` of a parameter, which make their way
+/// evenly in the sense of `spacing`. `model` gives the model at a value, also at values in between. `stop` gives the stop criteria of
+/// one path, anew for each. `solved` is given the place of a value as soon as it is solved for, again where it is solved for anew. A value at which
+/// the model cannot be computed ([`checked`]) has a row without the point, and a remark that says why.
 pub fn follow_point<M: Into<PeelModel>>(
     kind: PointKind,
     values: &[f64],
     spacing: Spacing,
     model: &dyn Fn(f64) -> M,
     accuracy: &Accuracy,
-    bounds: &Bounds,
-    done: &dyn Fn(),
+    stop: &dyn Fn() -> StopCriteria,
+    solved: &dyn Fn(usize),
 ) -> FollowedSweep {
     let model = |value: f64| model(value).into();
     // the point is one equilibrium, from which nothing is left out
     let accuracy = &Accuracy { terms: Terms::All, ..*accuracy };
     let at_coordinate = |s: f64| model(spacing.value(s));
-    let sweep = Sweep { kind, values, spacing, model: &model, at_coordinate: &at_coordinate, accuracy, bounds };
+    let sweep = Sweep { kind, values, spacing, model: &model, at_coordinate: &at_coordinate, accuracy, stop, solved };
     let mut followed = FollowedSweep { kind, rows: Vec::with_capacity(values.len()), remarks: Vec::new() };
-    let mut started = Instant::now();
     while followed.rows.len() < values.len() {
         let next = followed.rows.len();
         if let Err(error) = sweep.check(next) {
-            followed.remarks.push(Remark::NotFound { kind, value: values[next], reason: sentences(&error) });
-            followed.rows.push(empty(values[next], lap(&mut started)));
-            done();
+            let reason = PointNotFound::Failed(Box::new(failure(&error)));
+            followed.remarks.push(Remark::NotFound { kind, value: values[next], reason });
+            followed.rows.push(empty(values[next]));
+            solved(next);
             continue;
         }
-        match sweep.strand(next, &mut started) {
+        match sweep.strand(next) {
             Ok(Some(strand)) => {
                 followed.rows.extend(sweep.rows(&strand));
                 followed.remarks.extend(strand.remarks);
             }
             Ok(None) => {
                 sweep.absent(&mut followed, next);
-                followed.rows.push(empty(values[next], lap(&mut started)));
+                followed.rows.push(empty(values[next]));
+                solved(next);
             }
             Err(reason) => {
                 let (point, elements) = sweep.on_full_path(&mut followed.remarks, next, reason);
-                let row = empty(values[next], lap(&mut started));
-                followed.rows.push(FollowedRow { point, elements, ..row });
+                followed.rows.push(FollowedRow { point, elements, ..empty(values[next]) });
+                solved(next);
             }
         }
-        (next..followed.rows.len()).for_each(|_| done());
     }
     followed
 }
 
 /// A row without the point.
-fn empty(value: f64, solve_s: f64) -> FollowedRow {
-    FollowedRow { value, point: None, newton_iterations: 0, elements: 0, solve_s }
-}
-
-/// Seconds since the last lap.
-fn lap(started: &mut Instant) -> f64 {
-    let seconds = started.elapsed().as_secs_f64();
-    *started = Instant::now();
-    seconds
+fn empty(value: f64) -> FollowedRow {
+    FollowedRow { value, point: None, newton_iterations: 0, elements: 0 }
 }
 
 struct Sweep<'a> {
@@ -193,7 +186,8 @@ struct Sweep<'a> {
     model: &'a dyn Fn(f64) -> PeelModel,
     at_coordinate: &'a dyn Fn(f64) -> PeelModel,
     accuracy: &'a Accuracy,
-    bounds: &'a Bounds,
+    stop: &'a dyn Fn() -> StopCriteria,
+    solved: &'a dyn Fn(usize),
 }
 
 impl Sweep<'_> {
@@ -206,8 +200,8 @@ impl Sweep<'_> {
         checked(&(self.model)(self.values[index]), self.accuracy)
     }
 
-    fn anchor(&self, index: usize) -> Result<Option<Located>, String> {
-        initial_limit_point(&(self.model)(self.values[index]), self.kind, self.accuracy, self.bounds)
+    fn anchor(&self, index: usize) -> Result<Option<Located>, PointNotFound> {
+        initial_limit_point(&(self.model)(self.values[index]), self.kind, self.accuracy, &(self.stop)())
     }
 
     /// Says that the path has no such point at this value: in one remark with the values before, where it has none either.
@@ -220,19 +214,28 @@ impl Sweep<'_> {
     }
 
     /// The point that could not be solved for by itself, from a whole peel, and its elements.
-    fn on_full_path(&self, remarks: &mut Vec<Remark>, index: usize, reason: String) -> (Option<FollowedPoint>, usize) {
+    fn on_full_path(
+        &self,
+        remarks: &mut Vec<Remark>,
+        index: usize,
+        reason: PointNotFound,
+    ) -> (Option<FollowedPoint>, usize) {
         let (kind, value) = (self.kind, self.values[index]);
-        let peel = peel(&(self.model)(value), self.accuracy, self.bounds);
+        let peel = peel(&(self.model)(value), self.accuracy, &(self.stop)());
         let point = match kind {
             PointKind::InitiationPeak => peel.initiation_peak.map(FollowedPoint::from),
             PointKind::SnapOff => peel.snap_off.map(FollowedPoint::from),
         };
         remarks.push(match (&point, peel.end) {
             (Some(_), _) => Remark::Peeled { kind, value, reason },
-            (None, End::Failed(reason) | End::Bound(reason)) => Remark::NotFound { kind, value, reason },
-            (None, End::Detached | End::Pivoting | End::TurnedBack | End::Sliding | End::Snapped) => {
-                Remark::Absent { kind, from: value, to: value }
+            (None, PathEnd::Failed(failure)) => {
+                Remark::NotFound { kind, value, reason: PointNotFound::Failed(Box::new(failure)) }
             }
+            (None, PathEnd::Bound(bound)) => Remark::NotFound { kind, value, reason: PointNotFound::Bound(bound) },
+            (
+                None,
+                PathEnd::Detached | PathEnd::Pivoting | PathEnd::TurnedBack | PathEnd::Sliding | PathEnd::Snapped,
+            ) => Remark::Absent { kind, from: value, to: value },
         });
         (point, peel.effort.elements)
     }
@@ -252,14 +255,15 @@ impl Sweep<'_> {
     }
 
     /// Takes the point up at a value and follows it as far as it goes.
-    fn strand(&self, first: usize, started: &mut Instant) -> Result<Option<Strand>, String> {
+    fn strand(&self, first: usize) -> Result<Option<Strand>, PointNotFound> {
         let Some(located) = self.anchor(first)? else { return Ok(None) };
         let on_mesh = |elements| self.taken_up(first, &located, elements);
         let (known, elements, difference) = self.on_fitting_mesh(first, self.fewest(first), &on_mesh)?;
+        (self.solved)(first);
         let mut continuation = Continuation::new(self.kind, self.at_coordinate, known.clone());
         let mut strand = Strand {
             first,
-            found: vec![Found::new(&known, elements, 0, lap(started))],
+            found: vec![Found::new(&known, elements, 0)],
             newest: known.clone(),
             good: known,
             checks: vec![(first, difference)],
@@ -280,10 +284,11 @@ impl Sweep<'_> {
                 }
             }
             let iterations = continuation.iterations() - before;
-            strand.found.push(Found::new(&strand.newest, strand.elements(), iterations, lap(started)));
+            strand.found.push(Found::new(&strand.newest, strand.elements(), iterations));
+            (self.solved)(index);
             let worst = if self.is_check_due(&strand) { self.check_last(&mut strand) } else { 0.0 };
             if worst.is_infinite() && strand.elements() >= MOST_ELEMENTS {
-                let (value, cause) = (self.values[index], SolveError::LimitPointNotConfirmed.to_string());
+                let (value, cause) = (self.values[index], SolveError::LimitPointNotConfirmed);
                 strand.remarks.push(Remark::Lost { kind: self.kind, between: (value, value), cause });
                 break;
             }
@@ -309,7 +314,7 @@ impl Sweep<'_> {
         if lost.meets {
             Remark::Vanished { kind: self.kind, between }
         } else {
-            Remark::Lost { kind: self.kind, between, cause: lost.cause.to_string() }
+            Remark::Lost { kind: self.kind, between, cause: lost.cause }
         }
     }
 
@@ -325,7 +330,7 @@ impl Sweep<'_> {
         })?;
         strand.checks.push((good, difference));
         let place = good - strand.first;
-        strand.found[place] = Found::new(&known, elements, strand.found[place].iterations, strand.found[place].solve_s);
+        strand.found[place] = Found::new(&known, elements, strand.found[place].iterations);
         (strand.newest, strand.good) = (known.clone(), known);
         Ok(())
     }
@@ -371,7 +376,7 @@ impl Sweep<'_> {
         index: usize,
         mut elements: usize,
         on_mesh: &dyn Fn(usize) -> Result<Known, SolveError>,
-    ) -> Result<(Known, usize, Difference), String> {
+    ) -> Result<(Known, usize, Difference), SolveError> {
         loop {
             let known = on_mesh(elements);
             let tried = known.and_then(|known| Ok((self.difference(index, &known, elements)?, known)));
@@ -380,7 +385,7 @@ impl Sweep<'_> {
                 Ok((difference, known)) if worst <= MARGIN || elements >= MOST_ELEMENTS => {
                     return Ok((known, elements, difference));
                 }
-                Err(error) if elements >= MOST_ELEMENTS => return Err(error.to_string()),
+                Err(error) if elements >= MOST_ELEMENTS => return Err(error),
                 _ => elements = finer(elements, worst / MARGIN),
             }
         }
@@ -431,10 +436,10 @@ impl Sweep<'_> {
     }
 
     /// Whether the path from rest has the point that was followed to this value.
-    fn is_same(&self, strand: &Strand, index: usize) -> Result<bool, String> {
+    fn is_same(&self, strand: &Strand, index: usize) -> Result<bool, PointNotFound> {
         let found = strand.at(index);
         let Some(located) = self.anchor(index)? else { return Ok(false) };
-        let own = self.taken_up(index, &located, found.elements).map_err(|error| error.to_string())?;
+        let own = self.taken_up(index, &located, found.elements)?;
         let bound = strand.checks.iter().rev().map(|c| c.1).take(NEIGHBOURS).reduce(Difference::max);
         let slack = |share: f64| SAME + CAUTION * share;
         let (a, b) = (&own.observables, &found.observables);
@@ -456,7 +461,6 @@ impl Sweep<'_> {
                 point: worst.map(|difference| self.point(index, found, difference)),
                 newton_iterations: found.iterations,
                 elements: found.elements,
-                solve_s: found.solve_s,
             }
         };
         strand.found.iter().enumerate().map(row).collect()
@@ -485,7 +489,7 @@ fn energy_at_rest(model: &PeelModel) -> Option<f64> {
         return Some(strip.width * model.line_law().rest_energy() * strip.length);
     }
     let how = Discretisation::moving(Form::TwoField, ORDER);
-    let problem = prepared(model, how, None).problem;
+    let problem = prepared(model, how, None).ok()?.problem;
     let accuracy = Accuracy::to(1e-8);
     let options = Resolution::first(model, &accuracy).path_options(model, accuracy.relative);
     let first = Path::new(&problem, options).advance().ok()?;

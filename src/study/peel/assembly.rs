@@ -3,7 +3,7 @@
 use super::equilibrium_path::Followed;
 use super::plateau::plateau;
 use super::work::{work_near, works};
-use super::{Effort, End, LimitPoint, PathPoint, Peak, Peel};
+use super::{Effort, Failure, LimitPoint, PathEnd, PathPoint, Peak, Peel};
 use crate::beam::FRONT;
 use crate::model::{PeelModel, PlanarProblem};
 use crate::solve::{LimitPointKind, Located, Solution, Workspace, difference_on_more_elements};
@@ -212,12 +212,11 @@ pub(in crate::study) fn empty(model: &PeelModel) -> Peel {
         peak: None,
         plateau: None,
         snap_off: None,
-        end: End::Failed(String::new()),
+        end: PathEnd::Failed(Failure::NothingComputed),
         effort: Effort::default(),
         asked: 0.0,
         choice: Accuracy::to(0.0).choice,
         ripple: 0,
-        solve_s: 0.0,
         considered: None,
         unfinished: false,
         trace: None,

@@ -117,7 +117,7 @@ impl Whole {
         let level = Substrate::Sinusoid(Sinusoid { height: 0.0, wavelength: model.length(), offset: 0.0 });
         let ground = Ground { substrate: level, start: Start::Conformed };
         let how = Discretisation { form: Form::ThreeField, order: ORDER, mesh: MeshKind::Graded };
-        let problem = prepared(&PeelModel { ground, steps: Vec::new(), ..model.clone() }, how, None).problem;
+        let problem = prepared(&PeelModel { ground, steps: Vec::new(), ..model.clone() }, how, None).ok()?.problem;
         let (beam, at) = (&*problem.beam, problem.start.known()?);
         let length = adhered(&self::samples(&beam.substrate, &Shape::of(beam, at)), near);
         let front = beam.front_of(at);

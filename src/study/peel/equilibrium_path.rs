@@ -1,14 +1,15 @@
 //! One path on one mesh: followed to its end, every limit point on it located, none missed without a report.
 
-use super::End;
 use super::path_refinement::fill_in;
 use super::slope_polishing::sharpen;
+use super::{Failure, PathEnd, PathFailure};
 use crate::beam::{FrictionHistory, Rest, TIP_ROTATION};
 use crate::model::PlanarProblem;
 use crate::solve::{
     Direction, LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathError, PathOptions,
     PathSegment, ROUGH, ShouldStop, Solution, SolveError, Workspace, brackets, locate, solve, solve_on, unlocated,
 };
+use crate::study::Bound;
 use crate::study::checkpoint::Limits;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
@@ -18,7 +19,7 @@ pub(super) struct Followed {
     pub points: Vec<Arc<Solution>>,
     /// In path order, each with the index of the point before it.
     pub turns: Vec<(LimitPointKind, usize, Located)>,
-    pub end: End,
+    pub end: PathEnd,
     /// Whether time or the user ended it.
     pub cut: bool,
     pub iterations: usize,
@@ -29,7 +30,7 @@ pub(super) struct Followed {
     /// Largest spread of the first integral along the beam at any point, over the work of adhesion.
     pub spread: f64,
     /// Why the path cannot be used, if it cannot.
-    pub trouble: Option<Trouble>,
+    pub trouble: Option<PathFailure>,
     /// Says when its limit points and its work are no longer to be computed.
     should_stop: Option<ShouldStop>,
 }
@@ -58,51 +59,6 @@ fn without_ripple(candidates: Vec<Candidate>, relative: f64) -> Vec<Candidate> {
     kept
 }
 
-/// Why a path on one mesh cannot be used.
-#[derive(Clone, Debug, thiserror::Error)]
-pub(super) enum Trouble {
-    #[error("{0}")]
-    Path(PathError),
-    #[error(
-        "the limit point of the {} after path point {after} (u = {displacement_nm:.6} nm) was not located: {cause}",
-        name(.turn)
-    )]
-    NotLocated { turn: LimitPointKind, after: usize, displacement_nm: f64, cause: SolveError },
-    #[error(
-        "between path points {after} and {} (u = {displacement_nm:.6} nm) the number of negative eigenvalues goes from \
-         {from} to {to}, which {turns} located displacement limit points do not explain",
-        after + 1
-    )]
-    Missed { after: usize, displacement_nm: f64, from: usize, to: usize, turns: usize },
-    #[error(
-        "between path points {after} and {} (u = {displacement_nm:.6} nm) no solution was found, and force and displacement do \
-         not change smoothly: the path may have skipped a part of itself",
-        after + 1
-    )]
-    Jumped { after: usize, displacement_nm: f64 },
-    #[error(
-        "the path came back to P = 0 at u = {displacement_nm:.6} nm before the force had a maximum: its first step went to \
-         another equilibrium, or the strip is too soft for its adhesion (process zone {process_nm:.3e} nm)"
-    )]
-    LostAtRest { displacement_nm: f64, process_nm: f64 },
-    #[error("the first step, {step_nm:e} nm, is lost in the rounding of the displacement")]
-    Stuck { step_nm: f64 },
-    #[error(
-        "the limit points and the work of the path were not computed within twice bounds.time and a second: a larger \
-         bounds.time allows more time"
-    )]
-    OutOfTime,
-    #[error("{points} path points were not enough on {elements} elements: the continuation steps have collapsed")]
-    TooManyPoints { points: usize, elements: usize },
-}
-
-fn name(turn: &LimitPointKind) -> &'static str {
-    match turn {
-        LimitPointKind::Displacement => "displacement",
-        LimitPointKind::Load => "force",
-    }
-}
-
 /// Follows the path and locates its limit points.
 pub(super) fn follow(
     problem: &PlanarProblem,
@@ -118,8 +74,8 @@ pub(super) fn follow(
     let mut cut = false;
     let stopped = loop {
         let points = path.points().len();
-        if points >= most && most < limits.bounds.points {
-            break Err(Trouble::TooManyPoints { points: most, elements: options.elements });
+        if points >= most && most < limits.stop.points {
+            break Err(PathFailure::TooManyPoints { points: most, elements: options.elements });
         }
         if let Some(end) = limits.reached() {
             cut = true;
@@ -132,28 +88,29 @@ pub(super) fn follow(
         match stepped {
             Ok(None) => {}
             Ok(Some(end)) => break Ok(end),
-            Err(error) => break Err(Trouble::Path(error)),
+            Err(error) => break Err(PathFailure::Path(error)),
         }
+    };
+    let failed = |trouble: PathFailure| {
+        let (elements, order) = (options.elements, problem.beam.chain.order());
+        let failure = Failure::Path { cause: trouble.clone(), elements, order, asked: relative };
+        (PathEnd::Failed(failure), Some(trouble))
     };
     let (end, trouble) = match stopped {
         Ok(end) => (end, None),
-        Err(trouble) => (End::Failed(trouble.to_string()), Some(trouble)),
+        Err(trouble) => failed(trouble),
     };
     let mut points = path.points().to_vec();
     let stays = |pair: &[Arc<Solution>]| pair[1].observables.displacement == pair[0].observables.displacement;
     let (end, trouble) = match trouble {
         _ if points.windows(2).next().is_some_and(stays) => {
             points.truncate(1);
-            let stuck = Trouble::Stuck { step_nm: options.first_displacement };
-            (End::Failed(stuck.to_string()), Some(stuck))
+            failed(PathFailure::Stuck { step_nm: options.first_displacement })
         }
-        None if end == End::Pivoting && !has_maximum(path.points()) => {
-            let lost = Trouble::LostAtRest {
-                displacement_nm: path.points().last().map_or(0.0, |p| p.observables.displacement),
-                process_nm: problem.beam.process_length,
-            };
-            (End::Failed(lost.to_string()), Some(lost))
-        }
+        None if end == PathEnd::Pivoting && !has_maximum(path.points()) => failed(PathFailure::LostAtRest {
+            displacement_nm: path.points().last().map_or(0.0, |p| p.observables.displacement),
+            process_nm: problem.beam.process_length,
+        }),
         trouble => (end, trouble),
     };
     let mut followed = Followed {
@@ -171,11 +128,13 @@ pub(super) fn follow(
     followed.finish(problem, far);
     if followed.trouble.is_none() {
         let mut ws = followed.workspace();
-        let (tolerance, most) = (options.tolerance.min(ROUGH), limits.bounds.points);
+        let (tolerance, most) = (options.tolerance.min(ROUGH), limits.stop.points);
         let (iterations, jump) = fill_in(problem, &mut followed.points, relative, tolerance, most, &mut ws);
         followed.iterations += iterations + sharpen(problem, &mut followed.points, tolerance, &mut ws);
-        followed.trouble = jump
-            .map(|after| Trouble::Jumped { after, displacement_nm: followed.points[after].observables.displacement });
+        followed.trouble = jump.map(|after| PathFailure::Jumped {
+            after,
+            displacement_nm: followed.points[after].observables.displacement,
+        });
     }
     let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem));
     followed.trouble = followed.trouble.take().or(checked.err());
@@ -221,10 +180,10 @@ fn points_allowed(elements: usize) -> usize {
 }
 
 /// Takes one step; the end, if it is reached.
-fn step(problem: &PlanarProblem, path: &mut Path, far: f64, limits: &Limits) -> Result<Option<End>, PathError> {
-    let bounds = limits.bounds;
-    if path.points().len() >= bounds.points {
-        return Ok(Some(End::Bound(format!("bounds.points = {}", bounds.points))));
+fn step(problem: &PlanarProblem, path: &mut Path, far: f64, limits: &Limits) -> Result<Option<PathEnd>, PathError> {
+    let stop = limits.stop;
+    if path.points().len() >= stop.points {
+        return Ok(Some(PathEnd::Bound(Bound::Points(stop.points))));
     }
     let newest = path.advance()?;
     let o = newest.observables;
@@ -232,28 +191,28 @@ fn step(problem: &PlanarProblem, path: &mut Path, far: f64, limits: &Limits) -> 
         return Ok(None);
     }
     if is_clear(problem, path, far) {
-        return Ok(Some(End::Detached));
+        return Ok(Some(PathEnd::Detached));
     }
     if slides(problem, path) {
-        return Ok(Some(End::Sliding));
+        return Ok(Some(PathEnd::Sliding));
     }
     if problem.system.has_history() && newest.slope.displacement < 0.0 {
-        return Ok(Some(End::Snapped));
+        return Ok(Some(PathEnd::Snapped));
     }
     // a strip that has closed again passes u = 0 and P = 0 together
     if o.displacement <= 0.0 {
-        return Ok(Some(End::TurnedBack));
+        return Ok(Some(PathEnd::TurnedBack));
     }
     // a grip that turns may push where its moment peels
     let turns = problem.grip.gear != 0.0 && path.points().iter().all(|point| point.slope.displacement >= 0.0);
     if o.force <= 0.0 && has_pulled(problem, path.points()) && !turns {
-        return Ok(Some(End::Pivoting));
+        return Ok(Some(PathEnd::Pivoting));
     }
     if stands_upright(problem, path.points()) {
-        return Ok(Some(End::Pivoting));
+        return Ok(Some(PathEnd::Pivoting));
     }
-    let beyond = bounds.displacement.filter(|&most| o.displacement > most);
-    Ok(beyond.map(|most| End::Bound(format!("bounds.displacement = {most} nm"))))
+    let beyond = stop.displacement.filter(|&most| o.displacement > most);
+    Ok(beyond.map(|most| PathEnd::Bound(Bound::Displacement(most))))
 }
 
 /// Whether no part of the beam is nearer to the substrate than `far`, nm, at the newest point.
@@ -298,13 +257,15 @@ impl Followed {
     /// stays: it is an equilibrium too.
     fn finish(&mut self, problem: &PlanarProblem, far: f64) {
         let n = self.points.len();
-        if self.end == End::Detached {
+        if self.end == PathEnd::Detached {
             return self.finish_detached(problem, far);
         }
         let (weights, target) = match self.end {
-            End::Pivoting if stands_upright(problem, &self.points) => (Observables::monitor(TIP_ROTATION), FRAC_PI_2),
-            End::Pivoting => (Observables::FORCE, 0.0),
-            End::TurnedBack => (Observables::DISPLACEMENT, 0.0),
+            PathEnd::Pivoting if stands_upright(problem, &self.points) => {
+                (Observables::monitor(TIP_ROTATION), FRAC_PI_2)
+            }
+            PathEnd::Pivoting => (Observables::FORCE, 0.0),
+            PathEnd::TurnedBack => (Observables::DISPLACEMENT, 0.0),
             _ => return,
         };
         let (before, beyond) = (&self.points[n - 2], &self.points[n - 1]);
@@ -360,13 +321,13 @@ impl Followed {
     }
 
     /// What came out too late may be a ripple that is a turn, or an interpolant for a solution: to be asked in the end.
-    pub fn late(&self) -> Option<Trouble> {
-        self.workspace().is_stopped().then_some(Trouble::OutOfTime)
+    pub fn late(&self) -> Option<PathFailure> {
+        self.workspace().is_stopped().then_some(PathFailure::OutOfTime)
     }
 
     /// Locates every limit point but those of a flat segment, where the force rises and falls by less than `relative`
     /// of itself: there its slope is the discretisation's.
-    fn locate_turns(&mut self, problem: &PlanarProblem, relative: f64) -> Result<(), Trouble> {
+    fn locate_turns(&mut self, problem: &PlanarProblem, relative: f64) -> Result<(), PathFailure> {
         let mut ws = self.workspace();
         let mut candidates = Vec::new();
         for index in 0..self.points.len().saturating_sub(1) {
@@ -414,12 +375,12 @@ impl Followed {
         Ok(())
     }
 
-    fn not_located(&self, turn: LimitPointKind, after: usize, cause: SolveError) -> Trouble {
+    fn not_located(&self, turn: LimitPointKind, after: usize, cause: SolveError) -> PathFailure {
         match cause {
-            SolveError::Stopped => Trouble::OutOfTime,
+            SolveError::Stopped => PathFailure::OutOfTime,
             cause => {
                 let displacement_nm = self.points[after].observables.displacement;
-                Trouble::NotLocated { turn, after, displacement_nm, cause }
+                PathFailure::NotLocated { turn, after, displacement_nm, cause }
             }
         }
     }
@@ -440,7 +401,7 @@ impl Followed {
 
     /// Each displacement limit point changes the number of negative eigenvalues by one; nothing else does. Not so at a corner of a path
     /// that remembers, where much that slid sticks.
-    fn check_inertia(&self, problem: &PlanarProblem) -> Result<(), Trouble> {
+    fn check_inertia(&self, problem: &PlanarProblem) -> Result<(), PathFailure> {
         if problem.system.has_history() {
             return Ok(());
         }
@@ -451,7 +412,7 @@ impl Followed {
             let explained =
                 (turns + change).is_multiple_of(2) && (change <= turns || !problem.system.is_conservative());
             if !explained {
-                return Err(Trouble::Missed {
+                return Err(PathFailure::Missed {
                     after,
                     displacement_nm: pair[0].observables.displacement,
                     from: pair[0].negative,
@@ -473,7 +434,7 @@ mod tests {
     use super::*;
     use crate::model::{Form, PeelModel, StripModel};
     use crate::study::accuracy::Resolution;
-    use crate::study::{Accuracy, Bounds, Checkpoint};
+    use crate::study::{Accuracy, Checkpoint, StopCriteria};
 
     /// What the count of negative eigenvalues is for: limit points that were not located are reported as missing.
     #[test]
@@ -481,13 +442,15 @@ mod tests {
         let (model, accuracy) = (PeelModel::from(StripModel::of_the_paper(100.0, 1.0)), Accuracy::to(1e-6));
         let problem = model.problem(Form::TwoField, accuracy.order());
         let options = Resolution::first(&model, &accuracy).path_options(&model, accuracy.relative);
-        let bounds = Bounds { points: 5000, time_s: None, displacement: None };
-        let limits = Limits { bounds: &bounds, keeping: &Checkpoint::NOTHING, started: std::time::Instant::now() };
+        let limits = Limits { stop: &StopCriteria::after_points(5000), keeping: &Checkpoint::NOTHING };
         let mut followed = follow(&problem, options, 4.0, accuracy.relative, &limits);
         assert!(followed.check_inertia(&problem).is_ok());
         let located = followed.turns.iter().position(|turn| turn.0 == LimitPointKind::Displacement).unwrap();
         let (_, after, _) = followed.turns.remove(located);
         let missed = followed.check_inertia(&problem).unwrap_err();
-        assert!(matches!(missed, Trouble::Missed { after: a, from: 0, to: 1, turns: 0, .. } if a == after), "{missed}");
+        assert!(
+            matches!(missed, PathFailure::Missed { after: a, from: 0, to: 1, turns: 0, .. } if a == after),
+            "{missed}"
+        );
     }
 }

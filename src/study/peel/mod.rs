@@ -2,6 +2,7 @@
 mod assembly;
 mod contact;
 mod equilibrium_path;
+mod failure;
 mod path_refinement;
 mod plateau;
 mod result;
@@ -14,6 +15,7 @@ mod work;
 pub(super) use assembly::empty;
 pub use contact::{Contact, SMALLEST_RADIUS};
 pub(super) use equilibrium_path::is_clear;
+pub use failure::{Failure, PathFailure};
 pub use result::*;
 pub use sliding::Sliding;
 pub(super) use solution_history::SolutionHistory;

@@ -1,27 +1,17 @@
 //! The whole peel of one model: path, special points, error bounds, how it ended.
 
+use super::failure::Failure;
 use super::solution_history::SolutionHistory;
 use crate::beam::{GripState, NodeState};
 use crate::model::PeelModel;
 use crate::solve::LimitPointKind;
-use crate::study::Choice;
 use crate::study::terms::TermDecisions;
+use crate::study::{Bound, Choice};
 use serde::{Deserialize, Serialize};
-
-/// Where a path may be stopped although it goes on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
-    /// Most path points.
-    pub points: usize,
-    /// Most seconds of wall clock; none when absent.
-    pub time_s: Option<f64>,
-    /// Largest grip displacement, nm; none when absent.
-    pub displacement: Option<f64>,
-}
 
 /// How a path ended.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum End {
+pub enum PathEnd {
     /// No point of the beam is nearer than [`crate::adhesion::LineLaw::reach`].
     Detached,
     /// The force has come back to zero after a snap-off, and the beam is still in edge contact.
@@ -32,10 +22,10 @@ pub enum End {
     Sliding,
     /// With friction, the displacement has a limit point: equilibrium does not determine how a beam slides during a jump.
     Snapped,
-    /// A bound that the scene sets was reached; which one, in words.
-    Bound(String),
+    /// It goes on; a stop criterion was met.
+    Bound(Bound),
     /// The computation stopped short; why, with numbers and what to try.
-    Failed(String),
+    Failed(Failure),
 }
 
 /// One equilibrium of the path.
@@ -130,7 +120,7 @@ pub struct Peel {
     pub plateau: Option<Plateau>,
     /// The first displacement limit point: a displacement-controlled test jumps here.
     pub snap_off: Option<LimitPoint>,
-    pub end: End,
+    pub end: PathEnd,
     pub effort: Effort,
     /// Relative accuracy asked for.
     pub asked: f64,
@@ -138,7 +128,6 @@ pub struct Peel {
     pub choice: Choice,
     /// Load limit points left out, because the force changes by less than the accuracy between them.
     pub ripple: usize,
-    pub solve_s: f64,
     /// What was decided of the terms of the model, of [`crate::study::Terms::Auto`]; `model` is then without those that were left out.
     pub considered: Option<TermDecisions>,
     /// Whether time or an interruption ended the run although it goes on, along the path or to a finer mesh.

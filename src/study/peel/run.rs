@@ -2,18 +2,17 @@
 //! so, a finer mesh and the path again.
 
 use super::assembly::{empty, report, worst_difference};
-use super::equilibrium_path::{Followed, Trouble, follow};
+use super::equilibrium_path::{Followed, follow};
 use super::solution_history::SolutionHistory;
-use super::{Effort, End, LimitPoint, Peel};
+use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
 use crate::model::{Discretisation, PeelModel, PlanarProblem};
-use crate::solve::{InitialState, LimitPointKind};
+use crate::solve::LimitPointKind;
 use crate::study::accuracy::{Choice, Resolution, aim, most_elements};
 use crate::study::checkpoint::Limits;
 use crate::study::error_bounds::{SAFETY, counts};
-use crate::study::initial::{Prepared, prepared};
-use crate::study::{Accuracy, Bounds, Checkpoint};
+use crate::study::initial::{NotPrepared, Prepared, prepared};
+use crate::study::{Accuracy, Checkpoint, StopCriteria};
 use std::sync::Arc;
-use std::time::Instant;
 
 /// The first integral may spread by this many times the accuracy asked for, in units of the work of adhesion, at any point:
 /// where it spreads by 1.4e-5, at an edge that carries the strip, the force of that point was wrong by 6e-8.
@@ -36,9 +35,9 @@ const MOST_SHORTER: i32 = 3;
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
 /// Follows the peel from rest to its end.
-pub(in crate::study) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &Checkpoint) -> Peel {
+pub(in crate::study) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, keeping: &Checkpoint) -> Peel {
     let (aimed, least) = aim(model, accuracy);
-    let mut peel = on_meshes(model, &aimed, bounds, keeping);
+    let mut peel = on_meshes(model, &aimed, stop, keeping);
     peel.asked = accuracy.relative;
     let Peel { limit_points, initiation_peak, peak, snap_off, .. } = &mut peel;
     if let Some(share) = least {
@@ -55,20 +54,20 @@ pub(in crate::study) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bou
 }
 
 /// The path on one mesh after another, until its bounds are what is wanted.
-fn on_meshes(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &Checkpoint) -> Peel {
-    let started = Instant::now();
+fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, keeping: &Checkpoint) -> Peel {
     let accuracy = &accuracy.fitted(model);
-    let limits = Limits { bounds, keeping, started };
+    let limits = Limits { stop, keeping };
     let Choice { mesh, form, .. } = accuracy.choice;
     let mut resolution = Resolution::first(model, accuracy);
     let how = Discretisation { form, order: resolution.order, mesh };
-    let Prepared { problem, steps } = prepared(model, how, limits.should_stop());
+    let Prepared { problem, steps } = match prepared(model, how, limits.should_stop()) {
+        Ok(prepared) => prepared,
+        Err(NotPrepared { why, steps }) => {
+            let (end, asked) = (PathEnd::Failed(Failure::NoStart(why)), accuracy.relative);
+            return Peel { steps, end, asked, choice: accuracy.choice, ..empty(model) };
+        }
+    };
     let problem = Arc::new(problem);
-    if let InitialState::NoEquilibrium(why) = &problem.start {
-        let solve_s = started.elapsed().as_secs_f64();
-        let (end, asked) = (End::Failed(why.clone()), accuracy.relative);
-        return Peel { steps, end, asked, choice: accuracy.choice, solve_s, ..empty(model) };
-    }
     let far = model.line_law().reach();
     let mut best: Option<Attempt> = None;
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
@@ -110,7 +109,6 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &
     peel.steps = steps;
     peel.effort.newton_iterations = iterations;
     peel.unfinished = unfinished;
-    peel.solve_s = started.elapsed().as_secs_f64();
     peel
 }
 
@@ -159,7 +157,7 @@ struct Attempt {
     /// Largest spread of the first integral over what is wanted: the error between the points that `difference` looks at.
     spread: f64,
     /// Why the path is unusable, if it is.
-    trouble: Option<String>,
+    trouble: Option<PathFailure>,
     /// Whether its path was left before its end for want of time, or because the user wanted it.
     cut: bool,
     /// What to try next.
@@ -191,15 +189,14 @@ impl Attempt {
             }
             // a displacement that turns nowhere may be a jump as well
             Some(
-                Trouble::Missed { .. }
-                | Trouble::Jumped { .. }
-                | Trouble::TooManyPoints { .. }
-                | Trouble::NotLocated { turn: LimitPointKind::Displacement, .. },
+                PathFailure::Missed { .. }
+                | PathFailure::Jumped { .. }
+                | PathFailure::TooManyPoints { .. }
+                | PathFailure::NotLocated { turn: LimitPointKind::Displacement, .. },
             ) => Resolution { step_tolerance: 0.3 * step_tolerance, ..resolution.times(1.25) },
             Some(_) => resolution.times(1.5),
         };
-        let trouble = followed.trouble.as_ref().map(ToString::to_string);
-        let trouble = trouble.or_else(|| followed.late().map(|late| late.to_string()));
+        let trouble = followed.trouble.clone().or_else(|| followed.late());
         peel.asked = relative;
         peel.choice = accuracy.choice;
         peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order };
@@ -286,11 +283,8 @@ impl Attempt {
         self.peel.tell_bounds();
         let kinds = |attempt: &Self| attempt.peel.limit_points.iter().map(|point| point.kind).collect::<Vec<_>>();
         if self.trouble.is_none() && !self.cut && kinds(self) != kinds(other) {
-            self.trouble = Some(format!(
-                "with shorter steps the path has {} limit points, with longer ones {}: what slides depends on the steps",
-                self.peel.limit_points.len(),
-                other.peel.limit_points.len()
-            ));
+            let (shorter, longer) = (self.peel.limit_points.len(), other.peel.limit_points.len());
+            self.trouble = Some(PathFailure::StepsMatter { shorter, longer });
         }
         largest
     }
@@ -314,16 +308,11 @@ impl Attempt {
         let missed =
             worst > if self.remembers { NEARLY } else { 1.0 } && worst * self.peel.asked > STAGNATION && !fixed;
         let mut peel = self.peel;
-        let bounded = matches!(peel.end, End::Bound(_));
-        let trouble = self
-            .trouble
-            .or((missed && !bounded).then(|| format!("the error bounds are {worst:.1} times the requested tolerance")));
-        if let Some(trouble) = trouble {
+        let bounded = matches!(peel.end, PathEnd::Bound(_));
+        let missed = (missed && !bounded).then_some(PathFailure::BoundsMissed { factor: worst });
+        if let Some(cause) = self.trouble.or(missed) {
             let Effort { elements, order, .. } = peel.effort;
-            peel.end = End::Failed(format!(
-                "{trouble}; on {elements} elements of order {order}. The results so far are kept. Try another accuracy.relative than {:e}, or bounds.displacement to stop before",
-                peel.asked
-            ));
+            peel.end = PathEnd::Failed(Failure::Path { cause, elements, order, asked: peel.asked });
         }
         peel
     }

@@ -11,10 +11,9 @@ use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
 use crate::model::{Form, Friction, Ground, Hold, PeelModel};
 use crate::solve::{Direction, Solution};
 use crate::study::peel::run as whole_path;
-use crate::study::peel::{End, LimitPoint, Peel, SolutionHistory};
-use crate::study::{Accuracy, Bounds, Checkpoint};
+use crate::study::peel::{LimitPoint, PathEnd, Peel, SolutionHistory};
+use crate::study::{Accuracy, Checkpoint, StopCriteria};
 use std::sync::Arc;
-use std::time::Instant;
 
 /// What is estimated to change may be so many times as large.
 const SAFETY: f64 = 2.0;
@@ -26,27 +25,26 @@ const MODESTY: f64 = 0.1;
 const SHALLOW: f64 = 0.1;
 
 /// Follows the peel with the terms that are asked for.
-pub(in crate::study) fn run(model: &PeelModel, accuracy: &Accuracy, bounds: &Bounds, keeping: &Checkpoint) -> Peel {
+pub(in crate::study) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, keeping: &Checkpoint) -> Peel {
     match accuracy.terms {
-        Terms::All => whole_path::run(model, accuracy, bounds, keeping),
-        Terms::Auto => TermSelection { model, accuracy, bounds, keeping }.run(),
+        Terms::All => whole_path::run(model, accuracy, stop, keeping),
+        Terms::Auto => TermSelection { model, accuracy, stop, keeping }.run(),
     }
 }
 
 struct TermSelection<'a> {
     model: &'a PeelModel,
     accuracy: &'a Accuracy,
-    bounds: &'a Bounds,
+    stop: &'a StopCriteria,
     keeping: &'a Checkpoint<'a>,
 }
 
 impl TermSelection<'_> {
     fn run(&self) -> Peel {
-        let started = Instant::now();
         let (mut terms, mut kept) = candidates(self.model, self.accuracy.relative);
         let mut iterations = 0;
         while !terms.is_empty() {
-            let mut peel = self.without(&terms, started);
+            let mut peel = self.without(&terms);
             iterations += peel.effort.newton_iterations;
             let Some(mut found) = self.found(&peel, &terms) else {
                 let why = KeptReason::NotTold(NotTold::Failed);
@@ -57,7 +55,7 @@ impl TermSelection<'_> {
             peel.tell_bounds();
             if peel.reached_accuracy().is_none_or(|reached| reached <= self.accuracy.relative) {
                 let left_out = found.iter().map(|found| found.left_out).collect();
-                return self.told(peel, left_out, kept, iterations, started);
+                return self.told(peel, left_out, kept, iterations);
             }
             found.sort_by(|a, b| b.left_out.largest.total_cmp(&a.left_out.largest));
             let LeftOut { term, largest, .. } = found[0].left_out;
@@ -68,27 +66,20 @@ impl TermSelection<'_> {
                 kept.extend(terms.drain(..).map(|term| (term, KeptReason::NotTold(NotTold::Friction))));
             }
         }
-        let peel = whole_path::run(self.model, self.accuracy, &self.bounds_since(started), self.keeping);
+        let peel = whole_path::run(self.model, self.accuracy, self.stop, self.keeping);
         iterations += peel.effort.newton_iterations;
-        self.told(peel, Vec::new(), kept, iterations, started)
+        self.told(peel, Vec::new(), kept, iterations)
     }
 
     /// The path without some terms, of which nothing is kept: it is short beside the one with them.
-    fn without(&self, terms: &[Term], started: Instant) -> Peel {
+    fn without(&self, terms: &[Term]) -> Peel {
         let model = terms.iter().fold(self.model.clone(), |model, &term| without(term, model));
-        let keeping = Checkpoint { go_on: self.keeping.go_on, ..Checkpoint::NOTHING };
-        whole_path::run(&model, self.accuracy, &self.bounds_since(started), &keeping)
-    }
-
-    /// What is left of the time.
-    fn bounds_since(&self, started: Instant) -> Bounds {
-        let time_s = self.bounds.time_s.map(|most| (most - started.elapsed().as_secs_f64()).max(0.0));
-        Bounds { time_s, ..*self.bounds }
+        whole_path::run(&model, self.accuracy, self.stop, &Checkpoint::NOTHING)
     }
 
     /// What each of the terms would change of a path without them; none where that has failed.
     fn found(&self, peel: &Peel, terms: &[Term]) -> Option<Vec<Found>> {
-        let trace = peel.trace.as_ref().filter(|_| !matches!(peel.end, End::Failed(_)))?;
+        let trace = peel.trace.as_ref().filter(|_| !matches!(peel.end, PathEnd::Failed(_)))?;
         let found: Vec<Found> = terms.iter().map(|&term| Found::of(peel, trace, self.model, term)).collect();
         found.iter().all(|found| found.left_out.largest.is_finite()).then_some(found)
     }
@@ -100,7 +91,6 @@ impl TermSelection<'_> {
         mut left_out: Vec<LeftOut>,
         mut kept: Vec<(Term, KeptReason)>,
         iterations: usize,
-        started: Instant,
     ) -> Peel {
         match peel.model.form(peel.choice.form) {
             Form::TwoField => {
@@ -113,7 +103,6 @@ impl TermSelection<'_> {
             [Term::Shear, Term::Extension].into_iter().chain(moment).map(|term| (term, KeptReason::NothingSaved)),
         );
         peel.effort.newton_iterations = iterations;
-        peel.solve_s = started.elapsed().as_secs_f64();
         peel.considered = Some(TermDecisions { left_out, kept });
         peel
     }

@@ -18,7 +18,7 @@ use peelkit::adhesion::LineLoad;
 use peelkit::beam::{FRONT, TIP_ROTATION};
 use peelkit::model::{Body, Form, Hold, PeelModel, PlanarProblem, Spatula, StripModel};
 use peelkit::solve::{Mesh, NewtonOptions, Observables, PathConstraint, Solution, Workspace, solve};
-use peelkit::study::{Accuracy, Bounds, Choice, peel};
+use peelkit::study::{Accuracy, Choice, StopCriteria, peel};
 
 const STEPS: [f64; 14] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.35, 0.5, 0.75, 1.0, 1.5, 2.2, 3.3, 5.0];
 
@@ -138,7 +138,7 @@ fn a_spatula_in_either_form() {
         let [two, three] = [Form::TwoField, Form::ThreeField].map(|form| {
             let accuracy = Accuracy::to(1e-6);
             let choice = Choice { form, ..accuracy.choice };
-            let bounds = Bounds { points: 5000, time_s: None, displacement: Some(400.0) };
+            let bounds = StopCriteria { points: 5000, displacement: Some(400.0), should_stop: None };
             let peel = peel(&spatula, &accuracy.with(choice), &bounds);
             (peel.peak.unwrap(), peel.snap_off.unwrap())
         });

@@ -18,10 +18,10 @@ use peelkit::adhesion::{FrictionLaw, GroundLaw, LineLoad, Substrate};
 use peelkit::beam::{BeamOnGround, Density, PointResponse, Profile};
 use peelkit::model::{Form, Friction, Hold, PeelModel, PlanarProblem, Pull, Step};
 use peelkit::solve::{Observables, Path, PathOptions, Solution, controlled};
-use peelkit::study::{Accuracy, Bounds, Choice, End, peel};
+use peelkit::study::{Accuracy, Choice, PathEnd, StopCriteria, peel};
 use std::sync::Arc;
 
-const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
 fn rubbing(length: f64, degrees: f64, strength: f64) -> PeelModel {
     PeelModel {
@@ -127,7 +127,7 @@ fn steady_peeling_balances() {
     let model = rubbing(300.0, 30.0, strength);
     // what is dissipated is known to first order in the steps
     let accuracy = Accuracy::to(1e-4).with(Choice { step: Some(1e-4), ..Accuracy::to(1e-4).choice });
-    let peel = peel(&model, &accuracy, &Bounds { displacement: Some(44.0), ..BOUNDS });
+    let peel = peel(&model, &accuracy, &StopCriteria { displacement: Some(44.0), ..BOUNDS });
     let at = |front: f64| {
         let index = peel.nearest_front(front).unwrap();
         (peel.points[index].front, peel.sliding_at(index).unwrap().dissipated, peel.points[index].force)
@@ -147,7 +147,7 @@ fn steady_peeling_balances() {
 fn a_dragged_strip_slides_at_its_strength_and_loops_close() {
     let model = rubbing(100.0, 0.0, 0.05);
     let peel = peel(&model, &Accuracy::to(1e-5), &BOUNDS);
-    assert_eq!(peel.end, End::Sliding);
+    assert_eq!(peel.end, PathEnd::Sliding);
     let force = peel.peak.unwrap().force;
     assert!((force / (0.05 * 100.0) - 1.0).abs() < 0.01, "{force}");
     let problem = model.problem(Form::ThreeField, 7);
@@ -165,7 +165,10 @@ fn a_dragged_strip_slides_at_its_strength_and_loops_close() {
 #[test]
 fn small_angles_gain() {
     let force = |model: &PeelModel| {
-        peel(model, &Accuracy::to(1e-4), &Bounds { displacement: Some(8.0), ..BOUNDS }).initiation_peak.unwrap().force
+        peel(model, &Accuracy::to(1e-4), &StopCriteria { displacement: Some(8.0), ..BOUNDS })
+            .initiation_peak
+            .unwrap()
+            .force
     };
     let gain = |degrees: f64| {
         let held = rubbing(100.0, degrees, 0.05);
@@ -185,7 +188,7 @@ fn steps_before_the_pull_are_remembered() {
         let mut model = PeelModel { steps, ..rubbing(100.0, 90.0, 0.05) };
         model.grip.horizontal = Hold::Fixed;
         model.friction.strength = strength;
-        let peel = peel(&model, &Accuracy::to(1e-4), &Bounds { displacement: Some(3.0), ..BOUNDS });
+        let peel = peel(&model, &Accuracy::to(1e-4), &StopCriteria { displacement: Some(3.0), ..BOUNDS });
         peel.initiation_peak.unwrap().force
     };
     let there_and_back = || vec![Step::Drag(0.5), Step::Push(0.5)];

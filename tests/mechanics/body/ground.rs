@@ -14,11 +14,11 @@ use peelkit::adhesion::{GroundLaw, Heights, Ridge, Round, Shape, Sinusoid, Subst
 use peelkit::beam::{BeamOnGround, Density, Profile};
 use peelkit::model::{Discretisation, Form, Ground, Hold, PeelModel, Start, StripModel};
 use peelkit::solve::InitialState;
-use peelkit::study::{Accuracy, Bounds, End, Peel, TestEnd, observed, peel, prepared};
+use peelkit::study::{Accuracy, PathEnd, Peel, StopCriteria, TestEnd, observed, peel, prepared};
 use std::sync::Arc;
 
-const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
-const NEAR: Bounds = Bounds { displacement: Some(2.0), ..BOUNDS };
+const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
+const NEAR: StopCriteria = StopCriteria { points: 20_000, displacement: Some(2.0), should_stop: None };
 
 fn wave(height: f64, wavelength: f64, offset: f64) -> Substrate {
     Substrate::Sinusoid(Sinusoid { height, wavelength, offset })
@@ -95,7 +95,7 @@ fn a_wide_ridge_is_a_cylinder() {
 }
 
 fn energy_at_start(model: &PeelModel) -> f64 {
-    let problem = prepared(model, Discretisation::moving(Form::TwoField, 7), None).problem;
+    let problem = prepared(model, Discretisation::moving(Form::TwoField, 7), None).unwrap().problem;
     let InitialState::Known { at, .. } = &problem.start else { panic!("{:?}", problem.start) };
     assert_eq!((at.force, problem.displacement(at)), (0.0, 0.0));
     problem.beam.chain.energy(problem.beam.configuration(at), &at.values).0.total
@@ -112,7 +112,7 @@ fn a_thick_strip_has_two_equilibria() {
 
     let lies = |thickness, start| {
         let model = strip(200.0, thickness, wave(8.0, 100.0, 0.0), start);
-        peel(&model, &Accuracy::to(1e-4), &Bounds { displacement: Some(0.05), ..BOUNDS }).contact(0).unwrap()
+        peel(&model, &Accuracy::to(1e-4), &StopCriteria { displacement: Some(0.05), ..BOUNDS }).contact(0).unwrap()
     };
     let (thin, thick) = (lies(10.0, Start::Crests), lies(20.0, Start::Crests));
     assert!(thin.adhered_fraction > 0.99 && thin.reach.unwrap() > 0.98, "{thin:?}");
@@ -126,8 +126,8 @@ fn a_path_starts_without_a_force() {
     let first = |change: fn(&mut PeelModel)| {
         let mut model = strip(60.0, 10.0, wave(8.0, 100.0, 20.0), Start::Conformed);
         change(&mut model);
-        let peel = peel(&model, &Accuracy::to(1e-5), &Bounds { displacement: Some(0.3), ..BOUNDS });
-        assert!(matches!(peel.end, End::Bound(_)), "{:?}", peel.end);
+        let peel = peel(&model, &Accuracy::to(1e-5), &StopCriteria { displacement: Some(0.3), ..BOUNDS });
+        assert!(matches!(peel.end, PathEnd::Bound(_)), "{:?}", peel.end);
         peel.points[0]
     };
     for change in [
@@ -150,7 +150,7 @@ fn errors_are_below_their_bounds() {
     let model = strip(100.0, 10.0, wave(8.0, 100.0, 0.0), Start::Conformed);
     let run = |relative: f64| -> Peel { peel(&model, &Accuracy::to(relative), &BOUNDS) };
     let (coarse, fine) = (run(1e-5), run(1e-8));
-    assert_eq!((&coarse.end, coarse.limit_points.len()), (&End::Pivoting, fine.limit_points.len()));
+    assert_eq!((&coarse.end, coarse.limit_points.len()), (&PathEnd::Pivoting, fine.limit_points.len()));
     for (a, b) in coarse.limit_points.iter().zip(&fine.limit_points) {
         assert!((a.force - b.force).abs() <= a.force_error + b.force_error, "{a:?} {b:?}");
         assert!((a.displacement - b.displacement).abs() <= a.displacement_error + b.displacement_error, "{a:?} {b:?}");
@@ -172,7 +172,8 @@ fn a_test_on_waves_balances() {
 fn sharp_ground_is_warned_of() {
     let round = Round { shape: Shape::Sphere, radius: 6.0, offset: 0.0 };
     let model = strip(20.0, 10.0, Substrate::Round(round), Start::Crests);
-    let contact = peel(&model, &Accuracy::to(1e-4), &Bounds { displacement: Some(0.05), ..BOUNDS }).contact(0).unwrap();
+    let contact =
+        peel(&model, &Accuracy::to(1e-4), &StopCriteria { displacement: Some(0.05), ..BOUNDS }).contact(0).unwrap();
     assert_relative_eq!(contact.sharp().unwrap(), 6.0, max_relative = 1e-12);
     // to first order 1.5 d/R of a sphere's attraction is lost, d = 5^(-1/6) r0 = 0.306 nm; the repulsion changes less
     assert!((-0.15..-0.05).contains(&contact.crest_error.unwrap()), "{contact:?}");

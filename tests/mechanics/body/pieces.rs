@@ -14,9 +14,9 @@
 use crate::common::paper_strip;
 use approx::assert_relative_eq;
 use peelkit::model::{Body, Course, Hold, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Spatula};
-use peelkit::study::{Accuracy, Bounds, Peel, peel};
+use peelkit::study::{Accuracy, Peel, StopCriteria, peel};
 
-const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
 /// The model with its body replaced by pieces of the same material.
 fn in_pieces(model: &PeelModel, pieces: Vec<Piece>) -> PeelModel {

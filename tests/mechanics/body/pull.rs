@@ -15,9 +15,9 @@
 use crate::common::{paper_strip, with_grip};
 use peelkit::model::{Body, Form, Hold, PeelModel, Pull, Spatula, StripModel};
 use peelkit::solve::LimitPointKind;
-use peelkit::study::{Accuracy, Bounds, Choice, End, LimitPoint, Peel, TestEnd, observed, peel};
+use peelkit::study::{Accuracy, Choice, LimitPoint, PathEnd, Peel, StopCriteria, TestEnd, observed, peel};
 
-const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
 fn at_angle(mut model: StripModel, degrees: f64) -> StripModel {
     model.pull = Pull { angle: degrees.to_radians(), ..Pull::UP };
@@ -69,7 +69,7 @@ fn both_forms_of_the_strip_agree() {
     for (degrees, across) in [(30.0, Hold::Free), (60.0, Hold::Fixed), (120.0, Hold::Free), (150.0, Hold::Fixed)] {
         let model = PeelModel::from(at_angle(with_grip(paper_strip(100.0, 1.0), Hold::Free, across), degrees));
         let (two, three) = (peeled(&model, Form::TwoField), peeled(&model, Form::ThreeField));
-        assert!(!matches!(two.end, End::Failed(_)), "{degrees} degrees: {:?}", two.end);
+        assert!(!matches!(two.end, PathEnd::Failed(_)), "{degrees} degrees: {:?}", two.end);
         assert_agree(&two, &three);
     }
 }
@@ -79,7 +79,7 @@ fn both_forms_of_the_spatula_agree() {
     let strip = paper_strip(100.0, 1.0);
     for degrees in [30.0, 120.0] {
         let spatula = PeelModel { body: Body::Spatula(Spatula::default()), ..at_angle(strip, degrees).into() };
-        let bounded = Bounds { displacement: Some(40.0), ..BOUNDS };
+        let bounded = StopCriteria { displacement: Some(40.0), ..BOUNDS };
         let of =
             |form| peel(&spatula, &Accuracy::to(1e-6).with(Choice { form, ..Accuracy::to(1e-6).choice }), &bounded);
         let (two, three) = (of(Form::TwoField), of(Form::ThreeField));

@@ -23,10 +23,10 @@ use peelkit::model::{
     Start, StripModel,
 };
 use peelkit::solve::InitialState;
-use peelkit::study::{Accuracy, Bounds, End, Peak, TestEnd, observed, peel, prepared};
+use peelkit::study::{Accuracy, PathEnd, Peak, StopCriteria, TestEnd, observed, peel, prepared};
 use std::sync::Arc;
 
-const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 
 fn small() -> Spatula {
     Spatula {
@@ -104,7 +104,7 @@ fn a_table_of_one_section_is_the_strip() {
         let ground = Ground { substrate: wave(8.0, 100.0), start };
         let [a, b] = [&strip.body, &body].map(|body| {
             let model = PeelModel { body: body.clone(), ground: ground.clone(), ..strip.clone() };
-            let bounds = Bounds { displacement: Some(2.0), ..BOUNDS };
+            let bounds = StopCriteria { displacement: Some(2.0), ..BOUNDS };
             let peel = peel(&model, &Accuracy::to(1e-7), &bounds);
             (peel.initiation_peak.unwrap(), peel.contact(0).unwrap())
         });
@@ -127,8 +127,8 @@ fn a_path_starts_without_a_force() {
     ] {
         let mut model = on(wave(2.0, 50.0), start);
         change(&mut model);
-        let peel = peel(&model, &Accuracy::to(1e-5), &Bounds { displacement: Some(1.0), ..BOUNDS });
-        assert!(matches!(peel.end, End::Bound(_)), "{:?}", peel.end);
+        let peel = peel(&model, &Accuracy::to(1e-5), &StopCriteria { displacement: Some(1.0), ..BOUNDS });
+        assert!(matches!(peel.end, PathEnd::Bound(_)), "{:?}", peel.end);
         let point = peel.points[0];
         assert!(
             point.force.abs() < 1e-6 && point.displacement.abs() < 1e-12 && point.negative_eigenvalues == 0,
@@ -142,7 +142,7 @@ fn a_path_starts_without_a_force() {
 fn how_it_lies_depends_on_how_it_came_there() {
     let lies = |substrate: Substrate, start| {
         let model = on(substrate, start);
-        let peel = peel(&model, &Accuracy::to(1e-4), &Bounds { displacement: Some(0.05), ..BOUNDS });
+        let peel = peel(&model, &Accuracy::to(1e-4), &StopCriteria { displacement: Some(0.05), ..BOUNDS });
         peel.contact(0).unwrap_or_else(|| panic!("{:?}", peel.end))
     };
     let (pressed, laid) = (lies(wave(4.0, 50.0), Start::Conformed), lies(wave(4.0, 50.0), Start::Crests));
@@ -156,7 +156,7 @@ fn how_it_lies_depends_on_how_it_came_there() {
 fn it_rests_off_the_ground() {
     for (substrate, start) in [(round(Shape::Cylinder, 60.0), Start::Conformed), (wave(3.0, 50.0), Start::Conformed)] {
         let how = Discretisation::moving(Form::TwoField, 7);
-        let problem = prepared(&on(substrate, start), how, None).problem;
+        let problem = prepared(&on(substrate, start), how, None).unwrap().problem;
         let InitialState::Known { at, .. } = &problem.start else { panic!("{:?}", problem.start) };
         assert!(problem.beam.nearest(at) > 0.5 * problem.beam.rest_gap, "{}", problem.beam.nearest(at));
         assert!(problem.beam.grip_forces(at).vertical.abs() < 1e-7, "{:?}", problem.beam.grip_forces(at));

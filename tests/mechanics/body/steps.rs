@@ -16,10 +16,10 @@
 use crate::common::{paper_strip, with_grip};
 use peelkit::model::{Body, Form, Hold, PeelModel, PlanarProblem, Pull, Spatula, Step};
 use peelkit::solve::{Observables, Path, PathConstraint, PathOptions, Problem, State, Workspace, controlled, slopes};
-use peelkit::study::{Accuracy, Bounds, Choice, Effort, End, Peel, peel};
+use peelkit::study::{Accuracy, Choice, Effort, PathEnd, Peel, StopCriteria, peel};
 use std::f64::consts::FRAC_PI_3;
 
-const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
 /// The strip in this grip, behind these steps.
 fn strip(rotation: Hold, horizontal: Hold, steps: &[Step]) -> PeelModel {
@@ -29,7 +29,7 @@ fn strip(rotation: Hold, horizontal: Hold, steps: &[Step]) -> PeelModel {
 
 fn peeled(model: &PeelModel) -> Peel {
     let peel = peel(model, &Accuracy::to(1e-6), &BOUNDS);
-    assert!(!matches!(peel.end, End::Failed(_)), "{:?}: {:?}", model.steps, peel.end);
+    assert!(!matches!(peel.end, PathEnd::Failed(_)), "{:?}: {:?}", model.steps, peel.end);
     record(&format!("{:?}", model.steps), &peel.effort);
     peel
 }
@@ -40,7 +40,7 @@ fn record(what: &str, effort: &Effort) {
 
 fn failure(model: &PeelModel) -> String {
     match peel(model, &Accuracy::to(1e-6), &BOUNDS).end {
-        End::Failed(why) => why,
+        PathEnd::Failed(why) => why.to_string(),
         end => panic!("{end:?}"),
     }
 }
@@ -144,10 +144,12 @@ fn both_forms_agree() {
     let free = PeelModel { steps: vec![Step::Lift(0.05)], ..strip(Hold::Free, Hold::Free, &[]) };
     let free = PeelModel { pull: Pull { angle: 2.0 * FRAC_PI_3, turn: 0.0 }, ..free };
     let spatula = PeelModel { body: Body::Spatula(Spatula::default()), ..model.clone() };
-    for (model, bounds) in [(model, BOUNDS), (free, BOUNDS), (spatula, Bounds { displacement: Some(20.0), ..BOUNDS })] {
+    for (model, bounds) in
+        [(model, BOUNDS), (free, BOUNDS), (spatula, StopCriteria { displacement: Some(20.0), ..BOUNDS })]
+    {
         let [two, three] = [Form::TwoField, Form::ThreeField].map(|form| {
             let peel = peel(&model, &Accuracy::to(1e-6).with(Choice { form, ..Accuracy::to(1e-6).choice }), &bounds);
-            assert!(!matches!(peel.end, End::Failed(_)), "{:?}", peel.end);
+            assert!(!matches!(peel.end, PathEnd::Failed(_)), "{:?}", peel.end);
             record(&format!("{form:?}"), &peel.effort);
             peel
         });

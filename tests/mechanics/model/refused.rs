@@ -4,11 +4,11 @@
 
 use peelkit::model::{ModelError, PeelModel, StripModel};
 use peelkit::study::{
-    Accuracy, Bounds, Choice, End, NoTest, PointKind, Remark, Spacing, SweepCase, cusp, follow_point, observed, peel,
-    sweep,
+    Accuracy, Choice, Found, NoTest, PathEnd, PointKind, Remark, Spacing, StopCriteria, cusp, follow_point, observed,
+    peel, sweep,
 };
 
-const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
 fn of_length(length: f64) -> PeelModel {
     StripModel::of_the_paper(length, 1.0).into()
@@ -23,7 +23,7 @@ fn a_peel_ends_as_failed() {
     for length in [f64::NAN, 0.0, -1.0, f64::INFINITY] {
         let model = of_length(length);
         let peel = peel(&model, &Accuracy::default(), &BOUNDS);
-        let End::Failed(why) = &peel.end else { panic!("{:?}", peel.end) };
+        let PathEnd::Failed(why) = &peel.end else { panic!("{:?}", peel.end) };
         let (error, why) = (error(&model), why.to_string());
         assert!(why.contains(&error.to_string()) && why.contains(&error.remedy()), "{why}");
         assert!(peel.points.is_empty() && peel.limit_points.is_empty() && peel.effort.newton_iterations == 0);
@@ -31,7 +31,7 @@ fn a_peel_ends_as_failed() {
     let accuracy = Accuracy::default().with(Choice { order: Some(9), ..Choice::NOTHING });
     let peel = peel(&of_length(100.0), &accuracy, &BOUNDS);
     assert!(
-        matches!(&peel.end, End::Failed(why) if why.to_string().contains("`accuracy.order` is 9")),
+        matches!(&peel.end, PathEnd::Failed(why) if why.to_string().contains("`accuracy.order` is 9")),
         "{:?}",
         peel.end
     );
@@ -51,14 +51,14 @@ fn bad_values_of_a_sweep_are_told_and_the_others_computed() {
     let values = [60.0, 50.0, 0.0, 70.0];
     let accuracy = Accuracy::to(1e-4);
     let followed =
-        follow_point(PointKind::InitiationPeak, &values, Spacing::Linear, &of_length, &accuracy, &BOUNDS, &|| ());
+        follow_point(PointKind::InitiationPeak, &values, Spacing::Linear, &of_length, &accuracy, &|| BOUNDS, &|_| ());
     let found: Vec<bool> = followed.rows.iter().map(|row| row.point.is_some()).collect();
     assert_eq!(found, [true, true, false, true]);
     let [Remark::NotFound { value, reason, .. }] = &followed.remarks[..] else { panic!("{:?}", followed.remarks) };
     assert!(*value == 0.0 && reason.to_string().contains("`strip.length` is 0 nm"), "{reason}");
 
-    let case = |value| SweepCase { value, model: of_length(value), accuracy, bounds: BOUNDS };
-    let rows = sweep(&[case(0.0), case(50.0)], &|| true, &|_| ());
-    let failed: Vec<bool> = rows.iter().map(|row| matches!(row.found.end, End::Failed(_))).collect();
+    let found = |&length: &f64| Found::from(&peel(&of_length(length), &accuracy, &BOUNDS));
+    let rows = sweep(&[0.0, 50.0], &|| true, &found);
+    let failed: Vec<bool> = rows.iter().map(|found| matches!(found.end, PathEnd::Failed(_))).collect();
     assert_eq!(failed, [true, false]);
 }

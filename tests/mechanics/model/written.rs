@@ -13,7 +13,7 @@ use peelkit::model::{
     Profile, ProfileColumns, ProfileForm, ProfilePieces, ProfileTable, Pull, RodModel, Spatula, Start, Step,
     StripModel, Support,
 };
-use peelkit::study::{Accuracy, Bounds, Choice, Peel, Terms, peel};
+use peelkit::study::{Accuracy, Choice, Peel, StopCriteria, Terms, peel};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fmt::Debug;
@@ -188,7 +188,7 @@ fn a_result_is_read_as_it_was_written() {
         (Spatula::default().model(), Terms::All, 6),
         (PeelModel { steps: vec![Step::Lift(0.1)], ..strip() }, Terms::All, 5),
     ] {
-        let bounds = Bounds { points, time_s: None, displacement: None };
+        let bounds = StopCriteria::after_points(points);
         let found = peel(&model, &Accuracy { terms, ..Accuracy::to(1e-4) }, &bounds).without_solutions();
         let text = serde_json::to_string(&found).unwrap();
         let read: Peel = serde_json::from_str(&text).unwrap();

@@ -15,14 +15,14 @@
 use crate::common::paper_strip;
 use peelkit::beam::MeshKind;
 use peelkit::model::Form;
-use peelkit::study::{Accuracy, Bounds, Choice, End, Peel, peel};
+use peelkit::study::{Accuracy, Choice, PathEnd, Peel, StopCriteria, peel};
 
 /// (u, P) of peak and snap-off, strip.csv.
 const PEAK: (f64, f64) = (0.249601344023, 0.341121483196);
 const SNAP_OFF: (f64, f64) = (48.2156178228, 0.0375627292271);
 
 fn run(relative: f64, choice: Choice) -> Peel {
-    let bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+    let bounds = StopCriteria::after_points(20_000);
     peel(&paper_strip(100.0, 1.0), &Accuracy::to(relative).with(choice), &bounds)
 }
 
@@ -52,7 +52,7 @@ fn what_is_fixed_is_computed_with() {
     for order in 3..=8 {
         let found = run(1e-6, Choice { order: Some(order), elements: Some(25), ..free() });
         assert_eq!((found.effort.order, found.effort.elements), (order, 25));
-        assert_eq!(found.end, End::Pivoting);
+        assert_eq!(found.end, PathEnd::Pivoting);
         let error = error(&found);
         assert!(error < [1.0, 1.0, 1.0, 3e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-8][order], "order {order}: {error:.1e}");
     }
@@ -71,7 +71,7 @@ fn shorter_steps_take_more_points() {
 #[test]
 fn fixed_elements_are_kept_and_bounded() {
     let found = run(1e-9, Choice { elements: Some(9), ..free() });
-    assert_eq!((found.effort.elements, &found.end), (9, &End::Pivoting));
+    assert_eq!((found.effort.elements, &found.end), (9, &PathEnd::Pivoting));
     let error = error(&found);
     assert!((1e-7..1e-3).contains(&error), "{error:.1e}");
 }
@@ -84,7 +84,7 @@ fn meshes_that_stay_and_three_fields_agree() {
         (MeshKind::Moving, Form::ThreeField, 20),
     ] {
         let found = run(1e-6, Choice { mesh, form, elements: Some(elements), ..free() });
-        assert_eq!(found.end, End::Pivoting, "{mesh:?} {form:?}");
+        assert_eq!(found.end, PathEnd::Pivoting, "{mesh:?} {form:?}");
         let error = error(&found);
         assert!(error < 1e-6, "{mesh:?} {form:?}: {error:.1e}");
     }

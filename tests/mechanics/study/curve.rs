@@ -9,9 +9,9 @@
 //! what the curve does and slopes are good to few digits: three times as much is allowed there.
 
 use peelkit::model::StripModel;
-use peelkit::study::{Accuracy, Bounds, Choice, Peel, peel};
+use peelkit::study::{Accuracy, Choice, Peel, StopCriteria, peel};
 
-const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
 /// The largest distance of reference points from a curve.
 fn distance(reference: &Peel, curve: &[(f64, f64, usize)]) -> f64 {

@@ -17,19 +17,19 @@ use crate::common::{paper_strip, whole_peel, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
 use peelkit::solve::LimitPointKind;
-use peelkit::study::{Accuracy, Bounds, End, Peel, peel};
+use peelkit::study::{Accuracy, PathEnd, Peel, Stage, StopCriteria, StopReason, peel};
 
-const FREE: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const FREE: StopCriteria = StopCriteria::after_points(5000);
 
-fn bounded(bounds: Bounds) -> Peel {
+fn bounded(bounds: StopCriteria) -> Peel {
     peel(&paper_strip(100.0, 1.0), &Accuracy::to(1e-6), &bounds)
 }
 
 /// The reason of an end that a bound made.
 #[track_caller]
-fn bound_of(peel: &Peel) -> &str {
+fn bound_of(peel: &Peel) -> String {
     match &peel.end {
-        End::Bound(reason) => reason,
+        PathEnd::Bound(bound) => bound.to_string(),
         other => panic!("expected a bound, ended {other:?}"),
     }
 }
@@ -37,7 +37,7 @@ fn bound_of(peel: &Peel) -> &str {
 #[test]
 fn strip_of_100_nm_pivots_on_its_edge() {
     let peel = whole_peel(&paper_strip(100.0, 1.0), 1e-6);
-    assert_eq!(peel.end, End::Pivoting);
+    assert_eq!(peel.end, PathEnd::Pivoting);
     let last = peel.points[peel.points.len() - 1];
     assert!(last.force.abs() < 1e-9, "P = {:e} nN at the last point", last.force);
     assert!(peel.points[1..peel.points.len() - 1].iter().all(|p| p.force > 0.0), "the force vanishes at the end only");
@@ -52,7 +52,7 @@ fn strip_of_100_nm_pivots_on_its_edge() {
 #[test]
 fn soft_strip_closes_again() {
     let peel = whole_peel(&paper_strip(100.0, 1e-4), 1e-6);
-    assert_eq!(peel.end, End::TurnedBack);
+    assert_eq!(peel.end, PathEnd::TurnedBack);
     let last = peel.points[peel.points.len() - 1];
     assert!(last.displacement.abs() < 1e-9, "u = {:e} nm at the last point", last.displacement);
     assert!(peel.snap_off.is_some());
@@ -63,14 +63,14 @@ fn soft_strip_closes_again() {
 
 #[test]
 fn bound_on_points() {
-    let peel = bounded(Bounds { points: 12, ..FREE });
+    let peel = bounded(StopCriteria { points: 12, ..FREE });
     assert_eq!(peel.points.len(), 12);
     assert_eq!(bound_of(&peel), "bounds.points = 12");
 }
 
 #[test]
 fn bound_on_displacement() {
-    let peel = bounded(Bounds { displacement: Some(10.0), ..FREE });
+    let peel = bounded(StopCriteria { displacement: Some(10.0), ..FREE });
     assert_eq!(bound_of(&peel), "bounds.displacement = 10 nm");
     let (last, before) = (peel.points.len() - 1, peel.points.len() - 2);
     assert!(peel.points[last].displacement > 10.0 && peel.points[before].displacement <= 10.0);
@@ -81,14 +81,14 @@ fn bound_on_displacement() {
 #[test]
 fn bound_on_time() {
     // no time at all: whatever the machine, it is over at once
-    let peel = bounded(Bounds { time_s: Some(0.0), ..FREE });
+    let peel = bounded(FREE.or_when(|stage| (stage == Stage::Path).then_some(StopReason::Time { seconds: 0.0 })));
     assert_eq!(bound_of(&peel), "bounds.time = 0 s");
 }
 
 #[test]
 fn a_bound_beyond_the_path_changes_nothing() {
     let free = bounded(FREE);
-    let wide = bounded(Bounds { points: 5000, time_s: Some(1e6), displacement: Some(1e6) });
+    let wide = bounded(StopCriteria { displacement: Some(1e6), ..FREE }.or_when(|_| None));
     assert_eq!((wide.points, wide.limit_points, wide.end), (free.points, free.limit_points, free.end));
 }
 

@@ -14,7 +14,7 @@
 use crate::common::{paper_strip, whole_peel, with_grip};
 use peelkit::model::Hold;
 use peelkit::solve::LimitPointKind;
-use peelkit::study::End;
+use peelkit::study::PathEnd;
 
 #[test]
 fn a_failure_at_the_end_keeps_what_was_reached() {
@@ -24,7 +24,8 @@ fn a_failure_at_the_end_keeps_what_was_reached() {
     model.adhesion.equilibrium_distance = 0.2371;
     let peel = whole_peel(&model, 1e-6);
 
-    if let End::Failed(reason) = &peel.end {
+    if let PathEnd::Failed(failure) = &peel.end {
+        let reason = failure.to_string();
         assert!(reason.contains("limit point") && reason.contains("u = 182"), "{reason}");
     }
 

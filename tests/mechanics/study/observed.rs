@@ -24,10 +24,12 @@ use peelkit::solve::{
     EndConditions, Held, LimitPointKind, NewtonOptions, Observables, Path, PathConstraint, PathOptions, PathSegment,
     Problem, RelaxOptions, Relaxed, Solution, Workspace, brackets, disturbed, locate, relax, solve,
 };
-use peelkit::study::{Accuracy, Bounds, Jump, JumpKind, NoTest, Observed, TestEnd, Way, observed, peel};
+use peelkit::study::{
+    Accuracy, Bound, Jump, JumpKind, NoTest, Observed, Stage, StopCriteria, StopReason, TestEnd, Way, observed, peel,
+};
 use std::sync::Arc;
 
-const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
 fn on_a_spring(mut model: StripModel, stiffness: f64) -> StripModel {
     model.grip.stiffness = Some(stiffness);
@@ -327,11 +329,12 @@ fn a_load_without_a_potential_has_no_test() {
 #[test]
 fn the_bounds_of_the_scene_end_a_test() {
     for (bounds, word) in [
-        (Bounds { points: 20, ..BOUNDS }, "bounds.points = 20"),
-        (Bounds { displacement: Some(30.0), ..BOUNDS }, "bounds.displacement = 30 nm"),
+        (StopCriteria { points: 20, ..BOUNDS }, "bounds.points = 20"),
+        (StopCriteria { displacement: Some(30.0), ..BOUNDS }, "bounds.displacement = 30 nm"),
     ] {
         let test = observed(&paper_strip(100.0, 1.0), &Accuracy::to(1e-6), &bounds).unwrap();
-        assert_eq!(test.end, TestEnd::Bound(word.into()));
+        let TestEnd::Bound(bound) = test.end else { panic!("{:?}", test.end) };
+        assert_eq!(bound.to_string(), word);
         assert!(test.points.len() > 10 && test.jumps.is_empty() && test.cycle.is_none());
     }
 }
@@ -340,10 +343,11 @@ fn the_bounds_of_the_scene_end_a_test() {
 #[test]
 fn a_bound_may_come_at_any_point() {
     let model = guided(1.0);
-    let out_of_time = observed(&model, &Accuracy::to(1e-4), &Bounds { time_s: Some(1e-9), ..BOUNDS }).unwrap();
-    assert_eq!(out_of_time.end, TestEnd::Bound("bounds.time = 0.000000001 s".into()));
+    let late = BOUNDS.or_when(|stage| (stage == Stage::Path).then_some(StopReason::Time { seconds: 1e-9 }));
+    let out_of_time = observed(&model, &Accuracy::to(1e-4), &late).unwrap();
+    assert_eq!(out_of_time.end, TestEnd::Bound(Bound::Time { seconds: 1e-9 }));
     for points in 1..60 {
-        let test = observed(&model, &Accuracy::to(1e-4), &Bounds { points, ..BOUNDS }).unwrap();
+        let test = observed(&model, &Accuracy::to(1e-4), &StopCriteria { points, ..BOUNDS }).unwrap();
         assert!(!matches!(test.end, TestEnd::Failed(_)), "bounds.points = {points}: {:?}", test.end);
         assert!(!test.points.is_empty());
     }

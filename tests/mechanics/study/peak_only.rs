@@ -19,10 +19,10 @@ use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
 use peelkit::solve::LimitPointKind;
 use peelkit::study::{
-    Accuracy, Bounds, FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing, follow_point, peel,
+    Accuracy, FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing, StopCriteria, follow_point, peel,
 };
 
-const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
 /// Values of even ratio.
 fn spaced(from: f64, to: f64, count: usize) -> Vec<f64> {
@@ -51,7 +51,7 @@ impl Case {
     fn follow(&self) -> FollowedSweep {
         let values = spaced(self.from, self.to, self.values);
         let accuracy = Accuracy::to(self.relative);
-        follow_point(self.kind, &values, Spacing::Logarithmic, &|v| self.model(v), &accuracy, &BOUNDS, &|| ())
+        follow_point(self.kind, &values, Spacing::Logarithmic, &|v| self.model(v), &accuracy, &|| BOUNDS, &|_| ())
     }
 
     /// Displacement and force of the full path, each with its bound.

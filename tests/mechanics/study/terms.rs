@@ -19,9 +19,9 @@
 use crate::common::{paper_strip, with_grip};
 use peelkit::adhesion::{LineLoad, Sinusoid, Substrate};
 use peelkit::model::{Body, Friction, Ground, Hold, PeelModel, Pull, Spatula, Strip, StripModel};
-use peelkit::study::{Accuracy, Bounds, KeptReason, LeftOut, LimitPoint, Peel, Term, Terms, peel};
+use peelkit::study::{Accuracy, KeptReason, LeftOut, LimitPoint, Peel, StopCriteria, Term, Terms, peel};
 
-const BOUNDS: Bounds = Bounds { points: 5000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
 fn peeled(model: &PeelModel) -> Peel {
     peel(model, &Accuracy::to(1e-8), &BOUNDS)
@@ -99,12 +99,18 @@ fn estimates_of_a_spatula_are_what_is_computed() {
     assert_estimates("spatula", &Spatula::default().model());
 }
 
-fn left_out(model: &PeelModel, relative: f64, bounds: &Bounds) -> Peel {
+fn left_out(model: &PeelModel, relative: f64, bounds: &StopCriteria) -> Peel {
     peel(model, &Accuracy { terms: Terms::Auto, ..Accuracy::to(relative) }, bounds)
 }
 
 /// One term that is left out, its estimate known to a `share` of itself.
-fn assert_left_out(term: Term, with: &PeelModel, without: &PeelModel, (relative, share): (f64, f64), bounds: &Bounds) {
+fn assert_left_out(
+    term: Term,
+    with: &PeelModel,
+    without: &PeelModel,
+    (relative, share): (f64, f64),
+    bounds: &StopCriteria,
+) {
     let auto = left_out(with, relative, bounds);
     let considered = auto.considered.as_ref().unwrap();
     let terms: Vec<Term> = considered.left_out.iter().map(|left| left.term).collect();
@@ -153,7 +159,7 @@ fn what_is_left_out_would_change_what_is_told() {
     assert_left_out(Term::Ground, &waves, &flat, (1e-3, 0.1), &BOUNDS);
 
     let friction = Friction { strength: Some(2e-5), coefficient: 0.0, presliding: Some(1e-3) };
-    let first = Bounds { displacement: Some(1.0), ..BOUNDS };
+    let first = StopCriteria { displacement: Some(1.0), ..BOUNDS };
     assert_left_out(Term::Friction, &PeelModel { friction, ..flat.clone() }, &flat, (1e-3, 0.35), &first);
 }
 
@@ -169,7 +175,7 @@ fn what_matters_is_kept() {
     assert_eq!(why(&auto, Term::Shear), KeptReason::NothingSaved);
     assert_eq!(all.considered, None);
 
-    let short = Bounds { points: 20, ..BOUNDS };
+    let short = StopCriteria { points: 20, ..BOUNDS };
     let strong = Friction { strength: Some(0.05), coefficient: 0.0, presliding: None };
     let rubs = left_out(&PeelModel { friction: strong, ..paper.clone() }, 1e-4, &short);
     assert!(matches!(why(&rubs, Term::Friction), KeptReason::Matters(share) if share > 0.01), "{:?}", rubs.considered);

@@ -5,8 +5,8 @@
 // every user takes a part of this
 #![allow(dead_code)]
 
-use peelkit::study::{End, Peak, Peel, peel};
-use peelkit_report::{PeelSummary, SweepSummary};
+use peelkit::study::{PathEnd, Peak, Peel, peel};
+use peelkit_report::{PeelSummary, SweepSummary, end_reason};
 use peelkit_scene::{BODIES, Dimension, KEYS, Key, Kind, Need, Scene, Value, find_key};
 use std::fmt::Write;
 
@@ -180,8 +180,8 @@ pub fn absurd_scene_of(body: &str, dice: &mut Dice) -> String {
 /// failure without a reason.
 pub fn check_run(text: &str) -> Result<(Scene, Peel), String> {
     let scene = Scene::parse("absurd.toml", text, &[]).map_err(|error| format!("refused: {error}"))?;
-    let peel = peel(&scene.model, &scene.accuracy, &scene.bounds);
-    PeelSummary::new(&scene, &peel).to_json().map_err(|error| format!("summary.json: {error}"))?;
+    let peel = peel(&scene.model, &scene.accuracy, &scene.bounds.from_now());
+    PeelSummary::new(&scene, &peel, 0.0).to_json().map_err(|error| format!("summary.json: {error}"))?;
     for (index, point) in peel.points.iter().enumerate() {
         let numbers = [point.displacement, point.force, point.end_rotation, point.work, point.front];
         if numbers.iter().any(|number| !number.is_finite()) {
@@ -199,8 +199,14 @@ pub fn check_run(text: &str) -> Result<(Scene, Peel), String> {
         return Err(format!("limit point without a bound: {point:?}"));
     }
     match &peel.end {
-        End::Failed(reason) | End::Bound(reason) if reason.trim().is_empty() => Err(format!("{:?}", peel.end)),
-        End::Failed(reason) if !reason.contains("Try ") => Err(format!("says not what to try: {reason}")),
+        end @ (PathEnd::Failed(_) | PathEnd::Bound(_))
+            if end_reason(end).is_none_or(|reason| reason.trim().is_empty()) =>
+        {
+            Err(format!("{:?}", peel.end))
+        }
+        PathEnd::Failed(failure) if !failure.to_string().contains("Try ") => {
+            Err(format!("says not what to try: {failure}"))
+        }
         _ => Ok((scene, peel)),
     }
 }

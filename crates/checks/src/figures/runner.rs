@@ -1,7 +1,8 @@
 //! Runs the peels of the figures.
 
 use peelkit::model::{PeelModel, StripModel};
-use peelkit::study::{Accuracy, Bounds, Peel, SweepCase, SweepRow, peel, sweep};
+use peelkit::study::{Accuracy, Peel, StopCriteria, peel, sweep};
+use peelkit_report::SweepRow;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -13,7 +14,7 @@ pub(crate) struct Runner<'a> {
 }
 
 pub(crate) const ACCURACY: Accuracy = Accuracy::to(1e-6);
-pub(crate) const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+pub(crate) const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 
 impl<'a> Runner<'a> {
     /// `progress` is called with the number of finished peels and `total`, from any thread.
@@ -38,7 +39,7 @@ impl<'a> Runner<'a> {
     }
 
     /// The same of several, on all cores, as far as `bounds` say and as well as `accuracy` says.
-    pub fn peel_all(&self, models: &[PeelModel], accuracy: &Accuracy, bounds: &Bounds) -> Vec<Peel> {
+    pub fn peel_all(&self, models: &[PeelModel], accuracy: &Accuracy, bounds: &StopCriteria) -> Vec<Peel> {
         let peel = |model: &PeelModel| {
             let peel = peel(model, accuracy, bounds);
             self.count();
@@ -52,13 +53,13 @@ impl<'a> Runner<'a> {
     }
 
     pub fn sweep_to<M: Clone + Into<PeelModel>>(&self, accuracy: Accuracy, cases: &[(f64, M)]) -> Vec<SweepRow> {
-        let case = |(value, model): &(f64, M)| SweepCase {
-            value: *value,
-            model: model.clone().into(),
-            accuracy,
-            bounds: BOUNDS,
+        let cases: Vec<(f64, PeelModel)> = cases.iter().map(|(value, model)| (*value, model.clone().into())).collect();
+        let row = |(value, model): &(f64, PeelModel)| {
+            let row = SweepRow::of(*value, model.clone(), |model| peel(model, &accuracy, &BOUNDS));
+            self.count();
+            row
         };
-        sweep(&cases.iter().map(case).collect::<Vec<_>>(), &|| true, &|_| self.count())
+        sweep(&cases, &|| true, &row)
     }
 
     fn count(&self) {

@@ -6,7 +6,7 @@
 use super::check::{Check, Measure, Topic};
 use super::reference;
 use peelkit::model::StripModel;
-use peelkit::study::{Accuracy, Bounds, End, Peel, Turn, peel};
+use peelkit::study::{Accuracy, PathEnd, Peel, StopCriteria, Turn, peel};
 use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic =
@@ -75,13 +75,13 @@ pub fn survey() -> Survey {
     let rows = reference::read(TABLE);
     let scenes: Vec<(&reference::Row, StripModel)> = rows.iter().filter_map(|row| Some((row, row.strip()?))).collect();
     let accuracy = Accuracy::to(RELATIVE);
-    let bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+    let bounds = StopCriteria::after_points(20_000);
     let peels: Vec<Peel> =
         scenes.par_iter().map(|(_, model)| peel(model, &accuracy, &bounds).without_solutions()).collect();
     let mut survey = Survey { scenes: scenes.len(), ..Survey::default() };
     for (scene, ((row, _), peel)) in (1..).zip(scenes.iter().zip(&peels)) {
-        if let End::Failed(reason) = &peel.end {
-            survey.failed.push((scene, reason.clone()));
+        if let PathEnd::Failed(reason) = &peel.end {
+            survey.failed.push((scene, reason.to_string()));
         }
         for (quantity, reported) in reported(peel) {
             let Some(text) = row.text(quantity) else { continue };

@@ -1,6 +1,6 @@
 //! One line of the verification suite.
 
-use peelkit::study::End;
+use peelkit::study::PathEnd;
 use serde::Serialize;
 
 /// How a computed value is held against an expected one.
@@ -70,9 +70,9 @@ impl Check {
 }
 
 /// Why a path that ended so does not have what was looked for.
-pub(super) fn missing(end: &End) -> String {
+pub(super) fn missing(end: &PathEnd) -> String {
     match end {
-        End::Failed(why) => why.clone(),
+        PathEnd::Failed(why) => why.to_string(),
         end => format!("not found before the path ended ({end:?})"),
     }
 }

@@ -4,7 +4,8 @@
 use super::check::{Check, Measure};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
-use peelkit::study::{Accuracy, Bounds, End, LimitPoint, Peel, peel};
+use peelkit::study::{Accuracy, LimitPoint, PathEnd, Peel, peel};
+use peelkit_scene::Bounds;
 use rayon::prelude::*;
 
 /// How many are sampled.
@@ -66,11 +67,11 @@ pub fn drawn() -> Drawn {
 fn judge(k: usize) -> Drawn {
     let model = strip(k);
     let bounds = Bounds { points: 20_000, time_s: Some(LONGEST), displacement: None };
-    let [coarse, fine] = [RELATIVE, FINER].map(|relative| peel(&model, &Accuracy::to(relative), &bounds));
+    let [coarse, fine] = [RELATIVE, FINER].map(|relative| peel(&model, &Accuracy::to(relative), &bounds.from_now()));
     let mut outcome = Drawn::default();
     let named = |what: &str| format!("{what}: {:?} {:?} {:?}", model.strip, model.adhesion, model.grip);
-    if let End::Failed(reason) = &coarse.end {
-        outcome.failed.push(named(reason));
+    if let PathEnd::Failed(reason) = &coarse.end {
+        outcome.failed.push(named(&reason.to_string()));
     }
     // where ripple is left out at one accuracy alone, its first maximum is another
     let comparable = coarse.ripple == fine.ripple;
@@ -94,7 +95,7 @@ fn judge(k: usize) -> Drawn {
 
 /// Whether a path came to an end of its own.
 fn ended(peel: &Peel) -> bool {
-    !matches!(peel.end, End::Bound(_) | End::Failed(_))
+    !matches!(peel.end, PathEnd::Bound(_) | PathEnd::Failed(_))
 }
 
 /// A number with the bound on its error.

@@ -7,7 +7,7 @@ use super::reference::{Row, read};
 use peelkit::adhesion::{Round, Shape, Sinusoid, Substrate};
 use peelkit::model::{Body, Discretisation, Form, Ground, Hold, PeelModel, Spatula, Start, StripModel};
 use peelkit::solve::InitialState;
-use peelkit::study::{Accuracy, Bounds, Peel, Prepared, peel, prepared};
+use peelkit::study::{Accuracy, Peel, Prepared, StopCriteria, peel, prepared};
 use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic = Topic {
@@ -21,7 +21,7 @@ const SOURCE: &str = "verification/rough.py: scipy's solve_bvp on the strong for
 const SPATULAE: &str = include_str!("../../../../verification/rough_spatula.csv");
 const SPATULAE_SOURCE: &str = "verification/rough_spatula.py: scipy's solve_bvp on the strong form";
 /// The path of a strip as far as its first peak.
-const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: Some(5.0) };
+const BOUNDS: StopCriteria = StopCriteria { points: 20_000, displacement: Some(5.0), should_stop: None };
 /// How far a spatula's path goes on beyond its first peak, relative.
 const BEHIND: f64 = 1.05;
 const ASKED: f64 = 1e-6;
@@ -103,7 +103,7 @@ fn of_spatula(row: &Row) -> Vec<Check> {
     };
     let mut checks = expected.at_start(&model, [0.0, 0.5 * pad, pad]);
     let displacement = row.number("peak_displacement_nm").map(|place| BEHIND * place);
-    let peel = peel(&model, &Accuracy::to(ASKED), &Bounds { displacement, ..BOUNDS });
+    let peel = peel(&model, &Accuracy::to(ASKED), &StopCriteria { displacement, ..BOUNDS });
     checks.extend(expected.first_peak(&peel));
     checks.push(expected.over_bound(&peel));
     checks
@@ -177,10 +177,12 @@ impl Expected<'_> {
 
 /// The numbers of [`AT_START`].
 fn at_start(model: &PeelModel, places: [f64; 3]) -> [Result<f64, String>; 6] {
-    let Prepared { problem, .. } = prepared(model, Discretisation::moving(Form::ThreeField, ORDER), None);
+    let problem = match prepared(model, Discretisation::moving(Form::ThreeField, ORDER), None) {
+        Ok(Prepared { problem, .. }) => problem,
+        Err(failed) => return std::array::from_fn(|_| Err(failed.to_string())),
+    };
     let (beam, at) = match &problem.start {
         InitialState::Known { at, .. } => (&*problem.beam, at),
-        InitialState::NoEquilibrium(why) => return std::array::from_fn(|_| Err(why.clone())),
         InitialState::StressFree | InitialState::Settling => {
             return std::array::from_fn(|_| Err("the ground is flat".to_owned()));
         }

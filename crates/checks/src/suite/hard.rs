@@ -22,7 +22,7 @@ const SAME: f64 = 1e-12;
 /// Peels every scene, once more in other units, and the randomly sampled strips, on all cores, and judges what came out.
 pub fn run(scenes: &[HardScene]) -> Vec<Check> {
     let rows = reference::read(TABLE);
-    let peels: Vec<Peel> = scenes.par_iter().map(|s| peel(&s.model, &s.accuracy, &s.bounds)).collect();
+    let peels: Vec<Peel> = scenes.par_iter().map(|s| peel(&s.model, &s.accuracy, &s.bounds.from_now())).collect();
     let pairs = scenes.iter().zip(&peels);
     let judged = |(scene, peel)| [vec![ending(scene, peel)], numbers(scene, peel, &rows)].concat();
     pairs.flat_map(judged).chain(repeated::checks(NAME, scenes)).chain(drawn::checks(NAME)).collect()

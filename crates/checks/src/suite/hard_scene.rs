@@ -1,7 +1,8 @@
 //! A hard scene as it was read, and how its path is expected to end.
 
 use peelkit::model::PeelModel;
-use peelkit::study::{Accuracy, Bounds, End};
+use peelkit::study::{Accuracy, PathEnd};
+use peelkit_scene::Bounds;
 
 /// How a path is expected to end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,15 +19,15 @@ pub enum Ending {
 
 impl Ending {
     /// How a path did end; a refusal must give a reason.
-    pub fn of(end: &End) -> Self {
+    pub fn of(end: &PathEnd) -> Self {
         match end {
-            End::Detached => Self::Detached,
-            End::Pivoting => Self::Pivoting,
-            End::TurnedBack => Self::TurnedBack,
-            End::Sliding => Self::Sliding,
-            End::Snapped => Self::Snapped,
-            End::Bound(_) => Self::Bound,
-            End::Failed(_) => Self::Refused,
+            PathEnd::Detached => Self::Detached,
+            PathEnd::Pivoting => Self::Pivoting,
+            PathEnd::TurnedBack => Self::TurnedBack,
+            PathEnd::Sliding => Self::Sliding,
+            PathEnd::Snapped => Self::Snapped,
+            PathEnd::Bound(_) => Self::Bound,
+            PathEnd::Failed(_) => Self::Refused,
         }
     }
 }

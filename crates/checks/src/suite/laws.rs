@@ -5,7 +5,7 @@ use super::turns::Turns;
 use peelkit::adhesion::CohesiveShape;
 use peelkit::analytic::kendall_force;
 use peelkit::model::{Attraction, PeelModel, StripModel};
-use peelkit::study::{Accuracy, Bounds, peel};
+use peelkit::study::{Accuracy, StopCriteria, peel};
 use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 
@@ -29,7 +29,7 @@ const TABLE: Turns = Turns {
 };
 /// Length of the strips that peel steadily, nm.
 const LONG: f64 = 1000.0;
-const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 
 fn run() -> Vec<Check> {
     let mut checks = TABLE.checks();

@@ -5,8 +5,7 @@ use super::reference::{Row, read};
 use super::turns::Turns;
 use peelkit::analytic::sliding_force;
 use peelkit::model::{Discretisation, Form, PeelModel, Pull, StripModel};
-use peelkit::solve::InitialState;
-use peelkit::study::{Accuracy, Bounds, FOLLOWED_ORDER, Prepared, peel, prepared};
+use peelkit::study::{Accuracy, FOLLOWED_ORDER, NotPrepared, Prepared, StopCriteria, peel, prepared};
 use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic = Topic {
@@ -28,7 +27,7 @@ const TABLE: Turns = Turns {
         ("length_nm", "L = ", " nm"),
     ],
 };
-const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 const STRETCHED: Turns = Turns {
     topic: TOPIC.name,
     table: include_str!("../../../../verification/pretension.csv"),
@@ -73,7 +72,11 @@ fn run() -> Vec<Check> {
 /// The force along the pull after the rotation of a grip.
 fn turned(row: &Row) -> Option<Check> {
     let (expected, model) = (row.number("start_force_nN")?, row.model()?);
-    let Prepared { problem, steps } = prepared(&model, Discretisation::moving(Form::TwoField, FOLLOWED_ORDER), None);
+    let how = Discretisation::moving(Form::TwoField, FOLLOWED_ORDER);
+    let (steps, failure) = match prepared(&model, how, None) {
+        Ok(Prepared { steps, .. }) => (steps, None),
+        Err(NotPrepared { why, steps }) => (steps, Some(why)),
+    };
     let direction = model.pull.direction();
     let force = steps.first().map(|grip| direction.ahead(grip.forces.horizontal, grip.forces.vertical));
     let name = format!(
@@ -81,10 +84,7 @@ fn turned(row: &Row) -> Option<Check> {
         row.text("grip_turned_deg")?,
         row.text("length_nm")?
     );
-    let missing = || match &problem.start {
-        InitialState::NoEquilibrium(why) => why.clone(),
-        _ => "no step was taken".into(),
-    };
+    let missing = || failure.map_or("no step was taken".into(), |why| why.to_string());
     let (source, measure) = (TURNED.source, Measure::Relative);
     Some(Check::new(TOPIC.name, name, source, force.ok_or_else(missing), expected, measure, BEHIND_STEP))
 }

@@ -7,7 +7,8 @@
 use super::check::{Check, Measure};
 use super::hard_scene::HardScene;
 use peelkit::model::{Body, PeelModel};
-use peelkit::study::{Accuracy, Bounds, End, LimitPoint, Peel, Turn, peel};
+use peelkit::study::{Accuracy, LimitPoint, PathEnd, Peel, Turn, peel};
+use peelkit_scene::Bounds;
 use rayon::prelude::*;
 
 /// λ and μ of each other system of units.
@@ -70,7 +71,7 @@ fn repeated(scene: &HardScene, relative: f64) -> Repeated {
     let run = |(length, modulus): (f64, f64)| {
         let displacement = scene.bounds.displacement.map(|most| length * most);
         let bounds = Bounds { time_s: Some(LONGEST), displacement, ..scene.bounds };
-        peel(&in_units(&scene.model, length, modulus), &Accuracy { relative, ..scene.accuracy }, &bounds)
+        peel(&in_units(&scene.model, length, modulus), &Accuracy { relative, ..scene.accuracy }, &bounds.from_now())
     };
     let reference = run((1.0, 1.0));
     let one = |&units: &(f64, f64)| compare(scene.name, &reference, &run(units), units);
@@ -94,7 +95,7 @@ fn in_units(model: &PeelModel, length: f64, modulus: f64) -> PeelModel {
 }
 
 fn compare(name: &str, one: &Peel, other: &Peel, units: (f64, f64)) -> Repeated {
-    let done = |peel: &Peel| !peel.unfinished && !matches!(peel.end, End::Failed(_));
+    let done = |peel: &Peel| !peel.unfinished && !matches!(peel.end, PathEnd::Failed(_));
     if !done(one) || !done(other) {
         return Repeated::default();
     }

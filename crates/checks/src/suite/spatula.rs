@@ -6,7 +6,7 @@ use super::check::{Check, Measure, Topic};
 use super::reference::{self, Row};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Body, Course, Grip, Hold, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Spatula};
-use peelkit::study::{Accuracy, Bounds, Peel, peel};
+use peelkit::study::{Accuracy, Peel, StopCriteria, peel};
 use peelkit_scene::parse_profile;
 use rayon::prelude::*;
 
@@ -43,7 +43,7 @@ const RELATIVE: f64 = 1e-6;
 /// That of the curve and of the balance of work and energy, and what is wanted of them.
 const FINE: f64 = 1e-9;
 const BALANCE: f64 = 1e-8;
-const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 /// Peak force of the paper's spatula, Fig. 7, nN.
 const PUBLISHED: f64 = 6.7;
 /// Steps of the search for the tip width.

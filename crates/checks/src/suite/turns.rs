@@ -4,13 +4,13 @@ use super::bounds;
 use super::check::{Check, Measure, missing};
 use super::reference::{Row, read};
 use peelkit::adhesion::Attraction;
-use peelkit::study::{Accuracy, Bounds, End, peel};
+use peelkit::study::{Accuracy, PathEnd, StopCriteria, peel};
 use rayon::prelude::*;
 
 /// Relative errors asked for: the default, and a fine one, of which a law with corners is not capable, nor a path that remembers
 /// how it has slid.
 const ACCURACIES: [f64; 2] = [1e-6, 1e-9];
-const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 
 /// A table of limit points.
 pub(super) struct Turns {
@@ -59,7 +59,7 @@ impl Turns {
         for (quantity, found) in bounds::reported(&peel) {
             let (Some(text), Some(expected)) = (row.text(quantity), row.number(quantity)) else { continue };
             // where all slides before it peels, the force at which it does
-            let sliding = || peel.peak.filter(|_| quantity == "peak_force_nN" && peel.end == End::Sliding);
+            let sliding = || peel.peak.filter(|_| quantity == "peak_force_nN" && peel.end == PathEnd::Sliding);
             let found = found.or_else(|| sliding().map(|peak| (peak.force, peak.force_error)));
             let found = found.ok_or_else(|| missing(&peel.end));
             let unknown = 0.5 * bounds::last_digit(text);

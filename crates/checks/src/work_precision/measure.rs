@@ -4,7 +4,8 @@
 use cpu_time::ThreadTime;
 use peelkit::beam::MeshKind;
 use peelkit::model::{Form, PeelModel};
-use peelkit::study::{Accuracy, Bounds, Choice, Effort, End, FOLLOWED_ORDER, Peel, peel};
+use peelkit::study::{Accuracy, Choice, Effort, FOLLOWED_ORDER, PathEnd, Peel, peel};
+use peelkit_scene::Bounds;
 
 /// Errors of one run against the refined one, relative; `None` where the strip has no such point or the run did not find it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -123,12 +124,12 @@ struct Truth<'a> {
 impl<'a> Truth<'a> {
     fn of(model: &'a PeelModel, bounds: &Bounds) -> Result<Self, String> {
         let choice = Choice { step: Some(1e-3), ..Accuracy::to(1e-11).choice };
-        let refined = peel(model, &Accuracy::to(1e-11).with(choice), bounds);
+        let refined = peel(model, &Accuracy::to(1e-11).with(choice), &bounds.from_now());
         let peel = match refined.end {
-            End::Failed(_) => peel(model, &Accuracy::to(1e-10).with(choice), bounds),
+            PathEnd::Failed(_) => peel(model, &Accuracy::to(1e-10).with(choice), &bounds.from_now()),
             _ => refined,
         };
-        if let End::Failed(reason) = &peel.end {
+        if let PathEnd::Failed(reason) = &peel.end {
             return Err(format!("the refined reference run failed: {reason}"));
         }
         let curve = dense(&peel, FINE);
@@ -161,7 +162,7 @@ impl<'a> Truth<'a> {
         let started = ThreadTime::now();
         let timed = || {
             let clock = ThreadTime::now();
-            let result = peel(self.model, accuracy, &bounds);
+            let result = peel(self.model, accuracy, &bounds.from_now());
             (clock.elapsed().as_secs_f64(), result)
         };
         let (mut seconds, result) = timed();

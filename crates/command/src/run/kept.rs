@@ -2,7 +2,7 @@
 
 use crate::interrupt::Interrupt;
 use crate::output::OutArgs;
-use peelkit::study::{self, Keeping, Peel};
+use peelkit::study::{self, Checkpoint, Peel};
 use peelkit_report::{Existing, OutputFolder, PartialRun, ReportError};
 use peelkit_scene::Scene;
 use std::io::{self, Write};
@@ -40,12 +40,12 @@ impl KeptRun {
 
     /// Peels the scene, from what an earlier run has kept of it.
     pub fn peel(&mut self, scene: &Scene) -> Peel {
-        let keeping = Keeping {
+        let keeping = Checkpoint {
             taken: &|options| self.partial.taken(options),
             keep: &|options, waypoint| self.partial.keep(options, waypoint),
-            go_on: &|| !self.interrupt.asked(),
         };
-        let peel = study::peel_on(&scene.model, &scene.accuracy, &scene.bounds, &keeping);
+        let stop = self.interrupt.ends(scene.bounds.from_now());
+        let peel = study::peel_on(&scene.model, &scene.accuracy, &stop, &keeping);
         // nothing of what comes behind the path is kept
         self.interrupted = self.interrupt.quit_next() && peel.unfinished;
         peel

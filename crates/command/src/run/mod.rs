@@ -9,8 +9,8 @@ use crate::stop::Stop;
 use crate::text_summary;
 use clap::Args;
 use kept::KeptRun;
-use peelkit::study::{self, End, Observed, Peel, TestEnd};
-use peelkit_report::{self as report, PeelSummary, ReportError};
+use peelkit::study::{self, Observed, PathEnd, Peel, TestEnd};
+use peelkit_report::{self as report, PeelSummary, ReportError, timed};
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
 
@@ -54,15 +54,16 @@ impl Run {
 pub fn run(args: &Run) -> Result<(), Stop> {
     let scene = args.scene.load()?;
     let mut kept = args.folder().map(|folder| KeptRun::open(&args.out, args.fresh, &folder, &scene)).transpose()?;
-    let peel = match &mut kept {
+    let (peel, peel_s) = timed(|| match &mut kept {
         Some(kept) => kept.peel(&scene),
-        None => study::peel(&scene.model, &scene.accuracy, &scene.bounds),
-    };
+        None => study::peel(&scene.model, &scene.accuracy, &scene.bounds.from_now()),
+    });
     let interrupted = kept.as_ref().is_some_and(|kept| kept.interrupted);
-    let test = if args.observed && !interrupted { Some(observed(&scene)?) } else { None };
-    let summary = PeelSummary::new(&scene, &peel);
+    let (test, test_s) = timed(|| (args.observed && !interrupted).then(|| observed(&scene)));
+    let test = test.transpose()?;
+    let summary = PeelSummary::new(&scene, &peel, peel_s);
     let summary = match &test {
-        Some(test) => summary.with_observed(test),
+        Some(test) => summary.with_observed(test, test_s),
         None => summary,
     };
     let (files, left) = kept.as_ref().map_or((Ok(Vec::new()), None), |kept| {
@@ -72,17 +73,18 @@ pub fn run(args: &Run) -> Result<(), Stop> {
     if args.json {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
-        let recorded = test.as_ref().map(|test| format!("\n{}", text_summary::observed(test))).unwrap_or_default();
+        let recorded =
+            test.as_ref().map(|test| format!("\n{}", text_summary::observed(test, test_s))).unwrap_or_default();
         let taken = text_summary::taken(kept.as_ref().map_or(0, KeptRun::taken));
         let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
-        say(&format!("{}{recorded}{taken}\n{}{left}", text_summary::peel(&scene, &peel), list_files(&files)))?;
+        say(&format!("{}{recorded}{taken}\n{}{left}", text_summary::peel(&scene, &peel, peel_s), list_files(&files)))?;
     }
     files?;
     if interrupted {
         return Err(Stop::cut_short(format!("interrupted; {}: {GOES_ON}", left.unwrap_or_default())));
     }
     match (&peel.end, test.map(|test| test.end)) {
-        (End::Failed(reason), _) => Err(Stop::cut_short(reason)),
+        (PathEnd::Failed(reason), _) => Err(Stop::cut_short(reason)),
         (_, Some(TestEnd::Failed(reason))) => {
             Err(Stop::cut_short(format!("in the displacement-controlled test, {reason}")))
         }
@@ -92,7 +94,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
 
 /// The displacement-controlled test of the scene.
 fn observed(scene: &Scene) -> Result<Observed, Stop> {
-    study::observed(&scene.model, &scene.accuracy, &scene.bounds)
+    study::observed(&scene.model, &scene.accuracy, &scene.bounds.from_now())
         .map_err(|none| Stop::bad_input(format!("there is no observed test: {none}"), none.remedy()))
 }
 

@@ -13,7 +13,9 @@ use failed::failed;
 use peelkit::study::{self, FollowedSweep, PointKind, Remark, Spacing};
 use peelkit_report::{self as report, ReportError, SweepSummary};
 use peelkit_scene::{KEYS, Key, Problem, Scene, find_key};
+use std::cell::{Cell, RefCell};
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let scene = args.scene.load()?;
@@ -48,6 +50,7 @@ fn follow(args: &Sweep, kind: PointKind, scene: &Scene, key: &Key, scenes: &[(f6
     let spacing = if args.log { Spacing::Logarithmic } else { Spacing::Linear };
     let bar = progress_bar(scenes.len());
     let mut sweep = FollowedSweep { kind, rows: Vec::with_capacity(scenes.len()), remarks: Vec::new() };
+    let mut solve_s = Vec::with_capacity(scenes.len());
     for alike in alike(scenes) {
         let values: Vec<f64> = alike.iter().map(|(value, _)| *value).collect();
         let model = |value| {
@@ -57,22 +60,47 @@ fn follow(args: &Sweep, kind: PointKind, scene: &Scene, key: &Key, scenes: &[(f6
             scene.model
         };
         let Scene { accuracy, bounds, .. } = &alike[0].1;
-        let part = study::follow_point(kind, &values, spacing, &model, accuracy, bounds, &|| bar.inc(1));
+        let laps = Laps::of(values.len());
+        let solved = |index: usize| {
+            laps.end(index);
+            bar.set_position((sweep.rows.len() + index + 1) as u64);
+        };
+        let stop = || bounds.from_now();
+        let part = study::follow_point(kind, &values, spacing, &model, accuracy, &stop, &solved);
+        solve_s.extend(laps.seconds.into_inner());
         sweep.rows.extend(part.rows);
         sweep.remarks.extend(part.remarks);
     }
     bar.finish_and_clear();
-    let files =
-        folder.map_or(Ok(Vec::new()), |folder| folder.write(|dir| write_followed(args, dir, scene, key, &sweep)));
+    let files = folder
+        .map_or(Ok(Vec::new()), |folder| folder.write(|dir| write_followed(args, dir, scene, key, &sweep, &solve_s)));
     if args.json {
-        say(&SweepSummary::followed(scene, key, &sweep).to_json().map_err(Stop::other)?)?;
+        say(&SweepSummary::followed(scene, key, &sweep, &solve_s).to_json().map_err(Stop::other)?)?;
     } else {
-        say(&format!("{}\n{}", text_summary::followed(scene, key, &sweep), list_files(&files)))?;
+        say(&format!("{}\n{}", text_summary::followed(scene, key, &sweep, &solve_s), list_files(&files)))?;
     }
     files?;
     let lost = |remark: &&Remark| matches!(remark, Remark::NotFound { .. });
     let reasons: Vec<String> = sweep.remarks.iter().filter(lost).map(ToString::to_string).collect();
     failed(&reasons, sweep.rows.len()).map_or(Ok(()), |text| Err(Stop::cut_short(text)))
+}
+
+/// Wall clock from value to value, s.
+struct Laps {
+    started: Cell<Instant>,
+    seconds: RefCell<Vec<f64>>,
+}
+
+impl Laps {
+    fn of(values: usize) -> Self {
+        Self { started: Cell::new(Instant::now()), seconds: RefCell::new(vec![0.0; values]) }
+    }
+
+    /// The value is solved for, and the next one begins.
+    fn end(&self, index: usize) {
+        let seconds = self.started.replace(Instant::now()).elapsed().as_secs_f64();
+        self.seconds.borrow_mut()[index] = seconds;
+    }
 }
 
 fn write_followed(
@@ -81,8 +109,9 @@ fn write_followed(
     scene: &Scene,
     key: &Key,
     sweep: &FollowedSweep,
+    solve_s: &[f64],
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let mut files = vec![report::write_followed(folder, sweep)?];
+    let mut files = vec![report::write_followed(folder, sweep, solve_s)?];
     if sweep.rows.iter().any(|row| row.point.is_some()) {
         files.extend(report::draw_followed(sweep, &key.label(), &scene.title, args.log, folder)?);
     }

@@ -8,38 +8,31 @@ use crate::output::{list_files, progress_bar, say};
 use crate::stop::Stop;
 use crate::text_summary;
 use indicatif::ProgressBar;
-use peelkit::study::{self, End, SweepCase, SweepRow};
-use peelkit_report::{self as report, Existing, OutputFolder, PartialSweep, ReportError, SweepSummary};
+use peelkit::study::{self, PathEnd};
+use peelkit_report::{self as report, Existing, OutputFolder, PartialSweep, ReportError, SweepRow, SweepSummary};
 use peelkit_scene::{Key, Scene};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 /// Peels every value.
 pub fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]) -> Result<(), Stop> {
-    let case = |(value, scene): &(f64, Scene)| SweepCase {
-        value: *value,
-        model: scene.model.clone(),
-        accuracy: scene.accuracy,
-        bounds: scene.bounds,
-    };
-    let cases: Vec<SweepCase> = scenes.iter().map(case).collect();
     let (rows, remarks, files) = match args.folder() {
         Some(folder) => {
-            let bar = progress_bar(cases.len());
+            let bar = progress_bar(scenes.len());
             // before anything is written
             let above = bar.clone();
             let answer = "stopping when the values being computed are done; Ctrl-C again stops at once";
             let interrupt = Interrupt::listen(move || above.println(answer));
             let (partial, output) = open(args, &folder, scene, key)?;
             let kept = Kept { partial, bar, interrupt };
-            let (rows, remarks) = kept.peel(&cases)?;
+            let (rows, remarks) = kept.peel(scenes)?;
             let files = write(args, &output, scene, key, &rows);
-            if files.is_ok() && rows.len() == cases.len() {
+            if files.is_ok() && rows.len() == scenes.len() {
                 PartialSweep::discard(&folder)?;
             }
             (rows, remarks, files)
         }
-        None => (peel_unkept(&cases), Vec::new(), Ok(Vec::new())),
+        None => (peel_unkept(scenes), Vec::new(), Ok(Vec::new())),
     };
     if args.json {
         say(&SweepSummary::new(scene, key, &rows, &remarks).to_json().map_err(Stop::other)?)?;
@@ -47,13 +40,23 @@ pub fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]
         say(&format!("{}\n{}", text_summary::sweep(scene, key, &rows, &remarks), list_files(&files)))?;
     }
     files?;
-    stopped_short(key, &rows, cases.len())
+    stopped_short(key, &rows, scenes.len())
+}
+
+/// Peels one value.
+fn row((value, scene): &(f64, Scene)) -> SweepRow {
+    SweepRow::of(*value, scene.model.clone(), |model| study::peel(model, &scene.accuracy, &scene.bounds.from_now()))
 }
 
 /// Nothing is written, so nothing is kept.
-fn peel_unkept(cases: &[SweepCase]) -> Vec<SweepRow> {
+fn peel_unkept(cases: &[(f64, Scene)]) -> Vec<SweepRow> {
     let bar = progress_bar(cases.len());
-    let rows = study::sweep(cases, &|| true, &|_| bar.inc(1));
+    let run = |case: &(f64, Scene)| {
+        let row = row(case);
+        bar.inc(1);
+        row
+    };
+    let rows = study::sweep(cases, &|| true, &run);
     bar.finish_and_clear();
     rows
 }
@@ -79,33 +82,37 @@ fn open(args: &Sweep, folder: &Path, scene: &Scene, key: &Key) -> Result<(Partia
 impl Kept {
     /// The rows in the order of the cases, those of an earlier run among them, and where they come from. After Ctrl-C
     /// some are missing.
-    fn peel(&self, cases: &[SweepCase]) -> Result<(Vec<SweepRow>, Vec<String>), ReportError> {
-        let missing: Vec<SweepCase> =
-            cases.iter().filter(|case| self.partial.found(case.value).is_none()).cloned().collect();
+    fn peel(&self, cases: &[(f64, Scene)]) -> Result<(Vec<SweepRow>, Vec<String>), ReportError> {
+        let missing: Vec<(f64, Scene)> =
+            cases.iter().filter(|(value, _)| self.partial.found(*value).is_none()).cloned().collect();
         let taken = cases.len() - missing.len();
         let computed = self.peel_missing(&missing, taken)?;
         let mut computed = computed.into_iter().peekable();
-        let row = |&SweepCase { value, ref model, .. }: &SweepCase| match self.partial.found(value) {
-            Some(found) => Some(SweepRow { value, model: model.clone(), found: found.clone() }),
+        let row = |&(value, ref scene): &(f64, Scene)| match self.partial.found(value) {
+            Some((found, solve_s)) => {
+                Some(SweepRow { value, model: scene.model.clone(), found: found.clone(), solve_s })
+            }
             None => computed.next_if(|row| row.value == value),
         };
         Ok((cases.iter().filter_map(row).collect(), self.remarks(taken, cases.len())))
     }
 
     /// Stops on Ctrl-C, and with an error where a row cannot be kept.
-    fn peel_missing(&self, missing: &[SweepCase], taken: usize) -> Result<Vec<SweepRow>, ReportError> {
+    fn peel_missing(&self, missing: &[(f64, Scene)], taken: usize) -> Result<Vec<SweepRow>, ReportError> {
         self.bar.set_position(taken as u64);
         // what was taken says nothing about the time to go
         self.bar.reset_eta();
         let trouble = OnceLock::new();
-        let done = |row: &SweepRow| {
-            if let Err(error) = self.partial.keep(row) {
+        let run = |case: &(f64, Scene)| {
+            let row = row(case);
+            if let Err(error) = self.partial.keep(&row) {
                 // only the first one is reported
                 let _ = trouble.set(error);
             }
             self.bar.inc(1);
+            row
         };
-        let rows = study::sweep(missing, &|| !self.interrupt.asked() && trouble.get().is_none(), &done);
+        let rows = study::sweep(missing, &|| !self.interrupt.asked() && trouble.get().is_none(), &run);
         self.bar.finish_and_clear();
         trouble.into_inner().map_or(Ok(rows), Err)
     }
@@ -145,7 +152,7 @@ fn stopped_short(key: &Key, rows: &[SweepRow], values: usize) -> Result<(), Stop
         )
     });
     let reasons = rows.iter().filter_map(|row| match &row.found.end {
-        End::Failed(reason) => {
+        PathEnd::Failed(reason) => {
             Some(format!("at {} = {}{}: {reason}", key.path(), row.value, text_summary::spaced(key.unit())))
         }
         _ => None,

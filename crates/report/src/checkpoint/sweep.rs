@@ -4,7 +4,8 @@
 use crate::error::ReportError;
 use crate::file::{remove, write_whole};
 use crate::summary::Parameters;
-use peelkit::study::{Found, SweepRow};
+use crate::sweep_row::SweepRow;
+use peelkit::study::Found;
 use peelkit_scene::{Key, Scene};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -19,7 +20,7 @@ pub struct PartialSweep {
     path: PathBuf,
     file: Mutex<File>,
     /// By the bits of the value.
-    taken: HashMap<u64, Found>,
+    taken: HashMap<u64, Line>,
 }
 
 /// The first line. Two sweeps are the same where these lines are: one program, one scene with its defaults, one key.
@@ -31,10 +32,11 @@ struct Header {
 }
 
 /// A finished value.
-#[derive(Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Line {
     value: f64,
     found: Found,
+    solve_s: f64,
 }
 
 impl PartialSweep {
@@ -64,7 +66,7 @@ impl PartialSweep {
         }
         write_whole(&path, &text)?;
         let file = OpenOptions::new().append(true).open(&path).map_err(refuse)?;
-        let taken = lines.into_iter().map(|line| (line.value.to_bits(), line.found)).collect();
+        let taken = lines.into_iter().map(|line| (line.value.to_bits(), line)).collect();
         Ok(Self { path, file: Mutex::new(file), taken })
     }
 
@@ -78,14 +80,14 @@ impl PartialSweep {
         remove(dir.join(Self::NAME))
     }
 
-    /// What an earlier run found at this value.
-    pub fn found(&self, value: f64) -> Option<&Found> {
-        self.taken.get(&value.to_bits())
+    /// What an earlier run found at this value, and the seconds that it took.
+    pub fn found(&self, value: f64) -> Option<(&Found, f64)> {
+        self.taken.get(&value.to_bits()).map(|line| (&line.found, line.solve_s))
     }
 
     /// Appends a finished value, at once and from any thread.
     pub fn keep(&self, row: &SweepRow) -> Result<(), ReportError> {
-        let line = Line { value: row.value, found: row.found.clone() };
+        let line = Line { value: row.value, found: row.found.clone(), solve_s: row.solve_s };
         let refuse = |source: io::Error| ReportError::Write { path: self.path.clone(), source };
         let text = text_line(&line).map_err(refuse)?;
         // What would not come back as it is, such as a NaN, is computed again.
@@ -111,7 +113,8 @@ fn read_lines(text: &[u8]) -> Vec<Line> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use peelkit::study::{Effort, End, LimitPoint, Peak, Plateau, Turn};
+    use peelkit::solve::{PathError, Place, SolveError};
+    use peelkit::study::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peak, Plateau, Turn};
     use peelkit_scene::find_key;
 
     fn scene() -> Scene {
@@ -120,6 +123,13 @@ mod tests {
             adhesion = { hamaker_constant = "1e-19 J", equilibrium_distance = "0.4 nm" }
         "#;
         Scene::parse("a.toml", text, &[]).unwrap()
+    }
+
+    fn failure() -> Failure {
+        let place = Place { element: 3, position: 0.1 + 0.2 };
+        let cause = SolveError::Singular { pivot: 1.0 / 3.0, place };
+        let path = PathError { point: 4, displacement_nm: -0.0, force: 2e-9, tries: 14, cause };
+        Failure::Path { cause: PathFailure::Path(path), elements: 8, order: 7, asked: 1e-6 }
     }
 
     /// Numbers whose last digit a careless reader loses.
@@ -149,11 +159,10 @@ mod tests {
             plateau_front: Some(-0.0),
             snap_off: Some(snap_off),
             work: Some(5e-5),
-            end: End::Failed("no root at \"u = 3 nm\",\nand none behind it".into()),
+            end: PathEnd::Failed(failure()),
             effort: Effort { points: 3, newton_iterations: 5, elements: 8, order: 7 },
-            solve_s: 0.001,
         };
-        SweepRow { value, model: scene().model, found }
+        SweepRow { value, model: scene().model, found, solve_s: 0.001 }
     }
 
     fn open(dir: &Path, scene: &Scene) -> PartialSweep {
@@ -168,8 +177,8 @@ mod tests {
         }
         let partial = open(dir.path(), &scene());
         for value in [0.1, 0.1 + 0.2] {
-            let (found, expected) = (partial.found(value).unwrap(), row(value).found);
-            assert_eq!(*found, expected);
+            let ((found, solve_s), expected) = (partial.found(value).unwrap(), row(value));
+            assert_eq!((found, solve_s), (&expected.found, expected.solve_s));
             assert!(found.plateau_front.unwrap().is_sign_negative());
         }
         assert_eq!(partial.found(0.3), None);

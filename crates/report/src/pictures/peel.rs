@@ -4,7 +4,8 @@ use super::curve::curve_picture;
 use super::shapes::{Posed, shapes_picture};
 use crate::chart::{Picture, save};
 use crate::error::ReportError;
-use peelkit::study::{End, LimitPoint, Peel, Turn};
+use crate::names::end_reason;
+use peelkit::study::{LimitPoint, Peel, Turn};
 use std::path::{Path, PathBuf};
 
 /// How many deformed shapes are shown.
@@ -54,10 +55,7 @@ pub fn shapes(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -> Resu
 }
 
 fn nothing(path: &Path, peel: &Peel) -> ReportError {
-    let why = match &peel.end {
-        End::Failed(why) | End::Bound(why) => format!(": the computation ended with '{why}'"),
-        _ => String::new(),
-    };
+    let why = end_reason(&peel.end).map(|why| format!(": the computation ended with '{why}'")).unwrap_or_default();
     let reason = format!("the path has {} points{why}", peel.points.len());
     ReportError::Draw { path: path.to_path_buf(), reason }
 }
@@ -114,11 +112,11 @@ fn seen_lengths(peel: &Peel) -> Vec<f64> {
 mod tests {
     use super::*;
     use peelkit::model::StripModel;
-    use peelkit::study::{Accuracy, Bounds, PathPoint, Peak};
+    use peelkit::study::{Accuracy, PathPoint, Peak, StopCriteria};
 
     #[test]
     fn the_numbered_points_tell_the_story() {
-        let bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+        let bounds = StopCriteria::default();
         let mut peel = peelkit::study::peel(&StripModel::of_the_paper(100.0, 1.0), &Accuracy::to(1e-6), &bounds);
         let at = |displacement: f64| PathPoint {
             displacement,

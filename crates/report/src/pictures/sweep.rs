@@ -2,8 +2,8 @@
 
 use crate::chart::{Axis, Dash, Frame, Line, Mark, Panel, Picture, Stroke, WIDTH, colour, save};
 use crate::error::ReportError;
+use crate::sweep_row::SweepRow;
 use peelkit::analytic::kendall_force;
-use peelkit::study::SweepRow;
 use peelkit_scene::find_key;
 use std::path::{Path, PathBuf};
 

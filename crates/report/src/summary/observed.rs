@@ -1,8 +1,8 @@
 //! The displacement-controlled test, as an object of summary.json.
 
-use crate::names::{jump_word, test_end_word};
+use crate::names::{jump_word, test_end_reason, test_end_word};
 use crate::number::Finite;
-use peelkit::study::{Balance, Jump, JumpEnd, Observed, TestEnd};
+use peelkit::study::{Balance, Jump, JumpEnd, Observed};
 use serde::Serialize;
 
 /// The object `observed` of summary.json; `None` where a thing does not occur or was not reached.
@@ -86,15 +86,12 @@ struct Effort {
     solve_s: Finite,
 }
 
-impl From<&Observed> for ObservedSummary {
-    fn from(test: &Observed) -> Self {
-        let reason = match &test.end {
-            TestEnd::Closed => None,
-            TestEnd::Returned(reason) | TestEnd::Bound(reason) | TestEnd::Failed(reason) => Some(reason.clone()),
-        };
+impl ObservedSummary {
+    /// Of a test that took so many seconds.
+    pub fn new(test: &Observed, solve_s: f64) -> Self {
         Self {
             end: test_end_word(&test.end),
-            reason,
+            reason: test_end_reason(&test.end),
             pull_off_force: test.pull_off.map(|peak| Finite(peak.force)),
             pull_off_error: test.pull_off.map(|peak| Finite(peak.force_error)),
             hysteresis: test.hysteresis.map(Finite),
@@ -110,7 +107,7 @@ impl From<&Observed> for ObservedSummary {
                 relaxation_steps: test.effort.relaxation_steps,
                 elements: test.effort.elements,
                 order: test.effort.order,
-                solve_s: Finite(test.effort.solve_s),
+                solve_s: Finite(solve_s),
             },
         }
     }

@@ -148,13 +148,13 @@ struct Timing {
 }
 
 impl PeelSummary {
-    /// The summary of the peel of this scene.
-    pub fn new(scene: &Scene, peel: &Peel) -> Self {
+    /// The summary of the peel of this scene, which took so many seconds.
+    pub fn new(scene: &Scene, peel: &Peel, solve_s: f64) -> Self {
         Self {
             scene: scene.name.clone(),
             title: scene.title.clone(),
             end: end_word(&peel.end),
-            reason: end_reason(&peel.end).map(str::to_owned),
+            reason: end_reason(&peel.end),
             peak: peel.peak.map(Peak::from),
             initiation_peak: peel.initiation_peak.map(Peak::from),
             plateau: peel.plateau.map(|at| Plateau { force: Finite(at.force), displacement: Finite(at.displacement) }),
@@ -175,7 +175,7 @@ impl PeelSummary {
                 elements: peel.effort.elements,
                 order: peel.effort.order,
             },
-            timing: Timing { solve_s: Finite(peel.solve_s) },
+            timing: Timing { solve_s: Finite(solve_s) },
             steps: peel.model.steps.iter().zip(&peel.steps).map(StepEnd::from).collect(),
             ground: GroundSummary::of(peel),
             sliding: SlidingSummary::of(peel),
@@ -184,9 +184,9 @@ impl PeelSummary {
         }
     }
 
-    /// The same with what a test of this scene would record.
-    pub fn with_observed(self, test: &Observed) -> Self {
-        Self { observed: Some(ObservedSummary::from(test)), ..self }
+    /// The same with what a test of this scene would record, which took so many seconds.
+    pub fn with_observed(self, test: &Observed, solve_s: f64) -> Self {
+        Self { observed: Some(ObservedSummary::new(test, solve_s)), ..self }
     }
 
     /// The object as text; a number that is not finite is an error that names its key.

@@ -2,8 +2,9 @@
 
 use super::parameters::Parameters;
 use crate::number::to_json;
+use crate::sweep_row::SweepRow;
 use crate::tables::SweepLine;
-use peelkit::study::{FollowedSweep, SweepRow};
+use peelkit::study::FollowedSweep;
 use peelkit_scene::{Key, Scene};
 use std::io;
 
@@ -32,12 +33,12 @@ impl SweepSummary {
         Self { remarks: remarks.to_vec(), ..Self::of(scene, key, rows.iter().map(SweepLine::from).collect()) }
     }
 
-    /// The same for a point that was followed while `key` was varied.
-    pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep) -> Self {
+    /// The same for a point that was followed while `key` was varied, each value in so many seconds.
+    pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep, solve_s: &[f64]) -> Self {
         Self {
             followed: Some(sweep.kind.word()),
             remarks: sweep.remarks.iter().map(ToString::to_string).collect(),
-            ..Self::of(scene, key, SweepLine::followed(sweep))
+            ..Self::of(scene, key, SweepLine::followed(sweep, solve_s))
         }
     }
 

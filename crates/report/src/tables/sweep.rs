@@ -4,7 +4,8 @@ use super::table::write_table;
 use crate::error::ReportError;
 use crate::names::end_word;
 use crate::number::Finite;
-use peelkit::study::{self, FollowedRow, FollowedSweep, PointKind, SweepRow};
+use crate::sweep_row::SweepRow;
+use peelkit::study::{self, FollowedRow, FollowedSweep, PointKind};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -13,9 +14,10 @@ pub fn write_sweep(dir: &Path, rows: &[SweepRow]) -> Result<PathBuf, ReportError
     write_table(dir, "sweep.csv", rows.iter().map(SweepLine::from))
 }
 
-/// Writes sweep.csv of a sweep that followed one point: the same columns, empty where nothing was computed.
-pub fn write_followed(dir: &Path, sweep: &FollowedSweep) -> Result<PathBuf, ReportError> {
-    write_table(dir, "sweep.csv", SweepLine::followed(sweep).into_iter())
+/// Writes sweep.csv of a sweep that followed one point, each value in so many seconds: the same columns, empty where nothing was
+/// computed.
+pub fn write_followed(dir: &Path, sweep: &FollowedSweep, solve_s: &[f64]) -> Result<PathBuf, ReportError> {
+    write_table(dir, "sweep.csv", SweepLine::followed(sweep, solve_s).into_iter())
 }
 
 /// One value of a sweep in short; `None` where a thing does not occur or was not computed.
@@ -46,13 +48,13 @@ pub struct SweepLine {
 }
 
 impl SweepLine {
-    /// The values of a sweep that followed one point.
-    pub fn followed(sweep: &FollowedSweep) -> Vec<Self> {
-        let line = |row: &FollowedRow| {
+    /// The values of a sweep that followed one point, each in so many seconds.
+    pub fn followed(sweep: &FollowedSweep, solve_s: &[f64]) -> Vec<Self> {
+        let line = |(row, &solve_s): (&FollowedRow, &f64)| {
             let effort = row.point.map(|_| row.elements);
             let line = Self {
                 value: Finite(row.value),
-                solve_s: Finite(row.solve_s),
+                solve_s: Finite(solve_s),
                 newton_iterations: row.newton_iterations,
                 elements: effort,
                 order: effort.map(|_| study::FOLLOWED_ORDER),
@@ -73,7 +75,7 @@ impl SweepLine {
                 },
             }
         };
-        sweep.rows.iter().map(line).collect()
+        sweep.rows.iter().zip(solve_s).map(line).collect()
     }
 }
 
@@ -88,7 +90,7 @@ impl From<&SweepRow> for SweepLine {
             plateau_force: found.plateau.map(|at| Finite(at.force)),
             snap_off_displacement_nm: found.snap_off.map(|at| Finite(at.displacement)),
             work: found.work.map(Finite),
-            solve_s: Finite(found.solve_s),
+            solve_s: Finite(row.solve_s),
             end: Some(end_word(&found.end)),
             points: Some(found.effort.points),
             newton_iterations: found.effort.newton_iterations,

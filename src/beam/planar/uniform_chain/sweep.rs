@@ -5,7 +5,7 @@ use super::{BUNDLE, Kept, UniformChain};
 use crate::beam::planar::chain::EndRow;
 use crate::beam::{ChainFactors, Configuration, ElementEnergy, Front, Nodes, PathRow, ROOT, Root};
 use crate::number::Four;
-use crate::solve::{Place, SolveError};
+use crate::solve::{Place, Quantity, SolveError};
 
 /// Pivots below this are zero to rounding.
 const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
@@ -97,7 +97,7 @@ impl<const F: usize> UniformChain<F> {
                 carry = Ends::<F, BORDER>::load(&block);
                 if !carry[0][0].is_finite() || !energy.total.is_finite() {
                     let place = Place { element: e, position: at.ends[e] };
-                    return Err(SolveError::NotFinite { quantity: "the tangent", place });
+                    return Err(SolveError::NotFinite { quantity: Quantity::Tangent, place });
                 }
             }
         }

@@ -4,7 +4,7 @@ use super::super::figure::{Figure, Table};
 use super::super::runner::Runner;
 use peelkit::analytic::kendall_force;
 use peelkit::model::{Friction, PeelModel, Pull, StripModel};
-use peelkit::study::{Accuracy, Bounds, Peel, Sliding};
+use peelkit::study::{Accuracy, Peel, Sliding, StopCriteria};
 use peelkit_report::chart::RGBColor;
 use peelkit_report::chart::{Axis, Frame, Line, Panel, Picture, Stroke, WIDTH, colour};
 use peelkit_report::pictures::sweep::FORCE;
@@ -30,7 +30,7 @@ const ANGLES: usize = 34;
 /// Up to it the first peak comes, nm.
 const FAR: f64 = 20.0;
 const ACCURACY: Accuracy = Accuracy::to(1e-4);
-const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: Some(FAR) };
+const BOUNDS: StopCriteria = StopCriteria { points: 20_000, displacement: Some(FAR), should_stop: None };
 
 /// How many peels the figure takes.
 pub(in crate::figures) const PEELS: usize = (STRENGTHS.len() + 1) * ANGLES;

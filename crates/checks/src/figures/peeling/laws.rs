@@ -4,11 +4,11 @@ use super::super::figure::{Figure, Table};
 use super::super::runner::{ACCURACY, Runner, paper_strip};
 use peelkit::adhesion::CohesiveShape;
 use peelkit::model::{Attraction, Body, PeelModel, Profile, Spatula};
-use peelkit::study::{Accuracy, SweepRow};
+use peelkit::study::Accuracy;
 use peelkit_report::chart::RGBColor;
 use peelkit_report::chart::{Axis, Frame, Line, Panel, Picture, Stroke, WIDTH, colour};
 use peelkit_report::pictures::sweep::{FORCE, plateau_per_width, series};
-use peelkit_report::{ReportError, end_word};
+use peelkit_report::{ReportError, SweepRow, end_word};
 use std::path::Path;
 
 /// Length of the strips, nm.

@@ -3,13 +3,12 @@
 use super::super::figure::{Figure, Table};
 use super::stiffness::{LENGTH, Sweeps};
 use crate::suite::reference::{self, Row};
-use peelkit::study::SweepRow;
-use peelkit_report::ReportError;
 use peelkit_report::chart::RGBColor;
 use peelkit_report::chart::{Axis, Frame, Line, Mark, Picture, Stroke, Symbol, WIDTH, colour};
 use peelkit_report::pictures::sweep::{
     FORCE, STIFFNESS_LABEL, WORK, panel, per_width, plateau_per_width, series, work_per_width,
 };
+use peelkit_report::{ReportError, SweepRow};
 use std::path::Path;
 
 const POINTS: &str = include_str!("../../../../../verification/strip_points.csv");

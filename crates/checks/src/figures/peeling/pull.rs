@@ -4,10 +4,10 @@ use super::super::figure::{Figure, Table};
 use super::super::runner::{Runner, paper_strip};
 use peelkit::analytic::{kendall_force, sliding_force};
 use peelkit::model::{PeelModel, Pull, Spatula, StripModel};
-use peelkit::study::{Peel, SweepRow};
+use peelkit::study::Peel;
 use peelkit_report::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, WIDTH, colour};
 use peelkit_report::pictures::sweep::FORCE;
-use peelkit_report::{ReportError, end_word};
+use peelkit_report::{ReportError, SweepRow, end_word};
 use std::path::Path;
 
 /// Length of the strips whose peaks are shown, and of those that peel steadily, nm.

@@ -4,7 +4,7 @@ use super::super::figure::{Figure, Table};
 use super::super::runner::Runner;
 use peelkit::adhesion::{Round, Shape as Body, Sinusoid, Substrate};
 use peelkit::model::{Ground, Hold, PeelModel, Spatula, Start};
-use peelkit::study::{Accuracy, Bounds, Peel};
+use peelkit::study::{Accuracy, Peel, StopCriteria};
 use peelkit_report::chart::{Axis, Frame, Line, Mark, Panel, Picture, Shape, Stroke, Symbol, WIDTH, colour};
 use peelkit_report::{ReportError, end_word};
 use std::path::Path;
@@ -23,7 +23,7 @@ const HIGH: f64 = 60.0;
 /// Top of the axes of forces, nN.
 const MOST: f64 = 15.0;
 const ACCURACY: Accuracy = Accuracy::to(1e-4);
-const BOUNDS: Bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 /// How many peels the figure takes.
 pub(in crate::figures) const PEELS: usize = 1 + HEIGHTS.len() + RADII.len();
 

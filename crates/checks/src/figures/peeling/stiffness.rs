@@ -4,13 +4,13 @@ use super::super::figure::{Figure, Table};
 use super::super::runner::{Runner, paper_strip};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::StripModel;
-use peelkit::study::{End, SweepRow};
+use peelkit::study::PathEnd;
 use peelkit_report::chart::RGBColor;
 use peelkit_report::chart::{Axis, Band, Frame, Line, Mark, Picture, Stroke, Symbol, WIDTH, colour, significant};
 use peelkit_report::pictures::sweep::{
     FORCE, STIFFNESS_LABEL, kendall_per_width, panel, per_width, plateau_per_width, series, work_per_width,
 };
-use peelkit_report::{ReportError, end_word};
+use peelkit_report::{ReportError, SweepRow, end_word};
 use std::path::Path;
 
 /// The length of the strips in these figures, nm.
@@ -216,7 +216,7 @@ fn unfinished(all: &[&Vec<SweepRow>]) -> String {
 }
 
 fn stopped_short(row: &SweepRow) -> bool {
-    matches!(row.found.end, End::Failed(_) | End::Bound(_))
+    matches!(row.found.end, PathEnd::Failed(_) | PathEnd::Bound(_))
 }
 
 /// What the softest strip of each series bears, in units of Kendall's force.

@@ -2,7 +2,7 @@
 
 use super::super::figure::{Figure, Table};
 use super::super::runner::{Runner, paper_strip};
-use peelkit::study::{End, Peel};
+use peelkit::study::{PathEnd, Peel};
 use peelkit_report::ReportError;
 use peelkit_report::chart::significant;
 use peelkit_report::pictures::peel::{curve, numbered_points, shapes};
@@ -101,14 +101,14 @@ pub(in crate::figures) fn shape_table(peel: &Peel, shown: &[usize]) -> Table {
     table
 }
 
-fn ending(end: &End) -> String {
+fn ending(end: &PathEnd) -> String {
     match end {
-        End::Detached => "ends with the strip detached".into(),
-        End::Pivoting => "ends where the force has returned to zero, still in edge contact at the left end".into(),
-        End::TurnedBack => "ends with the strip re-adhered: u has returned to 0".into(),
-        End::Sliding => "ends with the whole contact sliding".into(),
-        End::Snapped => "ends with the snap-off".into(),
-        End::Bound(what) => format!("was stopped by a limit ({what})"),
-        End::Failed(why) => format!("stops short ({why})"),
+        PathEnd::Detached => "ends with the strip detached".into(),
+        PathEnd::Pivoting => "ends where the force has returned to zero, still in edge contact at the left end".into(),
+        PathEnd::TurnedBack => "ends with the strip re-adhered: u has returned to 0".into(),
+        PathEnd::Sliding => "ends with the whole contact sliding".into(),
+        PathEnd::Snapped => "ends with the snap-off".into(),
+        PathEnd::Bound(what) => format!("was stopped by a limit ({what})"),
+        PathEnd::Failed(why) => format!("stops short ({why})"),
     }
 }

@@ -3,10 +3,9 @@
 use super::super::figure::Figure;
 use super::super::runner::Runner;
 use super::stiffness::{LENGTH, spatula, stiffened, table};
-use peelkit::study::SweepRow;
-use peelkit_report::ReportError;
 use peelkit_report::chart::{Axis, Frame, Mark, Note, Picture, Stroke, Symbol, WIDTH, colour, significant};
 use peelkit_report::pictures::sweep::{STIFFNESS_LABEL, WORK, dotted, panel, series, work_per_width};
+use peelkit_report::{ReportError, SweepRow};
 use std::path::Path;
 
 /// Parabolas laid through three peels each, the last vertex being peeled too.
@@ -106,7 +105,7 @@ mod tests {
         let work = |value: f64| 3.0 + (-(value.log10() - 0.37).powi(2)).exp() + 0.02 * (value.log10() - 0.37).powi(3);
         let model = stiffened(1.0);
         let found = Found::from(&peelkit::study::peel(&model, &ACCURACY, &BOUNDS));
-        let mut row = SweepRow { value: 0.0, model: model.into(), found };
+        let mut row = SweepRow { value: 0.0, model: model.into(), found, solve_s: 0.0 };
         let snap_off = LimitPoint {
             kind: Turn::Displacement,
             displacement: 1.0,

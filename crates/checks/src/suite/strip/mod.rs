@@ -9,7 +9,7 @@ use super::check::{Check, Measure, Topic, missing};
 use super::reference::{self, Row, published};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::StripModel;
-use peelkit::study::{Accuracy, Bounds, Peel, peel};
+use peelkit::study::{Accuracy, Peel, StopCriteria, peel};
 use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic =
@@ -41,7 +41,7 @@ impl Case {
     fn all(table: &str, until: impl Fn(&Row) -> Option<f64> + Sync) -> Vec<Self> {
         let rows = reference::read(table);
         let peeled = |row: Row| {
-            let bounds = Bounds { points: 20_000, time_s: None, displacement: until(&row) };
+            let bounds = StopCriteria { points: 20_000, displacement: until(&row), should_stop: None };
             Self { peel: peel(&strip_of(&row), &DEFAULT, &bounds), row }
         };
         let beam = |row: &Row| row.number("bending_stiffness_factor").is_some_and(f64::is_finite);

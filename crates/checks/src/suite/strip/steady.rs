@@ -4,7 +4,7 @@ use super::{Check, DEFAULT, Measure, check, published};
 use peelkit::adhesion::LineLoad;
 use peelkit::analytic::steady_force;
 use peelkit::model::StripModel;
-use peelkit::study::{Bounds, PathPoint, Peel, peel};
+use peelkit::study::{PathPoint, Peel, StopCriteria, peel};
 use rayon::prelude::*;
 
 /// Lengths, factors on EI and loads of strips with a plateau of many process zones.
@@ -35,7 +35,7 @@ pub(super) fn checks() -> Vec<Check> {
 fn long(&(length, factor, load, load_name): &(f64, f64, LineLoad, &str), steady: f64) -> Vec<Check> {
     let mut model = StripModel::of_the_paper(length, factor);
     model.adhesion.line_load = load;
-    let peel = peel(&model, &DEFAULT, &Bounds { points: 20_000, time_s: None, displacement: None });
+    let peel = peel(&model, &DEFAULT, &StopCriteria::after_points(20_000));
     let name = |what: &str| format!("{what}, {load_name}, EI × {factor}, L = {length} nm");
     let w = -model.strip.width * model.line_law().rest_energy();
     let until = peel.plateau.map_or(0.0, |plateau| plateau.displacement);

@@ -1,0 +1,24 @@
+//! One value of a sweep of whole peels.
+
+use crate::timing::timed;
+use peelkit::model::PeelModel;
+use peelkit::study::{Found, Peel};
+
+/// One value of a sweep and what its peel found.
+#[derive(Clone, Debug)]
+pub struct SweepRow {
+    /// The value of the varied parameter, in its own unit.
+    pub value: f64,
+    pub model: PeelModel,
+    pub found: Found,
+    /// Wall clock that the peel took, s.
+    pub solve_s: f64,
+}
+
+impl SweepRow {
+    /// What `peel` finds of a model.
+    pub fn of(value: f64, model: PeelModel, peel: impl FnOnce(&PeelModel) -> Peel) -> Self {
+        let (found, solve_s) = timed(|| Found::from(&peel(&model)));
+        Self { value, model, found, solve_s }
+    }
+}

@@ -1,0 +1,125 @@
+//! Why a path has no start.
+
+use crate::beam::{GripForces, GripState};
+use crate::model::Step;
+use crate::solve::{PathError, RelaxError, SolveError};
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// Why no equilibrium was found for a path to start from; and what to try.
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+pub enum NoEquilibrium {
+    /// The beam does not come to rest on ground that is not flat.
+    #[error(
+        "no equilibrium of the beam without a grip was found on the substrate: {0}. Try another substrate.start, or a \
+         stiffer beam"
+    )]
+    OnGround(SettlingError),
+    /// What the grip does before the pull has no end.
+    #[error("{phase} {cause}. Try a shorter step, or other steps before it")]
+    Loading { phase: LoadingPhase, cause: Box<LoadingError> },
+}
+
+/// Why a beam without a grip does not come to rest on its ground.
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+pub enum SettlingError {
+    /// Down the gradient of its energy.
+    #[error("{0}")]
+    Relax(#[from] RelaxError),
+    /// By Newton's method, on more elements.
+    #[error("{0}")]
+    Solve(#[from] SolveError),
+}
+
+/// What the grip was about to do before the pull.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum LoadingPhase {
+    /// To begin.
+    Start,
+    /// To let go of what the step before has moved; the number of a step counts from 1.
+    LettingGo { number: usize, step: Step },
+    /// A step.
+    Step { number: usize, step: Step },
+    /// To let go before the pull.
+    LettingGoToPull,
+}
+
+impl fmt::Display for LoadingPhase {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Start => f.write_str("the first of drive.steps"),
+            Self::LettingGo { number, step } => {
+                write!(f, "letting go before {}", Self::Step { number: *number, step: *step })
+            }
+            Self::Step { number, step } => write!(f, "step {number} of drive.steps, \"{step}\","),
+            Self::LettingGoToPull => f.write_str("letting go before the pull"),
+        }
+    }
+}
+
+/// Why a step before the pull was not taken to its end.
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+pub enum LoadingError {
+    /// There is no equilibrium that it could go from.
+    #[error("finds no equilibrium to begin with: {0}")]
+    Start(PathError),
+    /// Its equilibria end on the way.
+    #[error("cannot be followed beyond {at}: {why}")]
+    Path { at: LoadingProgress, why: PathError },
+    /// What it moves turns back.
+    #[error("comes to a limit point at {at}, beyond which the beam jumps")]
+    Turns { at: LoadingProgress },
+    /// Its equilibria go into the substrate.
+    #[error("leads through the surface of the substrate, beyond {at}")]
+    Inside { at: LoadingProgress },
+    /// Stability is lost although what it moves does not turn back.
+    #[error("comes to where equilibrium is no longer stable, beyond {at}: there the beam leaves its path")]
+    Unstable { at: LoadingProgress },
+    /// It takes too many equilibria.
+    #[error("is not at its end after {points} equilibria, at {at}")]
+    Long { at: LoadingProgress, points: usize },
+    /// The last of its equilibria was not found.
+    #[error("finds no equilibrium at its end, beyond {at}: {why}")]
+    End { at: LoadingProgress, why: SolveError },
+}
+
+/// How far a step has come, with what the grip exerts there.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LoadingProgress {
+    /// Of what it moves, in `unit`
+    pub amount: f64,
+    pub unit: LoadingUnit,
+    pub forces: GripForces,
+}
+
+/// The unit of what a step moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum LoadingUnit {
+    Nanometre,
+    Radian,
+}
+
+impl fmt::Display for LoadingUnit {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match self {
+            Self::Nanometre => "nm",
+            Self::Radian => "rad",
+        })
+    }
+}
+
+impl fmt::Display for LoadingProgress {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { amount, unit, forces: GripForces { horizontal, vertical, moment } } = self;
+        write!(f, "{amount:.6} {unit} (H = {horizontal:.6} nN, V = {vertical:.6} nN, M = {moment:.6} nN nm)")
+    }
+}
+
+/// A problem that has no start, and what the grip did before that was known.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{why}")]
+pub struct NotPrepared {
+    pub why: NoEquilibrium,
+    /// The grip behind each step before the pull, as far as they were taken, seen from where it took hold.
+    pub steps: Vec<GripState>,
+}

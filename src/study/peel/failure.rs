@@ -1,0 +1,84 @@
+//! Why a peel stopped short, with what was computed, where and how far.
+
+use crate::solve::{LimitPointKind, PathError, SolveError};
+use crate::study::initial::NoEquilibrium;
+use serde::{Deserialize, Serialize};
+
+/// Why a computation stopped short, and what to try.
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+pub enum Failure {
+    /// The model, or the accuracy asked for, cannot be computed: the key of a scene, what was found, and what would be right.
+    #[error("`{key}` {found}. {remedy}")]
+    Refused { key: String, found: String, remedy: String },
+    /// The path has no start.
+    #[error("{0}")]
+    NoStart(NoEquilibrium),
+    /// On the best mesh that was tried, of so many elements of this order.
+    #[error(
+        "{cause}; on {elements} elements of order {order}. The results so far are kept. Try another accuracy.relative than {asked:e}, or \
+         bounds.displacement to stop before"
+    )]
+    Path {
+        cause: PathFailure,
+        elements: usize,
+        order: usize,
+        /// Relative accuracy asked for.
+        asked: f64,
+    },
+    /// No mesh was tried.
+    #[error("nothing was computed")]
+    NothingComputed,
+}
+
+/// Why a path on one mesh cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+pub enum PathFailure {
+    /// It cannot be continued.
+    #[error("{0}")]
+    Path(PathError),
+    /// A limit point was not located.
+    #[error(
+        "the limit point of the {turn} after path point {after} (u = {displacement_nm:.6} nm) was not located: {cause}"
+    )]
+    NotLocated { turn: LimitPointKind, after: usize, displacement_nm: f64, cause: SolveError },
+    /// A limit point was not seen.
+    #[error(
+        "between path points {after} and {} (u = {displacement_nm:.6} nm) the number of negative eigenvalues goes from \
+         {from} to {to}, which {turns} located displacement limit points do not explain",
+        after + 1
+    )]
+    Missed { after: usize, displacement_nm: f64, from: usize, to: usize, turns: usize },
+    /// A step may have led to another part of the path.
+    #[error(
+        "between path points {after} and {} (u = {displacement_nm:.6} nm) no solution was found, and force and displacement do \
+         not change smoothly: the path may have skipped a part of itself",
+        after + 1
+    )]
+    Jumped { after: usize, displacement_nm: f64 },
+    /// The force vanishes again before it had a maximum.
+    #[error(
+        "the path came back to P = 0 at u = {displacement_nm:.6} nm before the force had a maximum: its first step went to \
+         another equilibrium, or the strip is too soft for its adhesion (process zone {process_nm:.3e} nm)"
+    )]
+    LostAtRest { displacement_nm: f64, process_nm: f64 },
+    /// The first step is too short for the numbers.
+    #[error("the first step, {step_nm:e} nm, is lost in the rounding of the displacement")]
+    Stuck { step_nm: f64 },
+    /// The caller stopped it at [`crate::study::Stage::Results`].
+    #[error(
+        "the limit points and the work of the path were not computed within twice bounds.time and a second: a larger \
+         bounds.time allows more time"
+    )]
+    OutOfTime,
+    /// Its steps have become short.
+    #[error("{points} path points were not enough on {elements} elements: the continuation steps have collapsed")]
+    TooManyPoints { points: usize, elements: usize },
+    /// Numbers of limit points with shorter and with longer steps.
+    #[error(
+        "with shorter steps the path has {shorter} limit points, with longer ones {longer}: what slides depends on the steps"
+    )]
+    StepsMatter { shorter: usize, longer: usize },
+    /// The error bounds are larger than the accuracy asked for by this factor.
+    #[error("the error bounds are {factor:.1} times the requested tolerance")]
+    BoundsMissed { factor: f64 },
+}

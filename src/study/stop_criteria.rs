@@ -1,0 +1,119 @@
+//! Where a path is stopped although it goes on. The library looks at no clock and hears no user: a caller that does says so.
+
+use crate::solve;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::sync::Arc;
+
+/// What a run is doing when it asks whether to stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// It is about to compute the next point of a path, or to follow the path on another mesh. Stopped there it still locates the
+    /// limit points of what it has reached, and their error bounds.
+    Path,
+    /// It is about to solve for a point, a limit point, an error bound or the work. Stopped there its result is a failure.
+    Results,
+}
+
+/// Why a caller stops a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StopReason {
+    /// It has lasted so long, s.
+    Time { seconds: f64 },
+    /// The user wants it to.
+    Interrupted,
+}
+
+/// Says at a stage why a run is to stop, if it is. It is asked often, and from any thread.
+pub type StopCheck = Arc<dyn Fn(Stage) -> Option<StopReason> + Send + Sync>;
+
+/// Where a path is stopped although it goes on.
+#[derive(Clone)]
+pub struct StopCriteria {
+    /// Most path points.
+    pub points: usize,
+    /// Largest grip displacement, nm; none when absent.
+    pub displacement: Option<f64>,
+    /// What only the caller knows: the time, an interruption. Nothing when absent.
+    pub should_stop: Option<StopCheck>,
+}
+
+/// The criterion that was met.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Bound {
+    /// [`StopCriteria::points`]
+    Points(usize),
+    /// [`StopCriteria::displacement`], nm
+    Displacement(f64),
+    /// [`StopReason::Time`], s
+    Time { seconds: f64 },
+    /// [`StopReason::Interrupted`]
+    Interrupted,
+}
+
+impl fmt::Display for Bound {
+    /// By the name of the key of a scene that sets it.
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Points(most) => write!(f, "bounds.points = {most}"),
+            Self::Displacement(most) => write!(f, "bounds.displacement = {most} nm"),
+            Self::Time { seconds } => write!(f, "bounds.time = {seconds} s"),
+            Self::Interrupted => f.write_str("interrupted"),
+        }
+    }
+}
+
+impl From<StopReason> for Bound {
+    fn from(reason: StopReason) -> Self {
+        match reason {
+            StopReason::Time { seconds } => Self::Time { seconds },
+            StopReason::Interrupted => Self::Interrupted,
+        }
+    }
+}
+
+impl Default for StopCriteria {
+    /// 20 000 points.
+    fn default() -> Self {
+        Self::after_points(20_000)
+    }
+}
+
+impl StopCriteria {
+    /// After so many points, and nothing else.
+    pub const fn after_points(points: usize) -> Self {
+        Self { points, displacement: None, should_stop: None }
+    }
+
+    /// The same with another check, which is asked where those before say nothing.
+    pub fn or_when(self, check: impl Fn(Stage) -> Option<StopReason> + Send + Sync + 'static) -> Self {
+        let before = self.should_stop;
+        let should_stop: StopCheck = match before {
+            Some(before) => Arc::new(move |stage| before(stage).or_else(|| check(stage))),
+            None => Arc::new(check),
+        };
+        Self { should_stop: Some(should_stop), ..self }
+    }
+
+    /// What the caller says at a stage.
+    pub(super) fn told(&self, stage: Stage) -> Option<Bound> {
+        self.should_stop.as_ref().and_then(|should_stop| should_stop(stage)).map(Bound::from)
+    }
+
+    /// What tells solves to stop: the caller, at [`Stage::Results`].
+    pub(super) fn for_solves(&self) -> Option<solve::ShouldStop> {
+        let should_stop = self.should_stop.clone()?;
+        Some(Arc::new(move || should_stop(Stage::Results).is_some()))
+    }
+}
+
+impl fmt::Debug for StopCriteria {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { points, displacement, should_stop } = self;
+        f.debug_struct("StopCriteria")
+            .field("points", points)
+            .field("displacement", displacement)
+            .field("should_stop", &should_stop.is_some())
+            .finish()
+    }
+}
