@@ -1,5 +1,6 @@
 //! The command `peel`, run as a user runs it.
 
+mod documents;
 mod friction;
 mod interrupt;
 mod observed;

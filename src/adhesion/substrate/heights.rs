@@ -1,7 +1,7 @@
 //! A measured profile: heights at places.
 
 use super::closest::{Graph, closest};
-use super::surface::{Foot, Surface};
+use super::surface::{Foot, Named, Surface};
 use serde::{Deserialize, Serialize};
 
 /// A cubic spline through heights, twice continuously differentiable (I. J. Schoenberg, Quart. Appl. Math. 4 (1946) 45), with no
@@ -160,7 +160,7 @@ impl Heights {
 }
 
 /// As scenes name it.
-pub(super) const NAMED: &[(&str, fn() -> Heights)] = &[("profile", Heights::level)];
+pub(super) const NAMED: &[Named<Heights>] = &[("profile", Heights::level)];
 
 impl Surface for Heights {
     fn name(&self) -> &'static str {

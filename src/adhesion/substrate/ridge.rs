@@ -1,7 +1,7 @@
 //! A parabolic ridge.
 
 use super::closest::{Graph, closest};
-use super::surface::{Foot, Surface};
+use super::surface::{Foot, Named, Surface};
 use serde::{Deserialize, Serialize};
 
 /// y = -(x - x0)²/(2R): an asperity across the beam, whose flanks fall away without an end, unlike those of a cylinder. Its crest is at y = 0.
@@ -22,7 +22,7 @@ impl Ridge {
 }
 
 /// As scenes name it.
-pub(super) const NAMED: &[(&str, fn() -> Ridge)] = &[("ridge", || Ridge { radius: f64::NAN, offset: 0.0 })];
+pub(super) const NAMED: &[Named<Ridge>] = &[("ridge", || Ridge { radius: f64::NAN, offset: 0.0 })];
 
 impl Surface for Ridge {
     fn name(&self) -> &'static str {

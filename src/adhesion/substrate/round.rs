@@ -1,6 +1,6 @@
 //! A sphere or a cylinder.
 
-use super::surface::{Foot, Misfit, Surface};
+use super::surface::{Foot, Misfit, Named, Surface};
 use crate::adhesion::Shape;
 use serde::{Deserialize, Serialize};
 
@@ -15,8 +15,7 @@ pub struct Round {
 }
 
 /// As scenes name them.
-pub(super) const NAMED: &[(&str, fn() -> Round)] =
-    &[("sphere", || new(Shape::Sphere)), ("cylinder", || new(Shape::Cylinder))];
+pub(super) const NAMED: &[Named<Round>] = &[("sphere", || new(Shape::Sphere)), ("cylinder", || new(Shape::Cylinder))];
 
 fn new(shape: Shape) -> Round {
     Round { shape, radius: f64::NAN, offset: 0.0 }

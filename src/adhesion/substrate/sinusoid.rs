@@ -1,7 +1,7 @@
 //! A wavy substrate.
 
 use super::closest::{Graph, closest};
-use super::surface::{Foot, Surface};
+use super::surface::{Foot, Named, Surface};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
@@ -37,7 +37,7 @@ impl Sinusoid {
 }
 
 /// As scenes name it.
-pub(super) const NAMED: &[(&str, fn() -> Sinusoid)] =
+pub(super) const NAMED: &[Named<Sinusoid>] =
     &[("sinusoid", || Sinusoid { height: f64::NAN, wavelength: f64::NAN, offset: 0.0 })];
 
 impl Surface for Sinusoid {

@@ -76,6 +76,9 @@ pub trait Surface: Debug + Send + Sync {
     }
 }
 
+/// A name by which a scene takes a shape, and what makes one of which no number is given yet.
+pub(super) type Named<S> = (&'static str, fn() -> S);
+
 /// Numbers that do not fit each other: the path of the key of one in a scene, what was found, and what would be right.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Misfit {

@@ -87,6 +87,8 @@ impl<const F: usize> Element<Four, F> {
     ///
     /// The path row becomes `path_weight` times the gradient of the adhesion energy. Everything in the front is overwritten,
     /// but where the tangent is `symmetric` not what lies below its diagonal.
+    // a struct of what it needs would be made for this one call
+    #[allow(clippy::too_many_arguments)]
     #[inline(always)]
     pub fn integrate<const BORDER: bool>(
         &self,
@@ -121,6 +123,8 @@ impl<const F: usize> Element<Four, F> {
 
     /// The tangent: sums over the points of  N vv Nᵀ + N vs N'ᵀ + N' sv Nᵀ + N' ss N'ᵀ  with the shape functions N and their
     /// slopes N', of what the responses are times their weights.
+    // a struct of what it needs would be made for this one call
+    #[allow(clippy::too_many_arguments)]
     #[inline(always)]
     fn assemble(
         &self,

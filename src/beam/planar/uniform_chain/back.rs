@@ -51,6 +51,8 @@ impl<const F: usize> UniformChain<F> {
     }
 
     /// The interior nodes of a bundle, whose ends are known.
+    // a struct of what it needs would be made for this one call
+    #[allow(clippy::too_many_arguments)]
     #[inline(always)]
     fn back_inside(
         &self,

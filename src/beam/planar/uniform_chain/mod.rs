@@ -36,9 +36,13 @@ impl<const F: usize> Default for Kept<F> {
     }
 }
 
+/// The elimination of a chain.
+type Sweep<const F: usize> =
+    fn(&UniformChain<F>, Configuration, &PathRow, &[f64], &mut ChainFactors) -> Result<Root, SolveError>;
+
 /// The loops that take time, compiled for a number of nodes that is known then or for any.
 struct Kernels<const F: usize> {
-    sweep: fn(&UniformChain<F>, Configuration, &PathRow, &[f64], &mut ChainFactors) -> Result<Root, SolveError>,
+    sweep: Sweep<F>,
     back: fn(&UniformChain<F>, &ChainFactors, &[f64], f64, &mut [f64]),
     energy: fn(&UniformChain<F>, Configuration, &[f64]) -> (ElementEnergy, f64),
     node_states: fn(&UniformChain<F>, Configuration, Range<usize>) -> Vec<NodeState>,
