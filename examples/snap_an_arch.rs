@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let path = follow_rod(&problem, options, 1000, |point| point.observables.displacement < -2.2 * rise)?;
 
     println!("an arch with a rise of {rise:.3} nm, pressed down at its crown: {} points", path.points.len());
-    println!("{:>12} {:>14} {:>12} {:>10}", "turn of", "lowered / nm", "load / nN", "error / nN");
+    println!("{:>12} {:>14} {:>12} {:>10}", "limit of", "lowered / nm", "load / nN", "error / nN");
     for turn in &path.turns {
         // the half that is computed carries half the load
         let (at, error) = (turn.located.observables, turn.located.difference);

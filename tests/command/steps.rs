@@ -72,7 +72,7 @@ fn what_does_not_fit_is_refused_by_name() {
         (
             vec![fixed, "drive.turn=1 deg/nm", "adhesion.line_load=force-only"],
             vec!["run"],
-            vec!["`drive.turn`", "no potential"],
+            vec!["`drive.turn`", "without a potential"],
         ),
         (vec![fixed, "drive.turn=1 deg/nm"], vec!["run", "--observed"], vec!["drive.turn", "Omit --observed"]),
         (vec!["drive.steps=[\"lift 1 nm\"]"], vec!["run", "--observed"], vec!["drive.steps", "Omit --observed"]),

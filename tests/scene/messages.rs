@@ -280,11 +280,7 @@ fn what_does_not_belong_to_a_substrate_is_named() {
     );
     assert_says(
         &complaint(&format!("{SPATULA}[substrate]\nshape = \"sphere\"\nradius = \"1 nm\"")),
-        &[
-            "`substrate.shape` is that of ground on which the beam lies on",
-            "no more than 100",
-            "a shorter strip or pad",
-        ],
+        &["`substrate.shape` lets the beam lie on", "at most 100", "a shorter strip or pad"],
     );
 }
 
@@ -323,7 +319,7 @@ fn what_is_wrong_with_a_table_is_named() {
         ("40, 20", "40, 0", ["line 3: `profile.table` has in row 2 `width_nm` = 0", "not above zero"]),
         ("100, 10", "30, 10", ["`profile.table` has in row 3 `s_nm` = 30", "does not ascend"]),
         ("angle_deg", "angle", ["`profile.table` has a column `angle`", "angle_deg, roundness"]),
-        ("100, 10, 10, 30", "100, 10, 10", ["`profile.table` is no CSV", "s_nm, width_nm, height_nm and, if wanted"]),
+        ("100, 10, 10, 30", "100, 10, 10", ["`profile.table` is no CSV", "s_nm, width_nm, height_nm and, optionally"]),
     ] {
         assert_says(&complaint(&PROFILE.replace(cell, wrong)), &parts);
     }
@@ -387,7 +383,7 @@ fn what_is_wrong_with_pieces_is_named() {
         ("\"0.25 um\"", "\"0 um\"", ["piece 1 `length` = 0 nm", "not above zero"]),
         ("\"0.25 um\"", "[\"1 nm\"]", ["piece 1 `length` = a list", "not a length with its unit"]),
         ("\"30 deg\"", "\"30 nm\"", ["piece 2 `bend` = \"30 nm\"", "none of an angle (rad, deg)"]),
-        ("\"30 deg\"", "\"181 deg\"", ["turns the underside by 181 deg up to the end of piece 2", "-180 to 180"]),
+        ("\"30 deg\"", "\"181 deg\"", ["rotates the underside by 181 deg up to the end of piece 2", "-180 to 180"]),
         ("[\"5 nm\", \"50 nm\"]", "[\"5 nm\"]", ["piece 2 `height` = a list, which has 1 values", "or two"]),
         (
             "[\"5 nm\", \"50 nm\"]",
@@ -397,7 +393,7 @@ fn what_is_wrong_with_pieces_is_named() {
         (
             "height_course = \"smooth\"",
             "height_course = \"linear\"",
-            ["has a kink between piece 1", "height_course away"],
+            ["has a kink between piece 1", "omit height_course from both"],
         ),
         ("[0, 1]", "[0, 1.5]", ["piece 2 `roundness` = 1.5", "from 0 to 1"]),
         ("[0, 1]", "\"round\"", ["piece 2 `roundness` = \"round\"", "not a number"]),
@@ -425,7 +421,7 @@ fn what_is_wrong_with_pieces_is_named() {
     let error = Scene::parse("a.toml", PROFILE, &set("profile.pieces", table)).unwrap_err();
     assert_says(
         &error.to_string(),
-        &["--set profile.pieces=", "is given beside `profile.table`, and the beam has one outline"],
+        &["--set profile.pieces=", "is given beside `profile.table`, and the beam has one geometry"],
     );
     assert_says(error.remedy(), &["Remove one of `pieces` and `table`."]);
 }
@@ -560,7 +556,7 @@ fn every_mistake_in_a_choice_or_another_table_is_named() {
     let lines = [
         ("[adhesion]", r#"line_load = "fulll""#, r#"`adhesion.line_load` is "fulll""#, r#"Did you mean "full"?"#),
         ("[adhesion]", r#"line_load = "none""#, r#"`adhesion.line_load` is "none""#, r#""force-only" or "axis-gap""#),
-        ("[adhesion]", r#"far_face = "true""#, "`adhesion.far_face`", "Take the quotes away"),
+        ("[adhesion]", r#"far_face = "true""#, "`adhesion.far_face`", "Remove the quotes"),
         ("[adhesion]", "far_face = 1", "`adhesion.far_face` is 1", "true or false"),
         ("[adhesion]", r#"hamaker_constant = "1e-19 nm""#, "nm measures a length, not an energy", "J"),
         ("[adhesion]", r#"equilibrium_distance = "0""#, "a number without a unit", "nm"),
@@ -606,7 +602,7 @@ fn what_is_missing_is_named_with_an_example() {
     let no_table = PROFILE.split("table").next().unwrap();
     assert_says(
         &complaint(no_table),
-        &["line 2: [profile] lacks `table` or `pieces` in its place", "s_nm,width_nm,height_nm\\n0,20,5"],
+        &["line 2: [profile] lacks `table` or `pieces` instead", "s_nm,width_nm,height_nm\\n0,20,5"],
     );
     for key in KEYS.iter().filter(|key| key.need == Need::Required && !["profile", "substrate"].contains(&key.table)) {
         let without: Vec<&str> = MINIMAL.lines().filter(|line| !line.starts_with(key.name)).collect();

@@ -59,7 +59,7 @@ Examples:
   peel run strip.toml --set grip.rotation=fixed --set grip.stiffness=\"0.05 N/m\" --observed
 
 Files:
-  summary.json       peaks, plateau, limit points, snap-off, how the path ended, computational cost, the scene as computed
+  summary.json       peaks, plateau, limit points, snap-off, how the path ended, computational cost, the scene
   curve.csv          one row for each point of the path
   limit_points.csv   one row for each limit point of load or displacement, with error bounds
   curve.svg, .png    force against displacement
@@ -143,9 +143,9 @@ With --json the object holds scene, title, vary, unit, rows (the columns of swee
 pub fn accuracy() -> String {
     format!(
         "\
-Without a scene the strip of 100 nm is used. Each discretisation is run on more and more elements: orders 1 to 8; then, at
-order 7, three fields per node instead of two, a fixed mesh (graded or uniform) instead of one that moves with the front,
-and steps ten times shorter or longer. They are compared with the runs whose discretisation follows from
+Without a scene the strip of 100 nm is used. Each discretisation is run on more and more elements: orders 1 to 8; then,
+at order 7, three fields per node instead of two, a fixed mesh (graded or uniform) instead of one that moves with the
+front, and steps ten times shorter or longer. They are compared with the runs whose discretisation follows from
 accuracy.relative, from 1e-3 to 1e-10. A time is the shortest of several runs on one core: run nothing else meanwhile.
 It takes a minute.
 

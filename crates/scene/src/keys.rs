@@ -59,7 +59,7 @@ pub static KEYS: &[Key] = &[
     key("adhesion", "law", Optional, Kind::Attraction(|s| &mut s.model.adhesion.attraction), "adhesion model: law of the half space, or a cohesive law"),
     key("adhesion", "work", Optional, Kind::Bound(Work, |s| &mut s.model.adhesion.work), "work of adhesion of a cohesive law; else the half space's"),
     key("adhesion", "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.strength), "largest traction of a cohesive law; else the half space's"),
-    key("adhesion", "line_load", Optional, Kind::LineLoad(|s| &mut s.model.adhesion.line_load), "force and moment, force alone, or independent of the section's rotation"),
+    key("adhesion", "line_load", Optional, Kind::LineLoad(|s| &mut s.model.adhesion.line_load), "force and moment, force alone, independent of the section's rotation"),
     key("adhesion", "far_face", Optional, Kind::Flag(|s| &mut s.model.adhesion.far_face), "whether the attraction of the upper surface is included"),
 
     key("substrate", "shape", Optional, Kind::Shape(substrate), "shape of the substrate"),

@@ -26,7 +26,7 @@ fn one(text: &str) -> Result<Step, String> {
     let length = WORDS.iter().find(|(name, _)| *name == word);
     match (word, length) {
         ("hold", _) if amount.is_empty() => Ok(Step::Hold),
-        ("hold", _) => Err("and to hold takes nothing behind it".into()),
+        ("hold", _) => Err("and hold takes no amount".into()),
         ("turn", _) => {
             checked(Step::Turn(quantity(amount, Dimension::Angle, "whose word is not followed by an angle")?))
         }

@@ -1,4 +1,4 @@
-//! What pulls, as it is written and read: by the name by which a scene takes it.
+//! The adhesion model as it is written and read: by its name in a scene.
 
 use super::Attraction;
 use serde::de::{Deserialize, Deserializer, Error as _};

@@ -1,4 +1,4 @@
-//! Whether the grip can move as it is told to.
+//! Whether the grip can move as the scene prescribes.
 
 use super::{Measured, ModelError, ModelErrorKind};
 use crate::model::{Hold, Moved, PeelModel, Step};
