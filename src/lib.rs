@@ -1,7 +1,20 @@
 //! How thin adhesive beams peel from a surface.
 //!
 //! Units inside the library: nm and nN, hence 1 nN/nm² = 1 GPa, 1 nN/nm = 1 J/m², 1 nN·nm = 1 aJ.
-//! The modules build on one another in this order; each knows only those above it.
+//!
+//! ```
+//! use peelkit::prelude::*;
+//!
+//! // the strip of the paper, 100 nm long and 10 nm high, of 2 GPa
+//! let model = StripModel::of_the_paper(100.0, 1.0);
+//! let peel = peel(&model, &Accuracy::to(1e-6), &StopCriteria::default());
+//! let peak = peel.initiation_peak.ok_or("the path has no peak")?;
+//! println!("{:.6} nN at u = {:.6} nm", peak.force, peak.displacement);
+//! assert!(peak.force_error < 1e-6 * peak.force);
+//! # Ok::<(), &'static str>(())
+//! ```
+//!
+//! The modules build on one another: `adhesion` and `solve` on nothing, `beam` on both, `model` on `beam`, `study` on `model`.
 
 #![forbid(unsafe_code)]
 // sums over fields, nodes and points read as in the equations
@@ -15,3 +28,13 @@ pub mod beam;
 pub mod model;
 pub mod solve;
 pub mod study;
+
+/// What most programs that peel something need.
+pub mod prelude {
+    pub use crate::adhesion::{Attraction, LineLoad, Substrate};
+    pub use crate::model::{
+        Adhesion, Body, Form, Friction, Grip, Ground, Hold, PeelModel, Pull, Spatula, Step, Strip, StripModel,
+    };
+    pub use crate::solve::{Path, PathEvent, PathOptions, PathTracer, TraceOptions};
+    pub use crate::study::{Accuracy, PathEnd, Peel, StopCriteria, observed, peel};
+}

@@ -8,6 +8,7 @@ mod limit_point_continuation;
 mod peel;
 mod peeling;
 mod power_law;
+mod refinement;
 mod refused;
 mod rod;
 mod stop_criteria;

@@ -35,7 +35,7 @@ impl Default for PathOptions {
     /// How a peel of the paper's strip is followed at a relative accuracy of 1e-6.
     fn default() -> Self {
         Self {
-            elements: 12,
+            elements: 16,
             step_tolerance: 1.2e-2,
             stride: 1.0,
             tolerance: 1e-8,

@@ -13,11 +13,10 @@ use crate::solve::{
 use crate::study::accuracy::{Resolution, most_elements};
 use crate::study::error_bounds::{ROUND_OFF, SAFETY, least};
 use crate::study::initial::{NoEquilibrium, prepared};
+use crate::study::refinement::refined;
 use crate::study::{Accuracy, Bound, Stage, StopCriteria};
 use std::sync::Arc;
 
-/// Most meshes tried.
-const MOST_MESHES: usize = 8;
 /// Most jumps on one way.
 pub(super) const MOST_JUMPS: usize = 50;
 /// Most that a step of relaxation moves, relative to the gap.
@@ -29,11 +28,10 @@ const BALANCED: f64 = 1e-6;
 
 pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Observed {
     let accuracy = &accuracy.fitted(model);
-    let mut resolution = Resolution::first(model, accuracy);
-    let mut best: Option<Test> = None;
     let mut others = Vec::new();
     let (mut iterations, mut steps) = (0, 0);
-    for _ in 0..MOST_MESHES {
+    let first = Resolution::first(model, accuracy);
+    let best = refined(first, most_elements(model), Test::is_better_than, |resolution, _| {
         let mut test = Test::new();
         test.effort.elements = resolution.elements;
         test.effort.order = resolution.order;
@@ -56,18 +54,11 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -
         if !failed {
             others.push((test.worst(), test.jumps.clone()));
         }
-        if best.as_ref().is_none_or(|best| test.is_better_than(best)) {
-            best = Some(test);
-        }
         let late = stop.told(Stage::Path).is_some();
-        if (worst <= 1.0 && !failed) || late || accuracy.choice.elements.is_some() {
-            break;
-        }
-        resolution = if failed { resolution.times(1.5) } else { resolution.finer(worst, 0.0) };
-        if resolution.elements > most_elements(model) {
-            break;
-        }
-    }
+        let enough = (worst <= 1.0 && !failed) || late || accuracy.choice.elements.is_some();
+        let finer = if failed { resolution.times(1.5) } else { resolution.finer(worst, 0.0) };
+        (test, (!enough).then_some(finer))
+    });
     let mut test = best.unwrap_or_else(Test::new);
     if test.worst() > accuracy.relative {
         test.widen(&others);

@@ -11,6 +11,7 @@ use crate::study::accuracy::{Choice, Resolution, aim, most_elements};
 use crate::study::checkpoint::Limits;
 use crate::study::error_bounds::{SAFETY, counts};
 use crate::study::initial::{NotPrepared, Prepared, prepared};
+use crate::study::refinement::refined;
 use crate::study::{Accuracy, Checkpoint, StopCriteria};
 use std::sync::Arc;
 
@@ -32,8 +33,6 @@ const WARY: f64 = 8.0;
 const NEARLY: f64 = 2.0;
 /// Most such paths.
 const MOST_SHORTER: i32 = 3;
-/// Most meshes tried.
-const MOST_MESHES: usize = 8;
 /// Follows the peel from rest to its end.
 pub(in crate::study) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, keeping: &Checkpoint) -> Peel {
     let (aimed, least) = aim(model, accuracy);
@@ -58,8 +57,8 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, keepin
     let accuracy = &accuracy.fitted(model);
     let limits = Limits { stop, keeping };
     let Choice { mesh, form, .. } = accuracy.choice;
-    let mut resolution = Resolution::first(model, accuracy);
-    let how = Discretisation { form, order: resolution.order, mesh };
+    let first = Resolution::first(model, accuracy);
+    let how = Discretisation { form, order: first.order, mesh };
     let Prepared { problem, steps } = match prepared(model, how, limits.should_stop()) {
         Ok(prepared) => prepared,
         Err(NotPrepared { why, steps }) => {
@@ -69,30 +68,25 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, keepin
     };
     let problem = Arc::new(problem);
     let far = model.line_law().reach();
-    let mut best: Option<Attempt> = None;
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
     let (mut iterations, mut unfinished) = (0, false);
-    for _ in 0..MOST_MESHES {
-        let options = resolution.path_options(model, accuracy.relative);
-        let followed = follow(&problem, options, far, accuracy.relative, &limits);
-        iterations += followed.iterations;
-        let attempt = Attempt::new(model, &problem, followed, resolution, accuracy);
-        let enough = accuracy.choice.elements.is_some()
-            || attempt.is_enough()
-            || best.as_ref().is_some_and(|b| attempt.is_stuck_behind(b));
-        let over = attempt.cut || limits.reached().is_some();
-        unfinished = over && (attempt.cut || attempt.trouble.is_some() || !enough);
-        resolution = attempt.next;
-        if attempt.trouble.is_none() {
-            others.push(attempt.peel.limit_points.clone());
-        }
-        if best.as_ref().is_none_or(|b| attempt.is_better_than(b)) {
-            best = Some(attempt);
-        }
-        if enough || over || resolution.elements > most_elements(model) {
-            break;
-        }
-    }
+    let mut best =
+        refined(first, most_elements(model), Attempt::is_better_than, |resolution, best: Option<&Attempt>| {
+            let options = resolution.path_options(model, accuracy.relative);
+            let followed = follow(&problem, options, far, accuracy.relative, &limits);
+            iterations += followed.iterations;
+            let attempt = Attempt::new(model, &problem, followed, resolution, accuracy);
+            let enough = accuracy.choice.elements.is_some()
+                || attempt.is_enough()
+                || best.is_some_and(|best| attempt.is_stuck_behind(best));
+            let over = attempt.cut || limits.reached().is_some();
+            unfinished = over && (attempt.cut || attempt.trouble.is_some() || !enough);
+            if attempt.trouble.is_none() {
+                others.push(attempt.peel.limit_points.clone());
+            }
+            let finer = (!enough && !over).then_some(attempt.next);
+            (attempt, finer)
+        });
     if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {
         best.widen(&others);
     }
