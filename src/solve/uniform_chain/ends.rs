@@ -2,8 +2,8 @@
 
 use crate::beam::{Front, Nodes};
 use crate::number::Four;
-use crate::solve::chain::{EDGE, EndRow};
-use crate::solve::{PathRow, ROOT};
+use crate::solve::chain::{BelowEnd, EDGE, EndRow};
+use crate::solve::{MOST_FIELDS, PathRow, ROOT};
 
 /// The block of F fields at each end, and of the border where there is one.
 pub(super) struct Ends<const F: usize, const BORDER: bool>;
@@ -79,6 +79,16 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
             block[k][k] = inverse;
         }
         (negative, least)
+    }
+
+    /// What stands below the pivots in the rows of the right end and of the border.
+    #[inline(always)]
+    pub fn below(block: &[EndRow; EDGE]) -> BelowEnd {
+        let mut below = [[0.0; MOST_FIELDS]; MOST_FIELDS + 1];
+        for i in F..Self::KNOWN {
+            below[i - F][..F].copy_from_slice(&block[i][..F]);
+        }
+        below
     }
 
     /// What is left on the right end, the border and the path.

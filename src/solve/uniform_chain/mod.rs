@@ -8,10 +8,13 @@
 
 mod back;
 mod ends;
+mod factors;
 mod read;
 mod sweep;
+#[cfg(test)]
+mod tests;
 
-use super::{Chain, Configuration, MOST_FIELDS, NodeState, PathRow, Root, Slips, SolveError, Workspace};
+use super::{Chain, Configuration, MOST_FIELDS, NodeState, PathRow, Root, RootVector, Slips, SolveError, Workspace};
 use crate::beam::{
     AnyNumber, Basis, Element, ElementEnergy, Fixed, Front, Integrand, MOST_NODES, MOST_ORDER, Nodes, Responses,
     SectionState, slot,
@@ -198,6 +201,14 @@ impl<const F: usize> Chain for UniformChain<F> {
 
     fn recover(&self, work: &Workspace, root: &[f64], scale: f64, out: &mut [f64]) {
         (self.kernels.back)(self, work, root, scale, out);
+    }
+
+    fn reduce(&self, work: &Workspace, right: &mut [f64], transposed: bool) -> RootVector {
+        self.reduce_right(work, right, transposed)
+    }
+
+    fn substitute(&self, work: &Workspace, root: &[f64], right: &mut [f64], transposed: bool) {
+        self.substitute_right(work, root, right, transposed);
     }
 
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64) {
