@@ -38,13 +38,30 @@ pub struct Root {
     pub negative: usize,
     /// Energy before the update.
     pub energy: ElementEnergy,
+    /// The pivot that came nearest to zero: how near to singular the chain is with its last node held.
+    pub least_pivot: LeastPivot,
 }
+
+/// The pivot of an elimination that is nearest to zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeastPivot {
+    /// Without its sign, in the unit of the equation over that of its unknown
+    pub size: f64,
+    /// Where it was met: in the interior or at the left end of this element, counted from the left end of the chain from 0.
+    pub element: usize,
+}
+
+/// What is left of a right-hand side at the root, and the root's solution: of the fields of the last node, then of the border.
+pub type RootVector = [f64; MOST_FIELDS + 1];
 
 /// Size of the block of an element's two ends: their fields, border, residual or path.
 pub(super) const EDGE: usize = 2 * MOST_FIELDS + 2;
 
 /// A row of the block of an element's ends.
 pub(super) type EndRow = [f64; EDGE];
+
+/// What stands below the pivots of an element's left end, in the rows of its right end and of the border.
+pub(super) type BelowEnd = [[f64; MOST_FIELDS]; MOST_FIELDS + 1];
 
 /// What a chain keeps for the way back; reused from solve to solve.
 #[derive(Debug, Default)]
@@ -53,6 +70,8 @@ pub struct ChainFactors {
     pub(super) fronts: Option<Box<dyn Any + Send + Sync>>,
     /// Pivot rows of the left ends of the elements.
     pub(super) ends: Vec<EndRow>,
+    /// The columns below them, element by element.
+    pub(super) below: Vec<BelowEnd>,
 }
 
 /// State of one node between elements, from nodal forces.
@@ -100,6 +119,17 @@ pub trait Chain: Send + Sync {
     /// Goes back from the root's solution `root` (last node's fields, border): x = scale × residual part - U⁻¹ root part.
     /// Panics unless `work` comes from an elimination of a chain of this kind.
     fn recover(&self, work: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]);
+    /// Takes a right-hand side b of K x = b, or of Kᵀ x = b where `transposed`, through the elimination that `work` comes from,
+    /// down to the root: returns what is left there, for the leading block of [`Root::matrix`] or its transpose to be solved for.
+    ///
+    /// K is the tangent that was eliminated, damping included. In the row of a field that is held at the left end it has one on the
+    /// diagonal and nothing else; its column is what it is. `right` holds a number an unknown: the fields node by node from left to
+    /// right, then the border where there is one. [`Chain::substitute`] turns it into x. Panics unless `work` comes from an
+    /// elimination of a chain of this kind and `right` has so many numbers.
+    fn reduce(&self, work: &ChainFactors, right: &mut [f64], transposed: bool) -> RootVector;
+    /// Goes back from the root's solution (last node's fields, border): makes x of a right-hand side that [`Chain::reduce`] has gone
+    /// through, with the same `work` and `transposed`.
+    fn substitute(&self, work: &ChainFactors, root: &[f64], right: &mut [f64], transposed: bool);
     /// Energy of a configuration, and how its adhesion energy changes along `direction`, a change of the fields.
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64);
     /// The gradient of the energy by the fields of the nodes, and by the border; for the fields that the left end holds, how far they are

@@ -95,6 +95,11 @@ impl PlanarBeam {
         &values[..values.len() - self.behind()]
     }
 
+    /// How many of the numbers belong to the chain: those of the nodes, and H.
+    pub(super) fn chained(&self, values: &[f64]) -> usize {
+        self.nodes(values).len() + usize::from(self.chain.has_border())
+    }
+
     pub(super) fn behind(&self) -> usize {
         if self.chain.has_border() { BEHIND } else { 0 }
     }

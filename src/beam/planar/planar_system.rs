@@ -78,14 +78,14 @@ impl System for PlanarBeam {
         let diagonal = self.diagonal(at, coefficients);
         let factors = ws.factors::<ChainFactors>();
         let root = self.chain.eliminate_damped(self.configuration(at), &row, &diagonal, factors)?;
-        let known = self.fields() + usize::from(self.chain.has_border());
+        let known = self.fields() + self.multipliers();
         let mut condensed = CondensedSystem {
             matrix: [[0.0; INTERFACE]; INTERFACE],
             residual: [0.0; INTERFACE],
             gradient: [0.0; INTERFACE],
             gradient_residual: root.matrix[known][known],
             negative: root.negative,
-            least_pivot: f64::INFINITY,
+            least_pivot: root.least_pivot.size,
             evaluation: self.evaluation(at, root.energy),
         };
         for i in 0..known {
@@ -112,11 +112,25 @@ impl System for PlanarBeam {
         direction[nodes..].copy_from_slice(&interface[fields..fields + self.behind()]);
     }
 
-    fn reduce(&self, _ws: &Workspace, _right: &mut [f64], _transposed: bool) -> [f64; INTERFACE] {
-        [0.0; INTERFACE]
+    /// The chain ends with H; where the right end is along the substrate stands behind it, beyond what is eliminated.
+    fn reduce(&self, ws: &Workspace, right: &mut [f64], transposed: bool) -> [f64; INTERFACE] {
+        let (chain, known) = (self.chained(right), self.fields() + self.multipliers());
+        let left = self.chain.reduce(ws.factored::<ChainFactors>(), &mut right[..chain], transposed);
+        let mut interface = [0.0; INTERFACE];
+        interface[..known].copy_from_slice(&left[..known]);
+        if let Some(place) = right.get(chain) {
+            interface[known] = *place;
+        }
+        interface
     }
 
-    fn substitute(&self, _ws: &Workspace, _interface: &[f64; INTERFACE], _right: &mut [f64], _transposed: bool) {}
+    fn substitute(&self, ws: &Workspace, interface: &[f64; INTERFACE], right: &mut [f64], transposed: bool) {
+        let chain = self.chained(right);
+        self.chain.substitute(ws.factored::<ChainFactors>(), interface, &mut right[..chain], transposed);
+        if let Some(place) = right.get_mut(chain) {
+            *place = interface[self.fields() + 1];
+        }
+    }
 
     fn evaluate(&self, at: &State, direction: &[f64]) -> (Evaluation, Rates) {
         let nodes = self.nodes(direction);

@@ -8,12 +8,15 @@
 
 mod back;
 mod ends;
+mod factors;
 mod read;
 mod sweep;
+#[cfg(test)]
+mod tests;
 
 use super::{
     AnyNumber, Basis, Chain, ChainFactors, Configuration, Element, ElementEnergy, Fixed, Front, Integrand, MOST_FIELDS,
-    MOST_NODES, MOST_ORDER, NodeState, Nodes, PathRow, Responses, Root, SectionState, slot,
+    MOST_NODES, MOST_ORDER, NodeState, Nodes, PathRow, Responses, Root, RootVector, SectionState, slot,
 };
 use crate::number::Four;
 use crate::solve::{History, SolveError};
@@ -202,6 +205,14 @@ impl<const F: usize> Chain for UniformChain<F> {
 
     fn recover(&self, work: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]) {
         (self.kernels.back)(self, work, root, scale, out);
+    }
+
+    fn reduce(&self, work: &ChainFactors, right: &mut [f64], transposed: bool) -> RootVector {
+        self.reduce_right(work, right, transposed)
+    }
+
+    fn substitute(&self, work: &ChainFactors, root: &[f64], right: &mut [f64], transposed: bool) {
+        self.substitute_right(work, root, right, transposed);
     }
 
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64) {

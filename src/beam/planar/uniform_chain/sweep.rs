@@ -2,8 +2,8 @@
 
 use super::ends::Ends;
 use super::{BUNDLE, Kept, UniformChain};
-use crate::beam::planar::chain::EndRow;
-use crate::beam::{ChainFactors, Configuration, ElementEnergy, Front, Nodes, PathRow, ROOT, Root};
+use crate::beam::planar::chain::{BelowEnd, EndRow};
+use crate::beam::{ChainFactors, Configuration, ElementEnergy, Front, LeastPivot, Nodes, PathRow, ROOT, Root};
 use crate::number::Four;
 use crate::solve::{Place, Quantity, SolveError};
 
@@ -34,7 +34,7 @@ impl<const F: usize> UniformChain<F> {
     ) -> Result<Root, SolveError> {
         // what the last time left, if it was a chain of this kind
         let mut kept: Box<Kept<F>> = work.fronts.take().and_then(|last| last.downcast().ok()).unwrap_or_default();
-        let root = self.sweep_into::<BORDER>(nodes, at, path, damping, &mut kept, &mut work.ends);
+        let root = self.sweep_into::<BORDER>(nodes, at, path, damping, &mut kept, (&mut work.ends, &mut work.below));
         work.fronts = Some(kept);
         root
     }
@@ -47,14 +47,16 @@ impl<const F: usize> UniformChain<F> {
         path: &PathRow,
         damping: &[f64],
         Kept { fronts, bundle, room }: &mut Kept<F>,
-        ends: &mut Vec<EndRow>,
+        (ends, below): (&mut Vec<EndRow>, &mut Vec<BelowEnd>),
     ) -> Result<Root, SolveError> {
         let (elements, order) = (at.ends.len() - 1, nodes.count() - 1);
         fronts.resize_with(elements.div_ceil(BUNDLE), Front::zero);
         ends.clear();
+        below.clear();
         let coupling = self.density.coupling();
         let mut energy = ElementEnergy::default();
         let mut negative = 0;
+        let mut least_pivot = LeastPivot { size: f64::INFINITY, element: 0 };
         let mut carry = [[0.0; ROOT]; ROOT];
         for (first, front) in (0..elements).step_by(BUNDLE).zip(fronts) {
             self.gather_bundle(nodes, at, first, bundle);
@@ -93,7 +95,11 @@ impl<const F: usize> UniformChain<F> {
                         place: Place { element: e, position: at.ends[e] },
                     });
                 }
+                if least < least_pivot.size {
+                    least_pivot = LeastPivot { size: least, element: e };
+                }
                 ends.extend_from_slice(&block[..F]);
+                below.push(Ends::<F, BORDER>::below(&block));
                 carry = Ends::<F, BORDER>::load(&block);
                 if !carry[0][0].is_finite() || !energy.total.is_finite() {
                     let place = Place { element: e, position: at.ends[e] };
@@ -104,7 +110,7 @@ impl<const F: usize> UniformChain<F> {
         if !damping.is_empty() {
             (0..F).for_each(|f| carry[f][f] += damping[elements * order * F + f]);
         }
-        Ok(Root { matrix: carry, negative, energy })
+        Ok(Root { matrix: carry, negative, energy, least_pivot })
     }
 
     /// Adds to the diagonal of the interior nodes of a bundle; the ends of its elements are left to the chain.
