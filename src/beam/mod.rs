@@ -15,7 +15,7 @@ mod section;
 mod varying;
 pub use basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, PerNode, slot};
 pub use density::{Coupling, Density, PointResponse, SectionState};
-pub use element::{Element, ElementEnergy, Responses};
+pub use element::{Element, ElementEnergy, Integration, Responses};
 pub use front::{Front, FrontRow, Pivots};
 pub use integrand::{Integrand, Point, PointEnergy};
 pub use on_ground::BeamOnGround;

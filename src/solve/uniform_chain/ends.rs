@@ -3,7 +3,7 @@
 use crate::beam::{Front, Nodes};
 use crate::number::Four;
 use crate::solve::chain::{BelowEnd, EDGE, EndRow};
-use crate::solve::{MOST_FIELDS, PathRow, ROOT};
+use crate::solve::{PathRow, ROOT};
 
 /// The block of F fields at each end, and of the border where there is one.
 pub(super) struct Ends<const F: usize, const BORDER: bool>;
@@ -81,14 +81,14 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
         (negative, least)
     }
 
-    /// What stands below the pivots in the rows of the right end and of the border.
+    /// Keeps what stands below the pivots in the rows of the right end and of the border.
     #[inline(always)]
-    pub fn below(block: &[EndRow; EDGE]) -> BelowEnd {
-        let mut below = [[0.0; MOST_FIELDS]; MOST_FIELDS + 1];
+    pub fn keep_below(block: &[EndRow; EDGE], below: &mut BelowEnd) {
         for i in F..Self::KNOWN {
-            below[i - F][..F].copy_from_slice(&block[i][..F]);
+            for k in 0..F {
+                below[i - F][k] = block[i][k];
+            }
         }
-        below
     }
 
     /// What is left on the right end, the border and the path.

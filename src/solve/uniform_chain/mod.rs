@@ -16,8 +16,8 @@ mod tests;
 
 use super::{Chain, Configuration, MOST_FIELDS, NodeState, PathRow, Root, RootVector, Slips, SolveError, Workspace};
 use crate::beam::{
-    AnyNumber, Basis, Element, ElementEnergy, Fixed, Front, Integrand, MOST_NODES, MOST_ORDER, Nodes, Responses,
-    SectionState, slot,
+    AnyNumber, Basis, Element, ElementEnergy, Fixed, Front, Integrand, Integration, MOST_NODES, MOST_ORDER, Nodes,
+    Responses, SectionState, slot,
 };
 use crate::number::Four;
 use std::ops::Range;
@@ -39,9 +39,13 @@ impl<const F: usize> Default for Kept<F> {
     }
 }
 
+/// The elimination of a chain.
+type Sweep<const F: usize> =
+    fn(&UniformChain<F>, Configuration, &PathRow, &[f64], &mut Workspace) -> Result<Root, SolveError>;
+
 /// The loops that take time, compiled for a number of nodes that is known then or for any.
 struct Kernels<const F: usize> {
-    sweep: fn(&UniformChain<F>, Configuration, &PathRow, &[f64], &mut Workspace) -> Result<Root, SolveError>,
+    sweep: Sweep<F>,
     back: fn(&UniformChain<F>, &Workspace, &[f64], f64, &mut [f64]),
     energy: fn(&UniformChain<F>, Configuration, &[f64]) -> (ElementEnergy, f64),
     node_states: fn(&UniformChain<F>, Configuration, Range<usize>) -> Vec<NodeState>,
@@ -89,6 +93,13 @@ impl<const F: usize> UniformChain<F> {
             _ => Kernels::of::<AnyNumber, BORDER>(),
         };
         Self { symmetric: density.is_symmetric(), density, basis: Basis::new(order), pinned_left, kernels }
+    }
+
+    /// How its elements are integrated.
+    #[inline(always)]
+    fn integration<N: Nodes>(&self, nodes: N) -> Integration<'_, N, F> {
+        let (density, coupling) = (&*self.density, self.density.coupling());
+        Integration { nodes, basis: &self.basis, density, coupling, symmetric: self.symmetric }
     }
 
     /// As many nodes as an element has.

@@ -4,8 +4,8 @@ use super::ends::Ends;
 use super::{BUNDLE, Kept, UniformChain};
 use crate::beam::{ElementEnergy, Front, Nodes};
 use crate::number::Four;
-use crate::solve::chain::{BelowEnd, EndRow};
-use crate::solve::{Configuration, LeastPivot, PathRow, ROOT, Root, SolveError, Workspace};
+use crate::solve::chain::{BelowEnd, EDGE, EndRow};
+use crate::solve::{Configuration, LeastPivot, MOST_FIELDS, PathRow, ROOT, Root, SolveError, Workspace};
 
 /// Pivots below this are zero to rounding.
 const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
@@ -51,24 +51,16 @@ impl<const F: usize> UniformChain<F> {
     ) -> Result<Root, SolveError> {
         let (elements, order) = (at.ends.len() - 1, nodes.count() - 1);
         fronts.resize_with(elements.div_ceil(BUNDLE), Front::zero);
-        ends.clear();
-        below.clear();
-        let coupling = self.density.coupling();
+        ends.resize(elements * F, [0.0; EDGE]);
+        below.resize(elements, [[0.0; MOST_FIELDS]; MOST_FIELDS + 1]);
+        let by = self.integration(nodes);
         let mut energy = ElementEnergy::default();
         let mut negative = 0;
         let mut least_pivot = LeastPivot { size: f64::INFINITY, element: 0 };
         let mut carry = [[0.0; ROOT]; ROOT];
         for (first, front) in (0..elements).step_by(BUNDLE).zip(fronts) {
             self.gather_bundle(nodes, at, first, bundle);
-            let (total, adhesion) = bundle.integrate::<BORDER>(
-                nodes,
-                (&*self.density, &coupling),
-                &self.basis,
-                self.symmetric,
-                path.adhesion,
-                room,
-                front,
-            );
+            let (total, adhesion) = bundle.integrate::<BORDER>(&by, path.adhesion, room, front);
             if !damping.is_empty() {
                 self.damp_inside(nodes, front, damping, first, elements);
             }
@@ -95,8 +87,8 @@ impl<const F: usize> UniformChain<F> {
                 if least < least_pivot.size {
                     least_pivot = LeastPivot { size: least, element: e };
                 }
-                ends.extend_from_slice(&block[..F]);
-                below.push(Ends::<F, BORDER>::below(&block));
+                ends[e * F..][..F].copy_from_slice(&block[..F]);
+                Ends::<F, BORDER>::keep_below(&block, &mut below[e]);
                 carry = Ends::<F, BORDER>::load(&block);
                 if !carry[0][0].is_finite() || !energy.total.is_finite() {
                     return Err(SolveError::NotFinite { quantity: "the tangent", element: e, position_nm: at.ends[e] });
