@@ -176,13 +176,25 @@ impl Real for Four {
     }
     #[inline(always)]
     fn each<const K: usize>(self, function: impl Fn(f64) -> [f64; K]) -> [Self; K] {
-        let each = self.0.map(function);
-        std::array::from_fn(|k| Self(each.map(|values| values[k])))
+        let mut out = [Self([0.0; 4]); K];
+        for l in 0..4 {
+            let values = function(self.0[l]);
+            for k in 0..K {
+                out[k].0[l] = values[k];
+            }
+        }
+        out
     }
     #[inline(always)]
     fn each_pair<const K: usize>(self, other: Self, function: impl Fn(f64, f64) -> [f64; K]) -> [Self; K] {
-        let each: [[f64; K]; 4] = std::array::from_fn(|l| function(self.0[l], other.0[l]));
-        std::array::from_fn(|k| Self(each.map(|values| values[k])))
+        let mut out = [Self([0.0; 4]); K];
+        for l in 0..4 {
+            let values = function(self.0[l], other.0[l]);
+            for k in 0..K {
+                out[k].0[l] = values[k];
+            }
+        }
+        out
     }
     #[inline(always)]
     fn each_of<const N: usize, const K: usize>(of: [Self; N], function: impl Fn([f64; N]) -> [f64; K]) -> [Self; K] {

@@ -30,6 +30,17 @@ pub struct Element<T, const F: usize> {
     pub border: f64,
 }
 
+/// How the elements of a chain are integrated.
+pub struct Integration<'a, N: Nodes, const F: usize> {
+    pub nodes: N,
+    pub basis: &'a Basis,
+    pub density: &'a dyn Integrand<F>,
+    /// Of the density
+    pub coupling: Coupling<F>,
+    /// Whether its second derivatives are symmetric.
+    pub symmetric: bool,
+}
+
 impl<T: Real, const F: usize> Element<T, F> {
     /// All zero.
     pub fn zero() -> Self {
@@ -92,14 +103,12 @@ impl<const F: usize> Element<Four, F> {
     #[inline(always)]
     pub fn integrate<const BORDER: bool>(
         &self,
-        nodes: impl Nodes,
-        (density, coupling): (&dyn Integrand<F>, &Coupling<F>),
-        basis: &Basis,
-        symmetric: bool,
+        by: &Integration<impl Nodes, F>,
         path_weight: f64,
         room: &mut Responses<F>,
         front: &mut Front<Four, F>,
     ) -> (Four, Four) {
+        let &Integration { nodes, basis, density, .. } = by;
         let zero = Four::splat(0.0);
         let stretch = self.stretch();
         let (mut energy, mut adhesion) = (zero, zero);
@@ -117,7 +126,7 @@ impl<const F: usize> Element<Four, F> {
             adhesion = adhesion + r.adhesion * once;
             front.add_gradient::<BORDER>(nodes, r, basis, q, (once, twice), path_weight);
         }
-        self.assemble(nodes, coupling, basis, symmetric, responses, weighted, front);
+        self.assemble(by, responses, weighted, front);
         (energy, adhesion)
     }
 
@@ -128,15 +137,12 @@ impl<const F: usize> Element<Four, F> {
     #[inline(always)]
     fn assemble(
         &self,
-        nodes: impl Nodes,
-        coupling: &Coupling<F>,
-        basis: &Basis,
-        symmetric: bool,
+        by: &Integration<impl Nodes, F>,
         responses: &[PointResponse<Four, F>; MOST_NODES],
         weighted: &mut Weighted,
         front: &mut Front<Four, F>,
     ) {
-        let stretch = self.stretch();
+        let (Integration { nodes, basis, coupling, .. }, stretch) = (by, self.stretch());
         for f in 0..F {
             for g in 0..F {
                 let [value_value, value_slope, slope_value, slope_slope] = &mut *weighted;
@@ -154,20 +160,15 @@ impl<const F: usize> Element<Four, F> {
                     slope_value: coupling.value_slope[g][f].then_some(&*slope_value),
                     slope_slope: coupling.slope_slope[f][g].then_some(&*slope_slope),
                 };
-                block.assemble(nodes, basis, symmetric, (f, g), front);
+                block.assemble(by, (f, g), front);
             }
         }
     }
 
     /// Energy, its share from adhesion, and how that changes along `direction`, a change of the fields.
     #[inline(always)]
-    pub fn energy(
-        &self,
-        nodes: impl Nodes,
-        density: &dyn Integrand<F>,
-        basis: &Basis,
-        direction: &[[Four; F]; MOST_NODES],
-    ) -> [Four; 3] {
+    pub fn energy(&self, by: &Integration<impl Nodes, F>, direction: &[[Four; F]; MOST_NODES]) -> [Four; 3] {
+        let &Integration { nodes, basis, density, .. } = by;
         let mut sums = [Four::splat(0.0); 3];
         for q in 0..nodes.count() - 1 {
             let (r, weight) = (density.energy_at(&self.point(nodes, basis, q), self.border), self.weight(basis, q));
@@ -185,7 +186,8 @@ impl<const F: usize> Element<Four, F> {
 impl<const F: usize> Element<f64, F> {
     /// The gradient of the energy, node by node: the forces that hold the element in place.
     #[inline(always)]
-    pub fn forces(&self, nodes: impl Nodes, density: &dyn Integrand<F>, basis: &Basis) -> [[f64; F]; MOST_NODES] {
+    pub fn forces(&self, by: &Integration<impl Nodes, F>) -> [[f64; F]; MOST_NODES] {
+        let &Integration { nodes, basis, density, .. } = by;
         let mut forces = [[0.0; F]; MOST_NODES];
         for q in 0..nodes.count() - 1 {
             let (g, weight) = (density.gradient_at(&self.point(nodes, basis, q), self.border), self.weight(basis, q));
@@ -273,31 +275,28 @@ impl Block<'_> {
     #[inline(always)]
     fn assemble<const F: usize>(
         &self,
-        nodes: impl Nodes,
-        basis: &Basis,
-        symmetric: bool,
+        by: &Integration<impl Nodes, F>,
         fields: (usize, usize),
         front: &mut Front<Four, F>,
     ) {
         let on_value = self.value_value.is_some() || self.slope_value.is_some();
         let on_slope = self.value_slope.is_some() || self.slope_slope.is_some();
         match (on_value, on_slope) {
-            (true, true) => self.rows::<true, true, F>(nodes, basis, symmetric, fields, front),
-            (true, false) => self.rows::<true, false, F>(nodes, basis, symmetric, fields, front),
-            (false, true) => self.rows::<false, true, F>(nodes, basis, symmetric, fields, front),
-            (false, false) => self.rows::<false, false, F>(nodes, basis, symmetric, fields, front),
+            (true, true) => self.rows::<true, true, F>(by, fields, front),
+            (true, false) => self.rows::<true, false, F>(by, fields, front),
+            (false, true) => self.rows::<false, true, F>(by, fields, front),
+            (false, false) => self.rows::<false, false, F>(by, fields, front),
         }
     }
 
     #[inline(always)]
     fn rows<const ON_VALUE: bool, const ON_SLOPE: bool, const F: usize>(
         &self,
-        nodes: impl Nodes,
-        basis: &Basis,
-        symmetric: bool,
+        by: &Integration<impl Nodes, F>,
         (f, g): (usize, usize),
         front: &mut Front<Four, F>,
     ) {
+        let &Integration { nodes, basis, symmetric, .. } = by;
         for a in 0..nodes.count() {
             // what row a puts on the unknown's values and on its slopes
             let on_value = mixed(nodes, basis, a, self.value_value, self.slope_value);

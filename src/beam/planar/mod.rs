@@ -20,7 +20,7 @@ mod uniform_chain;
 pub use basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, PerNode, slot};
 pub use chain::*;
 pub use density::{Coupling, Density, PointResponse, SectionState};
-pub use element::{Element, ElementEnergy, Responses};
+pub use element::{Element, ElementEnergy, Integration, Responses};
 pub use friction_history::FrictionHistory;
 pub use front::{Front, FrontRow, Pivots};
 pub use front_position::FrontPosition;

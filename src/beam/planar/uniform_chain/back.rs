@@ -46,7 +46,7 @@ impl<const F: usize> UniformChain<F> {
         }
         let kept = work.fronts.as_ref().and_then(|kept| kept.downcast_ref::<Kept<F>>());
         for (bundle, front) in kept.expect("work comes from an elimination of this chain").fronts.iter().enumerate() {
-            self.back_inside(nodes, front, bundle * BUNDLE, elements, border, scale, out);
+            self.back_inside(nodes, front, (bundle * BUNDLE, elements), border, scale, out);
         }
     }
 
@@ -58,8 +58,7 @@ impl<const F: usize> UniformChain<F> {
         &self,
         nodes: impl Nodes,
         front: &Front<Four, F>,
-        first: usize,
-        elements: usize,
+        (first, elements): (usize, usize),
         border: f64,
         scale: f64,
         out: &mut [f64],

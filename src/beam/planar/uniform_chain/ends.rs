@@ -1,7 +1,7 @@
 //! The block of an element's two ends, what condensation leaves of it: eliminated from its left end to its right.
 
 use crate::beam::planar::chain::{BelowEnd, EDGE, EndRow};
-use crate::beam::{Front, MOST_FIELDS, Nodes, PathRow, ROOT};
+use crate::beam::{Front, Nodes, PathRow, ROOT};
 use crate::number::Four;
 
 /// The block of F fields at each end, and of the border where there is one.
@@ -80,14 +80,14 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
         (negative, least)
     }
 
-    /// What stands below the pivots in the rows of the right end and of the border.
+    /// Keeps what stands below the pivots in the rows of the right end and of the border.
     #[inline(always)]
-    pub fn below(block: &[EndRow; EDGE]) -> BelowEnd {
-        let mut below = [[0.0; MOST_FIELDS]; MOST_FIELDS + 1];
+    pub fn keep_below(block: &[EndRow; EDGE], below: &mut BelowEnd) {
         for i in F..Self::KNOWN {
-            below[i - F][..F].copy_from_slice(&block[i][..F]);
+            for k in 0..F {
+                below[i - F][k] = block[i][k];
+            }
         }
-        below
     }
 
     /// What is left on the right end, the border and the path.

@@ -15,8 +15,8 @@ mod sweep;
 mod tests;
 
 use super::{
-    AnyNumber, Basis, Chain, ChainFactors, Configuration, Element, ElementEnergy, Fixed, Front, Integrand, MOST_FIELDS,
-    MOST_NODES, MOST_ORDER, NodeState, Nodes, PathRow, Responses, Root, RootVector, SectionState, slot,
+    AnyNumber, Basis, Chain, ChainFactors, Configuration, Element, ElementEnergy, Fixed, Front, Integrand, Integration,
+    MOST_FIELDS, MOST_NODES, MOST_ORDER, NodeState, Nodes, PathRow, Responses, Root, RootVector, SectionState, slot,
 };
 use crate::number::Four;
 use crate::solve::{History, SolveError};
@@ -93,6 +93,13 @@ impl<const F: usize> UniformChain<F> {
             _ => Kernels::of::<AnyNumber, BORDER>(),
         };
         Self { symmetric: density.is_symmetric(), density, basis: Basis::new(order), pinned_left, kernels }
+    }
+
+    /// How its elements are integrated.
+    #[inline(always)]
+    fn integration<N: Nodes>(&self, nodes: N) -> Integration<'_, N, F> {
+        let (density, coupling) = (&*self.density, self.density.coupling());
+        Integration { nodes, basis: &self.basis, density, coupling, symmetric: self.symmetric }
     }
 
     /// As many nodes as an element has.

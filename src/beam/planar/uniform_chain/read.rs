@@ -38,11 +38,11 @@ impl<const F: usize> UniformChain<F> {
     fn sum_energy(&self, nodes: impl Nodes, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64) {
         let elements = at.ends.len() - 1;
         let mut sums = [0.0; 3];
-        let mut bundle = Element::zero();
+        let (by, mut bundle) = (self.integration(nodes), Element::zero());
         for first in (0..elements).step_by(BUNDLE) {
             let changes = self.gather_values(nodes, direction, first, elements);
             self.gather_bundle(nodes, at, first, &mut bundle);
-            let parts = bundle.energy(nodes, &*self.density, &self.basis, &changes);
+            let parts = bundle.energy(&by, &changes);
             for (sum, part) in sums.iter_mut().zip(parts) {
                 *sum += part.0[..BUNDLE.min(elements - first)].iter().sum::<f64>();
             }
@@ -75,9 +75,10 @@ impl<const F: usize> UniformChain<F> {
     /// [`super::Chain::residual`]
     pub(super) fn residual_of(&self, at: Configuration) -> (Vec<f64>, f64) {
         let (nodes, mut residual, mut by_border) = (self.nodes(), vec![0.0; at.state.len()], 0.0);
+        let by = self.integration(nodes);
         for e in 0..at.ends.len() - 1 {
             let element = self.element(nodes, at, e);
-            self.scatter(e, &element.forces(nodes, &*self.density, &self.basis), &mut residual);
+            self.scatter(e, &element.forces(&by), &mut residual);
             by_border += element.border_force(nodes, &*self.density, &self.basis);
         }
         for (f, held) in self.pinned_left.iter().enumerate() {
@@ -109,11 +110,11 @@ impl<const F: usize> UniformChain<F> {
     /// [`super::Chain::node_states`]
     #[inline(always)]
     fn states_of(&self, nodes: impl Nodes, at: Configuration, elements: Range<usize>) -> Vec<NodeState> {
-        let order = nodes.count() - 1;
+        let (order, by) = (nodes.count() - 1, self.integration(nodes));
         let mut states = Vec::with_capacity(elements.len() + 1);
         for e in elements.clone() {
             let element = self.element(nodes, at, e);
-            let (values, forces) = (element.values, element.forces(nodes, &*self.density, &self.basis));
+            let (values, forces) = (element.values, element.forces(&by));
             let mut node = |slot: usize, position: f64, sign: f64| {
                 let forces = forces[slot].map(|force| sign * force);
                 let section = self.density.section_state_from_forces(position, values[slot], forces, at.border);

@@ -2,8 +2,10 @@
 
 use super::ends::Ends;
 use super::{BUNDLE, Kept, UniformChain};
-use crate::beam::planar::chain::{BelowEnd, EndRow};
-use crate::beam::{ChainFactors, Configuration, ElementEnergy, Front, LeastPivot, Nodes, PathRow, ROOT, Root};
+use crate::beam::planar::chain::{BelowEnd, EDGE, EndRow};
+use crate::beam::{
+    ChainFactors, Configuration, ElementEnergy, Front, LeastPivot, MOST_FIELDS, Nodes, PathRow, ROOT, Root,
+};
 use crate::number::Four;
 use crate::solve::{Place, Quantity, SolveError};
 
@@ -51,24 +53,16 @@ impl<const F: usize> UniformChain<F> {
     ) -> Result<Root, SolveError> {
         let (elements, order) = (at.ends.len() - 1, nodes.count() - 1);
         fronts.resize_with(elements.div_ceil(BUNDLE), Front::zero);
-        ends.clear();
-        below.clear();
-        let coupling = self.density.coupling();
+        ends.resize(elements * F, [0.0; EDGE]);
+        below.resize(elements, [[0.0; MOST_FIELDS]; MOST_FIELDS + 1]);
+        let by = self.integration(nodes);
         let mut energy = ElementEnergy::default();
         let mut negative = 0;
         let mut least_pivot = LeastPivot { size: f64::INFINITY, element: 0 };
         let mut carry = [[0.0; ROOT]; ROOT];
         for (first, front) in (0..elements).step_by(BUNDLE).zip(fronts) {
             self.gather_bundle(nodes, at, first, bundle);
-            let (total, adhesion) = bundle.integrate::<BORDER>(
-                nodes,
-                (&*self.density, &coupling),
-                &self.basis,
-                self.symmetric,
-                path.adhesion,
-                room,
-                front,
-            );
+            let (total, adhesion) = bundle.integrate::<BORDER>(&by, path.adhesion, room, front);
             if !damping.is_empty() {
                 self.damp_inside(nodes, front, damping, first, elements);
             }
@@ -98,8 +92,8 @@ impl<const F: usize> UniformChain<F> {
                 if least < least_pivot.size {
                     least_pivot = LeastPivot { size: least, element: e };
                 }
-                ends.extend_from_slice(&block[..F]);
-                below.push(Ends::<F, BORDER>::below(&block));
+                ends[e * F..][..F].copy_from_slice(&block[..F]);
+                Ends::<F, BORDER>::keep_below(&block, &mut below[e]);
                 carry = Ends::<F, BORDER>::load(&block);
                 if !carry[0][0].is_finite() || !energy.total.is_finite() {
                     let place = Place { element: e, position: at.ends[e] };

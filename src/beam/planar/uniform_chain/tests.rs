@@ -104,12 +104,10 @@ fn dense<const F: usize, const BORDER: bool>(
     let unknowns = fields + usize::from(BORDER);
     let (mut matrix, mut residual) = (DMatrix::zeros(unknowns, unknowns), DVector::zeros(unknowns));
     let (mut bundle, mut room, mut front) = (Element::zero(), Responses::default(), Front::zero());
-    let coupling = chain.density.coupling();
     for e in 0..elements {
         let (first, l) = (e - e % BUNDLE, e % BUNDLE);
         chain.gather_bundle(chain.nodes(), at, first, &mut bundle);
-        let density = (&*chain.density, &coupling);
-        bundle.integrate::<BORDER>(chain.nodes(), density, &chain.basis, chain.symmetric, 1.0, &mut room, &mut front);
+        bundle.integrate::<BORDER>(&chain.integration(chain.nodes()), 1.0, &mut room, &mut front);
         let known: Vec<_> = (0..=order)
             .flat_map(|rank| (0..F).map(move |f| ((e * order + rank) * F + f, slot(order + 1, rank), f)))
             .collect();
