@@ -4,6 +4,7 @@ use super::{Chain, Configuration, ElementEnergy, FrontPosition, MOST_FIELDS, Mes
 use crate::adhesion::Substrate;
 use crate::beam::Rest;
 use crate::solve::{Coefficients, Evaluation, History, INTERFACE, State};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// The monitor that is the peeling front: adhesion energy over that of a unit length at rest at the left end, nm; zero where nothing
@@ -93,6 +94,19 @@ impl PlanarBeam {
     /// The fields of the nodes, of values or of a direction.
     pub fn nodes<'a>(&self, values: &'a [f64]) -> &'a [f64] {
         &values[..values.len() - self.behind()]
+    }
+
+    /// The numbers of a state of this beam, or of one that is pulled in another direction: H and the place of the right end stay, go,
+    /// or come as zero.
+    pub fn adopted<'a>(&self, at: &'a State) -> Cow<'a, [f64]> {
+        let nodes = (at.mesh.elements() * self.chain.order() + 1) * self.fields();
+        let unknowns = nodes + self.behind();
+        if at.values.len() == unknowns {
+            return Cow::Borrowed(&at.values);
+        }
+        let mut values = at.values[..nodes].to_vec();
+        values.resize(unknowns, 0.0);
+        Cow::Owned(values)
     }
 
     /// How many of the numbers belong to the chain: those of the nodes, and H.

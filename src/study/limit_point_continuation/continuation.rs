@@ -272,7 +272,9 @@ impl<'m> Continuation<'m> {
             force += weight * known.equilibrium.force;
             target += weight * known.target;
         }
-        let states: Vec<&[f64]> = used.iter().map(|known| known.equilibrium.values.as_slice()).collect();
+        // along the way a pull can become vertical: there the beam has no axial force among its unknowns
+        let values: Vec<_> = used.iter().map(|known| problem.beam.adopted(&known.equilibrium)).collect();
+        let states: Vec<&[f64]> = values.iter().map(|values| &**values).collect();
         let mesh = problem.beam.mesh_near(focus, &newest.equilibrium.mesh);
         let sum = State { mesh, values: problem.system.combine(&states, &weights), force, history: None };
         (sum, target)
