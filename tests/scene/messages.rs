@@ -264,7 +264,7 @@ fn what_does_not_belong_to_a_substrate_is_named() {
         &["`substrate.radius`", "than \"flat\"", "\"sphere\" or \"cylinder\"", "no other keys"],
     );
     assert_says(&on("shape = \"cylinder\""), &["[substrate] lacks `radius`", "radius = \"200 nm\""]);
-    assert_says(&on("shape = \"wave\""), &["`substrate.shape` is \"wave\"", "\"flat\" or \"sphere\" or"]);
+    assert_says(&on("shape = \"wave\""), &["`substrate.shape` is \"wave\"", "\"flat\", \"sphere\", "]);
     assert_says(
         &on("shape = \"profile\"\ntable = \"no.csv\""),
         &["`substrate.table` names the file dir/no.csv, which cannot be read"],

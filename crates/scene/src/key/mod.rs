@@ -426,5 +426,8 @@ fn word<T: Copy + PartialEq>(choices: &[(&'static str, T)], value: T) -> String 
 
 fn words<T>(choices: &[(&'static str, T)]) -> String {
     let words: Vec<String> = choices.iter().map(|(word, _)| format!("\"{word}\"")).collect();
-    words.join(" or ")
+    match words.split_last() {
+        Some((last, others)) if !others.is_empty() => format!("{} or {last}", others.join(", ")),
+        _ => words.concat(),
+    }
 }
