@@ -47,7 +47,7 @@ pub static KEYS: &[Key] = &[
     key("spatula", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut spatula(s).material.shear_correction), "shear correction factor of the section"),
     key("spatula", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut spatula(s).material.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
 
-    key("profile", "table", Required, Kind::Table(|s| &mut profile(s).form), "the beam as CSV, or name of its file"),
+    key("profile", "table", Required, Kind::Table(|s| &mut profile(s).form), "beam as CSV, or name of its file"),
     key("profile", "pieces", Required, Kind::Pieces(|s| &mut profile(s).form), "beam piece by piece, instead of table"),
     key("profile", "youngs_modulus", Required, Kind::Quantity(Pressure, |s| &mut profile(s).material.youngs_modulus), "Young's modulus E"),
     key("profile", "poissons_ratio", Optional, Kind::Number(Range::POISSONS_RATIO, |s| &mut profile(s).material.poissons_ratio), "Poisson's ratio"),
