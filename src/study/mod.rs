@@ -14,7 +14,7 @@ mod rod;
 mod stop_criteria;
 mod sweep;
 mod terms;
-pub use crate::solve::LimitPointKind as Turn;
+pub use crate::solve::LimitPointKind;
 /// Order of the elements with which a point is followed.
 pub use accuracy::ORDER as FOLLOWED_ORDER;
 pub use accuracy::{ACCURACY_NUMBERS, Accuracy, Choice};

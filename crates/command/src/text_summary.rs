@@ -3,8 +3,8 @@
 use peelkit::beam::{GripForces, GripState};
 use peelkit::model::Step;
 use peelkit::study::{
-    Contact, FollowedSweep, LeftOut, LimitPoint, Observed, PathEnd, Peak, Peel, PointKind, PullOff, Sliding,
-    TermDecisions, TermEffect, TestEnd, Turn,
+    Contact, FollowedSweep, LeftOut, LimitPoint, LimitPointKind, Observed, PathEnd, Peak, Peel, PointKind, PullOff,
+    Sliding, TermDecisions, TermEffect, TestEnd,
 };
 use peelkit_report::{
     SweepRow, end_reason, end_word, ground_warning, jump_word, left_out, test_end_reason, test_end_word, why_kept,
@@ -38,8 +38,8 @@ pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64) -> String {
     ]);
     for (index, at) in peel.limit_points.iter().enumerate() {
         let kind = match at.kind {
-            Turn::Displacement => "displacement limit point",
-            Turn::Load => "load limit point",
+            LimitPointKind::Displacement => "displacement limit point",
+            LimitPointKind::Load => "load limit point",
         };
         let displacement = with_error(at.displacement, at.displacement_error);
         let force = with_error(at.force, at.force_error);
@@ -360,7 +360,7 @@ mod tests {
         let scene = Scene::parse("short.toml", text, &[]).unwrap();
         let bounds = Bounds { points: 1, ..scene.bounds };
         let snap_off = LimitPoint {
-            kind: Turn::Displacement,
+            kind: LimitPointKind::Displacement,
             displacement: 48.2156178228,
             force: 0.0375627292,
             end_rotation: 0.9,
@@ -371,7 +371,7 @@ mod tests {
             after: 0,
         };
         let mut made_up = study::peel(&scene.model, &scene.accuracy, &bounds.from_now());
-        made_up.limit_points = vec![LimitPoint { kind: Turn::Load, ..snap_off }, snap_off];
+        made_up.limit_points = vec![LimitPoint { kind: LimitPointKind::Load, ..snap_off }, snap_off];
         made_up.initiation_peak = None;
         made_up.peak = Some(Peak {
             displacement: 0.2496,

@@ -1,7 +1,7 @@
 //! What ends, points and forms are called in outputs.
 
 use peelkit::model::Form;
-use peelkit::study::{JumpKind, PathEnd, TestEnd, Turn};
+use peelkit::study::{JumpKind, LimitPointKind, PathEnd, TestEnd};
 
 /// The name of an end in outputs.
 pub fn end_word(end: &PathEnd) -> &'static str {
@@ -26,10 +26,10 @@ pub fn end_reason(end: &PathEnd) -> Option<String> {
 }
 
 /// The name of a limit point's kind in outputs.
-pub fn turn_word(turn: Turn) -> &'static str {
-    match turn {
-        Turn::Displacement => "displacement",
-        Turn::Load => "load",
+pub fn limit_point_kind_word(kind: LimitPointKind) -> &'static str {
+    match kind {
+        LimitPointKind::Displacement => "displacement",
+        LimitPointKind::Load => "load",
     }
 }
 

@@ -6,7 +6,7 @@
 use super::check::{Check, Measure, Topic};
 use super::reference;
 use peelkit::model::StripModel;
-use peelkit::study::{Accuracy, PathEnd, Peel, StopCriteria, Turn, peel};
+use peelkit::study::{Accuracy, LimitPointKind, PathEnd, Peel, StopCriteria, peel};
 use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic =
@@ -104,7 +104,7 @@ pub fn survey() -> Survey {
 /// Value and bound of every number that a row may hold.
 pub(super) fn reported(peel: &Peel) -> [(&'static str, Option<(f64, f64)>); 6] {
     let peak = peel.initiation_peak.as_ref();
-    let mut turns = peel.limit_points.iter().filter(|point| point.kind == Turn::Displacement);
+    let mut turns = peel.limit_points.iter().filter(|point| point.kind == LimitPointKind::Displacement);
     let (first, second) = (turns.next(), turns.next());
     [
         ("peak_displacement_nm", peak.map(|p| (p.displacement, p.displacement_error))),

@@ -7,7 +7,7 @@
 use super::check::{Check, Measure};
 use super::hard_scene::HardScene;
 use peelkit::model::{Body, PeelModel};
-use peelkit::study::{Accuracy, LimitPoint, PathEnd, Peel, Turn, peel};
+use peelkit::study::{Accuracy, LimitPoint, LimitPointKind, PathEnd, Peel, peel};
 use peelkit_scene::Bounds;
 use rayon::prelude::*;
 
@@ -101,7 +101,7 @@ fn compare(name: &str, one: &Peel, other: &Peel, units: (f64, f64)) -> Repeated 
     }
     let turns = |peel: &Peel, kind| peel.limit_points.iter().filter(|p| p.kind == kind).copied().collect::<Vec<_>>();
     let of_kind = |kind| compare_turns(name, &turns(one, kind), &turns(other, kind), units);
-    of_kind(Turn::Displacement).and(of_kind(Turn::Load))
+    of_kind(LimitPointKind::Displacement).and(of_kind(LimitPointKind::Load))
 }
 
 /// Limit points of one kind, in path order; the first of them alone where one run has more of them.
@@ -109,7 +109,7 @@ fn compare_turns(name: &str, one: &[LimitPoint], other: &[LimitPoint], (length, 
     let same = one.len() == other.len();
     let mut found = Repeated::default();
     if let Some(first) = one.first().or(other.first()) {
-        found.alone[usize::from(first.kind == Turn::Load)] = one.len().abs_diff(other.len());
+        found.alone[usize::from(first.kind == LimitPointKind::Load)] = one.len().abs_diff(other.len());
     }
     for (n, (a, b)) in one.iter().zip(other).take(if same { usize::MAX } else { 1 }).enumerate() {
         let places = [(a.displacement, a.displacement_error), (b.displacement, b.displacement_error)];

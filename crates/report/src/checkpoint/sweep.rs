@@ -114,7 +114,7 @@ fn read_lines(text: &[u8]) -> Vec<Line> {
 mod tests {
     use super::*;
     use peelkit::solve::{PathError, Place, SolveError};
-    use peelkit::study::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peak, Plateau, Turn};
+    use peelkit::study::{Effort, Failure, LimitPoint, LimitPointKind, PathEnd, PathFailure, Peak, Plateau};
     use peelkit_scene::find_key;
 
     fn scene() -> Scene {
@@ -142,7 +142,7 @@ mod tests {
             displacement_error: 2.225_073_858_507_201e-308,
         };
         let snap_off = LimitPoint {
-            kind: Turn::Displacement,
+            kind: LimitPointKind::Displacement,
             displacement: 48.215_617_822_8,
             force: 9.007_199_254_740_993e15,
             end_rotation: 0.9,

@@ -6,7 +6,7 @@
 use crate::chart::{
     Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, order_shade, significant,
 };
-use peelkit::study::{LimitPoint, Peel, Turn};
+use peelkit::study::{LimitPoint, LimitPointKind, Peel};
 
 const HEIGHT: u32 = 440;
 /// About how many points the curve is drawn with.
@@ -148,7 +148,7 @@ fn marks(peel: &Peel, numbered: &[usize]) -> Vec<Mark> {
         let wanted = name.is_some() || (labelled.len() < LABELLED && !labelled.iter().any(near));
         labelled.extend(wanted.then_some(limit));
         let note = wanted.then(|| values(name, limit.displacement, limit.force));
-        let symbol = if limit.kind == Turn::Displacement { Symbol::Diamond } else { Symbol::Triangle };
+        let symbol = if limit.kind == LimitPointKind::Displacement { Symbol::Diamond } else { Symbol::Triangle };
         marks.push(Mark { at: (limit.displacement, limit.force), symbol, colour: colour::INK, name: None, note });
     }
     if let Some(peak) = peel.peak.filter(|p| !peel.limit_points.iter().any(|l| same(l.displacement, p.displacement))) {
@@ -171,9 +171,9 @@ fn title_of(peel: &Peel, limit: &LimitPoint) -> Option<&'static str> {
         peel.limit_points.iter().find(here) == Some(limit)
     };
     match limit.kind {
-        Turn::Displacement if is(peel.snap_off.map(|s| s.displacement)) => Some("snap-off"),
-        Turn::Load if is(peel.initiation_peak.map(|p| p.displacement)) => Some("initiation peak"),
-        Turn::Load if is(peel.peak.map(|p| p.displacement)) => Some("peak force"),
+        LimitPointKind::Displacement if is(peel.snap_off.map(|s| s.displacement)) => Some("snap-off"),
+        LimitPointKind::Load if is(peel.initiation_peak.map(|p| p.displacement)) => Some("initiation peak"),
+        LimitPointKind::Load if is(peel.peak.map(|p| p.displacement)) => Some("peak force"),
         _ => None,
     }
 }

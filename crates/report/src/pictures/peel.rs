@@ -5,7 +5,7 @@ use super::shapes::{Posed, shapes_picture};
 use crate::chart::{Picture, save};
 use crate::error::ReportError;
 use crate::names::end_reason;
-use peelkit::study::{LimitPoint, Peel, Turn};
+use peelkit::study::{LimitPoint, LimitPointKind, Peel};
 use std::path::{Path, PathBuf};
 
 /// How many deformed shapes are shown.
@@ -74,7 +74,7 @@ pub fn numbered_points(peel: &Peel) -> Vec<usize> {
     let snap_off = peel.snap_off.as_ref().and_then(at);
     let mut chosen: Vec<usize> = vec![last];
     chosen.extend(peel.initiation_peak.and_then(|p| nearest(p.displacement, 0, snap_off.unwrap_or(last))));
-    chosen.extend(peel.limit_points.iter().filter(|p| p.kind == Turn::Displacement).take(2).filter_map(at));
+    chosen.extend(peel.limit_points.iter().filter(|p| p.kind == LimitPointKind::Displacement).take(2).filter_map(at));
     chosen.sort_unstable();
     chosen.dedup();
     // Lengths along the curve as it is seen, each axis by its own range.
@@ -129,7 +129,7 @@ mod tests {
             iterations: 0,
         };
         let limit = |displacement: f64, after: usize| LimitPoint {
-            kind: Turn::Displacement,
+            kind: LimitPointKind::Displacement,
             displacement,
             force: 1.0,
             end_rotation: 0.0,

@@ -8,7 +8,7 @@ use super::sliding::SlidingSummary;
 use super::term_summary::ConsideredSummary;
 use crate::error::ReportError;
 use crate::file::write_whole;
-use crate::names::{end_reason, end_word, turn_word};
+use crate::names::{end_reason, end_word, limit_point_kind_word};
 use crate::number::{Finite, to_json};
 use peelkit::beam::GripState;
 use peelkit::model::Step;
@@ -238,7 +238,7 @@ impl From<study::Peak> for Peak {
 impl From<&study::LimitPoint> for LimitPoint {
     fn from(at: &study::LimitPoint) -> Self {
         Self {
-            kind: turn_word(at.kind),
+            kind: limit_point_kind_word(at.kind),
             displacement: Finite(at.displacement),
             force: Finite(at.force),
             end_rotation: Finite(at.end_rotation),

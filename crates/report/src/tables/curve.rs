@@ -2,7 +2,7 @@
 
 use super::table::write_table;
 use crate::error::ReportError;
-use crate::names::turn_word;
+use crate::names::limit_point_kind_word;
 use crate::number::Finite;
 use peelkit::study::{Observed, Peel};
 use serde::Serialize;
@@ -54,7 +54,7 @@ pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportErro
         after_point: usize,
     }
     let lines = peel.limit_points.iter().map(|at| Line {
-        kind: turn_word(at.kind),
+        kind: limit_point_kind_word(at.kind),
         displacement_nm: Finite(at.displacement),
         force: Finite(at.force),
         end_rotation_rad: Finite(at.end_rotation),

@@ -98,7 +98,7 @@ fn refine_largest(rows: &[SweepRow], peel: impl Fn(&[f64]) -> Vec<SweepRow>) -> 
 mod tests {
     use super::*;
     use crate::figures::runner::{ACCURACY, BOUNDS};
-    use peelkit::study::{Found, LimitPoint, Turn};
+    use peelkit::study::{Found, LimitPoint, LimitPointKind};
 
     /// Rows that have no path but a work: of a curve that is largest at log EI = 0.37.
     fn rows(values: &[f64]) -> Vec<SweepRow> {
@@ -107,7 +107,7 @@ mod tests {
         let found = Found::from(&peelkit::study::peel(&model, &ACCURACY, &BOUNDS));
         let mut row = SweepRow { value: 0.0, model: model.into(), found, solve_s: 0.0 };
         let snap_off = LimitPoint {
-            kind: Turn::Displacement,
+            kind: LimitPointKind::Displacement,
             displacement: 1.0,
             force: 1.0,
             end_rotation: 0.0,

@@ -1,7 +1,7 @@
 //! Peak, plateau, limit points and their error bounds at six stiffnesses and three line loads.
 
 use super::{Case, Check, DEFAULT, Measure, check};
-use peelkit::study::{LimitPoint, Turn};
+use peelkit::study::{LimitPoint, LimitPointKind};
 
 pub(super) fn checks(cases: &[Case]) -> Vec<Check> {
     cases.iter().flat_map(one).collect()
@@ -10,8 +10,9 @@ pub(super) fn checks(cases: &[Case]) -> Vec<Check> {
 /// The numbers of one strip.
 fn one(case: &Case) -> Vec<Check> {
     let peel = &case.peel;
-    let turn =
-        |index| -> Option<&LimitPoint> { peel.limit_points.iter().filter(|p| p.kind == Turn::Displacement).nth(index) };
+    let turn = |index| -> Option<&LimitPoint> {
+        peel.limit_points.iter().filter(|p| p.kind == LimitPointKind::Displacement).nth(index)
+    };
     let (peak, first, second) = (peel.initiation_peak, turn(0), turn(1));
     let values = [
         ("initiation peak, nm", "peak_displacement_nm", peak.map(|p| (p.displacement, p.displacement_error))),
