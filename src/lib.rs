@@ -17,6 +17,7 @@
 //! The modules build on one another: `adhesion` and `solve` on nothing, `beam` on both, `model` on `beam`, `study` on `model`.
 
 #![forbid(unsafe_code)]
+#![warn(missing_docs)]
 // sums over fields, nodes and points read as in the equations
 #![allow(clippy::needless_range_loop)]
 

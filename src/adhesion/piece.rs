@@ -14,6 +14,7 @@ use super::section::{Law, LineLaw, LineLoad};
 /// A rectangle l × h, a unit of width of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
+    /// What it is in front of
     pub half_space: HalfSpace,
     /// Along the axis, nm
     pub length: f64,
@@ -28,7 +29,9 @@ pub struct Piece {
 /// Force away from the half space (nN/nm) and moment about the centre (nN), per width.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Resultant {
+    /// Positive away from the half space, nN/nm
     pub force: f64,
+    /// About the centre, positive counterclockwise, nN
     pub moment: f64,
 }
 
@@ -43,6 +46,7 @@ pub enum Faces {
 
 /// How the interaction is computed, from the finest to the coarsest.
 #[derive(Clone, Debug)]
+#[allow(missing_docs)] // the text of each names its fields
 pub enum Level {
     /// Atoms at the given spacing (nm) on both sides, eq. (2), summed one by one up to a cutoff (nm).
     Atoms { spacing: f64, cutoff: f64 },

@@ -28,7 +28,9 @@ impl Section {
 pub struct Material {
     /// E, GPa = nN/nm²
     pub youngs_modulus: f64,
+    /// ν, without a unit
     pub poissons_ratio: f64,
+    /// k_s, without a unit: G k_s A is the shear stiffness
     pub shear_correction: f64,
     /// Multiplies EI alone.
     pub bending_stiffness_factor: f64,

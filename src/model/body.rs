@@ -26,8 +26,11 @@ pub trait Geometry: Contour {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Body {
+    /// A strip of one section
     Strip(Strip),
+    /// A spatula: pad, neck and shaft
     Spatula(Spatula),
+    /// A beam whose width and height are given along it
     Profile(Profile),
 }
 

@@ -17,6 +17,7 @@ use std::sync::Arc;
 #[derive(Clone)]
 pub struct PlanarProblem {
     problem: Problem,
+    /// What the solver sees as a system
     pub beam: Arc<PlanarBeam>,
 }
 
@@ -50,9 +51,11 @@ impl PlanarProblem {
 /// How a beam is discretised.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Discretisation {
+    /// Which unknowns a node has
     pub form: Form,
     /// Order p of the elements, 1 to [`Discretisation::MOST_ORDER`]; a higher one is taken for that
     pub order: usize,
+    /// How the elements are placed
     pub mesh: MeshKind,
 }
 

@@ -24,7 +24,9 @@ pub enum Start {
 /// What a beam lies on; level ground unless given.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Ground {
+    /// The shape of the ground
     pub substrate: Substrate,
+    /// Where the beam is before it settles
     pub start: Start,
 }
 

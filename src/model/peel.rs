@@ -16,11 +16,13 @@ pub struct Adhesion {
     pub hamaker_constant: f64,
     /// r0 of the pair potential, nm
     pub equilibrium_distance: f64,
+    /// The adhesion model
     pub attraction: Attraction,
     /// Work of adhesion of a cohesive law, J/m²; none: that of the half space
     pub work: Option<f64>,
     /// Strength of a cohesive law, GPa; none: that of the half space
     pub strength: Option<f64>,
+    /// Whether the contact moment acts beside the line force
     pub line_load: LineLoad,
     /// Whether the attraction of the upper surface is included (the r2 terms).
     pub far_face: bool,
@@ -65,13 +67,16 @@ impl Adhesion {
 #[serde(rename_all = "kebab-case")]
 pub enum Hold {
     #[default]
+    /// It is without a force or moment
     Free,
+    /// It stays, or moves as the drive says
     Fixed,
 }
 
 /// The grip at S = L.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Grip {
+    /// Of θ(L)
     pub rotation: Hold,
     /// Across the pull: free, so that the force points along the pull, or held, so that the grip moves along the pull. Where that is
     /// straight up, across it is horizontal.
@@ -133,13 +138,19 @@ const ROUNDED: f64 = 1e-12;
 /// It is written and read by serde, and the same to the last bit after that; a law of the user's own cannot be written.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PeelModel {
+    /// The beam
     pub body: Body,
+    /// What attracts it to the ground
     pub adhesion: Adhesion,
+    /// Which unknowns of its end are constrained
     pub grip: Grip,
+    /// Where its end is moved
     pub pull: Pull,
     /// What the grip does before, one after the other.
     pub steps: Vec<Step>,
+    /// What it adheres to
     pub ground: Ground,
+    /// What resists sliding
     pub friction: Friction,
 }
 

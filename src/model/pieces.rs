@@ -54,6 +54,7 @@ impl TryFrom<Vec<Piece>> for ProfilePieces {
 
 /// What is wrong with pieces; those are counted from 1.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum PiecesError {
     #[error("has {0} pieces; it takes 1 to {MOST_PIECES}")]
     Count(usize),

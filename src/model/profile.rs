@@ -11,7 +11,9 @@ use std::sync::Arc;
 /// A beam by a table or by pieces, and what it is made of.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
+    /// How width and height are given
     pub form: ProfileForm,
+    /// What it is made of
     pub material: Material,
 }
 
@@ -19,7 +21,9 @@ pub struct Profile {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ProfileForm {
+    /// By rows of numbers
     Table(ProfileTable),
+    /// By pieces with a formula each
     Pieces(ProfilePieces),
 }
 
@@ -146,6 +150,7 @@ impl TryFrom<Columns> for ProfileTable {
 
 /// What is wrong with a table.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum TableError {
     #[error("has in row {row} `{column}` = {found}, which {wrong}")]
     Cell { row: usize, column: &'static str, found: String, wrong: &'static str },

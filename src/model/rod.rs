@@ -12,8 +12,11 @@ use serde::{Deserialize, Serialize};
 /// What an end of a rod does with each of its unknowns: `Fixed` at the value of the rest curve, or `Free`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Support {
+    /// Along the substrate
     pub x: Hold,
+    /// Normal to it
     pub y: Hold,
+    /// Of the section
     pub rotation: Hold,
 }
 
@@ -50,15 +53,21 @@ pub enum Drive {
 pub struct RodModel {
     /// L along the rest curve, nm
     pub length: f64,
+    /// EA, GA_s and EI: nN, nN, nN nm²
     pub section: Section,
+    /// The stress-free axis
     pub rest: RestCurve,
+    /// At S = 0
     pub left: Support,
+    /// At S = L
     pub right: Support,
+    /// Which unknown of the right end is moved
     pub drive: Drive,
 }
 
 /// What is wrong with a [`RodModel`].
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum RodError {
     #[error("{what} is {value}; it must be a positive finite number")]
     NotPositive { what: &'static str, value: f64 },

@@ -13,15 +13,21 @@ use std::sync::Arc;
 /// Geometry and material of a spatula. Lengths in nm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Spatula {
+    /// Of the part that adheres, flat underneath
     pub pad_length: f64,
     /// From the pad to the shaft.
     pub neck_length: f64,
+    /// From the neck to the grip
     pub shaft_length: f64,
     /// Over this length from the pad on the axis turns up.
     pub bend_length: f64,
+    /// b of the pad, but for its rounded end
     pub tip_width: f64,
+    /// b at the narrowest place
     pub neck_width: f64,
+    /// Of its round section
     pub shaft_diameter: f64,
+    /// h of the pad
     pub pad_thickness: f64,
     /// rad
     pub shaft_angle: f64,
@@ -29,6 +35,7 @@ pub struct Spatula {
     pub tip_rounding_length: f64,
     /// Width of the end face where it is rounded.
     pub tip_rounding_width: f64,
+    /// What it is made of
     pub material: Material,
 }
 

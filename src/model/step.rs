@@ -23,6 +23,7 @@ pub enum Step {
 
 /// Why a step is none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum StepError {
     #[error("whose amount is not a finite number")]
     NotFinite,
@@ -35,8 +36,11 @@ pub enum StepError {
 /// What a step moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Moved {
+    /// y of the grip, nm
     Height,
+    /// x of the grip, nm
     Place,
+    /// θ of the grip, rad
     Rotation,
 }
 

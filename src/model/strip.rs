@@ -17,7 +17,9 @@ pub struct Strip {
     pub width: f64,
     /// GPa = nN/nm²
     pub youngs_modulus: f64,
+    /// ν, without a unit
     pub poissons_ratio: f64,
+    /// k_s, without a unit
     pub shear_correction: f64,
     /// Multiplies EI alone.
     pub bending_stiffness_factor: f64,
@@ -70,9 +72,13 @@ impl Geometry for Strip {
 /// A strip, its adhesion, its grip and how that is moved: the [`PeelModel`] of Section 4 of the paper, with its parts at hand.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StripModel {
+    /// Geometry and material
     pub strip: Strip,
+    /// What attracts it to the ground
     pub adhesion: Adhesion,
+    /// Which unknowns of its end are constrained
     pub grip: Grip,
+    /// Where its end is moved
     pub pull: Pull,
 }
 

@@ -6,6 +6,7 @@ use std::fmt;
 /// Where in a system something went wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Place {
+    /// Counted from the left end from 0
     pub element: usize,
     /// S of its left end, nm
     pub position: f64,
@@ -43,6 +44,7 @@ impl fmt::Display for Quantity {
 
 /// Why equilibrium was not found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum SolveError {
     /// A number of the system is not finite.
     #[error("not a finite number in {quantity}, {place}")]

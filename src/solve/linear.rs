@@ -27,7 +27,9 @@ pub struct Tangents<'p> {
 /// A solution of the bordered system: of the unknowns, and of the force or of the path constraint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bordered {
+    /// Of the unknowns, in their order
     pub direction: Vec<f64>,
+    /// Of the force, nN, or of the path constraint
     pub last: f64,
 }
 

@@ -13,6 +13,7 @@ pub struct NewtonOptions {
     pub tolerance: f64,
     /// A first update above this is refused: the start was too far away.
     pub largest_update: f64,
+    /// More are refused
     pub most_iterations: usize,
     /// Whether slopes are taken at the solution itself. Otherwise they come from Newton's last matrix, one update back,
     /// at no cost, with an error of the size of that update.
@@ -29,10 +30,12 @@ impl Default for NewtonOptions {
 /// A converged equilibrium with all that is known about it there.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Solution {
+    /// The configuration
     pub at: State,
     /// Its values on the mesh that its own monitors ask for: what predictions combine. The mesh of `at` lies where the monitors
     /// were predicted, and that prediction's error would be noise.
     pub aligned: Vec<f64>,
+    /// Displacement, force and what else measures the path
     pub observables: Observables,
     /// Change of the observables along the path, per unit of the constraint's target.
     pub slope: Observables,
@@ -42,7 +45,9 @@ pub struct Solution {
     pub energy: f64,
     /// Negative eigenvalues with the displacement held, and with the force held.
     pub negative: usize,
+    /// Those with the force held
     pub negative_load: usize,
+    /// Newton iterations that it took
     pub iterations: usize,
     /// Distance from the start to the solution, relative as in [`super::System::size`].
     pub correction: f64,
@@ -64,6 +69,7 @@ const LAST: f64 = 1e-5;
 pub struct Tangent {
     /// Of the unknowns
     pub direction: Vec<f64>,
+    /// Of the force, nN per unit of the constraint
     pub force: f64,
 }
 

@@ -75,6 +75,8 @@ impl Observables {
 /// weights · observables = target: displacement control, force control, or a step along the path.
 #[derive(Clone, Copy, Debug)]
 pub struct PathConstraint {
+    /// One for each observable
     pub weights: Observables,
+    /// In the unit of weights times observables
     pub target: f64,
 }

@@ -6,9 +6,13 @@ use std::sync::Arc;
 /// A system in a grip, with the start of its path.
 #[derive(Clone)]
 pub struct Problem {
+    /// What is in equilibrium
     pub system: Arc<dyn System>,
+    /// Which unknowns of the interface are held, driven or free
     pub grip: EndConditions,
+    /// What measures the way along the path
     pub measure: PathMeasure,
+    /// Where the path begins
     pub start: InitialState,
 }
 
@@ -25,6 +29,7 @@ pub struct PathMeasure {
 
 /// Where a path starts.
 #[derive(Clone, Debug)]
+#[allow(missing_docs)] // the text of each names its fields
 pub enum InitialState {
     /// In the stress-free configuration, which is an equilibrium of what is held.
     StressFree,

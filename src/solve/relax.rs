@@ -75,11 +75,13 @@ pub struct Relaxed {
     pub energies: Vec<f64>,
     /// Steps taken, and eliminations of all that were tried.
     pub steps: usize,
+    /// Eliminations, of steps that were refused as well
     pub eliminations: usize,
 }
 
 /// Why it did not come to rest.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum RelaxError {
     /// Steps became too short.
     #[error("after {steps} relaxation steps no shorter one lowers the energy {energy:.9e} aJ: {cause}")]

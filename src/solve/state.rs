@@ -22,6 +22,7 @@ impl Mesh {
 /// A configuration of a system, in equilibrium or not.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct State {
+    /// Where its elements end
     pub mesh: Mesh,
     /// The unknowns, as [`super::System`] lays them out.
     pub values: Vec<f64>,

@@ -18,7 +18,9 @@ pub const INTERFACE: usize = 6;
 /// An unknown of the interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unknown {
+    /// As in messages
     pub name: &'static str,
+    /// As in messages
     pub unit: &'static str,
 }
 
@@ -26,7 +28,9 @@ pub struct Unknown {
 /// nothing. A step Δt of a gradient flow has Δt and ∞, one of an implicit rule of motion multiples of Δt and Δt².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficients {
+    /// Of the damping matrix: a time
     pub per_damping: f64,
+    /// Of the mass matrix: a time squared
     pub per_mass: f64,
 }
 
@@ -38,10 +42,13 @@ impl Coefficients {
 /// What is left of a system when all unknowns but those of the interface are eliminated. Slots are those of the interface.
 #[derive(Clone, Copy, Debug)]
 pub struct CondensedSystem {
+    /// Rows are equations, columns unknowns
     pub matrix: [[f64; INTERFACE]; INTERFACE],
+    /// Of these equations
     pub residual: [f64; INTERFACE],
     /// The gradient of the weighed monitors, and what elimination adds to their sum.
     pub gradient: [f64; INTERFACE],
+    /// What elimination adds to the sum of the weighed monitors
     pub gradient_residual: f64,
     /// Negative eigenvalues of the system with its interface held.
     pub negative: usize,
@@ -56,6 +63,7 @@ pub struct CondensedSystem {
 pub struct Evaluation {
     /// Π without the work of the force, aJ
     pub energy: f64,
+    /// In the order of the system
     pub monitors: [f64; MONITORS],
     /// A number for the record, as in [`super::Observables::recorded`].
     pub recorded: f64,
@@ -64,7 +72,9 @@ pub struct Evaluation {
 /// How the monitors of a state change along a direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rates {
+    /// Of each monitor per length of the direction
     pub monitors: [f64; MONITORS],
+    /// Of the recorded quantity per length of the direction
     pub recorded: f64,
 }
 

@@ -77,7 +77,9 @@ pub struct Choice {
     pub elements: Option<usize>,
     /// Error of a prediction along the path, relative to the gap, that the steps aim at
     pub step: Option<f64>,
+    /// How the elements are placed
     pub mesh: MeshKind,
+    /// Which unknowns a node has
     pub form: Form,
 }
 

@@ -8,16 +8,20 @@ use std::sync::Arc;
 /// A limit point on the path of a rod.
 #[derive(Clone, Debug)]
 pub struct RodTurn {
+    /// Of the displacement or of the force
     pub kind: LimitPointKind,
     /// It lies between `points[after]` and `points[after + 1]`.
     pub after: usize,
+    /// The point and the error of its place
     pub located: Located,
 }
 
 /// A path with its limit points, in path order.
 #[derive(Clone, Debug)]
 pub struct RodPath {
+    /// From rest on
     pub points: Vec<Arc<Solution>>,
+    /// In path order
     pub turns: Vec<RodTurn>,
     /// Newton iterations, on the path and to the limit points.
     pub iterations: usize,
@@ -25,6 +29,7 @@ pub struct RodPath {
 
 /// Why the path of a rod cannot be used.
 #[derive(Clone, Debug, thiserror::Error)]
+#[allow(missing_docs)] // the text of each names its fields
 pub enum RodTrouble {
     #[error("{0}")]
     Trace(#[from] TraceError),

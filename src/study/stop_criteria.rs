@@ -17,6 +17,7 @@ pub enum Stage {
 
 /// Why a caller stops a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs)] // the text of each names its fields
 pub enum StopReason {
     /// It has lasted so long, s.
     Time { seconds: f64 },
@@ -40,6 +41,7 @@ pub struct StopCriteria {
 
 /// The criterion that was met.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs)] // the text of each names its fields
 pub enum Bound {
     /// [`StopCriteria::points`]
     Points(usize),

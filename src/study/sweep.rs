@@ -7,15 +7,21 @@ use serde::{Deserialize, Serialize};
 /// What a peel found, without its path.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Found {
+    /// As of [`Peel`]
     pub initiation_peak: Option<Peak>,
+    /// As of [`Peel`]
     pub peak: Option<Peak>,
+    /// As of [`Peel`]
     pub plateau: Option<Plateau>,
     /// S of the peeling front at the path point nearest to the plateau, nm.
     pub plateau_front: Option<f64>,
+    /// As of [`Peel`]
     pub snap_off: Option<LimitPoint>,
     /// ∫ P du from rest to the snap-off, or to the end of the path where there is none, aJ
     pub work: Option<f64>,
+    /// As of [`Peel`]
     pub end: PathEnd,
+    /// As of [`Peel`]
     pub effort: Effort,
 }
 

@@ -9,6 +9,7 @@ use std::num::NonZeroUsize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Shape {
+    /// A ball
     Sphere,
     /// Endless
     Cylinder,
@@ -17,6 +18,7 @@ pub enum Shape {
 /// A convex body in front of which the half space is an approximation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurvedBody {
+    /// Which of the two
     pub shape: Shape,
     /// nm
     pub radius: f64,

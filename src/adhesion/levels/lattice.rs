@@ -37,6 +37,7 @@ pub fn pair_sum(pair: &LennardJones, body: &[Place], other: &[Place]) -> (f64, P
 /// that each stands for a volume a³ and the density is a^-3.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LatticeHalfSpace {
+    /// What acts between two of the centres
     pub pair: LennardJones,
     /// Spacing a, nm, positive
     pub spacing: f64,

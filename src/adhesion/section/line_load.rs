@@ -25,10 +25,13 @@ pub enum LineLoad {
 /// The law of one section: half space, height, adhesion model, which load, which faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineLaw {
+    /// Hamaker constant and distances of the ground
     pub half_space: HalfSpace,
     /// nm
     pub height: f64,
+    /// The adhesion model
     pub law: Law,
+    /// Whether the contact moment acts beside the line force
     pub line_load: LineLoad,
     /// Whether the attraction of the upper surface is included (the r2 terms); a cohesive law has none.
     pub far_face: bool,

@@ -13,6 +13,7 @@ pub struct TiltedSection {
     pub gap: f64,
     /// sin θ and cos θ of its rotation
     pub sin: f64,
+    /// cos θ
     pub cos: f64,
 }
 

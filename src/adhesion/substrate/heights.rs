@@ -43,6 +43,7 @@ impl TryFrom<Rows> for Heights {
 
 /// What is wrong with a table of heights.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum HeightsError {
     #[error("has in row {row} `{column}` = {found}, which {wrong}")]
     Cell { row: usize, column: &'static str, found: String, wrong: &'static str },

@@ -21,7 +21,9 @@ use crate::number::Real;
 /// A line law on ground of any shape.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GroundLaw {
+    /// The law above level ground
     pub law: LineLaw,
+    /// The shape of the ground
     pub substrate: Substrate,
 }
 

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 /// A sphere, or a cylinder whose axis is across the beam. Its top is at y = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Round {
+    /// Which of the two
     pub shape: Shape,
     /// R, nm
     pub radius: f64,

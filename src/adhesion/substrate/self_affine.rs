@@ -16,9 +16,11 @@ pub struct SelfAffine {
     pub roughness: f64,
     /// Longest and shortest wave, nm
     pub longest: f64,
+    /// Shortest wave, nm
     pub shortest: f64,
     /// L, nm
     pub length: f64,
+    /// Of the random phases: the same seed gives the same profile
     pub seed: u64,
 }
 

@@ -13,6 +13,7 @@ pub struct Foot {
     pub place: f64,
     /// sin φ and cos φ of the substrate there
     pub sin: f64,
+    /// cos φ
     pub cos: f64,
     /// κ, 1/nm; positive in a valley
     pub curvature: f64,
@@ -82,8 +83,11 @@ pub(super) type Named<S> = (&'static str, fn() -> S);
 /// Numbers that do not fit each other: the path of the key of one in a scene, what was found, and what would be right.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Misfit {
+    /// The path of the key, as `ground.wavelength`
     pub key: &'static str,
+    /// Completes "`key` ..."
     pub found: String,
+    /// A sentence of its own
     pub remedy: &'static str,
 }
 

@@ -17,6 +17,7 @@ pub struct Configuration<'a> {
     pub ends: &'a [f64],
     /// Fields node by node from left to right.
     pub state: &'a [f64],
+    /// The horizontal force H where it is one unknown of the whole chain, nN; zero elsewhere
     pub border: f64,
     /// What its material points remember, where there is friction.
     pub history: Option<&'a History>,
@@ -25,7 +26,9 @@ pub struct Configuration<'a> {
 /// What the path condition wants of the chain: a linear functional of adhesion energy and of the left end's fields.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PathRow {
+    /// Weight of the adhesion energy, 1/aJ
     pub adhesion: f64,
+    /// Weights of the fields of the left end
     pub left: [f64; MOST_FIELDS],
 }
 

@@ -32,8 +32,11 @@ pub struct Element<T, const F: usize> {
 
 /// How the elements of a chain are integrated.
 pub struct Integration<'a, N: Nodes, const F: usize> {
+    /// Number of nodes of an element
     pub nodes: N,
+    /// Shape functions and Gauss points
     pub basis: &'a Basis,
+    /// What is integrated
     pub density: &'a dyn Integrand<F>,
     /// Of the density
     pub coupling: Coupling<F>,

@@ -24,6 +24,7 @@ pub struct GripState {
     pub y: f64,
     /// θ(L), rad
     pub rotation: f64,
+    /// What the grip exerts on the beam
     pub forces: GripForces,
 }
 

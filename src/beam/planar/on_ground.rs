@@ -9,7 +9,9 @@ use crate::number::Real;
 /// axis (nm), which above level ground is the gap, rotation θ. It has no border. Stored energy as of [`super::ReissnerBeam`].
 #[derive(Clone, Debug)]
 pub struct BeamOnGround {
+    /// The beam from place to place
     pub profile: Profile,
+    /// What it adheres to
     pub ground: GroundLaw,
     /// Of the face that looks down, on level ground
     pub friction: Option<FrictionLaw>,

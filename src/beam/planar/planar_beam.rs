@@ -18,6 +18,7 @@ pub const TIP_ROTATION: usize = 1;
 /// Unknowns: the fields of the nodes from left to right, y and θ, or x, y and θ; behind them, where x is condensed and a horizontal force
 /// acts, that force H and the place of the right end along x. The interface is the right end.
 pub struct PlanarBeam {
+    /// Its elements
     pub chain: Box<dyn Chain>,
     /// Reference length L, nm
     pub length: f64,
@@ -41,6 +42,7 @@ pub struct PlanarBeam {
     pub fronts: FrontPosition,
     /// S of the front of the chain at rest, nm.
     pub rest_front: f64,
+    /// Where its elements end
     pub mesh: MeshPolicy,
     /// Length ℓ of the process zone, nm; L where nothing adheres
     pub process_length: f64,

@@ -8,6 +8,7 @@ use crate::number::Real;
 /// A beam at one place, or at four side by side.
 #[derive(Clone, Copy, Debug)]
 pub struct Station<T> {
+    /// EA, GA_s and EI: nN, nN, nN nm²
     pub section: Section<T>,
     /// 1/EA and 1/GA_s, 1/nN
     pub compliance: [T; 2],

@@ -18,7 +18,9 @@ use crate::number::Real;
 /// y' = η' + h'/2 and θ' - κ0 bends it.
 #[derive(Clone, Debug)]
 pub struct ReducedBeam<const HELD: bool> {
+    /// The beam from place to place
     pub profile: Profile,
+    /// What adheres it to the flat ground
     pub law: LineLaw,
 }
 

@@ -12,7 +12,9 @@ use crate::number::Real;
 /// θ. It has no border.
 #[derive(Clone, Debug)]
 pub struct ReissnerBeam {
+    /// The beam from place to place
     pub profile: Profile,
+    /// What adheres it to the flat ground
     pub law: LineLaw,
 }
 

@@ -11,7 +11,9 @@ use crate::number::Real;
 /// ½EA Γ1² + ½GA_s Γ2² + ½EI (θ' - κ0)².
 #[derive(Clone, Copy, Debug)]
 pub struct ReissnerRod {
+    /// EA, GA_s and EI, the same everywhere
     pub section: Section,
+    /// Its stress-free axis
     pub rest: RestCurve,
 }
 

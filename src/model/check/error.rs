@@ -47,6 +47,7 @@ impl ModelError {
 
 /// What is wrong with a value, or with two that do not fit one another. Lengths in nm.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum ModelErrorKind {
     /// A number that is not finite.
     #[error("is {found}, which is not a finite number")]

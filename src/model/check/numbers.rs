@@ -12,6 +12,7 @@ pub struct NumberOf<T> {
     pub key: &'static str,
     /// Its unit inside the library; empty where it has none.
     pub unit: &'static str,
+    /// What it may be
     pub range: Range,
     /// Its value, where there is one.
     pub get: fn(&T) -> Option<f64>,

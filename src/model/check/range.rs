@@ -64,7 +64,9 @@ impl fmt::Display for Range {
 /// A number with its unit; the unit is empty where it has none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
+    /// In this unit
     pub value: f64,
+    /// As in the library: nm, nN, GPa, J/m2, rad
     pub unit: &'static str,
 }
 

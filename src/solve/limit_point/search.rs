@@ -72,15 +72,20 @@ pub enum BendRule {
     /// The secant through the last two solves; to begin with these, which are not trusted.
     Secant(Bends),
     /// A difference of g at each solve, or, close by, the dg/dσ of a limit point of nearly the same problem.
-    Difference { neighbour: Option<f64> },
+    Difference {
+        /// dg/dσ of that limit point
+        neighbour: Option<f64>,
+    },
 }
 
 /// What is sought: a limit point of `kind` on a problem, with the place along the path told by `weights`.
 #[derive(Clone, Copy)]
 pub struct LimitPointSearch<'p> {
+    /// The structure and its grip
     pub problem: &'p Problem,
     /// Weights of the constraint.
     pub weights: Observables,
+    /// Of the displacement or of the force
     pub kind: LimitPointKind,
     /// Length, in the constraint's target, over which the path keeps its shape.
     pub width: f64,

@@ -50,6 +50,7 @@ impl Default for PathOptions {
 #[error(
     "the path cannot be continued from u = {displacement_nm:.6} nm, P = {force:.6} nN (point {point}): after {tries} ever shorter steps: {cause}"
 )]
+#[allow(missing_docs)] // the message of each names its numbers
 pub struct PathError {
     pub point: usize,
     pub displacement_nm: f64,
@@ -61,6 +62,7 @@ pub struct PathError {
 /// A point of a path and what the path has learnt there: with the points before, all that it takes to go on.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Waypoint {
+    /// The equilibrium
     pub point: Arc<Solution>,
     errors: Vec<f64>,
     iterations: usize,

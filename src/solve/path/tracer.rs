@@ -13,6 +13,7 @@ use std::sync::Arc;
 
 /// What happens on a path, in its order.
 #[derive(Clone, Debug)]
+#[allow(missing_docs)] // the text of each names its fields
 pub enum PathEvent {
     /// The next equilibrium.
     Point(Arc<Solution>),
@@ -47,6 +48,7 @@ impl Default for TraceOptions {
 
 /// Why a path was not traced further.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum TraceError {
     #[error("{0}")]
     Path(#[from] PathError),

@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 #[error(
     "{cause}; on {elements} elements of order {order}. The results so far are kept. Try another accuracy.relative than {asked:e}"
 )]
+#[allow(missing_docs)] // the message of each names its numbers
 pub struct TestFailure {
     pub cause: TestError,
     pub elements: usize,
@@ -21,6 +22,7 @@ pub struct TestFailure {
 
 /// Why a test on one mesh stopped.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum TestError {
     /// No mesh was tried.
     #[error("nothing was computed")]
@@ -55,6 +57,7 @@ pub enum TestError {
 
 /// Why a stable branch could not be followed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum BranchError {
     /// Its path, or where that loses its stability.
     #[error("{0}")]

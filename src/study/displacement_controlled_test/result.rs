@@ -18,6 +18,7 @@ pub enum Way {
 /// One equilibrium of the test.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TestPoint {
+    /// Which way the machine moves
     pub way: Way,
     /// U = u + P/k of the machine, nm
     pub machine: f64,
@@ -42,6 +43,7 @@ pub struct JumpEnd {
     pub force: f64,
     /// Bounds on their errors, nm and nN
     pub displacement_error: f64,
+    /// Of the force, nN
     pub force_error: f64,
     /// Stored, adhesion and spring energy, aJ; zero for a stress-free strip beyond the range of adhesion
     pub energy: f64,
@@ -61,15 +63,21 @@ pub enum JumpKind {
 /// A loss of stability, and where the strip comes to rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jump {
+    /// Jump or slide
     pub kind: JumpKind,
+    /// Which way the machine moves
     pub way: Way,
     /// U at which it happens, nm, and a bound on its error
     pub machine: f64,
+    /// On U, nm
     pub machine_error: f64,
+    /// Where stability is lost
     pub before: JumpEnd,
+    /// Where the strip comes to rest
     pub after: JumpEnd,
     /// Energy before minus energy after, aJ, and a bound on its error
     pub released: f64,
+    /// On the energy released, aJ
     pub released_error: f64,
     /// Whether no point of the strip is nearer than 10 r0 after it.
     pub detached: bool,
@@ -84,6 +92,7 @@ pub struct PullOff {
     pub machine: f64,
     /// nN, and a bound on its error
     pub force: f64,
+    /// On the force, nN
     pub force_error: f64,
 }
 
@@ -142,18 +151,24 @@ impl fmt::Display for Elsewhere {
 /// What it took.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TestEffort {
+    /// Equilibria
     pub points: usize,
     /// Of paths, limit points and equilibria
     pub newton_iterations: usize,
+    /// Of the gradient flow behind all jumps
     pub relaxation_steps: usize,
+    /// Most of them on a mesh
     pub elements: usize,
+    /// Of the elements, 1 to 8
     pub order: usize,
 }
 
 /// A test under control of the machine's displacement.
 #[derive(Clone, Debug)]
 pub struct Observed {
+    /// In the order in which the machine takes them
     pub points: Vec<TestPoint>,
+    /// In the same order
     pub jumps: Vec<Jump>,
     /// (U, P) between the jumps, close enough to draw, piece by piece.
     pub pieces: Vec<(Way, Vec<(f64, f64)>)>,
@@ -163,8 +178,11 @@ pub struct Observed {
     pub hysteresis: Option<f64>,
     /// Up to where the strip is detached; there and back.
     pub retreat: Option<Balance>,
+    /// There and back
     pub cycle: Option<Balance>,
+    /// How the test ended
     pub end: TestEnd,
+    /// What it cost
     pub effort: TestEffort,
     /// Largest bound on the error of a number of a jump, relative to that number.
     pub reached: f64,

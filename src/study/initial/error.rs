@@ -8,6 +8,7 @@ use std::fmt;
 
 /// Why no equilibrium was found for a path to start from; and what to try.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum NoEquilibrium {
     /// The beam does not come to rest on ground that is not flat.
     #[error(
@@ -33,6 +34,7 @@ pub enum SettlingError {
 
 /// What the grip was about to do before the pull.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs)] // the text of each names its fields
 pub enum LoadingPhase {
     /// To begin.
     Start,
@@ -59,6 +61,7 @@ impl fmt::Display for LoadingPhase {
 
 /// Why a step before the pull was not taken to its end.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum LoadingError {
     /// There is no equilibrium that it could go from.
     #[error("finds no equilibrium to begin with: {0}")]
@@ -88,14 +91,18 @@ pub enum LoadingError {
 pub struct LoadingProgress {
     /// Of what it moves, in `unit`
     pub amount: f64,
+    /// Of the amount
     pub unit: LoadingUnit,
+    /// What the grip exerts there
     pub forces: GripForces,
 }
 
 /// The unit of what a step moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum LoadingUnit {
+    /// Of a translation
     Nanometre,
+    /// Of a rotation
     Radian,
 }
 
@@ -119,6 +126,7 @@ impl fmt::Display for LoadingProgress {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{why}")]
 pub struct NotPrepared {
+    /// Why there is no equilibrium to start from
     pub why: NoEquilibrium,
     /// The grip behind each step before the pull, as far as they were taken, seen from where it took hold.
     pub steps: Vec<GripState>,

@@ -13,6 +13,7 @@ use std::sync::Arc;
 /// A problem whose path can be followed.
 #[derive(Clone)]
 pub struct Prepared {
+    /// With the start of its path
     pub problem: PlanarProblem,
     /// The grip behind each step before the pull, seen from where it took hold.
     pub steps: Vec<GripState>,

@@ -22,6 +22,7 @@ pub struct Cusp {
     pub error: f64,
     /// u and P there, nm and nN
     pub displacement: f64,
+    /// P there, nN
     pub force: f64,
 }
 

@@ -33,6 +33,7 @@ pub enum PointNotFound {
 
 /// Why no cusp was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum CuspError {
     /// The path to begin with could not be computed.
     #[error("{0}")]

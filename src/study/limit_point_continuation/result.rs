@@ -34,6 +34,7 @@ impl PointKind {
 /// How the values of a parameter are spaced, and in what the point is a smooth function of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spacing {
+    /// Evenly; in the parameter
     Linear,
     /// All values are above zero.
     Logarithmic,
@@ -107,20 +108,26 @@ pub struct FollowedRow {
     pub value: f64,
     /// Absent where the path has no such point or could not be computed; a remark says which.
     pub point: Option<FollowedPoint>,
+    /// Of this value alone
     pub newton_iterations: usize,
+    /// On which the point was solved for
     pub elements: usize,
 }
 
 /// All values, and what is to be said about them.
 #[derive(Clone, Debug)]
 pub struct FollowedSweep {
+    /// Which point is followed
     pub kind: PointKind,
+    /// One for each value, in their order
     pub rows: Vec<FollowedRow>,
+    /// Where the point vanished, was replaced or was not found
     pub remarks: Vec<Remark>,
 }
 
 /// What happened to the point on the way.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum Remark {
     /// The limit point meets another one and both vanish.
     #[error(

@@ -19,17 +19,20 @@ pub struct Contact {
     pub energy_fraction: f64,
     /// Least and largest distance of the lower edge of what lies on flat ground from this, nm
     pub least_gap: f64,
+    /// The largest of them, nm
     pub largest_gap: f64,
     /// How far below the crests the lower edge comes, over how far the ground does: 0 on the crests, 1 on the bottom of the
     /// deepest valley; both less the gap at rest. None on ground that has no valley below what lies on flat ground.
     pub reach: Option<f64>,
     /// Smallest radius of curvature of crests and of valleys where the beam adheres, nm; none where there is no such.
     pub crest_radius: Option<f64>,
+    /// Of valleys, nm
     pub valley_radius: Option<f64>,
     /// Relative error of the largest traction in front of the smallest of these crests, and of these valleys, by taking the
     /// half space for the body: eq. (10) in front of the exact cylinder or sphere over that of the half space, less one, at
     /// the gap 5^(-1/6) r0. A valley is taken to gain what a crest of its radius loses, which is so to first order.
     pub crest_error: Option<f64>,
+    /// In valleys, relative
     pub valley_error: Option<f64>,
 }
 

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// Why a computation stopped short, and what to try.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum Failure {
     /// The model, or the accuracy asked for, cannot be computed: the key of a scene, what was found, and what would be right.
     #[error("`{key}` {found}. {remedy}")]
@@ -32,6 +33,7 @@ pub enum Failure {
 
 /// Why a path on one mesh cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum PathFailure {
     /// It cannot be continued.
     #[error("{0}")]

@@ -52,6 +52,7 @@ pub struct PathPoint {
 /// A limit point of the path, located and not sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LimitPoint {
+    /// Of the displacement or of the force
     pub kind: LimitPointKind,
     /// nm
     pub displacement: f64,
@@ -74,53 +75,75 @@ pub struct LimitPoint {
 /// A largest force: at a limit point, or at the end of the path.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
+    /// u of the grip, nm
     pub displacement: f64,
+    /// P, nN
     pub force: f64,
+    /// θ(L), rad
     pub end_rotation: f64,
+    /// Bound on the error of the force, nN
     pub force_error: f64,
+    /// Bound on the error of the displacement, nm
     pub displacement_error: f64,
 }
 
 /// Where the force changes least with the displacement.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Plateau {
+    /// u of the grip, nm
     pub displacement: f64,
+    /// P, nN
     pub force: f64,
 }
 
 /// What it took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Effort {
+    /// On the final mesh
     pub points: usize,
+    /// On all meshes
     pub newton_iterations: usize,
+    /// Of the final mesh
     pub elements: usize,
+    /// Of the elements, 1 to 8
     pub order: usize,
 }
 
 /// The axis of the beam at one equilibrium, sampled: x and y in nm, the rotation in rad, and the height of the section in nm.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Shape {
+    /// Of the axis, nm
     pub x: Vec<f64>,
+    /// Of the axis, nm
     pub y: Vec<f64>,
+    /// θ, rad
     pub rotation: Vec<f64>,
+    /// h, nm
     pub height: Vec<f64>,
 }
 
 /// The result of one run. It is written without the solutions behind its points.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Peel {
+    /// What was peeled
     pub model: PeelModel,
     /// The grip behind each step before the pull, as far as they were taken, seen from where it took hold.
     pub steps: Vec<GripState>,
+    /// The path, from rest on
     pub points: Vec<PathPoint>,
     /// In path order.
     pub limit_points: Vec<LimitPoint>,
+    /// The first load limit point that is a maximum; none where the path has none
     pub initiation_peak: Option<Peak>,
+    /// The largest force; none where the path has no maximum
     pub peak: Option<Peak>,
+    /// None where the force has no plateau
     pub plateau: Option<Plateau>,
     /// The first displacement limit point: a displacement-controlled test jumps here.
     pub snap_off: Option<LimitPoint>,
+    /// Where and why the path ends
     pub end: PathEnd,
+    /// What it cost
     pub effort: Effort,
     /// Relative accuracy asked for.
     pub asked: f64,

@@ -51,9 +51,11 @@ pub enum Terms {
 /// A term that was left out, and what it would change.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LeftOut {
+    /// Which one
     pub term: Term,
     /// By how much the force (nN) and the displacement (nm) of the initiation peak would change with it; of a path without one, zero
     pub force: f64,
+    /// Of the displacement, nm
     pub displacement: f64,
     /// The largest relative change of anything that is reported
     pub largest: f64,
@@ -74,6 +76,7 @@ pub enum KeptReason {
 /// Why the effect of a term cannot be estimated on a path without it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, thiserror::Error)]
 #[serde(rename_all = "kebab-case")]
+#[allow(missing_docs)] // the message of each names its numbers
 pub enum NotTold {
     #[error("the path without it could not be followed")]
     Failed,
@@ -100,6 +103,8 @@ pub enum NotTold {
 /// What was decided of each term of a model.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct TermDecisions {
+    /// With what each would change
     pub left_out: Vec<LeftOut>,
+    /// With the reason for each
     pub kept: Vec<(Term, KeptReason)>,
 }

@@ -18,6 +18,7 @@ use crate::study::peel::{Peel, SolutionHistory};
 /// A term, and what leaving it out would change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TermEffect {
+    /// Which one
     pub term: Term,
     /// By how much the force of the initiation peak would change, nN
     pub force: f64,

@@ -17,6 +17,7 @@ use crate::number::Real;
 /// A cohesive law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cohesive {
+    /// How its traction goes with the gap
     pub shape: CohesiveShape,
     /// σ, nN/nm² = GPa
     pub strength: f64,
