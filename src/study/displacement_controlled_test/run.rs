@@ -11,7 +11,7 @@ use crate::solve::{
     EndConditions, Held, Located, RelaxOptions, Solution, State, Workspace, disturbed, disturbed_anyhow, relax,
 };
 use crate::study::accuracy::{Resolution, most_elements};
-use crate::study::error_bounds::{ROUND_OFF, SAFETY, least};
+use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
 use crate::study::initial::{NoEquilibrium, prepared};
 use crate::study::refinement::refined;
 use crate::study::{Accuracy, Bound, Stage, StopCriteria};
@@ -205,7 +205,8 @@ impl Test {
         let highest = peak.into_iter().chain(at_limit);
         let highest = highest.max_by(|a, b| a.observables.force.total_cmp(&b.observables.force));
         if let Some(Located { observables: o, difference, .. }) = highest {
-            let force_error = SAFETY * difference.force.abs() + (ROUND_OFF + least(machine.relative)) * o.force.abs();
+            let force_error = DIFFERENCE_BOUND_FACTOR * difference.force.abs()
+                + (ROUND_OFF + least(machine.relative)) * o.force.abs();
             self.pull_off = Some(PullOff { machine: o.displacement, force: o.force, force_error });
         }
         Ok(())

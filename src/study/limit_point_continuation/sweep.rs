@@ -14,16 +14,11 @@ use crate::beam::FRONT;
 use crate::model::{Discretisation, Form, ModelError, PeelModel};
 use crate::solve::{BendRule, Located, Mesh, Observables, Path, SolveError, Workspace};
 use crate::study::accuracy::{ORDER, Resolution};
-use crate::study::error_bounds::{ROUND_OFF, ROUND_OFF_PLACE};
+use crate::study::error_bounds::{FOLLOWED_BOUND_FACTOR, ROUND_OFF, ROUND_OFF_PLACE, TOLERANCE_FLOOR_FRACTION};
 use crate::study::initial::prepared;
 use crate::study::refused::failure;
 use crate::study::{Accuracy, PathEnd, StopCriteria, Terms, checked, peel};
 
-/// Error bounds are the difference to half as many elements again times this: enough even where the error falls no faster
-/// than the elements get shorter, as on a mesh that misses the edge of a stiff strip.
-const CAUTION: f64 = 3.0;
-/// No bound below this share of the accuracy asked for is claimed: two meshes may agree by luck.
-const MODESTY: f64 = 0.1;
 /// Elements to begin with at the initiation peak, where the free end mostly rests, and the most anywhere.
 const FEWEST_ELEMENTS: usize = 10;
 const MOST_ELEMENTS: usize = 200;
@@ -367,7 +362,7 @@ impl Sweep<'_> {
 
     /// The error expected, over the accuracy asked for.
     fn worst(&self, difference: Difference) -> f64 {
-        CAUTION * difference.reported(self.kind) / self.accuracy.relative
+        FOLLOWED_BOUND_FACTOR * difference.reported(self.kind) / self.accuracy.relative
     }
 
     /// The point on the coarsest mesh that is good enough, from `elements` on.
@@ -441,7 +436,7 @@ impl Sweep<'_> {
         let Some(located) = self.anchor(index)? else { return Ok(false) };
         let own = self.taken_up(index, &located, found.elements)?;
         let bound = strand.checks.iter().rev().map(|c| c.1).take(NEIGHBOURS).reduce(Difference::max);
-        let slack = |share: f64| SAME + CAUTION * share;
+        let slack = |share: f64| SAME + FOLLOWED_BOUND_FACTOR * share;
         let (a, b) = (&own.observables, &found.observables);
         Ok(bound.is_some_and(|bound| {
             (a.force / b.force - 1.0).abs() <= slack(bound.force)
@@ -471,14 +466,15 @@ impl Sweep<'_> {
         let law = model.line_law();
         let o = &found.observables;
         let place = if self.kind == PointKind::InitiationPeak { ROUND_OFF_PLACE } else { ROUND_OFF };
-        let modest = MODESTY * self.accuracy.relative;
+        let floor = TOLERANCE_FLOOR_FRACTION * self.accuracy.relative;
         FollowedPoint {
             displacement: o.displacement,
             force: o.force,
             end_rotation: o.recorded,
             work: law.has_potential().then(|| Some(found.energy - energy_at_rest(&model)?)).flatten(),
-            displacement_error: (CAUTION * difference.displacement + place + modest) * o.displacement.abs(),
-            force_error: (CAUTION * difference.force + ROUND_OFF + modest) * o.force.abs(),
+            displacement_error: (FOLLOWED_BOUND_FACTOR * difference.displacement + place + floor)
+                * o.displacement.abs(),
+            force_error: (FOLLOWED_BOUND_FACTOR * difference.force + ROUND_OFF + floor) * o.force.abs(),
         }
     }
 }
