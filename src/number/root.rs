@@ -1,0 +1,157 @@
+//! A root of a function of one number, between two places that are known to hold it.
+//!
+//! Newton's method, kept inside the bracket: a step that would leave it goes to the middle instead. Without any slope that is
+//! bisection.
+
+use thiserror::Error;
+
+/// Most places at which the function is looked at: bisection alone comes down to round-off in some 60.
+const MOST_LOOKS: usize = 100;
+
+/// Two places between which a function goes from below zero to above.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bracket {
+    /// Where it is below zero.
+    pub low: f64,
+    /// Where it is not.
+    pub high: f64,
+}
+
+/// One look at the function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// The place
+    pub at: f64,
+    /// The function there
+    pub value: f64,
+    /// Where to look next: the root, where this is near enough.
+    pub next: f64,
+    /// Whether Newton's method goes there; else it is the middle of the bracket.
+    pub by_newton: bool,
+    /// What is left of the bracket.
+    pub bracket: Bracket,
+}
+
+/// No look was good enough. Where the bracket holds a root, round-off leaves no better than `next`.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[error("no root found in {looks} looks; {} to {} is left of its bracket", bracket.low, bracket.high)]
+pub struct RootNotFound {
+    /// What is left of the bracket.
+    pub bracket: Bracket,
+    /// Where the next look would have been.
+    pub next: f64,
+    /// How often the function was looked at.
+    pub looks: usize,
+}
+
+impl Bracket {
+    /// The root of `function`, which gives value and slope, by Newton's method from `start` on until `is_found`.
+    ///
+    /// # Errors
+    /// Where no look of the first hundred is good enough: what is left then.
+    #[inline]
+    pub fn newton(
+        self,
+        start: f64,
+        function: impl Fn(f64) -> (f64, f64),
+        is_found: impl Fn(&Look) -> bool,
+    ) -> Result<f64, RootNotFound> {
+        self.search(start, function, is_found).map(|last| last.next)
+    }
+
+    /// What is left of the bracket when it has been halved until it `is_narrow`, or until no number is left between its ends. Of the
+    /// function no more is known than where it is below zero.
+    pub fn bisected(self, is_below: impl Fn(f64) -> bool, is_narrow: impl Fn(&Self) -> bool) -> Self {
+        let sign = |at: f64| (if is_below(at) { -1.0 } else { 1.0 }, f64::NAN);
+        let is_found =
+            |look: &Look| is_narrow(&look.bracket) || look.next == look.bracket.low || look.next == look.bracket.high;
+        self.search(self.middle(), sign, is_found).map_or_else(|left| left.bracket, |last| last.bracket)
+    }
+
+    #[inline]
+    fn search(
+        mut self,
+        start: f64,
+        function: impl Fn(f64) -> (f64, f64),
+        is_found: impl Fn(&Look) -> bool,
+    ) -> Result<Look, RootNotFound> {
+        let mut at = start;
+        for _ in 0..MOST_LOOKS {
+            let (value, slope) = function(at);
+            if value < 0.0 {
+                self.low = at;
+            } else {
+                self.high = at;
+            }
+            let newton = at - value / slope;
+            // a step that is lost in round-off leads nowhere better
+            let stays = newton == at || value == 0.0;
+            let inside = newton > self.low && newton < self.high;
+            let next = if stays {
+                at
+            } else if inside {
+                newton
+            } else {
+                self.middle()
+            };
+            let look = Look { at, value, next, by_newton: stays || inside, bracket: self };
+            if stays || is_found(&look) {
+                return Ok(look);
+            }
+            at = next;
+        }
+        Err(RootNotFound { bracket: self, next: at, looks: MOST_LOOKS })
+    }
+
+    /// Half-way between its ends.
+    #[inline]
+    pub fn middle(&self) -> f64 {
+        0.5 * (self.low + self.high)
+    }
+
+    /// From end to end.
+    #[inline]
+    pub fn width(&self) -> f64 {
+        self.high - self.low
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn close(look: &Look) -> bool {
+        (look.next - look.at).abs() <= 4.0 * f64::EPSILON * look.at.abs()
+    }
+
+    #[test]
+    fn newtons_method_finds_a_root() {
+        let root = Bracket { low: 0.0, high: 3.0 }.newton(1.0, |x| (x * x - 2.0, 2.0 * x), close);
+        assert_relative_eq!(root.unwrap(), 2f64.sqrt(), max_relative = 1e-15);
+    }
+
+    /// Of the arc tangent Newton's method alone goes to and fro, ever farther away.
+    #[test]
+    fn steps_that_would_leave_the_bracket_halve_it() {
+        let atan = |x: f64| ((x - 1.0).atan(), (1.0 + (x - 1.0).powi(2)).recip());
+        let root = Bracket { low: -40.0, high: 60.0 }.newton(50.0, atan, close);
+        assert_relative_eq!(root.unwrap(), 1.0, max_relative = 1e-15);
+    }
+
+    #[test]
+    fn bisection_ends_between_neighbours_or_before() {
+        let whole = Bracket { low: 1.0, high: 2.0 };
+        let narrow = whole.bisected(|x| x * x < 2.0, |_| false);
+        assert_eq!(narrow.high, narrow.low.next_up());
+        assert!(narrow.low * narrow.low < 2.0 && narrow.high * narrow.high >= 2.0);
+        assert_eq!(whole.bisected(|x| x < 1.3, |left| left.width() <= 0.25), Bracket { low: 1.25, high: 1.5 });
+    }
+
+    #[test]
+    fn what_never_is_good_enough_is_an_error_with_what_is_left() {
+        let left = Bracket { low: 0.0, high: 1.0 }.newton(0.5, |x| (x - 0.3, f64::NAN), |_| false).unwrap_err();
+        assert_relative_eq!(left.next, 0.3, max_relative = 1e-15);
+        assert_eq!(left.looks, MOST_LOOKS);
+    }
+}
