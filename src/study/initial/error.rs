@@ -1,7 +1,7 @@
 //! Why a path has no start.
 
 use crate::beam::{GripForces, GripState};
-use crate::model::Step;
+use crate::model::{NoSuchOrder, Step};
 use crate::solve::{PathError, RelaxError, SolveError};
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -9,6 +9,9 @@ use std::fmt;
 /// Why no equilibrium was found for a path to start from; and what to try.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum NoEquilibrium {
+    /// There are no elements on which to look for one.
+    #[error("{0}")]
+    Order(#[from] NoSuchOrder),
     /// The beam does not come to rest on ground that is not flat.
     #[error(
         "no equilibrium of the beam without a grip was found on the substrate: {0}. Try another substrate.start, or a \

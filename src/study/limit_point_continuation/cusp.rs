@@ -56,7 +56,7 @@ pub fn cusp<M: Into<PeelModel>>(model: &dyn Fn(f64) -> M, from: f64, accuracy: &
 }
 
 fn problem(model: &PeelModel) -> PlanarProblem {
-    model.problem(Form::TwoField, ORDER)
+    model.problem(Form::TwoField, ORDER).expect("the order is one that there is")
 }
 
 /// The equilibrium at which du/dP is largest, as far as it is known.
