@@ -152,10 +152,11 @@ fn invert(foci: &[Focus], target: f64, bracket: Bracket, start: f64) -> f64 {
         (value - target, slope)
     };
     // Newton's method leaves about the square of its step, in units of 1/F'
-    let is_found = |look: &Look| {
-        (look.by_newton && look.value * look.value <= SLACK) || look.bracket.width() <= SLACK * look.bracket.high
+    let settles = |look: &Look| {
+        let is_near = look.is_newton() && look.value * look.value <= SLACK;
+        (is_near || look.bracket.width() <= SLACK * look.bracket.high).then_some(look.next)
     };
-    bracket.newton(start, miss, is_found).unwrap_or_else(|left| left.next)
+    bracket.newton(start, miss, settles).unwrap_or_else(|left| left.next)
 }
 
 #[cfg(test)]

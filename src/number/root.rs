@@ -22,14 +22,23 @@ pub struct Bracket {
 pub struct Look {
     /// The place
     pub at: f64,
-    /// The function there
+    /// The function there, and its slope
     pub value: f64,
-    /// Where to look next: the root, where this is near enough.
+    pub slope: f64,
+    /// Where Newton's method would go.
+    pub newton: f64,
+    /// Where to look next: there if that is within the bracket, else in its middle.
     pub next: f64,
-    /// Whether Newton's method goes there; else it is the middle of the bracket.
-    pub by_newton: bool,
     /// What is left of the bracket.
     pub bracket: Bracket,
+}
+
+impl Look {
+    /// Whether Newton's method goes on within the bracket.
+    #[inline]
+    pub fn is_newton(&self) -> bool {
+        self.next == self.newton
+    }
 }
 
 /// No look was good enough. Where the bracket holds a root, round-off leaves no better than `next`.
@@ -45,36 +54,40 @@ pub struct RootNotFound {
 }
 
 impl Bracket {
-    /// The root of `function`, which gives value and slope, by Newton's method from `start` on until `is_found`.
+    /// The root of `function`, which gives value and slope, by Newton's method from `start` on until a look `settles` it: then that says where
+    /// it is.
     ///
     /// # Errors
-    /// Where no look of the first hundred is good enough: what is left then.
+    /// Where no look of the first hundred does: what is left then.
     #[inline]
     pub fn newton(
         self,
         start: f64,
         function: impl Fn(f64) -> (f64, f64),
-        is_found: impl Fn(&Look) -> bool,
+        settles: impl Fn(&Look) -> Option<f64>,
     ) -> Result<f64, RootNotFound> {
-        self.search(start, function, is_found).map(|last| last.next)
+        self.search(start, function, settles).map(|(root, _)| root)
     }
 
     /// What is left of the bracket when it has been halved until it `is_narrow`, or until no number is left between its ends. Of the
     /// function no more is known than where it is below zero.
     pub fn bisected(self, is_below: impl Fn(f64) -> bool, is_narrow: impl Fn(&Self) -> bool) -> Self {
         let sign = |at: f64| (if is_below(at) { -1.0 } else { 1.0 }, f64::NAN);
-        let is_found =
-            |look: &Look| is_narrow(&look.bracket) || look.next == look.bracket.low || look.next == look.bracket.high;
-        self.search(self.middle(), sign, is_found).map_or_else(|left| left.bracket, |last| last.bracket)
+        let settles = |look: &Look| {
+            let Self { low, high } = look.bracket;
+            (is_narrow(&look.bracket) || look.next == low || look.next == high).then_some(look.next)
+        };
+        self.search(self.middle(), sign, settles).map_or_else(|left| left.bracket, |(_, narrow)| narrow)
     }
 
+    /// The root, and what is left of the bracket.
     #[inline]
     fn search(
         mut self,
         start: f64,
         function: impl Fn(f64) -> (f64, f64),
-        is_found: impl Fn(&Look) -> bool,
-    ) -> Result<Look, RootNotFound> {
+        settles: impl Fn(&Look) -> Option<f64>,
+    ) -> Result<(f64, Self), RootNotFound> {
         let mut at = start;
         for _ in 0..MOST_LOOKS {
             let (value, slope) = function(at);
@@ -84,19 +97,9 @@ impl Bracket {
                 self.high = at;
             }
             let newton = at - value / slope;
-            // a step that is lost in round-off leads nowhere better
-            let stays = newton == at || value == 0.0;
-            let inside = newton > self.low && newton < self.high;
-            let next = if stays {
-                at
-            } else if inside {
-                newton
-            } else {
-                self.middle()
-            };
-            let look = Look { at, value, next, by_newton: stays || inside, bracket: self };
-            if stays || is_found(&look) {
-                return Ok(look);
+            let next = if newton > self.low && newton < self.high { newton } else { self.middle() };
+            if let Some(root) = settles(&Look { at, value, slope, newton, next, bracket: self }) {
+                return Ok((root, self));
             }
             at = next;
         }
@@ -121,8 +124,8 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    fn close(look: &Look) -> bool {
-        (look.next - look.at).abs() <= 4.0 * f64::EPSILON * look.at.abs()
+    fn close(look: &Look) -> Option<f64> {
+        ((look.next - look.at).abs() <= 4.0 * f64::EPSILON * look.at.abs()).then_some(look.next)
     }
 
     #[test]
@@ -150,7 +153,7 @@ mod tests {
 
     #[test]
     fn what_never_is_good_enough_is_an_error_with_what_is_left() {
-        let left = Bracket { low: 0.0, high: 1.0 }.newton(0.5, |x| (x - 0.3, f64::NAN), |_| false).unwrap_err();
+        let left = Bracket { low: 0.0, high: 1.0 }.newton(0.5, |x| (x - 0.3, f64::NAN), |_| None).unwrap_err();
         assert_relative_eq!(left.next, 0.3, max_relative = 1e-15);
         assert_eq!(left.looks, MOST_LOOKS);
     }

@@ -90,8 +90,8 @@ impl LineLaw {
             let at = self.response(gap, 0.0, 1.0);
             (at.by_gap, at.gap_gap)
         };
-        let is_found = |look: &Look| (look.next - look.at).abs() <= 2.0 * f64::EPSILON * look.at;
-        gaps.newton(closed, traction, is_found).unwrap_or_else(|left| left.next)
+        let settles = |look: &Look| ((look.next - look.at).abs() <= 2.0 * f64::EPSILON * look.at).then_some(look.next);
+        gaps.newton(closed, traction, settles).unwrap_or_else(|left| left.next)
     }
 
     /// Ψ of the flat section at rest, nN/nm: minus the work of adhesion of the strip.

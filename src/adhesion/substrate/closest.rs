@@ -144,8 +144,15 @@ impl<C: Fn(f64) -> [f64; 4]> Search<C> {
     /// A root of q, which is not positive at `low` and not negative at `high`, to round-off.
     #[inline]
     fn root(&self, low: f64, high: f64) -> f64 {
-        let is_found = |look: &Look| (look.next - look.at).abs() <= f64::EPSILON * (look.at.abs() + self.y.abs());
-        let root = Bracket { low, high }.newton(self.x.clamp(low, high), |s| self.q(s), is_found);
+        let settles = |look: &Look| {
+            let is_near = |to: f64| (to - look.at).abs() <= f64::EPSILON * (look.at.abs() + self.y.abs());
+            match look {
+                Look { value: 0.0, .. } => Some(look.at),
+                look if look.slope > 0.0 && is_near(look.newton) => Some(look.newton),
+                look => is_near(look.next).then_some(look.next),
+            }
+        };
+        let root = Bracket { low, high }.newton(self.x.clamp(low, high), |s| self.q(s), settles);
         root.unwrap_or_else(|left| left.next)
     }
 
