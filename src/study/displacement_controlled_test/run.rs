@@ -1,7 +1,7 @@
 //! The run behind [`super::observed`]: retreat, jump, approach, jump, on a mesh from the accuracy asked for, and on a finer one
 //! where the errors of the jumps say so.
 
-use super::failure::{TestError, TestFailure};
+use super::failure::{MOST_JUMPS, TestError, TestFailure};
 use super::jump;
 use super::result::*;
 use super::stable_branch::{BranchEnd, Machine, StableBranch, Until};
@@ -17,8 +17,6 @@ use crate::study::refinement::refined;
 use crate::study::{Accuracy, Bound, Stage, StopCriteria};
 use std::sync::Arc;
 
-/// Most jumps on one way.
-pub(super) const MOST_JUMPS: usize = 50;
 /// Most that a step of relaxation moves, relative to the gap.
 const RELAXING: f64 = 0.1;
 /// A mesh whose errors are at most this many times those of the best one shows its round-off.
