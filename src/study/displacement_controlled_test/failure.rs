@@ -1,6 +1,6 @@
 //! Why a test stopped short, with what was computed, where and how far.
 
-use super::result::{Balance, Way};
+use super::balance::{Balance, Way};
 use crate::solve::{RelaxError, SolveError, TraceError};
 use crate::study::initial::NoEquilibrium;
 use serde::{Deserialize, Serialize};

@@ -1,6 +1,7 @@
 //! A jump with its numbers and the bounds on their errors.
 
-use super::result::{Jump, JumpEnd, JumpKind, Way};
+use super::balance::Way;
+use super::result::{Jump, JumpEnd, JumpKind};
 use super::stable_branch::Machine;
 use crate::beam::FRONT;
 use crate::model::PlanarProblem;

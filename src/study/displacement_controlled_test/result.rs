@@ -1,18 +1,10 @@
 //! What a testing machine would record: the stable part of the path, the jumps, and the way back.
 
+use super::balance::{Balance, Way};
 use super::failure::TestFailure;
 use crate::study::Bound;
 use serde::{Deserialize, Serialize};
 use std::fmt;
-
-/// Which way the machine moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Way {
-    /// Away from the substrate.
-    Retreat,
-    /// Towards it.
-    Approach,
-}
 
 /// One equilibrium of the test.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,26 +76,6 @@ pub struct PullOff {
     /// nN, and a bound on its error
     pub force: f64,
     pub force_error: f64,
-}
-
-/// Work of the machine against change of energy and energy released, aJ.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Balance {
-    /// ∫ P dU over the stable pieces
-    pub work: f64,
-    /// Energy at the end minus energy at the start
-    pub energy_change: f64,
-    /// Sum over the jumps
-    pub released: f64,
-    /// The largest of these and of the works of the two ways, without its sign
-    pub largest: f64,
-}
-
-impl Balance {
-    /// What is not accounted for, over the largest term.
-    pub fn error(&self) -> f64 {
-        (self.work - self.energy_change - self.released).abs() / self.largest.max(f64::MIN_POSITIVE)
-    }
 }
 
 /// How a test ended.

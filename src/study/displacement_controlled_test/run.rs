@@ -1,6 +1,7 @@
 //! The run behind [`super::observed`]: retreat, jump, approach, jump, on a mesh from the accuracy asked for, and on a finer one
 //! where the errors of the jumps say so.
 
+use super::balance::{Balance, Way};
 use super::failure::{MOST_JUMPS, TestError, TestFailure};
 use super::jump;
 use super::result::*;
@@ -301,15 +302,5 @@ impl Test {
         let hysteresis = self.cycle.filter(|_| end == TestEnd::Closed).map(|cycle| cycle.work);
         let Self { points, jumps, pieces, pull_off, retreat, cycle, effort, .. } = self;
         Observed { points, jumps, pieces, pull_off, hysteresis, retreat, cycle, end, effort, reached }
-    }
-}
-
-impl Way {
-    /// In words.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Retreat => "retreat",
-            Self::Approach => "approach",
-        }
     }
 }
