@@ -31,7 +31,7 @@ fn paths(c: &mut Criterion) {
 
 /// The path alone, points only, without limit points and bounds, at what is chosen for 1e-8.
 fn path_alone(c: &mut Criterion) {
-    let problem = strip(100.0, 1.0).problem(Form::TwoField, 7);
+    let problem = strip(100.0, 1.0).problem(Form::TwoField, 7).unwrap();
     let options = PathOptions {
         elements: 20,
         step_tolerance: 3.8e-3,

@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("{:?}, {:?}", peel.peak, peel.end);
 
     // the path alone, point by point
-    let problem = scene.model.problem(Form::TwoField, 7);
+    let problem = scene.model.problem(Form::TwoField, 7)?;
     let options = PathOptions { elements: 14, first_displacement: 0.008, ..PathOptions::default() };
     for point in Path::new(&problem, options) {
         let point = point?;

@@ -9,7 +9,7 @@ use peelkit::solve::{Path, PathOptions};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let model = StripModel::of_the_paper(100.0, 1.0);
-    let problem = model.problem(Form::TwoField, 7);
+    let problem = model.problem(Form::TwoField, 7)?;
     let options = PathOptions {
         elements: 14,
         step_tolerance: 1e-2,

@@ -57,7 +57,10 @@ fn on_a_fixed_mesh(scene: &Scene, own: &Peel) -> String {
 
 /// The same mesh and the same error of predictions, through two points; ten times as many points at most.
 fn by_secants(scene: &Scene, own: &Peel) -> String {
-    let problem = scene.model.problem(Form::TwoField, own.effort.order);
+    let problem = match scene.model.problem(Form::TwoField, own.effort.order) {
+        Ok(problem) => problem,
+        Err(error) => return error.to_string(),
+    };
     let relative = scene.accuracy.relative;
     let options = PathOptions {
         elements: own.effort.elements,
@@ -108,7 +111,10 @@ fn by_secants(scene: &Scene, own: &Peel) -> String {
 
 /// The grip's displacement raised to the largest of the path.
 fn by_displacement(scene: &Scene, own: &Peel) -> String {
-    let problem = scene.model.problem(Form::TwoField, own.effort.order);
+    let problem = match scene.model.problem(Form::TwoField, own.effort.order) {
+        Ok(problem) => problem,
+        Err(error) => return error.to_string(),
+    };
     let largest = own.points.iter().map(|p| p.displacement).fold(0.0, f64::max);
     let targets: Vec<f64> = (1..=400).map(|k| largest * f64::from(k) / 400.0).collect();
     let weights = Observables::DISPLACEMENT;

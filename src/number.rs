@@ -1,5 +1,8 @@
 //! Numbers, one or four side by side, so that one text of a law and of an element serves one element and four.
 
+pub mod gauss;
+pub mod root;
+
 use std::f64::consts::FRAC_2_PI;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

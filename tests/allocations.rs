@@ -24,7 +24,7 @@ static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 #[test]
 fn iterations_allocate_nothing() {
     for form in [Form::TwoField, Form::ThreeField] {
-        let problem = paper_strip(100.0, 1.0).problem(form, 7);
+        let problem = paper_strip(100.0, 1.0).problem(form, 7).unwrap();
         let options = PathOptions {
             elements: 12,
             step_tolerance: 1e-2,

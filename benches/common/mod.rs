@@ -24,7 +24,7 @@ impl Setting {
     /// The paper's strip of 100 nm on elements of an order.
     pub fn new(elements: usize, order: usize) -> Self {
         let model = StripModel::of_the_paper(100.0, 1.0);
-        let problem = model.problem(Form::TwoField, order);
+        let problem = model.problem(Form::TwoField, order).unwrap();
         let at = problem.initial(elements);
         let (out, row) =
             (vec![0.0; problem.beam.nodes(&at.values).len()], PathRow { adhesion: 1.0, ..PathRow::default() });

@@ -5,6 +5,7 @@
 //! θ = -V/P + a cos kS + b sin kS with EI k² = P (λ + P/GA_s). With EA and GA_s infinite these are Euler's loads.
 
 use crate::beam::Section;
+use crate::number::root::Bracket;
 use std::f64::consts::PI;
 
 /// P in nN of a column that buckles in a sine of the wave number k (1/nm): P (1 - P/EA + P/GA_s) = EI k².
@@ -27,12 +28,9 @@ pub fn propped_buckling_load(section: &Section, length: f64) -> f64 {
         let shortened = 1.0 - load / section.axial;
         (shortened + load / section.shear) * angle.sin() - shortened * angle * angle.cos()
     };
-    let (mut low, mut high) = (PI, 1.5 * PI);
-    while high - low > 4.0 * f64::EPSILON * high {
-        let middle = 0.5 * (low + high);
-        if mismatch(middle) > 0.0 { low = middle } else { high = middle }
-    }
-    buckling_load(section, 0.5 * (low + high) / length)
+    let angles = Bracket { low: PI, high: 1.5 * PI };
+    let narrow = angles.bisected(|angle| mismatch(angle) > 0.0, |left| left.width() <= 4.0 * f64::EPSILON * left.high);
+    buckling_load(section, narrow.middle() / length)
 }
 
 #[cfg(test)]

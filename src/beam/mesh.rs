@@ -3,6 +3,7 @@
 //! Element ends lie at equal steps of  F(S) = Σ_i w_i asinh((S - c_i)/ℓ_i):  as fine as ℓ_i at each focus, geometric away
 //! from it. One focus follows the front; others stay at an end that has a layer of its own.
 
+use crate::number::root::{Bracket, Look};
 use serde::{Deserialize, Serialize};
 
 /// Whether element ends follow the front.
@@ -129,7 +130,12 @@ fn add_graded((start, end): (f64, f64), foci: &[Focus], elements: usize, near: &
     for k in 1..elements {
         let target = from + (to - from) * k as f64 / elements as f64;
         let near = near.get(ends.len()).copied();
-        s = invert(foci, target, (s, end), near.unwrap_or(s + (to - from) / elements as f64 / first_slope));
+        s = invert(
+            foci,
+            target,
+            Bracket { low: s, high: end },
+            near.unwrap_or(s + (to - from) / elements as f64 / first_slope),
+        );
         ends.push(s);
     }
     ends.push(end);
@@ -138,26 +144,19 @@ fn add_graded((start, end): (f64, f64), foci: &[Focus], elements: usize, near: &
 /// Where a mesh may differ from its map, relative to how far apart its ends are.
 const SLACK: f64 = 1e-11;
 
-/// Root of F(s) = target in a bracket, by Newton kept inside the shrinking bracket.
-fn invert(foci: &[Focus], target: f64, (mut low, mut high): (f64, f64), start: f64) -> f64 {
-    let mut s = if start > low && start < high { start } else { 0.5 * (low + high) };
-    for _ in 0..100 {
+/// Root of F(s) = target in a bracket, looked for from `start` on where that is inside.
+fn invert(foci: &[Focus], target: f64, bracket: Bracket, start: f64) -> f64 {
+    let start = if start > bracket.low && start < bracket.high { start } else { bracket.middle() };
+    let miss = |s: f64| {
         let (value, slope) = total(foci, s);
-        let miss = value - target;
-        if miss < 0.0 {
-            low = s
-        } else {
-            high = s
-        }
-        let newton = s - miss / slope;
-        let inside = newton > low && newton < high;
-        s = if inside { newton } else { 0.5 * (low + high) };
-        // Newton's method leaves about the square of its step, in units of 1/F'
-        if (inside && miss * miss <= SLACK) || high - low <= SLACK * high {
-            return s;
-        }
-    }
-    s
+        (value - target, slope)
+    };
+    // Newton's method leaves about the square of its step, in units of 1/F'
+    let settles = |look: &Look| {
+        let is_near = look.is_newton() && look.value * look.value <= SLACK;
+        (is_near || look.bracket.width() <= SLACK * look.bracket.high).then_some(look.next)
+    };
+    bracket.newton(start, miss, settles).unwrap_or_else(|left| left.next)
 }
 
 #[cfg(test)]

@@ -1,7 +1,10 @@
 //! The stress-free configuration of a beam.
 
 use super::Varying;
+use crate::number::gauss::Rule;
 use serde::{Deserialize, Serialize};
+use std::num::NonZeroUsize;
+use std::sync::LazyLock;
 
 /// The stress-free configuration of a beam.
 #[derive(Clone, Debug)]
@@ -33,21 +36,8 @@ pub struct RestCurve {
     pub curvature: [f64; 3],
 }
 
-/// Gauss-Legendre points and weights on [0, 1]: eight of them integrate a piece of [`PIECE`] radians to round-off.
-const GAUSS: [(f64, f64); 8] = {
-    const X: [f64; 4] =
-        [0.183_434_642_495_649_8, 0.525_532_409_916_329, 0.796_666_477_413_626_7, 0.960_289_856_497_536_3];
-    const W: [f64; 4] =
-        [0.362_683_783_378_362, 0.313_706_645_877_887_3, 0.222_381_034_453_374_48, 0.101_228_536_290_376_26];
-    let mut rule = [(0.0, 0.0); 8];
-    let mut i = 0;
-    while i < 4 {
-        rule[3 - i] = (0.5 * (1.0 - X[i]), 0.5 * W[i]);
-        rule[4 + i] = (0.5 * (1.0 + X[i]), 0.5 * W[i]);
-        i += 1;
-    }
-    rule
-};
+/// Eight points integrate a piece of [`PIECE`] radians to round-off.
+static RULE: LazyLock<Rule> = LazyLock::new(|| Rule::new(const { NonZeroUsize::new(8).expect("eight is not zero") }));
 
 /// Largest turn of a piece that is integrated at once, rad.
 const PIECE: f64 = 0.5;
@@ -91,7 +81,7 @@ impl RestCurve {
         let step = place / pieces as f64;
         let (mut along, mut up) = (x, y);
         for piece in 0..pieces {
-            for (point, weight) in GAUSS {
+            for (point, weight) in RULE.over(0.0, 1.0) {
                 let (sin, cos) = self.rotation_at((piece as f64 + point) * step).sin_cos();
                 along += step * weight * cos;
                 up += step * weight * sin;
@@ -139,7 +129,7 @@ impl VaryingRest {
     fn beyond(&self, [place, x, y]: [f64; 3], to: f64) -> [f64; 3] {
         let step = to - place;
         let (mut along, mut up) = (x, y);
-        for (point, weight) in GAUSS {
+        for (point, weight) in RULE.over(0.0, 1.0) {
             let (sin, cos) = self.beam.rotation(place + point * step).sin_cos();
             along += step * weight * cos;
             up += step * weight * sin;

@@ -53,7 +53,7 @@ impl PlanarProblem {
 pub struct Discretisation {
     /// Which unknowns a node has
     pub form: Form,
-    /// Order p of the elements, 1 to [`Discretisation::MOST_ORDER`]; a higher one is taken for that
+    /// Order p of the elements, 1 to [`Discretisation::MOST_ORDER`]
     pub order: usize,
     /// How the elements are placed
     pub mesh: MeshKind,
@@ -64,6 +64,13 @@ impl Discretisation {
     pub const fn moving(form: Form, order: usize) -> Self {
         Self { form, order, mesh: MeshKind::Moving }
     }
+}
+
+/// Elements of an order that there is not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error, Serialize, Deserialize)]
+#[error("elements of order {order} do not exist; the order is 1 to {}", Discretisation::MOST_ORDER)]
+pub struct NoSuchOrder {
+    pub order: usize,
 }
 
 /// The parameters of a model that move none of its reference configuration.
@@ -77,12 +84,23 @@ impl PeelModel {
     /// has nothing against. The displacement is that of the
     /// grip, whatever spring moves it. On ground that is not flat the form is [`Form::ThreeField`] and the mesh fixed; the beam is then
     /// stress-free above its ground, and `study::prepared` lets it settle there and takes the steps before the pull.
-    pub fn problem(&self, form: Form, order: usize) -> PlanarProblem {
+    ///
+    /// # Errors
+    /// Another order.
+    pub fn problem(&self, form: Form, order: usize) -> Result<PlanarProblem, NoSuchOrder> {
         self.discretised(Discretisation::moving(form, order), |_| {})
     }
 
     /// The same as `how` says, with a beam that `adjust` may change before it is shared.
-    pub fn discretised(&self, how: Discretisation, adjust: impl FnOnce(&mut PlanarBeam)) -> PlanarProblem {
+    ///
+    /// # Errors
+    /// An order that there is not.
+    pub fn discretised(
+        &self,
+        how: Discretisation,
+        adjust: impl FnOnce(&mut PlanarBeam),
+    ) -> Result<PlanarProblem, NoSuchOrder> {
+        how.check().map_err(|_| NoSuchOrder { order: how.order })?;
         let form = self.form(how.form);
         let (width, height) = self.free_end();
         let (law, length, along) = (self.line_law(), self.length(), self.has_horizontal_force());
@@ -152,7 +170,7 @@ impl PeelModel {
             by_force: false,
         };
         let grip = self.end_conditions(&beam);
-        PlanarProblem::new(beam, grip, measure, start)
+        Ok(PlanarProblem::new(beam, grip, measure, start))
     }
 
     /// Its sections along S.

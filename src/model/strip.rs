@@ -1,6 +1,6 @@
 //! A uniform strip of rectangular section.
 
-use super::{Adhesion, Body, Form, Geometry, Grip, PeelModel, PlanarProblem, Pull};
+use super::{Adhesion, Body, Form, Geometry, Grip, NoSuchOrder, PeelModel, PlanarProblem, Pull};
 use crate::adhesion::LineLaw;
 use crate::beam::{Contour, Material, Outline, Section};
 use serde::{Deserialize, Serialize};
@@ -122,7 +122,10 @@ impl StripModel {
     }
 
     /// As [`PeelModel::problem`].
-    pub fn problem(&self, form: Form, order: usize) -> PlanarProblem {
+    ///
+    /// # Errors
+    /// An order that there is not.
+    pub fn problem(&self, form: Form, order: usize) -> Result<PlanarProblem, NoSuchOrder> {
         PeelModel::from(self).problem(form, order)
     }
 }

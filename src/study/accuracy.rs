@@ -1,5 +1,6 @@
 //! What the user asks of the numbers, and what follows from it: order, elements and steps.
 
+use super::error_bounds::CORNER_AIM_FRACTION;
 use super::terms::Terms;
 use crate::beam::{BUNDLE, MeshKind};
 use crate::model::{Discretisation, Form, ModelError, NumberOf, PeelModel, Range};
@@ -177,14 +178,10 @@ impl Resolution {
     }
 }
 
-/// What share of the accuracy asked for is aimed at where a law has corners: between two meshes they fall elsewhere between the
-/// points of the quadrature, so that a difference to a finer mesh may be small by luck.
-const CAUTION: f64 = 0.25;
-
 /// The accuracy that is aimed at, and the relative error below which no bound is, if there is one.
 pub(super) fn aim(model: &PeelModel, accuracy: &Accuracy) -> (Accuracy, Option<f64>) {
     if cornered(model) > 1.0 {
-        (Accuracy { relative: CAUTION * accuracy.relative, ..*accuracy }, Some(accuracy.relative))
+        (Accuracy { relative: CORNER_AIM_FRACTION * accuracy.relative, ..*accuracy }, Some(accuracy.relative))
     } else {
         (*accuracy, None)
     }

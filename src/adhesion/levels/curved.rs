@@ -31,7 +31,7 @@ struct Powers {
 }
 
 /// Points on half of a cylinder's section as seen from outside: 1e-11 of the result at a gap of a hundredth of the radius.
-const CHORDS: NonZeroUsize = NonZeroUsize::new(48).unwrap();
+const CHORDS: NonZeroUsize = NonZeroUsize::new(48).expect("it is not zero");
 
 impl CurvedBody {
     /// Body force density at `gap` d (nm) from the surface, nN/nm³, positive away from it: eq. (7) over this body.

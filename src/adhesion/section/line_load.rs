@@ -7,6 +7,7 @@ use super::response::LineResponse;
 use super::{Law, body_force, surface_traction};
 use crate::adhesion::HalfSpace;
 use crate::number::Real;
+use crate::number::root::{Bracket, Look};
 use serde::{Deserialize, Serialize};
 
 /// What of the adhesion reaches the axis.
@@ -86,23 +87,14 @@ impl LineLaw {
         if let Law::Own(own) = self.law {
             return own.law().rest_gap(self.height);
         }
-        let (mut low, mut high) = (self.half_space.equilibrium_gap() * (1.0 - 1e-9), self.half_space.strongest_gap());
-        let mut gap = self.half_space.equilibrium_gap();
-        for _ in 0..200 {
+        let closed = self.half_space.equilibrium_gap();
+        let gaps = Bracket { low: closed * (1.0 - 1e-9), high: self.half_space.strongest_gap() };
+        let traction = |gap: f64| {
             let at = self.response(gap, 0.0, 1.0);
-            if at.by_gap < 0.0 {
-                low = gap
-            } else {
-                high = gap
-            }
-            let newton = gap - at.by_gap / at.gap_gap;
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            if (next - gap).abs() <= 2.0 * f64::EPSILON * gap {
-                return next;
-            }
-            gap = next;
-        }
-        gap
+            (at.by_gap, at.gap_gap)
+        };
+        let settles = |look: &Look| ((look.next - look.at).abs() <= 2.0 * f64::EPSILON * look.at).then_some(look.next);
+        gaps.newton(closed, traction, settles).unwrap_or_else(|left| left.next)
     }
 
     /// Ψ of the flat section at rest, nN/nm: minus the work of adhesion of the strip.

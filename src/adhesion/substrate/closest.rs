@@ -10,6 +10,7 @@
 //! between two candidates, and both are taken.
 
 use super::surface::Foot;
+use crate::number::root::{Bracket, Look};
 
 /// What is known of a curve as a whole.
 pub(super) struct Graph {
@@ -28,8 +29,6 @@ pub(super) struct Graph {
 const MOST_SAMPLES: f64 = 4000.0;
 /// Parts into which a step is divided that holds a candidate.
 const PARTS: usize = 8;
-/// Most steps of Newton's method with bisection.
-const MOST_STEPS: usize = 100;
 
 /// The nearest point of y = f(x) to (x, y). `curve` gives f and its first three derivatives; `guesses` are places not far
 /// from it, which bound how far away the nearest can be.
@@ -143,23 +142,18 @@ impl<C: Fn(f64) -> [f64; 4]> Search<C> {
     }
 
     /// A root of q, which is not positive at `low` and not negative at `high`, to round-off.
-    fn root(&self, mut low: f64, mut high: f64) -> f64 {
-        let mut s = self.x.clamp(low, high);
-        for _ in 0..MOST_STEPS {
-            let (value, slope) = self.q(s);
-            if value <= 0.0 {
-                low = s
-            } else {
-                high = s
+    #[inline]
+    fn root(&self, low: f64, high: f64) -> f64 {
+        let settles = |look: &Look| {
+            let is_near = |to: f64| (to - look.at).abs() <= f64::EPSILON * (look.at.abs() + self.y.abs());
+            match look {
+                Look { value: 0.0, .. } => Some(look.at),
+                look if look.slope > 0.0 && is_near(look.newton) => Some(look.newton),
+                look => is_near(look.next).then_some(look.next),
             }
-            let newton = s - value / slope;
-            let next = if slope > 0.0 && newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
-            if (next - s).abs() <= f64::EPSILON * (s.abs() + self.y.abs()) || value == 0.0 {
-                return next;
-            }
-            s = next;
-        }
-        s
+        };
+        let root = Bracket { low, high }.newton(self.x.clamp(low, high), |s| self.q(s), settles);
+        root.unwrap_or_else(|left| left.next)
     }
 
     /// What is to be known of the place s.

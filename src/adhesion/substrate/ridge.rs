@@ -1,7 +1,7 @@
 //! A parabolic ridge.
 
 use super::closest::{Graph, closest};
-use super::surface::{Foot, Named, Surface};
+use super::surface::{Foot, Named, ONE_CREST, Surface, of_one_crest};
 use serde::{Deserialize, Serialize};
 
 /// y = -(x - x0)²/(2R): an asperity across the beam, whose flanks fall away without an end, unlike those of a cylinder. Its crest is at y = 0.
@@ -30,15 +30,11 @@ impl Surface for Ridge {
     }
 
     fn keys(&self) -> &'static [&'static str] {
-        &["radius", "offset", "start"]
+        ONE_CREST
     }
 
     fn number(&mut self, key: &str) -> Option<&mut f64> {
-        match key {
-            "radius" => Some(&mut self.radius),
-            "offset" => Some(&mut self.offset),
-            _ => None,
-        }
+        of_one_crest(key, &mut self.radius, &mut self.offset)
     }
 
     fn clearance(&self, x: f64, y: f64) -> f64 {

@@ -1,6 +1,6 @@
 //! A sphere or a cylinder.
 
-use super::surface::{Foot, Misfit, Named, Surface};
+use super::surface::{Foot, Misfit, Named, ONE_CREST, Surface, of_one_crest};
 use crate::adhesion::Shape;
 use serde::{Deserialize, Serialize};
 
@@ -31,15 +31,11 @@ impl Surface for Round {
     }
 
     fn keys(&self) -> &'static [&'static str] {
-        &["radius", "offset", "start"]
+        ONE_CREST
     }
 
     fn number(&mut self, key: &str) -> Option<&mut f64> {
-        match key {
-            "radius" => Some(&mut self.radius),
-            "offset" => Some(&mut self.offset),
-            _ => None,
-        }
+        of_one_crest(key, &mut self.radius, &mut self.offset)
     }
 
     fn misfit(&self) -> Option<Misfit> {

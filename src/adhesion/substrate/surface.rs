@@ -77,6 +77,18 @@ pub trait Surface: Debug + Send + Sync {
     }
 }
 
+/// The keys of a shape with one crest.
+pub(super) const ONE_CREST: &[&str] = &["radius", "offset", "start"];
+
+/// The number of a shape with one crest that a scene gives by this key: the radius of the crest or its place along x.
+pub(super) fn of_one_crest<'s>(key: &str, radius: &'s mut f64, offset: &'s mut f64) -> Option<&'s mut f64> {
+    match key {
+        "radius" => Some(radius),
+        "offset" => Some(offset),
+        _ => None,
+    }
+}
+
 /// A name by which a scene takes a shape, and what makes one of which no number is given yet.
 pub(super) type Named<S> = (&'static str, fn() -> S);
 

@@ -3,7 +3,8 @@
 //! With p Gauss points for every term, adhesion too, an element of order p does not lock and is as accurate at its end
 //! nodes as p-stage Gauss collocation, order 2p.
 
-use gauss_quad::{FiniteAboveNegOneF64, GaussJacobi, GaussLegendre};
+use crate::number::gauss::gauss_legendre;
+use gauss_quad::{FiniteAboveNegOneF64, GaussJacobi};
 use std::num::NonZeroUsize;
 
 /// The most nodes an element can have.
@@ -105,7 +106,8 @@ impl Basis {
         for b in 0..count {
             basis.nodal_slope[b] = basis.sample(nodes[b]).1;
         }
-        for (q, (point, weight)) in gauss_points(order).into_iter().enumerate() {
+        let gauss = NonZeroUsize::new(order).map_or_else(Vec::new, gauss_legendre);
+        for (q, (point, weight)) in gauss.into_iter().enumerate() {
             basis.points[q] = point;
             basis.weights[q] = weight;
             (basis.value[q], basis.slope[q]) = basis.sample(point);
@@ -158,14 +160,6 @@ fn lobatto_nodes(order: usize) -> Vec<f64> {
     }
     nodes.sort_by(f64::total_cmp);
     nodes
-}
-
-/// The p Gauss points and weights on [-1, 1], ascending.
-fn gauss_points(order: usize) -> Vec<(f64, f64)> {
-    let Some(degree) = NonZeroUsize::new(order) else { return Vec::new() };
-    let mut pairs: Vec<(f64, f64)> = GaussLegendre::new(degree).as_node_weight_pairs().to_vec();
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
-    pairs
 }
 
 #[cfg(test)]

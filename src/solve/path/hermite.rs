@@ -1,5 +1,10 @@
 //! The polynomial through values and slopes.
 
+use crate::number::root::Bracket;
+
+/// How sharp a turning point is, over the way on which it is looked for: sixty halvings.
+const SHARP: f64 = 1.3e-18;
+
 /// Polynomial through values and slopes, in Newton's form.
 #[derive(Clone, Debug)]
 pub struct Hermite {
@@ -39,13 +44,10 @@ impl Hermite {
 
     /// A zero of the first derivative between two places at which it differs in sign.
     pub fn turning_point(&self, from: f64, to: f64) -> f64 {
-        let (mut low, mut high) = (from, to);
         let rising = self.at(from).1 < self.at(to).1;
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if (self.at(middle).1 < 0.0) == rising { low = middle } else { high = middle }
-        }
-        0.5 * (low + high)
+        let is_before = |place: f64| (self.at(place).1 < 0.0) == rising;
+        let narrow = SHARP * (to - from);
+        Bracket { low: from, high: to }.bisected(is_before, |left| left.width() <= narrow).middle()
     }
 }
 

@@ -4,6 +4,7 @@
 //! are labelled by one linear functional of the observables, the same for all points of one prediction, so that labels
 //! are a smooth function of position.
 
+use crate::number::root::Bracket;
 use crate::solve::{MONITORS, Problem, Solution, State};
 use std::sync::Arc;
 
@@ -68,11 +69,7 @@ pub fn longest_step(labels: &[f64], count: usize, error: f64, tolerance: f64, mo
     if product(most, 0) <= allowed {
         return most;
     }
-    let (mut low, mut high) = (0.0, most);
     // a step need not be sharp
-    while high - low > 1e-2 * high {
-        let middle = 0.5 * (low + high);
-        if product(middle, 0) <= allowed { low = middle } else { high = middle }
-    }
-    low
+    let is_short = |step: f64| product(step, 0) <= allowed;
+    Bracket { low: 0.0, high: most }.bisected(is_short, |left| left.width() <= 1e-2 * left.high).low
 }

@@ -1,10 +1,12 @@
 //! Why a test stopped short, with what was computed, where and how far.
 
-use super::result::{Balance, Way};
-use super::run::MOST_JUMPS;
+use super::balance::{Balance, Way};
 use crate::solve::{RelaxError, SolveError, TraceError};
 use crate::study::initial::NoEquilibrium;
 use serde::{Deserialize, Serialize};
+
+/// Most jumps on one way.
+pub(super) const MOST_JUMPS: usize = 50;
 
 /// Why a test stopped short, on the best mesh that was tried, and what to try.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]

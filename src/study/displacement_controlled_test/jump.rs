@@ -1,11 +1,12 @@
 //! A jump with its numbers and the bounds on their errors.
 
-use super::result::{Jump, JumpEnd, JumpKind, Way};
+use super::balance::Way;
+use super::result::{Jump, JumpEnd, JumpKind};
 use super::stable_branch::Machine;
 use crate::beam::FRONT;
 use crate::model::PlanarProblem;
 use crate::solve::{Located, Observables, Relaxed, Solution, SolveError, Workspace, on_more_elements};
-use crate::study::error_bounds::{ROUND_OFF, SAFETY, least, modesty};
+use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, bound_floor, least};
 
 /// From where stability is lost to where the strip comes to rest.
 pub(super) fn described(
@@ -16,13 +17,13 @@ pub(super) fn described(
     ws: &mut Workspace,
 ) -> Result<Jump, SolveError> {
     let (problem, landed, o) = (machine.problem, &relaxed.solution, &limit.observables);
-    let share = ROUND_OFF + modesty(limit, machine.relative);
-    let machine_error = SAFETY * limit.difference.displacement.abs() + share * o.displacement.abs();
+    let share = ROUND_OFF + bound_floor(limit, machine.relative);
+    let machine_error = DIFFERENCE_BOUND_FACTOR * limit.difference.displacement.abs() + share * o.displacement.abs();
     let (before, before_difference) = at_limit(problem, limit, machine_error, share, ws)?;
     let floor = ROUND_OFF + least(machine.relative);
     let (after, after_difference) = at_rest(problem, landed, machine_error, floor, ws)?;
-    let energies =
-        SAFETY * (before_difference + after_difference) + floor * before.energy.abs().max(after.energy.abs());
+    let energies = DIFFERENCE_BOUND_FACTOR * (before_difference + after_difference)
+        + floor * before.energy.abs().max(after.energy.abs());
     let kind = if after.front < before.front { JumpKind::SnapOff } else { JumpKind::IntoContact };
     Ok(Jump {
         kind,
@@ -52,7 +53,7 @@ fn at_limit(
     let energy = problem.energy(&near.at, near.energy) + near.observables.force * ahead;
     let finer = on_more_elements(problem, near, Observables::FORCE, ws)?;
     let enthalpy = |s: &Solution| problem.energy(&s.at, s.energy) - s.observables.force * s.observables.displacement;
-    let force_error = SAFETY * limit.difference.force.abs() + share * o.force.abs();
+    let force_error = DIFFERENCE_BOUND_FACTOR * limit.difference.force.abs() + share * o.force.abs();
     Ok((end(problem, o, (machine_error, force_error), energy), (enthalpy(&finer) - enthalpy(near)).abs()))
 }
 
@@ -68,7 +69,7 @@ fn at_rest(
     let o = &landed.observables;
     let difference = finer.observables.force - o.force;
     let along = (landed.slope.force / landed.slope.displacement).abs() * machine_error;
-    let force_error = SAFETY * difference.abs() + along + floor * o.force.abs();
+    let force_error = DIFFERENCE_BOUND_FACTOR * difference.abs() + along + floor * o.force.abs();
     let energy = problem.energy(&landed.at, landed.energy);
     let energy_difference = (problem.energy(&finer.at, finer.energy) - energy).abs();
     Ok((end(problem, o, (machine_error, force_error), energy), energy_difference))
@@ -88,7 +89,7 @@ fn end(problem: &PlanarProblem, o: &Observables, (machine_error, force_error): (
 impl Jump {
     /// No bound is less than twice the difference to the same jump on another mesh.
     pub(super) fn widen(&mut self, twin: &Self) {
-        let widened = |error: f64, here: f64, there: f64| error.max(SAFETY * (here - there).abs());
+        let widened = |error: f64, here: f64, there: f64| error.max(DIFFERENCE_BOUND_FACTOR * (here - there).abs());
         self.machine_error = widened(self.machine_error, self.machine, twin.machine);
         self.released_error = widened(self.released_error, self.released, twin.released);
         for (end, other) in [(&mut self.before, &twin.before), (&mut self.after, &twin.after)] {

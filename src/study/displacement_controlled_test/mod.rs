@@ -1,8 +1,12 @@
 //! What a testing machine records: the stable branches, the jumps between them, and the way back.
+mod balance;
 mod failure;
 mod jump;
+mod observed;
 mod result;
 mod run;
 mod stable_branch;
+pub use balance::*;
 pub use failure::{BranchError, TestError, TestFailure};
+pub use observed::{NoTest, observed};
 pub use result::*;

@@ -1,7 +1,8 @@
 //! The run behind [`super::observed`]: retreat, jump, approach, jump, on a mesh from the accuracy asked for, and on a finer one
 //! where the errors of the jumps say so.
 
-use super::failure::{TestError, TestFailure};
+use super::balance::{Balance, Way};
+use super::failure::{MOST_JUMPS, TestError, TestFailure};
 use super::jump;
 use super::result::*;
 use super::stable_branch::{BranchEnd, Machine, StableBranch, Until};
@@ -11,14 +12,12 @@ use crate::solve::{
     EndConditions, Held, Located, RelaxOptions, Solution, State, Workspace, disturbed, disturbed_anyhow, relax,
 };
 use crate::study::accuracy::{Resolution, most_elements};
-use crate::study::error_bounds::{ROUND_OFF, SAFETY, least};
+use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
 use crate::study::initial::{NoEquilibrium, prepared};
 use crate::study::refinement::refined;
 use crate::study::{Accuracy, Bound, Stage, StopCriteria};
 use std::sync::Arc;
 
-/// Most jumps on one way.
-pub(super) const MOST_JUMPS: usize = 50;
 /// Most that a step of relaxation moves, relative to the gap.
 const RELAXING: f64 = 0.1;
 /// A mesh whose errors are at most this many times those of the best one shows its round-off.
@@ -205,7 +204,8 @@ impl Test {
         let highest = peak.into_iter().chain(at_limit);
         let highest = highest.max_by(|a, b| a.observables.force.total_cmp(&b.observables.force));
         if let Some(Located { observables: o, difference, .. }) = highest {
-            let force_error = SAFETY * difference.force.abs() + (ROUND_OFF + least(machine.relative)) * o.force.abs();
+            let force_error = DIFFERENCE_BOUND_FACTOR * difference.force.abs()
+                + (ROUND_OFF + least(machine.relative)) * o.force.abs();
             self.pull_off = Some(PullOff { machine: o.displacement, force: o.force, force_error });
         }
         Ok(())
@@ -302,15 +302,5 @@ impl Test {
         let hysteresis = self.cycle.filter(|_| end == TestEnd::Closed).map(|cycle| cycle.work);
         let Self { points, jumps, pieces, pull_off, retreat, cycle, effort, .. } = self;
         Observed { points, jumps, pieces, pull_off, hysteresis, retreat, cycle, end, effort, reached }
-    }
-}
-
-impl Way {
-    /// In words.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Retreat => "retreat",
-            Self::Approach => "approach",
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! Why a path has no start.
 
 use crate::beam::{GripForces, GripState};
-use crate::model::Step;
+use crate::model::{NoSuchOrder, Step};
 use crate::solve::{PathError, RelaxError, SolveError};
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -10,6 +10,9 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 #[allow(missing_docs)] // the message of each names its numbers
 pub enum NoEquilibrium {
+    /// There are no elements on which to look for one.
+    #[error("{0}")]
+    Order(#[from] NoSuchOrder),
     /// The beam does not come to rest on ground that is not flat.
     #[error(
         "no equilibrium of the beam without a grip was found on the substrate: {0}. Try another substrate.start, or a \

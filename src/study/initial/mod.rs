@@ -26,7 +26,9 @@ pub fn prepared(
     how: Discretisation,
     should_stop: Option<ShouldStop>,
 ) -> Result<Prepared, NotPrepared> {
-    let mut problem = model.discretised(how, |_| {});
+    let mut problem = model
+        .discretised(how, |_| {})
+        .map_err(|why| NotPrepared { why: NoEquilibrium::Order(why), steps: Vec::new() })?;
     if !model.ground.substrate.is_flat() {
         let at = settled_on_ground::settled_on_ground(&problem, &model.ground, model.reach(), &should_stop)
             .map_err(|why| NotPrepared { why: NoEquilibrium::OnGround(why), steps: Vec::new() })?;

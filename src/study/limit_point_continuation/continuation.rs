@@ -72,7 +72,7 @@ pub(super) struct Lost {
 /// The model's problem with the mesh that the point needs.
 pub(super) fn problem(model: &PeelModel, kind: PointKind) -> PlanarProblem {
     let how = Discretisation::moving(Form::TwoField, ORDER);
-    model.discretised(how, |beam| {
+    let problem = model.discretised(how, |beam| {
         if kind == PointKind::InitiationPeak {
             // the free end of a long strip is still at rest, and that of no strip stands on its edge
             let weight = 0.375 / (1.0 + (model.length() / (25.0 * model.bending_length())).powi(6));
@@ -81,7 +81,8 @@ pub(super) fn problem(model: &PeelModel, kind: PointKind) -> PlanarProblem {
                 focus.length = 0.36 * beam.process_length;
             }
         }
-    })
+    });
+    problem.expect("the order is one that there is")
 }
 
 /// A search for the point on a problem, with the displacement or the force as the place along the path.

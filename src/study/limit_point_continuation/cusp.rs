@@ -10,6 +10,7 @@ use crate::solve::{
     LimitPointKind, NewtonOptions, Observables, PathConstraint, Problem, Solution, State, Workspace, solve,
 };
 use crate::study::accuracy::{ORDER, Resolution};
+use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 use crate::study::{Accuracy, PathEnd, StopCriteria, Terms, peel};
 use std::sync::Arc;
 
@@ -39,8 +40,6 @@ const CERTAIN: f64 = 1e-10;
 const MOST_TRIES: usize = 40;
 /// Largest step of the parameter, as a share of it.
 const LONGEST: f64 = 0.03;
-/// The bound is the difference to half as many elements again times this.
-const SAFETY: f64 = 2.0;
 
 /// Finds the cusp next to the value `from`, at which the path has a snap-back; `model` gives the model at a value, and the
 /// snap-back vanishes as the value grows. The error says what was not found.
@@ -54,11 +53,11 @@ pub fn cusp<M: Into<PeelModel>>(model: &dyn Fn(f64) -> M, from: f64, accuracy: &
         vanishing(&model, from, first.on_elements(&problem, elements))
     });
     let (coarse, fine) = (coarse?, fine?);
-    Ok(Cusp { error: SAFETY * (fine.value - coarse.value).abs() + CERTAIN * coarse.value, ..coarse })
+    Ok(Cusp { error: DIFFERENCE_BOUND_FACTOR * (fine.value - coarse.value).abs() + CERTAIN * coarse.value, ..coarse })
 }
 
 fn problem(model: &PeelModel) -> PlanarProblem {
-    model.problem(Form::TwoField, ORDER)
+    model.problem(Form::TwoField, ORDER).expect("the order is one that there is")
 }
 
 /// The equilibrium at which du/dP is largest, as far as it is known.

@@ -35,8 +35,8 @@ pub(super) fn report(model: &PeelModel, problem: &PlanarProblem, followed: &Foll
     let largest = followed.points.iter().map(|s| s.observables.force.abs()).fold(0.0, f64::max);
     let section = model.section();
     // strains are known to the machine's epsilon, and a stiff beam makes large forces of them
-    let strained = STRAINED * f64::EPSILON * section.axial.max(section.shear);
-    let bent = BENT * f64::EPSILON * section.bending / model.adhesion.equilibrium_distance.powi(2);
+    let strained = STRAIN_ROUND_OFF * f64::EPSILON * section.axial.max(section.shear);
+    let bent = BENDING_ROUND_OFF * f64::EPSILON * section.bending / model.adhesion.equilibrium_distance.powi(2);
     let force_round_off = if problem.beam.chain.has_border() { ROUND_OFF_HELD } else { ROUND_OFF };
     let points = followed.points.iter().zip(&works).map(|(s, &work)| PathPoint {
         displacement: s.observables.displacement,
@@ -49,8 +49,9 @@ pub(super) fn report(model: &PeelModel, problem: &PlanarProblem, followed: &Foll
         iterations: s.iterations,
     });
     let force_error = |located: &Located| {
-        let floor = force_round_off * largest + strained + modesty(located, relative) * located.observables.force.abs();
-        SAFETY * located.difference.force.abs() + floor
+        let floor =
+            force_round_off * largest + strained + bound_floor(located, relative) * located.observables.force.abs();
+        DIFFERENCE_BOUND_FACTOR * located.difference.force.abs() + floor
     };
     let limit_points: Vec<LimitPoint> = followed
         .turns
@@ -85,8 +86,8 @@ fn place_error(located: &Located, relative: f64, turn: LimitPointKind, [strained
         LimitPointKind::Displacement => (ROUND_OFF, strained),
     };
     let stiff = stiff / o.force.abs().max(stiff).max(f64::MIN_POSITIVE);
-    SAFETY * located.difference.displacement.abs()
-        + (round_off + stiff + modesty(located, relative)) * o.displacement.abs()
+    DIFFERENCE_BOUND_FACTOR * located.difference.displacement.abs()
+        + (round_off + stiff + bound_floor(located, relative)) * o.displacement.abs()
 }
 
 /// How far from a flat turn behind the point `after` the force stays within its error, nm, but no further than rest: no nearer is
@@ -155,7 +156,7 @@ fn peak_at(problem: &PlanarProblem, last: &Arc<Solution>, relative: f64) -> Opti
         force: o.force,
         end_rotation: o.recorded,
         // a path may end with a force of zero, or come back to u = 0: to the round-off of their scales
-        force_error: SAFETY * difference.force.abs()
+        force_error: DIFFERENCE_BOUND_FACTOR * difference.force.abs()
             + ROUND_OFF * o.force.abs().max(problem.measure.force)
             + least(relative) * o.force.abs(),
         displacement_error: ROUND_OFF * o.displacement.abs().max(problem.grip.displacement_scale()),

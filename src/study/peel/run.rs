@@ -9,7 +9,9 @@ use crate::model::{Discretisation, PeelModel, PlanarProblem};
 use crate::solve::LimitPointKind;
 use crate::study::accuracy::{Choice, Resolution, aim, most_elements};
 use crate::study::checkpoint::Limits;
-use crate::study::error_bounds::{SAFETY, counts};
+use crate::study::error_bounds::{
+    DIFFERENCE_BOUND_FACTOR, PLAIN_IMPROVEMENT, STRIDE_BOUND_FACTOR, STRIDE_TOLERANCE_FACTOR, counts,
+};
 use crate::study::initial::{NotPrepared, Prepared, prepared};
 use crate::study::refinement::refined;
 use crate::study::{Accuracy, Checkpoint, StopCriteria};
@@ -22,15 +24,8 @@ const SPREAD: f64 = 100.0;
 const SPREAD_ROUND_OFF: f64 = 5e-10;
 /// Below this relative error, an error that does not fall with more elements is taken for round-off.
 const STAGNATION: f64 = 2e-8;
-/// Of two errors near round-off, the one that is less by this is less in earnest.
-const PLAIN: f64 = 0.1;
 /// Length of the steps of a path that confirms another, over those of the other.
 const SHORTER: f64 = 0.5;
-/// Bounds are what shorter strides change times this: the steps beyond a limit point are what they are, so that the strides shorten not all of
-/// them, and 1.1 times four times that change was found.
-const WARY: f64 = 8.0;
-/// Bounds may then be so many times what was asked for.
-const NEARLY: f64 = 2.0;
 /// Most such paths.
 const MOST_SHORTER: i32 = 3;
 /// Follows the peel from rest to its end.
@@ -175,7 +170,7 @@ impl Attempt {
         // a peak where the path begins is no limit point
         let at_rest = peel.peak.filter(|peak| Some(peak.displacement) == peel.points.first().map(|p| p.displacement));
         let at_rest = at_rest.map_or(0.0, |peak| peak.force_error / peak.force);
-        let difference = (SAFETY * worst_difference(&followed, problem)).max(at_rest) / relative;
+        let difference = (DIFFERENCE_BOUND_FACTOR * worst_difference(&followed, problem)).max(at_rest) / relative;
         let next = match &followed.trouble {
             None => {
                 spread = followed.spread / (SPREAD * relative).max(SPREAD_ROUND_OFF);
@@ -230,7 +225,7 @@ impl Attempt {
             self.spread < best.spread
         } else {
             // of two that have come down to round-off the one with fewer elements, unless the difference is plain
-            self.worst() <= PLAIN * best.worst() && self.spread <= 1.0
+            self.worst() <= PLAIN_IMPROVEMENT * best.worst() && self.spread <= 1.0
         }
     }
 
@@ -244,9 +239,10 @@ impl Attempt {
                 let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);
                 let near = force.abs() < STAGNATION.max(*asked) * point.force.abs();
                 if point.kind == twin.kind && near {
-                    point.force_error = point.force_error.max(SAFETY * force.abs());
+                    point.force_error = point.force_error.max(DIFFERENCE_BOUND_FACTOR * force.abs());
                     if !point.flat {
-                        point.displacement_error = point.displacement_error.max(SAFETY * displacement.abs());
+                        point.displacement_error =
+                            point.displacement_error.max(DIFFERENCE_BOUND_FACTOR * displacement.abs());
                     }
                 }
             }
@@ -259,8 +255,8 @@ impl Attempt {
         let mut largest = 0.0f64;
         for (point, twin) in self.peel.limit_points.iter_mut().zip(&other.peel.limit_points) {
             let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);
-            point.force_error = point.force_error.max(WARY * force.abs());
-            point.displacement_error = point.displacement_error.max(WARY * displacement.abs());
+            point.force_error = point.force_error.max(STRIDE_BOUND_FACTOR * force.abs());
+            point.displacement_error = point.displacement_error.max(STRIDE_BOUND_FACTOR * displacement.abs());
             if !counts(problem, point.kind) {
                 // at a corner of the path two strides may agree by luck: what was not certain stays so, and no bound is below what was
                 // asked for
@@ -271,7 +267,7 @@ impl Attempt {
             }
             let place = if point.flat { 0.0 } else { (displacement / point.displacement).abs() };
             if counts(problem, point.kind) {
-                largest = largest.max(WARY * (force / point.force).abs().max(place));
+                largest = largest.max(STRIDE_BOUND_FACTOR * (force / point.force).abs().max(place));
             }
         }
         self.peel.tell_bounds();
@@ -299,8 +295,9 @@ impl Attempt {
         let fixed = self.peel.choice.elements.is_some();
         let worst = self.worst();
         // a path that remembers has been followed again with other steps, whose mesh may be a little worse
-        let missed =
-            worst > if self.remembers { NEARLY } else { 1.0 } && worst * self.peel.asked > STAGNATION && !fixed;
+        let missed = worst > if self.remembers { STRIDE_TOLERANCE_FACTOR } else { 1.0 }
+            && worst * self.peel.asked > STAGNATION
+            && !fixed;
         let mut peel = self.peel;
         let bounded = matches!(peel.end, PathEnd::Bound(_));
         let missed = (missed && !bounded).then_some(PathFailure::BoundsMissed { factor: worst });

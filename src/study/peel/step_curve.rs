@@ -6,6 +6,7 @@
 use super::Peel;
 use crate::beam::Basis;
 use crate::model::PlanarProblem;
+use crate::number::root::Bracket;
 use crate::solve::{Observables, PathSegment, ROUGH, Solution, Workspace, lagrange_weights, reach};
 use std::sync::Arc;
 
@@ -15,6 +16,8 @@ const NODES: usize = 7;
 const MOST_HALVINGS: usize = 5;
 /// A middle that is missed by this share of what changes on the step is missed in earnest.
 const ROUGHLY: f64 = 1e-3;
+/// How sharp a place on a step is looked for: sixty halvings of [-1, 1].
+const SHARP: f64 = 2.6e-18;
 /// Work that counts, over the adhesion of the whole beam.
 const COUNTS: f64 = 1e-8;
 
@@ -142,11 +145,7 @@ impl Peel {
             return Some(trace.points[0].observables.force);
         }
         let curve = StepCurve::behind(&trace.problem, &trace.points, after - 1, &mut Workspace::default());
-        let (mut low, mut high) = (-1.0, 1.0);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if curve.at(middle).0 < displacement { low = middle } else { high = middle }
-        }
-        Some(curve.at(low).2)
+        let is_before = |place: f64| curve.at(place).0 < displacement;
+        Some(curve.at(Bracket { low: -1.0, high: 1.0 }.bisected(is_before, |left| left.width() <= SHARP).low).2)
     }
 }

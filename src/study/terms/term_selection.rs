@@ -1,7 +1,7 @@
 //! Leaves out of a model what does not change the answer at the accuracy asked for, and says what that was.
 //!
 //! The path is followed without the terms that take something to compute, and what each would change is estimated on that path for every
-//! number that is reported ([`super::shift`]). Bounds are widened by twice that. Where they are within the accuracy then, the path stands;
+//! number that is reported ([`super::first_order_change`]). Bounds are widened by twice that. Where they are within the accuracy then, the path stands;
 //! else the term that changes most is put back, and the path followed again.
 
 use super::decision::{KeptReason, LeftOut, NotTold, Term, TermDecisions, Terms};
@@ -10,17 +10,12 @@ use super::section_sampling::SectionSampling;
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
 use crate::model::{Form, Friction, Ground, Hold, PeelModel};
 use crate::solve::{Direction, Solution};
+use crate::study::error_bounds::{COMPANION_FRACTION, FAR_FACE_SHARE_FACTOR, SHIFT_BOUND_FACTOR};
 use crate::study::peel::run as whole_path;
 use crate::study::peel::{LimitPoint, PathEnd, Peel, SolutionHistory};
 use crate::study::{Accuracy, Checkpoint, StopCriteria};
 use std::sync::Arc;
 
-/// What is estimated to change may be so many times as large.
-const SAFETY: f64 = 2.0;
-/// The upper face may change a number by so many times the share that it has of the work of adhesion.
-const UPPER: f64 = 8.0;
-/// A shift may vanish by luck to first order: none is taken to be below this share of the largest relative one.
-const MODESTY: f64 = 0.1;
 /// Heights of the ground over r0 beyond which it is no small change.
 const SHALLOW: f64 = 0.1;
 
@@ -144,7 +139,8 @@ fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, KeptRe
     if law.has_far_face() {
         // what it takes of the work of adhesion it takes of the force beyond the peak
         let share = 1.0 - law.rest_energy() / LineLaw { far_face: false, ..law }.rest_energy();
-        let matters = (SAFETY * UPPER * share > relative).then_some(KeptReason::Matters(share));
+        let matters =
+            (SHIFT_BOUND_FACTOR * FAR_FACE_SHARE_FACTOR * share > relative).then_some(KeptReason::Matters(share));
         consider(Term::FarFace, driven.or(matters));
     }
     (tried, kept)
@@ -272,6 +268,6 @@ impl Found {
 
     /// What a number that shifts is to be bounded by besides.
     fn wide(&self, shift: f64, value: f64) -> f64 {
-        SAFETY * shift.abs().max(MODESTY * self.left_out.largest * value.abs())
+        SHIFT_BOUND_FACTOR * shift.abs().max(COMPANION_FRACTION * self.left_out.largest * value.abs())
     }
 }

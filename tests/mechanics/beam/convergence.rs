@@ -33,7 +33,7 @@ const ERRORS: [[f64; 7]; 8] = [
 
 /// Force at u = 0.2 nm, and the Newton iterations of the four steps to it.
 fn force(form: Form, order: usize, elements: usize) -> (f64, usize) {
-    let problem = paper_strip(10.0, 1.0).problem(form, order);
+    let problem = paper_strip(10.0, 1.0).problem(form, order).unwrap();
     let weights = Observables::DISPLACEMENT;
     let options = NewtonOptions { tolerance: 1e-13, largest_update: 5.0, most_iterations: 30, exact_slope: false };
     let mut work = Workspace::default();

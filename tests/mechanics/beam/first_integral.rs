@@ -185,7 +185,7 @@ fn work(points: &[Arc<Solution>]) -> f64 {
 
 /// Work and change of stored plus adhesion energy, aJ, from rest until a hundredth of the strip's adhesion is left.
 fn work_and_energy(model: &StripModel) -> (f64, f64) {
-    let points = finely(&model.problem(Form::TwoField, 7), |p| p.observables.monitors[FRONT] < 1.0);
+    let points = finely(&model.problem(Form::TwoField, 7).unwrap(), |p| p.observables.monitors[FRONT] < 1.0);
     (work(&points), points[points.len() - 1].energy - points[0].energy)
 }
 
@@ -193,7 +193,7 @@ fn work_and_energy(model: &StripModel) -> (f64, f64) {
 #[track_caller]
 fn assert_work_is_that_of_a_finer_path(model: &StripModel) {
     let snap = whole_peel(model, 1e-6).snap_off.expect("snaps off");
-    let points = finely(&model.problem(Form::TwoField, 7), |p| p.slope.displacement < 0.0);
+    let points = finely(&model.problem(Form::TwoField, 7).unwrap(), |p| p.slope.displacement < 0.0);
     let last = points[points.len() - 1].observables;
     let to_snap = 0.5 * (snap.force + last.force) * (snap.displacement - last.displacement);
     let wanted = work(&points) + to_snap;

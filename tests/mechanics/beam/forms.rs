@@ -55,7 +55,7 @@ fn lift(problem: &PlanarProblem, elements: usize) -> Vec<Solution> {
 #[track_caller]
 fn assert_same(model: &StripModel, order: usize) {
     let elements = if order < 5 { 120 } else { 40 };
-    let (two, three) = (model.problem(Form::TwoField, order), model.problem(Form::ThreeField, order));
+    let [two, three] = [Form::TwoField, Form::ThreeField].map(|form| model.problem(form, order).unwrap());
     let (reduced, full) = (lift(&two, elements), lift(&three, elements));
     let largest = full.iter().map(|s| s.observables.force).fold(0.0, f64::max);
     let stiffest = full.iter().map(|s| s.slope.force.abs()).fold(0.0, f64::max);

@@ -293,7 +293,7 @@ fn root_of_the_chain_is_symmetric_where_there_is_a_potential() {
             for load in LOADS {
                 let model = with_load(with_grip(paper_strip(40.0, 1.0), Hold::Free, horizontal), load);
                 for order in 1..=8 {
-                    let problem = model.problem(form, order);
+                    let problem = model.problem(form, order).unwrap();
                     let at = lifted(&problem, problem.initial(6), 0.2);
                     let row = PathRow::default();
                     let configuration = problem.beam.configuration(&at);
@@ -358,7 +358,7 @@ fn newtons_method_converges_quadratically() {
             for load in LOADS {
                 let model = with_load(with_grip(paper_strip(40.0, 1.0), Hold::Free, horizontal), load);
                 for order in 1..=8 {
-                    let problem = model.problem(form, order);
+                    let problem = model.problem(form, order).unwrap();
                     let start = lifted(&problem, equilibrium(&problem), 0.01);
                     let (evaluation, _) = problem.system.evaluate(&start, &start.values);
                     let here = problem.observables(&start, &evaluation);

@@ -72,7 +72,7 @@ fn the_tangent_is_the_derivative() {
 
 /// Points of a path up to a displacement, with steps of `stride` times their length.
 fn walk(model: &PeelModel, stride: f64, far: f64) -> (PlanarProblem, Vec<Arc<Solution>>) {
-    let problem = model.problem(Form::ThreeField, 7);
+    let problem = model.problem(Form::ThreeField, 7).unwrap();
     let options = PathOptions {
         elements: 60,
         step_tolerance: 1e-2,
@@ -150,7 +150,7 @@ fn a_dragged_strip_slides_at_its_strength_and_loops_close() {
     assert_eq!(peel.end, PathEnd::Sliding);
     let force = peel.peak.unwrap().force;
     assert!((force / (0.05 * 100.0) - 1.0).abs() < 0.01, "{force}");
-    let problem = model.problem(Form::ThreeField, 7);
+    let problem = model.problem(Form::ThreeField, 7).unwrap();
     let way = |from: f64, to: f64| (1..=60).map(move |k| from + (to - from) * k as f64 / 60.0);
     let targets: Vec<f64> = way(0.0, 4.0).chain(way(4.0, -4.0)).chain(way(-4.0, 4.0)).collect();
     let found = controlled(&problem, problem.initial(80), Observables::DISPLACEMENT, &targets, 1e-9).unwrap();

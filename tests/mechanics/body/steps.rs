@@ -225,7 +225,7 @@ fn slope_of_energy(problem: &PlanarProblem, at: &State) -> f64 {
 #[test]
 fn slope_and_stability_of_a_turning_grip_are_those_of_its_equilibria() {
     for model in turning() {
-        let problem = model.problem(Form::TwoField, 7);
+        let problem = model.problem(Form::TwoField, 7).unwrap();
         let mut seen = [false; 2];
         for point in points(&problem, 15.0).iter().skip(3).step_by(3) {
             let u = point.observables.displacement;

@@ -8,10 +8,10 @@ use peelkit::adhesion::{CohesiveShape, Heights, LineLoad, Ridge, Round, Shape, S
 use peelkit::beam::MeshKind;
 use peelkit::model::{
     Attraction, Body, Discretisation, Form, Friction, Grip, Ground, Hold, MODEL_NUMBERS, Measured, ModelError,
-    ModelErrorKind, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Pull, Range, Spatula, Start, Step,
-    StepError, StripModel,
+    ModelErrorKind, NoSuchOrder, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Pull, Range, Spatula, Start,
+    Step, StepError, StripModel,
 };
-use peelkit::study::{Accuracy, Choice};
+use peelkit::study::{Accuracy, Choice, prepared};
 use std::f64::consts::{FRAC_PI_3, PI};
 use std::sync::Arc;
 
@@ -308,6 +308,13 @@ fn orders_and_accuracies_that_there_are() {
     }
     let how = Discretisation { form: Form::TwoField, order: 9, mesh: MeshKind::Moving };
     assert_eq!(how.check().unwrap_err().to_string(), "`accuracy.order` is 9, which is out of range");
+    let strip = PeelModel::from(StripModel::of_the_paper(100.0, 1.0));
+    for order in [0, 9] {
+        assert_eq!(strip.problem(Form::TwoField, order).err(), Some(NoSuchOrder { order }));
+        let not_prepared = prepared(&strip, Discretisation { order, ..how }, None).err().unwrap();
+        let sentence = format!("elements of order {order} do not exist; the order is 1 to 8");
+        assert_eq!(not_prepared.to_string(), sentence);
+    }
     for relative in [f64::NAN, 0.0, -1e-6, 1e-12, 0.1] {
         assert_eq!(Accuracy::to(relative).check().unwrap_err().key(), "accuracy.relative", "{relative}");
     }

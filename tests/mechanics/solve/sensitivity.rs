@@ -17,7 +17,7 @@ const LIFT: f64 = 0.3;
 const ELEMENTS: usize = 18;
 
 fn solved(model: &PeelModel, form: Form, start: Option<State>) -> (impl std::ops::Deref<Target = Problem>, Solution) {
-    let problem = model.problem(form, 5);
+    let problem = model.problem(form, 5).unwrap();
     let start = start.unwrap_or_else(|| problem.initial(ELEMENTS));
     let found = controlled(&problem, start, Observables::DISPLACEMENT, &[LIFT], 1e-13).unwrap().remove(0);
     (problem, found)

@@ -164,7 +164,7 @@ fn the_inertia_with_a_spring_lies_between_that_of_held_displacement_and_held_for
         grips.into_iter().flat_map(|grip| [Form::TwoField, Form::ThreeField].map(|form| (grip, form)))
     {
         let model = with_grip(paper_strip(100.0, 1.0), rotation, horizontal);
-        let rigid = model.problem(form, 7);
+        let rigid = model.problem(form, 7).unwrap();
         for point in path_of(&rigid, 16, 60).iter().skip(2) {
             let held = |problem: &Problem| {
                 let condition =
@@ -285,7 +285,7 @@ fn landed(problem: &Problem, largest_update: f64) -> (f64, Relaxed) {
 #[test]
 fn soft_strips_come_to_rest_in_the_same_place_whatever_the_steps() {
     for (model, front) in [(paper_strip(100.0, 1e-2), 10.0), (paper_strip(100.0, 1e-4), 0.5), (guided(1.0), 0.5)] {
-        let problem = model.problem(Form::TwoField, 7);
+        let problem = model.problem(Form::TwoField, 7).unwrap();
         let (displacement, usual) = landed(&problem, 0.1);
         let (_, short) = landed(&problem, 0.02);
         assert!(short.steps > 2 * usual.steps, "{} {}", short.steps, usual.steps);

@@ -148,7 +148,7 @@ impl Measured {
 
     /// On a uniform mesh; the displacement is taken at `force`, or at the mesh's own force.
     fn on(order: usize, elements: usize, force: Option<f64>) -> Result<Self, String> {
-        let problem = strip().problem(Form::TwoField, order);
+        let problem = strip().problem(Form::TwoField, order).map_err(|error| error.to_string())?;
         let mut mesh = Mesh::new(&problem, elements);
         let lift = |target| PathConstraint { weights: Observables::DISPLACEMENT, target };
         let rest = mesh.solve(&lift(0.0))?;

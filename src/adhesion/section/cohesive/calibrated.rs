@@ -13,6 +13,7 @@ use super::CohesiveShape;
 use crate::adhesion::HalfSpace;
 use crate::adhesion::section::LineResponse;
 use crate::number::Real;
+use crate::number::root::Bracket;
 
 /// A cohesive law.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,12 +36,9 @@ impl Cohesive {
 
     /// The distance beyond which a thousandth of the strength is not reached, nm.
     pub fn reach(&self) -> f64 {
-        let (mut near, mut far) = (0.5, 50.0);
-        while far - near > 1e-12 * far {
-            let middle = 0.5 * (near + far);
-            if self.shape.at(middle)[1] > 1e-3 { near = middle } else { far = middle }
-        }
-        self.closed + self.range * far
+        let openings = Bracket { low: 0.5, high: 50.0 };
+        let pulls = |opening: f64| self.shape.at(opening)[1] > 1e-3;
+        self.closed + self.range * openings.bisected(pulls, |left| left.width() <= 1e-12 * left.high).high
     }
 
     /// W_c (nN/nm), the traction T = -W_c' (nN/nm²) and b = -T' (nN/nm³) of a face at the distance r, nm.

@@ -3,6 +3,7 @@
 use super::{LAW, Row, against, cell, read};
 use crate::suite::{Check, Measure};
 use peelkit::adhesion::{LatticeHalfSpace, LennardJones, Level, Piece};
+use peelkit::number::root::Bracket;
 
 const POISSON: &str = "verification/pair_to_half_space.py: Poisson's sum over the planes (Steele 1973)";
 const PIECE: &str = "verification/piece_of_atoms.py: Poisson's sum over the planes (Steele 1973)";
@@ -70,12 +71,8 @@ fn contact(row: &Row) -> Vec<Check> {
     let pair = LennardJones::behind(&LAW, spacing.powi(-3), spacing.powi(-3));
     let lattice = LatticeHalfSpace { pair, spacing, cutoff: CUTOFF * spacing };
     let traction = |gap: f64| lattice.traction(gap, 0.25 * spacing, 0.25 * spacing);
-    let (mut low, mut high) = (0.5 * r0, 0.8 * r0);
-    for _ in 0..40 {
-        let middle = 0.5 * (low + high);
-        if traction(middle) > 0.0 { low = middle } else { high = middle }
-    }
-    let rest = low;
+    let gaps = Bracket { low: 0.5 * r0, high: 0.8 * r0 };
+    let rest = gaps.bisected(|gap| traction(gap) > 0.0, |left| left.width() <= 3e-13 * r0).low;
     let (mut left, mut right) = (rest, 2.0 * r0);
     for _ in 0..40 {
         let (a, b) = (left + (right - left) / 3.0, right - (right - left) / 3.0);

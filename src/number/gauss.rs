@@ -3,6 +3,11 @@
 use gauss_quad::GaussLegendre;
 use std::num::NonZeroUsize;
 
+/// Gauss-Legendre points, ascending, and weights on [-1, 1], exact for polynomials of degree below twice their number.
+pub fn gauss_legendre(points: NonZeroUsize) -> Vec<(f64, f64)> {
+    GaussLegendre::new(points).into_node_weight_pairs().into_vec()
+}
+
 /// Gauss-Legendre points and weights on [0, 1].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rule {
@@ -13,7 +18,7 @@ impl Rule {
     /// A rule of so many points, exact for polynomials of degree below twice that.
     pub fn new(points: NonZeroUsize) -> Self {
         let half = |&(x, w): &(f64, f64)| (0.5 + 0.5 * x, 0.5 * w);
-        Self { pairs: GaussLegendre::new(points).as_node_weight_pairs().iter().map(half).collect() }
+        Self { pairs: gauss_legendre(points).iter().map(half).collect() }
     }
 
     /// Number of points.
@@ -33,6 +38,15 @@ impl Rule {
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
+
+    #[test]
+    fn points_ascend_and_weights_sum_to_two() {
+        for points in 1..50 {
+            let rule = gauss_legendre(NonZeroUsize::new(points).unwrap());
+            assert!(rule.windows(2).all(|pair| pair[0].0 < pair[1].0));
+            assert_relative_eq!(rule.iter().map(|pair| pair.1).sum::<f64>(), 2.0, max_relative = 1e-14);
+        }
+    }
 
     #[test]
     fn exact_up_to_its_degree() {

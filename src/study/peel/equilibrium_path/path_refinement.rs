@@ -4,14 +4,13 @@
 //! interpolated; where that is not good enough, the middle of the step is solved as well.
 
 use crate::solve::{Observables, PathSegment, Problem, Solution, SolveError, Workspace, reach};
+use crate::study::error_bounds::INTERPOLATION_ERROR_FACTOR;
 use std::sync::Arc;
 
 /// Most times a step is halved.
 const MOST_HALVINGS: usize = 4;
 /// Error wanted of the curve between points, over the square root of the accuracy asked for of the points themselves.
 const BETWEEN: f64 = 0.1;
-/// What one point less shows of the error of an interpolant is taken so many times.
-const CAUTION: f64 = 2.0;
 /// The least error wanted of it.
 const LEAST: f64 = 1e-6;
 /// A step that is interpolated no better than this, and in the middle of which no solution is found, is a jump.
@@ -38,7 +37,8 @@ pub(super) fn fill_in(
     while index + 1 < points.len() && points.len() < most {
         let mut segment = PathSegment::around(problem, points, index);
         let error = error(&segment, least);
-        let bad = halvings[index] < MOST_HALVINGS && error.is_none_or(|error| CAUTION * error > wanted);
+        let bad =
+            halvings[index] < MOST_HALVINGS && error.is_none_or(|error| INTERPOLATION_ERROR_FACTOR * error > wanted);
         // a middle that cannot be found is none of the path's points, and the interpolant stays
         let middle = 0.5 * segment.end();
         match bad.then(|| reach(problem, &mut segment, 0.0, middle, tolerance, ws)) {

@@ -1,0 +1,74 @@
+//! The entry: which models have such a test.
+
+use super::result::Observed;
+use super::run::run;
+use crate::model::{ModelError, PeelModel};
+use crate::study::{Accuracy, StopCriteria, checked};
+
+/// Why a scene has no test.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum NoTest {
+    /// The model, or the accuracy asked for, cannot be computed.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// There is friction.
+    #[error(
+        "there is friction: where a strip that slides during a jump comes to rest depends on the speed of the jump, and equilibrium does not determine it"
+    )]
+    Friction,
+    /// The load has no potential.
+    #[error(
+        "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): the state after a loss of stability, and the energy released, are not defined"
+    )]
+    NoPotential,
+    /// The grip takes steps before the pull.
+    #[error("drive.steps has steps before the pull; the test has to begin at rest, where it also ends")]
+    Steps,
+    /// The grip turns as it goes.
+    #[error("drive.turn rotates the grip during the pull; the work of the machine is that of a force alone")]
+    Turn,
+}
+
+impl NoTest {
+    /// What to try.
+    pub fn remedy(&self) -> String {
+        let remedy = match self {
+            Self::Model(error) => return error.remedy(),
+            Self::Friction => "Omit --observed, or remove the table [friction]",
+            Self::NoPotential => "Omit --observed, or use another line_load or law",
+            Self::Steps => "Omit --observed, or remove drive.steps",
+            Self::Turn => "Omit --observed, or remove drive.turn",
+        };
+        remedy.into()
+    }
+}
+
+/// Pulls the strip off and comes back, with the machine behind a spring where the grip has one.
+///
+/// The machine's displacement U rises from 0 until no point of the strip is nearer than 10 r0, and falls back to 0. At each
+/// limit point of U on the stable path the strip jumps at that U; where it comes to rest is found by [`crate::solve::relax()`].
+/// Errors: limit points as in [`crate::study::peel()`]; ∫ P dU against the energies in [`Balance::error`], which is at most 1e-6 or
+/// the accuracy asked for, or the test fails.
+///
+/// # Errors
+/// Where the model or the accuracy cannot be computed ([`checked`]), or has no such test.
+pub fn observed<'m, M>(model: &'m M, accuracy: &Accuracy, stop: &StopCriteria) -> Result<Observed, NoTest>
+where
+    PeelModel: From<&'m M>,
+{
+    let model = PeelModel::from(model);
+    checked(&model, accuracy)?;
+    if model.friction_law().is_some() {
+        return Err(NoTest::Friction);
+    }
+    if !model.line_law().has_potential() {
+        return Err(NoTest::NoPotential);
+    }
+    if !model.steps.is_empty() {
+        return Err(NoTest::Steps);
+    }
+    if model.pull.turn != 0.0 {
+        return Err(NoTest::Turn);
+    }
+    Ok(run(&model, accuracy, stop))
+}

@@ -1,0 +1,135 @@
+//! The limit points of a path: every one located, none missed without a report.
+
+use super::followed::Followed;
+use crate::model::PlanarProblem;
+use crate::solve::{LimitPointKind, PathSegment, Solution, SolveError, brackets, locate, unlocated};
+use crate::study::peel::PathFailure;
+
+/// A step that contains a limit point.
+struct Candidate {
+    turn: LimitPointKind,
+    index: usize,
+    bracket: (f64, f64),
+    /// Where an interpolant puts it, and its value there.
+    label: f64,
+    value: f64,
+}
+
+/// Drops pairs of neighbouring load turns between which the force changes by less than `relative` of itself, the smallest
+/// change first.
+fn without_ripple(candidates: Vec<Candidate>, relative: f64) -> Vec<Candidate> {
+    let (mut loads, mut kept): (Vec<_>, Vec<_>) = candidates.into_iter().partition(|c| c.turn == LimitPointKind::Load);
+    let change = |pair: &[Candidate]| (pair[1].value - pair[0].value).abs() / pair[0].value.abs();
+    while let Some((i, least)) = loads.windows(2).map(change).enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
+        && least < relative
+    {
+        loads.drain(i..i + 2);
+    }
+    kept.append(&mut loads);
+    kept
+}
+
+impl Followed {
+    /// Locates every limit point but those of a flat segment, where the force rises and falls by less than `relative`
+    /// of itself: there its slope is the discretisation's.
+    pub(super) fn locate_turns(&mut self, problem: &PlanarProblem, relative: f64) -> Result<(), PathFailure> {
+        let mut ws = self.workspace();
+        let mut candidates = Vec::new();
+        for index in 0..self.points.len().saturating_sub(1) {
+            let segment = PathSegment::around(problem, &self.points, index);
+            for turn in [LimitPointKind::Load, LimitPointKind::Displacement] {
+                let brackets = brackets(problem, &self.points, index, &segment, turn, relative, &mut ws);
+                let brackets = match (brackets, turn) {
+                    // a pair of turns of the force that only the interpolant sees
+                    (Err(_), LimitPointKind::Load) => {
+                        self.ripple += 2;
+                        Vec::new()
+                    }
+                    (found, _) => found.map_err(|cause| self.not_located(turn, index, cause))?,
+                };
+                for bracket in brackets {
+                    let near = segment.observable(turn.pick(), 0.5 * (bracket.0 + bracket.1));
+                    let label = near.turning_point(bracket.0, bracket.1);
+                    let (a, b) = (pick_at(&self.points[index], turn), pick_at(&self.points[index + 1], turn));
+                    let maximum = turn.pick()(&self.points[index].slope) > 0.0;
+                    let value = if maximum == (bracket.0 == 0.0) { a.max(b) } else { a.min(b) };
+                    candidates.push(Candidate { turn, index, bracket, label, value });
+                }
+            }
+        }
+        let all = candidates.len();
+        let mut candidates = without_ripple(candidates, relative);
+        self.ripple += all - candidates.len();
+        candidates.sort_by(|a, b| a.index.cmp(&b.index).then(a.label.total_cmp(&b.label)));
+        for c in candidates {
+            let segment = PathSegment::around(problem, &self.points, c.index);
+            let first = self.turns.iter().all(|t| t.0 != LimitPointKind::Load);
+            // the first turn of the force is the initiation peak and wanted sharp
+            let flat = (c.turn == LimitPointKind::Load && !first).then_some(relative);
+            let mut located = match locate(problem, &segment, c.turn, c.bracket, flat, &mut ws) {
+                Err(_) if flat.is_some() => unlocated(problem, &segment, &mut ws),
+                located => located,
+            }
+            .and_then(|located| if located.is_finite() { Ok(located) } else { Err(SolveError::LimitPointNotConfirmed) })
+            .map_err(|cause| self.not_located(c.turn, c.index, cause))?;
+            located.flat |= flat.is_some_and(|relative| located.is_flat(relative));
+            self.iterations += located.iterations;
+            self.turns.push((c.turn, c.index, located));
+        }
+        self.drop_ripple(relative);
+        Ok(())
+    }
+
+    fn not_located(&self, turn: LimitPointKind, after: usize, cause: SolveError) -> PathFailure {
+        match cause {
+            SolveError::Stopped => PathFailure::OutOfTime,
+            cause => {
+                let displacement_nm = self.points[after].observables.displacement;
+                PathFailure::NotLocated { turn, after, displacement_nm, cause }
+            }
+        }
+    }
+
+    /// The same filter on what was located: an interpolant over a long step can make a ripple look large.
+    fn drop_ripple(&mut self, relative: f64) {
+        loop {
+            let loads: Vec<usize> =
+                (0..self.turns.len()).filter(|&i| self.turns[i].0 == LimitPointKind::Load).collect();
+            let force = |i: usize| self.turns[i].2.observables.force;
+            let weak = loads.windows(2).find(|w| (force(w[0]) - force(w[1])).abs() < relative * force(w[0]).abs());
+            let Some(&[first, second]) = weak else { return };
+            self.turns.remove(second);
+            self.turns.remove(first);
+            self.ripple += 2;
+        }
+    }
+
+    /// Each displacement limit point changes the number of negative eigenvalues by one; nothing else does. Not so at a corner of a path
+    /// that remembers, where much that slid sticks.
+    pub(super) fn check_inertia(&self, problem: &PlanarProblem) -> Result<(), PathFailure> {
+        if problem.system.has_history() {
+            return Ok(());
+        }
+        let checked = self.points.len() - usize::from(self.upright);
+        for (after, pair) in self.points[..checked].windows(2).enumerate() {
+            let change = pair[0].negative.abs_diff(pair[1].negative);
+            let turns = self.turns.iter().filter(|t| t.0 == LimitPointKind::Displacement && t.1 == after).count();
+            let explained =
+                (turns + change).is_multiple_of(2) && (change <= turns || !problem.system.is_conservative());
+            if !explained {
+                return Err(PathFailure::Missed {
+                    after,
+                    displacement_nm: pair[0].observables.displacement,
+                    from: pair[0].negative,
+                    to: pair[1].negative,
+                    turns,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+fn pick_at(solution: &Solution, turn: LimitPointKind) -> f64 {
+    turn.pick()(&solution.observables)
+}

@@ -1,0 +1,160 @@
+//! Where a path ends, and its last point there.
+
+use super::followed::Followed;
+use crate::beam::{FrictionHistory, TIP_ROTATION};
+use crate::model::PlanarProblem;
+use crate::solve::{
+    Direction, NewtonOptions, Observables, Path, PathConstraint, PathError, PathSegment, ROUGH, Solution, Workspace,
+    solve, solve_on,
+};
+use crate::study::Bound;
+use crate::study::checkpoint::Limits;
+use crate::study::peel::PathEnd;
+use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
+
+/// Most steps of the secant rule to where a beam is clear of the substrate.
+const MOST_SECANTS: usize = 20;
+/// A force below this share of its scale is none.
+const PUSH: f64 = 1e-6;
+/// Takes one step; the end, if it is reached.
+pub(super) fn step(
+    problem: &PlanarProblem,
+    path: &mut Path,
+    far: f64,
+    limits: &Limits,
+) -> Result<Option<PathEnd>, PathError> {
+    let stop = limits.stop;
+    if path.points().len() >= stop.points {
+        return Ok(Some(PathEnd::Bound(Bound::Points(stop.points))));
+    }
+    let newest = path.advance()?;
+    let o = newest.observables;
+    if path.points().len() < 3 {
+        return Ok(None);
+    }
+    if is_clear(problem, path, far) {
+        return Ok(Some(PathEnd::Detached));
+    }
+    if slides(problem, path) {
+        return Ok(Some(PathEnd::Sliding));
+    }
+    if problem.system.has_history() && newest.slope.displacement < 0.0 {
+        return Ok(Some(PathEnd::Snapped));
+    }
+    // a strip that has closed again passes u = 0 and P = 0 together
+    if o.displacement <= 0.0 {
+        return Ok(Some(PathEnd::TurnedBack));
+    }
+    // a grip that turns may push where its moment peels
+    let turns = problem.grip.gear != 0.0 && path.points().iter().all(|point| point.slope.displacement >= 0.0);
+    if o.force <= 0.0 && has_pulled(problem, path.points()) && !turns {
+        return Ok(Some(PathEnd::Pivoting));
+    }
+    if stands_upright(problem, path.points()) {
+        return Ok(Some(PathEnd::Pivoting));
+    }
+    let beyond = stop.displacement.filter(|&most| o.displacement > most);
+    Ok(beyond.map(|most| PathEnd::Bound(Bound::Displacement(most))))
+}
+
+/// Whether no part of the beam is nearer to the substrate than `far`, nm, at the newest point.
+pub(in crate::study) fn is_clear(problem: &PlanarProblem, path: &Path, far: f64) -> bool {
+    path.points().last().is_none_or(|point| problem.beam.is_clear(&point.at, far))
+}
+
+/// Friction that is next to nothing, over that of a process zone at rest.
+const LET_GO: f64 = 0.5;
+
+/// Whether all that is in contact slides one way, or next to nothing is left of the friction that alone holds the beam along the
+/// substrate.
+fn slides(problem: &PlanarProblem, path: &Path) -> bool {
+    let (Some(now), Some(rest)) = (path.history(), &problem.beam.history) else { return false };
+    let little = LET_GO * problem.beam.process_length / problem.beam.length;
+    FrictionHistory(now).slides(little * FrictionHistory(rest).capacity())
+}
+
+/// Whether the force has been above zero: where a beam is curved in its stress-free configuration, the grip may have to push at first.
+fn has_pulled(problem: &PlanarProblem, points: &[Arc<Solution>]) -> bool {
+    let pushes = points[0].observables.force < -PUSH * problem.measure.force;
+    !pushes || points.iter().any(|point| point.observables.force > 0.0)
+}
+
+/// Whether the strip has just passed the upright position, all of it near 90 degrees: it hangs from its edge, and behind
+/// that, on a flat substrate, the path is the mirror image of itself.
+fn stands_upright(problem: &PlanarProblem, points: &[Arc<Solution>]) -> bool {
+    let [.., before, newest] = points else { return false };
+    // only a strip that is pulled straight up from flat ground has a mirror image
+    if problem.grip.direction != Direction::UP || !problem.beam.substrate.is_flat() {
+        return false;
+    }
+    let tip = |s: &Solution| s.observables.monitors[TIP_ROTATION] - FRAC_PI_2;
+    let away = 3.0 * tip(before).abs().max(tip(newest).abs());
+    let beam = &problem.beam;
+    let rotations = beam.nodes(&newest.at.values).iter().skip(beam.rotation).step_by(beam.fields());
+    tip(before) < 0.0 && tip(newest) >= 0.0 && rotations.into_iter().all(|r| (r - FRAC_PI_2).abs() <= away)
+}
+
+impl Followed {
+    /// Moves the last point of a path that crossed P = 0, u = 0 or the upright position onto the crossing. Where that fails the point beyond it
+    /// stays: it is an equilibrium too.
+    pub(super) fn finish(&mut self, problem: &PlanarProblem, far: f64) {
+        let n = self.points.len();
+        if self.end == PathEnd::Detached {
+            return self.finish_detached(problem, far);
+        }
+        let (weights, target) = match self.end {
+            PathEnd::Pivoting if stands_upright(problem, &self.points) => {
+                (Observables::monitor(TIP_ROTATION), FRAC_PI_2)
+            }
+            PathEnd::Pivoting => (Observables::FORCE, 0.0),
+            PathEnd::TurnedBack => (Observables::DISPLACEMENT, 0.0),
+            _ => return,
+        };
+        let (before, beyond) = (&self.points[n - 2], &self.points[n - 1]);
+        let segment = PathSegment::around(problem, &self.points, n - 2);
+        let (from, to) = (weights.dot(&before.observables) - target, weights.dot(&beyond.observables) - target);
+        let start = segment.start(problem, segment.end() * from / (from - to), 4);
+        let options = NewtonOptions { tolerance: 1e-10, largest_update: 0.5, most_iterations: 10, exact_slope: false };
+        let constraint = PathConstraint { weights, target };
+        match solve(problem, start, &constraint, &options, &mut Workspace::default()) {
+            Ok(mut last) => {
+                self.iterations += last.iterations;
+                // where the constraint falls along the path, a slope per unit of it points backwards
+                last.slope = last.slope.times((to - from).signum());
+                self.points[n - 1] = Arc::new(last);
+            }
+            // upright the path meets its mirror image and may be singular: it ends before that
+            Err(_) if target != 0.0 => {
+                self.points.pop();
+            }
+            Err(_) => {}
+        }
+        self.upright = target != 0.0;
+    }
+
+    /// Moves the last point of a path that has left the substrate to where its distance is `far`, by the secant rule.
+    fn finish_detached(&mut self, problem: &PlanarProblem, far: f64) {
+        let n = self.points.len();
+        let segment = PathSegment::around(problem, &self.points, n - 2);
+        let mut ws = Workspace::default();
+        let beyond = |s: &Solution| problem.beam.nearest(&s.at) - far;
+        let (mut low, mut high) = ((0.0, beyond(&self.points[n - 2])), (segment.end(), beyond(&self.points[n - 1])));
+        for _ in 0..MOST_SECANTS {
+            let label = (low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)).clamp(0.0, segment.end());
+            let Ok(solution) = solve_on(problem, &segment, label, ROUGH, &mut ws) else { return };
+            self.iterations += solution.iterations;
+            let value = beyond(&solution);
+            if value.abs() < 1e-6 * far {
+                self.points[n - 1] = solution;
+                return;
+            }
+            // an end that stays has half of its value, so that the other does not creep (Illinois)
+            if value < 0.0 {
+                (low, high.1) = ((label, value), 0.5 * high.1);
+            } else {
+                (high, low.1) = ((label, value), 0.5 * low.1);
+            }
+        }
+    }
+}
