@@ -146,19 +146,33 @@ impl<const F: usize> Element<Four, F> {
         for f in 0..F {
             for g in 0..F {
                 let [value_value, value_slope, slope_value, slope_slope] = &mut *weighted;
+                let coupled = [
+                    coupling.value_value[f][g],
+                    coupling.value_slope[f][g],
+                    coupling.value_slope[g][f],
+                    coupling.slope_slope[f][g],
+                ];
                 for q in 0..nodes.count() - 1 {
                     let (r, once) = (&responses[q], self.weight(basis, q));
                     let twice = once * stretch;
-                    value_value[q] = r.value_value[f][g] * once;
-                    value_slope[q] = r.value_slope[f][g] * twice;
-                    slope_value[q] = r.slope_value[f][g] * twice;
-                    slope_slope[q] = r.slope_slope[f][g] * twice * stretch;
+                    if coupled[0] {
+                        value_value[q] = r.value_value[f][g] * once;
+                    }
+                    if coupled[1] {
+                        value_slope[q] = r.value_slope[f][g] * twice;
+                    }
+                    if coupled[2] {
+                        slope_value[q] = r.slope_value[f][g] * twice;
+                    }
+                    if coupled[3] {
+                        slope_slope[q] = r.slope_slope[f][g] * twice * stretch;
+                    }
                 }
                 let block = Block {
-                    value_value: coupling.value_value[f][g].then_some(&*value_value),
-                    value_slope: coupling.value_slope[f][g].then_some(&*value_slope),
-                    slope_value: coupling.value_slope[g][f].then_some(&*slope_value),
-                    slope_slope: coupling.slope_slope[f][g].then_some(&*slope_slope),
+                    value_value: coupled[0].then_some(&*value_value),
+                    value_slope: coupled[1].then_some(&*value_slope),
+                    slope_value: coupled[2].then_some(&*slope_value),
+                    slope_slope: coupled[3].then_some(&*slope_slope),
                 };
                 block.assemble(by, (f, g), front);
             }

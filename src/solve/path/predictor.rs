@@ -51,10 +51,26 @@ pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solut
                 force -= weight * point.at.force;
             }
             problem.system.miss(&solution.aligned, &states[..count], &weights, &mut update);
-            let sizes = update.iter().zip(&per_unit).map(|(u, unit)| (u * unit).abs());
-            sizes.fold(FORCE * force.abs() / force_scale, |largest, size| if size > largest { size } else { largest })
+            largest(&update, &per_unit, FORCE * force.abs() / force_scale)
         })
         .collect()
+}
+
+/// Numbers that are compared side by side.
+const LANES: usize = 8;
+
+/// The largest of `least` and of the sizes of `update`, each times its unit; one that is no number counts nothing.
+fn largest(update: &[f64], per_unit: &[f64], least: f64) -> f64 {
+    let larger = |largest: f64, size: f64| if size > largest { size } else { largest };
+    let ((updates, rest), (units, units_rest)) = (update.as_chunks::<LANES>(), per_unit.as_chunks::<LANES>());
+    let mut sizes = [least; LANES];
+    for (update, unit) in updates.iter().zip(units) {
+        for l in 0..LANES {
+            sizes[l] = larger(sizes[l], (update[l] * unit[l]).abs());
+        }
+    }
+    let rest = rest.iter().zip(units_rest).map(|(update, unit)| (update * unit).abs());
+    sizes.into_iter().chain(rest).fold(least, larger)
 }
 
 /// The longest step that keeps the error of an extrapolation through `count` points at `tolerance`, given the error it
