@@ -279,7 +279,7 @@ pub trait System: Send + Sync {
 }
 
 /// Numbers of a sum that are added up side by side.
-const LANES: usize = 8;
+const LANES: usize = 16;
 
 /// Adds `factor` times Σ weights·states to `sum`, state after state.
 fn add_weighted(sum: &mut [f64], states: &[&[f64]], weights: &[f64], factor: f64) {

@@ -3,6 +3,7 @@
 //! With p Gauss points for every term, adhesion too, an element of order p does not lock and is as accurate at its end
 //! nodes as p-stage Gauss collocation, order 2p.
 
+use crate::number::{Four, Real};
 use gauss_quad::{FiniteAboveNegOneF64, GaussJacobi, GaussLegendre};
 use std::num::NonZeroUsize;
 
@@ -83,6 +84,10 @@ pub struct Basis {
     pub value_of: [PerNode; MOST_NODES],
     /// See `value_of`.
     pub slope_of: [PerNode; MOST_NODES],
+    /// The two tables by node once more, each number four times side by side.
+    pub four_values_of: [[Four; MOST_NODES]; MOST_NODES],
+    /// See `four_values_of`.
+    pub four_slopes_of: [[Four; MOST_NODES]; MOST_NODES],
     /// `nodal_slope[b][a]`: derivative of shape function a at node b.
     pub nodal_slope: [PerNode; MOST_NODES],
     /// `apart[a][b]`: one over how far node a is behind node b; zero of a node from itself.
@@ -108,7 +113,21 @@ impl Basis {
                 apart[a][b] = 1.0 / (nodes[a] - nodes[b]);
             }
         }
-        let mut basis = Self { order, nodes, points, weights, value, slope, value_of, slope_of, nodal_slope, apart };
+        let [four_values_of, four_slopes_of] = [[[Four::splat(0.0); MOST_NODES]; MOST_NODES]; 2];
+        let mut basis = Self {
+            order,
+            nodes,
+            points,
+            weights,
+            value,
+            slope,
+            value_of,
+            slope_of,
+            four_values_of,
+            four_slopes_of,
+            nodal_slope,
+            apart,
+        };
         for b in 0..count {
             basis.nodal_slope[b] = basis.sample(nodes[b]).1;
         }
@@ -119,6 +138,8 @@ impl Basis {
         }
         basis.value_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.value[q][a]));
         basis.slope_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.slope[q][a]));
+        basis.four_values_of = basis.value_of.map(|of| of.map(Four::splat));
+        basis.four_slopes_of = basis.slope_of.map(|of| of.map(Four::splat));
         basis
     }
 

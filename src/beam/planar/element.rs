@@ -117,7 +117,7 @@ impl<const F: usize> Element<Four, F> {
             points[q] = self.point(nodes, basis, q);
         }
         density.respond(&points[..nodes.count() - 1], self.border, responses);
-        front.clear_gradient(nodes);
+        front.clear_gradient::<BORDER>(nodes);
         for q in 0..nodes.count() - 1 {
             let (r, once) = (&responses[q], self.weight(basis, q));
             // a slope carries the factor 2/length once as a column and once as a row
@@ -264,14 +264,25 @@ fn mixed<T: Real>(
     by_slope: Option<&[T; MOST_NODES]>,
 ) -> [T; MOST_NODES] {
     let mut sum = [T::splat(0.0); MOST_NODES];
-    for q in 0..nodes.count() - 1 {
-        let (value, slope) = (basis.value_of[a][q], basis.slope_of[a][q]);
-        match (by_value, by_slope) {
-            (Some(v), Some(s)) => sum[q] = v[q] * value + s[q] * slope,
-            (Some(v), None) => sum[q] = v[q] * value,
-            (None, Some(s)) => sum[q] = s[q] * slope,
-            (None, None) => {}
+    let (points, value, slope) = (nodes.count() - 1, &basis.value_of[a], &basis.slope_of[a]);
+    // loops and not closures: these are not compiled for the vector units that the rest is compiled for
+    match (by_value, by_slope) {
+        (Some(v), Some(s)) => {
+            for q in 0..points {
+                sum[q] = v[q] * value[q] + s[q] * slope[q];
+            }
         }
+        (Some(v), None) => {
+            for q in 0..points {
+                sum[q] = v[q] * value[q];
+            }
+        }
+        (None, Some(s)) => {
+            for q in 0..points {
+                sum[q] = s[q] * slope[q];
+            }
+        }
+        (None, None) => {}
     }
     sum
 }
@@ -320,10 +331,10 @@ impl Block<'_> {
                 let (mut by_value, mut by_slope) = (Four::splat(0.0), Four::splat(0.0));
                 for q in 0..nodes.count() - 1 {
                     if ON_VALUE {
-                        by_value = by_value + on_value[q] * basis.value_of[b][q];
+                        by_value = by_value + on_value[q] * basis.four_values_of[b][q];
                     }
                     if ON_SLOPE {
-                        by_slope = by_slope + on_slope[q] * basis.slope_of[b][q];
+                        by_slope = by_slope + on_slope[q] * basis.four_slopes_of[b][q];
                     }
                 }
                 front.rows[a][f].fields[b][g] = by_value + by_slope;

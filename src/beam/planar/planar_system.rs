@@ -183,11 +183,7 @@ impl System for PlanarBeam {
 
     fn size(&self, direction: &[f64], values: &[f64]) -> f64 {
         let (direction, values) = (self.nodes(direction), self.nodes(values));
-        if self.fields() == 2 {
-            self.largest::<2>(direction, values)
-        } else {
-            self.largest::<3>(direction, values)
-        }
+        if self.fields() == 2 { self.largest::<2>(direction, values) } else { self.largest::<3>(direction, values) }
     }
 
     fn per_unit(&self, values: &[f64]) -> Vec<f64> {
@@ -324,9 +320,5 @@ fn largest<const F: usize>(
         take(0, u, s);
     }
     // a comparison passes over a NaN, a sum does not
-    if sums.iter().sum::<f64>().is_finite() {
-        heights.into_iter().chain(turns).fold(0.0, f64::max)
-    } else {
-        f64::NAN
-    }
+    if sums.iter().sum::<f64>().is_finite() { heights.into_iter().chain(turns).fold(0.0, f64::max) } else { f64::NAN }
 }

@@ -22,7 +22,7 @@ pub fn lagrange_weights(labels: &[f64], at: f64) -> Vec<f64> {
 
 /// Combination of stored points with the given weights; the mesh follows the combined monitors.
 pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> State {
-    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned.as_slice()).collect();
+    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned(problem)).collect();
     let (mut monitors, mut force) = ([0.0; MONITORS], 0.0);
     for (point, &weight) in points.iter().zip(weights) {
         (0..MONITORS).for_each(|k| monitors[k] += weight * point.observables.monitors[k]);
@@ -40,9 +40,10 @@ pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> 
 /// in [`crate::solve::System::size`], or of the force, relative to itself and its scale.
 pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solution: &Solution, at: f64) -> Vec<f64> {
     let force_scale = solution.at.force.abs() + problem.measure.force;
-    let per_unit = problem.system.per_unit(&solution.aligned);
-    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned.as_slice()).collect();
-    let mut update = Vec::with_capacity(solution.aligned.len());
+    let reached = solution.aligned(problem);
+    let per_unit = problem.system.per_unit(reached);
+    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned(problem)).collect();
+    let mut update = Vec::with_capacity(reached.len());
     (1..=points.len())
         .map(|count| {
             let weights = lagrange_weights(&labels[..count], at);
@@ -50,7 +51,7 @@ pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solut
             for (point, weight) in points[..count].iter().zip(&weights) {
                 force -= weight * point.at.force;
             }
-            problem.system.miss(&solution.aligned, &states[..count], &weights, &mut update);
+            problem.system.miss(reached, &states[..count], &weights, &mut update);
             largest(&update, &per_unit, FORCE * force.abs() / force_scale)
         })
         .collect()

@@ -160,7 +160,7 @@ impl PathSegment {
     }
 
     /// The same at many places.
-    pub fn interpolants(&self, pick: fn(&Observables) -> f64) -> Interpolants<'_> {
+    pub(in crate::solve) fn interpolants(&self, pick: fn(&Observables) -> f64) -> Interpolants<'_> {
         Interpolants { segment: self, pick, newest: None }
     }
 
@@ -213,7 +213,7 @@ impl PathSegment {
 }
 
 /// The interpolants of one observable on a segment, each through the points nearest to a place: made anew where those are others.
-pub struct Interpolants<'s> {
+pub(in crate::solve) struct Interpolants<'s> {
     segment: &'s PathSegment,
     pick: fn(&Observables) -> f64,
     newest: Option<(Range<usize>, Hermite)>,
@@ -221,7 +221,7 @@ pub struct Interpolants<'s> {
 
 impl Interpolants<'_> {
     /// The interpolant for the label `near`, as of [`PathSegment::observable`].
-    pub fn near(&mut self, near: f64) -> &Hermite {
+    pub(in crate::solve) fn near(&mut self, near: f64) -> &Hermite {
         let used = self.segment.nearest(near, USED);
         let known = self.newest.take().filter(|(of, _)| *of == used);
         let newest = known.unwrap_or_else(|| (used.clone(), self.segment.through(self.pick, used)));

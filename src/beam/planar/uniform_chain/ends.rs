@@ -12,10 +12,11 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
     const BORDER: usize = 2 * F;
     const KNOWN: usize = 2 * F + BORDER as usize;
 
-    /// Writes what condensation left of element `l` of a bundle: rows and columns of the left end, the right end and the border,
-    /// then the residual and the path. All that is used of the block is overwritten.
+    /// What condensation left of element `l` of a bundle: rows and columns of the left end, the right end and the border, then
+    /// the residual and the path.
     #[inline(always)]
-    pub fn take(block: &mut [EndRow; EDGE], nodes: impl Nodes, front: &Front<Four, F>, symmetric: bool, l: usize) {
+    pub fn block(nodes: impl Nodes, front: &Front<Four, F>, symmetric: bool, l: usize) -> [EndRow; EDGE] {
+        let mut block = [[0.0; EDGE]; EDGE];
         let ends = [nodes.count() - 2, nodes.count() - 1];
         for i in 0..2 * F {
             let row = &front.rows[ends[i / F]][i % F];
@@ -41,6 +42,7 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
             block[Self::KNOWN][Self::BORDER] = front.path.border.0[l];
         }
         block[Self::KNOWN][Self::KNOWN] = front.path.residual.0[l];
+        block
     }
 
     /// The left end of the chain: its part of the path functional, and the fields that are held.

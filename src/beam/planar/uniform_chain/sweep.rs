@@ -59,7 +59,7 @@ impl<const F: usize> UniformChain<F> {
         let mut energy = ElementEnergy::default();
         let mut negative = 0;
         let mut least_pivot = LeastPivot { size: f64::INFINITY, element: 0 };
-        let (mut block, mut carry) = ([[0.0; EDGE]; EDGE], [[0.0; ROOT]; ROOT]);
+        let mut carry = [[0.0; ROOT]; ROOT];
         for (first, front) in (0..elements).step_by(BUNDLE).zip(fronts) {
             self.gather_bundle(nodes, at, first, bundle);
             let (total, adhesion) = bundle.integrate::<BORDER>(&by, path.adhesion, room, front);
@@ -71,7 +71,7 @@ impl<const F: usize> UniformChain<F> {
                 let l = e - first;
                 energy.total += total.0[l];
                 energy.adhesion += adhesion.0[l];
-                Ends::<F, BORDER>::take(&mut block, nodes, front, self.symmetric, l);
+                let mut block = Ends::<F, BORDER>::block(nodes, front, self.symmetric, l);
                 if !damping.is_empty() {
                     (0..F).for_each(|f| block[f][f] += damping[e * order * F + f]);
                 }
