@@ -5,6 +5,7 @@ use super::{
     Coefficients, CondensedSystem, Observables, PathConstraint, Problem, Quantity, SolveError, State, Workspace,
 };
 use serde::{Deserialize, Serialize};
+use std::sync::OnceLock;
 
 /// When Newton's iteration ends.
 #[derive(Clone, Copy, Debug)]
@@ -32,9 +33,9 @@ impl Default for NewtonOptions {
 pub struct Solution {
     /// The configuration
     pub at: State,
-    /// Its values on the mesh that its own monitors ask for: what predictions combine. The mesh of `at` lies where the monitors
-    /// were predicted, and that prediction's error would be noise.
-    pub aligned: Vec<f64>,
+    /// See [`Solution::aligned`]: made when it is first asked for.
+    #[serde(skip)]
+    aligned: OnceLock<Vec<f64>>,
     /// Displacement, force and what else measures the path
     pub observables: Observables,
     /// Change of the observables along the path, per unit of the constraint's target.
@@ -74,6 +75,12 @@ pub struct Tangent {
 }
 
 impl Solution {
+    /// Its values on the mesh that its own monitors ask for: what predictions combine. The mesh of `at` lies where the monitors
+    /// were predicted, and that prediction's error would be noise. `problem` is the one that it solves.
+    pub fn aligned(&self, problem: &Problem) -> &[f64] {
+        self.aligned.get_or_init(|| problem.system.aligned(&self.at, self.observables.monitors))
+    }
+
     /// The configuration `ahead` along the tangent, on the same mesh.
     pub fn moved(&self, problem: &Problem, ahead: f64) -> State {
         let mut at = self.at.clone();
@@ -138,7 +145,7 @@ pub fn solve(
                 return Err(SolveError::NotFiniteUpdate { quantity: Quantity::PathTangent });
             }
             return Ok(Solution {
-                aligned: system.aligned(&at, observables.monitors),
+                aligned: OnceLock::new(),
                 observables,
                 slope,
                 tangent: Tangent { direction: update, force: tangent.force },

@@ -215,11 +215,7 @@ pub trait System: Send + Sync {
     /// differences to the first.
     fn combine(&self, states: &[&[f64]], weights: &[f64]) -> Vec<f64> {
         let mut sum = vec![0.0; states.first().map_or(0, |state| state.len())];
-        for (state, weight) in states.iter().zip(weights) {
-            for (s, value) in sum.iter_mut().zip(*state) {
-                *s += weight * value;
-            }
-        }
+        add_weighted(&mut sum, states, weights, 1.0);
         sum
     }
 
@@ -227,11 +223,7 @@ pub trait System: Send + Sync {
     fn miss(&self, reached: &[f64], states: &[&[f64]], weights: &[f64], out: &mut Vec<f64>) {
         out.clear();
         out.extend_from_slice(reached);
-        for (state, weight) in states.iter().zip(weights) {
-            for (o, value) in out.iter_mut().zip(*state) {
-                *o -= weight * value;
-            }
-        }
+        add_weighted(out, states, weights, -1.0);
     }
 
     /// Size of a direction at these values: 1 is a change of the order of the problem's own scales. NaN where a number is none.
@@ -293,5 +285,29 @@ pub trait System: Send + Sync {
     /// Whether a state is one that the structure can be in: no body within another.
     fn is_admissible(&self, _at: &State) -> bool {
         true
+    }
+}
+
+/// Numbers of a sum that are added up side by side.
+const LANES: usize = 16;
+
+/// Adds `factor` times Σ weights·states to `sum`, state after state.
+fn add_weighted(sum: &mut [f64], states: &[&[f64]], weights: &[f64], factor: f64) {
+    let (blocks, rest) = sum.as_chunks_mut::<LANES>();
+    for (k, block) in blocks.iter_mut().enumerate() {
+        let mut own = *block;
+        for (state, weight) in states.iter().zip(weights) {
+            let (weight, values) = (factor * weight, &state[k * LANES..][..LANES]);
+            for l in 0..LANES {
+                own[l] += weight * values[l];
+            }
+        }
+        *block = own;
+    }
+    let from = blocks.len() * LANES;
+    for (state, weight) in states.iter().zip(weights) {
+        for (s, value) in rest.iter_mut().zip(&state[from..]) {
+            *s += factor * weight * value;
+        }
     }
 }

@@ -4,6 +4,7 @@
 //! nodes as p-stage Gauss collocation, order 2p.
 
 use crate::number::gauss::gauss_legendre;
+use crate::number::{Four, Real};
 use gauss_quad::{FiniteAboveNegOneF64, GaussJacobi};
 use std::num::NonZeroUsize;
 
@@ -84,8 +85,14 @@ pub struct Basis {
     pub value_of: [PerNode; MOST_NODES],
     /// See `value_of`.
     pub slope_of: [PerNode; MOST_NODES],
+    /// The two tables by node once more, each number four times side by side.
+    pub four_values_of: [[Four; MOST_NODES]; MOST_NODES],
+    /// See `four_values_of`.
+    pub four_slopes_of: [[Four; MOST_NODES]; MOST_NODES],
     /// `nodal_slope[b][a]`: derivative of shape function a at node b.
     pub nodal_slope: [PerNode; MOST_NODES],
+    /// `apart[a][b]`: one over how far node a is behind node b; zero of a node from itself.
+    apart: [PerNode; MOST_NODES],
 }
 
 /// A number for each node or each point.
@@ -101,8 +108,27 @@ impl Basis {
             nodes[slot(count, rank)] = node;
         }
         let [points, weights] = [[0.0; MOST_NODES]; 2];
-        let [value, slope, value_of, slope_of, nodal_slope] = [zero; 5];
-        let mut basis = Self { order, nodes, points, weights, value, slope, value_of, slope_of, nodal_slope };
+        let [value, slope, value_of, slope_of, nodal_slope, mut apart] = [zero; 6];
+        for a in 0..count {
+            for b in (0..count).filter(|&b| b != a) {
+                apart[a][b] = 1.0 / (nodes[a] - nodes[b]);
+            }
+        }
+        let [four_values_of, four_slopes_of] = [[[Four::splat(0.0); MOST_NODES]; MOST_NODES]; 2];
+        let mut basis = Self {
+            order,
+            nodes,
+            points,
+            weights,
+            value,
+            slope,
+            value_of,
+            slope_of,
+            four_values_of,
+            four_slopes_of,
+            nodal_slope,
+            apart,
+        };
         for b in 0..count {
             basis.nodal_slope[b] = basis.sample(nodes[b]).1;
         }
@@ -114,6 +140,8 @@ impl Basis {
         }
         basis.value_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.value[q][a]));
         basis.slope_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.slope[q][a]));
+        basis.four_values_of = basis.value_of.map(|of| of.map(Four::splat));
+        basis.four_slopes_of = basis.slope_of.map(|of| of.map(Four::splat));
         basis
     }
 
@@ -142,13 +170,27 @@ impl Basis {
         for a in 0..nodes.len() {
             let (mut value, mut slope) = (1.0, 0.0);
             for b in (0..nodes.len()).filter(|&b| b != a) {
-                let factor = 1.0 / (nodes[a] - nodes[b]);
+                let factor = self.apart[a][b];
                 slope = (slope * (at - nodes[b]) + value) * factor;
                 value *= (at - nodes[b]) * factor;
             }
             (values[a], slopes[a]) = (value, slope);
         }
         (values, slopes)
+    }
+
+    /// The values alone, likewise.
+    pub fn sample_values(&self, at: f64) -> PerNode {
+        let count = self.order + 1;
+        let mut values = [0.0; MOST_NODES];
+        for a in 0..count {
+            let mut value = 1.0;
+            for b in (0..count).filter(|&b| b != a) {
+                value *= (at - self.nodes[b]) * self.apart[a][b];
+            }
+            values[a] = value;
+        }
+        values
     }
 }
 

@@ -120,7 +120,7 @@ impl<const F: usize> Element<Four, F> {
             points[q] = self.point(nodes, basis, q);
         }
         density.respond(&points[..nodes.count() - 1], self.border, responses);
-        front.clear_gradient(nodes);
+        front.clear_gradient::<BORDER>(nodes);
         for q in 0..nodes.count() - 1 {
             let (r, once) = (&responses[q], self.weight(basis, q));
             // a slope carries the factor 2/length once as a column and once as a row
@@ -149,19 +149,33 @@ impl<const F: usize> Element<Four, F> {
         for f in 0..F {
             for g in 0..F {
                 let [value_value, value_slope, slope_value, slope_slope] = &mut *weighted;
+                let coupled = [
+                    coupling.value_value[f][g],
+                    coupling.value_slope[f][g],
+                    coupling.value_slope[g][f],
+                    coupling.slope_slope[f][g],
+                ];
                 for q in 0..nodes.count() - 1 {
                     let (r, once) = (&responses[q], self.weight(basis, q));
                     let twice = once * stretch;
-                    value_value[q] = r.value_value[f][g] * once;
-                    value_slope[q] = r.value_slope[f][g] * twice;
-                    slope_value[q] = r.slope_value[f][g] * twice;
-                    slope_slope[q] = r.slope_slope[f][g] * twice * stretch;
+                    if coupled[0] {
+                        value_value[q] = r.value_value[f][g] * once;
+                    }
+                    if coupled[1] {
+                        value_slope[q] = r.value_slope[f][g] * twice;
+                    }
+                    if coupled[2] {
+                        slope_value[q] = r.slope_value[f][g] * twice;
+                    }
+                    if coupled[3] {
+                        slope_slope[q] = r.slope_slope[f][g] * twice * stretch;
+                    }
                 }
                 let block = Block {
-                    value_value: coupling.value_value[f][g].then_some(&*value_value),
-                    value_slope: coupling.value_slope[f][g].then_some(&*value_slope),
-                    slope_value: coupling.value_slope[g][f].then_some(&*slope_value),
-                    slope_slope: coupling.slope_slope[f][g].then_some(&*slope_slope),
+                    value_value: coupled[0].then_some(&*value_value),
+                    value_slope: coupled[1].then_some(&*value_slope),
+                    slope_value: coupled[2].then_some(&*slope_value),
+                    slope_slope: coupled[3].then_some(&*slope_slope),
                 };
                 block.assemble(by, (f, g), front);
             }
@@ -253,14 +267,25 @@ fn mixed<T: Real>(
     by_slope: Option<&[T; MOST_NODES]>,
 ) -> [T; MOST_NODES] {
     let mut sum = [T::splat(0.0); MOST_NODES];
-    for q in 0..nodes.count() - 1 {
-        let (value, slope) = (basis.value_of[a][q], basis.slope_of[a][q]);
-        match (by_value, by_slope) {
-            (Some(v), Some(s)) => sum[q] = v[q] * value + s[q] * slope,
-            (Some(v), None) => sum[q] = v[q] * value,
-            (None, Some(s)) => sum[q] = s[q] * slope,
-            (None, None) => {}
+    let (points, value, slope) = (nodes.count() - 1, &basis.value_of[a], &basis.slope_of[a]);
+    // loops and not closures: these are not compiled for the vector units that the rest is compiled for
+    match (by_value, by_slope) {
+        (Some(v), Some(s)) => {
+            for q in 0..points {
+                sum[q] = v[q] * value[q] + s[q] * slope[q];
+            }
         }
+        (Some(v), None) => {
+            for q in 0..points {
+                sum[q] = v[q] * value[q];
+            }
+        }
+        (None, Some(s)) => {
+            for q in 0..points {
+                sum[q] = s[q] * slope[q];
+            }
+        }
+        (None, None) => {}
     }
     sum
 }
@@ -309,10 +334,10 @@ impl Block<'_> {
                 let (mut by_value, mut by_slope) = (Four::splat(0.0), Four::splat(0.0));
                 for q in 0..nodes.count() - 1 {
                     if ON_VALUE {
-                        by_value = by_value + on_value[q] * basis.value_of[b][q];
+                        by_value = by_value + on_value[q] * basis.four_values_of[b][q];
                     }
                     if ON_SLOPE {
-                        by_slope = by_slope + on_slope[q] * basis.slope_of[b][q];
+                        by_slope = by_slope + on_slope[q] * basis.four_slopes_of[b][q];
                     }
                 }
                 front.rows[a][f].fields[b][g] = by_value + by_slope;

@@ -43,6 +43,15 @@ impl<T: Real, const F: usize> FrontRow<T, F> {
     }
 
     #[inline(always)]
+    fn clear(&mut self, nodes: impl Nodes) {
+        let zero = T::splat(0.0);
+        for fields in &mut self.fields[..nodes.count()] {
+            *fields = [zero; F];
+        }
+        (self.border, self.residual) = (zero, zero);
+    }
+
+    #[inline(always)]
     fn column(&self, k: usize) -> T {
         self.fields.as_flattened()[k]
     }
@@ -94,12 +103,15 @@ impl<T: Real, const F: usize> Front<T, F> {
 
     /// Clears what [`Self::add_gradient`] adds to.
     #[inline(always)]
-    pub(super) fn clear_gradient(&mut self, nodes: impl Nodes) {
+    pub(super) fn clear_gradient<const BORDER: bool>(&mut self, nodes: impl Nodes) {
         let zero = T::splat(0.0);
         for row in &mut self.rows.as_flattened_mut()[..F * nodes.count()] {
             (row.border, row.residual) = (zero, zero);
         }
-        (self.border, self.path) = (FrontRow::zero(), FrontRow::zero());
+        self.path.clear(nodes);
+        if BORDER {
+            self.border.clear(nodes);
+        }
     }
 
     /// Adds what Gauss point `q` gives to gradient, border and path; `once` weighs values and `twice` slopes.

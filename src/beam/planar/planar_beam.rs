@@ -203,6 +203,7 @@ impl PlanarBeam {
     }
 
     /// What the height of a node is measured by: its scale plus its lift, nm.
+    #[inline(always)]
     pub(super) fn height_unit(&self, node: &[f64]) -> f64 {
         let up = self.rotation - 1;
         let lift = match &self.substrate {

@@ -1,6 +1,7 @@
 //! The planar beam as a [`System`]: what a solver asks of it. Its interface is the right end.
 
 use super::{ChainFactors, FRONT, PathRow, PlanarBeam, TIP_ROTATION, Variation};
+use crate::adhesion::Substrate;
 use crate::beam::{MeshKind, Rest};
 use crate::solve::{
     Coefficients, CondensedSystem, Evaluation, History, INTERFACE, MONITORS, Mesh, Rates, SolveError, State, System,
@@ -181,20 +182,8 @@ impl System for PlanarBeam {
     }
 
     fn size(&self, direction: &[f64], values: &[f64]) -> f64 {
-        let (fields, rotation, up) = (self.fields(), self.rotation, self.rotation - 1);
-        let per_rotation = 1.0 / self.scale[rotation];
-        let (mut largest, mut sum) = (0.0f64, 0.0);
-        for (u, s) in self.nodes(direction).chunks_exact(fields).zip(self.nodes(values).chunks_exact(fields)) {
-            // x, where it is an unknown, is measured like the height
-            let height = if up > 0 { u[0].abs().max(u[up].abs()) } else { u[up].abs() };
-            let size = height / self.height_unit(s);
-            let turn = u[rotation].abs() * per_rotation;
-            largest = if size > largest { size } else { largest };
-            largest = if turn > largest { turn } else { largest };
-            sum += height + turn;
-        }
-        // a comparison passes over a NaN, a sum does not
-        if sum.is_finite() { largest } else { f64::NAN }
+        let (direction, values) = (self.nodes(direction), self.nodes(values));
+        if self.fields() == 2 { self.largest::<2>(direction, values) } else { self.largest::<3>(direction, values) }
     }
 
     fn per_unit(&self, values: &[f64]) -> Vec<f64> {
@@ -284,4 +273,52 @@ impl System for PlanarBeam {
     fn is_admissible(&self, at: &State) -> bool {
         self.nearest(at) > 0.0
     }
+}
+
+/// Nodes that are measured side by side.
+const LANES: usize = 4;
+
+impl PlanarBeam {
+    /// The largest size of a change of the F fields of these nodes; NaN where a number is none.
+    fn largest<const F: usize>(&self, direction: &[f64], values: &[f64]) -> f64 {
+        let (direction, values) = (direction.as_chunks::<F>().0, values.as_chunks::<F>().0);
+        match &self.substrate {
+            Substrate::Flat => {
+                let (scale, rest) = (self.scale[F - 2], self.rest_gap);
+                largest(direction, values, self.scale[F - 1], |node| scale + (node[F - 2] - rest).abs())
+            }
+            _ => largest(direction, values, self.scale[F - 1], |node| self.height_unit(node)),
+        }
+    }
+}
+
+/// The same, with what rotations and, node by node, heights are measured by.
+fn largest<const F: usize>(
+    direction: &[[f64; F]],
+    values: &[[f64; F]],
+    rotation_unit: f64,
+    height_unit: impl Fn(&[f64; F]) -> f64,
+) -> f64 {
+    let (rotation, up) = (F - 1, F - 2);
+    let per_rotation = 1.0 / rotation_unit;
+    let (mut heights, mut turns, mut sums) = ([0.0f64; LANES], [0.0f64; LANES], [0.0; LANES]);
+    let mut take = |l: usize, u: &[f64; F], s: &[f64; F]| {
+        // x, where it is an unknown, is measured like the height
+        let height = if up > 0 { u[0].abs().max(u[up].abs()) } else { u[up].abs() };
+        let (size, turn) = (height / height_unit(s), u[rotation].abs() * per_rotation);
+        heights[l] = if size > heights[l] { size } else { heights[l] };
+        turns[l] = if turn > turns[l] { turn } else { turns[l] };
+        sums[l] += height + turn;
+    };
+    let ((directions, rest), (values, values_rest)) = (direction.as_chunks::<LANES>(), values.as_chunks::<LANES>());
+    for (u, s) in directions.iter().zip(values) {
+        for l in 0..LANES {
+            take(l, &u[l], &s[l]);
+        }
+    }
+    for (u, s) in rest.iter().zip(values_rest) {
+        take(0, u, s);
+    }
+    // a comparison passes over a NaN, a sum does not
+    if sums.iter().sum::<f64>().is_finite() { heights.into_iter().chain(turns).fold(0.0, f64::max) } else { f64::NAN }
 }

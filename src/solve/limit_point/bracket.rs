@@ -76,7 +76,8 @@ fn turned_displacement(
     let mut known = segment.clone();
     let mut last_look = f64::INFINITY;
     for _ in 0..MOST_LOOKS {
-        let slope_at = |label: f64| sign * known.observable(pick, label).at(label).1;
+        let mut interpolants = known.interpolants(pick);
+        let mut slope_at = |label: f64| sign * interpolants.near(label).at(label).1;
         let labels = (1..PLACES).map(|k| end * k as f64 / PLACES as f64);
         let least = labels.map(|label| (slope_at(label), label)).min_by(|a, b| a.0.total_cmp(&b.0));
         let Some((slope, label)) = least.filter(|least| least.0 < small) else { return Ok(None) };

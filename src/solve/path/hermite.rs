@@ -15,9 +15,14 @@ pub struct Hermite {
 impl Hermite {
     /// From (place, value, slope); places are distinct.
     pub fn new(data: &[(f64, f64, f64)]) -> Self {
-        let nodes: Vec<f64> = data.iter().flat_map(|d| [d.0, d.0]).collect();
-        let mut table: Vec<f64> = data.iter().flat_map(|d| [d.1, d.1]).collect();
-        let mut coefficients = vec![table[0]];
+        let twice = |pick: fn(&(f64, f64, f64)) -> f64| {
+            let mut all = Vec::with_capacity(2 * data.len());
+            data.iter().for_each(|d| all.extend([pick(d); 2]));
+            all
+        };
+        let (nodes, mut table) = (twice(|d| d.0), twice(|d| d.1));
+        let mut coefficients = Vec::with_capacity(nodes.len());
+        coefficients.push(table[0]);
         for order in 1..nodes.len() {
             for i in 0..nodes.len() - order {
                 table[i] = if order == 1 && i % 2 == 0 {

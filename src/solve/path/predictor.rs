@@ -23,7 +23,7 @@ pub fn lagrange_weights(labels: &[f64], at: f64) -> Vec<f64> {
 
 /// Combination of stored points with the given weights; the mesh follows the combined monitors.
 pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> State {
-    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned.as_slice()).collect();
+    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned(problem)).collect();
     let (mut monitors, mut force) = ([0.0; MONITORS], 0.0);
     for (point, &weight) in points.iter().zip(weights) {
         (0..MONITORS).for_each(|k| monitors[k] += weight * point.observables.monitors[k]);
@@ -41,9 +41,10 @@ pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> 
 /// in [`crate::solve::System::size`], or of the force, relative to itself and its scale.
 pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solution: &Solution, at: f64) -> Vec<f64> {
     let force_scale = solution.at.force.abs() + problem.measure.force;
-    let per_unit = problem.system.per_unit(&solution.aligned);
-    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned.as_slice()).collect();
-    let mut update = Vec::with_capacity(solution.aligned.len());
+    let reached = solution.aligned(problem);
+    let per_unit = problem.system.per_unit(reached);
+    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned(problem)).collect();
+    let mut update = Vec::with_capacity(reached.len());
     (1..=points.len())
         .map(|count| {
             let weights = lagrange_weights(&labels[..count], at);
@@ -51,11 +52,27 @@ pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solut
             for (point, weight) in points[..count].iter().zip(&weights) {
                 force -= weight * point.at.force;
             }
-            problem.system.miss(&solution.aligned, &states[..count], &weights, &mut update);
-            let sizes = update.iter().zip(&per_unit).map(|(u, unit)| (u * unit).abs());
-            sizes.fold(FORCE * force.abs() / force_scale, |largest, size| if size > largest { size } else { largest })
+            problem.system.miss(reached, &states[..count], &weights, &mut update);
+            largest(&update, &per_unit, FORCE * force.abs() / force_scale)
         })
         .collect()
+}
+
+/// Numbers that are compared side by side.
+const LANES: usize = 8;
+
+/// The largest of `least` and of the sizes of `update`, each times its unit; one that is no number counts nothing.
+fn largest(update: &[f64], per_unit: &[f64], least: f64) -> f64 {
+    let larger = |largest: f64, size: f64| if size > largest { size } else { largest };
+    let ((updates, rest), (units, units_rest)) = (update.as_chunks::<LANES>(), per_unit.as_chunks::<LANES>());
+    let mut sizes = [least; LANES];
+    for (update, unit) in updates.iter().zip(units) {
+        for l in 0..LANES {
+            sizes[l] = larger(sizes[l], (update[l] * unit[l]).abs());
+        }
+    }
+    let rest = rest.iter().zip(units_rest).map(|(update, unit)| (update * unit).abs());
+    sizes.into_iter().chain(rest).fold(least, larger)
 }
 
 /// The longest step that keeps the error of an extrapolation through `count` points at `tolerance`, given the error it

@@ -4,6 +4,7 @@ use super::hermite::Hermite;
 use super::metric::Metric;
 use super::predictor::{combine, lagrange_weights};
 use crate::solve::{History, Observables, Problem, Solution, State};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Points around one step of a path, labelled by one path parameter in which all of them go forward.
@@ -158,6 +159,11 @@ impl PathSegment {
         self.interpolant(pick, near, USED)
     }
 
+    /// The same at many places.
+    pub(in crate::solve) fn interpolants(&self, pick: fn(&Observables) -> f64) -> Interpolants<'_> {
+        Interpolants { segment: self, pick, newest: None }
+    }
+
     /// How wrong the interpolant of one observable is in the middle of the step, judged by the one through one point less;
     /// none where the path turns away before and behind the step, so that only its ends are known.
     pub fn interpolation_error(&self, pick: fn(&Observables) -> f64) -> Option<f64> {
@@ -181,7 +187,11 @@ impl PathSegment {
 
     /// The Hermite interpolant of one observable through so many points nearest to `near`.
     fn interpolant(&self, pick: fn(&Observables) -> f64, near: f64, points: usize) -> Hermite {
-        let used = self.nearest(near, points);
+        self.through(pick, self.nearest(near, points))
+    }
+
+    /// The Hermite interpolant of one observable through these points.
+    fn through(&self, pick: fn(&Observables) -> f64, used: Range<usize>) -> Hermite {
         let data = used.map(|i| {
             let point = &self.points[i];
             (self.labels[i], pick(&point.observables), pick(&point.slope) / self.weights.dot(&point.slope))
@@ -189,7 +199,7 @@ impl PathSegment {
         Hermite::new(&data.collect::<Vec<_>>())
     }
 
-    fn nearest(&self, at: f64, count: usize) -> std::ops::Range<usize> {
+    fn nearest(&self, at: f64, count: usize) -> Range<usize> {
         let n = self.labels.len();
         let place = self.labels.partition_point(|&l| l < at);
         let (mut from, mut to) = (place, place);
@@ -199,5 +209,22 @@ impl PathSegment {
             if left { from -= 1 } else { to += 1 }
         }
         from..to
+    }
+}
+
+/// The interpolants of one observable on a segment, each through the points nearest to a place: made anew where those are others.
+pub(in crate::solve) struct Interpolants<'s> {
+    segment: &'s PathSegment,
+    pick: fn(&Observables) -> f64,
+    newest: Option<(Range<usize>, Hermite)>,
+}
+
+impl Interpolants<'_> {
+    /// The interpolant for the label `near`, as of [`PathSegment::observable`].
+    pub(in crate::solve) fn near(&mut self, near: f64) -> &Hermite {
+        let used = self.segment.nearest(near, USED);
+        let known = self.newest.take().filter(|(of, _)| *of == used);
+        let newest = known.unwrap_or_else(|| (used.clone(), self.segment.through(self.pick, used)));
+        &self.newest.insert(newest).1
     }
 }

@@ -102,7 +102,7 @@ impl Known {
         let focus = problem.system.mesh_for(solution.observables.monitors, &solution.at.mesh).focus;
         let mut equilibrium = State {
             mesh: Mesh { focus, boundaries: solution.at.mesh.boundaries.clone() },
-            values: solution.aligned.clone(),
+            values: solution.aligned(problem).to_vec(),
             force: 0.0,
             history: solution.at.history.clone(),
         };

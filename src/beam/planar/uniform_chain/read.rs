@@ -140,8 +140,9 @@ impl<const F: usize> UniformChain<F> {
     ) -> ([f64; MOST_FIELDS], SectionState) {
         let length = at.ends[element + 1] - at.ends[element];
         let (shape, shape_slope) = self.basis.sample(local);
-        let (value, slope) =
-            combine(self.nodes(), &self.gather(self.nodes(), at.state, element), &shape, &shape_slope, length);
+        let values = self.gather(self.nodes(), at.state, element);
+        let value = combine(self.nodes(), &values, &shape);
+        let slope = combine(self.nodes(), &values, &shape_slope.map(|slope| slope * (2.0 / length)));
         let mut all = [0.0; MOST_FIELDS];
         all[..F].copy_from_slice(&value);
         let place = at.ends[element] + 0.5 * (1.0 + local) * length;
@@ -158,9 +159,8 @@ impl<const F: usize> UniformChain<F> {
                 values = self.gather(self.nodes(), at.state, e);
             }
             let local = 2.0 * (s - at.ends[e]) / (at.ends[e + 1] - at.ends[e]) - 1.0;
-            let (shape, slope) = self.basis.sample(local);
             let before = Slip { place, share, limit };
-            let fields = combine(self.nodes(), &values, &shape, &slope, 2.0).0;
+            let fields = combine(self.nodes(), &values, &self.basis.sample_values(local));
             let (slip, lost) = self.density.remembered(s, fields, before);
             ([slip.place, slip.share, slip.limit], lost)
         }))
@@ -180,31 +180,22 @@ impl<const F: usize> UniformChain<F> {
                     old += 1;
                 }
                 let local = 2.0 * (s - at.ends[old]) / (at.ends[old + 1] - at.ends[old]) - 1.0;
-                let (shape, slope) = self.basis.sample(local);
-                state.extend_from_slice(
-                    &combine(self.nodes(), &self.gather(self.nodes(), at.state, old), &shape, &slope, 2.0).0,
-                );
+                let values = self.gather(self.nodes(), at.state, old);
+                state.extend_from_slice(&combine(self.nodes(), &values, &self.basis.sample_values(local)));
             }
         }
         state
     }
 }
 
-/// Fields and slopes from nodal values.
+/// Σ shape·values over the nodes.
 #[inline(always)]
-fn combine<const F: usize>(
-    nodes: impl Nodes,
-    values: &[[f64; F]; MOST_NODES],
-    shape: &PerNode,
-    shape_slope: &PerNode,
-    length: f64,
-) -> ([f64; F], [f64; F]) {
-    let (mut value, mut slope) = ([0.0; F], [0.0; F]);
+fn combine<const F: usize>(nodes: impl Nodes, values: &[[f64; F]; MOST_NODES], shape: &PerNode) -> [f64; F] {
+    let mut sum = [0.0; F];
     for a in 0..nodes.count() {
         for f in 0..F {
-            value[f] += shape[a] * values[a][f];
-            slope[f] += shape_slope[a] * (2.0 / length) * values[a][f];
+            sum[f] += shape[a] * values[a][f];
         }
     }
-    (value, slope)
+    sum
 }
