@@ -1,6 +1,7 @@
 //! Body force, surface traction and line load of tilted sections and of a tilted piece of strip.
 
-use super::{LAW, Row, against, cell, read, rule};
+use super::cells::{LAW, against, cell, rule};
+use crate::suite::reference::{Row, read};
 use crate::suite::{Check, Measure};
 use peelkit::adhesion::{Faces, Law, Level, LineLaw, LineLoad, Piece, Resultant, section_by_body_force};
 

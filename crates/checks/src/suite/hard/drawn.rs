@@ -1,7 +1,7 @@
 //! Strips sampled over wide ranges, each peeled twice: what the coarser run claims must hold for the finer one. Loads `full` and
 //! `force-only`; strips of `axis-gap`, which is blind to its edges, may go several ways at their end.
 
-use super::check::{Check, Measure};
+use crate::suite::check::{Check, Measure};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
 use peelkit::study::{Accuracy, LimitPoint, PathEnd, Peel, peel};
@@ -118,12 +118,12 @@ fn numbers(peel: &Peel) -> [(&'static str, Bounded); 4] {
 const STRAY: f64 = 0.01;
 
 /// The checks: hardly a number is wrong, and few paths fail.
-pub(super) fn checks(topic: &'static str) -> Vec<Check> {
+pub(super) fn checks() -> Vec<Check> {
     let Drawn { judged, wrong, failed, differ } = drawn();
     let check = |name: String, list: &[String], most: f64| {
         let name = list.first().map_or(name.clone(), |first| format!("{name}; the first: {first}"));
         let source = "the same at 1e-8";
-        Check::new(topic, name, source, Ok(list.len() as f64), most, Measure::AtMost, 0.0)
+        Check::new(name, source, Ok(list.len() as f64), most, Measure::AtMost, 0.0)
     };
     let of = format!("{SCENES} randomly sampled strips");
     vec![
