@@ -4,6 +4,7 @@
 //! hold.
 
 #![forbid(unsafe_code)]
+#![warn(missing_docs)]
 
 mod bodies;
 mod bounds;

@@ -28,9 +28,13 @@ pub struct Check {
     pub source: String,
     /// Absent where the computation failed; `failure` says why.
     pub computed: Option<f64>,
+    /// Why there is no computed value.
     pub failure: Option<String>,
+    /// In the unit that the name says.
     pub expected: f64,
+    /// How both are compared.
     pub measure: Measure,
+    /// Largest difference that passes, as the measure counts.
     pub tolerance: f64,
 }
 
@@ -80,6 +84,7 @@ pub(super) fn missing(end: &PathEnd) -> String {
 /// A named group of checks.
 #[derive(Clone, Copy)]
 pub struct Topic {
+    /// The word after `--only`.
     pub name: &'static str,
     /// What is checked, in half a line.
     pub about: &'static str,

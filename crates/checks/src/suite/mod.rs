@@ -3,12 +3,12 @@
 //! One file or folder a topic. A topic computes its checks when it is run and knows nothing of the others.
 
 pub(crate) mod beam;
-pub mod bounds;
+pub(crate) mod bounds;
 mod check;
 mod ground;
 pub mod hard;
 mod levels;
-pub mod orders;
+pub(crate) mod orders;
 mod published;
 pub mod reference;
 mod spatula;

@@ -8,7 +8,7 @@ use resvg::{tiny_skia, usvg};
 use std::path::{Path, PathBuf};
 
 /// Pixels of the PNG to a pixel of the SVG.
-pub const PNG_SCALE: u32 = 2;
+const PNG_SCALE: u32 = 2;
 
 /// Writes `dir/stem.svg` and `dir/stem.png`.
 pub fn save(picture: &Picture, dir: &Path, stem: &str) -> Result<Vec<PathBuf>, ReportError> {

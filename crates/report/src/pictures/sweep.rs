@@ -13,8 +13,11 @@ pub const STIFFNESS: &str = "strip.bending_stiffness_factor";
 /// The angle of the pull.
 const ANGLE: &str = "drive.angle";
 
+/// The label of an axis of forces per width.
 pub const FORCE: &str = "force per width P/b (nN/nm)";
+/// The label of an axis of work per width.
 pub const WORK: &str = "work to snap-off W/b (aJ/nm)";
+/// The label of an axis of bending stiffness over that of the section.
 pub const STIFFNESS_LABEL: &str = "EI / EI₀";
 
 /// Draws `sweep.svg` and `sweep.png` into `dir`: peak force, plateau and the work up to the snap-off, of strips each per width,

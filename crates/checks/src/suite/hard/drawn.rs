@@ -20,14 +20,14 @@ const RANGES: [(f64, f64); 5] = [(5.0, 1e4), (1.0, 100.0), (1e-4, 1e3), (1e-2, 1
 
 /// What became of the strips.
 #[derive(Clone, Debug, Default)]
-pub struct Drawn {
+struct Drawn {
     /// Numbers that both runs report, and how many of the coarser ones lie further from the finer than both bounds together.
-    pub judged: usize,
-    pub wrong: Vec<String>,
+    judged: usize,
+    wrong: Vec<String>,
     /// Strips whose path ended `failed`, with the reason.
-    pub failed: Vec<String>,
+    failed: Vec<String>,
     /// Strips of which only one run has a peak or a snap-off, although both came to their end.
-    pub differ: Vec<String>,
+    differ: Vec<String>,
 }
 
 /// Place `k` of a sequence that fills the unit cube of eight dimensions evenly: multiples of powers of 1/φ, φ⁹ = φ + 1.
@@ -53,7 +53,7 @@ fn strip(k: usize) -> StripModel {
 }
 
 /// Peels all of them, on all cores.
-pub fn drawn() -> Drawn {
+fn drawn() -> Drawn {
     let outcomes: Vec<Drawn> = (0..SCENES).into_par_iter().map(judge).collect();
     outcomes.into_iter().fold(Drawn::default(), |mut all, one| {
         all.judged += one.judged;

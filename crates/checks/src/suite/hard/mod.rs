@@ -17,7 +17,7 @@ use peelkit::study::{Peel, peel};
 use rayon::prelude::*;
 
 /// The name under which the checks are reported.
-pub const NAME: &str = "hard";
+const NAME: &str = "hard";
 
 const TABLE: &str = include_str!("../../../../../verification/hard_scenes.csv");
 const SOURCE: &str = "verification/hard_scenes.py: Chebyshev collocation of the strong form";
