@@ -135,6 +135,8 @@ pub enum QuantityError {
 }
 
 /// Reads `text` as a quantity, in the library's unit of `dimension`.
+///
+/// Fails where it does not begin with a number, or its unit is missing, unknown or of something else. Its range is not looked at.
 pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
     let (value, unit) = split(text.trim()).ok_or(QuantityError::NoNumber)?;
     if unit.is_empty() {

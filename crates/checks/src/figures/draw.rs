@@ -20,6 +20,8 @@ pub fn holds_figures(dir: &Path) -> bool {
 /// Regenerates every figure of `figures/` in `dir`, as SVG and PNG, with its data as CSV and its caption in `README.md`.
 ///
 /// `progress` is called with the number of finished peels and their total, from any thread.
+///
+/// Fails with the first picture that cannot be drawn or file that cannot be written.
 pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Vec<PathBuf>, ReportError> {
     let total = strip::PEELS
         + spatula::PEELS

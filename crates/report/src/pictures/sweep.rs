@@ -24,6 +24,9 @@ pub const STIFFNESS_LABEL: &str = "EI / EI₀";
 /// against the values of `key`, on a logarithmic axis where `log` is set.
 ///
 /// Where the bending stiffness or the angle of the pull is varied Kendall's force is drawn too.
+///
+/// Fails where no value has the point, a value has no place on a logarithmic axis ([`ReportError::Draw`]), or a file cannot be
+/// written ([`ReportError::Write`]).
 pub fn draw_sweep(
     rows: &[SweepRow],
     key: &str,
@@ -32,13 +35,19 @@ pub fn draw_sweep(
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let refuse = |reason: String| ReportError::Draw { path: dir.join("sweep.svg"), reason };
-    if let Some(row) = rows.iter().find(|row| log && row.value <= 0.0) {
-        return Err(refuse(format!("{key} = {} has no place on a logarithmic axis", row.value)));
-    }
+    check_axis(rows.iter().map(|row| row.value), key, log).map_err(refuse)?;
     if rows.iter().all(|row| row.found.peak.is_none()) {
         return Err(refuse(format!("none of the {} values of {key} has a peak force", rows.len())));
     }
     save(&sweep_picture(rows, key, title, log), dir, "sweep")
+}
+
+/// Whether all values of `key` have a place on the axis; else the first that has none.
+pub(super) fn check_axis(mut values: impl Iterator<Item = f64>, key: &str, log: bool) -> Result<(), String> {
+    match values.find(|&value| log && value <= 0.0) {
+        Some(value) => Err(format!("{key} = {value} has no place on a logarithmic axis")),
+        None => Ok(()),
+    }
 }
 
 fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Picture {

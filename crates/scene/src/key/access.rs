@@ -70,6 +70,8 @@ impl Key {
     }
 
     /// Puts a number into the scene, in the unit of the library, if it is in range.
+    ///
+    /// Fails where it is out of range, is not whole where it has to be, or the key does not belong to the scene.
     pub fn store_number(&self, scene: &mut Scene, number: f64) -> Result<(), Problem> {
         if !self.belongs_to(scene) {
             return Err(self.foreign(scene));
@@ -96,6 +98,8 @@ impl Key {
     }
 
     /// Reads a text of the command line as a number of this key, in the unit of the library.
+    ///
+    /// Fails where it is no number, or its unit is missing, unknown or of something else.
     pub fn parse_number(&self, text: &str) -> Result<f64, Problem> {
         match self.kind {
             Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => {
