@@ -101,7 +101,7 @@ fn a_sweep_as_json_is_one_object() {
     assert!(!dir.path().join("out").exists());
 }
 
-/// What has no finite stiffness, no reach or no end is told in an end, never by a panic.
+/// What has no finite stiffness, no reach or no end is reported in an end, never by a panic.
 #[test]
 fn absurd_scenes_end_in_a_status() {
     let dir = bench();

@@ -57,7 +57,7 @@ pub struct Survey {
 
 impl Survey {
     /// The fraction of bounds that hold, of all numbers in the table.
-    pub fn share(&self) -> f64 {
+    pub fn fraction_held(&self) -> f64 {
         let held = self.judged.iter().filter(|judged| judged.holds()).count();
         held as f64 / (self.judged.len() + self.missing.len()) as f64
     }
@@ -132,7 +132,7 @@ fn checks() -> Vec<Check> {
     let check = |name: String, computed, expected, measure| Check::new(name, SOURCE, computed, expected, measure, 0.0);
     let ended = 1.0 - survey.failed.len() as f64 / survey.scenes as f64;
     vec![
-        check(format!("fraction of bounds that hold, {of}"), Ok(survey.share()), 0.99, Measure::AtLeast),
+        check(format!("fraction of bounds that hold, {of}"), Ok(survey.fraction_held()), 0.99, Measure::AtLeast),
         check("median of bound over true error".into(), median, 20.0, Measure::AtMost),
         check("largest true error, relative".into(), Ok(largest), RELATIVE, Measure::AtMost),
         check("fraction of scenes that end without a failure".into(), Ok(ended), 0.99, Measure::AtLeast),

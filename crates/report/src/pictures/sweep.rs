@@ -89,7 +89,7 @@ pub fn work_per_width(row: &SweepRow) -> Option<f64> {
     Some(per_width(row, row.found.snap_off?.work))
 }
 
-/// A plateau is one of peeling while more than this share of the strip still adheres.
+/// A plateau is one of peeling while more than this fraction of the strip still adheres.
 pub const ADHERING: f64 = 0.01;
 
 /// The plateau of peeling per width. A stiff strip that tilts upright on its edge has none, however level its force is

@@ -125,7 +125,7 @@ fn comes_back(scene: &Scene) -> Result<(), String> {
     }
 }
 
-/// A scene as its `parameters` tell it, in TOML.
+/// A scene as its `parameters` report it, in TOML.
 pub fn printed(scene: &Scene) -> Result<String, String> {
     let key = find_key("accuracy.relative").map_err(|problem| problem.found)?;
     let json = SweepSummary::new(scene, key, &[], &[]).to_json().map_err(|error| error.to_string())?;

@@ -9,7 +9,7 @@ const MESHES: [(usize, usize); 3] = [(1, 8), (2, 4), (3, 2)];
 
 /// A mesh that locks errs by a factor of about (L/h)² more. Where the beam is as high as long, shear adds to the tip's path
 /// what every mesh gets right, so that the error is smaller;
-/// at slenderness 10 that share is still a hundredth.
+/// at slenderness 10 that fraction is still a hundredth.
 pub(super) fn checks() -> Vec<Check> {
     let rows = table();
     let rods: Vec<_> = rows.iter().filter(|row| row.text("case") == Some("slenderness")).collect();

@@ -36,7 +36,7 @@ pub(crate) fn under_control(
     controlled(&problem, problem.initial(elements), weights, targets, TOLERANCE).map_err(|error| error.to_string())
 }
 
-/// Error wanted of every solution.
+/// Tolerance of every solution.
 pub(super) const TOLERANCE: f64 = 1e-13;
 
 /// x, y and θ of the right end.

@@ -1,5 +1,5 @@
 //! Strips sampled over wide ranges, each peeled twice: what the coarser run claims must hold for the finer one. Loads `full` and
-//! `force-only`; strips of `axis-gap`, which is blind to its edges, may go several ways at their end.
+//! `force-only`; strips of `axis-gap`, which is independent of the rotation of the section, may go several ways at their end.
 
 use crate::suite::check::{Check, Measure};
 use peelkit::adhesion::LineLoad;
@@ -113,7 +113,7 @@ fn numbers(peel: &Peel) -> [(&'static str, Bounded); 4] {
     ]
 }
 
-/// Share of numbers that may be outside of their bounds, as on the scenes of the topic `bounds`, and of points that one run alone
+/// Fraction of numbers that may be outside of their bounds, as on the scenes of the topic `bounds`, and of points that one run alone
 /// finds: strips about to lose their snap-back.
 const STRAY: f64 = 0.01;
 
