@@ -3,12 +3,12 @@
 use super::choice::{HOLDS, LINE_LOADS, STARTS, TERMS, attractions, word};
 use super::{Key, Kind};
 use crate::error::Problem;
-use crate::pieces;
-use crate::quantity::parse_quantity;
 use crate::scene::Scene;
 use crate::shape;
-use crate::steps;
-use crate::table::{read_heights, read_profile};
+use crate::value::pieces;
+use crate::value::quantity::parse_quantity;
+use crate::value::steps;
+use crate::value::table::{read_heights, read_profile};
 use crate::value::{Value, quoted};
 use peelkit::adhesion::Substrate;
 use peelkit::model::{Measured, ProfileForm, Range};

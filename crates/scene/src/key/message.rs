@@ -4,10 +4,10 @@ use super::choice::{HOLDS, LINE_LOADS, STARTS, TERMS, attractions, words};
 use super::{Key, Kind};
 use crate::error::{Problem, one_line};
 use crate::near::nearest;
-use crate::pieces;
-use crate::quantity::{Dimension, QuantityError};
 use crate::shape;
-use crate::steps;
+use crate::value::pieces;
+use crate::value::quantity::{Dimension, QuantityError};
+use crate::value::steps;
 use crate::value::{Value, quoted, show};
 
 impl Key {

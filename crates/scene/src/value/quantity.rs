@@ -153,7 +153,7 @@ pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityE
     if let Some(other) = Dimension::ALL.into_iter().find(|&d| factor(d).is_some()) {
         return Err(QuantityError::WrongDimension { unit, measures: other.to_string() });
     }
-    let near = super::near::nearest(&unit, dimension.units().iter().copied());
+    let near = crate::near::nearest(&unit, dimension.units().iter().copied());
     Err(QuantityError::UnknownUnit { unit, near })
 }
 

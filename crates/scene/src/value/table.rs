@@ -1,6 +1,6 @@
 //! The table of a beam or of a substrate: in the scene, or in a file beside it.
 
-use super::error::one_line;
+use crate::error::one_line;
 use csv::StringRecord;
 use peelkit::adhesion::{Heights, HeightsError};
 use peelkit::model::{ProfileColumns, ProfileTable, TableError};
@@ -192,12 +192,12 @@ fn shown(cell: &str) -> String {
 }
 
 /// Reads the outline of a beam, and gives the text that it is read from.
-pub(super) fn read_profile(name: &str, text: &str) -> Result<(ProfileTable, String), String> {
+pub(crate) fn read_profile(name: &str, text: &str) -> Result<(ProfileTable, String), String> {
     read(name, text, parse_profile)
 }
 
 /// Reads the heights of a substrate, and gives the text that they are read from.
-pub(super) fn read_heights(name: &str, text: &str) -> Result<(Heights, String), String> {
+pub(crate) fn read_heights(name: &str, text: &str) -> Result<(Heights, String), String> {
     read(name, text, parse_heights)
 }
 
