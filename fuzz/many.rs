@@ -3,7 +3,7 @@
 //!
 //! Prints how the scenes ended and how long it took, and each fault with its scene. Exit status 1 where there is any.
 
-#[path = "../tests/report/garbled/generator.rs"]
+#[path = "../tests/report/garbled/generator/mod.rs"]
 mod garbled;
 
 use garbled::{Dice, Random, absurd_scene, check_parse, check_run, garbled_text};

@@ -1,7 +1,7 @@
 //! Texts as they are, and good scenes garbled as the bytes say.
 #![no_main]
 
-#[path = "../../tests/report/garbled/generator.rs"]
+#[path = "../../tests/report/garbled/generator/mod.rs"]
 mod garbled;
 
 use garbled::{Dice, check_parse, garbled_text};

@@ -1,7 +1,7 @@
 //! Short runs of scenes with absurd numbers, which the bytes choose.
 #![no_main]
 
-#[path = "../../tests/report/garbled/generator.rs"]
+#[path = "../../tests/report/garbled/generator/mod.rs"]
 mod garbled;
 
 use garbled::{Dice, absurd_scene, check_run};

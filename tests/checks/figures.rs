@@ -1,16 +1,18 @@
-//! The figures of `figures/`, drawn.
+//! The figures of `figures/`, as `peel figures` has drawn them: each picture is whole, and its data and its caption stand beside it.
+//!
+//! `.ci/run` draws all of them anew.
 
 use crate::pictures::check_pictures;
-use peelkit_checks::draw_figures;
+use peelkit_checks::holds_figures;
+use std::path::{Path, PathBuf};
 
 #[test]
-#[ignore = "takes minutes where the program is not optimised: .ci/run draws the figures with the release build"]
 fn the_figures_come_with_their_data_and_captions() {
-    let dir = tempfile::tempdir().unwrap();
-    let counted = std::sync::Mutex::new(Vec::new());
-    let files = draw_figures(dir.path(), &|done, total| counted.lock().unwrap().push((done, total))).unwrap();
+    let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../figures");
+    let files: Vec<PathBuf> = std::fs::read_dir(&dir).unwrap().map(|entry| entry.unwrap().path()).collect();
     check_pictures(&files);
-    let readme = std::fs::read_to_string(dir.path().join("README.md")).unwrap();
+    assert!(holds_figures(&dir));
+    let readme = std::fs::read_to_string(dir.join("README.md")).unwrap();
     for stem in [
         "fig09-peeling",
         "peel-curve",
@@ -24,12 +26,9 @@ fn the_figures_come_with_their_data_and_captions() {
         "accuracy",
     ] {
         for ending in ["svg", "png", "csv"] {
-            assert!(files.contains(&dir.path().join(format!("{stem}.{ending}"))), "{stem}.{ending} is missing");
+            assert!(files.contains(&dir.join(format!("{stem}.{ending}"))), "{stem}.{ending} is missing");
         }
         assert!(readme.contains(&format!("{stem}.svg")) && readme.contains(&format!("{stem}.csv")));
     }
     assert!(readme.contains("This range is ours"));
-    let mut counted = counted.into_inner().unwrap();
-    counted.sort_unstable();
-    assert_eq!(counted.last().map(|&(done, total)| done == total), Some(true));
 }

@@ -13,7 +13,7 @@
 //! Parameters: a row of the tables each: length, height, width, E, ν, A_H, r0, shear correction, EI factor, load, grip.
 //!
 //! Expected: every filled value to the relative accuracy asked for, at 1e-6 (the default) and at 1e-9, plus half of the last
-//! digit printed; every error bound no smaller than the true error, as far as the printed digits tell it; no path that stops
+//! digit printed; every error bound no smaller than the true error, as far as the printed digits show it; no path that stops
 //! short. Rows that are known not to be met are in [`EXCEPTIONS`], each with what is reached. Why: this is what the program is for.
 
 use peelkit::solve::LimitPointKind;
@@ -26,7 +26,7 @@ use std::str::FromStr;
 struct Exception {
     /// Accuracy asked for.
     asked: f64,
-    /// What tells the row from others: length, EI factor, load, far face.
+    /// What distinguishes the row from others: length, EI factor, load, far face.
     row: (f64, f64, &'static str, bool),
     column: &'static str,
     /// Relative error allowed; infinite where the value may be missing.

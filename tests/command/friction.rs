@@ -1,9 +1,9 @@
-//! What `peel run` tells of friction.
+//! What `peel run` reports of friction.
 
 use approx::assert_relative_eq;
 use assert_cmd::Command;
 
-/// The command tells how the strip has slid.
+/// The command reports how the strip has slid.
 #[test]
 fn the_summary_tells_how_it_has_slid() {
     let output = Command::cargo_bin("peel")

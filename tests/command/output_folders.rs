@@ -1,4 +1,4 @@
-//! Folders of outputs: whole or not there, never overwritten unasked, and what is told where they cannot be written.
+//! Folders of outputs: whole or not there, never overwritten unasked, and what is reported where they cannot be written.
 //!
 //! Reference: the files of a run to a new folder, and the bytes that a user had put into one. Expected: exit status 2 and
 //! no computation where the folder holds something, unless --force is given; then the command's own files are new and

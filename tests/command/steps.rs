@@ -1,4 +1,4 @@
-//! Steps before the pull, told and refused.
+//! Steps before the pull, reported and refused.
 
 use crate::strip::{paper_strip, with_grip};
 use assert_cmd::Command;
@@ -10,7 +10,7 @@ use std::f64::consts::FRAC_PI_3;
 const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/strip-100nm.toml");
 
-/// The strip in this grip, behind these steps.
+/// The strip in this grip, after these steps.
 fn strip(rotation: Hold, horizontal: Hold, steps: &[Step]) -> PeelModel {
     let model = with_grip(paper_strip(100.0, 1.0), rotation, horizontal);
     PeelModel { steps: steps.to_vec(), ..model.into() }

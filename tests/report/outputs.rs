@@ -3,6 +3,7 @@
 //! Expected: the keys and columns of the contract (design.md, section 4), every number to its last digit, null and empty
 //! cells where a thing does not occur, and an error in place of a NaN. Why: other programs read these files.
 
+use crate::strip::STRIP_SCENE;
 use peelkit::solve::LimitPointKind;
 use peelkit::study::{Bound, Failure, Found, LimitPoint, PathEnd, PathPoint, Peak, Peel, Plateau, peel};
 use peelkit_report::{PeelSummary, SweepLine, SweepRow, write_curve, write_limit_points, write_sweep};
@@ -10,20 +11,9 @@ use peelkit_scene::{Bounds, Scene};
 use serde_json::Value;
 use std::fs;
 
-const SCENE: &str = r#"
-title = "A strip"
-[strip]
-length = "100 nm"
-height = "10 nm"
-youngs_modulus = "2 GPa"
-[adhesion]
-hamaker_constant = "1e-19 J"
-equilibrium_distance = "0.4 nm"
-"#;
-
 /// Numbers that do not look alike, so that no two can be taken for each other.
 fn made_up() -> (Scene, Peel) {
-    let scene = Scene::parse("a.toml", SCENE, &[]).unwrap();
+    let scene = Scene::parse("a.toml", &format!("title = \"A strip\"{STRIP_SCENE}"), &[]).unwrap();
     let bounds = Bounds { points: 1, ..scene.bounds };
     let mut made_up = peel(&scene.model, &scene.accuracy, &bounds.from_now());
     let peak = Peak {

@@ -13,7 +13,7 @@
 //! Ctrl-C and for a killed run what the sweep promises, nothing left behind in the end, and nothing at all kept of a short
 //! run. Why: points follow from scene and mesh alone, clock and signals only say where a path is left.
 
-use crate::strip::{paper_strip, with_grip, with_load};
+use crate::strip::{STRIP_SCENE, paper_strip, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
 use peelkit::study::{Accuracy, Checkpoint, Peel, Stage, StopReason, peel, peel_on};
@@ -27,11 +27,7 @@ use tempfile::tempdir;
 
 /// A scene of this model.
 fn scene(model: StripModel, relative: f64) -> Scene {
-    let text = r#"
-        strip = { length = "100 nm", height = "10 nm", youngs_modulus = "2 GPa" }
-        adhesion = { hamaker_constant = "1e-19 J", equilibrium_distance = "0.4 nm" }
-    "#;
-    let plain = Scene::parse("strip.toml", text, &[]).unwrap();
+    let plain = Scene::parse("strip.toml", STRIP_SCENE, &[]).unwrap();
     let bounds = Bounds { time_s: None, ..plain.bounds };
     Scene { model: model.into(), accuracy: Accuracy::to(relative), bounds, ..plain }
 }

@@ -1,14 +1,13 @@
 //! What a scene says of the law of adhesion.
 
+use crate::text::MINIMAL;
 use approx::assert_relative_eq;
 use peelkit::adhesion::{CohesiveShape, Law};
 use peelkit_scene::Scene;
 
 #[test]
 fn a_scene_says_which_law() {
-    let text = "[strip]\nlength = \"100 nm\"\nheight = \"10 nm\"\nyoungs_modulus = \"2 GPa\"\n\
-                [adhesion]\nhamaker_constant = \"1e-19 J\"\nequilibrium_distance = \"0.4 nm\"\n";
-    let with = |more: &str| Scene::parse("law.toml", &format!("{text}{more}"), &[]);
+    let with = |more: &str| Scene::parse("law.toml", &format!("{MINIMAL}{more}"), &[]);
     let law = |more: &str| with(more).unwrap().model.line_law().law;
     assert_eq!(law(""), Law::BodyForce);
     assert_eq!(law("law = \"surface-traction\""), Law::SurfaceTraction);

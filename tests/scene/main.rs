@@ -1,9 +1,16 @@
 //! The text of a scene: what it may hold, what it means, and every message about it.
 
+mod any_text;
 mod friction;
 mod ground;
 mod laws;
 mod messages;
+mod overrides;
 mod pull;
+mod reading;
+mod ready_scenes;
 mod steps;
+#[path = "../shared/strip.rs"]
+mod strip;
+mod text;
 mod written;

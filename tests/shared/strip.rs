@@ -7,6 +7,17 @@ use peelkit::adhesion::LineLoad;
 use peelkit::model::{Grip, Hold, StripModel};
 use peelkit::study::{Accuracy, Peel, StopCriteria, peel};
 
+/// The text of a scene with the paper's strip of 100 nm, and nothing that has a default.
+pub const STRIP_SCENE: &str = r#"
+[strip]
+length = "100 nm"
+height = "10 nm"
+youngs_modulus = "2 GPa"
+[adhesion]
+hamaker_constant = "1e-19 J"
+equilibrium_distance = "0.4 nm"
+"#;
+
 /// The paper's strip: h = 10 nm, width 1 nm, E = 2 GPa, nu = 0.2, both of the grip's other motions free.
 ///
 /// `length` in nm; `factor` multiplies EI alone.

@@ -29,6 +29,8 @@ pub fn check_line(check: &Check) -> String {
 }
 
 /// Every check as one JSON object: `passed`, `failed` and `checks`.
+///
+/// An error names the key that could not be written.
 pub fn checks_json(checks: &[Check]) -> std::io::Result<String> {
     #[derive(Serialize)]
     struct Line<'a> {

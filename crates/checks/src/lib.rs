@@ -1,6 +1,7 @@
 //! The verification suite behind `peel verify`, the figures behind `peel figures`, and what an accuracy costs.
 
 #![forbid(unsafe_code)]
+#![warn(missing_docs)]
 
 mod check_text;
 mod figures;
@@ -9,4 +10,4 @@ mod work_precision;
 
 pub use check_text::{check_line, checks_json};
 pub use figures::{draw_figures, holds_figures};
-pub use work_precision::{ASKED, AUTOMATIC, Errors, Line, Trial, WorkPrecision, work_precision, write_work_precision};
+pub use work_precision::{AUTOMATIC, Errors, Line, Trial, WorkPrecision, work_precision, write_work_precision};

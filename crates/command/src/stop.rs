@@ -41,7 +41,7 @@ impl Stop {
     }
 
     /// Reports the message on standard error.
-    pub fn tell(self) -> ExitCode {
+    pub fn report(self) -> ExitCode {
         // Where standard error is closed nobody reads it; the status still says it.
         let _ = writeln!(std::io::stderr(), "{:?}", self.report);
         ExitCode::from(self.status as u8)

@@ -62,5 +62,5 @@ fn chosen(args: &Verify) -> Result<Vec<Suite>, Stop> {
         return Err(Stop::bad_input(format!("--only {name} is no topic"), format!("topics: {}", known.join(", "))));
     }
     let wanted = |topic: &&Topic| names.is_empty() || names.iter().any(|name| name == topic.name);
-    Ok(TOPICS.iter().filter(wanted).map(|topic| Box::new(topic.run) as Suite).collect())
+    Ok(TOPICS.iter().filter(wanted).map(|topic| Box::new(|| topic.run()) as Suite).collect())
 }

@@ -7,22 +7,46 @@ use std::path::{Path, PathBuf};
 pub enum ReportError {
     /// The file system refused.
     #[error("cannot write {path}: {source}")]
-    Write { path: PathBuf, source: std::io::Error },
+    Write {
+        /// The file or folder.
+        path: PathBuf,
+        /// The reason of the system.
+        source: std::io::Error,
+    },
     /// The folder holds something that must not be replaced.
     #[error("{path} exists, is not empty and is not changed")]
-    Exists { path: PathBuf },
+    Exists {
+        /// The folder.
+        path: PathBuf,
+    },
     /// The rows of another sweep would be lost.
     #[error("{path} is the checkpoint of an interrupted sweep of another scene, key or version")]
-    OtherSweep { path: PathBuf },
+    OtherSweep {
+        /// The checkpoint.
+        path: PathBuf,
+    },
     /// The points of another run would be lost.
     #[error("{path} is the checkpoint of an interrupted run of another scene or version")]
-    OtherRun { path: PathBuf },
+    OtherRun {
+        /// The checkpoint.
+        path: PathBuf,
+    },
     /// What an earlier run has left cannot be read.
     #[error("cannot read {path}: {source}")]
-    Read { path: PathBuf, source: std::io::Error },
+    Read {
+        /// The file or folder.
+        path: PathBuf,
+        /// The reason of the system.
+        source: std::io::Error,
+    },
     /// There is nothing to draw, or the drawing failed.
     #[error("cannot draw {path}: {reason}")]
-    Draw { path: PathBuf, reason: String },
+    Draw {
+        /// The picture.
+        path: PathBuf,
+        /// Why there is none.
+        reason: String,
+    },
 }
 
 impl ReportError {

@@ -6,6 +6,8 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// Writes a file beside its place and then renames it; makes the folder where it is missing.
+///
+/// Fails with [`ReportError::Write`]; what stood there before is untouched then.
 pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
     let dir = path.parent().unwrap_or(Path::new(""));
     let name = path.file_name().unwrap_or_default().to_string_lossy();

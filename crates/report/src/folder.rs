@@ -31,6 +31,8 @@ pub struct OutputFolder {
 
 impl OutputFolder {
     /// Refuses a folder that must not be written to, or cannot be; to be asked before anything is computed.
+    ///
+    /// Fails with [`ReportError::Exists`] or [`ReportError::Write`].
     pub fn claim(name: &Path, existing: Existing) -> Result<Self, ReportError> {
         let refuse = |source: io::Error| ReportError::Write { path: name.to_path_buf(), source };
         let place = whereabouts(name).map_err(refuse)?;
@@ -42,6 +44,8 @@ impl OutputFolder {
 
     /// Has `write` put files into the folder that it is given, and then shows them all under the name of this one: the
     /// paths that it returns, and those in its error, are reported as of there.
+    ///
+    /// Fails as `write` does, or with [`ReportError::Exists`] or [`ReportError::Write`]; nothing new is shown then.
     pub fn write(
         &self,
         write: impl FnOnce(&Path) -> Result<Vec<PathBuf>, ReportError>,

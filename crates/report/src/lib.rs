@@ -1,6 +1,7 @@
 //! What a user gets: tables, pictures, summaries, and checkpoints of what is not finished.
 
 #![forbid(unsafe_code)]
+#![warn(missing_docs)]
 
 pub mod chart;
 mod checkpoint;
@@ -19,7 +20,7 @@ pub use checkpoint::{PartialRun, PartialSweep};
 pub use error::ReportError;
 pub use file::write_whole;
 pub use folder::{Existing, OutputFolder};
-pub use names::{end_reason, end_word, form_word, jump_word, limit_point_kind_word, test_end_reason, test_end_word};
+pub use names::{end_reason, end_word, form_word, jump_word, test_end_reason, test_end_word};
 pub use number::{Finite, to_json};
 pub use pictures::{draw_followed, draw_observed, draw_peel, draw_sweep};
 pub use summary::{PeelSummary, SweepSummary, ground_warning, left_out, why_kept};

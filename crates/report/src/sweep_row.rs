@@ -9,7 +9,9 @@ use peelkit::study::{Found, Peel};
 pub struct SweepRow {
     /// The value of the varied parameter, in its own unit.
     pub value: f64,
+    /// What was peeled.
     pub model: PeelModel,
+    /// Peak, plateau, snap-off and end: forces in nN, displacements in nm, work in aJ.
     pub found: Found,
     /// Wall clock that the peel took, s.
     pub solve_s: f64,

@@ -16,6 +16,8 @@ impl Scene {
     /// Reads a scene. `name` is that of the file and stands in every message; `overrides` are keys with values that
     /// replace those of the text (`--set`): a TOML value, or a text without its quotes.
     ///
+    /// An error names the first mistake, where it stands, and what would be right.
+    ///
     /// ```
     /// use peelkit_scene::Scene;
     ///

@@ -4,10 +4,12 @@ use super::bodies::{profile, spatula, strip};
 use super::error::Problem;
 use super::key::{Key, Kind, Need};
 use super::near::nearest;
-use super::quantity::Dimension::{Angle, AnglePerLength, Energy, Force, Length, Pressure, Stiffness, Time, Work};
 use super::scene::Scene;
 use super::shape;
 use super::value::Value;
+use super::value::quantity::Dimension::{
+    Angle, AnglePerLength, Energy, Force, Length, Pressure, Stiffness, Time, Work,
+};
 use Need::{Optional, Required};
 use peelkit::adhesion::Substrate;
 use peelkit::model::{Discretisation, Range};

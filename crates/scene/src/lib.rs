@@ -4,6 +4,7 @@
 //! hold.
 
 #![forbid(unsafe_code)]
+#![warn(missing_docs)]
 
 mod bodies;
 mod bounds;
@@ -13,12 +14,8 @@ mod error;
 mod key;
 mod keys;
 mod near;
-mod pieces;
-mod quantity;
 mod scene;
 mod shape;
-mod steps;
-mod table;
 mod value;
 
 pub use bodies::{BODIES, body_of};
@@ -27,7 +24,7 @@ pub use error::{Problem, SceneError};
 pub use key::{Key, Kind, Need};
 pub use keys::{KEYS, find_key};
 pub use peelkit::model::Range;
-pub use quantity::{Dimension, QuantityError, parse_quantity};
 pub use scene::{Scene, TableTexts};
-pub use table::{CsvError, parse_heights, parse_profile};
 pub use value::Value;
+pub use value::quantity::{Dimension, QuantityError, parse_quantity};
+pub use value::table::{CsvError, parse_heights, parse_profile};

@@ -27,7 +27,9 @@ pub(super) fn number<'a>(substrate: &'a mut Substrate, name: &str) -> &'a mut f6
         let shapes = Substrate::all().into_iter();
         shapes.filter(|(_, shape)| has(shape, name)).take(1).for_each(|(_, shape)| *substrate = shape);
     }
-    substrate.number(name).unwrap_or_else(|| unreachable!("{name} is a number of a shape"))
+    substrate
+        .number(name)
+        .expect("KEYS asks for the numbers of shapes alone, and the shape has just become one that has it")
 }
 
 /// That it has none.

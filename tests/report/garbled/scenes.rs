@@ -1,6 +1,6 @@
 //! Garbled scenes: whatever a text holds, it is taken as it stands there or refused with a message.
 //!
-//! Reference: the text itself, read a second time by a plain reader of TOML (`generator.rs`), and the scene written
+//! Reference: the text itself, read a second time by a plain reader of TOML (`generator/check_parse.rs`), and the scene written
 //! anew from the `parameters` that outputs print. Expected: no panic, however deep or long; every key of a text that is
 //! taken holds the value of the text, and every other key its default; what is printed comes back as the same scene; a
 //! refusal names the file, the line, the key and what would be right. Why: a number that is not the user's makes every

@@ -20,6 +20,8 @@ pub fn holds_figures(dir: &Path) -> bool {
 /// Regenerates every figure of `figures/` in `dir`, as SVG and PNG, with its data as CSV and its caption in `README.md`.
 ///
 /// `progress` is called with the number of finished peels and their total, from any thread.
+///
+/// Fails with the first picture that cannot be drawn or file that cannot be written.
 pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Vec<PathBuf>, ReportError> {
     let total = strip::PEELS
         + spatula::PEELS
@@ -50,6 +52,11 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
     figures.extend(verification::figures(dir)?);
     // Where the largest work needed no refinement fewer peels were run than planned.
     runner.finish();
+    with_captions(figures, dir)
+}
+
+/// Writes the captions; all files that are there then.
+fn with_captions(figures: Vec<Figure>, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let readme = dir.join(README);
     write_whole(&readme, captions(&figures).as_bytes())?;
     let mut files: Vec<PathBuf> = figures.into_iter().flat_map(|figure| figure.files).collect();
@@ -65,4 +72,37 @@ fn captions(figures: &[Figure]) -> String {
         text += &format!("\n## {stem}\n\n![{stem}]({stem}.svg)\n\n{caption}\n\nData: {}\n", data.join(", "));
     }
     text
+}
+
+#[cfg(test)]
+#[path = "../../../../tests/shared/pictures.rs"]
+mod pictures;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Those of one strip, which take two peels: pictures that are whole, with their data and captions.
+    #[test]
+    fn figures_come_with_their_data_and_captions() {
+        let dir = tempfile::tempdir().unwrap();
+        let counted = std::sync::Mutex::new(Vec::new());
+        let progress = |done, total| counted.lock().unwrap().push((done, total));
+        let drawn = strip::figures(&Runner::new(strip::PEELS, &progress), dir.path()).unwrap();
+        assert!(!holds_figures(dir.path()), "without captions they are not known again");
+        let files = with_captions(drawn, dir.path()).unwrap();
+        assert!(holds_figures(dir.path()));
+        let texts = pictures::check_pictures(&files);
+        assert!(texts.contains("Peeling of an elastic strip, L = 200 nm"));
+        let readme = std::fs::read_to_string(dir.path().join(README)).unwrap();
+        for stem in ["fig09-peeling", "peel-curve", "peel-shapes"] {
+            for ending in ["svg", "png", "csv"] {
+                assert!(files.contains(&dir.path().join(format!("{stem}.{ending}"))), "{stem}.{ending} is missing");
+            }
+            assert!(readme.contains(&format!("{stem}.svg")) && readme.contains(&format!("{stem}.csv")));
+        }
+        let mut counted = counted.into_inner().unwrap();
+        counted.sort_unstable();
+        assert_eq!(counted.last(), Some(&(strip::PEELS, strip::PEELS)));
+    }
 }

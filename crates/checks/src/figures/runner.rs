@@ -22,7 +22,7 @@ impl<'a> Runner<'a> {
         Self { done: AtomicUsize::new(0), total, progress }
     }
 
-    /// Tells that nothing is left to do, where fewer peels were run than planned.
+    /// Reports that nothing is left to do, where fewer peels were run than planned.
     pub fn finish(&self) {
         if self.done.load(Ordering::Relaxed) < self.total {
             (self.progress)(self.total, self.total);

@@ -10,7 +10,7 @@ use peelkit::study::{Accuracy, LimitPointKind, PathEnd, Peel, StopCriteria, peel
 use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic =
-    Topic { name: "bounds", about: "error bounds against true errors on 200 randomly sampled scenes", run };
+    Topic { name: "bounds", about: "error bounds against true errors on 200 randomly sampled scenes", checks };
 
 const TABLE: &str = include_str!("../../../../verification/bound_scenes.csv");
 /// The scenes' accuracy: the default.
@@ -57,7 +57,7 @@ pub struct Survey {
 
 impl Survey {
     /// The fraction of bounds that hold, of all numbers in the table.
-    pub fn share(&self) -> f64 {
+    pub fn fraction_held(&self) -> f64 {
         let held = self.judged.iter().filter(|judged| judged.holds()).count();
         held as f64 / (self.judged.len() + self.missing.len()) as f64
     }
@@ -123,18 +123,16 @@ pub(super) fn last_digit(text: &str) -> f64 {
     10f64.powi(exponent.parse::<i32>().unwrap_or(0) - decimals as i32)
 }
 
-fn run() -> Vec<Check> {
+fn checks() -> Vec<Check> {
     let survey = survey();
     let effectivities = survey.effectivities();
     let median = effectivities.get(effectivities.len() / 2).copied().ok_or("no number was judged".to_owned());
     let largest = survey.judged.iter().map(|judged| judged.error - judged.unknown).fold(0.0, f64::max);
     let of = format!("{} numbers of {} scenes", survey.judged.len() + survey.missing.len(), survey.scenes);
-    let check = |name: String, computed, expected, measure| {
-        Check::new(TOPIC.name, name, SOURCE, computed, expected, measure, 0.0)
-    };
+    let check = |name: String, computed, expected, measure| Check::new(name, SOURCE, computed, expected, measure, 0.0);
     let ended = 1.0 - survey.failed.len() as f64 / survey.scenes as f64;
     vec![
-        check(format!("fraction of bounds that hold, {of}"), Ok(survey.share()), 0.99, Measure::AtLeast),
+        check(format!("fraction of bounds that hold, {of}"), Ok(survey.fraction_held()), 0.99, Measure::AtLeast),
         check("median of bound over true error".into(), median, 20.0, Measure::AtMost),
         check("largest true error, relative".into(), Ok(largest), RELATIVE, Measure::AtMost),
         check("fraction of scenes that end without a failure".into(), Ok(ended), 0.99, Measure::AtLeast),

@@ -20,6 +20,7 @@ pub enum Measure {
 /// A computed value against an expected one.
 #[derive(Clone, Debug, Serialize)]
 pub struct Check {
+    /// Name of the topic that reports it; empty in a check by itself.
     pub topic: &'static str,
     /// What is computed, with its parameters and its unit.
     pub name: String,
@@ -27,16 +28,19 @@ pub struct Check {
     pub source: String,
     /// Absent where the computation failed; `failure` says why.
     pub computed: Option<f64>,
+    /// Why there is no computed value.
     pub failure: Option<String>,
+    /// In the unit that the name says.
     pub expected: f64,
+    /// How both are compared.
     pub measure: Measure,
+    /// Largest difference that passes, as the measure counts.
     pub tolerance: f64,
 }
 
 impl Check {
     /// A check of a value that may have failed to be computed.
     pub fn new(
-        topic: &'static str,
         name: impl Into<String>,
         source: impl Into<String>,
         computed: Result<f64, String>,
@@ -49,7 +53,7 @@ impl Check {
             Ok(value) => (Some(value), None),
             Err(reason) => (None, Some(reason)),
         };
-        Self { topic, name: name.into(), source: source.into(), computed, failure, expected, measure, tolerance }
+        Self { topic: "", name: name.into(), source: source.into(), computed, failure, expected, measure, tolerance }
     }
 
     /// How far the computed value lies on the wrong side of the expected one, as its measure counts.
@@ -80,10 +84,24 @@ pub(super) fn missing(end: &PathEnd) -> String {
 /// A named group of checks.
 #[derive(Clone, Copy)]
 pub struct Topic {
+    /// The word after `--only`.
     pub name: &'static str,
     /// What is checked, in half a line.
     pub about: &'static str,
-    pub run: fn() -> Vec<Check>,
+    /// Computes them.
+    pub checks: fn() -> Vec<Check>,
+}
+
+impl Topic {
+    /// Computes the checks, under the name of the topic.
+    pub fn run(&self) -> Vec<Check> {
+        under(self.name, (self.checks)())
+    }
+}
+
+/// The checks, reported under the name of a topic.
+pub(super) fn under(topic: &'static str, checks: Vec<Check>) -> Vec<Check> {
+    checks.into_iter().map(|check| Check { topic, ..check }).collect()
 }
 
 #[cfg(test)]
@@ -91,7 +109,7 @@ mod tests {
     use super::*;
 
     fn check(computed: f64, expected: f64, measure: Measure, tolerance: f64) -> Check {
-        Check::new("t", "n", "s", Ok(computed), expected, measure, tolerance)
+        Check::new("n", "s", Ok(computed), expected, measure, tolerance)
     }
 
     #[test]
@@ -110,7 +128,7 @@ mod tests {
     fn what_was_not_computed_fails_and_says_why() {
         let nan = check(f64::NAN, 1.0, Measure::AtMost, 1e9);
         assert!(!nan.passes() && nan.failure.is_some());
-        let failed = Check::new("t", "n", "s", Err("no peak".into()), 1.0, Measure::AtLeast, 1e9);
+        let failed = Check::new("n", "s", Err("no peak".into()), 1.0, Measure::AtLeast, 1e9);
         assert!(!failed.passes() && failed.computed.is_none());
         // a NaN tolerance or expectation lets nothing through
         assert!(!check(1.0, f64::NAN, Measure::Absolute, 1.0).passes());

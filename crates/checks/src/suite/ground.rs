@@ -13,7 +13,7 @@ use rayon::prelude::*;
 pub(super) const TOPIC: Topic = Topic {
     name: "ground",
     about: "strips and spatulae on waves and cylinders: free equilibria and first peaks, against solve_bvp",
-    run,
+    checks,
 };
 
 const TABLE: &str = include_str!("../../../../verification/rough.csv");
@@ -29,7 +29,7 @@ const ASKED: f64 = 1e-6;
 const AT_REST: f64 = 1e-7;
 const ORDER: usize = 7;
 
-fn run() -> Vec<Check> {
+fn checks() -> Vec<Check> {
     let mut checks: Vec<Check> = read(TABLE).par_iter().flat_map(of_strip).collect();
     checks.par_extend(read(SPATULAE).par_iter().flat_map(of_spatula));
     checks
@@ -136,7 +136,7 @@ impl Expected<'_> {
     fn check(&self, quantity: &str, computed: Result<f64, String>, tolerance: f64) -> Check {
         let expected = self.row.number(quantity).unwrap_or(f64::NAN);
         let name = format!("{quantity}, {}", self.name);
-        Check::new(TOPIC.name, name, self.source, computed, expected, Measure::Relative, tolerance)
+        Check::new(name, self.source, computed, expected, Measure::Relative, tolerance)
     }
 
     fn unknown(&self) -> Check {
@@ -171,7 +171,7 @@ impl Expected<'_> {
         };
         let computed = largest().ok_or_else(|| missing(&peel.end));
         let name = format!("largest error over its bound, {}", self.name);
-        Check::new(TOPIC.name, name, self.source, computed, 1.0, Measure::AtMost, 0.0)
+        Check::new(name, self.source, computed, 1.0, Measure::AtMost, 0.0)
     }
 }
 

@@ -1,25 +1,19 @@
 //! The verification suite: the mechanics held against the tables of `verification/`, closed forms and published values.
 //!
-//! One file a topic. A topic computes its checks when it is run and knows nothing of the others.
+//! One file or folder a topic. A topic computes its checks when it is run and knows nothing of the others.
 
 pub(crate) mod beam;
-pub mod bounds;
+pub(crate) mod bounds;
 mod check;
-pub mod drawn;
-mod friction;
 mod ground;
 pub mod hard;
-mod hard_scene;
-mod laws;
 mod levels;
-pub mod orders;
+pub(crate) mod orders;
 mod published;
-mod pull;
 pub mod reference;
-mod repeated;
 mod spatula;
 mod strip;
-mod turns;
+mod strip_variants;
 
 pub use check::{Check, Measure, Topic};
 
@@ -30,9 +24,9 @@ pub const TOPICS: &[Topic] = &[
     levels::TOPIC,
     beam::TOPIC,
     spatula::TOPIC,
-    pull::TOPIC,
-    laws::TOPIC,
-    friction::TOPIC,
+    strip_variants::pull::TOPIC,
+    strip_variants::laws::TOPIC,
+    strip_variants::friction::TOPIC,
     ground::TOPIC,
     orders::TOPIC,
     bounds::TOPIC,

@@ -9,7 +9,7 @@ use peelkit::model::{Form, PlanarProblem, StripModel};
 use peelkit::solve::{NewtonOptions, Observables, PathConstraint, Solution, State, Workspace, solve};
 
 pub(super) const TOPIC: Topic =
-    Topic { name: "orders", about: "orders of convergence for p = 1 to 8 in energy, displacement, peak force", run };
+    Topic { name: "orders", about: "orders of convergence for p = 1 to 8 in energy, displacement, peak force", checks };
 
 /// What is measured on a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,12 +84,12 @@ impl Convergence {
                 // at high order the last errors are near round-off, and the line through their rates is less sure
                 let tolerance = if self.order <= 6 { 0.1 } else { 0.15 };
                 let name = format!("order of the {quantity}, p = {}, extrapolated to h = 0", self.order);
-                Check::new(TOPIC.name, name, source, Ok(rate), 2.0 * order, Measure::Relative, tolerance)
+                Check::new(name, source, Ok(rate), 2.0 * order, Measure::Relative, tolerance)
             }
             None => {
                 let name = format!("order of the {quantity}, p = {}, between two meshes", self.order);
                 let source = format!("above p + 1; {source}, which round-off hides");
-                Check::new(TOPIC.name, name, source, self.last(), order + 1.0, Measure::AtLeast, 0.0)
+                Check::new(name, source, self.last(), order + 1.0, Measure::AtLeast, 0.0)
             }
         }
     }
@@ -209,12 +209,12 @@ impl<'a> Mesh<'a> {
     }
 }
 
-fn run() -> Vec<Check> {
+fn checks() -> Vec<Check> {
     match convergence() {
         Ok(all) => all.iter().map(Convergence::check).collect(),
         Err(reason) => {
             let name = "errors against 40 elements of order 8";
-            vec![Check::new(TOPIC.name, name, "order 2p", Err(reason), 0.0, Measure::AtMost, 0.0)]
+            vec![Check::new(name, "order 2p", Err(reason), 0.0, Measure::AtMost, 0.0)]
         }
     }
 }

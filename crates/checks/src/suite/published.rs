@@ -6,11 +6,11 @@ use peelkit::adhesion::HalfSpace;
 use peelkit::analytic::kendall_force;
 use peelkit::model::StripModel;
 
-pub(super) const TOPIC: Topic = Topic { name: "published", about: "values that the paper prints", run };
+pub(super) const TOPIC: Topic = Topic { name: "published", about: "values that the paper prints", checks };
 
 const HALF_SPACE: HalfSpace = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };
 
-fn run() -> Vec<Check> {
+fn checks() -> Vec<Check> {
     let mut checks = work_of_adhesion();
     checks.push(bending_stiffness());
     checks.extend(kendall());
@@ -18,7 +18,7 @@ fn run() -> Vec<Check> {
 }
 
 fn check(name: &str, source: &str, computed: f64, expected: f64, measure: Measure, tolerance: f64) -> Check {
-    Check::new(TOPIC.name, name, source, Ok(computed), expected, measure, tolerance)
+    Check::new(name, source, Ok(computed), expected, measure, tolerance)
 }
 
 /// w_adh as printed, from its closed form, and as the work of the traction.

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 pub(super) const TOPIC: Topic = Topic {
     name: "spatula",
     about: "peaks, snap-offs and the curve of spatulae and profiles, and the published 6.7 nN",
-    run,
+    checks,
 };
 
 const TABLE: &str = include_str!("../../../../verification/spatula.csv");
@@ -49,7 +49,7 @@ const PUBLISHED: f64 = 6.7;
 /// Steps of the search for the tip width.
 const MOST_WIDTHS: usize = 12;
 
-fn run() -> Vec<Check> {
+fn checks() -> Vec<Check> {
     let rows = reference::read(TABLE);
     let peeled = |row: &Row| peel(&model(row), &Accuracy::to(RELATIVE), &BOUNDS);
     let peels: Vec<Peel> = rows.par_iter().map(peeled).collect();
@@ -76,7 +76,7 @@ fn run() -> Vec<Check> {
 }
 
 fn check(name: String, source: &str, computed: Result<f64, String>, expected: f64, how: (Measure, f64)) -> Check {
-    Check::new(TOPIC.name, name, source, computed, expected, how.0, how.1)
+    Check::new(name, source, computed, expected, how.0, how.1)
 }
 
 /// The spatula of a row.

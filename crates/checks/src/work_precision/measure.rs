@@ -28,10 +28,13 @@ impl Errors {
 /// One run: how it was discretised, what it cost, how wrong it was.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial {
+    /// How it was discretised.
     pub accuracy: Accuracy,
+    /// Its path points, iterations and elements.
     pub effort: Effort,
     /// CPU time of the thread that ran it, the least of several runs, s
     pub seconds: f64,
+    /// How wrong it was.
     pub errors: Errors,
     /// Whether the path came to its end, as the refined one did.
     pub complete: bool,
@@ -40,20 +43,23 @@ pub struct Trial {
 /// Runs of one kind over numbers of elements.
 #[derive(Clone, Debug)]
 pub struct Line {
+    /// What is the same in its runs: order, mesh, form.
     pub name: String,
+    /// From the coarsest mesh to the finest.
     pub trials: Vec<Trial>,
 }
 
 /// All that was measured of one strip.
 #[derive(Clone, Debug)]
 pub struct WorkPrecision {
+    /// Over orders, meshes, forms and steps.
     pub lines: Vec<Line>,
     /// What follows from the accuracy alone, from 1e-3 to 1e-10.
     pub automatic: Vec<Trial>,
 }
 
 /// The accuracies at which the program's own choice is shown.
-pub const ASKED: [f64; 8] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
+const ASKED: [f64; 8] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
 /// A line ends where its error is below this, near that of the refined run, or a run took longer than so many seconds.
 const SMALL: f64 = 1e-10;
 const LONG: f64 = 0.5;

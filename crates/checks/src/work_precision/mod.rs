@@ -3,5 +3,5 @@
 mod measure;
 mod report;
 
-pub use measure::{ASKED, Errors, Line, Trial, WorkPrecision, work_precision};
+pub use measure::{Errors, Line, Trial, WorkPrecision, work_precision};
 pub use report::{AUTOMATIC, write_work_precision};

@@ -12,6 +12,8 @@ use std::path::{Path, PathBuf};
 pub const AUTOMATIC: &str = "chosen by the program";
 
 /// Writes accuracy.csv: one row a run, and accuracy.svg and .png.
+///
+/// Fails where there is nothing to draw ([`ReportError::Draw`]) or a file cannot be written ([`ReportError::Write`]).
 pub fn write_work_precision(dir: &Path, measured: &WorkPrecision, title: &str) -> Result<Vec<PathBuf>, ReportError> {
     let mut files = vec![write_trials(dir, measured)?];
     files.extend(save(&picture(measured, title), dir, "accuracy")?);

@@ -3,9 +3,13 @@
 /// A labelled axis, linear or logarithmic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
+    /// What it measures, with the unit.
     pub label: String,
+    /// Where it begins.
     pub from: f64,
+    /// Where it ends.
     pub to: f64,
+    /// Whether it is logarithmic.
     pub log: bool,
 }
 
@@ -17,10 +21,12 @@ pub struct Tick {
 }
 
 impl Axis {
+    /// A linear axis.
     pub fn linear(label: &str, from: f64, to: f64) -> Self {
         Axis { label: label.into(), from, to, log: false }
     }
 
+    /// A logarithmic axis; both ends above zero.
     pub fn log(label: &str, from: f64, to: f64) -> Self {
         Axis { label: label.into(), from, to, log: true }
     }

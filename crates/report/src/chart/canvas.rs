@@ -22,27 +22,35 @@ pub(crate) type Pixel = (f64, f64);
 /// How a line looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {
+    /// Its colour.
     pub colour: RGBColor,
-    /// pixels
+    /// Its width, pixels.
     pub width: f64,
+    /// Its pattern.
     pub dash: Dash,
 }
 
 /// The pattern of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dash {
+    /// Without gaps.
     Solid,
+    /// Dashes.
     Dashed,
+    /// Dots.
     Dotted,
 }
 
 impl Stroke {
+    /// A line without gaps, `width` in pixels.
     pub fn solid(colour: RGBColor, width: f64) -> Self {
         Stroke { colour, width, dash: Dash::Solid }
     }
+    /// A line of dashes, `width` in pixels.
     pub fn dashed(colour: RGBColor, width: f64) -> Self {
         Stroke { colour, width, dash: Dash::Dashed }
     }
+    /// A line of dots, `width` in pixels.
     pub fn dotted(colour: RGBColor, width: f64) -> Self {
         Stroke { colour, width, dash: Dash::Dotted }
     }

@@ -13,7 +13,6 @@ mod style;
 
 pub use axis::{Axis, significant};
 pub use canvas::{Dash, Stroke};
-pub use drawn::{DrawError, Drawn};
 pub use output::save;
 pub use panel::{Band, Line, Mark, Note, Panel, Shape, Symbol};
 pub use picture::Picture;

@@ -8,9 +8,11 @@ use resvg::{tiny_skia, usvg};
 use std::path::{Path, PathBuf};
 
 /// Pixels of the PNG to a pixel of the SVG.
-pub const PNG_SCALE: u32 = 2;
+const PNG_SCALE: u32 = 2;
 
 /// Writes `dir/stem.svg` and `dir/stem.png`.
+///
+/// Fails where the picture cannot be drawn ([`ReportError::Draw`]) or a file cannot be written ([`ReportError::Write`]).
 pub fn save(picture: &Picture, dir: &Path, stem: &str) -> Result<Vec<PathBuf>, ReportError> {
     let (svg_path, png_path) = (dir.join(format!("{stem}.svg")), dir.join(format!("{stem}.png")));
     let svg = picture.svg().map_err(|e| ReportError::Draw { path: svg_path.clone(), reason: e.to_string() })?;

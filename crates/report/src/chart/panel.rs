@@ -10,25 +10,35 @@ use plotters::style::RGBColor;
 /// A curve; with a name it stands in the legend.
 #[derive(Clone, Debug)]
 pub struct Line {
+    /// In the units of the axes.
     pub points: Vec<(f64, f64)>,
+    /// How it looks.
     pub stroke: Stroke,
+    /// What the legend calls it.
     pub name: Option<String>,
 }
 
 /// A shaded range of x over the whole height; with a name it stands in the legend.
 #[derive(Clone, Debug)]
 pub struct Band {
+    /// Its least x, in the unit of the axis.
     pub from: f64,
+    /// Its largest x, in the unit of the axis.
     pub to: f64,
+    /// What it is filled with.
     pub colour: RGBColor,
+    /// What the legend calls it.
     pub name: Option<String>,
 }
 
 /// A filled outline.
 #[derive(Clone, Debug)]
 pub struct Shape {
+    /// In the units of the axes.
     pub corners: Vec<(f64, f64)>,
+    /// What it is filled with.
     pub colour: RGBColor,
+    /// From 0, invisible, to 1.
     pub opacity: f64,
 }
 
@@ -37,18 +47,26 @@ pub struct Shape {
 pub enum Symbol {
     /// Nothing: the mark is there for its note.
     None,
+    /// A disc.
     Dot,
+    /// A square on its corner.
     Diamond,
+    /// A triangle on its base.
     Triangle,
 }
 
 /// A marked point; with a name its symbol stands in the legend, with a note it is labelled.
 #[derive(Clone, Debug)]
 pub struct Mark {
+    /// In the units of the axes.
     pub at: (f64, f64),
+    /// What is drawn there.
     pub symbol: Symbol,
+    /// What the symbol is filled with.
     pub colour: RGBColor,
+    /// What the legend calls it.
     pub name: Option<String>,
+    /// What stands beside it.
     pub note: Option<Note>,
 }
 
@@ -62,7 +80,9 @@ impl Mark {
 /// A label: a number in a disc, lines of text, or both.
 #[derive(Clone, Debug, Default)]
 pub struct Note {
+    /// A number in a disc.
     pub badge: Option<usize>,
+    /// Lines of text.
     pub text: Vec<String>,
 }
 
@@ -71,12 +91,19 @@ pub struct Note {
 pub struct Panel {
     /// Where the frame stands on the sheet; ticks and labels lie outside.
     pub frame: Frame,
+    /// The line above the frame; may be empty.
     pub title: String,
+    /// The axis below.
     pub x: Axis,
+    /// The axis on the left.
     pub y: Axis,
+    /// Shaded ranges of x, behind all else.
     pub bands: Vec<Band>,
+    /// Filled outlines, behind the lines.
     pub shapes: Vec<Shape>,
+    /// Curves.
     pub lines: Vec<Line>,
+    /// Marked points, before all else.
     pub marks: Vec<Mark>,
 }
 
@@ -94,6 +121,7 @@ const BADGE: f64 = 9.0;
 const KEY: f64 = 34.0;
 
 impl Panel {
+    /// An empty panel without a title.
     pub fn new(frame: Frame, x: Axis, y: Axis) -> Self {
         let (bands, shapes, lines, marks) = Default::default();
         Panel { frame, title: String::new(), x, y, bands, shapes, lines, marks }

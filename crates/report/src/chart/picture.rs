@@ -8,14 +8,17 @@ use super::style::{WIDTH, colour, size};
 /// Panels on a sheet under a title.
 #[derive(Clone, Debug)]
 pub struct Picture {
+    /// The line above; a very long one is cut.
     pub title: String,
+    /// Height of the sheet, pixels; its width is [`WIDTH`].
     pub height: u32,
+    /// In the order in which they are drawn.
     pub panels: Vec<Panel>,
 }
 
 impl Picture {
     /// The picture as SVG text.
-    pub fn svg(&self) -> Drawn<String> {
+    pub(crate) fn svg(&self) -> Drawn<String> {
         Canvas::svg(WIDTH, self.height, |canvas| {
             let (title, size) = self.fitted_title(canvas)?;
             canvas.text(&title, (0.5 * f64::from(WIDTH), 18.0), size, colour::INK, Align::Centre)?;

@@ -5,26 +5,32 @@ use super::canvas::Pixel;
 /// A rectangle of the sheet, pixels; y runs downwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
+    /// Left edge, pixels from that of the sheet.
     pub left: f64,
+    /// Upper edge, pixels from that of the sheet.
     pub top: f64,
+    /// Right edge, pixels from the left edge of the sheet.
     pub right: f64,
+    /// Lower edge, pixels from the upper edge of the sheet.
     pub bottom: f64,
 }
 
 impl Frame {
+    /// From the left edge to the right one, pixels.
     pub fn width(&self) -> f64 {
         self.right - self.left
     }
+    /// From the upper edge to the lower one, pixels.
     pub fn height(&self) -> f64 {
         self.bottom - self.top
     }
-    pub fn grown(&self, by: f64) -> Frame {
+    pub(crate) fn grown(&self, by: f64) -> Frame {
         Frame { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
     }
-    pub fn holds(&self, p: Pixel) -> bool {
+    pub(crate) fn holds(&self, p: Pixel) -> bool {
         p.0 >= self.left && p.0 <= self.right && p.1 >= self.top && p.1 <= self.bottom
     }
-    pub fn corners(&self) -> [Pixel; 4] {
+    pub(crate) fn corners(&self) -> [Pixel; 4] {
         [(self.left, self.top), (self.right, self.top), (self.right, self.bottom), (self.left, self.bottom)]
     }
     fn shared(&self, other: &Frame) -> f64 {
@@ -33,7 +39,7 @@ impl Frame {
         wide * high
     }
     /// The point of the frame nearest to `p`.
-    pub fn nearest(&self, p: Pixel) -> Pixel {
+    pub(crate) fn nearest(&self, p: Pixel) -> Pixel {
         (p.0.clamp(self.left, self.right), p.1.clamp(self.top, self.bottom))
     }
 }

@@ -5,12 +5,19 @@ use plotters::style::RGBColor;
 /// Okabe and Ito's palette, which colour-blind readers tell apart.
 pub mod colour {
     use plotters::style::RGBColor;
+    /// Blue.
     pub const BLUE: RGBColor = RGBColor(0, 114, 178);
+    /// Vermillion.
     pub const VERMILLION: RGBColor = RGBColor(213, 94, 0);
+    /// Bluish green.
     pub const GREEN: RGBColor = RGBColor(0, 158, 115);
+    /// Orange.
     pub const ORANGE: RGBColor = RGBColor(230, 159, 0);
+    /// Nearly black: text and frames.
     pub const INK: RGBColor = RGBColor(30, 30, 30);
+    /// Middle grey: what is secondary.
     pub const GREY: RGBColor = RGBColor(120, 120, 120);
+    /// Light grey: bands and grids.
     pub const PALE: RGBColor = RGBColor(232, 232, 232);
 }
 
@@ -18,12 +25,12 @@ pub mod colour {
 pub const WIDTH: u32 = 800;
 
 /// Text sizes, pixels.
-pub mod size {
-    pub const TITLE: f64 = 15.0;
-    pub const LABEL: f64 = 14.0;
-    pub const TEXT: f64 = 13.0;
+pub(crate) mod size {
+    pub(crate) const TITLE: f64 = 15.0;
+    pub(crate) const LABEL: f64 = 14.0;
+    pub(crate) const TEXT: f64 = 13.0;
     /// From one line of text to the next.
-    pub const LEADING: f64 = 17.0;
+    pub(crate) const LEADING: f64 = 17.0;
 }
 
 /// Colours from dark to light, for `count` things in an order.

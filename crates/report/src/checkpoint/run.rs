@@ -64,6 +64,8 @@ impl PartialRun {
 
     /// Takes up what the file in `dir` holds of this scene, if there is one. The file of another scene is refused. Nothing is
     /// written yet, and nothing ever where the run is short.
+    ///
+    /// Fails with [`ReportError::OtherRun`] or [`ReportError::Read`].
     pub fn open(dir: &Path, scene: &Scene) -> Result<Self, ReportError> {
         Self::with_interval(dir, scene, INTERVAL)
     }
@@ -96,6 +98,8 @@ impl PartialRun {
     }
 
     /// Removes the file in `dir`, if there is one.
+    ///
+    /// Fails with [`ReportError::Write`] where it cannot be removed.
     pub fn discard(dir: &Path) -> Result<(), ReportError> {
         remove(dir.join(Self::NAME))
     }
@@ -131,6 +135,8 @@ impl PartialRun {
 
     /// Writes what is not written yet, whatever the time. Whether there is a file then: a run that got no further than paths without
     /// some terms has no points to keep.
+    ///
+    /// Fails with the first [`ReportError::Write`] since the last call.
     pub fn write_all(&self) -> Result<bool, ReportError> {
         let mut writing = self.writing.borrow_mut();
         self.flush(&mut writing);

@@ -45,6 +45,8 @@ impl PartialSweep {
 
     /// Opens the file in `dir`, or begins it, and takes up what it holds of this sweep: the scene in which `key` is varied.
     /// The file of another sweep is refused.
+    ///
+    /// Fails with [`ReportError::OtherSweep`], [`ReportError::Read`] or [`ReportError::Write`].
     pub fn open(dir: &Path, scene: &Scene, key: &Key) -> Result<Self, ReportError> {
         let path = dir.join(Self::NAME);
         let refuse = |source: io::Error| ReportError::Write { path: path.clone(), source };
@@ -76,6 +78,8 @@ impl PartialSweep {
     }
 
     /// Removes the file in `dir`, if there is one.
+    ///
+    /// Fails with [`ReportError::Write`] where it cannot be removed.
     pub fn discard(dir: &Path) -> Result<(), ReportError> {
         remove(dir.join(Self::NAME))
     }
@@ -86,6 +90,8 @@ impl PartialSweep {
     }
 
     /// Appends a finished value, at once and from any thread.
+    ///
+    /// Fails with [`ReportError::Write`].
     pub fn keep(&self, row: &SweepRow) -> Result<(), ReportError> {
         let line = Line { value: row.value, found: row.found.clone(), solve_s: row.solve_s };
         let refuse = |source: io::Error| ReportError::Write { path: self.path.clone(), source };

@@ -1,6 +1,6 @@
 //! The picture of a sweep that followed one point: its force, or its displacement, against the varied value.
 
-use super::sweep::{STIFFNESS, STIFFNESS_LABEL, dotted, panel};
+use super::sweep::{STIFFNESS, STIFFNESS_LABEL, check_axis, dotted, panel};
 use crate::chart::{Axis, Frame, Line, Picture, Stroke, WIDTH, colour, save};
 use crate::error::ReportError;
 use peelkit::study::{FollowedPoint, FollowedRow, FollowedSweep, PointKind};
@@ -8,6 +8,9 @@ use std::path::{Path, PathBuf};
 
 /// Draws `sweep.svg` and `sweep.png` into `dir`: the force at the initiation peak, or displacement and work at the
 /// snap-off, against the values of `key`, on a logarithmic axis where `log` is set.
+///
+/// Fails where no value has the point, a value has no place on a logarithmic axis ([`ReportError::Draw`]), or a file cannot be
+/// written ([`ReportError::Write`]).
 pub fn draw_followed(
     sweep: &FollowedSweep,
     key: &str,
@@ -16,9 +19,7 @@ pub fn draw_followed(
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let refuse = |reason: String| ReportError::Draw { path: dir.join("sweep.svg"), reason };
-    if let Some(row) = sweep.rows.iter().find(|row| log && row.value <= 0.0) {
-        return Err(refuse(format!("{key} = {} has no place on a logarithmic axis", row.value)));
-    }
+    check_axis(sweep.rows.iter().map(|row| row.value), key, log).map_err(refuse)?;
     if sweep.rows.iter().all(|row| row.point.is_none()) {
         let (count, point) = (sweep.rows.len(), sweep.kind.word());
         return Err(refuse(format!("none of the {count} values of {key} has the {point}")));

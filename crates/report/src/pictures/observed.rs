@@ -11,6 +11,8 @@ const HEIGHT: u32 = 460;
 const LABELLED: usize = 6;
 
 /// Draws `observed.svg` and `observed.png` into `dir`: what is recorded as the machine retreats and comes back, jumps dashed.
+///
+/// Fails where there is nothing to draw ([`ReportError::Draw`]) or a file cannot be written ([`ReportError::Write`]).
 pub fn draw_observed(test: &Observed, title: &str, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     if test.points.len() < 2 {
         let reason = format!("the test has {} points", test.points.len());

@@ -15,6 +15,8 @@ const SHAPES: usize = 6;
 ///
 /// The curve carries its limit points and its peak with their values; what is unstable under displacement control
 /// is dashed. The shapes are those of the points with the same numbers on the curve.
+///
+/// Fails where there is nothing to draw ([`ReportError::Draw`]) or a file cannot be written ([`ReportError::Write`]).
 pub fn draw_peel(peel: &Peel, title: &str, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let numbered = numbered_points(peel);
     let mut files = save(&curve(peel, &numbered, title, &dir.join("curve.svg"))?, dir, "curve")?;
@@ -23,6 +25,8 @@ pub fn draw_peel(peel: &Peel, title: &str, dir: &Path) -> Result<Vec<PathBuf>, R
 }
 
 /// The curve of a peel that has one; `path` is what the message names.
+///
+/// Fails with [`ReportError::Draw`] where the path has fewer than two points.
 pub fn curve(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -> Result<Picture, ReportError> {
     if peel.points.len() < 2 {
         return Err(nothing(path, peel));
@@ -31,16 +35,18 @@ pub fn curve(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -> Resul
 }
 
 /// The deformed strip at the numbered points; `path` is what the message names.
+///
+/// Fails with [`ReportError::Draw`] where none of the points has a shape.
 pub fn shapes(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -> Result<Picture, ReportError> {
     // A force that the path has brought to zero is printed as zero.
     let largest = peel.points.iter().fold(0.0f64, |r, p| r.max(p.force.abs()));
     let poses: Vec<Posed> = numbered
         .iter()
         .enumerate()
-        .map(|(n, &i)| {
-            let point = &peel.points[i];
+        .filter_map(|(n, &i)| {
+            let point = peel.points.get(i)?;
             let force = if point.force.abs() > 1e-6 * largest { point.force } else { 0.0 };
-            Posed { number: n + 1, displacement: point.displacement, force, axis: peel.shape(i) }
+            Some(Posed { number: n + 1, displacement: point.displacement, force, axis: peel.shape(i) })
         })
         .filter(|posed| posed.axis.x.len() > 1)
         .collect();

@@ -13,14 +13,20 @@ pub const STIFFNESS: &str = "strip.bending_stiffness_factor";
 /// The angle of the pull.
 const ANGLE: &str = "drive.angle";
 
+/// The label of an axis of forces per width.
 pub const FORCE: &str = "force per width P/b (nN/nm)";
+/// The label of an axis of work per width.
 pub const WORK: &str = "work to snap-off W/b (aJ/nm)";
+/// The label of an axis of bending stiffness over that of the section.
 pub const STIFFNESS_LABEL: &str = "EI / EI₀";
 
 /// Draws `sweep.svg` and `sweep.png` into `dir`: peak force, plateau and the work up to the snap-off, of strips each per width,
 /// against the values of `key`, on a logarithmic axis where `log` is set.
 ///
 /// Where the bending stiffness or the angle of the pull is varied Kendall's force is drawn too.
+///
+/// Fails where no value has the point, a value has no place on a logarithmic axis ([`ReportError::Draw`]), or a file cannot be
+/// written ([`ReportError::Write`]).
 pub fn draw_sweep(
     rows: &[SweepRow],
     key: &str,
@@ -29,13 +35,19 @@ pub fn draw_sweep(
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let refuse = |reason: String| ReportError::Draw { path: dir.join("sweep.svg"), reason };
-    if let Some(row) = rows.iter().find(|row| log && row.value <= 0.0) {
-        return Err(refuse(format!("{key} = {} has no place on a logarithmic axis", row.value)));
-    }
+    check_axis(rows.iter().map(|row| row.value), key, log).map_err(refuse)?;
     if rows.iter().all(|row| row.found.peak.is_none()) {
         return Err(refuse(format!("none of the {} values of {key} has a peak force", rows.len())));
     }
     save(&sweep_picture(rows, key, title, log), dir, "sweep")
+}
+
+/// Whether all values of `key` have a place on the axis; else the first that has none.
+pub(super) fn check_axis(mut values: impl Iterator<Item = f64>, key: &str, log: bool) -> Result<(), String> {
+    match values.find(|&value| log && value <= 0.0) {
+        Some(value) => Err(format!("{key} = {value} has no place on a logarithmic axis")),
+        None => Ok(()),
+    }
 }
 
 fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Picture {
@@ -77,7 +89,7 @@ pub fn work_per_width(row: &SweepRow) -> Option<f64> {
     Some(per_width(row, row.found.snap_off?.work))
 }
 
-/// A plateau is one of peeling while more than this share of the strip still adheres.
+/// A plateau is one of peeling while more than this fraction of the strip still adheres.
 pub const ADHERING: f64 = 0.01;
 
 /// The plateau of peeling per width. A stiff strip that tilts upright on its edge has none, however level its force is

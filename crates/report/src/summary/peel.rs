@@ -195,6 +195,8 @@ impl PeelSummary {
     }
 
     /// Writes summary.json.
+    ///
+    /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
     pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
         let path = dir.join("summary.json");
         let json = self.to_json().map_err(|source| ReportError::Write { path: path.clone(), source })?;

@@ -9,6 +9,8 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// Writes curve.csv: one row a path point.
+///
+/// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_curve(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
     #[derive(Default, Serialize)]
     struct Line {
@@ -37,6 +39,8 @@ pub fn write_curve(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
 }
 
 /// Writes limit_points.csv: one row a limit point, in path order.
+///
+/// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
     #[derive(Default, Serialize)]
     struct Line {
@@ -68,6 +72,8 @@ pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportErro
 }
 
 /// Writes observed.csv: one row a point of the test, in its order.
+///
+/// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_observed(dir: &Path, test: &Observed) -> Result<PathBuf, ReportError> {
     #[derive(Default, Serialize)]
     struct Line {

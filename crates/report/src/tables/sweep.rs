@@ -10,12 +10,16 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// Writes sweep.csv: one row a value.
+///
+/// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_sweep(dir: &Path, rows: &[SweepRow]) -> Result<PathBuf, ReportError> {
     write_table(dir, "sweep.csv", rows.iter().map(SweepLine::from))
 }
 
 /// Writes sweep.csv of a sweep that followed one point, each value in so many seconds: the same columns, empty where nothing was
 /// computed.
+///
+/// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_followed(dir: &Path, sweep: &FollowedSweep, solve_s: &[f64]) -> Result<PathBuf, ReportError> {
     write_table(dir, "sweep.csv", SweepLine::followed(sweep, solve_s).into_iter())
 }

@@ -7,6 +7,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// Writes `dir/name`: a header, the names of the fields of a line, and the lines.
+///
+/// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_table<T: Serialize + Default>(
     dir: &Path,
     name: &str,

@@ -1,7 +1,7 @@
 //! What a key takes, and where in a scene its value goes.
 
-use crate::quantity::Dimension;
 use crate::scene::Scene;
+use crate::value::quantity::Dimension;
 use peelkit::adhesion::{LineLoad, Substrate};
 use peelkit::model::{Attraction, Hold, ProfileForm, Range, Start, Step};
 use peelkit::study::Terms;

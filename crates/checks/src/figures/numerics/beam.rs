@@ -2,7 +2,7 @@
 
 use super::super::figure::{Figure, Table};
 use crate::suite::beam::arch::{CURVE, half_arch, rows_of, snapped};
-use crate::suite::beam::{DISPLACEMENT, cantilever, under_control};
+use crate::suite::beam::rods::{DISPLACEMENT, cantilever, under_control};
 use peelkit::model::Drive;
 use peelkit::solve::Solution;
 use peelkit_report::ReportError;

@@ -79,7 +79,7 @@ fn effectivity(survey: &Survey, dir: &Path) -> Result<Figure, ReportError> {
          precision.",
         survey.judged.len(),
         survey.scenes,
-        significant(survey.share(), 4),
+        significant(survey.fraction_held(), 4),
         significant(quantile(0.5), 3),
         significant(quantile(0.1), 3),
     );

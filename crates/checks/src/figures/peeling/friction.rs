@@ -106,7 +106,7 @@ fn picture(free: &[Peel], held: &[Vec<Peel>; STRENGTHS.len()]) -> Picture {
     Picture { title: "Peeling with friction".into(), height: 674, panels: vec![above, below] }
 }
 
-/// Where the limit is above this share of the strength, the face is drawn.
+/// Where the limit is above this fraction of the strength, the face is drawn.
 const TOUCHING: f64 = 0.05;
 
 /// Kendall's force at an angle in degrees, nN.

@@ -1,7 +1,8 @@
 //! Snap-through of circular arches on two hinges: every limit point, and points of the path in between.
 
-use super::super::reference::{self, Row};
-use super::{Check, DISPLACEMENT, LEFT_ROTATION, Measure, TOLERANCE, cantilever, check, problem};
+use super::rods::{DISPLACEMENT, LEFT_ROTATION, TOLERANCE, cantilever, problem};
+use crate::suite::check::{Check, Measure};
+use crate::suite::reference::{self, Row};
 use peelkit::beam::{RestCurve, TIP_ROTATION};
 use peelkit::model::{Drive, Hold, PlanarProblem, RodModel, Support};
 use peelkit::solve::{LimitPointKind, PathOptions, Solution, controlled};
@@ -41,7 +42,7 @@ fn checks_of(name: &str) -> Vec<Check> {
     let (turns, curve) = (rows_of(TURNS, name), rows_of(CURVE, name));
     let Some(model) = turns.first().map(half_arch) else { return Vec::new() };
     let (fine, coarse) = (snapped(&model, 7, 6), snapped(&model, 4, 4));
-    let mut checks = vec![check(
+    let mut checks = vec![Check::new(
         format!("limit points of load and displacement, {name} arch pressed to {FAR} times its rise"),
         SOURCE,
         fine.as_ref().map(|(_, path)| path.turns.len() as f64).map_err(String::clone),
@@ -56,7 +57,7 @@ fn checks_of(name: &str) -> Vec<Check> {
             let expected = row.number(column).unwrap_or(f64::NAN);
             let value =
                 |(_, path): &(PlanarProblem, RodPath)| Ok(of_turn(path, k, kind)?.0[usize::from(column == "load")]);
-            checks.push(check(
+            checks.push(Check::new(
                 format!("{what}, {label}"),
                 SOURCE,
                 fine.as_ref().map_err(String::clone).and_then(value),
@@ -70,7 +71,7 @@ fn checks_of(name: &str) -> Vec<Check> {
             let ([_, load], [_, difference]) = of_turn(path, k, kind)?;
             Ok((load - expected).abs() / (2.0 * difference))
         };
-        checks.push(check(
+        checks.push(Check::new(
             format!("true error of the load over its bound, 4 elements of order 4, {label}"),
             "at most 1: the bound is twice the difference to half as many elements again",
             coarse.as_ref().map_err(String::clone).and_then(share),
@@ -79,7 +80,7 @@ fn checks_of(name: &str) -> Vec<Check> {
             0.0,
         ));
     }
-    checks.push(check(
+    checks.push(Check::new(
         format!("largest difference of load (EI/L²), lowering (L) or hinge rotation on the {name} arch's path"),
         SOURCE,
         fine.and_then(|(problem, path)| largest_difference(&problem, &path, &curve)),

@@ -1,6 +1,7 @@
 //! A cantilever rolled up by an end moment: θ' = M/EI, a circle, whatever EA and GA_s are.
 
-use super::{Check, DISPLACEMENT, Measure, cantilever, check, tip, under_control};
+use super::rods::{DISPLACEMENT, cantilever, tip, under_control};
+use crate::suite::check::{Check, Measure};
 use peelkit::model::Drive;
 use peelkit::solve::Solution;
 use std::f64::consts::{PI, TAU};
@@ -14,8 +15,8 @@ pub(super) fn checks() -> Vec<Check> {
         |k: usize, value: fn(&Solution) -> f64| rolled.as_ref().map(|found| value(&found[k])).map_err(String::clone);
     let two = 2.0 * TAU;
     let name = |what: &str, turn: &str| format!("{what}, cantilever rolled up to {turn}, EA L²/EI = 1e4");
-    let relative = |name, computed, expected| check(name, SOURCE, computed, expected, Measure::Relative, 1e-12);
-    let absolute = |name, computed| check(name, SOURCE, computed, 0.0, Measure::Absolute, 1e-12);
+    let relative = |name, computed, expected| Check::new(name, SOURCE, computed, expected, Measure::Relative, 1e-12);
+    let absolute = |name, computed| Check::new(name, SOURCE, computed, 0.0, Measure::Absolute, 1e-12);
     vec![
         relative(name("end moment, EI/L", "a quarter circle"), at(0, |s| s.at.force), 0.5 * PI),
         relative(name("tip x, L", "a quarter circle"), at(0, |s| tip(s)[0]), 2.0 / PI),

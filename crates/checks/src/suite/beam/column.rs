@@ -1,7 +1,8 @@
 //! Columns under compression: their buckling loads, and the elastica beyond the first.
 
-use super::super::reference;
-use super::{Check, FORCE, LEFT_ROTATION, Measure, TOLERANCE, cantilever, check, problem, tip, under_control};
+use super::rods::{FORCE, LEFT_ROTATION, TOLERANCE, cantilever, problem, tip, under_control};
+use crate::suite::check::{Check, Measure};
+use crate::suite::reference;
 use peelkit::analytic::{buckling_load, propped_buckling_load};
 use peelkit::beam::{RestCurve, Section};
 use peelkit::model::{Drive, Hold, RodModel, Support};
@@ -34,7 +35,7 @@ fn buckling(axial: f64, shear: f64, tolerance: f64) -> Vec<Check> {
         .into_iter()
         .map(|(ends, left, right, mode, expected)| {
             let column = RodModel { left, right, ..cantilever(axial, shear, Drive::X) };
-            check(
+            Check::new(
                 format!("buckling load {mode}, EI/L², column with {ends}, EA = {axial:e}, GA_s = {shear:e} EI/L²"),
                 "P (1 - P/EA + P/GA_s) = EI k² and its kind (Euler; with stretch and shear: analytic::buckling_load)",
                 critical_load(&column, mode),
@@ -90,7 +91,7 @@ fn elastica() -> Vec<Check> {
         for (label, column, value) in observed {
             let (measure, tolerance) =
                 if column == "shortening" { (Measure::Absolute, 5e-9) } else { (Measure::Relative, 1e-10) };
-            checks.push(check(
+            checks.push(Check::new(
                 format!("{label}, elastica on two hinges, end rotation {} degrees", degrees[k]),
                 "verification/elastica.py: elliptic integrals",
                 found.as_ref().map(|s| value(&s[k])).map_err(String::clone),

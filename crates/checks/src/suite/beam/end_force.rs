@@ -1,7 +1,8 @@
 //! A cantilever with a dead end force across its axis: inextensible, stretching and shearing, curved at rest.
 
-use super::super::reference::{self, Row};
-use super::{Check, FORCE, Measure, cantilever, check, tip, under_control};
+use super::rods::{FORCE, cantilever, tip, under_control};
+use crate::suite::check::{Check, Measure};
+use crate::suite::reference::{self, Row};
 use peelkit::beam::RestCurve;
 use peelkit::model::{Drive, RodModel};
 
@@ -24,7 +25,7 @@ fn inextensible() -> Vec<Check> {
     for (k, row) in rows.iter().enumerate() {
         for (f, column) in COLUMNS.iter().enumerate() {
             let computed = found.as_ref().map(|s| tip(&s[k])[f]).map_err(String::clone);
-            checks.push(check(
+            checks.push(Check::new(
                 format!("{}, inextensible cantilever, P L²/EI = {}", LABELS[f], loads[k]),
                 "verification/elastica.py: elliptic integrals",
                 computed,
@@ -61,7 +62,7 @@ fn shooting() -> Vec<Check> {
         let found = under_control(&rod, 7, 6, FORCE, &[load]);
         for f in 0..3 {
             let section = rod.section;
-            checks.push(check(
+            checks.push(Check::new(
                 format!(
                     "{}, cantilever ({}), EA = {:e}, GA_s = {} EI/L², P L²/EI = {load}",
                     LABELS[f],
@@ -88,7 +89,7 @@ fn small_load() -> Vec<Check> {
     };
     [1e4, 10.0, 1.0]
         .map(|shear| {
-            check(
+            Check::new(
                 format!("tip y, L, cantilever under P L²/EI = {LOAD:e}, GA_s = {shear} EI/L²"),
                 "P L³/(3 EI) + P L/GA_s (Timoshenko)",
                 deflection(shear),

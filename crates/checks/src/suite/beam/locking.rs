@@ -1,14 +1,15 @@
 //! Thick and thin limits: the error of a mesh of few elements does not depend on the slenderness.
 
 use super::end_force::{cantilever_of, table};
-use super::{Check, FORCE, Measure, check, tip, under_control};
+use super::rods::{FORCE, tip, under_control};
+use crate::suite::check::{Check, Measure};
 
 /// Order and number of elements of each mesh.
 const MESHES: [(usize, usize); 3] = [(1, 8), (2, 4), (3, 2)];
 
 /// A mesh that locks errs by a factor of about (L/h)² more. Where the beam is as high as long, shear adds to the tip's path
 /// what every mesh gets right, so that the error is smaller;
-/// at slenderness 10 that share is still a hundredth.
+/// at slenderness 10 that fraction is still a hundredth.
 pub(super) fn checks() -> Vec<Check> {
     let rows = table();
     let rods: Vec<_> = rows.iter().filter(|row| row.text("case") == Some("slenderness")).collect();
@@ -25,7 +26,7 @@ pub(super) fn checks() -> Vec<Check> {
             .collect();
         let Some(Ok(usual)) = errors.get(2).cloned() else { continue };
         for (k, error) in errors.into_iter().enumerate() {
-            checks.push(check(
+            checks.push(Check::new(
                 format!(
                     "relative error of tip y, slenderness 1e{k}, {elements} elements of order {order}, P L²/EI = 1, over \
                      that at slenderness 100"

@@ -1,6 +1,7 @@
 //! Rigid motions store no energy and change none.
 
-use super::{Check, Measure, cantilever, check, problem};
+use super::rods::{cantilever, problem};
+use crate::suite::check::{Check, Measure};
 use peelkit::beam::{Configuration, RestCurve};
 use peelkit::model::{Drive, PlanarProblem, RodModel, Support};
 
@@ -10,7 +11,8 @@ const AXIAL: f64 = 1e4;
 pub(super) fn checks() -> Vec<Check> {
     let straight = RodModel { left: Support::FREE, ..cantilever(AXIAL, 0.4 * AXIAL, Drive::Y) };
     let arch = RodModel { rest: RestCurve::arc(1.0, -2.0), ..straight };
-    let at_most = |name: String, computed| check(name, "zero: rigid motion", computed, 0.0, Measure::AtMost, 1e-12);
+    let at_most =
+        |name: String, computed| Check::new(name, "zero: rigid motion", computed, 0.0, Measure::AtMost, 1e-12);
     let mut checks = Vec::new();
     for turn in [1e-3, 1.0, 3.0, 100.0] {
         let moved = problem(&straight, 7).map(|p| (moved(&p.initial(ELEMENTS).values, turn), p));

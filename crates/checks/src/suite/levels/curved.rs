@@ -1,6 +1,7 @@
 //! Sphere and cylinder in the place of the half space, and what the half space costs.
 
-use super::{LAW, Row, against, cell, read};
+use super::cells::{LAW, against, cell};
+use crate::suite::reference::{Row, read};
 use crate::suite::{Check, Measure};
 use peelkit::adhesion::{CurvedBody, Shape};
 

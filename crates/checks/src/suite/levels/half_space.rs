@@ -1,6 +1,7 @@
 //! Pair potential, volume integral and half space.
 
-use super::{LAW, Row, against, cell, read, rule};
+use super::cells::{LAW, against, cell, rule};
+use crate::suite::reference::{Row, read};
 use crate::suite::{Check, Measure};
 use peelkit::adhesion::{Cuboid, LennardJones, body_force_by_volume, cubic_block, double_integral, pair_sum};
 
@@ -26,7 +27,7 @@ fn hamaker() -> Vec<Check> {
     let pair = LennardJones { well_depth: 0.1 / (2.0 * std::f64::consts::PI.powi(2)), equilibrium_distance: 0.4 };
     let density = 0.4f64.powi(-3);
     let computed = Ok(pair.hamaker_constant(density, density));
-    vec![Check::new(super::TOPIC.name, "Hamaker's constant, aJ", source, computed, 0.1, Measure::Relative, 1e-14)]
+    vec![Check::new("Hamaker's constant, aJ", source, computed, 0.1, Measure::Relative, 1e-14)]
 }
 
 fn half_space(row: &Row) -> Vec<Check> {

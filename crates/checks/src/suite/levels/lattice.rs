@@ -1,6 +1,7 @@
 //! An endless lattice, summed atom by atom, against Poisson's sum over its planes.
 
-use super::{LAW, Row, against, cell, read};
+use super::cells::{LAW, against, cell};
+use crate::suite::reference::{Row, read};
 use crate::suite::{Check, Measure};
 use peelkit::adhesion::{LatticeHalfSpace, LennardJones, Level, Piece};
 use peelkit::number::root::Bracket;
@@ -58,7 +59,7 @@ fn endless(row: &Row) -> Vec<Check> {
     checks
         .into_iter()
         .map(|(name, computed, expected, tolerance)| {
-            Check::new(super::TOPIC.name, name, POISSON, Ok(computed), expected, Measure::Relative, tolerance)
+            Check::new(name, POISSON, Ok(computed), expected, Measure::Relative, tolerance)
         })
         .collect()
 }

@@ -1,6 +1,7 @@
 //! Body force, surface traction and line load of tilted sections and of a tilted piece of strip.
 
-use super::{LAW, Row, against, cell, read, rule};
+use super::cells::{LAW, against, cell, rule};
+use crate::suite::reference::{Row, read};
 use crate::suite::{Check, Measure};
 use peelkit::adhesion::{Faces, Law, Level, LineLaw, LineLoad, Piece, Resultant, section_by_body_force};
 
@@ -59,7 +60,7 @@ fn piece(row: &Row) -> Vec<Check> {
         ("traction on all faces", "", Level::SurfaceTraction { rule: fine.clone(), faces: Faces::All }),
         ("traction on near faces", "near_faces_", Level::SurfaceTraction { rule: fine.clone(), faces: Faces::Near }),
         ("line load", "", Level::LineLoad { rule: fine.clone(), far_face: true }),
-        ("line load without far face", "near_line_", Level::LineLoad { rule: fine, far_face: false }),
+        ("line load without the upper surface", "near_line_", Level::LineLoad { rule: fine, far_face: false }),
     ];
     let mut checks = Vec::new();
     for (level, columns, how) in levels {

@@ -1,9 +1,12 @@
 //! The initiation peak over many decades of EI: the law EI^(1/4), how it saturates, and what it comes down to.
 
-use super::{Case, Check, DEFAULT, Measure, PEAKS, check, published};
-use crate::suite::reference::Row;
+use super::case::{Case, DEFAULT};
+use crate::suite::check::{Check, Measure};
+use crate::suite::reference::{self, Row, published};
 use peelkit::adhesion::LineLoad;
 use peelkit::study::power_law;
+
+const PEAKS: &str = include_str!("../../../../../verification/strip_peaks.csv");
 
 /// EI/EI0 between which a shear-rigid strip of 1000 nm follows EI^(1/4): above, it feels its other end; below, the moment
 /// of the adhesion.
@@ -55,10 +58,10 @@ fn stiff(cases: &[Case]) -> Vec<Check> {
     let ([rigid, rigid_table], [shear, shear_table]) = (long(cases, true), long(cases, false));
     let last = |peaks: &[(f64, f64)]| peaks.iter().max_by(|a, b| a.0.total_cmp(&b.0)).map_or(f64::NAN, |p| p.1);
     let range = format!("EI × {:e} to {:e}, L = 1000 nm", FOURTH_ROOT.0, FOURTH_ROOT.1);
-    let rigid_body = super::reference::read(PEAKS);
+    let rigid_body = reference::read(PEAKS);
     let rigid_body = rigid_body.iter().find(|row| row.number("bending_stiffness_factor") == Some(f64::INFINITY));
     vec![
-        check(
+        Check::new(
             format!("exponent of the peak in EI, rigid in shear, {range}"),
             "a beam on a foundation: P ~ EI^(1/4)",
             Ok(exponent(&rigid, FOURTH_ROOT)),
@@ -66,7 +69,7 @@ fn stiff(cases: &[Case]) -> Vec<Check> {
             Measure::Absolute,
             5e-4,
         ),
-        check(
+        Check::new(
             format!("exponent of the peak in EI, rigid in shear, {range}"),
             "verification/strip_peaks.py: collocation",
             Ok(exponent(&rigid, FOURTH_ROOT)),
@@ -74,7 +77,7 @@ fn stiff(cases: &[Case]) -> Vec<Check> {
             Measure::Absolute,
             1e-6,
         ),
-        check(
+        Check::new(
             format!("exponent of the peak in EI with shear, {range}: it saturates earlier"),
             "verification/strip_peaks.py: collocation",
             Ok(exponent(&shear, FOURTH_ROOT)),
@@ -82,7 +85,7 @@ fn stiff(cases: &[Case]) -> Vec<Check> {
             Measure::Absolute,
             1e-6,
         ),
-        check(
+        Check::new(
             "initiation peak, rigid in shear, EI × 1e12, L = 1000 nm, nN",
             "a rigid body, verification/strip_peaks.py; the stretch P sin θ/EA = 3e-4 is left",
             Ok(last(&rigid)),
@@ -90,7 +93,7 @@ fn stiff(cases: &[Case]) -> Vec<Check> {
             Measure::Relative,
             2e-4,
         ),
-        check(
+        Check::new(
             "initiation peak, rigid in shear, EI × 1e12, over the largest attraction times length and width",
             "saturates below the cohesive strength, T(5^(-1/6) r0) b L",
             Ok(last(&rigid) / (1000.0 * published("largest_attraction_nN_per_nm2"))),
@@ -98,7 +101,7 @@ fn stiff(cases: &[Case]) -> Vec<Check> {
             Measure::AtMost,
             0.0,
         ),
-        check(
+        Check::new(
             "initiation peak, EI × 1e8, L = 1000 nm, nN: bound of finite shear",
             "first integral at the grip: P cos θ < (2 GA_s w)^(1/2), w = -bΨ(y_eq, 0)",
             Ok(last(&shear)),
@@ -118,7 +121,7 @@ fn soft(cases: &[Case]) -> Vec<Check> {
     };
     let source = "Kendall's force at 90 degrees with the strip's work of adhesion, verification/published.py: mpmath";
     vec![
-        check(
+        Check::new(
             "initiation peak over Kendall's force, full, EI × 1e-6: never comes down to it",
             source,
             ratio(LineLoad::Full, 1e-6),
@@ -126,7 +129,7 @@ fn soft(cases: &[Case]) -> Vec<Check> {
             Measure::AtLeast,
             0.0,
         ),
-        check(
+        Check::new(
             "first maximum over Kendall's force, axis-gap, EI × 1e-5: reaches it",
             source,
             ratio(LineLoad::AxisGap, 1e-5),
@@ -134,7 +137,7 @@ fn soft(cases: &[Case]) -> Vec<Check> {
             Measure::Absolute,
             2e-5,
         ),
-        check(
+        Check::new(
             "initiation peak over Kendall's force, force-only, EI × 1e-6: falls below it",
             source,
             ratio(LineLoad::ForceOnly, 1e-6),

@@ -1,6 +1,7 @@
 //! Peak, plateau, limit points and their error bounds at six stiffnesses and three line loads.
 
-use super::{Case, Check, DEFAULT, Measure, check};
+use super::case::{Case, DEFAULT};
+use crate::suite::check::{Check, Measure};
 use peelkit::study::{LimitPoint, LimitPointKind};
 
 pub(super) fn checks(cases: &[Case]) -> Vec<Check> {
@@ -32,7 +33,7 @@ fn one(case: &Case) -> Vec<Check> {
         let (value, bound) = value?;
         Some((value - case.row.number(column)?).abs() / bound)
     });
-    checks.push(check(
+    checks.push(Check::new(
         format!("largest error over its bound, {}", case.name()),
         "verification/strip_points.py: collocation; a bound is no smaller than the error",
         Ok(ratios.fold(0.0, f64::max)),

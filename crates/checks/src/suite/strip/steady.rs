@@ -1,6 +1,8 @@
 //! What holds exactly while the free end is at rest: the first integral, and the steady force that follows from it.
 
-use super::{Check, DEFAULT, Measure, check, published};
+use super::case::DEFAULT;
+use crate::suite::check::{Check, Measure};
+use crate::suite::reference::published;
 use peelkit::adhesion::LineLoad;
 use peelkit::analytic::steady_force;
 use peelkit::model::StripModel;
@@ -19,7 +21,7 @@ const LONG: [(f64, f64, LineLoad, &str); 5] = [
 pub(super) fn checks() -> Vec<Check> {
     let steady = published("strip_steady_force_nN_per_nm");
     let paper = StripModel::of_the_paper(100.0, 1.0);
-    let mut checks = vec![check(
+    let mut checks = vec![Check::new(
         "steady force of a long strip, nN",
         "P + P²/(2EA) = -bΨ(y_eq, 0); verification/published.py: mpmath",
         Ok(steady_force(paper.strip.width * paper.line_law().rest_energy(), paper.section().axial)),
@@ -45,7 +47,7 @@ fn long(&(length, factor, load, load_name): &(f64, f64, LineLoad, &str), steady:
         if along.is_empty() { Err("no plateau".to_owned()) } else { Ok(values.fold(0.0, f64::max)) }
     };
     vec![
-        check(
+        Check::new(
             name("plateau, nN"),
             "root of P + P²/(2EA) = -bΨ(y_eq, 0); verification/published.py: mpmath",
             peel.plateau.map(|plateau| plateau.force).ok_or_else(|| "no plateau".to_owned()),
@@ -53,7 +55,7 @@ fn long(&(length, factor, load, load_name): &(f64, f64, LineLoad, &str), steady:
             Measure::Relative,
             DEFAULT.relative,
         ),
-        check(
+        Check::new(
             name("P y'(L) - stored(L) - bΨ(L) over -bΨ(y_eq, 0) less 1, largest from rest to the plateau"),
             "first integral of a uniform beam (Noether), free end at rest",
             worst(&|p| at_the_grip(&peel, p) / w - 1.0),
@@ -61,7 +63,7 @@ fn long(&(length, factor, load, load_name): &(f64, f64, LineLoad, &str), steady:
             Measure::Absolute,
             DEFAULT.relative,
         ),
-        check(
+        Check::new(
             name("P sin θ(L) on the plateau, nN"),
             "w less P²/(2EA), w = -bΨ(y_eq, 0); verification/published.py: mpmath",
             along.last().map(|p| p.force * p.end_rotation.sin()).ok_or_else(|| "no plateau".to_owned()),

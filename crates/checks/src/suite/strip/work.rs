@@ -1,6 +1,7 @@
 //! The work of peeling against the energy that it must pay for.
 
-use super::{Case, Check, DEFAULT, Measure, check};
+use super::case::{Case, DEFAULT};
+use crate::suite::check::{Check, Measure};
 use peelkit::adhesion::LineLoad;
 
 pub(super) fn checks(cases: &[Case]) -> Vec<Check> {
@@ -15,7 +16,7 @@ fn one(case: &Case) -> Vec<Check> {
     }
     if case.load() == LineLoad::ForceOnly {
         let number = |column| case.row.number(column).unwrap_or(f64::NAN);
-        checks.push(check(
+        checks.push(Check::new(
             format!("work of the grip up to the snap-off over the energy it must pay for, {}", case.name()),
             "verification/strip_points.py: ∫ P du and stored + adhesion energy, both by collocation; 1 where energy is conserved",
             work.map(|work| work / number("energy_aJ")).ok_or_else(|| "no snap-off".to_owned()),
@@ -25,7 +26,7 @@ fn one(case: &Case) -> Vec<Check> {
         ));
     } else {
         let ratio = balance(case);
-        checks.push(check(
+        checks.push(Check::new(
             format!("∫ P du over the change of stored and adhesion energy, rest to snap-off, {}", case.name()),
             "a load with a potential conserves energy",
             ratio,

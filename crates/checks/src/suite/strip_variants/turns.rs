@@ -1,8 +1,8 @@
 //! Initiation peak and first two displacement limit points of the strips of a table, each with its error over its bound.
 
-use super::bounds;
-use super::check::{Check, Measure, missing};
-use super::reference::{Row, read};
+use crate::suite::bounds;
+use crate::suite::check::{Check, Measure, missing};
+use crate::suite::reference::{Row, read};
 use peelkit::adhesion::Attraction;
 use peelkit::study::{Accuracy, PathEnd, StopCriteria, peel};
 use rayon::prelude::*;
@@ -14,7 +14,6 @@ const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 
 /// A table of limit points.
 pub(super) struct Turns {
-    pub topic: &'static str,
     pub table: &'static str,
     /// Who computed it.
     pub source: &'static str,
@@ -43,7 +42,7 @@ impl Turns {
             .filter_map(|(column, before, behind)| row.text(column).map(|cell| format!("{before}{cell}{behind}")));
         let name = parts.collect::<Vec<_>>().join(", ");
         let check = |name, computed, expected, measure, tolerance| {
-            Check::new(self.topic, name, self.source, computed, expected, measure, tolerance)
+            Check::new(name, self.source, computed, expected, measure, tolerance)
         };
         let Some(model) = row.model() else {
             return vec![check(

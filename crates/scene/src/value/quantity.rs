@@ -135,6 +135,8 @@ pub enum QuantityError {
 }
 
 /// Reads `text` as a quantity, in the library's unit of `dimension`.
+///
+/// Fails where it does not begin with a number, or its unit is missing, unknown or of something else. Its range is not looked at.
 pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
     let (value, unit) = split(text.trim()).ok_or(QuantityError::NoNumber)?;
     if unit.is_empty() {
@@ -151,7 +153,7 @@ pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityE
     if let Some(other) = Dimension::ALL.into_iter().find(|&d| factor(d).is_some()) {
         return Err(QuantityError::WrongDimension { unit, measures: other.to_string() });
     }
-    let near = super::near::nearest(&unit, dimension.units().iter().copied());
+    let near = crate::near::nearest(&unit, dimension.units().iter().copied());
     Err(QuantityError::UnknownUnit { unit, near })
 }
 

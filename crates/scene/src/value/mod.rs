@@ -1,6 +1,11 @@
-//! A value of a scene, whichever key it is of.
+//! A value of a scene, whichever key it is of, and the texts, lists and tables that one may be.
 
-use super::error::one_line;
+pub(crate) mod pieces;
+pub(crate) mod quantity;
+pub(crate) mod steps;
+pub(crate) mod table;
+
+use crate::error::one_line;
 use peelkit::model::Measured;
 use std::fmt;
 
@@ -35,11 +40,11 @@ impl fmt::Display for Value {
 }
 
 /// A text in quotes, as it stands in a message.
-pub(super) fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     format!("\"{}\"", one_line(text))
 }
 
 /// A number as a person writes it.
-pub(super) fn show(number: f64) -> String {
+pub(crate) fn show(number: f64) -> String {
     Measured { value: number, unit: "" }.to_string()
 }

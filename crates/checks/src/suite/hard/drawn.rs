@@ -1,7 +1,7 @@
 //! Strips sampled over wide ranges, each peeled twice: what the coarser run claims must hold for the finer one. Loads `full` and
-//! `force-only`; strips of `axis-gap`, which is blind to its edges, may go several ways at their end.
+//! `force-only`; strips of `axis-gap`, which is independent of the rotation of the section, may go several ways at their end.
 
-use super::check::{Check, Measure};
+use crate::suite::check::{Check, Measure};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
 use peelkit::study::{Accuracy, LimitPoint, PathEnd, Peel, peel};
@@ -20,14 +20,14 @@ const RANGES: [(f64, f64); 5] = [(5.0, 1e4), (1.0, 100.0), (1e-4, 1e3), (1e-2, 1
 
 /// What became of the strips.
 #[derive(Clone, Debug, Default)]
-pub struct Drawn {
+struct Drawn {
     /// Numbers that both runs report, and how many of the coarser ones lie further from the finer than both bounds together.
-    pub judged: usize,
-    pub wrong: Vec<String>,
+    judged: usize,
+    wrong: Vec<String>,
     /// Strips whose path ended `failed`, with the reason.
-    pub failed: Vec<String>,
+    failed: Vec<String>,
     /// Strips of which only one run has a peak or a snap-off, although both came to their end.
-    pub differ: Vec<String>,
+    differ: Vec<String>,
 }
 
 /// Place `k` of a sequence that fills the unit cube of eight dimensions evenly: multiples of powers of 1/φ, φ⁹ = φ + 1.
@@ -53,7 +53,7 @@ fn strip(k: usize) -> StripModel {
 }
 
 /// Peels all of them, on all cores.
-pub fn drawn() -> Drawn {
+fn drawn() -> Drawn {
     let outcomes: Vec<Drawn> = (0..SCENES).into_par_iter().map(judge).collect();
     outcomes.into_iter().fold(Drawn::default(), |mut all, one| {
         all.judged += one.judged;
@@ -113,17 +113,17 @@ fn numbers(peel: &Peel) -> [(&'static str, Bounded); 4] {
     ]
 }
 
-/// Share of numbers that may be outside of their bounds, as on the scenes of the topic `bounds`, and of points that one run alone
+/// Fraction of numbers that may be outside of their bounds, as on the scenes of the topic `bounds`, and of points that one run alone
 /// finds: strips about to lose their snap-back.
 const STRAY: f64 = 0.01;
 
 /// The checks: hardly a number is wrong, and few paths fail.
-pub(super) fn checks(topic: &'static str) -> Vec<Check> {
+pub(super) fn checks() -> Vec<Check> {
     let Drawn { judged, wrong, failed, differ } = drawn();
     let check = |name: String, list: &[String], most: f64| {
         let name = list.first().map_or(name.clone(), |first| format!("{name}; the first: {first}"));
         let source = "the same at 1e-8";
-        Check::new(topic, name, source, Ok(list.len() as f64), most, Measure::AtMost, 0.0)
+        Check::new(name, source, Ok(list.len() as f64), most, Measure::AtMost, 0.0)
     };
     let of = format!("{SCENES} randomly sampled strips");
     vec![

@@ -8,15 +8,15 @@ type Word = (&'static str, fn(f64) -> Step);
 const WORDS: [Word; 4] = [("press", Step::Press), ("lift", Step::Lift), ("drag", Step::Drag), ("push", Step::Push)];
 
 /// What a list of steps takes.
-pub(super) const TAKES: &str = "a list of steps, each a text: \"press 2 nm\", \"lift 2 nm\", \"drag 2 nm\", \"push 2 nm\", \"turn 20 deg\" or \"hold\"";
+pub(crate) const TAKES: &str = "a list of steps, each a text: \"press 2 nm\", \"lift 2 nm\", \"drag 2 nm\", \"push 2 nm\", \"turn 20 deg\" or \"hold\"";
 
 /// Reads the steps of a list; what was found where one is none.
-pub(super) fn read(texts: &[String]) -> Result<Vec<Step>, String> {
+pub(crate) fn read(texts: &[String]) -> Result<Vec<Step>, String> {
     if texts.len() > MOST_STEPS {
         return Err(ModelErrorKind::TooManySteps { found: texts.len(), most: MOST_STEPS }.to_string());
     }
     let named = |(index, text): (usize, &String)| {
-        one(text).map_err(|why| format!("has as step {} \"{}\", {why}", index + 1, super::error::one_line(text)))
+        one(text).map_err(|why| format!("has as step {} \"{}\", {why}", index + 1, crate::error::one_line(text)))
     };
     texts.iter().enumerate().map(named).collect()
 }
@@ -43,7 +43,7 @@ fn checked(step: Step) -> Result<Step, String> {
 }
 
 /// Reads a finite quantity; else what the amount is that is none, which `no_number` says of one without a number.
-pub(super) fn quantity(text: &str, dimension: Dimension, no_number: &str) -> Result<f64, String> {
+pub(crate) fn quantity(text: &str, dimension: Dimension, no_number: &str) -> Result<f64, String> {
     let units = dimension.units().join(", ");
     match parse_quantity(text, dimension) {
         Ok(number) if number.is_finite() => Ok(number),

@@ -7,11 +7,17 @@ use peelkit_scene::Bounds;
 /// How a path is expected to end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
+    /// No point of the strip is near the substrate.
     Detached,
+    /// At a force of zero, in edge contact.
     Pivoting,
+    /// Re-adhered: u has returned to 0.
     TurnedBack,
+    /// The whole contact slides.
     Sliding,
+    /// At the snap-off, beyond which the path is not determined.
     Snapped,
+    /// A limit of the scene was reached.
     Bound,
     /// Stopped short, with a reason.
     Refused,
@@ -35,9 +41,14 @@ impl Ending {
 /// A hard scene, read.
 #[derive(Clone, Debug)]
 pub struct HardScene {
+    /// The name of its file, without the ending.
     pub name: &'static str,
+    /// What is peeled.
     pub model: PeelModel,
+    /// The accuracy asked for.
     pub accuracy: Accuracy,
+    /// Where its path stops.
     pub bounds: Bounds,
+    /// How its path has to end.
     pub expected: Ending,
 }

@@ -1,16 +1,14 @@
-//! What a run found, laid out for a person.
+//! The summary of one peel.
 
+use super::layout::in_columns;
+use super::number::{with_error, work};
 use peelkit::beam::{GripForces, GripState};
 use peelkit::model::Step;
 use peelkit::study::{
-    Contact, FollowedSweep, LeftOut, LimitPoint, LimitPointKind, Observed, PathEnd, Peak, Peel, PointKind, PullOff,
-    Sliding, TermDecisions, TermEffect, TestEnd,
+    Contact, LeftOut, LimitPoint, LimitPointKind, PathEnd, Peak, Peel, Sliding, TermDecisions, TermEffect,
 };
-use peelkit_report::{
-    SweepRow, end_reason, end_word, ground_warning, jump_word, left_out, test_end_reason, test_end_word, why_kept,
-};
-use peelkit_scene::{Key, Scene};
-use std::fmt::{Display, Write};
+use peelkit_report::{end_reason, end_word, ground_warning, left_out, why_kept};
+use peelkit_scene::Scene;
 
 /// A relative error below this that finer meshes do not reduce is round-off.
 const ROUND_OFF: f64 = 2e-8;
@@ -76,11 +74,7 @@ pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64) -> String {
             1e3 * solve_s
         ),
     ));
-    let mut text = format!("{}\n\n", scene.title);
-    for (name, value) in lines {
-        let _ = writeln!(text, "  {name:<18} {value}");
-    }
-    text
+    in_columns(&scene.title, &lines)
 }
 
 /// The grip after each step before the pull.
@@ -163,135 +157,9 @@ fn on_ground(peel: &Peel, contact: &Contact) -> Vec<(&'static str, String)> {
     lines
 }
 
-/// The displacement-controlled test, which took so many seconds.
-pub fn observed(test: &Observed, solve_s: f64) -> String {
-    let none = || "none".to_owned();
-    let pull_off = |peak: PullOff| {
-        let force = with_error(peak.force, peak.force_error);
-        format!("{force} nN at U = {:.6} nm, the largest force on the stable retreat", peak.machine)
-    };
-    let mut lines = vec![("pull-off force", test.pull_off.map_or_else(none, pull_off))];
-    for jump in &test.jumps {
-        let landed = if jump.detached { "detached".to_owned() } else { format!("front at {:.2} nm", jump.after.front) };
-        lines.push((
-            jump_word(jump.kind),
-            format!(
-                "U = {} nm, P = {} to {} nN, released {} aJ, {landed}",
-                with_error(jump.machine, jump.machine_error),
-                with_error(jump.before.force, jump.before.force_error),
-                with_error(jump.after.force, jump.after.force_error),
-                with_error(jump.released, jump.released_error),
-            ),
-        ));
-    }
-    lines.push(("hysteresis", test.hysteresis.map_or_else(none, work)));
-    if let Some(balance) = test.cycle.or(test.retreat) {
-        let text =
-            format!("work minus change of energy minus released energy: {:.1e} of the largest term", balance.error());
-        lines.push(("work balance", text));
-    }
-    let end = match &test.end {
-        TestEnd::Closed => "closed: machine and strip are back in their initial state".to_owned(),
-        end => format!("{}: {}", test_end_word(end), test_end_reason(end).unwrap_or_default()),
-    };
-    lines.push(("end", end));
-    let effort = &test.effort;
-    lines.push((
-        "computational cost",
-        format!(
-            "{} points, {} Newton iterations, {} relaxation steps, {} elements of order {}, {:.1} ms",
-            effort.points,
-            effort.newton_iterations,
-            effort.relaxation_steps,
-            effort.elements,
-            effort.order,
-            1e3 * solve_s
-        ),
-    ));
-    let mut text = "Displacement-controlled test\n\n".to_owned();
-    for (name, value) in lines {
-        let _ = writeln!(text, "  {name:<18} {value}");
-    }
-    text
-}
-
-/// A sweep as a table, with what is to be said of its rows.
-pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) -> String {
-    let mut text = format!("{}\n{} varied{}\n\n", scene.title, key.path(), in_unit(key.unit()));
-    let _ = writeln!(
-        text,
-        "{:>14} {:>14} {:>9} {:>14} {:>14} {:>12} {:>9}  end",
-        "value", "peak nN", "± nN", "plateau nN", "snap-off nm", "work aJ", "ms"
-    );
-    let cell = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.8}"));
-    for SweepRow { value, found, solve_s, .. } in rows {
-        let error = found.peak.map_or_else(|| "-".to_owned(), |at| format!("{:.0e}", at.force_error));
-        let work = found.work.map_or_else(|| "-".to_owned(), |work| format!("{work:.5}"));
-        let snap_off = found.snap_off.map_or_else(|| "-".to_owned(), |at| format!("{:.6}", at.displacement));
-        let _ = writeln!(
-            text,
-            "{:>14} {:>14} {:>9} {:>14} {:>14} {:>12} {:>9.2}  {}",
-            short(*value),
-            cell(found.peak.map(|at| at.force)),
-            error,
-            cell(found.plateau.map(|at| at.force)),
-            snap_off,
-            work,
-            1e3 * solve_s,
-            end_word(&found.end)
-        );
-    }
-    text + &listed(remarks)
-}
-
-/// A sweep that followed one point as a table, with what happened to the point on the way.
-pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep, solve_s: &[f64]) -> String {
-    let what = match sweep.kind {
-        PointKind::InitiationPeak => "the initiation peak (the first local maximum of the force)",
-        PointKind::SnapOff => "the snap-off",
-    };
-    let mut text = format!("{}\n{} varied{}; {what} followed\n\n", scene.title, key.path(), in_unit(key.unit()));
-    let _ = writeln!(
-        text,
-        "{:>14} {:>14} {:>9} {:>14} {:>9} {:>12} {:>9}",
-        "value", "force nN", "± nN", "at u nm", "± nm", "work aJ", "ms"
-    );
-    for (row, solve_s) in sweep.rows.iter().zip(solve_s) {
-        let cell = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.8}"));
-        let error = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.0e}"));
-        let work = row.point.and_then(|at| at.work).map_or_else(|| "-".to_owned(), |work| format!("{work:.5}"));
-        let _ = writeln!(
-            text,
-            "{:>14} {:>14} {:>9} {:>14} {:>9} {work:>12} {:>9.3}",
-            short(row.value),
-            cell(row.point.map(|at| at.force)),
-            error(row.point.map(|at| at.force_error)),
-            cell(row.point.map(|at| at.displacement)),
-            error(row.point.map(|at| at.displacement_error)),
-            1e3 * solve_s,
-        );
-    }
-    text + &listed(&sweep.remarks)
-}
-
-/// Remarks below a table.
-fn listed<T: Display>(remarks: &[T]) -> String {
-    let lines: String = remarks.iter().map(|remark| format!("  remark: {remark}\n")).collect();
-    if lines.is_empty() { lines } else { format!("\n{lines}") }
-}
-
-/// " nm", or nothing where there is no unit.
-pub fn spaced(unit: &str) -> String {
-    if unit.is_empty() { String::new() } else { format!(" {unit}") }
-}
-
 /// Of a run whose first path points are those of an earlier one.
 pub fn taken(points: usize) -> String {
     if points == 0 { String::new() } else { format!("\n{points} path points taken from an earlier, unfinished run\n") }
-}
-
-fn in_unit(unit: &str) -> String {
-    if unit.is_empty() { String::new() } else { format!(", in {unit}") }
 }
 
 fn end(end: &PathEnd) -> String {
@@ -312,44 +180,11 @@ fn end(end: &PathEnd) -> String {
     format!("{word}: {meaning}{reason}")
 }
 
-fn work(work: f64) -> String {
-    format!("{work:.6} aJ")
-}
-
-/// As many decimals as the error leaves, and the error.
-fn with_error(value: f64, error: f64) -> String {
-    if !(error > 0.0 && error.is_finite()) {
-        return format!("{value}");
-    }
-    let decimals = (-error.log10().floor()).clamp(0.0, 15.0) as usize;
-    format!("{value:.decimals$} ± {error:.0e}")
-}
-
-/// Six digits are enough to recognise a value.
-fn short(value: f64) -> String {
-    if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
-        let decimals = (5.0 - value.abs().max(1e-3).log10().floor()).clamp(0.0, 9.0) as usize;
-        let text = format!("{value:.decimals$}");
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-    } else {
-        format!("{value:.5e}")
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use peelkit::study::{self, Bound, Effort};
     use peelkit_scene::Bounds;
-
-    #[test]
-    fn digits_end_where_the_error_begins() {
-        assert_eq!(with_error(0.341121483196, 3e-8), "0.34112148 ± 3e-8");
-        assert_eq!(with_error(48.2156178228, 0.02), "48.22 ± 2e-2");
-        assert_eq!(with_error(48.2156178228, 2.0), "48 ± 2e0");
-        assert_eq!(with_error(0.5, 0.0), "0.5");
-        assert_eq!(with_error(0.5, f64::NAN), "0.5");
-    }
 
     #[test]
     fn the_summary_of_a_peel_is_laid_out_in_two_columns() {
@@ -398,13 +233,5 @@ short
   computational cost 20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
 ";
         assert_eq!(peel(&scene, &made_up, 0.0042), expected);
-    }
-
-    #[test]
-    fn values_of_a_sweep_are_short() {
-        assert_eq!(short(100.0), "100");
-        assert_eq!(short(0.4), "0.4");
-        assert_eq!(short(1e-4), "1.00000e-4");
-        assert_eq!(short(1.0 / 3.0), "0.333333");
     }
 }

@@ -1,6 +1,6 @@
 //! The table of a beam or of a substrate: in the scene, or in a file beside it.
 
-use super::error::one_line;
+use crate::error::one_line;
 use csv::StringRecord;
 use peelkit::adhesion::{Heights, HeightsError};
 use peelkit::model::{ProfileColumns, ProfileTable, TableError};
@@ -10,18 +10,32 @@ use std::path::Path;
 /// What is wrong with a table in CSV.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CsvError {
+    /// The text is no CSV, with the reason.
     #[error("is no CSV: {0}")]
     Csv(String),
+    /// A column that has to be there is not.
     #[error("has no column `{0}`")]
     Missing(&'static str),
+    /// A column of this name is none of a profile.
     #[error("has a column `{0}`, which is none of {names}", names = ProfileTable::COLUMNS.join(", "))]
     Unknown(String),
+    /// The columns are these, and not those of heights.
     #[error("has the columns {0}; it takes x_nm and height_nm")]
     Columns(String),
+    /// A cell holds no number.
     #[error("has in row {row} `{column}` = {found}, which is no number")]
-    NoNumber { row: usize, column: &'static str, found: String },
+    NoNumber {
+        /// From 1, without the header.
+        row: usize,
+        /// Its name in the header.
+        column: &'static str,
+        /// The text of the cell.
+        found: String,
+    },
+    /// The numbers are no table of a profile.
     #[error(transparent)]
     Profile(#[from] TableError),
+    /// The numbers are no heights of a substrate.
     #[error(transparent)]
     Heights(#[from] HeightsError),
 }
@@ -178,12 +192,12 @@ fn shown(cell: &str) -> String {
 }
 
 /// Reads the outline of a beam, and gives the text that it is read from.
-pub(super) fn read_profile(name: &str, text: &str) -> Result<(ProfileTable, String), String> {
+pub(crate) fn read_profile(name: &str, text: &str) -> Result<(ProfileTable, String), String> {
     read(name, text, parse_profile)
 }
 
 /// Reads the heights of a substrate, and gives the text that they are read from.
-pub(super) fn read_heights(name: &str, text: &str) -> Result<(Heights, String), String> {
+pub(crate) fn read_heights(name: &str, text: &str) -> Result<(Heights, String), String> {
     read(name, text, parse_heights)
 }
 

@@ -1,22 +1,21 @@
 //! The strip pulled at an angle against collocation, and its steady force against a closed form.
 
-use super::check::{Check, Measure, Topic, missing};
-use super::reference::{Row, read};
 use super::turns::Turns;
+use crate::suite::check::{Check, Measure, Topic, missing};
+use crate::suite::reference::{Row, read};
 use peelkit::analytic::sliding_force;
 use peelkit::model::{Discretisation, Form, PeelModel, Pull, StripModel};
 use peelkit::study::{Accuracy, FOLLOWED_ORDER, NotPrepared, Prepared, StopCriteria, peel, prepared};
 use rayon::prelude::*;
 
-pub(super) const TOPIC: Topic = Topic {
+pub(in crate::suite) const TOPIC: Topic = Topic {
     name: "pull",
     about: "strips pulled at an angle, adhered under pretension, or in a grip that rotates: collocation, steady force",
-    run,
+    checks,
 };
 
 const TABLE: Turns = Turns {
-    topic: TOPIC.name,
-    table: include_str!("../../../../verification/pull_angle.csv"),
+    table: include_str!("../../../../../verification/pull_angle.csv"),
     source: "verification/pull_angle.py: collocation",
     named: &[
         ("pull_angle_deg", "", " degrees"),
@@ -29,8 +28,7 @@ const TABLE: Turns = Turns {
 };
 const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 const STRETCHED: Turns = Turns {
-    topic: TOPIC.name,
-    table: include_str!("../../../../verification/pretension.csv"),
+    table: include_str!("../../../../../verification/pretension.csv"),
     source: "verification/pretension.py: collocation",
     named: &[
         ("pretension_nN", "pretension ", " nN"),
@@ -42,8 +40,7 @@ const STRETCHED: Turns = Turns {
     ],
 };
 const TURNED: Turns = Turns {
-    topic: TOPIC.name,
-    table: include_str!("../../../../verification/turned_grip.csv"),
+    table: include_str!("../../../../../verification/turned_grip.csv"),
     source: "verification/turned_grip.py: collocation",
     named: &[
         ("grip_turned_deg", "grip rotated by ", " degrees"),
@@ -60,7 +57,7 @@ const BEHIND_STEP: f64 = 1e-8;
 const STEADY: [f64; 7] = [20.0, 45.0, 60.0, 90.0, 120.0, 150.0, 170.0];
 const LONG: f64 = 2000.0;
 
-fn run() -> Vec<Check> {
+fn checks() -> Vec<Check> {
     let mut checks = TABLE.checks();
     checks.extend(STRETCHED.checks());
     checks.extend(TURNED.checks());
@@ -86,7 +83,7 @@ fn turned(row: &Row) -> Option<Check> {
     );
     let missing = || failure.map_or("no step was taken".into(), |why| why.to_string());
     let (source, measure) = (TURNED.source, Measure::Relative);
-    Some(Check::new(TOPIC.name, name, source, force.ok_or_else(missing), expected, measure, BEHIND_STEP))
+    Some(Check::new(name, source, force.ok_or_else(missing), expected, measure, BEHIND_STEP))
 }
 
 /// The force where the front of a long strip is half-way.
@@ -97,7 +94,6 @@ fn steady(degrees: f64) -> Check {
     let model = PeelModel::from(model);
     let rest = model.free_end().0 * model.line_law().rest_energy();
     Check::new(
-        TOPIC.name,
         format!("force with the front half-way, nN, {degrees} degrees, L = {LONG} nm"),
         "P (1 - cos α) + P² sin² α/(2EA) = -bΨ(y_eq, 0), from the first integral",
         peel.nearest_front(0.5 * LONG).map(|index| peel.points[index].force).ok_or_else(|| missing(&peel.end)),

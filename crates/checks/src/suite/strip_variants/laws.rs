@@ -1,7 +1,7 @@
 //! Strips under other laws of adhesion against collocation, and their steady force against the work of adhesion.
 
-use super::check::{Check, Measure, Topic, missing};
 use super::turns::Turns;
+use crate::suite::check::{Check, Measure, Topic, missing};
 use peelkit::adhesion::CohesiveShape;
 use peelkit::analytic::kendall_force;
 use peelkit::model::{Attraction, PeelModel, StripModel};
@@ -9,12 +9,14 @@ use peelkit::study::{Accuracy, StopCriteria, peel};
 use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) const TOPIC: Topic =
-    Topic { name: "laws", about: "other laws of adhesion: collocation, steady force of those with a potential", run };
+pub(in crate::suite) const TOPIC: Topic = Topic {
+    name: "laws",
+    about: "other laws of adhesion: collocation, steady force of those with a potential",
+    checks,
+};
 
 const TABLE: Turns = Turns {
-    topic: TOPIC.name,
-    table: include_str!("../../../../verification/laws.csv"),
+    table: include_str!("../../../../../verification/laws.csv"),
     source: "verification/laws.py: collocation",
     named: &[
         ("law", "", ""),
@@ -31,7 +33,7 @@ const TABLE: Turns = Turns {
 const LONG: f64 = 1000.0;
 const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 
-fn run() -> Vec<Check> {
+fn checks() -> Vec<Check> {
     let mut checks = TABLE.checks();
     checks.extend(CohesiveShape::ALL.par_iter().map(|&shape| steady(shape)).collect::<Vec<_>>());
     checks
@@ -46,7 +48,6 @@ fn steady(shape: CohesiveShape) -> Check {
     let model = PeelModel::from(model);
     let work = -model.line_law().rest_energy();
     Check::new(
-        TOPIC.name,
         format!("plateau, nN, {shape:?}, L = {LONG} nm"),
         "P + P²/(2EA) = w b, from the first integral",
         peel.plateau.map(|plateau| plateau.force).ok_or_else(|| missing(&peel.end)),

@@ -3,18 +3,23 @@
 //! The scenes are texts, which this module does not read: the caller hands over what they say. The true values are those of
 //! `verification/hard_scenes.csv`, a collocation of the strong form without finite elements.
 
-use super::check::{Check, Measure};
-pub use super::hard_scene::{Ending, HardScene};
-use super::reference::{self, Row};
-use super::{bounds, drawn, repeated};
+mod drawn;
+mod repeated;
+mod scene;
+
+pub use scene::{Ending, HardScene};
+
+use crate::suite::bounds;
+use crate::suite::check::{Check, Measure, under};
+use crate::suite::reference::{self, Row};
 use peelkit::model::{Hold, PeelModel};
 use peelkit::study::{Peel, peel};
 use rayon::prelude::*;
 
 /// The name under which the checks are reported.
-pub const NAME: &str = "hard";
+const NAME: &str = "hard";
 
-const TABLE: &str = include_str!("../../../../verification/hard_scenes.csv");
+const TABLE: &str = include_str!("../../../../../verification/hard_scenes.csv");
 const SOURCE: &str = "verification/hard_scenes.py: Chebyshev collocation of the strong form";
 /// Two numbers of a scene are the same within this.
 const SAME: f64 = 1e-12;
@@ -25,7 +30,7 @@ pub fn run(scenes: &[HardScene]) -> Vec<Check> {
     let peels: Vec<Peel> = scenes.par_iter().map(|s| peel(&s.model, &s.accuracy, &s.bounds.from_now())).collect();
     let pairs = scenes.iter().zip(&peels);
     let judged = |(scene, peel)| [vec![ending(scene, peel)], numbers(scene, peel, &rows)].concat();
-    pairs.flat_map(judged).chain(repeated::checks(NAME, scenes)).chain(drawn::checks(NAME)).collect()
+    under(NAME, pairs.flat_map(judged).chain(repeated::checks(scenes)).chain(drawn::checks()).collect())
 }
 
 /// Whether the path ended as expected: 1 if it did.
@@ -33,7 +38,7 @@ fn ending(scene: &HardScene, peel: &Peel) -> Check {
     let found = Ending::of(&peel.end);
     let computed = if found == scene.expected { Ok(1.0) } else { Err(format!("the path ended {:?}", peel.end)) };
     let name = format!("{}: ends {:?}; {}", scene.name, scene.expected, effort(peel));
-    Check::new(NAME, name, "scenes/hard", computed, 1.0, Measure::Absolute, 0.0)
+    Check::new(name, "scenes/hard", computed, 1.0, Measure::Absolute, 0.0)
 }
 
 fn effort(peel: &Peel) -> String {
@@ -55,7 +60,7 @@ fn numbers(scene: &HardScene, peel: &Peel, rows: &[Row]) -> Vec<Check> {
         let bound = reported.map_or(f64::NAN, |(_, bound)| bound / exact.abs());
         let name = format!("{}: error of {quantity} over its bound, which is {bound:.1e} of {text}", scene.name);
         let computed = reported.map(over).ok_or_else(|| "not reported".to_owned());
-        Some(Check::new(NAME, name, SOURCE, computed, 1.0, Measure::AtMost, 0.0))
+        Some(Check::new(name, SOURCE, computed, 1.0, Measure::AtMost, 0.0))
     };
     bounds::reported(peel).into_iter().filter_map(check).collect()
 }

@@ -1,14 +1,14 @@
 //! The pieces of a profile as a scene writes them.
 
-use super::error::one_line;
-use super::near::nearest;
+use super::Value;
 use super::quantity::Dimension;
 use super::steps::quantity;
-use super::value::Value;
+use crate::error::one_line;
+use crate::near::nearest;
 use peelkit::model::{Course, Piece, ProfilePieces, angle_text};
 
 /// What a list of pieces takes.
-pub(super) const TAKES: &str = "a list of pieces from the free end on, each with length, width and height and, optionally, roundness (0: rectangle, 1: \
+pub(crate) const TAKES: &str = "a list of pieces from the free end on, each with length, width and height and, optionally, roundness (0: rectangle, 1: \
                                 ellipse), bend (rotation of the underside along the piece), course and height_course (\"linear\" or \"smooth\"); width, height and \
                                 roundness are one value, or two: at the beginning and at the end";
 
@@ -18,13 +18,13 @@ const NEEDED: usize = 3;
 const COURSES: [(&str, Course); 2] = [("linear", Course::Linear), ("smooth", Course::Smooth)];
 
 /// What is wrong with pieces, and with which of them, counted from 0.
-pub(super) struct Fault {
+pub(crate) struct Fault {
     pub item: Option<usize>,
     pub found: String,
 }
 
 /// Reads the pieces of a list.
-pub(super) fn read(items: &[Value]) -> Result<ProfilePieces, Fault> {
+pub(crate) fn read(items: &[Value]) -> Result<ProfilePieces, Fault> {
     let piece = |(item, value): (usize, &Value)| {
         let number = item + 1;
         let read = match value {
@@ -106,7 +106,7 @@ fn course(value: &Value) -> Result<Course, String> {
 }
 
 /// Pieces as a scene writes them.
-pub(super) fn written(pieces: &ProfilePieces) -> Value {
+pub(crate) fn written(pieces: &ProfilePieces) -> Value {
     let nanometres = |length: f64| Value::Text(format!("{length} nm"));
     let both = |[begins, ends]: [f64; 2], value: fn(f64) -> Value| {
         if begins == ends { value(begins) } else { Value::List(vec![value(begins), value(ends)]) }

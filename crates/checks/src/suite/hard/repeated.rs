@@ -4,8 +4,8 @@
 //! number of it is rounded otherwise, from the first element to the last step. What differs is round-off, and what follows from it:
 //! other steps, other meshes where a decision was close. Both runs' bounds together must cover it.
 
-use super::check::{Check, Measure};
-use super::hard_scene::HardScene;
+use super::scene::HardScene;
+use crate::suite::check::{Check, Measure};
 use peelkit::model::{Body, PeelModel};
 use peelkit::study::{Accuracy, LimitPoint, LimitPointKind, PathEnd, Peel, peel};
 use peelkit_scene::Bounds;
@@ -47,11 +47,11 @@ impl Repeated {
 
 /// For each accuracy: how many numbers of the scenes are not the same in other units, within their bounds, and how many turning
 /// points are not there.
-pub(super) fn checks(topic: &'static str, scenes: &[HardScene]) -> Vec<Check> {
-    ACCURACIES.iter().flat_map(|&relative| checks_at(topic, scenes, relative)).collect()
+pub(super) fn checks(scenes: &[HardScene]) -> Vec<Check> {
+    ACCURACIES.iter().flat_map(|&relative| checks_at(scenes, relative)).collect()
 }
 
-fn checks_at(topic: &'static str, scenes: &[HardScene], relative: f64) -> [Check; 2] {
+fn checks_at(scenes: &[HardScene], relative: f64) -> [Check; 2] {
     let chosen = scenes.par_iter().filter(|scene| scene.name != RIPPLES.0 || relative >= RIPPLES.1);
     let all = chosen.map(|scene| repeated(scene, relative)).reduce(Repeated::default, Repeated::and);
     let Repeated { compared, worst, wrong, alone: [displacement, load] } = all;
@@ -61,9 +61,8 @@ fn checks_at(topic: &'static str, scenes: &[HardScene], relative: f64) -> [Check
         "{of}: of {compared} numbers, how many differ by more than both bounds; most {worst:.2} of them{first}"
     );
     let missing = format!("{of}: displacement limit points that one run alone has (load limit points: {load})");
-    let check = |name, count: usize| {
-        Check::new(topic, name, "the same in nm and nN", Ok(count as f64), 0.0, Measure::AtMost, 0.0)
-    };
+    let check =
+        |name, count: usize| Check::new(name, "the same in nm and nN", Ok(count as f64), 0.0, Measure::AtMost, 0.0);
     [check(differ, wrong.len()), check(missing, displacement)]
 }
 

@@ -1,14 +1,13 @@
 //! Strips that friction holds against collocation.
 
-use super::check::{Check, Topic};
 use super::turns::Turns;
+use crate::suite::check::{Check, Topic};
 
-pub(super) const TOPIC: Topic =
-    Topic { name: "friction", about: "strips with friction along the substrate: collocation", run };
+pub(in crate::suite) const TOPIC: Topic =
+    Topic { name: "friction", about: "strips with friction along the substrate: collocation", checks };
 
 const TABLE: Turns = Turns {
-    topic: TOPIC.name,
-    table: include_str!("../../../../verification/friction.csv"),
+    table: include_str!("../../../../../verification/friction.csv"),
     source: "verification/friction.py: collocation",
     named: &[
         ("tau0_GPa", "τ0 = ", " GPa"),
@@ -20,6 +19,6 @@ const TABLE: Turns = Turns {
     ],
 };
 
-fn run() -> Vec<Check> {
+fn checks() -> Vec<Check> {
     TABLE.checks()
 }

@@ -1,0 +1,12 @@
+//! What a run found, laid out for a person.
+
+mod layout;
+mod number;
+mod observed;
+mod peel;
+mod sweep;
+
+pub use number::spaced;
+pub use observed::observed;
+pub use peel::{peel, taken};
+pub use sweep::{followed, sweep};

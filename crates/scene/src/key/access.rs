@@ -1,0 +1,150 @@
+//! A value goes into a scene under its key, and comes out again.
+
+use super::choice::{HOLDS, LINE_LOADS, STARTS, TERMS, attractions, word};
+use super::{Key, Kind};
+use crate::error::Problem;
+use crate::scene::Scene;
+use crate::shape;
+use crate::value::pieces;
+use crate::value::quantity::parse_quantity;
+use crate::value::steps;
+use crate::value::table::{read_heights, read_profile};
+use crate::value::{Value, quoted};
+use peelkit::adhesion::Substrate;
+use peelkit::model::{Measured, ProfileForm, Range};
+use std::sync::Arc;
+
+impl Key {
+    /// Puts a value into the scene if it is in range.
+    pub(crate) fn store(&self, scene: &mut Scene, value: &Value) -> Result<(), Problem> {
+        match (&self.kind, value) {
+            (Kind::Text(place), Value::Text(text)) => *place(scene) = text.clone(),
+            (Kind::Flag(place), &Value::Flag(flag)) => *place(scene) = flag,
+            (Kind::Table(place), Value::Text(text)) => {
+                let (table, text) =
+                    read_profile(&scene.name, text).map_err(|found| Problem::new(found, self.remedy()))?;
+                *place(scene) = ProfileForm::Table(table);
+                scene.table_texts.profile = text;
+            }
+            (Kind::Pieces(place), Value::List(items)) => {
+                let problem =
+                    |fault: pieces::Fault| Problem { item: fault.item, ..Problem::new(fault.found, self.remedy()) };
+                *place(scene) = ProfileForm::Pieces(pieces::read(items).map_err(problem)?);
+            }
+            (Kind::Attraction(place), Value::Text(word)) => *place(scene) = self.pick(&attractions(), word)?,
+            (Kind::LineLoad(place), Value::Text(word)) => *place(scene) = self.pick(LINE_LOADS, word)?,
+            (Kind::Hold(place), Value::Text(word)) => *place(scene) = self.pick(HOLDS, word)?,
+            (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
+            (Kind::Terms(place), Value::Text(word)) => *place(scene) = self.pick(TERMS, word)?,
+            (Kind::Steps(place), Value::List(items)) => {
+                let text = |item: &Value| if let Value::Text(text) = item { Some(text.clone()) } else { None };
+                let texts = items.iter().map(text).collect::<Option<Vec<_>>>().ok_or_else(|| self.wrong_type(value))?;
+                *place(scene) = steps::read(&texts).map_err(|found| Problem::new(found, self.remedy()))?;
+            }
+            (Kind::Shape(place), Value::Text(word)) => {
+                let name = self.pick(&shape::names(), word)?;
+                place(scene).take_shape(name);
+                if !matches!(place(scene), Substrate::Profile(_)) {
+                    scene.table_texts.substrate.clear();
+                }
+            }
+            (Kind::Heights(place), Value::Text(text)) => {
+                let (heights, text) =
+                    read_heights(&scene.name, text).map_err(|found| Problem::new(found, self.remedy()))?;
+                *place(scene) = Substrate::Profile(Arc::new(heights));
+                scene.table_texts.substrate = text;
+            }
+            (
+                Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _),
+                Value::Text(text),
+            ) => {
+                let number = parse_quantity(text, *dimension).map_err(|e| self.no_quantity(text, *dimension, e))?;
+                self.store_number(scene, number)?;
+            }
+            (Kind::Number(..) | Kind::Share(..) | Kind::Count(_) | Kind::Fixed(..), &Value::Number(number)) => {
+                self.store_number(scene, number)?;
+            }
+            (_, value) => return Err(self.wrong_type(value)),
+        }
+        Ok(())
+    }
+
+    /// Puts a number into the scene, in the unit of the library, if it is in range.
+    ///
+    /// Fails where it is out of range, is not whole where it has to be, or the key does not belong to the scene.
+    pub fn store_number(&self, scene: &mut Scene, number: f64) -> Result<(), Problem> {
+        if !self.belongs_to(scene) {
+            return Err(self.foreign(scene));
+        }
+        let range = match self.kind {
+            Kind::Number(range, _) | Kind::Share(range, _) | Kind::Measure(_, range, _) => range,
+            Kind::Count(_) => Range::From(1.0, 1e9),
+            Kind::Fixed(most, _) => Range::From(1.0, most as f64),
+            _ => Range::Positive,
+        };
+        let found = Measured { value: number, unit: self.unit() };
+        range.check(found).map_err(|wrong| Problem::new(wrong.to_string(), self.remedy()))?;
+        match self.kind {
+            Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => *place(scene) = number,
+            Kind::Bound(_, place) | Kind::Share(_, place) => *place(scene) = Some(number),
+            Kind::Count(_) | Kind::Fixed(..) if number.fract() != 0.0 => {
+                return Err(Problem::new(format!("is {found}, which is not whole"), self.remedy()));
+            }
+            Kind::Count(place) => *place(scene) = number as usize,
+            Kind::Fixed(_, place) => *place(scene) = Some(number as usize),
+            _ => return Err(Problem::new("is not a number", self.remedy())),
+        }
+        Ok(())
+    }
+
+    /// Reads a text of the command line as a number of this key, in the unit of the library.
+    ///
+    /// Fails where it is no number, or its unit is missing, unknown or of something else.
+    pub fn parse_number(&self, text: &str) -> Result<f64, Problem> {
+        match self.kind {
+            Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => {
+                parse_quantity(text, dimension).map_err(|e| self.no_quantity(text, dimension, e))
+            }
+            _ => text
+                .trim()
+                .parse()
+                .map_err(|_| Problem::new(format!("is {}, not a number", quoted(text)), self.remedy())),
+        }
+    }
+
+    /// What the scene holds for this key; nothing for a bound that is not set.
+    pub fn value(&self, scene: &Scene) -> Option<Value> {
+        let mut scene = scene.clone();
+        Some(match self.kind {
+            Kind::Text(place) => Value::Text(place(&mut scene).clone()),
+            Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => {
+                Value::Number(*place(&mut scene))
+            }
+            Kind::Bound(_, place) | Kind::Share(_, place) => Value::Number((*place(&mut scene))?),
+            Kind::Fixed(_, place) => Value::Number((*place(&mut scene))? as f64),
+            Kind::Count(place) => Value::Number(*place(&mut scene) as f64),
+            Kind::Flag(place) => Value::Flag(*place(&mut scene)),
+            Kind::Table(place) => match place(&mut scene) {
+                ProfileForm::Table(_) => Value::Text(scene.table_texts.profile.clone()),
+                ProfileForm::Pieces(_) => return None,
+            },
+            Kind::Pieces(place) => match place(&mut scene) {
+                ProfileForm::Pieces(pieces) => pieces::written(pieces),
+                ProfileForm::Table(_) => return None,
+            },
+            Kind::Attraction(place) => Value::Text(place(&mut scene).name().to_owned()),
+            Kind::LineLoad(place) => Value::Text(word(LINE_LOADS, *place(&mut scene))),
+            Kind::Hold(place) => Value::Text(word(HOLDS, *place(&mut scene))),
+            Kind::Start(place) => Value::Text(word(STARTS, *place(&mut scene))),
+            Kind::Terms(place) => Value::Text(word(TERMS, *place(&mut scene))),
+            Kind::Steps(place) => {
+                Value::List(place(&mut scene).iter().map(|step| Value::Text(step.to_string())).collect())
+            }
+            Kind::Shape(place) => Value::Text(place(&mut scene).name().to_owned()),
+            Kind::Heights(place) => match place(&mut scene) {
+                Substrate::Profile(_) => Value::Text(scene.table_texts.substrate.clone()),
+                _ => return None,
+            },
+        })
+    }
+}

@@ -1,0 +1,164 @@
+//! What is said about a key: what it takes, an example, and what is wrong with a value.
+
+use super::choice::{HOLDS, LINE_LOADS, STARTS, TERMS, attractions, words};
+use super::{Key, Kind};
+use crate::error::{Problem, one_line};
+use crate::near::nearest;
+use crate::shape;
+use crate::value::pieces;
+use crate::value::quantity::{Dimension, QuantityError};
+use crate::value::steps;
+use crate::value::{Value, quoted, show};
+
+impl Key {
+    /// What the key takes, in words.
+    pub fn takes(&self) -> String {
+        match self.kind {
+            Kind::Text(_) => "a text in quotes".into(),
+            Kind::Number(range, _) | Kind::Share(range, _) => range.to_string(),
+            Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => {
+                format!("{dimension} above zero with its unit in quotes ({})", dimension.units().join(", "))
+            }
+            Kind::Measure(dimension, range, _) => {
+                let (unit, units) = (dimension.unit(), dimension.units().join(", "));
+                format!("{dimension} with its unit in quotes ({units}), {range} in {unit}")
+            }
+            Kind::Count(_) => "a whole number from 1 to 1e9".into(),
+            Kind::Fixed(most, _) => format!("a whole number from 1 to {most}"),
+            Kind::Flag(_) => "true or false".into(),
+            Kind::Table(_) => {
+                "a CSV in quotes, or the name of a file beside the scene: one row for each position, with the columns s_nm, \
+                               width_nm, height_nm and, optionally, angle_deg and roundness"
+                    .into()
+            }
+            Kind::Attraction(_) => words(&attractions()),
+            Kind::LineLoad(_) => words(LINE_LOADS),
+            Kind::Hold(_) => words(HOLDS),
+            Kind::Start(_) => words(STARTS),
+            Kind::Terms(_) => words(TERMS),
+            Kind::Steps(_) => steps::TAKES.into(),
+            Kind::Pieces(_) => pieces::TAKES.into(),
+            Kind::Shape(_) => words(&shape::names()),
+            Kind::Heights(_) => {
+                "a CSV in quotes, or the name of a file beside the scene: one row for each position, with the columns x_nm and \
+                               height_nm"
+                    .into()
+            }
+        }
+    }
+
+    /// A value that is right, as it stands in a scene.
+    pub fn example(&self) -> &'static str {
+        match (self.name, &self.kind) {
+            ("length" | "wavelength", _) => "\"100 nm\"",
+            ("radius", _) => "\"200 nm\"",
+            ("height", _) => "\"10 nm\"",
+            ("equilibrium_distance", _) => "\"0.4 nm\"",
+            ("poissons_ratio", _) => "0.2",
+            ("shear_correction", _) => "0.8333333333333334",
+            ("presliding", _) => "\"0.01 nm\"",
+            ("coefficient", _) => "0.3",
+            ("relative", _) => "1e-6",
+            ("order", _) => "7",
+            (_, Kind::Text(_)) => "\"Peeling of a strip\"",
+            (_, Kind::Number(..)) => "1.0",
+            (_, Kind::Measure(Dimension::Angle, ..) | Kind::Quantity(Dimension::Angle, _)) => "\"45 deg\"",
+            (_, Kind::Bound(Dimension::Angle, _)) => "\"45 deg\"",
+            (_, Kind::Measure(Dimension::AnglePerLength, ..) | Kind::Quantity(Dimension::AnglePerLength, _)) => {
+                "\"0.5 deg/nm\""
+            }
+            (_, Kind::Bound(Dimension::AnglePerLength, _)) => "\"0.5 deg/nm\"",
+            (_, Kind::Measure(..)) => "\"0 nm\"",
+            (_, Kind::Quantity(Dimension::Length, _)) => "\"1 nm\"",
+            (_, Kind::Bound(Dimension::Length, _)) => "\"500 nm\"",
+            (_, Kind::Quantity(Dimension::Pressure, _) | Kind::Bound(Dimension::Pressure, _)) => "\"2 GPa\"",
+            (_, Kind::Quantity(Dimension::Energy, _) | Kind::Bound(Dimension::Energy, _)) => "\"1e-19 J\"",
+            (_, Kind::Quantity(Dimension::Time, _) | Kind::Bound(Dimension::Time, _)) => "\"60 s\"",
+            (_, Kind::Quantity(Dimension::Stiffness, _) | Kind::Bound(Dimension::Stiffness, _)) => "\"0.5 N/m\"",
+            (_, Kind::Quantity(Dimension::Work, _) | Kind::Bound(Dimension::Work, _)) => "\"0.03 J/m2\"",
+            (_, Kind::Quantity(Dimension::Force, _) | Kind::Bound(Dimension::Force, _)) => "\"1 nN\"",
+            (_, Kind::Count(_)) => "20000",
+            (_, Kind::Fixed(..)) => "20",
+            (_, Kind::Share(..)) => "0.01",
+            (_, Kind::Flag(_)) => "true",
+            (_, Kind::Table(_)) => "\"s_nm,width_nm,height_nm\\n0,20,5\\n100,20,10\"",
+            (_, Kind::Pieces(_)) => "[{ length = \"90 nm\", width = [\"9 nm\", \"5 nm\"], height = \"5 nm\" }]",
+            (_, Kind::Attraction(_)) => "\"bilinear\"",
+            (_, Kind::LineLoad(_)) => "\"full\"",
+            (_, Kind::Hold(_)) => "\"fixed\"",
+            (_, Kind::Steps(_)) => "[\"press 0.1 nm\", \"turn 1 deg\", \"hold\"]",
+            (_, Kind::Start(_)) => "\"conformed\"",
+            (_, Kind::Terms(_)) => "\"auto\"",
+            (_, Kind::Shape(_)) => "\"flat\"",
+            (_, Kind::Heights(_)) => "\"x_nm,height_nm\\n0,0\\n50,-8\\n100,0\"",
+        }
+    }
+
+    /// A line of a scene that is right.
+    pub(crate) fn example_line(&self) -> String {
+        format!("{} = {}", self.name, self.example())
+    }
+
+    pub(super) fn remedy(&self) -> String {
+        format!("`{}` takes {}; for example {}", self.name, self.takes(), self.example_line())
+    }
+
+    pub(super) fn pick<T: Copy>(&self, choices: &[(&'static str, T)], found: &str) -> Result<T, Problem> {
+        if let Some(&(_, choice)) = choices.iter().find(|(word, _)| *word == found) {
+            return Ok(choice);
+        }
+        let near = nearest(found, choices.iter().map(|&(word, _)| word));
+        let guess = near.map(|word| format!("Did you mean \"{word}\"? ")).unwrap_or_default();
+        Err(Problem::new(
+            format!("is {}, which is none of its values", quoted(found)),
+            format!("{guess}{}", self.remedy()),
+        ))
+    }
+
+    pub(super) fn no_quantity(&self, text: &str, dimension: Dimension, error: QuantityError) -> Problem {
+        match error {
+            QuantityError::NoNumber => {
+                Problem::new(format!("is {}, which does not begin with a number", quoted(text)), self.remedy())
+            }
+            QuantityError::NoUnit => self.no_unit(&quoted(text), &one_line(text.trim()), dimension),
+            QuantityError::UnknownUnit { unit, near } => {
+                let guess = near.map(|near| format!("Did you mean \"{near}\"? ")).unwrap_or_default();
+                Problem::new(
+                    format!("is {}, whose unit {} is not known", quoted(text), quoted(&unit)),
+                    format!("{guess}{}", self.remedy()),
+                )
+            }
+            QuantityError::WrongDimension { unit, measures } => {
+                Problem::new(format!("is {}: {unit} measures {measures}, not {dimension}", quoted(text)), self.remedy())
+            }
+        }
+    }
+
+    fn no_unit(&self, found: &str, number: &str, dimension: Dimension) -> Problem {
+        let unit = dimension.unit();
+        let remedy = format!("Write \"{number} {unit}\" if {unit} is meant. {}", self.remedy());
+        Problem::new(format!("is {found}, a number without a unit"), remedy)
+    }
+
+    pub(super) fn wrong_type(&self, value: &Value) -> Problem {
+        match (&self.kind, value) {
+            (
+                Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _),
+                Value::Number(number),
+            ) => self.no_unit(&show(*number), &show(*number), *dimension),
+            (Kind::Number(..) | Kind::Share(..) | Kind::Count(_) | Kind::Fixed(..), Value::Text(text))
+                if text.trim().parse::<f64>().is_ok() =>
+            {
+                Problem::new(
+                    format!("is {}, a number in quotes", quoted(text)),
+                    format!("Remove the quotes: {} = {}", self.name, one_line(text.trim())),
+                )
+            }
+            (Kind::Flag(_), Value::Text(text)) if matches!(text.trim(), "true" | "false") => Problem::new(
+                format!("is {} in quotes", quoted(text)),
+                format!("Remove the quotes: {} = {}", self.name, text.trim()),
+            ),
+            _ => Problem::new(format!("is {value}"), self.remedy()),
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! What needs no computation: help, and input that is refused.
+
+use super::{bench, peel, sweep};
+use std::fs;
+use tempfile::tempdir;
+
+#[test]
+fn help_is_enough_to_work_from() {
+    let dir = bench();
+    for args in [vec!["--help"], vec!["run", "--help"], vec!["sweep", "--help"]] {
+        let help = peel(dir.path(), &args);
+        assert_eq!((help.status, help.stderr.as_str()), (0, ""));
+        for part in ["strip.length", "youngs_modulus", "GPa", "force-only", "Exit status", "Examples", "required"] {
+            assert!(help.stdout.contains(part), "{part} is not in the help of {args:?}");
+        }
+        let widest = help.stdout.lines().map(|line| line.chars().count()).max();
+        assert!(widest <= Some(120), "{args:?}: {widest:?} columns");
+    }
+}
+
+#[test]
+fn usage_errors_are_bad_input() {
+    let dir = bench();
+    peel(dir.path(), &[]).is_bad_input(&["Usage"]);
+    peel(dir.path(), &["pull"]).is_bad_input(&["pull"]);
+    peel(dir.path(), &["run"]).is_bad_input(&["SCENE"]);
+    peel(dir.path(), &["run", "strip.toml", "--colour"]).is_bad_input(&["--colour"]);
+    peel(dir.path(), &["run", "strip.toml", "--set", "strip.length"]).is_bad_input(&["KEY=VALUE"]);
+    peel(dir.path(), &["sweep", "strip.toml", "--vary", "strip.length"]).is_bad_input(&["--from", "--to", "--points"]);
+}
+
+#[test]
+fn a_scene_that_cannot_be_read_is_bad_input() {
+    let dir = bench();
+    peel(dir.path(), &["run", "none.toml"]).is_bad_input(&["none.toml", "peel new"]);
+    peel(dir.path(), &["run", "."]).is_bad_input(&["cannot read the scene"]);
+    fs::write(dir.path().join("latin.toml"), b"# first\ntitle = \"na\xefve\"").unwrap();
+    peel(dir.path(), &["run", "latin.toml"]).is_bad_input(&["latin.toml, line 2", "UTF-8"]);
+    fs::write(dir.path().join("empty.toml"), "").unwrap();
+    peel(dir.path(), &["run", "empty.toml"]).is_bad_input(&["empty.toml, line 1", "[strip]"]);
+    assert!(!dir.path().join("out").exists(), "nothing is written for a scene that cannot be used");
+}
+
+#[test]
+fn a_mistake_in_a_scene_is_shown_where_it_stands() {
+    let dir = bench();
+    let text = fs::read_to_string(dir.path().join("strip.toml")).unwrap();
+    let line = 1 + text.lines().position(|line| line.starts_with("length")).unwrap();
+    let place = format!("bad.toml, line {line}: ");
+    for (wrong, parts) in [
+        ("length = 200", ["`strip.length` is 200, a number without a unit", "\"200 nm\""]),
+        ("length = \"200 GPa\"", ["`strip.length` is \"200 GPa\": GPa measures a pressure", "for example length ="]),
+        ("length = 200 nm", ["`length` is not TOML", "length = \"100 nm\""]),
+        ("lenght = \"200 nm\"", ["`strip.lenght` is not a key", "Did you mean `length`?"]),
+        ("length = \"-1 nm\"", ["`strip.length` is -1 nm", "above zero"]),
+        ("length = \"nan nm\"", ["`strip.length` is NaN nm", "above zero"]),
+    ] {
+        fs::write(dir.path().join("bad.toml"), text.replace("length = \"200 nm\"", wrong)).unwrap();
+        for command in [&["run", "bad.toml"][..], &["run", "bad.toml", "--json"]] {
+            peel(dir.path(), command).is_bad_input(&[&place, parts[0], parts[1], wrong]);
+        }
+    }
+}
+
+#[test]
+fn a_mistake_in_an_override_is_bad_input() {
+    let dir = bench();
+    let set = |text: &str| peel(dir.path(), &["run", "strip.toml", "--set", text]);
+    set("strip.length=100").is_bad_input(&["--set strip.length=100", "without a unit", "\"100 nm\""]);
+    set("length=100nm").is_bad_input(&["--set length=100nm", "Did you mean `strip.length`?"]);
+    set("strip.poissons_ratio=0.5").is_bad_input(&["`strip.poissons_ratio` is 0.5", "between -1 and 0.5"]);
+    set("grip.rotation=fix").is_bad_input(&["`grip.rotation` is \"fix\"", "\"free\" or \"fixed\""]);
+}
+
+#[test]
+fn a_sweep_that_makes_no_sense_is_bad_input() {
+    let dir = bench();
+    let dir = dir.path();
+    sweep(dir, "strip.lengh", "1 nm", "2 nm", "2").is_bad_input(&["--vary strip.lengh", "`strip.length`"]);
+    sweep(dir, "colour", "1 nm", "2 nm", "2").is_bad_input(&["--vary colour", "strip.height"]);
+    sweep(dir, "grip.rotation", "1", "2", "2").is_bad_input(&["--vary grip.rotation is not a number", "strip.length"]);
+    sweep(dir, "strip.length", "1", "2 nm", "2").is_bad_input(&["--from for strip.length", "without a unit"]);
+    sweep(dir, "strip.length", "1 nm", "2 GPa", "2").is_bad_input(&["--to for strip.length", "measures a pressure"]);
+    sweep(dir, "strip.length", "0 nm", "2 nm", "2").is_bad_input(&["--from for strip.length", "above zero"]);
+    sweep(dir, "strip.length", "1 nm", "nan nm", "2").is_bad_input(&["--to for strip.length", "not a finite number"]);
+    sweep(dir, "strip.poissons_ratio", "-0.5", "0.5", "2").is_bad_input(&["--to for strip.poissons_ratio", "0.5"]);
+    sweep(dir, "strip.poissons_ratio", "-0.5 nm", "0.4", "2").is_bad_input(&["--from", "not a number"]);
+    sweep(dir, "strip.length", "1 nm", "2 nm", "0").is_bad_input(&["--points", "1..="]);
+    sweep(dir, "strip.length", "1 nm", "2 nm", "-3").is_bad_input(&["-3"]);
+    sweep(dir, "bounds.points", "1", "2", "3").is_bad_input(&["bounds.points between --from and --to", "1.5"]);
+    let log = ["sweep", "strip.toml", "--vary", "strip.poissons_ratio", "--from", "-0.5", "--to", "0.4"];
+    let log = [&log[..], &["--points", "3", "--log"]].concat();
+    peel(dir, &log).is_bad_input(&["--from -0.5 is not above zero", "--log"]);
+}
+
+#[test]
+fn new_writes_a_scene_that_is_right_and_overwrites_nothing() {
+    let dir = tempdir().unwrap();
+    let new = |args: &[&str]| peel(dir.path(), &[&["new"], args].concat());
+    for (args, file) in [(&[][..], "strip.toml"), (&["mine"], "mine.toml"), (&["v1.2"], "v1.2.toml")] {
+        let made = new(args);
+        assert_eq!((made.status, made.stderr.as_str()), (0, ""));
+        assert!(made.stdout.contains(file), "{}", made.stdout);
+        let text = fs::read_to_string(dir.path().join(file)).unwrap();
+        assert_eq!(text, include_str!("../../../scenes/strip.toml"));
+    }
+    fs::write(dir.path().join("mine.toml"), "kept").unwrap();
+    for name in ["mine", "mine.toml"] {
+        new(&[name]).is_bad_input(&["mine.toml exists", "peel new NAME"]);
+    }
+    assert_eq!(fs::read_to_string(dir.path().join("mine.toml")).unwrap(), "kept");
+    assert_eq!(new(&["no/such/folder/x"]).status, 1);
+}

@@ -1,0 +1,72 @@
+//! The scenes that come with the program, and the examples that its messages give.
+
+use crate::text::{MINIMAL, PIECES, PROFILE, SPATULA, set};
+use peelkit::model::Spatula;
+use peelkit_scene::{KEYS, Key, Need, Scene};
+
+/// A strip on ground of this shape, with an example for each of its keys.
+fn on_ground(shape: &str) -> String {
+    let keys =
+        KEYS.iter().filter(|key| key.table == "substrate" && key.name != "shape" && key.shapes().contains(&shape));
+    let lines: String = keys.map(|key| format!("{} = {}\n", key.name, key.example())).collect();
+    format!("{MINIMAL}[substrate]\nshape = \"{shape}\"\n{lines}")
+}
+
+#[test]
+fn every_example_that_messages_give_is_right() {
+    for key in KEYS {
+        let text = match key.table {
+            "spatula" => SPATULA.to_owned(),
+            "profile" if key.name == "pieces" => PIECES.to_owned(),
+            "profile" => PROFILE.to_owned(),
+            "substrate" => on_ground(key.shapes()[0]),
+            "friction" => format!("{MINIMAL}[friction]\nstrength = \"50 MPa\"\n"),
+            _ if ["work", "strength"].contains(&key.name) => {
+                MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")
+            }
+            _ if ["turn", "steps"].contains(&key.name) => format!("{MINIMAL}[grip]\nrotation = \"fixed\"\n"),
+            _ if key.name == "pretension" => format!("{MINIMAL}[grip]\nhorizontal = \"fixed\"\n"),
+            _ => MINIMAL.to_owned(),
+        };
+        Scene::parse("a.toml", &text, &set(&key.path(), key.example())).unwrap();
+    }
+}
+
+#[test]
+fn the_ready_scenes_are_right() {
+    let strips = ["strip", "strip-100nm", "strip-soft", "strip-rough", "strip-friction", "strip-auto"];
+    for name in strips.into_iter().chain(["spatula", "spatula-rough", "profile"]) {
+        let path = format!("{}/../../scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+        Scene::parse(&path, &std::fs::read_to_string(&path).unwrap(), &[]).unwrap();
+    }
+}
+
+#[test]
+fn the_ready_spatula_is_the_default() {
+    let text = include_str!("../../scenes/spatula.toml");
+    assert_eq!(Scene::parse("spatula.toml", text, &[]).unwrap().model, Spatula::default().model());
+}
+
+#[test]
+fn the_remarks_of_the_ready_scene_show_the_defaults() {
+    ["strip", "spatula", "profile"].into_iter().for_each(assert_remarks_show_defaults);
+}
+
+fn assert_remarks_show_defaults(name: &str) {
+    let path = format!("{}/../../scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap();
+    // Every remark that is a line of a scene, but for what has no default.
+    let is_line = |line: &str| {
+        let rest = line.strip_prefix("# ").unwrap_or_default();
+        let name = rest.split(" =").next().unwrap_or_default();
+        (rest.starts_with('[') || KEYS.iter().any(|key| key.name == name)) && !rest.contains("unless given")
+    };
+    let uncommented: Vec<&str> = text.lines().map(|line| if is_line(line) { &line[2..] } else { line }).collect();
+    let plain = Scene::parse(&path, &text, &[]).unwrap();
+    assert_eq!(Scene::parse(&path, &uncommented.join("\n"), &[]).unwrap(), plain);
+    let of_a_strip = |key: &Key| key.name != "pretension" || plain.model.strip().is_some();
+    let shown = |key: &&Key| key.need == Need::Optional && key.belongs_to(&plain) && of_a_strip(key);
+    for key in KEYS.iter().filter(shown) {
+        assert!(text.contains(&format!("{} = ", key.name)), "{} is not shown", key.path());
+    }
+}
