@@ -5,6 +5,7 @@
 
 mod check_text;
 mod figures;
+pub mod sampled;
 pub mod suite;
 mod work_precision;
 

@@ -5,6 +5,7 @@ use crate::help;
 use crate::output::{progress_bar, say};
 use crate::stop::Stop;
 use clap::Args;
+use peelkit_checks::sampled::{SampleKind, survey_sample};
 use peelkit_checks::suite::{Check, TOPICS, Topic, hard};
 use peelkit_checks::{check_line, checks_json};
 
@@ -20,12 +21,27 @@ pub struct Verify {
     #[arg(long, conflicts_with = "only")]
     hard: bool,
 
+    /// Peels so many randomly sampled scenes instead, and prints how they end and whether their bounds hold
+    #[arg(long, value_name = "N", conflicts_with_all = ["only", "hard"])]
+    sampled: Option<u64>,
+
+    /// What is sampled: strip, angle, spatula or law; all of them unless given
+    #[arg(long, value_name = "KIND", requires = "sampled")]
+    kind: Option<String>,
+
+    /// Another seed gives other scenes
+    #[arg(long, value_name = "S", requires = "sampled", default_value_t = 1)]
+    seed: u64,
+
     /// Prints one JSON object and nothing else
-    #[arg(long)]
+    #[arg(long, conflicts_with = "sampled")]
     json: bool,
 }
 
 pub fn verify(args: &Verify) -> Result<(), Stop> {
+    if let Some(count) = args.sampled {
+        return sampled(args, count);
+    }
     let suites = chosen(args)?;
     let bar = progress_bar(suites.len());
     let mut checks: Vec<Check> = Vec::new();
@@ -46,6 +62,25 @@ pub fn verify(args: &Verify) -> Result<(), Stop> {
         say(&format!("{} checks: {} passed, {failed} failed\n", checks.len(), checks.len() - failed))?;
     }
     if failed == 0 { Ok(()) } else { Err(Stop::other(format!("{failed} of {} checks failed", checks.len()))) }
+}
+
+/// Peels a sample of each kind that is wanted.
+fn sampled(args: &Verify, count: u64) -> Result<(), Stop> {
+    let known = || SampleKind::ALL.map(SampleKind::name).join(", ");
+    let kinds = match &args.kind {
+        None => SampleKind::ALL.to_vec(),
+        Some(name) => vec![
+            SampleKind::named(name)
+                .ok_or_else(|| Stop::bad_input(format!("--kind {name} is no kind"), format!("kinds: {}", known())))?,
+        ],
+    };
+    let bar = progress_bar(usize::try_from(count).unwrap_or(usize::MAX).saturating_mul(kinds.len()));
+    for kind in kinds {
+        let survey = survey_sample(kind, args.seed, count, &|| bar.inc(1)).map_err(Stop::other)?;
+        bar.suspend(|| say(&survey.table()))?;
+    }
+    bar.finish_and_clear();
+    Ok(())
 }
 
 /// What is to be run.

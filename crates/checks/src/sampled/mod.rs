@@ -1,0 +1,9 @@
+//! Scenes sampled over wide ranges of material and size: how often a path fails, and whether its bounds hold.
+
+mod run;
+mod scene;
+mod survey;
+
+pub use run::{Outside, Run, Sampled, WAYS, Way, sampled};
+pub use scene::{SampleKind, scene_text};
+pub use survey::{SampleSurvey, survey_sample};

@@ -1,0 +1,130 @@
+//! What became of a whole sample: the share of each end, the causes of failures, what they cost, and the bounds that did not hold.
+
+use super::run::{Outside, Sampled, WAYS, sampled};
+use super::scene::SampleKind;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// What became of a sample.
+#[derive(Clone, Debug)]
+pub struct SampleSurvey {
+    /// What was sampled.
+    pub kind: SampleKind,
+    /// Of the sample.
+    pub seed: u64,
+    /// In the order of their numbers.
+    pub scenes: Vec<Sampled>,
+}
+
+/// Samples `count` scenes and peels them, on all cores; `done` is called behind each.
+///
+/// # Errors
+/// A sampled scene that cannot be read, with its text: a fault of the sampler.
+pub fn survey_sample(
+    kind: SampleKind,
+    seed: u64,
+    count: u64,
+    done: &(dyn Fn() + Sync),
+) -> Result<SampleSurvey, String> {
+    let one = |index| {
+        let scene = sampled(kind, seed, index);
+        done();
+        scene
+    };
+    let scenes: Result<Vec<Sampled>, String> = (0..count).into_par_iter().map(one).collect();
+    Ok(SampleSurvey { kind, seed, scenes: scenes? })
+}
+
+impl SampleSurvey {
+    /// How many scenes ended so when peeled in a way.
+    pub fn count(&self, way: usize, end: &str) -> usize {
+        self.scenes.iter().filter(|scene| scene.runs[way].end == end).count()
+    }
+
+    /// Scenes that failed when peeled in a way, each with its reason.
+    pub fn failed(&self, way: usize) -> impl Iterator<Item = (u64, &str)> {
+        self.with_end(way, "failed")
+    }
+
+    fn with_end(&self, way: usize, end: &'static str) -> impl Iterator<Item = (u64, &str)> {
+        let scenes = self.scenes.iter().filter(move |scene| scene.runs[way].end == end);
+        scenes.map(move |scene| (scene.index, scene.runs[way].reason.as_deref().unwrap_or("")))
+    }
+
+    /// The longest run that failed or was refused over the median of those that did not.
+    pub fn slowest_failure(&self, way: usize) -> Option<f64> {
+        let seconds = |bad: bool| {
+            let runs = self.scenes.iter().map(move |scene| &scene.runs[way]);
+            let chosen = runs.filter(move |run| run.reason.is_some() == bad);
+            let mut all: Vec<f64> = chosen.map(|run| run.seconds).collect();
+            all.sort_by(f64::total_cmp);
+            all
+        };
+        let (bad, good) = (seconds(true), seconds(false));
+        Some(bad.last()? / good.get(good.len() / 2)?)
+    }
+
+    /// How many numbers of the first way were compared with those of another, and which lie outside of both bounds.
+    pub fn against(&self, other: usize) -> (usize, Vec<Outside>) {
+        let all = self.scenes.iter().map(|scene| scene.against(other));
+        all.fold((0, Vec::new()), |(sum, mut list), (count, outside)| {
+            list.extend(outside);
+            (sum + count, list)
+        })
+    }
+
+    /// The survey as text.
+    pub fn table(&self) -> String {
+        let mut text = String::new();
+        let total = self.scenes.len();
+        for (way, name) in WAYS.iter().map(|way| way.name).enumerate() {
+            let mut ends: BTreeMap<&str, usize> = BTreeMap::new();
+            self.scenes.iter().for_each(|scene| *ends.entry(scene.runs[way].end).or_default() += 1);
+            let shares: Vec<String> = ends
+                .iter()
+                .map(|(end, count)| format!("{end} {count} ({:.2} %)", 100.0 * *count as f64 / total as f64))
+                .collect();
+            let slowest = self.slowest_failure(way).map_or(String::new(), |ratio| {
+                format!("; slowest without a result: {ratio:.0} times the median of the others")
+            });
+            let _ = writeln!(text, "{} at {name}: {} scenes: {}{slowest}", self.kind.name(), total, shares.join(", "));
+            for (end, words) in [("failed", "failed"), ("refused", "refused")] {
+                for (cause, scenes) in causes(self.with_end(way, end)) {
+                    let list: Vec<String> = scenes.iter().take(12).map(u64::to_string).collect();
+                    let _ = writeln!(text, "  {words}: {} x {cause}: scenes {}", scenes.len(), list.join(" "));
+                }
+            }
+        }
+        for other in 1..WAYS.len() {
+            let (compared, outside) = self.against(other);
+            let [one, two] = [0, other].map(|way| WAYS[way].name);
+            let _ = writeln!(
+                text,
+                "{} at {one} against {two}: of {compared} numbers {} lie outside of both bounds",
+                self.kind.name(),
+                outside.len()
+            );
+            for Outside { index, quantity, found: [one, two] } in outside {
+                let _ = writeln!(
+                    text,
+                    "  scene {index}: {quantity} {:.9e} ± {:.1e} and {:.9e} ± {:.1e}",
+                    one.0, one.1, two.0, two.1
+                );
+            }
+        }
+        text
+    }
+}
+
+/// Reasons without their numbers, the most frequent first, with the scenes.
+fn causes<'a>(reasons: impl Iterator<Item = (u64, &'a str)>) -> Vec<(String, Vec<u64>)> {
+    let mut causes: BTreeMap<String, Vec<u64>> = BTreeMap::new();
+    for (index, reason) in reasons {
+        let kind: String = reason.chars().filter(|c| !c.is_ascii_digit()).take(160).collect();
+        causes.entry(kind).or_default().push(index);
+    }
+    let mut causes: Vec<(String, Vec<u64>)> = causes.into_iter().collect();
+    causes.sort_by_key(|(_, scenes)| std::cmp::Reverse(scenes.len()));
+    causes
+}
