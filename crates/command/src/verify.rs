@@ -5,7 +5,7 @@ use crate::help;
 use crate::output::{progress_bar, say};
 use crate::stop::Stop;
 use clap::Args;
-use peelkit_checks::sampled::{SampleKind, survey_sample};
+use peelkit_checks::sampled::{SampleKind, scene_text, survey_sample};
 use peelkit_checks::suite::{Check, TOPICS, Topic, hard};
 use peelkit_checks::{check_line, checks_json};
 
@@ -26,11 +26,15 @@ pub struct Verify {
     sampled: Option<u64>,
 
     /// What is sampled: strip, angle, spatula or law; all of them unless given
-    #[arg(long, value_name = "KIND", requires = "sampled")]
+    #[arg(long, value_name = "KIND")]
     kind: Option<String>,
 
+    /// Prints the text of this scene of the sample, to be run by itself, and peels nothing
+    #[arg(long, value_name = "K", requires = "kind", conflicts_with = "sampled")]
+    scene: Option<u64>,
+
     /// Another seed gives other scenes
-    #[arg(long, value_name = "S", requires = "sampled", default_value_t = 1)]
+    #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
 
     /// Prints one JSON object and nothing else
@@ -39,6 +43,9 @@ pub struct Verify {
 }
 
 pub fn verify(args: &Verify) -> Result<(), Stop> {
+    if let Some(index) = args.scene {
+        return kinds(args)?.into_iter().try_for_each(|kind| say(&scene_text(kind, args.seed, index)));
+    }
     if let Some(count) = args.sampled {
         return sampled(args, count);
     }
@@ -64,16 +71,18 @@ pub fn verify(args: &Verify) -> Result<(), Stop> {
     if failed == 0 { Ok(()) } else { Err(Stop::other(format!("{failed} of {} checks failed", checks.len()))) }
 }
 
+/// The kinds that are wanted.
+fn kinds(args: &Verify) -> Result<Vec<SampleKind>, Stop> {
+    let Some(name) = &args.kind else { return Ok(SampleKind::ALL.to_vec()) };
+    let known = || SampleKind::ALL.map(SampleKind::name).join(", ");
+    let kind = SampleKind::named(name);
+    let kind = kind.ok_or_else(|| Stop::bad_input(format!("--kind {name} is no kind"), format!("kinds: {}", known())));
+    Ok(vec![kind?])
+}
+
 /// Peels a sample of each kind that is wanted.
 fn sampled(args: &Verify, count: u64) -> Result<(), Stop> {
-    let known = || SampleKind::ALL.map(SampleKind::name).join(", ");
-    let kinds = match &args.kind {
-        None => SampleKind::ALL.to_vec(),
-        Some(name) => vec![
-            SampleKind::named(name)
-                .ok_or_else(|| Stop::bad_input(format!("--kind {name} is no kind"), format!("kinds: {}", known())))?,
-        ],
-    };
+    let kinds = kinds(args)?;
     let bar = progress_bar(usize::try_from(count).unwrap_or(usize::MAX).saturating_mul(kinds.len()));
     for kind in kinds {
         let survey = survey_sample(kind, args.seed, count, &|| bar.inc(1)).map_err(Stop::other)?;
