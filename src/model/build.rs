@@ -70,6 +70,7 @@ impl Discretisation {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error, Serialize, Deserialize)]
 #[error("elements of order {order} do not exist; the order is 1 to {}", Discretisation::MOST_ORDER)]
 pub struct NoSuchOrder {
+    /// What was asked for
     pub order: usize,
 }
 

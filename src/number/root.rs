@@ -22,8 +22,9 @@ pub struct Bracket {
 pub struct Look {
     /// The place
     pub at: f64,
-    /// The function there, and its slope
+    /// The function there
     pub value: f64,
+    /// Its slope there
     pub slope: f64,
     /// Where Newton's method would go.
     pub newton: f64,
