@@ -4,7 +4,8 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use peelkit::adhesion::{
-    Faces, HalfSpace, LatticeHalfSpace, Law, LennardJones, Level, LineLaw, LineLoad, Piece, Rule, body_force_by_volume,
+    Faces, HalfSpace, LatticeHalfSpace, Law, LennardJones, Level, LineLaw, LineLoad, Rule, TiltedBlock,
+    body_force_by_volume,
 };
 use std::hint::black_box;
 use std::num::NonZeroUsize;
@@ -43,7 +44,7 @@ fn points(c: &mut Criterion) {
 
 /// The piece of strip of figures/cost-against-error, each level with 16 points along an edge.
 fn pieces(c: &mut Criterion) {
-    let piece = Piece { half_space: LAW, length: 10.0, height: 10.0, tilt: 20f64.to_radians(), gap: 0.4 };
+    let piece = TiltedBlock { half_space: LAW, length: 10.0, height: 10.0, tilt: 20f64.to_radians(), gap: 0.4 };
     let mut group = c.benchmark_group("a piece of strip");
     for (name, level) in [
         ("atoms 0.4 nm apart", Level::Atoms { spacing: 0.4, cutoff: 4.0 }),

@@ -8,7 +8,7 @@ use common::Setting;
 use criterion::{Criterion, criterion_group, criterion_main};
 use peelkit::model::{Form, StripModel};
 use peelkit::solve::{MOST_POINTS, Path, PathOptions};
-use peelkit::study::{Accuracy, Found, PointKind, Spacing, StopCriteria, follow_point, peel, sweep};
+use peelkit::study::{Accuracy, PeelResult, PointKind, Spacing, StopCriteria, follow_point, peel, sweep};
 use std::hint::black_box;
 
 const DEFAULT: Accuracy = Accuracy::to(1e-6);
@@ -52,7 +52,7 @@ fn path_alone(c: &mut Criterion) {
 /// EI/EI0 from 1e-4 to 1e4 in 33 points, each the full path, on all cores.
 fn stiffness_sweep(c: &mut Criterion) {
     let cases: Vec<_> = (0..33).map(|k| strip(100.0, 10f64.powf(-4.0 + 0.25 * f64::from(k)))).collect();
-    let run = |model: &StripModel| Found::from(&peel(model, &DEFAULT, &BOUNDS));
+    let run = |model: &StripModel| PeelResult::from(&peel(model, &DEFAULT, &BOUNDS));
     c.bench_function("sweep of 33 stiffnesses", |b| b.iter(|| sweep(black_box(&cases), &|| true, &run)));
 }
 

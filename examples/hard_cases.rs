@@ -9,7 +9,7 @@ use peelkit::model::Form;
 use peelkit::solve::{MOST_POINTS, Observables, Path, PathOptions, controlled};
 use peelkit::study::{Accuracy, Choice, PathEnd, Peel, peel};
 use peelkit_report::end_word;
-use peelkit_scene::{Bounds, Scene};
+use peelkit_scene::{BoundsTable, Scene};
 use rayon::prelude::*;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -45,7 +45,7 @@ fn row(name: &str, scene: &Scene) -> String {
 /// Eight times as many elements, equally long, that do not follow the front; five seconds.
 fn on_a_fixed_mesh(scene: &Scene, own: &Peel) -> String {
     let choice = Choice { mesh: MeshKind::Uniform, elements: Some(8 * own.effort.elements), ..scene.accuracy.choice };
-    let bounds = Bounds { time_s: Some(5.0), ..scene.bounds };
+    let bounds = BoundsTable { time_s: Some(5.0), ..scene.bounds };
     let other = peel(&scene.model, &Accuracy { choice, ..scene.accuracy }, &bounds.from_now());
     let off = match (own.initiation_peak, other.initiation_peak) {
         (Some(a), Some(b)) => format!("peak off by {:.0e}", (b.force / a.force - 1.0).abs()),

@@ -52,7 +52,7 @@ impl SectionLaw for ShortRange {
         section.face_load(|r| self.levels(r))
     }
 
-    fn reach(&self) -> f64 {
+    fn cutoff_distance(&self) -> f64 {
         self.closed + self.range
     }
 

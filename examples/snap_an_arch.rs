@@ -6,7 +6,7 @@
 //!
 //!     cargo run --release --example snap_an_arch
 
-use peelkit::beam::{RestCurve, Section};
+use peelkit::beam::{ReferenceCurve, Section};
 use peelkit::model::{Drive, Hold, RodModel, Support};
 use peelkit::solve::PathOptions;
 use peelkit::study::follow_rod;
@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arch = RodModel {
         length: LENGTH,
         section: Section { axial: 24.0, shear: 24.0 * (5.0 / 6.0) / 2.4, bending: 288.0 },
-        rest: RestCurve::arc(OPENING, -OPENING / LENGTH),
+        rest: ReferenceCurve::arc(OPENING, -OPENING / LENGTH),
         left: Support::HINGED,
         right: Support { x: Hold::Fixed, y: Hold::Free, rotation: Hold::Fixed },
         drive: Drive::Y,

@@ -23,7 +23,7 @@ pub trait Real:
     /// Sine and cosine.
     fn sin_cos(self) -> (Self, Self);
     /// `positive` where the number is above zero, else `other`.
-    fn choose(self, positive: Self, other: Self) -> Self;
+    fn select(self, positive: Self, other: Self) -> Self;
     /// Several functions of each number, computed one by one.
     fn each<const K: usize>(self, function: impl Fn(f64) -> [f64; K]) -> [Self; K];
     /// Several functions of each pair of numbers, computed one by one.
@@ -47,7 +47,7 @@ impl Real for f64 {
         f64::sin_cos(self)
     }
     #[inline(always)]
-    fn choose(self, positive: Self, other: Self) -> Self {
+    fn select(self, positive: Self, other: Self) -> Self {
         if self > 0.0 { positive } else { other }
     }
     #[inline(always)]
@@ -97,14 +97,14 @@ fn polynomial(coefficients: &[f64; 6], z: f64) -> f64 {
     sum
 }
 
-/// Four numbers side by side.
+/// F64x4 numbers side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(32))]
-pub struct Four(pub [f64; 4]);
+pub struct F64x4(pub [f64; 4]);
 
 macro_rules! side_by_side {
     ($trait:ident, $method:ident, $assign:tt) => {
-        impl $trait for Four {
+        impl $trait for F64x4 {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
@@ -115,7 +115,7 @@ macro_rules! side_by_side {
                 Self(out)
             }
         }
-        impl $trait<f64> for Four {
+        impl $trait<f64> for F64x4 {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: f64) -> Self {
@@ -133,7 +133,7 @@ side_by_side!(Sub, sub, -=);
 side_by_side!(Mul, mul, *=);
 side_by_side!(Div, div, /=);
 
-impl Neg for Four {
+impl Neg for F64x4 {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -141,7 +141,7 @@ impl Neg for Four {
     }
 }
 
-impl Real for Four {
+impl Real for F64x4 {
     #[inline(always)]
     fn splat(value: f64) -> Self {
         Self([value; 4])
@@ -170,7 +170,7 @@ impl Real for Four {
         (Self(sin), Self(cos))
     }
     #[inline(always)]
-    fn choose(self, positive: Self, other: Self) -> Self {
+    fn select(self, positive: Self, other: Self) -> Self {
         let mut out = other.0;
         for l in 0..4 {
             out[l] = if self.0[l] > 0.0 { positive.0[l] } else { out[l] };
@@ -216,13 +216,13 @@ mod tests {
         for k in -4000..4000 {
             let angle = 0.0037 * f64::from(k) + 1e-9;
             let angles: [f64; 4] = std::array::from_fn(|l| angle * (1.0 + l as f64));
-            let (sin, cos) = Four(angles).sin_cos();
+            let (sin, cos) = F64x4(angles).sin_cos();
             for l in 0..4 {
                 let (s, c) = angles[l].sin_cos();
                 assert!((sin.0[l] - s).abs() <= 2e-16 && (cos.0[l] - c).abs() <= 2e-16, "{}", angles[l]);
             }
         }
-        let (sin, cos) = Four([f64::NAN, 0.0, 0.0, 0.0]).sin_cos();
+        let (sin, cos) = F64x4([f64::NAN, 0.0, 0.0, 0.0]).sin_cos();
         assert!(sin.0[0].is_nan() && cos.0[0].is_nan() && (sin.0[1], cos.0[1]) == (0.0, 1.0));
     }
 }

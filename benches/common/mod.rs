@@ -1,9 +1,9 @@
 //! What both counts of the hot loop measure: the bare law, and one Newton iteration on the elements that hold its points.
 
 use peelkit::adhesion::LineLaw;
-use peelkit::beam::{ChainFactors, PathRow, ROOT};
+use peelkit::beam::{ChainFactors, ConstraintGradient, ROOT};
 use peelkit::model::{Form, PlanarProblem, StripModel};
-use peelkit::number::Four;
+use peelkit::number::F64x4;
 use peelkit::solve::State;
 use std::hint::black_box;
 
@@ -14,7 +14,7 @@ pub const LANES: usize = 4;
 pub struct Setting {
     pub problem: PlanarProblem,
     pub at: State,
-    row: PathRow,
+    row: ConstraintGradient,
     work: ChainFactors,
     out: Vec<f64>,
     law: LineLaw,
@@ -26,8 +26,10 @@ impl Setting {
         let model = StripModel::of_the_paper(100.0, 1.0);
         let problem = model.problem(Form::TwoField, order).unwrap();
         let at = problem.initial(elements);
-        let (out, row) =
-            (vec![0.0; problem.beam.nodes(&at.values).len()], PathRow { adhesion: 1.0, ..PathRow::default() });
+        let (out, row) = (
+            vec![0.0; problem.beam.nodes(&at.values).len()],
+            ConstraintGradient { adhesion: 1.0, ..ConstraintGradient::default() },
+        );
         Self { law: model.line_law(), problem, at, row, work: ChainFactors::default(), out }
     }
 
@@ -63,7 +65,7 @@ impl Setting {
 #[multiversion::multiversion(targets("x86_64+avx2+fma"))]
 fn bare_law(law: &LineLaw, times: usize) {
     let angle = [0.1f64, 0.2, 0.3, 0.4];
-    let (gap, sin, cos) = (Four([0.3, 0.4, 0.5, 0.6]), Four(angle.map(f64::sin)), Four(angle.map(f64::cos)));
+    let (gap, sin, cos) = (F64x4([0.3, 0.4, 0.5, 0.6]), F64x4(angle.map(f64::sin)), F64x4(angle.map(f64::cos)));
     for _ in 0..times {
         black_box(law.response(black_box(gap), black_box(sin), black_box(cos)));
     }

@@ -62,14 +62,14 @@ fn total(foci: &[Focus], s: f64) -> (f64, f64) {
 /// A chain cut at the places where elements have to end, with the share of the elements that each piece gets: always the same,
 /// so that meshes for different fronts have their nodes in common order.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pieces {
+pub struct MeshIntervals {
     /// Ends of the pieces, nm: 0, …, L
     ends: Vec<f64>,
     /// Share of each piece; they sum to one
     shares: Vec<f64>,
 }
 
-impl Pieces {
+impl MeshIntervals {
     /// One piece.
     pub fn whole(length: f64) -> Self {
         Self { ends: vec![0.0, length], shares: vec![1.0] }
@@ -106,7 +106,7 @@ impl Pieces {
 /// Ends of `elements` elements on the pieces, or of one a piece where that is more, graded towards `foci`, equally long in each
 /// piece without any; one more than there are elements. `near` are the ends of a similar mesh, if there is one: where to start
 /// looking.
-pub fn graded_ends(pieces: &Pieces, foci: &[Focus], elements: usize, near: &[f64]) -> Vec<f64> {
+pub fn graded_ends(pieces: &MeshIntervals, foci: &[Focus], elements: usize, near: &[f64]) -> Vec<f64> {
     let mut ends = Vec::with_capacity(elements.max(pieces.count()) + 1);
     ends.push(0.0);
     if pieces.count() == 1 {
@@ -168,7 +168,7 @@ mod tests {
         for center in [0.0, 30.0, 100.0, 1e4] {
             let length = 1e4;
             let foci = [Focus { center, length: 1.0, weight: 1.0 }, Focus { center: 0.0, length: 1.0, weight: 0.8 }];
-            let ends = graded_ends(&Pieces::whole(length), &foci, 24, &[]);
+            let ends = graded_ends(&MeshIntervals::whole(length), &foci, 24, &[]);
             assert_eq!((ends.len(), ends[0], ends[24]), (25, 0.0, length));
             let smallest = ends.windows(2).map(|e| e[1] - e[0]).fold(f64::INFINITY, f64::min);
             assert!(smallest > 0.0 && smallest < 3.0, "{smallest}");
@@ -179,7 +179,7 @@ mod tests {
     fn elements_end_where_pieces_do_and_their_number_is_kept() {
         let foci = |center| vec![Focus { center, length: 1.0, weight: 1.0 }];
         let most = |from, to| Focus::between(&foci(0.0), from, to).max(Focus::between(&foci(25.0), from, to));
-        let pieces = Pieces::cut(100.0, &[20.0, 30.0, 30.5], most);
+        let pieces = MeshIntervals::cut(100.0, &[20.0, 30.0, 30.5], most);
         for elements in 1..60 {
             let counts = pieces.elements(elements);
             assert_eq!(counts.iter().sum::<usize>(), elements.max(4), "{counts:?}");

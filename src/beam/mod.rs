@@ -1,11 +1,11 @@
 //! What bends: section stiffness, outline, reference curves, and the planar beam.
 pub mod mesh;
 mod planar;
-mod rest;
+mod reference_configuration;
 mod section;
 mod varying;
-pub use mesh::{Focus, MeshKind, Pieces as MeshPieces, graded_ends};
+pub use mesh::{Focus, MeshIntervals, MeshKind, graded_ends};
 pub use planar::*;
-pub use rest::{Rest, RestCurve, VaryingRest};
+pub use reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
 pub use section::{Material, Section, rectangle_second_moment};
-pub use varying::{Contour, Outline, Varying};
+pub use varying::{BeamGeometry, SectionGeometry, Varying};

@@ -3,14 +3,14 @@
 //! In the stress-free configuration its underside lies in the direction φ(S), and the axis half a height above it, in the direction
 //! θ0 = φ + atan(h'/2). So a beam of varying height with φ = 0 lies flat on a flat substrate.
 
-use super::{Material, Section, Station};
+use super::{Material, Section, SectionAt};
 use crate::number::Real;
 use std::fmt::Debug;
 use std::sync::Arc;
 
 /// The outline of a beam at one place, with derivatives along S.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Outline {
+pub struct SectionGeometry {
     /// b, nm
     pub width: f64,
     /// h, h' and h'': nm, 1, 1/nm
@@ -22,31 +22,31 @@ pub struct Outline {
 }
 
 /// The outline of a beam from S = 0 to its length.
-pub trait Contour: Send + Sync + Debug {
+pub trait BeamGeometry: Send + Sync + Debug {
     /// L, nm
     fn length(&self) -> f64;
     /// Places between 0 and L where a formula ends and the next begins, ascending, nm. Elements end there. The height and the
     /// direction of the underside are continuous, with the slope of the height.
     fn breaks(&self) -> Vec<f64>;
     /// The outline at a place, nm.
-    fn at(&self, place: f64) -> Outline;
+    fn at(&self, place: f64) -> SectionGeometry;
 }
 
 /// A beam of varying outline, of one material.
 #[derive(Clone, Debug)]
 pub struct Varying {
-    contour: Arc<dyn Contour>,
+    contour: Arc<dyn BeamGeometry>,
     material: Material,
 }
 
 impl Varying {
     /// Of a contour and a material.
-    pub fn new(contour: Arc<dyn Contour>, material: Material) -> Self {
+    pub fn new(contour: Arc<dyn BeamGeometry>, material: Material) -> Self {
         Self { contour, material }
     }
 
     /// Its outline.
-    pub fn contour(&self) -> &dyn Contour {
+    pub fn contour(&self) -> &dyn BeamGeometry {
         &*self.contour
     }
 
@@ -58,20 +58,21 @@ impl Varying {
 
     /// The beam at S, nm.
     #[inline(always)]
-    pub fn at<T: Real>(&self, place: T) -> Station<T> {
+    pub fn at<T: Real>(&self, place: T) -> SectionAt<T> {
         let [axial, shear, bending, along, across, width, height, rise, curvature] = place.each(|place| {
-            let Station { section, compliance: [along, across], width, height, rise, curvature } = self.station(place);
+            let SectionAt { section, compliance: [along, across], width, height, rise, curvature } =
+                self.station(place);
             [section.axial, section.shear, section.bending, along, across, width, height, rise, curvature]
         });
         let (section, compliance) = (Section { axial, shear, bending }, [along, across]);
-        Station { section, compliance, width, height, rise, curvature }
+        SectionAt { section, compliance, width, height, rise, curvature }
     }
 
-    fn station(&self, place: f64) -> Station<f64> {
-        let Outline { width, height: [height, slope, bend], roundness, underside } = self.contour.at(place);
+    fn station(&self, place: f64) -> SectionAt<f64> {
+        let SectionGeometry { width, height: [height, slope, bend], roundness, underside } = self.contour.at(place);
         let rise = 0.5 * slope;
         let section = self.material.section(width, height, roundness);
-        Station {
+        SectionAt {
             section,
             compliance: [section.axial.recip(), section.shear.recip()],
             width,

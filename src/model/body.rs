@@ -1,12 +1,12 @@
 //! What is peeled.
 
 use super::{Profile, Spatula, Strip};
-use crate::beam::{Contour, Material};
+use crate::beam::{BeamGeometry, Material};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// What a model asks of its body. A body is a file with a type that is one, and a line of each list below.
-pub trait Geometry: Contour {
+pub trait Geometry: BeamGeometry {
     /// The table of a scene that gives it.
     fn name(&self) -> &'static str;
 
@@ -14,7 +14,7 @@ pub trait Geometry: Contour {
     fn material(&self) -> Material;
 
     /// Its outline, to be kept by a beam.
-    fn shared(&self) -> Arc<dyn Contour>;
+    fn shared(&self) -> Arc<dyn BeamGeometry>;
 
     /// Whether it is straight in its stress-free configuration, and its section the same everywhere.
     fn is_uniform(&self) -> bool {

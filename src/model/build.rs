@@ -5,8 +5,8 @@ use super::stress_free_placement::StressFreePlacement;
 use super::{Body, Form, Hold, PeelModel, Profile, Spatula, friction};
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
 use crate::beam::{
-    self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, PlanarBeam, ReducedBeam, ReissnerBeam, Rest,
-    Variation, Varying,
+    self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, PlanarBeam, ReducedBeam,
+    ReferenceConfiguration, ReissnerBeam, Variation, Varying,
 };
 use crate::solve::{EndConditions, History, INTERFACE, InitialState, PathMeasure, Problem};
 use serde::{Deserialize, Serialize};
@@ -135,8 +135,8 @@ impl PeelModel {
         let floors = [self.ground.floor(process_length), sticking];
         fixed_foci.extend(floors.into_iter().flatten().map(|floor| Focus::everywhere(length, floor)));
         let start = match placement.rest {
-            Rest::Curve(_) => InitialState::StressFree,
-            Rest::Varying(_) => InitialState::Settling,
+            ReferenceConfiguration::Curve(_) => InitialState::StressFree,
+            ReferenceConfiguration::Varying(_) => InitialState::Settling,
         };
         let mut beam = PlanarBeam {
             history: friction.map(|law| Arc::new(self.not_slid(&placement.rest, &law))),
@@ -224,13 +224,13 @@ impl PeelModel {
     }
 
     /// The lower face in the stress-free configuration, which has not slid.
-    fn not_slid(&self, rest: &Rest, law: &FrictionLaw) -> History {
+    fn not_slid(&self, rest: &ReferenceConfiguration, law: &FrictionLaw) -> History {
         let face = |s: f64| {
             let ([x, gap, rotation], half) = (rest.at(s), 0.5 * self.section_at(s).2);
             let [limit, _] = law.limit(gap + half * (1.0 - rotation.cos()));
             [x + half * rotation.sin(), 0.0, limit]
         };
-        History::new(self.length(), REMEMBERED * self.detail(), face)
+        History::new(self.length(), REMEMBERED * self.feature_length(), face)
     }
 
     /// Where elements are small whatever the front: at the free end, which may come to stand on its edge, a wedge whose attraction

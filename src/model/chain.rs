@@ -1,9 +1,9 @@
 //! Chains of a density, with elements of order 1 to 8 chosen when the program runs.
 
-use crate::beam::{Chain, Density, Integrand, UniformChain};
+use crate::beam::{Chain, EnergyDensity, Integrand, UniformChain};
 
 /// Two unknowns a node, both free at the left end.
-pub(super) fn two_field(density: impl Density<2> + 'static, order: usize) -> Box<dyn Chain> {
+pub(super) fn two_field(density: impl EnergyDensity<2> + 'static, order: usize) -> Box<dyn Chain> {
     let density: Box<dyn Integrand<2>> = Box::new(density);
     if density.has_border() {
         Box::new(UniformChain::new::<true>(density, order, [None; 2]))
@@ -14,7 +14,7 @@ pub(super) fn two_field(density: impl Density<2> + 'static, order: usize) -> Box
 
 /// Three unknowns a node and no border; `pinned_left` holds fields of the left end where it has a value.
 pub(super) fn three_field(
-    density: impl Density<3> + 'static,
+    density: impl EnergyDensity<3> + 'static,
     order: usize,
     pinned_left: [Option<f64>; 3],
 ) -> Box<dyn Chain> {

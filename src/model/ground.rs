@@ -39,7 +39,7 @@ const FLOOR: f64 = 2.0;
 impl Ground {
     /// The length that elements have everywhere relative to those at a front, nm: on ground that is not flat, fronts may be anywhere.
     pub(super) fn floor(&self, process_length: f64) -> Option<f64> {
-        let floor = (FLOOR * process_length).min(OF_DETAIL * self.substrate.detail());
+        let floor = (FLOOR * process_length).min(OF_DETAIL * self.substrate.feature_length());
         (!self.substrate.is_flat()).then_some(floor)
     }
 }

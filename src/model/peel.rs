@@ -3,7 +3,7 @@
 use super::stress_free_placement::StressFreePlacement;
 use super::{Body, Friction, Geometry, Ground, Moved, Step, Strip};
 use crate::adhesion::{Attraction, FrictionLaw, HalfSpace, LineLaw, LineLoad};
-use crate::beam::{Contour, Material, Section, Varying};
+use crate::beam::{BeamGeometry, Material, Section, Varying};
 use crate::solve::Direction;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
@@ -209,7 +209,7 @@ impl PeelModel {
     }
 
     /// The least length over which what happens at the front changes, nm.
-    pub(crate) fn detail(&self) -> f64 {
+    pub(crate) fn feature_length(&self) -> f64 {
         self.sticking_length().unwrap_or(f64::INFINITY).min(self.process_length())
     }
 
@@ -224,7 +224,7 @@ impl PeelModel {
     }
 
     /// How the body varies along its length, where it does.
-    pub(super) fn contour(&self) -> Option<Arc<dyn Contour>> {
+    pub(super) fn contour(&self) -> Option<Arc<dyn BeamGeometry>> {
         (!self.is_uniform()).then(|| self.geometry().shared())
     }
 
@@ -244,9 +244,9 @@ impl PeelModel {
     }
 
     /// S beyond which it stays clear of the ground in its stress-free configuration, nm: L of a strip.
-    pub fn reach(&self) -> f64 {
+    pub fn contact_extent(&self) -> f64 {
         let Some(contour) = self.contour() else { return self.length() };
-        StressFreePlacement::reach(&Varying::new(contour, self.material()), &self.adhesion, &self.ground)
+        StressFreePlacement::contact_extent(&Varying::new(contour, self.material()), &self.adhesion, &self.ground)
     }
 
     /// Width and height of the free end, nm.

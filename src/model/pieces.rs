@@ -5,8 +5,8 @@
 //! φ = φ0 + bend c(t), so that a linear course is an arc. φ begins with zero and goes on from piece to piece. Widths and roundness may
 //! jump between pieces; the height may not, nor may its slope, by half of which the axis is steeper than the underside.
 
-use super::Course;
-use crate::beam::{Contour, Outline};
+use super::Transition;
+use crate::beam::{BeamGeometry, SectionGeometry};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
@@ -24,9 +24,9 @@ pub struct Piece {
     /// Rotation of the stress-free underside along it, rad
     pub bend: f64,
     /// Of width, roundness and the direction of the underside
-    pub course: Course,
+    pub course: Transition,
     /// Of the height
-    pub height_course: Course,
+    pub height_course: Transition,
 }
 
 /// A beam in pieces, from its free end on. It is written as the list of these, and checked when it is read.
@@ -114,8 +114,8 @@ impl Piece {
             height: [height; 2],
             roundness: [0.0; 2],
             bend: 0.0,
-            course: Course::Linear,
-            height_course: Course::Smooth,
+            course: Transition::Linear,
+            height_course: Transition::Smooth,
         }
     }
 
@@ -154,7 +154,7 @@ impl ProfilePieces {
     /// Of pieces from the free end on.
     ///
     /// ```
-    /// use peelkit::beam::Contour;
+    /// use peelkit::beam::BeamGeometry;
     /// use peelkit::model::{Piece, ProfilePieces};
     ///
     /// let pad = Piece::straight(250.0, 200.0, 5.0);
@@ -204,7 +204,7 @@ impl ProfilePieces {
     }
 }
 
-impl Contour for ProfilePieces {
+impl BeamGeometry for ProfilePieces {
     fn length(&self) -> f64 {
         self.joints[self.pieces.len()][0]
     }
@@ -213,12 +213,12 @@ impl Contour for ProfilePieces {
         self.joints[1..self.pieces.len()].iter().map(|joint| joint[0]).collect()
     }
 
-    fn at(&self, place: f64) -> Outline {
+    fn at(&self, place: f64) -> SectionGeometry {
         let index = self.joints[1..self.pieces.len()].partition_point(|joint| joint[0] <= place);
         let (piece, [begins, direction]) = (&self.pieces[index], self.joints[index]);
         let t = (place - begins) / piece.length;
         let [gone, going, _] = piece.course.at(t);
-        Outline {
+        SectionGeometry {
             width: between(piece.width, gone),
             height: piece.height_at(t),
             roundness: between(piece.roundness, gone),
@@ -236,12 +236,12 @@ mod tests {
     /// Every kind of piece: derivatives of the outline against central differences, and no jump of what may not jump.
     #[test]
     fn slopes_are_those_of_the_outline() {
-        let first = Piece { height: [5.0, 8.0], height_course: Course::Linear, ..Piece::straight(60.0, 20.0, 5.0) };
+        let first = Piece { height: [5.0, 8.0], height_course: Transition::Linear, ..Piece::straight(60.0, 20.0, 5.0) };
         let second = Piece {
             height: [8.0, 11.0],
             roundness: [0.2, 0.9],
             bend: -0.4,
-            course: Course::Smooth,
+            course: Transition::Smooth,
             ..Piece { length: 60.0, ..first }
         };
         let beam = ProfilePieces::new(vec![first, second]).unwrap();
@@ -249,7 +249,7 @@ mod tests {
         for k in 0..12 {
             let place = 10.0 * f64::from(k) + 5.3;
             let [before, here, after] = [place - step, place, place + step].map(|s| beam.at(s));
-            let slope = |of: fn(&Outline) -> f64| (of(&after) - of(&before)) / (2.0 * step);
+            let slope = |of: fn(&SectionGeometry) -> f64| (of(&after) - of(&before)) / (2.0 * step);
             assert_abs_diff_eq!(here.height[1], slope(|o| o.height[0]), epsilon = 1e-9);
             assert_abs_diff_eq!(here.height[2], slope(|o| o.height[1]), epsilon = 1e-9);
             assert_abs_diff_eq!(here.underside[1], slope(|o| o.underside[0]), epsilon = 1e-9);
@@ -272,7 +272,7 @@ mod tests {
             height: [10.0, 50.0],
             roundness: [0.0, 1.0],
             bend: spatula.shaft_angle,
-            course: Course::Smooth,
+            course: Transition::Smooth,
             ..Piece::straight(150.0, 50.0, 10.0)
         };
         let shaft = Piece { roundness: [1.0; 2], ..Piece::straight(600.0, 50.0, 50.0) };
@@ -280,7 +280,7 @@ mod tests {
         assert_eq!((pieces.length(), pieces.breaks()), (spatula.length(), spatula.breaks()));
         for k in 0..=990 {
             let (of_pieces, whole) = (pieces.at(f64::from(k)), spatula.at(f64::from(k)));
-            let numbers = |o: Outline| {
+            let numbers = |o: SectionGeometry| {
                 let ([height, slope, bend], [angle, turn]) = (o.height, o.underside);
                 [o.width, height, slope, 100.0 * bend, o.roundness, angle, 100.0 * turn]
             };
@@ -309,7 +309,7 @@ mod tests {
             (Piece { height: [6.0, 5.0], ..good }, "ends piece 1 with a height of 5 nm and begins the next with 6 nm"),
             (Piece { bend: -4.0, ..good }, "rotates the underside by -229.1831180523293 deg up to the end of piece 2"),
             (
-                Piece { height: [5.0, 9.0], height_course: Course::Linear, ..good },
+                Piece { height: [5.0, 9.0], height_course: Transition::Linear, ..good },
                 "has a kink between piece 1, whose height rises by 0 nm/nm at its end, and the next, by 0.1",
             ),
         ] {

@@ -4,7 +4,7 @@
 //! bulge that the table does not have. Its second derivative jumps at the rows, so elements end there.
 
 use super::{Geometry, ProfilePieces};
-use crate::beam::{Contour, Material, Outline};
+use crate::beam::{BeamGeometry, Material, SectionGeometry};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -28,7 +28,7 @@ pub enum ProfileForm {
 }
 
 impl ProfileForm {
-    fn contour(&self) -> &dyn Contour {
+    fn contour(&self) -> &dyn BeamGeometry {
         match self {
             Self::Table(table) => table,
             Self::Pieces(pieces) => pieces,
@@ -36,7 +36,7 @@ impl ProfileForm {
     }
 }
 
-impl Contour for ProfileForm {
+impl BeamGeometry for ProfileForm {
     fn length(&self) -> f64 {
         self.contour().length()
     }
@@ -45,12 +45,12 @@ impl Contour for ProfileForm {
         self.contour().breaks()
     }
 
-    fn at(&self, place: f64) -> Outline {
+    fn at(&self, place: f64) -> SectionGeometry {
         self.contour().at(place)
     }
 }
 
-impl Contour for Profile {
+impl BeamGeometry for Profile {
     fn length(&self) -> f64 {
         self.form.length()
     }
@@ -59,7 +59,7 @@ impl Contour for Profile {
         self.form.breaks()
     }
 
-    fn at(&self, place: f64) -> Outline {
+    fn at(&self, place: f64) -> SectionGeometry {
         self.form.at(place)
     }
 }
@@ -73,7 +73,7 @@ impl Geometry for Profile {
         self.material
     }
 
-    fn shared(&self) -> Arc<dyn Contour> {
+    fn shared(&self) -> Arc<dyn BeamGeometry> {
         Arc::new(self.form.clone())
     }
 }
@@ -182,7 +182,7 @@ impl ProfileTable {
     /// The table of these columns, checked row by row. Rows are counted from 1 in an error.
     ///
     /// ```
-    /// use peelkit::beam::Contour;
+    /// use peelkit::beam::BeamGeometry;
     /// use peelkit::model::{ProfileColumns, ProfileTable};
     ///
     /// let table = ProfileTable::new(ProfileColumns {
@@ -275,7 +275,7 @@ fn monotone_slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
     std::iter::once(end(0, 1)).chain((1..=last).map(inside)).chain(std::iter::once(end(last, last - 1))).collect()
 }
 
-impl Contour for ProfileTable {
+impl BeamGeometry for ProfileTable {
     fn length(&self) -> f64 {
         self.places[self.places.len() - 1]
     }
@@ -284,7 +284,7 @@ impl Contour for ProfileTable {
         self.places[1..self.places.len() - 1].to_vec()
     }
 
-    fn at(&self, place: f64) -> Outline {
+    fn at(&self, place: f64) -> SectionGeometry {
         let after = self.places.partition_point(|&row| row <= place).clamp(1, self.places.len() - 1);
         let (from, step) = (self.places[after - 1], self.places[after] - self.places[after - 1]);
         let t = (place - from) / step;
@@ -300,7 +300,7 @@ impl Contour for ProfileTable {
             ]
         };
         let [width, height, underside, roundness] = self.columns.each_ref().map(cubic);
-        Outline { width: width[0], height, roundness: roundness[0], underside: [underside[0], underside[1]] }
+        SectionGeometry { width: width[0], height, roundness: roundness[0], underside: [underside[0], underside[1]] }
     }
 }
 

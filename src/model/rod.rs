@@ -4,7 +4,8 @@ use super::chain::three_field;
 use super::{Discretisation, Hold, PlanarProblem};
 use crate::adhesion::Substrate;
 use crate::beam::{
-    FrontPosition, MOST_FIELDS, MeshKind, MeshPieces, MeshPolicy, PlanarBeam, ReissnerRod, Rest, RestCurve, Section,
+    FrontPosition, MOST_FIELDS, MeshIntervals, MeshKind, MeshPolicy, PlanarBeam, ReferenceConfiguration,
+    ReferenceCurve, ReissnerRod, Section,
 };
 use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure};
 use serde::{Deserialize, Serialize};
@@ -56,7 +57,7 @@ pub struct RodModel {
     /// EA, GA_s and EI: nN, nN, nN nm²
     pub section: Section,
     /// The stress-free axis
-    pub rest: RestCurve,
+    pub rest: ReferenceCurve,
     /// At S = 0
     pub left: Support,
     /// At S = L
@@ -72,7 +73,7 @@ pub enum RodError {
     #[error("{what} is {value}; it must be a positive finite number")]
     NotPositive { what: &'static str, value: f64 },
     #[error("the rest curve has a number that is not finite: {0:?}")]
-    Rest(RestCurve),
+    ReferenceConfiguration(ReferenceCurve),
     #[error("{0:?} is driven at the right end and held there as well; it must be free")]
     DrivenAndHeld(Drive),
     #[error("elements of order {0} do not exist; the order is 1 to 8")]
@@ -93,7 +94,7 @@ impl RodModel {
         let beam = PlanarBeam {
             chain: three_field(ReissnerRod { section, rest }, order, pinned_left),
             length,
-            rest: Rest::Curve(rest),
+            rest: ReferenceConfiguration::Curve(rest),
             rest_gap: start[1],
             rotation: 2,
             pretension: 0.0,
@@ -103,7 +104,7 @@ impl RodModel {
             rest_adhesion: 0.0,
             fronts: FrontPosition::Even,
             rest_front: length,
-            mesh: MeshPolicy { kind: MeshKind::Moving, fixed_foci: Vec::new(), pieces: MeshPieces::whole(length) },
+            mesh: MeshPolicy { kind: MeshKind::Moving, fixed_foci: Vec::new(), pieces: MeshIntervals::whole(length) },
             process_length: length,
             height: 0.0,
             sees_tilt: false,
@@ -142,7 +143,7 @@ impl RodModel {
             }
         }
         if self.rest.start.iter().chain(&self.rest.curvature).any(|number| !number.is_finite()) {
-            return Err(RodError::Rest(self.rest));
+            return Err(RodError::ReferenceConfiguration(self.rest));
         }
         if self.right.held()[self.driven()] {
             return Err(RodError::DrivenAndHeld(self.drive));
@@ -159,7 +160,7 @@ mod tests {
         RodModel {
             length: 10.0,
             section: Section { axial: 1e3, shear: 1e3, bending: 1.0 },
-            rest: RestCurve::default(),
+            rest: ReferenceCurve::default(),
             left: Support::CLAMPED,
             right: Support::FREE,
             drive: Drive::Y,
@@ -176,7 +177,7 @@ mod tests {
         assert_eq!(rod().problem(9).err(), Some(RodError::Order(9)));
         let wrong = RodModel { length: -1.0, ..rod() }.problem(3).err().map(|e| e.to_string());
         assert_eq!(wrong.as_deref(), Some("the length is -1; it must be a positive finite number"));
-        let rest = RestCurve { curvature: [f64::NAN, 0.0, 0.0], ..RestCurve::default() };
-        assert!(matches!(RodModel { rest, ..rod() }.problem(3).err(), Some(RodError::Rest(_))));
+        let rest = ReferenceCurve { curvature: [f64::NAN, 0.0, 0.0], ..ReferenceCurve::default() };
+        assert!(matches!(RodModel { rest, ..rod() }.problem(3).err(), Some(RodError::ReferenceConfiguration(_))));
     }
 }

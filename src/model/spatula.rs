@@ -5,8 +5,8 @@
 //! w + (1 - w)(1 - (1 - t)⁴) with t = S/rounding; the section goes from a rectangle to a circle with q, and the underside turns up
 //! by the shaft's angle times s5((S - pad)/bend). A choice within the ranges of the literature: the paper gives no dimensions.
 
-use super::{Adhesion, Body, Course, Geometry, Grip, Hold, PeelModel};
-use crate::beam::{Contour, Material, Outline};
+use super::{Adhesion, Body, Geometry, Grip, Hold, PeelModel, Transition};
+use crate::beam::{BeamGeometry, Material, SectionGeometry};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -80,7 +80,7 @@ impl Spatula {
     }
 }
 
-impl Contour for Spatula {
+impl BeamGeometry for Spatula {
     fn length(&self) -> f64 {
         self.pad_length + self.neck_length + self.shaft_length
     }
@@ -99,17 +99,17 @@ impl Contour for Spatula {
         breaks
     }
 
-    fn at(&self, place: f64) -> Outline {
+    fn at(&self, place: f64) -> SectionGeometry {
         let beyond = place - self.pad_length;
-        let [q, q1, q2] = Course::Smooth.at(beyond / self.neck_length);
+        let [q, q1, q2] = Transition::Smooth.at(beyond / self.neck_length);
         let thicker = self.shaft_diameter - self.pad_thickness;
         let width = if beyond < 0.0 {
             self.tip_width + (self.neck_width - self.tip_width) * place / self.pad_length
         } else {
             self.neck_width + (self.shaft_diameter - self.neck_width) * q
         };
-        let [turned, turning, _] = Course::Smooth.at(beyond / self.bend_length);
-        Outline {
+        let [turned, turning, _] = Transition::Smooth.at(beyond / self.bend_length);
+        SectionGeometry {
             width: width * self.rounding(place),
             height: [
                 self.pad_thickness + thicker * q,
@@ -131,7 +131,7 @@ impl Geometry for Spatula {
         self.material
     }
 
-    fn shared(&self) -> Arc<dyn Contour> {
+    fn shared(&self) -> Arc<dyn BeamGeometry> {
         Arc::new(self.clone())
     }
 }
@@ -149,7 +149,7 @@ mod tests {
         for k in 1..99 {
             let place = 10.0 * f64::from(k) + 0.3;
             let [before, here, after] = [place - step, place, place + step].map(|s| spatula.at(s));
-            let slope = |of: fn(&Outline) -> f64| (of(&after) - of(&before)) / (2.0 * step);
+            let slope = |of: fn(&SectionGeometry) -> f64| (of(&after) - of(&before)) / (2.0 * step);
             assert_abs_diff_eq!(here.height[1], slope(|o| o.height[0]), epsilon = 1e-9);
             assert_abs_diff_eq!(here.height[2], slope(|o| o.height[1]), epsilon = 1e-9);
             assert_abs_diff_eq!(here.underside[1], slope(|o| o.underside[0]), epsilon = 1e-9);

@@ -1,15 +1,17 @@
 //! The stress-free configuration of a beam on the substrate, and what follows for its mesh.
 
 use super::{Adhesion, Ground};
-use crate::beam::{Focus, FrontPosition, MeshPieces, Rest, RestCurve, Varying, VaryingRest};
+use crate::beam::{
+    Focus, FrontPosition, MeshIntervals, ReferenceConfiguration, ReferenceCurve, Varying, VaryingReference,
+};
 
 /// The stress-free configuration of a beam, where its front may be, and how its elements are shared out.
 pub(super) struct StressFreePlacement {
-    pub rest: Rest,
+    pub rest: ReferenceConfiguration,
     pub fronts: FrontPosition,
     /// S up to which it touches the substrate, nm
     pub rest_front: f64,
-    pub pieces: MeshPieces,
+    pub pieces: MeshIntervals,
 }
 
 /// Fronts for which a beam of varying outline is asked how fine its mesh has to be.
@@ -22,18 +24,18 @@ const AGAIN: f64 = 0.5;
 
 impl StressFreePlacement {
     /// S behind which a beam of this outline stays clear of the ground on which its free end lies.
-    pub fn reach(beam: &Varying, adhesion: &Adhesion, ground: &Ground) -> f64 {
+    pub fn contact_extent(beam: &Varying, adhesion: &Adhesion, ground: &Ground) -> f64 {
         let law = adhesion.line_law(beam.contour().at(0.0).height[0]);
-        reach(&VaryingRest::new(beam.clone(), law.rest_gap()), beam.contour().length(), adhesion, ground)
+        contact_extent(&VaryingReference::new(beam.clone(), law.rest_gap()), beam.contour().length(), adhesion, ground)
     }
 
     /// All along the substrate, with this gap.
     pub fn flat(length: f64, gap: f64) -> Self {
         Self {
-            rest: Rest::Curve(RestCurve::straight(0.0, gap, 0.0)),
+            rest: ReferenceConfiguration::Curve(ReferenceCurve::straight(0.0, gap, 0.0)),
             fronts: FrontPosition::Even,
             rest_front: length,
-            pieces: MeshPieces::whole(length),
+            pieces: MeshIntervals::whole(length),
         }
     }
 
@@ -50,9 +52,9 @@ impl StressFreePlacement {
         let length = beam.contour().length();
         let end = beam.contour().at(0.0);
         let law = adhesion.line_law(end.height[0]);
-        let rest = VaryingRest::new(beam.clone(), law.rest_gap());
+        let rest = VaryingReference::new(beam.clone(), law.rest_gap());
         let (rest_front, again) = contact(&rest, length, REACH * adhesion.equilibrium_distance);
-        let alike = ground.floor(front.length).map(|floor| (reach(&rest, length, adhesion, ground), floor));
+        let alike = ground.floor(front.length).map(|floor| (contact_extent(&rest, length, adhesion, ground), floor));
         fixed_foci.extend(again.into_iter().map(|center| Focus { center, weight: AGAIN, ..front }));
         let meshes: Vec<Vec<Focus>> = (0..=FRONTS_TRIED)
             .map(|k| {
@@ -72,14 +74,14 @@ impl StressFreePlacement {
         Self {
             fronts: FrontPosition::new(length, adheres),
             rest_front,
-            pieces: MeshPieces::cut(length, &beam.contour().breaks(), wanted),
-            rest: Rest::Varying(Box::new(rest)),
+            pieces: MeshIntervals::cut(length, &beam.contour().breaks(), wanted),
+            rest: ReferenceConfiguration::Varying(Box::new(rest)),
         }
     }
 }
 
 /// Places at which a beam is looked at for contact, and how far the edge of its section there is from flat ground.
-fn distances(rest: &VaryingRest, length: f64) -> Vec<(f64, f64)> {
+fn distances(rest: &VaryingReference, length: f64) -> Vec<(f64, f64)> {
     let at = |k: usize| {
         let place = length * k as f64 / LOOKED_AT as f64;
         let [_, gap, rotation] = rest.at(place);
@@ -89,14 +91,14 @@ fn distances(rest: &VaryingRest, length: f64) -> Vec<(f64, f64)> {
 }
 
 /// S behind which a beam is higher above flat ground than this ground rises.
-fn reach(rest: &VaryingRest, length: f64, adhesion: &Adhesion, ground: &Ground) -> f64 {
-    let near = REACH * adhesion.equilibrium_distance + ground.substrate.relief();
+fn contact_extent(rest: &VaryingReference, length: f64, adhesion: &Adhesion, ground: &Ground) -> f64 {
+    let near = REACH * adhesion.equilibrium_distance + ground.substrate.peak_to_valley();
     let clear = distances(rest, length).into_iter().rev().take_while(|&(_, distance)| distance > near);
     clear.last().map_or(length, |(place, _)| place)
 }
 
 /// S up to which a beam is `near` to the substrate, and the places behind at which it comes nearest again, if it does so.
-fn contact(rest: &VaryingRest, length: f64, near: f64) -> (f64, Vec<f64>) {
+fn contact(rest: &VaryingReference, length: f64, near: f64) -> (f64, Vec<f64>) {
     let places = distances(rest, length);
     let (place, distance) = (|k: usize| places[k].0, |k: usize| places[k].1);
     let lifted = places.iter().position(|&(_, distance)| distance > near).unwrap_or(LOOKED_AT);

@@ -2,7 +2,7 @@
 
 use super::{Adhesion, Body, Form, Geometry, Grip, NoSuchOrder, PeelModel, PlanarProblem, Pull};
 use crate::adhesion::LineLaw;
-use crate::beam::{Contour, Material, Outline, Section};
+use crate::beam::{BeamGeometry, Material, Section, SectionGeometry};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -37,7 +37,7 @@ impl Strip {
     }
 }
 
-impl Contour for Strip {
+impl BeamGeometry for Strip {
     fn length(&self) -> f64 {
         self.length
     }
@@ -46,8 +46,8 @@ impl Contour for Strip {
         Vec::new()
     }
 
-    fn at(&self, _place: f64) -> Outline {
-        Outline { width: self.width, height: [self.height, 0.0, 0.0], roundness: 0.0, underside: [0.0; 2] }
+    fn at(&self, _place: f64) -> SectionGeometry {
+        SectionGeometry { width: self.width, height: [self.height, 0.0, 0.0], roundness: 0.0, underside: [0.0; 2] }
     }
 }
 
@@ -60,7 +60,7 @@ impl Geometry for Strip {
         Self::material(self)
     }
 
-    fn shared(&self) -> Arc<dyn Contour> {
+    fn shared(&self) -> Arc<dyn BeamGeometry> {
         Arc::new(*self)
     }
 

@@ -5,14 +5,14 @@ use serde::{Deserialize, Serialize};
 /// The course that a quantity takes, with t from 0 to 1 along a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Course {
+pub enum Transition {
     /// t
     Linear,
     /// s5(t) = t³(10 - 15 t + 6 t²), which is level and without curvature at both ends, and outside
     Smooth,
 }
 
-impl Course {
+impl Transition {
     /// How much of the way has been gone at t, and its first two derivatives.
     pub fn at(self, t: f64) -> [f64; 3] {
         let rest = 1.0 - t;

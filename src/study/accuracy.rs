@@ -137,11 +137,13 @@ impl Resolution {
         let elements = if substrate.is_flat() {
             elements
         } else {
-            elements + model.reach() / (EVEN * model.process_length() / sharp).min(OF_DETAIL * substrate.detail())
+            elements
+                + model.contact_extent()
+                    / (EVEN * model.process_length() / sharp).min(OF_DETAIL * substrate.feature_length())
         };
         let elements = match model.sticking_length() {
             None => elements,
-            Some(_) => elements + model.length() / (EVEN * model.detail() / sharp),
+            Some(_) => elements + model.length() / (EVEN * model.feature_length() / sharp),
         };
         let chosen = whole_bundles(elements).clamp(6, most_elements(model));
         Self {

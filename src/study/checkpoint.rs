@@ -22,13 +22,13 @@ impl Checkpoint<'_> {
 /// What ends a run's paths before their end, and what it goes on from.
 pub(super) struct Limits<'a> {
     pub stop: &'a StopCriteria,
-    pub keeping: &'a Checkpoint<'a>,
+    pub checkpoint: &'a Checkpoint<'a>,
 }
 
 impl Limits<'_> {
     /// Why a path is to be left where it is, although it goes on.
     pub fn reached(&self) -> Option<PathEnd> {
-        self.stop.told(Stage::Path).map(PathEnd::Bound)
+        self.stop.reached_bound(Stage::Path).map(PathEnd::Bound)
     }
 
     /// Says when limit points and work are no longer to be computed.

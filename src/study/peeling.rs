@@ -14,13 +14,13 @@ where
 
 /// The same, with the points that an earlier run of the same model and accuracy has kept: bit for bit what [`peel`] finds. The stop
 /// criteria may have changed.
-pub fn peel_on<'m, M>(model: &'m M, accuracy: &Accuracy, stop: &StopCriteria, keeping: &Checkpoint) -> Peel
+pub fn peel_on<'m, M>(model: &'m M, accuracy: &Accuracy, stop: &StopCriteria, checkpoint: &Checkpoint) -> Peel
 where
     PeelModel: From<&'m M>,
 {
     let model = model.into();
     match checked(&model, accuracy) {
-        Ok(()) => terms::run(&model, accuracy, stop, keeping),
+        Ok(()) => terms::run(&model, accuracy, stop, checkpoint),
         Err(error) => refused::peel(&model, accuracy, &error),
     }
 }

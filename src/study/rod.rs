@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 /// A limit point on the path of a rod.
 #[derive(Clone, Debug)]
-pub struct RodTurn {
+pub struct RodLimitPoint {
     /// Of the displacement or of the force
     pub kind: LimitPointKind,
     /// It lies between `points[after]` and `points[after + 1]`.
@@ -22,7 +22,7 @@ pub struct RodPath {
     /// From rest on
     pub points: Vec<Arc<Solution>>,
     /// In path order
-    pub turns: Vec<RodTurn>,
+    pub turns: Vec<RodLimitPoint>,
     /// Newton iterations, on the path and to the limit points.
     pub iterations: usize,
 }
@@ -30,7 +30,7 @@ pub struct RodPath {
 /// Why the path of a rod cannot be used.
 #[derive(Clone, Debug, thiserror::Error)]
 #[allow(missing_docs)] // the text of each names its fields
-pub enum RodTrouble {
+pub enum RodFailure {
     #[error("{0}")]
     Trace(#[from] TraceError),
     #[error("{points} points were not enough to reach the end that was asked for")]
@@ -48,7 +48,7 @@ pub fn follow_rod(
     options: PathOptions,
     most_points: usize,
     stop: impl Fn(&Solution) -> bool,
-) -> Result<RodPath, RodTrouble> {
+) -> Result<RodPath, RodFailure> {
     let mut tracer = PathTracer::new(problem, Path::new(problem, options), TraceOptions::default());
     let (mut points, mut turns) = (Vec::new(), Vec::new());
     loop {
@@ -59,12 +59,12 @@ pub fn follow_rod(
                     return Ok(RodPath { points, turns, iterations: tracer.iterations() });
                 }
                 if points.len() >= most_points {
-                    return Err(RodTrouble::TooLong { points: most_points });
+                    return Err(RodFailure::TooLong { points: most_points });
                 }
             }
-            PathEvent::LimitPoint { kind, after, located } => turns.push(RodTurn { kind, after, located }),
+            PathEvent::LimitPoint { kind, after, located } => turns.push(RodLimitPoint { kind, after, located }),
             PathEvent::InertiaChange { kind, after, from, to, limit_points } => {
-                return Err(RodTrouble::Missed { kind, after, from, to, limit_points });
+                return Err(RodFailure::Missed { kind, after, from, to, limit_points });
             }
             PathEvent::BranchPoint { .. } => {}
         }

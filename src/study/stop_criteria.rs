@@ -98,7 +98,7 @@ impl StopCriteria {
     }
 
     /// What the caller says at a stage.
-    pub(super) fn told(&self, stage: Stage) -> Option<Bound> {
+    pub(super) fn reached_bound(&self, stage: Stage) -> Option<Bound> {
         self.should_stop.as_ref().and_then(|should_stop| should_stop(stage)).map(Bound::from)
     }
 

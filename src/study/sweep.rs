@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// What a peel found, without its path.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Found {
+pub struct PeelResult {
     /// As of [`Peel`]
     pub initiation_peak: Option<Peak>,
     /// As of [`Peel`]
@@ -25,7 +25,7 @@ pub struct Found {
     pub effort: Effort,
 }
 
-impl From<&Peel> for Found {
+impl From<&Peel> for PeelResult {
     fn from(peel: &Peel) -> Self {
         Self {
             initiation_peak: peel.initiation_peak,

@@ -16,7 +16,7 @@
 
 use approx::assert_relative_eq;
 use peelkit::adhesion::{
-    CurvedBody, HalfSpace, Law, Level, LineLaw, LineLoad, Piece, Rule, Shape, section_by_body_force,
+    BodyShape, CurvedBody, HalfSpace, Law, Level, LineLaw, LineLoad, Rule, TiltedBlock, section_by_body_force,
 };
 use peelkit_checks::suite::reference::{Row, read};
 use peelkit_checks::suite::{Check, TOPICS};
@@ -39,7 +39,7 @@ fn every_check_of_the_topic_passes() {
 /// With the spacing halved the error is a quarter: an atom is the midpoint rule of its cube.
 #[test]
 fn lattice_error_falls_with_the_square_of_the_spacing() {
-    let piece = Piece { half_space: LAW, length: 10.0, height: 10.0, tilt: 20f64.to_radians(), gap: 1.0 };
+    let piece = TiltedBlock { half_space: LAW, length: 10.0, height: 10.0, tilt: 20f64.to_radians(), gap: 1.0 };
     let rule = Rule::new(NonZeroUsize::new(60).unwrap());
     let truth = piece.resultant(&Level::LineLoad { rule, far_face: true }).force;
     let error = |spacing| piece.resultant(&Level::Atoms { spacing, cutoff: 4.0 }).force / truth - 1.0;
@@ -54,11 +54,11 @@ fn curvature_error_falls_with_the_radius() {
         let gap = LAW.strongest_gap();
         LAW.traction(gap) / CurvedBody { shape, radius }.traction(&LAW, gap) - 1.0
     };
-    for shape in [Shape::Sphere, Shape::Cylinder] {
+    for shape in [BodyShape::Sphere, BodyShape::Cylinder] {
         assert_relative_eq!(error(shape, 50.0) / error(shape, 100.0), 2.0, max_relative = 0.01);
     }
     // a cylinder is curved in one direction of two
-    assert_relative_eq!(error(Shape::Sphere, 100.0) / error(Shape::Cylinder, 100.0), 2.0, max_relative = 0.01);
+    assert_relative_eq!(error(BodyShape::Sphere, 100.0) / error(BodyShape::Cylinder, 100.0), 2.0, max_relative = 0.01);
 }
 
 /// All gaps of the table, near the zero of the traction too.

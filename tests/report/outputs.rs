@@ -5,16 +5,16 @@
 
 use crate::strip::STRIP_SCENE;
 use peelkit::solve::LimitPointKind;
-use peelkit::study::{Bound, Failure, Found, LimitPoint, PathEnd, PathPoint, Peak, Peel, Plateau, peel};
+use peelkit::study::{Bound, Failure, LimitPoint, PathEnd, PathPoint, Peak, Peel, PeelResult, Plateau, peel};
 use peelkit_report::{PeelSummary, SweepLine, SweepRow, write_curve, write_limit_points, write_sweep};
-use peelkit_scene::{Bounds, Scene};
+use peelkit_scene::{BoundsTable, Scene};
 use serde_json::Value;
 use std::fs;
 
 /// Numbers that do not look alike, so that no two can be taken for each other.
 fn made_up() -> (Scene, Peel) {
     let scene = Scene::parse("a.toml", &format!("title = \"A strip\"{STRIP_SCENE}"), &[]).unwrap();
-    let bounds = Bounds { points: 1, ..scene.bounds };
+    let bounds = BoundsTable { points: 1, ..scene.bounds };
     let mut made_up = peel(&scene.model, &scene.accuracy, &bounds.from_now());
     let peak = Peak {
         displacement: 0.1 + 0.2,
@@ -55,7 +55,7 @@ fn made_up() -> (Scene, Peel) {
 }
 
 fn row(value: f64, peel: &Peel) -> SweepRow {
-    SweepRow { value, model: peel.model.clone(), found: Found::from(peel), solve_s: 0.004 }
+    SweepRow { value, model: peel.model.clone(), found: PeelResult::from(peel), solve_s: 0.004 }
 }
 
 fn summary(scene: &Scene, peel: &Peel) -> Value {

@@ -8,7 +8,7 @@
 use crate::shared_pictures::check_pictures;
 use peelkit::model::StripModel;
 use peelkit::solve::LimitPointKind;
-use peelkit::study::{Accuracy, Failure, Found, LimitPoint, PathEnd, Peak, Peel, Plateau, StopCriteria, peel};
+use peelkit::study::{Accuracy, Failure, LimitPoint, PathEnd, Peak, Peel, PeelResult, Plateau, StopCriteria, peel};
 use peelkit_report::{ReportError, SweepRow, draw_peel, draw_sweep};
 use std::path::Path;
 
@@ -53,7 +53,7 @@ fn factors(values: &[f64]) -> Vec<SweepRow> {
             flat: false,
             after: 0,
         });
-        SweepRow { value, model: peel.model.clone(), found: Found::from(&peel), solve_s: 0.004 }
+        SweepRow { value, model: peel.model.clone(), found: PeelResult::from(&peel), solve_s: 0.004 }
     };
     values.iter().map(row).collect()
 }
@@ -122,7 +122,7 @@ fn a_sweep_of_the_angle_shows_kendall() {
 fn rows_without_a_result_leave_gaps_and_not_panics() {
     let dir = tempfile::tempdir().unwrap();
     let mut rows = factors(&[0.1, 0.2, 0.5, 1.0, 2.0]);
-    rows[2].found = Found::from(&nothing());
+    rows[2].found = PeelResult::from(&nothing());
     check_pictures(&draw_sweep(&rows, "strip.height", "gap", true, dir.path()).unwrap());
     check_pictures(&draw_sweep(&rows[..1], "strip.height", "one", false, dir.path()).unwrap());
     let reason =

@@ -18,7 +18,7 @@ use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
 use peelkit::study::{Accuracy, Checkpoint, Peel, Stage, StopReason, peel, peel_on};
 use peelkit_report::{PartialRun, PeelSummary, ReportError, write_curve, write_limit_points};
-use peelkit_scene::{Bounds, Scene};
+use peelkit_scene::{BoundsTable, Scene};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -28,7 +28,7 @@ use tempfile::tempdir;
 /// A scene of this model.
 fn scene(model: StripModel, relative: f64) -> Scene {
     let plain = Scene::parse("strip.toml", STRIP_SCENE, &[]).unwrap();
-    let bounds = Bounds { time_s: None, ..plain.bounds };
+    let bounds = BoundsTable { time_s: None, ..plain.bounds };
     Scene { model: model.into(), accuracy: Accuracy::to(relative), bounds, ..plain }
 }
 
@@ -58,7 +58,7 @@ fn outputs(scene: &Scene, peel: &Peel) -> Vec<Vec<u8>> {
 fn run(dir: &Path, scene: &Scene, most: usize) -> (Peel, usize) {
     let partial = PartialRun::open(dir, scene).unwrap();
     let computed = Arc::new(AtomicUsize::new(0));
-    let keeping = Checkpoint {
+    let checkpoint = Checkpoint {
         taken: &|options| partial.taken(options),
         keep: &|options, waypoint| {
             computed.fetch_add(1, Ordering::Relaxed);
@@ -69,7 +69,7 @@ fn run(dir: &Path, scene: &Scene, most: usize) -> (Peel, usize) {
     let stop = scene.bounds.from_now().or_when(move |stage| {
         (stage == Stage::Path && so_far.load(Ordering::Relaxed) >= most).then_some(StopReason::Interrupted)
     });
-    let peel = peel_on(&scene.model, &scene.accuracy, &stop, &keeping);
+    let peel = peel_on(&scene.model, &scene.accuracy, &stop, &checkpoint);
     partial.write_all().unwrap();
     (peel, computed.load(Ordering::Relaxed))
 }
@@ -107,7 +107,7 @@ fn a_run_left_anywhere_and_taken_up_again_is_the_uninterrupted_run() {
 #[test]
 fn bounds_may_change_and_the_points_stay() {
     let scene = scene(paper_strip(100.0, 1.0), 1e-6);
-    let bounded = Scene { bounds: Bounds { points: 17, ..scene.bounds }, ..scene.clone() };
+    let bounded = Scene { bounds: BoundsTable { points: 17, ..scene.bounds }, ..scene.clone() };
     let dir = tempdir().unwrap();
     assert_eq!(run(dir.path(), &bounded, usize::MAX).1, 17);
     let (peel, computed) = run(dir.path(), &scene, usize::MAX);

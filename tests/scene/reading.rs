@@ -4,10 +4,10 @@
 //! prefixes of units change nothing.
 
 use crate::text::{MINIMAL, PIECES, PROFILE, SPATULA, set};
-use peelkit::adhesion::{CohesiveShape, LineLoad, Round, Shape, Sinusoid, Substrate};
+use peelkit::adhesion::{BodyShape, CohesiveShape, LineLoad, Round, Sinusoid, Substrate};
 use peelkit::beam::Material;
 use peelkit::model::{
-    Attraction, Body, Course, Ground, Hold, Piece, ProfileForm, ProfilePieces, Pull, Spatula, Start, Step,
+    Attraction, Body, Ground, Hold, Piece, ProfileForm, ProfilePieces, Pull, Spatula, Start, Step, Transition,
 };
 use peelkit::study::Terms;
 use peelkit_scene::{KEYS, Key, Scene};
@@ -162,7 +162,7 @@ fn every_shape_of_a_substrate_is_read() {
     let ground =
         |keys: &str| Scene::parse("a.toml", &format!("{MINIMAL}[substrate]\n{keys}"), &[]).unwrap().model.ground;
     assert_eq!(ground("shape = \"flat\""), Ground::default());
-    for (word, shape) in [("sphere", Shape::Sphere), ("cylinder", Shape::Cylinder)] {
+    for (word, shape) in [("sphere", BodyShape::Sphere), ("cylinder", BodyShape::Cylinder)] {
         // in any order
         let found = ground(&format!("offset = \"-3 nm\"\nradius = \"0.2 um\"\nshape = \"{word}\""));
         let substrate = Substrate::Round(Round { shape, radius: 200.0, offset: -3.0 });
@@ -204,8 +204,8 @@ fn pieces_are_read() {
         height: [5.0, 50.0],
         roundness: [0.0, 1.0],
         bend: 30f64.to_radians(),
-        course: Course::Smooth,
-        height_course: Course::Smooth,
+        course: Transition::Smooth,
+        height_course: Transition::Smooth,
     };
     assert_eq!(profile.form, ProfileForm::Pieces(ProfilePieces::new(vec![pad, neck]).unwrap()));
     assert_eq!((beam.length(), beam.free_end(), beam.breaks()), (400.0, (200.0, 5.0), vec![250.0]));

@@ -1,7 +1,7 @@
 //! Why the command stops before its end, and the exit status that says so.
 
 use peelkit_report::ReportError;
-use peelkit_scene::{Problem, SceneError};
+use peelkit_scene::{SceneError, ValueError};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -26,7 +26,7 @@ impl Stop {
     }
 
     /// An argument of the command line that is as the problem says.
-    pub fn bad_argument(argument: impl std::fmt::Display, problem: &Problem) -> Self {
+    pub fn bad_argument(argument: impl std::fmt::Display, problem: &ValueError) -> Self {
         Self::bad_input(format!("{argument} {}", problem.found), &problem.remedy)
     }
 

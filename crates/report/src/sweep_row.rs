@@ -2,7 +2,7 @@
 
 use crate::timing::timed;
 use peelkit::model::PeelModel;
-use peelkit::study::{Found, Peel};
+use peelkit::study::{Peel, PeelResult};
 
 /// One value of a sweep and what its peel found.
 #[derive(Clone, Debug)]
@@ -12,7 +12,7 @@ pub struct SweepRow {
     /// What was peeled.
     pub model: PeelModel,
     /// Peak, plateau, snap-off and end: forces in nN, displacements in nm, work in aJ.
-    pub found: Found,
+    pub found: PeelResult,
     /// Wall clock that the peel took, s.
     pub solve_s: f64,
 }
@@ -20,7 +20,7 @@ pub struct SweepRow {
 impl SweepRow {
     /// What `peel` finds of a model.
     pub fn of(value: f64, model: PeelModel, peel: impl FnOnce(&PeelModel) -> Peel) -> Self {
-        let (found, solve_s) = timed(|| Found::from(&peel(&model)));
+        let (found, solve_s) = timed(|| PeelResult::from(&peel(&model)));
         Self { value, model, found, solve_s }
     }
 }

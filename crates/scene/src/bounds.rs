@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 /// The table `bounds`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
+pub struct BoundsTable {
     /// Most path points.
     pub points: usize,
     /// Most seconds of wall clock; none when absent.
@@ -14,7 +14,7 @@ pub struct Bounds {
     pub displacement: Option<f64>,
 }
 
-impl Bounds {
+impl BoundsTable {
     /// What a run is given that begins now: its clock starts here.
     pub fn from_now(&self) -> StopCriteria {
         let Self { points, time_s, displacement } = *self;
@@ -45,7 +45,7 @@ mod tests {
 
     /// What the clock of so many seconds says at once.
     fn at_once(seconds: f64) -> [bool; 2] {
-        let stop = Bounds { points: 1, time_s: Some(seconds), displacement: None }.from_now();
+        let stop = BoundsTable { points: 1, time_s: Some(seconds), displacement: None }.from_now();
         let check = stop.should_stop.unwrap();
         [Stage::Path, Stage::Results].map(|stage| check(stage) == Some(StopReason::Time { seconds }))
     }
@@ -58,6 +58,6 @@ mod tests {
     #[test]
     fn a_time_that_no_clock_can_tell_is_never_over() {
         assert_eq!([at_once(1e6), at_once(1e300)], [[false; 2]; 2]);
-        assert!(Bounds { points: 1, time_s: None, displacement: None }.from_now().should_stop.is_none());
+        assert!(BoundsTable { points: 1, time_s: None, displacement: None }.from_now().should_stop.is_none());
     }
 }

@@ -1,6 +1,6 @@
 //! Whether the values of a scene can be computed, which the model and the accuracy say themselves.
 
-use super::error::Problem;
+use super::error::ValueError;
 use super::scene::Scene;
 use peelkit::model::ModelError;
 use peelkit::study;
@@ -12,7 +12,7 @@ impl Scene {
     }
 }
 
-impl From<ModelError> for Problem {
+impl From<ModelError> for ValueError {
     fn from(error: ModelError) -> Self {
         Self::new(error.found(), error.remedy())
     }

@@ -1,7 +1,7 @@
 //! From TOML texts to a scene: finds every key, hands its value over, and says where a problem stands.
 
 use super::bodies::{BODIES, set_body};
-use super::error::{Origin, Problem, SceneError, one_line};
+use super::error::{Origin, SceneError, ValueError, one_line};
 use super::key::{Key, Kind, Need};
 use super::keys::{KEYS, find_key, tables};
 use super::near::nearest;
@@ -70,7 +70,7 @@ fn read(scene: &mut Scene, text: &str, overrides: &[(String, String)]) -> Result
             DeValue::Table(_) => return Err(unknown_table(&file, key)),
             found if tables().contains(&name_of(key)) => {
                 let table = name_of(key);
-                let problem = Problem::new(
+                let problem = ValueError::new(
                     format!("is {}", convert(found, 0)),
                     format!("It is a table: write [{table}] on a line of its own and its keys below it."),
                 );
@@ -201,7 +201,7 @@ fn lookup(file: &Origin, table: &str, found: &Spanned<toml::de::DeString>) -> Re
     };
     let shown = one_line(name);
     let subject = if table.is_empty() { format!("`{shown}`") } else { format!("`{table}.{shown}`") };
-    Err(file.error(found.span(), &subject, Problem::new("is not a key of a scene", remedy)))
+    Err(file.error(found.span(), &subject, ValueError::new("is not a key of a scene", remedy)))
 }
 
 fn unknown_table(file: &Origin, found: &Spanned<toml::de::DeString>) -> SceneError {
@@ -209,7 +209,7 @@ fn unknown_table(file: &Origin, found: &Spanned<toml::de::DeString>) -> SceneErr
         Some(near) => format!("Did you mean [{near}]?"),
         None => format!("The tables are [{}].", tables().join("], [")),
     };
-    let problem = Problem::new("is not a table of a scene", remedy);
+    let problem = ValueError::new("is not a table of a scene", remedy);
     file.error(found.span(), &format!("[{}]", one_line(name_of(found))), problem)
 }
 
@@ -233,12 +233,12 @@ fn missing(
         Some((table, _)) => {
             let remedy = format!("`{}` is the {}. Add for example {wanted}", key.name, key.about);
             let instead = key.alternative().map(|other| format!(" or `{other}` instead")).unwrap_or_default();
-            let problem = Problem::new(format!("lacks `{}`{instead}", key.name), remedy);
+            let problem = ValueError::new(format!("lacks `{}`{instead}", key.name), remedy);
             file.error(table.span(), &format!("[{}]", key.table), problem)
         }
         None => {
             let remedy = format!("Add a line [{}] and below it for example {wanted}", key.table);
-            let problem = Problem::new(format!("lacks the table [{}]", key.table), remedy);
+            let problem = ValueError::new(format!("lacks the table [{}]", key.table), remedy);
             file.error(end_of(text), "the scene", problem)
         }
     }
@@ -262,7 +262,7 @@ fn not_toml(file: &Origin, text: &str, error: &toml::de::Error) -> SceneError {
     let reason = error.message().lines().collect::<Vec<_>>().join("; ");
     let remedy = "A scene is a TOML file: [table] on a line of its own, below it key = value; \
                   texts and quantities are in quotes: length = \"100 nm\". `peel new` writes a template.";
-    file.error(span.clone(), &key_on_line(text, span.start), Problem::new(format!("is not TOML: {reason}"), remedy))
+    file.error(span.clone(), &key_on_line(text, span.start), ValueError::new(format!("is not TOML: {reason}"), remedy))
 }
 
 /// The key that stands on the line of this place in a text that is not TOML, or "this".

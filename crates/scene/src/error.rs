@@ -31,7 +31,7 @@ impl SceneError {
 
 /// What is wrong with one value, without its place.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Problem {
+pub struct ValueError {
     /// What was found: completes "`strip.length` ...".
     pub found: String,
     /// What would be right: a sentence of its own.
@@ -40,7 +40,7 @@ pub struct Problem {
     pub item: Option<usize>,
 }
 
-impl Problem {
+impl ValueError {
     pub(crate) fn new(found: impl Into<String>, remedy: impl Into<String>) -> Self {
         Self { found: found.into(), remedy: remedy.into(), item: None }
     }
@@ -63,8 +63,8 @@ pub(crate) enum Origin<'a> {
 
 impl Origin<'_> {
     /// The error that `subject` is as the problem says, at `span` of this text.
-    pub(crate) fn error(&self, span: Range<usize>, subject: &str, problem: Problem) -> SceneError {
-        let Problem { found, remedy, .. } = problem;
+    pub(crate) fn error(&self, span: Range<usize>, subject: &str, problem: ValueError) -> SceneError {
+        let ValueError { found, remedy, .. } = problem;
         let (message, name, text) = match self {
             Self::File { name, text } => {
                 let line = 1 + text.as_bytes().iter().take(span.start).filter(|&&byte| byte == b'\n').count();

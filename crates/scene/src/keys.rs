@@ -1,7 +1,7 @@
 //! The keys of a scene: one line each. The parser, `--set`, `--vary`, the help and the summary all read this list.
 
 use super::bodies::{profile, spatula, strip};
-use super::error::Problem;
+use super::error::ValueError;
 use super::key::{Key, Kind, Need};
 use super::near::nearest;
 use super::scene::Scene;
@@ -108,7 +108,7 @@ pub(crate) fn tables() -> Vec<&'static str> {
 }
 
 /// The key with this path, such as `strip.length`; or what would be right.
-pub fn find_key(path: &str) -> Result<&'static Key, Problem> {
+pub fn find_key(path: &str) -> Result<&'static Key, ValueError> {
     let path = path.trim();
     if let Some(key) = KEYS.iter().find(|key| key.path() == path) {
         return Ok(key);
@@ -120,7 +120,7 @@ pub fn find_key(path: &str) -> Result<&'static Key, Problem> {
         Some(near) => format!("Did you mean `{near}`?"),
         None => format!("The keys are {}.", paths.join(", ")),
     };
-    Err(Problem::new("is not a key of a scene", remedy))
+    Err(ValueError::new("is not a key of a scene", remedy))
 }
 
 impl Key {

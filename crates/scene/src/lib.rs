@@ -19,8 +19,8 @@ mod shape;
 mod value;
 
 pub use bodies::{BODIES, body_of};
-pub use bounds::Bounds;
-pub use error::{Problem, SceneError};
+pub use bounds::BoundsTable;
+pub use error::{SceneError, ValueError};
 pub use key::{Key, Kind, Need};
 pub use keys::{KEYS, find_key};
 pub use peelkit::model::Range;

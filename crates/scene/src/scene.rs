@@ -1,6 +1,6 @@
 //! A scene as data.
 
-use crate::bounds::Bounds;
+use crate::bounds::BoundsTable;
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
 use peelkit::study::Accuracy;
 use std::path::Path;
@@ -17,7 +17,7 @@ pub struct Scene {
     /// What the user asks of the numbers.
     pub accuracy: Accuracy,
     /// Where the path may be stopped although it goes on.
-    pub bounds: Bounds,
+    pub bounds: BoundsTable,
     /// The tables that the text gives, as they were read.
     pub table_texts: TableTexts,
 }
@@ -42,7 +42,7 @@ impl Scene {
             title,
             model: PeelModel::of(Body::Strip(UNKNOWN_STRIP), adhesion, Grip::FREE),
             accuracy: Accuracy::to(1e-6),
-            bounds: Bounds { points: 20_000, time_s: Some(60.0), displacement: None },
+            bounds: BoundsTable { points: 20_000, time_s: Some(60.0), displacement: None },
             table_texts: TableTexts::default(),
         }
     }

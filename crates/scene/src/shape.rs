@@ -1,6 +1,6 @@
 //! The shape of a substrate as a scene names it, and which keys belong to it.
 
-use super::error::Problem;
+use super::error::ValueError;
 use peelkit::adhesion::Substrate;
 
 /// The table of a scene.
@@ -33,11 +33,11 @@ pub(super) fn number<'a>(substrate: &'a mut Substrate, name: &str) -> &'a mut f6
 }
 
 /// That it has none.
-pub(super) fn foreign(substrate: &Substrate, name: &str) -> Problem {
+pub(super) fn foreign(substrate: &Substrate, name: &str) -> ValueError {
     let word = substrate.name();
     let found = format!("is a key of [{TABLE}] for another `shape` than \"{word}\"");
     let own = substrate.keys();
     let own = if own.is_empty() { "no other keys".to_owned() } else { format!("the keys {}", own.join(", ")) };
     let shapes = shapes_with(name).join("\" or \"");
-    Problem::new(found, format!("It belongs to shape \"{shapes}\"; \"{word}\" has {own}."))
+    ValueError::new(found, format!("It belongs to shape \"{shapes}\"; \"{word}\" has {own}."))
 }

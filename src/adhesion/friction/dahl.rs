@@ -46,11 +46,11 @@ pub struct FrictionLaw {
 
 /// What a material point of a face remembers of its sliding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Slip {
+pub struct FrictionState {
     /// x_b at the end of the last step, nm
     pub place: f64,
     /// s there
-    pub share: f64,
+    pub mobilisation: f64,
     /// τ there, GPa
     pub limit: f64,
 }
@@ -106,38 +106,41 @@ impl FrictionLaw {
     }
 
     /// s behind a way (nm) without a turn, and ds/dx_b there, 1/nm.
-    fn share(&self, way: f64, share: f64) -> [f64; 2] {
+    fn mobilisation(&self, way: f64, mobilisation: f64) -> [f64; 2] {
         let sense = if way < 0.0 { -1.0 } else { 1.0 };
-        let left = (sense - share) * (-way.abs() / self.presliding).exp();
+        let left = (sense - mobilisation) * (-way.abs() / self.presliding).exp();
         [sense - left, left * sense / self.presliding]
     }
 
-    /// The traction of a face that has gone so far (nm) since the end of the last step, where it carried the share `share`, and is
+    /// The traction of a face that has gone so far (nm) since the end of the last step, where it had this `mobilisation`, and is
     /// at `gap` now, nm.
     #[inline(always)]
-    pub fn traction<T: Real>(&self, way: T, gap: T, share: T) -> Traction<T> {
+    pub fn traction<T: Real>(&self, way: T, gap: T, mobilisation: T) -> Traction<T> {
         let [limit, limit_slope] = gap.each(|gap| self.limit(gap));
-        let [share, share_slope] = way.each_pair(share, |way, share| self.share(way, share));
+        let [mobilisation, mobilisation_slope] =
+            way.each_pair(mobilisation, |way, mobilisation| self.mobilisation(way, mobilisation));
         Traction {
-            value: limit * share,
-            by_place: limit * share_slope,
-            by_gap: limit_slope * share,
-            energy: limit * share * share * (0.5 * self.presliding),
+            value: limit * mobilisation,
+            by_place: limit * mobilisation_slope,
+            by_gap: limit_slope * mobilisation,
+            energy: limit * mobilisation * mobilisation * (0.5 * self.presliding),
         }
     }
 
     /// What a face at `place` and `gap`, nm, remembers behind a step, and what was dissipated on it, nN/nm: the work done on the
     /// contact, its limit taken as the mean of those at both ends of the step, less what is stored there.
-    pub fn remembered(&self, place: f64, gap: f64, before: Slip) -> (Slip, f64) {
+    pub fn remembered(&self, place: f64, gap: f64, before: FrictionState) -> (FrictionState, f64) {
         let (way, delta) = (place - before.place, self.presliding);
-        let [share, _] = self.share(way, before.share);
+        let [mobilisation, _] = self.mobilisation(way, before.mobilisation);
         let [limit, _] = self.limit(gap);
         // ± s dx_b = dx_b - δ ds
-        let work = 0.5 * (limit + before.limit) * (way - delta * (share - before.share)) * way.signum();
-        let stored = 0.5 * delta * (limit * share * share - before.limit * before.share * before.share);
+        let work = 0.5 * (limit + before.limit) * (way - delta * (mobilisation - before.mobilisation)) * way.signum();
+        let stored = 0.5
+            * delta
+            * (limit * mobilisation * mobilisation - before.limit * before.mobilisation * before.mobilisation);
         // a face out of contact comes back with nothing to carry
-        let share = if limit > APART * self.strength { share } else { 0.0 };
-        (Slip { place, share, limit }, work - stored)
+        let mobilisation = if limit > APART * self.strength { mobilisation } else { 0.0 };
+        (FrictionState { place, mobilisation, limit }, work - stored)
     }
 }
 
@@ -158,10 +161,10 @@ mod tests {
         let law = law();
         let (closed, farthest) = (PAPER.equilibrium_gap(), PAPER.strongest_gap());
         for gap in [0.9 * closed, closed, 0.5 * (closed + farthest), farthest, 0.4, 2.0] {
-            for (way, share) in [(1e-3, 0.0), (-4e-3, 0.3), (2e-2, -0.8), (-1e-4, -0.99)] {
+            for (way, mobilisation) in [(1e-3, 0.0), (-4e-3, 0.3), (2e-2, -0.8), (-1e-4, -0.99)] {
                 let d = 1e-7;
-                let at = |way: f64, gap: f64| law.traction(way, gap, share).value;
-                let found = law.traction(way, gap, share);
+                let at = |way: f64, gap: f64| law.traction(way, gap, mobilisation).value;
+                let found = law.traction(way, gap, mobilisation);
                 let by_place = (at(way + d, gap) - at(way - d, gap)) / (2.0 * d);
                 let by_gap = (at(way, gap + d) - at(way, gap - d)) / (2.0 * d);
                 assert_relative_eq!(found.by_place, by_place, epsilon = 1e-6, max_relative = 1e-5);
@@ -170,18 +173,18 @@ mod tests {
         }
     }
 
-    /// Two steps one way are one step; the share never exceeds 1; backwards it is the same law mirrored.
+    /// Two steps one way are one step; the mobilisation never exceeds 1; backwards it is the same law mirrored.
     #[test]
     fn steps_add_up_and_sides_are_alike() {
         let (law, gap) = (law(), 0.26);
-        let start = Slip { place: 5.0, share: -0.4, limit: law.limit(gap)[0] };
+        let start = FrictionState { place: 5.0, mobilisation: -0.4, limit: law.limit(gap)[0] };
         for way in [1e-4, 3e-3, 0.5, -2e-3, -0.5] {
             let (half, first) = law.remembered(5.0 + 0.3 * way, gap, start);
             let (two, second) = law.remembered(5.0 + way, gap, half);
             let (one, whole) = law.remembered(5.0 + way, gap, start);
-            assert_relative_eq!(two.share, one.share, max_relative = 1e-12);
+            assert_relative_eq!(two.mobilisation, one.mobilisation, max_relative = 1e-12);
             assert_relative_eq!(first + second, whole, max_relative = 1e-10);
-            assert!(one.share.abs() <= 1.0 && whole >= 0.0, "{one:?} {whole}");
+            assert!(one.mobilisation.abs() <= 1.0 && whole >= 0.0, "{one:?} {whole}");
             let mirrored = law.traction(-way, gap, 0.4).value;
             assert_relative_eq!(law.traction(way, gap, -0.4).value, -mirrored, max_relative = 1e-14);
         }
@@ -191,20 +194,20 @@ mod tests {
     #[test]
     fn a_loop_dissipates_its_area() {
         let (law, gap) = (law(), PAPER.equilibrium_gap());
-        let mut slip = Slip { place: 0.0, share: 0.0, limit: law.limit(gap)[0] };
+        let mut slip = FrictionState { place: 0.0, mobilisation: 0.0, limit: law.limit(gap)[0] };
         let (mut dissipated, mut work) = (0.0, 0.0);
         let steps = 200;
         for k in 0..2 * steps {
             let step = if k < steps { 1e-4 } else { -1e-4 };
-            let at = |part: f64| law.traction(part * step, gap, slip.share).value;
+            let at = |part: f64| law.traction(part * step, gap, slip.mobilisation).value;
             work += step / 6.0 * (at(0.0) + 4.0 * at(0.5) + at(1.0));
             let (next, lost) = law.remembered(slip.place + step, gap, slip);
             dissipated += lost;
             slip = next;
         }
-        let stored = law.traction(0.0, gap, slip.share).energy;
+        let stored = law.traction(0.0, gap, slip.mobilisation).energy;
         assert_relative_eq!(work, dissipated + stored, max_relative = 1e-9);
-        assert!(slip.place.abs() < 1e-15 && slip.share < -0.8 && dissipated > 0.0);
+        assert!(slip.place.abs() < 1e-15 && slip.mobilisation < -0.8 && dissipated > 0.0);
     }
 
     /// At rest the tangential stiffness equals the normal one; the strength is τ0 where nothing presses, half of it where the half space

@@ -1,4 +1,4 @@
 //! What resists sliding, with memory.
 
 mod dahl;
-pub use dahl::{FrictionLaw, Slip, Traction};
+pub use dahl::{FrictionLaw, FrictionState, Traction};

@@ -8,7 +8,7 @@ use std::num::NonZeroUsize;
 /// The shape of a curved body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Shape {
+pub enum BodyShape {
     /// A ball
     Sphere,
     /// Endless
@@ -19,7 +19,7 @@ pub enum Shape {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurvedBody {
     /// Which of the two
-    pub shape: Shape,
+    pub shape: BodyShape,
     /// nm
     pub radius: f64,
 }
@@ -50,8 +50,8 @@ impl CurvedBody {
         let r0_6 = material.equilibrium_distance.powi(6);
         let scale = material.hamaker_constant / (2.0 * PI * PI);
         let powers = match self.shape {
-            Shape::Sphere => self.sphere(gap),
-            Shape::Cylinder => self.cylinder(gap),
+            BodyShape::Sphere => self.sphere(gap),
+            BodyShape::Cylinder => self.cylinder(gap),
         };
         [0, 1].map(|k| scale * (r0_6 * powers.repulsion[k] - 2.0 * powers.attraction[k]))
     }
@@ -106,7 +106,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     const LAW: HalfSpace = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };
-    const SHAPES: [Shape; 2] = [Shape::Sphere, Shape::Cylinder];
+    const SHAPES: [BodyShape; 2] = [BodyShape::Sphere, BodyShape::Cylinder];
 
     #[test]
     fn body_force_is_minus_the_slope_of_the_traction() {
@@ -135,7 +135,7 @@ mod tests {
     /// Far from a small sphere its volume attracts as one atom: -φ' with r^-7.
     #[test]
     fn a_far_sphere_attracts_with_its_volume() {
-        let body = CurvedBody { shape: Shape::Sphere, radius: 0.1 };
+        let body = CurvedBody { shape: BodyShape::Sphere, radius: 0.1 };
         let (distance, volume) = (50.0, 4.0 / 3.0 * PI * 1e-3);
         let expected = -12.0 * 0.1 / (2.0 * PI * PI) * volume / f64::powi(distance, 7);
         assert_relative_eq!(body.body_force(&LAW, distance - 0.1), expected, max_relative = 1e-4);

@@ -4,10 +4,10 @@ use super::LennardJones;
 use std::f64::consts::PI;
 
 /// A place, nm; y away from the substrate.
-pub type Place = [f64; 3];
+pub type LatticeSite = [f64; 3];
 
 /// A block of a simple cubic lattice: the centres of `counts` cubes of edge `spacing` (nm) that fill the block above `corner`.
-pub fn cubic_block(corner: Place, counts: [usize; 3], spacing: f64) -> Vec<Place> {
+pub fn cubic_block(corner: LatticeSite, counts: [usize; 3], spacing: f64) -> Vec<LatticeSite> {
     let at = |k: usize, axis: usize| corner[axis] + (k as f64 + 0.5) * spacing;
     let mut atoms = Vec::with_capacity(counts.iter().product());
     for i in 0..counts[0] {
@@ -19,7 +19,7 @@ pub fn cubic_block(corner: Place, counts: [usize; 3], spacing: f64) -> Vec<Place
 }
 
 /// Energy (aJ) and force on the first body (nN) of two lists of atoms, eq. (2): n1 n2 pairs.
-pub fn pair_sum(pair: &LennardJones, body: &[Place], other: &[Place]) -> (f64, Place) {
+pub fn pair_sum(pair: &LennardJones, body: &[LatticeSite], other: &[LatticeSite]) -> (f64, LatticeSite) {
     let (mut energy, mut force) = (0.0, [0.0; 3]);
     for one in body {
         for two in other {
@@ -47,7 +47,7 @@ pub struct LatticeHalfSpace {
 
 impl LatticeHalfSpace {
     /// Force on an atom above the lattice, nN: the force of eq. (2), the continuum beyond the cutoff included.
-    pub fn force_on(&self, atom: Place) -> Place {
+    pub fn force_on(&self, atom: LatticeSite) -> LatticeSite {
         let (a, cutoff_squared) = (self.spacing, self.cutoff * self.cutoff);
         let mut force = [0.0, self.beyond(atom[1]), 0.0];
         let planes = ((self.cutoff - atom[1]) / a + 0.5).max(0.0) as usize;

@@ -2,7 +2,7 @@
 //!
 //! Densities are the current ones: eqs. (4) and (5) say that β dv = β0 dV, so that a deformed body needs no other formula.
 
-use super::lattice::Place;
+use super::lattice::LatticeSite;
 use super::{LennardJones, Rule};
 use std::f64::consts::PI;
 
@@ -10,14 +10,14 @@ use std::f64::consts::PI;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cuboid {
     /// Corner of the smallest coordinates, nm
-    pub corner: Place,
+    pub corner: LatticeSite,
     /// Lengths of the edges, nm
-    pub edges: Place,
+    pub edges: LatticeSite,
 }
 
 impl Cuboid {
     /// Gauss points and weights (nm³), the cube of the rule's number.
-    fn points<'a>(&'a self, rule: &'a Rule) -> impl Iterator<Item = (Place, f64)> + 'a {
+    fn points<'a>(&'a self, rule: &'a Rule) -> impl Iterator<Item = (LatticeSite, f64)> + 'a {
         let along = move |axis: usize| rule.over(self.corner[axis], self.corner[axis] + self.edges[axis]);
         along(0).flat_map(move |(x, wx)| {
             along(1).flat_map(move |(y, wy)| along(2).map(move |(z, wz)| ([x, y, z], wx * wy * wz)))
@@ -34,7 +34,7 @@ pub fn double_integral(
     body: &Cuboid,
     other: &Cuboid,
     rule: &Rule,
-) -> (f64, Place) {
+) -> (f64, LatticeSite) {
     let others: Vec<_> = other.points(rule).collect();
     let (mut energy, mut force) = (0.0, [0.0; 3]);
     for (one, weight) in body.points(rule) {
@@ -55,7 +55,7 @@ pub fn double_integral(
 ///
 /// On a ray at the angle ψ from -y the half space begins at r/μ, μ = cos ψ. With ρ = r/(μt) the force of r^-n is
 /// a polynomial in μ and t, of degree 11 at most: from 6 points on the rule is exact and only round-off is left.
-pub fn body_force_by_volume(pair: &LennardJones, densities: f64, distance: f64, rule: &Rule) -> Place {
+pub fn body_force_by_volume(pair: &LennardJones, densities: f64, distance: f64, rule: &Rule) -> LatticeSite {
     let mut force = [0.0; 3];
     let w_azimuth = 2.0 * PI / rule.points() as f64;
     for turn in 0..rule.points() {

@@ -73,7 +73,7 @@ pub(super) fn both_faces<T: Real>(half_space: &HalfSpace, h: T, gap: T, sin: T, 
 /// The bottom face alone, Ψ = W(r1)/|cos θ|; singular where the section stands on edge.
 #[inline(always)]
 pub(super) fn near_face<T: Real>(half_space: &HalfSpace, height: T, gap: T, sin: T, cos: T) -> LineResponse<T> {
-    let (s, c) = (cos.choose(sin, -sin), cos.choose(cos, -cos));
+    let (s, c) = (cos.select(sin, -sin), cos.select(cos, -cos));
     let half = height * 0.5;
     let r1 = gap + one_minus(s, c) * half;
     let w = half_space.potential(r1);

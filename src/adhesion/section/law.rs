@@ -108,12 +108,12 @@ impl Law {
         matches!(self, Self::BodyForce | Self::SurfaceTraction)
     }
 
-    /// As [`super::LineLaw::reach`].
-    pub(super) fn reach(&self, half_space: &HalfSpace) -> f64 {
+    /// As [`super::LineLaw::cutoff_distance`].
+    pub(super) fn cutoff_distance(&self, half_space: &HalfSpace) -> f64 {
         match self {
             Self::BodyForce | Self::SurfaceTraction => 10.0 * half_space.equilibrium_distance,
-            Self::Cohesive(law) => law.reach(),
-            Self::Own(own) => own.law().reach(),
+            Self::Cohesive(law) => law.cutoff_distance(),
+            Self::Own(own) => own.law().cutoff_distance(),
         }
     }
 }

@@ -76,8 +76,8 @@ impl LineLaw {
 
     /// The distance (nm) from which on hardly anything pulls: 10 r0 from a half space, whose traction has fallen there to 7e-4 of its
     /// strength; where a thousandth is left of that of a cohesive law; a law of the user's own says it.
-    pub fn reach(&self) -> f64 {
-        self.law.reach(&self.half_space)
+    pub fn cutoff_distance(&self) -> f64 {
+        self.law.cutoff_distance(&self.half_space)
     }
 
     /// The gap η at which a flat section is at rest, T_c(η, θ = 0) = 0, nm.

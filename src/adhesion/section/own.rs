@@ -36,7 +36,7 @@ pub trait SectionLaw: Debug + Send + Sync {
     fn response(&self, section: &TiltedSection) -> LineResponse<f64>;
 
     /// The distance from which on hardly anything pulls, nm: a beam of which no point is nearer is detached.
-    fn reach(&self) -> f64;
+    fn cutoff_distance(&self) -> f64;
 
     /// The gap at which a flat section of this height (nm) is at rest, T_c = 0 with a stable equilibrium, nm.
     fn rest_gap(&self, height: f64) -> f64;
@@ -123,7 +123,7 @@ impl Eq for OwnLaw {}
 mod tests {
     use super::*;
     use crate::adhesion::{Cohesive, CohesiveShape, HalfSpace, Law, LineLaw, LineLoad};
-    use crate::number::Four;
+    use crate::number::F64x4;
 
     const PAPER: HalfSpace = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };
 
@@ -140,8 +140,8 @@ mod tests {
             section.face_load(|r| self.0.levels(r))
         }
 
-        fn reach(&self) -> f64 {
-            self.0.reach()
+        fn cutoff_distance(&self) -> f64 {
+            self.0.cutoff_distance()
         }
 
         fn rest_gap(&self, _height: f64) -> f64 {
@@ -157,12 +157,15 @@ mod tests {
         for line_load in [LineLoad::Full, LineLoad::ForceOnly, LineLoad::AxisGap] {
             let of = |law| LineLaw { half_space: PAPER, height: 10.0, law, line_load, far_face: true };
             let (own, cohesive) = (of(Law::Own(own)), of(Law::Cohesive(cohesive)));
-            assert_eq!((own.has_potential(), own.reach()), (cohesive.has_potential(), cohesive.reach()));
+            assert_eq!(
+                (own.has_potential(), own.cutoff_distance()),
+                (cohesive.has_potential(), cohesive.cutoff_distance())
+            );
             assert!(!own.has_far_face());
             for gap in [0.2, 0.26, 0.5, 2.0] {
                 let angles = [-0.3, 0.0, 0.4, 2.0];
                 let (sin, cos) = (angles.map(f64::sin), angles.map(f64::cos));
-                let four = own.response(Four([gap; 4]), Four(sin), Four(cos));
+                let four = own.response(F64x4([gap; 4]), F64x4(sin), F64x4(cos));
                 for l in 0..4 {
                     let one = own.response(gap, sin[l], cos[l]);
                     assert_eq!(one, cohesive.response(gap, sin[l], cos[l]));

@@ -32,7 +32,7 @@ impl<T: Real> LineResponse<T> {
     /// Where the section is upright, cos θ = 0, the face that looks down is another one, and M_c changes its sign.
     #[inline(always)]
     pub fn of_face(levels: impl FnOnce(T) -> [T; 3], height: T, gap: T, sin: T, cos: T) -> Self {
-        let (s, c) = (cos.choose(sin, -sin), cos.choose(cos, -cos));
+        let (s, c) = (cos.select(sin, -sin), cos.select(cos, -cos));
         let half = height * 0.5;
         let [w, t, b] = levels(gap + one_minus(s, c) * half);
         let lever = half * s;
@@ -78,5 +78,5 @@ impl<T: Real> LineResponse<T> {
 /// 1 - cos θ without cancellation.
 #[inline(always)]
 pub(super) fn one_minus<T: Real>(sin: T, cos: T) -> T {
-    cos.choose(sin * sin / (cos + 1.0), T::splat(1.0) - cos)
+    cos.select(sin * sin / (cos + 1.0), T::splat(1.0) - cos)
 }

@@ -6,7 +6,7 @@
 //!   T_c = cos θ [T(r1) - T(r2)],   M_c = (h/2) sin θ cos θ [T(r1) + T(r2)].
 //!
 //! It has no potential: ∂T_c/∂θ - ∂M_c/∂y = -sin θ [T(r1) - T(r2)]. Over the four faces of a piece the traction is the body force
-//! ([`crate::adhesion::Piece`]); the faces at the ends of a beam, which would make up for that, are left out, as in a mesh of which the
+//! ([`crate::adhesion::TiltedBlock`]); the faces at the ends of a beam, which would make up for that, are left out, as in a mesh of which the
 //! bottom face alone is a contact surface. As its energy stands cos θ [W(r1) - W(r2)], whose slope along y is -T_c.
 
 use super::response::{LineResponse, one_minus};
@@ -25,7 +25,7 @@ pub(super) fn both_faces<T: Real>(half_space: &HalfSpace, height: T, gap: T, sin
 /// The face that looks down alone.
 #[inline(never)]
 pub(super) fn near_face<T: Real>(half_space: &HalfSpace, height: T, gap: T, sin: T, cos: T) -> LineResponse<T> {
-    let (s, c) = (cos.choose(sin, -sin), cos.choose(cos, -cos));
+    let (s, c) = (cos.select(sin, -sin), cos.select(cos, -cos));
     let face = half_space.levels(gap + one_minus(s, c) * (height * 0.5));
     response(face, face, height * s * 0.5, height, s, c)
 }

@@ -8,7 +8,7 @@ impl Substrate {
         let mut y = self.top(x - distance, x + distance) + distance;
         // the distance is concave along a line on a convex body and at most as steep as the line: the steps stay above
         for _ in 0..MOST_LEVELLING {
-            let off = self.foot(x, y).distance - distance;
+            let off = self.project(x, y).distance - distance;
             y -= off;
             if off.abs() <= LEVELLED * distance {
                 break;
@@ -21,20 +21,20 @@ impl Substrate {
     /// `places` along it, nm. Valleys narrower than the distance are passed over, as by a ball that rolls.
     pub fn along(&self, distance: f64, places: &[f64]) -> Vec<[f64; 3]> {
         let (mut x, mut y, mut here) = (0.0, self.above(0.0, distance), 0.0);
-        let step = (0.02 * distance).min(0.005 * self.detail());
+        let step = (0.02 * distance).min(0.005 * self.feature_length());
         let line = places.iter().map(|&place| {
             let steps = ((place - here) / step).ceil().clamp(0.0, MOST_A_PLACE);
             for _ in 0..steps as usize {
                 let length = (place - here) / steps;
-                let from = self.foot(x, y);
+                let from = self.project(x, y);
                 // the middle of the step, its direction, and back to the distance
-                let middle = self.foot(x + 0.5 * length * from.cos, y + 0.5 * length * from.sin);
+                let middle = self.project(x + 0.5 * length * from.cos, y + 0.5 * length * from.sin);
                 (x, y) = (x + length * middle.cos, y + length * middle.sin);
-                let to = self.foot(x, y);
+                let to = self.project(x, y);
                 (x, y) = (x + (to.distance - distance) * to.sin, y - (to.distance - distance) * to.cos);
             }
             here = place;
-            let foot = self.foot(x, y);
+            let foot = self.project(x, y);
             [x, y, foot.sin.atan2(foot.cos)]
         });
         line.collect()

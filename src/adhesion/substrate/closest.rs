@@ -9,7 +9,7 @@
 //! the best distance. Each change of the sign of q from - to + is a candidate; a root at which q' < 0 is a farthest point
 //! between two candidates, and both are taken.
 
-use super::surface::Foot;
+use super::surface::ClosestPoint;
 use crate::number::root::{Bracket, Look};
 
 /// What is known of a curve as a whole.
@@ -32,10 +32,15 @@ const PARTS: usize = 8;
 
 /// The nearest point of y = f(x) to (x, y). `curve` gives f and its first three derivatives; `guesses` are places not far
 /// from it, which bound how far away the nearest can be.
-pub(super) fn closest(curve: impl Fn(f64) -> [f64; 4], graph: &Graph, guesses: [f64; 2], (x, y): (f64, f64)) -> Foot {
+pub(super) fn closest(
+    curve: impl Fn(f64) -> [f64; 4],
+    graph: &Graph,
+    guesses: [f64; 2],
+    (x, y): (f64, f64),
+) -> ClosestPoint {
     let search = Search { curve, x, y };
     if !(x.is_finite() && y.is_finite()) {
-        return search.foot(f64::NAN, f64::INFINITY);
+        return search.project(f64::NAN, f64::INFINITY);
     }
     let mut best = f64::INFINITY;
     for guess in guesses {
@@ -45,7 +50,7 @@ pub(super) fn closest(curve: impl Fn(f64) -> [f64; 4], graph: &Graph, guesses: [
     let reach = (best - above * above).max(0.0).sqrt();
     let (from, to) = (x - reach, x + reach);
     if (y - graph.bottom).max(graph.top - y) * graph.bend < 1.0 {
-        return search.foot(search.root(from, to), f64::INFINITY);
+        return search.project(search.root(from, to), f64::INFINITY);
     }
     search.among(from, to, (2.0 * reach / graph.step).clamp(1.0, MOST_SAMPLES).ceil())
 }
@@ -87,7 +92,7 @@ impl<C: Fn(f64) -> [f64; 4]> Search<C> {
     }
 
     /// The best of all candidates between two places.
-    fn among(&self, from: f64, to: f64, samples: f64) -> Foot {
+    fn among(&self, from: f64, to: f64, samples: f64) -> ClosestPoint {
         let mut nearest = Nearest { place: self.x, best: f64::INFINITY, next: f64::INFINITY };
         let place = |k: f64| from + (to - from) * k / samples;
         // the outermost places hold no nearer point, but may be one
@@ -111,7 +116,7 @@ impl<C: Fn(f64) -> [f64; 4]> Search<C> {
             nearest.take(to, self.square(to));
             nearest.next = f64::INFINITY;
         }
-        self.foot(nearest.place, nearest.next.sqrt())
+        self.project(nearest.place, nearest.next.sqrt())
     }
 
     /// The candidates between two places at which q goes from - to +: where two of them part, above a centre of curvature,
@@ -157,12 +162,12 @@ impl<C: Fn(f64) -> [f64; 4]> Search<C> {
     }
 
     /// What is to be known of the place s.
-    fn foot(&self, s: f64, runner_up: f64) -> Foot {
+    fn project(&self, s: f64, second_distance: f64) -> ClosestPoint {
         let [f, slope, bend, third] = (self.curve)(s);
         let stretch = (1.0 + slope * slope).sqrt();
         let (sin, cos) = (slope / stretch, stretch.recip());
         let cube = cos * cos * cos;
-        Foot {
+        ClosestPoint {
             distance: (self.y - f) * cos - (self.x - s) * sin,
             place: s,
             sin,
@@ -170,7 +175,7 @@ impl<C: Fn(f64) -> [f64; 4]> Search<C> {
             curvature: bend * cube,
             // dκ/dσ = cos φ dκ/dx
             curvature_slope: cos * cube * (third - 3.0 * slope * bend * bend * cos * cos),
-            runner_up,
+            second_distance,
         }
     }
 }

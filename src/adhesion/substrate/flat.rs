@@ -1,6 +1,6 @@
 //! Level ground.
 
-use super::surface::{Foot, Surface};
+use super::surface::{ClosestPoint, Surface};
 
 /// y = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,8 +15,8 @@ impl Surface for Flat {
         &[]
     }
 
-    fn foot(&self, x: f64, y: f64) -> Foot {
-        Foot::level(x, y)
+    fn project(&self, x: f64, y: f64) -> ClosestPoint {
+        ClosestPoint::level(x, y)
     }
 
     fn clearance(&self, _x: f64, y: f64) -> f64 {
@@ -27,7 +27,7 @@ impl Surface for Flat {
         0.0
     }
 
-    fn detail(&self) -> f64 {
+    fn feature_length(&self) -> f64 {
         f64::INFINITY
     }
 }

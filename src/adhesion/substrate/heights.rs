@@ -1,7 +1,7 @@
 //! A measured profile: heights at places.
 
 use super::closest::{Graph, closest};
-use super::surface::{Foot, Named, Surface};
+use super::surface::{ClosestPoint, Named, Surface};
 use serde::{Deserialize, Serialize};
 
 /// A cubic spline through heights, twice continuously differentiable (I. J. Schoenberg, Quart. Appl. Math. 4 (1946) 45), with no
@@ -177,16 +177,16 @@ impl Surface for Heights {
     }
 
     /// The length of the shortest wave that it can tell, nm: four times the least distance of two places.
-    fn detail(&self) -> f64 {
+    fn feature_length(&self) -> f64 {
         WAVE * self.least()
     }
 
-    fn relief(&self) -> f64 {
+    fn peak_to_valley(&self) -> f64 {
         let [top, bottom, ..] = self.graph;
         top - bottom
     }
 
-    fn foot(&self, x: f64, y: f64) -> Foot {
+    fn project(&self, x: f64, y: f64) -> ClosestPoint {
         let [top, bottom, bend, step] = self.graph;
         // behind its ends it goes on straight, and may be higher there than anywhere
         let reach = (y - self.at(x)[0]).abs();

@@ -11,7 +11,7 @@
 //!
 //! Several points of the curve may be near, and the nearest counts. Where two are equally near (above a valley, farther from
 //! it than its centre of curvature) the distance is continuous and its gradient is not. What that costs is stated in
-//! [`Foot::runner_up`].
+//! [`ClosestPoint::second_distance`].
 //!
 //! A shape is a file here with a type that is a [`Surface`], and a line of the list below.
 
@@ -23,7 +23,7 @@ mod self_affine;
 mod surface;
 pub use response::{GroundLaw, GroundResponse};
 pub use self_affine::SelfAffine;
-pub use surface::{Foot, Misfit, Surface};
+pub use surface::{ClosestPoint, Misfit, Surface};
 
 use flat::Flat;
 use serde::{Deserialize, Serialize};
@@ -121,8 +121,8 @@ impl Substrate {
 
     /// The nearest point of (x, y), nm. NaN where a coordinate is.
     #[inline(never)]
-    pub fn foot(&self, x: f64, y: f64) -> Foot {
-        self.surface().foot(x, y)
+    pub fn project(&self, x: f64, y: f64) -> ClosestPoint {
+        self.surface().project(x, y)
     }
 
     /// About how far (x, y) is above the substrate, nm: along y, or from the centre of a circle.
@@ -136,17 +136,17 @@ impl Substrate {
     }
 
     /// How high it may rise above where a beam lies on it, nm: from valley to crest; zero where it has no valley.
-    pub fn relief(&self) -> f64 {
-        self.surface().relief()
+    pub fn peak_to_valley(&self) -> f64 {
+        self.surface().peak_to_valley()
     }
 
     /// The length in which it changes, nm: no element may be much longer. Infinite where it is the same everywhere.
-    pub fn detail(&self) -> f64 {
-        self.surface().detail()
+    pub fn feature_length(&self) -> f64 {
+        self.surface().feature_length()
     }
 
     /// The convex body that a crest is like.
-    pub fn crest(&self) -> crate::adhesion::Shape {
+    pub fn crest(&self) -> crate::adhesion::BodyShape {
         self.surface().crest()
     }
 

@@ -47,7 +47,7 @@ impl GroundLaw {
     pub fn response<T: Real>(&self, height: T, [x, gap]: [T; 2], [sin, cos]: [T; 2]) -> GroundResponse<T> {
         let half = height * 0.5;
         let [distance, foot_sin, foot_cos, curvature, curvature_slope] = x.each_pair(gap + half, |x, y| {
-            let foot = self.substrate.foot(x, y);
+            let foot = self.substrate.project(x, y);
             [foot.distance, foot.sin, foot.cos, foot.curvature, foot.curvature_slope]
         });
         let (sin, cos) = (sin * foot_cos - cos * foot_sin, cos * foot_cos + sin * foot_sin);

@@ -1,7 +1,7 @@
 //! A parabolic ridge.
 
 use super::closest::{Graph, closest};
-use super::surface::{Foot, Named, ONE_CREST, Surface, of_one_crest};
+use super::surface::{ClosestPoint, Named, ONE_CREST, Surface, of_one_crest};
 use serde::{Deserialize, Serialize};
 
 /// y = -(x - x0)²/(2R): an asperity across the beam, whose flanks fall away without an end, unlike those of a cylinder. Its crest is at y = 0.
@@ -41,12 +41,12 @@ impl Surface for Ridge {
         y - self.at(x)[0]
     }
 
-    fn detail(&self) -> f64 {
+    fn feature_length(&self) -> f64 {
         self.radius
     }
 
     /// In front of a convex curve there is one nearest point: it is looked for as where nothing bends.
-    fn foot(&self, x: f64, y: f64) -> Foot {
+    fn project(&self, x: f64, y: f64) -> ClosestPoint {
         let graph = Graph { ceiling: 0.0, top: 0.0, bottom: 0.0, bend: 0.0, step: self.radius };
         closest(|s| self.at(s), &graph, [x; 2], (x, y))
     }

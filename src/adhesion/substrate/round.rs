@@ -1,14 +1,14 @@
 //! A sphere or a cylinder.
 
-use super::surface::{Foot, Misfit, Named, ONE_CREST, Surface, of_one_crest};
-use crate::adhesion::Shape;
+use super::surface::{ClosestPoint, Misfit, Named, ONE_CREST, Surface, of_one_crest};
+use crate::adhesion::BodyShape;
 use serde::{Deserialize, Serialize};
 
 /// A sphere, or a cylinder whose axis is across the beam. Its top is at y = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Round {
     /// Which of the two
-    pub shape: Shape,
+    pub shape: BodyShape,
     /// R, nm
     pub radius: f64,
     /// x of its top, nm
@@ -16,17 +16,18 @@ pub struct Round {
 }
 
 /// As scenes name them.
-pub(super) const NAMED: &[Named<Round>] = &[("sphere", || new(Shape::Sphere)), ("cylinder", || new(Shape::Cylinder))];
+pub(super) const NAMED: &[Named<Round>] =
+    &[("sphere", || new(BodyShape::Sphere)), ("cylinder", || new(BodyShape::Cylinder))];
 
-fn new(shape: Shape) -> Round {
+fn new(shape: BodyShape) -> Round {
     Round { shape, radius: f64::NAN, offset: 0.0 }
 }
 
 impl Surface for Round {
     fn name(&self) -> &'static str {
         match self.shape {
-            Shape::Sphere => "sphere",
-            Shape::Cylinder => "cylinder",
+            BodyShape::Sphere => "sphere",
+            BodyShape::Cylinder => "cylinder",
         }
     }
 
@@ -48,30 +49,30 @@ impl Surface for Round {
     }
 
     fn clearance(&self, x: f64, y: f64) -> f64 {
-        self.foot(x, y).distance
+        self.project(x, y).distance
     }
 
-    fn detail(&self) -> f64 {
+    fn feature_length(&self) -> f64 {
         self.radius
     }
 
-    fn crest(&self) -> Shape {
+    fn crest(&self) -> BodyShape {
         self.shape
     }
 
     /// d = √(ξ² + (y + R)²) - R with ξ = x - x0, without the difference of two large numbers: κ = -1/R, κ' = 0.
-    fn foot(&self, x: f64, y: f64) -> Foot {
+    fn project(&self, x: f64, y: f64) -> ClosestPoint {
         let (across, up) = (x - self.offset, y + self.radius);
         let from_center = across.hypot(up);
         let (sin, cos) = (-across / from_center, up / from_center);
-        Foot {
+        ClosestPoint {
             distance: (across * across + y * (y + 2.0 * self.radius)) / (from_center + self.radius),
             place: self.offset - self.radius * sin,
             sin,
             cos,
             curvature: -self.radius.recip(),
             curvature_slope: 0.0,
-            runner_up: f64::INFINITY,
+            second_distance: f64::INFINITY,
         }
     }
 

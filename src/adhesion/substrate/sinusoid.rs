@@ -1,7 +1,7 @@
 //! A wavy substrate.
 
 use super::closest::{Graph, closest};
-use super::surface::{Foot, Named, Surface};
+use super::surface::{ClosestPoint, Named, Surface};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
@@ -62,15 +62,15 @@ impl Surface for Sinusoid {
         y - self.at(x)[0]
     }
 
-    fn relief(&self) -> f64 {
+    fn peak_to_valley(&self) -> f64 {
         self.height
     }
 
-    fn detail(&self) -> f64 {
+    fn feature_length(&self) -> f64 {
         self.wavelength
     }
 
-    fn foot(&self, x: f64, y: f64) -> Foot {
+    fn project(&self, x: f64, y: f64) -> ClosestPoint {
         let k = TAU / self.wavelength;
         let bend = 0.5 * self.height * k * k;
         let graph = Graph { ceiling: 0.0, top: 0.0, bottom: -self.height, bend, step: self.wavelength / SAMPLES };

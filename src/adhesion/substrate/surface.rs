@@ -1,12 +1,12 @@
 //! What is asked of the ground.
 
-use crate::adhesion::Shape;
+use crate::adhesion::BodyShape;
 use std::fmt::Debug;
 use std::sync::Arc;
 
 /// The nearest point of a substrate.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Foot {
+pub struct ClosestPoint {
     /// d, nm; negative within the solid
     pub distance: f64,
     /// Where it is along x, nm
@@ -25,14 +25,14 @@ pub struct Foot {
     /// no nearer than the radius of the valley between the two, ρ, so that the jump is at most 2 T(ρ - h/2), to be compared
     /// with the largest attraction T(5^(-1/6) r0): 6e-7 of it for the valleys of the paper's sinusoid, ρ = 63.3 nm, under a
     /// strip 10 nm high.
-    pub runner_up: f64,
+    pub second_distance: f64,
 }
 
-impl Foot {
+impl ClosestPoint {
     /// Level ground with this height above it.
     pub(super) fn level(place: f64, distance: f64) -> Self {
-        let runner_up = f64::INFINITY;
-        Self { distance, place, sin: 0.0, cos: 1.0, curvature: 0.0, curvature_slope: 0.0, runner_up }
+        let second_distance = f64::INFINITY;
+        Self { distance, place, sin: 0.0, cos: 1.0, curvature: 0.0, curvature_slope: 0.0, second_distance }
     }
 }
 
@@ -45,7 +45,7 @@ pub trait Surface: Debug + Send + Sync {
     fn keys(&self) -> &'static [&'static str];
 
     /// The nearest point of (x, y). NaN where a coordinate is.
-    fn foot(&self, x: f64, y: f64) -> Foot;
+    fn project(&self, x: f64, y: f64) -> ClosestPoint;
 
     /// About how far (x, y) is above it: along y, or from the centre of a circle.
     fn clearance(&self, x: f64, y: f64) -> f64;
@@ -54,16 +54,16 @@ pub trait Surface: Debug + Send + Sync {
     fn top(&self, from: f64, to: f64) -> f64;
 
     /// How high it may rise above where a beam lies on it: from valley to crest; zero where it has no valley.
-    fn relief(&self) -> f64 {
+    fn peak_to_valley(&self) -> f64 {
         0.0
     }
 
     /// The length in which it changes: no element may be much longer. Infinite where it is the same everywhere.
-    fn detail(&self) -> f64;
+    fn feature_length(&self) -> f64;
 
     /// The convex body that a crest is like.
-    fn crest(&self) -> Shape {
-        Shape::Cylinder
+    fn crest(&self) -> BodyShape {
+        BodyShape::Cylinder
     }
 
     /// The number that a scene gives by this key.
@@ -111,8 +111,8 @@ impl<S: Surface> Surface for Arc<S> {
     fn keys(&self) -> &'static [&'static str] {
         (**self).keys()
     }
-    fn foot(&self, x: f64, y: f64) -> Foot {
-        (**self).foot(x, y)
+    fn project(&self, x: f64, y: f64) -> ClosestPoint {
+        (**self).project(x, y)
     }
     fn clearance(&self, x: f64, y: f64) -> f64 {
         (**self).clearance(x, y)
@@ -120,13 +120,13 @@ impl<S: Surface> Surface for Arc<S> {
     fn top(&self, from: f64, to: f64) -> f64 {
         (**self).top(from, to)
     }
-    fn relief(&self) -> f64 {
-        (**self).relief()
+    fn peak_to_valley(&self) -> f64 {
+        (**self).peak_to_valley()
     }
-    fn detail(&self) -> f64 {
-        (**self).detail()
+    fn feature_length(&self) -> f64 {
+        (**self).feature_length()
     }
-    fn crest(&self) -> Shape {
+    fn crest(&self) -> BodyShape {
         (**self).crest()
     }
     fn misfit(&self) -> Option<Misfit> {

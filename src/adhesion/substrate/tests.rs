@@ -1,7 +1,7 @@
 //! Nearest points against brute force, their derivatives against differences, and what happens where two are equally near.
 
 use super::*;
-use crate::adhesion::{HalfSpace, Law, LineLaw, LineLoad, Shape};
+use crate::adhesion::{BodyShape, HalfSpace, Law, LineLaw, LineLoad};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 
 const PAPER: Sinusoid = Sinusoid { height: 8.0, wavelength: 100.0, offset: 13.0 };
@@ -19,7 +19,7 @@ fn substrates() -> Vec<Case> {
     let heights = Arc::new(rough());
     let same = heights.clone();
     let steep = Sinusoid { height: 30.0, wavelength: 40.0, offset: -3.0 };
-    let round = Round { shape: Shape::Cylinder, radius: 35.0, offset: 120.0 };
+    let round = Round { shape: BodyShape::Cylinder, radius: 35.0, offset: 120.0 };
     vec![
         (Substrate::Sinusoid(PAPER), Box::new(|s| PAPER.at(s)[0])),
         (Substrate::Sinusoid(steep), Box::new(move |s| steep.at(s)[0])),
@@ -62,13 +62,13 @@ fn nearest_points_are_those_of_brute_force() {
             let x = 95.0 + 50.0 * (f64::from(k) * 0.618_033_9).fract();
             for above in [0.3, 2.0, 5.2, 14.0, 41.0, 90.0] {
                 let y = curve(x) + above;
-                let foot = substrate.foot(x, y);
+                let foot = substrate.project(x, y);
                 assert_relative_eq!(foot.distance, brute_force(&curve, x, y), max_relative = 1e-12);
                 // the foot lies on the curve and the line to it is square to that
                 let (fx, fy) = (x + foot.distance * foot.sin, y - foot.distance * foot.cos);
                 assert_abs_diff_eq!(fx, foot.place, epsilon = 1e-9);
                 assert_abs_diff_eq!(fy, curve(foot.place), epsilon = 1e-9);
-                assert!(foot.runner_up >= foot.distance * (1.0 - 1e-14));
+                assert!(foot.second_distance >= foot.distance * (1.0 - 1e-14));
             }
         }
     }
@@ -82,13 +82,13 @@ fn distance_and_angle_change_as_derived() {
             let x = 96.3 + 48.0 * (f64::from(k) * 0.754_877_7).fract();
             for above in [0.3, 3.0, 6.0] {
                 let y = curve(x) + above;
-                let foot = substrate.foot(x, y);
+                let foot = substrate.project(x, y);
                 let step = 1e-3;
-                let slope = |pick: &dyn Fn(&Foot) -> f64, dx: f64, dy: f64| {
-                    let at = |k: f64| pick(&substrate.foot(x + k * step * dx, y + k * step * dy));
+                let slope = |pick: &dyn Fn(&ClosestPoint) -> f64, dx: f64, dy: f64| {
+                    let at = |k: f64| pick(&substrate.project(x + k * step * dx, y + k * step * dy));
                     (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * step)
                 };
-                let angle = |foot: &Foot| foot.sin.atan2(foot.cos);
+                let angle = |foot: &ClosestPoint| foot.sin.atan2(foot.cos);
                 let widened = 1.0 / (1.0 - foot.curvature * foot.distance);
                 let (s, c) = (foot.sin, foot.cos);
                 let (along, across) = ((c, s), (-s, c));
@@ -111,7 +111,7 @@ fn distance_and_angle_change_as_derived() {
 }
 
 /// Above a valley, farther than its centre of curvature, two points of the flanks are equally near. The distance is continuous
-/// there; the force of a section jumps by no more than what is stated at [`Foot::runner_up`].
+/// there; the force of a section jumps by no more than what is stated at [`ClosestPoint::second_distance`].
 #[test]
 fn above_the_centre_of_a_valley_two_points_are_equally_near() {
     let substrate = Substrate::Sinusoid(PAPER);
@@ -119,7 +119,7 @@ fn above_the_centre_of_a_valley_two_points_are_equally_near() {
     let radius = PAPER.radius();
     assert_relative_eq!(radius, 63.3257, max_relative = 1e-6);
     // below the centre of curvature there is one, at the bottom
-    let below = substrate.foot(valley, -8.0 + 0.99 * radius);
+    let below = substrate.project(valley, -8.0 + 0.99 * radius);
     assert_abs_diff_eq!(below.distance, 0.99 * radius, epsilon = 1e-12);
     let law = LineLaw {
         half_space: HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 },
@@ -133,10 +133,10 @@ fn above_the_centre_of_a_valley_two_points_are_equally_near() {
     let mut largest = 0.0f64;
     for above in [1.001, 1.01, 1.1, 1.3, 2.0, 4.0] {
         let y = -8.0 + above * radius;
-        let feet = [-1e-9, 1e-9].map(|aside| substrate.foot(valley + aside, y));
+        let feet = [-1e-9, 1e-9].map(|aside| substrate.project(valley + aside, y));
         assert!(feet[0].place < valley && feet[1].place > valley);
         assert_relative_eq!(feet[0].distance, feet[1].distance, max_relative = 1e-9);
-        assert_relative_eq!(feet[0].runner_up, feet[0].distance, max_relative = 1e-8);
+        assert_relative_eq!(feet[0].second_distance, feet[0].distance, max_relative = 1e-8);
         let [left, right] = [-1e-9, 1e-9].map(|aside| ground.response(10.0, [valley + aside, y - 5.0], [0.0, 1.0]));
         assert_relative_eq!(left.energy, right.energy, max_relative = 1e-8);
         assert_abs_diff_eq!(left.gradient[1], right.gradient[1], epsilon = 1e-8 * strongest);
@@ -163,7 +163,7 @@ fn nearly_flat_ground_is_flat() {
     };
     let flat = law(Substrate::Flat);
     let nearly = [
-        (Substrate::Round(Round { shape: Shape::Sphere, radius: 1e12, offset: 0.0 }), 1e-7),
+        (Substrate::Round(Round { shape: BodyShape::Sphere, radius: 1e12, offset: 0.0 }), 1e-7),
         (Substrate::Sinusoid(Sinusoid { height: 1e-9, wavelength: 100.0, offset: 3.0 }), 1e-7),
         (Substrate::Profile(Arc::new(Heights::new(vec![0.0, 7.0, 100.0], vec![0.0; 3]).unwrap())), 1e-12),
     ];
@@ -192,7 +192,7 @@ fn a_line_at_a_distance() {
         let line = substrate.along(distance, &places);
         assert_abs_diff_eq!(line[0][0], 0.0, epsilon = 1e-9);
         for (pair, [x, y, _]) in line.windows(2).zip(&line) {
-            assert_abs_diff_eq!(substrate.foot(*x, *y).distance, distance, epsilon = 1e-4);
+            assert_abs_diff_eq!(substrate.project(*x, *y).distance, distance, epsilon = 1e-4);
             let chord = (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
             assert!(chord < 1.3 + 1e-3 && chord > 0.65, "{chord}");
         }

@@ -18,14 +18,14 @@ pub struct Configuration<'a> {
     /// Fields node by node from left to right.
     pub state: &'a [f64],
     /// The horizontal force H where it is one unknown of the whole chain, nN; zero elsewhere
-    pub border: f64,
+    pub axial_multiplier: f64,
     /// What its material points remember, where there is friction.
     pub history: Option<&'a History>,
 }
 
 /// What the path condition wants of the chain: a linear functional of adhesion energy and of the left end's fields.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct PathRow {
+pub struct ConstraintGradient {
     /// Weight of the adhesion energy, 1/aJ
     pub adhesion: f64,
     /// Weights of the fields of the left end
@@ -34,7 +34,7 @@ pub struct PathRow {
 
 /// What is left of the chain when all nodes but the last are eliminated.
 #[derive(Clone, Copy, Debug)]
-pub struct Root {
+pub struct CondensedChain {
     /// Leading block: fields of the last node, then the border; then the residual column and the path row.
     pub matrix: [[f64; ROOT]; ROOT],
     /// Negative eigenvalues of the chain with its last node held.
@@ -107,32 +107,37 @@ pub trait Chain: Send + Sync {
     fn node_fraction(&self, rank: usize) -> f64;
     /// Whether one unknown is shared by the whole chain.
     fn has_border(&self) -> bool;
-    /// Integrates and eliminates; what is needed to go back stays in `work`.
-    fn eliminate(&self, at: Configuration, path: &PathRow, work: &mut ChainFactors) -> Result<Root, SolveError> {
-        self.eliminate_damped(at, path, &[], work)
+    /// Integrates and eliminates; what is needed to go back stays in `eliminated`.
+    fn eliminate(
+        &self,
+        at: Configuration,
+        path: &ConstraintGradient,
+        eliminated: &mut ChainFactors,
+    ) -> Result<CondensedChain, SolveError> {
+        self.eliminate_damped(at, path, &[], eliminated)
     }
     /// The same with `damping` added to the diagonal of the tangent, a number an unknown; nothing where it is empty.
     fn eliminate_damped(
         &self,
         at: Configuration,
-        path: &PathRow,
+        path: &ConstraintGradient,
         damping: &[f64],
-        work: &mut ChainFactors,
-    ) -> Result<Root, SolveError>;
+        eliminated: &mut ChainFactors,
+    ) -> Result<CondensedChain, SolveError>;
     /// Goes back from the root's solution `root` (last node's fields, border): x = scale × residual part - U⁻¹ root part.
-    /// Panics unless `work` comes from an elimination of a chain of this kind.
-    fn recover(&self, work: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]);
-    /// Takes a right-hand side b of K x = b, or of Kᵀ x = b where `transposed`, through the elimination that `work` comes from,
-    /// down to the root: returns what is left there, for the leading block of [`Root::matrix`] or its transpose to be solved for.
+    /// Panics unless `eliminated` comes from an elimination of a chain of this kind.
+    fn recover(&self, eliminated: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]);
+    /// Takes a right-hand side b of K x = b, or of Kᵀ x = b where `transposed`, through the elimination that `eliminated` comes from,
+    /// down to the root: returns what is left there, for the leading block of [`CondensedChain::matrix`] or its transpose to be solved for.
     ///
     /// K is the tangent that was eliminated, damping included. In the row of a field that is held at the left end it has one on the
     /// diagonal and nothing else; its column is what it is. `right` holds a number an unknown: the fields node by node from left to
-    /// right, then the border where there is one. [`Chain::substitute`] turns it into x. Panics unless `work` comes from an
+    /// right, then the border where there is one. [`Chain::substitute`] turns it into x. Panics unless `eliminated` comes from an
     /// elimination of a chain of this kind and `right` has so many numbers.
-    fn reduce(&self, work: &ChainFactors, right: &mut [f64], transposed: bool) -> RootVector;
+    fn reduce(&self, eliminated: &ChainFactors, right: &mut [f64], transposed: bool) -> RootVector;
     /// Goes back from the root's solution (last node's fields, border): makes x of a right-hand side that [`Chain::reduce`] has gone
-    /// through, with the same `work` and `transposed`.
-    fn substitute(&self, work: &ChainFactors, root: &[f64], right: &mut [f64], transposed: bool);
+    /// through, with the same `eliminated` and `transposed`.
+    fn substitute(&self, eliminated: &ChainFactors, root: &[f64], right: &mut [f64], transposed: bool);
     /// Energy of a configuration, and how its adhesion energy changes along `direction`, a change of the fields.
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64);
     /// The gradient of the energy by the fields of the nodes, and by the border; for the fields that the left end holds, how far they are
@@ -143,7 +148,7 @@ pub trait Chain: Send + Sync {
     /// Section state at every end of the elements of a range.
     fn node_states(&self, at: Configuration, elements: Range<usize>) -> Vec<NodeState>;
     /// What the material points remember behind a step that ended in a configuration; nothing without friction.
-    fn slid(&self, at: Configuration) -> Option<History>;
+    fn updated_history(&self, at: Configuration) -> Option<History>;
     /// Fields at the local coordinate `local` in [-1, 1] of element `element`, and the section state there.
     fn sample(&self, at: Configuration, element: usize, local: f64) -> ([f64; MOST_FIELDS], SectionState);
     /// The state on element ends that lie a little beside its own: each node's value moved along its element's polynomial,

@@ -1,6 +1,6 @@
 //! What the face of a beam remembers of its sliding: the rows of its [`History`] are place, mobilisation and shear strength.
 
-use crate::adhesion::Slip;
+use crate::adhesion::FrictionState;
 use crate::solve::History;
 
 /// A history read as that of friction.
@@ -12,8 +12,8 @@ const ALL: f64 = 1.0 - 1e-9;
 
 impl FrictionHistory<'_> {
     /// S of each place (nm), with what it remembers.
-    pub fn iter(&self) -> impl Iterator<Item = (f64, Slip)> + '_ {
-        self.0.iter().map(|(s, [place, share, limit])| (s, Slip { place, share, limit }))
+    pub fn iter(&self) -> impl Iterator<Item = (f64, FrictionState)> + '_ {
+        self.0.iter().map(|(s, [place, mobilisation, limit])| (s, FrictionState { place, mobilisation, limit }))
     }
 
     /// ∫ τ dS, the friction that the contact bears per width, nN/nm.

@@ -1,7 +1,7 @@
 //! Where the elements of a planar beam lie, and how a state gets onto another mesh.
 
 use super::PlanarBeam;
-use crate::beam::{Focus, MeshKind, MeshPieces, graded_ends};
+use crate::beam::{Focus, MeshIntervals, MeshKind, graded_ends};
 use crate::solve::{Mesh, State};
 
 /// How the elements of a beam are laid out.
@@ -12,7 +12,7 @@ pub struct MeshPolicy {
     /// Foci of the mesh besides the front.
     pub fixed_foci: Vec<Focus>,
     /// Between which places elements lie.
-    pub pieces: MeshPieces,
+    pub pieces: MeshIntervals,
 }
 
 impl PlanarBeam {

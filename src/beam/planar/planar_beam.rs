@@ -2,7 +2,7 @@
 
 use super::{Chain, Configuration, ElementEnergy, FrontPosition, MOST_FIELDS, MeshPolicy};
 use crate::adhesion::Substrate;
-use crate::beam::Rest;
+use crate::beam::ReferenceConfiguration;
 use crate::solve::{Coefficients, Evaluation, History, INTERFACE, State};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -23,7 +23,7 @@ pub struct PlanarBeam {
     /// Reference length L, nm
     pub length: f64,
     /// x, height and rotation in the stress-free configuration; a chain of two fields a node leaves x out.
-    pub rest: Rest,
+    pub rest: ReferenceConfiguration,
     /// The height field at the left end at rest, nm.
     pub rest_gap: f64,
     /// The rotation, the last field of a node; the height stands before it.
@@ -133,7 +133,7 @@ impl PlanarBeam {
         Configuration {
             ends: &at.mesh.boundaries,
             state: self.nodes(&at.values),
-            border: self.axial(&at.values).0,
+            axial_multiplier: self.axial(&at.values).0,
             history: at.history.as_deref(),
         }
     }
@@ -172,8 +172,8 @@ impl PlanarBeam {
     /// Height of the section above the gap that the height field is, nm.
     pub fn height_at(&self, place: f64) -> f64 {
         match &self.rest {
-            Rest::Curve(_) => self.height,
-            Rest::Varying(rest) => rest.height(place),
+            ReferenceConfiguration::Curve(_) => self.height,
+            ReferenceConfiguration::Varying(rest) => rest.height(place),
         }
     }
 
@@ -238,7 +238,7 @@ impl PlanarBeam {
                 return node[self.rotation - 1] + half * (1.0 - node[self.rotation].cos().abs());
             }
             let full = self.height_at(ends[k / order]);
-            let foot = self.substrate.foot(node[0], node[self.rotation - 1] + 0.5 * full);
+            let foot = self.substrate.project(node[0], node[self.rotation - 1] + 0.5 * full);
             let tilt = (node[self.rotation] - foot.sin.atan2(foot.cos)).cos().abs();
             foot.distance - 0.5 * full + half * (1.0 - tilt)
         })

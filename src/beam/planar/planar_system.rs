@@ -1,8 +1,8 @@
 //! The planar beam as a [`System`]: what a solver asks of it. Its interface is the right end.
 
-use super::{ChainFactors, FRONT, PathRow, PlanarBeam, TIP_ROTATION, Variation};
+use super::{ChainFactors, ConstraintGradient, FRONT, PlanarBeam, TIP_ROTATION, Variation};
 use crate::adhesion::Substrate;
-use crate::beam::{MeshKind, Rest};
+use crate::beam::{MeshKind, ReferenceConfiguration};
 use crate::solve::{
     Coefficients, CondensedSystem, Evaluation, History, INTERFACE, MONITORS, Mesh, Rates, SolveError, State, System,
     Unknown, Workspace,
@@ -74,7 +74,7 @@ impl System for PlanarBeam {
         weights: [f64; MONITORS],
         ws: &mut Workspace,
     ) -> Result<CondensedSystem, SolveError> {
-        let mut row = PathRow { adhesion: self.front(weights[FRONT]), ..PathRow::default() };
+        let mut row = ConstraintGradient { adhesion: self.front(weights[FRONT]), ..ConstraintGradient::default() };
         row.left[self.rotation] = weights[TIP_ROTATION];
         let diagonal = self.diagonal(at, coefficients);
         let factors = ws.factors::<ChainFactors>();
@@ -206,7 +206,7 @@ impl System for PlanarBeam {
             if self.rotation > 1 {
                 node[0] += self.stretch * s / self.length;
             }
-            if let Rest::Varying(rest) = &self.rest {
+            if let ReferenceConfiguration::Varying(rest) = &self.rest {
                 let up = self.rotation - 1;
                 let tilted = 0.5 * rest.height(s) * (1.0 - node[self.rotation].cos().abs());
                 node[up] = node[up].max(self.rest_gap - tilted);
@@ -251,7 +251,7 @@ impl System for PlanarBeam {
     }
 
     fn commit(&self, at: &State) -> Option<Arc<History>> {
-        self.chain.slid(self.configuration(at)).map(Arc::new)
+        self.chain.updated_history(self.configuration(at)).map(Arc::new)
     }
 
     /// Turned, the more the farther from the grip.

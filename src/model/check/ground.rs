@@ -21,13 +21,13 @@ pub(super) fn check(model: &PeelModel) -> Result<(), ModelError> {
         };
         return Err(ModelError::new(key, ModelErrorKind::NoPotentialOnGround { load }));
     }
-    let reach = model.reach();
-    let details = reach / substrate.detail();
+    let contact_extent = model.contact_extent();
+    let details = contact_extent / substrate.feature_length();
     if details > MOST_DETAILS {
         let kind = ModelErrorKind::TooManyDetails { found: details, most: MOST_DETAILS };
         return Err(ModelError::new("substrate.shape", kind));
     }
-    let zones = reach / model.process_length();
+    let zones = contact_extent / model.process_length();
     if zones > MOST_ZONES {
         let kind = ModelErrorKind::TooManyZones { found: zones, most: MOST_ZONES };
         return Err(ModelError::new("substrate.shape", kind));

@@ -1,7 +1,7 @@
 //! Which steps of a path hold limit points.
 
 use super::LimitPointKind;
-use super::locate::{ROUGH, reach, slope_at, solve_on};
+use super::locate::{ROUGH, slope_at, solve_on, step_to};
 use crate::solve::{Hermite, PathSegment, Problem, Solution, SolveError, Workspace};
 use std::sync::Arc;
 
@@ -90,7 +90,7 @@ fn turned_displacement(
             return Ok(None);
         }
         last_look = label;
-        let between = reach(problem, &mut known, 0.0, label, ROUGH, ws)?;
+        let between = step_to(problem, &mut known, 0.0, label, ROUGH, ws)?;
         if sign * pick(&between.slope) < 0.0 {
             return Ok(Some(label));
         }

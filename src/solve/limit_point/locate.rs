@@ -86,7 +86,7 @@ const MOST_TRIES: usize = 40;
 
 /// A further solution on a segment, which it joins, at the label `at`; where the start is too far away, by way of solutions
 /// between there and `from`, where one is known.
-pub fn reach(
+pub fn step_to(
     problem: &Problem,
     segment: &mut PathSegment,
     from: f64,
@@ -154,7 +154,7 @@ pub fn locate(
     let mut guess = segment.observable(turn.pick(), 0.5 * (from + to)).turning_point(from, to);
     for k in 1..=3 * MOST_SOLVES {
         let nearer = if guess - low.0 < high.0 - guess { low.0 } else { high.0 };
-        let solution = match reach(problem, &mut segment, nearer, guess, ROUGH, ws) {
+        let solution = match step_to(problem, &mut segment, nearer, guess, ROUGH, ws) {
             Ok(solution) => solution,
             // next to a corner of the path Newton's method may go to and fro: the turn is no farther than the bracket is wide
             Err(cause) if problem.system.has_history() => {
@@ -247,7 +247,7 @@ fn beside(
 pub fn unlocated(problem: &Problem, segment: &PathSegment, ws: &mut Workspace) -> Result<Located, SolveError> {
     let end = segment.end();
     let guess = segment.observable(LimitPointKind::Load.pick(), 0.5 * end).turning_point(0.0, end);
-    let solution = reach(problem, &mut segment.clone(), 0.0, guess, ROUGH, ws).unwrap_or_else(|_| segment.first());
+    let solution = step_to(problem, &mut segment.clone(), 0.0, guess, ROUGH, ws).unwrap_or_else(|_| segment.first());
     let mut difference = difference_on_more_elements(problem, &solution, ws)?;
     difference.displacement = segment.change().displacement.abs();
     difference.force = difference.force.abs() + segment.change().force.abs();

@@ -5,5 +5,5 @@ pub(super) mod locate;
 pub(super) mod search;
 pub use bracket::brackets;
 pub use kind::LimitPointKind;
-pub use locate::{Located, ROUGH, difference_on_more_elements, locate, on_more_elements, reach, solve_on, unlocated};
+pub use locate::{Located, ROUGH, difference_on_more_elements, locate, on_more_elements, solve_on, step_to, unlocated};
 pub use search::{BendRule, Bends, FoundLimitPoint, LimitPointSearch};

@@ -28,7 +28,7 @@ const CERTAIN: f64 = 1e-10;
 /// Most that one step moves, as a share of the width: by secants, and by differences.
 const NEAR_SECANT: f64 = 0.05;
 const NEAR_DIFFERENCE: f64 = 0.1;
-/// Way over which g is differenced, as a share of the width. The end of the way lies beside the path by its square, which
+/// Step over which g is differenced, as a share of the width. The end of the step lies beside the path by its square, which
 /// in a stiff strip, whose force is level at its peak, makes an error of 4e3 times this share; the round-off of g, 1e-12 of
 /// the force, leaves six digits at an ordinary limit point.
 const BESIDE: f64 = 1e-6;

@@ -4,14 +4,14 @@ use serde::{Deserialize, Serialize};
 
 /// Which way the machine moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Way {
+pub enum LoadingDirection {
     /// Away from the substrate.
     Retreat,
     /// Towards it.
     Approach,
 }
 
-impl Way {
+impl LoadingDirection {
     /// In words.
     pub fn word(self) -> &'static str {
         match self {

@@ -1,6 +1,6 @@
 //! Why a test stopped short, with what was computed, where and how far.
 
-use super::balance::{Balance, Way};
+use super::balance::{Balance, LoadingDirection};
 use crate::solve::{RelaxError, SolveError, TraceError};
 use crate::study::initial::NoEquilibrium;
 use serde::{Deserialize, Serialize};
@@ -48,7 +48,7 @@ pub enum TestError {
     NoRelease { machine_nm: f64, released: f64 },
     /// One jump comes after another.
     #[error("there were {MOST_JUMPS} jumps on the {}, more than are computed", .way.word())]
-    TooManyJumps { way: Way },
+    TooManyJumps { way: LoadingDirection },
     /// The work is not the energy.
     #[error(
         "work and energy do not balance: ∫ P dU = {:.9e} aJ, change of energy {:.9e} aJ, released {:.9e} aJ; the difference is \

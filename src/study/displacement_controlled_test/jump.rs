@@ -1,6 +1,6 @@
 //! A jump with its numbers and the bounds on their errors.
 
-use super::balance::Way;
+use super::balance::LoadingDirection;
 use super::result::{Jump, JumpEnd, JumpKind};
 use super::stable_branch::Machine;
 use crate::beam::FRONT;
@@ -13,7 +13,7 @@ pub(super) fn described(
     machine: &Machine,
     limit: &Located,
     relaxed: &Relaxed,
-    way: Way,
+    way: LoadingDirection,
     ws: &mut Workspace,
 ) -> Result<Jump, SolveError> {
     let (problem, landed, o) = (machine.problem, &relaxed.solution, &limit.observables);

@@ -47,7 +47,7 @@ impl NoTest {
 ///
 /// The machine's displacement U rises from 0 until no point of the strip is nearer than 10 r0, and falls back to 0. At each
 /// limit point of U on the stable path the strip jumps at that U; where it comes to rest is found by [`crate::solve::relax()`].
-/// Errors: limit points as in [`crate::study::peel()`]; ∫ P dU against the energies in [`Balance::error`], which is at most 1e-6 or
+/// Errors: limit points as in [`crate::study::peel()`]; ∫ P dU against the energies in [`crate::study::Balance::error`], which is at most 1e-6 or
 /// the accuracy asked for, or the test fails.
 ///
 /// # Errors

@@ -1,6 +1,6 @@
 //! What a testing machine would record: the stable part of the path, the jumps, and the way back.
 
-use super::balance::{Balance, Way};
+use super::balance::{Balance, LoadingDirection};
 use super::failure::TestFailure;
 use crate::study::Bound;
 use serde::{Deserialize, Serialize};
@@ -10,7 +10,7 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TestPoint {
     /// Which way the machine moves
-    pub way: Way,
+    pub way: LoadingDirection,
     /// U = u + P/k of the machine, nm
     pub machine: f64,
     /// u of the grip, nm
@@ -57,7 +57,7 @@ pub struct Jump {
     /// Jump or slide
     pub kind: JumpKind,
     /// Which way the machine moves
-    pub way: Way,
+    pub way: LoadingDirection,
     /// U at which it happens, nm, and a bound on its error
     pub machine: f64,
     /// On U, nm
@@ -142,7 +142,7 @@ pub struct Observed {
     /// In the same order
     pub jumps: Vec<Jump>,
     /// (U, P) between the jumps, close enough to draw, piece by piece.
-    pub pieces: Vec<(Way, Vec<(f64, f64)>)>,
+    pub pieces: Vec<(LoadingDirection, Vec<(f64, f64)>)>,
     /// The largest force on the stable retreat.
     pub pull_off: Option<PullOff>,
     /// ∮ P dU of a closed cycle, aJ

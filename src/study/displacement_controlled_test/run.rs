@@ -1,7 +1,7 @@
 //! The run behind [`super::observed`]: retreat, jump, approach, jump, on a mesh from the accuracy asked for, and on a finer one
 //! where the errors of the jumps say so.
 
-use super::balance::{Balance, Way};
+use super::balance::{Balance, LoadingDirection};
 use super::failure::{MOST_JUMPS, TestError, TestFailure};
 use super::jump;
 use super::result::*;
@@ -41,7 +41,7 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -
                     options: resolution.path_options(model, accuracy.relative),
                     stop,
                     relative: accuracy.relative,
-                    far: model.line_law().reach(),
+                    far: model.line_law().cutoff_distance(),
                 };
                 test.run(&machine, resolution.elements);
             }
@@ -53,7 +53,7 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -
         if !failed {
             others.push((test.worst(), test.jumps.clone()));
         }
-        let late = stop.told(Stage::Path).is_some();
+        let late = stop.reached_bound(Stage::Path).is_some();
         let enough = (worst <= 1.0 && !failed) || late || accuracy.choice.elements.is_some();
         let finer = if failed { resolution.times(1.5) } else { resolution.finer(worst, 0.0) };
         (test, (!enough).then_some(finer))
@@ -63,7 +63,7 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -
         test.widen(&others);
     }
     test.effort = TestEffort { newton_iterations: iterations, relaxation_steps: steps, ..test.effort };
-    test.told(accuracy.relative)
+    test.into_result(accuracy.relative)
 }
 
 /// The strip behind its spring. Without x its horizontal section force, where it has one, is a multiplier, and the energy no
@@ -89,7 +89,7 @@ enum Loss {
 struct Test {
     points: Vec<TestPoint>,
     jumps: Vec<Jump>,
-    pieces: Vec<(Way, Vec<(f64, f64)>)>,
+    pieces: Vec<(LoadingDirection, Vec<(f64, f64)>)>,
     pull_off: Option<PullOff>,
     retreat: Option<Balance>,
     cycle: Option<Balance>,
@@ -129,12 +129,12 @@ impl Test {
 
     fn cycle(&mut self, machine: &Machine, elements: usize) -> Result<TestEnd, TestError> {
         let rest = machine.problem.initial(elements);
-        let (far, bound) = self.way(machine, rest, Way::Retreat)?;
+        let (far, bound) = self.way(machine, rest, LoadingDirection::Retreat)?;
         if let Some(bound) = bound {
             return Ok(TestEnd::Bound(bound));
         }
         self.retreat = Some(self.balance(machine, &far)?);
-        let (back, bound) = self.way(machine, far.at.clone(), Way::Approach)?;
+        let (back, bound) = self.way(machine, far.at.clone(), LoadingDirection::Approach)?;
         if let Some(bound) = bound {
             return Ok(TestEnd::Bound(bound));
         }
@@ -146,17 +146,22 @@ impl Test {
     }
 
     /// One way to its end: the last equilibrium, and the bound that was reached, if one was.
-    fn way(&mut self, machine: &Machine, start: State, way: Way) -> Result<(Arc<Solution>, Option<Bound>), TestError> {
+    fn way(
+        &mut self,
+        machine: &Machine,
+        start: State,
+        way: LoadingDirection,
+    ) -> Result<(Arc<Solution>, Option<Bound>), TestError> {
         let until = match way {
-            Way::Retreat => Until::Detached,
-            Way::Approach => Until::Displacement(0.0),
+            LoadingDirection::Retreat => Until::Detached,
+            LoadingDirection::Approach => Until::Displacement(0.0),
         };
         let mut at = start;
         for _ in 0..=MOST_JUMPS {
-            let leg = machine.follow(at, way == Way::Retreat, until, self.points.len())?;
+            let leg = machine.follow(at, way == LoadingDirection::Retreat, until, self.points.len())?;
             let last = leg.points[leg.points.len() - 1].clone();
             self.take(machine.problem, &leg, way);
-            if way == Way::Retreat {
+            if way == LoadingDirection::Retreat {
                 self.take_peak(machine, &leg)?;
             }
             let (located, loss) = match leg.end {
@@ -166,7 +171,7 @@ impl Test {
                 BranchEnd::Branching(located) => (located, Loss::Branching),
             };
             let landed = Arc::new(self.lost(machine, &located, loss, way)?);
-            if way == Way::Retreat && machine.problem.beam.is_clear(&landed.at, machine.far) {
+            if way == LoadingDirection::Retreat && machine.problem.beam.is_clear(&landed.at, machine.far) {
                 self.point(machine.problem, &landed, way, self.work);
                 return Ok((landed, None));
             }
@@ -176,7 +181,7 @@ impl Test {
     }
 
     /// The points of a stable piece.
-    fn take(&mut self, problem: &PlanarProblem, leg: &StableBranch, way: Way) {
+    fn take(&mut self, problem: &PlanarProblem, leg: &StableBranch, way: LoadingDirection) {
         if self.points.is_empty() {
             self.start = leg.points.first().map_or(0.0, |s| problem.energy(&s.at, s.energy));
         }
@@ -211,7 +216,7 @@ impl Test {
         Ok(())
     }
 
-    fn point(&mut self, problem: &PlanarProblem, solution: &Solution, way: Way, work: f64) {
+    fn point(&mut self, problem: &PlanarProblem, solution: &Solution, way: LoadingDirection, work: f64) {
         let o = &solution.observables;
         self.points.push(TestPoint {
             way,
@@ -225,7 +230,13 @@ impl Test {
     }
 
     /// Relaxes from where stability is lost; where it comes to rest. A path that branches may go on without a jump.
-    fn lost(&mut self, machine: &Machine, limit: &Located, loss: Loss, way: Way) -> Result<Solution, TestError> {
+    fn lost(
+        &mut self,
+        machine: &Machine,
+        limit: &Located,
+        loss: Loss,
+        way: LoadingDirection,
+    ) -> Result<Solution, TestError> {
         let problem = machine.problem;
         let (mut ws, machine_nm) = (Workspace::default(), limit.observables.displacement);
         let options = RelaxOptions::by(RELAXING);
@@ -294,7 +305,7 @@ impl Test {
     }
 
     /// What a user reads.
-    fn told(self, relative: f64) -> Observed {
+    fn into_result(self, relative: f64) -> Observed {
         let reached = self.worst();
         let TestEffort { elements, order, .. } = self.effort;
         let failed = |cause| TestEnd::Failed(TestFailure { cause, elements, order, asked: relative });

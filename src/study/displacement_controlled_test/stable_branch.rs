@@ -104,7 +104,7 @@ impl Machine<'_> {
             return Some(Bound::Points(most));
         }
         let beyond = || self.stop.displacement.filter(|&most| rising && u > most).map(Bound::Displacement);
-        self.stop.told(Stage::Path).or_else(beyond)
+        self.stop.reached_bound(Stage::Path).or_else(beyond)
     }
 
     /// The largest force of a piece, if it is a maximum within.

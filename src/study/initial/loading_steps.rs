@@ -61,7 +61,7 @@ fn elements(model: &PeelModel, problem: &PlanarProblem) -> usize {
     }
     let span = (model.length() / model.process_length()).asinh();
     let corners = if model.adhesion.attraction.corners() > 1.0 { CORNERED } else { 1.0 };
-    let slides = model.sticking_length().map_or(0.0, |_| (model.length() / model.detail()).min(MOST_SLIDING));
+    let slides = model.sticking_length().map_or(0.0, |_| (model.length() / model.feature_length()).min(MOST_SLIDING));
     let elements = corners * (SHORT + span * span) + slides;
     (elements.ceil() as usize + A_BREAK * model.breaks().len()).next_multiple_of(BUNDLE)
 }

@@ -30,7 +30,7 @@ pub fn prepared(
         .discretised(how, |_| {})
         .map_err(|why| NotPrepared { why: NoEquilibrium::Order(why), steps: Vec::new() })?;
     if !model.ground.substrate.is_flat() {
-        let at = settled_on_ground::settled_on_ground(&problem, &model.ground, model.reach(), &should_stop)
+        let at = settled_on_ground::settled_on_ground(&problem, &model.ground, model.contact_extent(), &should_stop)
             .map_err(|why| NotPrepared { why: NoEquilibrium::OnGround(why), steps: Vec::new() })?;
         problem.start_at(Arc::new(at));
     }

@@ -1,7 +1,7 @@
 //! How a beam comes to lie on ground that is not flat: relaxed without a grip, from a guess, to the stable equilibrium next to it.
 
 use super::error::SettlingError;
-use crate::beam::{PlanarBeam, Rest};
+use crate::beam::{PlanarBeam, ReferenceConfiguration};
 use crate::model::{Ground, PlanarProblem, Start};
 use crate::solve::{
     EndConditions, Held, INTERFACE, Mesh, NewtonOptions, Observables, PathConstraint, RelaxOptions, ShouldStop, State,
@@ -21,19 +21,20 @@ const MOST_STEPS: usize = 1000;
 /// Most that a step of relaxation moves, relative as in [`System::size`].
 const RELAXING: f64 = 0.3;
 
-/// The free equilibrium, found by gradient flow from the stress-free configuration, of a beam that its ground can touch up to S = `reach`. An error says why
+/// The free equilibrium, found by gradient flow from the stress-free configuration, of a beam that its ground can touch up to S = `contact_extent`. An error says why
 /// there is none.
 pub(super) fn settled_on_ground(
     problem: &PlanarProblem,
     ground: &Ground,
-    reach: f64,
+    contact_extent: f64,
     should_stop: &Option<ShouldStop>,
 ) -> Result<State, SettlingError> {
     // no grip yet
     let problem = &problem.with_grip(EndConditions { held: [false; INTERFACE], ..problem.grip });
     let beam = &*problem.beam;
-    let detail = ground.substrate.detail();
-    let elements = (reach / (ELEMENT * beam.process_length).min(OF_DETAIL * detail)).ceil().clamp(FEWEST, MOST);
+    let detail = ground.substrate.feature_length();
+    let elements =
+        (contact_extent / (ELEMENT * beam.process_length).min(OF_DETAIL * detail)).ceil().clamp(FEWEST, MOST);
     let elements = elements + A_PIECE * (beam.mesh.pieces.count() - 1) as f64;
     let guess = guess(beam, ground, elements as usize);
     let (options, mut ws) =
@@ -74,7 +75,7 @@ fn guess(beam: &PlanarBeam, ground: &Ground, elements: usize) -> State {
             flat.iter().map(|&[x, y, rotation]| [x, y + up, rotation]).collect()
         }
     };
-    if matches!(beam.rest, Rest::Varying(_)) {
+    if matches!(beam.rest, ReferenceConfiguration::Varying(_)) {
         for (axis, &place) in axes.iter_mut().zip(&places) {
             *axis = kept_off(ground, *axis, half(place), beam.rest_gap);
         }
@@ -107,7 +108,7 @@ fn conformed(ground: &Ground, flat: &[[f64; 3]], lying: usize) -> Vec<[f64; 3]> 
 
 /// A section of this half height where its lower edge is no nearer to the ground than `gap`, nm.
 fn kept_off(ground: &Ground, [x, y, rotation]: [f64; 3], half: f64, gap: f64) -> [f64; 3] {
-    let foot = ground.substrate.foot(x, y);
+    let foot = ground.substrate.project(x, y);
     let tilt = rotation - foot.sin.atan2(foot.cos);
     let short = (gap + half * tilt.cos().abs() - foot.distance).max(0.0);
     [x - short * foot.sin, y + short * foot.cos, rotation]

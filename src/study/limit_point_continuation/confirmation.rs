@@ -80,7 +80,7 @@ impl Sweep<'_> {
     /// Whether the path from rest has the point that was followed to this value.
     fn is_same(&self, strand: &Strand, index: usize) -> Result<bool, PointNotFound> {
         let found = strand.at(index);
-        let Some(located) = self.anchor(index)? else { return Ok(false) };
+        let Some(located) = self.initial_limit_point_of(index)? else { return Ok(false) };
         let own = self.taken_up(index, &located, found.elements)?;
         let bound = strand.checks.iter().rev().map(|c| c.1).take(NEIGHBOURS).reduce(Difference::max);
         let slack = |share: f64| SAME + FOLLOWED_BOUND_FACTOR * share;

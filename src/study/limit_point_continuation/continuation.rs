@@ -175,7 +175,7 @@ impl<'m> Continuation<'m> {
     }
 
     /// The limit point at the value `to` of the parameter.
-    pub fn reach(&mut self, to: f64) -> Result<&Known, Lost> {
+    pub fn advance_to(&mut self, to: f64) -> Result<&Known, Lost> {
         let (asked, bend) = (to - self.newest().at, self.newest().bend);
         let mut tries = 0;
         while self.newest().at != to {

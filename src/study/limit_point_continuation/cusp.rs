@@ -29,7 +29,7 @@ pub struct Cusp {
 
 /// Error of a solution, relative as in [`Problem::relative_size`].
 const FINE: f64 = 1e-12;
-/// Way over which slopes are differenced, as a share of the force.
+/// Step over which slopes are differenced, as a share of the force.
 const BESIDE: f64 = 1e-3;
 /// The maximum is found where the next parabola would move it by less than this share of the force: its value is good to the
 /// square of that.

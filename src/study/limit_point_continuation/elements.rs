@@ -30,8 +30,8 @@ impl Sweep<'_> {
         let (beam, known) = (&problem.beam, &located.solution.at);
         let mesh = Mesh { focus: known.mesh.focus, ..beam.mesh_at(located.observables.monitors[FRONT], elements) };
         let at = beam.resampled(known, mesh);
-        let probe = search(&problem, self.kind, 1.0);
-        let target = probe.weights.dot(&located.observables);
+        let sampling = search(&problem, self.kind, 1.0);
+        let target = sampling.weights.dot(&located.observables);
         let fold = search(&problem, self.kind, target).run(
             at,
             target,

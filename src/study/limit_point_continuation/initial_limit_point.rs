@@ -34,7 +34,7 @@ pub(super) fn initial_limit_point(
 fn first_maximum(model: &PeelModel, stop: &StopCriteria) -> Result<Option<Located>, PointNotFound> {
     let how = Discretisation::moving(Form::TwoField, ORDER);
     let problem = prepared(model, how, None).map_err(|failed| PointNotFound::NoStart(failed.why))?.problem;
-    let far = model.line_law().reach();
+    let far = model.line_law().cutoff_distance();
     let path = Path::new(&problem, Resolution::first(model, &Accuracy::to(ROUGH)).path_options(model, ROUGH));
     let trace = TraceOptions { kinds: &[LimitPointKind::Load], branches: false, relative: ROUGH, behind: BEHIND };
     let mut tracer = PathTracer::new(&problem, path, trace);

@@ -109,7 +109,7 @@ impl Sweep<'_> {
 
     /// Takes the point up at a value and follows it as far as it goes.
     fn strand(&self, first: usize) -> Result<Option<Strand>, PointNotFound> {
-        let Some(located) = self.anchor(first)? else { return Ok(None) };
+        let Some(located) = self.initial_limit_point_of(first)? else { return Ok(None) };
         let on_mesh = |elements| self.taken_up(first, &located, elements);
         let (known, elements, difference) = self.on_fitting_mesh(first, self.fewest(first), &on_mesh)?;
         (self.solved)(first);
@@ -128,7 +128,7 @@ impl Sweep<'_> {
                 self.check_last(&mut strand);
                 break;
             }
-            match continuation.reach(self.coordinate(index)) {
+            match continuation.advance_to(self.coordinate(index)) {
                 Ok(known) => strand.newest.clone_from(known),
                 Err(lost) => {
                     self.check_last(&mut strand);

@@ -33,7 +33,7 @@ impl Sweep<'_> {
     }
 
     /// The point where the path from rest has it at a value.
-    pub fn anchor(&self, index: usize) -> Result<Option<Located>, PointNotFound> {
+    pub fn initial_limit_point_of(&self, index: usize) -> Result<Option<Located>, PointNotFound> {
         initial_limit_point(&(self.model)(self.values[index]), self.kind, self.accuracy, &(self.stop)())
     }
 

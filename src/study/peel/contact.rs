@@ -1,7 +1,7 @@
 //! How a beam lies on ground that is not flat: how much of it adheres, how deep it penetrates, and how far the ground is from
 //! the half space that stands for it.
 
-use super::{Peel, Shape};
+use super::{DeformedShape, Peel};
 use crate::adhesion::{CurvedBody, HalfSpace, Sinusoid, Substrate};
 use crate::beam::{FRONT, MeshKind};
 use crate::model::{Discretisation, Form, Ground, PeelModel, Start};
@@ -23,7 +23,7 @@ pub struct Contact {
     pub largest_gap: f64,
     /// How far below the crests the lower edge comes, over how far the ground does: 0 on the crests, 1 on the bottom of the
     /// deepest valley; both less the gap at rest. None on ground that has no valley below what lies on flat ground.
-    pub reach: Option<f64>,
+    pub penetration: Option<f64>,
     /// Smallest radius of curvature of crests and of valleys where the beam adheres, nm; none where there is no such.
     pub crest_radius: Option<f64>,
     /// Of valleys, nm
@@ -82,7 +82,7 @@ impl Peel {
             energy_fraction: front / whole.front,
             least_gap: gaps().fold(f64::INFINITY, f64::min),
             largest_gap: gaps().fold(f64::NEG_INFINITY, f64::max),
-            reach: (top - bottom > LEVEL).then(|| (top + law.rest_gap() - lowest) / (top - bottom)),
+            penetration: (top - bottom > LEVEL).then(|| (top + law.rest_gap() - lowest) / (top - bottom)),
             crest_radius,
             valley_radius,
             crest_error: crest_radius.map(|radius| curvature_error(substrate, &material, radius)),
@@ -122,7 +122,7 @@ impl Whole {
         let how = Discretisation { form: Form::ThreeField, order: ORDER, mesh: MeshKind::Graded };
         let problem = prepared(&PeelModel { ground, steps: Vec::new(), ..model.clone() }, how, None).ok()?.problem;
         let (beam, at) = (&*problem.beam, problem.start.known()?);
-        let length = adhered(&self::samples(&beam.substrate, &Shape::of(beam, at)), near);
+        let length = adhered(&self::samples(&beam.substrate, &DeformedShape::of(beam, at)), near);
         let front = beam.front_of(at);
         let lying = steps(samples).scan(0.0, |sum, step| {
             *sum += step;
@@ -157,10 +157,10 @@ struct Sample {
     curvature: f64,
 }
 
-fn samples(substrate: &Substrate, shape: &Shape) -> Vec<Sample> {
+fn samples(substrate: &Substrate, shape: &DeformedShape) -> Vec<Sample> {
     let places = shape.x.iter().zip(&shape.y).zip(shape.rotation.iter().zip(&shape.height));
     let sample = |((&x, &y), (&rotation, &height)): ((&f64, &f64), (&f64, &f64))| {
-        let foot = substrate.foot(x, y);
+        let foot = substrate.project(x, y);
         let tilt = rotation - foot.sin.atan2(foot.cos);
         Sample {
             x,

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 /// How a path ended.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum PathEnd {
-    /// No point of the beam is nearer than [`crate::adhesion::LineLaw::reach`].
+    /// No point of the beam is nearer than [`crate::adhesion::LineLaw::cutoff_distance`].
     Detached,
     /// The force has come back to zero after a snap-off, and the beam is still in edge contact.
     Pivoting,
@@ -111,7 +111,7 @@ pub struct Effort {
 
 /// The axis of the beam at one equilibrium, sampled: x and y in nm, the rotation in rad, and the height of the section in nm.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Shape {
+pub struct DeformedShape {
     /// Of the axis, nm
     pub x: Vec<f64>,
     /// Of the axis, nm
@@ -188,7 +188,7 @@ impl Peel {
     }
 
     /// The deformed axis at `points[index]`; empty where there is none.
-    pub fn shape(&self, index: usize) -> Shape {
+    pub fn shape(&self, index: usize) -> DeformedShape {
         self.trace.as_ref().map(|trace| trace.shape(index)).unwrap_or_default()
     }
 }

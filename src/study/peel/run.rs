@@ -29,9 +29,14 @@ const SHORTER: f64 = 0.5;
 /// Most such paths.
 const MOST_SHORTER: i32 = 3;
 /// Follows the peel from rest to its end.
-pub(in crate::study) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, keeping: &Checkpoint) -> Peel {
+pub(in crate::study) fn run(
+    model: &PeelModel,
+    accuracy: &Accuracy,
+    stop: &StopCriteria,
+    checkpoint: &Checkpoint,
+) -> Peel {
     let (aimed, least) = aim(model, accuracy);
-    let mut peel = on_meshes(model, &aimed, stop, keeping);
+    let mut peel = on_meshes(model, &aimed, stop, checkpoint);
     peel.asked = accuracy.relative;
     let Peel { limit_points, initiation_peak, peak, snap_off, .. } = &mut peel;
     if let Some(share) = least {
@@ -48,9 +53,9 @@ pub(in crate::study) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopC
 }
 
 /// The path on one mesh after another, until its bounds are what is wanted.
-fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, keeping: &Checkpoint) -> Peel {
+fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, checkpoint: &Checkpoint) -> Peel {
     let accuracy = &accuracy.fitted(model);
-    let limits = Limits { stop, keeping };
+    let limits = Limits { stop, checkpoint };
     let Choice { mesh, form, .. } = accuracy.choice;
     let first = Resolution::first(model, accuracy);
     let how = Discretisation { form, order: first.order, mesh };
@@ -62,7 +67,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, keepin
         }
     };
     let problem = Arc::new(problem);
-    let far = model.line_law().reach();
+    let far = model.line_law().cutoff_distance();
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
     let (mut iterations, mut unfinished) = (0, false);
     let mut best =

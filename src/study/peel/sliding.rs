@@ -2,7 +2,7 @@
 
 use super::Peel;
 use super::solution_history::SolutionHistory;
-use crate::adhesion::Slip;
+use crate::adhesion::FrictionState;
 use crate::beam::FrictionHistory;
 use crate::solve::Solution;
 
@@ -46,21 +46,21 @@ impl Peel {
         let strength = self.model.friction.strength?;
         let began = FrictionHistory(trace.problem.beam.history.as_ref()?).iter().next()?.1.place;
         let history = trace.problem.system.commit(&solution.at)?;
-        let along: Vec<(f64, Slip)> = FrictionHistory(&history).iter().collect();
+        let along: Vec<(f64, FrictionState)> = FrictionHistory(&history).iter().collect();
         // by the trapezoidal rule
-        let sum = |of: &dyn Fn(&(f64, Slip)) -> f64| -> f64 {
+        let sum = |of: &dyn Fn(&(f64, FrictionState)) -> f64| -> f64 {
             along.windows(2).map(|pair| 0.5 * (pair[1].0 - pair[0].0) * (of(&pair[0]) + of(&pair[1]))).sum()
         };
         let width = |s: f64| self.model.section_at(s).1;
-        let touches = |slip: &Slip| slip.limit > TOUCHES * strength;
+        let touches = |slip: &FrictionState| slip.limit > TOUCHES * strength;
         Some(Sliding {
             free_end: along[0].1.place - began,
-            force: sum(&|(s, slip)| width(*s) * slip.share * slip.limit),
+            force: sum(&|(s, slip)| width(*s) * slip.mobilisation * slip.limit),
             capacity: sum(&|(s, slip)| width(*s) * slip.limit),
             contact: sum(&|(_, slip)| f64::from(touches(slip))),
-            sliding: sum(&|(_, slip)| f64::from(touches(slip) && slip.share.abs() > SLIDES)),
+            sliding: sum(&|(_, slip)| f64::from(touches(slip) && slip.mobilisation.abs() > SLIDES)),
             dissipated: history.dissipated,
-            along: along.iter().map(|(s, slip)| (*s, slip.share, slip.limit)).collect(),
+            along: along.iter().map(|(s, slip)| (*s, slip.mobilisation, slip.limit)).collect(),
         })
     }
 }

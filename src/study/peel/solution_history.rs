@@ -1,6 +1,6 @@
 //! The solutions behind a peel: the curve between its points and the deformed strip.
 
-use super::{LimitPoint, Shape};
+use super::{DeformedShape, LimitPoint};
 use crate::beam::{NodeState, PlanarBeam};
 use crate::model::PlanarProblem;
 use crate::solve::{LimitPointKind, PathSegment, Solution, State};
@@ -60,12 +60,12 @@ impl SolutionHistory {
     }
 
     /// Axis and rotation at one point, with x from the section's x' by Simpson's rule between samples.
-    pub fn shape(&self, index: usize) -> Shape {
-        self.points.get(index).map(|point| Shape::of(&self.problem.beam, &point.at)).unwrap_or_default()
+    pub fn shape(&self, index: usize) -> DeformedShape {
+        self.points.get(index).map(|point| DeformedShape::of(&self.problem.beam, &point.at)).unwrap_or_default()
     }
 }
 
-impl Shape {
+impl DeformedShape {
     /// Axis and rotation of an equilibrium.
     pub(super) fn of(beam: &PlanarBeam, at: &State) -> Self {
         let mut shape = Self::default();

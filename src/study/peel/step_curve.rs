@@ -7,7 +7,7 @@ use super::Peel;
 use crate::beam::Basis;
 use crate::model::PlanarProblem;
 use crate::number::root::Bracket;
-use crate::solve::{Observables, PathSegment, ROUGH, Solution, Workspace, lagrange_weights, reach};
+use crate::solve::{Observables, PathSegment, ROUGH, Solution, Workspace, lagrange_weights, step_to};
 use std::sync::Arc;
 
 /// Solutions on a step, its ends among them.
@@ -65,7 +65,7 @@ impl StepCurve {
             return vec![curve];
         }
         let label = 0.5 * (from.0 + to.0);
-        let Ok(middle) = reach(problem, known, from.0, label, ROUGH, ws) else { return vec![curve] };
+        let Ok(middle) = step_to(problem, known, from.0, label, ROUGH, ws) else { return vec![curve] };
         let mut pieces = Self::halved(problem, known, [from, (label, &middle)], halvings - 1, ws);
         pieces.extend(Self::halved(problem, known, [(label, &middle), to], halvings - 1, ws));
         pieces
@@ -88,7 +88,7 @@ impl StepCurve {
         for (at, node) in at[..left].iter_mut().zip(basis.nodes) {
             let label = from + 0.5 * (1.0 + node) * (to - from);
             let interpolated = |pick: fn(&Observables) -> f64| segment.observable(pick, 0.5 * (from + to)).at(label).0;
-            *at = match reach(problem, &mut known, last, label, ROUGH, ws) {
+            *at = match step_to(problem, &mut known, last, label, ROUGH, ws) {
                 Ok(solution) => of(&solution.observables),
                 Err(_) => (interpolated(|o| o.displacement), interpolated(|o| o.force)),
             };

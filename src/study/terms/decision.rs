@@ -70,14 +70,14 @@ pub enum KeptReason {
     /// There is nothing less to compute without it.
     NothingSaved,
     /// Its effect cannot be estimated on a path without it; why.
-    NotTold(NotTold),
+    NotEstimated(NotEstimated),
 }
 
 /// Why the effect of a term cannot be estimated on a path without it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, thiserror::Error)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the message of each names its numbers
-pub enum NotTold {
+pub enum NotEstimated {
     #[error("the path without it could not be followed")]
     Failed,
     #[error("with friction")]

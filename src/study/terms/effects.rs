@@ -32,7 +32,7 @@ fn terms(model: &PeelModel, trace: &SolutionHistory) -> Vec<TermEffect> {
     if trace.problem.grip.gear != 0.0 || !trace.problem.system.is_conservative() {
         return Vec::new();
     }
-    let probe = SectionSampling::new(model, &trace.problem, peak);
+    let sampling = SectionSampling::new(model, &trace.problem, peak);
     let mut effects = Vec::new();
     let mut add = |term: Term, work: f64| {
         effects.push(TermEffect { term, force: work / peak.slope.displacement });
@@ -41,20 +41,20 @@ fn terms(model: &PeelModel, trace: &SolutionHistory) -> Vec<TermEffect> {
     if model.ground.substrate.is_flat() {
         if law.has_far_face() {
             let near = LineLaw { far_face: false, ..law };
-            add(Term::FarFace, probe.rate(|at| at.adhesion(&near) - at.adhesion(&law)));
+            add(Term::FarFace, sampling.rate(|at| at.adhesion(&near) - at.adhesion(&law)));
         }
         if law.line_load == LineLoad::Full {
             let moment = |at: &Point| {
                 let (sin, cos) = at.rotation.sin_cos();
                 -at.width * law.response_of(at.height, at.gap, sin, cos).by_rotation
             };
-            add(Term::ContactMoment, probe.work_of_moment(moment));
+            add(Term::ContactMoment, sampling.work_of_moment(moment));
         }
     }
-    add(Term::Shear, probe.rate(Point::shear));
+    add(Term::Shear, sampling.rate(Point::shear));
     // constrained normal to the pull, what does not stretch is not lifted: no small change
     if model.grip.horizontal == Hold::Free {
-        add(Term::Extension, probe.rate(Point::extension));
+        add(Term::Extension, sampling.rate(Point::extension));
     }
     effects.retain(|effect| effect.force.is_finite());
     effects

@@ -4,6 +4,6 @@ mod effects;
 mod first_order_change;
 mod section_sampling;
 mod term_selection;
-pub use decision::{KeptReason, LeftOut, NotTold, Term, TermDecisions, Terms};
+pub use decision::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, Terms};
 pub use effects::TermEffect;
 pub(super) use term_selection::run;

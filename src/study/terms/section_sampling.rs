@@ -153,7 +153,7 @@ impl Point {
     pub fn adhesion_by_ground(&self, law: &LineLaw, substrate: &Substrate, lift: f64) -> f64 {
         let (sin, cos) = self.rotation.sin_cos();
         let response = law.response_of(self.height, self.gap, sin, cos);
-        let (height, foot) = (-substrate.clearance(self.x, 0.0), substrate.foot(self.x, 0.0));
+        let (height, foot) = (-substrate.clearance(self.x, 0.0), substrate.project(self.x, 0.0));
         let slope = foot.sin.atan2(foot.cos);
         self.width * ((lift - height) * response.by_gap - slope * response.energy_by_rotation)
     }

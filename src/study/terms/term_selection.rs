@@ -4,7 +4,7 @@
 //! number that is reported ([`super::first_order_change`]). Bounds are widened by twice that. Where they are within the accuracy then, the path stands;
 //! else the term that changes most is put back, and the path followed again.
 
-use super::decision::{KeptReason, LeftOut, NotTold, Term, TermDecisions, Terms};
+use super::decision::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, Terms};
 use super::first_order_change::FirstOrderChange;
 use super::section_sampling::SectionSampling;
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
@@ -20,10 +20,15 @@ use std::sync::Arc;
 const SHALLOW: f64 = 0.1;
 
 /// Follows the peel with the terms that are asked for.
-pub(in crate::study) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, keeping: &Checkpoint) -> Peel {
+pub(in crate::study) fn run(
+    model: &PeelModel,
+    accuracy: &Accuracy,
+    stop: &StopCriteria,
+    checkpoint: &Checkpoint,
+) -> Peel {
     match accuracy.terms {
-        Terms::All => whole_path::run(model, accuracy, stop, keeping),
-        Terms::Auto => TermSelection { model, accuracy, stop, keeping }.run(),
+        Terms::All => whole_path::run(model, accuracy, stop, checkpoint),
+        Terms::Auto => TermSelection { model, accuracy, stop, checkpoint }.run(),
     }
 }
 
@@ -31,7 +36,7 @@ struct TermSelection<'a> {
     model: &'a PeelModel,
     accuracy: &'a Accuracy,
     stop: &'a StopCriteria,
-    keeping: &'a Checkpoint<'a>,
+    checkpoint: &'a Checkpoint<'a>,
 }
 
 impl TermSelection<'_> {
@@ -42,7 +47,7 @@ impl TermSelection<'_> {
             let mut peel = self.without(&terms);
             iterations += peel.effort.newton_iterations;
             let Some(mut found) = self.found(&peel, &terms) else {
-                let why = KeptReason::NotTold(NotTold::Failed);
+                let why = KeptReason::NotEstimated(NotEstimated::Failed);
                 kept.extend(terms.drain(..).map(|term| (term, why)));
                 break;
             };
@@ -50,7 +55,7 @@ impl TermSelection<'_> {
             peel.tell_bounds();
             if peel.reached_accuracy().is_none_or(|reached| reached <= self.accuracy.relative) {
                 let left_out = found.iter().map(|found| found.left_out).collect();
-                return self.told(peel, left_out, kept, iterations);
+                return self.assembled(peel, left_out, kept, iterations);
             }
             found.sort_by(|a, b| b.left_out.largest.total_cmp(&a.left_out.largest));
             let LeftOut { term, largest, .. } = found[0].left_out;
@@ -58,12 +63,12 @@ impl TermSelection<'_> {
             kept.push((term, KeptReason::Matters(largest)));
             if term == Term::Friction {
                 // on a path with it a change of the force is no change of an energy
-                kept.extend(terms.drain(..).map(|term| (term, KeptReason::NotTold(NotTold::Friction))));
+                kept.extend(terms.drain(..).map(|term| (term, KeptReason::NotEstimated(NotEstimated::Friction))));
             }
         }
-        let peel = whole_path::run(self.model, self.accuracy, self.stop, self.keeping);
+        let peel = whole_path::run(self.model, self.accuracy, self.stop, self.checkpoint);
         iterations += peel.effort.newton_iterations;
-        self.told(peel, Vec::new(), kept, iterations)
+        self.assembled(peel, Vec::new(), kept, iterations)
     }
 
     /// The path without some terms, of which nothing is kept: it is short beside the one with them.
@@ -80,7 +85,7 @@ impl TermSelection<'_> {
     }
 
     /// The result, with what was decided.
-    fn told(
+    fn assembled(
         &self,
         mut peel: Peel,
         mut left_out: Vec<LeftOut>,
@@ -91,7 +96,7 @@ impl TermSelection<'_> {
             Form::TwoField => {
                 left_out.push(LeftOut { term: Term::Horizontal, force: 0.0, displacement: 0.0, largest: 0.0 });
             }
-            Form::ThreeField => kept.push((Term::Horizontal, KeptReason::NotTold(NotTold::ActsAlong))),
+            Form::ThreeField => kept.push((Term::Horizontal, KeptReason::NotEstimated(NotEstimated::ActsAlong))),
         }
         let moment = (peel.model.adhesion.line_load == LineLoad::Full).then_some(Term::ContactMoment);
         kept.extend(
@@ -112,28 +117,28 @@ fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, KeptRe
     };
     let law = model.line_law();
     let driven = if !law.has_potential() {
-        Some(KeptReason::NotTold(NotTold::NoPotential))
+        Some(KeptReason::NotEstimated(NotEstimated::NoPotential))
     } else if model.pull.turn != 0.0 {
-        Some(KeptReason::NotTold(NotTold::Turning))
+        Some(KeptReason::NotEstimated(NotEstimated::Turning))
     } else if !model.steps.is_empty() {
-        Some(KeptReason::NotTold(NotTold::Steps))
+        Some(KeptReason::NotEstimated(NotEstimated::Steps))
     } else {
         None
     };
     let has_friction = model.friction_law().is_some();
     if has_friction {
         let held = model.grip.horizontal == Hold::Fixed || model.pull.direction() != Direction::UP;
-        let alone = held.then_some(KeptReason::NotTold(NotTold::HoldsAlone));
+        let alone = held.then_some(KeptReason::NotEstimated(NotEstimated::HoldsAlone));
         consider(Term::Friction, driven.or(alone));
     }
     let substrate = &model.ground.substrate;
     if !substrate.is_flat() {
         let deep = depth(substrate, model.length()) > SHALLOW * model.adhesion.equilibrium_distance;
-        let deep = deep.then_some(KeptReason::NotTold(NotTold::Deep));
+        let deep = deep.then_some(KeptReason::NotEstimated(NotEstimated::Deep));
         let free = model.grip.rotation == Hold::Free && model.grip.horizontal == Hold::Free;
-        let held = (!free).then_some(KeptReason::NotTold(NotTold::Held));
+        let held = (!free).then_some(KeptReason::NotEstimated(NotEstimated::Held));
         let curved = !model.is_uniform();
-        let curved = curved.then_some(KeptReason::NotTold(NotTold::Curved));
+        let curved = curved.then_some(KeptReason::NotEstimated(NotEstimated::Curved));
         consider(Term::Ground, driven.or(curved).or(deep).or(held));
     }
     if law.has_far_face() {
@@ -183,11 +188,13 @@ enum Work {
 
 impl Work {
     /// Per unit of the path's parameter, of a beam that lies higher by `lift` (nm) with the term.
-    fn rate(&self, probe: &SectionSampling, lift: f64) -> f64 {
+    fn rate(&self, sampling: &SectionSampling, lift: f64) -> f64 {
         match self {
-            Self::FarFace(without, with) => probe.rate(|at| at.adhesion_on(with, lift) - at.adhesion_on(without, 0.0)),
-            Self::Ground(law, substrate) => probe.rate(|at| at.adhesion_by_ground(law, substrate, lift)),
-            Self::Friction(law) => probe.dissipation(law),
+            Self::FarFace(without, with) => {
+                sampling.rate(|at| at.adhesion_on(with, lift) - at.adhesion_on(without, 0.0))
+            }
+            Self::Ground(law, substrate) => sampling.rate(|at| at.adhesion_by_ground(law, substrate, lift)),
+            Self::Friction(law) => sampling.dissipation(law),
         }
     }
 

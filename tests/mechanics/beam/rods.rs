@@ -15,12 +15,14 @@
 use crate::common::stored_energy;
 use nalgebra::SVector;
 use num_dual::{Dual2SVec64, hessian};
-use peelkit::beam::{ChainFactors, Configuration, Density, PathRow, ReissnerRod, RestCurve, Section};
+use peelkit::beam::{
+    ChainFactors, Configuration, ConstraintGradient, EnergyDensity, ReferenceCurve, ReissnerRod, Section,
+};
 use peelkit::model::{Drive, Hold, RodModel, Support};
 use peelkit::solve::{
     LimitPointKind, NewtonOptions, Observables, PathConstraint, PathOptions, SolveError, Workspace, controlled, solve,
 };
-use peelkit::study::{RodTrouble, follow_rod};
+use peelkit::study::{RodFailure, follow_rod};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 
@@ -36,7 +38,7 @@ fn rod(drive: Drive) -> RodModel {
     RodModel {
         length: 1.0,
         section: Section { axial: 100.0, shear: 30.0, bending: 1.0 },
-        rest: RestCurve { start: [0.2, -0.1, 0.4], curvature: [0.5, -1.0, 2.0] },
+        rest: ReferenceCurve { start: [0.2, -0.1, 0.4], curvature: [0.5, -1.0, 2.0] },
         left: Support::CLAMPED,
         right: Support::FREE,
         drive,
@@ -49,7 +51,7 @@ fn the_density_is_the_stored_energy_of_a_curved_rod() {
     runner()
         .run(&(numbers, 0.0..3.0f64), |([a, s, b, rotation, dx, dy, k0, k1, k2], place)| {
             let section = Section { axial: 10f64.powf(a), shear: 10f64.powf(s), bending: 10f64.powf(b) };
-            let density = ReissnerRod { section, rest: RestCurve { start: [0.0; 3], curvature: [k0, k1, k2] } };
+            let density = ReissnerRod { section, rest: ReferenceCurve { start: [0.0; 3], curvature: [k0, k1, k2] } };
             let at = SVector::from([3.0 * rotation, 1.0 + dx, dy, 0.7]);
             let rest = k0 + k1 * place + k2 * place * place;
             let (energy, gradient, tangent) =
@@ -98,10 +100,10 @@ fn an_element_agrees_with_central_differences_of_its_energy() {
         *s += change;
     }
     let energy = |state: &[f64]| {
-        let configuration = Configuration { ends: &at.mesh.boundaries, state, border: 0.0, history: None };
+        let configuration = Configuration { ends: &at.mesh.boundaries, state, axial_multiplier: 0.0, history: None };
         problem.beam.chain.energy(configuration, state).0.total
     };
-    let (row, mut factors) = (PathRow::default(), ChainFactors::default());
+    let (row, mut factors) = (ConstraintGradient::default(), ChainFactors::default());
     let root = problem.beam.chain.eliminate(problem.beam.configuration(&at), &row, &mut factors).unwrap();
     let moved = |changes: &[(usize, f64)]| {
         let mut state = at.values.clone();
@@ -163,7 +165,8 @@ fn newtons_method_converges_quadratically_under_every_drive() {
 #[test]
 fn the_tip_converges_with_order_2p() {
     let tip = |order: usize, elements: usize| {
-        let problem = RodModel { rest: RestCurve::straight(0.2, -0.1, 0.4), ..rod(Drive::Y) }.problem(order).unwrap();
+        let problem =
+            RodModel { rest: ReferenceCurve::straight(0.2, -0.1, 0.4), ..rod(Drive::Y) }.problem(order).unwrap();
         controlled(&problem, problem.initial(elements), FORCE, &[4.0], 1e-13).unwrap()[0].observables.displacement
     };
     let exact = tip(8, 12);
@@ -180,7 +183,7 @@ fn an_arch_snaps_through_and_a_short_path_says_so() {
     let opening = 0.4;
     let arch = RodModel {
         section: Section { axial: 400.0, shear: 140.0, bending: 1.0 },
-        rest: RestCurve::arc(opening, -opening),
+        rest: ReferenceCurve::arc(opening, -opening),
         left: Support::HINGED,
         right: Support { x: Hold::Fixed, y: Hold::Free, rotation: Hold::Fixed },
         ..rod(Drive::Y)
@@ -206,5 +209,5 @@ fn an_arch_snaps_through_and_a_short_path_says_so() {
     // effort: a change that makes the path much longer is seen
     assert!(path.points.len() < 120, "{} points", path.points.len());
     let short = follow_rod(&problem, options, 5, |_| false);
-    assert!(matches!(short, Err(RodTrouble::TooLong { points: 5 })));
+    assert!(matches!(short, Err(RodFailure::TooLong { points: 5 })));
 }

@@ -21,8 +21,8 @@ use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual2SVec64, DualNum, hessian};
 use peelkit::adhesion::{LineLaw, LineLoad};
 use peelkit::beam::{
-    ChainFactors, Contour, Density, FRONT, Material, Outline, PathRow, PointResponse, Profile, ReducedBeam,
-    ReissnerBeam, Section, TIP_ROTATION, Varying, rectangle_second_moment,
+    BeamGeometry, ChainFactors, ConstraintGradient, EnergyDensity, FRONT, Material, PointResponse, Profile,
+    ReducedBeam, ReissnerBeam, Section, SectionGeometry, TIP_ROTATION, Varying, rectangle_second_moment,
 };
 use peelkit::model::{Form, Hold, PlanarProblem};
 use peelkit::solve::{NewtonOptions, Observables, PathConstraint, Problem, SolveError, State, Workspace, solve};
@@ -46,13 +46,13 @@ struct Case {
     rotation: f64,
     /// x', η' and θ'
     slopes: [f64; 3],
-    border: f64,
+    axial_multiplier: f64,
     /// h'/2 and κ0
     lie: [f64; 2],
 }
 
 /// A beam that is at its one place as a case says.
-impl Contour for Case {
+impl BeamGeometry for Case {
     fn length(&self) -> f64 {
         1.0
     }
@@ -61,10 +61,10 @@ impl Contour for Case {
         Vec::new()
     }
 
-    fn at(&self, _: f64) -> Outline {
+    fn at(&self, _: f64) -> SectionGeometry {
         let [rise, curvature] = self.lie;
         let height = [self.law.height, 2.0 * rise, 0.0];
-        Outline { width: self.width, height, roundness: 0.0, underside: [0.0, curvature] }
+        SectionGeometry { width: self.width, height, roundness: 0.0, underside: [0.0, curvature] }
     }
 }
 
@@ -94,20 +94,20 @@ fn cases() -> impl Strategy<Value = Case> {
     let slopes = (0.8..1.2f64, -1.0..1.0f64, -0.3..0.3f64).prop_map(|(x, y, t)| [x, y, t]);
     let lie = (-0.5..0.5f64, -0.2..0.2f64).prop_map(|(rise, curvature)| [rise, curvature]);
     (section, law, 0.5..3.0f64, 0.22..4.0f64, -1.4..1.4f64, slopes, -1.0..1.0f64, lie).prop_map(
-        |(section, law, width, gap, rotation, slopes, border, lie)| Case {
+        |(section, law, width, gap, rotation, slopes, axial_multiplier, lie)| Case {
             section,
             law,
             width,
             gap,
             rotation,
             slopes,
-            border,
+            axial_multiplier,
             lie,
         },
     )
 }
 
-/// Value, gradient and Hessian of an energy of fields, slopes and border, in this order.
+/// Value, gradient and Hessian of an energy of fields, slopes and the axial multiplier, in this order.
 type Expansion<const K: usize> = (f64, SVector<f64, K>, SMatrix<f64, K, K>);
 
 /// The gradient and tangent of a response in the same order.
@@ -194,14 +194,14 @@ fn two_field_density_held_and_free() {
             let ([_, dy, curvature], value) = (c.slopes, [c.gap, c.rotation]);
             let potential = law.has_potential();
 
-            let at = SVector::from([c.gap, c.rotation, dy, curvature, c.border]);
+            let at = SVector::from([c.gap, c.rotation, dy, curvature, c.axial_multiplier]);
             let stored = hessian(
                 |v: SVector<Dual2SVec64<5>, 5>| reduced_energy(&section, v[1], v[2] + rise, v[3] - curved, v[4]),
                 &at,
             );
             let adhesion = hessian(|v: SVector<Dual2SVec64<5>, 5>| line_energy(&law, v[0], v[1]) * width, &at);
             let held = ReducedBeam::<true> { profile: c.profile(), law };
-            compare(&held.response(0.0, value, [dy, curvature], c.border), stored, adhesion, 0, potential)?;
+            compare(&held.response(0.0, value, [dy, curvature], c.axial_multiplier), stored, adhesion, 0, potential)?;
 
             let at = SVector::from([c.gap, c.rotation, dy, curvature]);
             let stored = hessian(
@@ -211,7 +211,7 @@ fn two_field_density_held_and_free() {
             let adhesion = hessian(|v: SVector<Dual2SVec64<4>, 4>| line_energy(&law, v[0], v[1]) * width, &at);
             let free = ReducedBeam::<false> { profile: c.profile(), law };
             // a free grip knows no H, whatever stands in its place
-            compare(&free.response(0.0, value, [dy, curvature], c.border), stored, adhesion, 0, potential)
+            compare(&free.response(0.0, value, [dy, curvature], c.axial_multiplier), stored, adhesion, 0, potential)
         })
         .unwrap();
 }
@@ -295,7 +295,7 @@ fn root_of_the_chain_is_symmetric_where_there_is_a_potential() {
                 for order in 1..=8 {
                     let problem = model.problem(form, order).unwrap();
                     let at = lifted(&problem, problem.initial(6), 0.2);
-                    let row = PathRow::default();
+                    let row = ConstraintGradient::default();
                     let configuration = problem.beam.configuration(&at);
                     let root = problem.beam.chain.eliminate(configuration, &row, &mut ChainFactors::default()).unwrap();
                     let n = problem.beam.fields() + usize::from(problem.beam.chain.has_border());

@@ -15,7 +15,7 @@
 use crate::common::{paper_law, paper_strip};
 use approx::assert_relative_eq;
 use peelkit::adhesion::{FrictionLaw, GroundLaw, LineLoad, Substrate};
-use peelkit::beam::{BeamOnGround, Density, PointResponse, Profile};
+use peelkit::beam::{BeamOnGround, EnergyDensity, PointResponse, Profile};
 use peelkit::model::{Form, Friction, Hold, PeelModel, PlanarProblem, Pull, Step};
 use peelkit::solve::{Observables, Path, PathOptions, Solution, controlled};
 use peelkit::study::{Accuracy, Choice, PathEnd, StopCriteria, peel};
@@ -44,7 +44,7 @@ fn the_tangent_is_the_derivative() {
     };
     let respond = |value: [f64; 3], slip: [f64; 2]| {
         let mut response = PointResponse::<f64, 3>::zero();
-        beam.hold(40.0, value, slip, &mut response);
+        beam.add_friction(40.0, value, slip, &mut response);
         response
     };
     for (value, slip) in [
@@ -104,7 +104,7 @@ fn balance(model: &PeelModel, stride: f64) -> (f64, f64, usize) {
         .sum();
     let energy = |s: &Solution| problem.energy(&s.at, s.energy);
     let last = &points[points.len() - 1];
-    let dissipated = problem.beam.chain.slid(problem.beam.configuration(&last.at)).unwrap().dissipated;
+    let dissipated = problem.beam.chain.updated_history(problem.beam.configuration(&last.at)).unwrap().dissipated;
     (work, work - (energy(last) - energy(&points[0])) - dissipated, points.len())
 }
 

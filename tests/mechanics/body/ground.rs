@@ -10,8 +10,8 @@
 //! start, or a force without a potential, would still draw a curve.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use peelkit::adhesion::{GroundLaw, Heights, Ridge, Round, Shape, Sinusoid, Substrate};
-use peelkit::beam::{BeamOnGround, Density, Profile};
+use peelkit::adhesion::{BodyShape, GroundLaw, Heights, Ridge, Round, Sinusoid, Substrate};
+use peelkit::beam::{BeamOnGround, EnergyDensity, Profile};
 use peelkit::model::{Discretisation, Form, Ground, Hold, PeelModel, Start, StripModel};
 use peelkit::solve::InitialState;
 use peelkit::study::{Accuracy, PathEnd, Peel, StopCriteria, TestEnd, observed, peel, prepared};
@@ -35,7 +35,7 @@ fn strip(length: f64, thickness: f64, substrate: Substrate, start: Start) -> Pee
 fn tangents_are_differences() {
     let strip = StripModel::of_the_paper(100.0, 1.0);
     let heights = Heights::new(vec![0.0, 15.0, 30.0, 40.0, 60.0], vec![0.0, 3.0, -2.0, 1.0, 0.0]).unwrap();
-    let round = Round { shape: Shape::Sphere, radius: 30.0, offset: 20.0 };
+    let round = Round { shape: BodyShape::Sphere, radius: 30.0, offset: 20.0 };
     for substrate in
         [wave(8.0, 100.0, 3.0), wave(5.0, 30.0, 1.0), Substrate::Round(round), Substrate::Profile(Arc::new(heights))]
     {
@@ -72,7 +72,7 @@ fn a_wave_of_no_height_is_flat_ground() {
     let flat = first(&StripModel::of_the_paper(100.0, 1.0).into());
     for substrate in [
         wave(1e-9, 100.0, 0.0),
-        Substrate::Round(Round { shape: Shape::Sphere, radius: 1e13, offset: 0.0 }),
+        Substrate::Round(Round { shape: BodyShape::Sphere, radius: 1e13, offset: 0.0 }),
         Substrate::Ridge(Ridge { radius: 1e13, offset: 0.0 }),
         Substrate::Profile(Arc::new(Heights::new(vec![0.0, 50.0, 120.0], vec![0.0; 3]).unwrap())),
     ] {
@@ -85,7 +85,7 @@ fn a_wave_of_no_height_is_flat_ground() {
 /// Within a contact much shorter than its radius a parabola is its circle.
 #[test]
 fn a_wide_ridge_is_a_cylinder() {
-    let round = Round { shape: Shape::Cylinder, radius: 1e5, offset: 20.0 };
+    let round = Round { shape: BodyShape::Cylinder, radius: 1e5, offset: 20.0 };
     let ridge = Ridge { radius: round.radius, offset: round.offset };
     let [cylinder, ridge] = [Substrate::Round(round), Substrate::Ridge(ridge)].map(|substrate| {
         peel(&strip(60.0, 10.0, substrate, Start::Conformed), &Accuracy::to(1e-6), &NEAR).initiation_peak.unwrap()
@@ -115,8 +115,8 @@ fn a_thick_strip_has_two_equilibria() {
         peel(&model, &Accuracy::to(1e-4), &StopCriteria { displacement: Some(0.05), ..BOUNDS }).contact(0).unwrap()
     };
     let (thin, thick) = (lies(10.0, Start::Crests), lies(20.0, Start::Crests));
-    assert!(thin.adhered_fraction > 0.99 && thin.reach.unwrap() > 0.98, "{thin:?}");
-    assert!(thick.adhered_fraction < 0.5 && thick.reach.unwrap() < 0.2 && thick.largest_gap > 6.0, "{thick:?}");
+    assert!(thin.adhered_fraction > 0.99 && thin.penetration.unwrap() > 0.98, "{thin:?}");
+    assert!(thick.adhered_fraction < 0.5 && thick.penetration.unwrap() < 0.2 && thick.largest_gap > 6.0, "{thick:?}");
     assert_eq!(thin.sharp(), None);
 }
 
@@ -170,7 +170,7 @@ fn a_test_on_waves_balances() {
 /// Ground sharper than the half space can stand for is told.
 #[test]
 fn sharp_ground_is_warned_of() {
-    let round = Round { shape: Shape::Sphere, radius: 6.0, offset: 0.0 };
+    let round = Round { shape: BodyShape::Sphere, radius: 6.0, offset: 0.0 };
     let model = strip(20.0, 10.0, Substrate::Round(round), Start::Crests);
     let contact =
         peel(&model, &Accuracy::to(1e-4), &StopCriteria { displacement: Some(0.05), ..BOUNDS }).contact(0).unwrap();

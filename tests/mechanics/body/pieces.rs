@@ -13,7 +13,7 @@
 
 use crate::common::paper_strip;
 use approx::assert_relative_eq;
-use peelkit::model::{Body, Course, Hold, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Spatula};
+use peelkit::model::{Body, Hold, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Spatula, Transition};
 use peelkit::study::{Accuracy, Peel, StopCriteria, peel};
 
 const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
@@ -62,7 +62,7 @@ fn a_spatula_of_three_pieces_is_the_spatula() {
         height: [10.0, 50.0],
         roundness: [0.0, 1.0],
         bend: spatula.shaft_angle,
-        course: Course::Smooth,
+        course: Transition::Smooth,
         ..Piece::straight(150.0, 50.0, 10.0)
     };
     let shaft = Piece { roundness: [1.0; 2], ..Piece::straight(600.0, 50.0, 50.0) };

@@ -17,7 +17,7 @@
 //! pulls. Why: a pad that is bent over to the ground wrongly, or a shaft that is left behind, would still draw a curve.
 
 use approx::assert_relative_eq;
-use peelkit::adhesion::{Heights, Round, Shape, Sinusoid, Substrate};
+use peelkit::adhesion::{BodyShape, Heights, Round, Sinusoid, Substrate};
 use peelkit::model::{
     Body, Discretisation, Form, Ground, Hold, PeelModel, Profile, ProfileColumns, ProfileForm, ProfileTable, Spatula,
     Start, StripModel,
@@ -51,7 +51,7 @@ fn wave(height: f64, wavelength: f64) -> Substrate {
     Substrate::Sinusoid(Sinusoid { height, wavelength, offset: 0.0 })
 }
 
-fn round(shape: Shape, radius: f64) -> Substrate {
+fn round(shape: BodyShape, radius: f64) -> Substrate {
     Substrate::Round(Round { shape, radius, offset: 40.0 })
 }
 
@@ -66,7 +66,7 @@ fn ground_that_is_nearly_flat_is_flat_ground() {
     let run = |substrate| peel(&on(substrate, Start::Conformed), &Accuracy::to(1e-7), &BOUNDS);
     let flat = run(Substrate::Flat);
     let level = Heights::new(vec![-100.0, 150.0, 400.0], vec![0.0; 3]).unwrap();
-    for substrate in [wave(1e-9, 50.0), round(Shape::Sphere, 1e13), Substrate::Profile(Arc::new(level))] {
+    for substrate in [wave(1e-9, 50.0), round(BodyShape::Sphere, 1e13), Substrate::Profile(Arc::new(level))] {
         let found = run(substrate);
         let ((a, b), (c, d)) =
             ((found.peak.unwrap(), flat.peak.unwrap()), (found.snap_off.unwrap(), flat.snap_off.unwrap()));
@@ -81,7 +81,7 @@ fn ground_that_is_nearly_flat_is_flat_ground() {
 
 #[test]
 fn a_sphere_is_a_cylinder_in_the_plane() {
-    let [sphere, cylinder] = [Shape::Sphere, Shape::Cylinder].map(|shape| {
+    let [sphere, cylinder] = [BodyShape::Sphere, BodyShape::Cylinder].map(|shape| {
         let peak = first(&on(round(shape, 50.0), Start::Conformed), 1e-4);
         [peak.force, peak.displacement]
     });
@@ -154,7 +154,9 @@ fn how_it_lies_depends_on_how_it_came_there() {
 /// The gap below the pad is kept along the ground, and no part of the beam is within it.
 #[test]
 fn it_rests_off_the_ground() {
-    for (substrate, start) in [(round(Shape::Cylinder, 60.0), Start::Conformed), (wave(3.0, 50.0), Start::Conformed)] {
+    for (substrate, start) in
+        [(round(BodyShape::Cylinder, 60.0), Start::Conformed), (wave(3.0, 50.0), Start::Conformed)]
+    {
         let how = Discretisation::moving(Form::TwoField, 7);
         let problem = prepared(&on(substrate, start), how, None).unwrap().problem;
         let InitialState::Known { at, .. } = &problem.start else { panic!("{:?}", problem.start) };

@@ -4,7 +4,7 @@
 //! with what would be right; and every number of a model is refused where it is NaN, infinite or out of its range. Why: a program
 //! is to hear what a scene hears, and a Newton iteration on NaN says nothing.
 
-use peelkit::adhesion::{CohesiveShape, Heights, LineLoad, Ridge, Round, Shape, Sinusoid, Substrate};
+use peelkit::adhesion::{BodyShape, CohesiveShape, Heights, LineLoad, Ridge, Round, Sinusoid, Substrate};
 use peelkit::beam::MeshKind;
 use peelkit::model::{
     Attraction, Body, Discretisation, Form, Friction, Grip, Ground, Hold, MODEL_NUMBERS, Measured, ModelError,
@@ -239,7 +239,7 @@ fn what_does_not_fit_the_ground() {
     let long = PeelModel::from(StripModel::of_the_paper(1e5, 1.0));
     let long = PeelModel { ground: on(Substrate::Ridge(Ridge { radius: 1e4, offset: 0.0 })).ground, ..long };
     assert!(matches!(refused(&long).kind(), ModelErrorKind::TooManyZones { .. }), "{}", refused(&long));
-    let beside = on(Substrate::Round(Round { shape: Shape::Sphere, radius: 9.0, offset: 9.0 }));
+    let beside = on(Substrate::Round(Round { shape: BodyShape::Sphere, radius: 9.0, offset: 9.0 }));
     let sentence = "`substrate.offset` is 9 nm, and the strip begins beside the body, whose radius is 9 nm";
     assert_refused(&beside, "substrate.offset", sentence, None);
     let valley = Heights::new(vec![0.0, 50.0, 100.0], vec![0.0, -1.0, 0.0]).unwrap();

@@ -4,8 +4,8 @@
 
 use peelkit::model::{ModelError, PeelModel, StripModel};
 use peelkit::study::{
-    Accuracy, Choice, Found, NoTest, PathEnd, PointKind, Remark, Spacing, StopCriteria, cusp, follow_point, observed,
-    peel, sweep,
+    Accuracy, Choice, NoTest, PathEnd, PeelResult, PointKind, Remark, Spacing, StopCriteria, cusp, follow_point,
+    observed, peel, sweep,
 };
 
 const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
@@ -57,7 +57,7 @@ fn bad_values_of_a_sweep_are_told_and_the_others_computed() {
     let [Remark::NotFound { value, reason, .. }] = &followed.remarks[..] else { panic!("{:?}", followed.remarks) };
     assert!(*value == 0.0 && reason.to_string().contains("`strip.length` is 0 nm"), "{reason}");
 
-    let found = |&length: &f64| Found::from(&peel(&of_length(length), &accuracy, &BOUNDS));
+    let found = |&length: &f64| PeelResult::from(&peel(&of_length(length), &accuracy, &BOUNDS));
     let rows = sweep(&[0.0, 50.0], &|| true, &found);
     let failed: Vec<bool> = rows.iter().map(|found| matches!(found.end, PathEnd::Failed(_))).collect();
     assert_eq!(failed, [true, false]);

@@ -4,14 +4,14 @@
 //! model may be is refused when it is read. Why: a result is to be computed again from what was kept of it.
 
 use peelkit::adhesion::{
-    CohesiveShape, Heights, LineLoad, LineResponse, OwnLaw, Ridge, Round, SectionLaw, SelfAffine, Shape, Sinusoid,
+    BodyShape, CohesiveShape, Heights, LineLoad, LineResponse, OwnLaw, Ridge, Round, SectionLaw, SelfAffine, Sinusoid,
     Substrate, TiltedSection,
 };
-use peelkit::beam::{MeshKind, RestCurve, Section};
+use peelkit::beam::{MeshKind, ReferenceCurve, Section};
 use peelkit::model::{
-    Adhesion, Attraction, Body, Course, Discretisation, Drive, Form, Friction, Grip, Ground, Hold, PeelModel, Piece,
-    Profile, ProfileColumns, ProfileForm, ProfilePieces, ProfileTable, Pull, RodModel, Spatula, Start, Step,
-    StripModel, Support,
+    Adhesion, Attraction, Body, Discretisation, Drive, Form, Friction, Grip, Ground, Hold, PeelModel, Piece, Profile,
+    ProfileColumns, ProfileForm, ProfilePieces, ProfileTable, Pull, RodModel, Spatula, Start, Step, StripModel,
+    Support, Transition,
 };
 use peelkit::study::{Accuracy, Choice, Peel, StopCriteria, Terms, peel};
 use serde::Serialize;
@@ -49,7 +49,7 @@ fn every_body_is_read_as_it_was_written() {
         width: [20.0, 7.0 / 3.0],
         roundness: [0.0, 1.0],
         bend: -1.0 / 7.0,
-        course: Course::Smooth,
+        course: Transition::Smooth,
         ..Piece::straight(1e2 / 3.0, 20.0, 5.0)
     };
     let pieces = ProfilePieces::new(vec![Piece::straight(40.0, 20.0, 5.0), bent]).unwrap();
@@ -76,8 +76,8 @@ fn every_ground_and_every_law_is_read_as_it_was_written() {
     let offset = -0.1 * 3.0;
     for substrate in [
         Substrate::Flat,
-        Substrate::Round(Round { shape: Shape::Sphere, radius: 1e13 / 3.0, offset }),
-        Substrate::Round(Round { shape: Shape::Cylinder, radius: 200.0, offset }),
+        Substrate::Round(Round { shape: BodyShape::Sphere, radius: 1e13 / 3.0, offset }),
+        Substrate::Round(Round { shape: BodyShape::Cylinder, radius: 200.0, offset }),
         Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 1e2 / 3.0, offset }),
         Substrate::Ridge(Ridge { radius: 90.0, offset }),
         Substrate::Profile(Arc::new(rough.heights().unwrap())),
@@ -125,7 +125,7 @@ fn grips_drives_and_choices_are_read_as_they_were_written() {
     round_trip(&RodModel {
         length: 10.0 / 3.0,
         section: Section { axial: 1e3, shear: 1e3, bending: 0.1 },
-        rest: RestCurve { start: [0.1, 0.2, 0.3], curvature: [1e-3, 1e-5, 1e-7] },
+        rest: ReferenceCurve { start: [0.1, 0.2, 0.3], curvature: [1e-3, 1e-5, 1e-7] },
         left: Support::CLAMPED,
         right: Support::FREE,
         drive: Drive::Rotation,
@@ -145,7 +145,7 @@ impl SectionLaw for Mine {
         section.face_load(|r| [-(-r).exp(), -(-r).exp(), (-r).exp()])
     }
 
-    fn reach(&self) -> f64 {
+    fn cutoff_distance(&self) -> f64 {
         10.0
     }
 

@@ -25,7 +25,8 @@ use peelkit::solve::{
     Problem, RelaxOptions, Relaxed, Solution, Workspace, brackets, disturbed, locate, relax, solve,
 };
 use peelkit::study::{
-    Accuracy, Bound, Jump, JumpKind, NoTest, Observed, Stage, StopCriteria, StopReason, TestEnd, Way, observed, peel,
+    Accuracy, Bound, Jump, JumpKind, LoadingDirection, NoTest, Observed, Stage, StopCriteria, StopReason, TestEnd,
+    observed, peel,
 };
 use std::sync::Arc;
 
@@ -122,8 +123,8 @@ fn a_rigid_strip_on_a_spring_is_a_punch() {
     let test = test_of(&on_a_spring(model, stiffness));
     assert_balanced(&test);
     let [off, into] = test.jumps[..] else { panic!("{:?}", test.jumps) };
-    assert_eq!((off.kind, off.way), (JumpKind::SnapOff, Way::Retreat));
-    assert_eq!((into.kind, into.way), (JumpKind::IntoContact, Way::Approach));
+    assert_eq!((off.kind, off.way), (JumpKind::SnapOff, LoadingDirection::Retreat));
+    assert_eq!((into.kind, into.way), (JumpKind::IntoContact, LoadingDirection::Approach));
     // 1 + P'(y)/k = 0 on both sides of the steepest place; the other branch at the same U
     let steepest = zero(|gap| punch.slope(gap + 1e-3) - punch.slope(gap - 1e-3), 0.3, 0.7);
     let inner = zero(|gap| punch.slope(gap), 0.26, steepest);
@@ -222,9 +223,10 @@ fn a_hundred_nanometres_in_a_free_grip_snap_off_where_the_path_turns() {
     // upright it tilts without a jump as the machine comes back
     assert_eq!(test.jumps.len(), 6);
     // in the end it stands upright on the face of its end, and that comes off
-    let last = test.jumps.iter().rfind(|jump| jump.way == Way::Retreat).unwrap();
+    let last = test.jumps.iter().rfind(|jump| jump.way == LoadingDirection::Retreat).unwrap();
     assert!(last.detached && last.kind == JumpKind::SnapOff);
-    let largest = test.points.iter().filter(|p| p.way == Way::Retreat).map(|p| p.force).fold(0.0, f64::max);
+    let largest =
+        test.points.iter().filter(|p| p.way == LoadingDirection::Retreat).map(|p| p.force).fold(0.0, f64::max);
     let pull_off = test.pull_off.unwrap();
     assert!(pull_off.force >= largest - pull_off.force_error && pull_off.force < 1.001 * largest, "{pull_off:?}");
 }
@@ -313,7 +315,7 @@ fn work_and_energy_balance_in_other_grips() {
         // U goes up, then down, and stands still in a jump
         for pair in test.points.windows(2) {
             let ahead = pair[1].machine - pair[0].machine;
-            let forward = if pair[1].way == Way::Retreat { ahead } else { -ahead };
+            let forward = if pair[1].way == LoadingDirection::Retreat { ahead } else { -ahead };
             assert!(if pair[1].jumped { ahead.abs() < 1e-8 * pair[0].machine } else { forward >= -1e-9 }, "{pair:?}");
         }
         assert_eq!(test.points.iter().filter(|p| p.jumped).count(), test.jumps.len());

@@ -180,8 +180,8 @@ fn what_matters_is_kept() {
     let rubs = left_out(&PeelModel { friction: strong, ..paper.clone() }, 1e-4, &short);
     assert!(matches!(why(&rubs, Term::Friction), KeptReason::Matters(share) if share > 0.01), "{:?}", rubs.considered);
     let oblique = PeelModel { friction: strong, pull: Pull { angle: 0.5, ..Pull::UP }, ..paper.clone() };
-    assert!(matches!(why(&left_out(&oblique, 1e-2, &short), Term::Friction), KeptReason::NotTold(_)));
+    assert!(matches!(why(&left_out(&oblique, 1e-2, &short), Term::Friction), KeptReason::NotEstimated(_)));
     let substrate = Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 100.0, offset: 0.0 });
     let deep = PeelModel { ground: Ground { substrate, ..Ground::default() }, ..paper };
-    assert!(matches!(why(&left_out(&deep, 1e-2, &short), Term::Ground), KeptReason::NotTold(_)));
+    assert!(matches!(why(&left_out(&deep, 1e-2, &short), Term::Ground), KeptReason::NotEstimated(_)));
 }

@@ -4,14 +4,14 @@ use super::scene::{SampleKind, scene_text};
 use cpu_time::ThreadTime;
 use peelkit::study::{Accuracy, Choice, Failure, LimitPoint, PathEnd, Peel, peel};
 use peelkit_report::end_word;
-use peelkit_scene::{Bounds, Scene};
+use peelkit_scene::{BoundsTable, Scene};
 
 /// A path is followed for so many seconds at most.
 const LONGEST: f64 = 60.0;
 
 /// In which way a scene is peeled, beside the first.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Way {
+pub struct LoadingDirection {
     /// As tables name it.
     pub name: &'static str,
     /// Relative accuracy asked for.
@@ -21,10 +21,10 @@ pub struct Way {
 }
 
 /// The ways in which every scene is peeled. The first is judged by the others.
-pub const WAYS: [Way; 3] = [
-    Way { name: "1e-6", relative: 1e-6, choice: Choice::NOTHING },
-    Way { name: "1e-9", relative: 1e-9, choice: Choice::NOTHING },
-    Way { name: "1e-6, order 5", relative: 1e-6, choice: Choice { order: Some(5), ..Choice::NOTHING } },
+pub const WAYS: [LoadingDirection; 3] = [
+    LoadingDirection { name: "1e-6", relative: 1e-6, choice: Choice::NOTHING },
+    LoadingDirection { name: "1e-9", relative: 1e-9, choice: Choice::NOTHING },
+    LoadingDirection { name: "1e-6, order 5", relative: 1e-6, choice: Choice { order: Some(5), ..Choice::NOTHING } },
 ];
 
 /// What became of one way.
@@ -70,8 +70,8 @@ pub fn sampled(kind: SampleKind, seed: u64, index: u64) -> Result<Sampled, Strin
     Ok(Sampled { index, runs })
 }
 
-fn run(scene: &Scene, way: &Way) -> Run {
-    let bounds = Bounds { points: 20_000, time_s: Some(LONGEST), displacement: None };
+fn run(scene: &Scene, way: &LoadingDirection) -> Run {
+    let bounds = BoundsTable { points: 20_000, time_s: Some(LONGEST), displacement: None };
     let started = ThreadTime::now();
     let accuracy = Accuracy::to(way.relative).with(way.choice);
     let peel = peel(&scene.model, &accuracy, &bounds.from_now()).without_solutions();

@@ -4,7 +4,7 @@
 use super::bounds::last_digit;
 use super::check::{Check, Measure, Topic, missing};
 use super::reference::{Row, read};
-use peelkit::adhesion::{Round, Shape, Sinusoid, Substrate};
+use peelkit::adhesion::{BodyShape, Round, Sinusoid, Substrate};
 use peelkit::model::{Body, Discretisation, Form, Ground, Hold, PeelModel, Spatula, Start, StripModel};
 use peelkit::solve::InitialState;
 use peelkit::study::{Accuracy, Peel, Prepared, StopCriteria, peel, prepared};
@@ -40,7 +40,7 @@ fn ground(row: &Row) -> Option<Ground> {
     let (length, offset) = (row.number("length_of_shape_nm")?, row.number("offset_nm")?);
     let substrate = match row.text("shape")? {
         "sinusoid" => Substrate::Sinusoid(Sinusoid { height: row.number("height_nm")?, wavelength: length, offset }),
-        "cylinder" => Substrate::Round(Round { shape: Shape::Cylinder, radius: length, offset }),
+        "cylinder" => Substrate::Round(Round { shape: BodyShape::Cylinder, radius: length, offset }),
         _ => return None,
     };
     Some(Ground { substrate, start: Start::Conformed })
@@ -197,7 +197,7 @@ fn at_start(model: &PeelModel, places: [f64; 3]) -> [Result<f64, String>; 6] {
     };
     let gap = |k: usize| {
         let (x, y) = node(k);
-        model.ground.substrate.foot(x, y).distance - 0.5 * beam.height_at(ends[k])
+        model.ground.substrate.project(x, y).distance - 0.5 * beam.height_at(ends[k])
     };
     let energy = beam.chain.energy(beam.configuration(at), &at.values).0.total;
     let (x, y) = node(ends.len() - 1);

@@ -5,7 +5,7 @@ use super::bounds;
 use super::check::{Check, Measure, Topic};
 use super::reference::{self, Row};
 use peelkit::adhesion::LineLoad;
-use peelkit::model::{Body, Course, Grip, Hold, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Spatula};
+use peelkit::model::{Body, Grip, Hold, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Spatula, Transition};
 use peelkit::study::{Accuracy, Peel, StopCriteria, peel};
 use peelkit_scene::parse_profile;
 use rayon::prelude::*;
@@ -130,7 +130,8 @@ fn profile(name: &str, rotation: Hold) -> Option<PeelModel> {
 fn pieces(list: &str) -> Option<ProfilePieces> {
     let piece = |row: &Row| {
         let ends = |begins: &str, ends: &str| Some([row.number(begins)?, row.number(ends)?]);
-        let course = |column: &str| if row.text(column) == Some("smooth") { Course::Smooth } else { Course::Linear };
+        let course =
+            |column: &str| if row.text(column) == Some("smooth") { Transition::Smooth } else { Transition::Linear };
         Some(Piece {
             length: row.number("length_nm")?,
             width: ends("width_nm", "width_end_nm")?,

@@ -5,7 +5,7 @@ use cpu_time::ThreadTime;
 use peelkit::beam::MeshKind;
 use peelkit::model::{Form, PeelModel};
 use peelkit::study::{Accuracy, Choice, Effort, FOLLOWED_ORDER, PathEnd, Peel, peel};
-use peelkit_scene::Bounds;
+use peelkit_scene::BoundsTable;
 
 /// Errors of one run against the refined one, relative; `None` where the strip has no such point or the run did not find it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,7 +86,7 @@ impl WorkPrecision {
 
 /// Measures a strip. `done` is given the number of lines there are, once for each that is finished. An error says why the refined
 /// run failed.
-pub fn work_precision<'m, M>(model: &'m M, bounds: &Bounds, done: &dyn Fn(usize)) -> Result<WorkPrecision, String>
+pub fn work_precision<'m, M>(model: &'m M, bounds: &BoundsTable, done: &dyn Fn(usize)) -> Result<WorkPrecision, String>
 where
     PeelModel: From<&'m M>,
 {
@@ -120,7 +120,7 @@ fn kinds() -> Vec<(String, Choice)> {
 /// The refined run.
 struct Truth<'a> {
     model: &'a PeelModel,
-    bounds: Bounds,
+    bounds: BoundsTable,
     peel: Peel,
     curve: Vec<(f64, f64)>,
     /// Below these displacement and force count as they are, above relative to themselves.
@@ -128,7 +128,7 @@ struct Truth<'a> {
 }
 
 impl<'a> Truth<'a> {
-    fn of(model: &'a PeelModel, bounds: &Bounds) -> Result<Self, String> {
+    fn of(model: &'a PeelModel, bounds: &BoundsTable) -> Result<Self, String> {
         let choice = Choice { step: Some(1e-3), ..Accuracy::to(1e-11).choice };
         let refined = peel(model, &Accuracy::to(1e-11).with(choice), &bounds.from_now());
         let peel = match refined.end {
@@ -164,7 +164,7 @@ impl<'a> Truth<'a> {
     }
 
     fn trial(&self, accuracy: &Accuracy) -> Trial {
-        let bounds = Bounds { time_s: Some(2.0 * LONG), ..self.bounds };
+        let bounds = BoundsTable { time_s: Some(2.0 * LONG), ..self.bounds };
         let started = ThreadTime::now();
         let timed = || {
             let clock = ThreadTime::now();

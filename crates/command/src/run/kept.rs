@@ -40,12 +40,12 @@ impl KeptRun {
 
     /// Peels the scene, from what an earlier run has kept of it.
     pub fn peel(&mut self, scene: &Scene) -> Peel {
-        let keeping = Checkpoint {
+        let checkpoint = Checkpoint {
             taken: &|options| self.partial.taken(options),
             keep: &|options, waypoint| self.partial.keep(options, waypoint),
         };
         let stop = self.interrupt.ends(scene.bounds.from_now());
-        let peel = study::peel_on(&scene.model, &scene.accuracy, &stop, &keeping);
+        let peel = study::peel_on(&scene.model, &scene.accuracy, &stop, &checkpoint);
         // nothing of what comes behind the path is kept
         self.interrupted = self.interrupt.quit_next() && peel.unfinished;
         peel

@@ -12,7 +12,7 @@ use crate::text_summary;
 use failed::failed;
 use peelkit::study::{self, FollowedSweep, PointKind, Remark, Spacing};
 use peelkit_report::{self as report, ReportError, SweepSummary};
-use peelkit_scene::{KEYS, Key, Problem, Scene, find_key};
+use peelkit_scene::{KEYS, Key, Scene, ValueError, find_key};
 use std::cell::{Cell, RefCell};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -136,7 +136,7 @@ fn key_to_vary(path: &str) -> Result<&'static Key, Stop> {
 /// The scene with each value in its place.
 fn vary(args: &Sweep, scene: &Scene, key: &Key) -> Result<Vec<(f64, Scene)>, Stop> {
     let end = |name: &str, text: &str| {
-        let stop = |problem: Problem| Stop::bad_argument(format!("--{name} for {}", key.path()), &problem);
+        let stop = |problem: ValueError| Stop::bad_argument(format!("--{name} for {}", key.path()), &problem);
         let value = key.parse_number(text).map_err(stop)?;
         if args.log && value <= 0.0 {
             return Err(Stop::bad_input(
@@ -153,7 +153,8 @@ fn vary(args: &Sweep, scene: &Scene, key: &Key) -> Result<Vec<(f64, Scene)>, Sto
     let values = grid(end("from", &args.from)?, end("to", &args.to)?, args.points as usize, args.log);
     let varied = values.into_iter().map(|value| {
         let mut scene = scene.clone();
-        let stop = |problem: Problem| Stop::bad_argument(format!("{} between --from and --to", key.path()), &problem);
+        let stop =
+            |problem: ValueError| Stop::bad_argument(format!("{} between --from and --to", key.path()), &problem);
         key.store_number(&mut scene, value).map_err(stop)?;
         scene.check().map_err(|error| stop(error.into()))?;
         Ok((value, scene))

@@ -130,8 +130,9 @@ fn slid(sliding: &Sliding) -> String {
 
 /// How the beam lies on ground that is not flat, and what is to be said of that ground.
 fn on_ground(peel: &Peel, contact: &Contact) -> Vec<(&'static str, String)> {
-    let reach =
-        contact.reach.map(|reach| format!("; it penetrates to {:.1} % of the depth of the valleys", 100.0 * reach));
+    let reach = contact
+        .penetration
+        .map(|reach| format!("; it penetrates to {:.1} % of the depth of the valleys", 100.0 * reach));
     let lies = format!(
         "contact length (gap below 2 r0) {:.1} %, adhesion energy {:.1} % of those on flat ground; gaps from {:.4} to {:.4} nm{}",
         100.0 * contact.adhered_fraction,
@@ -184,7 +185,7 @@ fn end(end: &PathEnd) -> String {
 mod tests {
     use super::*;
     use peelkit::study::{self, Bound, Effort};
-    use peelkit_scene::Bounds;
+    use peelkit_scene::BoundsTable;
 
     #[test]
     fn the_summary_of_a_peel_is_laid_out_in_two_columns() {
@@ -193,7 +194,7 @@ mod tests {
             adhesion = { hamaker_constant = "1e-19 J", equilibrium_distance = "0.4 nm" }
         "#;
         let scene = Scene::parse("short.toml", text, &[]).unwrap();
-        let bounds = Bounds { points: 1, ..scene.bounds };
+        let bounds = BoundsTable { points: 1, ..scene.bounds };
         let snap_off = LimitPoint {
             kind: LimitPointKind::Displacement,
             displacement: 48.2156178228,

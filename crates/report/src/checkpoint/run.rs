@@ -5,7 +5,7 @@ use crate::error::ReportError;
 use crate::file::remove;
 use crate::summary::Parameters;
 use peelkit::solve::{PathOptions, Waypoint};
-use peelkit_scene::{Bounds, Scene};
+use peelkit_scene::{BoundsTable, Scene};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 use std::fs::{self, File, OpenOptions};
@@ -72,7 +72,7 @@ impl PartialRun {
 
     fn with_interval(dir: &Path, scene: &Scene, interval: Duration) -> Result<Self, ReportError> {
         let path = dir.join(Self::NAME);
-        let bounds = Bounds { points: 0, time_s: None, displacement: None };
+        let bounds = BoundsTable { points: 0, time_s: None, displacement: None };
         let scene = Scene { bounds, ..scene.clone() };
         let header = Header { peelkit: env!("CARGO_PKG_VERSION"), scene: Parameters(scene) };
         let header = serde_json::to_vec(&header).map(|mut line| {

@@ -5,7 +5,7 @@ use crate::error::ReportError;
 use crate::file::{remove, write_whole};
 use crate::summary::Parameters;
 use crate::sweep_row::SweepRow;
-use peelkit::study::Found;
+use peelkit::study::PeelResult;
 use peelkit_scene::{Key, Scene};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -35,7 +35,7 @@ struct Header {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Line {
     value: f64,
-    found: Found,
+    found: PeelResult,
     solve_s: f64,
 }
 
@@ -85,7 +85,7 @@ impl PartialSweep {
     }
 
     /// What an earlier run found at this value, and the seconds that it took.
-    pub fn found(&self, value: f64) -> Option<(&Found, f64)> {
+    pub fn found(&self, value: f64) -> Option<(&PeelResult, f64)> {
         self.taken.get(&value.to_bits()).map(|line| (&line.found, line.solve_s))
     }
 
@@ -158,7 +158,7 @@ mod tests {
             flat: true,
             after: 17,
         };
-        let found = Found {
+        let found = PeelResult {
             initiation_peak: None,
             peak: Some(peak),
             plateau: Some(Plateau { displacement: 1e23, force: 8.41e21 }),

@@ -3,7 +3,7 @@
 use crate::chart::{Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, save, significant};
 use crate::error::ReportError;
 use crate::names::jump_word;
-use peelkit::study::{Observed, Way};
+use peelkit::study::{LoadingDirection, Observed};
 use std::path::{Path, PathBuf};
 
 const HEIGHT: u32 = 460;
@@ -36,10 +36,10 @@ fn panel(test: &Observed, frame: Frame, to: f64) -> Panel {
     let mut panel = Panel::new(frame, x, Axis::linear("force P (nN)", bottom, high + room));
     let zero = vec![(-0.03 * to, 0.0), (to, 0.0)];
     panel.lines.push(Line { points: zero, stroke: Stroke::solid(colour::GREY, 0.9), name: None });
-    for way in [Way::Retreat, Way::Approach] {
+    for way in [LoadingDirection::Retreat, LoadingDirection::Approach] {
         let stroke = match way {
-            Way::Retreat => Stroke::solid(colour::BLUE, 2.4),
-            Way::Approach => Stroke::solid(colour::ORANGE, 1.6),
+            LoadingDirection::Retreat => Stroke::solid(colour::BLUE, 2.4),
+            LoadingDirection::Approach => Stroke::solid(colour::ORANGE, 1.6),
         };
         let mut name = Some(way.word().to_owned());
         for (_, points) in test.pieces.iter().filter(|piece| piece.0 == way) {

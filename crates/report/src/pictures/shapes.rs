@@ -16,7 +16,7 @@ pub(super) struct Posed {
     pub displacement: f64,
     /// nN
     pub force: f64,
-    pub axis: study::Shape,
+    pub axis: study::DeformedShape,
 }
 
 /// Most pixels that the panel may be high.
@@ -53,7 +53,7 @@ pub(super) fn shapes_picture(poses: &[Posed], ground: &Substrate, title: &str) -
 }
 
 /// The rim of the beam: its axis moved by half the height along the normal of the section, to either side.
-fn outline(axis: &study::Shape) -> Vec<(f64, f64)> {
+fn outline(axis: &study::DeformedShape) -> Vec<(f64, f64)> {
     let side = |part: f64| {
         let sections = axis.x.iter().zip(&axis.y).zip(axis.rotation.iter().zip(&axis.height));
         let edge = move |((x, y), (turn, height)): ((&f64, &f64), (&f64, &f64))| {

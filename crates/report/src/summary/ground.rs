@@ -32,7 +32,7 @@ impl GroundSummary {
             energy_fraction: Finite(contact.energy_fraction),
             least_gap: Finite(contact.least_gap),
             largest_gap: Finite(contact.largest_gap),
-            reach: contact.reach.map(Finite),
+            reach: contact.penetration.map(Finite),
             crest_radius: contact.crest_radius.map(Finite),
             valley_radius: contact.valley_radius.map(Finite),
             crest_traction_error: contact.crest_error.map(Finite),

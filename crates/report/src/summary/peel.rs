@@ -5,7 +5,7 @@ use super::ground::GroundSummary;
 use super::observed::ObservedSummary;
 use super::parameters::Parameters;
 use super::sliding::SlidingSummary;
-use super::term_summary::ConsideredSummary;
+use super::term_summary::TermDecisionsSummary;
 use crate::error::ReportError;
 use crate::file::write_whole;
 use crate::names::{end_reason, end_word, limit_point_kind_word};
@@ -35,7 +35,7 @@ pub struct PeelSummary {
     terms: Vec<TermEffect>,
     /// What was left out and what not, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    considered: Option<ConsideredSummary>,
+    considered: Option<TermDecisionsSummary>,
     path: Effort,
     timing: Timing,
     /// The steps before the pull, as far as they were taken.
@@ -168,7 +168,7 @@ impl PeelSummary {
             }),
             accuracy: AccuracySummary::of(peel),
             terms: peel.terms().iter().map(TermEffect::from).collect(),
-            considered: peel.considered.as_ref().map(ConsideredSummary::from),
+            considered: peel.considered.as_ref().map(TermDecisionsSummary::from),
             path: Effort {
                 points: peel.effort.points,
                 newton_iterations: peel.effort.newton_iterations,

@@ -5,7 +5,7 @@ use peelkit::study::{KeptReason, LeftOut, Term, TermDecisions};
 
 /// What was decided of the terms as summary.json reports it.
 #[derive(Debug, serde::Serialize)]
-pub(super) struct ConsideredSummary {
+pub(super) struct TermDecisionsSummary {
     left_out: Vec<Left>,
     kept: Vec<Kept>,
 }
@@ -27,7 +27,7 @@ struct Kept {
     why: String,
 }
 
-impl From<&TermDecisions> for ConsideredSummary {
+impl From<&TermDecisions> for TermDecisionsSummary {
     fn from(considered: &TermDecisions) -> Self {
         let left = |left: &LeftOut| Left {
             term: left.term.word(),
@@ -48,6 +48,6 @@ pub fn why_kept(why: &KeptReason) -> String {
     match why {
         KeptReason::Matters(share) => format!("neglecting it would change a result by {share:.1e}, relative"),
         KeptReason::NothingSaved => "neglecting it would not reduce the computational cost".into(),
-        KeptReason::NotTold(why) => format!("its effect was not estimated: {why}"),
+        KeptReason::NotEstimated(why) => format!("its effect was not estimated: {why}"),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::choice::{HOLDS, LINE_LOADS, STARTS, TERMS, attractions, word};
 use super::{Key, Kind};
-use crate::error::Problem;
+use crate::error::ValueError;
 use crate::scene::Scene;
 use crate::shape;
 use crate::value::pieces;
@@ -16,19 +16,21 @@ use std::sync::Arc;
 
 impl Key {
     /// Puts a value into the scene if it is in range.
-    pub(crate) fn store(&self, scene: &mut Scene, value: &Value) -> Result<(), Problem> {
+    pub(crate) fn store(&self, scene: &mut Scene, value: &Value) -> Result<(), ValueError> {
         match (&self.kind, value) {
             (Kind::Text(place), Value::Text(text)) => *place(scene) = text.clone(),
             (Kind::Flag(place), &Value::Flag(flag)) => *place(scene) = flag,
             (Kind::Table(place), Value::Text(text)) => {
                 let (table, text) =
-                    read_profile(&scene.name, text).map_err(|found| Problem::new(found, self.remedy()))?;
+                    read_profile(&scene.name, text).map_err(|found| ValueError::new(found, self.remedy()))?;
                 *place(scene) = ProfileForm::Table(table);
                 scene.table_texts.profile = text;
             }
             (Kind::Pieces(place), Value::List(items)) => {
-                let problem =
-                    |fault: pieces::Fault| Problem { item: fault.item, ..Problem::new(fault.found, self.remedy()) };
+                let problem = |fault: pieces::Fault| ValueError {
+                    item: fault.item,
+                    ..ValueError::new(fault.found, self.remedy())
+                };
                 *place(scene) = ProfileForm::Pieces(pieces::read(items).map_err(problem)?);
             }
             (Kind::Attraction(place), Value::Text(word)) => *place(scene) = self.pick(&attractions(), word)?,
@@ -39,7 +41,7 @@ impl Key {
             (Kind::Steps(place), Value::List(items)) => {
                 let text = |item: &Value| if let Value::Text(text) = item { Some(text.clone()) } else { None };
                 let texts = items.iter().map(text).collect::<Option<Vec<_>>>().ok_or_else(|| self.wrong_type(value))?;
-                *place(scene) = steps::read(&texts).map_err(|found| Problem::new(found, self.remedy()))?;
+                *place(scene) = steps::read(&texts).map_err(|found| ValueError::new(found, self.remedy()))?;
             }
             (Kind::Shape(place), Value::Text(word)) => {
                 let name = self.pick(&shape::names(), word)?;
@@ -50,7 +52,7 @@ impl Key {
             }
             (Kind::Heights(place), Value::Text(text)) => {
                 let (heights, text) =
-                    read_heights(&scene.name, text).map_err(|found| Problem::new(found, self.remedy()))?;
+                    read_heights(&scene.name, text).map_err(|found| ValueError::new(found, self.remedy()))?;
                 *place(scene) = Substrate::Profile(Arc::new(heights));
                 scene.table_texts.substrate = text;
             }
@@ -72,7 +74,7 @@ impl Key {
     /// Puts a number into the scene, in the unit of the library, if it is in range.
     ///
     /// Fails where it is out of range, is not whole where it has to be, or the key does not belong to the scene.
-    pub fn store_number(&self, scene: &mut Scene, number: f64) -> Result<(), Problem> {
+    pub fn store_number(&self, scene: &mut Scene, number: f64) -> Result<(), ValueError> {
         if !self.belongs_to(scene) {
             return Err(self.foreign(scene));
         }
@@ -83,16 +85,16 @@ impl Key {
             _ => Range::Positive,
         };
         let found = Measured { value: number, unit: self.unit() };
-        range.check(found).map_err(|wrong| Problem::new(wrong.to_string(), self.remedy()))?;
+        range.check(found).map_err(|wrong| ValueError::new(wrong.to_string(), self.remedy()))?;
         match self.kind {
             Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => *place(scene) = number,
             Kind::Bound(_, place) | Kind::Share(_, place) => *place(scene) = Some(number),
             Kind::Count(_) | Kind::Fixed(..) if number.fract() != 0.0 => {
-                return Err(Problem::new(format!("is {found}, which is not whole"), self.remedy()));
+                return Err(ValueError::new(format!("is {found}, which is not whole"), self.remedy()));
             }
             Kind::Count(place) => *place(scene) = number as usize,
             Kind::Fixed(_, place) => *place(scene) = Some(number as usize),
-            _ => return Err(Problem::new("is not a number", self.remedy())),
+            _ => return Err(ValueError::new("is not a number", self.remedy())),
         }
         Ok(())
     }
@@ -100,7 +102,7 @@ impl Key {
     /// Reads a text of the command line as a number of this key, in the unit of the library.
     ///
     /// Fails where it is no number, or its unit is missing, unknown or of something else.
-    pub fn parse_number(&self, text: &str) -> Result<f64, Problem> {
+    pub fn parse_number(&self, text: &str) -> Result<f64, ValueError> {
         match self.kind {
             Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => {
                 parse_quantity(text, dimension).map_err(|e| self.no_quantity(text, dimension, e))
@@ -108,7 +110,7 @@ impl Key {
             _ => text
                 .trim()
                 .parse()
-                .map_err(|_| Problem::new(format!("is {}, not a number", quoted(text)), self.remedy())),
+                .map_err(|_| ValueError::new(format!("is {}, not a number", quoted(text)), self.remedy())),
         }
     }
 

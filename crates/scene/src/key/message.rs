@@ -2,7 +2,7 @@
 
 use super::choice::{HOLDS, LINE_LOADS, STARTS, TERMS, attractions, words};
 use super::{Key, Kind};
-use crate::error::{Problem, one_line};
+use crate::error::{ValueError, one_line};
 use crate::near::nearest;
 use crate::shape;
 use crate::value::pieces;
@@ -103,44 +103,45 @@ impl Key {
         format!("`{}` takes {}; for example {}", self.name, self.takes(), self.example_line())
     }
 
-    pub(super) fn pick<T: Copy>(&self, choices: &[(&'static str, T)], found: &str) -> Result<T, Problem> {
+    pub(super) fn pick<T: Copy>(&self, choices: &[(&'static str, T)], found: &str) -> Result<T, ValueError> {
         if let Some(&(_, choice)) = choices.iter().find(|(word, _)| *word == found) {
             return Ok(choice);
         }
         let near = nearest(found, choices.iter().map(|&(word, _)| word));
         let guess = near.map(|word| format!("Did you mean \"{word}\"? ")).unwrap_or_default();
-        Err(Problem::new(
+        Err(ValueError::new(
             format!("is {}, which is none of its values", quoted(found)),
             format!("{guess}{}", self.remedy()),
         ))
     }
 
-    pub(super) fn no_quantity(&self, text: &str, dimension: Dimension, error: QuantityError) -> Problem {
+    pub(super) fn no_quantity(&self, text: &str, dimension: Dimension, error: QuantityError) -> ValueError {
         match error {
             QuantityError::NoNumber => {
-                Problem::new(format!("is {}, which does not begin with a number", quoted(text)), self.remedy())
+                ValueError::new(format!("is {}, which does not begin with a number", quoted(text)), self.remedy())
             }
             QuantityError::NoUnit => self.no_unit(&quoted(text), &one_line(text.trim()), dimension),
             QuantityError::UnknownUnit { unit, near } => {
                 let guess = near.map(|near| format!("Did you mean \"{near}\"? ")).unwrap_or_default();
-                Problem::new(
+                ValueError::new(
                     format!("is {}, whose unit {} is not known", quoted(text), quoted(&unit)),
                     format!("{guess}{}", self.remedy()),
                 )
             }
-            QuantityError::WrongDimension { unit, measures } => {
-                Problem::new(format!("is {}: {unit} measures {measures}, not {dimension}", quoted(text)), self.remedy())
-            }
+            QuantityError::WrongDimension { unit, measures } => ValueError::new(
+                format!("is {}: {unit} measures {measures}, not {dimension}", quoted(text)),
+                self.remedy(),
+            ),
         }
     }
 
-    fn no_unit(&self, found: &str, number: &str, dimension: Dimension) -> Problem {
+    fn no_unit(&self, found: &str, number: &str, dimension: Dimension) -> ValueError {
         let unit = dimension.unit();
         let remedy = format!("Write \"{number} {unit}\" if {unit} is meant. {}", self.remedy());
-        Problem::new(format!("is {found}, a number without a unit"), remedy)
+        ValueError::new(format!("is {found}, a number without a unit"), remedy)
     }
 
-    pub(super) fn wrong_type(&self, value: &Value) -> Problem {
+    pub(super) fn wrong_type(&self, value: &Value) -> ValueError {
         match (&self.kind, value) {
             (
                 Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _),
@@ -149,16 +150,16 @@ impl Key {
             (Kind::Number(..) | Kind::Share(..) | Kind::Count(_) | Kind::Fixed(..), Value::Text(text))
                 if text.trim().parse::<f64>().is_ok() =>
             {
-                Problem::new(
+                ValueError::new(
                     format!("is {}, a number in quotes", quoted(text)),
                     format!("Remove the quotes: {} = {}", self.name, one_line(text.trim())),
                 )
             }
-            (Kind::Flag(_), Value::Text(text)) if matches!(text.trim(), "true" | "false") => Problem::new(
+            (Kind::Flag(_), Value::Text(text)) if matches!(text.trim(), "true" | "false") => ValueError::new(
                 format!("is {} in quotes", quoted(text)),
                 format!("Remove the quotes: {} = {}", self.name, text.trim()),
             ),
-            _ => Problem::new(format!("is {value}"), self.remedy()),
+            _ => ValueError::new(format!("is {value}"), self.remedy()),
         }
     }
 }

@@ -8,7 +8,7 @@ mod message;
 pub use kind::{Kind, Need};
 
 use crate::bodies::{BODIES, body_of};
-use crate::error::Problem;
+use crate::error::ValueError;
 use crate::scene::Scene;
 use crate::shape;
 use peelkit::model::{Body, ProfileForm};
@@ -73,18 +73,18 @@ impl Key {
     }
 
     /// That it may not.
-    pub fn foreign(&self, scene: &Scene) -> Problem {
+    pub fn foreign(&self, scene: &Scene) -> ValueError {
         if self.table == shape::TABLE {
             return shape::foreign(&scene.model.ground.substrate, self.name);
         }
         let body = body_of(scene);
         if let Some(other) = self.alternative().filter(|_| self.table == body) {
-            return Problem::new(
+            return ValueError::new(
                 format!("is given beside `{}.{other}`, and the beam has one geometry", self.table),
                 format!("Remove one of `{}` and `{other}`.", self.name),
             );
         }
-        Problem::new(
+        ValueError::new(
             format!("is a key of [{}], and the scene peels a [{body}]", self.table),
             format!("A scene has one of the tables [{}].", BODIES.join("], [")),
         )

@@ -5,7 +5,7 @@ use super::quantity::Dimension;
 use super::steps::quantity;
 use crate::error::one_line;
 use crate::near::nearest;
-use peelkit::model::{Course, Piece, ProfilePieces, angle_text};
+use peelkit::model::{Piece, ProfilePieces, Transition, angle_text};
 
 /// What a list of pieces takes.
 pub(crate) const TAKES: &str = "a list of pieces from the free end on, each with length, width and height and, optionally, roundness (0: rectangle, 1: \
@@ -15,7 +15,7 @@ pub(crate) const TAKES: &str = "a list of pieces from the free end on, each with
 /// The keys of a piece; the first three it has to have.
 const NAMES: [&str; 7] = ["length", "width", "height", "roundness", "bend", "course", "height_course"];
 const NEEDED: usize = 3;
-const COURSES: [(&str, Course); 2] = [("linear", Course::Linear), ("smooth", Course::Smooth)];
+const COURSES: [(&str, Transition); 2] = [("linear", Transition::Linear), ("smooth", Transition::Smooth)];
 
 /// What is wrong with pieces, and with which of them, counted from 0.
 pub(crate) struct Fault {
@@ -100,7 +100,7 @@ fn number(value: &Value) -> Result<f64, String> {
     if let Value::Number(number) = value { Ok(*number) } else { Err("which is not a number".into()) }
 }
 
-fn course(value: &Value) -> Result<Course, String> {
+fn course(value: &Value) -> Result<Transition, String> {
     let found = COURSES.iter().find(|(word, _)| matches!(value, Value::Text(text) if text == word));
     found.map(|&(_, course)| course).ok_or_else(|| "which is neither \"linear\" nor \"smooth\"".into())
 }
@@ -111,7 +111,7 @@ pub(crate) fn written(pieces: &ProfilePieces) -> Value {
     let both = |[begins, ends]: [f64; 2], value: fn(f64) -> Value| {
         if begins == ends { value(begins) } else { Value::List(vec![value(begins), value(ends)]) }
     };
-    let word = |course: Course| {
+    let word = |course: Transition| {
         let word = COURSES.iter().find(|(_, known)| *known == course).map_or("", |(word, _)| word);
         Value::Text(word.to_owned())
     };

@@ -50,7 +50,7 @@ const NEEDED: usize = 3;
 /// `#` is a remark.
 ///
 /// ```
-/// use peelkit::beam::Contour;
+/// use peelkit::beam::BeamGeometry;
 ///
 /// let table = peelkit_scene::parse_profile("s_nm,width_nm,height_nm\n0,20,5\n40,20,5\n100,10,10\n")?;
 /// assert_eq!((table.length(), table.breaks()), (100.0, vec![40.0]));

@@ -35,7 +35,7 @@ impl Cohesive {
     }
 
     /// The distance beyond which a thousandth of the strength is not reached, nm.
-    pub fn reach(&self) -> f64 {
+    pub fn cutoff_distance(&self) -> f64 {
         let openings = Bracket { low: 0.5, high: 50.0 };
         let pulls = |opening: f64| self.shape.at(opening)[1] > 1e-3;
         self.closed + self.range * openings.bisected(pulls, |left| left.width() <= 1e-12 * left.high).high
@@ -113,7 +113,7 @@ mod tests {
     fn reach_is_where_a_thousandth_is_left() {
         for &shape in SHAPES {
             let law = Cohesive::calibrated(shape, 0.2, 0.03, &PAPER);
-            assert_relative_eq!(-law.levels(law.reach())[1], 2e-4, max_relative = 1e-6);
+            assert_relative_eq!(-law.levels(law.cutoff_distance())[1], 2e-4, max_relative = 1e-6);
         }
     }
 

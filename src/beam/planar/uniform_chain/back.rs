@@ -2,25 +2,25 @@
 
 use super::{BUNDLE, Kept, UniformChain};
 use crate::beam::planar::chain::EDGE;
-use crate::beam::{ChainFactors, Front, Nodes, slot};
-use crate::number::Four;
+use crate::beam::{ChainFactors, FrontalMatrix, Nodes, slot};
+use crate::number::F64x4;
 
 /// [`UniformChain::go_back`] compiled for the vector units that the machine may have, chosen when it runs.
 #[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
 pub(super) fn back<N: Nodes, const F: usize>(
     chain: &UniformChain<F>,
-    work: &ChainFactors,
+    eliminated: &ChainFactors,
     root: &[f64],
     scale: f64,
     out: &mut [f64],
 ) {
-    chain.go_back(N::of_order(chain.basis.order), work, root, scale, out);
+    chain.go_back(N::of_order(chain.basis.order), eliminated, root, scale, out);
 }
 
 impl<const F: usize> UniformChain<F> {
     #[inline(always)]
-    fn go_back(&self, nodes: impl Nodes, work: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]) {
-        let (elements, order) = (work.ends.len() / F, nodes.count() - 1);
+    fn go_back(&self, nodes: impl Nodes, eliminated: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]) {
+        let (elements, order) = (eliminated.ends.len() / F, nodes.count() - 1);
         let has_border = self.density.has_border();
         let border = if has_border { root[F] } else { 0.0 };
         // places of the border, and of the residual behind all unknowns, in the block of the ends
@@ -32,7 +32,7 @@ impl<const F: usize> UniformChain<F> {
         out[elements * order * F..].copy_from_slice(&root[..F]);
         for e in (0..elements).rev() {
             for k in (0..F).rev() {
-                let row = &work.ends[e * F + k];
+                let row = &eliminated.ends[e * F + k];
                 let mut sum = scale * row[known];
                 for j in k + 1..known {
                     sum -= row[j] * x[j];
@@ -44,8 +44,10 @@ impl<const F: usize> UniformChain<F> {
                 x[F + f] = x[f];
             }
         }
-        let kept = work.fronts.as_ref().and_then(|kept| kept.downcast_ref::<Kept<F>>());
-        for (bundle, front) in kept.expect("work comes from an elimination of this chain").fronts.iter().enumerate() {
+        let kept = eliminated.fronts.as_ref().and_then(|kept| kept.downcast_ref::<Kept<F>>());
+        for (bundle, front) in
+            kept.expect("eliminated comes from an elimination of this chain").fronts.iter().enumerate()
+        {
             self.back_inside(nodes, front, (bundle * BUNDLE, elements), border, scale, out);
         }
     }
@@ -57,7 +59,7 @@ impl<const F: usize> UniformChain<F> {
     fn back_inside(
         &self,
         nodes: impl Nodes,
-        front: &Front<Four, F>,
+        front: &FrontalMatrix<F64x4, F>,
         (first, elements): (usize, usize),
         border: f64,
         scale: f64,

@@ -1,8 +1,8 @@
 //! The block of an element's two ends, what condensation leaves of it: eliminated from its left end to its right.
 
 use crate::beam::planar::chain::{BelowEnd, EDGE, EndRow};
-use crate::beam::{Front, Nodes, PathRow, ROOT};
-use crate::number::Four;
+use crate::beam::{ConstraintGradient, FrontalMatrix, Nodes, ROOT};
+use crate::number::F64x4;
 
 /// The block of F fields at each end, and of the border where there is one.
 pub(super) struct Ends<const F: usize, const BORDER: bool>;
@@ -15,7 +15,7 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
     /// What condensation left of element `l` of a bundle: rows and columns of the left end, the right end and the border, then
     /// the residual and the path.
     #[inline(always)]
-    pub fn block(nodes: impl Nodes, front: &Front<Four, F>, symmetric: bool, l: usize) -> [EndRow; EDGE] {
+    pub fn block(nodes: impl Nodes, front: &FrontalMatrix<F64x4, F>, symmetric: bool, l: usize) -> [EndRow; EDGE] {
         let mut block = [[0.0; EDGE]; EDGE];
         let ends = [nodes.count() - 2, nodes.count() - 1];
         for i in 0..2 * F {
@@ -47,7 +47,12 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
 
     /// The left end of the chain: its part of the path functional, and the fields that are held.
     #[inline(always)]
-    pub fn start(block: &mut [EndRow; EDGE], path: &PathRow, pinned: &[Option<f64>; F], left_values: &[f64]) {
+    pub fn start(
+        block: &mut [EndRow; EDGE],
+        path: &ConstraintGradient,
+        pinned: &[Option<f64>; F],
+        left_values: &[f64],
+    ) {
         for f in 0..F {
             block[Self::KNOWN][f] += path.left[f];
         }

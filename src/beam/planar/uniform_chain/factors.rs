@@ -11,8 +11,8 @@
 
 use super::{BUNDLE, Kept, UniformChain};
 use crate::beam::planar::chain::{BelowEnd, EndRow};
-use crate::beam::{ChainFactors, Front, FrontRow, MOST_FIELDS, MOST_NODES, RootVector, slot};
-use crate::number::Four;
+use crate::beam::{ChainFactors, FrontalMatrix, FrontalRow, MOST_FIELDS, MOST_NODES, RootVector, slot};
+use crate::number::F64x4;
 
 /// Most unknowns of an element: its fields and the border.
 const MOST: usize = MOST_NODES * MOST_FIELDS + 1;
@@ -61,11 +61,11 @@ impl Factors {
 
 impl<const F: usize> UniformChain<F> {
     /// [`super::Chain::reduce`]
-    pub(super) fn reduce_right(&self, work: &ChainFactors, right: &mut [f64], transposed: bool) -> RootVector {
-        let (elements, last) = self.measure(work, right);
+    pub(super) fn reduce_right(&self, eliminated: &ChainFactors, right: &mut [f64], transposed: bool) -> RootVector {
+        let (elements, last) = self.measure(eliminated, right);
         for e in 0..elements {
-            self.inside(work, e, right.len()).forward(right, transposed);
-            self.ends(work, e, right.len()).forward(right, transposed);
+            self.inside(eliminated, e, right.len()).forward(right, transposed);
+            self.ends(eliminated, e, right.len()).forward(right, transposed);
         }
         let mut root = [0.0; MOST_FIELDS + 1];
         root[..right.len() - last].copy_from_slice(&right[last..]);
@@ -73,19 +73,25 @@ impl<const F: usize> UniformChain<F> {
     }
 
     /// [`super::Chain::substitute`]
-    pub(super) fn substitute_right(&self, work: &ChainFactors, root: &[f64], right: &mut [f64], transposed: bool) {
-        let (elements, last) = self.measure(work, right);
+    pub(super) fn substitute_right(
+        &self,
+        eliminated: &ChainFactors,
+        root: &[f64],
+        right: &mut [f64],
+        transposed: bool,
+    ) {
+        let (elements, last) = self.measure(eliminated, right);
         let left = right.len() - last;
         right[last..].copy_from_slice(&root[..left]);
         for e in (0..elements).rev() {
-            self.ends(work, e, right.len()).backward(right, transposed);
-            self.inside(work, e, right.len()).backward(right, transposed);
+            self.ends(eliminated, e, right.len()).backward(right, transposed);
+            self.inside(eliminated, e, right.len()).backward(right, transposed);
         }
     }
 
     /// How many elements were eliminated, and where the unknowns of the root begin in a right-hand side.
-    fn measure(&self, work: &ChainFactors, right: &[f64]) -> (usize, usize) {
-        let elements = work.below.len();
+    fn measure(&self, eliminated: &ChainFactors, right: &[f64]) -> (usize, usize) {
+        let elements = eliminated.below.len();
         let last = elements * self.basis.order * F;
         let unknowns = last + F + usize::from(self.density.has_border());
         assert_eq!(right.len(), unknowns, "a right-hand side has a number for each unknown");
@@ -93,9 +99,9 @@ impl<const F: usize> UniformChain<F> {
     }
 
     /// The interior nodes of element `e`, eliminated from all its unknowns.
-    fn inside(&self, work: &ChainFactors, e: usize, all: usize) -> Factors {
-        let kept = work.fronts.as_ref().and_then(|kept| kept.downcast_ref::<Kept<F>>());
-        let front = &kept.expect("work comes from an elimination of this chain").fronts[e / BUNDLE];
+    fn inside(&self, eliminated: &ChainFactors, e: usize, all: usize) -> Factors {
+        let kept = eliminated.fronts.as_ref().and_then(|kept| kept.downcast_ref::<Kept<F>>());
+        let front = &kept.expect("eliminated comes from an elimination of this chain").fronts[e / BUNDLE];
         let (order, count) = (self.basis.order, self.basis.order + 1);
         let (pivots, fields, border) = ((count - 2) * F, count * F, usize::from(self.density.has_border()));
         let mut factors = Factors::new(pivots, fields + border);
@@ -132,8 +138,8 @@ impl<const F: usize> UniformChain<F> {
     }
 
     /// The left end of element `e`, eliminated from both ends and the border.
-    fn ends(&self, work: &ChainFactors, e: usize, all: usize) -> Factors {
-        let (rows, below): (&[EndRow], &BelowEnd) = (&work.ends[e * F..][..F], &work.below[e]);
+    fn ends(&self, eliminated: &ChainFactors, e: usize, all: usize) -> Factors {
+        let (rows, below): (&[EndRow], &BelowEnd) = (&eliminated.ends[e * F..][..F], &eliminated.below[e]);
         let unknowns = 2 * F + usize::from(self.density.has_border());
         let mut factors = Factors::new(F, unknowns);
         for f in 0..F {
@@ -155,12 +161,12 @@ impl<const F: usize> UniformChain<F> {
 
 /// One element of an eliminated front.
 struct Lane<'a, const F: usize> {
-    front: &'a Front<Four, F>,
+    front: &'a FrontalMatrix<F64x4, F>,
     l: usize,
 }
 
 impl<const F: usize> Lane<'_, F> {
-    fn row(&self, i: usize) -> &FrontRow<Four, F> {
+    fn row(&self, i: usize) -> &FrontalRow<F64x4, F> {
         &self.front.rows[i / F][i % F]
     }
 
@@ -168,13 +174,13 @@ impl<const F: usize> Lane<'_, F> {
         self.of(self.row(i), j)
     }
 
-    fn of(&self, row: &FrontRow<Four, F>, j: usize) -> f64 {
+    fn of(&self, row: &FrontalRow<F64x4, F>, j: usize) -> f64 {
         row.fields[j / F][j % F].0[self.l]
     }
 
     /// By what pivot row `k` was multiplied before it was taken off a row below. Pivots go in pairs: in its second column a row is
     /// left as it was before the first was taken off.
-    fn multiplier(&self, row: &FrontRow<Four, F>, k: usize) -> f64 {
+    fn multiplier(&self, row: &FrontalRow<F64x4, F>, k: usize) -> f64 {
         let is_second = k % 2 == 1;
         let entry = if is_second {
             self.of(row, k) - self.entry(k - 1, k) * self.multiplier(row, k - 1)

@@ -15,10 +15,11 @@ mod sweep;
 mod tests;
 
 use super::{
-    AnyNumber, Basis, Chain, ChainFactors, Configuration, Element, ElementEnergy, Fixed, Front, Integrand, Integration,
-    MOST_FIELDS, MOST_NODES, MOST_ORDER, NodeState, Nodes, PathRow, Responses, Root, RootVector, SectionState, slot,
+    AnyNumber, Basis, Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, Element, ElementEnergy,
+    Fixed, FrontalMatrix, Integrand, Integration, MOST_FIELDS, MOST_NODES, MOST_ORDER, NodeState, Nodes, Responses,
+    RootVector, SectionState, slot,
 };
-use crate::number::Four;
+use crate::number::F64x4;
 use crate::solve::{History, SolveError};
 use std::ops::Range;
 
@@ -28,8 +29,8 @@ pub const BUNDLE: usize = 4;
 /// What a chain keeps of an elimination, for the way back and for the next.
 struct Kept<const F: usize> {
     /// One front a bundle.
-    fronts: Vec<Front<Four, F>>,
-    bundle: Element<Four, F>,
+    fronts: Vec<FrontalMatrix<F64x4, F>>,
+    bundle: Element<F64x4, F>,
     room: Responses<F>,
 }
 
@@ -40,8 +41,13 @@ impl<const F: usize> Default for Kept<F> {
 }
 
 /// The elimination of a chain.
-type Sweep<const F: usize> =
-    fn(&UniformChain<F>, Configuration, &PathRow, &[f64], &mut ChainFactors) -> Result<Root, SolveError>;
+type Sweep<const F: usize> = fn(
+    &UniformChain<F>,
+    Configuration,
+    &ConstraintGradient,
+    &[f64],
+    &mut ChainFactors,
+) -> Result<CondensedChain, SolveError>;
 
 /// The loops that take time, compiled for a number of nodes that is known then or for any.
 struct Kernels<const F: usize> {
@@ -129,12 +135,18 @@ impl<const F: usize> UniformChain<F> {
                 *slip = known.at(from + 0.5 * (1.0 + point) * (to - from));
             }
         }
-        Element { values: self.gather(nodes, at.state, e), from, length: to - from, slips, border: at.border }
+        Element {
+            values: self.gather(nodes, at.state, e),
+            from,
+            length: to - from,
+            slips,
+            axial_multiplier: at.axial_multiplier,
+        }
     }
 
     /// Elements `first` to `first + 3`; behind the last one it is repeated.
     #[inline(always)]
-    fn gather_bundle(&self, nodes: impl Nodes, at: Configuration, first: usize, bundle: &mut Element<Four, F>) {
+    fn gather_bundle(&self, nodes: impl Nodes, at: Configuration, first: usize, bundle: &mut Element<F64x4, F>) {
         let elements = at.ends.len() - 1;
         for l in 0..BUNDLE {
             let e = (first + l).min(elements - 1);
@@ -142,7 +154,7 @@ impl<const F: usize> UniformChain<F> {
             bundle.length.0[l] = at.ends[e + 1] - at.ends[e];
             self.gather_lane(nodes, at.state, e, l, &mut bundle.values);
         }
-        bundle.border = at.border;
+        bundle.axial_multiplier = at.axial_multiplier;
         if let (true, Some(known)) = (self.density.remembers(), at.history) {
             for q in 0..nodes.count() - 1 {
                 let (slip, share) = (&mut bundle.slips[q], 0.5 * (1.0 + self.basis.points[q]));
@@ -162,8 +174,8 @@ impl<const F: usize> UniformChain<F> {
         state: &[f64],
         first: usize,
         elements: usize,
-    ) -> [[Four; F]; MOST_NODES] {
-        let mut values = [[Four([0.0; BUNDLE]); F]; MOST_NODES];
+    ) -> [[F64x4; F]; MOST_NODES] {
+        let mut values = [[F64x4([0.0; BUNDLE]); F]; MOST_NODES];
         for l in 0..BUNDLE {
             self.gather_lane(nodes, state, (first + l).min(elements - 1), l, &mut values);
         }
@@ -172,7 +184,7 @@ impl<const F: usize> UniformChain<F> {
 
     /// Values of element `e` in elimination order, as the numbers `l` of a bundle.
     #[inline(always)]
-    fn gather_lane(&self, nodes: impl Nodes, state: &[f64], e: usize, l: usize, values: &mut [[Four; F]; MOST_NODES]) {
+    fn gather_lane(&self, nodes: impl Nodes, state: &[f64], e: usize, l: usize, values: &mut [[F64x4; F]; MOST_NODES]) {
         let count = nodes.count();
         let at = &state[e * (count - 1) * F..][..count * F];
         for rank in 0..count {
@@ -203,23 +215,23 @@ impl<const F: usize> Chain for UniformChain<F> {
     fn eliminate_damped(
         &self,
         at: Configuration,
-        path: &PathRow,
+        path: &ConstraintGradient,
         damping: &[f64],
-        work: &mut ChainFactors,
-    ) -> Result<Root, SolveError> {
-        (self.kernels.sweep)(self, at, path, damping, work)
+        eliminated: &mut ChainFactors,
+    ) -> Result<CondensedChain, SolveError> {
+        (self.kernels.sweep)(self, at, path, damping, eliminated)
     }
 
-    fn recover(&self, work: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]) {
-        (self.kernels.back)(self, work, root, scale, out);
+    fn recover(&self, eliminated: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]) {
+        (self.kernels.back)(self, eliminated, root, scale, out);
     }
 
-    fn reduce(&self, work: &ChainFactors, right: &mut [f64], transposed: bool) -> RootVector {
-        self.reduce_right(work, right, transposed)
+    fn reduce(&self, eliminated: &ChainFactors, right: &mut [f64], transposed: bool) -> RootVector {
+        self.reduce_right(eliminated, right, transposed)
     }
 
-    fn substitute(&self, work: &ChainFactors, root: &[f64], right: &mut [f64], transposed: bool) {
-        self.substitute_right(work, root, right, transposed);
+    fn substitute(&self, eliminated: &ChainFactors, root: &[f64], right: &mut [f64], transposed: bool) {
+        self.substitute_right(eliminated, root, right, transposed);
     }
 
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64) {
@@ -242,8 +254,8 @@ impl<const F: usize> Chain for UniformChain<F> {
         self.sample_at(at, element, local)
     }
 
-    fn slid(&self, at: Configuration) -> Option<History> {
-        self.slide(at)
+    fn updated_history(&self, at: Configuration) -> Option<History> {
+        self.updated(at)
     }
 
     fn shifted(&self, at: Configuration, ends: &[f64]) -> Vec<f64> {

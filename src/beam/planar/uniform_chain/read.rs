@@ -1,7 +1,7 @@
 //! What is read off a configuration: energies, section forces, and its fields in other places.
 
 use super::{BUNDLE, UniformChain};
-use crate::adhesion::Slip;
+use crate::adhesion::FrictionState;
 use crate::beam::{
     Configuration, Element, ElementEnergy, MOST_FIELDS, MOST_NODES, NodeState, Nodes, PerNode, SectionState, slot,
 };
@@ -117,8 +117,9 @@ impl<const F: usize> UniformChain<F> {
             let (values, forces) = (element.values, element.forces(&by));
             let mut node = |slot: usize, position: f64, sign: f64| {
                 let forces = forces[slot].map(|force| sign * force);
-                let section = self.density.section_state_from_forces(position, values[slot], forces, at.border);
-                let adhesion = self.density.adhesion_at(position, values[slot], at.border);
+                let section =
+                    self.density.section_state_from_forces(position, values[slot], forces, at.axial_multiplier);
+                let adhesion = self.density.adhesion_at(position, values[slot], at.axial_multiplier);
                 let mut all = [0.0; MOST_FIELDS];
                 all[..F].copy_from_slice(&values[slot]);
                 states.push(NodeState { position, values: all, section, adhesion });
@@ -146,23 +147,23 @@ impl<const F: usize> UniformChain<F> {
         let mut all = [0.0; MOST_FIELDS];
         all[..F].copy_from_slice(&value);
         let place = at.ends[element] + 0.5 * (1.0 + local) * length;
-        (all, self.density.section_state(place, value, slope, at.border))
+        (all, self.density.section_state(place, value, slope, at.axial_multiplier))
     }
 
-    /// [`super::Chain::slid`]
-    pub(super) fn slide(&self, at: Configuration) -> Option<History> {
+    /// [`super::Chain::updated_history`]
+    pub(super) fn updated(&self, at: Configuration) -> Option<History> {
         let known = at.history.filter(|_| self.density.remembers())?;
         let (mut e, mut values) = (0, self.gather(self.nodes(), at.state, 0));
-        Some(known.updated(|s, [place, share, limit]| {
+        Some(known.updated(|s, [place, mobilisation, limit]| {
             while e + 2 < at.ends.len() && s > at.ends[e + 1] {
                 e += 1;
                 values = self.gather(self.nodes(), at.state, e);
             }
             let local = 2.0 * (s - at.ends[e]) / (at.ends[e + 1] - at.ends[e]) - 1.0;
-            let before = Slip { place, share, limit };
+            let before = FrictionState { place, mobilisation, limit };
             let fields = combine(self.nodes(), &values, &self.basis.sample_values(local));
             let (slip, lost) = self.density.remembered(s, fields, before);
-            ([slip.place, slip.share, slip.limit], lost)
+            ([slip.place, slip.mobilisation, slip.limit], lost)
         }))
     }
 

@@ -4,9 +4,10 @@ use super::ends::Ends;
 use super::{BUNDLE, Kept, UniformChain};
 use crate::beam::planar::chain::{BelowEnd, EDGE, EndRow};
 use crate::beam::{
-    ChainFactors, Configuration, ElementEnergy, Front, LeastPivot, MOST_FIELDS, Nodes, PathRow, ROOT, Root,
+    ChainFactors, CondensedChain, Configuration, ConstraintGradient, ElementEnergy, FrontalMatrix, LeastPivot,
+    MOST_FIELDS, Nodes, ROOT,
 };
-use crate::number::Four;
+use crate::number::F64x4;
 use crate::solve::{Place, Quantity, SolveError};
 
 /// Pivots below this are zero to rounding.
@@ -17,11 +18,11 @@ const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
 pub(super) fn sweep<N: Nodes, const F: usize, const BORDER: bool>(
     chain: &UniformChain<F>,
     at: Configuration,
-    path: &PathRow,
+    path: &ConstraintGradient,
     damping: &[f64],
-    work: &mut ChainFactors,
-) -> Result<Root, SolveError> {
-    chain.sweep_with::<BORDER>(N::of_order(chain.basis.order), at, path, damping, work)
+    eliminated: &mut ChainFactors,
+) -> Result<CondensedChain, SolveError> {
+    chain.sweep_with::<BORDER>(N::of_order(chain.basis.order), at, path, damping, eliminated)
 }
 
 impl<const F: usize> UniformChain<F> {
@@ -30,14 +31,21 @@ impl<const F: usize> UniformChain<F> {
         &self,
         nodes: impl Nodes,
         at: Configuration,
-        path: &PathRow,
+        path: &ConstraintGradient,
         damping: &[f64],
-        work: &mut ChainFactors,
-    ) -> Result<Root, SolveError> {
+        eliminated: &mut ChainFactors,
+    ) -> Result<CondensedChain, SolveError> {
         // what the last time left, if it was a chain of this kind
-        let mut kept: Box<Kept<F>> = work.fronts.take().and_then(|last| last.downcast().ok()).unwrap_or_default();
-        let root = self.sweep_into::<BORDER>(nodes, at, path, damping, &mut kept, (&mut work.ends, &mut work.below));
-        work.fronts = Some(kept);
+        let mut kept: Box<Kept<F>> = eliminated.fronts.take().and_then(|last| last.downcast().ok()).unwrap_or_default();
+        let root = self.sweep_into::<BORDER>(
+            nodes,
+            at,
+            path,
+            damping,
+            &mut kept,
+            (&mut eliminated.ends, &mut eliminated.below),
+        );
+        eliminated.fronts = Some(kept);
         root
     }
 
@@ -46,13 +54,13 @@ impl<const F: usize> UniformChain<F> {
         &self,
         nodes: impl Nodes,
         at: Configuration,
-        path: &PathRow,
+        path: &ConstraintGradient,
         damping: &[f64],
         Kept { fronts, bundle, room }: &mut Kept<F>,
         (ends, below): (&mut Vec<EndRow>, &mut Vec<BelowEnd>),
-    ) -> Result<Root, SolveError> {
+    ) -> Result<CondensedChain, SolveError> {
         let (elements, order) = (at.ends.len() - 1, nodes.count() - 1);
-        fronts.resize_with(elements.div_ceil(BUNDLE), Front::zero);
+        fronts.resize_with(elements.div_ceil(BUNDLE), FrontalMatrix::zero);
         ends.resize(elements * F, [0.0; EDGE]);
         below.resize(elements, [[0.0; MOST_FIELDS]; MOST_FIELDS + 1]);
         let by = self.integration(nodes);
@@ -104,14 +112,14 @@ impl<const F: usize> UniformChain<F> {
         if !damping.is_empty() {
             (0..F).for_each(|f| carry[f][f] += damping[elements * order * F + f]);
         }
-        Ok(Root { matrix: carry, negative, energy, least_pivot })
+        Ok(CondensedChain { matrix: carry, negative, energy, least_pivot })
     }
 
     /// Adds to the diagonal of the interior nodes of a bundle; the ends of its elements are left to the chain.
     fn damp_inside(
         &self,
         nodes: impl Nodes,
-        front: &mut Front<Four, F>,
+        front: &mut FrontalMatrix<F64x4, F>,
         damping: &[f64],
         first: usize,
         elements: usize,

@@ -11,8 +11,8 @@
 use super::UniformChain;
 use crate::adhesion::{FrictionLaw, GroundLaw, HalfSpace, Law, LineLaw, LineLoad, Substrate};
 use crate::beam::{
-    BUNDLE, BeamOnGround, Chain, ChainFactors, Configuration, Coupling, Density, Element, Front, Integrand, PathRow,
-    PointResponse, Profile, Responses, Root, Section, SectionState, slot,
+    BUNDLE, BeamOnGround, Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, Coupling, Element,
+    EnergyDensity, FrontalMatrix, Integrand, PointResponse, Profile, Responses, Section, SectionState, slot,
 };
 use crate::number::Real;
 use crate::solve::History;
@@ -32,7 +32,7 @@ impl Numbers {
     }
 }
 
-/// Second derivatives by the fields, their slopes and the border, as made up.
+/// Second derivatives by the fields, their slopes and the axial_multiplier, as made up.
 struct MadeUp<const F: usize, const BORDER: bool> {
     derivatives: [[f64; 7]; 7],
     symmetric: bool,
@@ -53,7 +53,7 @@ impl<const F: usize, const BORDER: bool> MadeUp<F, BORDER> {
     }
 }
 
-impl<const F: usize, const BORDER: bool> Density<F> for MadeUp<F, BORDER> {
+impl<const F: usize, const BORDER: bool> EnergyDensity<F> for MadeUp<F, BORDER> {
     const COUPLING: Coupling<F> =
         Coupling { value_value: [[true; F]; F], value_slope: [[true; F]; F], slope_slope: [[true; F]; F] };
     const BORDER: bool = BORDER;
@@ -103,7 +103,7 @@ fn dense<const F: usize, const BORDER: bool>(
     let fields = (elements * order + 1) * F;
     let unknowns = fields + usize::from(BORDER);
     let (mut matrix, mut residual) = (DMatrix::zeros(unknowns, unknowns), DVector::zeros(unknowns));
-    let (mut bundle, mut room, mut front) = (Element::zero(), Responses::default(), Front::zero());
+    let (mut bundle, mut room, mut front) = (Element::zero(), Responses::default(), FrontalMatrix::zero());
     for e in 0..elements {
         let (first, l) = (e - e % BUNDLE, e % BUNDLE);
         chain.gather_bundle(chain.nodes(), at, first, &mut bundle);
@@ -143,18 +143,18 @@ fn dense<const F: usize, const BORDER: bool>(
 /// The solution by way of the root.
 fn solved<const F: usize>(
     chain: &UniformChain<F>,
-    root: &Root,
-    work: &ChainFactors,
+    root: &CondensedChain,
+    eliminated: &ChainFactors,
     right: &[f64],
     transposed: bool,
 ) -> DVector<f64> {
     let mut x = right.to_vec();
-    let left = chain.reduce(work, &mut x, transposed);
+    let left = chain.reduce(eliminated, &mut x, transposed);
     let size = F + usize::from(chain.has_border());
     let block = DMatrix::from_fn(size, size, |i, j| root.matrix[i][j]);
     let block = if transposed { block.transpose() } else { block };
     let last = block.lu().solve(&DVector::from_column_slice(&left[..size])).unwrap();
-    chain.substitute(work, last.as_slice(), &mut x, transposed);
+    chain.substitute(eliminated, last.as_slice(), &mut x, transposed);
     DVector::from_vec(x)
 }
 
@@ -171,9 +171,9 @@ fn agrees<const F: usize, const BORDER: bool>(
     Place { ends, state, damping, history }: &Place,
     numbers: &mut Numbers,
 ) {
-    let at = Configuration { ends, state, border: 0.2, history: history.as_ref() };
-    let mut work = ChainFactors::default();
-    let root = chain.eliminate_damped(at, &PathRow::default(), damping, &mut work).unwrap();
+    let at = Configuration { ends, state, axial_multiplier: 0.2, history: history.as_ref() };
+    let mut eliminated = ChainFactors::default();
+    let root = chain.eliminate_damped(at, &ConstraintGradient::default(), damping, &mut eliminated).unwrap();
     let (matrix, residual) = dense::<F, BORDER>(chain, at, damping);
     let right = numbers.several(matrix.nrows());
     let close = |found: &DVector<f64>, wanted: &DVector<f64>| {
@@ -182,15 +182,15 @@ fn agrees<const F: usize, const BORDER: bool>(
     };
     for (transposed, matrix) in [(false, matrix.clone()), (true, matrix.transpose())] {
         let wanted = matrix.lu().solve(&DVector::from_column_slice(&right)).unwrap();
-        close(&solved(chain, &root, &work, &right, transposed), &wanted);
+        close(&solved(chain, &root, &eliminated, &right, transposed), &wanted);
     }
     // the root solved for its residual, and the way back with what elimination took along
     let size = F + usize::from(BORDER);
     let last = DMatrix::from_fn(size, size, |i, j| root.matrix[i][j]).lu();
     let last = last.solve(&DVector::from_fn(size, |i, _| root.matrix[i][size])).unwrap();
     let mut update = vec![0.0; state.len()];
-    chain.recover(&work, last.as_slice(), 1.0, &mut update);
-    close(&solved(chain, &root, &work, residual.as_slice(), false), &extended(&update, &last, F));
+    chain.recover(&eliminated, last.as_slice(), 1.0, &mut update);
+    close(&solved(chain, &root, &eliminated, residual.as_slice(), false), &extended(&update, &last, F));
     assert!(root.least_pivot.size > 0.0 && root.least_pivot.element < ends.len() - 1);
 }
 

@@ -4,7 +4,7 @@ use super::followed::Followed;
 use super::path_end::step;
 use super::path_refinement::fill_in;
 use super::slope_polishing::sharpen;
-use crate::beam::Rest;
+use crate::beam::ReferenceConfiguration;
 use crate::model::PlanarProblem;
 use crate::solve::{Path, PathOptions, ROUGH, Solution};
 use crate::study::checkpoint::Limits;
@@ -24,7 +24,7 @@ pub(in crate::study::peel) fn follow(
     relative: f64,
     limits: &Limits,
 ) -> Followed {
-    let known = (limits.keeping.taken)(&options);
+    let known = (limits.checkpoint.taken)(&options);
     let taken = known.len();
     let mut path = Path::new(problem, options).until(limits.should_stop()).knowing(known);
     let most = points_allowed(options.elements);
@@ -40,7 +40,7 @@ pub(in crate::study::peel) fn follow(
         }
         let stepped = step(problem, &mut path, far, limits);
         if path.points().len() > points.max(taken) {
-            path.waypoint().into_iter().for_each(|newest| (limits.keeping.keep)(&options, newest));
+            path.waypoint().into_iter().for_each(|newest| (limits.checkpoint.keep)(&options, newest));
         }
         match stepped {
             Ok(None) => {}
@@ -103,7 +103,7 @@ pub(in crate::study::peel) fn follow(
 /// no such integral.
 fn worst_spread(problem: &PlanarProblem, points: &[Arc<Solution>]) -> f64 {
     if !problem.system.is_conservative()
-        || matches!(problem.beam.rest, Rest::Varying(_))
+        || matches!(problem.beam.rest, ReferenceConfiguration::Varying(_))
         || !problem.beam.substrate.is_flat()
     {
         return 0.0;
@@ -141,7 +141,7 @@ mod tests {
         let (model, accuracy) = (PeelModel::from(StripModel::of_the_paper(100.0, 1.0)), Accuracy::to(1e-6));
         let problem = model.problem(Form::TwoField, accuracy.order()).unwrap();
         let options = Resolution::first(&model, &accuracy).path_options(&model, accuracy.relative);
-        let limits = Limits { stop: &StopCriteria::after_points(5000), keeping: &Checkpoint::NOTHING };
+        let limits = Limits { stop: &StopCriteria::after_points(5000), checkpoint: &Checkpoint::NOTHING };
         let mut followed = follow(&problem, options, 4.0, accuracy.relative, &limits);
         assert!(followed.check_inertia(&problem).is_ok());
         let located = followed.turns.iter().position(|turn| turn.0 == LimitPointKind::Displacement).unwrap();

@@ -3,7 +3,7 @@
 //! Steps are as long as predictions allow, which a step that turns by a right angle may be. Between points the curve is
 //! interpolated; where that is not good enough, the middle of the step is solved as well.
 
-use crate::solve::{Observables, PathSegment, Problem, Solution, SolveError, Workspace, reach};
+use crate::solve::{Observables, PathSegment, Problem, Solution, SolveError, Workspace, step_to};
 use crate::study::error_bounds::INTERPOLATION_ERROR_FACTOR;
 use std::sync::Arc;
 
@@ -41,7 +41,7 @@ pub(super) fn fill_in(
             halvings[index] < MOST_HALVINGS && error.is_none_or(|error| INTERPOLATION_ERROR_FACTOR * error > wanted);
         // a middle that cannot be found is none of the path's points, and the interpolant stays
         let middle = 0.5 * segment.end();
-        match bad.then(|| reach(problem, &mut segment, 0.0, middle, tolerance, ws)) {
+        match bad.then(|| step_to(problem, &mut segment, 0.0, middle, tolerance, ws)) {
             Some(Ok(middle)) => {
                 iterations += middle.iterations;
                 points.insert(index + 1, middle);

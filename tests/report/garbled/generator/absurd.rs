@@ -9,7 +9,7 @@ pub fn absurd_scene(dice: &mut Dice) -> String {
     absurd_scene_of(body, dice)
 }
 
-/// Four pieces: lengths over six decades, widths over twelve, heights as far apart, bends of either sign, and as round as
+/// F64x4 pieces: lengths over six decades, widths over twelve, heights as far apart, bends of either sign, and as round as
 /// may be.
 fn absurd_pieces(dice: &mut Dice) -> String {
     let size = dice.decades(1e-3, 1e9);

@@ -2,7 +2,7 @@
 
 use super::super::figure::{Figure, Table};
 use crate::suite::reference;
-use peelkit::adhesion::{Faces, HalfSpace, Level, Piece, Rule};
+use peelkit::adhesion::{Faces, HalfSpace, Level, Rule, TiltedBlock};
 use peelkit_report::ReportError;
 use peelkit_report::chart::RGBColor;
 use peelkit_report::chart::{Axis, Frame, Line, Mark, Note, Picture, Stroke, Symbol, WIDTH, colour, significant};
@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 /// A piece of strip of 10 nm by 10 nm at 20 degrees, its lowest corner 0.4 nm above the substrate.
 const DEGREES: f64 = 20.0;
-const PIECE: Piece = Piece {
+const PIECE: TiltedBlock = TiltedBlock {
     half_space: HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 },
     length: 10.0,
     height: 10.0,

@@ -8,7 +8,7 @@ use peelkit::model::StripModel;
 use peelkit::study::{Peel, peel, power_law};
 use peelkit_report::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, WIDTH, colour, significant};
 use peelkit_report::{ReportError, end_word, timed};
-use peelkit_scene::Bounds;
+use peelkit_scene::BoundsTable;
 use std::path::Path;
 
 /// Lengths and stiffnesses of the cost: so many a decade, from and to.
@@ -33,7 +33,7 @@ pub(in crate::figures) fn figures(runner: &Runner<'_>, dir: &Path) -> Result<Vec
 
 /// Time against error of every discretisation; nothing where the refined run fails, which `peel accuracy` says.
 fn accuracy(dir: &Path) -> Result<Option<Figure>, ReportError> {
-    let bounds = Bounds { points: 20_000, time_s: None, displacement: None };
+    let bounds = BoundsTable { points: 20_000, time_s: None, displacement: None };
     let Ok(measured) = work_precision(&paper_strip(LENGTH), &bounds, &|_| ()) else { return Ok(None) };
     let files = write_work_precision(dir, &measured, &format!("strip of {LENGTH} nm"))?;
     let caption = format!(

@@ -131,7 +131,7 @@ fn numbers(value: f64, peel: &Peel) -> [Option<f64>; 7] {
         Some(value),
         contact.map(|c| c.adhered_fraction),
         contact.map(|c| c.energy_fraction),
-        contact.and_then(|c| c.reach),
+        contact.and_then(|c| c.penetration),
         contact.map(|c| c.largest_gap),
         peel.peak.map(|peak| peak.force),
         peel.peak.map(|peak| peak.force_error),

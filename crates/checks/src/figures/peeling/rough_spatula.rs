@@ -2,7 +2,7 @@
 
 use super::super::figure::{Figure, Table};
 use super::super::runner::Runner;
-use peelkit::adhesion::{Round, Shape as Body, Sinusoid, Substrate};
+use peelkit::adhesion::{BodyShape as Body, Round, Sinusoid, Substrate};
 use peelkit::model::{Ground, Hold, PeelModel, Spatula, Start};
 use peelkit::study::{Accuracy, Peel, StopCriteria};
 use peelkit_report::chart::{Axis, Frame, Line, Mark, Panel, Picture, Shape, Stroke, Symbol, WIDTH, colour};

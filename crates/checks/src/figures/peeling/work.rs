@@ -98,13 +98,13 @@ fn refine_largest(rows: &[SweepRow], peel: impl Fn(&[f64]) -> Vec<SweepRow>) -> 
 mod tests {
     use super::*;
     use crate::figures::runner::{ACCURACY, BOUNDS};
-    use peelkit::study::{Found, LimitPoint, LimitPointKind};
+    use peelkit::study::{LimitPoint, LimitPointKind, PeelResult};
 
     /// Rows that have no path but a work: of a curve that is largest at log EI = 0.37.
     fn rows(values: &[f64]) -> Vec<SweepRow> {
         let work = |value: f64| 3.0 + (-(value.log10() - 0.37).powi(2)).exp() + 0.02 * (value.log10() - 0.37).powi(3);
         let model = stiffened(1.0);
-        let found = Found::from(&peelkit::study::peel(&model, &ACCURACY, &BOUNDS));
+        let found = PeelResult::from(&peelkit::study::peel(&model, &ACCURACY, &BOUNDS));
         let mut row = SweepRow { value: 0.0, model: model.into(), found, solve_s: 0.0 };
         let snap_off = LimitPoint {
             kind: LimitPointKind::Displacement,

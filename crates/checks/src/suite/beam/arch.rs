@@ -3,10 +3,10 @@
 use super::rods::{DISPLACEMENT, LEFT_ROTATION, TOLERANCE, cantilever, problem};
 use crate::suite::check::{Check, Measure};
 use crate::suite::reference::{self, Row};
-use peelkit::beam::{RestCurve, TIP_ROTATION};
+use peelkit::beam::{ReferenceCurve, TIP_ROTATION};
 use peelkit::model::{Drive, Hold, PlanarProblem, RodModel, Support};
 use peelkit::solve::{LimitPointKind, PathOptions, Solution, controlled};
-use peelkit::study::{RodPath, RodTurn, follow_rod};
+use peelkit::study::{RodLimitPoint, RodPath, follow_rod};
 
 /// Limit points, and points of the paths.
 const TURNS: &str = include_str!("../../../../../verification/arch_turns.csv");
@@ -26,7 +26,7 @@ pub(crate) fn half_arch(row: &Row) -> RodModel {
     let number = |column| row.number(column).unwrap_or(f64::NAN);
     let opening = number("opening");
     RodModel {
-        rest: RestCurve::arc(opening, -opening),
+        rest: ReferenceCurve::arc(opening, -opening),
         left: Support::HINGED,
         right: Support { x: Hold::Fixed, y: Hold::Free, rotation: Hold::Fixed },
         ..cantilever(number("axial"), number("shear"), Drive::Y)
@@ -110,7 +110,8 @@ pub(crate) fn snapped(model: &RodModel, order: usize, elements: usize) -> Result
 /// Lowering and load at a limit point of the expected kind, and their differences to more elements.
 fn of_turn(path: &RodPath, k: usize, kind: &str) -> Result<([f64; 2], [f64; 2]), String> {
     let expected = if kind == "load" { LimitPointKind::Load } else { LimitPointKind::Displacement };
-    let RodTurn { located, .. } = path.turns.get(k).filter(|t| t.kind == expected).ok_or("no such limit point")?;
+    let RodLimitPoint { located, .. } =
+        path.turns.get(k).filter(|t| t.kind == expected).ok_or("no such limit point")?;
     let (o, d) = (&located.observables, &located.difference);
     Ok(([-o.displacement, -o.force], [d.displacement.abs(), d.force.abs()]))
 }

@@ -4,7 +4,7 @@ use super::rods::{FORCE, LEFT_ROTATION, TOLERANCE, cantilever, problem, tip, und
 use crate::suite::check::{Check, Measure};
 use crate::suite::reference;
 use peelkit::analytic::{buckling_load, propped_buckling_load};
-use peelkit::beam::{RestCurve, Section};
+use peelkit::beam::{ReferenceCurve, Section};
 use peelkit::model::{Drive, Hold, RodModel, Support};
 use peelkit::solve::{Solution, controlled};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -108,7 +108,7 @@ fn elastica() -> Vec<Check> {
 /// thousandth of a radian), which has no straight state to branch off, and then followed without the arch, downwards to the smallest rotation and up.
 fn buckled_columns(degrees: &[f64]) -> Result<Vec<Solution>, String> {
     let straight = RodModel { left: Support::HINGED, right: SLIDING_HINGE, ..cantilever(STIFF, STIFF, Drive::X) };
-    let arched = RodModel { rest: RestCurve::arc(5e-4, -1e-3), ..straight };
+    let arched = RodModel { rest: ReferenceCurve::arc(5e-4, -1e-3), ..straight };
     let far = 1.0;
     let start = under_control(&arched, 7, ELEMENTS, LEFT_ROTATION, &[far])?.remove(0).at;
     let column = problem(&straight, 7)?;

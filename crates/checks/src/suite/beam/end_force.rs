@@ -3,7 +3,7 @@
 use super::rods::{FORCE, cantilever, tip, under_control};
 use crate::suite::check::{Check, Measure};
 use crate::suite::reference::{self, Row};
-use peelkit::beam::RestCurve;
+use peelkit::beam::ReferenceCurve;
 use peelkit::model::{Drive, RodModel};
 
 /// EA L²/EI and GA_s L²/EI of a rod that hardly stretches or shears: strains of 1e-9 at the largest load.
@@ -45,7 +45,7 @@ const LABELS: [&str; 3] = ["tip x, L", "tip y, L", "tip rotation, rad"];
 /// The cantilever of a row of the table made by shooting.
 pub(super) fn cantilever_of(row: &Row) -> (RodModel, f64) {
     let number = |column| row.number(column).unwrap_or(f64::NAN);
-    let rest = RestCurve { start: [0.0; 3], curvature: ["k0", "k1", "k2"].map(number) };
+    let rest = ReferenceCurve { start: [0.0; 3], curvature: ["k0", "k1", "k2"].map(number) };
     (RodModel { rest, ..cantilever(number("axial"), number("shear"), Drive::Y) }, number("load"))
 }
 

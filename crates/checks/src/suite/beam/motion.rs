@@ -2,7 +2,7 @@
 
 use super::rods::{cantilever, problem};
 use crate::suite::check::{Check, Measure};
-use peelkit::beam::{Configuration, RestCurve};
+use peelkit::beam::{Configuration, ReferenceCurve};
 use peelkit::model::{Drive, PlanarProblem, RodModel, Support};
 
 const ELEMENTS: usize = 5;
@@ -10,7 +10,7 @@ const AXIAL: f64 = 1e4;
 
 pub(super) fn checks() -> Vec<Check> {
     let straight = RodModel { left: Support::FREE, ..cantilever(AXIAL, 0.4 * AXIAL, Drive::Y) };
-    let arch = RodModel { rest: RestCurve::arc(1.0, -2.0), ..straight };
+    let arch = RodModel { rest: ReferenceCurve::arc(1.0, -2.0), ..straight };
     let at_most =
         |name: String, computed| Check::new(name, "zero: rigid motion", computed, 0.0, Measure::AtMost, 1e-12);
     let mut checks = Vec::new();
@@ -43,7 +43,7 @@ pub(super) fn checks() -> Vec<Check> {
 
 fn energy(problem: &PlanarProblem, state: &[f64]) -> f64 {
     let ends = problem.beam.ends(0.0, ELEMENTS);
-    problem.beam.chain.energy(Configuration { ends: &ends, state, border: 0.0, history: None }, state).0.total
+    problem.beam.chain.energy(Configuration { ends: &ends, state, axial_multiplier: 0.0, history: None }, state).0.total
 }
 
 fn largest_force(problem: &PlanarProblem, state: &[f64]) -> f64 {
@@ -51,7 +51,7 @@ fn largest_force(problem: &PlanarProblem, state: &[f64]) -> f64 {
     let states = problem
         .beam
         .chain
-        .node_states(Configuration { ends: &ends, state, border: 0.0, history: None }, 0..ends.len() - 1);
+        .node_states(Configuration { ends: &ends, state, axial_multiplier: 0.0, history: None }, 0..ends.len() - 1);
     states.iter().map(|s| s.section.horizontal_force.abs().max(s.section.vertical_force.abs())).fold(0.0, f64::max)
 }
 

@@ -1,6 +1,6 @@
 //! Rods without adhesion, and their equilibria.
 
-use peelkit::beam::{RestCurve, Section, TIP_ROTATION};
+use peelkit::beam::{ReferenceCurve, Section, TIP_ROTATION};
 use peelkit::model::{Drive, PlanarProblem, RodModel, Support};
 use peelkit::solve::{Observables, Solution, controlled};
 
@@ -13,7 +13,7 @@ pub(crate) fn cantilever(axial: f64, shear: f64, drive: Drive) -> RodModel {
     RodModel {
         length: 1.0,
         section: Section { axial, shear, bending: 1.0 },
-        rest: RestCurve::default(),
+        rest: ReferenceCurve::default(),
         left: Support::CLAMPED,
         right: Support::FREE,
         drive,

@@ -5,7 +5,7 @@ use crate::suite::check::{Check, Measure};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
 use peelkit::study::{Accuracy, LimitPoint, PathEnd, Peel, peel};
-use peelkit_scene::Bounds;
+use peelkit_scene::BoundsTable;
 use rayon::prelude::*;
 
 /// How many are sampled.
@@ -66,7 +66,7 @@ fn drawn() -> Drawn {
 
 fn judge(k: usize) -> Drawn {
     let model = strip(k);
-    let bounds = Bounds { points: 20_000, time_s: Some(LONGEST), displacement: None };
+    let bounds = BoundsTable { points: 20_000, time_s: Some(LONGEST), displacement: None };
     let [coarse, fine] = [RELATIVE, FINER].map(|relative| peel(&model, &Accuracy::to(relative), &bounds.from_now()));
     let mut outcome = Drawn::default();
     let named = |what: &str| format!("{what}: {:?} {:?} {:?}", model.strip, model.adhesion, model.grip);

@@ -8,7 +8,7 @@ use super::scene::HardScene;
 use crate::suite::check::{Check, Measure};
 use peelkit::model::{Body, PeelModel};
 use peelkit::study::{Accuracy, LimitPoint, LimitPointKind, PathEnd, Peel, peel};
-use peelkit_scene::Bounds;
+use peelkit_scene::BoundsTable;
 use rayon::prelude::*;
 
 /// λ and μ of each other system of units.
@@ -69,7 +69,7 @@ fn checks_at(scenes: &[HardScene], relative: f64) -> [Check; 2] {
 fn repeated(scene: &HardScene, relative: f64) -> Repeated {
     let run = |(length, modulus): (f64, f64)| {
         let displacement = scene.bounds.displacement.map(|most| length * most);
-        let bounds = Bounds { time_s: Some(LONGEST), displacement, ..scene.bounds };
+        let bounds = BoundsTable { time_s: Some(LONGEST), displacement, ..scene.bounds };
         peel(&in_units(&scene.model, length, modulus), &Accuracy { relative, ..scene.accuracy }, &bounds.from_now())
     };
     let reference = run((1.0, 1.0));

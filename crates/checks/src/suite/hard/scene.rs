@@ -2,7 +2,7 @@
 
 use peelkit::model::PeelModel;
 use peelkit::study::{Accuracy, PathEnd};
-use peelkit_scene::Bounds;
+use peelkit_scene::BoundsTable;
 
 /// How a path is expected to end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,7 +48,7 @@ pub struct HardScene {
     /// The accuracy asked for.
     pub accuracy: Accuracy,
     /// Where its path stops.
-    pub bounds: Bounds,
+    pub bounds: BoundsTable,
     /// How its path has to end.
     pub expected: Ending,
 }

@@ -3,7 +3,7 @@
 use super::cells::{LAW, against, cell};
 use crate::suite::reference::{Row, read};
 use crate::suite::{Check, Measure};
-use peelkit::adhesion::{CurvedBody, Shape};
+use peelkit::adhesion::{BodyShape, CurvedBody};
 
 const SOURCE: &str = "verification/curved_bodies.py: eq. (1) over the body";
 
@@ -19,10 +19,10 @@ pub(super) fn checks() -> Vec<Check> {
     checks
 }
 
-fn shape(row: &Row) -> (Shape, &'static str) {
+fn shape(row: &Row) -> (BodyShape, &'static str) {
     match row.text("shape") {
-        Some("cylinder") => (Shape::Cylinder, "cylinder"),
-        _ => (Shape::Sphere, "sphere"),
+        Some("cylinder") => (BodyShape::Cylinder, "cylinder"),
+        _ => (BodyShape::Sphere, "sphere"),
     }
 }
 

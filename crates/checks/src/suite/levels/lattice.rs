@@ -3,7 +3,7 @@
 use super::cells::{LAW, against, cell};
 use crate::suite::reference::{Row, read};
 use crate::suite::{Check, Measure};
-use peelkit::adhesion::{LatticeHalfSpace, LennardJones, Level, Piece};
+use peelkit::adhesion::{LatticeHalfSpace, LennardJones, Level, TiltedBlock};
 use peelkit::number::root::Bracket;
 
 const POISSON: &str = "verification/pair_to_half_space.py: Poisson's sum over the planes (Steele 1973)";
@@ -90,7 +90,7 @@ fn contact(row: &Row) -> Vec<Check> {
 /// A tilted piece of strip of atoms, 10 nm × 10 nm.
 fn piece(row: &Row) -> Vec<Check> {
     let (degrees, gap, spacing) = (cell(row, "tilt_deg"), cell(row, "corner_gap_nm"), cell(row, "spacing_nm"));
-    let piece = Piece { half_space: LAW, length: 10.0, height: 10.0, tilt: degrees.to_radians(), gap };
+    let piece = TiltedBlock { half_space: LAW, length: 10.0, height: 10.0, tilt: degrees.to_radians(), gap };
     let at = piece.resultant(&Level::Atoms { spacing, cutoff: CUTOFF * spacing });
     let name = |what: &str| format!("piece of atoms {spacing} nm apart, {degrees}°, gap {gap} nm, {what}");
     vec![

@@ -3,7 +3,7 @@
 use super::cells::{LAW, against, cell, rule};
 use crate::suite::reference::{Row, read};
 use crate::suite::{Check, Measure};
-use peelkit::adhesion::{Faces, Law, Level, LineLaw, LineLoad, Piece, Resultant, section_by_body_force};
+use peelkit::adhesion::{Faces, Law, Level, LineLaw, LineLoad, Resultant, TiltedBlock, section_by_body_force};
 
 const SECTION: &str = "verification/line_load_sections.py: body force integrated over the section";
 const PIECE: &str = "verification/line_load_sections.py: traction over four faces, body force over the area";
@@ -52,7 +52,7 @@ fn section(row: &Row) -> Vec<Check> {
 /// Every level on one piece of strip; what the paper leaves out is held against its own truth.
 fn piece(row: &Row) -> Vec<Check> {
     let (degrees, gap) = (cell(row, "tilt_deg"), cell(row, "corner_gap_nm"));
-    let piece = Piece { half_space: LAW, length: 10.0, height: HEIGHT, tilt: degrees.to_radians(), gap };
+    let piece = TiltedBlock { half_space: LAW, length: 10.0, height: HEIGHT, tilt: degrees.to_radians(), gap };
     let (rays, fine) = (rule(6), rule(48));
     let levels = [
         ("volumes", "", Level::Volumes { rule: fine.clone(), rays }),

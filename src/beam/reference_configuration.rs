@@ -8,14 +8,14 @@ use std::sync::LazyLock;
 
 /// The stress-free configuration of a beam.
 #[derive(Clone, Debug)]
-pub enum Rest {
+pub enum ReferenceConfiguration {
     /// Along a curve of its own; what is called y is that of the axis or of a gap below it, as the density has it.
-    Curve(RestCurve),
+    Curve(ReferenceCurve),
     /// As its outline says; y is the gap below its underside.
-    Varying(Box<VaryingRest>),
+    Varying(Box<VaryingReference>),
 }
 
-impl Rest {
+impl ReferenceConfiguration {
     /// x0, y0 and θ0 at S.
     pub fn at(&self, place: f64) -> [f64; 3] {
         match self {
@@ -29,7 +29,7 @@ impl Rest {
 ///
 /// θ0(S) = θ0(0) + k0 S + k1 S²/2 + k2 S³/3 with the curvature κ0(S) = k0 + k1 S + k2 S²; x0' = cos θ0, y0' = sin θ0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct RestCurve {
+pub struct ReferenceCurve {
     /// x0, y0 in nm and θ0 in rad at S = 0.
     pub start: [f64; 3],
     /// k0, k1, k2: 1/nm, 1/nm², 1/nm³.
@@ -42,7 +42,7 @@ static RULE: LazyLock<Rule> = LazyLock::new(|| Rule::new(const { NonZeroUsize::n
 /// Largest turn of a piece that is integrated at once, rad.
 const PIECE: f64 = 0.5;
 
-impl RestCurve {
+impl ReferenceCurve {
     /// A straight line from `(x, y)` in the direction `rotation`.
     pub fn straight(x: f64, y: f64, rotation: f64) -> Self {
         Self { start: [x, y, rotation], curvature: [0.0; 3] }
@@ -98,13 +98,13 @@ const PANELS_A_PIECE: usize = 8;
 
 /// The stress-free configuration of a beam of varying outline: x0' = cos θ0, y0' = sin θ0.
 #[derive(Clone, Debug)]
-pub struct VaryingRest {
+pub struct VaryingReference {
     beam: Varying,
     /// S, x0 and y0 of the axis at the ends of the panels.
     knots: Vec<[f64; 3]>,
 }
 
-impl VaryingRest {
+impl VaryingReference {
     /// Of a beam whose underside is `gap` above the substrate at S = 0, nm.
     pub fn new(beam: Varying, gap: f64) -> Self {
         let length = beam.contour().length();
@@ -158,9 +158,9 @@ mod tests {
 
     #[test]
     fn a_line_is_exact_and_an_arc_is_a_circle() {
-        assert_eq!(RestCurve::straight(0.0, 0.3, 0.0).at(7.1), [7.1, 0.3, 0.0]);
+        assert_eq!(ReferenceCurve::straight(0.0, 0.3, 0.0).at(7.1), [7.1, 0.3, 0.0]);
         let (radius, turn) = (50.0, 4.0f64);
-        let [x, y, rotation] = RestCurve::arc(0.0, 1.0 / radius).at(radius * turn);
+        let [x, y, rotation] = ReferenceCurve::arc(0.0, 1.0 / radius).at(radius * turn);
         assert_abs_diff_eq!(x, radius * turn.sin(), epsilon = 1e-12);
         assert_abs_diff_eq!(y, radius * (1.0 - turn.cos()), epsilon = 1e-12);
         assert_abs_diff_eq!(rotation, turn, epsilon = 1e-14);
@@ -169,7 +169,7 @@ mod tests {
     /// Fresnel's integrals C(1.5) and S(1.5), from tables: κ0 = π S, θ0 = π S²/2.
     #[test]
     fn a_linear_curvature_is_a_clothoid() {
-        let clothoid = RestCurve { start: [0.0; 3], curvature: [0.0, std::f64::consts::PI, 0.0] };
+        let clothoid = ReferenceCurve { start: [0.0; 3], curvature: [0.0, std::f64::consts::PI, 0.0] };
         let [x, y, _] = clothoid.at(1.5);
         assert_abs_diff_eq!(x, 0.445_261_176_039_822, epsilon = 1e-13);
         assert_abs_diff_eq!(y, 0.697_504_960_082_093, epsilon = 1e-13);
@@ -178,8 +178,8 @@ mod tests {
     /// The quadrature and the chord of an arc agree.
     #[test]
     fn quadrature_of_an_arc_is_the_arc() {
-        let arc = RestCurve::arc(0.3, 0.02);
-        let nearly = RestCurve { curvature: [0.02, 0.0, 1e-300], ..arc };
+        let arc = ReferenceCurve::arc(0.3, 0.02);
+        let nearly = ReferenceCurve { curvature: [0.02, 0.0, 1e-300], ..arc };
         for (a, b) in arc.at(200.0).iter().zip(nearly.at(200.0)) {
             assert_abs_diff_eq!(*a, b, epsilon = 1e-11);
         }

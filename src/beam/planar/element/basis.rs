@@ -4,7 +4,7 @@
 //! nodes as p-stage Gauss collocation, order 2p.
 
 use crate::number::gauss::gauss_legendre;
-use crate::number::{Four, Real};
+use crate::number::{F64x4, Real};
 use gauss_quad::{FiniteAboveNegOneF64, GaussJacobi};
 use std::num::NonZeroUsize;
 
@@ -86,9 +86,9 @@ pub struct Basis {
     /// See `value_of`.
     pub slope_of: [PerNode; MOST_NODES],
     /// The two tables by node once more, each number four times side by side.
-    pub four_values_of: [[Four; MOST_NODES]; MOST_NODES],
+    pub four_values_of: [[F64x4; MOST_NODES]; MOST_NODES],
     /// See `four_values_of`.
-    pub four_slopes_of: [[Four; MOST_NODES]; MOST_NODES],
+    pub four_slopes_of: [[F64x4; MOST_NODES]; MOST_NODES],
     /// `nodal_slope[b][a]`: derivative of shape function a at node b.
     pub nodal_slope: [PerNode; MOST_NODES],
     /// `apart[a][b]`: one over how far node a is behind node b; zero of a node from itself.
@@ -114,7 +114,7 @@ impl Basis {
                 apart[a][b] = 1.0 / (nodes[a] - nodes[b]);
             }
         }
-        let [four_values_of, four_slopes_of] = [[[Four::splat(0.0); MOST_NODES]; MOST_NODES]; 2];
+        let [four_values_of, four_slopes_of] = [[[F64x4::splat(0.0); MOST_NODES]; MOST_NODES]; 2];
         let mut basis = Self {
             order,
             nodes,
@@ -140,8 +140,8 @@ impl Basis {
         }
         basis.value_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.value[q][a]));
         basis.slope_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.slope[q][a]));
-        basis.four_values_of = basis.value_of.map(|of| of.map(Four::splat));
-        basis.four_slopes_of = basis.slope_of.map(|of| of.map(Four::splat));
+        basis.four_values_of = basis.value_of.map(|of| of.map(F64x4::splat));
+        basis.four_slopes_of = basis.slope_of.map(|of| of.map(F64x4::splat));
         basis
     }
 

@@ -3,9 +3,9 @@
 //! Γ1 = x' cos θ + y' sin θ - 1, Γ2 = -x' sin θ + y' cos θ, κ = θ' - κ0; stored energy ½EA Γ1² + ½GA_s Γ2² + ½EI κ² per
 //! length, and the adhesion bΨ(y, θ). κ0 is the curvature at rest, zero for a strip.
 
-use super::{Coupling, Density, PointResponse, Profile, SectionState};
 use crate::adhesion::LineLaw;
 use crate::beam::Section;
+use crate::beam::{Coupling, EnergyDensity, PointResponse, Profile, SectionState};
 use crate::number::Real;
 
 /// The three-field form of the planar Reissner beam on a flat half space. Fields: x (nm), gap η = y - h/2 (nm), rotation
@@ -83,7 +83,7 @@ pub(super) fn section_from_forces(
     }
 }
 
-impl Density<3> for ReissnerBeam {
+impl EnergyDensity<3> for ReissnerBeam {
     const COUPLING: Coupling<3> = COUPLING;
 
     #[inline(always)]

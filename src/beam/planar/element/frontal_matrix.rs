@@ -1,11 +1,11 @@
 //! The front of an element: its tangent with all that elimination takes along.
 
-use super::{Basis, MOST_NODES, Nodes, PointResponse};
+use crate::beam::{Basis, MOST_NODES, Nodes, PointResponse};
 use crate::number::Real;
 
 /// One row: an equation, with a column for each unknown.
 #[derive(Clone, Copy, Debug)]
-pub struct FrontRow<T, const F: usize> {
+pub struct FrontalRow<T, const F: usize> {
     /// Columns of the fields, node by node in the elimination order of [`Basis`].
     pub fields: [[T; F]; MOST_NODES],
     /// Column of the border.
@@ -17,13 +17,13 @@ pub struct FrontRow<T, const F: usize> {
 /// The tangent of one element of N nodes and F fields, or of four side by side, with the gradient, the border's row and column,
 /// and one more row that carries a functional along.
 #[derive(Clone, Copy, Debug)]
-pub struct Front<T, const F: usize> {
+pub struct FrontalMatrix<T, const F: usize> {
     /// `rows[a][f]`: the equation of field f at node a.
-    pub rows: [[FrontRow<T, F>; F]; MOST_NODES],
+    pub rows: [[FrontalRow<T, F>; F]; MOST_NODES],
     /// The equation of the border; unused where there is none.
-    pub border: FrontRow<T, F>,
+    pub border: FrontalRow<T, F>,
     /// The functional, and its value in the column of the gradient.
-    pub path: FrontRow<T, F>,
+    pub path: FrontalRow<T, F>,
 }
 
 /// What elimination reports of its pivots.
@@ -35,7 +35,7 @@ pub struct Pivots<T> {
     pub negative: T,
 }
 
-impl<T: Real, const F: usize> FrontRow<T, F> {
+impl<T: Real, const F: usize> FrontalRow<T, F> {
     #[inline(always)]
     fn zero() -> Self {
         let zero = T::splat(0.0);
@@ -86,18 +86,18 @@ impl<T: Real> Pivots<T> {
     /// Counts a pivot and returns one over it.
     #[inline(always)]
     fn invert(&mut self, pivot: T) -> T {
-        let size = pivot.choose(pivot, -pivot);
-        self.least = (self.least - size).choose(size, self.least);
-        self.negative = self.negative + pivot.choose(T::splat(0.0), T::splat(1.0));
+        let size = pivot.select(pivot, -pivot);
+        self.least = (self.least - size).select(size, self.least);
+        self.negative = self.negative + pivot.select(T::splat(0.0), T::splat(1.0));
         pivot.recip()
     }
 }
 
-impl<T: Real, const F: usize> Front<T, F> {
+impl<T: Real, const F: usize> FrontalMatrix<T, F> {
     /// All zero.
     #[inline(always)]
     pub fn zero() -> Self {
-        let row = FrontRow::zero();
+        let row = FrontalRow::zero();
         Self { rows: [[row; F]; MOST_NODES], border: row, path: row }
     }
 
@@ -199,7 +199,7 @@ impl<T: Real, const F: usize> Front<T, F> {
         let entry = if symmetric { coupling } else { second.column(k) };
         second.reduce::<BORDER, 1>(nodes, [first], [entry * inverse], k + 1);
         let next = pivots.invert(second.column(k + 1));
-        let factors = |row: &FrontRow<T, F>| {
+        let factors = |row: &FrontalRow<T, F>| {
             let factor = row.column(k) * inverse;
             [factor, (row.column(k + 1) - coupling * factor) * next]
         };

@@ -9,8 +9,8 @@
 //!
 //! to which ½EI θ'² and the adhesion bΨ(y, θ) are added. Nothing is neglected.
 
-use super::{Coupling, Density, PointResponse, Profile, SectionState, Station};
 use crate::adhesion::LineLaw;
+use crate::beam::{Coupling, EnergyDensity, PointResponse, Profile, SectionAt, SectionState};
 use crate::number::Real;
 
 /// The two-field form of the planar Reissner beam on a flat half space. Fields: gap η = y - h/2 (nm), rotation θ.
@@ -33,7 +33,7 @@ struct Compliance<T> {
 
 impl<T: Real> Compliance<T> {
     #[inline(always)]
-    fn of(station: &Station<T>, sin: T, cos: T) -> Self {
+    fn of(station: &SectionAt<T>, sin: T, cos: T) -> Self {
         let [axial, shear] = station.compliance;
         Self {
             along: cos * cos * axial + sin * sin * shear,
@@ -44,9 +44,15 @@ impl<T: Real> Compliance<T> {
 }
 
 impl<const HELD: bool> ReducedBeam<HELD> {
-    fn state(station: &Station<f64>, rotation: f64, vertical_force: f64, moment: f64, border: f64) -> SectionState {
+    fn state(
+        station: &SectionAt<f64>,
+        rotation: f64,
+        vertical_force: f64,
+        moment: f64,
+        axial_multiplier: f64,
+    ) -> SectionState {
         let (sin, cos) = rotation.sin_cos();
-        let h = if HELD { border } else { 0.0 };
+        let h = if HELD { axial_multiplier } else { 0.0 };
         let c = Compliance::of(station, sin, cos);
         let bend = moment / station.section.bending;
         let v = vertical_force;
@@ -62,7 +68,7 @@ impl<const HELD: bool> ReducedBeam<HELD> {
     }
 }
 
-impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
+impl<const HELD: bool> EnergyDensity<2> for ReducedBeam<HELD> {
     const COUPLING: Coupling<2> = Coupling {
         value_value: [[true; 2]; 2],
         value_slope: [[false, false], [true, false]],
@@ -76,7 +82,7 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
         place: T,
         [gap, rotation]: [T; 2],
         [gap_slope, turn]: [T; 2],
-        border: f64,
+        axial_multiplier: f64,
     ) -> PointResponse<T, 2> {
         let (sin, cos) = rotation.sin_cos();
         let station = self.profile.at(place);
@@ -91,7 +97,7 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
         let inverse = c.across.recip();
         let mut response = PointResponse::zero();
 
-        let h = if HELD { border } else { 0.0 };
+        let h = if HELD { axial_multiplier } else { 0.0 };
         let v = if HELD { (rise - sin - c.mixed * h) * inverse } else { (rise - sin) * inverse };
         // what cos θ becomes under the horizontal force
         let lever = if HELD { cos - g_cos * h } else { cos };
@@ -134,14 +140,14 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
         place: f64,
         [_, rotation]: [f64; 2],
         [gap_slope, turn]: [f64; 2],
-        border: f64,
+        axial_multiplier: f64,
     ) -> SectionState {
         let (sin, cos) = rotation.sin_cos();
         let station = self.profile.at(place);
         let c = Compliance::of(&station, sin, cos);
-        let h = if HELD { border } else { 0.0 };
+        let h = if HELD { axial_multiplier } else { 0.0 };
         let v = (gap_slope + station.rise - sin - h * c.mixed) / c.across;
-        Self::state(&station, rotation, v, station.section.bending * (turn - station.curvature), border)
+        Self::state(&station, rotation, v, station.section.bending * (turn - station.curvature), axial_multiplier)
     }
 
     fn section_state_from_forces(
@@ -149,8 +155,8 @@ impl<const HELD: bool> Density<2> for ReducedBeam<HELD> {
         place: f64,
         [_, rotation]: [f64; 2],
         [v, moment]: [f64; 2],
-        border: f64,
+        axial_multiplier: f64,
     ) -> SectionState {
-        Self::state(&self.profile.at(place), rotation, v, moment, border)
+        Self::state(&self.profile.at(place), rotation, v, moment, axial_multiplier)
     }
 }

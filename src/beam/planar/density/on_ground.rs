@@ -1,8 +1,8 @@
 //! The three-field Reissner beam on ground of any shape.
 
 use super::reissner::stored;
-use super::{Coupling, Density, PointResponse, Profile, SectionState};
-use crate::adhesion::{FrictionLaw, GroundLaw, Slip};
+use crate::adhesion::{FrictionLaw, FrictionState, GroundLaw};
+use crate::beam::{Coupling, EnergyDensity, PointResponse, Profile, SectionState};
 use crate::number::Real;
 
 /// The planar Reissner beam on ground that is not flat, with the adhesion bΨ of [`GroundLaw`]. Fields: x (nm), y - h/2 of the
@@ -28,9 +28,9 @@ impl BeamOnGround {
     }
 }
 
-impl Density<3> for BeamOnGround {
+impl EnergyDensity<3> for BeamOnGround {
     const COUPLING: Coupling<3> =
-        Coupling { value_value: [[true; 3]; 3], ..<super::ReissnerBeam as Density<3>>::COUPLING };
+        Coupling { value_value: [[true; 3]; 3], ..<super::ReissnerBeam as EnergyDensity<3>>::COUPLING };
 
     #[inline(always)]
     fn response<T: Real>(
@@ -58,15 +58,21 @@ impl Density<3> for BeamOnGround {
         response
     }
 
-    const REMEMBERS: bool = true;
+    const HAS_HISTORY: bool = true;
 
     /// The virtual work of friction is b t δx_b, of a traction t(x_b, d).
     #[inline(always)]
-    fn hold<T: Real>(&self, place: T, value: [T; 3], [from, share]: [T; 2], response: &mut PointResponse<T, 3>) {
+    fn add_friction<T: Real>(
+        &self,
+        place: T,
+        value: [T; 3],
+        [from, mobilisation]: [T; 2],
+        response: &mut PointResponse<T, 3>,
+    ) {
         let Some(friction) = &self.friction else { return };
         let station = self.profile.at(place);
         let ([x, gap], [sine, cosine]) = self.face(station.height, value);
-        let traction = friction.traction(x - from, gap, share);
+        let traction = friction.traction(x - from, gap, mobilisation);
         let b = station.width;
         let (force, by_place, by_gap) = (traction.value * b, traction.by_place * b, traction.by_gap * b);
         // by x, gap and θ
@@ -81,7 +87,7 @@ impl Density<3> for BeamOnGround {
         response.value_value[2][2] = response.value_value[2][2] - force * sine;
     }
 
-    fn remembered(&self, place: f64, value: [f64; 3], before: Slip) -> (Slip, f64) {
+    fn remembered(&self, place: f64, value: [f64; 3], before: FrictionState) -> (FrictionState, f64) {
         let Some(friction) = &self.friction else { return (before, 0.0) };
         let station = self.profile.at(place);
         let ([x, gap], _) = self.face(station.height, value);

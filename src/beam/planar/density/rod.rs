@@ -1,8 +1,8 @@
 //! Reissner's beam on its own: nothing adheres, and it may be curved at rest.
 
 use super::reissner::{COUPLING, section_from_forces, section_of, stored};
-use super::{Coupling, Density, PointResponse, SectionState};
-use crate::beam::{RestCurve, Section};
+use crate::beam::{Coupling, EnergyDensity, PointResponse, SectionState};
+use crate::beam::{ReferenceCurve, Section};
 use crate::number::Real;
 
 /// A planar Reissner beam that is stress-free along a given curve. Fields: x, y (nm), rotation θ. It has no border.
@@ -14,10 +14,10 @@ pub struct ReissnerRod {
     /// EA, GA_s and EI, the same everywhere
     pub section: Section,
     /// Its stress-free axis
-    pub rest: RestCurve,
+    pub rest: ReferenceCurve,
 }
 
-impl Density<3> for ReissnerRod {
+impl EnergyDensity<3> for ReissnerRod {
     const COUPLING: Coupling<3> = COUPLING;
 
     #[inline(always)]

@@ -1,13 +1,13 @@
 //! What a density asks of a beam at one place: stiffness, outline, and the stress-free configuration.
 
-use super::SectionState;
 use super::reissner::{section_from_forces, section_of, stored};
+use crate::beam::SectionState;
 use crate::beam::{Section, Varying};
 use crate::number::Real;
 
 /// A beam at one place, or at four side by side.
 #[derive(Clone, Copy, Debug)]
-pub struct Station<T> {
+pub struct SectionAt<T> {
     /// EA, GA_s and EI: nN, nN, nN nm²
     pub section: Section<T>,
     /// 1/EA and 1/GA_s, 1/nN
@@ -26,7 +26,7 @@ pub struct Station<T> {
 #[derive(Clone, Debug)]
 pub enum Profile {
     /// Straight, and the same everywhere.
-    Uniform(Station<f64>),
+    Uniform(SectionAt<f64>),
     /// Of varying outline.
     Varying(Varying),
 }
@@ -35,14 +35,14 @@ impl Profile {
     /// A straight beam of this section, adhering width and height, nm.
     pub fn uniform(section: Section, width: f64, height: f64) -> Self {
         let compliance = [section.axial.recip(), section.shear.recip()];
-        Self::Uniform(Station { section, compliance, width, height, rise: 0.0, curvature: 0.0 })
+        Self::Uniform(SectionAt { section, compliance, width, height, rise: 0.0, curvature: 0.0 })
     }
 
     /// The beam at S, nm.
     #[inline(always)]
-    pub fn at<T: Real>(&self, place: T) -> Station<T> {
+    pub fn at<T: Real>(&self, place: T) -> SectionAt<T> {
         match self {
-            Self::Uniform(station) => Station {
+            Self::Uniform(station) => SectionAt {
                 section: station.section.splat(),
                 compliance: station.compliance.map(T::splat),
                 width: T::splat(station.width),

@@ -1,8 +1,8 @@
 //! The element: integrates a density into its front, the matrix that elimination works on.
 
 use super::integrand::{Integrand, Point};
-use super::{Basis, Coupling, Front, MOST_NODES, Nodes, PerNode, PointResponse};
-use crate::number::{Four, Real};
+use crate::beam::{Basis, Coupling, FrontalMatrix, MOST_NODES, Nodes, PerNode, PointResponse};
+use crate::number::{F64x4, Real};
 use serde::{Deserialize, Serialize};
 
 /// Energy of one element, nN·nm.
@@ -27,7 +27,7 @@ pub struct Element<T, const F: usize> {
     /// density that remembers.
     pub slips: [[T; 2]; MOST_NODES],
     /// The number that the whole chain shares.
-    pub border: f64,
+    pub axial_multiplier: f64,
 }
 
 /// How the elements of a chain are integrated.
@@ -49,7 +49,7 @@ impl<T: Real, const F: usize> Element<T, F> {
     pub fn zero() -> Self {
         let zero = T::splat(0.0);
         let (values, slips) = ([[zero; F]; MOST_NODES], [[zero; 2]; MOST_NODES]);
-        Self { values, from: zero, length: zero, slips, border: 0.0 }
+        Self { values, from: zero, length: zero, slips, axial_multiplier: 0.0 }
     }
 
     /// What its density is asked at Gauss point `q`.
@@ -81,22 +81,22 @@ impl<T: Real, const F: usize> Element<T, F> {
 /// of second derivatives what the responses are times their weights.
 #[derive(Clone, Debug)]
 pub struct Responses<const F: usize> {
-    points: [Point<Four, F>; MOST_NODES],
-    responses: [PointResponse<Four, F>; MOST_NODES],
+    points: [Point<F64x4, F>; MOST_NODES],
+    responses: [PointResponse<F64x4, F>; MOST_NODES],
     weighted: Weighted,
 }
 
 /// Second derivatives by two fields at each Gauss point: of values by values, values by slopes, slopes by values, slopes by slopes.
-type Weighted = [[Four; MOST_NODES]; 4];
+type Weighted = [[F64x4; MOST_NODES]; 4];
 
 impl<const F: usize> Default for Responses<F> {
     fn default() -> Self {
-        let weighted = [[Four::splat(0.0); MOST_NODES]; 4];
+        let weighted = [[F64x4::splat(0.0); MOST_NODES]; 4];
         Self { points: [Point::zero(); MOST_NODES], responses: [PointResponse::zero(); MOST_NODES], weighted }
     }
 }
 
-impl<const F: usize> Element<Four, F> {
+impl<const F: usize> Element<F64x4, F> {
     /// Integrates into a front; returns the energy and its share from adhesion.
     ///
     /// The path row becomes `path_weight` times the gradient of the adhesion energy. Everything in the front is overwritten,
@@ -109,17 +109,17 @@ impl<const F: usize> Element<Four, F> {
         by: &Integration<impl Nodes, F>,
         path_weight: f64,
         room: &mut Responses<F>,
-        front: &mut Front<Four, F>,
-    ) -> (Four, Four) {
+        front: &mut FrontalMatrix<F64x4, F>,
+    ) -> (F64x4, F64x4) {
         let &Integration { nodes, basis, density, .. } = by;
-        let zero = Four::splat(0.0);
+        let zero = F64x4::splat(0.0);
         let stretch = self.stretch();
         let (mut energy, mut adhesion) = (zero, zero);
         let Responses { points, responses, weighted } = room;
         for q in 0..nodes.count() - 1 {
             points[q] = self.point(nodes, basis, q);
         }
-        density.respond(&points[..nodes.count() - 1], self.border, responses);
+        density.respond(&points[..nodes.count() - 1], self.axial_multiplier, responses);
         front.clear_gradient::<BORDER>(nodes);
         for q in 0..nodes.count() - 1 {
             let (r, once) = (&responses[q], self.weight(basis, q));
@@ -141,9 +141,9 @@ impl<const F: usize> Element<Four, F> {
     fn assemble(
         &self,
         by: &Integration<impl Nodes, F>,
-        responses: &[PointResponse<Four, F>; MOST_NODES],
+        responses: &[PointResponse<F64x4, F>; MOST_NODES],
         weighted: &mut Weighted,
-        front: &mut Front<Four, F>,
+        front: &mut FrontalMatrix<F64x4, F>,
     ) {
         let (Integration { nodes, basis, coupling, .. }, stretch) = (by, self.stretch());
         for f in 0..F {
@@ -184,11 +184,12 @@ impl<const F: usize> Element<Four, F> {
 
     /// Energy, its share from adhesion, and how that changes along `direction`, a change of the fields.
     #[inline(always)]
-    pub fn energy(&self, by: &Integration<impl Nodes, F>, direction: &[[Four; F]; MOST_NODES]) -> [Four; 3] {
+    pub fn energy(&self, by: &Integration<impl Nodes, F>, direction: &[[F64x4; F]; MOST_NODES]) -> [F64x4; 3] {
         let &Integration { nodes, basis, density, .. } = by;
-        let mut sums = [Four::splat(0.0); 3];
+        let mut sums = [F64x4::splat(0.0); 3];
         for q in 0..nodes.count() - 1 {
-            let (r, weight) = (density.energy_at(&self.point(nodes, basis, q), self.border), self.weight(basis, q));
+            let (r, weight) =
+                (density.energy_at(&self.point(nodes, basis, q), self.axial_multiplier), self.weight(basis, q));
             let change = at_point(nodes, direction, &basis.value[q]);
             sums[0] = sums[0] + r.energy * weight;
             sums[1] = sums[1] + r.adhesion * weight;
@@ -207,7 +208,8 @@ impl<const F: usize> Element<f64, F> {
         let &Integration { nodes, basis, density, .. } = by;
         let mut forces = [[0.0; F]; MOST_NODES];
         for q in 0..nodes.count() - 1 {
-            let (g, weight) = (density.gradient_at(&self.point(nodes, basis, q), self.border), self.weight(basis, q));
+            let (g, weight) =
+                (density.gradient_at(&self.point(nodes, basis, q), self.axial_multiplier), self.weight(basis, q));
             for f in 0..F {
                 let (on_value, on_slope) = (g.by_value[f] * weight, g.by_slope[f] * weight * self.stretch());
                 for a in 0..nodes.count() {
@@ -227,7 +229,8 @@ impl<const F: usize> Element<f64, F> {
     ) -> [[f64; F]; MOST_NODES] {
         let mut forces = [[0.0; F]; MOST_NODES];
         for q in 0..nodes.count() - 1 {
-            let (r, weight) = (density.gradient_at(&self.point(nodes, basis, q), self.border), self.weight(basis, q));
+            let (r, weight) =
+                (density.gradient_at(&self.point(nodes, basis, q), self.axial_multiplier), self.weight(basis, q));
             for f in 0..F {
                 for a in 0..nodes.count() {
                     forces[a][f] += r.adhesion_by_value[f] * weight * basis.value[q][a];
@@ -239,8 +242,9 @@ impl<const F: usize> Element<f64, F> {
 
     /// The derivative of the energy by the border.
     pub fn border_force(&self, nodes: impl Nodes, density: &dyn Integrand<F>, basis: &Basis) -> f64 {
-        let force =
-            |q: usize| density.gradient_at(&self.point(nodes, basis, q), self.border).by_border * self.weight(basis, q);
+        let force = |q: usize| {
+            density.gradient_at(&self.point(nodes, basis, q), self.axial_multiplier).by_border * self.weight(basis, q)
+        };
         (0..nodes.count() - 1).map(force).sum()
     }
 }
@@ -292,10 +296,10 @@ fn mixed<T: Real>(
 
 /// What is weighted of the second derivatives by two fields, as far as there are any.
 struct Block<'a> {
-    value_value: Option<&'a [Four; MOST_NODES]>,
-    value_slope: Option<&'a [Four; MOST_NODES]>,
-    slope_value: Option<&'a [Four; MOST_NODES]>,
-    slope_slope: Option<&'a [Four; MOST_NODES]>,
+    value_value: Option<&'a [F64x4; MOST_NODES]>,
+    value_slope: Option<&'a [F64x4; MOST_NODES]>,
+    slope_value: Option<&'a [F64x4; MOST_NODES]>,
+    slope_slope: Option<&'a [F64x4; MOST_NODES]>,
 }
 
 impl Block<'_> {
@@ -305,7 +309,7 @@ impl Block<'_> {
         &self,
         by: &Integration<impl Nodes, F>,
         fields: (usize, usize),
-        front: &mut Front<Four, F>,
+        front: &mut FrontalMatrix<F64x4, F>,
     ) {
         let on_value = self.value_value.is_some() || self.slope_value.is_some();
         let on_slope = self.value_slope.is_some() || self.slope_slope.is_some();
@@ -322,7 +326,7 @@ impl Block<'_> {
         &self,
         by: &Integration<impl Nodes, F>,
         (f, g): (usize, usize),
-        front: &mut Front<Four, F>,
+        front: &mut FrontalMatrix<F64x4, F>,
     ) {
         let &Integration { nodes, basis, symmetric, .. } = by;
         for a in 0..nodes.count() {
@@ -331,7 +335,7 @@ impl Block<'_> {
             let on_slope = mixed(nodes, basis, a, self.value_slope, self.slope_slope);
             for b in if symmetric { a } else { 0 }..nodes.count() {
                 // two sums, so that one need not wait for the other
-                let (mut by_value, mut by_slope) = (Four::splat(0.0), Four::splat(0.0));
+                let (mut by_value, mut by_slope) = (F64x4::splat(0.0), F64x4::splat(0.0));
                 for q in 0..nodes.count() - 1 {
                     if ON_VALUE {
                         by_value = by_value + on_value[q] * basis.four_values_of[b][q];

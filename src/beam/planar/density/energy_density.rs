@@ -1,6 +1,6 @@
 //! What an element integrates: an energy density along the axis and its first and second derivatives.
 
-use crate::adhesion::Slip;
+use crate::adhesion::FrictionState;
 use crate::number::Real;
 
 /// Response at one point of the axis to F fields, their slopes along S and one number that is the same along the whole
@@ -100,7 +100,7 @@ pub struct Coupling<const F: usize> {
 }
 
 /// A beam with its line load, as an energy density of F fields. `place` is S, nm: what varies along the beam looks there.
-pub trait Density<const F: usize>: Send + Sync {
+pub trait EnergyDensity<const F: usize>: Send + Sync {
     /// Which second derivatives there are.
     const COUPLING: Coupling<F>;
 
@@ -108,17 +108,17 @@ pub trait Density<const F: usize>: Send + Sync {
     const BORDER: bool = false;
 
     /// The density and its derivatives, at one point or at several side by side.
-    fn response<T: Real>(&self, place: T, value: [T; F], slope: [T; F], border: f64) -> PointResponse<T, F>;
+    fn response<T: Real>(&self, place: T, value: [T; F], slope: [T; F], axial_multiplier: f64) -> PointResponse<T, F>;
 
     /// Whether a tangential traction may take part that remembers how the face has slid.
-    const REMEMBERS: bool = false;
+    const HAS_HISTORY: bool = false;
 
     /// Adds that traction to a response of the same place. `slip`: where the face was at the end of the last step, nm, and what share of
     /// its limit it carried there.
-    fn hold<T: Real>(&self, _place: T, _value: [T; F], _slip: [T; 2], _response: &mut PointResponse<T, F>) {}
+    fn add_friction<T: Real>(&self, _place: T, _value: [T; F], _slip: [T; 2], _response: &mut PointResponse<T, F>) {}
 
     /// What a material point remembers behind a step that ended with these fields, and what was dissipated there, nN per length.
-    fn remembered(&self, _place: f64, _value: [f64; F], before: Slip) -> (Slip, f64) {
+    fn remembered(&self, _place: f64, _value: [f64; F], before: FrictionState) -> (FrictionState, f64) {
         (before, 0.0)
     }
 
@@ -128,9 +128,15 @@ pub trait Density<const F: usize>: Send + Sync {
     }
 
     /// Section forces and stretch.
-    fn section_state(&self, place: f64, value: [f64; F], slope: [f64; F], border: f64) -> SectionState;
+    fn section_state(&self, place: f64, value: [f64; F], slope: [f64; F], axial_multiplier: f64) -> SectionState;
 
     /// The same section where its vertical force and moment are known instead of the slopes (at a node between two
     /// elements, where the nodal forces are far more accurate than the slopes).
-    fn section_state_from_forces(&self, place: f64, value: [f64; F], forces: [f64; F], border: f64) -> SectionState;
+    fn section_state_from_forces(
+        &self,
+        place: f64,
+        value: [f64; F],
+        forces: [f64; F],
+        axial_multiplier: f64,
+    ) -> SectionState;
 }

@@ -13,7 +13,7 @@ use super::section::{Law, LineLaw, LineLoad};
 
 /// A rectangle l × h, a unit of width of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Piece {
+pub struct TiltedBlock {
     /// What it is in front of
     pub half_space: HalfSpace,
     /// Along the axis, nm
@@ -60,7 +60,7 @@ pub enum Level {
     LineLoad { rule: Rule, far_face: bool },
 }
 
-impl Piece {
+impl TiltedBlock {
     /// Force and moment at the given level.
     pub fn resultant(&self, level: &Level) -> Resultant {
         match level {
@@ -195,7 +195,7 @@ mod tests {
     use approx::assert_relative_eq;
     use std::num::NonZeroUsize;
 
-    const PIECE: Piece = Piece {
+    const PIECE: TiltedBlock = TiltedBlock {
         half_space: HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 },
         length: 10.0,
         height: 10.0,
@@ -233,7 +233,7 @@ mod tests {
 
     #[test]
     fn flat_piece_has_no_moment() {
-        let flat = Piece { tilt: 0.0, ..PIECE };
+        let flat = TiltedBlock { tilt: 0.0, ..PIECE };
         let expected = 10.0 * (PIECE.half_space.traction(0.6) - PIECE.half_space.traction(10.6));
         for level in [
             Level::BodyForce { rule: rule(60) },

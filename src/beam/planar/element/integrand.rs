@@ -1,0 +1,179 @@
+//! A density at all Gauss points of four elements side by side, behind one call.
+//!
+//! What an element asks of its density does not depend on its order: so each density is compiled once, and the elements of
+//! each order once for all densities.
+
+use crate::adhesion::FrictionState;
+use crate::beam::{Coupling, EnergyDensity, PointResponse, SectionState};
+use crate::number::{F64x4, Real};
+
+/// What is known at a point of the axis, or at four side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct Point<T, const F: usize> {
+    /// S, nm
+    pub place: T,
+    /// The fields.
+    pub value: [T; F],
+    /// Their derivatives with respect to S.
+    pub slope: [T; F],
+    /// Where the face was (nm) and what share of its limit it carried at the end of the last step, of a density that
+    /// remembers.
+    pub slip: [T; 2],
+}
+
+impl<T: Real, const F: usize> Point<T, F> {
+    /// All zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        let zero = T::splat(0.0);
+        Self { place: zero, value: [zero; F], slope: [zero; F], slip: [zero; 2] }
+    }
+}
+
+/// The energies at a point, per length.
+#[derive(Clone, Copy, Debug)]
+pub struct PointEnergy<T, const F: usize> {
+    /// Energy density φ, nN
+    pub energy: T,
+    /// Its share from adhesion, nN
+    pub adhesion: T,
+    /// ∂(adhesion)/∂field
+    pub adhesion_by_value: [T; F],
+}
+
+/// The first derivatives of the energies at a point, per length.
+#[derive(Clone, Copy, Debug)]
+pub struct PointGradient<const F: usize> {
+    /// ∂φ/∂field
+    pub by_value: [f64; F],
+    /// ∂φ/∂field'
+    pub by_slope: [f64; F],
+    /// ∂(adhesion)/∂field
+    pub adhesion_by_value: [f64; F],
+    /// ∂φ/∂border
+    pub by_border: f64,
+}
+
+/// A [`EnergyDensity`] without its type: every density is one.
+pub trait Integrand<const F: usize>: Send + Sync {
+    /// [`EnergyDensity::COUPLING`]
+    fn coupling(&self) -> Coupling<F>;
+    /// [`EnergyDensity::BORDER`]
+    fn has_border(&self) -> bool;
+    /// [`EnergyDensity::HAS_HISTORY`]
+    fn remembers(&self) -> bool;
+    /// [`EnergyDensity::is_symmetric`]
+    fn is_symmetric(&self) -> bool;
+    /// The responses at some points, with the traction that remembers; as many of them as there are points.
+    fn respond(&self, points: &[Point<F64x4, F>], axial_multiplier: f64, responses: &mut [PointResponse<F64x4, F>]);
+    /// The energies alone, at one point.
+    fn energy_at(&self, point: &Point<F64x4, F>, axial_multiplier: f64) -> PointEnergy<F64x4, F>;
+    /// The first derivatives at one point, with the traction that remembers.
+    fn gradient_at(&self, point: &Point<f64, F>, axial_multiplier: f64) -> PointGradient<F>;
+    /// Adhesion energy per length with these fields, nN
+    fn adhesion_at(&self, place: f64, value: [f64; F], axial_multiplier: f64) -> f64;
+    /// [`EnergyDensity::remembered`]
+    fn remembered(&self, place: f64, value: [f64; F], before: FrictionState) -> (FrictionState, f64);
+    /// [`EnergyDensity::section_state`]
+    fn section_state(&self, place: f64, value: [f64; F], slope: [f64; F], axial_multiplier: f64) -> SectionState;
+    /// [`EnergyDensity::section_state_from_forces`]
+    fn section_state_from_forces(
+        &self,
+        place: f64,
+        value: [f64; F],
+        forces: [f64; F],
+        axial_multiplier: f64,
+    ) -> SectionState;
+}
+
+impl<D: EnergyDensity<F>, const F: usize> Integrand<F> for D {
+    fn coupling(&self) -> Coupling<F> {
+        D::COUPLING
+    }
+
+    fn has_border(&self) -> bool {
+        D::BORDER
+    }
+
+    fn remembers(&self) -> bool {
+        D::HAS_HISTORY
+    }
+
+    fn is_symmetric(&self) -> bool {
+        EnergyDensity::is_symmetric(self)
+    }
+
+    fn respond(&self, points: &[Point<F64x4, F>], axial_multiplier: f64, responses: &mut [PointResponse<F64x4, F>]) {
+        respond(self, points, axial_multiplier, responses);
+    }
+
+    fn energy_at(&self, point: &Point<F64x4, F>, axial_multiplier: f64) -> PointEnergy<F64x4, F> {
+        energy_at(self, point, axial_multiplier)
+    }
+
+    fn gradient_at(&self, point: &Point<f64, F>, axial_multiplier: f64) -> PointGradient<F> {
+        let PointResponse { by_value, by_slope, adhesion_by_value, by_border, .. } =
+            response(self, point, axial_multiplier);
+        PointGradient { by_value, by_slope, adhesion_by_value, by_border }
+    }
+
+    fn adhesion_at(&self, place: f64, value: [f64; F], axial_multiplier: f64) -> f64 {
+        self.response(place, value, [0.0; F], axial_multiplier).adhesion
+    }
+
+    fn remembered(&self, place: f64, value: [f64; F], before: FrictionState) -> (FrictionState, f64) {
+        EnergyDensity::remembered(self, place, value, before)
+    }
+
+    fn section_state(&self, place: f64, value: [f64; F], slope: [f64; F], axial_multiplier: f64) -> SectionState {
+        EnergyDensity::section_state(self, place, value, slope, axial_multiplier)
+    }
+
+    fn section_state_from_forces(
+        &self,
+        place: f64,
+        value: [f64; F],
+        forces: [f64; F],
+        axial_multiplier: f64,
+    ) -> SectionState {
+        EnergyDensity::section_state_from_forces(self, place, value, forces, axial_multiplier)
+    }
+}
+
+/// The response at a point, with the traction that remembers.
+#[inline(always)]
+fn response<T: Real, D: EnergyDensity<F>, const F: usize>(
+    density: &D,
+    point: &Point<T, F>,
+    axial_multiplier: f64,
+) -> PointResponse<T, F> {
+    let mut response = density.response(point.place, point.value, point.slope, axial_multiplier);
+    if D::HAS_HISTORY {
+        density.add_friction(point.place, point.value, point.slip, &mut response);
+    }
+    response
+}
+
+/// [`Integrand::respond`] compiled for the vector units that the machine may have, chosen when it runs.
+#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+fn respond<D: EnergyDensity<F>, const F: usize>(
+    density: &D,
+    points: &[Point<F64x4, F>],
+    axial_multiplier: f64,
+    responses: &mut [PointResponse<F64x4, F>],
+) {
+    for (point, out) in points.iter().zip(responses) {
+        *out = response(density, point, axial_multiplier);
+    }
+}
+
+/// [`Integrand::energy_at`], likewise.
+#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+fn energy_at<D: EnergyDensity<F>, const F: usize>(
+    density: &D,
+    point: &Point<F64x4, F>,
+    axial_multiplier: f64,
+) -> PointEnergy<F64x4, F> {
+    let PointResponse { energy, adhesion, adhesion_by_value, .. } = response(density, point, axial_multiplier);
+    PointEnergy { energy, adhesion, adhesion_by_value }
+}
