@@ -193,6 +193,8 @@ Examples:
   peel verify
   peel verify --only strip --json
   peel verify --hard
+  peel verify --sampled 100 --kind strip
+  peel verify --kind strip --scene 4
 
 Topics:
 {topics}

@@ -128,3 +128,17 @@ impl Sampled {
         (compared, found.map(|(quantity, found)| Outside { index: self.index, quantity, found }).collect())
     }
 }
+
+#[cfg(test)]
+impl Run {
+    /// A run that was not computed.
+    pub(super) fn made(
+        end: &'static str,
+        reason: Option<&str>,
+        seconds: f64,
+        numbers: [Option<(f64, f64)>; QUANTITIES.len()],
+    ) -> Self {
+        let reason = reason.map(str::to_owned);
+        Self { end, reason, seconds, elements: 8, numbers: numbers.to_vec(), ripple: 0 }
+    }
+}

@@ -128,3 +128,39 @@ fn causes<'a>(reasons: impl Iterator<Item = (u64, &'a str)>) -> Vec<(String, Vec
     causes.sort_by_key(|(_, scenes)| std::cmp::Reverse(scenes.len()));
     causes
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sampled::run::Run;
+
+    fn run(end: &'static str, reason: Option<&str>, seconds: f64, peak: Option<(f64, f64)>) -> Run {
+        Run::made(end, reason, seconds, [None, peak, None, None])
+    }
+
+    fn scene(index: u64, first: Run, others: [Run; 2]) -> Sampled {
+        Sampled { index, runs: std::iter::once(first).chain(others).collect() }
+    }
+
+    /// Two scenes: of one the force agrees at 1e-9 and not on the other mesh; the other one fails, at two places for the same reason.
+    #[test]
+    fn what_became_of_a_sample_is_counted() {
+        let good = |force| run("detached", None, 0.1, Some((force, 1e-6)));
+        let bad = |point: usize| run("failed", Some(&format!("stopped at point {point}")), 3.0, None);
+        let scenes = vec![
+            scene(0, good(1.0), [good(1.0 + 1.5e-6), good(1.0 + 2.5e-6)]),
+            scene(1, bad(17), [good(2.0), bad(3)]),
+            scene(2, bad(4), [good(2.0), good(2.0)]),
+        ];
+        let survey = SampleSurvey { kind: SampleKind::Strip, seed: 1, scenes };
+        assert_eq!((survey.count(0, "detached"), survey.count(0, "failed"), survey.count(1, "failed")), (1, 2, 0));
+        assert_eq!(causes(survey.failed(0)), vec![("stopped at point ".to_owned(), vec![1, 2])]);
+        assert_eq!(survey.slowest_failure(0).map(f64::round), Some(30.0));
+        assert_eq!(survey.slowest_failure(1), None);
+        let ([fine, other], [_, outside]) =
+            ([1, 2].map(|way| survey.against(way).0), [1, 2].map(|way| survey.against(way).1));
+        assert_eq!((fine, other, outside.len()), (1, 1, 1));
+        assert_eq!((outside[0].index, outside[0].quantity), (0, "initiation peak"));
+        assert!(survey.table().contains("strip at 1e-6: 3 scenes: detached 1 (33.33 %), failed 2 (66.67 %)"));
+    }
+}
