@@ -28,7 +28,7 @@ impl Setting {
         let at = problem.initial(elements);
         let (out, row) = (
             vec![0.0; problem.beam.nodes(&at.values).len()],
-            ConstraintGradient { adhesion: 1.0, ..ConstraintGradient::default() },
+            ConstraintGradient { coverage: 1.0, ..ConstraintGradient::default() },
         );
         Self { law: model.line_law(), problem, at, row, work: ChainFactors::default(), out }
     }

@@ -23,11 +23,11 @@ pub struct Configuration<'a> {
     pub history: Option<&'a History>,
 }
 
-/// What the path condition wants of the chain: a linear functional of adhesion energy and of the left end's fields.
+/// What the path condition wants of the chain: a linear functional of the coverage and of the left end's fields.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ConstraintGradient {
-    /// Weight of the adhesion energy, 1/aJ
-    pub adhesion: f64,
+    /// Weight of the coverage, 1/aJ
+    pub coverage: f64,
     /// Weights of the fields of the left end
     pub left: [f64; MOST_FIELDS],
 }
@@ -138,13 +138,13 @@ pub trait Chain: Send + Sync {
     /// Goes back from the root's solution (last node's fields, border): makes x of a right-hand side that [`Chain::reduce`] has gone
     /// through, with the same `eliminated` and `transposed`.
     fn substitute(&self, eliminated: &ChainFactors, root: &[f64], right: &mut [f64], transposed: bool);
-    /// Energy of a configuration, and how its adhesion energy changes along `direction`, a change of the fields.
+    /// Energy of a configuration, and how its coverage changes along `direction`, a change of the fields.
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64);
     /// The gradient of the energy by the fields of the nodes, and by the border; for the fields that the left end holds, how far they are
     /// from there.
     fn residual(&self, at: Configuration) -> (Vec<f64>, f64);
-    /// The gradient of the adhesion energy by the fields of the nodes.
-    fn adhesion_gradient(&self, at: Configuration) -> Vec<f64>;
+    /// The gradient of the coverage by the fields of the nodes.
+    fn coverage_gradient(&self, at: Configuration) -> Vec<f64>;
     /// Section state at every end of the elements of a range.
     fn node_states(&self, at: Configuration, elements: Range<usize>) -> Vec<NodeState>;
     /// What the material points remember behind a step that ended in a configuration; nothing without friction.

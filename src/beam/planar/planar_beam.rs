@@ -143,10 +143,10 @@ impl PlanarBeam {
         self.rest_adhesion != 0.0
     }
 
-    /// The front for an adhesion energy, or its change for a change of that, nm: how long the left end's adhesion would have to go
+    /// The front for a coverage, or its change for a change of that, nm: how long the left end's adhesion would have to go
     /// on; zero where nothing adheres. [`FrontPosition`] knows where that is.
-    pub fn front(&self, adhesion: f64) -> f64 {
-        if self.adheres() { adhesion / self.rest_adhesion } else { 0.0 }
+    pub fn front(&self, coverage: f64) -> f64 {
+        if self.adheres() { coverage / self.rest_adhesion } else { 0.0 }
     }
 
     /// The fields of a node at rest.
@@ -192,14 +192,14 @@ impl PlanarBeam {
         let nodes = self.nodes(&at.values);
         Evaluation {
             energy: self.energy_of(at, chain),
-            monitors: [self.front(chain.adhesion), nodes[self.rotation]],
+            monitors: [self.front(chain.coverage), nodes[self.rotation]],
             recorded: nodes[nodes.len() - self.fields() + self.rotation],
         }
     }
 
     /// The peeling front of a state, nm.
     pub fn front_of(&self, at: &State) -> f64 {
-        self.front(self.chain.energy(self.configuration(at), self.nodes(&at.values)).0.adhesion)
+        self.front(self.chain.energy(self.configuration(at), self.nodes(&at.values)).0.coverage)
     }
 
     /// What the height of a node is measured by: its scale plus its lift, nm.

@@ -74,7 +74,7 @@ impl System for PlanarBeam {
         weights: [f64; MONITORS],
         ws: &mut Workspace,
     ) -> Result<CondensedSystem, SolveError> {
-        let mut row = ConstraintGradient { adhesion: self.front(weights[FRONT]), ..ConstraintGradient::default() };
+        let mut row = ConstraintGradient { coverage: self.front(weights[FRONT]), ..ConstraintGradient::default() };
         row.left[self.rotation] = weights[TIP_ROTATION];
         let diagonal = self.diagonal(at, coefficients);
         let factors = ws.factors::<ChainFactors>();
@@ -147,7 +147,7 @@ impl System for PlanarBeam {
         let mut gradient = if weights[FRONT] == 0.0 {
             vec![0.0; self.nodes(&at.values).len()]
         } else {
-            self.chain.adhesion_gradient(self.configuration(at))
+            self.chain.coverage_gradient(self.configuration(at))
         };
         gradient.iter_mut().for_each(|entry| *entry = weights[FRONT] * self.front(*entry));
         gradient[self.rotation] += weights[TIP_ROTATION];

@@ -61,8 +61,8 @@ fn assert_same(model: &StripModel, order: usize) {
     let stiffest = full.iter().map(|s| s.slope.force.abs()).fold(0.0, f64::max);
     // energies count from rest
     let energy = |s: &[Solution], i: usize| s[i].energy - s[0].energy;
-    let adhesion = |p: &PlanarProblem, s: &Solution| {
-        p.beam.chain.energy(p.beam.configuration(&s.at), p.beam.nodes(&s.at.values)).0.adhesion
+    let coverage = |p: &PlanarProblem, s: &Solution| {
+        p.beam.chain.energy(p.beam.configuration(&s.at), p.beam.nodes(&s.at.values)).0.coverage
     };
     let whole = energy(&full, STEPS.len() - 1);
     let held = model.grip.horizontal == Hold::Fixed;
@@ -81,7 +81,7 @@ fn assert_same(model: &StripModel, order: usize) {
         );
         close("front", a.observables.monitors[FRONT], b.observables.monitors[FRONT], two.beam.length);
         close("energy", energy(&reduced, i), energy(&full, i), whole);
-        close("adhesion energy", adhesion(&two, a), adhesion(&three, b), whole);
+        close("coverage", coverage(&two, a), coverage(&three, b), whole);
         // taken one Newton update before the solution, hence coarser
         close("stiffness", a.slope.force, b.slope.force, 1e4 * stiffest);
         assert_eq!((a.negative, a.negative_load), (b.negative, b.negative_load), "negative eigenvalues, {case}");

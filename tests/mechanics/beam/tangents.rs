@@ -141,7 +141,7 @@ fn assembled<const F: usize, const K: usize>(r: &PointResponse<f64, F>) -> (SVec
 fn compare<const F: usize, const K: usize>(
     response: &PointResponse<f64, F>,
     stored: Expansion<K>,
-    adhesion: Expansion<K>,
+    [adhesion, coverage]: [Expansion<K>; 2],
     lead: usize,
     potential: bool,
 ) -> Result<(), TestCaseError> {
@@ -158,6 +158,7 @@ fn compare<const F: usize, const K: usize>(
     };
     close("energy", response.energy, stored.0 + adhesion.0, stored.0.abs())?;
     close("adhesion", response.adhesion, adhesion.0, 0.0)?;
+    close("coverage", response.coverage, coverage.0, 0.0)?;
     for i in 0..K {
         close(&format!("gradient {i}"), gradient[i], wanted[i], stored.1.amax())?;
         for j in 0..K {
@@ -165,7 +166,7 @@ fn compare<const F: usize, const K: usize>(
         }
     }
     for f in 0..F {
-        close(&format!("adhesion gradient {f}"), response.adhesion_by_value[f], adhesion.1[f], adhesion.1.amax())?;
+        close(&format!("coverage gradient {f}"), response.coverage_by_value[f], coverage.1[f], coverage.1.amax())?;
     }
     let symmetric = (tangent - tangent.transpose()).amax() <= 1e-14 * tangent.amax();
     prop_assert!(symmetric || !potential, "a potential's tangent is not symmetric: {}", tangent);
@@ -199,7 +200,9 @@ fn two_field_density_held_and_free() {
                 |v: SVector<Dual2SVec64<5>, 5>| reduced_energy(&section, v[1], v[2] + rise, v[3] - curved, v[4]),
                 &at,
             );
-            let adhesion = hessian(|v: SVector<Dual2SVec64<5>, 5>| line_energy(&law, v[0], v[1]) * width, &at);
+            let energy = |v: SVector<Dual2SVec64<5>, 5>| line_energy(&law, v[0], v[1]) * width;
+            let covered = |v: SVector<Dual2SVec64<5>, 5>| line_energy(&law, v[0], v[1]) * v[1].cos() * width;
+            let adhesion = [hessian(energy, &at), hessian(covered, &at)];
             let held = ReducedBeam::<true> { profile: c.profile(), law };
             compare(&held.response(0.0, value, [dy, curvature], c.axial_multiplier), stored, adhesion, 0, potential)?;
 
@@ -208,7 +211,9 @@ fn two_field_density_held_and_free() {
                 |v: SVector<Dual2SVec64<4>, 4>| reduced_energy(&section, v[1], v[2] + rise, v[3] - curved, v[3] * 0.0),
                 &at,
             );
-            let adhesion = hessian(|v: SVector<Dual2SVec64<4>, 4>| line_energy(&law, v[0], v[1]) * width, &at);
+            let energy = |v: SVector<Dual2SVec64<4>, 4>| line_energy(&law, v[0], v[1]) * width;
+            let covered = |v: SVector<Dual2SVec64<4>, 4>| line_energy(&law, v[0], v[1]) * v[1].cos() * width;
+            let adhesion = [hessian(energy, &at), hessian(covered, &at)];
             let free = ReducedBeam::<false> { profile: c.profile(), law };
             // a free grip knows no H, whatever stands in its place
             compare(&free.response(0.0, value, [dy, curvature], c.axial_multiplier), stored, adhesion, 0, potential)
@@ -227,7 +232,9 @@ fn three_field_density() {
                 |v: SVector<Dual2SVec64<6>, 6>| stored_energy(&section, v[2], v[3], v[4] + rise, v[5] - curved),
                 &at,
             );
-            let adhesion = hessian(|v: SVector<Dual2SVec64<6>, 6>| line_energy(&law, v[1], v[2]) * width, &at);
+            let energy = |v: SVector<Dual2SVec64<6>, 6>| line_energy(&law, v[1], v[2]) * width;
+            let covered = |v: SVector<Dual2SVec64<6>, 6>| line_energy(&law, v[1], v[2]) * v[2].cos() * width;
+            let adhesion = [hessian(energy, &at), hessian(covered, &at)];
             let response =
                 ReissnerBeam { profile: c.profile(), law }.response(0.0, [17.0, c.gap, c.rotation], c.slopes, 0.0);
             compare(&response, stored, adhesion, 1, law.has_potential())

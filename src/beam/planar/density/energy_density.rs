@@ -11,6 +11,8 @@ pub struct PointResponse<T, const F: usize> {
     pub energy: T,
     /// Its share from adhesion, nN
     pub adhesion: T,
+    /// The same per length of the substrate that the section covers, bΨ|cos θ|, nN: what the peeling front is counted by
+    pub coverage: T,
     /// ∂φ/∂field
     pub by_value: [T; F],
     /// ∂φ/∂field'
@@ -23,8 +25,8 @@ pub struct PointResponse<T, const F: usize> {
     pub slope_value: [[T; F]; F],
     /// ∂²φ/∂field'∂field'
     pub slope_slope: [[T; F]; F],
-    /// ∂(adhesion)/∂field: what the path parameter needs
-    pub adhesion_by_value: [T; F],
+    /// ∂(coverage)/∂field: what the path parameter needs
+    pub coverage_by_value: [T; F],
     /// ∂φ/∂border
     pub by_border: T,
     /// ∂²φ/∂border²
@@ -43,18 +45,34 @@ impl<T: Real, const F: usize> PointResponse<T, F> {
         Self {
             energy: zero,
             adhesion: zero,
+            coverage: zero,
             by_value: [zero; F],
             by_slope: [zero; F],
             value_value: [[zero; F]; F],
             value_slope: [[zero; F]; F],
             slope_value: [[zero; F]; F],
             slope_slope: [[zero; F]; F],
-            adhesion_by_value: [zero; F],
+            coverage_by_value: [zero; F],
             by_border: zero,
             border_border: zero,
             border_value: [zero; F],
             border_slope: [zero; F],
         }
+    }
+}
+
+impl<T: Real, const F: usize> PointResponse<T, F> {
+    /// Sets the coverage from the adhesion energy and its gradient. Without |cos θ| sections that adhere and are tilted would count more than
+    /// others, and the front would run ahead of where the beam peels.
+    #[inline(always)]
+    pub(super) fn set_coverage(&mut self, [sin, cos]: [T; 2], gradient: [T; F]) {
+        let (sine, cosine) = (cos.select(sin, -sin), cos.select(cos, -cos));
+        self.coverage = self.adhesion * cosine;
+        for f in 0..F {
+            self.coverage_by_value[f] = gradient[f] * cosine;
+        }
+        // the rotation is the last field
+        self.coverage_by_value[F - 1] = self.coverage_by_value[F - 1] - self.adhesion * sine;
     }
 }
 

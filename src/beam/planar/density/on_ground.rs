@@ -50,11 +50,11 @@ impl EnergyDensity<3> for BeamOnGround {
         response.energy = response.energy + response.adhesion;
         for f in 0..3 {
             response.by_value[f] = response.by_value[f] + adhesion.gradient[f] * b;
-            response.adhesion_by_value[f] = adhesion.energy_gradient[f] * b;
             for g in 0..3 {
                 response.value_value[f][g] = response.value_value[f][g] + adhesion.tangent[f][g] * b;
             }
         }
+        response.set_coverage([sin, cos], adhesion.energy_gradient.map(|by| by * b));
         response
     }
 

@@ -127,7 +127,7 @@ impl<const HELD: bool> EnergyDensity<2> for ReducedBeam<HELD> {
         response.slope_value[0][1] = v_t;
         response.slope_slope[0][0] = inverse;
         response.slope_slope[1][1] = ei;
-        response.adhesion_by_value = [adhesion.by_gap * b, adhesion.energy_by_rotation * b];
+        response.set_coverage([sin, cos], [adhesion.by_gap * b, adhesion.energy_by_rotation * b]);
         response
     }
 

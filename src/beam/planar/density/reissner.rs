@@ -108,8 +108,7 @@ impl EnergyDensity<3> for ReissnerBeam {
         response.value_value[1][2] = adhesion.gap_rotation * b;
         response.value_value[2][1] = adhesion.rotation_gap * b;
         response.value_value[2][2] = response.value_value[2][2] + adhesion.rotation_rotation * b;
-        response.adhesion_by_value[1] = adhesion.by_gap * b;
-        response.adhesion_by_value[2] = adhesion.energy_by_rotation * b;
+        response.set_coverage([sin, cos], [T::splat(0.0), adhesion.by_gap * b, adhesion.energy_by_rotation * b]);
         response
     }
 

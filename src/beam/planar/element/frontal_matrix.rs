@@ -127,7 +127,7 @@ impl<T: Real, const F: usize> FrontalMatrix<T, F> {
     ) {
         for f in 0..F {
             let (on_value, on_slope) = (r.by_value[f] * once, r.by_slope[f] * twice);
-            let on_path = r.adhesion_by_value[f] * once * path_weight;
+            let on_path = r.coverage_by_value[f] * once * path_weight;
             for a in 0..nodes.count() {
                 let (value, slope) = (basis.value[q][a], basis.slope[q][a]);
                 let row = &mut self.rows[a][f];

@@ -35,10 +35,10 @@ impl<T: Real, const F: usize> Point<T, F> {
 pub struct PointEnergy<T, const F: usize> {
     /// Energy density φ, nN
     pub energy: T,
-    /// Its share from adhesion, nN
-    pub adhesion: T,
-    /// ∂(adhesion)/∂field
-    pub adhesion_by_value: [T; F],
+    /// [`PointResponse::coverage`], nN
+    pub coverage: T,
+    /// ∂(coverage)/∂field
+    pub coverage_by_value: [T; F],
 }
 
 /// The first derivatives of the energies at a point, per length.
@@ -48,8 +48,8 @@ pub struct PointGradient<const F: usize> {
     pub by_value: [f64; F],
     /// ∂φ/∂field'
     pub by_slope: [f64; F],
-    /// ∂(adhesion)/∂field
-    pub adhesion_by_value: [f64; F],
+    /// ∂(coverage)/∂field
+    pub coverage_by_value: [f64; F],
     /// ∂φ/∂border
     pub by_border: f64,
 }
@@ -112,9 +112,9 @@ impl<D: EnergyDensity<F>, const F: usize> Integrand<F> for D {
     }
 
     fn gradient_at(&self, point: &Point<f64, F>, axial_multiplier: f64) -> PointGradient<F> {
-        let PointResponse { by_value, by_slope, adhesion_by_value, by_border, .. } =
+        let PointResponse { by_value, by_slope, coverage_by_value, by_border, .. } =
             response(self, point, axial_multiplier);
-        PointGradient { by_value, by_slope, adhesion_by_value, by_border }
+        PointGradient { by_value, by_slope, coverage_by_value, by_border }
     }
 
     fn adhesion_at(&self, place: f64, value: [f64; F], axial_multiplier: f64) -> f64 {
@@ -174,6 +174,6 @@ fn energy_at<D: EnergyDensity<F>, const F: usize>(
     point: &Point<F64x4, F>,
     axial_multiplier: f64,
 ) -> PointEnergy<F64x4, F> {
-    let PointResponse { energy, adhesion, adhesion_by_value, .. } = response(density, point, axial_multiplier);
-    PointEnergy { energy, adhesion, adhesion_by_value }
+    let PointResponse { energy, coverage, coverage_by_value, .. } = response(density, point, axial_multiplier);
+    PointEnergy { energy, coverage, coverage_by_value }
 }

@@ -10,8 +10,8 @@ use serde::{Deserialize, Serialize};
 pub struct ElementEnergy {
     /// Stored and adhesion energy.
     pub total: f64,
-    /// Adhesion alone.
-    pub adhesion: f64,
+    /// [`PointResponse::coverage`] alone.
+    pub coverage: f64,
 }
 
 /// One element, or four side by side.
@@ -114,7 +114,7 @@ impl<const F: usize> Element<F64x4, F> {
         let &Integration { nodes, basis, density, .. } = by;
         let zero = F64x4::splat(0.0);
         let stretch = self.stretch();
-        let (mut energy, mut adhesion) = (zero, zero);
+        let (mut energy, mut coverage) = (zero, zero);
         let Responses { points, responses, weighted } = room;
         for q in 0..nodes.count() - 1 {
             points[q] = self.point(nodes, basis, q);
@@ -126,11 +126,11 @@ impl<const F: usize> Element<F64x4, F> {
             // a slope carries the factor 2/length once as a column and once as a row
             let twice = once * stretch;
             energy = energy + r.energy * once;
-            adhesion = adhesion + r.adhesion * once;
+            coverage = coverage + r.coverage * once;
             front.add_gradient::<BORDER>(nodes, r, basis, q, (once, twice), path_weight);
         }
         self.assemble(by, responses, weighted, front);
-        (energy, adhesion)
+        (energy, coverage)
     }
 
     /// The tangent: sums over the points of  N vv Nᵀ + N vs N'ᵀ + N' sv Nᵀ + N' ss N'ᵀ  with the shape functions N and their
@@ -192,9 +192,9 @@ impl<const F: usize> Element<F64x4, F> {
                 (density.energy_at(&self.point(nodes, basis, q), self.axial_multiplier), self.weight(basis, q));
             let change = at_point(nodes, direction, &basis.value[q]);
             sums[0] = sums[0] + r.energy * weight;
-            sums[1] = sums[1] + r.adhesion * weight;
+            sums[1] = sums[1] + r.coverage * weight;
             for f in 0..F {
-                sums[2] = sums[2] + r.adhesion_by_value[f] * change[f] * weight;
+                sums[2] = sums[2] + r.coverage_by_value[f] * change[f] * weight;
             }
         }
         sums
@@ -221,7 +221,7 @@ impl<const F: usize> Element<f64, F> {
     }
 
     /// The gradient of the adhesion energy, node by node.
-    pub fn adhesion_forces(
+    pub fn coverage_forces(
         &self,
         nodes: impl Nodes,
         density: &dyn Integrand<F>,
@@ -233,7 +233,7 @@ impl<const F: usize> Element<f64, F> {
                 (density.gradient_at(&self.point(nodes, basis, q), self.axial_multiplier), self.weight(basis, q));
             for f in 0..F {
                 for a in 0..nodes.count() {
-                    forces[a][f] += r.adhesion_by_value[f] * weight * basis.value[q][a];
+                    forces[a][f] += r.coverage_by_value[f] * weight * basis.value[q][a];
                 }
             }
         }

@@ -242,8 +242,8 @@ impl<const F: usize> Chain for UniformChain<F> {
         self.residual_of(at)
     }
 
-    fn adhesion_gradient(&self, at: Configuration) -> Vec<f64> {
-        self.adhesion_gradient_of(at)
+    fn coverage_gradient(&self, at: Configuration) -> Vec<f64> {
+        self.coverage_gradient_of(at)
     }
 
     fn node_states(&self, at: Configuration, elements: Range<usize>) -> Vec<NodeState> {

@@ -47,7 +47,7 @@ impl<const F: usize> UniformChain<F> {
                 *sum += part.0[..BUNDLE.min(elements - first)].iter().sum::<f64>();
             }
         }
-        (ElementEnergy { total: sums[0], adhesion: sums[1] }, sums[2])
+        (ElementEnergy { total: sums[0], coverage: sums[1] }, sums[2])
     }
 
     #[inline(always)]
@@ -87,12 +87,12 @@ impl<const F: usize> UniformChain<F> {
         (residual, by_border)
     }
 
-    /// [`super::Chain::adhesion_gradient`]
-    pub(super) fn adhesion_gradient_of(&self, at: Configuration) -> Vec<f64> {
+    /// [`super::Chain::coverage_gradient`]
+    pub(super) fn coverage_gradient_of(&self, at: Configuration) -> Vec<f64> {
         let (nodes, mut gradient) = (self.nodes(), vec![0.0; at.state.len()]);
         for e in 0..at.ends.len() - 1 {
             let element = self.element(nodes, at, e);
-            self.scatter(e, &element.adhesion_forces(nodes, &*self.density, &self.basis), &mut gradient);
+            self.scatter(e, &element.coverage_forces(nodes, &*self.density, &self.basis), &mut gradient);
         }
         gradient
     }

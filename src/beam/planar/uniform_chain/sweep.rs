@@ -70,7 +70,7 @@ impl<const F: usize> UniformChain<F> {
         let mut carry = [[0.0; ROOT]; ROOT];
         for (first, front) in (0..elements).step_by(BUNDLE).zip(fronts) {
             self.gather_bundle(nodes, at, first, bundle);
-            let (total, adhesion) = bundle.integrate::<BORDER>(&by, path.adhesion, room, front);
+            let (total, coverage) = bundle.integrate::<BORDER>(&by, path.coverage, room, front);
             if !damping.is_empty() {
                 self.damp_inside(nodes, front, damping, first, elements);
             }
@@ -78,7 +78,7 @@ impl<const F: usize> UniformChain<F> {
             for e in first..elements.min(first + BUNDLE) {
                 let l = e - first;
                 energy.total += total.0[l];
-                energy.adhesion += adhesion.0[l];
+                energy.coverage += coverage.0[l];
                 let mut block = Ends::<F, BORDER>::block(nodes, front, self.symmetric, l);
                 if !damping.is_empty() {
                     (0..F).for_each(|f| block[f][f] += damping[e * order * F + f]);

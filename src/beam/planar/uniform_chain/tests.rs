@@ -63,7 +63,7 @@ impl<const F: usize, const BORDER: bool> EnergyDensity<F> for MadeUp<F, BORDER> 
         let mut response = PointResponse::zero();
         for f in 0..F {
             (response.by_value[f], response.by_slope[f]) = (value[f] * d[f][f], slope[f] * 0.7 + value[f]);
-            response.adhesion_by_value[f] = value[f];
+            response.coverage_by_value[f] = value[f];
             for g in 0..F {
                 response.value_value[f][g] = uneven * d[f][g];
                 response.value_slope[f][g] = uneven * d[f][F + g];
