@@ -86,6 +86,8 @@ pub struct Path<'p> {
 
 /// Most tries of one step, each shorter.
 const MOST_TRIES: usize = 14;
+/// The try before which the slope at the newest point is computed anew.
+const DOUBTFUL: usize = 3;
 /// A step is refused when its prediction was wrong by this multiple of the step tolerance.
 const REFUSE: f64 = 12.0;
 /// A step is refused when the path turns from its chord by more than the angle of this cosine.
@@ -203,12 +205,21 @@ impl<'p> Path<'p> {
 
     fn step(&mut self) -> Result<Solution, PathError> {
         let newest = self.points[self.points.len() - 1].clone();
-        let weights = self.weights();
-        let (points, labels) = self.labelled(&weights);
+        let mut slope = newest.slope;
+        let mut weights = self.weights(&slope);
+        let (mut points, mut labels) = self.labelled(&weights);
         let outset = self.points.len() <= 2;
         let (mut count, mut step) = if outset { (1, self.first_step(&labels)) } else { self.choose(&labels) };
         let mut cause = SolveError::SingularGrip;
-        for _ in 0..MOST_TRIES {
+        for tries in 0..MOST_TRIES {
+            if tries == DOUBTFUL
+                && let Ok(exact) = self.again(&newest, &weights)
+            {
+                slope = exact;
+                weights = self.weights(&slope);
+                (points, labels) = self.labelled(&weights);
+                count = count.min(labels.len());
+            }
             let mut start = if outset {
                 newest.moved(self.problem, step / weights.dot(&newest.slope))
             } else {
@@ -224,7 +235,7 @@ impl<'p> Path<'p> {
             match solve(self.problem, start, &constraint, &self.newton(), &mut self.ws) {
                 Ok(next) => {
                     self.iterations += next.iterations;
-                    let turned = points.len() > 1 && self.turns_sharply(&next);
+                    let turned = points.len() > 1 && self.turns_sharply(&slope, &next);
                     if turned || next.correction > REFUSE * self.options.step_tolerance && points.len() > 1 {
                         cause = SolveError::NotConverged { update: next.correction, iterations: next.iterations };
                         step *= 0.4;
@@ -244,6 +255,16 @@ impl<'p> Path<'p> {
         Err(self.stopped(MOST_TRIES, cause))
     }
 
+    /// The slope of the path at a point itself. That of a solution is one update of Newton's method back, and near limit points it may be
+    /// wrong by all of itself.
+    fn again(&mut self, point: &Solution, weights: &Observables) -> Result<Observables, SolveError> {
+        let constraint = PathConstraint { weights: *weights, target: weights.dot(&point.observables) };
+        let exact = NewtonOptions { exact_slope: true, ..self.newton() };
+        let solution = solve(self.problem, point.at.clone(), &constraint, &exact, &mut self.ws)?;
+        self.iterations += solution.iterations;
+        Ok(solution.slope)
+    }
+
     /// Weights of the first steps: the displacement in the path's direction.
     fn outset(&self) -> Observables {
         Observables { displacement: self.options.first_displacement.signum(), ..Observables::default() }
@@ -251,7 +272,7 @@ impl<'p> Path<'p> {
 
     /// Weights of the path parameter: a direction between the tangent's and that of the last points, in which those go
     /// forward although one observable may turn; each observable in units of its recent changes.
-    fn weights(&self) -> Observables {
+    fn weights(&self, slope: &Observables) -> Observables {
         let n = self.points.len();
         let newest = &self.points[n - 1];
         if n <= OUTSET {
@@ -259,15 +280,15 @@ impl<'p> Path<'p> {
         }
         let metric = self.metric(None);
         let chord = newest.observables.since(&self.points[n.saturating_sub(1 + CHORD)].observables);
-        metric.weights(&metric.unit(&newest.slope).plus(&metric.unit(&chord)))
+        metric.weights(&metric.unit(slope).plus(&metric.unit(&chord)))
     }
 
     /// Whether the path turns too much on the step to `next`, from either end to the chord.
-    fn turns_sharply(&self, next: &Solution) -> bool {
+    fn turns_sharply(&self, slope: &Observables, next: &Solution) -> bool {
         let newest = &self.points[self.points.len() - 1];
         let metric = self.metric(Some(&next.observables));
         let chord = next.observables.since(&newest.observables);
-        metric.cosine(&newest.slope, &chord) < LEAST_COSINE || metric.cosine(&next.slope, &chord) < LEAST_COSINE
+        metric.cosine(slope, &chord) < LEAST_COSINE || metric.cosine(&next.slope, &chord) < LEAST_COSINE
     }
 
     /// The metric of the newest points, and of a further one.
@@ -313,10 +334,11 @@ impl<'p> Path<'p> {
         let stride = self.options.stride;
         let most = MOST_GROWTH / stride * -labels[1];
         let mut best = (labels.len().min(2), 0.5 / stride * -labels[1]);
-        for count in 1..labels.len() {
+        // through one point alone an error is not seen: states are compared on the mesh of their own front, on which a front that travels stands still
+        for count in 2..labels.len() {
             let Some(&error) = self.errors.get(count - 1) else { break };
             let step = predictor::longest_step(labels, count, error, 0.7 * self.options.step_tolerance, most);
-            if step > best.1 || count == 1 {
+            if step > best.1 || count == 2 {
                 best = (count, step);
             }
         }

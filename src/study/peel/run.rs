@@ -185,7 +185,6 @@ impl Attempt {
             Some(
                 PathFailure::Missed { .. }
                 | PathFailure::Jumped { .. }
-                | PathFailure::TooManyPoints { .. }
                 | PathFailure::NotLocated { turn: LimitPointKind::Displacement, .. },
             ) => Resolution { step_tolerance: 0.3 * step_tolerance, ..resolution.times(1.25) },
             Some(_) => resolution.times(1.5),
