@@ -2,14 +2,14 @@
 
 use super::{Adhesion, Ground};
 use crate::beam::{
-    Focus, FrontPosition, MeshIntervals, ReferenceConfiguration, ReferenceCurve, Varying, VaryingReference,
+    Focus, FrontPosition, MeshIntervals, ReferenceConfiguration, ReferenceCurve, SectionAt, Varying, VaryingReference,
 };
 
 /// The stress-free configuration of a beam, where its front may be, and how its elements are shared out.
 pub(super) struct StressFreePlacement {
     pub rest: ReferenceConfiguration,
     pub fronts: FrontPosition,
-    /// S up to which it touches the substrate, nm
+    /// S up to which it adheres once it has settled on the substrate, nm
     pub rest_front: f64,
     pub pieces: MeshIntervals,
 }
@@ -53,7 +53,8 @@ impl StressFreePlacement {
         let end = beam.contour().at(0.0);
         let law = adhesion.line_law(end.height[0]);
         let rest = VaryingReference::new(beam.clone(), law.rest_gap());
-        let (rest_front, again) = contact(&rest, length, REACH * adhesion.equilibrium_distance);
+        let (touching, again) = contact(&rest, length, REACH * adhesion.equilibrium_distance);
+        let rest_front = settled_front(beam, adhesion, touching);
         let alike = ground.floor(front.length).map(|floor| (contact_extent(&rest, length, adhesion, ground), floor));
         fixed_foci.extend(again.into_iter().map(|center| Focus { center, weight: AGAIN, ..front }));
         let meshes: Vec<Vec<Focus>> = (0..=FRONTS_TRIED)
@@ -78,6 +79,18 @@ impl StressFreePlacement {
             rest: ReferenceConfiguration::Varying(Box::new(rest)),
         }
     }
+}
+
+/// S up to which a beam that touches flat ground up to `touching` adheres once it has settled: beyond, it is bent flat as long as that takes
+/// less energy than adhesion gives, ½EI κ0² < bW.
+fn settled_front(beam: &Varying, adhesion: &Adhesion, touching: f64) -> f64 {
+    let length = beam.contour().length();
+    let places = (0..=LOOKED_AT).map(|k| touching + (length - touching) * k as f64 / LOOKED_AT as f64);
+    let flattened = |&place: &f64| {
+        let SectionAt { section, width, height, curvature, .. } = beam.at(place);
+        0.5 * section.bending * curvature * curvature < -width * adhesion.line_law(height).rest_energy()
+    };
+    places.take_while(flattened).last().unwrap_or(touching)
 }
 
 /// Places at which a beam is looked at for contact, and how far the edge of its section there is from flat ground.

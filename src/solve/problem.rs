@@ -27,6 +27,14 @@ pub struct PathMeasure {
     pub by_force: bool,
 }
 
+impl PathMeasure {
+    /// How far the monitors of one point are from those of another: the largest of them, each in units of its scale.
+    pub(super) fn apart(&self, one: &Observables, other: &Observables) -> f64 {
+        let change = other.since(one).monitors;
+        self.monitors.iter().zip(change).map(|(scale, change)| (change / scale).abs()).fold(0.0, f64::max)
+    }
+}
+
 /// Where a path starts.
 #[derive(Clone, Debug)]
 #[allow(missing_docs)] // the text of each names its fields

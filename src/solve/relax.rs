@@ -147,6 +147,7 @@ pub fn relax(
             Ok((size, negative))
                 if held.negative(negative) == 0
                     && size <= options.largest_update
+                    && problem.system.is_admissible(&next)
                     && energy_of(&next) <= energy + slack(energy) =>
             {
                 Ok(size)

@@ -26,7 +26,7 @@ const SCENES: &[(&str, &str, Ending)] = scenes![
     "on-edge" Pivoting,
     "one-thickness" Pivoting,
     "r0-large" Pivoting,
-    "r0-small" Refused,
+    "r0-small" TurnedBack,
     "shear-soft" Pivoting,
     "thin" Pivoting,
     "toe" Bound,

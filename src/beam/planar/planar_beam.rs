@@ -227,21 +227,36 @@ impl PlanarBeam {
     /// Distance of each node from the substrate, nm.
     fn distances<'a>(&'a self, at: &'a State) -> impl Iterator<Item = f64> + 'a {
         let (order, ends) = (self.chain.order(), &at.mesh.boundaries);
-        self.nodes(&at.values).chunks_exact(self.fields()).enumerate().map(move |(k, node)| {
-            let half = if self.sees_tilt {
-                // a node inside of an element is taken to be as high as the left end of that
-                0.5 * self.height_at(ends[k / order])
-            } else {
-                0.0
-            };
-            if self.substrate.is_flat() {
-                return node[self.rotation - 1] + half * (1.0 - node[self.rotation].cos().abs());
-            }
-            let full = self.height_at(ends[k / order]);
-            let foot = self.substrate.project(node[0], node[self.rotation - 1] + 0.5 * full);
-            let tilt = (node[self.rotation] - foot.sin.atan2(foot.cos)).cos().abs();
-            foot.distance - 0.5 * full + half * (1.0 - tilt)
-        })
+        let nodes = self.nodes(&at.values).chunks_exact(self.fields()).enumerate();
+        // a node inside of an element is taken to be as high as the left end of that
+        nodes.map(move |(k, node)| self.distance(ends[k / order], node))
+    }
+
+    /// Whether all of the beam is above the substrate, between its nodes as well.
+    pub fn is_above(&self, at: &State) -> bool {
+        let (configuration, ends) = (self.configuration(at), &at.mesh.boundaries);
+        let order = self.chain.order();
+        let between = |k: usize| (2 * k + 1) as f64 / order as f64 - 1.0;
+        self.nearest(at) > 0.0
+            && (0..at.mesh.elements()).all(|element| {
+                (0..order).all(|k| {
+                    let (fields, _) = self.chain.sample(configuration, element, between(k));
+                    self.distance(ends[element], &fields) > 0.0
+                })
+            })
+    }
+
+    /// Distance of a section with these fields from the substrate, nm, of the height that sections have at `place`.
+    fn distance(&self, place: f64, fields: &[f64]) -> f64 {
+        let full = self.height_at(place);
+        let half = if self.sees_tilt { 0.5 * full } else { 0.0 };
+        let (height, rotation) = (fields[self.rotation - 1], fields[self.rotation]);
+        if self.substrate.is_flat() {
+            return height + half * (1.0 - rotation.cos().abs());
+        }
+        let closest = self.substrate.project(fields[0], height + 0.5 * full);
+        let tilt = (rotation - closest.sin.atan2(closest.cos)).cos().abs();
+        closest.distance - 0.5 * full + half * (1.0 - tilt)
     }
 
     /// The diagonal that coefficients add to the tangent of the chain, a number an unknown of a node; empty where they are zero.

@@ -271,7 +271,7 @@ impl System for PlanarBeam {
     }
 
     fn is_admissible(&self, at: &State) -> bool {
-        self.nearest(at) > 0.0
+        self.is_above(at)
     }
 }
 

@@ -102,6 +102,9 @@ const OUTSET_GROWTH: f64 = 2.0;
 const CHORD: usize = 4;
 /// Most that a step of settling down moves, relative as in [`crate::solve::System::size`].
 const SETTLING: f64 = 0.3;
+/// Most meshes on which a structure settles, and by how little, in units of their scales, its monitors move then.
+const MOST_REFOCUSED: usize = 8;
+const SETTLED: f64 = 0.1;
 
 impl<'p> Path<'p> {
     /// A path that starts at rest.
@@ -182,9 +185,17 @@ impl<'p> Path<'p> {
 
     /// The equilibrium next to a start that is none, on the mesh that its own monitors ask for.
     fn settled(&mut self, start: State, constraint: &PathConstraint) -> Result<Solution, SolveError> {
-        let found = self.settled_near(start, constraint)?;
-        let at = self.problem.system.refocused(&found.at, found.observables.monitors);
-        settle(self.problem, at, constraint, &self.newton(), &mut self.ws)
+        let mut found = self.settled_near(start, constraint)?;
+        for _ in 0..MOST_REFOCUSED {
+            let at = self.problem.system.refocused(&found.at, found.observables.monitors);
+            let next = self.settled_near(at, constraint)?;
+            let moved = self.problem.measure.apart(&found.observables, &next.observables);
+            found = next;
+            if moved < SETTLED {
+                break;
+            }
+        }
+        Ok(found)
     }
 
     /// The same on the mesh of the start: by Newton's method, or, where that wanders, down the gradient of the energy.
@@ -334,11 +345,13 @@ impl<'p> Path<'p> {
         let stride = self.options.stride;
         let most = MOST_GROWTH / stride * -labels[1];
         let mut best = (labels.len().min(2), 0.5 / stride * -labels[1]);
-        // through one point alone an error is not seen: states are compared on the mesh of their own front, on which a front that travels stands still
-        for count in 2..labels.len() {
+        // through one point alone an error is not seen: states are compared on the mesh of their own front, on which a front that travels
+        // stands still; but what remembers has corners, at which one point serves best
+        let fewest = if self.problem.system.has_history() { 1 } else { 2 };
+        for count in fewest..labels.len() {
             let Some(&error) = self.errors.get(count - 1) else { break };
             let step = predictor::longest_step(labels, count, error, 0.7 * self.options.step_tolerance, most);
-            if step > best.1 || count == 2 {
+            if step > best.1 || count == fewest {
                 best = (count, step);
             }
         }

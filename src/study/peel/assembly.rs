@@ -14,10 +14,10 @@ use std::sync::Arc;
 /// A force at rest below this share of its scale is round-off.
 const PULL: f64 = 1e-6;
 
-/// The largest relative difference to more elements of what is reported. Where the material points remember, of the turns of the force
+/// The relative differences to more elements of what is reported. Where the material points remember, of the turns of the force
 /// alone: at one of the displacement much of the beam that slid sticks at once, a corner of the path, of which bounds tell how well it
 /// is known.
-pub(super) fn worst_difference(followed: &Followed, problem: &PlanarProblem) -> f64 {
+pub(super) fn differences(followed: &Followed, problem: &PlanarProblem) -> Vec<f64> {
     let first_load = followed.turns.iter().position(|t| t.0 == LimitPointKind::Load);
     let told = followed.turns.iter().enumerate().filter(|(_, turn)| counts(problem, turn.0));
     let turns = told.flat_map(|(i, (_, _, located))| {
@@ -25,7 +25,7 @@ pub(super) fn worst_difference(followed: &Followed, problem: &PlanarProblem) -> 
         let place = if located.flat && Some(i) != first_load { 0.0 } else { (d.displacement / o.displacement).abs() };
         [place, (d.force / o.force).abs()]
     });
-    turns.fold(0.0, f64::max)
+    turns.collect()
 }
 
 /// What is reported of a path.

@@ -1,7 +1,7 @@
 //! The run behind [`super::peel`]: a mesh from the accuracy asked for, the path on it, and, where the error bounds say
 //! so, a finer mesh and the path again.
 
-use super::assembly::{empty, report, worst_difference};
+use super::assembly::{differences, empty, report};
 use super::equilibrium_path::{Followed, follow};
 use super::solution_history::SolutionHistory;
 use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
@@ -24,6 +24,9 @@ const SPREAD: f64 = 100.0;
 const SPREAD_ROUND_OFF: f64 = 5e-10;
 /// Below this relative error, an error that does not fall with more elements is taken for round-off.
 const STAGNATION: f64 = 2e-8;
+/// The same where the error did not fall with this many times as many elements.
+const CERTAIN_STAGNATION: f64 = 1e-6;
+const MANY_MORE: usize = 2;
 /// Length of the steps of a path that confirms another, over those of the other.
 const SHORTER: f64 = 0.5;
 /// Most such paths.
@@ -69,7 +72,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, checkp
     let problem = Arc::new(problem);
     let far = model.line_law().cutoff_distance();
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
-    let (mut iterations, mut unfinished) = (0, false);
+    let (mut iterations, mut unfinished, mut finest) = (0, false, 0);
     let mut best =
         refined(first, most_elements(model), Attempt::is_better_than, |resolution, best: Option<&Attempt>| {
             let options = resolution.path_options(model, accuracy.relative);
@@ -82,6 +85,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, checkp
             let over = attempt.cut || limits.reached().is_some();
             unfinished = over && (attempt.cut || attempt.trouble.is_some() || !enough);
             if attempt.trouble.is_none() {
+                finest = finest.max(attempt.peel.effort.elements);
                 others.push(attempt.peel.limit_points.clone());
             }
             let finer = (!enough && !over).then_some(attempt.next);
@@ -89,6 +93,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, checkp
         });
     if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {
         best.widen(&others);
+        best.finest = finest;
     }
     if problem.system.has_history() && accuracy.choice.step.is_none() && !unfinished {
         best = best.map(|best| {
@@ -148,6 +153,10 @@ struct Attempt {
     peel: Peel,
     /// Largest relative difference to more elements, over the accuracy asked for.
     difference: f64,
+    /// How many numbers are not as accurate as was asked.
+    missed: usize,
+    /// Most elements on which the path could be used.
+    finest: usize,
     /// Largest spread of the first integral over what is wanted: the error between the points that `difference` looks at.
     spread: f64,
     /// Why the path is unusable, if it is.
@@ -175,7 +184,9 @@ impl Attempt {
         // a peak where the path begins is no limit point
         let at_rest = peel.peak.filter(|peak| Some(peak.displacement) == peel.points.first().map(|p| p.displacement));
         let at_rest = at_rest.map_or(0.0, |peak| peak.force_error / peak.force);
-        let difference = (DIFFERENCE_BOUND_FACTOR * worst_difference(&followed, problem)).max(at_rest) / relative;
+        let differences = differences(&followed, problem).into_iter().map(|d| DIFFERENCE_BOUND_FACTOR * d / relative);
+        let missed = differences.clone().filter(|difference| difference.is_nan() || *difference > 1.0).count();
+        let difference = differences.fold(at_rest / relative, f64::max);
         let next = match &followed.trouble {
             None => {
                 spread = followed.spread / (SPREAD * relative).max(SPREAD_ROUND_OFF);
@@ -197,7 +208,8 @@ impl Attempt {
         let first = |place: f64| followed.turns.iter().find(|turn| turn.2.observables.displacement == place);
         let peak = peel.initiation_peak.and_then(|peak| first(peak.displacement)).map(|turn| turn.2.solution.clone());
         peel.trace = Some(SolutionHistory { problem: problem.clone(), points: followed.points, peak });
-        Self { peel, difference, spread, trouble, cut, next, remembers: problem.system.has_history() }
+        let remembers = problem.system.has_history();
+        Self { peel, difference, missed, spread, trouble, cut, next, remembers, finest: elements }
     }
 
     /// The difference to more elements; infinite where the path is unusable.
@@ -224,7 +236,7 @@ impl Attempt {
         } else if met(self) && met(best) {
             self.spread <= best.spread
         } else if met(self) || !small(best) {
-            self.worst() <= best.worst()
+            (self.missed, self.worst()) <= (best.missed, best.worst())
         } else if best.spread > 1.0 {
             self.spread < best.spread
         } else {
@@ -294,13 +306,18 @@ impl Attempt {
         small && many_more && self.worst() > 0.5 * best.worst()
     }
 
+    /// Whether more elements were tried, and brought nothing: the error is round-off, as of a force that is small beside the largest.
+    fn is_at_round_off(&self) -> bool {
+        self.finest >= MANY_MORE * self.peel.effort.elements
+    }
+
     /// The result, as a failure where the path cannot be used.
     fn into_peel(self) -> Peel {
         let fixed = self.peel.choice.elements.is_some();
         let worst = self.worst();
         // a path that remembers has been followed again with other steps, whose mesh may be a little worse
         let missed = worst > if self.remembers { STRIDE_TOLERANCE_FACTOR } else { 1.0 }
-            && worst * self.peel.asked > STAGNATION
+            && worst * self.peel.asked > if self.is_at_round_off() { CERTAIN_STAGNATION } else { STAGNATION }
             && !fixed;
         let mut peel = self.peel;
         let bounded = matches!(peel.end, PathEnd::Bound(_));

@@ -54,7 +54,7 @@ fn tangents_are_differences() {
                     (8.0 * (pick(&c) - pick(&b)) - (pick(&d) - pick(&a))) / (12.0 * step)
                 };
                 assert_abs_diff_eq!(slope(&|r| r.energy), here.by_value[g], epsilon = 1e-8);
-                assert_abs_diff_eq!(slope(&|r| r.coverage), here.coverage_by_value[g], epsilon = 1e-8);
+                assert_abs_diff_eq!(slope(&|r| r.adhesion), here.coverage_by_value[g], epsilon = 1e-8);
                 for f in 0..3 {
                     let size = here.value_value[f][g].abs().max(1.0);
                     assert_abs_diff_eq!(slope(&|r| r.by_value[f]), here.value_value[f][g], epsilon = 1e-6 * size);

@@ -76,7 +76,8 @@ impl Followed {
             self.iterations += located.iterations;
             self.turns.push((c.turn, c.index, located));
         }
-        self.drop_ripple(relative);
+        self.drop_ripple(LimitPointKind::Load, relative);
+        self.drop_ripple(LimitPointKind::Displacement, relative);
         Ok(())
     }
 
@@ -90,13 +91,18 @@ impl Followed {
         }
     }
 
-    /// The same filter on what was located: an interpolant over a long step can make a ripple look large.
-    fn drop_ripple(&mut self, relative: f64) {
+    /// The same filter on what was located: an interpolant over a long step can make a ripple look large. Turns of the displacement are
+    /// left out where no path point lies between them, whose negative eigenvalues would tell of the first.
+    fn drop_ripple(&mut self, kind: LimitPointKind, relative: f64) {
         loop {
-            let loads: Vec<usize> =
-                (0..self.turns.len()).filter(|&i| self.turns[i].0 == LimitPointKind::Load).collect();
-            let force = |i: usize| self.turns[i].2.observables.force;
-            let weak = loads.windows(2).find(|w| (force(w[0]) - force(w[1])).abs() < relative * force(w[0]).abs());
+            let of_kind: Vec<usize> = (0..self.turns.len()).filter(|&i| self.turns[i].0 == kind).collect();
+            let value = |i: usize| kind.pick()(&self.turns[i].2.observables);
+            let is_weak = |pair: &&[usize]| {
+                let (first, second) = (pair[0], pair[1]);
+                let in_one_step = kind == LimitPointKind::Load || self.turns[first].1 == self.turns[second].1;
+                in_one_step && (value(first) - value(second)).abs() < relative * value(first).abs()
+            };
+            let weak = of_kind.windows(2).find(is_weak);
             let Some(&[first, second]) = weak else { return };
             self.turns.remove(second);
             self.turns.remove(first);

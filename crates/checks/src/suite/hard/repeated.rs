@@ -33,6 +33,8 @@ struct Repeated {
     /// Limit points that one run alone has: of the displacement, and of the force, which on a plateau come and go in pairs
     /// between which it changes by hardly more than the accuracy.
     alone: [usize; 2],
+    /// Scenes of which one run alone has a limit point of the displacement.
+    alone_in: Vec<String>,
 }
 
 impl Repeated {
@@ -41,6 +43,7 @@ impl Repeated {
         self.worst = self.worst.max(other.worst);
         self.wrong.extend(other.wrong);
         (0..2).for_each(|kind| self.alone[kind] += other.alone[kind]);
+        self.alone_in.extend(other.alone_in);
         self
     }
 }
@@ -54,13 +57,17 @@ pub(super) fn checks(scenes: &[HardScene]) -> Vec<Check> {
 fn checks_at(scenes: &[HardScene], relative: f64) -> [Check; 2] {
     let chosen = scenes.par_iter().filter(|scene| scene.name != RIPPLES.0 || relative >= RIPPLES.1);
     let all = chosen.map(|scene| repeated(scene, relative)).reduce(Repeated::default, Repeated::and);
-    let Repeated { compared, worst, wrong, alone: [displacement, load] } = all;
+    let Repeated { compared, worst, wrong, alone: [displacement, load], alone_in } = all;
     let of = format!("hard scenes in {} other units at {relative:e}", UNITS.len());
-    let first = wrong.first().map_or(String::new(), |first| format!("; the first: {first}"));
+    let named = |list: &[String]| list.first().map_or(String::new(), |first| format!("; the first: {first}"));
+    let first = named(&wrong);
     let differ = format!(
         "{of}: of {compared} numbers, how many differ by more than both bounds; most {worst:.2} of them{first}"
     );
-    let missing = format!("{of}: displacement limit points that one run alone has (load limit points: {load})");
+    let missing = format!(
+        "{of}: displacement limit points that one run alone has (load limit points: {load}){}",
+        named(&alone_in)
+    );
     let check =
         |name, count: usize| Check::new(name, "the same in nm and nN", Ok(count as f64), 0.0, Measure::AtMost, 0.0);
     [check(differ, wrong.len()), check(missing, displacement)]
@@ -109,6 +116,12 @@ fn compare_turns(name: &str, one: &[LimitPoint], other: &[LimitPoint], (length, 
     let mut found = Repeated::default();
     if let Some(first) = one.first().or(other.first()) {
         found.alone[usize::from(first.kind == LimitPointKind::Load)] = one.len().abs_diff(other.len());
+        if !same && first.kind == LimitPointKind::Displacement {
+            let places = |turns: &[LimitPoint], unit: f64| {
+                turns.iter().map(|turn| format!("{:.9}", turn.displacement / unit)).collect::<Vec<_>>().join(", ")
+            };
+            found.alone_in.push(format!("{name}, u = {} and {}", places(one, 1.0), places(other, length)));
+        }
     }
     for (n, (a, b)) in one.iter().zip(other).take(if same { usize::MAX } else { 1 }).enumerate() {
         let places = [(a.displacement, a.displacement_error), (b.displacement, b.displacement_error)];
