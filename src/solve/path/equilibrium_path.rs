@@ -234,8 +234,7 @@ impl<'p> Path<'p> {
             let mut start = if outset {
                 newest.moved(self.problem, step / weights.dot(&newest.slope))
             } else {
-                let combination = predictor::lagrange_weights(&labels[..count], step);
-                predictor::combine(self.problem, &points[..count], &combination)
+                predictor::predicted(self.problem, &points, &labels, count, step)
             };
             start.history.clone_from(&self.history);
             if !self.problem.system.admits(&newest.at, newest.observables.monitors, &start) {
@@ -345,13 +344,10 @@ impl<'p> Path<'p> {
         let stride = self.options.stride;
         let most = MOST_GROWTH / stride * -labels[1];
         let mut best = (labels.len().min(2), 0.5 / stride * -labels[1]);
-        // through one point alone an error is not seen: states are compared on the mesh of their own front, on which a front that travels
-        // stands still; but what remembers has corners, at which one point serves best
-        let fewest = if self.problem.system.has_history() { 1 } else { 2 };
-        for count in fewest..labels.len() {
+        for count in 1..labels.len() {
             let Some(&error) = self.errors.get(count - 1) else { break };
             let step = predictor::longest_step(labels, count, error, 0.7 * self.options.step_tolerance, most);
-            if step > best.1 || count == fewest {
+            if step > best.1 || count == 1 {
                 best = (count, step);
             }
         }

@@ -23,12 +23,28 @@ pub fn lagrange_weights(labels: &[f64], at: f64) -> Vec<f64> {
 
 /// Combination of stored points with the given weights; the mesh follows the combined monitors.
 pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> State {
-    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned(problem)).collect();
-    let (mut monitors, mut force) = ([0.0; MONITORS], 0.0);
+    on_mesh_of(problem, points, weights, combined_monitors(points, weights))
+}
+
+/// The state a step on from the newest point, extrapolated through the newest `count` points; the mesh moves on even where a single point is
+/// taken, because the error of a prediction is measured on the mesh that its solution has.
+pub fn predicted(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], count: usize, step: f64) -> State {
+    let moving = count.max(2).min(points.len());
+    let monitors = combined_monitors(&points[..moving], &lagrange_weights(&labels[..moving], step));
+    on_mesh_of(problem, &points[..count], &lagrange_weights(&labels[..count], step), monitors)
+}
+
+fn combined_monitors(points: &[Arc<Solution>], weights: &[f64]) -> [f64; MONITORS] {
+    let mut monitors = [0.0; MONITORS];
     for (point, &weight) in points.iter().zip(weights) {
         (0..MONITORS).for_each(|k| monitors[k] += weight * point.observables.monitors[k]);
-        force += weight * point.at.force;
     }
+    monitors
+}
+
+fn on_mesh_of(problem: &Problem, points: &[Arc<Solution>], weights: &[f64], monitors: [f64; MONITORS]) -> State {
+    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned(problem)).collect();
+    let force = points.iter().zip(weights).fold(0.0, |sum, (point, &weight)| sum + weight * point.at.force);
     State {
         mesh: problem.system.mesh_for(monitors, &points[0].at.mesh),
         values: problem.system.combine(&states, weights),
