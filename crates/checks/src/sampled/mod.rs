@@ -4,6 +4,6 @@ mod run;
 mod scene;
 mod survey;
 
-pub use run::{LoadingDirection, Outside, Run, Sampled, WAYS, sampled};
+pub use run::{Outside, PeelSetting, Run, Sampled, WAYS, sampled};
 pub use scene::{SampleKind, scene_text};
 pub use survey::{SampleSurvey, survey_sample};

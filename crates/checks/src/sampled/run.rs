@@ -9,9 +9,9 @@ use peelkit_scene::{BoundsTable, Scene};
 /// A path is followed for so many seconds at most.
 const LONGEST: f64 = 60.0;
 
-/// In which way a scene is peeled, beside the first.
+/// One of the ways in which a scene is peeled.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LoadingDirection {
+pub struct PeelSetting {
     /// As tables name it.
     pub name: &'static str,
     /// Relative accuracy asked for.
@@ -21,10 +21,10 @@ pub struct LoadingDirection {
 }
 
 /// The ways in which every scene is peeled. The first is judged by the others.
-pub const WAYS: [LoadingDirection; 3] = [
-    LoadingDirection { name: "1e-6", relative: 1e-6, choice: Choice::NOTHING },
-    LoadingDirection { name: "1e-9", relative: 1e-9, choice: Choice::NOTHING },
-    LoadingDirection { name: "1e-6, order 5", relative: 1e-6, choice: Choice { order: Some(5), ..Choice::NOTHING } },
+pub const WAYS: [PeelSetting; 3] = [
+    PeelSetting { name: "1e-6", relative: 1e-6, choice: Choice::NOTHING },
+    PeelSetting { name: "1e-9", relative: 1e-9, choice: Choice::NOTHING },
+    PeelSetting { name: "1e-6, order 5", relative: 1e-6, choice: Choice { order: Some(5), ..Choice::NOTHING } },
 ];
 
 /// What became of one way.
@@ -70,7 +70,7 @@ pub fn sampled(kind: SampleKind, seed: u64, index: u64) -> Result<Sampled, Strin
     Ok(Sampled { index, runs })
 }
 
-fn run(scene: &Scene, way: &LoadingDirection) -> Run {
+fn run(scene: &Scene, way: &PeelSetting) -> Run {
     let bounds = BoundsTable { points: 20_000, time_s: Some(LONGEST), displacement: None };
     let started = ThreadTime::now();
     let accuracy = Accuracy::to(way.relative).with(way.choice);

@@ -89,10 +89,10 @@ impl SampleSurvey {
                 format!("; slowest without a result: {ratio:.0} times the median of the others")
             });
             let _ = writeln!(text, "{} at {name}: {} scenes: {}{slowest}", self.kind.name(), total, shares.join(", "));
-            for (end, words) in [("failed", "failed"), ("refused", "refused")] {
+            for end in ["failed", "refused"] {
                 for (cause, scenes) in causes(self.with_end(way, end)) {
                     let list: Vec<String> = scenes.iter().take(12).map(u64::to_string).collect();
-                    let _ = writeln!(text, "  {words}: {} x {cause}: scenes {}", scenes.len(), list.join(" "));
+                    let _ = writeln!(text, "  {end}: {} x {cause}: scenes {}", scenes.len(), list.join(" "));
                 }
             }
         }
