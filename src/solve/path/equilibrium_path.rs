@@ -343,12 +343,14 @@ impl<'p> Path<'p> {
         }
         let stride = self.options.stride;
         let most = MOST_GROWTH / stride * -labels[1];
-        let mut best = (labels.len().min(2), 0.5 / stride * -labels[1]);
+        let tolerance = 0.7 * self.options.step_tolerance;
+        let mut best = (labels.len().min(2), 0.5 / stride * -labels[1], f64::INFINITY);
         for count in 1..labels.len() {
             let Some(&error) = self.errors.get(count - 1) else { break };
-            let step = predictor::longest_step(labels, count, error, 0.7 * self.options.step_tolerance, most);
-            if step > best.1 || count == 1 {
-                best = (count, step);
+            let step = predictor::longest_step(labels, count, error, tolerance, most);
+            let expected = predictor::expected_error(labels, count, error, step);
+            if count == 1 || step > best.1 || step == best.1 && expected < best.2 {
+                best = (count, step, expected);
             }
         }
         (best.0, stride * best.1)

@@ -96,13 +96,27 @@ fn largest(update: &[f64], per_unit: &[f64], least: f64) -> f64 {
 ///
 /// The error of an extrapolation is proportional to the product of the distances from its points.
 pub fn longest_step(labels: &[f64], count: usize, error: f64, tolerance: f64, most: f64) -> f64 {
-    let product = |at: f64, from: usize| labels[from..from + count].iter().map(|l| at - l).product::<f64>();
-    let before = product(labels[0], 1);
-    let allowed = tolerance * before / error.max(f64::MIN_POSITIVE);
-    if product(most, 0) <= allowed {
+    let product = |at: f64| distances(labels, count, at);
+    let allowed = tolerance * last_distances(labels, count) / error.max(f64::MIN_POSITIVE);
+    if product(most) <= allowed {
         return most;
     }
     // a step need not be sharp
-    let is_short = |step: f64| product(step, 0) <= allowed;
+    let is_short = |step: f64| product(step) <= allowed;
     Bracket { low: 0.0, high: most }.bisected(is_short, |left| left.width() <= 1e-2 * left.high).low
+}
+
+/// The error that an extrapolation through `count` points is expected to make a step on, given the one that it made at the newest point.
+pub fn expected_error(labels: &[f64], count: usize, error: f64, step: f64) -> f64 {
+    error * distances(labels, count, step) / last_distances(labels, count)
+}
+
+/// Product of the distances from the newest `count` points.
+fn distances(labels: &[f64], count: usize, at: f64) -> f64 {
+    labels[..count].iter().map(|label| at - label).product()
+}
+
+/// The same of the newest point from the `count` points before it.
+fn last_distances(labels: &[f64], count: usize) -> f64 {
+    labels[1..=count].iter().map(|label| labels[0] - label).product()
 }
