@@ -60,6 +60,8 @@ const WHOLE: f64 = 0.3;
 const MOST_SETTLING: usize = 200;
 /// Updates below this that do not fall any more are round-off, even where the problem is not stiff.
 const STAGNANT: f64 = 1e-9;
+/// The same over the error that was asked for: far from rest, where the strip is long, round-off of its shape moves its gap by more than that.
+const STALLED: f64 = 100.0;
 /// An update below this leaves the slopes as they are; they change by up to some sixty times its size.
 const EXACT: f64 = 1e-12;
 /// The last update of any solution: the curve between points is interpolated with their slopes, which are one update back.
@@ -114,7 +116,8 @@ pub fn solve(
         if !(size.is_finite() && step.force.is_finite()) {
             return Err(SolveError::NotFiniteUpdate { quantity: Quantity::NewtonUpdate });
         }
-        if size > options.largest_update || (iterations > 2 && size > 0.9 * previous && size > stagnant) {
+        let stalls = iterations > 2 && size > 0.9 * previous;
+        if size > options.largest_update || (stalls && size > stagnant.max(STALLED * options.tolerance)) {
             return Err(SolveError::NotConverged { update: size, iterations });
         }
         system.retract(&mut at, &update, 1.0);
@@ -124,7 +127,7 @@ pub fn solve(
         let next = if previous.is_finite() { size * (size / previous).powi(2).min(1.0) } else { size };
         let next = next.max(system.round_off());
         let converged = size <= options.tolerance || (next <= options.tolerance && size <= LAST);
-        if converged || (size < stagnant && size > 0.5 * previous) {
+        if converged || stalls || (size < stagnant && size > 0.5 * previous) {
             let (root, grip) = if options.exact_slope && size > EXACT {
                 factorised(problem, &at, constraint, Coefficients::STATIC, ws)?
             } else {
