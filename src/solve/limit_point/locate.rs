@@ -44,6 +44,11 @@ impl Located {
 const MOST_SOLVES: usize = 8;
 /// A turn of the force is flat where what is left to find changes it by less than this share of the accuracy.
 const FLAT: f64 = 0.2;
+/// Most guesses by the chord of the slopes, and most halvings of the bracket behind them.
+const MOST_GUESSES: usize = 24;
+const MOST_BISECTIONS: usize = 16;
+/// A bracket over which displacement and force change by less than this, relative, is good enough where nothing closes in further.
+const BRACKETED: f64 = 1e-6;
 /// How near a corner of the path is closed in to, at best, over its step.
 const CORNER: f64 = 1e-5;
 /// The secant rule starts when it expects to move by no more than this share of the step.
@@ -152,14 +157,15 @@ pub fn locate(
     // where the slope is the discretisation's, the quantity may go further than where it seems to turn
     let furthest = |segment: &PathSegment, turned| segment.extreme(turn.pick(), rising, (from, to)).unwrap_or(turned);
     let mut guess = segment.observable(turn.pick(), 0.5 * (from + to)).turning_point(from, to);
-    for k in 1..=3 * MOST_SOLVES {
+    for k in 1..=MOST_GUESSES + MOST_BISECTIONS {
         let nearer = if guess - low.0 < high.0 - guess { low.0 } else { high.0 };
         let solution = match step_to(problem, &mut segment, nearer, guess, ROUGH, ws) {
             Ok(solution) => solution,
             // next to a corner of the path Newton's method may go to and fro: the turn is no farther than the bracket is wide
             Err(cause) if problem.system.has_history() => {
                 let known = segment.extreme(turn.pick(), rising, (from, to)).ok_or(cause)?;
-                return Ok(beside(problem, &segment, turn, known, [low, high], iterations, ws));
+                let spanned = spanned_at_corner(&segment, turn, &known, [low, high]);
+                return Ok(beside(problem, &segment, known, spanned, iterations, ws));
             }
             Err(cause) => return Err(cause),
         };
@@ -200,43 +206,76 @@ pub fn locate(
         }
         // the chord of the slopes, kept off the ends; every third guess halves the bracket
         let chord = (low.0 - low.1 / bend).max(low.0 + 0.01 * width).min(high.0 - 0.01 * width);
-        guess = if k % 3 == 0 || !chord.is_finite() { 0.5 * (low.0 + high.0) } else { chord };
+        let bisects = k % 3 == 0 || k >= MOST_GUESSES || !chord.is_finite();
+        guess = if bisects { 0.5 * (low.0 + high.0) } else { chord };
     }
     let middle = solve_on(problem, &segment, 0.5 * (low.0 + high.0), ROUGH, ws)?;
     if problem.system.has_history() {
-        return Ok(beside(problem, &segment, turn, middle, [low, high], iterations, ws));
+        let spanned = spanned_at_corner(&segment, turn, &middle, [low, high]);
+        return Ok(beside(problem, &segment, middle, spanned, iterations, ws));
     }
     let change = turn.pick()(&middle.slope) * (high.0 - low.0);
     if relative.is_some_and(|r| change.abs() < r * middle.observables.force.abs()) {
         return flat(problem, &segment, furthest(&segment, middle), change, iterations, ws);
     }
+    let spanned = spanned(&segment, turn, &middle, [low, high]);
+    let (d, o) = (&spanned, &middle.observables);
+    if d.displacement <= BRACKETED * o.displacement.abs() && d.force <= BRACKETED * o.force.abs() {
+        return Ok(beside(problem, &segment, middle, spanned, iterations, ws));
+    }
     Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
 }
 
-/// A limit point of which no more is known than a solution beside it and the ends of its bracket, each with the slope there of what
-/// turns, per label: one at which the path has a corner, as where a face that slid sticks.
+/// By how much displacement and force may change over a bracket around a solution, each of whose ends has the slope there of what turns,
+/// per label.
+fn spanned(
+    segment: &PathSegment,
+    turn: LimitPointKind,
+    solution: &Solution,
+    [low, high]: [(f64, f64); 2],
+) -> Observables {
+    let (steepest, width) = (low.1.abs().max(high.1.abs()), high.0 - low.0);
+    let per_label = solution.slope.times(width / segment.weights.dot(&solution.slope));
+    let across = |own: LimitPointKind| if own == turn { steepest * width } else { own.pick()(&per_label).abs() };
+    Observables {
+        displacement: across(LimitPointKind::Displacement),
+        force: across(LimitPointKind::Load),
+        ..Observables::default()
+    }
+}
+
+/// The same next to a corner of the path, which is closed in to no further than [`CORNER`].
+fn spanned_at_corner(
+    segment: &PathSegment,
+    turn: LimitPointKind,
+    solution: &Solution,
+    bracket: [(f64, f64); 2],
+) -> Observables {
+    let change = segment.change();
+    let Observables { displacement, force, .. } = spanned(segment, turn, solution, bracket);
+    Observables {
+        displacement: CORNER * change.displacement.abs() + displacement,
+        force: CORNER * change.force.abs() + force,
+        ..Observables::default()
+    }
+}
+
+/// A limit point of which no more is known than a solution beside it, and what displacement and force span between there and the point:
+/// one at which the path has a corner, as where a face that slid sticks, or one that round-off hides.
 fn beside(
     problem: &Problem,
     segment: &PathSegment,
-    turn: LimitPointKind,
     solution: Arc<Solution>,
-    [low, high]: [(f64, f64); 2],
+    spanned: Observables,
     iterations: usize,
     ws: &mut Workspace,
 ) -> Located {
-    let (steepest, width) = (low.1.abs().max(high.1.abs()), high.0 - low.0);
     let finer = on_more_elements(problem, &solution, segment.weights, ws);
     // no solution there either: what is missed by the width is far more
     let change = finer.map_or_else(|_| Observables::default(), |finer| finer.observables.since(&solution.observables));
-    let per_label = solution.slope.times(width / segment.weights.dot(&solution.slope));
-    let missed = |own: LimitPointKind| {
-        let pick = own.pick();
-        let within = if own == turn { steepest * width } else { pick(&per_label).abs() };
-        pick(&change).abs() + CORNER * pick(&segment.change()).abs() + within
-    };
     let difference = Observables {
-        displacement: missed(LimitPointKind::Displacement),
-        force: missed(LimitPointKind::Load),
+        displacement: change.displacement.abs() + spanned.displacement,
+        force: change.force.abs() + spanned.force,
         ..change
     };
     Located { observables: solution.observables, solution, difference, force_curvature: 0.0, flat: false, iterations }
