@@ -47,7 +47,8 @@ const FLAT: f64 = 0.2;
 /// Most guesses by the chord of the slopes, and most halvings of the bracket behind them.
 const MOST_GUESSES: usize = 24;
 const MOST_BISECTIONS: usize = 16;
-/// A bracket over which displacement and force change by less than this, relative, is good enough where nothing closes in further.
+/// Where nothing closes in further a bracket is good enough over which, and between two meshes, displacement and force change by less than this,
+/// relative.
 const BRACKETED: f64 = 1e-6;
 /// How near a corner of the path is closed in to, at best, over its step.
 const CORNER: f64 = 1e-5;
@@ -157,7 +158,9 @@ pub fn locate(
     // where the slope is the discretisation's, the quantity may go further than where it seems to turn
     let furthest = |segment: &PathSegment, turned| segment.extreme(turn.pick(), rising, (from, to)).unwrap_or(turned);
     let mut guess = segment.observable(turn.pick(), 0.5 * (from + to)).turning_point(from, to);
-    for k in 1..=MOST_GUESSES + MOST_BISECTIONS {
+    // next to a corner no bracket is worth more than another
+    let bisections = if problem.system.has_history() { 0 } else { MOST_BISECTIONS };
+    for k in 1..=MOST_GUESSES + bisections {
         let nearer = if guess - low.0 < high.0 - guess { low.0 } else { high.0 };
         let solution = match step_to(problem, &mut segment, nearer, guess, ROUGH, ws) {
             Ok(solution) => solution,
@@ -206,7 +209,7 @@ pub fn locate(
         }
         // the chord of the slopes, kept off the ends; every third guess halves the bracket
         let chord = (low.0 - low.1 / bend).max(low.0 + 0.01 * width).min(high.0 - 0.01 * width);
-        let bisects = k % 3 == 0 || k >= MOST_GUESSES || !chord.is_finite();
+        let bisects = k % 3 == 0 || k > MOST_GUESSES || !chord.is_finite();
         guess = if bisects { 0.5 * (low.0 + high.0) } else { chord };
     }
     let middle = solve_on(problem, &segment, 0.5 * (low.0 + high.0), ROUGH, ws)?;
@@ -219,9 +222,10 @@ pub fn locate(
         return flat(problem, &segment, furthest(&segment, middle), change, iterations, ws);
     }
     let spanned = spanned(&segment, turn, &middle, [low, high]);
-    let (d, o) = (&spanned, &middle.observables);
+    let located = beside(problem, &segment, middle, spanned, iterations, ws);
+    let (d, o) = (&located.difference, &located.observables);
     if d.displacement <= BRACKETED * o.displacement.abs() && d.force <= BRACKETED * o.force.abs() {
-        return Ok(beside(problem, &segment, middle, spanned, iterations, ws));
+        return Ok(located);
     }
     Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
 }

@@ -66,6 +66,7 @@ pub struct Waypoint {
     pub point: Arc<Solution>,
     errors: Vec<f64>,
     iterations: usize,
+    careful: bool,
 }
 
 /// A path being followed: an iterator over its points, to be driven and stopped at will. All points stay in it.
@@ -82,6 +83,8 @@ pub struct Path<'p> {
     iterations: usize,
     /// What the material points remember behind the newest point.
     history: Option<Arc<History>>,
+    /// Whether a step has been refused because Newton's method did not converge from where it was predicted to lead.
+    careful: bool,
 }
 
 /// Most tries of one step, each shorter.
@@ -116,7 +119,18 @@ impl<'p> Path<'p> {
     /// stress-free configuration bends towards the substrate. It must not have a limit point there.
     pub fn from(problem: &'p Problem, options: PathOptions, start: State) -> Self {
         let (known, points, errors) = (Vec::new().into_iter(), Vec::new(), Vec::new());
-        Self { problem, options, start, known, points, errors, ws: Workspace::default(), iterations: 0, history: None }
+        Self {
+            problem,
+            options,
+            start,
+            known,
+            points,
+            errors,
+            ws: Workspace::default(),
+            iterations: 0,
+            history: None,
+            careful: false,
+        }
     }
 
     /// The same path where its first points are known, from another run of the same problem with the same options: they
@@ -152,14 +166,14 @@ impl<'p> Path<'p> {
     /// The newest point, for a path that is to go on from there.
     pub fn waypoint(&self) -> Option<Waypoint> {
         let point = self.points.last()?.clone();
-        Some(Waypoint { point, errors: self.errors.clone(), iterations: self.iterations })
+        Some(Waypoint { point, errors: self.errors.clone(), iterations: self.iterations, careful: self.careful })
     }
 
     /// Computes the next point, where it is not known.
     pub fn advance(&mut self) -> Result<Arc<Solution>, PathError> {
         let point = match self.known.next() {
-            Some(Waypoint { point, errors, iterations }) => {
-                (self.errors, self.iterations) = (errors, iterations);
+            Some(Waypoint { point, errors, iterations, careful }) => {
+                (self.errors, self.iterations, self.careful) = (errors, iterations, careful);
                 point
             }
             None if self.points.is_empty() => Arc::new(self.first()?),
@@ -256,6 +270,8 @@ impl<'p> Path<'p> {
                 }
                 Err(error) => {
                     self.iterations += 3;
+                    // the path of a structure that remembers has corners, across which fewer points predict better
+                    self.careful = !self.problem.system.has_history();
                     cause = error;
                     step *= 0.25;
                 }
@@ -336,7 +352,8 @@ impl<'p> Path<'p> {
         }
     }
 
-    /// How many points to predict from, and the step.
+    /// How many points to predict from, and the step. Of several that allow the same step, fewest points; once a step has been refused, those that
+    /// are expected to be wrong by least.
     fn choose(&self, labels: &[f64]) -> (usize, f64) {
         if labels.len() == 1 {
             return (1, 1e-2);
@@ -349,7 +366,7 @@ impl<'p> Path<'p> {
             let Some(&error) = self.errors.get(count - 1) else { break };
             let step = predictor::longest_step(labels, count, error, tolerance, most);
             let expected = predictor::expected_error(labels, count, error, step);
-            if count == 1 || step > best.1 || step == best.1 && expected < best.2 {
+            if count == 1 || step > best.1 || self.careful && step == best.1 && expected < best.2 {
                 best = (count, step, expected);
             }
         }
