@@ -187,9 +187,9 @@ fn reduced_energy<D: DualNum<f64> + Copy>(section: &Section, rotation: D, dy: D,
     stored_energy(section, rotation, dx, dy, curvature) - force * dx
 }
 
-/// What a tilted section counts in the coverage: near to cos θ, and half where it stands upright.
+/// What a tilted section counts in the coverage: near to cos θ, and a quarter where it stands upright.
 fn share<D: DualNum<f64> + Copy>(cos: D) -> D {
-    (cos * cos + 1.0) * 0.5
+    cos * cos - (cos.powi(4) - 1.0) * 0.25
 }
 
 #[test]

@@ -269,7 +269,7 @@ fn on_a_soft_spring_it_jumps_where_the_force_falls_as_steeply_as_the_spring() {
 /// Relaxed from the first turning point of the displacement with steps of the size `largest_update`.
 fn landed(problem: &Problem, largest_update: f64) -> (f64, Relaxed) {
     let mut work = Workspace::default();
-    let points = path_of(problem, 60, 400);
+    let points = path_of(problem, 90, 400);
     let found = (0..points.len() - 1).find_map(|index| {
         let segment = PathSegment::around(problem, &points, index);
         let found = brackets(problem, &points, index, &segment, LimitPointKind::Displacement, 1e-6, &mut work).unwrap();

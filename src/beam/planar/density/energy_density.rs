@@ -11,8 +11,9 @@ pub struct PointResponse<T, const F: usize> {
     pub energy: T,
     /// Its share from adhesion, nN
     pub adhesion: T,
-    /// The same per length of the substrate, ½(1 + cos²θ) bΨ, nN: what the peeling front is counted by. A section covers |cos θ| of its
-    /// length, from which the factor differs by a fourth power of θ; it is smooth, and sections that adhere standing upright count half
+    /// The same per length of the substrate, ¼(1 + 4 cos²θ - cos⁴θ) bΨ, nN: what the peeling front is counted by. A section covers
+    /// |cos θ| of its length, from which the factor differs by a fourth power of θ; it is smooth, and an upright section that adheres counts a
+    /// quarter
     pub coverage: T,
     /// ∂φ/∂field
     pub by_value: [T; F],
@@ -67,13 +68,14 @@ impl<T: Real, const F: usize> PointResponse<T, F> {
     /// others, and the front would run ahead of where the beam peels.
     #[inline(always)]
     pub(super) fn set_coverage(&mut self, [sin, cos]: [T; 2], gradient: [T; F]) {
-        let share = (cos * cos + 1.0) * 0.5;
+        let square = cos * cos;
+        let share = square - (square * square - 1.0) * 0.25;
         self.coverage = self.adhesion * share;
         for f in 0..F {
             self.coverage_by_value[f] = gradient[f] * share;
         }
         // the rotation is the last field
-        self.coverage_by_value[F - 1] = self.coverage_by_value[F - 1] - self.adhesion * sin * cos;
+        self.coverage_by_value[F - 1] = self.coverage_by_value[F - 1] - self.adhesion * sin * cos * (-square + 2.0);
     }
 }
 
