@@ -50,6 +50,8 @@ const MOST_BISECTIONS: usize = 16;
 /// Where nothing closes in further a bracket is good enough over which, and between two meshes, displacement and force change by less than this,
 /// relative.
 const BRACKETED: f64 = 1e-6;
+/// Its slopes must have come down to this share of those at the ends of the step: where they jump from one sign to the other is no limit point.
+const LEVEL: f64 = 1e-3;
 /// How near a corner of the path is closed in to, at best, over its step.
 const CORNER: f64 = 1e-5;
 /// The secant rule starts when it expects to move by no more than this share of the step.
@@ -174,11 +176,8 @@ pub fn locate(
         };
         iterations += solution.iterations;
         let label = segment.label(&solution.observables);
-        let slope = match relative {
-            // Newton's last slope is one update back: where the force is flat that is too far
-            Some(_) => slope_at(problem, &segment, &solution, turn, ws)?,
-            None => turn.pick()(&solution.slope),
-        };
+        // Newton's last slope is one update back: next to a turn, and where the force is flat, that is too far
+        let slope = slope_at(problem, &segment, &solution, turn, ws)?;
         if (slope < 0.0) == rising {
             low = (label, slope);
         } else {
@@ -224,7 +223,9 @@ pub fn locate(
     let spanned = spanned(&segment, turn, &middle, [low, high]);
     let located = beside(problem, &segment, middle, spanned, iterations, ws);
     let (d, o) = (&located.difference, &located.observables);
-    if d.displacement <= BRACKETED * o.displacement.abs() && d.force <= BRACKETED * o.force.abs() {
+    let steepest = |a: f64, b: f64| a.abs().max(b.abs());
+    let level = steepest(low.1, high.1) <= LEVEL * steepest(turn.pick()(&first), turn.pick()(&second));
+    if level && d.displacement <= BRACKETED * o.displacement.abs() && d.force <= BRACKETED * o.force.abs() {
         return Ok(located);
     }
     Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
