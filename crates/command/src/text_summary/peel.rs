@@ -174,7 +174,10 @@ fn end(end: &PathEnd) -> String {
         PathEnd::TurnedBack => "u has returned to 0",
         PathEnd::Sliding => "the whole contact slides, at a constant force from here on",
         PathEnd::Snapped => "the strip snaps off; equilibrium does not determine how it slides during the jump",
+        PathEnd::BondedPartUnstable(_) => "no stable state is near",
+        PathEnd::Upright(_) => "the near face alone has no energy there",
         PathEnd::Bound(_) => "a limit set under [bounds] was reached",
+        PathEnd::Failed(failure) if failure.is_refusal() => "the model is not computed",
         PathEnd::Failed(_) => "the computation stopped short",
     };
     let reason = end_reason(end).map(|reason| format!(": {reason}")).unwrap_or_default();
