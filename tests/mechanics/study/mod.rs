@@ -8,3 +8,4 @@ mod observed;
 mod peak_only;
 mod stability;
 mod terms;
+mod warnings;
