@@ -1,9 +1,11 @@
 //! What bends: section stiffness, outline, reference curves, and the planar beam.
+mod bonded_beam;
 pub mod mesh;
 mod planar;
 mod reference_configuration;
 mod section;
 mod varying;
+pub use bonded_beam::{BondedBeam, BondedMode};
 pub use mesh::{Focus, MeshIntervals, MeshKind, graded_ends};
 pub use planar::*;
 pub use reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};

@@ -5,8 +5,8 @@ use super::stress_free_placement::StressFreePlacement;
 use super::{Body, Form, Hold, PeelModel, Profile, Spatula, friction};
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
 use crate::beam::{
-    self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, PlanarBeam, ReducedBeam,
-    ReferenceConfiguration, ReissnerBeam, Variation, Varying,
+    self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, ReducedBeam,
+    ReferenceConfiguration, ReissnerBeam, UprightPole, Variation, Varying,
 };
 use crate::solve::{EndConditions, History, INTERFACE, InitialState, PathMeasure, Problem};
 use serde::{Deserialize, Serialize};
@@ -162,6 +162,7 @@ impl PeelModel {
             sees_tilt: law.line_load != LineLoad::AxisGap,
             conservative: law.has_potential() && friction.is_none(),
             variation: Some(variation),
+            limits: self.limits(),
             substrate,
         };
         adjust(&mut beam);
@@ -172,6 +173,20 @@ impl PeelModel {
         };
         let grip = self.end_conditions(&beam);
         Ok(PlanarProblem::new(beam, grip, measure, start))
+    }
+
+    /// Where its model ends on the way.
+    fn limits(&self) -> ModelLimits {
+        let one_force = self.has_horizontal_force() && self.ground.substrate.is_flat() && self.friction_law().is_none();
+        let bonded = (one_force && self.is_uniform()).then(|| self.bonded_beam(0.0));
+        let model = self.clone();
+        let section = move |place| {
+            let (section, width, _) = model.section_at(place);
+            [section.bending, width]
+        };
+        let law = self.line_law();
+        let pole = law.has_pole().then(|| UprightPole { law, section: Box::new(section) });
+        ModelLimits { bonded, pole }
     }
 
     /// Its sections along S.

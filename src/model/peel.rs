@@ -3,7 +3,7 @@
 use super::stress_free_placement::StressFreePlacement;
 use super::{Body, Friction, Geometry, Ground, Moved, Step, Strip};
 use crate::adhesion::{Attraction, FrictionLaw, HalfSpace, LineLaw, LineLoad};
-use crate::beam::{BeamGeometry, Material, Section, Varying};
+use crate::beam::{BeamGeometry, BondedBeam, Material, Section, Varying};
 use crate::solve::Direction;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
@@ -270,6 +270,12 @@ impl PeelModel {
     /// The line load per width on the free end.
     pub fn line_law(&self) -> LineLaw {
         self.adhesion.line_law(self.free_end().1)
+    }
+
+    /// Its bonded section at S (nm) on flat ground, for when that loses its stability.
+    pub fn bonded_beam(&self, place: f64) -> BondedBeam {
+        let (section, width, height) = self.section_at(place);
+        BondedBeam::of(section, &self.adhesion.line_law(height), width)
     }
 
     /// Decay length (EI/k)^(1/4) of the free end as a bending beam on the adhesion's stiffness k at rest, nm.

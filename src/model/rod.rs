@@ -4,7 +4,7 @@ use super::chain::three_field;
 use super::{Discretisation, Hold, PlanarProblem};
 use crate::adhesion::Substrate;
 use crate::beam::{
-    FrontPosition, MOST_FIELDS, MeshIntervals, MeshKind, MeshPolicy, PlanarBeam, ReferenceConfiguration,
+    FrontPosition, MOST_FIELDS, MeshIntervals, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, ReferenceConfiguration,
     ReferenceCurve, ReissnerRod, Section,
 };
 use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure};
@@ -112,6 +112,7 @@ impl RodModel {
             history: None,
             conservative: true,
             variation: None,
+            limits: ModelLimits::default(),
         };
         let (mut held, mut scales) = ([false; INTERFACE], [1.0; INTERFACE]);
         held[..MOST_FIELDS].copy_from_slice(&self.right.held());

@@ -14,6 +14,7 @@ mod rod;
 mod stop_criteria;
 mod sweep;
 mod terms;
+mod warnings;
 pub use crate::solve::LimitPointKind;
 /// Order of the elements with which a point is followed.
 pub use accuracy::ORDER as FOLLOWED_ORDER;
@@ -29,3 +30,4 @@ pub use rod::{RodFailure, RodLimitPoint, RodPath, follow_rod};
 pub use stop_criteria::{Bound, Stage, StopCheck, StopCriteria, StopReason};
 pub use sweep::*;
 pub use terms::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, TermEffect, Terms};
+pub use warnings::{Warning, WarningKind};

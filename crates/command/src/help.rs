@@ -84,7 +84,14 @@ How a path ends:
   turned-back  re-adhered: u has returned to 0
   sliding      with friction: the whole contact slides
   snapped      with friction: the strip snaps off
+  bonded-part-unstable
+               what is still bonded is unstable under the horizontal force: its sections tilt, it wrinkles, or its free
+               end turns up; the reason has the force and the critical one
+  upright-section
+               far_face = false: a section stands at 90 degrees, where the energy W/cos θ has no lower bound
   bound        a limit set under [bounds] was reached
+  refused      there is no stable state to start from, by a criterion that the reason names with its numbers
+               (exit status 2)
   failed       the computation stopped short
 
 {OUTPUTS}

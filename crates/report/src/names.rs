@@ -11,7 +11,10 @@ pub fn end_word(end: &PathEnd) -> &'static str {
         PathEnd::TurnedBack => "turned-back",
         PathEnd::Sliding => "sliding",
         PathEnd::Snapped => "snapped",
+        PathEnd::BondedPartUnstable(_) => "bonded-part-unstable",
+        PathEnd::Upright(_) => "upright-section",
         PathEnd::Bound(_) => "bound",
+        PathEnd::Failed(failure) if failure.is_refusal() => "refused",
         PathEnd::Failed(_) => "failed",
     }
 }
@@ -19,6 +22,8 @@ pub fn end_word(end: &PathEnd) -> &'static str {
 /// Why a path ended where it did, if that was not by itself.
 pub fn end_reason(end: &PathEnd) -> Option<String> {
     match end {
+        PathEnd::BondedPartUnstable(loss) => Some(loss.to_string()),
+        PathEnd::Upright(upright) => Some(upright.to_string()),
         PathEnd::Bound(bound) => Some(bound.to_string()),
         PathEnd::Failed(failure) => Some(failure.to_string()),
         PathEnd::Detached | PathEnd::Pivoting | PathEnd::TurnedBack | PathEnd::Sliding | PathEnd::Snapped => None,

@@ -108,6 +108,11 @@ impl Law {
         matches!(self, Self::BodyForce | Self::SurfaceTraction)
     }
 
+    /// As [`super::LineLaw::has_pole`].
+    pub(super) fn has_pole_of_one_face(&self) -> bool {
+        matches!(self, Self::BodyForce)
+    }
+
     /// As [`super::LineLaw::cutoff_distance`].
     pub(super) fn cutoff_distance(&self, half_space: &HalfSpace) -> f64 {
         match self {

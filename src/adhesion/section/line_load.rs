@@ -117,6 +117,12 @@ impl LineLaw {
         self.far_face && self.law.has_far_face()
     }
 
+    /// Whether the energy has no lower bound: the near face of the body force alone has W/|cos θ|, with W below zero, which is a pole where
+    /// a section stands upright. The far face takes that away.
+    pub fn has_pole(&self) -> bool {
+        !self.far_face && self.law.has_pole_of_one_face() && self.line_load != LineLoad::AxisGap
+    }
+
     #[inline(always)]
     fn axis_gap<T: Real>(&self, height: T, gap: T, far_face: bool) -> LineResponse<T> {
         LineResponse::blind(self.half_space.levels(gap), far_face.then(|| self.half_space.levels(gap + height)))

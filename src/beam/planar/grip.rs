@@ -41,6 +41,17 @@ impl PlanarBeam {
         }
     }
 
+    /// An equilibrium of the same beam with x at every node, `of`, as one of this beam, which has condensed that.
+    pub fn without_x(&self, at: &State, of: &Self) -> State {
+        let mut values: Vec<f64> = at.values.chunks_exact(of.fields()).flat_map(|node| &node[1..]).copied().collect();
+        if self.chain.has_border() {
+            let x = |node: usize| at.values[node * of.fields()];
+            let last = at.values.len() / of.fields() - 1;
+            values.extend([of.grip_forces(at).horizontal, x(last) - x(0) - self.span()]);
+        }
+        State { values, ..at.clone() }
+    }
+
     /// What the grip exerts on the end of an equilibrium.
     pub fn grip_forces(&self, at: &State) -> GripForces {
         let last = at.mesh.elements() - 1;

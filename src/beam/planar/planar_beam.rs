@@ -1,6 +1,6 @@
 //! A planar beam: a chain of elements on a substrate or on its own, in its reference configuration.
 
-use super::{Chain, Configuration, ElementEnergy, FrontPosition, MOST_FIELDS, MeshPolicy};
+use super::{Chain, Configuration, ElementEnergy, FrontPosition, MOST_FIELDS, MeshPolicy, ModelLimits};
 use crate::adhesion::Substrate;
 use crate::beam::ReferenceConfiguration;
 use crate::solve::{Coefficients, Evaluation, History, INTERFACE, State};
@@ -58,6 +58,8 @@ pub struct PlanarBeam {
     pub conservative: bool,
     /// How the chain changes with parameters of its model.
     pub variation: Option<Variation>,
+    /// Where its model ends.
+    pub limits: ModelLimits,
 }
 
 /// The parameters of a model that a beam can be differentiated by at a state that stays: those that do not move its reference

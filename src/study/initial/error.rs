@@ -1,6 +1,6 @@
 //! Why a path has no start.
 
-use crate::beam::{GripForces, GripState};
+use crate::beam::{GripForces, GripState, UprightSection};
 use crate::model::{NoSuchOrder, Step};
 use crate::solve::{PathError, RelaxError, SolveError};
 use serde::{Deserialize, Serialize};
@@ -22,7 +22,69 @@ pub enum NoEquilibrium {
     /// What the grip does before the pull has no end.
     #[error("{phase} {cause}. Try a shorter step, or other steps before it")]
     Loading { phase: LoadingPhase, cause: Box<LoadingError> },
+    /// The model has no stable state to start from.
+    #[error("there is no stable state at rest: {why}. {}", .why.remedy())]
+    Unstable {
+        #[from]
+        why: UnstableRest,
+    },
 }
+
+impl NoEquilibrium {
+    /// Whether the model was refused by a criterion with a name, and not for want of a solution.
+    pub fn is_refusal(&self) -> bool {
+        matches!(self, Self::Unstable { .. })
+    }
+}
+
+/// Why a model has no stable state at rest: the criterion with its numbers, and what to try.
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
+pub enum UnstableRest {
+    /// Sections that tilt all together gain more from the adhesion than shear costs them.
+    #[error(
+        "the adhesion softens a tilt of the bonded sections by {softening:.6} nN, {ratio:.4} times the {resistance:.6} nN with \
+         which the beam resists (shear stiffness GA_s = {shear:.6} nN)"
+    )]
+    Tilting { softening: f64, resistance: f64, shear: f64, ratio: f64 },
+    /// Waves gain more than shear, bending and the adhesion's own stiffness cost.
+    #[error(
+        "the adhesion softens a tilt of the bonded sections by {softening:.6} nN, {ratio:.4} times what a beam of this bending \
+         stiffness takes: it wrinkles in waves of {wavelength:.4} nm ({negative} negative eigenvalues)"
+    )]
+    Wrinkling { softening: f64, ratio: f64, wavelength: f64, negative: usize },
+    /// It is unstable, and does not come to rest elsewhere.
+    #[error(
+        "the equilibrium has {negative} negative eigenvalues, and the beam does not come to rest when it leaves it: {cause} (tilt \
+         softening over what keeps its free end down: {ratio:.4})"
+    )]
+    NotRelaxed { negative: usize, ratio: f64, cause: RelaxError },
+    /// A section stands upright where the law has a pole.
+    #[error("{0}")]
+    Upright(UprightSection),
+    /// With the near face alone the beam does not settle in a stable state, with both faces it does.
+    #[error(
+        "with the near face alone the beam does not come to rest, with both faces it does: its sections are up to {steepest:.1} \
+         degrees steep then, and the energy of the near face alone, W/cos θ, has no lower bound at 90 degrees"
+    )]
+    NearFaceAlone { steepest: f64 },
+}
+
+impl UnstableRest {
+    /// What to try: a sentence of its own.
+    pub fn remedy(&self) -> &'static str {
+        match self {
+            Self::Tilting { .. } | Self::Wrinkling { .. } | Self::NotRelaxed { .. } => STIFFER,
+            Self::Upright(_) | Self::NearFaceAlone { .. } => BOTH_FACES,
+        }
+    }
+}
+
+/// What to try where the adhesion tilts the sections.
+const STIFFER: &str = "Try a higher, stiffer or shear-rigid beam (strip.height, youngs_modulus, shear_correction), a larger \
+                       adhesion.equilibrium_distance, a smaller hamaker_constant, or line_load = \"axis-gap\", which has no such moment.";
+/// What to try where the near face has its pole.
+const BOTH_FACES: &str = "Give adhesion.far_face = true, which has no such pole, or a shaft or a pull less steep.";
 
 /// Why a beam without a grip does not come to rest on its ground.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]

@@ -55,7 +55,7 @@ pub(super) fn take(
 }
 
 /// Elements on which steps are followed.
-fn elements(model: &PeelModel, problem: &PlanarProblem) -> usize {
+pub(super) fn elements(model: &PeelModel, problem: &PlanarProblem) -> usize {
     if let Some(at) = problem.start.known() {
         return at.mesh.elements() / 2;
     }

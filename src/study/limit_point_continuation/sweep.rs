@@ -101,7 +101,13 @@ impl Sweep<'_> {
             (None, PathEnd::Bound(bound)) => Remark::NotFound { kind, value, reason: PointNotFound::Bound(bound) },
             (
                 None,
-                PathEnd::Detached | PathEnd::Pivoting | PathEnd::TurnedBack | PathEnd::Sliding | PathEnd::Snapped,
+                PathEnd::Detached
+                | PathEnd::Pivoting
+                | PathEnd::TurnedBack
+                | PathEnd::Sliding
+                | PathEnd::Snapped
+                | PathEnd::BondedPartUnstable(_)
+                | PathEnd::Upright(_),
             ) => Remark::Absent { kind, from: value, to: value },
         });
         (point, peel.effort.elements)

@@ -207,6 +207,7 @@ pub(in crate::study) fn empty(model: &PeelModel) -> Peel {
     Peel {
         model: model.clone(),
         steps: Vec::new(),
+        relaxed_start: None,
         points: Vec::new(),
         limit_points: Vec::new(),
         initiation_peak: None,

@@ -31,6 +31,17 @@ pub enum Failure {
     NothingComputed,
 }
 
+impl Failure {
+    /// Whether nothing was tried, because of what the model or the accuracy asks: by a criterion with a name, and not for want of a solution.
+    pub fn is_refusal(&self) -> bool {
+        match self {
+            Self::Refused { .. } => true,
+            Self::NoStart(why) => why.is_refusal(),
+            Self::Path { .. } | Self::NothingComputed => false,
+        }
+    }
+}
+
 /// Why a path on one mesh cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 #[allow(missing_docs)] // the message of each names its numbers

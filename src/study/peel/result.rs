@@ -2,11 +2,11 @@
 
 use super::failure::Failure;
 use super::solution_history::SolutionHistory;
-use crate::beam::{GripState, NodeState};
+use crate::beam::{BondedLoss, GripState, NodeState, UprightSection};
 use crate::model::PeelModel;
 use crate::solve::LimitPointKind;
 use crate::study::terms::TermDecisions;
-use crate::study::{Bound, Choice};
+use crate::study::{Bound, Choice, RelaxedStart};
 use serde::{Deserialize, Serialize};
 
 /// How a path ended.
@@ -22,6 +22,10 @@ pub enum PathEnd {
     Sliding,
     /// With friction, the displacement has a limit point: equilibrium does not determine how a beam slides during a jump.
     Snapped,
+    /// What is bonded loses its stability under the horizontal force, and the beam leaves its path there for no state that is near.
+    BondedPartUnstable(BondedLoss),
+    /// A section stands upright in the reach of a law whose energy has no lower bound there.
+    Upright(UprightSection),
     /// It goes on; a stop criterion was met.
     Bound(Bound),
     /// The computation stopped short; why, with numbers and what to try.
@@ -129,6 +133,10 @@ pub struct Peel {
     pub model: PeelModel,
     /// The grip behind each step before the pull, as far as they were taken, seen from where it took hold.
     pub steps: Vec<GripState>,
+    /// Where the equilibrium next to the stress-free configuration is unstable: that the path starts in the stable one to which the beam has
+    /// been relaxed from there.
+    #[serde(default)]
+    pub relaxed_start: Option<RelaxedStart>,
     /// The path, from rest on
     pub points: Vec<PathPoint>,
     /// In path order.

@@ -62,7 +62,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, checkp
     let Choice { mesh, form, .. } = accuracy.choice;
     let first = Resolution::first(model, accuracy);
     let how = Discretisation { form, order: first.order, mesh };
-    let Prepared { problem, steps } = match prepared(model, how, limits.should_stop()) {
+    let Prepared { problem, steps, relaxed } = match prepared(model, how, limits.should_stop()) {
         Ok(prepared) => prepared,
         Err(NotPrepared { why, steps }) => {
             let (end, asked) = (PathEnd::Failed(Failure::NoStart(why)), accuracy.relative);
@@ -105,7 +105,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, checkp
         });
     }
     let mut peel = best.map_or_else(|| empty(model), Attempt::into_peel);
-    peel.steps = steps;
+    (peel.steps, peel.relaxed_start) = (steps, relaxed);
     peel.effort.newton_iterations = iterations;
     peel.unfinished = unfinished;
     peel
@@ -161,6 +161,8 @@ struct Attempt {
     spread: f64,
     /// Why the path is unusable, if it is.
     trouble: Option<PathFailure>,
+    /// The end that the model gives where the path cannot be continued.
+    beyond: Option<PathEnd>,
     /// Whether its path was left before its end for want of time, or because the user wanted it.
     cut: bool,
     /// What to try next.
@@ -204,12 +206,12 @@ impl Attempt {
         peel.asked = relative;
         peel.choice = accuracy.choice;
         peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order };
-        let cut = followed.cut;
+        let (cut, beyond) = (followed.cut, followed.beyond);
         let first = |place: f64| followed.turns.iter().find(|turn| turn.2.observables.displacement == place);
         let peak = peel.initiation_peak.and_then(|peak| first(peak.displacement)).map(|turn| turn.2.solution.clone());
         peel.trace = Some(SolutionHistory { problem: problem.clone(), points: followed.points, peak });
         let remembers = problem.system.has_history();
-        Self { peel, difference, missed, spread, trouble, cut, next, remembers, finest: elements }
+        Self { peel, difference, missed, spread, trouble, beyond, cut, next, remembers, finest: elements }
     }
 
     /// The difference to more elements; infinite where the path is unusable.
@@ -312,7 +314,14 @@ impl Attempt {
     }
 
     /// The result, as a failure where the path cannot be used.
-    fn into_peel(self) -> Peel {
+    fn into_peel(mut self) -> Peel {
+        // a path that cannot be continued because its model ends has not failed
+        if let (Some(PathFailure::Path(_) | PathFailure::TooManyPoints { .. }), Some(end)) =
+            (&self.trouble, &self.beyond)
+        {
+            self.peel.end = end.clone();
+            self.trouble = None;
+        }
         let fixed = self.peel.choice.elements.is_some();
         let worst = self.worst();
         // a path that remembers has been followed again with other steps, whose mesh may be a little worse

@@ -67,13 +67,18 @@ fn sweep(dir: &Path, vary: &str, from: &str, to: &str, points: &str) -> Outcome 
 fn assert_status_tells_the_end(outcome: &Outcome, end: &Value, reason: &Value) {
     match outcome.status {
         0 => {
-            assert_ne!(end, "failed");
+            assert!(end != "failed" && end != "refused", "{end}");
             assert_eq!(outcome.stderr, "", "nothing to say in a pipe");
         }
         3 => {
             assert_eq!(end, "failed");
             let line = reason.as_str().unwrap().lines().next().unwrap();
             assert!(outcome.stderr.contains(line), "{}", outcome.stderr);
+        }
+        2 => {
+            assert_eq!(end, "refused");
+            assert!(reason.as_str().is_some_and(|reason| reason.contains("no stable state")), "{reason}");
+            assert!(outcome.stderr.contains("no stable state"), "{}", outcome.stderr);
         }
         other => panic!("exit status {other}: {}", outcome.stderr),
     }

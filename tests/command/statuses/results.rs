@@ -47,6 +47,32 @@ fn the_soft_strip_turns_back() {
     assert_eq!(run.json()["end"], "turned-back");
 }
 
+/// Strips too soft for their adhesion are refused before anything is solved; the summary and the message have the ratio.
+#[test]
+fn a_strip_without_a_stable_state_is_bad_input() {
+    let dir = bench();
+    let args = ["run", "strip-100nm.toml", "--json", "--set", "strip.youngs_modulus=5 MPa"];
+    let run = peel(dir.path(), &args);
+    assert_eq!(run.status, 2, "{}", run.stderr);
+    let summary = run.json();
+    assert_eq!(summary["end"], "refused");
+    assert!(summary["reason"].as_str().unwrap().contains("1.7620 times"), "{}", summary["reason"]);
+    assert_eq!(summary["path"]["points"], 0);
+    let told = run.stderr.replace(['\n', ' '], "");
+    assert!(told.contains("1.7620times") && told.contains("strip.height"), "{}", run.stderr);
+}
+
+#[test]
+fn warnings_have_a_code_and_their_numbers() {
+    let dir = bench();
+    let run = peel(dir.path(), &["run", "strip-100nm.toml", "--json", "--set", "strip.length=40 nm"]);
+    let summary = run.json();
+    let warnings = summary["warnings"].as_array().unwrap();
+    let short = warnings.iter().find(|warning| warning["code"] == "short-beam").expect("a warning of four heights");
+    assert_eq!((short["value"].as_f64(), short["limit"].as_f64()), (Some(4.0), Some(5.0)));
+    assert!(short["meaning"].as_str().is_some_and(|meaning| meaning.contains("as long as it is high")), "{short}");
+}
+
 #[test]
 fn a_bound_is_an_end_and_no_failure() {
     let dir = bench();

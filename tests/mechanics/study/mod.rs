@@ -6,4 +6,6 @@ mod ends;
 mod error_bounds;
 mod observed;
 mod peak_only;
+mod stability;
 mod terms;
+mod warnings;

@@ -9,7 +9,7 @@ use crate::stop::Stop;
 use crate::text_summary;
 use clap::Args;
 use kept::KeptRun;
-use peelkit::study::{self, Observed, PathEnd, Peel, TestEnd};
+use peelkit::study::{self, Failure, NoEquilibrium, Observed, PathEnd, Peel, TestEnd};
 use peelkit_report::{self as report, PeelSummary, ReportError, timed};
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
@@ -84,6 +84,9 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         return Err(Stop::cut_short(format!("interrupted; {}: {GOES_ON}", left.unwrap_or_default())));
     }
     match (&peel.end, test.map(|test| test.end)) {
+        (PathEnd::Failed(Failure::NoStart(NoEquilibrium::Unstable { why })), _) => {
+            Err(Stop::bad_input(format!("the model is refused, there is no stable state at rest: {why}"), why.remedy()))
+        }
         (PathEnd::Failed(reason), _) => Err(Stop::cut_short(reason)),
         (_, Some(TestEnd::Failed(reason))) => {
             Err(Stop::cut_short(format!("in the displacement-controlled test, {reason}")))

@@ -5,7 +5,7 @@ use super::number::{with_error, work};
 use peelkit::beam::{GripForces, GripState};
 use peelkit::model::Step;
 use peelkit::study::{
-    Contact, LeftOut, LimitPoint, LimitPointKind, PathEnd, Peak, Peel, Sliding, TermDecisions, TermEffect,
+    Contact, LeftOut, LimitPoint, LimitPointKind, PathEnd, Peak, Peel, Sliding, TermDecisions, TermEffect, WarningKind,
 };
 use peelkit_report::{end_reason, end_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
@@ -61,6 +61,7 @@ pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64) -> String {
     lines.extend(peel.considered.iter().flat_map(considered));
     lines.extend(peel.sliding_at_peak().iter().map(|sliding| ("friction", slid(sliding))));
     lines.extend(peel.contact(0).iter().flat_map(|contact| on_ground(peel, contact)));
+    lines.extend(warnings(peel));
     lines.push(("end", end(&peel.end)));
     let effort = &peel.effort;
     lines.push((
@@ -89,6 +90,12 @@ fn steps(peel: &Peel) -> Vec<(&'static str, String)> {
         )
     };
     peel.model.steps.iter().zip(&peel.steps).enumerate().map(line).collect()
+}
+
+/// Where the model is not to be trusted; sharp ground is told with the ground.
+fn warnings(peel: &Peel) -> Vec<(&'static str, String)> {
+    let all = peel.warnings().into_iter().filter(|warning| warning.kind != WarningKind::SharpGround);
+    all.enumerate().map(|(index, warning)| (if index == 0 { "warnings" } else { "" }, warning.to_string())).collect()
 }
 
 /// The relative change of the initiation peak if a term is neglected.
@@ -174,7 +181,10 @@ fn end(end: &PathEnd) -> String {
         PathEnd::TurnedBack => "u has returned to 0",
         PathEnd::Sliding => "the whole contact slides, at a constant force from here on",
         PathEnd::Snapped => "the strip snaps off; equilibrium does not determine how it slides during the jump",
+        PathEnd::BondedPartUnstable(_) => "no stable state is near",
+        PathEnd::Upright(_) => "the near face alone has no energy there",
         PathEnd::Bound(_) => "a limit set under [bounds] was reached",
+        PathEnd::Failed(failure) if failure.is_refusal() => "the model is not computed",
         PathEnd::Failed(_) => "the computation stopped short",
     };
     let reason = end_reason(end).map(|reason| format!(": {reason}")).unwrap_or_default();
@@ -230,6 +240,7 @@ short
   limit points       load limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
                      displacement limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
   accuracy           4e-3, requested 1e-6: the tolerance was not met on any mesh
+  warnings           the process zone is 0.217 times as long as the section is high, less than 1: sections deform there, and the model keeps them rigid
   end                bound: a limit set under [bounds] was reached: bounds.points = 20
   computational cost 20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
 ";

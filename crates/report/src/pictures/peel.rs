@@ -5,7 +5,7 @@ use super::shapes::{Posed, shapes_picture};
 use crate::chart::{Picture, save};
 use crate::error::ReportError;
 use crate::names::end_reason;
-use peelkit::study::{LimitPoint, LimitPointKind, Peel};
+use peelkit::study::{LimitPoint, LimitPointKind, Peel, WarningKind};
 use std::path::{Path, PathBuf};
 
 /// How many deformed shapes are shown.
@@ -20,8 +20,15 @@ const SHAPES: usize = 6;
 pub fn draw_peel(peel: &Peel, title: &str, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let numbered = numbered_points(peel);
     let mut files = save(&curve(peel, &numbered, title, &dir.join("curve.svg"))?, dir, "curve")?;
-    files.extend(save(&shapes(peel, &numbered, title, &dir.join("shapes.svg"))?, dir, "shapes")?);
+    let caption = captioned(peel, title);
+    files.extend(save(&shapes(peel, &numbered, &caption, &dir.join("shapes.svg"))?, dir, "shapes")?);
     Ok(files)
+}
+
+/// The title of the shapes, with what is not to be trusted in them.
+fn captioned(peel: &Peel, title: &str) -> String {
+    let folded = peel.warnings().into_iter().find(|warning| warning.kind == WarningKind::FoldedOutline);
+    folded.map_or_else(|| title.to_owned(), |at| format!("{title} (outlines fold: |κ| h/2 up to {:.2})", at.value))
 }
 
 /// The curve of a peel that has one; `path` is what the message names.

@@ -29,6 +29,8 @@ pub struct PeelSummary {
     initiation_peak: Option<Peak>,
     plateau: Option<Plateau>,
     limit_points: Vec<LimitPoint>,
+    /// Where the model is not to be trusted.
+    warnings: Vec<Warning>,
     snap_off: Option<SnapOff>,
     accuracy: AccuracySummary,
     /// The relative change of the peak if a term of the model is neglected, to first order.
@@ -92,6 +94,14 @@ struct LimitPoint {
     force_error: Finite,
     /// Of a load limit point around which the force is so level that its place cannot be determined and does not matter.
     flat: bool,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Warning {
+    code: &'static str,
+    value: Finite,
+    limit: Finite,
+    meaning: String,
 }
 
 #[derive(Debug, serde::Serialize)]
@@ -159,6 +169,7 @@ impl PeelSummary {
             initiation_peak: peel.initiation_peak.map(Peak::from),
             plateau: peel.plateau.map(|at| Plateau { force: Finite(at.force), displacement: Finite(at.displacement) }),
             limit_points: peel.limit_points.iter().map(LimitPoint::from).collect(),
+            warnings: peel.warnings().iter().map(Warning::from).collect(),
             snap_off: peel.snap_off.map(|at| SnapOff {
                 displacement: Finite(at.displacement),
                 force: Finite(at.force),
@@ -222,6 +233,17 @@ impl From<(&Step, &GripState)> for StepEnd {
 impl From<&study::TermEffect> for TermEffect {
     fn from(effect: &study::TermEffect) -> Self {
         Self { left_out: effect.term.word(), force: Finite(effect.force) }
+    }
+}
+
+impl From<&study::Warning> for Warning {
+    fn from(warning: &study::Warning) -> Self {
+        Self {
+            code: warning.kind.code(),
+            value: Finite(warning.value),
+            limit: Finite(warning.limit),
+            meaning: warning.to_string(),
+        }
     }
 }
 

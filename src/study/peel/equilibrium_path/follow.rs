@@ -1,6 +1,7 @@
 //! One path on one mesh: followed to its end, every limit point on it located, none missed without a report.
 
 use super::followed::Followed;
+use super::model_end::stopped_by_model;
 use super::path_end::step;
 use super::path_refinement::fill_in;
 use super::slope_polishing::sharpen;
@@ -53,6 +54,7 @@ pub(in crate::study::peel) fn follow(
         let failure = Failure::Path { cause: trouble.clone(), elements, order, asked: relative };
         (PathEnd::Failed(failure), Some(trouble))
     };
+    let beyond = stopped.as_ref().err().and_then(|_| stopped_by_model(problem, path.points()));
     let (end, trouble) = match stopped {
         Ok(end) => (end, None),
         Err(trouble) => failed(trouble),
@@ -79,6 +81,7 @@ pub(in crate::study::peel) fn follow(
         iterations: path.iterations(),
         ripple: 0,
         upright: false,
+        beyond,
         trouble,
         should_stop: limits.should_stop(),
     };

@@ -19,6 +19,8 @@ pub(in crate::study::peel) struct Followed {
     pub ripple: usize,
     /// Largest spread of the first integral along the beam at any point, over the work of adhesion.
     pub spread: f64,
+    /// The end that the model gives where the path cannot be continued.
+    pub beyond: Option<PathEnd>,
     /// Why the path cannot be used, if it cannot.
     pub trouble: Option<PathFailure>,
     /// Says when its limit points and its work are no longer to be computed.

@@ -2,6 +2,7 @@
 mod follow;
 mod followed;
 mod limit_points;
+mod model_end;
 mod path_end;
 mod path_refinement;
 mod slope_polishing;

@@ -1,6 +1,7 @@
 //! Where a path ends, and its last point there.
 
 use super::followed::Followed;
+use super::model_end::model_end;
 use crate::beam::{FrictionHistory, TIP_ROTATION};
 use crate::model::PlanarProblem;
 use crate::solve::{
@@ -53,6 +54,9 @@ pub(super) fn step(
     }
     if stands_upright(problem, path.points()) {
         return Ok(Some(PathEnd::Pivoting));
+    }
+    if let Some(end) = model_end(problem, path.points()) {
+        return Ok(Some(end));
     }
     let beyond = stop.displacement.filter(|&most| o.displacement > most);
     Ok(beyond.map(|most| PathEnd::Bound(Bound::Displacement(most))))
@@ -109,6 +113,11 @@ impl Followed {
             }
             PathEnd::Pivoting => (Observables::FORCE, 0.0),
             PathEnd::TurnedBack => (Observables::DISPLACEMENT, 0.0),
+            // beyond its model the point says nothing
+            PathEnd::BondedPartUnstable(_) | PathEnd::Upright(_) => {
+                self.points.pop();
+                return;
+            }
             _ => return,
         };
         let (before, beyond) = (&self.points[n - 2], &self.points[n - 1]);

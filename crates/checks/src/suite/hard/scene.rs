@@ -17,6 +17,8 @@ pub enum Ending {
     Sliding,
     /// At the snap-off, beyond which the path is not determined.
     Snapped,
+    /// Beyond its model: what is bonded is unstable, or a section is upright where the law has a pole.
+    BeyondModel,
     /// A limit of the scene was reached.
     Bound,
     /// Stopped short, with a reason.
@@ -32,6 +34,7 @@ impl Ending {
             PathEnd::TurnedBack => Self::TurnedBack,
             PathEnd::Sliding => Self::Sliding,
             PathEnd::Snapped => Self::Snapped,
+            PathEnd::BondedPartUnstable(_) | PathEnd::Upright(_) => Self::BeyondModel,
             PathEnd::Bound(_) => Self::Bound,
             PathEnd::Failed(_) => Self::Refused,
         }

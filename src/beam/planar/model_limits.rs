@@ -1,0 +1,167 @@
+//! Where the model itself ends: states beyond which its energy has no stable equilibrium near by, or no lower bound.
+
+use super::PlanarBeam;
+use crate::adhesion::LineLaw;
+use crate::beam::{BondedBeam, BondedMode};
+use crate::solve::State;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// What a planar beam asks of itself, to be within its model.
+#[derive(Default)]
+pub struct ModelLimits {
+    /// Of a uniform beam on flat ground without friction that carries a horizontal force: one force all along what is bonded.
+    pub bonded: Option<BondedBeam>,
+    /// Of a law with a pole at upright sections.
+    pub pole: Option<UprightPole>,
+}
+
+/// The near face's energy bW/|cos θ|, which has no lower bound where a section is upright.
+///
+/// By the first integral of a beam of one section, ½EI θ'² - bΨ + ... = const, what bends it is used up where b|W|/|cos θ| = ½EI θ'²: no
+/// solution goes through the pole, and elements step over it where this barrier is narrow. Its half width, cos θ = 2b|W|/(EI θ'²) with the θ' of
+/// the crossing, is the strength of the pole there.
+pub struct UprightPole {
+    /// The law of the free end
+    pub law: LineLaw,
+    /// EI (nN·nm²) and b (nm) at S, nm
+    pub section: Box<dyn Fn(f64) -> [f64; 2] + Send + Sync>,
+}
+
+/// Half width of a pole's barrier, cos θ, from which on it decides what is computed: elements turn by a few tenths each, and a seventh of
+/// that lies between the places at which they are integrated.
+const DECISIVE: f64 = 2e-2;
+/// The same from which on elements feel it. Of 27 sampled strips with the near face alone, pulled at 10 to 170 degrees, five go through a
+/// pole: those that meet 6e-8 and 1.3e-3 at most are followed to their end, those that meet 5.6e-3 and 9.4e-3 stop short, on one mesh or on all.
+const FELT: f64 = 1.5e-3;
+
+/// Where a state stands upright in the reach of a pole.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct UprightSection {
+    /// S, nm
+    pub place: f64,
+    /// Height of the axis above the ground, nm
+    pub height: f64,
+    /// Half width of the barrier, cos θ
+    pub strength: f64,
+}
+
+impl fmt::Display for UprightSection {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { place, height, strength } = self;
+        write!(
+            f,
+            "the section at S = {place:.3} nm stands upright {height:.3} nm above the substrate, where the energy of the near face alone, \
+             W/cos θ, has no lower bound (it turns sections within cos θ = {strength:.1e})"
+        )
+    }
+}
+
+/// How what is bonded has lost its stability.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BondedLoss {
+    /// In which mode
+    pub mode: BondedMode,
+    /// H of the bonded part where the path ends, nN
+    pub force: f64,
+    /// H at which the criterion is met, nN
+    pub critical: f64,
+}
+
+impl fmt::Display for BondedLoss {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { mode, force, critical } = self;
+        let what = if *force < 0.0 { "compression" } else { "tension" };
+        write!(
+            f,
+            "what is bonded loses its stability under a {what} of H = {force:.6} nN, critical {critical:.6} nN: {mode}"
+        )
+    }
+}
+
+/// How near to its criterion a mode is taken to be met where a path cannot be continued: the front disturbs what is bonded.
+const NEAR: f64 = 0.99;
+/// Halvings of an interval of H until a critical one is known to the machine's precision.
+const HALVINGS: usize = 60;
+
+impl ModelLimits {
+    /// Whether what is bonded without a tilt is unstable under this horizontal force, nN. The free end comes first; the mode is the one that
+    /// its whole length has next.
+    pub fn bonded_loss(&self, force: f64) -> Option<BondedLoss> {
+        self.loss(force, 1.0)
+    }
+
+    /// The same where that is nearly so.
+    pub fn near_bonded_loss(&self, force: f64) -> Option<BondedLoss> {
+        self.loss(force, NEAR)
+    }
+
+    fn loss(&self, force: f64, least: f64) -> Option<BondedLoss> {
+        let beam = self.bonded.as_ref()?;
+        let ratio = |mode| move |force| beam.ratio(mode, force);
+        if ratio(BondedMode::FreeEnd)(force) < least {
+            return None;
+        }
+        let bulk = [BondedMode::Tilting, BondedMode::Wrinkling].into_iter().find(|&mode| ratio(mode)(force) >= least);
+        let mode = bulk.unwrap_or(BondedMode::FreeEnd);
+        Some(BondedLoss { mode, force, critical: critical(&ratio(mode), force) })
+    }
+}
+
+/// The force at which a ratio that is about 1 at `near` is 1; zero where it is no less at rest.
+fn critical(ratio: &dyn Fn(f64) -> f64, near: f64) -> f64 {
+    if ratio(0.0) >= 1.0 {
+        return 0.0;
+    }
+    let (mut below, mut above) = (0.0, near);
+    while ratio(above) < 1.0 && above.is_finite() {
+        above *= 2.0;
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (below + above);
+        *(if ratio(middle) >= 1.0 { &mut above } else { &mut below }) = middle;
+    }
+    above
+}
+
+impl PlanarBeam {
+    /// The first upright section of a state where a pole of the law decides what is computed, from the free end on.
+    pub fn upright_section(&self, at: &State) -> Option<UprightSection> {
+        self.upright_beyond(at, DECISIVE)
+    }
+
+    /// The same where elements feel the pole.
+    pub fn near_upright_section(&self, at: &State) -> Option<UprightSection> {
+        self.upright_beyond(at, FELT)
+    }
+
+    fn upright_beyond(&self, at: &State, least: f64) -> Option<UprightSection> {
+        let pole = self.limits.pole.as_ref()?;
+        let (up, fields) = (self.rotation - 1, self.fields());
+        let nodes = self.nodes(&at.values);
+        let order = self.chain.order();
+        let ends = &at.mesh.boundaries;
+        let node = |k: usize| {
+            let (element, rank) = (k / order, k % order);
+            let fields = &nodes[k * fields..][..fields];
+            let length = ends.get(element + 1).map_or(0.0, |end| end - ends[element]);
+            (ends[element] + self.chain.node_fraction(rank) * length, fields)
+        };
+        (0..at.mesh.elements() * order).find_map(|k| {
+            let ((start, left), (end, right)) = (node(k), node(k + 1));
+            let [from, to] = [left, right].map(|node| node[self.rotation].cos());
+            if from.signum() == to.signum() {
+                return None;
+            }
+            let share = from / (from - to);
+            let along = |from: f64, to: f64| from + share * (to - from);
+            let place = along(start, end);
+            let height = along(left[up], right[up]) + 0.5 * self.height_at(place);
+            let turn = (right[self.rotation] - left[self.rotation]) / (end - start);
+            let [bending, width] = (pole.section)(place);
+            let attraction = width * pole.law.half_space.potential(height).abs();
+            let strength = 2.0 * attraction / (bending * turn * turn);
+            (strength > least).then_some(UprightSection { place, height, strength })
+        })
+    }
+}
