@@ -66,9 +66,12 @@ fn snap_off(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Resu
         return match peel.end {
             PathEnd::Failed(failure) => Err(PointNotFound::Failed(Box::new(failure))),
             PathEnd::Bound(bound) => Err(PointNotFound::Bound(bound)),
-            PathEnd::Detached | PathEnd::Pivoting | PathEnd::TurnedBack | PathEnd::Sliding | PathEnd::Snapped => {
-                Ok(None)
-            }
+            PathEnd::Detached
+            | PathEnd::Pivoting
+            | PathEnd::Pushing
+            | PathEnd::TurnedBack
+            | PathEnd::Sliding
+            | PathEnd::Snapped => Ok(None),
         };
     };
     let problem: &Problem = &trace.problem;

@@ -101,7 +101,12 @@ impl Sweep<'_> {
             (None, PathEnd::Bound(bound)) => Remark::NotFound { kind, value, reason: PointNotFound::Bound(bound) },
             (
                 None,
-                PathEnd::Detached | PathEnd::Pivoting | PathEnd::TurnedBack | PathEnd::Sliding | PathEnd::Snapped,
+                PathEnd::Detached
+                | PathEnd::Pivoting
+                | PathEnd::Pushing
+                | PathEnd::TurnedBack
+                | PathEnd::Sliding
+                | PathEnd::Snapped,
             ) => Remark::Absent { kind, from: value, to: value },
         });
         (point, peel.effort.elements)

@@ -6,4 +6,5 @@ mod ends;
 mod error_bounds;
 mod observed;
 mod peak_only;
+mod special_points;
 mod terms;
