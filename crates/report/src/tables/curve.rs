@@ -89,6 +89,7 @@ pub fn write_observed(dir: &Path, test: &Observed) -> Result<PathBuf, ReportErro
         work: Finite,
         front_nm: Finite,
         jump: bool,
+        adheres: &'static str,
     }
     let lines = test.points.iter().map(|point| Line {
         branch: point.way.word(),
@@ -98,6 +99,7 @@ pub fn write_observed(dir: &Path, test: &Observed) -> Result<PathBuf, ReportErro
         work: Finite(point.work),
         front_nm: Finite(point.front),
         jump: point.jumped,
+        adheres: point.adheres.word(),
     });
     write_table(dir, "observed.csv", lines)
 }
