@@ -129,7 +129,7 @@ fn a_run_that_was_cut_short_tells_no_peak() {
 #[test]
 fn a_tolerance_that_was_not_met_is_told_first() {
     let dir = bench();
-    let coarse = ["run", "strip-100nm.toml", "--set", "accuracy.elements=6", "--set", "accuracy.relative=1e-9"];
+    let coarse = ["run", "strip-100nm.toml", "--set", "accuracy.elements=12", "--set", "accuracy.relative=1e-9"];
     let text = peel(dir.path(), &coarse).stdout;
     let first = text.lines().nth(2).unwrap_or_default();
     assert!(first.starts_with("  accuracy           ") && first.contains("requested 1e-9"), "{text}");
