@@ -8,7 +8,9 @@ use crate::solve::{LimitPointKind, Located, Problem};
 
 // -- what a difference shows --
 
-/// Multiplies the difference to half as many elements again: bounds of located points, of ends of a path, of jumps and of a cusp.
+/// Multiplies the difference to half as many elements again: bounds of located points, of their works, of plateaus, of jumps and of a cusp.
+/// Works of 120 strips drawn at random, at 1e-4 and 1e-6 against 1e-10: 1000, none wrong by more than 0.98 of the two bounds, and but for two that
+/// are flat by more than 0.48.
 ///
 /// The difference alone is exceeded by the true error in 2.6 % of 1006 numbers of 200 sampled strips, 1.1 times the difference in one of
 /// them, where the two meshes agree by luck (`peel verify --only bounds` with 1 and with 1.1 here, and [`COMPANION_FRACTION`] 0). With 2
@@ -44,6 +46,13 @@ pub(super) const STRIDE_BOUND_FACTOR: f64 = 8.0;
 /// Multiplies the accuracy asked for where such a path has been followed again: its bounds may miss that by so much before it has failed,
 /// because the strides are shortened and the mesh is not made finer. A margin without a measurement.
 pub(super) const STRIDE_TOLERANCE_FACTOR: f64 = 2.0;
+
+/// Multiplies the steepness of the chord of the least steep step: a place that is less steep than that may be the plateau on a path with other
+/// steps.
+///
+/// Of 120 strips drawn at random, at 1e-4 and 1e-6 against 1e-10, 32 of 138 plateaus have a bound; the force is wrong by at most 0.28 and the place by
+/// at most 0.70 of the two bounds. Where steps with a limit point of the force are left out of account, three are wrong by 100 to 400 times.
+pub(super) const LEVEL_FACTOR: f64 = 4.0;
 
 // -- what judges a mesh or a curve --
 

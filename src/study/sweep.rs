@@ -1,6 +1,6 @@
 //! One parameter varied, each value peeled from rest to its end.
 
-use super::{Effort, LimitPoint, PathEnd, Peak, Peel, Plateau};
+use super::{Effort, LargestComputedForce, LimitPoint, PathEnd, Peak, Peel, Plateau};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -12,13 +12,23 @@ pub struct PeelResult {
     /// As of [`Peel`]
     pub peak: Option<Peak>,
     /// As of [`Peel`]
+    pub largest_computed_force: Option<LargestComputedForce>,
+    /// As of [`Peel`]
     pub plateau: Option<Plateau>,
     /// S of the peeling front at the path point nearest to the plateau, nm.
     pub plateau_front: Option<f64>,
     /// As of [`Peel`]
     pub snap_off: Option<LimitPoint>,
+    /// As of [`Peel`]
+    pub pad_detachment: Option<LimitPoint>,
+    /// As of [`Peel`]
+    pub detachment: Option<LimitPoint>,
     /// ∫ P du from rest to the snap-off, or to the end of the path where there is none, aJ
     pub work: Option<f64>,
+    /// Largest relative error bound, [`Peel::reached_accuracy`].
+    pub reached: Option<f64>,
+    /// Relative accuracy asked for.
+    pub asked: f64,
     /// As of [`Peel`]
     pub end: PathEnd,
     /// As of [`Peel`]
@@ -30,10 +40,15 @@ impl From<&Peel> for PeelResult {
         Self {
             initiation_peak: peel.initiation_peak,
             peak: peel.peak,
+            largest_computed_force: peel.largest_computed_force,
             plateau: peel.plateau,
             plateau_front: peel.plateau.and_then(|plateau| front_at(peel, plateau)),
             snap_off: peel.snap_off,
+            pad_detachment: peel.pad_detachment,
+            detachment: peel.detachment,
             work: peel.snap_off.map(|at| at.work).or_else(|| peel.points.last().map(|point| point.work)),
+            reached: peel.reached_accuracy(),
+            asked: peel.asked,
             end: peel.end.clone(),
             effort: peel.effort,
         }

@@ -35,6 +35,7 @@ fn the_command_writes_what_a_test_would_record() {
     assert_eq!(summary["limit_points"], plain["limit_points"]);
     let test = &summary["observed"];
     assert_eq!(test["end"], "closed");
+    assert_eq!(test["pull_off_adheres"], "pad");
     let jumps = test["jumps"].as_array().unwrap();
     let released: f64 = jumps.iter().map(|jump| jump["released_aJ"].as_f64().unwrap()).sum();
     assert_close("hysteresis", test["hysteresis_aJ"].as_f64().unwrap(), released, 1e-6);
@@ -44,7 +45,7 @@ fn the_command_writes_what_a_test_would_record() {
     let table = std::fs::read_to_string(dir.path().join("test/observed.csv")).unwrap();
     assert_eq!(
         table.lines().next().unwrap(),
-        "branch,machine_displacement_nm,displacement_nm,force_nN,work_aJ,front_nm,jump"
+        "branch,machine_displacement_nm,displacement_nm,force_nN,work_aJ,front_nm,jump,adheres"
     );
     assert_eq!(table.matches("true").count(), jumps.len());
     assert!(table.contains("retreat,") && table.contains("approach,"));

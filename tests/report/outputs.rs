@@ -5,7 +5,9 @@
 
 use crate::strip::STRIP_SCENE;
 use peelkit::solve::LimitPointKind;
-use peelkit::study::{Bound, Failure, LimitPoint, PathEnd, PathPoint, Peak, Peel, PeelResult, Plateau, peel};
+use peelkit::study::{
+    Bound, Failure, LargestComputedForce, LimitPoint, PathEnd, PathPoint, Peak, Peel, PeelResult, Plateau, peel,
+};
 use peelkit_report::{PeelSummary, SweepLine, SweepRow, write_curve, write_limit_points, write_sweep};
 use peelkit_scene::{BoundsTable, Scene};
 use serde_json::Value;
@@ -31,6 +33,7 @@ fn made_up() -> (Scene, Peel) {
         work: 3.25,
         displacement_error: 3e-8,
         force_error: 4e-9,
+        work_error: Some(5e-7),
         flat: false,
         after: 0,
     };
@@ -48,8 +51,12 @@ fn made_up() -> (Scene, Peel) {
     made_up.limit_points = vec![LimitPoint { kind: LimitPointKind::Load, ..snap_off }, snap_off];
     made_up.peak = Some(peak);
     made_up.initiation_peak = Some(Peak { force: 0.3, ..peak });
-    made_up.plateau = Some(Plateau { displacement: 20.0, force: 0.0307 });
+    made_up.plateau =
+        Some(Plateau { displacement: 20.0, force: 0.0307, force_error: Some(6e-8), displacement_error: Some(7e-3) });
     made_up.snap_off = Some(snap_off);
+    made_up.largest_computed_force = None;
+    made_up.pad_detachment = Some(LimitPoint { work: 3.5, ..snap_off });
+    made_up.detachment = Some(LimitPoint { work: 3.75, work_error: None, ..snap_off });
     made_up.end = PathEnd::Pivoting;
     (scene, made_up)
 }
@@ -75,6 +82,12 @@ fn the_summary_has_every_key_at_full_precision() {
     assert_eq!((number("/plateau/force_nN"), number("/plateau/displacement_nm")), (0.0307, 20.0));
     let snap_off = (number("/snap_off/displacement_nm"), number("/snap_off/force_nN"), number("/snap_off/work_aJ"));
     assert_eq!(snap_off, (48.2, 0.0375, 3.25));
+    assert_eq!(summary["first_jump"], summary["snap_off"], "under both names");
+    assert_eq!((number("/first_jump/error_aJ"), number("/first_jump/error_nN")), (5e-7, 4e-9));
+    assert_eq!((number("/pad_detachment/work_aJ"), number("/detachment/work_aJ")), (3.5, 3.75));
+    assert_eq!(summary["detachment"]["error_aJ"], Value::Null);
+    assert_eq!((number("/plateau/error_nN"), number("/plateau/error_nm")), (6e-8, 7e-3));
+    assert_eq!(number("/limit_points/1/error_aJ"), 5e-7);
     assert_eq!(summary["limit_points"][0]["kind"], "load");
     assert_eq!(summary["limit_points"][1]["kind"], "displacement");
     assert_eq!((number("/limit_points/1/error_nm"), number("/limit_points/1/error_nN")), (3e-8, 4e-9));
@@ -91,8 +104,10 @@ fn the_accuracy_tells_what_was_asked_reached_and_left_out() {
     assert_eq!((all_kept["load_limit_points_left_out"].as_u64(), &all_kept["left_out"]), (Some(0), &Value::Null));
     let reached = |accuracy: &Value, bound: f64| (accuracy["reached"].as_f64().unwrap() / bound - 1.0).abs() < 1e-14;
     assert!(reached(&all_kept, 4e-9 / 0.0375), "the worst relative bound, here of a force: {all_kept}");
+    assert_eq!(all_kept["met"], true);
     peel.limit_points[0].displacement_error = 0.1;
     assert!(reached(&accuracy(&peel), 0.1 / 48.2));
+    assert_eq!(accuracy(&peel)["met"], false);
     peel.limit_points[0].flat = true;
     assert_eq!(accuracy(&peel)["reached"], all_kept["reached"], "of a flat limit point the force alone counts");
     peel.limit_points[0].displacement = 0.0;
@@ -102,20 +117,44 @@ fn the_accuracy_tells_what_was_asked_reached_and_left_out() {
     assert_eq!(accuracy(&peel)["load_limit_points_left_out"], 4);
     assert!(accuracy(&peel)["left_out"].as_str().unwrap().contains("less than the accuracy asked for"));
     (peel.peak, peel.limit_points) = (None, Vec::new());
-    assert_eq!(accuracy(&peel)["reached"], Value::Null);
+    assert_eq!((&accuracy(&peel)["reached"], &accuracy(&peel)["met"]), (&Value::Null, &Value::Null));
 }
 
 #[test]
 fn what_does_not_occur_is_null_or_an_empty_cell() {
     let (scene, mut peel) = made_up();
     (peel.peak, peel.initiation_peak, peel.plateau, peel.snap_off) = (None, None, None, None);
+    (peel.pad_detachment, peel.detachment) = (None, None);
     let summary = summary(&scene, &peel);
-    for key in ["peak", "initiation_peak", "plateau", "snap_off"] {
+    for key in [
+        "peak",
+        "largest_computed_force",
+        "initiation_peak",
+        "plateau",
+        "snap_off",
+        "first_jump",
+        "pad_detachment",
+        "detachment",
+    ] {
         assert_eq!(summary.get(key), Some(&Value::Null), "{key}");
     }
     let row: Value = serde_json::to_value(SweepLine::from(&row(2.0, &peel))).unwrap();
     assert_eq!(row["peak_force_nN"], Value::Null);
     assert_eq!(row["work_aJ"], 2.5, "the work to the end of a path without a snap-off");
+    assert_eq!((&row["work_to"], &row["work_error_aJ"]), (&Value::from("end of path"), &Value::Null), "and says so");
+}
+
+#[test]
+fn a_largest_force_that_is_no_peak_has_another_name_and_no_bound() {
+    let (scene, mut peel) = made_up();
+    peel.peak = None;
+    peel.largest_computed_force = Some(LargestComputedForce { displacement: 40.0, force: 1.0 / 3.0 });
+    let summary = summary(&scene, &peel);
+    assert_eq!(summary["peak"], Value::Null);
+    let expected = serde_json::json!({ "force_nN": 1.0 / 3.0, "displacement_nm": 40.0, "located": false });
+    assert_eq!(summary["largest_computed_force"], expected);
+    let row: Value = serde_json::to_value(SweepLine::from(&row(2.0, &peel))).unwrap();
+    assert_eq!((&row["peak_force_nN"], row["largest_computed_force_nN"].as_f64()), (&Value::Null, Some(1.0 / 3.0)));
 }
 
 #[test]
@@ -124,6 +163,7 @@ fn every_end_has_its_word_and_its_reason() {
     for (end, word, reason) in [
         (PathEnd::Detached, "detached", None),
         (PathEnd::Pivoting, "pivoting", None),
+        (PathEnd::Pushing, "pushing", None),
         (PathEnd::TurnedBack, "turned-back", None),
         (PathEnd::Sliding, "sliding", None),
         (PathEnd::Snapped, "snapped", None),
@@ -146,7 +186,7 @@ fn the_tables_have_a_header_and_a_row_a_point() {
     let rows = "0.0,0.0,0.25,0.0,1,2,77.5,3\n40.0,0.3333333333333333,0.25,2.5,1,2,77.5,3\n";
     assert_eq!(read(write_curve(dir.path(), &peel).unwrap()), format!("{header}{rows}"));
     let limit_points = read(write_limit_points(dir.path(), &peel).unwrap());
-    assert_eq!(limit_points.lines().nth(1), Some("load,48.2,0.0375,0.9,3.25,3e-8,4e-9,false,0"));
+    assert_eq!(limit_points.lines().nth(1), Some("load,48.2,0.0375,0.9,3.25,3e-8,4e-9,false,0,5e-7"));
     peel.points.clear();
     assert_eq!(read(write_curve(dir.path(), &peel).unwrap()), header, "a path without points is a header");
 }

@@ -29,6 +29,7 @@ fn nothing() -> Peel {
     peel.points.clear();
     peel.limit_points.clear();
     (peel.initiation_peak, peel.peak, peel.plateau, peel.snap_off) = (None, None, None, None);
+    (peel.pad_detachment, peel.detachment) = (None, None);
     peel.end = PathEnd::Failed(Failure::NothingComputed);
     peel
 }
@@ -41,7 +42,8 @@ fn factors(values: &[f64]) -> Vec<SweepRow> {
         let force = 0.34 * value.powf(0.2);
         peel.peak =
             Some(Peak { displacement: 0.25, force, end_rotation: 0.04, force_error: 1e-9, displacement_error: 1e-9 });
-        peel.plateau = Some(Plateau { displacement: 20.0, force: 0.031 });
+        peel.plateau =
+            Some(Plateau { displacement: 20.0, force: 0.031, force_error: None, displacement_error: Some(1e21) });
         peel.snap_off = Some(LimitPoint {
             kind: LimitPointKind::Displacement,
             displacement: 48.0,
@@ -50,6 +52,7 @@ fn factors(values: &[f64]) -> Vec<SweepRow> {
             work: 2.0 - value.log10().powi(2) / 10.0,
             displacement_error: 1e-9,
             force_error: 1e-9,
+            work_error: None,
             flat: false,
             after: 0,
         });

@@ -59,7 +59,8 @@ Examples:
   peel run strip.toml --set grip.rotation=fixed --set grip.stiffness=\"0.05 N/m\" --observed
 
 Files:
-  summary.json       peaks, plateau, limit points, snap-off, how the path ended, computational cost, the scene
+  summary.json       peaks, plateau, limit points, first jump, detachment, how the path ended, computational cost, the
+                     scene. A peak is a located limit point or null; then largest_computed_force has no bound
   curve.csv          one row for each point of the path
   limit_points.csv   one row for each limit point of load or displacement, with error bounds
   curve.svg, .png    force against displacement
@@ -81,6 +82,7 @@ checkpoint. Runs that write no files (--json without --out) keep none.
 How a path ends:
   detached     no point of the strip is nearer than 10 r0
   pivoting     the force has returned to zero, and the strip is still in edge contact
+  pushing      behind a snap-off of a grip that rotates the force is below zero and does not return to zero
   turned-back  re-adhered: u has returned to 0
   sliding      with friction: the whole contact slides
   snapped      with friction: the strip snaps off
@@ -115,7 +117,8 @@ Examples:
 
 Files:
   sweep.csv          one row for each value: peak force, plateau, snap-off, work, time, how the path ended. `value` is
-                     in nm, GPa, aJ, s, rad, ..., or a plain number. Empty cells: it does not occur
+                     in nm, GPa, aJ, s, rad, ..., or a plain number. Empty cells: it does not occur. `work_to`: whether
+                     work_aJ goes to the first jump or to the end of a path without one
   sweep.svg, .png    these results against the varied value
   sweep.partial.jsonl  checkpoint while the sweep runs: each finished value, written at once
 

@@ -26,6 +26,6 @@ pub use pictures::{draw_followed, draw_observed, draw_peel, draw_sweep};
 pub use summary::{PeelSummary, SweepSummary, ground_warning, left_out, why_kept};
 pub use sweep_row::SweepRow;
 pub use tables::{
-    SweepLine, write_curve, write_followed, write_limit_points, write_observed, write_sweep, write_table,
+    SweepLine, work_to, write_curve, write_followed, write_limit_points, write_observed, write_sweep, write_table,
 };
 pub use timing::timed;

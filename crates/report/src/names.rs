@@ -8,6 +8,7 @@ pub fn end_word(end: &PathEnd) -> &'static str {
     match end {
         PathEnd::Detached => "detached",
         PathEnd::Pivoting => "pivoting",
+        PathEnd::Pushing => "pushing",
         PathEnd::TurnedBack => "turned-back",
         PathEnd::Sliding => "sliding",
         PathEnd::Snapped => "snapped",
@@ -26,7 +27,12 @@ pub fn end_reason(end: &PathEnd) -> Option<String> {
         PathEnd::Upright(upright) => Some(upright.to_string()),
         PathEnd::Bound(bound) => Some(bound.to_string()),
         PathEnd::Failed(failure) => Some(failure.to_string()),
-        PathEnd::Detached | PathEnd::Pivoting | PathEnd::TurnedBack | PathEnd::Sliding | PathEnd::Snapped => None,
+        PathEnd::Detached
+        | PathEnd::Pivoting
+        | PathEnd::Pushing
+        | PathEnd::TurnedBack
+        | PathEnd::Sliding
+        | PathEnd::Snapped => None,
     }
 }
 

@@ -225,7 +225,8 @@ pub fn locate(
     let (d, o) = (&located.difference, &located.observables);
     let steepest = |a: f64, b: f64| a.abs().max(b.abs());
     let level = steepest(low.1, high.1) <= LEVEL * steepest(turn.pick()(&first), turn.pick()(&second));
-    if level && d.displacement <= BRACKETED * o.displacement.abs() && d.force <= BRACKETED * o.force.abs() {
+    let sharp = turn == LimitPointKind::Displacement;
+    if sharp && level && d.displacement <= BRACKETED * o.displacement.abs() && d.force <= BRACKETED * o.force.abs() {
         return Ok(located);
     }
     Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })

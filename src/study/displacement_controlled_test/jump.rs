@@ -6,6 +6,7 @@ use super::stable_branch::Machine;
 use crate::beam::FRONT;
 use crate::model::PlanarProblem;
 use crate::solve::{Located, Observables, Relaxed, Solution, SolveError, Workspace, on_more_elements};
+use crate::study::Adhering;
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, bound_floor, least};
 
 /// From where stability is lost to where the strip comes to rest.
@@ -19,9 +20,9 @@ pub(super) fn described(
     let (problem, landed, o) = (machine.problem, &relaxed.solution, &limit.observables);
     let share = ROUND_OFF + bound_floor(limit, machine.relative);
     let machine_error = DIFFERENCE_BOUND_FACTOR * limit.difference.displacement.abs() + share * o.displacement.abs();
-    let (before, before_difference) = at_limit(problem, limit, machine_error, share, ws)?;
+    let (before, before_difference) = at_limit(machine, limit, machine_error, share, ws)?;
     let floor = ROUND_OFF + least(machine.relative);
-    let (after, after_difference) = at_rest(problem, landed, machine_error, floor, ws)?;
+    let (after, after_difference) = at_rest(machine, landed, machine_error, floor, ws)?;
     let energies = DIFFERENCE_BOUND_FACTOR * (before_difference + after_difference)
         + floor * before.energy.abs().max(after.energy.abs());
     let kind = if after.front < before.front { JumpKind::SnapOff } else { JumpKind::IntoContact };
@@ -42,29 +43,31 @@ pub(super) fn described(
 /// The limit point: place and force as they were located; the energy of the solution next to it with P dU from there. Of the
 /// energy the difference to more elements, both with the force held, at which it is E - P U that has an error of second order.
 fn at_limit(
-    problem: &PlanarProblem,
+    machine: &Machine,
     limit: &Located,
     machine_error: f64,
     share: f64,
     ws: &mut Workspace,
 ) -> Result<(JumpEnd, f64), SolveError> {
-    let (near, o) = (&limit.solution, &limit.observables);
+    let (problem, near, o) = (machine.problem, &limit.solution, &limit.observables);
+    let adheres = machine.adhering(near);
     let ahead = o.displacement - near.observables.displacement;
     let energy = problem.energy(&near.at, near.energy) + near.observables.force * ahead;
     let finer = on_more_elements(problem, near, Observables::FORCE, ws)?;
     let enthalpy = |s: &Solution| problem.energy(&s.at, s.energy) - s.observables.force * s.observables.displacement;
     let force_error = DIFFERENCE_BOUND_FACTOR * limit.difference.force.abs() + share * o.force.abs();
-    Ok((end(problem, o, (machine_error, force_error), energy), (enthalpy(&finer) - enthalpy(near)).abs()))
+    Ok((end(problem, o, (machine_error, force_error), energy, adheres), (enthalpy(&finer) - enthalpy(near)).abs()))
 }
 
 /// Where the strip comes to rest, and the difference of its energy to that on more elements at the same displacement.
 fn at_rest(
-    problem: &PlanarProblem,
+    machine: &Machine,
     landed: &Solution,
     machine_error: f64,
     floor: f64,
     ws: &mut Workspace,
 ) -> Result<(JumpEnd, f64), SolveError> {
+    let problem = machine.problem;
     let finer = on_more_elements(problem, landed, Observables::DISPLACEMENT, ws)?;
     let o = &landed.observables;
     let difference = finer.observables.force - o.force;
@@ -72,10 +75,16 @@ fn at_rest(
     let force_error = DIFFERENCE_BOUND_FACTOR * difference.abs() + along + floor * o.force.abs();
     let energy = problem.energy(&landed.at, landed.energy);
     let energy_difference = (problem.energy(&finer.at, finer.energy) - energy).abs();
-    Ok((end(problem, o, (machine_error, force_error), energy), energy_difference))
+    Ok((end(problem, o, (machine_error, force_error), energy, machine.adhering(landed)), energy_difference))
 }
 
-fn end(problem: &PlanarProblem, o: &Observables, (machine_error, force_error): (f64, f64), energy: f64) -> JumpEnd {
+fn end(
+    problem: &PlanarProblem,
+    o: &Observables,
+    (machine_error, force_error): (f64, f64),
+    energy: f64,
+    adheres: Adhering,
+) -> JumpEnd {
     JumpEnd {
         displacement: o.displacement - problem.grip.compliance * o.force,
         force: o.force,
@@ -83,6 +92,7 @@ fn end(problem: &PlanarProblem, o: &Observables, (machine_error, force_error): (
         force_error,
         energy,
         front: o.monitors[FRONT],
+        adheres,
     }
 }
 

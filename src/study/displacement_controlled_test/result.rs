@@ -2,7 +2,7 @@
 
 use super::balance::{Balance, LoadingDirection};
 use super::failure::TestFailure;
-use crate::study::Bound;
+use crate::study::{Adhering, Bound};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -21,6 +21,8 @@ pub struct TestPoint {
     pub work: f64,
     /// S of the peeling front, nm
     pub front: f64,
+    /// What adheres
+    pub adheres: Adhering,
     /// Whether the strip has jumped here from the point before.
     pub jumped: bool,
 }
@@ -40,6 +42,8 @@ pub struct JumpEnd {
     pub energy: f64,
     /// S of the peeling front, nm
     pub front: f64,
+    /// What adheres
+    pub adheres: Adhering,
 }
 
 /// What a jump is called.
@@ -85,6 +89,8 @@ pub struct PullOff {
     pub force: f64,
     /// On the force, nN
     pub force_error: f64,
+    /// What adheres there
+    pub adheres: Adhering,
 }
 
 /// How a test ended.
@@ -145,6 +151,9 @@ pub struct Observed {
     pub pieces: Vec<(LoadingDirection, Vec<(f64, f64)>)>,
     /// The largest force on the stable retreat.
     pub pull_off: Option<PullOff>,
+    /// The largest force before the beam stood on the face of its end for the first time; none where it never stands there. What then holds
+    /// the beam is the face of its end alone, which says nothing of how it peels.
+    pub before_upright: Option<PullOff>,
     /// ∮ P dU of a closed cycle, aJ
     pub hysteresis: Option<f64>,
     /// Up to where the strip is detached; there and back.

@@ -15,7 +15,7 @@ use crate::study::accuracy::{Resolution, most_elements};
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
 use crate::study::initial::{NoEquilibrium, prepared};
 use crate::study::refinement::refined;
-use crate::study::{Accuracy, Bound, Stage, StopCriteria};
+use crate::study::{Accuracy, Adhering, Bound, Stage, StopCriteria};
 use std::sync::Arc;
 
 /// Most that a step of relaxation moves, relative to the gap.
@@ -42,6 +42,7 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -
                     stop,
                     relative: accuracy.relative,
                     far: model.line_law().cutoff_distance(),
+                    equilibrium_distance: model.adhesion.equilibrium_distance,
                 };
                 test.run(&machine, resolution.elements);
             }
@@ -91,6 +92,9 @@ struct Test {
     jumps: Vec<Jump>,
     pieces: Vec<(LoadingDirection, Vec<(f64, f64)>)>,
     pull_off: Option<PullOff>,
+    /// As of [`Observed`], and whether the beam has stood on its end.
+    before_upright: Option<PullOff>,
+    stood: bool,
     retreat: Option<Balance>,
     cycle: Option<Balance>,
     end: Result<TestEnd, TestError>,
@@ -111,6 +115,8 @@ impl Test {
             jumps: Vec::new(),
             pieces: Vec::new(),
             pull_off: None,
+            before_upright: None,
+            stood: false,
             retreat: None,
             cycle: None,
             end: Err(TestError::NothingComputed),
@@ -160,7 +166,7 @@ impl Test {
         for _ in 0..=MOST_JUMPS {
             let leg = machine.follow(at, way == LoadingDirection::Retreat, until, self.points.len())?;
             let last = leg.points[leg.points.len() - 1].clone();
-            self.take(machine.problem, &leg, way);
+            self.take(machine, &leg, way);
             if way == LoadingDirection::Retreat {
                 self.take_peak(machine, &leg)?;
             }
@@ -171,8 +177,11 @@ impl Test {
                 BranchEnd::Branching(located) => (located, Loss::Branching),
             };
             let landed = Arc::new(self.lost(machine, &located, loss, way)?);
+            if way == LoadingDirection::Retreat {
+                self.notice_stand(machine, &landed, self.pull_off);
+            }
             if way == LoadingDirection::Retreat && machine.problem.beam.is_clear(&landed.at, machine.far) {
-                self.point(machine.problem, &landed, way, self.work);
+                self.point(machine, &landed, way, self.work);
                 return Ok((landed, None));
             }
             at = landed.at.clone();
@@ -181,12 +190,13 @@ impl Test {
     }
 
     /// The points of a stable piece.
-    fn take(&mut self, problem: &PlanarProblem, leg: &StableBranch, way: LoadingDirection) {
+    fn take(&mut self, machine: &Machine, leg: &StableBranch, way: LoadingDirection) {
+        let problem = machine.problem;
         if self.points.is_empty() {
             self.start = leg.points.first().map_or(0.0, |s| problem.energy(&s.at, s.energy));
         }
         for (solution, work) in leg.points.iter().zip(&leg.works) {
-            self.point(problem, solution, way, self.work + work);
+            self.point(machine, solution, way, self.work + work);
         }
         let work = leg.works.last().copied().unwrap_or(0.0);
         self.work += work;
@@ -195,8 +205,25 @@ impl Test {
         self.pieces.push((way, leg.curve.clone()));
     }
 
-    /// The largest force of a piece of the retreat: a maximum of its own, or its limit point.
+    /// The largest force so far, and that before the beam stood on its end.
     fn take_peak(&mut self, machine: &Machine, leg: &StableBranch) -> Result<(), TestError> {
+        let before = self.pull_off;
+        self.take_peak_of(machine, leg)?;
+        leg.points.iter().for_each(|point| self.notice_stand(machine, point, before));
+        Ok(())
+    }
+
+    /// Keeps the largest force so far where the beam stands on its end for the first time; `before` is that before the piece.
+    fn notice_stand(&mut self, machine: &Machine, at: &Solution, before: Option<PullOff>) {
+        if !self.stood && machine.adhering(at) == Adhering::EndFace {
+            let earlier = |peak: &PullOff| peak.machine <= at.observables.displacement;
+            self.before_upright = self.pull_off.filter(earlier).or(before);
+            self.stood = true;
+        }
+    }
+
+    /// The largest force of a piece of the retreat: a maximum of its own, or its limit point.
+    fn take_peak_of(&mut self, machine: &Machine, leg: &StableBranch) -> Result<(), TestError> {
         let largest = leg.points.iter().map(|p| p.observables.force).fold(f64::NEG_INFINITY, f64::max);
         if self.pull_off.is_some_and(|known| known.force > largest) {
             return Ok(());
@@ -208,16 +235,17 @@ impl Test {
         };
         let highest = peak.into_iter().chain(at_limit);
         let highest = highest.max_by(|a, b| a.observables.force.total_cmp(&b.observables.force));
-        if let Some(Located { observables: o, difference, .. }) = highest {
+        if let Some(Located { observables: o, difference, solution, .. }) = highest {
             let force_error = DIFFERENCE_BOUND_FACTOR * difference.force.abs()
                 + (ROUND_OFF + least(machine.relative)) * o.force.abs();
-            self.pull_off = Some(PullOff { machine: o.displacement, force: o.force, force_error });
+            let adheres = machine.adhering(&solution);
+            self.pull_off = Some(PullOff { machine: o.displacement, force: o.force, force_error, adheres });
         }
         Ok(())
     }
 
-    fn point(&mut self, problem: &PlanarProblem, solution: &Solution, way: LoadingDirection, work: f64) {
-        let o = &solution.observables;
+    fn point(&mut self, machine: &Machine, solution: &Solution, way: LoadingDirection, work: f64) {
+        let (problem, o) = (machine.problem, &solution.observables);
         self.points.push(TestPoint {
             way,
             machine: o.displacement,
@@ -225,6 +253,7 @@ impl Test {
             force: o.force,
             work,
             front: o.monitors[FRONT],
+            adheres: machine.adhering(solution),
             jumped: std::mem::take(&mut self.jumped),
         });
     }
@@ -312,7 +341,7 @@ impl Test {
         let failed = |cause| TestEnd::Failed(TestFailure { cause, elements, order, asked: relative });
         let end = self.end.unwrap_or_else(failed);
         let hysteresis = self.cycle.filter(|_| end == TestEnd::Closed).map(|cycle| cycle.work);
-        let Self { points, jumps, pieces, pull_off, retreat, cycle, effort, .. } = self;
-        Observed { points, jumps, pieces, pull_off, hysteresis, retreat, cycle, end, effort, reached }
+        let Self { points, jumps, pieces, pull_off, before_upright, retreat, cycle, effort, .. } = self;
+        Observed { points, jumps, pieces, pull_off, before_upright, hysteresis, retreat, cycle, end, effort, reached }
     }
 }

@@ -6,7 +6,7 @@ use crate::solve::{
     LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathEvent, PathOptions, PathSegment,
     PathTracer, Solution, State, TraceOptions, Workspace, locate, solve,
 };
-use crate::study::peel::{StepCurve, is_clear};
+use crate::study::peel::{Adhering, StepCurve, is_clear};
 use crate::study::{Bound, Stage, StopCriteria};
 use std::sync::Arc;
 
@@ -43,6 +43,8 @@ pub(super) struct Machine<'a> {
     pub relative: f64,
     /// A strip with no point nearer than this is detached, nm.
     pub far: f64,
+    /// r0, nm
+    pub equilibrium_distance: f64,
 }
 
 /// When the machine has arrived.
@@ -94,6 +96,11 @@ impl Machine<'_> {
                 }
             }
         }
+    }
+
+    /// What adheres at an equilibrium.
+    pub fn adhering(&self, solution: &Solution) -> Adhering {
+        Adhering::of(&self.problem.beam, &solution.at, self.equilibrium_distance)
     }
 
     /// The criterion that is met; a piece has one point at least.

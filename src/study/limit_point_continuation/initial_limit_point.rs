@@ -68,6 +68,7 @@ fn snap_off(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Resu
             PathEnd::Bound(bound) => Err(PointNotFound::Bound(bound)),
             PathEnd::Detached
             | PathEnd::Pivoting
+            | PathEnd::Pushing
             | PathEnd::TurnedBack
             | PathEnd::Sliding
             | PathEnd::Snapped

@@ -103,6 +103,7 @@ impl Sweep<'_> {
                 None,
                 PathEnd::Detached
                 | PathEnd::Pivoting
+                | PathEnd::Pushing
                 | PathEnd::TurnedBack
                 | PathEnd::Sliding
                 | PathEnd::Snapped

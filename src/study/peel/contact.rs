@@ -39,7 +39,7 @@ pub struct Contact {
 /// Radius of curvature down to which eq. (9) is very good by Sauer and Wriggers (2009), nm.
 pub const SMALLEST_RADIUS: f64 = 8.0;
 /// What adheres is nearer than this many r0.
-const NEAR: f64 = 2.0;
+pub(super) const NEAR: f64 = 2.0;
 /// A ground that falls by less than this below its crests has no valley, nm.
 const LEVEL: f64 = 1e-6;
 
@@ -96,7 +96,7 @@ impl Peel {
             self.limit_points.iter().filter(|point| point.kind == LimitPointKind::Load).map(|point| point.force);
         turns
             .chain(self.points.last().map(|point| point.force))
-            .chain(self.peak.map(|peak| peak.force))
+            .chain(self.largest_computed_force.map(|largest| largest.force))
             .reduce(f64::max)
     }
 }
@@ -144,20 +144,21 @@ fn adhered(samples: &[Sample], near: f64) -> f64 {
 }
 
 /// One place of a beam.
-struct Sample {
+pub(super) struct Sample {
     /// Of the axis, nm
-    x: f64,
-    y: f64,
-    /// Distance of the lower edge from the ground, nm
-    gap: f64,
+    pub x: f64,
+    pub y: f64,
+    /// Distance of the lower edge from the ground, and of the upper one, nm
+    pub gap: f64,
+    pub far_gap: f64,
     /// Height of the lower edge, and of the ground along y below the axis, nm
-    edge: f64,
-    ground: f64,
+    pub edge: f64,
+    pub ground: f64,
     /// Of the ground, 1/nm
-    curvature: f64,
+    pub curvature: f64,
 }
 
-fn samples(substrate: &Substrate, shape: &DeformedShape) -> Vec<Sample> {
+pub(super) fn samples(substrate: &Substrate, shape: &DeformedShape) -> Vec<Sample> {
     let places = shape.x.iter().zip(&shape.y).zip(shape.rotation.iter().zip(&shape.height));
     let sample = |((&x, &y), (&rotation, &height)): ((&f64, &f64), (&f64, &f64))| {
         let foot = substrate.project(x, y);
@@ -166,6 +167,7 @@ fn samples(substrate: &Substrate, shape: &DeformedShape) -> Vec<Sample> {
             x,
             y,
             gap: foot.distance - 0.5 * height * tilt.cos().abs(),
+            far_gap: foot.distance + 0.5 * height * tilt.cos().abs(),
             edge: y - 0.5 * height * rotation.cos().abs(),
             ground: y - substrate.clearance(x, y),
             curvature: foot.curvature,

@@ -1,6 +1,8 @@
 //! The whole peel of one model: path, special points, error bounds, how it ended.
+mod adhering;
 mod assembly;
 mod contact;
+mod detachment;
 mod equilibrium_path;
 mod failure;
 mod plateau;
@@ -8,8 +10,10 @@ mod result;
 pub(super) mod run;
 mod sliding;
 mod solution_history;
+mod special_points;
 mod step_curve;
 mod work;
+pub use adhering::Adhering;
 pub(super) use assembly::empty;
 pub use contact::{Contact, SMALLEST_RADIUS};
 pub(super) use equilibrium_path::is_clear;

@@ -3,6 +3,9 @@
 use super::equilibrium_path::Followed;
 use super::{Plateau, StepCurve};
 use crate::model::PlanarProblem;
+use crate::solve::{LimitPointKind, Solution, Workspace, difference_on_more_elements};
+use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, LEVEL_FACTOR, ROUND_OFF, least};
+use std::sync::Arc;
 
 /// A plateau is reported where |d ln P / d ln u| is below this.
 const FLAT: f64 = 0.01;
@@ -17,6 +20,7 @@ pub(super) fn plateau(
     followed: &Followed,
     peak_after: usize,
     snap_after: usize,
+    relative: f64,
 ) -> Option<Plateau> {
     let points = &followed.points;
     // between points by differences: slopes at the points are not exact enough to tell one flat place from another
@@ -30,13 +34,80 @@ pub(super) fn plateau(
     let mut ws = followed.workspace();
     // a step and its neighbours, since the least steepness may lie at an end of it
     let steps = (least - 1..=least + 1).map(|i| StepCurve::behind(problem, points, i, &mut ws));
+    let samples: Vec<Sample> = steps.flat_map(|curve| (0..=SAMPLES).map(move |k| sample(&curve, k))).collect();
     let best =
-        steps.flat_map(|curve| (0..=SAMPLES).map(move |k| sample(&curve, k))).min_by(|a, b| a.0.total_cmp(&b.0))?;
-    (best.0 < FLAT).then_some(best.1)
+        samples.iter().min_by(|a, b| a.steepness.total_cmp(&b.steepness)).filter(|best| best.steepness < FLAT)?;
+    // another step that is about as level may hold the place as well
+    let at = |i: usize, steepness: f64| {
+        let o = &points[i].observables;
+        Sample { steepness, displacement: o.displacement, force: o.force }
+    };
+    let others =
+        (peak_after + 2..snap_after.saturating_sub(1)).flat_map(|i| [at(i, between(i)), at(i + 1, between(i))]);
+    let others: Vec<Sample> = others.collect();
+    let around = &points[least - 1..=least + 2];
+    let bounds = bounds(problem, around, [&samples, &others], (best, between(least)), relative, &mut ws);
+    // a limit point of the force is level as well, and the more so the shorter the steps are: which of two places is taken depends on them
+    let range = peak_after + 1..snap_after;
+    let turns = followed.turns.iter().filter(|turn| turn.0 == LimitPointKind::Load && range.contains(&turn.1));
+    let turns: Vec<f64> = turns.map(|turn| turn.2.observables.force).collect();
+    let level = range.clone().filter(|&i| !turns.is_empty() && between(i) <= FLAT).map(|i| points[i].observables.force);
+    let rivals: Vec<f64> = level.chain(turns.iter().copied()).collect();
+    let bounds = bounds.filter(|bounds| rivals.iter().all(|force| (force - best.force).abs() <= bounds.0));
+    Some(Plateau {
+        displacement: best.displacement,
+        force: best.force,
+        force_error: bounds.map(|bounds| bounds.0),
+        displacement_error: bounds.map(|bounds| bounds.1),
+    })
 }
 
-/// |d ln P / d ln u| at one of the samples of a step, and the place.
-fn sample(curve: &StepCurve, k: usize) -> (f64, Plateau) {
+/// A place of the curve.
+struct Sample {
+    /// |d ln P / d ln u|
+    steepness: f64,
+    displacement: f64,
+    force: f64,
+}
+
+/// One of the samples of a step.
+fn sample(curve: &StepCurve, k: usize) -> Sample {
     let (u, rise, p, fall) = curve.at(2.0 * k as f64 / SAMPLES as f64 - 1.0);
-    ((fall * u / (rise * p)).abs(), Plateau { displacement: u, force: p })
+    Sample { steepness: (fall * u / (rise * p)).abs(), displacement: u, force: p }
+}
+
+/// Bounds on the errors of force (nN) and displacement (nm) of a plateau among the samples of the steps between some points, or at an end of
+/// any other step, with the steepness of that step's chord; none where the material points remember, whose path depends on its steps.
+///
+/// Two points whose forces are wrong by δP each make the steepness between them wrong by 2 δP/P over the difference of their ln u: a place that
+/// is less steep than the best by no more than that may be the true one. The force is wrong by what more elements change of it, and by what it
+/// changes up to there.
+fn bounds(
+    problem: &PlanarProblem,
+    around: &[Arc<Solution>],
+    [samples, others]: [&[Sample]; 2],
+    (best, chord): (&Sample, f64),
+    relative: f64,
+    ws: &mut Workspace,
+) -> Option<(f64, f64)> {
+    if problem.system.has_history() {
+        return None;
+    }
+    let mut wrong = (ROUND_OFF + least(relative)) * best.force;
+    for point in around {
+        let difference = difference_on_more_elements(problem, point, ws).ok()?;
+        wrong = wrong.max(DIFFERENCE_BOUND_FACTOR * difference.force.abs());
+    }
+    let u = |point: &Arc<Solution>| point.observables.displacement;
+    let shortest = around.windows(2).map(|pair| (u(&pair[1]) / u(&pair[0])).ln().abs()).fold(f64::INFINITY, f64::min);
+    // which of the steps is the least steep depends on where they begin
+    let uncertain = best.steepness.max(LEVEL_FACTOR * chord) + 2.0 * wrong / (best.force * shortest);
+    let level = || samples.iter().chain(others).filter(|sample| sample.steepness <= uncertain);
+    let away = level().map(|sample| (sample.displacement - best.displacement).abs()).fold(0.0, f64::max);
+    let spacing =
+        samples.windows(2).map(|pair| (pair[1].displacement - pair[0].displacement).abs()).fold(0.0, f64::max);
+    let change = level().map(|sample| (sample.force - best.force).abs()).fold(0.0, f64::max);
+    let force = wrong + change + best.steepness * best.force * spacing / best.displacement;
+    let displacement = away + spacing;
+    (force.is_finite() && displacement.is_finite()).then_some((force, displacement))
 }

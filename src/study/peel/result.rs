@@ -14,8 +14,11 @@ use serde::{Deserialize, Serialize};
 pub enum PathEnd {
     /// No point of the beam is nearer than [`crate::adhesion::LineLaw::cutoff_distance`].
     Detached,
-    /// The force has come back to zero after a snap-off, and the beam is still in edge contact.
+    /// The force has come back to zero, or the beam stands upright, and it is still in edge contact.
     Pivoting,
+    /// A grip that rotates as it goes has passed a displacement limit point while it pushes: behind that the force is below zero and
+    /// has not come back to zero.
+    Pushing,
     /// The beam has re-adhered: u has returned to 0.
     TurnedBack,
     /// The whole contact slides, and would at a constant force from here on; or next to none of it is left.
@@ -70,13 +73,16 @@ pub struct LimitPoint {
     pub displacement_error: f64,
     /// Bound on the error of `force`, nN
     pub force_error: f64,
+    /// Bound on the error of `work`, aJ; none where the load has no potential or there is friction, where the work is an integral over the
+    /// path, where a term of the model was left out, and where half as many elements again have no solution beside this one
+    pub work_error: Option<f64>,
     /// Whether the force is so flat around it that its displacement cannot be determined any better and does not matter.
     pub flat: bool,
     /// It lies between `points[after]` and `points[after + 1]` of the path.
     pub after: usize,
 }
 
-/// A largest force: at a limit point, or at the end of the path.
+/// A largest force: a limit point of the path, located.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
     /// u of the grip, nm
@@ -91,6 +97,16 @@ pub struct Peak {
     pub displacement_error: f64,
 }
 
+/// The largest force among the points of a path where that is at no located limit point: at an end of the path, say. How far the force goes up
+/// from there is not known, and so it has no error bound.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LargestComputedForce {
+    /// u of the grip, nm
+    pub displacement: f64,
+    /// P, nN
+    pub force: f64,
+}
+
 /// Where the force changes least with the displacement.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Plateau {
@@ -98,6 +114,11 @@ pub struct Plateau {
     pub displacement: f64,
     /// P, nN
     pub force: f64,
+    /// Bound on the error of `force`, nN; none with friction, where a term of the model was left out, and where the force has a limit point
+    /// elsewhere between the initiation peak and the first jump: which of the two places is taken depends on how long the steps are
+    pub force_error: Option<f64>,
+    /// How far from `displacement` the force changes as little, as far as the error of its slope tells, nm; none likewise
+    pub displacement_error: Option<f64>,
 }
 
 /// What it took.
@@ -143,12 +164,22 @@ pub struct Peel {
     pub limit_points: Vec<LimitPoint>,
     /// The first load limit point that is a maximum; none where the path has none
     pub initiation_peak: Option<Peak>,
-    /// The largest force; none where the path has no maximum
+    /// The limit point with the largest force up to the first displacement limit point, or as far as a stop criterion let the path go. None
+    /// where the computed curve goes higher at a point that is no limit point, where the grip pushes all the way, and where the
+    /// computation stopped short before the first displacement limit point: an end of a path is never a peak.
     pub peak: Option<Peak>,
+    /// Where there is no `peak`: the largest force of the computed curve up to the first displacement limit point.
+    pub largest_computed_force: Option<LargestComputedForce>,
     /// None where the force has no plateau
     pub plateau: Option<Plateau>,
-    /// The first displacement limit point: a displacement-controlled test jumps here.
+    /// The first displacement limit point: a displacement-controlled test makes its first jump here, whatever jumps.
     pub snap_off: Option<LimitPoint>,
+    /// The displacement limit point behind which the pad does not adhere any more ([`Adhering`](super::Adhering)): at the most an edge or
+    /// the end does. None where there is no such fold, and on a path that was not followed to where the beam comes off.
+    pub pad_detachment: Option<LimitPoint>,
+    /// The displacement limit point behind which nothing adheres any more, up to where the path ends detached. None where there is no
+    /// such fold, as where an edge still adheres in the end or comes off without a jump.
+    pub detachment: Option<LimitPoint>,
     /// Where and why the path ends
     pub end: PathEnd,
     /// What it cost

@@ -4,6 +4,7 @@
 use super::assembly::{differences, empty, report};
 use super::equilibrium_path::{Followed, follow};
 use super::solution_history::SolutionHistory;
+use super::special_points::error_at_start;
 use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
 use crate::model::{Discretisation, PeelModel, PlanarProblem};
 use crate::solve::LimitPointKind;
@@ -41,11 +42,15 @@ pub(in crate::study) fn run(
     let (aimed, least) = aim(model, accuracy);
     let mut peel = on_meshes(model, &aimed, stop, checkpoint);
     peel.asked = accuracy.relative;
-    let Peel { limit_points, initiation_peak, peak, snap_off, .. } = &mut peel;
+    let Peel { limit_points, initiation_peak, peak, snap_off, pad_detachment, detachment, plateau, .. } = &mut peel;
     if let Some(share) = least {
-        for point in limit_points.iter_mut().chain(snap_off) {
+        for point in limit_points.iter_mut().chain(snap_off).chain(pad_detachment).chain(detachment) {
             point.force_error = point.force_error.max(share * point.force.abs());
             point.displacement_error = point.displacement_error.max(share * point.displacement.abs());
+            point.work_error = point.work_error.map(|error| error.max(share * point.work.abs()));
+        }
+        if let Some(plateau) = plateau {
+            plateau.force_error = plateau.force_error.map(|error| error.max(share * plateau.force));
         }
         for peak in initiation_peak.iter_mut().chain(peak) {
             peak.force_error = peak.force_error.max(share * peak.force.abs());
@@ -183,9 +188,7 @@ impl Attempt {
         let relative = accuracy.relative;
         let mut spread = f64::INFINITY;
         let mut peel = report(model, problem, &followed, relative);
-        // a peak where the path begins is no limit point
-        let at_rest = peel.peak.filter(|peak| Some(peak.displacement) == peel.points.first().map(|p| p.displacement));
-        let at_rest = at_rest.map_or(0.0, |peak| peak.force_error / peak.force);
+        let at_rest = error_at_start(&peel, problem, &followed.points);
         let differences = differences(&followed, problem).into_iter().map(|d| DIFFERENCE_BOUND_FACTOR * d / relative);
         let missed = differences.clone().filter(|difference| difference.is_nan() || *difference > 1.0).count();
         let difference = differences.fold(at_rest / relative, f64::max);
@@ -261,6 +264,8 @@ impl Attempt {
                     if !point.flat {
                         point.displacement_error =
                             point.displacement_error.max(DIFFERENCE_BOUND_FACTOR * displacement.abs());
+                        let work = DIFFERENCE_BOUND_FACTOR * (point.work - twin.work).abs();
+                        point.work_error = point.work_error.map(|error| error.max(work));
                     }
                 }
             }
@@ -332,6 +337,10 @@ impl Attempt {
         let bounded = matches!(peel.end, PathEnd::Bound(_));
         let missed = (missed && !bounded).then_some(PathFailure::BoundsMissed { factor: worst });
         if let Some(cause) = self.trouble.or(missed) {
+            if matches!(cause, PathFailure::StepsMatter { .. }) {
+                // which of the limit points are there depends on the steps
+                peel.forget_special_points();
+            }
             let Effort { elements, order, .. } = peel.effort;
             peel.end = PathEnd::Failed(Failure::Path { cause, elements, order, asked: peel.asked });
         }

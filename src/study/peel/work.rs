@@ -4,7 +4,8 @@
 use super::Peel;
 use super::step_curve::StepCurve;
 use crate::model::PlanarProblem;
-use crate::solve::{Located, PathSegment, Solution, Workspace};
+use crate::solve::{LimitPointKind, Located, Observables, PathSegment, Solution, Workspace, on_more_elements};
+use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, bound_floor};
 use std::sync::Arc;
 
 /// Work from rest to each point, aJ.
@@ -32,6 +33,57 @@ pub(super) fn work_near(
     let mut segment = PathSegment::around(problem, points, after);
     let label = segment.insert(s.clone());
     works[after] + StepCurve::until(problem, &segment, label, s, ws).work()
+}
+
+/// What more elements change of the works of a path.
+pub(super) struct WorkErrors<'p> {
+    problem: &'p PlanarProblem,
+    /// Change of the energy where the path begins, aJ; none where there is none to be had.
+    start: Option<f64>,
+    /// Energy there, aJ
+    first: f64,
+    relative: f64,
+}
+
+impl<'p> WorkErrors<'p> {
+    /// Of a path that begins at a point.
+    pub fn new(problem: &'p PlanarProblem, first: &Solution, relative: f64, ws: &mut Workspace) -> Self {
+        let known = problem.system.is_conservative() && !problem.system.has_history();
+        let start = known.then(|| change_of_energy(problem, first, Observables::DISPLACEMENT, ws)).flatten();
+        Self { problem, start, first: energy(problem, first), relative }
+    }
+
+    /// Bound on the error of the work at a limit point whose displacement has the bound `displacement_error`, aJ.
+    ///
+    /// On half as many elements again the limit point lies Δu further, and its energy is that of the solution with the same force (at a limit
+    /// point of the displacement; with the same displacement at one of the force), and P du from there: with E' and u' of that solution it
+    /// changes by E' - E - P (u' - u) + P Δu. The last is bounded as the displacement is.
+    pub fn at(
+        &self,
+        located: &Located,
+        kind: LimitPointKind,
+        displacement_error: f64,
+        ws: &mut Workspace,
+    ) -> Option<f64> {
+        let s = &located.solution;
+        let held = match kind {
+            LimitPointKind::Displacement => Observables::FORCE,
+            LimitPointKind::Load => Observables::DISPLACEMENT,
+        };
+        let change = change_of_energy(self.problem, s, held, ws)? - self.start?;
+        let energy = energy(self.problem, s);
+        let floor = ROUND_OFF * energy.abs().max(self.first.abs())
+            + bound_floor(located, self.relative) * (energy - self.first).abs();
+        let bound = DIFFERENCE_BOUND_FACTOR * change.abs() + power(self.problem, s).abs() * displacement_error + floor;
+        bound.is_finite().then_some(bound)
+    }
+}
+
+/// E' - E - P (u' - u), aJ: a solution on half as many elements again, with one number held, against a solution.
+fn change_of_energy(problem: &PlanarProblem, s: &Solution, held: Observables, ws: &mut Workspace) -> Option<f64> {
+    let finer = on_more_elements(problem, s, held, ws).ok()?;
+    let moved = finer.observables.displacement - s.observables.displacement;
+    Some(energy(problem, &finer) - energy(problem, s) - power(problem, s) * moved)
 }
 
 /// ∫ P du from rest to each point, aJ, whatever the load.

@@ -173,8 +173,6 @@ struct Found {
     left_out: LeftOut,
     /// Of each limit point
     shifts: Vec<FirstOrderChange>,
-    /// Of a peak that is none: the end of the path
-    end: FirstOrderChange,
 }
 
 /// What a term does on a path without it.
@@ -218,7 +216,7 @@ impl Found {
     fn of(peel: &Peel, trace: &SolutionHistory, model: &PeelModel, term: Term) -> Self {
         let nothing = LeftOut { term, force: 0.0, displacement: 0.0, largest: 0.0 };
         let Some(work) = Work::of(term, model, &peel.model) else {
-            return Self { left_out: nothing, shifts: Vec::new(), end: FirstOrderChange::default() };
+            return Self { left_out: nothing, shifts: Vec::new() };
         };
         let rate = |solution: &Solution, lift: f64| {
             work.rate(&SectionSampling::new(&peel.model, &trace.problem, solution), lift)
@@ -239,12 +237,7 @@ impl Found {
             if point.flat { FirstOrderChange { displacement: 0.0, ..shift } } else { shift }
         };
         let shifts: Vec<FirstOrderChange> = peel.limit_points.iter().map(shift).collect();
-        let is_peak = |end: &&Arc<Solution>| {
-            peel.peak_at_end().is_some_and(|peak| peak.displacement == end.observables.displacement)
-        };
-        let end = [trace.points.first(), trace.points.last()].into_iter().flatten().find(is_peak);
-        let end = end.map_or(FirstOrderChange::default(), |end| FirstOrderChange::at_end(end, &rate));
-        let mut found = Self { left_out: nothing, shifts, end };
+        let mut found = Self { left_out: nothing, shifts };
         let peak = peel.initiation_peak.map(|peak| peak.displacement);
         // not a number is larger than any
         let larger =
@@ -256,8 +249,12 @@ impl Found {
                 (found.left_out.force, found.left_out.displacement) = (shift.force, shift.displacement);
             }
         }
-        if let Some(peak) = peel.peak_at_end() {
-            found.left_out.largest = larger(found.left_out.largest, end.force / peak.force);
+        // a largest force that is no limit point counts as well where it is at an end of the path
+        if let Some(largest) = peel.largest_computed_force {
+            let is_there = |end: &&Arc<Solution>| largest.displacement == end.observables.displacement;
+            let end = [trace.points.first(), trace.points.last()].into_iter().flatten().find(is_there);
+            let change = end.map_or(FirstOrderChange::default(), |end| FirstOrderChange::at_end(end, &rate));
+            found.left_out.largest = larger(found.left_out.largest, change.force / largest.force);
         }
         found
     }
@@ -267,9 +264,11 @@ impl Found {
         for (point, shift) in peel.limit_points.iter_mut().zip(&self.shifts) {
             point.force_error += self.wide(shift.force, point.force);
             point.displacement_error += self.wide(shift.displacement, point.displacement);
+            // what the term does on the way there is not estimated
+            point.work_error = point.work_error.filter(|_| self.left_out.largest == 0.0);
         }
-        if peel.peak_at_end().is_some() {
-            peel.peak.iter_mut().for_each(|peak| peak.force_error += self.wide(self.end.force, peak.force));
+        if let Some(plateau) = peel.plateau.as_mut().filter(|_| self.left_out.largest != 0.0) {
+            (plateau.force_error, plateau.displacement_error) = (None, None);
         }
     }
 

@@ -10,7 +10,8 @@ fn json_is_one_object_and_writes_no_file() {
     let run = peel(dir.path(), &["run", "strip.toml", "--json", "--set", "strip.length=150nm"]);
     let summary = run.json();
     assert_status_tells_the_end(&run, &summary["end"], &summary["reason"]);
-    let keys = ["peak", "initiation_peak", "plateau", "snap_off", "reason"];
+    let keys =
+        ["peak", "initiation_peak", "plateau", "snap_off", "first_jump", "pad_detachment", "detachment", "reason"];
     let object = summary.as_object().unwrap();
     assert!(keys.iter().all(|&key| object.contains_key(key)), "{keys:?} are there, null where a thing does not occur");
     assert_eq!(summary["scene"], "strip.toml");
@@ -77,10 +78,61 @@ fn a_sweep_writes_a_row_a_value() {
     let table = fs::read_to_string(dir.path().join("out/strip/sweep.csv")).unwrap();
     let header = "value,peak_force_nN,peak_error_nN,initiation_peak_nN,plateau_force_nN,snap_off_displacement_nm,\
                   work_aJ,solve_s,end,points,newton_iterations,elements,order,initiation_peak_error_nN,\
-                  snap_off_error_nm\n";
+                  snap_off_error_nm,largest_computed_force_nN,peak_displacement_nm,peak_error_nm,plateau_error_nN,\
+                  snap_off_force_nN,snap_off_error_nN,work_to,work_error_aJ,pad_detachment_displacement_nm,\
+                  pad_detachment_error_nm,pad_detachment_force_nN,pad_detachment_error_nN,pad_detachment_work_aJ,\
+                  pad_detachment_work_error_aJ,detachment_displacement_nm,detachment_error_nm,detachment_force_nN,\
+                  detachment_error_nN,detachment_work_aJ,detachment_work_error_aJ,accuracy_reached\n";
     assert!(table.starts_with(header), "{table}");
     let values: Vec<&str> = table.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
     assert_eq!(values, ["80.0", "100.0", "120.0"]);
+}
+
+/// A path that is cut short while the force rises has no peak: an empty cell in the table, a gap in the picture, a mark at its work.
+#[test]
+fn a_sweep_over_paths_that_are_cut_short_has_gaps() {
+    let dir = bench();
+    let args = ["sweep", "strip-100nm.toml", "--vary", "bounds.displacement", "--from", "0.1 nm", "--to", "60 nm"];
+    let sweep = peel(dir.path(), &[&args[..], &["--points", "3", "--out", "cut"]].concat());
+    assert_eq!(sweep.status, 0, "{}", sweep.stderr);
+    let table = fs::read_to_string(dir.path().join("cut/sweep.csv")).unwrap();
+    let header: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    let cell = |line: usize, name: &str| {
+        let column = header.iter().position(|&column| column == name).unwrap();
+        table.lines().nth(1 + line).unwrap().split(',').nth(column).unwrap().to_owned()
+    };
+    assert_eq!((cell(0, "peak_force_nN"), cell(0, "work_to")), (String::new(), "end of path".into()));
+    assert!(cell(0, "largest_computed_force_nN").starts_with("0.29"), "{table}");
+    for line in 1..3 {
+        assert!(cell(line, "peak_force_nN").starts_with("0.3411"), "{table}");
+        assert_eq!(cell(line, "largest_computed_force_nN"), "");
+    }
+    assert_eq!(cell(2, "work_to"), "first jump");
+    assert!(dir.path().join("cut/sweep.svg").exists());
+    assert!(sweep.stdout.contains("* work to the end of a path without a jump"), "{}", sweep.stdout);
+}
+
+#[test]
+fn a_run_that_was_cut_short_tells_no_peak() {
+    let dir = bench();
+    let cut = ["run", "strip-100nm.toml", "--set", "bounds.displacement=0.1 nm"];
+    let run = peel(dir.path(), &[&cut[..], &["--json"]].concat());
+    let summary = run.json();
+    assert_eq!((&summary["peak"], &summary["initiation_peak"]), (&Value::Null, &Value::Null));
+    assert_eq!(summary["largest_computed_force"]["located"], false);
+    assert_eq!(summary["accuracy"]["met"], Value::Null);
+    let text = peel(dir.path(), &cut).stdout;
+    assert!(text.contains("peak force         none") && text.contains("largest computed   0.29"), "{text}");
+    assert!(text.contains("not the work of peeling"), "{text}");
+}
+
+#[test]
+fn a_tolerance_that_was_not_met_is_told_first() {
+    let dir = bench();
+    let coarse = ["run", "strip-100nm.toml", "--set", "accuracy.elements=12", "--set", "accuracy.relative=1e-9"];
+    let text = peel(dir.path(), &coarse).stdout;
+    let first = text.lines().nth(2).unwrap_or_default();
+    assert!(first.starts_with("  accuracy           ") && first.contains("requested 1e-9"), "{text}");
 }
 
 #[test]

@@ -148,11 +148,21 @@ fn pieces(list: &str) -> Option<ProfilePieces> {
 /// Every number of a row: met to the accuracy asked for, and its bound no smaller than its error.
 fn numbers(case: &str, row: &Row, peel: &Peel) -> Vec<Check> {
     let (first, largest, snap) = (peel.initiation_peak, peel.peak, peel.snap_off);
+    // where a path falls from its beginning the largest force is no limit point and has no bound: the accuracy asked for is expected of it
+    let computed = peel.largest_computed_force;
     let reported = [
         ("initiation_displacement_nm", first.map(|p| (p.displacement, p.displacement_error))),
         ("initiation_force_nN", first.map(|p| (p.force, p.force_error))),
-        ("peak_displacement_nm", largest.map(|p| (p.displacement, p.displacement_error))),
-        ("peak_force_nN", largest.map(|p| (p.force, p.force_error))),
+        (
+            "peak_displacement_nm",
+            largest
+                .map(|p| (p.displacement, p.displacement_error))
+                .or(computed.map(|p| (p.displacement, RELATIVE * p.displacement))),
+        ),
+        (
+            "peak_force_nN",
+            largest.map(|p| (p.force, p.force_error)).or(computed.map(|p| (p.force, RELATIVE * p.force))),
+        ),
         ("lp1_displacement_nm", snap.map(|p| (p.displacement, p.displacement_error))),
         ("lp1_force_nN", snap.map(|p| (p.force, p.force_error))),
     ];

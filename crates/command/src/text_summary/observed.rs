@@ -10,11 +10,27 @@ pub fn observed(test: &Observed, solve_s: f64) -> String {
     let none = || "none".to_owned();
     let pull_off = |peak: PullOff| {
         let force = with_error(peak.force, peak.force_error);
-        format!("{force} nN at U = {:.6} nm, the largest force on the stable retreat", peak.machine)
+        let adheres = peak.adheres.word();
+        format!(
+            "{force} nN at U = {:.6} nm, the largest force on the stable retreat; adhering: {adheres}",
+            peak.machine
+        )
+    };
+    let before_upright = |peak: PullOff| {
+        let force = with_error(peak.force, peak.force_error);
+        let adheres = peak.adheres.word();
+        format!(
+            "{force} nN at U = {:.6} nm, the largest force before the beam stood on its end; adhering: {adheres}",
+            peak.machine
+        )
     };
     let mut lines = vec![("pull-off force", test.pull_off.map_or_else(none, pull_off))];
+    lines.extend(test.before_upright.map(|peak| ("", before_upright(peak))));
     for jump in &test.jumps {
-        let landed = if jump.detached { "detached".to_owned() } else { format!("front at {:.2} nm", jump.after.front) };
+        let landed = match jump.detached {
+            true => "detached".to_owned(),
+            false => format!("front at {:.2} nm, adhering: {}", jump.after.front, jump.after.adheres.word()),
+        };
         lines.push((
             jump_word(jump.kind),
             format!(

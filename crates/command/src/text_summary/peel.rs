@@ -1,11 +1,12 @@
 //! The summary of one peel.
 
 use super::layout::in_columns;
-use super::number::{with_error, work};
+use super::number::{short, with_error, work};
 use peelkit::beam::{GripForces, GripState};
 use peelkit::model::Step;
 use peelkit::study::{
-    Contact, LeftOut, LimitPoint, LimitPointKind, PathEnd, Peak, Peel, Sliding, TermDecisions, TermEffect, WarningKind,
+    Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, PathEnd, Peak, Peel, Plateau, Sliding,
+    TermDecisions, TermEffect, WarningKind,
 };
 use peelkit_report::{end_reason, end_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
@@ -20,20 +21,36 @@ pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64) -> String {
         let force = with_error(at.force, at.force_error);
         format!("{force} nN at u = {} nm", with_error(at.displacement, at.displacement_error))
     };
-    let snap_off = |at: LimitPoint| {
+    let fold = |at: LimitPoint| {
         let what = if peel.model.pull.turn == 0.0 { "work" } else { "work of force and moment" };
-        format!("u = {} nm, {what} to there {}", with_error(at.displacement, at.displacement_error), work(at.work))
+        let work = at.work_error.map_or_else(|| work(at.work), |error| format!("{} aJ", with_error(at.work, error)));
+        format!("u = {} nm, {what} to there {work}", with_error(at.displacement, at.displacement_error))
     };
-    let mut lines = steps(peel);
+    let plateau = |at: Plateau| {
+        let (force, place) = match (at.force_error, at.displacement_error) {
+            (Some(force), Some(place)) => (with_error(at.force, force), with_error(at.displacement, place)),
+            _ => (format!("{:.6}", at.force), format!("{:.4}", at.displacement)),
+        };
+        format!("{force} nN at u = {place} nm")
+    };
+    let mut lines: Vec<(&str, String)> = accuracy(peel).map(|text| ("accuracy", text)).into_iter().collect();
+    lines.extend(steps(peel));
+    lines.push(("peak force", peel.peak.map_or_else(none, at_peak)));
+    lines.extend(peel.largest_computed_force.map(|at| ("largest computed", largest_computed(at))));
     lines.extend([
-        ("peak force", peel.peak.map_or_else(none, at_peak)),
         ("initiation peak", peel.initiation_peak.map_or_else(none, at_peak)),
-        (
-            "plateau",
-            peel.plateau.map_or_else(none, |at| format!("{:.6} nN at u = {:.4} nm", at.force, at.displacement)),
-        ),
-        ("snap-off", peel.snap_off.map_or_else(none, snap_off)),
+        ("plateau", peel.plateau.map_or_else(none, plateau)),
+        ("snap-off", peel.snap_off.map_or_else(none, fold)),
     ]);
+    let other = |at: &LimitPoint| peel.snap_off.is_some_and(|first| first.displacement != at.displacement);
+    lines.extend(peel.pad_detachment.filter(other).map(|at| ("pad detachment", fold(at))));
+    lines.extend(peel.detachment.filter(other).map(|at| ("detachment", fold(at))));
+    if peel.snap_off.is_none()
+        && let Some(last) = peel.points.last().filter(|_| peel.points.len() > 1)
+    {
+        let text = format!("{} to the end of the path, which has no jump: not the work of peeling", work(last.work));
+        lines.push(("work", text));
+    }
     for (index, at) in peel.limit_points.iter().enumerate() {
         let kind = match at.kind {
             LimitPointKind::Displacement => "displacement limit point",
@@ -48,14 +65,6 @@ pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64) -> String {
     }
     if let Some(left_out) = left_out(peel) {
         lines.push(("", format!("left out: {} {left_out}", peel.ripple)));
-    }
-    if let Some(reached) = peel.reached_accuracy().filter(|&reached| reached > peel.asked) {
-        let why = match reached < ROUND_OFF {
-            true => "limited by round-off, which finer meshes do not reduce",
-            false => "the tolerance was not met on any mesh",
-        };
-        let text = format!("{reached:.0e}, requested {:e}: {why}", peel.asked);
-        lines.push(("accuracy", text));
     }
     lines.extend(terms(peel));
     lines.extend(peel.considered.iter().flat_map(considered));
@@ -76,6 +85,27 @@ pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64) -> String {
         ),
     ));
     in_columns(&scene.title, &lines)
+}
+
+/// A largest force that is no peak; no more digits than say where it is.
+fn largest_computed(at: LargestComputedForce) -> String {
+    format!(
+        "{} nN at u = {} nm: the largest force of the computed curve, no limit point and without an error bound",
+        short(at.force),
+        short(at.displacement)
+    )
+}
+
+/// What is to be known before any number is read: that the tolerance was not met, or that the computation stopped short.
+fn accuracy(peel: &Peel) -> Option<String> {
+    if let Some(reached) = peel.reached_accuracy().filter(|&reached| reached > peel.asked) {
+        let why = match reached < ROUND_OFF {
+            true => "limited by round-off, which finer meshes do not reduce",
+            false => "the tolerance was not met on any mesh",
+        };
+        return Some(format!("{reached:.0e}, requested {:e}: {why}", peel.asked));
+    }
+    matches!(peel.end, PathEnd::Failed(_)).then(|| "the computation stopped short; see `end`".to_owned())
 }
 
 /// The grip after each step before the pull.
@@ -178,6 +208,7 @@ fn end(end: &PathEnd) -> String {
     let meaning = match end {
         PathEnd::Detached => "no point of the strip is nearer than 10 r0",
         PathEnd::Pivoting => "the force has returned to zero, and the strip is still in edge contact",
+        PathEnd::Pushing => "behind the snap-off the grip pushes, and the force does not return to zero",
         PathEnd::TurnedBack => "u has returned to 0",
         PathEnd::Sliding => "the whole contact slides, at a constant force from here on",
         PathEnd::Snapped => "the strip snaps off; equilibrium does not determine how it slides during the jump",
@@ -213,12 +244,14 @@ mod tests {
             work: 3.25,
             displacement_error: 3e-6,
             force_error: 4e-9,
+            work_error: Some(5e-7),
             flat: false,
             after: 0,
         };
         let mut made_up = study::peel(&scene.model, &scene.accuracy, &bounds.from_now());
         made_up.limit_points = vec![LimitPoint { kind: LimitPointKind::Load, ..snap_off }, snap_off];
         made_up.initiation_peak = None;
+        (made_up.largest_computed_force, made_up.pad_detachment, made_up.detachment) = (None, None, Some(snap_off));
         made_up.peak = Some(Peak {
             displacement: 0.2496,
             force: 0.341121,
@@ -233,13 +266,13 @@ mod tests {
         let expected = "\
 short
 
+  accuracy           4e-3, requested 1e-6: the tolerance was not met on any mesh
   peak force         0.34112 ± 1e-5 nN at u = 0.250 ± 1e-3 nm
   initiation peak    none
   plateau            none
-  snap-off           u = 48.215618 ± 3e-6 nm, work to there 3.250000 aJ
+  snap-off           u = 48.215618 ± 3e-6 nm, work to there 3.2500000 ± 5e-7 aJ
   limit points       load limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
                      displacement limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
-  accuracy           4e-3, requested 1e-6: the tolerance was not met on any mesh
   warnings           the process zone is 0.217 times as long as the section is high, less than 1: sections deform there, and the model keeps them rigid
   end                bound: a limit set under [bounds] was reached: bounds.points = 20
   computational cost 20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms

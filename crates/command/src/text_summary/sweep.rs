@@ -9,6 +9,12 @@ use std::fmt::{Display, Write};
 /// A sweep as a table, with what is to be said of its rows.
 pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) -> String {
     let mut text = format!("{}\n{} varied{}\n\n", scene.title, key.path(), in_unit(key.unit()));
+    let missed = rows.iter().filter(|row| row.found.reached.is_some_and(|reached| reached > row.found.asked));
+    let missed = missed.count();
+    if missed > 0 {
+        let _ =
+            writeln!(text, "the tolerance was not met at {missed} of {} values: see accuracy_reached\n", rows.len());
+    }
     let _ = writeln!(
         text,
         "{:>14} {:>14} {:>9} {:>14} {:>14} {:>12} {:>9}  end",
@@ -17,7 +23,8 @@ pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) ->
     let cell = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.8}"));
     for SweepRow { value, found, solve_s, .. } in rows {
         let error = found.peak.map_or_else(|| "-".to_owned(), |at| format!("{:.0e}", at.force_error));
-        let work = found.work.map_or_else(|| "-".to_owned(), |work| format!("{work:.5}"));
+        let mark = if found.snap_off.is_none() { "*" } else { "" };
+        let work = found.work.map_or_else(|| "-".to_owned(), |work| format!("{work:.5}{mark}"));
         let snap_off = found.snap_off.map_or_else(|| "-".to_owned(), |at| format!("{:.6}", at.displacement));
         let _ = writeln!(
             text,
@@ -31,6 +38,9 @@ pub fn sweep(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) ->
             1e3 * solve_s,
             end_word(&found.end)
         );
+    }
+    if rows.iter().any(|row| row.found.snap_off.is_none() && row.found.work.is_some()) {
+        text += "\n* work to the end of a path without a jump, which is not the work of peeling\n";
     }
     text + &listed(remarks)
 }

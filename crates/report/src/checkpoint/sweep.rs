@@ -155,16 +155,27 @@ mod tests {
             work: std::f64::consts::PI,
             displacement_error: 7.038_531_3e-26,
             force_error: 4e-9,
+            work_error: Some(2e-17),
             flat: true,
             after: 17,
         };
         let found = PeelResult {
             initiation_peak: None,
             peak: Some(peak),
-            plateau: Some(Plateau { displacement: 1e23, force: 8.41e21 }),
+            largest_computed_force: None,
+            plateau: Some(Plateau {
+                displacement: 1e23,
+                force: 8.41e21,
+                force_error: None,
+                displacement_error: Some(1e21),
+            }),
             plateau_front: Some(-0.0),
             snap_off: Some(snap_off),
+            pad_detachment: Some(snap_off),
+            detachment: None,
             work: Some(5e-5),
+            reached: Some(1.0 / 3.0),
+            asked: 1e-6,
             end: PathEnd::Failed(failure()),
             effort: Effort { points: 3, newton_iterations: 5, elements: 8, order: 7 },
         };

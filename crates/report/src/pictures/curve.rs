@@ -151,11 +151,6 @@ fn marks(peel: &Peel, numbered: &[usize]) -> Vec<Mark> {
         let symbol = if limit.kind == LimitPointKind::Displacement { Symbol::Diamond } else { Symbol::Triangle };
         marks.push(Mark { at: (limit.displacement, limit.force), symbol, colour: colour::INK, name: None, note });
     }
-    if let Some(peak) = peel.peak.filter(|p| !peel.limit_points.iter().any(|l| same(l.displacement, p.displacement))) {
-        let note = Some(values(Some("peak force"), peak.displacement, peak.force));
-        let at = (peak.displacement, peak.force);
-        marks.push(Mark { at, symbol: Symbol::Triangle, colour: colour::INK, name: None, note });
-    }
     for (n, &i) in numbered.iter().enumerate() {
         let at = (peel.points[i].displacement, peel.points[i].force);
         let note = Some(Note { badge: Some(n + 1), text: Vec::new() });

@@ -149,6 +149,7 @@ mod tests {
             work: 0.0,
             displacement_error: 0.0,
             force_error: 0.0,
+            work_error: None,
             flat: false,
             after,
         };

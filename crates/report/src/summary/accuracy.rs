@@ -12,6 +12,8 @@ pub(super) struct AccuracySummary {
     asked: Finite,
     /// The largest relative error bound of what is reported.
     reached: Option<Finite>,
+    /// Whether that is what was asked for; `None` where nothing has a bound.
+    met: Option<bool>,
     load_limit_points_left_out: usize,
     left_out: Option<&'static str>,
     /// Which unknowns a node has, and whether that leaves anything out.
@@ -24,6 +26,7 @@ impl AccuracySummary {
         Self {
             asked: Finite(peel.asked),
             reached: peel.reached_accuracy().map(Finite),
+            met: peel.reached_accuracy().map(|reached| reached <= peel.asked),
             load_limit_points_left_out: peel.ripple,
             left_out: left_out(peel),
             form: form_word(peel.choice.form),

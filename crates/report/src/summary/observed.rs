@@ -2,7 +2,7 @@
 
 use crate::names::{jump_word, test_end_reason, test_end_word};
 use crate::number::Finite;
-use peelkit::study::{Balance, Jump, JumpEnd, Observed};
+use peelkit::study::{Balance, Jump, JumpEnd, Observed, PullOff};
 use serde::Serialize;
 
 /// The object `observed` of summary.json; `None` where a thing does not occur or was not reached.
@@ -15,6 +15,10 @@ pub(super) struct ObservedSummary {
     pull_off_force: Option<Finite>,
     #[serde(rename = "pull_off_error_nN")]
     pull_off_error: Option<Finite>,
+    /// What adheres there: pad, edge or end face.
+    pull_off_adheres: Option<&'static str>,
+    /// The largest force before the beam stood on the face of its end; `None` where it never does.
+    before_upright: Option<ForceLine>,
     /// ∮ P dU
     #[serde(rename = "hysteresis_aJ")]
     hysteresis: Option<Finite>,
@@ -56,6 +60,30 @@ struct EndLine {
     energy: Finite,
     #[serde(rename = "front_nm")]
     front: Finite,
+    adheres: &'static str,
+}
+
+/// A largest force of a stretch of the test.
+#[derive(Debug, Serialize)]
+struct ForceLine {
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    #[serde(rename = "error_nN")]
+    force_error: Finite,
+    #[serde(rename = "machine_displacement_nm")]
+    machine: Finite,
+    adheres: &'static str,
+}
+
+impl From<PullOff> for ForceLine {
+    fn from(peak: PullOff) -> Self {
+        Self {
+            force: Finite(peak.force),
+            force_error: Finite(peak.force_error),
+            machine: Finite(peak.machine),
+            adheres: peak.adheres.word(),
+        }
+    }
 }
 
 #[derive(Debug, Serialize)]
@@ -94,6 +122,8 @@ impl ObservedSummary {
             reason: test_end_reason(&test.end),
             pull_off_force: test.pull_off.map(|peak| Finite(peak.force)),
             pull_off_error: test.pull_off.map(|peak| Finite(peak.force_error)),
+            pull_off_adheres: test.pull_off.map(|peak| peak.adheres.word()),
+            before_upright: test.before_upright.map(ForceLine::from),
             hysteresis: test.hysteresis.map(Finite),
             jumps: test.jumps.iter().map(JumpLine::from).collect(),
             work_balance: Balances {
@@ -139,6 +169,7 @@ impl From<&JumpEnd> for EndLine {
             force_error: Finite(end.force_error),
             energy: Finite(end.energy),
             front: Finite(end.front),
+            adheres: end.adheres.word(),
         }
     }
 }

@@ -26,12 +26,21 @@ pub struct PeelSummary {
     /// Of the ends `bound` and `failed`.
     reason: Option<String>,
     peak: Option<Peak>,
+    /// Where there is no peak: the largest force of the computed curve up to the first jump.
+    largest_computed_force: Option<LargestComputedForce>,
     initiation_peak: Option<Peak>,
     plateau: Option<Plateau>,
     limit_points: Vec<LimitPoint>,
     /// Where the model is not to be trusted.
     warnings: Vec<Warning>,
-    snap_off: Option<SnapOff>,
+    /// The first jump, under the name that it had before the others.
+    snap_off: Option<Fold>,
+    /// The first displacement limit point, whatever jumps there.
+    first_jump: Option<Fold>,
+    /// The one behind which the pad does not adhere any more.
+    pad_detachment: Option<Fold>,
+    /// The one behind which nothing adheres any more.
+    detachment: Option<Fold>,
     accuracy: AccuracySummary,
     /// The relative change of the peak if a term of the model is neglected, to first order.
     terms: Vec<TermEffect>,
@@ -69,12 +78,27 @@ struct Peak {
     displacement_error: Finite,
 }
 
+/// Of a point that is not located there is no error bound.
+#[derive(Debug, serde::Serialize)]
+struct LargestComputedForce {
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    #[serde(rename = "displacement_nm")]
+    displacement: Finite,
+    /// Always false: a located one is a peak.
+    located: bool,
+}
+
 #[derive(Debug, serde::Serialize)]
 struct Plateau {
     #[serde(rename = "force_nN")]
     force: Finite,
     #[serde(rename = "displacement_nm")]
     displacement: Finite,
+    #[serde(rename = "error_nN")]
+    force_error: Option<Finite>,
+    #[serde(rename = "error_nm")]
+    displacement_error: Option<Finite>,
 }
 
 #[derive(Debug, serde::Serialize)]
@@ -92,6 +116,8 @@ struct LimitPoint {
     displacement_error: Finite,
     #[serde(rename = "error_nN")]
     force_error: Finite,
+    #[serde(rename = "error_aJ")]
+    work_error: Option<Finite>,
     /// Of a load limit point around which the force is so level that its place cannot be determined and does not matter.
     flat: bool,
 }
@@ -105,7 +131,7 @@ struct Warning {
 }
 
 #[derive(Debug, serde::Serialize)]
-struct SnapOff {
+struct Fold {
     #[serde(rename = "displacement_nm")]
     displacement: Finite,
     #[serde(rename = "force_nN")]
@@ -116,6 +142,8 @@ struct SnapOff {
     displacement_error: Finite,
     #[serde(rename = "error_nN")]
     force_error: Finite,
+    #[serde(rename = "error_aJ")]
+    work_error: Option<Finite>,
 }
 
 #[derive(Debug, serde::Serialize)]
@@ -166,17 +194,24 @@ impl PeelSummary {
             end: end_word(&peel.end),
             reason: end_reason(&peel.end),
             peak: peel.peak.map(Peak::from),
+            largest_computed_force: peel.largest_computed_force.map(|at| LargestComputedForce {
+                force: Finite(at.force),
+                displacement: Finite(at.displacement),
+                located: false,
+            }),
             initiation_peak: peel.initiation_peak.map(Peak::from),
-            plateau: peel.plateau.map(|at| Plateau { force: Finite(at.force), displacement: Finite(at.displacement) }),
+            plateau: peel.plateau.map(|at| Plateau {
+                force: Finite(at.force),
+                displacement: Finite(at.displacement),
+                force_error: at.force_error.map(Finite),
+                displacement_error: at.displacement_error.map(Finite),
+            }),
             limit_points: peel.limit_points.iter().map(LimitPoint::from).collect(),
             warnings: peel.warnings().iter().map(Warning::from).collect(),
-            snap_off: peel.snap_off.map(|at| SnapOff {
-                displacement: Finite(at.displacement),
-                force: Finite(at.force),
-                work: Finite(at.work),
-                displacement_error: Finite(at.displacement_error),
-                force_error: Finite(at.force_error),
-            }),
+            snap_off: peel.snap_off.map(Fold::from),
+            first_jump: peel.snap_off.map(Fold::from),
+            pad_detachment: peel.pad_detachment.map(Fold::from),
+            detachment: peel.detachment.map(Fold::from),
             accuracy: AccuracySummary::of(peel),
             terms: peel.terms().iter().map(TermEffect::from).collect(),
             considered: peel.considered.as_ref().map(TermDecisionsSummary::from),
@@ -259,6 +294,19 @@ impl From<study::Peak> for Peak {
     }
 }
 
+impl From<study::LimitPoint> for Fold {
+    fn from(at: study::LimitPoint) -> Self {
+        Self {
+            displacement: Finite(at.displacement),
+            force: Finite(at.force),
+            work: Finite(at.work),
+            displacement_error: Finite(at.displacement_error),
+            force_error: Finite(at.force_error),
+            work_error: at.work_error.map(Finite),
+        }
+    }
+}
+
 impl From<&study::LimitPoint> for LimitPoint {
     fn from(at: &study::LimitPoint) -> Self {
         Self {
@@ -269,6 +317,7 @@ impl From<&study::LimitPoint> for LimitPoint {
             work: Finite(at.work),
             displacement_error: Finite(at.displacement_error),
             force_error: Finite(at.force_error),
+            work_error: at.work_error.map(Finite),
             flat: at.flat,
         }
     }

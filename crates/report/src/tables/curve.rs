@@ -56,6 +56,8 @@ pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportErro
         force_error: Finite,
         flat: bool,
         after_point: usize,
+        #[serde(rename = "error_aJ")]
+        work_error: Option<Finite>,
     }
     let lines = peel.limit_points.iter().map(|at| Line {
         kind: limit_point_kind_word(at.kind),
@@ -67,6 +69,7 @@ pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportErro
         force_error: Finite(at.force_error),
         flat: at.flat,
         after_point: at.after,
+        work_error: at.work_error.map(Finite),
     });
     write_table(dir, "limit_points.csv", lines)
 }
@@ -86,6 +89,7 @@ pub fn write_observed(dir: &Path, test: &Observed) -> Result<PathBuf, ReportErro
         work: Finite,
         front_nm: Finite,
         jump: bool,
+        adheres: &'static str,
     }
     let lines = test.points.iter().map(|point| Line {
         branch: point.way.word(),
@@ -95,6 +99,7 @@ pub fn write_observed(dir: &Path, test: &Observed) -> Result<PathBuf, ReportErro
         work: Finite(point.work),
         front_nm: Finite(point.front),
         jump: point.jumped,
+        adheres: point.adheres.word(),
     });
     write_table(dir, "observed.csv", lines)
 }

@@ -5,7 +5,7 @@ use crate::error::ReportError;
 use crate::names::end_word;
 use crate::number::Finite;
 use crate::sweep_row::SweepRow;
-use peelkit::study::{self, FollowedRow, FollowedSweep, PointKind};
+use peelkit::study::{self, FollowedRow, FollowedSweep, PeelResult, PointKind};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -49,6 +49,43 @@ pub struct SweepLine {
     #[serde(rename = "initiation_peak_error_nN")]
     initiation_peak_error: Option<Finite>,
     snap_off_error_nm: Option<Finite>,
+    /// Where there is no peak; without an error bound.
+    #[serde(rename = "largest_computed_force_nN")]
+    largest_computed_force: Option<Finite>,
+    peak_displacement_nm: Option<Finite>,
+    peak_error_nm: Option<Finite>,
+    #[serde(rename = "plateau_error_nN")]
+    plateau_error: Option<Finite>,
+    #[serde(rename = "snap_off_force_nN")]
+    snap_off_force: Option<Finite>,
+    #[serde(rename = "snap_off_error_nN")]
+    snap_off_force_error: Option<Finite>,
+    /// Up to where `work_aJ` goes.
+    work_to: Option<&'static str>,
+    #[serde(rename = "work_error_aJ")]
+    work_error: Option<Finite>,
+    pad_detachment_displacement_nm: Option<Finite>,
+    pad_detachment_error_nm: Option<Finite>,
+    #[serde(rename = "pad_detachment_force_nN")]
+    pad_detachment_force: Option<Finite>,
+    #[serde(rename = "pad_detachment_error_nN")]
+    pad_detachment_force_error: Option<Finite>,
+    #[serde(rename = "pad_detachment_work_aJ")]
+    pad_detachment_work: Option<Finite>,
+    #[serde(rename = "pad_detachment_work_error_aJ")]
+    pad_detachment_work_error: Option<Finite>,
+    detachment_displacement_nm: Option<Finite>,
+    detachment_error_nm: Option<Finite>,
+    #[serde(rename = "detachment_force_nN")]
+    detachment_force: Option<Finite>,
+    #[serde(rename = "detachment_error_nN")]
+    detachment_force_error: Option<Finite>,
+    #[serde(rename = "detachment_work_aJ")]
+    detachment_work: Option<Finite>,
+    #[serde(rename = "detachment_work_error_aJ")]
+    detachment_work_error: Option<Finite>,
+    /// Largest relative error bound.
+    accuracy_reached: Option<Finite>,
 }
 
 impl SweepLine {
@@ -75,12 +112,19 @@ impl SweepLine {
                     snap_off_displacement_nm: Some(Finite(at.displacement)),
                     snap_off_error_nm: Some(Finite(at.displacement_error)),
                     work: at.work.map(Finite),
+                    work_to: at.work.map(|_| "first jump"),
                     ..line
                 },
             }
         };
         sweep.rows.iter().zip(solve_s).map(line).collect()
     }
+}
+
+/// Up to where the work of a row goes: where there is no first jump, that is not the work of peeling.
+pub fn work_to(found: &PeelResult) -> Option<&'static str> {
+    let end = || found.work.map(|_| "end of path");
+    found.snap_off.map(|_| "first jump").or_else(end)
 }
 
 impl From<&SweepRow> for SweepLine {
@@ -102,6 +146,27 @@ impl From<&SweepRow> for SweepLine {
             order: Some(found.effort.order),
             initiation_peak_error: found.initiation_peak.map(|at| Finite(at.force_error)),
             snap_off_error_nm: found.snap_off.map(|at| Finite(at.displacement_error)),
+            largest_computed_force: found.largest_computed_force.map(|at| Finite(at.force)),
+            peak_displacement_nm: found.peak.map(|at| Finite(at.displacement)),
+            peak_error_nm: found.peak.map(|at| Finite(at.displacement_error)),
+            plateau_error: found.plateau.and_then(|at| at.force_error).map(Finite),
+            snap_off_force: found.snap_off.map(|at| Finite(at.force)),
+            snap_off_force_error: found.snap_off.map(|at| Finite(at.force_error)),
+            work_to: work_to(found),
+            work_error: found.snap_off.and_then(|at| at.work_error).map(Finite),
+            pad_detachment_displacement_nm: found.pad_detachment.map(|at| Finite(at.displacement)),
+            pad_detachment_error_nm: found.pad_detachment.map(|at| Finite(at.displacement_error)),
+            pad_detachment_force: found.pad_detachment.map(|at| Finite(at.force)),
+            pad_detachment_force_error: found.pad_detachment.map(|at| Finite(at.force_error)),
+            pad_detachment_work: found.pad_detachment.map(|at| Finite(at.work)),
+            pad_detachment_work_error: found.pad_detachment.and_then(|at| at.work_error).map(Finite),
+            detachment_displacement_nm: found.detachment.map(|at| Finite(at.displacement)),
+            detachment_error_nm: found.detachment.map(|at| Finite(at.displacement_error)),
+            detachment_force: found.detachment.map(|at| Finite(at.force)),
+            detachment_force_error: found.detachment.map(|at| Finite(at.force_error)),
+            detachment_work: found.detachment.map(|at| Finite(at.work)),
+            detachment_work_error: found.detachment.and_then(|at| at.work_error).map(Finite),
+            accuracy_reached: found.reached.map(Finite),
         }
     }
 }

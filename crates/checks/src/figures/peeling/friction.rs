@@ -50,7 +50,7 @@ fn strip(degrees: f64, strength: Option<f64>) -> PeelModel {
 
 /// The first largest force, or where there is none because all slides before it, that.
 fn first_peak(peel: &Peel) -> Option<f64> {
-    peel.initiation_peak.or(peel.peak).map(|peak| peak.force)
+    peel.initiation_peak.map(|peak| peak.force).or_else(|| peel.largest_force_before_jump())
 }
 
 pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportError> {
@@ -131,14 +131,14 @@ fn table(free: &[Peel], held: &[Vec<Peel>; STRENGTHS.len()]) -> Table {
     ]);
     let mut push = |series: &str, strength: Option<f64>, peels: &[Peel]| {
         for (angle, peel) in angles().zip(peels) {
-            let peak = peel.initiation_peak.or(peel.peak);
+            let peak = peel.initiation_peak;
             let sliding = peel.sliding_at_peak();
             let numbers = [
                 Some(angle),
                 strength,
-                peak.map(|p| p.force),
+                first_peak(peel),
                 peak.map(|p| p.force_error),
-                peak.map(|p| p.displacement),
+                peak.map(|p| p.displacement).or_else(|| Some(peel.largest_computed_force?.displacement)),
                 sliding.as_ref().map(|s| s.free_end),
                 sliding.as_ref().map(|s| s.sliding),
                 Some(kendall(angle)),

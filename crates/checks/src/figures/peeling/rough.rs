@@ -92,7 +92,7 @@ pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figu
                 row.cases.iter().zip(&peels).filter_map(|((value, _), peel)| Some((*value, pick(peel)?))).collect()
             };
             draw(&mut adhered, values(&|peel| Some(peel.contact(0)?.adhered_fraction)), name, colour, start);
-            draw(&mut force, values(&|peel| Some(peel.peak?.force)), name, colour, start);
+            draw(&mut force, values(&Peel::largest_force_before_jump), name, colour, start);
         }
         panels.extend([adhered, force]);
     }
@@ -133,7 +133,7 @@ fn numbers(value: f64, peel: &Peel) -> [Option<f64>; 7] {
         contact.map(|c| c.energy_fraction),
         contact.and_then(|c| c.penetration),
         contact.map(|c| c.largest_gap),
-        peel.peak.map(|peak| peak.force),
+        peel.largest_force_before_jump(),
         peel.peak.map(|peak| peak.force_error),
     ]
 }

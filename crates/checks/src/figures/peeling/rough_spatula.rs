@@ -48,7 +48,12 @@ pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figu
         let values = std::iter::once(0.0).chain(HEIGHTS).zip(std::iter::once(&flat).chain(&rough));
         values.filter_map(|(height, peel)| Some((height, pick(peel)?))).collect()
     };
-    draw(&mut waves, of(|peel| Some(peel.peak?.force)), Stroke::solid(colour::BLUE, 2.0), "largest up to the snap-off");
+    draw(
+        &mut waves,
+        of(Peel::largest_force_before_jump),
+        Stroke::solid(colour::BLUE, 2.0),
+        "largest up to the snap-off",
+    );
     let first = of(|peel| Some(peel.initiation_peak?.force));
     draw(&mut waves, first, Stroke::dashed(colour::VERMILLION, 2.0), "first peak");
     let x = Axis::log("radius of the cylinder (nm)", RADII[0], RADII[RADII.len() - 1]);
@@ -110,7 +115,7 @@ fn numbers(value: f64, peel: &Peel) -> [Option<f64>; 6] {
         contact.map(|c| c.adhered_fraction),
         contact.map(|c| c.energy_fraction),
         peel.initiation_peak.map(|peak| peak.force),
-        peel.peak.map(|peak| peak.force),
+        peel.largest_force_before_jump(),
         peel.peak.map(|peak| peak.force_error),
     ]
 }

@@ -11,6 +11,8 @@ pub enum Ending {
     Detached,
     /// At a force of zero, in edge contact.
     Pivoting,
+    /// Behind a snap-off where the grip pushes.
+    Pushing,
     /// Re-adhered: u has returned to 0.
     TurnedBack,
     /// The whole contact slides.
@@ -31,6 +33,7 @@ impl Ending {
         match end {
             PathEnd::Detached => Self::Detached,
             PathEnd::Pivoting => Self::Pivoting,
+            PathEnd::Pushing => Self::Pushing,
             PathEnd::TurnedBack => Self::TurnedBack,
             PathEnd::Sliding => Self::Sliding,
             PathEnd::Snapped => Self::Snapped,

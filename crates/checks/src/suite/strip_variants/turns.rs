@@ -58,8 +58,12 @@ impl Turns {
         for (quantity, found) in bounds::reported(&peel) {
             let (Some(text), Some(expected)) = (row.text(quantity), row.number(quantity)) else { continue };
             // where all slides before it peels, the force at which it does
-            let sliding = || peel.peak.filter(|_| quantity == "peak_force_nN" && peel.end == PathEnd::Sliding);
-            let found = found.or_else(|| sliding().map(|peak| (peak.force, peak.force_error)));
+            let sliding = || {
+                let slides = quantity == "peak_force_nN" && peel.end == PathEnd::Sliding;
+                peel.largest_computed_force.filter(|_| slides)
+            };
+            // it is no limit point and has no bound: the accuracy asked for is expected of it
+            let found = found.or_else(|| sliding().map(|at| (at.force, relative * at.force)));
             let found = found.ok_or_else(|| missing(&peel.end));
             let unknown = 0.5 * bounds::last_digit(text);
             let over = found.clone().map(|(value, bound)| ((value - expected).abs() - unknown).max(0.0) / bound);

@@ -1,0 +1,110 @@
+//! The points of a path that have a name: peaks are located limit points, or there are none.
+
+use super::equilibrium_path::Followed;
+use super::plateau::plateau;
+use super::{LargestComputedForce, LimitPoint, PathEnd, PathFailure, PathPoint, Peak, Peel};
+use crate::model::PlanarProblem;
+use crate::solve::{LimitPointKind, Solution, Workspace, difference_on_more_elements};
+use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
+use std::sync::Arc;
+
+/// A force below this share of its scale is round-off.
+const PULL: f64 = 1e-6;
+
+/// Names the points of a path with points and limit points.
+pub(super) fn name_special_points(peel: &mut Peel, problem: &PlanarProblem, followed: &Followed) {
+    let known = steps_known(followed);
+    let rises = |at: &LimitPoint, of: fn(&Solution) -> f64| of(&followed.points[at.after]) > 0.0;
+    let located: Vec<LimitPoint> = peel.limit_points.iter().filter(|at| at.after < known).copied().collect();
+    let maximum = |at: &&LimitPoint| at.kind == LimitPointKind::Load && rises(at, |s| s.slope.force) && at.force > 0.0;
+    let turns_back = |at: &&LimitPoint| at.kind == LimitPointKind::Displacement && rises(at, |s| s.slope.displacement);
+    let first_maximum = located.iter().find(maximum).copied();
+    peel.initiation_peak = first_maximum.as_ref().map(peak_of);
+    let first_jump = located.iter().position(|at| turns_back(&at));
+    peel.snap_off = first_jump.map(|index| located[index]);
+    let before = &located[..first_jump.map_or(located.len(), |index| index + 1)];
+    // where a path failed before it jumped, the force may go further up
+    let whole = peel.snap_off.is_some() || (followed.trouble.is_none() && followed.late().is_none());
+    let steps = peel.snap_off.map_or(peel.points.len(), |at| at.after + 1);
+    let computed = largest(&peel.points[..steps.min(peel.points.len())]);
+    peel.peak = if whole { highest(before, computed, peel.asked) } else { None };
+    let pulls = |at: &LargestComputedForce| at.force > PULL * problem.measure.force;
+    // rest alone is no curve
+    peel.largest_computed_force = computed.filter(pulls).filter(|_| peel.peak.is_none() && peel.points.len() > 1);
+    if let Some(first) = first_maximum {
+        let last = followed.points.len().saturating_sub(2);
+        let snap = peel.snap_off.map_or(last, |at| at.after);
+        peel.plateau = plateau(problem, followed, first.after, snap, peel.asked);
+    }
+}
+
+/// How many steps of a path are behind one another: beyond one on which a limit point is missing, or on which it may have gone to another
+/// part of itself, a limit point is not the first of anything.
+fn steps_known(followed: &Followed) -> usize {
+    match &followed.trouble {
+        Some(
+            PathFailure::Missed { after, .. }
+            | PathFailure::NotLocated { after, .. }
+            | PathFailure::Jumped { after, .. },
+        ) => *after,
+        _ => followed.points.len(),
+    }
+}
+
+/// The located point with the largest force, where the computed curve goes no higher than that is known: else the largest force is
+/// somewhere else, at an end of the curve or where nothing was located.
+fn highest(located: &[LimitPoint], computed: Option<LargestComputedForce>, asked: f64) -> Option<Peak> {
+    let highest = located.iter().max_by(|a, b| a.force.total_cmp(&b.force)).filter(|at| at.force > 0.0)?;
+    let above = computed.map_or(0.0, |computed| computed.force - highest.force);
+    // turns between which the force changes by less than was asked are left out
+    let known = highest.force_error + asked * highest.force;
+    (above <= known).then(|| Peak { force_error: highest.force_error.max(above), ..peak_of(highest) })
+}
+
+/// The point with the largest force.
+fn largest(points: &[PathPoint]) -> Option<LargestComputedForce> {
+    let at = points.iter().max_by(|a, b| a.force.total_cmp(&b.force))?;
+    Some(LargestComputedForce { displacement: at.displacement, force: at.force })
+}
+
+/// A limit point as a peak.
+pub(super) fn peak_of(at: &LimitPoint) -> Peak {
+    Peak {
+        displacement: at.displacement,
+        force: at.force,
+        end_rotation: at.end_rotation,
+        force_error: at.force_error,
+        displacement_error: at.displacement_error,
+    }
+}
+
+/// Whether a path that ended because its force was not above zero never came back to zero: it jumps where the grip pushes, and goes on
+/// there.
+pub(super) fn pushes_behind_a_fold(problem: &PlanarProblem, followed: &Followed) -> bool {
+    let pushes = |point: &Arc<Solution>| point.observables.force < 0.0;
+    problem.grip.gear != 0.0
+        && followed.end == PathEnd::Pivoting
+        && !followed.upright
+        && followed.points.iter().rev().take(2).all(pushes)
+}
+
+impl Peel {
+    /// The largest force of the path up to its first displacement limit point, nN: that of the peak, or where there is none of the computed
+    /// curve.
+    pub fn largest_force_before_jump(&self) -> Option<f64> {
+        self.peak.map(|peak| peak.force).or_else(|| self.largest_computed_force.map(|largest| largest.force))
+    }
+}
+
+/// Bound on the relative error of the force where a path begins, where that is its largest: 0 elsewhere. A mesh has to show that force too.
+pub(super) fn error_at_start(peel: &Peel, problem: &PlanarProblem, points: &[Arc<Solution>]) -> f64 {
+    let is_largest = |first: &&Arc<Solution>| {
+        peel.largest_computed_force
+            .is_some_and(|at| at.displacement == first.observables.displacement && at.force > 0.0)
+    };
+    let Some(first) = points.first().filter(is_largest) else { return 0.0 };
+    let Ok(difference) = difference_on_more_elements(problem, first, &mut Workspace::default()) else { return 0.0 };
+    let force = first.observables.force;
+    (DIFFERENCE_BOUND_FACTOR * difference.force.abs() + ROUND_OFF * force.max(problem.measure.force)) / force
+        + least(peel.asked)
+}
