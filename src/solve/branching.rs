@@ -34,6 +34,7 @@ pub fn locate_branching(
         difference,
         force_curvature: 0.0,
         flat: false,
+        left_out: 0.0,
         iterations: iterations + more,
     })
 }

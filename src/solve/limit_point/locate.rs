@@ -21,6 +21,8 @@ pub struct Located {
     pub force_curvature: f64,
     /// Whether the force is too flat there for its place to be determined.
     pub flat: bool,
+    /// By how much what turns changes over pairs of limit points beside it that are left out as too weak.
+    pub left_out: f64,
     /// Newton iterations it took, on both meshes.
     pub iterations: usize,
 }
@@ -284,7 +286,15 @@ fn beside(
         force: change.force.abs() + spanned.force,
         ..change
     };
-    Located { observables: solution.observables, solution, difference, force_curvature: 0.0, flat: false, iterations }
+    Located {
+        observables: solution.observables,
+        solution,
+        difference,
+        force_curvature: 0.0,
+        flat: false,
+        left_out: 0.0,
+        iterations,
+    }
 }
 
 /// A limit point of the force that could not be located: the solution where an interpolant has it, or an end of its step,
@@ -297,7 +307,7 @@ pub fn unlocated(problem: &Problem, segment: &PathSegment, ws: &mut Workspace) -
     difference.displacement = segment.change().displacement.abs();
     difference.force = difference.force.abs() + segment.change().force.abs();
     let observables = solution.observables;
-    Ok(Located { observables, solution, difference, force_curvature: 0.0, flat: true, iterations: 3 })
+    Ok(Located { observables, solution, difference, force_curvature: 0.0, flat: true, left_out: 0.0, iterations: 3 })
 }
 
 /// A limit point of the force in a segment so flat that its place cannot be determined and does not matter: a solution in it,
@@ -319,6 +329,7 @@ fn flat(
         difference,
         force_curvature: 0.0,
         flat: true,
+        left_out: 0.0,
         iterations: iterations + 2,
     })
 }
@@ -353,6 +364,7 @@ fn confirmed(
         },
         force_curvature: bend / fine.solution.slope.displacement.powi(2),
         flat: false,
+        left_out: 0.0,
         iterations: coarse.iterations + fine.iterations,
     })
 }

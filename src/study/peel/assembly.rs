@@ -45,10 +45,11 @@ pub(super) fn report(model: &PeelModel, problem: &PlanarProblem, followed: &Foll
         front: problem.beam.fronts.place(s.observables.monitors[FRONT]),
         iterations: s.iterations,
     });
-    let force_error = |located: &Located| {
+    let force_error = |turn: LimitPointKind, located: &Located| {
+        let left_out = if turn == LimitPointKind::Load { located.left_out } else { 0.0 };
         let floor =
             force_round_off * largest + strained + bound_floor(located, relative) * located.observables.force.abs();
-        DIFFERENCE_BOUND_FACTOR * located.difference.force.abs() + floor
+        DIFFERENCE_BOUND_FACTOR * located.difference.force.abs() + floor + left_out
     };
     let first = followed.points.first().filter(|_| !followed.turns.is_empty());
     let work_errors = first.map(|first| WorkErrors::new(problem, first, relative, &mut ws));
@@ -60,7 +61,7 @@ pub(super) fn report(model: &PeelModel, problem: &PlanarProblem, followed: &Foll
                 &followed.points,
                 *after,
                 located,
-                force_error(located),
+                force_error(*kind, located),
             ));
             LimitPoint {
                 kind: *kind,
@@ -69,7 +70,7 @@ pub(super) fn report(model: &PeelModel, problem: &PlanarProblem, followed: &Foll
                 end_rotation: located.observables.recorded,
                 work: work_near(problem, &followed.points, &works, *after, located, &mut ws),
                 displacement_error,
-                force_error: force_error(located),
+                force_error: force_error(*kind, located),
                 work_error: work_errors
                     .as_ref()
                     .and_then(|errors| errors.at(located, *kind, displacement_error, &mut ws)),
@@ -93,7 +94,9 @@ fn place_error(located: &Located, relative: f64, turn: LimitPointKind, [strained
         LimitPointKind::Displacement => (ROUND_OFF, strained),
     };
     let stiff = stiff / o.force.abs().max(stiff).max(f64::MIN_POSITIVE);
+    let left_out = if turn == LimitPointKind::Displacement { located.left_out } else { 0.0 };
     DIFFERENCE_BOUND_FACTOR * located.difference.displacement.abs()
+        + left_out
         + (round_off + stiff + bound_floor(located, relative)) * o.displacement.abs()
 }
 

@@ -13,17 +13,26 @@ struct Candidate {
     /// Where an interpolant puts it, and its value there.
     label: f64,
     value: f64,
+    /// How much the force changes over pairs of turns beside it, on the same level, that were dropped.
+    dropped: f64,
 }
 
 /// Drops pairs of neighbouring load turns between which the force changes by less than `relative` of itself, the smallest
-/// change first.
+/// change first. Which of three turns on one level is left hangs on round-off: it is told what was dropped beside it.
 fn without_ripple(candidates: Vec<Candidate>, relative: f64) -> Vec<Candidate> {
     let (mut loads, mut kept): (Vec<_>, Vec<_>) = candidates.into_iter().partition(|c| c.turn == LimitPointKind::Load);
     let change = |pair: &[Candidate]| (pair[1].value - pair[0].value).abs() / pair[0].value.abs();
     while let Some((i, least)) = loads.windows(2).map(change).enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
         && least < relative
     {
+        let level = loads[i].value;
         loads.drain(i..i + 2);
+        let behind = (i + 1).min(loads.len());
+        for neighbour in &mut loads[i.saturating_sub(1)..behind] {
+            if (neighbour.value - level).abs() < relative * level.abs() {
+                neighbour.dropped = neighbour.dropped.max(least * level.abs());
+            }
+        }
     }
     kept.append(&mut loads);
     kept
@@ -53,7 +62,7 @@ impl Followed {
                     let (a, b) = (pick_at(&self.points[index], turn), pick_at(&self.points[index + 1], turn));
                     let maximum = turn.pick()(&self.points[index].slope) > 0.0;
                     let value = if maximum == (bracket.0 == 0.0) { a.max(b) } else { a.min(b) };
-                    candidates.push(Candidate { turn, index, bracket, label, value });
+                    candidates.push(Candidate { turn, index, bracket, label, value, dropped: 0.0 });
                 }
             }
         }
@@ -72,6 +81,7 @@ impl Followed {
             }
             .and_then(|located| if located.is_finite() { Ok(located) } else { Err(SolveError::LimitPointNotConfirmed) })
             .map_err(|cause| self.not_located(c.turn, c.index, cause))?;
+            located.left_out = c.dropped;
             located.flat |= flat.is_some_and(|relative| located.is_flat(relative));
             self.iterations += located.iterations;
             self.turns.push((c.turn, c.index, located));
@@ -104,6 +114,14 @@ impl Followed {
             };
             let weak = of_kind.windows(2).find(is_weak);
             let Some(&[first, second]) = weak else { return };
+            let (level, change) = (value(first), (value(first) - value(second)).abs());
+            let beside =
+                |i: &&usize| **i != first && **i != second && (value(**i) - level).abs() < relative * level.abs();
+            let beside: Vec<usize> = of_kind.iter().filter(beside).copied().collect();
+            for i in beside {
+                let left_out = &mut self.turns[i].2.left_out;
+                *left_out = left_out.max(change);
+            }
             self.turns.remove(second);
             self.turns.remove(first);
             self.ripple += 2;
