@@ -1,6 +1,6 @@
 //! Instructions of the hot loop, counted by valgrind: they do not depend on how busy a machine is.
 //!
-//!     cargo bench --bench instructions
+//!     cargo bench -p peelkit-benches --bench instructions
 //!
 //! Runs itself under `valgrind --tool=callgrind` with many and with twice as many repetitions of each kernel; the difference
 //! is what the repetitions take. Needs valgrind on the path.

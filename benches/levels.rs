@@ -1,6 +1,6 @@
 //! What one evaluation costs at each level of coarse-graining.
 //!
-//!     cargo bench --bench levels
+//!     cargo bench -p peelkit-benches --bench levels
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use peelkit::adhesion::{

@@ -1,6 +1,6 @@
 //! What a user waits for, and the kernels that it is made of.
 //!
-//!     cargo bench --bench peel
+//!     cargo bench -p peelkit-benches --bench peel
 
 mod common;
 

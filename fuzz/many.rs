@@ -6,8 +6,10 @@
 #[path = "../tests/report/garbled/generator/mod.rs"]
 mod garbled;
 
-use garbled::{Dice, Random, absurd_scene, check_parse, check_run, garbled_text};
+use garbled::{BYTES, Dice, absurd_scene, check_parse, check_run, garbled_text};
 use peelkit_report::{draw_peel, end_word};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
@@ -54,9 +56,10 @@ fn main() -> ExitCode {
     let started = Instant::now();
     let mut ends: BTreeMap<String, u64> = BTreeMap::new();
     let (mut faults, mut slowest) = (0, (0.0, 0));
-    let mut random = Random(seed);
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
     for index in 0..count {
-        let bytes = random.bytes();
+        let mut bytes = [0; BYTES];
+        random.fill_bytes(&mut bytes);
         let began = Instant::now();
         let (text, outcome) = one(&bytes);
         let took = began.elapsed().as_secs_f64();

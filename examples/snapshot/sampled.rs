@@ -1,17 +1,16 @@
 //! Scenes that are sampled over wide ranges.
 
 use crate::job::Job;
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 use std::fmt::Write as _;
 
-/// Steele, Lea and Flood's SplitMix64.
-struct Random(u64);
+/// One stream for each scene.
+struct Random(ChaCha8Rng);
 
 impl Random {
     fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        self.0.next_u64()
     }
 
     fn uniform(&mut self, from: f64, to: f64) -> f64 {
@@ -36,7 +35,8 @@ impl Random {
 const POINTS: usize = 1500;
 
 pub fn sampled_scene(seed: u64, index: u64) -> Job {
-    let mut random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d).wrapping_add(index));
+    let mut random = Random(ChaCha8Rng::seed_from_u64(seed));
+    random.0.set_stream(index);
     let random = &mut random;
     let spatula = index % 15 == 7;
     let text = scene_text(random, spatula);

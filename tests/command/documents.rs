@@ -3,9 +3,9 @@
 //! `peel run` and `peel sweep` are run on few path points, which is enough for every key and flag to be read and used; of the others the flags are
 //! read. A command with `...` in it is a pattern and none to run.
 
-use assert_cmd::Command;
 use std::collections::BTreeSet;
 use std::path::Path;
+use std::process::Command;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
@@ -50,7 +50,7 @@ fn commands_of_the_documents_run() {
         let words = shlex::split(command).unwrap_or_else(|| panic!("quotes are not closed: peel {command}"));
         let runs =
             matches!(words[0].as_str(), "run" | "sweep") && words.get(1).is_some_and(|word| word.ends_with(".toml"));
-        let mut peel = Command::cargo_bin("peel").unwrap();
+        let mut peel = Command::new(env!("CARGO_BIN_EXE_peel"));
         peel.current_dir(folder.path());
         for word in &words {
             let name = word.strip_prefix("scenes/").unwrap_or(word);

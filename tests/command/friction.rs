@@ -1,13 +1,12 @@
 //! What `peel run` reports of friction.
 
 use approx::assert_relative_eq;
-use assert_cmd::Command;
+use std::process::Command;
 
 /// The command reports how the strip has slid.
 #[test]
 fn the_summary_tells_how_it_has_slid() {
-    let output = Command::cargo_bin("peel")
-        .unwrap()
+    let output = Command::new(env!("CARGO_BIN_EXE_peel"))
         .args(["run", concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/strip-friction.toml"), "--json"])
         .args(["--set", "bounds.displacement=3 nm", "--set", "accuracy.relative=1e-4"])
         .output()

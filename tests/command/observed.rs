@@ -1,7 +1,7 @@
 //! `peel run --observed`.
 
-use assert_cmd::Command;
 use serde_json::Value;
+use std::process::Command;
 
 #[track_caller]
 fn assert_close(what: &str, found: f64, expected: f64, relative: f64) {
@@ -15,7 +15,7 @@ fn the_command_writes_what_a_test_would_record() {
     let scene = format!("{}/../../scenes/strip-100nm.toml", env!("CARGO_MANIFEST_DIR"));
     let run = |more: &[&str]| {
         let output =
-            Command::cargo_bin("peel").unwrap().current_dir(dir.path()).args(["run", &scene]).args(more).output();
+            Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(dir.path()).args(["run", &scene]).args(more).output();
         let output = output.unwrap();
         (output.status.code(), String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
     };

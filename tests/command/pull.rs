@@ -1,12 +1,12 @@
 //! Pulls in any direction, swept and refused.
 
-use assert_cmd::Command;
 use serde_json::Value;
+use std::process::Command;
 
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/strip-100nm.toml");
 
 fn swept(more: &[&str]) -> Vec<Value> {
-    let mut command = Command::cargo_bin("peel").unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_peel"));
     command.args(["sweep", SCENE, "--vary", "drive.angle", "--from", "60 deg", "--to", "120 deg", "--points", "5"]);
     let output = command.args(more).arg("--json").output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
@@ -26,7 +26,7 @@ fn the_peak_is_followed_from_forwards_to_backwards() {
 #[test]
 fn a_strip_is_not_pulled_along_itself() {
     for angle in ["0 deg", "180 deg"] {
-        let mut command = Command::cargo_bin("peel").unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_peel"));
         let output = command.args(["run", SCENE, "--json", "--set", &format!("drive.angle={angle}")]).output().unwrap();
         let told = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{told}");

@@ -5,6 +5,7 @@ use std::fs;
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
+use std::sync::LazyLock;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 use tempfile::tempdir;
@@ -46,6 +47,14 @@ fn files(dir: &Path) -> Vec<Vec<u8>> {
     files
 }
 
+/// The files of a run that nothing has stopped, which left nothing else behind.
+static WHOLE: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
+    let whole = tempdir().unwrap();
+    finish(whole.path(), &[]);
+    assert!(!whole.path().join(PARTIAL).exists(), "a finished run leaves nothing behind");
+    files(whole.path())
+});
+
 fn kept(dir: &Path) -> u64 {
     fs::metadata(dir.join(PARTIAL)).map_or(0, |file| file.len())
 }
@@ -80,9 +89,7 @@ fn check_interrupted(output: &Output) {
 /// A machine may be so fast, or have signals ignored, that a run is over before the signal: then there is less to go on from.
 #[test]
 fn a_killed_and_interrupted_run_goes_on_and_gives_the_same_files() {
-    let (whole, dir) = (tempdir().unwrap(), tempdir().unwrap());
-    finish(whole.path(), &[]);
-    assert!(!whole.path().join(PARTIAL).exists(), "a finished run leaves nothing behind");
+    let dir = tempdir().unwrap();
     for signal in ["KILL", "INT", "KILL"] {
         match stopped(dir.path(), signal) {
             Some(output) if signal == "INT" => check_interrupted(&output),
@@ -95,13 +102,12 @@ fn a_killed_and_interrupted_run_goes_on_and_gives_the_same_files() {
         assert!(stdout.contains("path points taken from an earlier"), "{stdout}");
         assert!(!dir.path().join(PARTIAL).exists());
     }
-    assert!(files(dir.path()) == files(whole.path()), "the files differ");
+    assert!(files(dir.path()) == *WHOLE, "the files differ");
 }
 
 #[test]
 fn a_run_that_ran_out_of_time_goes_on() {
-    let (whole, dir) = (tempdir().unwrap(), tempdir().unwrap());
-    finish(whole.path(), &[]);
+    let dir = tempdir().unwrap();
     let first = finish(dir.path(), &["--set", "bounds.time=0.3 s"]);
     assert!(first.contains("bounds.time = 0.3 s") && first.contains(PARTIAL), "{first}");
     let other = peel_run(dir.path(), &["--set", "strip.height=9 nm", "--force"]).output().unwrap();
@@ -111,5 +117,5 @@ fn a_run_that_ran_out_of_time_goes_on() {
     let second = finish(dir.path(), &["--set", "bounds.time=0.4 s"]);
     assert!(second.contains("path points taken from an earlier") && kept(dir.path()) > before, "{second}");
     finish(dir.path(), &[]);
-    assert!(files(dir.path()) == files(whole.path()), "the files differ");
+    assert!(files(dir.path()) == *WHOLE, "the files differ");
 }

@@ -1,11 +1,11 @@
 //! Steps before the pull, reported and refused.
 
 use crate::strip::{paper_strip, with_grip};
-use assert_cmd::Command;
 use peelkit::model::{Hold, PeelModel, Pull, Step};
 use peelkit::study::{Accuracy, NoTest, StopCriteria, observed};
 use serde_json::Value;
 use std::f64::consts::FRAC_PI_3;
+use std::process::Command;
 
 const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/strip-100nm.toml");
@@ -30,7 +30,7 @@ fn turning() -> Vec<PeelModel> {
 }
 
 fn run(args: &[&str]) -> (Option<i32>, Value, String) {
-    let output = Command::cargo_bin("peel").unwrap().args(args).output().unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_peel")).args(args).output().unwrap();
     let summary = serde_json::from_slice(&output.stdout).unwrap_or_default();
     (output.status.code(), summary, String::from_utf8_lossy(&output.stderr).into_owned())
 }
@@ -52,8 +52,12 @@ fn the_command_tells_every_step() {
         assert!(last[key].is_f64(), "{key} of {last}");
     }
     assert_eq!(summary["parameters"]["drive"]["steps"][2], "turn 2 deg");
-    let output =
-        Command::cargo_bin("peel").unwrap().args(["run", SCENE, "--out"]).arg(&folder).args(more).output().unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_peel"))
+        .args(["run", SCENE, "--out"])
+        .arg(&folder)
+        .args(more)
+        .output()
+        .unwrap();
     std::fs::remove_dir_all(folder).unwrap();
     let told = String::from_utf8_lossy(&output.stdout);
     assert!(

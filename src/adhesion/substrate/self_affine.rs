@@ -67,7 +67,8 @@ impl SelfAffine {
     }
 }
 
-/// Steele, Lea and Flood's SplitMix64 (OOPSLA 2014).
+/// Steele, Lea and Flood's SplitMix64 (OOPSLA 2014). Its stream defines the profile of a seed, and with it what was computed on such
+/// ground: another generator would give other profiles. The mechanics draw no other random number.
 struct SplitMix(u64);
 
 impl SplitMix {

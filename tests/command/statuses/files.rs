@@ -176,7 +176,7 @@ fn absurd_scenes_end_in_a_status() {
 #[test]
 fn a_reader_that_goes_away_is_no_panic() {
     let dir = bench();
-    let mut child = std::process::Command::new(assert_cmd::cargo::cargo_bin("peel"))
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_peel"))
         .current_dir(dir.path())
         .args(["run", "strip-100nm.toml", "--json"])
         .stdout(std::process::Stdio::piped())

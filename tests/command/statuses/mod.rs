@@ -4,10 +4,10 @@
 //! stopped short, 1 for the rest. Standard output carries the result alone and standard error the trouble alone, so
 //! that the command can stand in a pipe. Why: scripts and other programs rest on these names and numbers.
 
-use assert_cmd::Command;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 use tempfile::{TempDir, tempdir};
 
 mod files;
@@ -48,7 +48,7 @@ impl Outcome {
 }
 
 fn peel(dir: &Path, args: &[&str]) -> Outcome {
-    let output = Command::cargo_bin("peel").unwrap().current_dir(dir).args(args).output().unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(dir).args(args).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     Outcome {
         status: output.status.code().expect("ended by itself"),

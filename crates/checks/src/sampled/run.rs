@@ -1,8 +1,9 @@
 //! One sampled scene, peeled in several ways: how each path ends, what it takes, and whether the numbers agree within their bounds.
 
 use super::scene::{SampleKind, scene_text};
+use crate::agreement::{Reported, disagree};
 use cpu_time::ThreadTime;
-use peelkit::study::{Accuracy, Choice, Failure, LimitPoint, PathEnd, Peel, peel};
+use peelkit::study::{Accuracy, Choice, Failure, PathEnd, peel};
 use peelkit_report::end_word;
 use peelkit_scene::{BoundsTable, Scene};
 
@@ -38,8 +39,7 @@ pub struct Run {
     pub seconds: f64,
     /// Elements of the mesh of the result.
     pub elements: usize,
-    numbers: Vec<Option<(f64, f64)>>,
-    ripple: usize,
+    reported: Reported,
 }
 
 /// What became of one scene.
@@ -77,55 +77,24 @@ fn run(scene: &Scene, way: &PeelSetting) -> Run {
     let peel = peel(&scene.model, &accuracy, &bounds.from_now()).without_solutions();
     let seconds = started.elapsed().as_secs_f64();
     let (end, reason) = match &peel.end {
-        PathEnd::Failed(failure @ (Failure::Refused { .. } | Failure::NoStart(_))) => {
-            ("refused", Some(failure.to_string()))
-        }
+        PathEnd::Failed(failure @ Failure::Refused { .. }) => ("refused", Some(failure.to_string())),
         end @ PathEnd::Failed(failure) => (end_word(end), Some(failure.to_string())),
         end => (end_word(end), None),
     };
-    let numbers = if end == "refused" { vec![None; QUANTITIES.len()] } else { numbers(&peel) };
-    Run { end, reason, seconds, elements: peel.effort.elements, numbers, ripple: peel.ripple }
-}
-
-/// What is compared.
-const QUANTITIES: [&str; 4] =
-    ["displacement of the initiation peak", "initiation peak", "displacement of the snap-off", "force of the snap-off"];
-
-fn numbers(peel: &Peel) -> Vec<Option<(f64, f64)>> {
-    let displacement = |p: &LimitPoint| (p.displacement, p.displacement_error);
-    let force = |p: &LimitPoint| (p.force, p.force_error);
-    let (peak, snap_off) = (peel.initiation_peak.as_ref(), peel.snap_off.as_ref());
-    vec![
-        peak.map(|p| (p.displacement, p.displacement_error)),
-        peak.map(|p| (p.force, p.force_error)),
-        snap_off.map(displacement),
-        snap_off.map(force),
-    ]
+    Run { end, reason, seconds, elements: peel.effort.elements, reported: Reported::by(&peel) }
 }
 
 impl Sampled {
-    /// How many numbers the first run and that of way `other` both report, and those that lie outside of both bounds. Where ripple is left
-    /// out at one accuracy alone, the first maximum is another, and nothing is compared.
+    /// How many numbers the first run and that of way `other` both report, and those that lie outside of both bounds.
     pub fn against(&self, other: usize) -> (usize, Vec<Outside>) {
-        let (one, two) = (&self.runs[0], &self.runs[other]);
-        if one.ripple != two.ripple {
-            return (0, Vec::new());
-        }
-        let both: Vec<_> = QUANTITIES
-            .into_iter()
-            .zip(one.numbers.iter().zip(&two.numbers))
-            .filter_map(|(quantity, pair)| match pair {
-                (&Some(one), &Some(two)) => Some((quantity, [one, two])),
-                _ => None,
-            })
+        let both: Vec<_> = self.runs[0]
+            .reported
+            .beside(&self.runs[other].reported)
+            .filter_map(|(quantity, [one, two])| Some((quantity, [one?, two?])))
             .collect();
-        let outside = |&(_, [one, two]): &(&str, [(f64, f64); 2])| {
-            let apart = (one.0 - two.0).abs();
-            apart.is_nan() || apart > one.1 + two.1
-        };
         let compared = both.len();
-        let found = both.into_iter().filter(outside);
-        (compared, found.map(|(quantity, found)| Outside { index: self.index, quantity, found }).collect())
+        let outside = both.into_iter().filter(|&(_, found)| disagree(found));
+        (compared, outside.map(|(quantity, found)| Outside { index: self.index, quantity, found }).collect())
     }
 }
 
@@ -136,9 +105,9 @@ impl Run {
         end: &'static str,
         reason: Option<&str>,
         seconds: f64,
-        numbers: [Option<(f64, f64)>; QUANTITIES.len()],
+        numbers: [Option<(f64, f64)>; 4],
     ) -> Self {
         let reason = reason.map(str::to_owned);
-        Self { end, reason, seconds, elements: 8, numbers: numbers.to_vec(), ripple: 0 }
+        Self { end, reason, seconds, elements: 8, reported: Reported::made(numbers) }
     }
 }

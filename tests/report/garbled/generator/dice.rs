@@ -1,4 +1,7 @@
-//! Choices, taken from bytes or from a seed.
+//! Choices, taken from bytes.
+
+/// As many bytes as a scene takes.
+pub const BYTES: usize = 256;
 
 /// Choices taken from bytes; behind their end everything is zero.
 pub struct Dice<'a>(std::slice::Iter<'a, u8>);
@@ -29,22 +32,5 @@ impl<'a> Dice<'a> {
     /// At equal ratios.
     pub(super) fn decades(&mut self, from: f64, to: f64) -> f64 {
         10f64.powf(self.between(from.log10(), to.log10()))
-    }
-}
-
-/// Steele, Lea and Flood's SplitMix64, from a seed.
-pub struct Random(pub u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// As many as a scene takes.
-    pub fn bytes(&mut self) -> Vec<u8> {
-        (0..32).flat_map(|_| self.next().to_le_bytes()).collect()
     }
 }

@@ -1,10 +1,11 @@
 //! Strips sampled over wide ranges, each peeled twice: what the coarser run claims must hold for the finer one. Loads `full` and
 //! `force-only`; strips of `axis-gap`, which is independent of the rotation of the section, may go several ways at their end.
 
+use crate::agreement::{Reported, disagree};
 use crate::suite::check::{Check, Measure};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
-use peelkit::study::{Accuracy, LimitPoint, PathEnd, Peel, peel};
+use peelkit::study::{Accuracy, PathEnd, Peel, peel};
 use peelkit_scene::BoundsTable;
 use rayon::prelude::*;
 
@@ -73,19 +74,18 @@ fn judge(k: usize) -> Drawn {
     if let PathEnd::Failed(reason) = &coarse.end {
         outcome.failed.push(named(&reason.to_string()));
     }
-    // where ripple is left out at one accuracy alone, its first maximum is another
-    let comparable = coarse.ripple == fine.ripple;
-    for ((quantity, one), (_, other)) in numbers(&coarse).into_iter().zip(numbers(&fine)).filter(|_| comparable) {
-        match (one, other) {
-            (Some((value, bound)), Some((finer, finer_bound))) => {
+    for (quantity, pair) in Reported::by(&coarse).beside(&Reported::by(&fine)) {
+        match pair {
+            [Some(one), Some(two)] => {
                 outcome.judged += 1;
-                if (value - finer).abs() > bound + finer_bound {
+                if disagree([one, two]) {
+                    let ((value, bound), (finer, finer_bound)) = (one, two);
                     outcome
                         .wrong
                         .push(named(&format!("{quantity} = {value} +- {bound:e} and {finer} +- {finer_bound:e}")));
                 }
             }
-            (None, None) => {}
+            [None, None] => {}
             _ if ended(&coarse) && ended(&fine) => outcome.differ.push(named(quantity)),
             _ => {}
         }
@@ -96,21 +96,6 @@ fn judge(k: usize) -> Drawn {
 /// Whether a path came to an end of its own.
 fn ended(peel: &Peel) -> bool {
     !matches!(peel.end, PathEnd::Bound(_) | PathEnd::Failed(_))
-}
-
-/// A number with the bound on its error.
-type Bounded = Option<(f64, f64)>;
-
-fn numbers(peel: &Peel) -> [(&'static str, Bounded); 4] {
-    let displacement = |p: &LimitPoint| (p.displacement, p.displacement_error);
-    let force = |p: &LimitPoint| (p.force, p.force_error);
-    let peak = peel.initiation_peak.as_ref();
-    [
-        ("peak displacement", peak.map(|p| (p.displacement, p.displacement_error))),
-        ("peak force", peak.map(|p| (p.force, p.force_error))),
-        ("snap-off displacement", peel.snap_off.as_ref().map(displacement)),
-        ("snap-off force", peel.snap_off.as_ref().map(force)),
-    ]
 }
 
 /// Fraction of numbers that may be outside of their bounds, as on the scenes of the topic `bounds`, and of points that one run alone
