@@ -44,7 +44,8 @@ fn an_outline_that_folds_and_large_strains_are_told() {
     let folded = found(&soft, WarningKind::FoldedOutline).expect("|κ| h/2 of a soft strip");
     let largest = (0..soft.points.len()).flat_map(|index| soft.sections(index));
     let largest = largest.map(|node| node.section.curvature.abs() * 5.0).fold(0.0, f64::max);
-    assert_eq!(folded.value, largest);
+    // at the point where neighbouring nodes turn most against each other: that is nearly where the curvature is largest
+    assert!(folded.value <= largest && folded.value > 0.99 * largest, "{} {largest}", folded.value);
     assert!(found(&soft, WarningKind::LargeStrain).is_some_and(|warning| warning.value >= folded.value));
     assert!(found(&soft.without_solutions(), WarningKind::FoldedOutline).is_none());
 }
