@@ -108,13 +108,13 @@ fn a_killed_and_interrupted_run_goes_on_and_gives_the_same_files() {
 #[test]
 fn a_run_that_ran_out_of_time_goes_on() {
     let dir = tempdir().unwrap();
-    let first = finish(dir.path(), &["--set", "bounds.time=0.3 s"]);
-    assert!(first.contains("bounds.time = 0.3 s") && first.contains(PARTIAL), "{first}");
+    let first = finish(dir.path(), &["--set", "bounds.time=0.1 s"]);
+    assert!(first.contains("bounds.time = 0.1 s") && first.contains(PARTIAL), "{first}");
     let other = peel_run(dir.path(), &["--set", "strip.height=9 nm", "--force"]).output().unwrap();
     let (before, (stdout, stderr)) = (kept(dir.path()), texts(&other));
     assert_eq!((other.status.code(), stdout.as_str()), (Some(2), ""));
     assert!(stderr.contains(PARTIAL) && stderr.contains("another scene") && stderr.contains("--fresh"), "{stderr}");
-    let second = finish(dir.path(), &["--set", "bounds.time=0.4 s"]);
+    let second = finish(dir.path(), &["--set", "bounds.time=0.15 s"]);
     assert!(second.contains("path points taken from an earlier") && kept(dir.path()) > before, "{second}");
     finish(dir.path(), &[]);
     assert!(files(dir.path()) == *WHOLE, "the files differ");

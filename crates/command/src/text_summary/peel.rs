@@ -266,7 +266,6 @@ mod tests {
         let expected = "\
 short
 
-  accuracy           4e-3, requested 1e-6: the tolerance was not met on any mesh
   peak force         0.34112 ± 1e-5 nN at u = 0.250 ± 1e-3 nm
   initiation peak    none
   plateau            none

@@ -3,6 +3,7 @@
 use super::followed::Followed;
 use crate::model::PlanarProblem;
 use crate::solve::{LimitPointKind, PathSegment, Solution, SolveError, brackets, locate, unlocated};
+use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 use crate::study::peel::PathFailure;
 
 /// A step that contains a limit point.
@@ -102,15 +103,21 @@ impl Followed {
     }
 
     /// The same filter on what was located: an interpolant over a long step can make a ripple look large. Turns of the displacement are
-    /// left out where no path point lies between them, whose negative eigenvalues would tell of the first.
+    /// left out where no path point lies between them, whose negative eigenvalues would tell of the first, and
+    /// where both are not known better than they differ: next to a cusp there are two.
     fn drop_ripple(&mut self, kind: LimitPointKind, relative: f64) {
         loop {
             let of_kind: Vec<usize> = (0..self.turns.len()).filter(|&i| self.turns[i].0 == kind).collect();
             let value = |i: usize| kind.pick()(&self.turns[i].2.observables);
+            let missed = |i: usize| kind.pick()(&self.turns[i].2.difference).abs();
+            let unsure = |pair: &[usize]| DIFFERENCE_BOUND_FACTOR * (missed(pair[0]) + missed(pair[1]));
             let is_weak = |pair: &&[usize]| {
                 let (first, second) = (pair[0], pair[1]);
+                let change = (value(first) - value(second)).abs();
                 let in_one_step = kind == LimitPointKind::Load || self.turns[first].1 == self.turns[second].1;
-                in_one_step && (value(first) - value(second)).abs() < relative * value(first).abs()
+                in_one_step
+                    && change < relative * value(first).abs()
+                    && (kind == LimitPointKind::Load || change < unsure(pair))
             };
             let weak = of_kind.windows(2).find(is_weak);
             let Some(&[first, second]) = weak else { return };
