@@ -89,8 +89,9 @@ pub(super) const FAR_FACE_SHARE_FACTOR: f64 = 8.0;
 
 /// Round-off, relative to the largest force of the path or to the displacement itself.
 pub(super) const ROUND_OFF: f64 = 5e-12;
-/// The same for the force where the grip holds the strip sideways, which strains it from both ends: 6e-11 was found, on 156 elements (EI × 100).
-pub(super) const ROUND_OFF_HELD: f64 = 1e-10;
+/// The same for the force, an element, where the grip holds the strip sideways, which strains it from both ends: 2e-10 was found on 156 elements
+/// (EI × 100, 1e-9), 1.3e-12 an element.
+pub(super) const ROUND_OFF_HELD: f64 = 2.5e-12;
 /// The same for the displacement of a turn of the force, which is the zero of a difference of forces.
 pub(super) const ROUND_OFF_PLACE: f64 = 6e-10;
 /// Multiplies the largest stiffness times the machine's epsilon, nN: round-off of the force of nearly inextensible or unshearable beams. With

@@ -34,7 +34,8 @@ pub(super) fn report(model: &PeelModel, problem: &PlanarProblem, followed: &Foll
     // strains are known to the machine's epsilon, and a stiff beam makes large forces of them
     let strained = STRAIN_ROUND_OFF * f64::EPSILON * section.axial.max(section.shear);
     let bent = BENDING_ROUND_OFF * f64::EPSILON * section.bending / model.adhesion.equilibrium_distance.powi(2);
-    let force_round_off = if problem.beam.chain.has_border() { ROUND_OFF_HELD } else { ROUND_OFF };
+    let elements = followed.points.first().map_or(0, |point| point.at.mesh.elements());
+    let force_round_off = if problem.beam.chain.has_border() { ROUND_OFF_HELD * elements as f64 } else { ROUND_OFF };
     let points = followed.points.iter().zip(&works).map(|(s, &work)| PathPoint {
         displacement: s.observables.displacement,
         force: s.observables.force,
