@@ -118,6 +118,6 @@ pub(super) fn checks() -> Vec<Check> {
             STRAY * judged as f64,
         ),
         check(format!("{of}: points that one of two accuracies finds"), &differ, STRAY * judged as f64),
-        check(format!("{of}: paths that end in a refusal"), &failed, 0.1 * SCENES as f64),
+        check(format!("{of}: paths that end in a refusal"), &failed, 0.02 * SCENES as f64),
     ]
 }
