@@ -222,14 +222,15 @@ pub fn locate(
     if relative.is_some_and(|r| change.abs() < r * middle.observables.force.abs()) {
         return flat(problem, &segment, furthest(&segment, middle), change, iterations, ws);
     }
-    let spanned = spanned(&segment, turn, &middle, [low, high]);
-    let located = beside(problem, &segment, middle, spanned, iterations, ws);
-    let (d, o) = (&located.difference, &located.observables);
     let steepest = |a: f64, b: f64| a.abs().max(b.abs());
     let level = steepest(low.1, high.1) <= LEVEL * steepest(turn.pick()(&first), turn.pick()(&second));
-    let sharp = turn == LimitPointKind::Displacement;
-    if sharp && level && d.displacement <= BRACKETED * o.displacement.abs() && d.force <= BRACKETED * o.force.abs() {
-        return Ok(located);
+    if level && turn == LimitPointKind::Displacement {
+        let spanned = spanned(&segment, turn, &middle, [low, high]);
+        let located = beside(problem, &segment, middle, spanned, iterations, ws);
+        let (d, o) = (&located.difference, &located.observables);
+        if d.displacement <= BRACKETED * o.displacement.abs() && d.force <= BRACKETED * o.force.abs() {
+            return Ok(located);
+        }
     }
     Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
 }

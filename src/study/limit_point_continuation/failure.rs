@@ -2,7 +2,7 @@
 
 use crate::solve::{SolveError, TraceError};
 use crate::study::initial::NoEquilibrium;
-use crate::study::{Bound, Failure};
+use crate::study::{Bound, Failure, PathEnd};
 use serde::{Deserialize, Serialize};
 
 /// Why the point to be followed is not known from the path from rest.
@@ -29,6 +29,24 @@ pub enum PointNotFound {
     /// The point could not be solved for by itself.
     #[error("{0}")]
     Solve(#[from] SolveError),
+}
+
+impl PointNotFound {
+    /// Why a path that ended so may have the point all the same; none where it went on until there is none.
+    pub(super) fn unknown_behind(end: PathEnd) -> Option<Self> {
+        match end {
+            PathEnd::Failed(failure) => Some(Self::Failed(Box::new(failure))),
+            PathEnd::Bound(bound) => Some(Self::Bound(bound)),
+            PathEnd::Detached
+            | PathEnd::Pivoting
+            | PathEnd::Pushing
+            | PathEnd::TurnedBack
+            | PathEnd::Sliding
+            | PathEnd::Snapped
+            | PathEnd::BondedPartUnstable(_)
+            | PathEnd::Upright(_) => None,
+        }
+    }
 }
 
 /// Why no cusp was found.

@@ -9,7 +9,7 @@ use crate::solve::{
 };
 use crate::study::accuracy::{ORDER, Resolution};
 use crate::study::initial::prepared;
-use crate::study::{Accuracy, Bound, PathEnd, StopCriteria, peel};
+use crate::study::{Accuracy, Bound, StopCriteria, peel};
 
 /// The accuracy of the beginning of the path that finds the first maximum; the point is solved for again on a mesh of its
 /// own.
@@ -63,18 +63,7 @@ fn first_maximum(model: &PeelModel, stop: &StopCriteria) -> Result<Option<Locate
 fn snap_off(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Result<Option<Located>, PointNotFound> {
     let peel = peel(model, accuracy, stop);
     let (Some(at), Some(trace)) = (peel.snap_off, &peel.trace) else {
-        return match peel.end {
-            PathEnd::Failed(failure) => Err(PointNotFound::Failed(Box::new(failure))),
-            PathEnd::Bound(bound) => Err(PointNotFound::Bound(bound)),
-            PathEnd::Detached
-            | PathEnd::Pivoting
-            | PathEnd::Pushing
-            | PathEnd::TurnedBack
-            | PathEnd::Sliding
-            | PathEnd::Snapped
-            | PathEnd::BondedPartUnstable(_)
-            | PathEnd::Upright(_) => Ok(None),
-        };
+        return PointNotFound::unknown_behind(peel.end).map_or(Ok(None), Err);
     };
     let problem: &Problem = &trace.problem;
     let segment = PathSegment::around(problem, &trace.points, at.after);

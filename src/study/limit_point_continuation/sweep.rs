@@ -15,7 +15,7 @@ use super::values::Sweep;
 use crate::model::PeelModel;
 use crate::solve::SolveError;
 use crate::study::refused::failure;
-use crate::study::{Accuracy, PathEnd, StopCriteria, Terms, peel};
+use crate::study::{Accuracy, StopCriteria, Terms, peel};
 
 /// Follows the point of `kind`, on flat ground and with no steps before the pull, over `values` of a parameter, which make their way
 /// evenly in the sense of `spacing`. `model` gives the model at a value, also at values in between. `stop` gives the stop criteria of
@@ -93,23 +93,10 @@ impl Sweep<'_> {
             PointKind::InitiationPeak => peel.initiation_peak.map(FollowedPoint::from),
             PointKind::SnapOff => peel.snap_off.map(FollowedPoint::from),
         };
-        remarks.push(match (&point, peel.end) {
+        remarks.push(match (&point, PointNotFound::unknown_behind(peel.end)) {
             (Some(_), _) => Remark::Peeled { kind, value, reason },
-            (None, PathEnd::Failed(failure)) => {
-                Remark::NotFound { kind, value, reason: PointNotFound::Failed(Box::new(failure)) }
-            }
-            (None, PathEnd::Bound(bound)) => Remark::NotFound { kind, value, reason: PointNotFound::Bound(bound) },
-            (
-                None,
-                PathEnd::Detached
-                | PathEnd::Pivoting
-                | PathEnd::Pushing
-                | PathEnd::TurnedBack
-                | PathEnd::Sliding
-                | PathEnd::Snapped
-                | PathEnd::BondedPartUnstable(_)
-                | PathEnd::Upright(_),
-            ) => Remark::Absent { kind, from: value, to: value },
+            (None, Some(reason)) => Remark::NotFound { kind, value, reason },
+            (None, None) => Remark::Absent { kind, from: value, to: value },
         });
         (point, peel.effort.elements)
     }

@@ -8,24 +8,14 @@ use peelkit_report::{jump_word, test_end_reason, test_end_word};
 /// The displacement-controlled test, which took so many seconds.
 pub fn observed(test: &Observed, solve_s: f64) -> String {
     let none = || "none".to_owned();
-    let pull_off = |peak: PullOff| {
+    let largest = |peak: PullOff, until: &str| {
         let force = with_error(peak.force, peak.force_error);
         let adheres = peak.adheres.word();
-        format!(
-            "{force} nN at U = {:.6} nm, the largest force on the stable retreat; adhering: {adheres}",
-            peak.machine
-        )
+        format!("{force} nN at U = {:.6} nm, the largest force {until}; adhering: {adheres}", peak.machine)
     };
-    let before_upright = |peak: PullOff| {
-        let force = with_error(peak.force, peak.force_error);
-        let adheres = peak.adheres.word();
-        format!(
-            "{force} nN at U = {:.6} nm, the largest force before the beam stood on its end; adhering: {adheres}",
-            peak.machine
-        )
-    };
-    let mut lines = vec![("pull-off force", test.pull_off.map_or_else(none, pull_off))];
-    lines.extend(test.before_upright.map(|peak| ("", before_upright(peak))));
+    let pull_off = test.pull_off.map_or_else(none, |peak| largest(peak, "on the stable retreat"));
+    let mut lines = vec![("pull-off force", pull_off)];
+    lines.extend(test.before_upright.map(|peak| ("", largest(peak, "before the beam stood on its end"))));
     for jump in &test.jumps {
         let landed = match jump.detached {
             true => "detached".to_owned(),
