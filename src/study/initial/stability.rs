@@ -15,6 +15,8 @@ use std::sync::Arc;
 
 /// Places at which the sections of a beam of varying outline are looked at.
 const PLACES: usize = 64;
+/// The accuracy to which a start must be free of upright sections.
+const UPRIGHT: f64 = 1e-6;
 /// Waves on a bonded beam that are those of an infinite one.
 const WAVES: f64 = 2.0;
 /// Error of the equilibrium whose eigenvalues are counted.
@@ -78,7 +80,7 @@ pub(super) fn stabilise(
         Ok(first) => first,
         Err(_) => return near_face_alone(model, how, should_stop).map_or(Ok(None), Err),
     };
-    if let Some(upright) = problem.beam.upright_section(&first.at) {
+    if let Some(upright) = problem.beam.upright_section(&first.at, UPRIGHT) {
         return Err(UnstableRest::Upright(upright));
     }
     let negative = first.negative;
@@ -97,7 +99,7 @@ pub(super) fn stabilise(
     };
     let at = relaxed(model, how, problem, &first, should_stop)
         .map_err(|cause| near_face_alone(model, how, should_stop).unwrap_or_else(|| failed(cause)))?;
-    if let Some(upright) = problem.beam.upright_section(&at) {
+    if let Some(upright) = problem.beam.upright_section(&at, UPRIGHT) {
         return Err(UnstableRest::Upright(upright));
     }
     let energy = |at: &State| {

@@ -9,10 +9,10 @@ use std::sync::Arc;
 /// The end at the newest point, if its model says so: a section is where the energy has a pole, or what is bonded has lost its stability
 /// since the point before. Then a negative eigenvalue comes without a limit point; where the sections tilt to one side from the front on
 /// instead, none does, and the path goes on in a stable state.
-pub(super) fn model_end(problem: &PlanarProblem, points: &[Arc<Solution>]) -> Option<PathEnd> {
+pub(super) fn model_end(problem: &PlanarProblem, points: &[Arc<Solution>], relative: f64) -> Option<PathEnd> {
     let [.., before, newest] = points else { return None };
     let beam = &problem.beam;
-    if let Some(upright) = beam.upright_section(&newest.at) {
+    if let Some(upright) = beam.upright_section(&newest.at, relative) {
         return Some(PathEnd::Upright(upright));
     }
     let turned = newest.slope.displacement * before.slope.displacement <= 0.0;
@@ -32,9 +32,6 @@ fn loss(problem: &PlanarProblem, at: &Solution) -> Option<BondedLoss> {
 pub(super) fn stopped_by_model(problem: &PlanarProblem, points: &[Arc<Solution>]) -> Option<PathEnd> {
     let [_, _, .., newest] = points else { return None };
     let beam = &problem.beam;
-    let upright = beam.near_upright_section(&newest.at).map(PathEnd::Upright);
-    upright.or_else(|| {
-        beam.limits.bonded.as_ref()?;
-        beam.limits.near_bonded_loss(beam.grip_forces(&newest.at).horizontal).map(PathEnd::BondedPartUnstable)
-    })
+    beam.limits.bonded.as_ref()?;
+    beam.limits.near_bonded_loss(beam.grip_forces(&newest.at).horizontal).map(PathEnd::BondedPartUnstable)
 }

@@ -23,6 +23,7 @@ pub(super) fn step(
     problem: &PlanarProblem,
     path: &mut Path,
     far: f64,
+    relative: f64,
     limits: &Limits,
 ) -> Result<Option<PathEnd>, PathError> {
     let stop = limits.stop;
@@ -55,7 +56,7 @@ pub(super) fn step(
     if stands_upright(problem, path.points()) {
         return Ok(Some(PathEnd::Pivoting));
     }
-    if let Some(end) = model_end(problem, path.points()) {
+    if let Some(end) = model_end(problem, path.points(), relative) {
         return Ok(Some(end));
     }
     let beyond = stop.displacement.filter(|&most| o.displacement > most);
