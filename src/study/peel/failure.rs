@@ -1,5 +1,6 @@
 //! Why a peel stopped short, with what was computed, where and how far.
 
+use crate::beam::UprightSection;
 use crate::solve::{LimitPointKind, PathError, SolveError};
 use crate::study::initial::NoEquilibrium;
 use serde::{Deserialize, Serialize};
@@ -83,6 +84,9 @@ pub enum PathFailure {
          bounds.time allows more time"
     )]
     OutOfTime,
+    /// It comes near a pole of its law that the elements do not resolve.
+    #[error("{0}")]
+    NearUpright(UprightSection),
     /// Its steps have become short.
     #[error("{points} path points were not enough on {elements} elements: the continuation steps have collapsed")]
     TooManyPoints { points: usize, elements: usize },

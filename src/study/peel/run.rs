@@ -321,8 +321,10 @@ impl Attempt {
     /// The result, as a failure where the path cannot be used.
     fn into_peel(mut self) -> Peel {
         // a path that cannot be continued because its model ends has not failed
-        if let (Some(PathFailure::Path(_) | PathFailure::TooManyPoints { .. }), Some(end)) =
-            (&self.trouble, &self.beyond)
+        if let (
+            Some(PathFailure::Path(_) | PathFailure::TooManyPoints { .. } | PathFailure::NearUpright(_)),
+            Some(end),
+        ) = (&self.trouble, &self.beyond)
         {
             self.peel.end = end.clone();
             self.trouble = None;
