@@ -11,6 +11,9 @@ use crate::study::Accuracy;
 use crate::study::error_bounds::*;
 use std::sync::Arc;
 
+/// A slope of the force below this share of a later one, before a maximum, is that of another maximum.
+const OVERLOOKED: f64 = 0.1;
+
 /// The relative differences to more elements of what is reported. Where the material points remember, of the turns of the force
 /// alone: at one of the displacement much of the beam that slid sticks at once, a corner of the path, of which bounds tell how well it
 /// is known.
@@ -54,28 +57,36 @@ pub(super) fn report(model: &PeelModel, problem: &PlanarProblem, followed: &Foll
     };
     let first = followed.points.first().filter(|_| !followed.turns.is_empty());
     let work_errors = first.map(|first| WorkErrors::new(problem, first, relative, &mut ws));
+    let first_load = followed.turns.iter().position(|turn| turn.0 == LimitPointKind::Load);
     let limit_points: Vec<LimitPoint> = followed
         .turns
         .iter()
-        .map(|(kind, after, located)| {
+        .enumerate()
+        .map(|(index, (kind, after, located))| {
+            let overlooked = if Some(index) == first_load {
+                overlooked_before(&followed.points[..=*after], located, relative)
+            } else {
+                None
+            };
             let displacement_error = place_error(located, relative, *kind, [strained, bent]).max(level(
                 &followed.points,
                 *after,
                 located,
                 force_error(*kind, located),
             ));
+            let [further, lower] = overlooked.unwrap_or_default();
             LimitPoint {
                 kind: *kind,
                 displacement: located.observables.displacement,
                 force: located.observables.force,
                 end_rotation: located.observables.recorded,
                 work: work_near(problem, &followed.points, &works, *after, located, &mut ws),
-                displacement_error,
-                force_error: force_error(*kind, located),
+                displacement_error: displacement_error.max(further),
+                force_error: force_error(*kind, located).max(lower),
                 work_error: work_errors
                     .as_ref()
                     .and_then(|errors| errors.at(located, *kind, displacement_error, &mut ws)),
-                flat: located.flat,
+                flat: located.flat || overlooked.is_some(),
                 after: *after,
             }
         })
@@ -115,6 +126,24 @@ fn level(points: &[Arc<Solution>], after: usize, located: &Located, force_error:
     let curved = (2.0 * force_error / located.force_curvature.abs()).sqrt();
     let curved = if located.force_curvature == 0.0 { 0.0 } else { curved };
     away.max(curved).min(turn.displacement.abs())
+}
+
+/// How far before the first maximum of the force (nm), and by how much below it (nN), an earlier one may be that was overlooked or left out:
+/// as far as the force differs by less than `relative`, if its slope does not fall all the way from there, as it does before a single maximum.
+/// `points` end with the one before the maximum.
+fn overlooked_before(points: &[Arc<Solution>], maximum: &Located, relative: f64) -> Option<[f64; 2]> {
+    let top = &maximum.observables;
+    let near = |point: &&Arc<Solution>| (point.observables.force - top.force).abs() < relative * top.force.abs();
+    let slope = |point: &Arc<Solution>| point.slope.force / point.slope.displacement;
+    let level: Vec<&Arc<Solution>> = points.iter().rev().take_while(near).collect();
+    let steepest = level.iter().scan(0.0f64, |steepest, point| {
+        let behind = *steepest;
+        *steepest = steepest.max(slope(point));
+        Some(behind)
+    });
+    let rises_again = level.iter().zip(steepest).any(|(point, steepest)| slope(point) < OVERLOOKED * steepest);
+    let first = level.last().filter(|_| rises_again)?.observables;
+    Some([(top.displacement - first.displacement).abs(), (top.force - first.force).abs()])
 }
 
 impl Peel {

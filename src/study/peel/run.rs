@@ -237,7 +237,9 @@ impl Attempt {
             let reached = |attempt: &Self| {
                 attempt.peel.limit_points.iter().filter(|p| p.kind == LimitPointKind::Displacement).count()
             };
-            (reached(self), best.difference) > (reached(best), self.difference)
+            // where the model ends, no finer mesh goes on
+            let named = |attempt: &Self| attempt.beyond.is_some();
+            (named(self), reached(self), best.difference) > (named(best), reached(best), self.difference)
         } else if met(self) && met(best) {
             self.spread <= best.spread
         } else if met(self) || !small(best) {
