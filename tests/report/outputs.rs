@@ -96,6 +96,46 @@ fn the_summary_has_every_key_at_full_precision() {
 }
 
 #[test]
+fn the_summary_says_where_it_comes_from() {
+    let (scene, peel) = made_up();
+    let summary = summary(&scene, &peel);
+    assert_eq!((summary["version"].as_str(), summary["schema"].as_u64()), (Some(env!("CARGO_PKG_VERSION")), Some(1)));
+    assert_eq!(summary["command"], Value::Null, "written by no command");
+    let commanded = PeelSummary::new(&scene, &peel, 0.004).with_command("peel run a.toml").to_json().unwrap();
+    assert_eq!(serde_json::from_str::<Value>(&commanded).unwrap()["command"], "peel run a.toml");
+}
+
+/// Closed forms of the paper's strip: w = 15^(1/3) A_H/(16 π r0²), EI = E h³ b/12, EA = E h b, GA_s = k E/(2(1+ν)) h b; P + P²/(2EA) = w b.
+#[test]
+fn what_follows_from_the_model_alone_is_derived() {
+    let (scene, peel) = made_up();
+    let derived = summary(&scene, &peel)["derived"].clone();
+    let number = |path: &str| derived.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("{path}"));
+    let near = |path: &str, expected: f64| {
+        assert!((number(path) / expected - 1.0).abs() < 1e-12, "{path}: {} for {expected}", number(path));
+    };
+    near("/work_of_adhesion_J_per_m2", 15f64.cbrt() * 0.1 / (16.0 * std::f64::consts::PI * 0.16));
+    near("/bending_stiffness_EI_nN_nm2", 2000.0 / 12.0);
+    near("/axial_stiffness_EA_nN", 20.0);
+    near("/shear_stiffness_GAs_nN", 5.0 / 6.0 * 2.0 / 2.4 * 10.0);
+    let (force, work) = (number("/kendall_force_nN"), number("/work_of_adhesion_of_section_J_per_m2"));
+    near("/kendall_force_nN", work - force * force / 40.0);
+    let process = number("/process_length_nm");
+    near("/groups/bending_over_adhesion", 2000.0 / 12.0 / (work * process * process));
+    near("/groups/length_over_process_length", 100.0 / process);
+    near("/groups/adhesion_over_stretching", work / 20.0);
+
+    let spatula = Scene::parse("s.toml", include_str!("../../scenes/spatula.toml"), &[]).unwrap();
+    let derived = serde_json::to_value(summary(&spatula, &peel)["derived"].clone()).unwrap();
+    assert!(derived["work_of_adhesion_J_per_m2"].is_f64());
+    for path in
+        ["/kendall_force_nN", "/bending_stiffness_EI_nN_nm2", "/process_length_nm", "/groups/length_over_height"]
+    {
+        assert_eq!(derived.pointer(path), Some(&Value::Null), "{path} has no single value");
+    }
+}
+
+#[test]
 fn the_accuracy_tells_what_was_asked_reached_and_left_out() {
     let (scene, mut peel) = made_up();
     let accuracy = |peel: &Peel| summary(&scene, peel)["accuracy"].clone();

@@ -60,11 +60,14 @@ Examples:
 
 Files:
   summary.json       peaks, plateau, limit points, first jump, detachment, how the path ended, computational cost, the
-                     scene. A peak is a located limit point or null; then largest_computed_force has no bound
+                     scene, and what follows from that alone: work of adhesion, Kendall's force, stiffnesses, groups. A peak
+                     is a located limit point or null; then largest_computed_force has no bound
   curve.csv          one row for each point of the path
   limit_points.csv   one row for each limit point of load or displacement, with error bounds
   curve.svg, .png    force against displacement
   shapes.svg, .png   the strip at marked points of the curve
+  states.csv, states.pvd   with --states N: the fields along the beam (place, rotation, section forces, gap, loads) at
+                     every limit point and at N points evenly along the path; states.pvd opens in ParaView
   observed.csv, .svg, .png   with --observed: the displacement-controlled test, one row for each point, pulling off and
                      returning; force against the displacement U of the machine
   run.partial        checkpoint of a run of more than a second: the points of its path, written every second

@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod accuracy;
+mod command_line;
 mod figures;
 mod hard_scenes;
 mod help;

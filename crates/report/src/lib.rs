@@ -11,6 +11,7 @@ mod folder;
 mod names;
 mod number;
 pub mod pictures;
+mod states;
 mod summary;
 mod sweep_row;
 mod tables;
@@ -23,7 +24,8 @@ pub use folder::{Existing, OutputFolder};
 pub use names::{end_reason, end_word, form_word, jump_word, test_end_reason, test_end_word};
 pub use number::{Finite, to_json};
 pub use pictures::{draw_followed, draw_observed, draw_peel, draw_sweep};
-pub use summary::{PeelSummary, SweepSummary, ground_warning, left_out, why_kept};
+pub use states::{STATE_FIELDS, StateField, write_states, write_vtk};
+pub use summary::{PeelSummary, SCHEMA, SweepSummary, VERSION, ground_warning, left_out, why_kept};
 pub use sweep_row::SweepRow;
 pub use tables::{
     SweepLine, work_to, write_curve, write_followed, write_limit_points, write_observed, write_sweep, write_table,

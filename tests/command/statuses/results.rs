@@ -19,6 +19,8 @@ fn the_100nm_strip_pivots() {
     let summary = run.json();
     assert_eq!(summary["end"], "pivoting");
     assert_eq!(summary["reason"], Value::Null);
+    assert_eq!((&summary["version"], &summary["schema"]), (&env!("CARGO_PKG_VERSION").into(), &1.into()));
+    assert_eq!(summary["command"], "peel run strip-100nm.toml --json --out out");
     close(&summary["peak"]["force_nN"], 0.341121483196, 1e-6);
     close(&summary["peak"]["displacement_nm"], 0.249601344023, 1e-6);
     close(&summary["initiation_peak"]["force_nN"], 0.341121483196, 1e-6);

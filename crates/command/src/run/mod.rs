@@ -2,6 +2,7 @@
 
 mod kept;
 
+use crate::command_line::command_line;
 use crate::help;
 use crate::input::SceneArgs;
 use crate::output::{OutArgs, list_files, say};
@@ -31,6 +32,10 @@ pub struct Run {
     #[arg(long)]
     observed: bool,
 
+    /// Writes the fields along the beam at every limit point and at N points evenly along the path: states.csv, states.pvd
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=10_000))]
+    states: Option<u32>,
+
     /// Discards the checkpoint of an unfinished run in the folder and starts anew
     #[arg(long)]
     fresh: bool,
@@ -49,10 +54,21 @@ impl Run {
             given => given.clone(),
         }
     }
+
+    fn refuse_states_without_files(&self) -> Result<(), Stop> {
+        match (self.states, self.folder()) {
+            (Some(_), None) => Err(Stop::bad_input(
+                "--states writes files, and --json without --out writes none",
+                "Give a folder with --out DIR, or omit --states.",
+            )),
+            _ => Ok(()),
+        }
+    }
 }
 
 pub fn run(args: &Run) -> Result<(), Stop> {
     let scene = args.scene.load()?;
+    args.refuse_states_without_files()?;
     let mut kept = args.folder().map(|folder| KeptRun::open(&args.out, args.fresh, &folder, &scene)).transpose()?;
     let (peel, peel_s) = timed(|| match &mut kept {
         Some(kept) => kept.peel(&scene),
@@ -61,13 +77,13 @@ pub fn run(args: &Run) -> Result<(), Stop> {
     let interrupted = kept.as_ref().is_some_and(|kept| kept.interrupted);
     let (test, test_s) = timed(|| (args.observed && !interrupted).then(|| observed(&scene)));
     let test = test.transpose()?;
-    let summary = PeelSummary::new(&scene, &peel, peel_s);
+    let summary = PeelSummary::new(&scene, &peel, peel_s).with_command(&command_line());
     let summary = match &test {
         Some(test) => summary.with_observed(test, test_s),
         None => summary,
     };
     let (files, left) = kept.as_ref().map_or((Ok(Vec::new()), None), |kept| {
-        kept.write(&peel, |dir| write(dir, &scene, &peel, test.as_ref(), &summary))
+        kept.write(&peel, |dir| write(dir, &scene, &peel, test.as_ref(), &summary, args.states))
     });
     // the results are reported even if they could not be written
     if args.json {
@@ -107,11 +123,17 @@ fn write(
     peel: &Peel,
     test: Option<&Observed>,
     summary: &PeelSummary,
+    states: Option<u32>,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let mut files =
         vec![summary.write(folder)?, report::write_curve(folder, peel)?, report::write_limit_points(folder, peel)?];
     if peel.points.len() > 1 {
         files.extend(report::draw_peel(peel, &scene.title, folder)?);
+    }
+    if let Some(count) = states {
+        let states = peel.states(count as usize);
+        files.push(report::write_states(folder, &states)?);
+        files.extend(report::write_vtk(folder, &states)?);
     }
     if let Some(test) = test {
         files.push(report::write_observed(folder, test)?);

@@ -6,6 +6,7 @@ mod peels;
 
 pub use args::Sweep;
 
+use crate::command_line::command_line;
 use crate::output::{list_files, progress_bar, say};
 use crate::stop::Stop;
 use crate::text_summary;
@@ -75,7 +76,8 @@ fn follow(args: &Sweep, kind: PointKind, scene: &Scene, key: &Key, scenes: &[(f6
     let files = folder
         .map_or(Ok(Vec::new()), |folder| folder.write(|dir| write_followed(args, dir, scene, key, &sweep, &solve_s)));
     if args.json {
-        say(&SweepSummary::followed(scene, key, &sweep, &solve_s).to_json().map_err(Stop::other)?)?;
+        let summary = SweepSummary::followed(scene, key, &sweep, &solve_s).with_command(&command_line());
+        say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
         say(&format!("{}\n{}", text_summary::followed(scene, key, &sweep, &solve_s), list_files(&files)))?;
     }

@@ -3,6 +3,7 @@
 
 use super::args::Sweep;
 use super::failed::failed;
+use crate::command_line::command_line;
 use crate::interrupt::Interrupt;
 use crate::output::{list_files, progress_bar, say};
 use crate::stop::Stop;
@@ -35,7 +36,8 @@ pub fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]
         None => (peel_unkept(scenes), Vec::new(), Ok(Vec::new())),
     };
     if args.json {
-        say(&SweepSummary::new(scene, key, &rows, &remarks).to_json().map_err(Stop::other)?)?;
+        let summary = SweepSummary::new(scene, key, &rows, &remarks).with_command(&command_line());
+        say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
         say(&format!("{}\n{}", text_summary::sweep(scene, key, &rows, &remarks), list_files(&files)))?;
     }

@@ -3,7 +3,7 @@
 use super::layout::in_columns;
 use super::number::{short, with_error, work};
 use peelkit::beam::{GripForces, GripState};
-use peelkit::model::Step;
+use peelkit::model::{DerivedQuantities, Step};
 use peelkit::study::{
     Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, PathEnd, Peak, Peel, Plateau, Sliding,
     TermDecisions, TermEffect, WarningKind,
@@ -66,6 +66,7 @@ pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64) -> String {
     if let Some(left_out) = left_out(peel) {
         lines.push(("", format!("left out: {} {left_out}", peel.ripple)));
     }
+    lines.extend(derived(scene));
     lines.extend(terms(peel));
     lines.extend(peel.considered.iter().flat_map(considered));
     lines.extend(peel.sliding_at_peak().iter().map(|sliding| ("friction", slid(sliding))));
@@ -155,6 +156,37 @@ fn considered(considered: &TermDecisions) -> Vec<(&'static str, String)> {
         texts.into_iter().enumerate().map(move |(index, text)| (if index == 0 { name } else { "" }, text))
     };
     named("left out", left.collect()).chain(named("kept", kept.collect())).collect()
+}
+
+/// What a steady peel would take, and what kind of a strip this is; of a body whose section varies the work of adhesion alone.
+fn derived(scene: &Scene) -> Vec<(&'static str, String)> {
+    let DerivedQuantities { work_of_adhesion, section, .. } = scene.model.derived();
+    let Some(section) = section else {
+        return vec![("adhesion", format!("work of adhesion {} J/m2", short(work_of_adhesion)))];
+    };
+    let angle = scene.model.pull.angle.to_degrees();
+    let groups = section.groups;
+    vec![
+        (
+            "adhesion",
+            format!(
+                "work of adhesion {} J/m2, Kendall's force at {} degrees {} nN",
+                short(section.work_of_adhesion),
+                short(angle),
+                short(section.kendall_force)
+            ),
+        ),
+        (
+            "strip",
+            format!(
+                "process zone {} nm, ℓ/h = {}, L/ℓ = {}; EI = {} nN nm2",
+                short(section.process_length),
+                short(groups.process_length_over_height),
+                short(groups.length_over_process_length),
+                short(section.stiffness.bending)
+            ),
+        ),
+    ]
 }
 
 /// How far the beam has slid at the peak.
@@ -272,6 +304,8 @@ short
   snap-off           u = 48.215618 ± 3e-6 nm, work to there 3.2500000 ± 5e-7 aJ
   limit points       load limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
                      displacement limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
+  adhesion           work of adhesion 0.0306396 J/m2, Kendall's force at 90 degrees 0.0306162 nN
+  strip              process zone 2.1667 nm, ℓ/h = 0.21667, L/ℓ = 46.1532; EI = 166.667 nN nm2
   warnings           the process zone is 0.217 times as long as the section is high, less than 1: sections deform there, and the model keeps them rigid
   end                bound: a limit set under [bounds] was reached: bounds.points = 20
   computational cost 20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms

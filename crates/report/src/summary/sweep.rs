@@ -1,5 +1,6 @@
 //! What a sweep found, as one JSON object.
 
+use super::origin::{SCHEMA, VERSION};
 use super::parameters::Parameters;
 use crate::number::to_json;
 use crate::sweep_row::SweepRow;
@@ -11,6 +12,12 @@ use std::io;
 /// A sweep as one object: the key that was varied, its unit, and a row a value.
 #[derive(Debug, serde::Serialize)]
 pub struct SweepSummary {
+    /// Of the program.
+    version: &'static str,
+    /// Of these keys.
+    schema: u32,
+    /// The command line; `None` where a program of another kind has written this.
+    command: Option<String>,
     scene: String,
     title: String,
     vary: String,
@@ -44,6 +51,9 @@ impl SweepSummary {
 
     fn of(scene: &Scene, key: &Key, rows: Vec<SweepLine>) -> Self {
         Self {
+            version: VERSION,
+            schema: SCHEMA,
+            command: None,
             scene: scene.name.clone(),
             title: scene.title.clone(),
             vary: key.path(),
@@ -53,6 +63,11 @@ impl SweepSummary {
             rows,
             parameters: Parameters(scene.clone()),
         }
+    }
+
+    /// The same with the command line that asked for it.
+    pub fn with_command(self, command: &str) -> Self {
+        Self { command: Some(command.to_owned()), ..self }
     }
 
     /// The object as text; a number that is not finite is an error that names its key.
