@@ -9,7 +9,7 @@ use peelkit::study::{
     Bound, Failure, LargestComputedForce, LimitPoint, PathEnd, PathPoint, Peak, Peel, PeelResult, Plateau, peel,
 };
 use peelkit_report::{PeelSummary, SweepLine, SweepRow, write_curve, write_limit_points, write_sweep};
-use peelkit_scene::{BoundsTable, Scene};
+use peelkit_scene::{BoundsTable, Scene, find_key};
 use serde_json::Value;
 use std::fs;
 
@@ -62,7 +62,7 @@ fn made_up() -> (Scene, Peel) {
 }
 
 fn row(value: f64, peel: &Peel) -> SweepRow {
-    SweepRow { value, model: peel.model.clone(), found: PeelResult::from(peel), solve_s: 0.004 }
+    SweepRow { value, second: None, model: peel.model.clone(), found: PeelResult::from(peel), solve_s: 0.004 }
 }
 
 fn summary(scene: &Scene, peel: &Peel) -> Value {
@@ -235,9 +235,40 @@ fn the_tables_have_a_header_and_a_row_a_point() {
 fn a_row_of_a_sweep_tells_the_work_to_the_snap_off() {
     let (_, peel) = made_up();
     let dir = tempfile::tempdir().unwrap();
-    let table = fs::read_to_string(write_sweep(dir.path(), &[row(0.5, &peel)]).unwrap()).unwrap();
-    let row = table.lines().nth(1).unwrap();
-    assert!(row.starts_with("0.5,0.341,1e-9,0.3,0.0307,48.2,3.25,0.004,pivoting,"), "{row}");
+    let key = find_key("strip.length").unwrap();
+    let table = fs::read_to_string(write_sweep(dir.path(), key, &[row(0.5, &peel)]).unwrap()).unwrap();
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    let names = reader.headers().unwrap().clone();
+    let row = reader.records().next().unwrap().unwrap();
+    let cell = |name: &str| row[names.iter().position(|found| found == name).expect(name)].to_owned();
+    for (name, expected) in [
+        ("value", "0.5"),
+        ("strip.length_nm", "0.5"),
+        ("peak_force_nN", "0.341"),
+        ("peak_displacement_nm", "0.30000000000000004"),
+        ("initiation_peak_nN", "0.3"),
+        ("plateau_force_nN", "0.0307"),
+        ("snap_off_displacement_nm", "48.2"),
+        ("snap_off_force_nN", "0.0375"),
+        ("work_aJ", "3.25"),
+        ("work_to", "first jump"),
+        ("solve_s", "0.004"),
+        ("end", "pivoting"),
+    ] {
+        assert_eq!(cell(name), expected, "{name}");
+    }
+    // errors stand behind their numbers
+    for (number, error) in [
+        ("peak_force_nN", "peak_error_nN"),
+        ("peak_displacement_nm", "peak_error_nm"),
+        ("plateau_force_nN", "plateau_error_nN"),
+        ("snap_off_displacement_nm", "snap_off_error_nm"),
+        ("snap_off_force_nN", "snap_off_error_nN"),
+        ("work_aJ", "work_error_aJ"),
+    ] {
+        let place = names.iter().position(|found| found == number).unwrap();
+        assert_eq!(names.get(place + 1), Some(error));
+    }
 }
 
 #[test]

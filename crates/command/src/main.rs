@@ -5,6 +5,7 @@
 mod accuracy;
 mod command_line;
 mod figures;
+mod folder_name;
 mod hard_scenes;
 mod help;
 mod input;

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// Where a command that writes files writes them.
 #[derive(Args)]
 pub struct OutArgs {
-    /// Folder for the outputs, created if missing [default: out/ and the name of the scene]
+    /// Folder for the outputs, created if missing [default: in out/, named after the scene and what is asked]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 

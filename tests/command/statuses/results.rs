@@ -105,7 +105,7 @@ fn a_followed_peak_fills_its_own_columns_and_is_drawn() {
         assert_eq!(row[empty], Value::Null, "{empty} is not computed");
     }
     let table = fs::read_to_string(dir.path().join("out/sweep.csv")).unwrap();
-    assert!(table.starts_with("value,peak_force_nN,peak_error_nN,initiation_peak_nN,"), "{table}");
+    assert!(table.starts_with("value,strip.bending_stiffness_factor,peak_force_nN,peak_error_nN,"), "{table}");
     assert_eq!(table.lines().count(), 42);
     for file in ["sweep.svg", "sweep.png"] {
         assert!(dir.path().join("out").join(file).exists(), "{file}");

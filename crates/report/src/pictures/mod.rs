@@ -4,10 +4,12 @@ mod curve;
 mod followed;
 mod observed;
 pub mod peel;
+mod plane;
 mod shapes;
 pub mod sweep;
 
 pub use followed::draw_followed;
 pub use observed::draw_observed;
 pub use peel::draw_peel;
+pub use plane::draw_plane;
 pub use sweep::draw_sweep;
