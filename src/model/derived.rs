@@ -105,13 +105,12 @@ impl PeelModel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Adhesion, Body, Grip, Spatula, Strip};
+    use crate::model::{Adhesion, Body, Grip, Spatula, StripModel};
     use approx::assert_relative_eq;
 
     #[test]
     fn the_paper_strip() {
-        let strip = Strip { length: 100.0, height: 10.0, youngs_modulus: 2.0, ..Strip::default() };
-        let derived = PeelModel::of(Body::Strip(strip), Adhesion::default(), Grip::FREE).derived();
+        let derived = PeelModel::from(&StripModel::of_the_paper(100.0, 1.0)).derived();
         assert_relative_eq!(derived.work_of_adhesion, 0.030665, max_relative = 1e-4);
         assert_relative_eq!(derived.strength.unwrap(), 0.1236, max_relative = 1e-3);
         let section = derived.section.unwrap();

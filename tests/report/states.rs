@@ -197,3 +197,45 @@ fn a_peel_without_solutions_has_no_states() {
     let peel = peeled(&[("accuracy.relative", "1e-3"), ("bounds.points", "3")]).without_solutions();
     assert!(peel.states(4).is_empty());
 }
+
+/// The loads of every state balance the section forces at the two ends: along the ground, across it, and about the origin.
+#[track_caller]
+fn balances(peel: &Peel) {
+    for state in written(peel, 3) {
+        let last = state.of("S_nm").len() - 1;
+        let end = |k: usize| {
+            let (sin, cos) = state.of("theta_rad")[k].sin_cos();
+            let (n, q) = (state.of("N_nN")[k], state.of("Q_nN")[k]);
+            let [horizontal, vertical] = [n * cos - q * sin, n * sin + q * cos];
+            let turned = state.of("x_nm")[k] * vertical - state.of("y_nm")[k] * horizontal + state.of("M_nN_nm")[k];
+            [horizontal, vertical, turned]
+        };
+        let names = ["x_nm", "y_nm", "line_force_nN_per_nm", "line_force_x_nN_per_nm", "line_moment_nN", "weight_nm"];
+        let turned = (0..=last).map(|k| {
+            let [x, y, across, along, moment, weight] = names.map(|name| state.of(name)[k]);
+            weight * (x * across - y * along + moment)
+        });
+        let loads = [state.integral(names[3]), state.integral(names[2]), turned.sum()];
+        let (from, to) = (end(0), end(last));
+        let size = state.one("height_nm") + to[2].abs();
+        for (k, size) in [1.0, 1.0, size].into_iter().enumerate() {
+            assert_abs_diff_eq!(loads[k], to[k] - from[k], epsilon = 1e-6 * size);
+        }
+    }
+}
+
+#[test]
+fn beams_balance_on_any_ground_of_any_outline_and_pulled_anywhere() {
+    balances(&peeled(&[("accuracy.relative", "1e-4"), ("drive.angle", "60 deg"), ("grip.rotation", "fixed")]));
+    balances(&peeled(&[
+        ("accuracy.relative", "1e-3"),
+        ("substrate.shape", "sinusoid"),
+        ("substrate.height", "0.1 nm"),
+        ("substrate.wavelength", "40 nm"),
+        ("bounds.points", "30"),
+    ]));
+    let spatula = include_str!("../../scenes/spatula.toml");
+    let roughly = [("accuracy.relative".to_owned(), "1e-4".to_owned())];
+    let scene = Scene::parse("spatula.toml", spatula, &roughly).unwrap();
+    balances(&peel(&scene.model, &scene.accuracy, &scene.bounds.from_now()));
+}

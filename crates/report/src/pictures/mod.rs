@@ -1,5 +1,6 @@
 //! Pictures of what a command found, as SVG and PNG, and the pieces of them that other pictures use.
 
+mod contour;
 mod curve;
 mod followed;
 mod observed;

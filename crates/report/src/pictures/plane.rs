@@ -1,5 +1,6 @@
 //! The picture of a sweep over two keys: maps of the peak force and of the work to snap-off over the plane of both, with contours.
 
+use super::contour::{Node, crossing};
 use crate::chart::{Axis, Frame, Line, Panel, Picture, RGBColor, Shape, Stroke, WIDTH, colour, order_shade, save};
 use crate::error::ReportError;
 use crate::sweep_row::SweepRow;
@@ -14,6 +15,8 @@ const OVERLAP: f64 = 1.0e-3;
 const WHITE: RGBColor = RGBColor(255, 255, 255);
 /// Width of a contour, pixels.
 const CONTOUR: f64 = 1.4;
+/// Upper edge of the first map, pixels: below the title and the line above the map.
+const TOP: f64 = 58.0;
 /// About so many contours.
 const CONTOURS: usize = 6;
 
@@ -51,7 +54,7 @@ pub fn draw_plane(
     for (label, quantity) in quantities {
         let map = Map::new(&axes, rows, quantity);
         if map.values.iter().flatten().next().is_some() {
-            let top = panels.last().map_or(40.0, |below: &Panel| below.frame.bottom + 74.0);
+            let top = panels.last().map_or(TOP, |below: &Panel| below.frame.bottom + 74.0);
             panels.extend(map.panels(&axes, label, top));
         }
     }
@@ -163,15 +166,14 @@ impl Map {
         let place = |grid: &Grid, k: usize| grid.axis.place(grid.values[k]);
         let corner = |i: usize, j: usize| {
             let value = self.values[j * self.columns + i]?;
-            Some(([place(&axes[0], i), place(&axes[1], j)], scale.place(value) - level))
+            Some(Node { place: [place(&axes[0], i), place(&axes[1], j)], above: scale.place(value) - level })
         };
         let mut lines = Vec::new();
         for j in 0..axes[1].values.len().saturating_sub(1) {
             for i in 0..self.columns.saturating_sub(1) {
                 let around = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
                 let [Some(a), Some(b), Some(c), Some(d)] = around else { continue };
-                let mean = |of: &dyn Fn(&([f64; 2], f64)) -> f64| 0.25 * [a, b, c, d].iter().map(of).sum::<f64>();
-                let middle = ([mean(&|p| p.0[0]), mean(&|p| p.0[1])], mean(&|p| p.1));
+                let middle = Node::mean([a, b, c, d]);
                 for (from, to) in [(a, b), (b, c), (c, d), (d, a)] {
                     lines.extend(crossing([from, to, middle]).map(|ends| Line {
                         points: ends.map(|[x, y]| (axes[0].at(x), axes[1].at(y))).to_vec(),
@@ -183,16 +185,6 @@ impl Map {
         }
         lines
     }
-}
-
-/// Where a linear function with these values at the corners of a triangle is zero.
-fn crossing(corners: [([f64; 2], f64); 3]) -> Option<[[f64; 2]; 2]> {
-    let sides = [(0, 1), (1, 2), (2, 0)].into_iter().filter_map(|(p, q)| {
-        let ((a, value_a), (b, value_b)) = (corners[p], corners[q]);
-        let t = value_a / (value_a - value_b);
-        ((value_a < 0.0) != (value_b < 0.0)).then(|| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])])
-    });
-    <[[f64; 2]; 2]>::try_from(sides.collect::<Vec<_>>()).ok()
 }
 
 /// What the colours mean.
@@ -222,13 +214,6 @@ fn shade(place: f64) -> RGBColor {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_triangle_is_crossed_where_the_value_is_zero() {
-        let corners = [([0.0, 0.0], -1.0), ([1.0, 0.0], 1.0), ([0.0, 1.0], 3.0)];
-        assert_eq!(crossing(corners), Some([[0.5, 0.0], [0.0, 0.25]]));
-        assert_eq!(crossing(corners.map(|(at, value)| (at, value + 2.0))), None);
-    }
 
     #[test]
     fn cells_meet_half_way_between_values() {

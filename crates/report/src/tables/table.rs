@@ -15,7 +15,7 @@ pub fn write_table<T: Serialize + Default>(
     lines: impl Iterator<Item = T>,
 ) -> Result<PathBuf, ReportError> {
     let path = dir.join(name);
-    let text = table_like(&T::default(), lines).map_err(|source| ReportError::Write { path: path.clone(), source })?;
+    let text = table_like(T::default(), lines).map_err(|source| ReportError::Write { path: path.clone(), source })?;
     write_whole(&path, &text)?;
     Ok(path)
 }
