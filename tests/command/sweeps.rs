@@ -90,6 +90,10 @@ fn what_is_varied_is_said_once_and_whole() {
     refused(dir.path(), &[&vary[..], &["--from", "1 nm", "--to", "2 nm"]].concat(), "--points");
     refused(dir.path(), &[&vary[..], &["--values", "1 nm", "--points", "2"]].concat(), "as well");
     refused(dir.path(), &[&vary[..], &["--values", "1,2"]].concat(), "without a unit");
+    refused(dir.path(), &[&vary[..], &["--values", "1 nm,-2 nm"]].concat(), "--values for strip.height");
+    let many = ["--from", "1 nm", "--to", "2 nm", "--points", "2000"];
+    let plane = [&vary[..], &many, &["--vary", "strip.width"], &many].concat();
+    refused(dir.path(), &plane, "4000000 pairs of values");
     refused(
         dir.path(),
         &[&vary[..], &["--values", "1 nm", "--vary", "strip.height", "--values", "1 nm"]].concat(),

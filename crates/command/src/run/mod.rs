@@ -35,8 +35,10 @@ pub struct Run {
     #[arg(long)]
     observed: bool,
 
-    /// Writes the fields along the beam at every limit point and at N points evenly along the path (states.csv, .pvd)
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=10_000))]
+    /// Writes the fields along the beam: states.csv, states.pvd
+    ///
+    /// At every limit point, and at N points evenly along the path, its two ends among them.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1_000))]
     states: Option<u32>,
 
     /// Discards the checkpoint of an unfinished run in the folder and starts anew

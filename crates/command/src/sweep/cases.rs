@@ -5,6 +5,9 @@ use crate::stop::Stop;
 use peelkit_report::SweptKeys;
 use peelkit_scene::{KEYS, Key, Scene, ValueError, find_key};
 
+/// Most cases of a sweep.
+const MOST: usize = 1_000_000;
+
 /// One case: its values, in the units of the library, and its scene.
 #[derive(Clone, Debug)]
 pub struct Case {
@@ -38,12 +41,19 @@ impl Cases {
         }
         let firsts = values(scene, keys.first, first)?;
         let seconds = keys.second.zip(second).map(|(key, of)| values(scene, key, of)).transpose()?;
+        let count = firsts.len().saturating_mul(seconds.as_ref().map_or(1, Vec::len));
+        if count > MOST {
+            return Err(Stop::bad_input(
+                format!("a sweep over {} has {count} pairs of values, more than {MOST}", keys.names()),
+                "Give fewer --points.",
+            ));
+        }
         let mut all = Vec::new();
         for &value in &firsts {
             for second in
                 seconds.as_ref().map_or_else(|| vec![None], |values| values.iter().copied().map(Some).collect())
             {
-                all.push(Case { value, second, scene: with_values(scene, keys, value, second)? });
+                all.push(Case { value, second, scene: with_values(scene, keys, parameters, value, second)? });
             }
         }
         Ok(Self { keys, log: [first.log, second.is_some_and(|of| of.log)], all })
@@ -61,18 +71,32 @@ fn key_to_vary(path: &str) -> Result<&'static Key, Stop> {
 }
 
 /// The scene with one value, or two, in their places.
-fn with_values(scene: &Scene, keys: SweptKeys, value: f64, second: Option<f64>) -> Result<Scene, Stop> {
+fn with_values(
+    scene: &Scene,
+    keys: SweptKeys,
+    parameters: &[Parameter],
+    value: f64,
+    second: Option<f64>,
+) -> Result<Scene, Stop> {
     let mut scene = scene.clone();
-    for (key, value) in [(Some(keys.first), Some(value)), (keys.second, second)] {
-        let (Some(key), Some(value)) = (key, value) else { continue };
-        key.store_number(&mut scene, value).map_err(|problem| between(key, &problem))?;
+    let both = [Some(keys.first), keys.second].into_iter().flatten().zip(parameters).zip([Some(value), second]);
+    for ((key, parameter), value) in both {
+        let stop = |problem: ValueError| Stop::bad_argument(among(key, parameter), &problem);
+        key.store_number(&mut scene, value.unwrap_or(f64::NAN)).map_err(stop)?;
+        // of two keys the first value may be right only with the second
+        if keys.second.is_none_or(|second| second.path() == key.path()) {
+            scene.check().map_err(|error| stop(error.into()))?;
+        }
     }
-    scene.check().map_err(|error| between(keys.second.unwrap_or(keys.first), &error.into()))?;
     Ok(scene)
 }
 
-fn between(key: &Key, problem: &ValueError) -> Stop {
-    Stop::bad_argument(format!("{} between --from and --to", key.path()), problem)
+/// Which values of a parameter a message is about.
+fn among(key: &Key, parameter: &Parameter) -> String {
+    match parameter.values {
+        TypedValues::Range { .. } => format!("{} between --from and --to", key.path()),
+        TypedValues::List(_) => format!("{} among --values", key.path()),
+    }
 }
 
 /// The values of one parameter, each right by itself.

@@ -109,22 +109,13 @@ impl Args for Varied {
         let points = option("points", "N", "Number of values, both ends included");
         let log = Arg::new("log").long("log").action(ArgAction::Append).num_args(0).default_missing_value("true");
         command
-            .arg(
-                option("vary", "KEY", "The key to vary, such as strip.length; twice for a plane of two keys")
-                    .required(true),
-            )
-            .arg(
-                option("from", "A", "First value; with its unit where the key has one: \"100 nm\"")
-                    .allow_hyphen_values(true),
-            )
-            .arg(option("to", "B", "Last value; with its unit where the key has one").allow_hyphen_values(true))
+            .arg(option("vary", "KEY", "The key to vary: strip.length; twice for a plane").required(true))
+            .arg(option("from", "A", "First value, with its unit: \"100 nm\"").allow_hyphen_values(true))
+            .arg(option("to", "B", "Last value, with its unit").allow_hyphen_values(true))
             .arg(points.value_parser(value_parser!(u32).range(1..=1_000_000)))
-            .arg(
-                option("values", "LIST", "These values in place of a range: \"1 nm,2 nm,5 nm\", or \"1,2,5 nm\"")
-                    .allow_hyphen_values(true),
-            )
-            .arg(log.value_parser(value_parser!(bool)).help(
-                "Logarithmic spacing and axis: equal ratios instead of equal differences; values must be above zero",
+            .arg(option("values", "LIST", "Values in place of a range: 1,2,5nm").allow_hyphen_values(true))
+            .arg(log.value_parser(value_parser!(bool)).help("Logarithmic spacing and axis").long_help(
+                "Logarithmic spacing and axis: equal ratios instead of equal differences\n\nValues must be above zero.",
             ))
     }
 

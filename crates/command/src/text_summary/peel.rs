@@ -176,7 +176,7 @@ fn considered(considered: &TermDecisions) -> Vec<(&'static str, String)> {
 fn derived(scene: &Scene, units: &Units) -> Vec<(&'static str, String)> {
     let DerivedQuantities { work_of_adhesion, section, .. } = scene.model.derived();
     let Some(section) = section else {
-        return vec![("adhesion", format!("work of adhesion {} J/m2", short(work_of_adhesion)))];
+        return vec![("adhesion", format!("work of adhesion {} J/m²", short(work_of_adhesion)))];
     };
     let angle = scene.model.pull.angle.to_degrees();
     let groups = section.groups;
@@ -184,7 +184,7 @@ fn derived(scene: &Scene, units: &Units) -> Vec<(&'static str, String)> {
         (
             "adhesion",
             format!(
-                "work of adhesion {} J/m2, Kendall's force at {} degrees {}",
+                "work of adhesion {} J/m², Kendall's force at {} degrees {}",
                 short(section.work_of_adhesion),
                 short(angle),
                 units.force.short(section.kendall_force)
@@ -193,7 +193,7 @@ fn derived(scene: &Scene, units: &Units) -> Vec<(&'static str, String)> {
         (
             "strip",
             format!(
-                "process zone {}, ℓ/h = {}, L/ℓ = {}; EI = {} nN nm2",
+                "process zone {}, ℓ/h = {}, L/ℓ = {}; EI = {} nN nm²",
                 units.length.short(section.process_length),
                 short(groups.process_length_over_height),
                 short(groups.length_over_process_length),
@@ -318,8 +318,8 @@ short
   snap-off           u = 48.215618 ± 3e-6 nm, work to there 3.2500000 ± 5e-7 aJ
   limit points       load limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
                      displacement limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
-  adhesion           work of adhesion 0.0306396 J/m2, Kendall's force at 90 degrees 0.0306162 nN
-  strip              process zone 2.1667 nm, ℓ/h = 0.21667, L/ℓ = 46.1532; EI = 166.667 nN nm2
+  adhesion           work of adhesion 0.0306396 J/m², Kendall's force at 90 degrees 0.0306162 nN
+  strip              process zone 2.1667 nm, ℓ/h = 0.21667, L/ℓ = 46.1532; EI = 166.667 nN nm²
   warnings           the process zone is 0.217 times as long as the section is high, less than 1: sections deform there, and the model keeps them rigid
   end                bound: a limit set under [bounds] was reached: bounds.points = 20
   computational cost 20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms

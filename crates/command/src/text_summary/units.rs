@@ -39,7 +39,9 @@ const TOO_LARGE: f64 = 1e4;
 /// Which units the summary is printed in.
 #[derive(Args, Clone, Debug, Default)]
 pub struct UnitsArgs {
-    /// Units of the printed summary, such as µN,µm,fJ [default: those that fit]; files keep theirs
+    /// Units of the printed summary: µN,µm,fJ [default: those that fit]
+    ///
+    /// One each of forces, lengths and works. Files keep their units.
     #[arg(long, value_name = "LIST")]
     units: Option<String>,
 }
