@@ -27,7 +27,7 @@ pub struct Run {
 }
 
 /// What depends on the machine or on the build, wherever it stands.
-const LEFT_OUT: [&str; 3] = ["timing", "solve_s", "version"];
+const LEFT_OUT: [&str; 4] = ["timing", "solve_s", "version", "command"];
 
 pub fn run_all(peel: &Path, jobs: &[Job], times: bool) -> Result<Vec<Run>, Box<dyn Error>> {
     let temporary = std::env::temp_dir().join(format!("peel-snapshot-{}", std::process::id()));

@@ -12,3 +12,4 @@ mod statuses;
 mod steps;
 #[path = "../shared/strip.rs"]
 mod strip;
+mod sweeps;

@@ -15,8 +15,16 @@ use tempfile::{TempDir, tempdir};
 
 const PEEL: &str = env!("CARGO_BIN_EXE_peel");
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/strip-100nm.toml");
-const RUN: [&str; 7] =
-    ["curve.csv", "curve.png", "curve.svg", "limit_points.csv", "shapes.png", "shapes.svg", "summary.json"];
+const RUN: [&str; 8] = [
+    "curve.csv",
+    "curve.png",
+    "curve.svg",
+    "limit_points.csv",
+    "parameters.toml",
+    "shapes.png",
+    "shapes.svg",
+    "summary.json",
+];
 /// Whole peels of so many values would take an hour.
 const LONG_SWEEP: [&str; 11] =
     ["sweep", SCENE, "--vary", "strip.length", "--from", "60 nm", "--to", "120 nm", "--points", "1000000", "--json"];
@@ -125,18 +133,37 @@ fn force_replaces_the_files_of_the_command_and_no_other() {
     assert_eq!(fs::read(out.join("notes/monday.txt")).unwrap(), b"mine");
 }
 
+/// Commands that compute different things, one after the other, as a person types them.
+#[test]
+fn different_commands_have_different_folders() {
+    let dir = tempdir().unwrap();
+    let roughly = ["--set", "accuracy.relative=1e-3"];
+    let sweep = ["sweep", SCENE, "--vary", "strip.length", "--values", "90 nm,100 nm"];
+    for (command, folder) in [
+        (vec!["run", SCENE], "strip-100nm-accuracy.relative=1e-3"),
+        (vec!["run", SCENE, "--set", "strip.height=9 nm"], "strip-100nm-strip.height=9nm-accuracy.relative=1e-3"),
+        (vec!["run", SCENE, "--states", "2"], "strip-100nm-states=2-accuracy.relative=1e-3"),
+        (sweep.to_vec(), "strip-100nm-sweep-strip.length-accuracy.relative=1e-3"),
+        ([&sweep[..], &["--peak-only"]].concat(), "strip-100nm-sweep-strip.length-follow-peak-accuracy.relative=1e-3"),
+    ] {
+        let said = done(dir.path(), &[&command[..], &roughly].concat());
+        assert!(said.contains(&format!("wrote out/{folder}/")), "{said}");
+    }
+    assert_eq!(listing(&dir.path().join("out")).len(), 5);
+}
+
 #[test]
 fn a_finished_sweep_is_refused_and_its_folder_can_be_forced() {
     let dir = tempdir().unwrap();
     let sweep = ["sweep", SCENE, "--vary", "strip.length", "--from", "90 nm", "--to", "100 nm", "--points", "2"];
     let with = |more: &[&'static str]| [&sweep[..], more].concat();
     done(dir.path(), &sweep);
-    for again in [with(&[]), with(&["--fresh"]), with(&["--peak-only"])] {
-        refused(dir.path(), &again, 2, &["out/strip-100nm exists", "--force"]);
+    for again in [with(&[]), with(&["--fresh"])] {
+        refused(dir.path(), &again, 2, &["out/strip-100nm-sweep-strip.length exists", "--force"]);
     }
     done(dir.path(), &with(&["--force"]));
-    done(dir.path(), &with(&["--force", "--peak-only"]));
-    assert_eq!(listing(&dir.path().join("out/strip-100nm")), ["sweep.csv", "sweep.png", "sweep.svg"]);
+    let files = ["parameters.toml", "sweep.csv", "sweep.png", "sweep.svg"];
+    assert_eq!(listing(&dir.path().join("out/strip-100nm-sweep-strip.length")), files);
 }
 
 #[test]

@@ -6,5 +6,6 @@ mod pictures;
 mod resume;
 #[path = "../shared/pictures.rs"]
 mod shared_pictures;
+mod states;
 #[path = "../shared/strip.rs"]
 mod strip;

@@ -9,7 +9,7 @@ use peelkit::study::{
     Bound, Failure, LargestComputedForce, LimitPoint, PathEnd, PathPoint, Peak, Peel, PeelResult, Plateau, peel,
 };
 use peelkit_report::{PeelSummary, SweepLine, SweepRow, write_curve, write_limit_points, write_sweep};
-use peelkit_scene::{BoundsTable, Scene};
+use peelkit_scene::{BoundsTable, Scene, find_key};
 use serde_json::Value;
 use std::fs;
 
@@ -62,7 +62,7 @@ fn made_up() -> (Scene, Peel) {
 }
 
 fn row(value: f64, peel: &Peel) -> SweepRow {
-    SweepRow { value, model: peel.model.clone(), found: PeelResult::from(peel), solve_s: 0.004 }
+    SweepRow { value, second: None, model: peel.model.clone(), found: PeelResult::from(peel), solve_s: 0.004 }
 }
 
 fn summary(scene: &Scene, peel: &Peel) -> Value {
@@ -93,6 +93,46 @@ fn the_summary_has_every_key_at_full_precision() {
     assert_eq!((number("/limit_points/1/error_nm"), number("/limit_points/1/error_nN")), (3e-8, 4e-9));
     assert_eq!(summary["limit_points"][0]["flat"], false);
     assert_eq!(number("/timing/solve_s"), 0.004);
+}
+
+#[test]
+fn the_summary_says_where_it_comes_from() {
+    let (scene, peel) = made_up();
+    let summary = summary(&scene, &peel);
+    assert_eq!((summary["version"].as_str(), summary["schema"].as_u64()), (Some(env!("CARGO_PKG_VERSION")), Some(1)));
+    assert_eq!(summary["command"], Value::Null, "written by no command");
+    let commanded = PeelSummary::new(&scene, &peel, 0.004).with_command("peel run a.toml").to_json().unwrap();
+    assert_eq!(serde_json::from_str::<Value>(&commanded).unwrap()["command"], "peel run a.toml");
+}
+
+/// Closed forms of the paper's strip: w = 15^(1/3) A_H/(16 π r0²), EI = E h³ b/12, EA = E h b, GA_s = k E/(2(1+ν)) h b; P + P²/(2EA) = w b.
+#[test]
+fn what_follows_from_the_model_alone_is_derived() {
+    let (scene, peel) = made_up();
+    let derived = summary(&scene, &peel)["derived"].clone();
+    let number = |path: &str| derived.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("{path}"));
+    let near = |path: &str, expected: f64| {
+        assert!((number(path) / expected - 1.0).abs() < 1e-12, "{path}: {} for {expected}", number(path));
+    };
+    near("/work_of_adhesion_J_per_m2", 15f64.cbrt() * 0.1 / (16.0 * std::f64::consts::PI * 0.16));
+    near("/bending_stiffness_EI_nN_nm2", 2000.0 / 12.0);
+    near("/axial_stiffness_EA_nN", 20.0);
+    near("/shear_stiffness_GAs_nN", 5.0 / 6.0 * 2.0 / 2.4 * 10.0);
+    let (force, work) = (number("/kendall_force_nN"), number("/work_of_adhesion_of_section_J_per_m2"));
+    near("/kendall_force_nN", work - force * force / 40.0);
+    let process = number("/process_length_nm");
+    near("/groups/bending_over_adhesion", 2000.0 / 12.0 / (work * process * process));
+    near("/groups/length_over_process_length", 100.0 / process);
+    near("/groups/adhesion_over_stretching", work / 20.0);
+
+    let spatula = Scene::parse("s.toml", include_str!("../../scenes/spatula.toml"), &[]).unwrap();
+    let derived = serde_json::to_value(summary(&spatula, &peel)["derived"].clone()).unwrap();
+    assert!(derived["work_of_adhesion_J_per_m2"].is_f64());
+    for path in
+        ["/kendall_force_nN", "/bending_stiffness_EI_nN_nm2", "/process_length_nm", "/groups/length_over_height"]
+    {
+        assert_eq!(derived.pointer(path), Some(&Value::Null), "{path} has no single value");
+    }
 }
 
 #[test]
@@ -195,9 +235,40 @@ fn the_tables_have_a_header_and_a_row_a_point() {
 fn a_row_of_a_sweep_tells_the_work_to_the_snap_off() {
     let (_, peel) = made_up();
     let dir = tempfile::tempdir().unwrap();
-    let table = fs::read_to_string(write_sweep(dir.path(), &[row(0.5, &peel)]).unwrap()).unwrap();
-    let row = table.lines().nth(1).unwrap();
-    assert!(row.starts_with("0.5,0.341,1e-9,0.3,0.0307,48.2,3.25,0.004,pivoting,"), "{row}");
+    let key = find_key("strip.length").unwrap();
+    let table = fs::read_to_string(write_sweep(dir.path(), key, &[row(0.5, &peel)]).unwrap()).unwrap();
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    let names = reader.headers().unwrap().clone();
+    let row = reader.records().next().unwrap().unwrap();
+    let cell = |name: &str| row[names.iter().position(|found| found == name).expect(name)].to_owned();
+    for (name, expected) in [
+        ("value", "0.5"),
+        ("strip.length_nm", "0.5"),
+        ("peak_force_nN", "0.341"),
+        ("peak_displacement_nm", "0.30000000000000004"),
+        ("initiation_peak_nN", "0.3"),
+        ("plateau_force_nN", "0.0307"),
+        ("snap_off_displacement_nm", "48.2"),
+        ("snap_off_force_nN", "0.0375"),
+        ("work_aJ", "3.25"),
+        ("work_to", "first jump"),
+        ("solve_s", "0.004"),
+        ("end", "pivoting"),
+    ] {
+        assert_eq!(cell(name), expected, "{name}");
+    }
+    // errors stand behind their numbers
+    for (number, error) in [
+        ("peak_force_nN", "peak_error_nN"),
+        ("peak_displacement_nm", "peak_error_nm"),
+        ("plateau_force_nN", "plateau_error_nN"),
+        ("snap_off_displacement_nm", "snap_off_error_nm"),
+        ("snap_off_force_nN", "snap_off_error_nN"),
+        ("work_aJ", "work_error_aJ"),
+    ] {
+        let place = names.iter().position(|found| found == number).unwrap();
+        assert_eq!(names.get(place + 1), Some(error));
+    }
 }
 
 #[test]

@@ -56,7 +56,7 @@ fn factors(values: &[f64]) -> Vec<SweepRow> {
             flat: false,
             after: 0,
         });
-        SweepRow { value, model: peel.model.clone(), found: PeelResult::from(&peel), solve_s: 0.004 }
+        SweepRow { value, second: None, model: peel.model.clone(), found: PeelResult::from(&peel), solve_s: 0.004 }
     };
     values.iter().map(row).collect()
 }

@@ -13,4 +13,5 @@ mod steps;
 #[path = "../shared/strip.rs"]
 mod strip;
 mod text;
+mod to_toml;
 mod written;

@@ -1,11 +1,14 @@
 //! `peel accuracy`: computing time against error.
 
+use crate::command_line::command_line;
+use crate::folder_name::default_folder;
 use crate::help;
 use crate::input::{SceneArgs, parse_override};
 use crate::output::{OutArgs, list_files, progress_bar, say};
 use crate::stop::Stop;
 use clap::Args;
 use peelkit_checks::{AUTOMATIC, Trial, WorkPrecision, work_precision, write_work_precision};
+use peelkit_report::write_parameters;
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
 
@@ -26,7 +29,7 @@ pub struct Accuracy {
 }
 
 const FOLDER: &str =
-    "Folder for the outputs, created if missing [default: out/accuracy, or out/accuracy- and the name of the scene]";
+    "Folder for the outputs, created if missing [default: out/accuracy, and the name of the scene and what is set]";
 
 /// The scene where none is given.
 const PLAIN: &str = include_str!("../../../scenes/strip-100nm.toml");
@@ -37,12 +40,9 @@ pub fn accuracy(args: &Accuracy) -> Result<(), Stop> {
         Some(path) => SceneArgs { path: path.clone(), overrides }.load()?,
         None => Scene::parse("strip-100nm.toml", PLAIN, &overrides)?,
     };
-    let folder = args.out.out.clone().unwrap_or_else(|| match &args.path {
-        Some(path) => {
-            let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-            Path::new("out").join(format!("accuracy-{stem}"))
-        }
-        None => PathBuf::from("out/accuracy"),
+    let folder = args.out.out.clone().unwrap_or_else(|| {
+        let stem = args.path.as_ref().and_then(|path| path.file_stem()).map(|stem| stem.to_string_lossy().into_owned());
+        default_folder(Path::new("accuracy"), stem.as_slice(), &args.overrides)
     });
     let folder = args.out.claim(&folder)?;
     let bar = progress_bar(0);
@@ -52,7 +52,11 @@ pub fn accuracy(args: &Accuracy) -> Result<(), Stop> {
     });
     bar.finish_and_clear();
     let measured = measured.map_err(|reason| Stop::cut_short(&reason))?;
-    let files = folder.write(|dir| write_work_precision(dir, &measured, &scene.title));
+    let files = folder.write(|dir| {
+        let mut files = write_work_precision(dir, &measured, &scene.title)?;
+        files.push(write_parameters(dir, &scene, &command_line())?);
+        Ok(files)
+    });
     say(&format!("{}\n{}", table(&measured), list_files(&files)))?;
     files?;
     Ok(())

@@ -60,14 +60,22 @@ Examples:
 
 Files:
   summary.json       peaks, plateau, limit points, first jump, detachment, how the path ended, computational cost, the
-                     scene. A peak is a located limit point or null; then largest_computed_force has no bound
+                     scene, what follows from that alone (work of adhesion, Kendall's force, stiffnesses, dimensionless
+                     groups), version and command. A peak is a located limit point or null; then largest_computed_force
+                     has no bound
   curve.csv          one row for each point of the path
   limit_points.csv   one row for each limit point of load or displacement, with error bounds
+  parameters.toml    the scene as it was computed, with what --set has changed: peel run computes it to the same numbers
   curve.svg, .png    force against displacement
   shapes.svg, .png   the strip at marked points of the curve
+  states.csv, states.pvd   with --states N: the fields along the beam (place, rotation, section forces, gap, loads) at
+                     every limit point and at N points evenly along the path; states.pvd opens in ParaView
   observed.csv, .svg, .png   with --observed: the displacement-controlled test, one row for each point, pulling off and
                      returning; force against the displacement U of the machine
   run.partial        checkpoint of a run of more than a second: the points of its path, written every second
+
+The folder is named after the scene, what is asked besides, and the keys that --set changes, those of [bounds] left
+out: commands that compute different things write to different folders. --out names another.
 
 Interrupting a run: Ctrl-C stops the path at its next point and writes what was reached (exit status 3). A second
 Ctrl-C stops the program at once (130).
@@ -114,12 +122,15 @@ Examples:
   peel sweep strip.toml --vary strip.bending_stiffness_factor --from 1e-4 --to 1e4 --points 33 --log
   peel sweep strip.toml --vary strip.height --from \"2 nm\" --to \"20 nm\" --points 10 --json
   peel sweep strip.toml --vary strip.bending_stiffness_factor --from 1e-4 --to 1e4 --points 1000 --log --peak-only
+  peel sweep strip.toml --vary strip.height --values 5,10,20nm --vary strip.youngs_modulus --values 1,2,4GPa
 
 Files:
   sweep.csv          one row for each value: peak force, plateau, snap-off, work, time, how the path ended. `value` is
-                     in nm, GPa, aJ, s, rad, ..., or a plain number. Empty cells: it does not occur. `work_to`: whether
-                     work_aJ goes to the first jump or to the end of a path without one
-  sweep.svg, .png    these results against the varied value
+                     in nm, GPa, aJ, s, rad, ..., or a plain number; the next column has the same number and names its
+                     key and unit. Empty cells: it does not occur. `work_to`: whether work_aJ goes to the first jump or
+                     to the end of a path without one
+  sweep.svg, .png    these results against the varied value; of two keys, maps of peak force and work over their plane
+  parameters.toml    the scene before the sweep, with what --set has changed, and the command
   sweep.partial.jsonl  checkpoint while the sweep runs: each finished value, written at once
 
 Interrupting a sweep: after Ctrl-C the values being computed are finished. The finished values are written to sweep.csv
@@ -132,6 +143,9 @@ changed. A folder with an unfinished sweep needs no --force. The checkpoint of a
 --out) keep no checkpoint; neither do those with --follow or --peak-only, which take milliseconds.
 
 {OUTPUTS}
+
+Two keys: with --vary twice, the options behind each belong to it, and every value of the second is taken with each of
+the first: one row for each pair, with the columns value and value_2.
 
 Continuation of one point: with --follow peak (or --peak-only) or --follow snap-off no whole path is computed for each
 value. The limit point is solved for directly, from an extrapolation of the previous values. Here peak means the

@@ -1,9 +1,10 @@
 //! What `run` and `sweep` read: a scene and the keys that replace those of its text.
 
+use crate::folder_name::default_folder;
 use crate::stop::Stop;
 use clap::Args;
 use peelkit_scene::Scene;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(Args)]
 pub struct SceneArgs {
@@ -37,9 +38,9 @@ impl SceneArgs {
         Ok(Scene::parse(&name, &text, &self.overrides)?)
     }
 
-    /// Where the outputs go when the user does not say: `out/` and the name of the scene.
-    pub fn default_folder(&self) -> PathBuf {
-        Path::new("out").join(self.path.file_stem().unwrap_or_default())
+    /// Where the outputs go when the user does not say; `parts` are what a command adds to the name.
+    pub fn default_folder(&self, parts: &[String]) -> PathBuf {
+        default_folder(&self.path, parts, &self.overrides)
     }
 }
 

@@ -3,7 +3,9 @@
 #![forbid(unsafe_code)]
 
 mod accuracy;
+mod command_line;
 mod figures;
+mod folder_name;
 mod hard_scenes;
 mod help;
 mod input;

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// Where a command that writes files writes them.
 #[derive(Args)]
 pub struct OutArgs {
-    /// Folder for the outputs, created if missing [default: out/ and the name of the scene]
+    /// Folder for the outputs, created if missing [default: in out/, named after the scene and what is asked]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 
@@ -35,9 +35,20 @@ pub fn say(text: &str) -> Result<(), Stop> {
     }
 }
 
-/// The files that were written, if they were, a line each.
+/// The files that were written, if they were, a line each; the grids of a time series, which its list names, are counted.
 pub fn list_files(files: &Result<Vec<PathBuf>, ReportError>) -> String {
-    files.iter().flatten().map(|file| format!("wrote {}\n", file.display())).collect()
+    let is_grid = |file: &&PathBuf| file.extension().is_some_and(|extension| extension == "vtu");
+    let line = |file: &PathBuf| format!("wrote {}\n", file.display());
+    let all = || files.iter().flatten();
+    let mut text: String = all().filter(|file| !is_grid(file)).map(line).collect();
+    if let Some(grid) = all().find(is_grid) {
+        let folder = grid.parent().unwrap_or(Path::new("")).display();
+        text += &format!(
+            "wrote {folder}/ with {} files for ParaView, which states.pvd lists\n",
+            all().filter(is_grid).count()
+        );
+    }
+    text
 }
 
 /// A bar on standard error if that is a terminal; nothing in a pipe.

@@ -78,7 +78,10 @@ impl OutputFolder {
 
     fn move_in(&self, file: &Path) -> Result<(), ReportError> {
         let to = self.place.join(file.strip_prefix(&self.staging).unwrap_or(file));
-        fs::rename(file, &to).map_err(|source| ReportError::Write { path: file.to_path_buf(), source })
+        let inner = to.parent().map_or(Ok(()), fs::create_dir_all);
+        inner
+            .and_then(|()| fs::rename(file, &to))
+            .map_err(|source| ReportError::Write { path: file.to_path_buf(), source })
     }
 
     /// A file of the hidden folder under the name that it gets.

@@ -9,6 +9,8 @@ use peelkit::study::{Peel, PeelResult};
 pub struct SweepRow {
     /// The value of the varied parameter, in its own unit.
     pub value: f64,
+    /// The value of the second one, where two are varied.
+    pub second: Option<f64>,
     /// What was peeled.
     pub model: PeelModel,
     /// Peak, plateau, snap-off and end: forces in nN, displacements in nm, work in aJ.
@@ -18,9 +20,9 @@ pub struct SweepRow {
 }
 
 impl SweepRow {
-    /// What `peel` finds of a model.
+    /// What `peel` finds of a model, of a sweep over one parameter.
     pub fn of(value: f64, model: PeelModel, peel: impl FnOnce(&PeelModel) -> Peel) -> Self {
         let (found, solve_s) = timed(|| PeelResult::from(&peel(&model)));
-        Self { value, model, found, solve_s }
+        Self { value, second: None, model, found, solve_s }
     }
 }

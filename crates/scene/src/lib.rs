@@ -16,6 +16,7 @@ mod keys;
 mod near;
 mod scene;
 mod shape;
+mod to_toml;
 mod value;
 
 pub use bodies::{BODIES, body_of};

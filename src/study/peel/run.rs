@@ -212,7 +212,8 @@ impl Attempt {
         let (cut, beyond) = (followed.cut, followed.beyond);
         let first = |place: f64| followed.turns.iter().find(|turn| turn.2.observables.displacement == place);
         let peak = peel.initiation_peak.and_then(|peak| first(peak.displacement)).map(|turn| turn.2.solution.clone());
-        peel.trace = Some(SolutionHistory { problem: problem.clone(), points: followed.points, peak });
+        let limit_points = followed.turns.iter().map(|turn| turn.2.solution.clone()).collect();
+        peel.trace = Some(SolutionHistory { problem: problem.clone(), points: followed.points, peak, limit_points });
         let remembers = problem.system.has_history();
         Self { peel, difference, missed, spread, trouble, beyond, cut, next, remembers, finest: elements }
     }

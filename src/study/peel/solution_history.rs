@@ -13,6 +13,8 @@ pub(in crate::study) struct SolutionHistory {
     pub points: Vec<Arc<Solution>>,
     /// The solution next to the initiation peak, if there is one.
     pub peak: Option<Arc<Solution>>,
+    /// The solutions next to the limit points, in their order.
+    pub limit_points: Vec<Arc<Solution>>,
 }
 
 impl std::fmt::Debug for SolutionHistory {

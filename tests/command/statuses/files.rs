@@ -75,14 +75,16 @@ fn a_sweep_writes_a_row_a_value() {
     let dir = bench();
     let sweep = sweep(dir.path(), "strip.length", "80 nm", "0.12 um", "3");
     assert!(matches!(sweep.status, 0 | 3), "{}", sweep.stderr);
-    let table = fs::read_to_string(dir.path().join("out/strip/sweep.csv")).unwrap();
-    let header = "value,peak_force_nN,peak_error_nN,initiation_peak_nN,plateau_force_nN,snap_off_displacement_nm,\
-                  work_aJ,solve_s,end,points,newton_iterations,elements,order,initiation_peak_error_nN,\
-                  snap_off_error_nm,largest_computed_force_nN,peak_displacement_nm,peak_error_nm,plateau_error_nN,\
-                  snap_off_force_nN,snap_off_error_nN,work_to,work_error_aJ,pad_detachment_displacement_nm,\
-                  pad_detachment_error_nm,pad_detachment_force_nN,pad_detachment_error_nN,pad_detachment_work_aJ,\
-                  pad_detachment_work_error_aJ,detachment_displacement_nm,detachment_error_nm,detachment_force_nN,\
-                  detachment_error_nN,detachment_work_aJ,detachment_work_error_aJ,accuracy_reached\n";
+    let table = fs::read_to_string(dir.path().join("out/strip-sweep-strip.length/sweep.csv")).unwrap();
+    let header = "value,strip.length_nm,peak_force_nN,peak_error_nN,peak_displacement_nm,peak_error_nm,\
+                  initiation_peak_nN,initiation_peak_error_nN,initiation_peak_displacement_nm,initiation_peak_error_nm,\
+                  plateau_force_nN,plateau_error_nN,plateau_displacement_nm,plateau_error_nm,snap_off_displacement_nm,\
+                  snap_off_error_nm,snap_off_force_nN,snap_off_error_nN,work_aJ,work_error_aJ,work_to,\
+                  pad_detachment_displacement_nm,pad_detachment_error_nm,pad_detachment_force_nN,\
+                  pad_detachment_error_nN,pad_detachment_work_aJ,pad_detachment_work_error_aJ,\
+                  detachment_displacement_nm,detachment_error_nm,detachment_force_nN,detachment_error_nN,\
+                  detachment_work_aJ,detachment_work_error_aJ,largest_computed_force_nN,end,accuracy_reached,solve_s,\
+                  points,newton_iterations,elements,order\n";
     assert!(table.starts_with(header), "{table}");
     let values: Vec<&str> = table.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
     assert_eq!(values, ["80.0", "100.0", "120.0"]);

@@ -19,6 +19,8 @@ fn the_100nm_strip_pivots() {
     let summary = run.json();
     assert_eq!(summary["end"], "pivoting");
     assert_eq!(summary["reason"], Value::Null);
+    assert_eq!((&summary["version"], &summary["schema"]), (&env!("CARGO_PKG_VERSION").into(), &1.into()));
+    assert_eq!(summary["command"], "peel run strip-100nm.toml --json --out out");
     close(&summary["peak"]["force_nN"], 0.341121483196, 1e-6);
     close(&summary["peak"]["displacement_nm"], 0.249601344023, 1e-6);
     close(&summary["initiation_peak"]["force_nN"], 0.341121483196, 1e-6);
@@ -103,7 +105,7 @@ fn a_followed_peak_fills_its_own_columns_and_is_drawn() {
         assert_eq!(row[empty], Value::Null, "{empty} is not computed");
     }
     let table = fs::read_to_string(dir.path().join("out/sweep.csv")).unwrap();
-    assert!(table.starts_with("value,peak_force_nN,peak_error_nN,initiation_peak_nN,"), "{table}");
+    assert!(table.starts_with("value,strip.bending_stiffness_factor,peak_force_nN,peak_error_nN,"), "{table}");
     assert_eq!(table.lines().count(), 42);
     for file in ["sweep.svg", "sweep.png"] {
         assert!(dir.path().join("out").join(file).exists(), "{file}");

@@ -1,5 +1,6 @@
 //! The path of `peel run`, of which every point is kept where it takes long: an interrupted run goes on where it stopped.
 
+use super::progress::RunProgress;
 use crate::interrupt::Interrupt;
 use crate::output::OutArgs;
 use peelkit::study::{self, Checkpoint, Peel};
@@ -24,13 +25,20 @@ pub struct KeptRun {
 impl KeptRun {
     /// A folder in which a run is unfinished is one to go on with, unless it is begun afresh; any other that holds something is
     /// refused.
-    pub fn open(out: &OutArgs, fresh: bool, folder: &Path, scene: &Scene) -> Result<Self, ReportError> {
+    pub fn open(
+        out: &OutArgs,
+        fresh: bool,
+        folder: &Path,
+        scene: &Scene,
+        progress: &RunProgress,
+    ) -> Result<Self, ReportError> {
         let output = match PartialRun::is_in(folder) {
             true => OutputFolder::claim(folder, Existing::Replace)?,
             false => out.claim(folder)?,
         };
         // before anything is written; nobody reads a message on a closed standard error
-        let interrupt = Interrupt::listen(|| drop(writeln!(io::stderr(), "{ANSWER}")));
+        let above = progress.clone();
+        let interrupt = Interrupt::listen(move || above.above(|| drop(writeln!(io::stderr(), "{ANSWER}"))));
         if fresh {
             PartialRun::discard(folder)?;
         }
@@ -39,12 +47,15 @@ impl KeptRun {
     }
 
     /// Peels the scene, from what an earlier run has kept of it.
-    pub fn peel(&mut self, scene: &Scene) -> Peel {
+    pub fn peel(&mut self, scene: &Scene, progress: &RunProgress) -> Peel {
         let checkpoint = Checkpoint {
             taken: &|options| self.partial.taken(options),
-            keep: &|options, waypoint| self.partial.keep(options, waypoint),
+            keep: &|options, waypoint| {
+                progress.point(options, &waypoint);
+                self.partial.keep(options, waypoint);
+            },
         };
-        let stop = self.interrupt.ends(scene.bounds.from_now());
+        let stop = progress.watch(self.interrupt.ends(scene.bounds.from_now()));
         let peel = study::peel_on(&scene.model, &scene.accuracy, &stop, &checkpoint);
         // nothing of what comes behind the path is kept
         self.interrupted = self.interrupt.quit_next() && peel.unfinished;

@@ -1,17 +1,21 @@
 //! `peel run`: the whole peel of one scene.
 
 mod kept;
+mod progress;
 
+use crate::command_line::command_line;
 use crate::help;
 use crate::input::SceneArgs;
 use crate::output::{OutArgs, list_files, say};
 use crate::stop::Stop;
-use crate::text_summary;
+use crate::text_summary::{self, UnitsArgs};
 use clap::Args;
 use kept::KeptRun;
-use peelkit::study::{self, Failure, NoEquilibrium, Observed, PathEnd, Peel, TestEnd};
+use peelkit::solve::{PathOptions, Waypoint};
+use peelkit::study::{self, Checkpoint, Failure, NoEquilibrium, Observed, PathEnd, Peel, TestEnd};
 use peelkit_report::{self as report, PeelSummary, ReportError, timed};
 use peelkit_scene::Scene;
+use progress::RunProgress;
 use std::path::{Path, PathBuf};
 
 /// How an unfinished run is finished.
@@ -31,9 +35,18 @@ pub struct Run {
     #[arg(long)]
     observed: bool,
 
+    /// Writes the fields along the beam: states.csv, states.pvd
+    ///
+    /// At every limit point, and at N points evenly along the path, its two ends among them.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1_000))]
+    states: Option<u32>,
+
     /// Discards the checkpoint of an unfinished run in the folder and starts anew
     #[arg(long)]
     fresh: bool,
+
+    #[command(flatten)]
+    units: UnitsArgs,
 
     /// Prints only the object of summary.json; writes files only if --out is given
     #[arg(long)]
@@ -45,39 +58,65 @@ impl Run {
     fn folder(&self) -> Option<PathBuf> {
         match &self.out.out {
             None if self.json => None,
-            None => Some(self.scene.default_folder()),
+            None => Some(self.scene.default_folder(&self.folder_parts())),
             given => given.clone(),
+        }
+    }
+
+    /// What the name of the folder says of the run.
+    fn folder_parts(&self) -> Vec<String> {
+        let states = self.states.map(|count| format!("states={count}"));
+        self.observed.then(|| "observed".to_owned()).into_iter().chain(states).collect()
+    }
+
+    fn refuse_states_without_files(&self) -> Result<(), Stop> {
+        match (self.states, self.folder()) {
+            (Some(_), None) => Err(Stop::bad_input(
+                "--states writes files, and --json without --out writes none",
+                "Give a folder with --out DIR, or omit --states.",
+            )),
+            _ => Ok(()),
         }
     }
 }
 
 pub fn run(args: &Run) -> Result<(), Stop> {
     let scene = args.scene.load()?;
-    let mut kept = args.folder().map(|folder| KeptRun::open(&args.out, args.fresh, &folder, &scene)).transpose()?;
+    args.refuse_states_without_files()?;
+    let wanted = args.units.wanted()?;
+    let progress = RunProgress::begin();
+    let open = |folder: PathBuf| KeptRun::open(&args.out, args.fresh, &folder, &scene, &progress);
+    let mut kept = args.folder().map(open).transpose()?;
     let (peel, peel_s) = timed(|| match &mut kept {
-        Some(kept) => kept.peel(&scene),
-        None => study::peel(&scene.model, &scene.accuracy, &scene.bounds.from_now()),
+        Some(kept) => kept.peel(&scene, &progress),
+        None => unkept(&scene, &progress),
     });
     let interrupted = kept.as_ref().is_some_and(|kept| kept.interrupted);
-    let (test, test_s) = timed(|| (args.observed && !interrupted).then(|| observed(&scene)));
+    let (test, test_s) = timed(|| (args.observed && !interrupted).then(|| observed(&scene, &progress)));
+    progress.finish();
     let test = test.transpose()?;
-    let summary = PeelSummary::new(&scene, &peel, peel_s);
+    let command = command_line();
+    let summary = PeelSummary::new(&scene, &peel, peel_s).with_command(&command);
     let summary = match &test {
         Some(test) => summary.with_observed(test, test_s),
         None => summary,
     };
     let (files, left) = kept.as_ref().map_or((Ok(Vec::new()), None), |kept| {
-        kept.write(&peel, |dir| write(dir, &scene, &peel, test.as_ref(), &summary))
+        kept.write(&peel, |dir| write(dir, &scene, &peel, test.as_ref(), (&summary, &command), args.states))
     });
     // the results are reported even if they could not be written
     if args.json {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
         let recorded =
-            test.as_ref().map(|test| format!("\n{}", text_summary::observed(test, test_s))).unwrap_or_default();
+            test.as_ref().map(|test| format!("\n{}", text_summary::observed(test, test_s, wanted))).unwrap_or_default();
         let taken = text_summary::taken(kept.as_ref().map_or(0, KeptRun::taken));
         let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
-        say(&format!("{}{recorded}{taken}\n{}{left}", text_summary::peel(&scene, &peel, peel_s), list_files(&files)))?;
+        say(&format!(
+            "{}{recorded}{taken}\n{}{left}",
+            text_summary::peel(&scene, &peel, peel_s, wanted),
+            list_files(&files)
+        ))?;
     }
     files?;
     if interrupted {
@@ -95,9 +134,17 @@ pub fn run(args: &Run) -> Result<(), Stop> {
     }
 }
 
+/// The peel of a scene of which nothing is written.
+fn unkept(scene: &Scene, progress: &RunProgress) -> Peel {
+    let keep = |options: &PathOptions, waypoint: Waypoint| progress.point(options, &waypoint);
+    let checkpoint = Checkpoint { taken: &|_| Vec::new(), keep: &keep };
+    study::peel_on(&scene.model, &scene.accuracy, &progress.watch(scene.bounds.from_now()), &checkpoint)
+}
+
 /// The displacement-controlled test of the scene.
-fn observed(scene: &Scene) -> Result<Observed, Stop> {
-    study::observed(&scene.model, &scene.accuracy, &scene.bounds.from_now())
+fn observed(scene: &Scene, progress: &RunProgress) -> Result<Observed, Stop> {
+    progress.stage("displacement-controlled test");
+    study::observed(&scene.model, &scene.accuracy, &progress.watch(scene.bounds.from_now()))
         .map_err(|none| Stop::bad_input(format!("there is no observed test: {none}"), none.remedy()))
 }
 
@@ -106,12 +153,19 @@ fn write(
     scene: &Scene,
     peel: &Peel,
     test: Option<&Observed>,
-    summary: &PeelSummary,
+    (summary, command): (&PeelSummary, &str),
+    states: Option<u32>,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let mut files =
         vec![summary.write(folder)?, report::write_curve(folder, peel)?, report::write_limit_points(folder, peel)?];
+    files.push(report::write_parameters(folder, scene, command)?);
     if peel.points.len() > 1 {
         files.extend(report::draw_peel(peel, &scene.title, folder)?);
+    }
+    if let Some(count) = states {
+        let states = peel.states(count as usize);
+        files.push(report::write_states(folder, &states)?);
+        files.extend(report::write_vtk(folder, &states)?);
     }
     if let Some(test) = test {
         files.push(report::write_observed(folder, test)?);

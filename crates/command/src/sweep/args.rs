@@ -3,36 +3,21 @@
 use crate::help;
 use crate::input::SceneArgs;
 use crate::output::OutArgs;
+use crate::sweep::varied::Varied;
+use crate::text_summary::UnitsArgs;
 use clap::{Args, ValueEnum};
 use peelkit::study::PointKind;
 use std::path::PathBuf;
 
-/// Varies one number of a scene: peak force, plateau, snap-off and work against its value
+/// Varies a number of a scene, or two: peak force, plateau, snap-off and work against the values
 #[derive(Args)]
 #[command(after_long_help = help::sweep())]
 pub struct Sweep {
     #[command(flatten)]
     pub scene: SceneArgs,
 
-    /// The key to vary, such as strip.bending_stiffness_factor or strip.length
-    #[arg(long, value_name = "KEY")]
-    pub vary: String,
-
-    /// First value; with its unit where the key has one: "100 nm"
-    #[arg(long, value_name = "A", allow_hyphen_values = true)]
-    pub from: String,
-
-    /// Last value; with its unit where the key has one
-    #[arg(long, value_name = "B", allow_hyphen_values = true)]
-    pub to: String,
-
-    /// Number of values, both ends included
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
-    pub points: u32,
-
-    /// Logarithmic spacing: equal ratios instead of equal differences; both ends must be above zero
-    #[arg(long)]
-    pub log: bool,
+    #[command(flatten)]
+    pub varied: Varied,
 
     /// Follows one limit point from value to value instead of computing whole paths: much faster
     #[arg(long, value_name = "POINT", conflicts_with = "peak_only")]
@@ -44,6 +29,9 @@ pub struct Sweep {
 
     #[command(flatten)]
     pub out: OutArgs,
+
+    #[command(flatten)]
+    pub units: UnitsArgs,
 
     /// Prints one JSON object only; writes files only if --out is given
     #[arg(long)]
@@ -72,11 +60,22 @@ impl Sweep {
         }
     }
 
+    /// What the name of the folder says of the sweep: what is varied and followed, and not which values.
+    fn folder_parts(&self) -> Vec<String> {
+        let followed = match self.followed() {
+            Some(PointKind::InitiationPeak) => Some("follow-peak"),
+            Some(PointKind::SnapOff) => Some("follow-snap-off"),
+            None => None,
+        };
+        let parts = ["sweep"].into_iter().chain(self.varied.paths()).chain(followed);
+        parts.map(str::to_owned).collect()
+    }
+
     /// Where files go, if they are written.
     pub fn folder(&self) -> Option<PathBuf> {
         match &self.out.out {
             None if self.json => None,
-            None => Some(self.scene.default_folder()),
+            None => Some(self.scene.default_folder(&self.folder_parts())),
             given => given.clone(),
         }
     }

@@ -2,56 +2,64 @@
 //! by the same command after it was interrupted.
 
 use super::args::Sweep;
+use super::cases::{Case, Cases};
 use super::failed::failed;
+use crate::command_line::command_line;
 use crate::interrupt::Interrupt;
 use crate::output::{list_files, progress_bar, say};
 use crate::stop::Stop;
-use crate::text_summary;
+use crate::text_summary::{self, WantedUnits};
 use indicatif::ProgressBar;
 use peelkit::study::{self, PathEnd};
-use peelkit_report::{self as report, Existing, OutputFolder, PartialSweep, ReportError, SweepRow, SweepSummary};
+use peelkit_report::{
+    self as report, Existing, OutputFolder, PartialSweep, ReportError, SweepRow, SweepSummary, SweptKeys,
+};
 use peelkit_scene::{Key, Scene};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 /// Peels every value.
-pub fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]) -> Result<(), Stop> {
+pub fn peel_each(args: &Sweep, scene: &Scene, cases: &Cases, wanted: WantedUnits) -> Result<(), Stop> {
+    let (keys, all) = (cases.keys, cases.all.as_slice());
+    let command = command_line();
     let (rows, remarks, files) = match args.folder() {
         Some(folder) => {
-            let bar = progress_bar(scenes.len());
+            let bar = progress_bar(all.len());
             // before anything is written
             let above = bar.clone();
             let answer = "stopping when the values being computed are done; Ctrl-C again stops at once";
             let interrupt = Interrupt::listen(move || above.println(answer));
-            let (partial, output) = open(args, &folder, scene, key)?;
+            let (partial, output) = open(args, &folder, scene, keys)?;
             let kept = Kept { partial, bar, interrupt };
-            let (rows, remarks) = kept.peel(scenes)?;
-            let files = write(args, &output, scene, key, &rows);
-            if files.is_ok() && rows.len() == scenes.len() {
+            let (rows, remarks) = kept.peel(all)?;
+            let files = write(&output, scene, &command, cases, &rows);
+            if files.is_ok() && rows.len() == all.len() {
                 PartialSweep::discard(&folder)?;
             }
             (rows, remarks, files)
         }
-        None => (peel_unkept(scenes), Vec::new(), Ok(Vec::new())),
+        None => (peel_unkept(all), Vec::new(), Ok(Vec::new())),
     };
     if args.json {
-        say(&SweepSummary::new(scene, key, &rows, &remarks).to_json().map_err(Stop::other)?)?;
+        let summary = SweepSummary::new(scene, keys, &rows, &remarks).with_command(&command);
+        say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
-        say(&format!("{}\n{}", text_summary::sweep(scene, key, &rows, &remarks), list_files(&files)))?;
+        say(&format!("{}\n{}", text_summary::sweep(scene, keys, &rows, &remarks, wanted), list_files(&files)))?;
     }
     files?;
-    stopped_short(key, &rows, scenes.len())
+    stopped_short(keys, &rows, all.len())
 }
 
 /// Peels one value.
-fn row((value, scene): &(f64, Scene)) -> SweepRow {
-    SweepRow::of(*value, scene.model.clone(), |model| study::peel(model, &scene.accuracy, &scene.bounds.from_now()))
+fn row(Case { value, second, scene }: &Case) -> SweepRow {
+    let peel = |model: &_| study::peel(model, &scene.accuracy, &scene.bounds.from_now());
+    SweepRow { second: *second, ..SweepRow::of(*value, scene.model.clone(), peel) }
 }
 
 /// Nothing is written, so nothing is kept.
-fn peel_unkept(cases: &[(f64, Scene)]) -> Vec<SweepRow> {
+fn peel_unkept(cases: &[Case]) -> Vec<SweepRow> {
     let bar = progress_bar(cases.len());
-    let run = |case: &(f64, Scene)| {
+    let run = |case: &Case| {
         let row = row(case);
         bar.inc(1);
         row
@@ -69,41 +77,47 @@ struct Kept {
 }
 
 /// A folder that keeps the values of an unfinished sweep is one to go on with; any other that holds something is refused.
-fn open(args: &Sweep, folder: &Path, scene: &Scene, key: &Key) -> Result<(PartialSweep, OutputFolder), ReportError> {
+fn open(
+    args: &Sweep,
+    folder: &Path,
+    scene: &Scene,
+    keys: SweptKeys,
+) -> Result<(PartialSweep, OutputFolder), ReportError> {
     if !PartialSweep::is_in(folder) {
         args.out.claim(folder)?;
     } else if args.fresh {
         PartialSweep::discard(folder)?;
     }
-    let partial = PartialSweep::open(folder, scene, key)?;
+    let partial = PartialSweep::open(folder, scene, keys)?;
     Ok((partial, OutputFolder::claim(folder, Existing::Replace)?))
 }
 
 impl Kept {
     /// The rows in the order of the cases, those of an earlier run among them, and where they come from. After Ctrl-C
     /// some are missing.
-    fn peel(&self, cases: &[(f64, Scene)]) -> Result<(Vec<SweepRow>, Vec<String>), ReportError> {
-        let missing: Vec<(f64, Scene)> =
-            cases.iter().filter(|(value, _)| self.partial.found(*value).is_none()).cloned().collect();
+    fn peel(&self, cases: &[Case]) -> Result<(Vec<SweepRow>, Vec<String>), ReportError> {
+        let known = |case: &Case| self.partial.found(case.value, case.second);
+        let missing: Vec<Case> = cases.iter().filter(|case| known(case).is_none()).cloned().collect();
         let taken = cases.len() - missing.len();
         let computed = self.peel_missing(&missing, taken)?;
         let mut computed = computed.into_iter().peekable();
-        let row = |&(value, ref scene): &(f64, Scene)| match self.partial.found(value) {
+        let row = |case: &Case| match known(case) {
             Some((found, solve_s)) => {
-                Some(SweepRow { value, model: scene.model.clone(), found: found.clone(), solve_s })
+                let (model, found) = (case.scene.model.clone(), found.clone());
+                Some(SweepRow { value: case.value, second: case.second, model, found, solve_s })
             }
-            None => computed.next_if(|row| row.value == value),
+            None => computed.next_if(|row| (row.value, row.second) == (case.value, case.second)),
         };
         Ok((cases.iter().filter_map(row).collect(), self.remarks(taken, cases.len())))
     }
 
     /// Stops on Ctrl-C, and with an error where a row cannot be kept.
-    fn peel_missing(&self, missing: &[(f64, Scene)], taken: usize) -> Result<Vec<SweepRow>, ReportError> {
+    fn peel_missing(&self, missing: &[Case], taken: usize) -> Result<Vec<SweepRow>, ReportError> {
         self.bar.set_position(taken as u64);
         // what was taken says nothing about the time to go
         self.bar.reset_eta();
         let trouble = OnceLock::new();
-        let run = |case: &(f64, Scene)| {
+        let run = |case: &Case| {
             let row = row(case);
             if let Err(error) = self.partial.keep(&row) {
                 // only the first one is reported
@@ -125,36 +139,43 @@ impl Kept {
 
 /// Nothing is written where nothing was reached.
 fn write(
-    args: &Sweep,
     output: &OutputFolder,
     scene: &Scene,
-    key: &Key,
+    command: &str,
+    cases: &Cases,
     rows: &[SweepRow],
 ) -> Result<Vec<PathBuf>, ReportError> {
     if rows.is_empty() {
         return Ok(Vec::new());
     }
+    let Cases { keys, log, .. } = cases;
     output.write(|dir| {
-        let mut files = vec![report::write_sweep(dir, rows)?];
+        let mut files = vec![report::write_sweep(dir, *keys, rows)?, report::write_parameters(dir, scene, command)?];
         if rows.iter().any(|row| row.found.peak.is_some()) {
-            files.extend(report::draw_sweep(rows, &key.path(), &scene.title, args.log, dir)?);
+            files.extend(match keys.second {
+                None => report::draw_sweep(rows, &keys.first.path(), &scene.title, log[0], dir)?,
+                Some(_) => report::draw_plane(rows, *keys, &scene.title, *log, dir)?,
+            });
         }
         Ok(files)
     })
 }
 
 /// Whether values are missing, and those whose computation stopped short.
-fn stopped_short(key: &Key, rows: &[SweepRow], values: usize) -> Result<(), Stop> {
+fn stopped_short(keys: SweptKeys, rows: &[SweepRow], values: usize) -> Result<(), Stop> {
     let interrupted = (rows.len() < values).then(|| {
         let done = rows.len();
         format!(
             "interrupted, {done} of {values} values are done; the same command resumes from there, --fresh starts anew"
         )
     });
+    let at = |row: &SweepRow| {
+        let one = |key: &Key, value: f64| format!("{} = {value}{}", key.path(), text_summary::spaced(key.unit()));
+        let second = keys.second.zip(row.second).map(|(key, value)| format!(", {}", one(key, value)));
+        format!("at {}{}", one(keys.first, row.value), second.unwrap_or_default())
+    };
     let reasons = rows.iter().filter_map(|row| match &row.found.end {
-        PathEnd::Failed(reason) => {
-            Some(format!("at {} = {}{}: {reason}", key.path(), row.value, text_summary::spaced(key.unit())))
-        }
+        PathEnd::Failed(reason) => Some(format!("{}: {reason}", at(row))),
         _ => None,
     });
     let parts: Vec<String> = interrupted.into_iter().chain(failed(&reasons.collect::<Vec<_>>(), rows.len())).collect();

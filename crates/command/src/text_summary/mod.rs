@@ -5,8 +5,10 @@ mod number;
 mod observed;
 mod peel;
 mod sweep;
+mod units;
 
 pub use number::spaced;
 pub use observed::observed;
 pub use peel::{peel, taken};
 pub use sweep::{followed, sweep};
+pub use units::{UnitsArgs, WantedUnits};

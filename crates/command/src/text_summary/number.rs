@@ -10,11 +10,6 @@ pub(super) fn in_unit(unit: &str) -> String {
     if unit.is_empty() { String::new() } else { format!(", in {unit}") }
 }
 
-/// In aJ.
-pub(super) fn work(work: f64) -> String {
-    format!("{work:.6} aJ")
-}
-
 /// As many decimals as the error leaves, and the error.
 pub(super) fn with_error(value: f64, error: f64) -> String {
     if !(error > 0.0 && error.is_finite()) {

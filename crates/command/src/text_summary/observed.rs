@@ -1,17 +1,18 @@
 //! The summary of a displacement-controlled test.
 
 use super::layout::in_columns;
-use super::number::{with_error, work};
+use super::units::{Units, WantedUnits};
 use peelkit::study::{Observed, PullOff, TestEnd};
 use peelkit_report::{jump_word, test_end_reason, test_end_word};
 
 /// The displacement-controlled test, which took so many seconds.
-pub fn observed(test: &Observed, solve_s: f64) -> String {
+pub fn observed(test: &Observed, solve_s: f64, wanted: WantedUnits) -> String {
+    let Units { force, length, work } = Units::fitting(wanted, sizes(test));
     let none = || "none".to_owned();
     let largest = |peak: PullOff, until: &str| {
-        let force = with_error(peak.force, peak.force_error);
-        let adheres = peak.adheres.word();
-        format!("{force} nN at U = {:.6} nm, the largest force {until}; adhering: {adheres}", peak.machine)
+        let force = force.with_error(peak.force, peak.force_error);
+        let (place, adheres) = (length.fixed(peak.machine, 6), peak.adheres.word());
+        format!("{force} at U = {place}, the largest force {until}; adhering: {adheres}")
     };
     let pull_off = test.pull_off.map_or_else(none, |peak| largest(peak, "on the stable retreat"));
     let mut lines = vec![("pull-off force", pull_off)];
@@ -19,20 +20,20 @@ pub fn observed(test: &Observed, solve_s: f64) -> String {
     for jump in &test.jumps {
         let landed = match jump.detached {
             true => "detached".to_owned(),
-            false => format!("front at {:.2} nm, adhering: {}", jump.after.front, jump.after.adheres.word()),
+            false => format!("front at {}, adhering: {}", length.fixed(jump.after.front, 2), jump.after.adheres.word()),
         };
         lines.push((
             jump_word(jump.kind),
             format!(
-                "U = {} nm, P = {} to {} nN, released {} aJ, {landed}",
-                with_error(jump.machine, jump.machine_error),
-                with_error(jump.before.force, jump.before.force_error),
-                with_error(jump.after.force, jump.after.force_error),
-                with_error(jump.released, jump.released_error),
+                "U = {}, P = {} to {}, released {}, {landed}",
+                length.with_error(jump.machine, jump.machine_error),
+                force.bare_with_error(jump.before.force, jump.before.force_error),
+                force.with_error(jump.after.force, jump.after.force_error),
+                work.with_error(jump.released, jump.released_error),
             ),
         ));
     }
-    lines.push(("hysteresis", test.hysteresis.map_or_else(none, work)));
+    lines.push(("hysteresis", test.hysteresis.map_or_else(none, |area| work.fixed(area, 6))));
     if let Some(balance) = test.cycle.or(test.retreat) {
         let text =
             format!("work minus change of energy minus released energy: {:.1e} of the largest term", balance.error());
@@ -57,4 +58,10 @@ pub fn observed(test: &Observed, solve_s: f64) -> String {
         ),
     ));
     in_columns("Displacement-controlled test", &lines)
+}
+
+/// The largest force (nN), displacement (nm) and work (aJ) of the test.
+fn sizes(test: &Observed) -> [f64; 3] {
+    let points = test.points.iter().map(|at| [at.force, at.machine, at.work]);
+    points.fold([0.0; 3], |sizes, at| std::array::from_fn(|k| sizes[k].max(at[k].abs())))
 }

@@ -1,9 +1,10 @@
 //! The summary of one peel.
 
 use super::layout::in_columns;
-use super::number::{short, with_error, work};
+use super::number::short;
+use super::units::{Units, WantedUnits};
 use peelkit::beam::{GripForces, GripState};
-use peelkit::model::Step;
+use peelkit::model::{DerivedQuantities, Step};
 use peelkit::study::{
     Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, PathEnd, Peak, Peel, Plateau, Sliding,
     TermDecisions, TermEffect, WarningKind,
@@ -15,28 +16,32 @@ use peelkit_scene::Scene;
 const ROUND_OFF: f64 = 2e-8;
 
 /// The summary of one peel, which took so many seconds.
-pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64) -> String {
+pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64, wanted: WantedUnits) -> String {
+    let units = Units::fitting(wanted, sizes(peel));
+    let Units { force, length, work } = units;
     let none = || "none".to_owned();
     let at_peak = |at: Peak| {
-        let force = with_error(at.force, at.force_error);
-        format!("{force} nN at u = {} nm", with_error(at.displacement, at.displacement_error))
+        let place = length.with_error(at.displacement, at.displacement_error);
+        format!("{} at u = {place}", force.with_error(at.force, at.force_error))
     };
     let fold = |at: LimitPoint| {
         let what = if peel.model.pull.turn == 0.0 { "work" } else { "work of force and moment" };
-        let work = at.work_error.map_or_else(|| work(at.work), |error| format!("{} aJ", with_error(at.work, error)));
-        format!("u = {} nm, {what} to there {work}", with_error(at.displacement, at.displacement_error))
+        let work = at.work_error.map_or_else(|| work.fixed(at.work, 6), |error| work.with_error(at.work, error));
+        format!("u = {}, {what} to there {work}", length.with_error(at.displacement, at.displacement_error))
     };
     let plateau = |at: Plateau| {
-        let (force, place) = match (at.force_error, at.displacement_error) {
-            (Some(force), Some(place)) => (with_error(at.force, force), with_error(at.displacement, place)),
-            _ => (format!("{:.6}", at.force), format!("{:.4}", at.displacement)),
+        let (level, place) = match (at.force_error, at.displacement_error) {
+            (Some(error), Some(place)) => {
+                (force.with_error(at.force, error), length.with_error(at.displacement, place))
+            }
+            _ => (force.fixed(at.force, 6), length.fixed(at.displacement, 4)),
         };
-        format!("{force} nN at u = {place} nm")
+        format!("{level} at u = {place}")
     };
     let mut lines: Vec<(&str, String)> = accuracy(peel).map(|text| ("accuracy", text)).into_iter().collect();
-    lines.extend(steps(peel));
+    lines.extend(steps(peel, &units));
     lines.push(("peak force", peel.peak.map_or_else(none, at_peak)));
-    lines.extend(peel.largest_computed_force.map(|at| ("largest computed", largest_computed(at))));
+    lines.extend(peel.largest_computed_force.map(|at| ("largest computed", largest_computed(at, &units))));
     lines.extend([
         ("initiation peak", peel.initiation_peak.map_or_else(none, at_peak)),
         ("plateau", peel.plateau.map_or_else(none, plateau)),
@@ -48,7 +53,8 @@ pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64) -> String {
     if peel.snap_off.is_none()
         && let Some(last) = peel.points.last().filter(|_| peel.points.len() > 1)
     {
-        let text = format!("{} to the end of the path, which has no jump: not the work of peeling", work(last.work));
+        let text =
+            format!("{} to the end of the path, which has no jump: not the work of peeling", work.fixed(last.work, 6));
         lines.push(("work", text));
     }
     for (index, at) in peel.limit_points.iter().enumerate() {
@@ -56,16 +62,17 @@ pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64) -> String {
             LimitPointKind::Displacement => "displacement limit point",
             LimitPointKind::Load => "load limit point",
         };
-        let displacement = with_error(at.displacement, at.displacement_error);
-        let force = with_error(at.force, at.force_error);
+        let displacement = length.with_error(at.displacement, at.displacement_error);
+        let force = force.with_error(at.force, at.force_error);
         lines.push((
             if index == 0 { "limit points" } else { "" },
-            format!("{kind} at u = {displacement} nm, P = {force} nN{}", if at.flat { " (flat)" } else { "" }),
+            format!("{kind} at u = {displacement}, P = {force}{}", if at.flat { " (flat)" } else { "" }),
         ));
     }
     if let Some(left_out) = left_out(peel) {
         lines.push(("", format!("left out: {} {left_out}", peel.ripple)));
     }
+    lines.extend(derived(scene, &units));
     lines.extend(terms(peel));
     lines.extend(peel.considered.iter().flat_map(considered));
     lines.extend(peel.sliding_at_peak().iter().map(|sliding| ("friction", slid(sliding))));
@@ -87,12 +94,19 @@ pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64) -> String {
     in_columns(&scene.title, &lines)
 }
 
+/// The largest force (nN), displacement (nm) and work (aJ) that is printed.
+fn sizes(peel: &Peel) -> [f64; 3] {
+    let limit_points = peel.limit_points.iter().map(|at| [at.force, at.displacement, at.work]);
+    let points = peel.points.iter().map(|at| [at.force, at.displacement, at.work]);
+    limit_points.chain(points).fold([0.0; 3], |sizes, at| std::array::from_fn(|k| sizes[k].max(at[k].abs())))
+}
+
 /// A largest force that is no peak; no more digits than say where it is.
-fn largest_computed(at: LargestComputedForce) -> String {
+fn largest_computed(at: LargestComputedForce, units: &Units) -> String {
     format!(
-        "{} nN at u = {} nm: the largest force of the computed curve, no limit point and without an error bound",
-        short(at.force),
-        short(at.displacement)
+        "{} at u = {}: the largest force of the computed curve, no limit point and without an error bound",
+        units.force.short(at.force),
+        units.length.short(at.displacement)
     )
 }
 
@@ -109,14 +123,15 @@ fn accuracy(peel: &Peel) -> Option<String> {
 }
 
 /// The grip after each step before the pull.
-fn steps(peel: &Peel) -> Vec<(&'static str, String)> {
+fn steps(peel: &Peel, Units { force, length, .. }: &Units) -> Vec<(&'static str, String)> {
     let line = |(index, (step, grip)): (usize, (&Step, &GripState))| {
         let GripForces { horizontal, vertical, moment } = grip.forces;
-        let x = grip.x.map(|x| format!("x = {x:.4} nm, ")).unwrap_or_default();
-        let place = format!("{x}y = {:.4} nm, θ = {:.4} deg", grip.y, grip.rotation.to_degrees());
+        let x = grip.x.map(|x| format!("x = {}, ", length.fixed(x, 4))).unwrap_or_default();
+        let place = format!("{x}y = {}, θ = {:.4} deg", length.fixed(grip.y, 4), grip.rotation.to_degrees());
+        let (horizontal, vertical) = (force.fixed(horizontal, 6), force.fixed(vertical, 6));
         (
             if index == 0 { "steps" } else { "" },
-            format!("{step}: {place}; H = {horizontal:.6} nN, V = {vertical:.6} nN, M = {moment:.6} nN nm"),
+            format!("{step}: {place}; H = {horizontal}, V = {vertical}, M = {moment:.6} nN nm"),
         )
     };
     peel.model.steps.iter().zip(&peel.steps).enumerate().map(line).collect()
@@ -155,6 +170,37 @@ fn considered(considered: &TermDecisions) -> Vec<(&'static str, String)> {
         texts.into_iter().enumerate().map(move |(index, text)| (if index == 0 { name } else { "" }, text))
     };
     named("left out", left.collect()).chain(named("kept", kept.collect())).collect()
+}
+
+/// What a steady peel would take, and what kind of a strip this is; of a body whose section varies the work of adhesion alone.
+fn derived(scene: &Scene, units: &Units) -> Vec<(&'static str, String)> {
+    let DerivedQuantities { work_of_adhesion, section, .. } = scene.model.derived();
+    let Some(section) = section else {
+        return vec![("adhesion", format!("work of adhesion {} J/m²", short(work_of_adhesion)))];
+    };
+    let angle = scene.model.pull.angle.to_degrees();
+    let groups = section.groups;
+    vec![
+        (
+            "adhesion",
+            format!(
+                "work of adhesion {} J/m², Kendall's force at {} degrees {}",
+                short(section.work_of_adhesion),
+                short(angle),
+                units.force.short(section.kendall_force)
+            ),
+        ),
+        (
+            "strip",
+            format!(
+                "process zone {}, ℓ/h = {}, L/ℓ = {}; EI = {} nN nm²",
+                units.length.short(section.process_length),
+                short(groups.process_length_over_height),
+                short(groups.length_over_process_length),
+                short(section.stiffness.bending)
+            ),
+        ),
+    ]
 }
 
 /// How far the beam has slid at the peak.
@@ -272,10 +318,12 @@ short
   snap-off           u = 48.215618 ± 3e-6 nm, work to there 3.2500000 ± 5e-7 aJ
   limit points       load limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
                      displacement limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
+  adhesion           work of adhesion 0.0306396 J/m², Kendall's force at 90 degrees 0.0306162 nN
+  strip              process zone 2.1667 nm, ℓ/h = 0.21667, L/ℓ = 46.1532; EI = 166.667 nN nm²
   warnings           the process zone is 0.217 times as long as the section is high, less than 1: sections deform there, and the model keeps them rigid
   end                bound: a limit set under [bounds] was reached: bounds.points = 20
   computational cost 20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
 ";
-        assert_eq!(peel(&scene, &made_up, 0.0042), expected);
+        assert_eq!(peel(&scene, &made_up, 0.0042, WantedUnits::default()), expected);
     }
 }

@@ -5,8 +5,9 @@ use crate::error::ReportError;
 use crate::file::{remove, write_whole};
 use crate::summary::Parameters;
 use crate::sweep_row::SweepRow;
+use crate::swept_keys::SweptKeys;
 use peelkit::study::PeelResult;
-use peelkit_scene::{Key, Scene};
+use peelkit_scene::Scene;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions};
@@ -19,8 +20,8 @@ use std::sync::Mutex;
 pub struct PartialSweep {
     path: PathBuf,
     file: Mutex<File>,
-    /// By the bits of the value.
-    taken: HashMap<u64, Line>,
+    /// By the bits of the values.
+    taken: HashMap<(u64, Option<u64>), Line>,
 }
 
 /// The first line. Two sweeps are the same where these lines are: one program, one scene with its defaults, one key.
@@ -35,6 +36,9 @@ struct Header {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Line {
     value: f64,
+    /// Of the second key, where two are varied.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    second: Option<f64>,
     found: PeelResult,
     solve_s: f64,
 }
@@ -43,14 +47,15 @@ impl PartialSweep {
     /// Its name in the folder of the outputs.
     pub const NAME: &str = "sweep.partial.jsonl";
 
-    /// Opens the file in `dir`, or begins it, and takes up what it holds of this sweep: the scene in which `key` is varied.
+    /// Opens the file in `dir`, or begins it, and takes up what it holds of this sweep: the scene in which these keys are varied.
     /// The file of another sweep is refused.
     ///
     /// Fails with [`ReportError::OtherSweep`], [`ReportError::Read`] or [`ReportError::Write`].
-    pub fn open(dir: &Path, scene: &Scene, key: &Key) -> Result<Self, ReportError> {
+    pub fn open<'k>(dir: &Path, scene: &Scene, keys: impl Into<SweptKeys<'k>>) -> Result<Self, ReportError> {
         let path = dir.join(Self::NAME);
         let refuse = |source: io::Error| ReportError::Write { path: path.clone(), source };
-        let header = Header { peelkit: env!("CARGO_PKG_VERSION"), vary: key.path(), scene: Parameters(scene.clone()) };
+        let header =
+            Header { peelkit: env!("CARGO_PKG_VERSION"), vary: keys.into().names(), scene: Parameters(scene.clone()) };
         let header = text_line(&header).map_err(refuse)?;
         let old = match fs::read(&path) {
             Err(error) if error.kind() == ErrorKind::NotFound => Vec::new(),
@@ -68,7 +73,7 @@ impl PartialSweep {
         }
         write_whole(&path, &text)?;
         let file = OpenOptions::new().append(true).open(&path).map_err(refuse)?;
-        let taken = lines.into_iter().map(|line| (line.value.to_bits(), line)).collect();
+        let taken = lines.into_iter().map(|line| (place(line.value, line.second), line)).collect();
         Ok(Self { path, file: Mutex::new(file), taken })
     }
 
@@ -84,16 +89,16 @@ impl PartialSweep {
         remove(dir.join(Self::NAME))
     }
 
-    /// What an earlier run found at this value, and the seconds that it took.
-    pub fn found(&self, value: f64) -> Option<(&PeelResult, f64)> {
-        self.taken.get(&value.to_bits()).map(|line| (&line.found, line.solve_s))
+    /// What an earlier run found at this value, or these two, and the seconds that it took.
+    pub fn found(&self, value: f64, second: Option<f64>) -> Option<(&PeelResult, f64)> {
+        self.taken.get(&place(value, second)).map(|line| (&line.found, line.solve_s))
     }
 
     /// Appends a finished value, at once and from any thread.
     ///
     /// Fails with [`ReportError::Write`].
     pub fn keep(&self, row: &SweepRow) -> Result<(), ReportError> {
-        let line = Line { value: row.value, found: row.found.clone(), solve_s: row.solve_s };
+        let line = Line { value: row.value, second: row.second, found: row.found.clone(), solve_s: row.solve_s };
         let refuse = |source: io::Error| ReportError::Write { path: self.path.clone(), source };
         let text = text_line(&line).map_err(refuse)?;
         // What would not come back as it is, such as a NaN, is computed again.
@@ -103,6 +108,10 @@ impl PartialSweep {
         let mut file = self.file.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
         file.write_all(&text).map_err(refuse)
     }
+}
+
+fn place(value: f64, second: Option<f64>) -> (u64, Option<u64>) {
+    (value.to_bits(), second.map(f64::to_bits))
 }
 
 fn text_line<T: Serialize>(line: &T) -> io::Result<Vec<u8>> {
@@ -179,7 +188,7 @@ mod tests {
             end: PathEnd::Failed(failure()),
             effort: Effort { points: 3, newton_iterations: 5, elements: 8, order: 7 },
         };
-        SweepRow { value, model: scene().model, found, solve_s: 0.001 }
+        SweepRow { value, second: None, model: scene().model, found, solve_s: 0.001 }
     }
 
     fn open(dir: &Path, scene: &Scene) -> PartialSweep {
@@ -194,11 +203,25 @@ mod tests {
         }
         let partial = open(dir.path(), &scene());
         for value in [0.1, 0.1 + 0.2] {
-            let ((found, solve_s), expected) = (partial.found(value).unwrap(), row(value));
+            let ((found, solve_s), expected) = (partial.found(value, None).unwrap(), row(value));
             assert_eq!((found, solve_s), (&expected.found, expected.solve_s));
             assert!(found.plateau_front.unwrap().is_sign_negative());
         }
-        assert_eq!(partial.found(0.3), None);
+        assert_eq!(partial.found(0.3, None), None);
+    }
+
+    #[test]
+    fn of_two_keys_both_values_count() {
+        let dir = tempfile::tempdir().unwrap();
+        let keys =
+            SweptKeys { first: find_key("strip.length").unwrap(), second: Some(find_key("strip.height").unwrap()) };
+        let open = || PartialSweep::open(dir.path(), &scene(), keys).unwrap();
+        open().keep(&SweepRow { second: Some(2.0), ..row(1.0) }).unwrap();
+        let partial = open();
+        assert!(partial.found(1.0, Some(2.0)).is_some());
+        assert!(partial.found(1.0, None).is_none() && partial.found(1.0, Some(3.0)).is_none());
+        let one = PartialSweep::open(dir.path(), &scene(), keys.first);
+        assert!(matches!(one, Err(ReportError::OtherSweep { .. })));
     }
 
     #[test]
@@ -224,10 +247,10 @@ mod tests {
         let whole = fs::read(&path).unwrap();
         fs::write(&path, &whole[..whole.len() - 40]).unwrap();
         let partial = open(dir.path(), &scene());
-        assert!(partial.found(1.0).is_some() && partial.found(2.0).is_none());
+        assert!(partial.found(1.0, None).is_some() && partial.found(2.0, None).is_none());
         partial.keep(&row(3.0)).unwrap();
         let partial = open(dir.path(), &scene());
-        assert!(partial.found(1.0).is_some() && partial.found(3.0).is_some());
+        assert!(partial.found(1.0, None).is_some() && partial.found(3.0, None).is_some());
     }
 
     #[test]
@@ -254,7 +277,7 @@ mod tests {
         assert!(PartialSweep::is_in(dir.path()));
         PartialSweep::discard(dir.path()).unwrap();
         assert!(!PartialSweep::is_in(dir.path()));
-        assert!(open(dir.path(), &scene()).found(1.0).is_none());
+        assert!(open(dir.path(), &scene()).found(1.0, None).is_none());
         PartialSweep::discard(&dir.path().join("none")).unwrap();
     }
 
@@ -264,6 +287,6 @@ mod tests {
         let mut row = row(1.0);
         row.found.work = Some(f64::NAN);
         open(dir.path(), &scene()).keep(&row).unwrap();
-        assert!(open(dir.path(), &scene()).found(1.0).is_none());
+        assert!(open(dir.path(), &scene()).found(1.0, None).is_none());
     }
 }

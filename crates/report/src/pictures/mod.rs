@@ -1,13 +1,16 @@
 //! Pictures of what a command found, as SVG and PNG, and the pieces of them that other pictures use.
 
+mod contour;
 mod curve;
 mod followed;
 mod observed;
 pub mod peel;
+mod plane;
 mod shapes;
 pub mod sweep;
 
 pub use followed::draw_followed;
 pub use observed::draw_observed;
 pub use peel::draw_peel;
+pub use plane::draw_plane;
 pub use sweep::draw_sweep;

@@ -1,8 +1,10 @@
 //! What was found as one JSON object: summary.json, and what `--json` prints.
 
 mod accuracy;
+mod derived;
 mod ground;
 mod observed;
+mod origin;
 mod parameters;
 mod peel;
 mod sliding;
@@ -11,6 +13,7 @@ mod term_summary;
 
 pub use accuracy::left_out;
 pub use ground::ground_warning;
+pub use origin::{SCHEMA, VERSION};
 pub(crate) use parameters::Parameters;
 pub use peel::PeelSummary;
 pub use sweep::SweepSummary;

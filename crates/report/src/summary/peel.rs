@@ -1,8 +1,10 @@
 //! What a run found, as one JSON object: summary.json, and what `--json` prints.
 
 use super::accuracy::AccuracySummary;
+use super::derived::DerivedSummary;
 use super::ground::GroundSummary;
 use super::observed::ObservedSummary;
+use super::origin::{SCHEMA, VERSION};
 use super::parameters::Parameters;
 use super::sliding::SlidingSummary;
 use super::term_summary::TermDecisionsSummary;
@@ -20,6 +22,12 @@ use std::path::{Path, PathBuf};
 /// Everything of a peel but its curve. Forces in nN, lengths in nm, works in aJ; `None` where a thing does not occur.
 #[derive(Debug, serde::Serialize)]
 pub struct PeelSummary {
+    /// Of the program.
+    version: &'static str,
+    /// Of these keys.
+    schema: u32,
+    /// The command line; `None` where a program of another kind has written this.
+    command: Option<String>,
     scene: String,
     title: String,
     end: &'static str,
@@ -33,6 +41,8 @@ pub struct PeelSummary {
     limit_points: Vec<LimitPoint>,
     /// Where the model is not to be trusted.
     warnings: Vec<Warning>,
+    /// What follows from the model before anything is solved.
+    derived: DerivedSummary,
     /// The first jump, under the name that it had before the others.
     snap_off: Option<Fold>,
     /// The first displacement limit point, whatever jumps there.
@@ -189,6 +199,9 @@ impl PeelSummary {
     /// The summary of the peel of this scene, which took so many seconds.
     pub fn new(scene: &Scene, peel: &Peel, solve_s: f64) -> Self {
         Self {
+            version: VERSION,
+            schema: SCHEMA,
+            command: None,
             scene: scene.name.clone(),
             title: scene.title.clone(),
             end: end_word(&peel.end),
@@ -208,6 +221,7 @@ impl PeelSummary {
             }),
             limit_points: peel.limit_points.iter().map(LimitPoint::from).collect(),
             warnings: peel.warnings().iter().map(Warning::from).collect(),
+            derived: DerivedSummary::of(&scene.model),
             snap_off: peel.snap_off.map(Fold::from),
             first_jump: peel.snap_off.map(Fold::from),
             pad_detachment: peel.pad_detachment.map(Fold::from),
@@ -233,6 +247,11 @@ impl PeelSummary {
     /// The same with what a test of this scene would record, which took so many seconds.
     pub fn with_observed(self, test: &Observed, solve_s: f64) -> Self {
         Self { observed: Some(ObservedSummary::new(test, solve_s)), ..self }
+    }
+
+    /// The same with the command line that asked for it.
+    pub fn with_command(self, command: &str) -> Self {
+        Self { command: Some(command.to_owned()), ..self }
     }
 
     /// The object as text; a number that is not finite is an error that names its key.

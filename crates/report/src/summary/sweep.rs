@@ -1,8 +1,10 @@
 //! What a sweep found, as one JSON object.
 
+use super::origin::{SCHEMA, VERSION};
 use super::parameters::Parameters;
 use crate::number::to_json;
 use crate::sweep_row::SweepRow;
+use crate::swept_keys::SweptKeys;
 use crate::tables::SweepLine;
 use peelkit::study::FollowedSweep;
 use peelkit_scene::{Key, Scene};
@@ -11,11 +13,23 @@ use std::io;
 /// A sweep as one object: the key that was varied, its unit, and a row a value.
 #[derive(Debug, serde::Serialize)]
 pub struct SweepSummary {
+    /// Of the program.
+    version: &'static str,
+    /// Of these keys.
+    schema: u32,
+    /// The command line; `None` where a program of another kind has written this.
+    command: Option<String>,
     scene: String,
     title: String,
     vary: String,
     /// Of `value` in the rows; `None` where the key is a plain number.
     unit: Option<&'static str>,
+    /// The second key, where two are varied.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vary_2: Option<String>,
+    /// Of `value_2` in the rows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit_2: Option<&'static str>,
     /// The point that was followed from value to value, where the values were not peeled one by one.
     #[serde(skip_serializing_if = "Option::is_none")]
     followed: Option<&'static str>,
@@ -28,9 +42,10 @@ pub struct SweepSummary {
 }
 
 impl SweepSummary {
-    /// The summary of these rows, in which `key` of the scene was varied, and what is to be said of them besides.
-    pub fn new(scene: &Scene, key: &Key, rows: &[SweepRow], remarks: &[String]) -> Self {
-        Self { remarks: remarks.to_vec(), ..Self::of(scene, key, rows.iter().map(SweepLine::from).collect()) }
+    /// The summary of these rows, in which keys of the scene were varied, and what is to be said of them besides.
+    pub fn new<'k>(scene: &Scene, keys: impl Into<SweptKeys<'k>>, rows: &[SweepRow], remarks: &[String]) -> Self {
+        let lines = rows.iter().map(SweepLine::from).collect();
+        Self { remarks: remarks.to_vec(), ..Self::of(scene, keys.into(), lines) }
     }
 
     /// The same for a point that was followed while `key` was varied, each value in so many seconds.
@@ -38,21 +53,31 @@ impl SweepSummary {
         Self {
             followed: Some(sweep.kind.word()),
             remarks: sweep.remarks.iter().map(ToString::to_string).collect(),
-            ..Self::of(scene, key, SweepLine::followed(sweep, solve_s))
+            ..Self::of(scene, key.into(), SweepLine::followed(sweep, solve_s))
         }
     }
 
-    fn of(scene: &Scene, key: &Key, rows: Vec<SweepLine>) -> Self {
+    fn of(scene: &Scene, keys: SweptKeys, rows: Vec<SweepLine>) -> Self {
         Self {
+            version: VERSION,
+            schema: SCHEMA,
+            command: None,
             scene: scene.name.clone(),
             title: scene.title.clone(),
-            vary: key.path(),
-            unit: Some(key.unit()).filter(|unit| !unit.is_empty()),
+            vary: keys.first.path(),
+            unit: Some(keys.first.unit()).filter(|unit| !unit.is_empty()),
+            vary_2: keys.second.map(Key::path),
+            unit_2: keys.second.map(Key::unit).filter(|unit| !unit.is_empty()),
             followed: None,
             remarks: Vec::new(),
             rows,
             parameters: Parameters(scene.clone()),
         }
+    }
+
+    /// The same with the command line that asked for it.
+    pub fn with_command(self, command: &str) -> Self {
+        Self { command: Some(command.to_owned()), ..self }
     }
 
     /// The object as text; a number that is not finite is an error that names its key.

@@ -1,69 +1,103 @@
 //! The table of a sweep, sweep.csv. Units stand in the names of the columns.
 
-use super::table::write_table;
+use super::table::table_like;
 use crate::error::ReportError;
+use crate::file::write_whole;
 use crate::names::end_word;
 use crate::number::Finite;
 use crate::sweep_row::SweepRow;
+use crate::swept_keys::SweptKeys;
 use peelkit::study::{self, FollowedRow, FollowedSweep, PeelResult, PointKind};
 use serde::Serialize;
+use std::io;
 use std::path::{Path, PathBuf};
 
-/// Writes sweep.csv: one row a value.
+/// Writes sweep.csv: one row a value, or a pair of values. Behind `value` the same number stands once more in a column that names its key
+/// and unit.
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
-pub fn write_sweep(dir: &Path, rows: &[SweepRow]) -> Result<PathBuf, ReportError> {
-    write_table(dir, "sweep.csv", rows.iter().map(SweepLine::from))
+pub fn write_sweep<'k>(dir: &Path, keys: impl Into<SweptKeys<'k>>, rows: &[SweepRow]) -> Result<PathBuf, ReportError> {
+    write_lines(dir, keys.into(), &rows.iter().map(SweepLine::from).collect::<Vec<_>>())
 }
 
 /// Writes sweep.csv of a sweep that followed one point, each value in so many seconds: the same columns, empty where nothing was
 /// computed.
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
-pub fn write_followed(dir: &Path, sweep: &FollowedSweep, solve_s: &[f64]) -> Result<PathBuf, ReportError> {
-    write_table(dir, "sweep.csv", SweepLine::followed(sweep, solve_s).into_iter())
+pub fn write_followed<'k>(
+    dir: &Path,
+    keys: impl Into<SweptKeys<'k>>,
+    sweep: &FollowedSweep,
+    solve_s: &[f64],
+) -> Result<PathBuf, ReportError> {
+    write_lines(dir, keys.into(), &SweepLine::followed(sweep, solve_s))
+}
+
+fn write_lines(dir: &Path, keys: SweptKeys, lines: &[SweepLine]) -> Result<PathBuf, ReportError> {
+    let path = dir.join("sweep.csv");
+    let text = with_named_values(keys, lines).map_err(|source| ReportError::Write { path: path.clone(), source })?;
+    write_whole(&path, &text)?;
+    Ok(path)
+}
+
+/// The table with the columns of the values once more under the names of their keys.
+fn with_named_values(keys: SweptKeys, lines: &[SweepLine]) -> io::Result<Vec<u8>> {
+    let none = SweepLine { second: keys.second.map(|_| Finite(0.0)), ..SweepLine::default() };
+    let plain = table_like(&none, lines.iter())?;
+    let mut reader = csv::Reader::from_reader(plain.as_slice());
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let names = keys.columns();
+    let header = reader.headers()?.clone();
+    let values = names.len();
+    writer.write_record(
+        header.iter().take(values).chain(names.iter().map(String::as_str)).chain(header.iter().skip(values)),
+    )?;
+    for record in reader.records() {
+        let record = record?;
+        let named = record.iter().take(values);
+        writer.write_record(record.iter().take(values).chain(named).chain(record.iter().skip(values)))?;
+    }
+    writer.into_inner().map_err(|error| error.into_error())
 }
 
 /// One value of a sweep in short; `None` where a thing does not occur or was not computed.
 #[derive(Debug, Default, Serialize)]
 pub struct SweepLine {
     value: Finite,
+    /// Of the second key, where two are varied.
+    #[serde(rename = "value_2", skip_serializing_if = "Option::is_none")]
+    second: Option<Finite>,
     #[serde(rename = "peak_force_nN")]
     peak_force: Option<Finite>,
     #[serde(rename = "peak_error_nN")]
     peak_error: Option<Finite>,
-    #[serde(rename = "initiation_peak_nN")]
-    initiation_peak: Option<Finite>,
-    #[serde(rename = "plateau_force_nN")]
-    plateau_force: Option<Finite>,
-    snap_off_displacement_nm: Option<Finite>,
-    /// To the snap-off, or to the end of the path where there is none.
-    #[serde(rename = "work_aJ")]
-    work: Option<Finite>,
-    solve_s: Finite,
-    end: Option<&'static str>,
-    points: Option<usize>,
-    newton_iterations: usize,
-    elements: Option<usize>,
-    order: Option<usize>,
-    #[serde(rename = "initiation_peak_error_nN")]
-    initiation_peak_error: Option<Finite>,
-    snap_off_error_nm: Option<Finite>,
-    /// Where there is no peak; without an error bound.
-    #[serde(rename = "largest_computed_force_nN")]
-    largest_computed_force: Option<Finite>,
     peak_displacement_nm: Option<Finite>,
     peak_error_nm: Option<Finite>,
+    #[serde(rename = "initiation_peak_nN")]
+    initiation_peak: Option<Finite>,
+    #[serde(rename = "initiation_peak_error_nN")]
+    initiation_peak_error: Option<Finite>,
+    initiation_peak_displacement_nm: Option<Finite>,
+    initiation_peak_error_nm: Option<Finite>,
+    #[serde(rename = "plateau_force_nN")]
+    plateau_force: Option<Finite>,
     #[serde(rename = "plateau_error_nN")]
     plateau_error: Option<Finite>,
+    plateau_displacement_nm: Option<Finite>,
+    plateau_error_nm: Option<Finite>,
+    snap_off_displacement_nm: Option<Finite>,
+    snap_off_error_nm: Option<Finite>,
     #[serde(rename = "snap_off_force_nN")]
     snap_off_force: Option<Finite>,
     #[serde(rename = "snap_off_error_nN")]
     snap_off_force_error: Option<Finite>,
-    /// Up to where `work_aJ` goes.
-    work_to: Option<&'static str>,
+    /// To the snap-off, or to the end of the path where there is none.
+    #[serde(rename = "work_aJ")]
+    work: Option<Finite>,
     #[serde(rename = "work_error_aJ")]
     work_error: Option<Finite>,
+    /// Up to where `work_aJ` goes.
+    work_to: Option<&'static str>,
     pad_detachment_displacement_nm: Option<Finite>,
     pad_detachment_error_nm: Option<Finite>,
     #[serde(rename = "pad_detachment_force_nN")]
@@ -84,8 +118,17 @@ pub struct SweepLine {
     detachment_work: Option<Finite>,
     #[serde(rename = "detachment_work_error_aJ")]
     detachment_work_error: Option<Finite>,
+    /// Where there is no peak; without an error bound.
+    #[serde(rename = "largest_computed_force_nN")]
+    largest_computed_force: Option<Finite>,
+    end: Option<&'static str>,
     /// Largest relative error bound.
     accuracy_reached: Option<Finite>,
+    solve_s: Finite,
+    points: Option<usize>,
+    newton_iterations: usize,
+    elements: Option<usize>,
+    order: Option<usize>,
 }
 
 impl SweepLine {
@@ -106,11 +149,15 @@ impl SweepLine {
                 (PointKind::InitiationPeak, Some(at)) => Self {
                     initiation_peak: Some(Finite(at.force)),
                     initiation_peak_error: Some(Finite(at.force_error)),
+                    initiation_peak_displacement_nm: Some(Finite(at.displacement)),
+                    initiation_peak_error_nm: Some(Finite(at.displacement_error)),
                     ..line
                 },
                 (PointKind::SnapOff, Some(at)) => Self {
                     snap_off_displacement_nm: Some(Finite(at.displacement)),
                     snap_off_error_nm: Some(Finite(at.displacement_error)),
+                    snap_off_force: Some(Finite(at.force)),
+                    snap_off_force_error: Some(Finite(at.force_error)),
                     work: at.work.map(Finite),
                     work_to: at.work.map(|_| "first jump"),
                     ..line
@@ -132,6 +179,7 @@ impl From<&SweepRow> for SweepLine {
         let found = &row.found;
         Self {
             value: Finite(row.value),
+            second: row.second.map(Finite),
             peak_force: found.peak.map(|at| Finite(at.force)),
             peak_error: found.peak.map(|at| Finite(at.force_error)),
             initiation_peak: found.initiation_peak.map(|at| Finite(at.force)),
@@ -145,6 +193,10 @@ impl From<&SweepRow> for SweepLine {
             elements: Some(found.effort.elements),
             order: Some(found.effort.order),
             initiation_peak_error: found.initiation_peak.map(|at| Finite(at.force_error)),
+            initiation_peak_displacement_nm: found.initiation_peak.map(|at| Finite(at.displacement)),
+            initiation_peak_error_nm: found.initiation_peak.map(|at| Finite(at.displacement_error)),
+            plateau_displacement_nm: found.plateau.map(|at| Finite(at.displacement)),
+            plateau_error_nm: found.plateau.and_then(|at| at.displacement_error).map(Finite),
             snap_off_error_nm: found.snap_off.map(|at| Finite(at.displacement_error)),
             largest_computed_force: found.largest_computed_force.map(|at| Finite(at.force)),
             peak_displacement_nm: found.peak.map(|at| Finite(at.displacement)),

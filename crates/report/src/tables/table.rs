@@ -15,15 +15,15 @@ pub fn write_table<T: Serialize + Default>(
     lines: impl Iterator<Item = T>,
 ) -> Result<PathBuf, ReportError> {
     let path = dir.join(name);
-    let text = table(lines).map_err(|source| ReportError::Write { path: path.clone(), source })?;
+    let text = table_like(T::default(), lines).map_err(|source| ReportError::Write { path: path.clone(), source })?;
     write_whole(&path, &text)?;
     Ok(path)
 }
 
-/// The lines below a header; the header alone where there are none.
-fn table<T: Serialize + Default>(lines: impl Iterator<Item = T>) -> io::Result<Vec<u8>> {
+/// The lines below a header, the names of the fields of `sample`; the header alone where there are none.
+pub(super) fn table_like<T: Serialize>(sample: impl Serialize, lines: impl Iterator<Item = T>) -> io::Result<Vec<u8>> {
     let mut header = csv::Writer::from_writer(Vec::new());
-    header.serialize(T::default())?;
+    header.serialize(sample)?;
     let mut text = header.into_inner().map_err(|error| error.into_error())?;
     let header_length = text.iter().position(|&byte| byte == b'\n').map_or(0, |end| end + 1);
     text.truncate(header_length);

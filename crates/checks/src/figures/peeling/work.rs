@@ -105,7 +105,7 @@ mod tests {
         let work = |value: f64| 3.0 + (-(value.log10() - 0.37).powi(2)).exp() + 0.02 * (value.log10() - 0.37).powi(3);
         let model = stiffened(1.0);
         let found = PeelResult::from(&peelkit::study::peel(&model, &ACCURACY, &BOUNDS));
-        let mut row = SweepRow { value: 0.0, model: model.into(), found, solve_s: 0.0 };
+        let mut row = SweepRow { value: 0.0, second: None, model: model.into(), found, solve_s: 0.0 };
         let snap_off = LimitPoint {
             kind: LimitPointKind::Displacement,
             displacement: 1.0,

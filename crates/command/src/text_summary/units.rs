@@ -1,0 +1,184 @@
+//! The units of what is printed for a person: those that `--units` names, else those that fit the size of the numbers. Files keep the units
+//! that stand in the names of their columns and keys.
+
+use super::number::{short, with_error};
+use crate::stop::Stop;
+use clap::Args;
+
+/// A unit of a force, a length or a work.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unit {
+    /// As it is printed.
+    pub name: &'static str,
+    /// How many nN, nm or aJ it is.
+    size: f64,
+}
+
+const fn unit(name: &'static str, size: f64) -> Unit {
+    Unit { name, size }
+}
+
+/// From small to large.
+const FORCES: &[Unit] = &[unit("pN", 1e-3), unit("nN", 1.0), unit("µN", 1e3), unit("mN", 1e6), unit("N", 1e9)];
+const LENGTHS: &[Unit] = &[unit("pm", 1e-3), unit("nm", 1.0), unit("µm", 1e3), unit("mm", 1e6), unit("m", 1e9)];
+const WORKS: &[Unit] = &[
+    unit("zJ", 1e-3),
+    unit("aJ", 1.0),
+    unit("fJ", 1e3),
+    unit("pJ", 1e6),
+    unit("nJ", 1e9),
+    unit("µJ", 1e12),
+    unit("mJ", 1e15),
+    unit("J", 1e18),
+];
+
+/// Numbers from here to [`TOO_LARGE`] keep the unit of the files.
+const TOO_SMALL: f64 = 1e-2;
+const TOO_LARGE: f64 = 1e4;
+
+/// Which units the summary is printed in.
+#[derive(Args, Clone, Debug, Default)]
+pub struct UnitsArgs {
+    /// Units of the printed summary: µN,µm,fJ [default: those that fit]
+    ///
+    /// One each of forces, lengths and works. Files keep their units.
+    #[arg(long, value_name = "LIST")]
+    units: Option<String>,
+}
+
+/// The units that the user wants; none: what fits.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct WantedUnits {
+    force: Option<Unit>,
+    length: Option<Unit>,
+    work: Option<Unit>,
+}
+
+impl UnitsArgs {
+    /// What the user wants, if that is understood.
+    pub fn wanted(&self) -> Result<WantedUnits, Stop> {
+        let mut wanted = WantedUnits::default();
+        let words = self.units.as_deref().unwrap_or("auto");
+        for word in words.split(',').map(str::trim).filter(|&word| word != "auto") {
+            let plain = word.replace('μ', "µ");
+            let plain = plain.strip_prefix('u').map_or(plain.clone(), |rest| format!("µ{rest}"));
+            let find = |known: &[Unit]| known.iter().copied().find(|unit| unit.name == plain);
+            match (find(FORCES), find(LENGTHS), find(WORKS)) {
+                (Some(force), ..) => wanted.force = Some(force),
+                (_, Some(length), _) => wanted.length = Some(length),
+                (.., Some(work)) => wanted.work = Some(work),
+                _ => return Err(unknown(word)),
+            }
+        }
+        Ok(wanted)
+    }
+}
+
+fn unknown(word: &str) -> Stop {
+    let names = |units: &[Unit]| units.iter().map(|unit| unit.name).collect::<Vec<_>>().join(", ");
+    Stop::bad_input(
+        format!("--units {word} is no unit of the summary"),
+        format!(
+            "Give one unit each of what is not to be chosen by size: of forces {}; of lengths {}; of works {}. For example --units µN,µm,fJ.",
+            names(FORCES),
+            names(LENGTHS),
+            names(WORKS)
+        ),
+    )
+}
+
+/// The units of one summary.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Units {
+    /// Of forces
+    pub force: Unit,
+    /// Of displacements and lengths
+    pub length: Unit,
+    /// Of works and energies
+    pub work: Unit,
+}
+
+impl Units {
+    /// Those that are wanted, and else those that fit the largest force (nN), length (nm) and work (aJ).
+    pub fn fitting(wanted: WantedUnits, [force, length, work]: [f64; 3]) -> Self {
+        Self {
+            force: wanted.force.unwrap_or_else(|| fitting(FORCES, force)),
+            length: wanted.length.unwrap_or_else(|| fitting(LENGTHS, length)),
+            work: wanted.work.unwrap_or_else(|| fitting(WORKS, work)),
+        }
+    }
+}
+
+/// The unit of the files for numbers of an ordinary size; else the largest in which the number is at least one.
+fn fitting(units: &[Unit], largest: f64) -> Unit {
+    let ordinary = !largest.is_finite() || largest == 0.0 || (TOO_SMALL..TOO_LARGE).contains(&largest);
+    let fits = |unit: &&Unit| if ordinary { unit.size == 1.0 } else { unit.size <= largest };
+    units.iter().rev().find(fits).copied().unwrap_or(units[0])
+}
+
+impl Unit {
+    /// A number of the library's units in this one.
+    pub fn of(&self, value: f64) -> f64 {
+        value / self.size
+    }
+
+    /// As many decimals as the error leaves, the error, and the unit.
+    pub fn with_error(&self, value: f64, error: f64) -> String {
+        format!("{} {}", self.bare_with_error(value, error), self.name)
+    }
+
+    /// The same without the unit, which stands behind the next number.
+    pub fn bare_with_error(&self, value: f64, error: f64) -> String {
+        with_error(self.of(value), self.of(error))
+    }
+
+    /// With its unit, to so many decimals of the unit of the files.
+    pub fn fixed(&self, value: f64, decimals: i32) -> String {
+        let decimals = (decimals + self.size.log10().round() as i32).clamp(0, 15) as usize;
+        format!("{:.decimals$} {}", self.of(value), self.name)
+    }
+
+    /// Six digits and the unit.
+    pub fn short(&self, value: f64) -> String {
+        format!("{} {}", short(self.of(value)), self.name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wanted(text: &str) -> Result<WantedUnits, Stop> {
+        UnitsArgs { units: Some(text.to_owned()) }.wanted()
+    }
+
+    fn names(units: Units) -> [&'static str; 3] {
+        [units.force.name, units.length.name, units.work.name]
+    }
+
+    #[test]
+    fn numbers_of_an_ordinary_size_keep_the_units_of_the_files() {
+        let fitting = |largest| names(Units::fitting(WantedUnits::default(), largest));
+        assert_eq!(fitting([0.34, 70.0, 3.5]), ["nN", "nm", "aJ"]);
+        assert_eq!(fitting([0.02, 9999.0, 0.0]), ["nN", "nm", "aJ"]);
+        assert_eq!(fitting([2e-3, 2e4, 1211222188.6]), ["pN", "µm", "nJ"]);
+        assert_eq!(fitting([1e-9, 1e30, f64::NAN]), ["pN", "m", "aJ"]);
+    }
+
+    #[test]
+    fn what_is_wanted_comes_before_what_fits() {
+        let fitting = |text| names(Units::fitting(wanted(text).unwrap(), [0.34, 7e6, 3.5]));
+        assert_eq!(fitting("auto"), ["nN", "mm", "aJ"]);
+        assert_eq!(fitting("pN, um"), ["pN", "µm", "aJ"]);
+        assert_eq!(fitting("fJ"), ["nN", "mm", "fJ"]);
+        assert!(wanted("furlong").is_err());
+    }
+
+    #[test]
+    fn digits_stay_the_same_in_every_unit() {
+        let micrometre = LENGTHS[2];
+        assert_eq!(micrometre.with_error(48215.6178228, 3e-3), "48.215618 ± 3e-6 µm");
+        assert_eq!(micrometre.fixed(48215.6178228, 6), "48.215617823 µm");
+        assert_eq!(FORCES[0].short(0.0075), "7.5 pN");
+    }
+}

@@ -1,0 +1,186 @@
+//! The fields of one equilibrium along the beam.
+//!
+//! They are sampled where the elements know them best: at the ends of elements, from nodal forces, and at the Gauss points between, where the
+//! slopes of an element of order p are as accurate as its values. The Gauss weights come along: Σ weight × line force is the integral that the
+//! elements balance, to the last digits.
+
+use crate::adhesion::{FrictionLaw, GroundLaw};
+use crate::beam::{NodeState, PlanarBeam, SectionState};
+use crate::model::PeelModel;
+use crate::number::gauss::{Rule, gauss_legendre};
+use crate::solve::{LimitPointKind, Solution, State};
+use std::num::NonZeroUsize;
+
+/// One equilibrium of a path with its fields along the beam.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BeamState {
+    /// u of the grip, nm
+    pub displacement: f64,
+    /// P, nN
+    pub force: f64,
+    /// Whether it is a limit point, and of what.
+    pub limit_point: Option<LimitPointKind>,
+    /// How far along the path it is: 0 where the path begins, 1 where it ends, by the length of the curve of P over u, each over its range.
+    pub path_position: f64,
+    /// From S = 0 to S = L.
+    pub sections: Vec<SectionFields>,
+}
+
+/// The beam at one place. Its loads are those that it exerts on the ground, which exerts the opposite on it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SectionFields {
+    /// S, nm
+    pub place: f64,
+    /// Of the axis along the ground, nm
+    pub x: f64,
+    /// Of the axis above the ground, nm
+    pub y: f64,
+    /// θ of the section, rad
+    pub rotation: f64,
+    /// N, normal to the section, nN; positive in tension
+    pub normal_force: f64,
+    /// Q, along the section, nN
+    pub shear_force: f64,
+    /// M, nN nm
+    pub moment: f64,
+    /// κ = θ' - θ0', 1/nm, so that M = EI κ
+    pub curvature: f64,
+    /// Distance of the nearer edge of the section from the ground, nm
+    pub gap: f64,
+    /// b ∂Ψ/∂y, nN/nm: the attraction of the ground per length; below zero where it repels. Its integral is P of a pull straight up
+    pub line_force: f64,
+    /// b ∂Ψ/∂x, nN/nm: zero on flat ground
+    pub line_force_along: f64,
+    /// b ∂Ψ/∂θ, nN: moment per length
+    pub line_moment: f64,
+    /// t of friction, GPa: what the face exerts on the ground, positive along x; zero without friction
+    pub friction_traction: f64,
+    /// bΨ, aJ/nm
+    pub adhesion_energy: f64,
+    /// ½(N²/EA + Q²/GA_s + M²/EI), aJ/nm
+    pub stored_energy: f64,
+    /// Width b and height h of the section, nm
+    pub width: f64,
+    /// See `width`
+    pub height: f64,
+    /// Of the quadrature along S, nm: the integral of a field is the sum of this times the field
+    pub weight: f64,
+}
+
+/// What the fields of all states of one peel are read with.
+pub(super) struct Reader<'p> {
+    model: &'p PeelModel,
+    beam: &'p PlanarBeam,
+    friction: Option<FrictionLaw>,
+    /// Local coordinates in [-1, 1] and weights of the Gauss points of an element.
+    gauss: Vec<(f64, f64)>,
+    /// Of the integral of x' between two samples.
+    between: Rule,
+}
+
+/// Of the integral of x' between two samples: x' has no higher order there.
+const POINTS_BETWEEN: NonZeroUsize = NonZeroUsize::new(3).expect("three is not zero");
+
+impl<'p> Reader<'p> {
+    pub fn new(model: &'p PeelModel, beam: &'p PlanarBeam) -> Self {
+        let gauss = NonZeroUsize::new(beam.chain.order()).map_or_else(Vec::new, gauss_legendre);
+        Self { model, beam, friction: model.friction_law(), gauss, between: Rule::new(POINTS_BETWEEN) }
+    }
+
+    /// The state of a solution of the path.
+    pub fn read(&self, solution: &Solution, limit_point: Option<LimitPointKind>, path_position: f64) -> BeamState {
+        let o = &solution.observables;
+        BeamState {
+            displacement: o.displacement,
+            force: o.force,
+            limit_point,
+            path_position,
+            sections: self.sections(&solution.at),
+        }
+    }
+
+    fn sections(&self, at: &State) -> Vec<SectionFields> {
+        let configuration = self.beam.configuration(at);
+        let elements = at.mesh.elements();
+        let ends = self.beam.chain.node_states(configuration, 0..elements);
+        let (mut sections, mut x) = (Vec::new(), 0.0);
+        for element in 0..elements {
+            let (from, to) = (at.mesh.boundaries[element], at.mesh.boundaries[element + 1]);
+            let place = |local: f64| from + 0.5 * (1.0 + local) * (to - from);
+            let sample = |local: f64| self.beam.chain.sample(configuration, element, local);
+            sections.push(self.at_end(at, &ends[element], x));
+            let mut before = -1.0;
+            for &(local, weight) in &self.gauss {
+                x += self.advance(before, local, to - from, &sample);
+                before = local;
+                let (values, section) = sample(local);
+                let weight = 0.5 * weight * (to - from);
+                sections.push(SectionFields { weight, ..self.fields(at, place(local), values, &section, x) });
+            }
+            x += self.advance(before, 1.0, to - from, &sample);
+        }
+        sections.extend(ends.last().map(|end| self.at_end(at, end, x)));
+        sections
+    }
+
+    /// How far x goes between two local coordinates of an element of this length, nm.
+    fn advance<V>(&self, from: f64, to: f64, length: f64, sample: &impl Fn(f64) -> (V, SectionState)) -> f64 {
+        let slopes = self.between.over(from, to).map(|(local, weight)| weight * sample(local).1.horizontal_slope);
+        0.5 * length * slopes.sum::<f64>()
+    }
+
+    fn at_end(&self, at: &State, end: &NodeState, x: f64) -> SectionFields {
+        self.fields(at, end.position, end.values, &end.section, x)
+    }
+
+    /// The fields at one place; x is that of the fields where they have it.
+    fn fields(&self, at: &State, place: f64, values: [f64; 3], state: &SectionState, x: f64) -> SectionFields {
+        let beam = self.beam;
+        let (section, width, height) = self.model.section_at(place);
+        let (level, rotation) = (values[beam.rotation - 1], values[beam.rotation]);
+        let x = if beam.rotation > 1 { values[0] } else { x };
+        let y = level + 0.5 * height;
+        let (sin, cos) = rotation.sin_cos();
+        let closest = beam.substrate.project(x, y);
+        let tilt = rotation - closest.sin.atan2(closest.cos);
+        let law = self.model.adhesion.line_law(height);
+        let ground = GroundLaw { law, substrate: beam.substrate.clone() };
+        let response = ground.response(height, [x, level], [sin, cos]);
+        let [along, across, moment] = response.gradient.map(|load| width * load);
+        SectionFields {
+            place,
+            x,
+            y,
+            rotation,
+            normal_force: state.horizontal_force * cos + state.vertical_force * sin,
+            shear_force: state.vertical_force * cos - state.horizontal_force * sin,
+            moment: state.moment,
+            curvature: state.moment / section.bending,
+            gap: closest.distance - 0.5 * height * tilt.cos().abs(),
+            line_force: across,
+            line_force_along: along,
+            line_moment: moment,
+            friction_traction: self.friction_at(at, place, [x, level], [sin, cos], height),
+            adhesion_energy: width * response.energy,
+            stored_energy: self.stored(state, &section, [sin, cos]),
+            width,
+            height,
+            weight: 0.0,
+        }
+    }
+
+    /// ½(N²/EA + Q²/GA_s + M²/EI), nN.
+    fn stored(&self, state: &SectionState, section: &crate::beam::Section, [sin, cos]: [f64; 2]) -> f64 {
+        let normal = state.horizontal_force * cos + state.vertical_force * sin;
+        let shear = state.vertical_force * cos - state.horizontal_force * sin;
+        0.5 * (normal.powi(2) / section.axial + shear.powi(2) / section.shear + state.moment.powi(2) / section.bending)
+    }
+
+    /// The traction of friction on the ground, GPa.
+    fn friction_at(&self, at: &State, place: f64, [x, level]: [f64; 2], [sin, cos]: [f64; 2], height: f64) -> f64 {
+        let (Some(law), Some(history)) = (&self.friction, &at.history) else { return 0.0 };
+        let [before, mobilisation] = history.at::<2>(place);
+        let (face, gap) = (x + 0.5 * height * sin, level + 0.5 * height * (1.0 - cos));
+        law.traction(face - before, gap, mobilisation).value
+    }
+}

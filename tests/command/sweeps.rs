@@ -1,0 +1,166 @@
+//! What a sweep may vary, what its files say of that, and that every folder holds what reproduces it.
+
+use serde_json::Value;
+use std::collections::HashMap;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use tempfile::tempdir;
+
+const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/strip-100nm.toml");
+const ROUGHLY: [&str; 2] = ["--set", "accuracy.relative=1e-3"];
+
+/// Runs to a good end; what it printed.
+#[track_caller]
+fn done(dir: &Path, args: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(dir).args(args).output().unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!((output.status.code(), stderr.as_str()), (Some(0), ""));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[track_caller]
+fn refused(dir: &Path, args: &[&str], part: &str) {
+    let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(dir).args(args).output().unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{stderr}");
+    assert!(stderr.contains(part), "{part:?} is not in\n{stderr}");
+}
+
+/// The rows of a table by the names of its columns.
+fn table(path: &Path) -> (Vec<String>, Vec<HashMap<String, String>>) {
+    let mut reader = csv::Reader::from_path(path).unwrap();
+    let names: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+    let row = |record: csv::StringRecord| names.iter().cloned().zip(record.iter().map(str::to_owned)).collect();
+    let rows = reader.records().map(|record| row(record.unwrap())).collect();
+    (names, rows)
+}
+
+#[test]
+fn a_list_of_values_takes_the_place_of_a_range() {
+    let dir = tempdir().unwrap();
+    let args =
+        [&["sweep", SCENE, "--vary", "strip.height", "--values", "8, 10,12 nm", "--out", "out"][..], &ROUGHLY].concat();
+    done(dir.path(), &args);
+    let (names, rows) = table(&dir.path().join("out/sweep.csv"));
+    assert_eq!(names[..3], ["value", "strip.height_nm", "peak_force_nN"]);
+    assert_eq!(rows.iter().map(|row| row["strip.height_nm"].as_str()).collect::<Vec<_>>(), ["8.0", "10.0", "12.0"]);
+    for row in &rows {
+        assert_eq!(row["value"], row["strip.height_nm"]);
+        for name in ["peak_force_nN", "peak_error_nN", "peak_displacement_nm", "snap_off_force_nN", "snap_off_error_nN"]
+        {
+            assert!(row[name].parse::<f64>().unwrap() > 0.0, "{name}");
+        }
+    }
+}
+
+#[test]
+fn two_keys_make_a_plane_with_a_map() {
+    let dir = tempdir().unwrap();
+    let plane = ["--vary", "strip.height", "--values", "9 nm,10 nm,11 nm", "--vary", "strip.youngs_modulus"];
+    let range = ["--from", "1 GPa", "--to", "4 GPa", "--points", "3", "--log", "--out", "out", "--json"];
+    let args = [&["sweep", SCENE][..], &plane, &range, &ROUGHLY].concat();
+    let summary: Value = serde_json::from_str(&done(dir.path(), &args)).unwrap();
+    assert_eq!((summary["vary"].as_str(), summary["unit"].as_str()), (Some("strip.height"), Some("nm")));
+    assert_eq!((summary["vary_2"].as_str(), summary["unit_2"].as_str()), (Some("strip.youngs_modulus"), Some("GPa")));
+    assert_eq!(summary["rows"].as_array().unwrap().len(), 9);
+    assert_eq!(summary["rows"][4]["value_2"].as_f64(), Some(2.0));
+    let (names, rows) = table(&dir.path().join("out/sweep.csv"));
+    assert_eq!(names[..4], ["value", "value_2", "strip.height_nm", "strip.youngs_modulus_GPa"]);
+    let pairs: Vec<(&str, &str)> = rows.iter().map(|row| (row["value"].as_str(), row["value_2"].as_str())).collect();
+    assert_eq!((pairs.len(), pairs[0], pairs[1], pairs[8]), (9, ("9.0", "1.0"), ("9.0", "2.0"), ("11.0", "4.0")));
+    // at the middle, what a single run finds
+    let scene = [&["run", SCENE, "--json"][..], &ROUGHLY].concat();
+    let alone: Value = serde_json::from_str(&done(dir.path(), &scene)).unwrap();
+    assert_eq!(rows[4]["peak_force_nN"].parse::<f64>().unwrap(), alone["peak"]["force_nN"].as_f64().unwrap());
+    let picture = fs::read_to_string(dir.path().join("out/sweep.svg")).unwrap();
+    for label in ["strip.height (nm)", "strip.youngs_modulus (GPa)", "peak force P (nN)", "work to snap-off W (aJ)"] {
+        assert!(picture.contains(label), "{label} is missing");
+    }
+    assert!(dir.path().join("out/sweep.png").exists());
+    let follows = [&["sweep", SCENE][..], &plane, &["--values", "1 GPa,2 GPa", "--peak-only"]].concat();
+    refused(dir.path(), &follows, "one key only");
+}
+
+#[test]
+fn what_is_varied_is_said_once_and_whole() {
+    let dir = tempdir().unwrap();
+    let vary = ["sweep", SCENE, "--vary", "strip.height"];
+    refused(dir.path(), &vary, "--values");
+    refused(dir.path(), &[&vary[..], &["--from", "1 nm", "--to", "2 nm"]].concat(), "--points");
+    refused(dir.path(), &[&vary[..], &["--values", "1 nm", "--points", "2"]].concat(), "as well");
+    refused(dir.path(), &[&vary[..], &["--values", "1,2"]].concat(), "without a unit");
+    refused(dir.path(), &[&vary[..], &["--values", "1 nm,-2 nm"]].concat(), "--values for strip.height");
+    let many = ["--from", "1 nm", "--to", "2 nm", "--points", "2000"];
+    let plane = [&vary[..], &many, &["--vary", "strip.width"], &many].concat();
+    refused(dir.path(), &plane, "4000000 pairs of values");
+    refused(
+        dir.path(),
+        &[&vary[..], &["--values", "1 nm", "--vary", "strip.height", "--values", "1 nm"]].concat(),
+        "twice",
+    );
+}
+
+/// A summary without what differs from run to run, and from command to command.
+fn numbers(mut summary: Value) -> Value {
+    for key in ["command", "scene", "timing"] {
+        summary.as_object_mut().unwrap().remove(key);
+    }
+    summary
+}
+
+#[test]
+fn every_folder_reproduces_its_run() {
+    let dir = tempdir().unwrap();
+    let set = ["--set", "strip.length=\"0.08 um\"", "--set", "drive.angle=75 deg", "--set", "title=Once more"];
+    done(dir.path(), &[&["run", SCENE, "--out", "first"][..], &set, &ROUGHLY].concat());
+    done(dir.path(), &["run", "first/parameters.toml", "--out", "second"]);
+    let read = |folder: &str, name: &str| fs::read_to_string(dir.path().join(folder).join(name)).unwrap();
+    for name in ["curve.csv", "limit_points.csv", "curve.svg", "shapes.svg"] {
+        assert_eq!(read("first", name), read("second", name), "{name}");
+    }
+    let summary = |folder: &str| numbers(serde_json::from_str(&read(folder, "summary.json")).unwrap());
+    assert_eq!(summary("first"), summary("second"));
+    let parameters = read("first", "parameters.toml");
+    assert!(parameters.contains("#   peel run ") && parameters.contains("length = \"80 nm\"\n"), "{parameters}");
+
+    let sweep = ["--vary", "strip.height", "--values", "9 nm,10 nm"];
+    done(dir.path(), &[&["sweep", SCENE][..], &sweep, &["--out", "third"], &ROUGHLY].concat());
+    done(dir.path(), &[&["sweep", "third/parameters.toml"][..], &sweep, &["--out", "fourth"]].concat());
+    let rows = |folder: &str| {
+        let (_, mut rows) = table(&dir.path().join(folder).join("sweep.csv"));
+        rows.iter_mut().for_each(|row| drop(row.remove("solve_s")));
+        rows
+    };
+    assert_eq!(rows("third"), rows("fourth"));
+}
+
+#[test]
+fn the_printed_units_fit_or_are_those_that_are_wanted() {
+    let dir = tempdir().unwrap();
+    let printed = |more: &[&str]| done(dir.path(), &[&["run", SCENE, "--force"][..], &ROUGHLY, more].concat());
+    let plain = printed(&[]);
+    assert!(plain.contains(" nN at u = 0.24960") && plain.contains(" aJ"), "{plain}");
+    let wanted = printed(&["--units", "pN,um,zJ"]);
+    assert!(wanted.contains("  peak force         341.12") && wanted.contains(" pN at u = 0.00024960"), "{wanted}");
+    assert!(wanted.contains(" µm, work to there 3470.") && wanted.contains(" zJ"), "{wanted}");
+    let wide = printed(&["--set", "strip.width=1 mm"]);
+    assert!(wide.contains("  peak force         341.12") && wide.contains(" µN at u = 0.24960"), "{wide}");
+    let table = fs::read_to_string(dir.path().join("out/strip-100nm-accuracy.relative=1e-3/summary.json")).unwrap();
+    assert!(table.contains("\"force_nN\": 0.341"), "files keep their units");
+    refused(dir.path(), &["run", SCENE, "--units", "lbf"], "--units lbf is no unit of the summary");
+}
+
+#[test]
+fn states_are_written_where_files_are() {
+    let dir = tempdir().unwrap();
+    let args = [&["run", SCENE, "--states", "3", "--out", "out"][..], &ROUGHLY].concat();
+    let said = done(dir.path(), &args);
+    assert!(said.contains("wrote out/states.csv") && said.contains("wrote out/states/ with"), "{said}");
+    let grids = fs::read_dir(dir.path().join("out/states")).unwrap().count();
+    let listed = fs::read_to_string(dir.path().join("out/states.pvd")).unwrap().matches("<DataSet").count();
+    assert!(grids == listed && grids > 3, "{grids} grids, {listed} listed");
+    // into a folder that is replaced as well
+    done(dir.path(), &[&args[..], &["--force"]].concat());
+    refused(dir.path(), &["run", SCENE, "--states", "3", "--json"], "--states writes files");
+}
