@@ -1,6 +1,7 @@
 //! The text of a scene: what it may hold, what it means, and every message about it.
 
 mod any_text;
+mod conflicts;
 mod friction;
 mod ground;
 mod laws;
@@ -13,4 +14,5 @@ mod steps;
 #[path = "../shared/strip.rs"]
 mod strip;
 mod text;
+mod units;
 mod written;

@@ -19,7 +19,7 @@ const GOES_ON: &str = "the same command resumes from there, --fresh starts anew"
 
 /// Computes the whole equilibrium path of one scene, with its limit points and their error bounds
 #[derive(Args)]
-#[command(after_long_help = help::run())]
+#[command(after_help = help::RUN, after_long_help = help::run())]
 pub struct Run {
     #[command(flatten)]
     scene: SceneArgs,
@@ -27,15 +27,17 @@ pub struct Run {
     #[command(flatten)]
     out: OutArgs,
 
-    /// Adds a displacement-controlled test: stable branches, jumps with the energy they release, and the return
+    /// Adds a displacement-controlled test: stable branches and jumps
+    ///
+    /// The machine retreats until the beam is off and returns to U = 0. Every jump comes with the energy that it releases.
     #[arg(long)]
     observed: bool,
 
-    /// Discards the checkpoint of an unfinished run in the folder and starts anew
+    /// Discards the checkpoint of an unfinished run and starts anew
     #[arg(long)]
     fresh: bool,
 
-    /// Prints only the object of summary.json; writes files only if --out is given
+    /// Prints summary.json alone; writes files only if --out is given
     #[arg(long)]
     json: bool,
 }

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 
 /// Varies one number of a scene: peak force, plateau, snap-off and work against its value
 #[derive(Args)]
-#[command(after_long_help = help::sweep())]
+#[command(after_help = help::SWEEP, after_long_help = help::sweep())]
 pub struct Sweep {
     #[command(flatten)]
     pub scene: SceneArgs,
@@ -30,15 +30,19 @@ pub struct Sweep {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub points: u32,
 
-    /// Logarithmic spacing: equal ratios instead of equal differences; both ends must be above zero
+    /// Logarithmic spacing: equal ratios; both ends above zero
     #[arg(long)]
     pub log: bool,
 
-    /// Follows one limit point from value to value instead of computing whole paths: much faster
+    /// Follows one limit point and computes no whole paths
+    ///
+    /// Much faster than a sweep of whole paths.
     #[arg(long, value_name = "POINT", conflicts_with = "peak_only")]
     follow: Option<Point>,
 
-    /// The same as --follow peak: only the initiation peak, the first local maximum of the force
+    /// The same as --follow peak: the initiation peak alone
+    ///
+    /// That is the first local maximum of the force.
     #[arg(long)]
     peak_only: bool,
 
@@ -49,7 +53,7 @@ pub struct Sweep {
     #[arg(long)]
     pub json: bool,
 
-    /// Discards the checkpoint of an interrupted sweep in the folder and starts anew
+    /// Discards the checkpoint of an interrupted sweep and starts anew
     #[arg(long)]
     pub fresh: bool,
 }

@@ -2,6 +2,7 @@
 
 mod args;
 mod failed;
+mod no_effect;
 mod peels;
 
 pub use args::Sweep;
@@ -20,6 +21,7 @@ use std::time::Instant;
 pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let scene = args.scene.load()?;
     let key = key_to_vary(&args.vary)?;
+    no_effect::refuse(&args.scene.overrides, &scene, key)?;
     let scenes = vary(args, &scene, key)?;
     match args.followed() {
         Some(kind) => match not_followed(&scenes) {
@@ -113,7 +115,7 @@ fn write_followed(
 ) -> Result<Vec<PathBuf>, ReportError> {
     let mut files = vec![report::write_followed(folder, sweep, solve_s)?];
     if sweep.rows.iter().any(|row| row.point.is_some()) {
-        files.extend(report::draw_followed(sweep, &key.label(), &scene.title, args.log, folder)?);
+        files.extend(report::draw_followed(sweep, &key.path(), &scene.title, args.log, folder)?);
     }
     Ok(files)
 }

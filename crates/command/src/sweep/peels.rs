@@ -3,6 +3,7 @@
 
 use super::args::Sweep;
 use super::failed::failed;
+use super::no_effect;
 use crate::interrupt::Interrupt;
 use crate::output::{list_files, progress_bar, say};
 use crate::stop::Stop;
@@ -16,7 +17,7 @@ use std::sync::OnceLock;
 
 /// Peels every value.
 pub fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]) -> Result<(), Stop> {
-    let (rows, remarks, files) = match args.folder() {
+    let (rows, mut remarks, files) = match args.folder() {
         Some(folder) => {
             let bar = progress_bar(scenes.len());
             // before anything is written
@@ -34,6 +35,7 @@ pub fn peel_each(args: &Sweep, scene: &Scene, key: &Key, scenes: &[(f64, Scene)]
         }
         None => (peel_unkept(scenes), Vec::new(), Ok(Vec::new())),
     };
+    remarks.extend(no_effect::seen(key, &rows));
     if args.json {
         say(&SweepSummary::new(scene, key, &rows, &remarks).to_json().map_err(Stop::other)?)?;
     } else {
