@@ -11,6 +11,7 @@ mod interrupt;
 mod keys;
 mod new;
 mod output;
+mod plot;
 mod run;
 mod stop;
 mod sweep;
@@ -37,6 +38,7 @@ enum Command {
     Verify(verify::Verify),
     New(new::New),
     Keys(keys::Keys),
+    Plot(plot::Plot),
     Figures(figures::Figures),
 }
 
@@ -54,6 +56,7 @@ fn main() -> ExitCode {
         Command::Verify(args) => verify::verify(&args),
         Command::New(args) => new::new(&args),
         Command::Keys(args) => keys::keys(&args),
+        Command::Plot(args) => plot::plot(&args),
         Command::Figures(args) => figures::figures(&args),
     };
     match done {

@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+mod animation;
 pub mod chart;
 mod checkpoint;
 mod error;
@@ -10,12 +11,14 @@ mod file;
 mod folder;
 mod names;
 mod number;
+pub mod overlay;
 pub mod pictures;
 mod summary;
 mod sweep_row;
 mod tables;
 mod timing;
 
+pub use animation::write_animation;
 pub use checkpoint::{PartialRun, PartialSweep};
 pub use error::ReportError;
 pub use file::write_whole;
