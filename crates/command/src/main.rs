@@ -10,8 +10,10 @@ mod hard_scenes;
 mod help;
 mod input;
 mod interrupt;
+mod keys;
 mod new;
 mod output;
+mod plot;
 mod run;
 mod stop;
 mod sweep;
@@ -37,6 +39,8 @@ enum Command {
     Accuracy(accuracy::Accuracy),
     Verify(verify::Verify),
     New(new::New),
+    Keys(keys::Keys),
+    Plot(plot::Plot),
     Figures(figures::Figures),
 }
 
@@ -53,6 +57,8 @@ fn main() -> ExitCode {
         Command::Accuracy(args) => accuracy::accuracy(&args),
         Command::Verify(args) => verify::verify(&args),
         Command::New(args) => new::new(&args),
+        Command::Keys(args) => keys::keys(&args),
+        Command::Plot(args) => plot::plot(&args),
         Command::Figures(args) => figures::figures(&args),
     };
     match done {

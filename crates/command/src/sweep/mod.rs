@@ -4,6 +4,7 @@ mod args;
 mod cases;
 mod failed;
 mod follow;
+mod no_effect;
 mod peels;
 mod varied;
 
@@ -15,7 +16,7 @@ use cases::Cases;
 pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let scene = args.scene.load()?;
     let wanted = args.units.wanted()?;
-    let cases = Cases::of(&scene, &args.varied.parameters()?)?;
+    let cases = Cases::of(&scene, &args.varied.parameters()?, &args.scene.overrides)?;
     match args.followed() {
         Some(kind) => follow::follow(args, kind, &scene, &cases, wanted),
         None => peels::peel_each(args, &scene, &cases, wanted),
