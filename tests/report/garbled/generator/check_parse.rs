@@ -119,14 +119,16 @@ fn quantity(text: &str, library: &str) -> Option<f64> {
     })
 }
 
-/// The scene written anew from the `parameters` that outputs print, and read again.
+/// The scene written anew, from the `parameters` that outputs print and as a text of its own, and read again.
 fn comes_back(scene: &Scene) -> Result<(), String> {
-    let printed = printed(scene)?;
-    match Scene::parse(&scene.name, &printed, &[]) {
-        Ok(again) if again == *scene => Ok(()),
-        Ok(again) => Err(format!("{scene:?} came back as {again:?} from\n{printed}")),
-        Err(error) => Err(format!("{scene:?} is printed as\n{printed}\nwhich is refused: {error}")),
+    for written in [printed(scene)?, scene.to_toml()] {
+        match Scene::parse(&scene.name, &written, &[]) {
+            Ok(again) if again == *scene => {}
+            Ok(again) => return Err(format!("{scene:?} came back as {again:?} from\n{written}")),
+            Err(error) => return Err(format!("{scene:?} is printed as\n{written}\nwhich is refused: {error}")),
+        }
     }
+    Ok(())
 }
 
 /// A scene as its `parameters` report it, in TOML.
