@@ -56,6 +56,11 @@ impl Adhesion {
         LineLaw { half_space, height, law, line_load: self.line_load, far_face: self.far_face }
     }
 
+    /// Whether the Hamaker constant changes nothing: under a cohesive law with a work of adhesion and a strength of its own.
+    pub fn needs_no_hamaker_constant(&self) -> bool {
+        self.attraction.takes_work_and_strength() && self.work.is_some() && self.strength.is_some()
+    }
+
     /// The substrate.
     pub fn half_space(&self) -> HalfSpace {
         HalfSpace { hamaker_constant: self.hamaker_constant, equilibrium_distance: self.equilibrium_distance }

@@ -111,14 +111,14 @@ fn a_sweep_of_the_stiffness_shows_kendall() {
 fn a_sweep_of_another_key_names_it() {
     let dir = tempfile::tempdir().unwrap();
     let text = check_pictures(&draw_sweep(&factors(&[0.5, 1.0]), "strip.height", "", false, dir.path()).unwrap());
-    assert!(text.contains("strip.height (nm)") && !text.contains("Kendall"));
+    assert!(text.contains("height of the section h (nm)") && !text.contains("Kendall"));
 }
 
 #[test]
 fn a_sweep_of_the_angle_shows_kendall() {
     let dir = tempfile::tempdir().unwrap();
     let text = check_pictures(&draw_sweep(&factors(&[0.5, 1.0]), "drive.angle", "", false, dir.path()).unwrap());
-    assert!(text.contains("drive.angle (rad)") && text.contains("Kendall"));
+    assert!(text.contains("angle of the pull to the substrate α (deg)") && text.contains("Kendall"));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The text of a scene: what it may hold, what it means, and every message about it.
 
 mod any_text;
+mod conflicts;
 mod friction;
 mod ground;
 mod laws;
@@ -14,4 +15,5 @@ mod steps;
 mod strip;
 mod text;
 mod to_toml;
+mod units;
 mod written;

@@ -144,9 +144,9 @@ fn lengths_of_a_spatula_that_do_not_fit_are_named() {
         ("tip_rounding_length = \"241 nm\"", ["`spatula.tip_rounding_length` is 241 nm", "(240 nm)"]),
         ("tip_rounding_length = \"9 nm\"\ntip_rounding_width = \"201 nm\"", ["_width` is 201 nm", "(200 nm)"]),
         ("bend_length = \"751 nm\"", ["`spatula.bend_length` is 751 nm", "(750 nm)"]),
-        ("shaft_angle = \"200 deg\"", ["`spatula.shaft_angle` is 3.49", "e0 in rad"]),
+        ("shaft_angle = \"200 deg\"", ["`spatula.shaft_angle` is 200 deg", "from -180 to 180 deg"]),
         ("shaft_angle = \"4 nm\"", ["nm measures a length, not an angle", "45 deg"]),
-        ("shaft_angle = 45", ["is 45, a number without a unit", "Write \"45 rad\""]),
+        ("shaft_angle = 45", ["is 45, a number without a unit", "Write \"45 deg\""]),
     ] {
         let text = SPATULA.replace("[spatula]\n", &format!("[spatula]\n{line}\n"));
         assert_says(&complaint(&text), &parts);

@@ -20,7 +20,7 @@ pub struct Accuracy {
     #[arg(value_name = "SCENE")]
     path: Option<PathBuf>,
 
-    /// Sets a key of the scene, such as strip.length="50 nm"; may be given more than once
+    /// Sets a key of the scene: strip.length="50 nm"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_override)]
     overrides: Vec<(String, String)>,
 
@@ -28,8 +28,7 @@ pub struct Accuracy {
     out: OutArgs,
 }
 
-const FOLDER: &str =
-    "Folder for the outputs, created if missing [default: out/accuracy, and the name of the scene and what is set]";
+const FOLDER: &str = "Folder for the outputs [default: out/accuracy, named after what is asked]";
 
 /// The scene where none is given.
 const PLAIN: &str = include_str!("../../../scenes/strip-100nm.toml");

@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// Draws every figure again, with its data
 #[derive(Args)]
-#[command(after_long_help = help::figures(), mut_arg("out", |out| out.help("Folder for the figures, created if missing [default: figures]")))]
+#[command(after_long_help = help::figures(), mut_arg("out", |out| out.help("Folder for the figures [default: figures]")))]
 pub struct Figures {
     #[command(flatten)]
     out: OutArgs,

@@ -37,6 +37,8 @@ Examples:
   peel run strip.toml            computes the peeling: summary, curve, limit points and pictures in out/strip/
   peel run strip.toml --set strip.length=\"50 nm\" --set grip.rotation=fixed --json
   peel sweep strip.toml --vary strip.bending_stiffness_factor --from 1e-4 --to 1e4 --points 33 --log
+  peel keys                      lists the keys of a scene with units, defaults and ranges
+  peel new --list                names the kinds of scenes
   peel accuracy                  computing time against error: a table and a picture
   peel verify                    compares the program with published and independent values
 
@@ -47,6 +49,14 @@ Examples:
         keys()
     )
 }
+
+/// Of `peel run -h`.
+pub const RUN: &str = "\
+Example: peel run strip.toml --set strip.length=\"50 nm\" --out short
+More: peel run --help, on files, ends of a path, resuming; peel keys, the keys of a scene";
+
+/// Of `peel sweep -h`.
+pub const SWEEP: &str = "More: peel sweep --help, on files and resuming; peel keys, the keys that can be varied";
 
 /// Of `peel run --help`.
 pub fn run() -> String {
@@ -204,6 +214,21 @@ Examples:
     )
 }
 
+/// Of `peel keys --help`.
+pub const KEYS_EXAMPLES: &str = "\
+Examples:
+  peel keys                every key of a scene
+  peel keys adhesion       those of the table [adhesion]
+  peel keys top            those above the tables";
+
+/// Of `peel new --help`.
+pub const NEW_EXAMPLES: &str = "\
+Examples:
+  peel new                     writes strip.toml
+  peel new mine                writes mine.toml
+  peel new --kind spatula      writes spatula.toml
+  peel new --list              names the kinds of scenes";
+
 /// Of `peel verify --help`.
 pub fn verify() -> String {
     let topics: String = TOPICS.iter().map(|topic| format!("  {:<12} {}\n", topic.name, topic.about)).collect();
@@ -228,7 +253,11 @@ Topics:
 
 /// Every key with its default, or with an example where it has none.
 fn keys() -> String {
-    let mut text = "Keys of a scene, for --set; those with a number also for --vary:\n".to_owned();
+    let mut text = "\
+Keys of a scene, for --set; those with a number also for --vary. `peel keys` lists them with units, defaults and
+ranges, `peel keys TABLE` those of one table.
+"
+    .to_owned();
     for key in KEYS {
         let sample = format!("{} = {}", key.path(), sample(key));
         let room = 70;
@@ -242,10 +271,11 @@ fn keys() -> String {
     text + PIECES
 }
 
+/// The key as a scene holds it: with its default, or with an example.
 fn sample(key: &Key) -> String {
     match key.default_value() {
-        Some(Value::Number(number)) if !key.unit().is_empty() => format!("\"{number} {}\"", key.unit()),
         _ if matches!(key.kind, Kind::Pieces(_)) => format!("[{{ length = {:?}, ... }}]", "90 nm"),
+        Some(Value::Number(_)) if !key.unit().is_empty() => format!("\"{}\"", key.default_text()),
         Some(Value::List(_)) => "[]".into(),
         Some(Value::Text(text)) if !text.is_empty() => format!("\"{text}\""),
         Some(value @ (Value::Number(_) | Value::Flag(_))) => value.to_string(),
@@ -257,7 +287,8 @@ fn note(key: &Key) -> String {
     match (&key.kind, key.need) {
         (_, Need::Required) if !key.shapes().is_empty() => format!("required for shape {}", key.shapes().join(", ")),
         (_, Need::Required) => key.alternative().map_or("required".into(), |other| format!("required, or {other}")),
-        (Kind::Bound(..) | Kind::Steps(_), _) => "none unless given".into(),
+        (Kind::Bound(..), _) if key.default_value().is_none() => "none unless given".into(),
+        (Kind::Steps(_), _) => "none unless given".into(),
         (Kind::Fixed(..) | Kind::Share(..), _) => "chosen automatically".into(),
         (Kind::Text(_), _) => "the name of the file unless given".into(),
         (Kind::LineLoad(_) | Kind::Hold(_) | Kind::Shape(_) | Kind::Start(_) | Kind::Terms(_), _) => key.takes(),

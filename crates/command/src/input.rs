@@ -12,7 +12,7 @@ pub struct SceneArgs {
     #[arg(value_name = "SCENE")]
     pub path: PathBuf,
 
-    /// Sets a key of the scene, such as strip.length="50 nm"; may be given more than once
+    /// Sets a key of the scene: strip.length="50 nm"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_override)]
     pub overrides: Vec<(String, String)>,
 }

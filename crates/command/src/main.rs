@@ -10,6 +10,7 @@ mod hard_scenes;
 mod help;
 mod input;
 mod interrupt;
+mod keys;
 mod new;
 mod output;
 mod run;
@@ -37,6 +38,7 @@ enum Command {
     Accuracy(accuracy::Accuracy),
     Verify(verify::Verify),
     New(new::New),
+    Keys(keys::Keys),
     Figures(figures::Figures),
 }
 
@@ -53,6 +55,7 @@ fn main() -> ExitCode {
         Command::Accuracy(args) => accuracy::accuracy(&args),
         Command::Verify(args) => verify::verify(&args),
         Command::New(args) => new::new(&args),
+        Command::Keys(args) => keys::keys(&args),
         Command::Figures(args) => figures::figures(&args),
     };
     match done {

@@ -1,48 +1,78 @@
 //! `peel new`: a commented scene to start from.
 
+use crate::help;
 use crate::output::say;
 use crate::stop::Stop;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use std::fs::{self, OpenOptions};
 use std::io::{ErrorKind, Write};
 use std::path::PathBuf;
 
 /// Writes a commented scene as a template
 #[derive(Args)]
+#[command(after_help = help::NEW_EXAMPLES)]
 pub struct New {
-    /// Name of the scene file [default: the name of the body]; .toml is added if missing
+    /// Name of the scene file [default: the name of the kind]; .toml is added if missing
     #[arg(value_name = "NAME")]
     name: Option<PathBuf>,
 
-    /// The beam that is peeled
-    #[arg(long, value_name = "BODY", default_value = "strip")]
-    body: Body,
+    /// Kind of scene; --list names them
+    #[arg(long, visible_alias = "body", value_name = "KIND", default_value = "strip")]
+    kind: String,
+
+    /// Names the kinds of scenes, a line each
+    #[arg(long, conflicts_with_all = ["name", "kind"])]
+    list: bool,
 }
 
-/// The bodies for which there is a commented scene.
-#[derive(Clone, Copy, ValueEnum)]
-enum Body {
-    /// A uniform strip
-    Strip,
-    /// A gecko's spatula
-    Spatula,
-    /// A beam given piece by piece
-    Profile,
+/// A scene to start from.
+struct Template {
+    kind: &'static str,
+    about: &'static str,
+    text: &'static str,
 }
 
-impl Body {
-    fn scene(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Strip => ("strip", include_str!("../../../scenes/strip.toml")),
-            Self::Spatula => ("spatula", include_str!("../../../scenes/spatula.toml")),
-            Self::Profile => ("profile", include_str!("../../../scenes/profile.toml")),
-        }
-    }
+/// Kind, meaning.
+macro_rules! templates {
+    ($($kind:literal $about:literal),* $(,)?) => {
+        &[$(Template { kind: $kind, about: $about, text: include_str!(concat!("../../../scenes/", $kind, ".toml")) }),*]
+    };
+}
+
+/// Every kind, in the order of the list.
+const TEMPLATES: &[Template] = templates![
+    "strip" "a uniform strip on a flat substrate, with every key and its default",
+    "spatula" "a gecko's spatula: a flat pad on a round, bent shaft",
+    "profile" "a beam of any outline, given piece by piece",
+    "strip-100nm" "the short strip of the examples",
+    "strip-soft" "a very flexible strip, which re-adheres",
+    "strip-rough" "a strip on wavy ground",
+    "spatula-rough" "a spatula on wavy ground",
+    "strip-friction" "a strip held by friction alone, pulled at 30 degrees",
+    "strip-auto" "a strip whose model is reduced to the terms that matter",
+];
+
+/// The kinds, a line each.
+fn list() -> String {
+    let widest = TEMPLATES.iter().map(|template| template.kind.len()).max().unwrap_or(0);
+    let line = |Template { kind, about, .. }: &Template| format!("  {kind:<widest$}  {about}\n");
+    let lines: String = TEMPLATES.iter().map(line).collect();
+    format!("{lines}\n`peel new --kind KIND` writes KIND.toml, `peel new NAME --kind KIND` NAME.toml.\n")
+}
+
+fn template(kind: &str) -> Result<&'static Template, Stop> {
+    TEMPLATES.iter().find(|template| template.kind == kind).ok_or_else(|| {
+        let kinds: Vec<&str> = TEMPLATES.iter().map(|template| template.kind).collect();
+        Stop::bad_input(format!("--kind {kind} is no kind of scene"), format!("The kinds are {}.", kinds.join(", ")))
+    })
 }
 
 pub fn new(args: &New) -> Result<(), Stop> {
-    let (body, scene) = args.body.scene();
-    let mut path = args.name.clone().unwrap_or_else(|| body.into());
+    if args.list {
+        return say(&list());
+    }
+    let template = template(&args.kind)?;
+    let mut path = args.name.clone().unwrap_or_else(|| template.kind.into());
     if path.extension().is_none_or(|extension| extension != "toml") {
         path.as_mut_os_string().push(".toml");
     }
@@ -57,7 +87,7 @@ pub fn new(args: &New) -> Result<(), Stop> {
         }
         opened => opened.map_err(cannot)?,
     };
-    if let Err(error) = file.write_all(scene.as_bytes()) {
+    if let Err(error) = file.write_all(template.text.as_bytes()) {
         // Half a scene is worse than none; the error is reported in either case.
         let _ = fs::remove_file(&path);
         return Err(cannot(error));

@@ -10,11 +10,15 @@ use std::path::{Path, PathBuf};
 /// Where a command that writes files writes them.
 #[derive(Args)]
 pub struct OutArgs {
-    /// Folder for the outputs, created if missing [default: in out/, named after the scene and what is asked]
+    /// Folder for the outputs [default: in out/, named after the scene and what is asked]
+    ///
+    /// It is created if missing.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 
-    /// Writes to a folder that is not empty: files of the same names are replaced, all others stay
+    /// Writes to a folder that is not empty
+    ///
+    /// Files of the same names are replaced, all others stay.
     #[arg(long)]
     pub force: bool,
 }

@@ -17,11 +17,13 @@ pub struct Verify {
     #[arg(long, value_name = "TOPIC")]
     only: Vec<String>,
 
-    /// Only the hard scenes: extreme parameters, sections on edge, limit points that meet
+    /// Only the hard scenes: extreme parameters, sections on edge
     #[arg(long, conflicts_with = "only")]
     hard: bool,
 
-    /// Peels so many randomly sampled scenes instead, and prints how they end and whether their bounds hold
+    /// Peels so many randomly sampled scenes instead
+    ///
+    /// It prints how their paths end and whether their error bounds hold.
     #[arg(long, value_name = "N", conflicts_with_all = ["only", "hard"])]
     sampled: Option<u64>,
 
@@ -29,7 +31,7 @@ pub struct Verify {
     #[arg(long, value_name = "KIND")]
     kind: Option<String>,
 
-    /// Prints the text of this scene of the sample, to be run by itself, and peels nothing
+    /// Prints the text of this scene of the sample and peels nothing
     #[arg(long, value_name = "K", requires = "kind", conflicts_with = "sampled")]
     scene: Option<u64>,
 

@@ -1,12 +1,15 @@
 //! From TOML texts to a scene: finds every key, hands its value over, and says where a problem stands.
 
-use super::bodies::{BODIES, set_body};
+use super::bodies::{BODIES, body_of, set_body};
+use super::conflict::Conflict;
 use super::error::{Origin, SceneError, ValueError, one_line};
-use super::key::{Key, Kind, Need};
+use super::key::{Key, Kind};
 use super::keys::{KEYS, find_key, tables};
 use super::near::nearest;
 use super::scene::Scene;
 use super::value::Value;
+use super::value::quantity::Comma;
+use peelkit::model::Adhesion;
 use std::collections::HashSet;
 use std::ops::Range;
 use toml::Spanned;
@@ -38,25 +41,55 @@ impl Scene {
     /// # Ok::<(), peelkit_scene::SceneError>(())
     /// ```
     pub fn parse(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
-        let mut scene = Self::empty(name);
-        read(&mut scene, text, overrides)?;
-        Ok(scene)
+        let file = Origin::File { name, text };
+        let document = DeTable::parse(text).map_err(|error| not_toml(&file, text, &error))?;
+        let document = document.get_ref();
+        let (scene, conflict) = read(name, text, document, overrides)?;
+        match conflict {
+            None => Ok(scene),
+            Some(conflict) => Err(match guilty(name, text, document, overrides, &conflict) {
+                Some((path, value)) => conflict.of_override(path, value),
+                None => in_file(&file, text, document, &conflict),
+            }),
+        }
     }
 }
 
-/// Fills the scene from the text and then from the overrides.
-fn read(scene: &mut Scene, text: &str, overrides: &[(String, String)]) -> Result<(), SceneError> {
+/// The scene of the text and the overrides, and what of it does not fit the rest.
+fn read(
+    name: &str,
+    text: &str,
+    document: &DeTable,
+    overrides: &[(String, String)],
+) -> Result<(Scene, Option<Conflict>), SceneError> {
+    let mut scene = Scene::empty(name);
+    let mut given = fill(&mut scene, text, document)?;
+    for (path, value) in overrides {
+        given.insert(set(&mut scene, path, value)?.path());
+    }
+    supply_hamaker_constant(&mut scene, &mut given);
+    let conflict = Conflict::find(&scene, &given);
+    Ok((scene, conflict))
+}
+
+/// Fills the scene from the text; the keys that it gives.
+fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<String>, SceneError> {
     let name = scene.name.clone();
     let file = Origin::File { name: &name, text };
-    let document = DeTable::parse(text).map_err(|error| not_toml(&file, text, &error))?;
     let mut given = HashSet::new();
-    if let Some((table, _)) = in_order(document.get_ref()).into_iter().find(|(key, _)| BODIES.contains(&name_of(key))) {
+    // one without keys may stand alone; beside another one it is not meant
+    let has_keys = |value: &Spanned<DeValue>| value.get_ref().as_table().is_some_and(|table| !table.is_empty());
+    let bodies: Vec<_> = in_order(document).into_iter().filter(|(key, _)| BODIES.contains(&name_of(key))).collect();
+    if let Some((table, _)) = bodies.iter().find(|(_, value)| has_keys(value)).or(bodies.first()) {
         set_body(scene, name_of(table));
     }
-    set_shape(scene, &file, document.get_ref())?;
-    for (key, value) in in_order(document.get_ref()) {
+    set_shape(scene, &file, document)?;
+    for (key, value) in in_order(document) {
         match value.get_ref() {
             DeValue::Table(table) if tables().contains(&name_of(key)) => {
+                if table.is_empty() {
+                    check_body(scene, &file, key)?;
+                }
                 for (inner, value) in in_order(table) {
                     let key = lookup(&file, name_of(key), inner)?;
                     if !key.belongs_to(scene) {
@@ -83,22 +116,69 @@ fn read(scene: &mut Scene, text: &str, overrides: &[(String, String)]) -> Result
             }
         }
     }
-    for (path, value) in overrides {
-        given.insert(set(scene, path, value)?.path());
+    Ok(given)
+}
+
+/// Refuses a body without keys beside another one, which would be ignored.
+fn check_body(scene: &Scene, file: &Origin, table: &Spanned<toml::de::DeString>) -> Result<(), SceneError> {
+    let (found, body) = (name_of(table), body_of(scene));
+    if found == body || !BODIES.contains(&found) {
+        return Ok(());
     }
-    // one that was valid until an override gave the substrate another shape
-    if let Some(key) = KEYS.iter().find(|key| given.contains(&key.path()) && !key.belongs_to(scene)) {
-        let span = place_of(document.get_ref(), &key.path()).unwrap_or_else(|| end_of(text));
-        return Err(file.error(span, &format!("`{}`", key.path()), key.foreign(scene)));
+    let problem = ValueError::new(
+        format!("stands beside [{body}], and a scene peels one body"),
+        format!("Remove one of the tables. A scene has one of [{}].", BODIES.join("], [")),
+    );
+    Err(file.error(table.span(), &format!("[{found}]"), problem))
+}
+
+/// A cohesive law with a work of adhesion and a strength of its own takes nothing from the half space but where a face is closed. Then
+/// the Hamaker constant is that of a half space with this work, unless it is given.
+fn supply_hamaker_constant(scene: &mut Scene, given: &mut HashSet<String>) {
+    const PATH: &str = "adhesion.hamaker_constant";
+    let adhesion = &mut scene.model.adhesion;
+    if given.contains(PATH) || !adhesion.needs_no_hamaker_constant() {
+        return;
     }
-    let needed = |key: &&Key| key.need == Need::Required && key.belongs_to(scene);
-    if let Some(key) = KEYS.iter().filter(needed).find(|key| !given.contains(&key.path())) {
-        return Err(missing(&file, text, document.get_ref(), key, &given, scene));
+    if let Some(work) = adhesion.work {
+        adhesion.hamaker_constant =
+            work / Adhesion { hamaker_constant: 1.0, ..*adhesion }.half_space().work_of_adhesion();
+        given.insert(PATH.to_owned());
     }
-    scene.check().map_err(|error| {
-        let span = place_of(document.get_ref(), error.key()).unwrap_or_else(|| end_of(text));
-        file.error(span, &format!("`{}`", error.key()), error.into())
-    })
+}
+
+/// The override without which there would be no such conflict: the one that gives its key, or else the last one that it needs.
+fn guilty<'a>(
+    name: &str,
+    text: &str,
+    document: &DeTable,
+    overrides: &'a [(String, String)],
+    conflict: &Conflict,
+) -> Option<(&'a str, &'a str)> {
+    let gives = |(path, _): &&(String, String)| path.trim() == conflict.key;
+    let needed = |&index: &usize| {
+        let others = [&overrides[..index], &overrides[index + 1..]].concat();
+        read(name, text, document, &others).is_ok_and(|(_, found)| found.is_none_or(|found| found.key != conflict.key))
+    };
+    let found = overrides.iter().rev().find(gives);
+    let found = found.or_else(|| (0..overrides.len()).rev().find(needed).map(|index| &overrides[index]));
+    found.map(|(path, value)| (path.as_str(), value.as_str()))
+}
+
+/// The message about a conflict, at the key in the file or where it would stand.
+fn in_file(file: &Origin, text: &str, document: &DeTable, conflict: &Conflict) -> SceneError {
+    let table = conflict.key.split_once('.').map_or("", |(table, _)| table);
+    let header = in_order(document).into_iter().find(|(name, _)| name_of(name) == table);
+    match (&conflict.missing, header) {
+        (None, _) => {
+            let span = place_of(document, &conflict.key).unwrap_or_else(|| end_of(text));
+            file.error(span, &format!("`{}`", conflict.key), conflict.problem.clone())
+        }
+        (Some(missing), Some((header, _))) => {
+            file.error(header.span(), &format!("[{table}]"), missing.in_table.clone())
+        }
+        (Some(missing), None) => file.error(end_of(text), "the scene", missing.table.clone()),
+    }
 }
 
 /// Gives the substrate the shape that the text names, which says what its other keys mean.
@@ -213,37 +293,6 @@ fn unknown_table(file: &Origin, found: &Spanned<toml::de::DeString>) -> SceneErr
     file.error(found.span(), &format!("[{}]", one_line(name_of(found))), problem)
 }
 
-/// Says which table or key a scene has to have besides what it has.
-fn missing(
-    file: &Origin,
-    text: &str,
-    document: &DeTable,
-    key: &Key,
-    given: &HashSet<String>,
-    scene: &Scene,
-) -> SceneError {
-    let needed = |other: &&Key| other.table == key.table && other.need == Need::Required && other.belongs_to(scene);
-    // of two of which one is wanted the first is shown
-    let shown = |other: &&Key| needed(other) && !matches!(other.kind, Kind::Pieces(_));
-    let wanted = KEYS.iter().filter(shown);
-    let wanted: Vec<String> = wanted.filter(|other| !given.contains(&other.path())).map(Key::example_line).collect();
-    let wanted = wanted.join(", ");
-    let header = in_order(document).into_iter().find(|(name, _)| name_of(name) == key.table);
-    match header {
-        Some((table, _)) => {
-            let remedy = format!("`{}` is the {}. Add for example {wanted}", key.name, key.about);
-            let instead = key.alternative().map(|other| format!(" or `{other}` instead")).unwrap_or_default();
-            let problem = ValueError::new(format!("lacks `{}`{instead}", key.name), remedy);
-            file.error(table.span(), &format!("[{}]", key.table), problem)
-        }
-        None => {
-            let remedy = format!("Add a line [{}] and below it for example {wanted}", key.table);
-            let problem = ValueError::new(format!("lacks the table [{}]", key.table), remedy);
-            file.error(end_of(text), "the scene", problem)
-        }
-    }
-}
-
 /// Where the value of the key of this path stands in a text, if it does.
 fn place_of(document: &DeTable, path: &str) -> Option<Range<usize>> {
     let (in_table, key) = path.split_once('.')?;
@@ -260,15 +309,30 @@ fn end_of(text: &str) -> Range<usize> {
 fn not_toml(file: &Origin, text: &str, error: &toml::de::Error) -> SceneError {
     let span = error.span().unwrap_or_else(|| end_of(text));
     let reason = error.message().lines().collect::<Vec<_>>().join("; ");
-    let remedy = "A scene is a TOML file: [table] on a line of its own, below it key = value; \
-                  texts and quantities are in quotes: length = \"100 nm\". `peel new` writes a template.";
+    let general = "A scene is a TOML file: [table] on a line of its own, below it key = value; \
+                   texts and quantities are in quotes: length = \"100 nm\". `peel new` writes a template.";
+    let comma = value_on_line(text, span.start).and_then(Comma::find);
+    let remedy = match comma {
+        Some(comma) => format!("A number has a decimal point: {}. {general}", one_line(&comma.decimal)),
+        None => general.to_owned(),
+    };
     file.error(span.clone(), &key_on_line(text, span.start), ValueError::new(format!("is not TOML: {reason}"), remedy))
 }
 
 /// The key that stands on the line of this place in a text that is not TOML, or "this".
 fn key_on_line(text: &str, at: usize) -> String {
-    let start = text.as_bytes()[..at.min(text.len())].iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
-    let key = text.get(start..).and_then(|line| line.lines().next()?.split_once('=')).map_or("", |(key, _)| key.trim());
+    let key = entry_on_line(text, at).map_or("", |(key, _)| key.trim());
     let is_key = !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || "._-".contains(c));
     if is_key { format!("`{}`", one_line(key)) } else { "this".to_owned() }
+}
+
+/// What stands behind the key on the line of this place.
+fn value_on_line(text: &str, at: usize) -> Option<&str> {
+    entry_on_line(text, at).map(|(_, value)| value.trim())
+}
+
+/// What stands before and behind the sign of equality on the line of this place.
+fn entry_on_line(text: &str, at: usize) -> Option<(&str, &str)> {
+    let start = text.as_bytes()[..at.min(text.len())].iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
+    text.get(start..)?.lines().next()?.split_once('=')
 }

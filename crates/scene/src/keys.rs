@@ -56,7 +56,7 @@ pub static KEYS: &[Key] = &[
     key("profile", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut profile(s).material.shear_correction), "shear correction factor of the section"),
     key("profile", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut profile(s).material.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
 
-    key("adhesion", "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H"),
+    key("adhesion", "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H; not for a cohesive law with work and strength"),
     key("adhesion", "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "equilibrium distance r0 of a pair of molecules"),
     key("adhesion", "law", Optional, Kind::Attraction(|s| &mut s.model.adhesion.attraction), "adhesion model: law of the half space, or a cohesive law"),
     key("adhesion", "work", Optional, Kind::Bound(Work, |s| &mut s.model.adhesion.work), "work of adhesion of a cohesive law; else the half space's"),
@@ -91,7 +91,7 @@ pub static KEYS: &[Key] = &[
     key("accuracy", "step", Optional, Kind::Share(Choice::STEP, |s| &mut s.accuracy.choice.step), "predictor tolerance over the equilibrium gap"),
 
     key("bounds", "points", Optional, Kind::Count(|s| &mut s.bounds.points), "largest number of points of a path"),
-    key("bounds", "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "longest time for a path; default 60 s"),
+    key("bounds", "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "longest time for a path"),
     key("bounds", "displacement", Optional, Kind::Bound(Length, |s| &mut s.bounds.displacement), "largest displacement of the grip"),
 ];
 
@@ -101,7 +101,7 @@ fn substrate(scene: &mut Scene) -> &mut Substrate {
 }
 
 /// The tables of a scene.
-pub(crate) fn tables() -> Vec<&'static str> {
+pub fn tables() -> Vec<&'static str> {
     let mut tables: Vec<_> = KEYS.iter().map(|key| key.table).filter(|table| !table.is_empty()).collect();
     tables.dedup();
     tables

@@ -230,4 +230,15 @@ impl Peel {
     pub fn shape(&self, index: usize) -> DeformedShape {
         self.trace.as_ref().map(|trace| trace.shape(index)).unwrap_or_default()
     }
+
+    /// The same with so many samples that a picture of it has no corners.
+    pub fn smooth_shape(&self, index: usize) -> DeformedShape {
+        self.trace.as_ref().map(|trace| trace.smooth_shape(index)).unwrap_or_default()
+    }
+
+    /// The deformed axis at a limit point of this peel, for a picture: solved anew between the path points on either side of it. Nothing
+    /// where that fails, or where the solutions behind the path are not known.
+    pub fn shape_at_limit_point(&self, limit: &LimitPoint) -> Option<DeformedShape> {
+        self.trace.as_ref()?.shape_at_limit_point(limit)
+    }
 }

@@ -3,7 +3,7 @@
 use super::{DeformedShape, LimitPoint};
 use crate::beam::{NodeState, PlanarBeam};
 use crate::model::PlanarProblem;
-use crate::solve::{LimitPointKind, PathSegment, Solution, State};
+use crate::solve::{LimitPointKind, PathSegment, ROUGH, Solution, State, Workspace, step_to};
 use std::sync::Arc;
 
 /// Path points with the problem that they solve.
@@ -25,6 +25,10 @@ impl std::fmt::Debug for SolutionHistory {
 
 /// Samples of the axis an element gets.
 const SAMPLES: usize = 6;
+/// Samples of the axis a whole beam gets at least in a picture.
+const SMOOTH: f64 = 240.0;
+/// Places on a step among which that of a limit point is chosen.
+const LABELS: usize = 400;
 
 impl SolutionHistory {
     /// (u, P, negative eigenvalues under displacement control) with `per_step` intervals a step. A displacement limit
@@ -65,11 +69,47 @@ impl SolutionHistory {
     pub fn shape(&self, index: usize) -> DeformedShape {
         self.points.get(index).map(|point| DeformedShape::of(&self.problem.beam, &point.at)).unwrap_or_default()
     }
+
+    /// The same with samples so near to one another that a picture of it has no corners.
+    pub fn smooth_shape(&self, index: usize) -> DeformedShape {
+        self.points.get(index).map(|point| DeformedShape::smooth(&self.problem.beam, &point.at)).unwrap_or_default()
+    }
+
+    /// The shape at a limit point of the path, solved between the points on either side of it; nothing where that fails.
+    pub fn shape_at_limit_point(&self, limit: &LimitPoint) -> Option<DeformedShape> {
+        if limit.after + 1 >= self.points.len() {
+            return None;
+        }
+        let mut segment = PathSegment::around(&self.problem, &self.points, limit.after);
+        let (end, middle) = (segment.end(), 0.5 * segment.end());
+        let displacement = segment.observable(|o| o.displacement, middle);
+        let force = segment.observable(|o| o.force, middle);
+        let scales = segment.change();
+        let away = |label: f64| {
+            let (u, p) = (displacement.at(label).0 - limit.displacement, force.at(label).0 - limit.force);
+            (u / scales.displacement).hypot(p / scales.force)
+        };
+        let labels = (0..=LABELS).map(|k| end * k as f64 / LABELS as f64);
+        let label = labels.min_by(|&a, &b| away(a).total_cmp(&away(b)))?;
+        let solution = step_to(&self.problem, &mut segment, 0.0, label, ROUGH, &mut Workspace::default()).ok()?;
+        Some(DeformedShape::smooth(&self.problem.beam, &solution.at))
+    }
 }
 
 impl DeformedShape {
     /// Axis and rotation of an equilibrium.
     pub(super) fn of(beam: &PlanarBeam, at: &State) -> Self {
+        Self::sampled(beam, at, |_| SAMPLES)
+    }
+
+    /// The same with samples so near to one another that a picture of it has no corners.
+    fn smooth(beam: &PlanarBeam, at: &State) -> Self {
+        let nearest = beam.length / SMOOTH;
+        Self::sampled(beam, at, |length| SAMPLES.max((length / nearest).ceil() as usize))
+    }
+
+    /// With so many samples to an element of a length, nm.
+    fn sampled(beam: &PlanarBeam, at: &State, samples: impl Fn(f64) -> usize) -> Self {
         let mut shape = Self::default();
         let sample = |e: usize, fraction: f64| {
             let (values, section) = beam.chain.sample(beam.configuration(at), e, 2.0 * fraction - 1.0);
@@ -81,9 +121,11 @@ impl DeformedShape {
         // the free end is held there, unless friction alone holds it
         let mut x = if beam.history.is_some() { at.values[0] } else { 0.0 };
         for e in 0..at.mesh.elements() {
-            let step = (at.mesh.boundaries[e + 1] - at.mesh.boundaries[e]) / SAMPLES as f64;
-            for k in 0..SAMPLES {
-                let fraction = |part: f64| (k as f64 + part) / SAMPLES as f64;
+            let length = at.mesh.boundaries[e + 1] - at.mesh.boundaries[e];
+            let samples = samples(length);
+            let step = length / samples as f64;
+            for k in 0..samples {
+                let fraction = |part: f64| (k as f64 + part) / samples as f64;
                 let (here, slope) = sample(e, fraction(0.0));
                 shape.push(x, here);
                 x += step * (slope + 4.0 * sample(e, fraction(0.5)).1 + sample(e, fraction(1.0)).1) / 6.0;

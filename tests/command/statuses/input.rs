@@ -94,6 +94,106 @@ fn a_sweep_that_makes_no_sense_is_bad_input() {
 }
 
 #[test]
+fn a_sweep_that_would_change_nothing_is_refused() {
+    let dir = bench();
+    let vary = |vary: &str, [from, to]: [&str; 2], sets: &[&str]| {
+        let sets = sets.iter().flat_map(|set| ["--set", set]);
+        let args = ["sweep", "strip-100nm.toml", "--vary", vary, "--from", from, "--to", to, "--points", "2"];
+        peel(dir.path(), &args.into_iter().chain(sets).collect::<Vec<_>>())
+    };
+    vary("strip.length", ["50 nm", "60 nm"], &["strip.length=70 nm"])
+        .is_bad_input(&["--set strip.length=70 nm sets the key that --vary varies", "Remove the --set"]);
+    vary("grip.stiffness", ["1 N/m", "2 N/m"], &[]).is_bad_input(&[
+        "--vary grip.stiffness would change no result",
+        "only the displacement-controlled test uses the spring",
+        "--observed",
+    ]);
+    let cohesive = ["adhesion.law=bilinear", "adhesion.work=30 mN/m", "adhesion.strength=50 MPa"];
+    vary("adhesion.hamaker_constant", ["1e-19 J", "2e-19 J"], &cohesive).is_bad_input(&[
+        "--vary adhesion.hamaker_constant would change no result",
+        "adhesion.work or adhesion.strength",
+    ]);
+    vary("friction.coefficient", ["0.1", "0.2"], &[]).is_bad_input(&["friction.coefficient", "has no strength"]);
+    assert!(!dir.path().join("out").exists());
+}
+
+#[test]
+fn a_sweep_that_has_changed_nothing_says_so() {
+    let dir = bench();
+    let args = ["sweep", "strip-100nm.toml", "--set", "accuracy.relative=1e-3", "--points", "2", "--vary"];
+    let sweep = |rest: &[&str]| peel(dir.path(), &[&args[..], rest].concat());
+    let none = sweep(&["bounds.points", "--from", "5000", "--to", "6000", "--json"]);
+    let remark = "bounds.points has no effect here: all 2 values give the same results, to the last digit";
+    assert_eq!((none.status, &none.json()["remarks"][0]), (0, &remark.into()));
+    let one = sweep(&["strip.width", "--from", "1 nm", "--to", "2 nm", "--json"]);
+    assert_eq!((one.status, one.json().get("remarks")), (0, None));
+}
+
+#[test]
+fn help_in_layers() {
+    let dir = bench();
+    for command in ["run", "sweep", "accuracy", "verify", "new", "keys", "figures"] {
+        let help = peel(dir.path(), &[command, "-h"]).stdout;
+        let (lines, widest) = (help.lines().count(), help.lines().map(|line| line.chars().count()).max());
+        assert!(lines <= 24, "{command} -h has {lines} lines");
+        assert!(widest <= Some(100), "{command} -h has {widest:?} columns:\n{help}");
+    }
+    let long = peel(dir.path(), &["run", "--help"]).stdout;
+    assert!(long.lines().count() > 60 && !long.contains("60 s unless given") && !long.contains("0.7853"), "{long}");
+    assert!(long.contains("bounds.time = \"60 s\"") && long.contains("spatula.shaft_angle = \"45 deg\""), "{long}");
+}
+
+#[test]
+fn keys_are_listed_a_line_each() {
+    let dir = bench();
+    let keys = |args: &[&str]| peel(dir.path(), &[&["keys"], args].concat());
+    let all = keys(&[]).stdout;
+    for key in peelkit_scene::KEYS {
+        assert!(
+            all.lines().any(|line| line.starts_with(&format!("{} ", key.name)) && line.ends_with(key.about)),
+            "{}",
+            key.path()
+        );
+    }
+    let widest = all.lines().map(|line| line.chars().count()).max();
+    assert!(widest <= Some(120), "{widest:?} columns");
+    let drive = keys(&["drive"]).stdout;
+    let angle = drive.lines().find(|line| line.starts_with("angle ")).unwrap();
+    assert_eq!(
+        angle.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>()[..4],
+        ["angle", "deg", "90 deg", "0 to 180"]
+    );
+    assert!(!drive.contains("hamaker_constant"));
+    let adhesion = keys(&["[adhesion]"]).stdout;
+    assert!(adhesion.contains("law: body-force, surface-traction, bilinear"), "{adhesion}");
+    assert!(keys(&["bounds"]).stdout.contains("60 s"));
+    assert!(keys(&["top"]).stdout.contains("title"));
+    keys(&["stripe"]).is_bad_input(&["stripe is not a table of a scene", "strip, spatula, profile"]);
+}
+
+#[test]
+fn new_names_its_kinds_and_writes_each() {
+    let dir = tempdir().unwrap();
+    let list = peel(dir.path(), &["new", "--list"]);
+    assert_eq!((list.status, list.stderr.as_str()), (0, ""));
+    let kinds: Vec<&str> = list
+        .stdout
+        .lines()
+        .filter_map(|line| line.strip_prefix("  ")?.split_once("  "))
+        .map(|(kind, _)| kind)
+        .collect();
+    assert!(kinds.len() >= 9 && kinds.starts_with(&["strip", "spatula", "profile"]), "{kinds:?}");
+    for kind in kinds {
+        assert_eq!(peel(dir.path(), &["new", "--kind", kind]).status, 0, "{kind}");
+        let text = fs::read_to_string(dir.path().join(format!("{kind}.toml"))).unwrap();
+        peelkit_scene::Scene::parse(kind, &text, &[]).unwrap();
+    }
+    assert!(!dir.path().join("out").exists());
+    assert_eq!(peel(dir.path(), &["new", "other", "--body", "spatula"]).status, 0);
+    peel(dir.path(), &["new", "--kind", "hair"]).is_bad_input(&["--kind hair is no kind of scene", "strip, spatula"]);
+}
+
+#[test]
 fn new_writes_a_scene_that_is_right_and_overwrites_nothing() {
     let dir = tempdir().unwrap();
     let new = |args: &[&str]| peel(dir.path(), &[&["new"], args].concat());

@@ -23,7 +23,7 @@ const GOES_ON: &str = "the same command resumes from there, --fresh starts anew"
 
 /// Computes the whole equilibrium path of one scene, with its limit points and their error bounds
 #[derive(Args)]
-#[command(after_long_help = help::run())]
+#[command(after_help = help::RUN, after_long_help = help::run())]
 pub struct Run {
     #[command(flatten)]
     scene: SceneArgs,
@@ -31,7 +31,9 @@ pub struct Run {
     #[command(flatten)]
     out: OutArgs,
 
-    /// Adds a displacement-controlled test: stable branches, jumps with the energy they release, and the return
+    /// Adds a displacement-controlled test: stable branches and jumps
+    ///
+    /// The machine retreats until the beam is off and returns to U = 0. Every jump comes with the energy that it releases.
     #[arg(long)]
     observed: bool,
 
@@ -41,14 +43,14 @@ pub struct Run {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1_000))]
     states: Option<u32>,
 
-    /// Discards the checkpoint of an unfinished run in the folder and starts anew
+    /// Discards the checkpoint of an unfinished run and starts anew
     #[arg(long)]
     fresh: bool,
 
     #[command(flatten)]
     units: UnitsArgs,
 
-    /// Prints only the object of summary.json; writes files only if --out is given
+    /// Prints summary.json alone; writes files only if --out is given
     #[arg(long)]
     json: bool,
 }

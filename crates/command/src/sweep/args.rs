@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 /// Varies a number of a scene, or two: peak force, plateau, snap-off and work against the values
 #[derive(Args)]
-#[command(after_long_help = help::sweep())]
+#[command(after_help = help::SWEEP, after_long_help = help::sweep())]
 pub struct Sweep {
     #[command(flatten)]
     pub scene: SceneArgs,
@@ -19,11 +19,15 @@ pub struct Sweep {
     #[command(flatten)]
     pub varied: Varied,
 
-    /// Follows one limit point from value to value instead of computing whole paths: much faster
+    /// Follows one limit point and computes no whole paths
+    ///
+    /// Much faster than a sweep of whole paths.
     #[arg(long, value_name = "POINT", conflicts_with = "peak_only")]
     follow: Option<Point>,
 
-    /// The same as --follow peak: only the initiation peak, the first local maximum of the force
+    /// The same as --follow peak: the initiation peak alone
+    ///
+    /// That is the first local maximum of the force.
     #[arg(long)]
     peak_only: bool,
 
@@ -37,7 +41,7 @@ pub struct Sweep {
     #[arg(long)]
     pub json: bool,
 
-    /// Discards the checkpoint of an interrupted sweep in the folder and starts anew
+    /// Discards the checkpoint of an interrupted sweep and starts anew
     #[arg(long)]
     pub fresh: bool,
 }

@@ -111,7 +111,7 @@ fn write(
     let mut files =
         vec![report::write_followed(folder, key, sweep, solve_s)?, report::write_parameters(folder, scene, command)?];
     if sweep.rows.iter().any(|row| row.point.is_some()) {
-        files.extend(report::draw_followed(sweep, &key.label(), &scene.title, log, folder)?);
+        files.extend(report::draw_followed(sweep, &key.path(), &scene.title, log, folder)?);
     }
     Ok(files)
 }

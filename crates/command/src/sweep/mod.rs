@@ -4,6 +4,7 @@ mod args;
 mod cases;
 mod failed;
 mod follow;
+mod no_effect;
 mod peels;
 mod varied;
 
@@ -16,6 +17,7 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let scene = args.scene.load()?;
     let wanted = args.units.wanted()?;
     let cases = Cases::of(&scene, &args.varied.parameters()?)?;
+    no_effect::refuse(&args.scene.overrides, &scene, &cases)?;
     match args.followed() {
         Some(kind) => follow::follow(args, kind, &scene, &cases, wanted),
         None => peels::peel_each(args, &scene, &cases, wanted),

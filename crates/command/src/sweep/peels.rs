@@ -4,6 +4,7 @@
 use super::args::Sweep;
 use super::cases::{Case, Cases};
 use super::failed::failed;
+use super::no_effect;
 use crate::command_line::command_line;
 use crate::interrupt::Interrupt;
 use crate::output::{list_files, progress_bar, say};
@@ -22,7 +23,7 @@ use std::sync::OnceLock;
 pub fn peel_each(args: &Sweep, scene: &Scene, cases: &Cases, wanted: WantedUnits) -> Result<(), Stop> {
     let (keys, all) = (cases.keys, cases.all.as_slice());
     let command = command_line();
-    let (rows, remarks, files) = match args.folder() {
+    let (rows, mut remarks, files) = match args.folder() {
         Some(folder) => {
             let bar = progress_bar(all.len());
             // before anything is written
@@ -40,6 +41,7 @@ pub fn peel_each(args: &Sweep, scene: &Scene, cases: &Cases, wanted: WantedUnits
         }
         None => (peel_unkept(all), Vec::new(), Ok(Vec::new())),
     };
+    remarks.extend(no_effect::seen(keys, &rows));
     if args.json {
         let summary = SweepSummary::new(scene, keys, &rows, &remarks).with_command(&command);
         say(&summary.to_json().map_err(Stop::other)?)?;

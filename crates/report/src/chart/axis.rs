@@ -56,6 +56,27 @@ impl Axis {
         }
     }
 
+    /// The power of ten that the texts of the ticks leave out: of a linear axis with many zeros.
+    fn decades(&self) -> i32 {
+        let largest = self.from.abs().max(self.to.abs());
+        if self.log || !largest.is_finite() || largest == 0.0 || (1e-3..1e5).contains(&largest) {
+            return 0;
+        }
+        3 * (largest.log10() / 3.0).floor() as i32
+    }
+
+    /// The label, with the power of ten that the texts leave out: "force P (10⁻⁶ nN)".
+    pub(crate) fn title(&self) -> String {
+        let power = match self.decades() {
+            0 => return self.label.clone(),
+            decades => format!("10{}", raised(decades)),
+        };
+        match self.label.rsplit_once('(') {
+            Some((words, unit)) => format!("{words}({power} {unit}"),
+            None => format!("{} ({power})", self.label),
+        }
+    }
+
     /// Ticks for about `count` texts.
     pub fn ticks(&self, count: usize) -> Vec<Tick> {
         let ticks = if self.log { self.log_ticks(count) } else { self.linear_ticks(count) };
@@ -68,11 +89,11 @@ impl Axis {
         let off = |step: &f64| (step / rough).ln().abs();
         let round = [1.0, 2.0, 5.0, 10.0].map(|m| m * decade);
         let step = round.into_iter().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(rough);
-        let digits = (-step.log10().floor()).clamp(0.0, 12.0) as usize;
+        let shown = step / 10f64.powi(self.decades());
+        let digits = (-(shown * 1.000_001).log10().floor()).clamp(0.0, 12.0) as usize;
         let (first, last) = ((self.from / step).ceil() as i64, (self.to / step).floor() as i64);
-        (first..=last)
-            .map(|i| Tick { value: i as f64 * step, text: Some(minus(format!("{:.digits$}", i as f64 * step))) })
-            .collect()
+        let text = |i: i64| minus(format!("{:.digits$}", i as f64 * shown));
+        (first..=last).map(|i| Tick { value: i as f64 * step, text: Some(text(i)) }).collect()
     }
 
     fn log_ticks(&self, count: usize) -> Vec<Tick> {
@@ -146,6 +167,21 @@ mod tests {
     fn linear_ticks_are_round_and_inside() {
         assert_eq!(texts(&Axis::linear("u", 0.0, 70.0), 7), ["0", "10", "20", "30", "40", "50", "60", "70"]);
         assert_eq!(texts(&Axis::linear("P", -0.011, 0.04), 5), ["−0.01", "0.00", "0.01", "0.02", "0.03", "0.04"]);
+    }
+
+    #[test]
+    fn many_zeros_go_into_the_label() {
+        let small = Axis::linear("force P (nN)", 0.0, 4e-5);
+        assert_eq!(
+            (texts(&small, 4), small.title()),
+            (["0", "10", "20", "30", "40"].map(Into::into).to_vec(), "force P (10⁻⁶ nN)".into())
+        );
+        let large = Axis::linear("u", 0.0, 3e6);
+        assert_eq!(
+            (texts(&large, 3), large.title()),
+            (["0", "1", "2", "3"].map(Into::into).to_vec(), "u (10⁶)".into())
+        );
+        assert_eq!(Axis::linear("u (nm)", 0.0, 70.0).title(), "u (nm)");
     }
 
     #[test]

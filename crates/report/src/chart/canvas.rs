@@ -128,11 +128,15 @@ impl Canvas<'_> {
 
     /// The length of a line of text, pixels.
     pub fn length(&self, text: &str, size: f64) -> Drawn<f64> {
-        let font = (font::FAMILY, size * EM * FINE).into_font();
-        let (wide, _) =
-            font.box_size(text).map_err(|e| DrawError(format!("the text {text:?} cannot be measured: {e}")))?;
-        Ok(f64::from(wide) / FINE)
+        length(text, size)
     }
+}
+
+/// The length of a line of text, pixels; the font is registered.
+pub(super) fn length(text: &str, size: f64) -> Drawn<f64> {
+    let font = (font::FAMILY, size * EM * FINE).into_font();
+    let (wide, _) = font.box_size(text).map_err(|e| DrawError(format!("the text {text:?} cannot be measured: {e}")))?;
+    Ok(f64::from(wide) / FINE)
 }
 
 fn fine(pixels: f64) -> i32 {

@@ -1,6 +1,6 @@
 //! One panel: axes around a frame, and what is drawn inside it.
 
-use super::axis::Axis;
+use super::axis::{Axis, Tick};
 use super::canvas::{Align, Canvas, Pixel, Stroke};
 use super::drawn::Drawn;
 use super::place::{Frame, Places, clip};
@@ -178,7 +178,7 @@ impl Panel {
         let Frame { left, top, right, bottom } = self.frame;
         let (thin, rule) = (Stroke::solid(colour::PALE, 0.8), Stroke::solid(colour::INK, 1.0));
         let label = |text: &str, at, align| canvas.text(text, at, size::TEXT, colour::INK, align);
-        for tick in self.x.ticks((self.frame.width() / 70.0) as usize) {
+        for tick in fitting(&self.x, self.frame.width(), 70.0, |text| canvas.length(text, size::TEXT))? {
             let (x, _) = self.pixel((tick.value, self.y.from));
             let depth = if tick.text.is_some() { 6.0 } else { 3.0 };
             if let Some(text) = tick.text {
@@ -188,7 +188,7 @@ impl Panel {
             canvas.line(&[(x, bottom), (x, bottom + depth)], &rule)?;
         }
         let mut widest: f64 = 0.0;
-        for tick in self.y.ticks((self.frame.height() / 50.0) as usize) {
+        for tick in fitting(&self.y, self.frame.height(), 50.0, |_| Ok(size::TEXT - 4.0))? {
             let (_, y) = self.pixel((self.x.from, tick.value));
             let depth = if tick.text.is_some() { 6.0 } else { 3.0 };
             if let Some(text) = tick.text {
@@ -202,16 +202,16 @@ impl Panel {
         rim.push(rim[0]);
         canvas.line(&rim, &rule)?;
         let (middle, half) = (0.5 * (left + right), 0.5 * (top + bottom));
-        canvas.text(&self.x.label, (middle, bottom + 37.0), size::LABEL, colour::INK, Align::Centre)?;
-        canvas.text(&self.y.label, (left - widest - 22.0, half), size::LABEL, colour::INK, Align::Upwards)?;
+        canvas.text(&self.x.title(), (middle, bottom + 37.0), size::LABEL, colour::INK, Align::Centre)?;
+        canvas.text(&self.y.title(), (left - widest - 22.0, half), size::LABEL, colour::INK, Align::Upwards)?;
         label(&self.title, (middle, top - 12.0), Align::Centre)
     }
 
     fn draw_legend(&self, canvas: &Canvas<'_>, places: &mut Places) -> Drawn {
         let lines = self.lines.iter().map(|l| (&l.name, Key::Line(&l.stroke)));
         let marks = self.marks.iter().map(|m| match m.note.as_ref().and_then(|note| note.badge) {
-            Some(number) => (&m.name, Key::Badge(number, m.colour)),
-            None => (&m.name, Key::Mark(m.symbol, m.colour)),
+            Some(number) if m.symbol == Symbol::Dot => (&m.name, Key::Badge(number, m.colour)),
+            _ => (&m.name, Key::Mark(m.symbol, m.colour)),
         });
         let bands = self.bands.iter().map(|b| (&b.name, Key::Band(b.colour)));
         let mut rows: Vec<(&str, Key<'_>)> = Vec::new();
@@ -264,14 +264,27 @@ fn draw_badge(canvas: &Canvas<'_>, number: usize, centre: Pixel, colour: RGBColo
     canvas.text(&number.to_string(), centre, 12.0, colour::INK, Align::Centre)
 }
 
+/// What a note shows: all of it, its first line alone where there is no room for more, or its number alone.
 fn draw_note(canvas: &Canvas<'_>, places: &mut Places, at: Pixel, mark: &Mark, note: &Note) -> Drawn {
     let indent = if note.badge.is_some() { 2.0 * BADGE } else { 0.0 };
-    let mut width = indent;
-    for text in &note.text {
-        width = width.max(indent + 5.0 + canvas.length(text, size::TEXT)?);
+    let size = |lines: &[String]| -> Drawn<(f64, f64)> {
+        let mut width = indent;
+        for text in lines {
+            width = width.max(indent + 5.0 + canvas.length(text, size::TEXT)?);
+        }
+        Ok((width, (lines.len() as f64 * size::LEADING).max(indent)))
+    };
+    let mut found = None;
+    for lines in [note.text.len(), 1] {
+        let lines = &note.text[..lines.min(note.text.len())];
+        let (width, height) = size(lines)?;
+        found = found.or_else(|| places.clear_beside(at, width, height).map(|place| (place, lines)));
     }
-    let height = (note.text.len() as f64 * size::LEADING).max(indent);
-    let place = places.beside(at, width, height);
+    let (place, lines) = match found {
+        Some(found) => found,
+        None if note.badge.is_some() => (places.beside(at, indent, indent), &[][..]),
+        None => return Ok(()),
+    };
     let near = place.nearest(at);
     let (across, down) = (near.0 - at.0, near.1 - at.1);
     let away = across.hypot(down);
@@ -280,7 +293,7 @@ fn draw_note(canvas: &Canvas<'_>, places: &mut Places, at: Pixel, mark: &Mark, n
         canvas.line(&leader, &Stroke::solid(colour::GREY, 0.8))?;
         places.add_line(&leader);
     }
-    if !note.text.is_empty() {
+    if !lines.is_empty() {
         canvas.area(&place.corners(), plotters::style::WHITE, 0.8)?;
     }
     if let Some(number) = note.badge {
@@ -288,9 +301,44 @@ fn draw_note(canvas: &Canvas<'_>, places: &mut Places, at: Pixel, mark: &Mark, n
         draw_badge(canvas, number, centre, mark.colour)?;
     }
     let left = if note.badge.is_some() { place.left + indent + 5.0 } else { place.left + 2.0 };
-    for (i, text) in note.text.iter().enumerate() {
-        let y = 0.5 * (place.top + place.bottom) + (i as f64 - 0.5 * (note.text.len() as f64 - 1.0)) * size::LEADING;
+    for (i, text) in lines.iter().enumerate() {
+        let y = 0.5 * (place.top + place.bottom) + (i as f64 - 0.5 * (lines.len() as f64 - 1.0)) * size::LEADING;
         canvas.text(text, (left, y), size::TEXT, colour::INK, Align::Left)?;
     }
     Ok(())
+}
+
+/// Free between two texts of an axis, pixels.
+const APART: f64 = 8.0;
+
+/// The ticks of an axis of so many pixels, about one text to `each` of them and as many as stand beside one another without touching;
+/// `extent` is that of a text along the axis.
+fn fitting(axis: &Axis, length: f64, each: f64, extent: impl Fn(&str) -> Drawn<f64>) -> Drawn<Vec<Tick>> {
+    let most = ((length / each) as usize).max(1);
+    for count in (1..=most).rev() {
+        let ticks = axis.ticks(count);
+        if touching(axis, length, &ticks, &extent)?.is_none() {
+            return Ok(ticks);
+        }
+    }
+    // not even the fewest: every text that touches the one before it goes
+    let mut ticks = axis.ticks(1);
+    while let Some(at) = touching(axis, length, &ticks, &extent)? {
+        ticks[at].text = None;
+    }
+    Ok(ticks)
+}
+
+/// The first tick whose text touches that of the one before it.
+fn touching(axis: &Axis, length: f64, ticks: &[Tick], extent: &impl Fn(&str) -> Drawn<f64>) -> Drawn<Option<usize>> {
+    let mut ends = f64::NEG_INFINITY;
+    for (index, tick) in ticks.iter().enumerate() {
+        let Some(text) = &tick.text else { continue };
+        let (centre, half) = (length * axis.place(tick.value), 0.5 * extent(text)?);
+        if centre - half < ends + APART {
+            return Ok(Some(index));
+        }
+        ends = centre + half;
+    }
+    Ok(None)
 }

@@ -1,16 +1,17 @@
 //! A picture: panels on a sheet under a title.
 
-use super::canvas::{Align, Canvas};
+use super::canvas::{Align, Canvas, length};
 use super::drawn::Drawn;
+use super::font;
 use super::panel::Panel;
 use super::style::{WIDTH, colour, size};
 
 /// Panels on a sheet under a title.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// The line above; a very long one is cut.
+    /// The line above; a very long one is cut. Further lines are a caption, which stands small below the panels.
     pub title: String,
-    /// Height of the sheet, pixels; its width is [`WIDTH`].
+    /// Height of the sheet without the caption, pixels; its width is [`WIDTH`].
     pub height: u32,
     /// In the order in which they are drawn.
     pub panels: Vec<Panel>,
@@ -19,27 +20,61 @@ pub struct Picture {
 impl Picture {
     /// The picture as SVG text.
     pub(crate) fn svg(&self) -> Drawn<String> {
-        Canvas::svg(WIDTH, self.height, |canvas| {
+        font::register()?;
+        let caption = self.caption()?;
+        let height = self.height + (LEADING * caption.len() as f64).ceil() as u32;
+        Canvas::svg(WIDTH, height, |canvas| {
             let (title, size) = self.fitted_title(canvas)?;
             canvas.text(&title, (0.5 * f64::from(WIDTH), 18.0), size, colour::INK, Align::Centre)?;
-            self.panels.iter().try_for_each(|panel| panel.draw(canvas))
+            self.panels.iter().try_for_each(|panel| panel.draw(canvas))?;
+            caption.iter().enumerate().try_for_each(|(line, text)| {
+                let y = f64::from(self.height) - 4.0 + (line as f64 + 0.5) * LEADING;
+                canvas.text(text, (MARGIN, y), SMALL, colour::CAPTION, Align::Left)
+            })
         })
+    }
+
+    /// The caption in lines that fit the sheet.
+    fn caption(&self) -> Drawn<Vec<String>> {
+        let room = f64::from(WIDTH) - 2.0 * MARGIN;
+        let mut lines = Vec::new();
+        for paragraph in self.title.lines().skip(1) {
+            let mut line = String::new();
+            for word in paragraph.split_whitespace() {
+                let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
+                if !line.is_empty() && length(&longer, SMALL)? > room {
+                    lines.push(std::mem::replace(&mut line, word.to_owned()));
+                } else {
+                    line = longer;
+                }
+            }
+            lines.push(line);
+        }
+        Ok(lines)
     }
 
     /// A long title is set smaller, a very long one is cut.
     fn fitted_title(&self, canvas: &Canvas<'_>) -> Drawn<(String, f64)> {
+        let title = self.title.lines().next().unwrap_or_default();
         let room = f64::from(WIDTH) - 20.0;
-        let full = canvas.length(&self.title, size::TITLE)?;
+        let full = canvas.length(title, size::TITLE)?;
         if full <= room {
-            return Ok((self.title.clone(), size::TITLE));
+            return Ok((title.to_owned(), size::TITLE));
         }
         let smallest = size::TEXT - 1.0;
         let shrunk = size::TITLE * room / full;
         if shrunk >= smallest {
-            return Ok((self.title.clone(), shrunk));
+            return Ok((title.to_owned(), shrunk));
         }
-        let letters = self.title.chars().count() as f64 * shrunk / smallest;
-        let cut: String = self.title.chars().take((letters as usize).saturating_sub(2)).collect();
+        let letters = title.chars().count() as f64 * shrunk / smallest;
+        let cut: String = title.chars().take((letters as usize).saturating_sub(2)).collect();
         Ok((format!("{}…", cut.trim_end()), smallest))
     }
 }
+
+/// Size of a caption, pixels.
+const SMALL: f64 = 11.5;
+/// From one line of a caption to the next, pixels.
+const LEADING: f64 = 15.0;
+/// Free to both sides of a caption, pixels.
+const MARGIN: f64 = 16.0;

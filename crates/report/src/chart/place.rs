@@ -72,24 +72,40 @@ impl Places {
         self.taken.push(spot);
     }
 
-    /// Takes the emptiest place along the rim for a block, a legend say.
+    /// Takes the emptiest place for a block, a legend say, by preference along the rim.
     pub fn along_rim(&mut self, width: f64, height: f64) -> Frame {
+        const STEPS: usize = 16;
         let free = (self.room.width() - width - 16.0, self.room.height() - height - 16.0);
-        let steps = [0.0, 1.0, 0.5, 0.25, 0.75];
         let at = |fx: f64, fy: f64| {
             let (left, top) = (self.room.left + 8.0 + fx * free.0, self.room.top + 8.0 + fy * free.1);
             Frame { left, top, right: left + width, bottom: top + height }
         };
-        let tries = steps.iter().flat_map(|&fx| [0.0, 1.0, 0.5, 0.25, 0.75].map(|fy| (fx, fy)));
-        let rim = tries.filter(|&(fx, fy)| [0.0, 1.0].contains(&fx) || [0.0, 1.0].contains(&fy));
-        let toll =
-            |fx: f64, fy: f64| [fx, fy].iter().map(|f| if [0.0, 1.0].contains(f) { 0.0 } else { 2.0 }).sum::<f64>();
-        let best = rim.map(|(fx, fy)| (at(fx, fy), toll(fx, fy)));
-        self.take(best.collect())
+        let part = |step: usize| step as f64 / STEPS as f64;
+        let is_end = |f: f64| f == 0.0 || f == 1.0;
+        // corners before rims, rims before the rest, and of these round parts first
+        let toll = |fx: f64, fy: f64| -> f64 {
+            let one = |f: f64| if is_end(f) { 0.0 } else { 2.0 + if (4.0 * f).fract() == 0.0 { 0.0 } else { 0.5 } };
+            one(fx) + one(fy) + if is_end(fx) || is_end(fy) { 0.0 } else { 8.0 }
+        };
+        let tries = (0..=STEPS).flat_map(|i| (0..=STEPS).map(move |j| (part(i), part(j))));
+        self.take(tries.map(|(fx, fy)| (at(fx, fy), toll(fx, fy))).collect())
     }
 
     /// Takes a place near `at` for a block.
     pub fn beside(&mut self, at: Pixel, width: f64, height: f64) -> Frame {
+        let tries = self.around(at, width, height);
+        self.take(tries)
+    }
+
+    /// Takes a place near `at` for a block that covers no other one and stays inside; none where there is no such place.
+    pub fn clear_beside(&mut self, at: Pixel, width: f64, height: f64) -> Option<Frame> {
+        let mut tries = self.around(at, width, height);
+        tries.retain(|(frame, _)| self.covered(frame) == 0.0 && self.outside(frame) < 1.0);
+        (!tries.is_empty()).then(|| self.take(tries))
+    }
+
+    /// Places near `at`, and what speaks against each.
+    fn around(&self, at: Pixel, width: f64, height: f64) -> Vec<(Frame, f64)> {
         let mut tries = Vec::new();
         for distance in [9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0, 80.0, 100.0, 125.0, 150.0] {
             for turn in 0..24 {
@@ -105,7 +121,7 @@ impl Places {
                 tries.push((frame, 0.12 * distance + 10.0 * hidden as f64));
             }
         }
-        self.take(tries)
+        tries
     }
 
     fn take(&mut self, tries: Vec<(Frame, f64)>) -> Frame {
@@ -117,10 +133,19 @@ impl Places {
 
     fn cost(&self, frame: &Frame) -> f64 {
         let wide = frame.grown(4.0);
-        let outside = frame.width() * frame.height() - frame.shared(&self.room.grown(-3.0));
         let crossed = self.ink.iter().filter(|&&p| wide.holds(p)).count() as f64;
-        let covered: f64 = self.taken.iter().map(|t| wide.shared(t)).sum();
-        crossed + covered + 5.0 * outside.max(0.0)
+        crossed + self.covered(frame) + 5.0 * self.outside(frame)
+    }
+
+    /// How much of what is taken a block and its rim cover, square pixels.
+    fn covered(&self, frame: &Frame) -> f64 {
+        let wide = frame.grown(4.0);
+        self.taken.iter().map(|taken| wide.shared(taken)).sum()
+    }
+
+    /// How much of a block lies outside, square pixels.
+    fn outside(&self, frame: &Frame) -> f64 {
+        (frame.width() * frame.height() - frame.shared(&self.room.grown(-3.0))).max(0.0)
     }
 }
 

@@ -15,6 +15,8 @@ pub mod colour {
     pub const ORANGE: RGBColor = RGBColor(230, 159, 0);
     /// Nearly black: text and frames.
     pub const INK: RGBColor = RGBColor(30, 30, 30);
+    /// Dark grey: what stands small below a picture.
+    pub const CAPTION: RGBColor = RGBColor(80, 80, 80);
     /// Middle grey: what is secondary.
     pub const GREY: RGBColor = RGBColor(120, 120, 120);
     /// Light grey: bands and grids.

@@ -3,10 +3,11 @@
 //! The peel begins within a nanometre and runs on for a hundred: where that is so, a panel of its own shows the
 //! initiation, and the panel of the whole path is cut above what follows.
 
+use super::peel::limit_at;
 use crate::chart::{
     Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, order_shade, significant,
 };
-use peelkit::study::{LimitPoint, LimitPointKind, Peel};
+use peelkit::study::{LimitPoint, LimitPointKind, PathEnd, Peel};
 
 const HEIGHT: u32 = 440;
 /// About how many points the curve is drawn with.
@@ -18,11 +19,71 @@ const LABELLED: usize = 8;
 /// A limit point nearer than this to a labelled one goes without a label, in parts of the ranges of both axes.
 const CROWDED: f64 = 0.02;
 
-type Curve = Vec<(f64, f64, usize)>;
+/// Displacement (nm), force (nN) and what is known of the equilibria there.
+type Curve = Vec<(f64, f64, Branch)>;
+
+/// What is known of an equilibrium under displacement control.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Branch {
+    Stable,
+    Unstable,
+    /// Of a path that stopped short: behind a change of stability that no located limit point explains.
+    Unverified,
+}
+
+impl Branch {
+    /// Of an equilibrium with so many negative eigenvalues.
+    fn of(negative: usize) -> Self {
+        if negative > 0 { Self::Unstable } else { Self::Stable }
+    }
+
+    fn stroke(self) -> Stroke {
+        match self {
+            Self::Stable => Stroke::solid(colour::BLUE, 2.0),
+            Self::Unstable => Stroke::dashed(colour::VERMILLION, 2.0),
+            Self::Unverified => Stroke::dotted(colour::GREY, 1.6),
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Stable => "stable",
+            Self::Unstable => "unstable under displacement control",
+            Self::Unverified => "stopped short: stability not verified",
+        }
+    }
+}
+
+/// The curve, densely up to where the stability of a path that stopped short is not verified, and its points from there on.
+fn curve_of(peel: &Peel) -> Curve {
+    let steps = (DENSE / peel.points.len().max(1)).clamp(2, 40);
+    let dense = peel.dense_curve(steps);
+    let known = |&(u, force, negative): &(f64, f64, usize)| (u, force, Branch::of(negative));
+    let Some(last) = last_verified(peel) else { return dense.iter().map(known).collect() };
+    // without its solutions a peel has its points alone
+    let each = if dense.len() == peel.points.len() { 1 } else { steps };
+    let unknown = peel.points[last + 1..].iter().map(|p| (p.displacement, p.force, Branch::Unverified));
+    dense.iter().take(each * last + 1).map(known).chain(unknown).collect()
+}
+
+/// Of a path that stopped short the last point up to which located limit points explain every change of stability; nothing where they
+/// explain all.
+fn last_verified(peel: &Peel) -> Option<usize> {
+    let PathEnd::Failed(_) = peel.end else { return None };
+    let explained = |after: usize| {
+        let between = peel.limit_points.iter().filter(|limit| limit.kind == LimitPointKind::Displacement);
+        between.filter(|limit| limit.after == after).count()
+    };
+    let changes = |after: usize| {
+        let [from, to] = [after, after + 1].map(|index| peel.points[index].negative_eigenvalues);
+        from.abs_diff(to) != explained(after) && from != to
+    };
+    (0..peel.points.len().saturating_sub(1)).find(|&after| changes(after))
+}
 
 /// The curve of a peel with two or more points.
 pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], title: &str) -> Picture {
-    let curve = peel.dense_curve((DENSE / peel.points.len().max(1)).clamp(2, 40));
+    let curve = curve_of(peel);
     let farthest = curve.iter().fold(0.0f64, |r, p| r.max(p.0));
     let zoom = peel.initiation_peak.map(|p| INITIATION * p.displacement).filter(|&u| u > 0.0 && u < 0.4 * farthest);
     let frame = |left, right| Frame {
@@ -35,8 +96,13 @@ pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], title: &str) -> Pic
     let mut panels = match zoom {
         Some(to) => {
             let first = panel(frame(74.0, 284.0), &curve, to, highest(&curve), "initiation");
-            let whole = panel(frame(366.0, wide), &curve, 1.04 * farthest, beyond(peel, &curve, to), "whole path");
-            vec![whole, first]
+            let force = beyond(peel, &curve, to);
+            let cut = peel.initiation_peak.map(|peak| peak.force).filter(|&peak| peak > 1.2 * force);
+            let title = match cut {
+                Some(peak) => format!("whole path, cut below the initiation peak of {} nN", significant(peak, 4)),
+                None => "whole path".to_owned(),
+            };
+            vec![panel(frame(366.0, wide), &curve, 1.04 * farthest, force, &title), first]
         }
         None => vec![panel(frame(84.0, wide), &curve, 1.04 * farthest, highest(&curve), "")],
     };
@@ -47,12 +113,6 @@ pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], title: &str) -> Pic
         panels[place].marks.push(mark);
     }
     name_symbols(&mut panels[0]);
-    if let (Some(_), Some(peak)) = (zoom, peel.initiation_peak.filter(|p| p.force > panels[0].y.to)) {
-        let at = (peak.displacement, panels[0].y.to);
-        let text = vec![format!("↑ to {} nN", significant(peak.force, 4))];
-        let note = Some(Note { badge: None, text });
-        panels[0].marks.push(Mark { at, symbol: Symbol::None, colour: colour::GREY, name: None, note });
-    }
     Picture { title: title.into(), height: HEIGHT, panels }
 }
 
@@ -83,39 +143,35 @@ fn panel(frame: Frame, curve: &Curve, to: f64, force: f64, title: &str) -> Panel
         let zero = vec![(left, 0.0), (to, 0.0)];
         panel.lines.push(Line { points: zero, stroke: Stroke::solid(colour::GREY, 0.9), name: None });
     }
-    for (unstable, points) in runs(curve) {
-        let stroke = if unstable { Stroke::dashed(colour::VERMILLION, 2.0) } else { Stroke::solid(colour::BLUE, 2.0) };
-        panel.lines.push(Line { points, stroke, name: None });
+    for (branch, points) in runs(curve) {
+        panel.lines.push(Line { points, stroke: branch.stroke(), name: None });
     }
     panel
 }
 
-/// The curve in segments of one kind, stable or not; neighbours share their end points.
-fn runs(curve: &Curve) -> Vec<(bool, Vec<(f64, f64)>)> {
-    let mut runs: Vec<(bool, Vec<(f64, f64)>)> = Vec::new();
-    for &(u, force, negative) in curve {
+/// The curve in segments of one kind; neighbours share their end points.
+fn runs(curve: &Curve) -> Vec<(Branch, Vec<(f64, f64)>)> {
+    let mut runs: Vec<(Branch, Vec<(f64, f64)>)> = Vec::new();
+    for &(u, force, branch) in curve {
         match runs.last_mut() {
-            Some((unstable, points)) if *unstable == (negative > 0) => points.push((u, force)),
+            Some((last, points)) if *last == branch => points.push((u, force)),
             Some((_, points)) => {
                 let joint = points.last().copied().unwrap_or((u, force));
-                runs.push((negative > 0, vec![joint, (u, force)]));
+                runs.push((branch, vec![joint, (u, force)]));
             }
-            None => runs.push((negative > 0, vec![(u, force)])),
+            None => runs.push((branch, vec![(u, force)])),
         }
     }
     runs
 }
 
 fn name_stability(panel: &mut Panel, curve: &Curve) {
-    if curve.iter().all(|p| p.2 == 0) {
+    if curve.iter().all(|p| p.2 == Branch::Stable) {
         return;
     }
-    for line in &mut panel.lines {
-        match line.stroke.colour {
-            colour::BLUE => line.name = Some("stable".into()),
-            colour::VERMILLION => line.name = Some("unstable under displacement control".into()),
-            _ => {}
-        }
+    for branch in [Branch::Stable, Branch::Unstable, Branch::Unverified] {
+        let of_branch = panel.lines.iter_mut().filter(|line| line.stroke == branch.stroke());
+        of_branch.for_each(|line| line.name = Some(branch.name().into()));
     }
 }
 
@@ -152,9 +208,20 @@ fn marks(peel: &Peel, numbered: &[usize]) -> Vec<Mark> {
         marks.push(Mark { at: (limit.displacement, limit.force), symbol, colour: colour::INK, name: None, note });
     }
     for (n, &i) in numbered.iter().enumerate() {
-        let at = (peel.points[i].displacement, peel.points[i].force);
-        let note = Some(Note { badge: Some(n + 1), text: Vec::new() });
-        marks.push(Mark { at, symbol: Symbol::Dot, colour: order_shade(n, numbered.len()), name: None, note });
+        let (badge, colour) = (Some(n + 1), order_shade(n, numbered.len()));
+        let limit = limit_at(peel, i);
+        let at = limit.map_or((peel.points[i].displacement, peel.points[i].force), |l| (l.displacement, l.force));
+        // a limit point has its number beside its values
+        match marks.iter_mut().find(|mark| limit.is_some() && mark.at == at) {
+            Some(mark) => {
+                mark.note.get_or_insert_default().badge = badge;
+                mark.colour = colour;
+            }
+            None => {
+                let note = Some(Note { badge, text: Vec::new() });
+                marks.push(Mark { at, symbol: Symbol::Dot, colour, name: None, note });
+            }
+        }
     }
     marks
 }
@@ -190,11 +257,12 @@ mod tests {
 
     #[test]
     fn stretches_of_one_kind_share_their_end_points() {
-        let curve = vec![(0.0, 0.0, 0), (1.0, 1.0, 0), (0.5, 0.8, 1), (0.2, 0.5, 1), (0.4, 0.0, 0)];
+        let curve = [(0.0, 0.0, 0), (1.0, 1.0, 0), (0.5, 0.8, 1), (0.2, 0.5, 2), (0.4, 0.0, 0)];
+        let curve = curve.map(|(u, force, negative)| (u, force, Branch::of(negative))).to_vec();
         let expected = vec![
-            (false, vec![(0.0, 0.0), (1.0, 1.0)]),
-            (true, vec![(1.0, 1.0), (0.5, 0.8), (0.2, 0.5)]),
-            (false, vec![(0.2, 0.5), (0.4, 0.0)]),
+            (Branch::Stable, vec![(0.0, 0.0), (1.0, 1.0)]),
+            (Branch::Unstable, vec![(1.0, 1.0), (0.5, 0.8), (0.2, 0.5)]),
+            (Branch::Stable, vec![(0.2, 0.5), (0.4, 0.0)]),
         ];
         assert_eq!(runs(&curve), expected);
     }

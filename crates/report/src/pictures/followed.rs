@@ -1,6 +1,6 @@
 //! The picture of a sweep that followed one point: its force, or its displacement, against the varied value.
 
-use super::sweep::{STIFFNESS, STIFFNESS_LABEL, check_axis, dotted, panel};
+use super::sweep::{axis_of, check_axis, dotted, panel};
 use crate::chart::{Axis, Frame, Line, Picture, Stroke, WIDTH, colour, save};
 use crate::error::ReportError;
 use peelkit::study::{FollowedPoint, FollowedRow, FollowedSweep, PointKind};
@@ -28,21 +28,23 @@ pub fn draw_followed(
 }
 
 fn picture(sweep: &FollowedSweep, key: &str, title: &str, log: bool) -> Picture {
-    let label = if key == STIFFNESS { STIFFNESS_LABEL } else { key };
-    let x = Axis::around(label, sweep.rows.iter().map(|row| row.value), log);
+    let (label, scale) = axis_of(key);
+    let rows: Vec<FollowedRow> =
+        sweep.rows.iter().map(|row| FollowedRow { value: scale * row.value, ..row.clone() }).collect();
+    let x = Axis::around(&label, rows.iter().map(|row| row.value), log);
     let (left, right) = (88.0, f64::from(WIDTH) - 18.0);
     let upper = Frame { left, top: 40.0, right, bottom: 330.0 };
     let lower = Frame { left, top: 400.0, right, bottom: 620.0 };
     let mut panels = Vec::new();
     match sweep.kind {
         PointKind::InitiationPeak => {
-            let lines = lines(&sweep.rows, |at| Some(at.force), Stroke::solid(colour::BLUE, 2.0));
+            let lines = lines(&rows, |at| Some(at.force), Stroke::solid(colour::BLUE, 2.0));
             panels.push(dotted(panel(upper, &x, "initiation peak P (nN)", lines)));
         }
         PointKind::SnapOff => {
-            let places = lines(&sweep.rows, |at| Some(at.displacement), Stroke::solid(colour::BLUE, 2.0));
+            let places = lines(&rows, |at| Some(at.displacement), Stroke::solid(colour::BLUE, 2.0));
             panels.push(dotted(panel(upper, &x, "displacement at snap-off u (nm)", places)));
-            let works = lines(&sweep.rows, |at| at.work, Stroke::solid(colour::GREEN, 2.0));
+            let works = lines(&rows, |at| at.work, Stroke::solid(colour::GREEN, 2.0));
             if !works.is_empty() {
                 panels.push(dotted(panel(lower, &x, "work to snap-off W (aJ)", works)));
             }

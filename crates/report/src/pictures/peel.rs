@@ -5,7 +5,7 @@ use super::shapes::{Posed, shapes_picture};
 use crate::chart::{Picture, save};
 use crate::error::ReportError;
 use crate::names::end_reason;
-use peelkit::study::{LimitPoint, LimitPointKind, Peel, WarningKind};
+use peelkit::study::{DeformedShape, LimitPoint, LimitPointKind, PathEnd, Peel, WarningKind};
 use std::path::{Path, PathBuf};
 
 /// How many deformed shapes are shown.
@@ -19,16 +19,63 @@ const SHAPES: usize = 6;
 /// Fails where there is nothing to draw ([`ReportError::Draw`]) or a file cannot be written ([`ReportError::Write`]).
 pub fn draw_peel(peel: &Peel, title: &str, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let numbered = numbered_points(peel);
-    let mut files = save(&curve(peel, &numbered, title, &dir.join("curve.svg"))?, dir, "curve")?;
-    let caption = captioned(peel, title);
-    files.extend(save(&shapes(peel, &numbered, &caption, &dir.join("shapes.svg"))?, dir, "shapes")?);
+    let title = captioned(peel, title);
+    let mut files = save(&curve(peel, &numbered, &title, &dir.join("curve.svg"))?, dir, "curve")?;
+    files.extend(save(&shapes(peel, &numbered, &title, &dir.join("shapes.svg"))?, dir, "shapes")?);
     Ok(files)
 }
 
-/// The title of the shapes, with what is not to be trusted in them.
-fn captioned(peel: &Peel, title: &str) -> String {
-    let folded = peel.warnings().into_iter().find(|warning| warning.kind == WarningKind::FoldedOutline);
-    folded.map_or_else(|| title.to_owned(), |at| format!("{title} (outlines fold: |κ| h/2 up to {:.2})", at.value))
+/// The title with a caption: how the computation ended where it stopped short, and what of the model is not to be trusted in what the
+/// picture shows.
+pub fn captioned(peel: &Peel, title: &str) -> String {
+    let mut lines = vec![title.lines().collect::<Vec<_>>().join(" ")];
+    if let PathEnd::Failed(why) = &peel.end {
+        let why = why.to_string();
+        let first = why.split(". ").next().unwrap_or_default().trim_end_matches('.');
+        lines.push(format!("The computation stopped short: {first}."));
+    }
+    let shown = |kind| {
+        use WarningKind::{FoldedOutline, LargeStrain, ShortBeam, ShortProcessZone};
+        matches!(kind, ShortProcessZone | FoldedOutline | ShortBeam | LargeStrain)
+    };
+    let warnings = peel.warnings().into_iter().filter(|warning| shown(warning.kind));
+    lines.extend(warnings.map(|warning| format!("Warning: {warning}.")));
+    lines.join("\n")
+}
+
+/// The beam at a numbered point: at the limit point that is next to it, or else at the point itself.
+#[derive(Clone, Debug)]
+pub struct Pose {
+    /// nm
+    pub displacement: f64,
+    /// nN
+    pub force: f64,
+    /// Its axis
+    pub axis: DeformedShape,
+}
+
+/// The pose of `points[index]`; nothing where there is no such point.
+pub fn pose(peel: &Peel, index: usize) -> Option<Pose> {
+    let point = peel.points.get(index)?;
+    let at_limit = limit_at(peel, index).and_then(|limit| Some((limit, peel.shape_at_limit_point(limit)?)));
+    Some(match at_limit {
+        Some((limit, axis)) => Pose { displacement: limit.displacement, force: limit.force, axis },
+        None => Pose { displacement: point.displacement, force: point.force, axis: peel.smooth_shape(index) },
+    })
+}
+
+/// The displacement limit point, or the initiation peak, of which this path point is the nearest.
+pub(crate) fn limit_at(peel: &Peel, index: usize) -> Option<&LimitPoint> {
+    let is_peak = |limit: &LimitPoint| peel.initiation_peak.is_some_and(|peak| peak.displacement == limit.displacement);
+    let shown = |limit: &&LimitPoint| limit.kind == LimitPointKind::Displacement || is_peak(limit);
+    peel.limit_points.iter().filter(shown).find(|limit| nearest_to(peel, limit) == Some(index))
+}
+
+/// Of the path points on either side of a limit point the nearer one.
+fn nearest_to(peel: &Peel, limit: &LimitPoint) -> Option<usize> {
+    let last = peel.points.len().checked_sub(1)?;
+    let off = |i: usize| (peel.points[i].displacement - limit.displacement).abs();
+    (limit.after.min(last)..=(limit.after + 1).min(last)).min_by(|&a, &b| off(a).total_cmp(&off(b)))
 }
 
 /// The curve of a peel that has one; `path` is what the message names.
@@ -51,9 +98,9 @@ pub fn shapes(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -> Resu
         .iter()
         .enumerate()
         .filter_map(|(n, &i)| {
-            let point = peel.points.get(i)?;
-            let force = if point.force.abs() > 1e-6 * largest { point.force } else { 0.0 };
-            Some(Posed { number: n + 1, displacement: point.displacement, force, axis: peel.shape(i) })
+            let Pose { displacement, force, axis } = pose(peel, i)?;
+            let force = if force.abs() > 1e-6 * largest { force } else { 0.0 };
+            Some(Posed { number: n + 1, displacement, force, axis })
         })
         .filter(|posed| posed.axis.x.len() > 1)
         .collect();
@@ -83,7 +130,7 @@ pub fn numbered_points(peel: &Peel) -> Vec<usize> {
             off(a).total_cmp(&off(b))
         })
     };
-    let at = |limit: &LimitPoint| nearest(limit.displacement, limit.after.min(last), limit.after + 1);
+    let at = |limit: &LimitPoint| nearest_to(peel, limit);
     let snap_off = peel.snap_off.as_ref().and_then(at);
     let mut chosen: Vec<usize> = vec![last];
     chosen.extend(peel.initiation_peak.and_then(|p| nearest(p.displacement, 0, snap_off.unwrap_or(last))));

@@ -55,11 +55,9 @@ fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Pictur
     let stiffness = key == STIFFNESS;
     let strips = rows.iter().all(|row| row.model.strip().is_some());
     let labels = if strips { (FORCE, WORK) } else { ("force P (nN)", "work to snap-off W (aJ)") };
-    let label = match find_key(key) {
-        _ if stiffness => STIFFNESS_LABEL.to_owned(),
-        Ok(key) => key.label(),
-        Err(_) => key.to_owned(),
-    };
+    let (label, scale) = axis_of(key);
+    let rows: &[SweepRow] =
+        &rows.iter().map(|row| SweepRow { value: scale * row.value, ..row.clone() }).collect::<Vec<_>>();
     let x = Axis::around(&label, rows.iter().map(|r| r.value), log);
     let mut lines =
         series(rows, |r| Some(per_width(r, r.found.peak?.force)), Stroke::solid(colour::BLUE, 2.0), "peak force");
@@ -77,6 +75,15 @@ fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Pictur
     }
     let height = panels.last().map_or(0.0, |p| p.frame.bottom) + 54.0;
     Picture { title: title.into(), height: height as u32, panels }
+}
+
+/// The title of the axis of a key, and by what its values are multiplied there: angles are in degrees.
+pub(super) fn axis_of(key: &str) -> (String, f64) {
+    match find_key(key) {
+        _ if key == STIFFNESS => (STIFFNESS_LABEL.to_owned(), 1.0),
+        Ok(key) => (key.axis_title(), key.per_usual_unit()),
+        Err(_) => (key.to_owned(), 1.0),
+    }
 }
 
 /// A force or a work of a strip over its width; as it is of a body whose width varies.

@@ -6,12 +6,12 @@ use crate::error::ValueError;
 use crate::scene::Scene;
 use crate::shape;
 use crate::value::pieces;
-use crate::value::quantity::parse_quantity;
+use crate::value::quantity::{Comma, Dimension, parse_quantity};
 use crate::value::steps;
 use crate::value::table::{read_heights, read_profile};
 use crate::value::{Value, quoted};
 use peelkit::adhesion::Substrate;
-use peelkit::model::{Measured, ProfileForm, Range};
+use peelkit::model::{Measured, ModelErrorKind, ProfileForm, Range, angle_text};
 use std::sync::Arc;
 
 impl Key {
@@ -85,7 +85,15 @@ impl Key {
             _ => Range::Positive,
         };
         let found = Measured { value: number, unit: self.unit() };
-        range.check(found).map_err(|wrong| ValueError::new(wrong.to_string(), self.remedy()))?;
+        range.check(found).map_err(|wrong| {
+            let found = match wrong {
+                ModelErrorKind::OutOfRange { .. } if self.unit() == Dimension::Angle.unit() => {
+                    format!("is {}, which is out of range", angle_text(number))
+                }
+                wrong => wrong.to_string(),
+            };
+            ValueError::new(found, self.remedy())
+        })?;
         match self.kind {
             Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => *place(scene) = number,
             Kind::Bound(_, place) | Kind::Share(_, place) => *place(scene) = Some(number),
@@ -107,10 +115,10 @@ impl Key {
             Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => {
                 parse_quantity(text, dimension).map_err(|e| self.no_quantity(text, dimension, e))
             }
-            _ => text
-                .trim()
-                .parse()
-                .map_err(|_| ValueError::new(format!("is {}, not a number", quoted(text)), self.remedy())),
+            _ => text.trim().parse().map_err(|_| match Comma::find(text) {
+                Some(comma) => self.with_comma(text, &comma),
+                None => ValueError::new(format!("is {}, not a number", quoted(text)), self.remedy()),
+            }),
         }
     }
 

@@ -6,9 +6,10 @@ use crate::error::{ValueError, one_line};
 use crate::near::nearest;
 use crate::shape;
 use crate::value::pieces;
-use crate::value::quantity::{Dimension, QuantityError};
+use crate::value::quantity::{Comma, Dimension, QuantityError};
 use crate::value::steps;
 use crate::value::{Value, quoted, show};
+use peelkit::model::Range;
 
 impl Key {
     /// What the key takes, in words.
@@ -20,8 +21,8 @@ impl Key {
                 format!("{dimension} above zero with its unit in quotes ({})", dimension.units().join(", "))
             }
             Kind::Measure(dimension, range, _) => {
-                let (unit, units) = (dimension.unit(), dimension.units().join(", "));
-                format!("{dimension} with its unit in quotes ({units}), {range} in {unit}")
+                let units = dimension.units().join(", ");
+                format!("{dimension} with its unit in quotes ({units}), {}", in_usual_unit(range, dimension))
             }
             Kind::Count(_) => "a whole number from 1 to 1e9".into(),
             Kind::Fixed(most, _) => format!("a whole number from 1 to {most}"),
@@ -120,6 +121,10 @@ impl Key {
             QuantityError::NoNumber => {
                 ValueError::new(format!("is {}, which does not begin with a number", quoted(text)), self.remedy())
             }
+            QuantityError::Comma(comma) => self.with_comma(text, &comma),
+            QuantityError::NotMetric { unit } => {
+                ValueError::new(format!("is {}: {} is no metric unit", quoted(text), one_line(&unit)), self.remedy())
+            }
             QuantityError::NoUnit => self.no_unit(&quoted(text), &one_line(text.trim()), dimension),
             QuantityError::UnknownUnit { unit, near } => {
                 let guess = near.map(|near| format!("Did you mean \"{near}\"? ")).unwrap_or_default();
@@ -136,9 +141,18 @@ impl Key {
     }
 
     fn no_unit(&self, found: &str, number: &str, dimension: Dimension) -> ValueError {
-        let unit = dimension.unit();
+        let unit = dimension.usual_unit();
         let remedy = format!("Write \"{number} {unit}\" if {unit} is meant. {}", self.remedy());
         ValueError::new(format!("is {found}, a number without a unit"), remedy)
+    }
+
+    /// That a number has a comma.
+    pub(super) fn with_comma(&self, text: &str, comma: &Comma) -> ValueError {
+        let remedy = comma.remedy(|text| match self.is_text() {
+            true => quoted(text.trim()),
+            false => one_line(text.trim()),
+        });
+        ValueError::new(format!("is {}, a number with a comma", quoted(text)), remedy)
     }
 
     pub(super) fn wrong_type(&self, value: &Value) -> ValueError {
@@ -147,6 +161,11 @@ impl Key {
                 Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _),
                 Value::Number(number),
             ) => self.no_unit(&show(*number), &show(*number), *dimension),
+            (Kind::Number(..) | Kind::Share(..) | Kind::Count(_) | Kind::Fixed(..), Value::Text(text))
+                if let Some(comma) = Comma::find(text) =>
+            {
+                self.with_comma(text, &comma)
+            }
             (Kind::Number(..) | Kind::Share(..) | Kind::Count(_) | Kind::Fixed(..), Value::Text(text))
                 if text.trim().parse::<f64>().is_ok() =>
             {
@@ -161,5 +180,17 @@ impl Key {
             ),
             _ => ValueError::new(format!("is {value}"), self.remedy()),
         }
+    }
+}
+
+/// A range as a person writes it: of angles in degrees.
+fn in_usual_unit(range: Range, dimension: Dimension) -> String {
+    match (range, dimension) {
+        // the ends are half turns, as a user may round them
+        (Range::From(low, high), Dimension::Angle) => {
+            format!("from {:.0} to {:.0} deg", low.to_degrees(), high.to_degrees())
+        }
+        (Range::From(low, high), _) => format!("from {low:e} to {high:e} {}", dimension.unit()),
+        _ => format!("{range} in {}", dimension.unit()),
     }
 }

@@ -3,7 +3,9 @@
 mod access;
 mod choice;
 mod kind;
+mod listing;
 mod message;
+mod title;
 
 pub use kind::{Kind, Need};
 

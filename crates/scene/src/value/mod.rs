@@ -4,6 +4,7 @@ pub(crate) mod pieces;
 pub(crate) mod quantity;
 pub(crate) mod steps;
 pub(crate) mod table;
+mod unit;
 
 use crate::error::one_line;
 use peelkit::model::Measured;

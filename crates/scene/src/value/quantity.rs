@@ -1,16 +1,7 @@
 //! A number with its unit, as a user writes it: "100 nm", "2 GPa", "1e-19 J".
 
+use super::unit::{Powers, Unit, is_not_metric};
 use std::fmt;
-use std::str::FromStr;
-use uom::si::angle::radian;
-use uom::si::energy::attojoule;
-use uom::si::f64::{Angle, Energy, Force, Length, Pressure, RadiantExposure, SurfaceTension, Time};
-use uom::si::force::nanonewton;
-use uom::si::length::nanometer;
-use uom::si::pressure::gigapascal;
-use uom::si::radiant_exposure::joule_per_square_meter;
-use uom::si::surface_tension::newton_per_meter;
-use uom::si::time::second;
 
 /// What a quantity measures; each has one unit inside the library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,41 +48,45 @@ impl Dimension {
     pub const fn units(self) -> &'static [&'static str] {
         match self {
             Self::Length => &["nm", "um", "mm", "m", "pm"],
-            Self::Pressure => &["GPa", "MPa", "kPa", "Pa"],
+            Self::Pressure => &["GPa", "MPa", "kPa", "Pa", "N/m2"],
             Self::Energy => &["aJ", "zJ", "J", "eV"],
             Self::Time => &["s", "ms", "min", "h"],
             Self::Stiffness => &["N/m", "mN/m", "kN/m"],
             Self::Angle => &["rad", "deg"],
-            Self::Work => &["J/m2", "mJ/m2"],
+            Self::Work => &["J/m2", "mJ/m2", "N/m", "mN/m"],
             Self::Force => &["nN", "uN", "mN", "N", "pN"],
             Self::AnglePerLength => &["rad/nm", "deg/nm", "rad/um", "deg/um"],
         }
     }
 
-    /// How many of the library's units one `unit` is.
-    fn factor(self, unit: &str) -> Option<f64> {
-        let one = format!("1 {unit}");
+    /// The unit that a person most likely means who writes none.
+    pub(crate) const fn usual_unit(self) -> &'static str {
         match self {
-            Self::Length => Length::from_str(&one).ok().map(|q| q.get::<nanometer>()),
-            Self::Pressure => Pressure::from_str(&one).ok().map(|q| q.get::<gigapascal>()),
-            Self::Energy => Energy::from_str(&one).ok().map(|q| q.get::<attojoule>()),
-            Self::Time => Time::from_str(&one).ok().map(|q| q.get::<second>()),
-            // the quantity of this dimension that uom has
-            Self::Stiffness => SurfaceTension::from_str(&one).ok().map(|q| q.get::<newton_per_meter>()),
-            Self::Angle if unit == "deg" => Some(1f64.to_radians()),
-            Self::Force => Force::from_str(&one).ok().map(|q| q.get::<nanonewton>()),
-            // the quantity of this dimension that uom has
-            Self::Work => {
-                let one = one.replace("m^2", "m²").replace("m2", "m²");
-                RadiantExposure::from_str(&one).ok().map(|q| q.get::<joule_per_square_meter>())
-            }
-            Self::Angle => Angle::from_str(&one).ok().map(|q| q.get::<radian>()),
-            Self::AnglePerLength => {
-                let (angle, length) = unit.split_once('/')?;
-                let length = Self::Length.factor(&length.replace(['u', 'μ'], "µ"))?;
-                Some(scale(Self::Angle.factor(angle)?, length.recip()))
-            }
+            Self::Angle => "deg",
+            Self::AnglePerLength => "deg/nm",
+            _ => self.unit(),
         }
+    }
+
+    /// The powers of length, force, time and angle.
+    const fn powers(self) -> Powers {
+        match self {
+            Self::Length => [1, 0, 0, 0],
+            Self::Pressure => [-2, 1, 0, 0],
+            Self::Energy => [1, 1, 0, 0],
+            Self::Time => [0, 0, 1, 0],
+            Self::Stiffness | Self::Work => [-1, 1, 0, 0],
+            Self::Angle => [0, 0, 0, 1],
+            Self::Force => [0, 1, 0, 0],
+            Self::AnglePerLength => [-1, 0, 0, 1],
+        }
+    }
+
+    /// What a unit of these powers measures, in words.
+    fn measured_by(powers: Powers) -> String {
+        let found: Vec<String> =
+            Self::ALL.iter().filter(|known| known.powers() == powers).map(ToString::to_string).collect();
+        if found.is_empty() { "something else".into() } else { found.join(" or ") }
     }
 }
 
@@ -116,6 +111,8 @@ impl fmt::Display for Dimension {
 pub enum QuantityError {
     /// It does not begin with a number.
     NoNumber,
+    /// It has a comma.
+    Comma(Comma),
     /// The number stands alone.
     NoUnit,
     /// Nobody knows the unit; perhaps another one was meant.
@@ -124,6 +121,11 @@ pub enum QuantityError {
         unit: String,
         /// A unit of the right dimension that looks like it.
         near: Option<&'static str>,
+    },
+    /// The unit is an imperial one, or another that is not metric.
+    NotMetric {
+        /// As it was written.
+        unit: String,
     },
     /// The unit measures something else.
     WrongDimension {
@@ -134,27 +136,63 @@ pub enum QuantityError {
     },
 }
 
+/// A number that is written with a comma, and what it may mean.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comma {
+    /// With a decimal point in place of the comma
+    pub decimal: String,
+    /// Without it, where it may separate thousands
+    pub thousands: Option<String>,
+}
+
+impl Comma {
+    /// The comma in the number that a text begins with, if it is one.
+    pub fn find(text: &str) -> Option<Self> {
+        let (whole, rest) = text.trim().split_once(',')?;
+        let digits = rest.chars().take_while(char::is_ascii_digit).count();
+        if whole.parse::<f64>().is_err() || digits == 0 {
+            return None;
+        }
+        let thousands = (digits == 3 && !whole.contains('.')).then(|| format!("{whole}{rest}"));
+        Some(Self { decimal: format!("{whole}.{rest}"), thousands })
+    }
+
+    /// What would be right: a sentence of its own. `shown` puts a text as the user has to write it.
+    pub(crate) fn remedy(&self, shown: impl Fn(&str) -> String) -> String {
+        let decimal = shown(&self.decimal);
+        match &self.thousands {
+            Some(plain) => {
+                format!("Write {decimal} if the comma is a decimal one, {} if it separates thousands.", shown(plain))
+            }
+            None => format!("Write {decimal}, with a decimal point."),
+        }
+    }
+}
+
 /// Reads `text` as a quantity, in the library's unit of `dimension`.
 ///
-/// Fails where it does not begin with a number, or its unit is missing, unknown or of something else. Its range is not looked at.
+/// Fails where it does not begin with a number, or its unit is missing, unknown, not metric or of something else. Its range is not
+/// looked at.
 pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
-    let (value, unit) = split(text.trim()).ok_or(QuantityError::NoNumber)?;
-    if unit.is_empty() {
+    if let Some(comma) = Comma::find(text) {
+        return Err(QuantityError::Comma(comma));
+    }
+    let (value, written) = split(text.trim()).ok_or(QuantityError::NoNumber)?;
+    if written.is_empty() {
         return Err(QuantityError::NoUnit);
     }
-    // uom writes micro as U+00B5; people also write it as the letter u or as the Greek letter.
-    let micro = unit.strip_prefix(['u', 'μ']).map(|rest| format!("µ{rest}"));
-    let spellings = [Some(unit.to_owned()), micro];
-    let factor = |d: Dimension| spellings.iter().flatten().find_map(|unit| d.factor(unit));
-    if let Some(factor) = factor(dimension) {
-        return Ok(scale(value, factor));
+    match Unit::read(written) {
+        Some(unit) if unit.powers == dimension.powers() => Ok(unit.inside(value)),
+        Some(unit) => Err(QuantityError::WrongDimension {
+            unit: written.to_owned(),
+            measures: Dimension::measured_by(unit.powers),
+        }),
+        None if is_not_metric(written) => Err(QuantityError::NotMetric { unit: written.to_owned() }),
+        None => {
+            let near = crate::near::nearest(written, dimension.units().iter().copied());
+            Err(QuantityError::UnknownUnit { unit: written.to_owned(), near })
+        }
     }
-    let unit = unit.to_owned();
-    if let Some(other) = Dimension::ALL.into_iter().find(|&d| factor(d).is_some()) {
-        return Err(QuantityError::WrongDimension { unit, measures: other.to_string() });
-    }
-    let near = crate::near::nearest(&unit, dimension.units().iter().copied());
-    Err(QuantityError::UnknownUnit { unit, near })
 }
 
 /// The longest beginning of the text that is a number, and the rest.
@@ -164,19 +202,6 @@ fn split(text: &str) -> Option<(f64, &str)> {
     let ends = text.char_indices().map(|(at, c)| at + c.len_utf8()).take(LONGEST_NUMBER);
     let ends: Vec<usize> = ends.collect();
     ends.into_iter().rev().find_map(|end| Some((text[..end].parse().ok()?, text[end..].trim_start())))
-}
-
-/// `value * factor`, exact where the factor is a power of ten: the decimal point moves, nothing is rounded twice.
-fn scale(value: f64, factor: f64) -> f64 {
-    let decades = factor.log10().round();
-    let moved = || {
-        let text = format!("{value:e}");
-        let (digits, exponent) = text.split_once('e')?;
-        let exponent = exponent.parse::<i32>().ok()? + decades as i32;
-        format!("{digits}e{exponent}").parse::<f64>().ok()
-    };
-    let is_decades = (factor / 10f64.powf(decades) - 1.0).abs() < 1e-12;
-    is_decades.then(moved).flatten().unwrap_or(value * factor)
 }
 
 #[cfg(test)]
@@ -204,6 +229,16 @@ mod tests {
             ("20 mN/m", Dimension::Stiffness, 0.02),
             ("0.2 rad/nm", Dimension::AnglePerLength, 0.2),
             ("200 rad/um", Dimension::AnglePerLength, 0.2),
+            ("30 mN/m", Dimension::Work, 0.03),
+            ("30 mJ/m²", Dimension::Work, 0.03),
+            ("0.03 J/m^2", Dimension::Work, 0.03),
+            ("30 erg/cm2", Dimension::Work, 0.03),
+            ("2e9 N/m2", Dimension::Pressure, 2.0),
+            ("2e9 N/m²", Dimension::Pressure, 2.0),
+            ("2 nN/nm^2", Dimension::Pressure, 2.0),
+            ("2 kN/mm2", Dimension::Pressure, 2.0),
+            ("4 Å", Dimension::Length, 0.4),
+            ("0.2 uN", Dimension::Force, 200.0),
             ("60 s", Dimension::Time, 60.0),
             ("1 min", Dimension::Time, 60.0),
         ] {
@@ -231,5 +266,18 @@ mod tests {
         assert_eq!(length("1 furlongs"), UnknownUnit { unit: "furlongs".into(), near: None });
         assert_eq!(length("1 GPa"), WrongDimension { unit: "GPa".into(), measures: "a pressure".into() });
         assert_eq!(length("1 nN"), WrongDimension { unit: "nN".into(), measures: "a force".into() });
+        let both = "a stiffness or a work per area".into();
+        assert_eq!(length("1 mN/m"), WrongDimension { unit: "mN/m".into(), measures: both });
+        assert_eq!(length("1 m2"), WrongDimension { unit: "m2".into(), measures: "something else".into() });
+        for unit in ["mil", "mi", "in", "ft", "psi", "lbf"] {
+            let error = parse_quantity(&format!("1 {unit}"), Dimension::Length).unwrap_err();
+            assert_eq!(error, NotMetric { unit: unit.into() });
+        }
+        let comma = |decimal: &str, thousands: Option<&str>| {
+            Comma(super::Comma { decimal: decimal.into(), thousands: thousands.map(Into::into) })
+        };
+        assert_eq!(length("0,4 nm"), comma("0.4 nm", None));
+        assert_eq!(length("1,000 nm"), comma("1.000 nm", Some("1000 nm")));
+        assert_eq!(length("1, nm"), UnknownUnit { unit: ", nm".into(), near: None });
     }
 }

@@ -50,6 +50,10 @@ pub(crate) fn quantity(text: &str, dimension: Dimension, no_number: &str) -> Res
         Ok(_) => Err("whose amount is not a finite number".into()),
         Err(QuantityError::NoNumber) => Err(no_number.into()),
         Err(QuantityError::NoUnit) => Err(format!("whose amount has no unit ({units})")),
+        Err(QuantityError::Comma(comma)) => {
+            Err(format!("whose number has a comma: write \"{}\"", crate::error::one_line(&comma.decimal)))
+        }
+        Err(QuantityError::NotMetric { .. }) => Err(format!("whose unit is not metric ({units})")),
         Err(QuantityError::UnknownUnit { .. } | QuantityError::WrongDimension { .. }) => {
             Err(format!("whose unit is none of {dimension} ({units})"))
         }

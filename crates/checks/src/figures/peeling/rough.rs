@@ -180,6 +180,7 @@ fn draw(panel: &mut Panel, points: Vec<(f64, f64)>, name: &str, colour: RGBColor
     let stroke = if start == Start::Conformed { Stroke::solid(colour, 2.0) } else { Stroke::dashed(colour, 2.0) };
     let marks = points.iter().map(|&at| Mark { at, symbol: Symbol::Dot, colour, name: None, note: None });
     panel.marks.extend(marks);
-    let name = panel.y.label.starts_with("adhering").then(|| name.to_owned());
+    // above the forces of the first column there is room
+    let name = panel.y.label.starts_with("peak").then(|| name.to_owned());
     panel.lines.push(Line { points, stroke, name });
 }

@@ -5,7 +5,7 @@ use super::super::runner::{Runner, paper_strip};
 use peelkit::study::{PathEnd, Peel};
 use peelkit_report::ReportError;
 use peelkit_report::chart::significant;
-use peelkit_report::pictures::peel::{curve, numbered_points, shapes};
+use peelkit_report::pictures::peel::{Pose, curve, numbered_points, pose, shapes};
 use std::path::Path;
 
 /// How many peels the figures of this file take.
@@ -92,9 +92,9 @@ pub(in crate::figures) fn curve_table(peel: &Peel) -> Table {
 pub(in crate::figures) fn shape_table(peel: &Peel, shown: &[usize]) -> Table {
     let mut table = Table::new(&["shape", "displacement_nm", "force_nN", "x_nm", "y_nm", "rotation_rad"]);
     for (n, &i) in shown.iter().enumerate() {
-        let (point, shape) = (&peel.points[i], peel.shape(i));
-        for ((x, y), turn) in shape.x.iter().zip(&shape.y).zip(&shape.rotation) {
-            let numbers = [point.displacement, point.force, *x, *y, *turn].map(Some);
+        let Some(Pose { displacement, force, axis }) = pose(peel, i) else { continue };
+        for ((x, y), turn) in axis.x.iter().zip(&axis.y).zip(&axis.rotation) {
+            let numbers = [displacement, force, *x, *y, *turn].map(Some);
             table.push(&[&(n + 1).to_string()], &numbers, &[]);
         }
     }

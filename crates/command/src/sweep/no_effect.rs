@@ -1,0 +1,59 @@
+//! A sweep that would change nothing: refused where that is known before, and said where it is seen.
+
+use super::cases::Cases;
+use crate::stop::Stop;
+use peelkit::model::{Body, Spatula};
+use peelkit_report::{SweepRow, SweptKeys};
+use peelkit_scene::{Key, Scene};
+
+/// Refuses a key that `--set` gives as well, and one that no result of this scene depends on.
+pub fn refuse(overrides: &[(String, String)], scene: &Scene, cases: &Cases) -> Result<(), Stop> {
+    [Some(cases.keys.first), cases.keys.second].into_iter().flatten().try_for_each(|key| refuse_key(overrides, scene, key))
+}
+
+fn refuse_key(overrides: &[(String, String)], scene: &Scene, key: &Key) -> Result<(), Stop> {
+    let path = key.path();
+    if let Some((_, value)) = overrides.iter().find(|(set, _)| set.trim() == path) {
+        return Err(Stop::bad_input(
+            format!("--set {path}={value} sets the key that --vary varies, and would have no effect"),
+            "Remove the --set, or vary another key.",
+        ));
+    }
+    why_none(scene, key).map_or(Ok(()), |(why, remedy)| {
+        Err(Stop::bad_input(format!("--vary {path} would change no result: {why}"), remedy))
+    })
+}
+
+/// Why no result of this scene depends on the key, and what to do, if none does.
+fn why_none(scene: &Scene, key: &Key) -> Option<(&'static str, &'static str)> {
+    let model = &scene.model;
+    match key.path().as_str() {
+        "grip.stiffness" => Some((
+            "only the displacement-controlled test uses the spring of the machine, and a sweep has none",
+            "Use peel run --observed with --set grip.stiffness=... for each value.",
+        )),
+        "adhesion.hamaker_constant" if model.adhesion.needs_no_hamaker_constant() => Some((
+            "the cohesive law of this scene has a work of adhesion and a strength of its own",
+            "Vary adhesion.work or adhesion.strength, or remove one of them from the scene.",
+        )),
+        "spatula.tip_rounding_width" if matches!(&model.body, Body::Spatula(spatula) if is_blunt(spatula)) => Some((
+            "the tip of this spatula is blunt, tip_rounding_length is 0",
+            "Add --set spatula.tip_rounding_length=\"50 nm\", or vary spatula.tip_width.",
+        )),
+        _ => None,
+    }
+}
+
+fn is_blunt(spatula: &Spatula) -> bool {
+    spatula.tip_rounding_length == 0.0
+}
+
+/// That all values of a sweep gave the same results, if they did.
+pub fn seen(keys: SweptKeys, rows: &[SweepRow]) -> Option<String> {
+    let (first, others) = rows.split_first()?;
+    let alike = |row: &SweepRow| row.found.work.is_some() && row.found == first.found;
+    let have = if keys.second.is_some() { "have" } else { "has" };
+    (!others.is_empty() && others.iter().all(alike)).then(|| {
+        format!("{} {have} no effect here: all {} values give the same results, to the last digit", keys.names(), rows.len())
+    })
+}

@@ -1,0 +1,83 @@
+//! Keys of a scene that do not fit one another, or that are missing.
+
+use super::error::{Origin, SceneError, ValueError};
+use super::key::{Key, Kind, Need};
+use super::keys::KEYS;
+use super::scene::Scene;
+use std::collections::HashSet;
+
+/// What is wrong with a scene of which every value is right by itself.
+pub(crate) struct Conflict {
+    /// The key that is wrong or missing: `strip.length`.
+    pub key: String,
+    /// What is wrong with it.
+    pub problem: ValueError,
+    /// What is said in the file of a key that is missing there.
+    pub missing: Option<Missing>,
+}
+
+/// What is said of a key that a file lacks.
+pub(crate) struct Missing {
+    /// Of the table that lacks it.
+    pub in_table: ValueError,
+    /// Of the scene that lacks the table.
+    pub table: ValueError,
+}
+
+impl Conflict {
+    /// The first one of a scene to which these keys were given.
+    pub(crate) fn find(scene: &Scene, given: &HashSet<String>) -> Option<Self> {
+        let is_given = |key: &&Key| given.contains(&key.path());
+        // one that was valid until an override gave the substrate another shape
+        if let Some(key) = KEYS.iter().filter(is_given).find(|key| !key.belongs_to(scene)) {
+            return Some(Self { key: key.path(), problem: key.foreign(scene), missing: None });
+        }
+        let needed = |key: &&Key| key.need == Need::Required && key.belongs_to(scene);
+        if let Some(key) = KEYS.iter().filter(needed).find(|key| !is_given(key)) {
+            return Some(Self::missing(key, given, scene));
+        }
+        let error = scene.check().err()?;
+        Some(Self { key: error.key().to_owned(), problem: error.into(), missing: None })
+    }
+
+    /// That a scene lacks a key, beside these.
+    fn missing(key: &Key, given: &HashSet<String>, scene: &Scene) -> Self {
+        let needed = |other: &&Key| other.table == key.table && other.need == Need::Required && other.belongs_to(scene);
+        // of two of which one is wanted the first is shown
+        let shown = |other: &&Key| needed(other) && !matches!(other.kind, Kind::Pieces(_));
+        let wanted: Vec<&Key> = KEYS.iter().filter(shown).filter(|other| !given.contains(&other.path())).collect();
+        let lines: Vec<String> = wanted.iter().map(|other| other.example_line()).collect();
+        let lines = lines.join(", ");
+        let instead = key.alternative().map(|other| format!(" or `{other}` instead")).unwrap_or_default();
+        let (name, table, about) = (key.name, key.table, key.about);
+        let sets: Vec<String> =
+            wanted.iter().map(|other| format!("--set {}={}", other.path(), other.example())).collect();
+        let all = match key.shapes() {
+            shapes if shapes.is_empty() => String::new(),
+            _ => format!(" by `shape` = \"{}\"", scene.model.ground.substrate.name()),
+        };
+        Self {
+            key: key.path(),
+            problem: ValueError::new(
+                format!("is required{all}, and is not given"),
+                format!("It is the {about}. Add for example {}", sets.join(" ")),
+            ),
+            missing: Some(Missing {
+                in_table: ValueError::new(
+                    format!("lacks `{name}`{instead}"),
+                    format!("`{name}` is the {about}. Add for example {lines}"),
+                ),
+                table: ValueError::new(
+                    format!("lacks the table [{table}]"),
+                    format!("Add a line [{table}] and below it for example {lines}"),
+                ),
+            }),
+        }
+    }
+
+    /// The message about the override from which it comes.
+    pub(crate) fn of_override(self, path: &str, value: &str) -> SceneError {
+        let text = format!("{path}={value}");
+        Origin::Override { text: &text }.error(0..text.len(), &format!("`{}`", self.key), self.problem)
+    }
+}

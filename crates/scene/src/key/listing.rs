@@ -1,0 +1,92 @@
+//! A key in a few words, as a list of keys shows it: its default and what it may be.
+
+use super::choice::{HOLDS, LINE_LOADS, STARTS, TERMS, attractions};
+use super::{Key, Kind, Need};
+use crate::scene::Scene;
+use crate::shape;
+use crate::value::quantity::Dimension;
+use crate::value::{Value, show};
+use peelkit::model::{Range, angle_text};
+
+impl Key {
+    /// The unit that a list shows: of the library, but degrees for an angle; empty where the key takes no unit.
+    pub fn usual_unit(&self) -> &'static str {
+        self.dimension().map_or("", Dimension::usual_unit)
+    }
+
+    /// What the key measures, where it takes a quantity.
+    pub fn dimension(&self) -> Option<Dimension> {
+        match self.kind {
+            Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => Some(dimension),
+            _ => None,
+        }
+    }
+
+    /// What holds where a scene does not give the key, in words: "1 nm", "90 deg", "none", "automatic", "required".
+    pub fn default_text(&self) -> String {
+        if self.need == Need::Required {
+            return "required".into();
+        }
+        match (&self.kind, self.value(&Scene::empty(""))) {
+            (Kind::Text(_), _) => "file name".into(),
+            (Kind::Fixed(..) | Kind::Share(..), _) => "automatic".into(),
+            (Kind::Bound(..), None) => "none".into(),
+            (Kind::Steps(_), _) => "[]".into(),
+            (_, Some(Value::Number(angle))) if self.dimension() == Some(Dimension::Angle) => angle_text(angle),
+            // an angle per length of zero is that in any unit
+            (_, Some(Value::Number(0.0))) if !self.unit().is_empty() => format!("0 {}", self.usual_unit()),
+            (_, Some(Value::Number(number))) if !self.unit().is_empty() => format!("{} {}", show(number), self.unit()),
+            (_, Some(Value::Text(text))) => text,
+            (_, Some(value)) => value.to_string(),
+            (_, None) => "none".into(),
+        }
+    }
+
+    /// What the key may be, in words: "> 0", "from 0 to 180", "free, fixed".
+    pub fn range_text(&self) -> String {
+        match self.kind {
+            Kind::Text(_) => "text".into(),
+            Kind::Number(range, _) | Kind::Share(range, _) => numbers(range),
+            Kind::Measure(Dimension::Angle, Range::From(low, high), _) => {
+                format!("{:.0} to {:.0}", low.to_degrees(), high.to_degrees())
+            }
+            Kind::Measure(Dimension::AnglePerLength, Range::From(low, high), _) => {
+                format!("{:.0e} to {:.0e}", low.to_degrees(), high.to_degrees())
+            }
+            Kind::Measure(_, range, _) => numbers(range),
+            Kind::Quantity(..) | Kind::Bound(..) => numbers(Range::Positive),
+            Kind::Count(_) => "1 to 1e9, whole".into(),
+            Kind::Fixed(most, _) => format!("1 to {most}, whole"),
+            Kind::Flag(_) => "true, false".into(),
+            Kind::Table(_) | Kind::Heights(_) => "CSV, or its file".into(),
+            Kind::Pieces(_) => "list of tables".into(),
+            Kind::Steps(_) => "list of texts".into(),
+            _ => self.choices().join(", "),
+        }
+    }
+
+    /// The words that the key takes, where it takes one of several.
+    pub fn choices(&self) -> Vec<&'static str> {
+        fn words<T>(choices: &[(&'static str, T)]) -> Vec<&'static str> {
+            choices.iter().map(|(word, _)| *word).collect()
+        }
+        match self.kind {
+            Kind::Attraction(_) => words(&attractions()),
+            Kind::LineLoad(_) => words(LINE_LOADS),
+            Kind::Hold(_) => words(HOLDS),
+            Kind::Start(_) => words(STARTS),
+            Kind::Terms(_) => words(TERMS),
+            Kind::Shape(_) => words(&shape::names()),
+            _ => Vec::new(),
+        }
+    }
+}
+
+/// A range without words.
+fn numbers(range: Range) -> String {
+    match range {
+        Range::Positive => "> 0".into(),
+        Range::Between(low, high) => format!("> {low}, < {high}"),
+        Range::From(low, high) => format!("{} to {}", show(low), show(high)),
+    }
+}

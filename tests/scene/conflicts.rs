@@ -1,0 +1,77 @@
+//! Keys that do not fit one another, and where the message about them points.
+//!
+//! Expected: what an override has brought about is said of the override, and no line of the file is underlined; of a key that is
+//! missing the message names the key. Why: nothing is wrong with the file, and a search in it is in vain.
+
+use crate::text::{MINIMAL, assert_says, complaint, set, with};
+use peelkit_scene::Scene;
+
+/// The message as it stands on a terminal, with the text that is underlined.
+fn shown(text: &str, overrides: &[(String, String)]) -> String {
+    let error = Scene::parse("dir/a.toml", text, overrides).unwrap_err();
+    let text = format!("{error} / {}", error.remedy());
+    format!("{text} / {:?}", miette::Report::new(error))
+}
+
+#[test]
+fn a_shape_that_is_set_names_what_it_requires() {
+    let says = with("substrate.shape", "sphere").unwrap_err();
+    assert_says(
+        &says,
+        &[
+            "--set substrate.shape=sphere: `substrate.radius` is required by `shape` = \"sphere\", and is not given",
+            "radius of the sphere or cylinder",
+            "--set substrate.radius=\"200 nm\"",
+        ],
+    );
+    assert!(!says.contains("lacks the table"), "{says}");
+    let both = [set("substrate.shape", "sphere"), set("substrate.radius", "200 nm")].concat();
+    assert!(Scene::parse("a.toml", MINIMAL, &both).is_ok());
+}
+
+#[test]
+fn a_conflict_that_an_override_brings_about_is_said_of_it() {
+    let fixed = format!("{MINIMAL}[grip]\nrotation = \"fixed\"\n[drive]\nturn = \"1 deg/nm\"\n");
+    assert!(Scene::parse("a.toml", &fixed, &[]).is_ok());
+    let message = shown(&fixed, &set("grip.rotation", "free"));
+    assert_says(&message, &["--set grip.rotation=free: `drive.turn` is ", "`grip.rotation` is \"free\""]);
+    assert!(!message.contains("line "), "{message}");
+    // the key itself is set
+    let message = shown(MINIMAL, &set("drive.turn", "1 deg/nm"));
+    assert_says(&message, &["--set drive.turn=1 deg/nm: `drive.turn` is "]);
+    // of several the guilty one
+    let three = [set("strip.width", "2 nm"), set("grip.rotation", "free"), set("strip.height", "9 nm")].concat();
+    assert_says(&shown(&fixed, &three), &["--set grip.rotation=free: `drive.turn`"]);
+    let sphere = format!("{MINIMAL}[substrate]\nshape = \"sphere\"\nradius = \"200 nm\"\n");
+    let message = shown(&sphere, &set("substrate.shape", "flat"));
+    assert_says(&message, &["--set substrate.shape=flat: `substrate.radius` is a key of [substrate]"]);
+    // what is wrong in the file is said of the file, whatever is set
+    let wrong = fixed.replace("\"fixed\"", "\"free\"");
+    assert_says(&shown(&wrong, &set("strip.width", "2 nm")), &["dir/a.toml, line ", "`drive.turn` is "]);
+}
+
+#[test]
+fn a_second_body_without_keys_is_refused() {
+    assert_says(&complaint(&format!("[profile]{MINIMAL}")), &["line 1: [profile] stands beside [strip]"]);
+    assert_says(
+        &complaint(&format!("{MINIMAL}[spatula]\n")),
+        &["line 9: [spatula] stands beside [strip], and a scene peels one body", "Remove one of the tables"],
+    );
+}
+
+#[test]
+fn a_cohesive_law_with_work_and_strength_needs_no_hamaker_constant() {
+    let without = MINIMAL.replace("hamaker_constant = \"1e-19 J\"\n", "");
+    let law = |lines: &str| format!("{without}law = \"bilinear\"\n{lines}");
+    let text = law("work = \"30 mJ/m2\"\nstrength = \"50 MPa\"\n");
+    let model = Scene::parse("a.toml", &text, &[]).unwrap().model;
+    assert!((model.adhesion.half_space().work_of_adhesion() / 0.03 - 1.0).abs() < 1e-14);
+    let given = Scene::parse("a.toml", &text, &set("adhesion.hamaker_constant", "1e-19 J")).unwrap().model;
+    assert_eq!((given.adhesion.hamaker_constant, given.line_law().law), (0.1, model.line_law().law));
+    for lines in ["work = \"30 mJ/m2\"\n", "strength = \"50 MPa\"\n", ""] {
+        assert_says(
+            &complaint(&law(lines)),
+            &["[adhesion] lacks `hamaker_constant`", "cohesive law with work and strength"],
+        );
+    }
+}
