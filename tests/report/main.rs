@@ -1,7 +1,9 @@
 //! What a user gets: files, pictures, checkpoints; and that garbled scenes get no others.
 
+mod animation;
 mod garbled;
 mod outputs;
+mod overlay;
 mod pictures;
 mod resume;
 #[path = "../shared/pictures.rs"]

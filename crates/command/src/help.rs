@@ -66,6 +66,7 @@ Examples:
   peel run strip.toml
   peel run strip.toml --out thin --set strip.height=\"5 nm\"
   peel run strip.toml --set grip.rotation=fixed --json
+  peel run strip.toml --animate
   peel run strip.toml --set grip.rotation=fixed --set grip.stiffness=\"0.05 N/m\" --observed
 
 Files:
@@ -82,6 +83,7 @@ Files:
                      every limit point and at N points evenly along the path; states.pvd opens in ParaView
   observed.csv, .svg, .png   with --observed: the displacement-controlled test, one row for each point, pulling off and
                      returning; force against the displacement U of the machine
+  animation.html     with --animate: the beam over the substrate beside the curve, one file that a browser plays
   run.partial        checkpoint of a run of more than a second: the points of its path, written every second
 
 The folder is named after the scene, what is asked besides, and the keys that --set changes, those of [bounds] left
@@ -220,6 +222,13 @@ Examples:
   peel keys                every key of a scene
   peel keys adhesion       those of the table [adhesion]
   peel keys top            those above the tables";
+
+/// Of `peel plot --help`.
+pub const PLOT: &str = "\
+Examples:
+  peel plot out/thin out/thick
+  peel plot out/strip --data measured.csv --out compared
+  peel plot out/a/sweep.csv out/b/sweep.csv --log-x";
 
 /// Of `peel new --help`.
 pub const NEW_EXAMPLES: &str = "\

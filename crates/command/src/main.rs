@@ -13,6 +13,7 @@ mod interrupt;
 mod keys;
 mod new;
 mod output;
+mod plot;
 mod run;
 mod stop;
 mod sweep;
@@ -39,6 +40,7 @@ enum Command {
     Verify(verify::Verify),
     New(new::New),
     Keys(keys::Keys),
+    Plot(plot::Plot),
     Figures(figures::Figures),
 }
 
@@ -56,6 +58,7 @@ fn main() -> ExitCode {
         Command::Verify(args) => verify::verify(&args),
         Command::New(args) => new::new(&args),
         Command::Keys(args) => keys::keys(&args),
+        Command::Plot(args) => plot::plot(&args),
         Command::Figures(args) => figures::figures(&args),
     };
     match done {

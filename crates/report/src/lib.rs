@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+mod animation;
 pub mod chart;
 mod checkpoint;
 mod error;
@@ -10,6 +11,7 @@ mod file;
 mod folder;
 mod names;
 mod number;
+pub mod overlay;
 mod parameters_file;
 pub mod pictures;
 mod states;
@@ -19,6 +21,7 @@ mod swept_keys;
 mod tables;
 mod timing;
 
+pub use animation::write_animation;
 pub use checkpoint::{PartialRun, PartialSweep};
 pub use error::ReportError;
 pub use file::write_whole;

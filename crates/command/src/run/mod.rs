@@ -43,6 +43,10 @@ pub struct Run {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1_000))]
     states: Option<u32>,
 
+    /// Writes animation.html, the peel as a browser plays it
+    #[arg(long)]
+    animate: bool,
+
     /// Discards the checkpoint of an unfinished run and starts anew
     #[arg(long)]
     fresh: bool,
@@ -104,7 +108,13 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         None => summary,
     };
     let (files, left) = kept.as_ref().map_or((Ok(Vec::new()), None), |kept| {
-        kept.write(&peel, |dir| write(dir, &scene, &peel, test.as_ref(), (&summary, &command), args.states))
+        kept.write(&peel, |dir| {
+            let mut files = write(dir, &scene, &peel, test.as_ref(), (&summary, &command), args.states)?;
+            if args.animate && peel.points.len() > 1 {
+                files.push(report::write_animation(dir, &peel, &scene.title)?);
+            }
+            Ok(files)
+        })
     });
     // the results are reported even if they could not be written
     if args.json {

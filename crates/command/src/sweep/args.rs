@@ -19,9 +19,9 @@ pub struct Sweep {
     #[command(flatten)]
     pub varied: Varied,
 
-    /// Follows one limit point and computes no whole paths
+    /// Follows one limit point alone
     ///
-    /// Much faster than a sweep of whole paths.
+    /// No whole paths are computed, which is much faster.
     #[arg(long, value_name = "POINT", conflicts_with = "peak_only")]
     follow: Option<Point>,
 

@@ -211,7 +211,8 @@ impl Panel {
         let lines = self.lines.iter().map(|l| (&l.name, Key::Line(&l.stroke)));
         let marks = self.marks.iter().map(|m| match m.note.as_ref().and_then(|note| note.badge) {
             Some(number) if m.symbol == Symbol::Dot => (&m.name, Key::Badge(number, m.colour)),
-            _ => (&m.name, Key::Mark(m.symbol, m.colour)),
+            Some(_) => (&m.name, Key::Mark(m.symbol, colour::INK)),
+            None => (&m.name, Key::Mark(m.symbol, m.colour)),
         });
         let bands = self.bands.iter().map(|b| (&b.name, Key::Band(b.colour)));
         let mut rows: Vec<(&str, Key<'_>)> = Vec::new();

@@ -44,6 +44,9 @@ impl Frame {
     }
 }
 
+/// What is nearer to a legend is beside it, pixels.
+const NEAR: f64 = 24.0;
+
 /// What of a panel is taken already.
 pub(crate) struct Places {
     room: Frame,
@@ -88,7 +91,13 @@ impl Places {
             one(fx) + one(fy) + if is_end(fx) || is_end(fy) { 0.0 } else { 8.0 }
         };
         let tries = (0..=STEPS).flat_map(|i| (0..=STEPS).map(move |j| (part(i), part(j))));
-        self.take(tries.map(|(fx, fy)| (at(fx, fy), toll(fx, fy))).collect())
+        // and far from lines before near ones
+        let near = |frame: &Frame| {
+            let around = frame.grown(NEAR);
+            self.ink.iter().filter(|&&p| around.holds(p)).count() as f64 * 0.02
+        };
+        let tries = tries.map(|(fx, fy)| (at(fx, fy), toll(fx, fy))).map(|(frame, toll)| (frame, toll + near(&frame)));
+        self.take(tries.collect())
     }
 
     /// Takes a place near `at` for a block.

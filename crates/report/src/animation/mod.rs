@@ -1,0 +1,27 @@
+//! A peel as a page that a browser plays: the beam over the substrate beside the curve with a moving point. The page is one file that
+//! needs no other, and well-formed XML.
+
+mod frames;
+mod page;
+
+use crate::error::ReportError;
+use crate::file::write_whole;
+use crate::pictures::peel::captioned;
+use frames::frames;
+use peelkit::study::Peel;
+use std::path::{Path, PathBuf};
+
+/// Writes `animation.html` into `dir`.
+///
+/// Fails where the path has fewer than two points with shapes ([`ReportError::Draw`]) or the file cannot be written
+/// ([`ReportError::Write`]).
+pub fn write_animation(dir: &Path, peel: &Peel, title: &str) -> Result<PathBuf, ReportError> {
+    let path = dir.join("animation.html");
+    let frames = frames(peel);
+    if frames.len() < 2 {
+        let reason = format!("the path has {} points with a shape", frames.len());
+        return Err(ReportError::Draw { path, reason });
+    }
+    write_whole(&path, page::page(peel, &frames, &captioned(peel, title)).as_bytes())?;
+    Ok(path)
+}
