@@ -5,6 +5,7 @@ mod friction;
 mod interrupt;
 mod observed;
 mod output_folders;
+mod plot;
 mod pull;
 #[cfg(unix)]
 mod resume;

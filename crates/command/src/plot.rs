@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 #[command(after_help = help::PLOT, mut_arg("out", |out| out.help("Folder for the picture [default: out/plot]")))]
 pub struct Plot {
-    /// Folders that peel run or peel sweep has written, or their tables curve.csv or sweep.csv
+    /// Folders of peel run or peel sweep, or their tables curve.csv or sweep.csv
     #[arg(value_name = "FOLDER", required = true)]
     results: Vec<PathBuf>,
 

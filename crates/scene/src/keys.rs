@@ -56,12 +56,12 @@ pub static KEYS: &[Key] = &[
     key("profile", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut profile(s).material.shear_correction), "shear correction factor of the section"),
     key("profile", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut profile(s).material.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
 
-    key("adhesion", "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H; not for a cohesive law with work and strength"),
+    key("adhesion", "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H; none beside work and strength"),
     key("adhesion", "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "equilibrium distance r0 of a pair of molecules"),
     key("adhesion", "law", Optional, Kind::Attraction(|s| &mut s.model.adhesion.attraction), "adhesion model: law of the half space, or a cohesive law"),
     key("adhesion", "work", Optional, Kind::Bound(Work, |s| &mut s.model.adhesion.work), "work of adhesion of a cohesive law; else the half space's"),
     key("adhesion", "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.strength), "largest traction of a cohesive law; else the half space's"),
-    key("adhesion", "line_load", Optional, Kind::LineLoad(|s| &mut s.model.adhesion.line_load), "force and moment, force alone, independent of the section's rotation"),
+    key("adhesion", "line_load", Optional, Kind::LineLoad(|s| &mut s.model.adhesion.line_load), "force and moment, force alone, or independent of rotation"),
     key("adhesion", "far_face", Optional, Kind::Flag(|s| &mut s.model.adhesion.far_face), "whether the attraction of the upper surface is included"),
 
     key("substrate", "shape", Optional, Kind::Shape(substrate), "shape of the substrate"),

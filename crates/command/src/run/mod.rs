@@ -33,7 +33,7 @@ pub struct Run {
 
     /// Adds a displacement-controlled test: stable branches and jumps
     ///
-    /// The machine retreats until the beam is off and returns to U = 0. Every jump comes with the energy that it releases.
+    /// The machine retreats until the beam is off, and returns. Jumps come with the energy that they release.
     #[arg(long)]
     observed: bool,
 

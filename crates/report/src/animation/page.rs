@@ -19,7 +19,7 @@ svg{width:100%;height:auto}text{font:13px sans-serif;fill:#1e1e1e}.frame{fill:no
 .grid{stroke:#e8e8e8}.stable{fill:none;stroke:#0072b2;stroke-width:2}\
 .unstable{fill:none;stroke:#d55e00;stroke-width:2;stroke-dasharray:8 5}.ground{fill:#e8e8e8;stroke:#1e1e1e}\
 #beam{stroke-width:1.4;fill-opacity:.3}p.small{font-size:12px;color:#505050}\
-div.controls{display:flex;gap:1em;align-items:center}input{flex:1}output{min-width:19em}";
+div.controls{display:flex;gap:1em;align-items:center}input{flex:1}output{min-width:18em;font-size:14px}";
 
 /// No sign of it is one that XML reads: neither a left angle bracket nor an ampersand.
 const SCRIPT: &str = r#"

@@ -30,7 +30,7 @@ pub fn draw_followed(
 fn picture(sweep: &FollowedSweep, key: &str, title: &str, log: bool) -> Picture {
     let (label, scale) = axis_of(key);
     let rows: Vec<FollowedRow> =
-        sweep.rows.iter().map(|row| FollowedRow { value: scale * row.value, ..row.clone() }).collect();
+        sweep.rows.iter().map(|row| FollowedRow { value: scale * row.value, ..*row }).collect();
     let x = Axis::around(&label, rows.iter().map(|row| row.value), log);
     let (left, right) = (88.0, f64::from(WIDTH) - 18.0);
     let upper = Frame { left, top: 40.0, right, bottom: 330.0 };
