@@ -141,8 +141,8 @@ fn supply_hamaker_constant(scene: &mut Scene, given: &mut HashSet<String>) {
         return;
     }
     if let Some(work) = adhesion.work {
-        adhesion.hamaker_constant =
-            work / Adhesion { hamaker_constant: 1.0, ..*adhesion }.half_space().work_of_adhesion();
+        let of_one = Adhesion { hamaker_constant: 1.0, ..*adhesion }.half_space().work_of_adhesion();
+        adhesion.hamaker_constant = (work / of_one).clamp(f64::MIN_POSITIVE, f64::MAX);
         given.insert(PATH.to_owned());
     }
 }

@@ -191,7 +191,10 @@ proptest! {
         let line = format!("{} = {}\n", key.path(), key.example());
         let doubled = complaint(&format!("{text}{line}"));
         prop_assert!(doubled.contains("duplicate") && doubled.contains(&format!("`{}`", key.path())), "{}", doubled);
-        if key.need == Need::Required {
+        // the law of these scenes is cohesive, with work and strength, which needs none
+        if key.name == "hamaker_constant" {
+            prop_assert_eq!(check_parse(&text.replace(&line, "")), Ok(true));
+        } else if key.need == Need::Required {
             let missing = complaint(&text.replace(&line, ""));
             // of a table and pieces, one of which a profile takes, the table is named first
             let name = if key.alternative().is_some() { "table` or `pieces" } else { key.name };

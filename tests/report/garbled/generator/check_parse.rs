@@ -51,7 +51,11 @@ fn holds_what_was_given(text: &str, scene: &Scene) -> Result<(), String> {
             return Err(format!("`{path}` is {value} in the text and {stored} in the scene"));
         }
     }
-    let absent = |key: &&Key| key.belongs_to(scene) && given.iter().all(|(path, _)| *path != key.path());
+    // beside a cohesive law with work and strength it follows from these
+    let follows =
+        |key: &Key| key.path() == "adhesion.hamaker_constant" && scene.model.adhesion.needs_no_hamaker_constant();
+    let absent =
+        |key: &&Key| key.belongs_to(scene) && !follows(key) && given.iter().all(|(path, _)| *path != key.path());
     for key in KEYS.iter().filter(absent) {
         if key.need == Need::Required {
             return Err(format!("taken without `{}`", key.path()));
