@@ -6,9 +6,12 @@
 //! silently.
 
 use crate::shared_pictures::check_pictures;
-use peelkit::model::StripModel;
+use peelkit::model::{Spatula, StripModel};
 use peelkit::solve::LimitPointKind;
-use peelkit::study::{Accuracy, Failure, LimitPoint, PathEnd, Peak, Peel, PeelResult, Plateau, StopCriteria, peel};
+use peelkit::study::{
+    Accuracy, DeformedShape, Failure, LimitPoint, PathEnd, Peak, Peel, PeelResult, Plateau, StopCriteria, peel,
+};
+use peelkit_report::pictures::peel::{numbered_points, pose};
 use peelkit_report::{ReportError, SweepRow, draw_peel, draw_sweep};
 use std::path::Path;
 
@@ -81,6 +84,62 @@ fn a_peel_gives_its_curve_and_its_shapes() {
     {
         assert!(text.contains(label), "{label} is missing");
     }
+}
+
+#[test]
+fn the_warnings_stand_below_the_pictures_of_a_run() {
+    let dir = tempfile::tempdir().unwrap();
+    let files = draw_peel(&run(), "with warnings", dir.path()).unwrap();
+    for svg in files.iter().filter(|file| file.extension().is_some_and(|ending| ending == "svg")) {
+        let text = std::fs::read_to_string(svg).unwrap();
+        assert!(text.contains("Warning: the process zone is 0.217 times"), "{}", svg.display());
+        assert!(!text.contains("stopped short"));
+    }
+}
+
+/// Without the limit points that explain its changes of stability: what is behind the first is drawn neither as stable nor as unstable.
+#[test]
+fn a_path_that_stopped_short_is_not_drawn_as_stable() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut failed = run();
+    failed.end = PathEnd::Failed(Failure::NothingComputed);
+    let text = check_pictures(&draw_peel(&failed, "explained", dir.path()).unwrap());
+    assert!(text.contains("unstable under displacement control") && !text.contains("not verified"));
+    assert!(text.contains("The computation stopped short: "));
+    failed.limit_points.clear();
+    let text = check_pictures(&draw_peel(&failed, "unexplained", dir.path()).unwrap());
+    assert!(text.contains("stopped short: stability not verified"));
+    assert!(!text.contains("unstable under displacement control"));
+}
+
+#[test]
+fn shapes_stand_at_the_limit_points() {
+    let peel = run();
+    let poses: Vec<_> = numbered_points(&peel).into_iter().filter_map(|index| pose(&peel, index)).collect();
+    let folds: Vec<f64> =
+        peel.limit_points.iter().filter(|l| l.kind == LimitPointKind::Displacement).map(|l| l.displacement).collect();
+    assert!(folds.len() > 1);
+    let grip = |shape: &DeformedShape| *shape.y.last().unwrap();
+    for wanted in folds.into_iter().chain([peel.initiation_peak.unwrap().displacement]) {
+        let at = poses.iter().find(|pose| pose.displacement == wanted).unwrap_or_else(|| panic!("none at {wanted}"));
+        let lifted = grip(&at.axis) - grip(&peel.shape(0));
+        assert!((lifted / wanted - 1.0).abs() < 2e-3, "{lifted} nm at {wanted} nm");
+    }
+}
+
+#[test]
+fn shapes_have_no_corners() {
+    let spatula = Spatula::default().model();
+    let peel = peel(&spatula, &Accuracy::to(1e-4), &BOUNDS);
+    let at_peak = numbered_points(&peel)[1];
+    let turned = |shape: &DeformedShape| {
+        let slopes: Vec<f64> = (1..shape.x.len())
+            .map(|k| (shape.y[k] - shape.y[k - 1]).atan2(shape.x[k] - shape.x[k - 1]).to_degrees())
+            .collect();
+        slopes.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max)
+    };
+    let (smooth, coarse) = (turned(&peel.smooth_shape(at_peak)), turned(&peel.shape(at_peak)));
+    assert!(smooth < 6.0 && smooth < 0.7 * coarse, "{smooth} and {coarse} degrees");
 }
 
 #[test]

@@ -343,3 +343,33 @@ fn touching(axis: &Axis, length: f64, ticks: &[Tick], extent: &impl Fn(&str) -> 
     }
     Ok(None)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Texts of eight pixels a letter.
+    fn shown(axis: &Axis, length: f64) -> Vec<String> {
+        let extent = |text: &str| Ok(8.0 * text.chars().count() as f64);
+        let ticks = fitting(axis, length, 70.0, extent).unwrap();
+        assert_eq!(touching(axis, length, &ticks, &extent).unwrap(), None, "{ticks:?}");
+        ticks.into_iter().filter_map(|tick| tick.text).collect()
+    }
+
+    #[test]
+    fn texts_of_ticks_do_not_touch() {
+        assert_eq!(shown(&Axis::linear("u", 0.0, 3.0), 280.0), ["0", "1", "2", "3"]);
+        for length in [60.0, 120.0, 200.0, 300.0, 700.0] {
+            for axis in [
+                Axis::linear("u", 0.0, 0.00345),
+                Axis::linear("u", 123_456.0, 123_457.0),
+                Axis::linear("u", -12_345.0, 67_890.0),
+                Axis::log("u", 2.1e-5, 8.7e-5),
+                Axis::log("u", 1e-12, 1e12),
+                Axis::log("u", 0.7, 130.0),
+            ] {
+                assert!(!shown(&axis, length).is_empty() || length < 100.0, "{axis:?} over {length} pixels");
+            }
+        }
+    }
+}

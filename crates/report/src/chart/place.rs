@@ -218,6 +218,25 @@ mod tests {
     }
 
     #[test]
+    fn a_label_without_room_has_no_place() {
+        let mut places = Places::new(ROOM);
+        places.add_spot(Frame { left: 40.0, ..ROOM });
+        assert!(places.clear_beside((60.0, 50.0), 50.0, 12.0).is_none());
+        let found = places.clear_beside((60.0, 50.0), 20.0, 12.0).unwrap();
+        assert!(found.right < 40.0 && found.left > 0.0);
+    }
+
+    #[test]
+    fn a_legend_covers_no_line_where_there_is_room() {
+        let mut places = Places::new(ROOM);
+        // all but a corner of the room is full of lines
+        (0..20).for_each(|k| places.add_line(&[(5.0 * f64::from(k), 0.0), (5.0 * f64::from(k), 50.0)]));
+        (0..12).for_each(|k| places.add_line(&[(5.0 * f64::from(k), 50.0), (5.0 * f64::from(k), 100.0)]));
+        let legend = places.along_rim(25.0, 30.0);
+        assert!(places.ink.iter().all(|&p| !legend.holds(p)), "{legend:?}");
+    }
+
+    #[test]
     fn two_labels_of_one_spot_do_not_overlap() {
         let mut places = Places::new(ROOM);
         places.add_line(&[(0.0, 50.0), (100.0, 50.0)]);
