@@ -28,7 +28,7 @@ pub struct Accuracy {
     out: OutArgs,
 }
 
-const FOLDER: &str = "Folder for the outputs [default: out/accuracy, and the name of the scene and what is set]";
+const FOLDER: &str = "Folder for the outputs [default: out/accuracy, named after what is asked]";
 
 /// The scene where none is given.
 const PLAIN: &str = include_str!("../../../scenes/strip-100nm.toml");

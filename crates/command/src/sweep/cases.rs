@@ -1,6 +1,5 @@
 //! The cases of a sweep: the scene with each value, or each pair of values, in its place.
 
-use super::no_effect;
 use super::varied::{Parameter, TypedValues};
 use crate::stop::Stop;
 use peelkit_report::SweptKeys;
@@ -27,7 +26,7 @@ pub struct Cases {
 }
 
 impl Cases {
-    pub fn of(scene: &Scene, parameters: &[Parameter], overrides: &[(String, String)]) -> Result<Self, Stop> {
+    pub fn of(scene: &Scene, parameters: &[Parameter]) -> Result<Self, Stop> {
         let [first, rest @ ..] = parameters else {
             return Err(Stop::other("a sweep varies no key"));
         };
@@ -39,9 +38,6 @@ impl Cases {
                 format!("--vary {} is given twice", other.path()),
                 "Give two different keys, or all its values behind one --vary.",
             ));
-        }
-        for key in [Some(keys.first), keys.second].into_iter().flatten() {
-            no_effect::refuse(overrides, scene, key)?;
         }
         let firsts = values(scene, keys.first, first)?;
         let seconds = keys.second.zip(second).map(|(key, of)| values(scene, key, of)).transpose()?;

@@ -16,7 +16,8 @@ use cases::Cases;
 pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let scene = args.scene.load()?;
     let wanted = args.units.wanted()?;
-    let cases = Cases::of(&scene, &args.varied.parameters()?, &args.scene.overrides)?;
+    let cases = Cases::of(&scene, &args.varied.parameters()?)?;
+    no_effect::refuse(&args.scene.overrides, &scene, &cases)?;
     match args.followed() {
         Some(kind) => follow::follow(args, kind, &scene, &cases, wanted),
         None => peels::peel_each(args, &scene, &cases, wanted),

@@ -1,12 +1,17 @@
 //! A sweep that would change nothing: refused where that is known before, and said where it is seen.
 
+use super::cases::Cases;
 use crate::stop::Stop;
 use peelkit::model::{Body, Spatula};
 use peelkit_report::{SweepRow, SweptKeys};
 use peelkit_scene::{Key, Scene};
 
 /// Refuses a key that `--set` gives as well, and one that no result of this scene depends on.
-pub fn refuse(overrides: &[(String, String)], scene: &Scene, key: &Key) -> Result<(), Stop> {
+pub fn refuse(overrides: &[(String, String)], scene: &Scene, cases: &Cases) -> Result<(), Stop> {
+    [Some(cases.keys.first), cases.keys.second].into_iter().flatten().try_for_each(|key| refuse_key(overrides, scene, key))
+}
+
+fn refuse_key(overrides: &[(String, String)], scene: &Scene, key: &Key) -> Result<(), Stop> {
     let path = key.path();
     if let Some((_, value)) = overrides.iter().find(|(set, _)| set.trim() == path) {
         return Err(Stop::bad_input(
@@ -46,15 +51,9 @@ fn is_blunt(spatula: &Spatula) -> bool {
 /// That all values of a sweep gave the same results, if they did.
 pub fn seen(keys: SweptKeys, rows: &[SweepRow]) -> Option<String> {
     let (first, others) = rows.split_first()?;
-    let alike = |row: &SweepRow| {
-        (row.value, row.second) != (first.value, first.second) && row.found.work.is_some() && row.found == first.found
-    };
+    let alike = |row: &SweepRow| row.found.work.is_some() && row.found == first.found;
+    let have = if keys.second.is_some() { "have" } else { "has" };
     (!others.is_empty() && others.iter().all(alike)).then(|| {
-        let noun = if keys.second.is_some() { "have" } else { "has" };
-        format!(
-            "{} {noun} no effect here: all {} values give the same results, to the last digit",
-            keys.names(),
-            rows.len()
-        )
+        format!("{} {have} no effect here: all {} values give the same results, to the last digit", keys.names(), rows.len())
     })
 }

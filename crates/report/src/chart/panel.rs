@@ -276,8 +276,8 @@ fn draw_note(canvas: &Canvas<'_>, places: &mut Places, at: Pixel, mark: &Mark, n
         Ok((width, (lines.len() as f64 * size::LEADING).max(indent)))
     };
     let mut found = None;
-    for lines in [note.text.len(), 1] {
-        let lines = &note.text[..lines.min(note.text.len())];
+    for count in [note.text.len(), 1].into_iter().filter(|_| !note.text.is_empty()) {
+        let lines = &note.text[..count];
         let (width, height) = size(lines)?;
         found = found.or_else(|| places.clear_beside(at, width, height).map(|place| (place, lines)));
     }

@@ -1,7 +1,6 @@
 //! The picture of a sweep over two keys: maps of the peak force and of the work to snap-off over the plane of both, with contours.
 
 use super::contour::{Node, crossing};
-use super::sweep::{axis_of, check_axis};
 use crate::chart::{Axis, Frame, Line, Panel, Picture, RGBColor, Shape, Stroke, WIDTH, colour, order_shade, save};
 use crate::error::ReportError;
 use crate::sweep_row::SweepRow;
@@ -38,22 +37,14 @@ pub fn draw_plane(
     let values =
         [rows.iter().map(|row| Some(row.value)).collect::<Vec<_>>(), rows.iter().map(|row| row.second).collect()];
     for (values, (key, log)) in values.iter().zip([(keys.first, log[0]), (second, log[1])]) {
-        check_axis(values.iter().flatten().copied(), &key.path(), log).map_err(refuse)?;
+        super::sweep::check_axis(values.iter().flatten().copied(), &key.path(), log).map_err(refuse)?;
     }
     if rows.iter().all(|row| row.found.peak.is_none()) {
         return Err(refuse(format!("none of the {} pairs of {} has a peak force", rows.len(), keys.names())));
     }
-    let [(across, per_first), (up, per_second)] = [keys.first, second].map(|key| axis_of(&key.path()));
-    let in_usual_units = |row: &SweepRow| SweepRow {
-        value: per_first * row.value,
-        second: row.second.map(|value| per_second * value),
-        ..row.clone()
-    };
-    let rows: &[SweepRow] = &rows.iter().map(in_usual_units).collect::<Vec<_>>();
-    let axes = [
-        Grid::new(across, distinct(rows.iter().map(|row| row.value)), log[0]),
-        Grid::new(up, distinct(rows.iter().filter_map(|row| row.second)), log[1]),
-    ];
+    let [across, up] = values.map(|values| distinct(values.into_iter().flatten()));
+    let axes = [(keys.first.axis_title_in_library_unit(), across, log[0]), (second.axis_title_in_library_unit(), up, log[1])]
+        .map(|(label, values, log)| Grid::new(label, values, log));
     let mut panels = Vec::new();
     type Quantity = (&'static str, fn(&SweepRow) -> Option<f64>);
     let quantities: [Quantity; 2] = [

@@ -52,11 +52,20 @@ const TITLES: &[(&str, &str, &str)] = &[
 impl Key {
     /// The key as the title of an axis, in [`Key::usual_unit`]: "height of the section h (nm)".
     pub fn axis_title(&self) -> String {
+        self.titled(self.usual_unit())
+    }
+
+    /// The same in the unit of the library, [`Key::unit`]: angles are in rad.
+    pub fn axis_title_in_library_unit(&self) -> String {
+        self.titled(self.unit())
+    }
+
+    fn titled(&self, unit: &str) -> String {
         let path = self.path();
         let found = TITLES.iter().find(|(key, ..)| *key == path || *key == self.name);
         let (words, symbol) = found.map_or((self.about, ""), |&(_, words, symbol)| (words, symbol));
         let symbol = if symbol.is_empty() { String::new() } else { format!(" {symbol}") };
-        let unit = match self.usual_unit() {
+        let unit = match unit {
             "" => String::new(),
             "J/m2" => " (J/m²)".to_owned(),
             unit => format!(" ({unit})"),
