@@ -13,6 +13,7 @@ mod number;
 mod parameters_file;
 pub mod pictures;
 mod states;
+pub mod reference;
 mod summary;
 mod sweep_row;
 mod swept_keys;
