@@ -7,5 +7,6 @@ mod resume;
 #[path = "../shared/pictures.rs"]
 mod shared_pictures;
 mod states;
+mod sketch;
 #[path = "../shared/strip.rs"]
 mod strip;
