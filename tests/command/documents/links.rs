@@ -1,4 +1,5 @@
-//! Links of the documents lead to files that are there, and to headings in them; every chapter is in the list of chapters.
+//! Links of the documents lead to files that are there, and to headings in them; every chapter is in the list of chapters; what is
+//! cited is this version.
 
 use super::{chapters, documents, place, text};
 use std::path::Path;
@@ -51,4 +52,10 @@ fn every_chapter_is_in_the_summary() {
 #[test]
 fn the_readme_is_short() {
     assert!(text("README.md").lines().count() <= 150);
+}
+
+#[test]
+fn what_is_cited_is_this_version() {
+    let version = format!("\nversion: {}\n", env!("CARGO_PKG_VERSION"));
+    assert!(text("CITATION.cff").contains(&version));
 }
