@@ -1,10 +1,10 @@
 //! Blocks of the kind `console` show a command and what it prints. They are held against what it prints, words as they are and numbers
-//! of at least six digits to 1e-4; counts, times and error bounds may differ.
+//! of at least six digits to 1e-4; counts and error bounds may differ. Times are those of a machine: … stands in their place.
 
 use super::{blocks, documents, hold, place, text, writing};
 use std::process::Command;
 
-/// What the command prints, without the names of the files that it writes.
+/// What the command prints, without times and without the names of the files that it writes.
 fn printed(command: &str) -> String {
     let folder = tempfile::tempdir().unwrap();
     std::os::unix::fs::symlink(place("scenes").canonicalize().unwrap(), folder.path().join("scenes")).unwrap();
@@ -13,7 +13,26 @@ fn printed(command: &str) -> String {
         Command::new(env!("CARGO_BIN_EXE_peel")).args(&words[1..]).current_dir(folder.path()).output().unwrap();
     let text = format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     let lines = text.lines().filter(|line| !line.starts_with("wrote "));
-    lines.map(str::trim_end).collect::<Vec<_>>().join("\n").trim_end().to_owned()
+    let mut is_table = false;
+    let lines = lines.map(|line| {
+        is_table = line.ends_with(" ms  end") || is_table && !line.is_empty();
+        without_times(line.trim_end(), is_table)
+    });
+    lines.collect::<Vec<_>>().join("\n").trim_end().to_owned()
+}
+
+/// The line with … in place of the number before `ms`, or before the last word of a row of a sweep.
+fn without_times(line: &str, is_row: bool) -> String {
+    let behind = if is_row { line.rsplit_once("  ").map(|(_, end)| format!("  {end}")) } else { Some(" ms".into()) };
+    let parts = behind.as_ref().and_then(|behind| line.rsplit_once(behind.as_str()));
+    let Some((before, after)) = parts else { return line.to_owned() };
+    let start = before.rfind(' ').map_or(0, |space| space + 1);
+    if before[start..].parse::<f64>().is_err() {
+        return line.to_owned();
+    }
+    let width = before[start..].chars().count();
+    let time = if is_row { format!("{:>width$}", "…") } else { "…".into() };
+    format!("{}{time}{}{after}", &before[..start], behind.unwrap_or_default())
 }
 
 /// A word as it is compared: a number of few digits is a count, a time or a bound.
