@@ -6,7 +6,7 @@ mod pictures;
 mod resume;
 #[path = "../shared/pictures.rs"]
 mod shared_pictures;
-mod states;
 mod sketch;
+mod states;
 #[path = "../shared/strip.rs"]
 mod strip;

@@ -74,8 +74,10 @@ fn failure(mut words: Vec<String>, folder: &Path) -> Option<String> {
         if !has(&words, "--follow") && !has(&words, "--peak-only") {
             words.extend(["--set", "bounds.points=6"].map(str::to_owned));
         }
-        // pictures take longer than so few points
-        if !has(&words, "--json") {
+        // pictures take longer than so few points; what writes files of its own writes them anew
+        if has(&words, "--states") || has(&words, "--animate") {
+            words.push("--force".into());
+        } else if !has(&words, "--json") {
             words.push("--json".into());
         }
     } else {

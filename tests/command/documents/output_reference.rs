@@ -2,8 +2,10 @@
 //! writes.
 
 use super::{hold, row, text, with_part};
+use peelkit_report::STATE_FIELDS;
 use peelkit_report::reference::{
-    CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, OutputKey, PEEL_SUMMARY, SWEEP_COLUMNS, SWEEP_SUMMARY, paths,
+    CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, OutputKey, PEEL_SUMMARY, STATE_COLUMNS, SWEEP_COLUMNS,
+    SWEEP_SUMMARY, paths,
 };
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -21,6 +23,7 @@ fn the_output_reference_is_that_of_the_lists() {
         ("curve.csv", CURVE_COLUMNS, "column"),
         ("limit_points.csv", LIMIT_POINT_COLUMNS, "column"),
         ("observed.csv", OBSERVED_COLUMNS, "column"),
+        ("states.csv", &state_columns(), "column"),
         ("sweep.csv", SWEEP_COLUMNS, "column"),
     ] {
         let mut part = row(&[first, "unit", "meaning"]) + "|---|---|---|\n";
@@ -31,6 +34,12 @@ fn the_output_reference_is_that_of_the_lists() {
         reference = with_part(&reference, name, &part);
     }
     hold(PATH, &reference);
+}
+
+/// The columns of a state, and of each place.
+fn state_columns() -> Vec<OutputKey> {
+    let fields = STATE_FIELDS.iter().map(|field| OutputKey { path: field.name, about: field.about, like: None });
+    STATE_COLUMNS.iter().copied().chain(fields).collect()
 }
 
 const ROUGHLY: &[&str] = &["--set", "accuracy.relative=1e-3"];
@@ -101,26 +110,31 @@ fn every_key_of_a_summary_is_described() {
 fn every_column_is_described() {
     let folder = tempfile::tempdir().unwrap();
     let scene = format!("{}/scenes/strip-100nm.toml", super::ROOT);
-    let vary = ["sweep", &scene, "--vary", "strip.height", "--from", "10 nm", "--to", "11 nm", "--points", "2"];
-    peel(&[&["run", &scene, "--out", "run", "--observed"], ROUGHLY, FIXED].concat(), folder.path());
-    peel(&[&vary[..], &["--out", "sweep"], ROUGHLY].concat(), folder.path());
+    let vary = ["sweep", &scene, "--vary", "strip.height", "--values", "10 nm, 11 nm"];
+    let twice = ["--vary", "strip.length", "--values", "100 nm"];
+    peel(&[&["run", &scene, "--out", "run", "--observed", "--states", "0"], ROUGHLY, FIXED].concat(), folder.path());
+    peel(&[&vary[..], &twice, &["--out", "sweep"], ROUGHLY].concat(), folder.path());
     for (file, keys) in [
         ("run/curve.csv", CURVE_COLUMNS),
         ("run/limit_points.csv", LIMIT_POINT_COLUMNS),
         ("run/observed.csv", OBSERVED_COLUMNS),
+        ("run/states.csv", &state_columns()),
         ("sweep/sweep.csv", SWEEP_COLUMNS),
     ] {
         let table = std::fs::read_to_string(folder.path().join(file)).unwrap();
-        let found = table.lines().next().unwrap().split(',').map(str::to_owned).collect();
+        let columns = table.lines().next().unwrap().split(',').map(str::to_owned);
+        // the values once more, under the names of their keys
+        let found = columns.filter(|column| !column.starts_with("strip.")).collect();
         assert_described(&found, keys, file);
     }
 
     let mut found = BTreeSet::new();
-    for follow in [&[][..], &["--follow", "peak"]] {
+    for follow in [&twice[..], &["--follow", "peak"]] {
         let json = peel(&[&vary[..], &["--json"], ROUGHLY, follow].concat(), folder.path()).stdout;
         let json: Value = serde_json::from_slice(&json).unwrap();
         found.extend(json.as_object().unwrap().keys().cloned());
     }
-    found.insert("remarks".into());
+    // one is told of where there is something to tell, the other where the second key has a unit
+    found.extend(["remarks", "unit_2"].map(str::to_owned));
     assert_described(&found, SWEEP_SUMMARY, "peel sweep --json");
 }

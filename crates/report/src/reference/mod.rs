@@ -5,7 +5,7 @@ mod summary;
 mod tables;
 
 pub use summary::{PEEL_SUMMARY, SWEEP_SUMMARY};
-pub use tables::{CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, SWEEP_COLUMNS};
+pub use tables::{CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS};
 
 /// A key of a JSON object or a column of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,8 +29,20 @@ const fn like(path: &'static str, other: &'static str, about: &'static str) -> O
 }
 
 /// Endings of names that are units, and the units.
-const UNITS: &[(&str, &str)] =
-    &[("_nN_nm", "nN nm"), ("_nN", "nN"), ("_nm", "nm"), ("_aJ", "aJ"), ("_rad", "rad"), ("_s", "s")];
+const UNITS: &[(&str, &str)] = &[
+    ("_J_per_m2", "J/m²"),
+    ("_nN_nm2", "nN nm²"),
+    ("_nN_per_nm", "nN/nm"),
+    ("_aJ_per_nm", "aJ/nm"),
+    ("_per_nm", "1/nm"),
+    ("_GPa", "GPa"),
+    ("_nN_nm", "nN nm"),
+    ("_nN", "nN"),
+    ("_nm", "nm"),
+    ("_aJ", "aJ"),
+    ("_rad", "rad"),
+    ("_s", "s"),
+];
 
 impl OutputKey {
     /// The unit of its number; empty where it has none.
@@ -56,8 +68,15 @@ pub fn paths(keys: &[OutputKey]) -> Vec<String> {
 mod tests {
     use super::*;
 
-    const ALL: [&[OutputKey]; 6] =
-        [PEEL_SUMMARY, SWEEP_SUMMARY, CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, SWEEP_COLUMNS];
+    const ALL: [&[OutputKey]; 7] = [
+        PEEL_SUMMARY,
+        SWEEP_SUMMARY,
+        CURVE_COLUMNS,
+        LIMIT_POINT_COLUMNS,
+        OBSERVED_COLUMNS,
+        STATE_COLUMNS,
+        SWEEP_COLUMNS,
+    ];
 
     #[test]
     fn every_key_is_described_once_and_in_words() {
@@ -82,8 +101,8 @@ mod tests {
     fn units_are_the_ends_of_names() {
         let unit = |path| key(path, "").unit();
         assert_eq!(
-            ["moment_nN_nm", "force_nN", "solve_s", "points", "hysteresis_aJ"].map(unit),
-            ["nN nm", "nN", "s", "", "aJ"]
+            ["moment_nN_nm", "force_nN", "solve_s", "points", "kappa_per_nm", "EI_nN_nm2"].map(unit),
+            ["nN nm", "nN", "s", "", "1/nm", "nN nm²"]
         );
     }
 }

@@ -5,6 +5,9 @@ use super::{OutputKey, key, like};
 /// Of `peel run`.
 #[rustfmt::skip]
 pub const PEEL_SUMMARY: &[OutputKey] = &[
+    key("version", "of the program"),
+    key("schema", "number of this set of keys and columns. Keys may be added within a number; where one is renamed, removed or means something else the number grows by one"),
+    key("command", "the command line; null where a program of another kind has written the summary"),
     key("scene", "the scene as it was named on the command line"),
     key("title", "its title"),
     key("end", "how the path ended: a word of the list of ends"),
@@ -63,6 +66,27 @@ pub const PEEL_SUMMARY: &[OutputKey] = &[
     key("accuracy.left_out", "what they are, in words"),
     key("accuracy.form", "`two-field`: y and θ at every node, x eliminated; `three-field`: x, y and θ"),
     key("accuracy.form_note", "whether that leaves anything out"),
+
+    key("derived", "what follows from the scene alone; null where a body has no single value, as of a section that varies, or the law has none"),
+    key("derived.work_of_adhesion_J_per_m2", "w of the law: that of the half space, or that of a cohesive law"),
+    key("derived.strength_GPa", "largest traction σ of the law"),
+    key("derived.equilibrium_gap_nm", "gap of a flat face at rest"),
+    key("derived.work_of_adhesion_of_section_J_per_m2", "w of this section: less what the attraction of the upper surface takes off. Kendall's force and the groups are made of this one"),
+    key("derived.kendall_force_nN", "P of P²/(2 E h b²) + (P/b)(1 - cos φ) = w at the angle φ of the pull"),
+    key("derived.axial_stiffness_EA_nN", "EA"),
+    key("derived.shear_stiffness_GAs_nN", "GA_s"),
+    key("derived.bending_stiffness_EI_nN_nm2", "EI"),
+    key("derived.process_length_nm", "length ℓ of the process zone: the lesser of (EI/k)^(1/4) and 3 (GA_s/k)^(1/2), k the stiffness of the adhesion at rest"),
+    key("derived.elasto_adhesive_length_nm", "(EI/(w b))^(1/2)"),
+    key("derived.groups", "dimensionless groups"),
+    key("derived.groups.length_over_height", "L/h"),
+    key("derived.groups.length_over_process_length", "L/ℓ"),
+    key("derived.groups.process_length_over_height", "ℓ/h; below 1 there is the warning short-process-zone"),
+    key("derived.groups.bending_over_adhesion", "EI/(w b ℓ²)"),
+    key("derived.groups.bending_over_adhesion_of_length", "EI/(w b L²)"),
+    key("derived.groups.bending_over_shear", "EI/(GA_s ℓ²)"),
+    key("derived.groups.adhesion_over_stretching", "w/(E h)"),
+    key("derived.groups.strength_over_modulus", "σ/E"),
 
     key("terms", "what leaving out a term of the model would change, to first order; empty with friction and for a load without a potential"),
     key("terms[].left_out", "the term: far face, contact moment, shear or extension"),
@@ -167,10 +191,15 @@ pub const PEEL_SUMMARY: &[OutputKey] = &[
 /// Of `peel sweep --json`.
 #[rustfmt::skip]
 pub const SWEEP_SUMMARY: &[OutputKey] = &[
+    key("version", "of the program"),
+    key("schema", "number of this set of keys and columns"),
+    key("command", "the command line"),
     key("scene", "the scene as it was named on the command line"),
     key("title", "its title"),
     key("vary", "the key that was varied"),
     key("unit", "of `value` in the rows; null where the key is a plain number"),
+    key("vary_2", "the second key, where two are varied"),
+    key("unit_2", "of `value_2`; null likewise"),
     key("followed", "with `--follow`: the point that was followed"),
     key("remarks", "what happened to that point on the way, or where the rows come from"),
     key("rows", "a row for each value: the columns of sweep.csv"),

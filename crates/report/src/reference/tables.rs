@@ -43,32 +43,41 @@ pub const OBSERVED_COLUMNS: &[OutputKey] = &[
     key("adheres", "what adheres: `pad`, `edge`, `end face` or `nothing`"),
 ];
 
-/// Of sweep.csv. An empty cell: the thing does not occur, or was not computed.
+/// Of states.csv: the columns that are the same at all places of a state. The others are those of [`crate::STATE_FIELDS`].
+#[rustfmt::skip]
+pub const STATE_COLUMNS: &[OutputKey] = &[
+    key("state", "number of the state from 0, in path order; the time of states.pvd"),
+    key("limit_point", "`load` or `displacement` where the state is a limit point, else empty"),
+    key("path_position", "0 at the beginning of the path, 1 at its end"),
+    key("displacement_nm", "u"),
+    key("force_nN", "P"),
+];
+
+/// Of sweep.csv, without the columns that repeat the values under the names of their keys. An empty cell: the thing does not occur, or was
+/// not computed.
 #[rustfmt::skip]
 pub const SWEEP_COLUMNS: &[OutputKey] = &[
     key("value", "of the key that is varied, in nm, GPa, aJ, J/m2, N/m, nN, rad, rad/nm or s, or a plain number"),
+    key("value_2", "of the second key, where two are varied"),
     key("peak_force_nN", "force of `peak`, the largest up to the first jump"),
     key("peak_error_nN", "its bound"),
-    key("initiation_peak_nN", "the first local maximum of the force"),
-    key("plateau_force_nN", "force of the plateau"),
-    key("snap_off_displacement_nm", "u at the first jump"),
-    key("work_aJ", "work to the first jump, or to the end of a path without one, which is not the work of peeling: see `work_to`"),
-    key("solve_s", "time of this value"),
-    key("end", "how its path ended"),
-    key("points", "points of its path"),
-    key("newton_iterations", "on all meshes"),
-    key("elements", "of the final mesh"),
-    key("order", "of the elements"),
-    key("initiation_peak_error_nN", "bound of `initiation_peak_nN`"),
-    key("snap_off_error_nm", "bound of `snap_off_displacement_nm`"),
-    key("largest_computed_force_nN", "where there is no peak; without a bound"),
     key("peak_displacement_nm", "u at the peak"),
     key("peak_error_nm", "its bound"),
-    key("plateau_error_nN", "bound of `plateau_force_nN`"),
+    key("initiation_peak_nN", "the first local maximum of the force"),
+    key("initiation_peak_error_nN", "its bound"),
+    key("initiation_peak_displacement_nm", "u there"),
+    key("initiation_peak_error_nm", "its bound"),
+    key("plateau_force_nN", "force of the plateau"),
+    key("plateau_error_nN", "its bound"),
+    key("plateau_displacement_nm", "u there"),
+    key("plateau_error_nm", "how far from there the force changes as little"),
+    key("snap_off_displacement_nm", "u at the first jump"),
+    key("snap_off_error_nm", "its bound"),
     key("snap_off_force_nN", "P at the first jump"),
     key("snap_off_error_nN", "its bound"),
+    key("work_aJ", "work to the first jump, or to the end of a path without one, which is not the work of peeling: see `work_to`"),
+    key("work_error_aJ", "its bound"),
     key("work_to", "where `work_aJ` goes to: `first jump` or `end of path`"),
-    key("work_error_aJ", "bound of `work_aJ`"),
     key("pad_detachment_displacement_nm", "u where the pad comes off"),
     key("pad_detachment_error_nm", "its bound"),
     key("pad_detachment_force_nN", "P there"),
@@ -81,5 +90,12 @@ pub const SWEEP_COLUMNS: &[OutputKey] = &[
     key("detachment_error_nN", "its bound"),
     key("detachment_work_aJ", "work to there"),
     key("detachment_work_error_aJ", "its bound"),
+    key("largest_computed_force_nN", "where there is no peak; without a bound"),
+    key("end", "how its path ended"),
     key("accuracy_reached", "largest relative bound of this value"),
+    key("solve_s", "time of this value"),
+    key("points", "points of its path"),
+    key("newton_iterations", "on all meshes"),
+    key("elements", "of the final mesh"),
+    key("order", "of the elements"),
 ];
