@@ -8,6 +8,7 @@ mod pictures;
 mod resume;
 #[path = "../shared/pictures.rs"]
 mod shared_pictures;
+mod sketch;
 mod states;
 #[path = "../shared/strip.rs"]
 mod strip;

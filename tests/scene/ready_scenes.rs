@@ -34,11 +34,19 @@ fn every_example_that_messages_give_is_right() {
 
 #[test]
 fn the_ready_scenes_are_right() {
-    let strips = ["strip", "strip-100nm", "strip-soft", "strip-rough", "strip-friction", "strip-auto"];
-    for name in strips.into_iter().chain(["spatula", "spatula-rough", "profile"]) {
-        let path = format!("{}/../../scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-        Scene::parse(&path, &std::fs::read_to_string(&path).unwrap(), &[]).unwrap();
+    let mut read = 0;
+    for folder in ["scenes", "scenes/teaching"] {
+        let folder = format!("{}/../../{folder}", env!("CARGO_MANIFEST_DIR"));
+        for file in std::fs::read_dir(folder).unwrap() {
+            let path = file.unwrap().path();
+            if path.extension().is_some_and(|extension| extension == "toml") {
+                let text = std::fs::read_to_string(&path).unwrap();
+                Scene::parse(path.to_str().unwrap(), &text, &[]).unwrap();
+                read += 1;
+            }
+        }
     }
+    assert!(read >= 20, "{read}");
 }
 
 #[test]

@@ -13,3 +13,8 @@ mod work_precision;
 pub use check_text::{check_line, checks_json};
 pub use figures::{draw_figures, holds_figures};
 pub use work_precision::{AUTOMATIC, Errors, Line, Trial, WorkPrecision, work_precision, write_work_precision};
+
+/// The programs of the chapter on the library, which `cargo test` compiles and runs.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/library.md")]
+mod book {}

@@ -14,6 +14,7 @@ mod number;
 pub mod overlay;
 mod parameters_file;
 pub mod pictures;
+pub mod reference;
 mod states;
 mod summary;
 mod sweep_row;

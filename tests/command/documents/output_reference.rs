@@ -1,0 +1,140 @@
+//! The tables of `docs/outputs.md` are made of the lists of `peelkit_report::reference`, and these are held against what the command
+//! writes.
+
+use super::{hold, row, text, with_part};
+use peelkit_report::STATE_FIELDS;
+use peelkit_report::reference::{
+    CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, OutputKey, PEEL_SUMMARY, STATE_COLUMNS, SWEEP_COLUMNS,
+    SWEEP_SUMMARY, paths,
+};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::process::Command;
+
+const PATH: &str = "docs/outputs.md";
+
+#[test]
+fn the_output_reference_is_that_of_the_lists() {
+    let mut reference = text(PATH);
+    for (name, keys, first) in [
+        ("summary.json", PEEL_SUMMARY, "key"),
+        ("peel sweep --json", SWEEP_SUMMARY, "key"),
+        ("curve.csv", CURVE_COLUMNS, "column"),
+        ("limit_points.csv", LIMIT_POINT_COLUMNS, "column"),
+        ("observed.csv", OBSERVED_COLUMNS, "column"),
+        ("states.csv", &state_columns(), "column"),
+        ("sweep.csv", SWEEP_COLUMNS, "column"),
+    ] {
+        let mut part = row(&[first, "unit", "meaning"]) + "|---|---|---|\n";
+        for key in keys {
+            let like = key.like.map(|other| format!("; keys as of `{other}`")).unwrap_or_default();
+            part += &row(&[&format!("`{}`", key.path), key.unit(), &format!("{}{like}", key.about)]);
+        }
+        reference = with_part(&reference, name, &part);
+    }
+    hold(PATH, &reference);
+}
+
+/// The columns of a state, and of each place.
+fn state_columns() -> Vec<OutputKey> {
+    let fields = STATE_FIELDS.iter().map(|field| OutputKey { path: field.name, about: field.about, like: None });
+    STATE_COLUMNS.iter().copied().chain(fields).collect()
+}
+
+const ROUGHLY: &[&str] = &["--set", "accuracy.relative=1e-3"];
+const FIXED: &[&str] = &["--set", "grip.rotation=fixed"];
+const SHORT: &[&str] = &["--set", "strip.length=100 nm"];
+const STEPS: &[&str] = &["--set", "drive.steps=[\"press 0.1 nm\"]"];
+const SOFT: &[&str] = &["--set", "strip.length=200 nm", "--set", "strip.bending_stiffness_factor=0.01"];
+const CUT: &[&str] = &["--set", "bounds.displacement=0.1 nm"];
+
+/// Runs that together have every key.
+const RUNS: &[(&str, &[&[&str]])] = &[
+    ("strip-100nm", &[&["--observed"]]),
+    ("strip-100nm", &[FIXED]),
+    ("strip-100nm", &[STEPS]),
+    ("strip-100nm", &[SOFT]),
+    ("strip-100nm", &[CUT]),
+    ("strip-rough", &[SHORT]),
+    ("strip-auto", &[]),
+    ("strip-auto", &[&["--set", "terms=all"]]),
+];
+
+fn peel(arguments: &[&str], folder: &Path) -> std::process::Output {
+    let output = Command::new(env!("CARGO_BIN_EXE_peel")).args(arguments).current_dir(folder).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    output
+}
+
+/// The paths of the keys of an object, `parameters` but for its name left out.
+fn keys_of(value: &Value, path: &str, found: &mut BTreeSet<String>) {
+    match value {
+        Value::Object(entries) => {
+            for (name, value) in entries {
+                let path = if path.is_empty() { name.clone() } else { format!("{path}.{name}") };
+                found.insert(path.clone());
+                if path != "parameters" {
+                    keys_of(value, &path, found);
+                }
+            }
+        }
+        Value::Array(items) => items.iter().for_each(|item| keys_of(item, &format!("{path}[]"), found)),
+        _ => {}
+    }
+}
+
+fn assert_described(found: &BTreeSet<String>, keys: &[OutputKey], of: &str) {
+    let described: BTreeSet<String> = paths(keys).into_iter().collect();
+    let undescribed: Vec<_> = found.difference(&described).collect();
+    assert!(undescribed.is_empty(), "{of}: no meaning in crates/report/src/reference: {undescribed:?}");
+    let unseen: Vec<_> = described.difference(found).collect();
+    assert!(unseen.is_empty(), "{of}: described and in no output: {unseen:?}");
+}
+
+#[test]
+fn every_key_of_a_summary_is_described() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut found = BTreeSet::new();
+    for (scene, arguments) in RUNS {
+        let scene = format!("{}/scenes/{scene}.toml", super::ROOT);
+        let arguments: Vec<&str> = arguments.iter().copied().flatten().copied().collect();
+        let arguments = [&["run", &scene, "--json"], ROUGHLY, &arguments].concat();
+        let json: Value = serde_json::from_slice(&peel(&arguments, folder.path()).stdout).unwrap();
+        keys_of(&json, "", &mut found);
+    }
+    assert_described(&found, PEEL_SUMMARY, "summary.json");
+}
+
+#[test]
+fn every_column_is_described() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = format!("{}/scenes/strip-100nm.toml", super::ROOT);
+    let vary = ["sweep", &scene, "--vary", "strip.height", "--values", "10 nm, 11 nm"];
+    let twice = ["--vary", "strip.length", "--values", "100 nm"];
+    peel(&[&["run", &scene, "--out", "run", "--observed", "--states", "0"], ROUGHLY, FIXED].concat(), folder.path());
+    peel(&[&vary[..], &twice, &["--out", "sweep"], ROUGHLY].concat(), folder.path());
+    for (file, keys) in [
+        ("run/curve.csv", CURVE_COLUMNS),
+        ("run/limit_points.csv", LIMIT_POINT_COLUMNS),
+        ("run/observed.csv", OBSERVED_COLUMNS),
+        ("run/states.csv", &state_columns()),
+        ("sweep/sweep.csv", SWEEP_COLUMNS),
+    ] {
+        let table = std::fs::read_to_string(folder.path().join(file)).unwrap();
+        let columns = table.lines().next().unwrap().split(',').map(str::to_owned);
+        // the values once more, under the names of their keys
+        let found = columns.filter(|column| !column.starts_with("strip.")).collect();
+        assert_described(&found, keys, file);
+    }
+
+    let mut found = BTreeSet::new();
+    for follow in [&twice[..], &["--follow", "peak"]] {
+        let json = peel(&[&vary[..], &["--json"], ROUGHLY, follow].concat(), folder.path()).stdout;
+        let json: Value = serde_json::from_slice(&json).unwrap();
+        found.extend(json.as_object().unwrap().keys().cloned());
+    }
+    // one is told of where there is something to tell, the other where the second key has a unit
+    found.extend(["remarks", "unit_2"].map(str::to_owned));
+    assert_described(&found, SWEEP_SUMMARY, "peel sweep --json");
+}
