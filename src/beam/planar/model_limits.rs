@@ -39,7 +39,7 @@ const NEARBY: f64 = 0.3;
 const LOOKS: usize = 24;
 
 /// Element length over [`PoleInReach::Unresolved`]'s length from which on two meshes may agree on a wrong number: one with 0.9 differed by 5e-5 from finer ones.
-const UNRESOLVED: f64 = 0.3;
+const UNRESOLVED: f64 = 0.5;
 
 /// Where a state is upright, or nearly so, in the reach of a pole.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -69,13 +69,6 @@ pub enum PoleInReach {
         /// Length of the element, nm
         element: f64,
     },
-}
-
-impl UprightSection {
-    /// Whether the beam passes through the pole, on any mesh.
-    pub fn is_crossed(&self) -> bool {
-        matches!(self.pole, PoleInReach::Crossed { .. })
-    }
 }
 
 impl fmt::Display for UprightSection {
@@ -164,19 +157,25 @@ fn critical(ratio: &dyn Fn(f64) -> f64, near: f64) -> f64 {
 }
 
 impl PlanarBeam {
-    /// The first section of a state, from the free end on, in the reach of a pole of the law: one that stands upright where the pole changes what is
-    /// computed by more than the accuracy `relative`, or that is nearly upright where the elements do not resolve the pole.
+    /// The first section of a state, from the free end on, that stands upright where a pole of the law changes what is computed by more than the accuracy
+    /// `relative`.
     pub fn upright_section(&self, at: &State, relative: f64) -> Option<UprightSection> {
         let pole = self.limits.pole.as_ref()?;
         let least = UNNOTICED.min(UNNOTICED_SHARE * relative);
-        (0..at.mesh.elements()).filter(|&element| self.is_near_upright(at, element)).find_map(|element| {
-            let looks = self.looks(at, element);
-            let crossed = looks.windows(2).find_map(|pair| self.crossed(pair, pole));
-            crossed
-                .filter(|&(_, strength)| strength > least)
-                .map(|(section, _)| section)
-                .or_else(|| self.unresolved(&looks, pole))
+        self.elements_near_upright(at).find_map(|element| {
+            let crossed = self.looks(at, element).windows(2).find_map(|pair| self.crossed(pair, pole));
+            crossed.filter(|&(_, strength)| strength > least).map(|(section, _)| section)
         })
+    }
+
+    /// The first section of a state, from the free end on, that is so nearly upright that the elements do not resolve a pole of the law.
+    pub fn unresolved_section(&self, at: &State) -> Option<UprightSection> {
+        let pole = self.limits.pole.as_ref()?;
+        self.elements_near_upright(at).find_map(|element| self.unresolved(&self.looks(at, element), pole))
+    }
+
+    fn elements_near_upright(&self, at: &State) -> impl Iterator<Item = usize> {
+        (0..at.mesh.elements()).filter(|&element| self.is_near_upright(at, element))
     }
 
     /// Whether a node of an element is nearly upright, or its nodes lie on both sides of that.

@@ -4,7 +4,7 @@
 use super::RelaxedStart;
 use super::error::UnstableRest;
 use super::loading_steps::elements;
-use crate::beam::{BondedBeam, BondedMode, UprightSection};
+use crate::beam::{BondedBeam, BondedMode};
 use crate::model::{Adhesion, Discretisation, Form, Hold, PeelModel, PlanarProblem};
 use crate::solve::{
     Held, InitialState, MOST_POINTS, Path, PathError, PathOptions, RelaxError, RelaxOptions, ShouldStop, Solution,
@@ -80,7 +80,7 @@ pub(super) fn stabilise(
         Ok(first) => first,
         Err(_) => return near_face_alone(model, how, should_stop).map_or(Ok(None), Err),
     };
-    if let Some(upright) = problem.beam.upright_section(&first.at, UPRIGHT).filter(UprightSection::is_crossed) {
+    if let Some(upright) = problem.beam.upright_section(&first.at, UPRIGHT) {
         return Err(UnstableRest::Upright(upright));
     }
     let negative = first.negative;
@@ -99,7 +99,7 @@ pub(super) fn stabilise(
     };
     let at = relaxed(model, how, problem, &first, should_stop)
         .map_err(|cause| near_face_alone(model, how, should_stop).unwrap_or_else(|| failed(cause)))?;
-    if let Some(upright) = problem.beam.upright_section(&at, UPRIGHT).filter(UprightSection::is_crossed) {
+    if let Some(upright) = problem.beam.upright_section(&at, UPRIGHT) {
         return Err(UnstableRest::Upright(upright));
     }
     let energy = |at: &State| {

@@ -45,10 +45,6 @@ pub(in crate::study::peel) fn follow(
         }
         match stepped {
             Ok(None) => {}
-            // on finer elements the path may go on
-            Ok(Some(PathEnd::Upright(upright))) if !upright.is_crossed() => {
-                break Err(PathFailure::NearUpright(upright));
-            }
             Ok(Some(end)) => break Ok(end),
             Err(error) => break Err(PathFailure::Path(error)),
         }
@@ -58,15 +54,12 @@ pub(in crate::study::peel) fn follow(
         let failure = Failure::Path { cause: trouble.clone(), elements, order, asked: relative };
         (PathEnd::Failed(failure), Some(trouble))
     };
-    let beyond = stopped.as_ref().err().and_then(|trouble| stopped_by_model(problem, path.points(), trouble));
+    let beyond = stopped.as_ref().err().and_then(|_| stopped_by_model(problem, path.points()));
     let (end, trouble) = match stopped {
         Ok(end) => (end, None),
         Err(trouble) => failed(trouble),
     };
     let mut points = path.points().to_vec();
-    if matches!(trouble, Some(PathFailure::NearUpright(_))) {
-        points.pop();
-    }
     let stays = |pair: &[Arc<Solution>]| pair[1].observables.displacement == pair[0].observables.displacement;
     let (end, trouble) = match trouble {
         _ if points.windows(2).next().is_some_and(stays) => {
@@ -105,6 +98,7 @@ pub(in crate::study::peel) fn follow(
     }
     let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem));
     followed.trouble = followed.trouble.take().or(checked.err());
+    followed.end_at_unresolved(problem);
     followed
 }
 

@@ -2,9 +2,9 @@
 
 use super::followed::Followed;
 use crate::model::PlanarProblem;
-use crate::solve::{LimitPointKind, PathSegment, Solution, SolveError, brackets, locate, unlocated};
+use crate::solve::{LimitPointKind, Located, PathSegment, Solution, SolveError, brackets, locate, unlocated};
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
-use crate::study::peel::PathFailure;
+use crate::study::peel::{PathEnd, PathFailure};
 
 /// A step that contains a limit point.
 struct Candidate {
@@ -90,6 +90,19 @@ impl Followed {
         self.drop_ripple(LimitPointKind::Load, relative);
         self.drop_ripple(LimitPointKind::Displacement, relative);
         Ok(())
+    }
+
+    /// Ends the path before its first limit point at which the elements do not resolve a pole of the law: two meshes may agree there on a number that
+    /// finer ones do not give.
+    pub(super) fn end_at_unresolved(&mut self, problem: &PlanarProblem) {
+        let unresolved = |(index, turn): (usize, &(LimitPointKind, usize, Located))| {
+            Some((index, problem.beam.unresolved_section(&turn.2.solution.at)?))
+        };
+        let Some((index, section)) = self.turns.iter().enumerate().find_map(unresolved) else { return };
+        self.points.truncate(self.turns[index].1 + 1);
+        self.turns.truncate(index);
+        self.trouble = Some(PathFailure::NearUpright(section));
+        self.beyond = Some(PathEnd::Upright(section));
     }
 
     fn not_located(&self, turn: LimitPointKind, after: usize, cause: SolveError) -> PathFailure {
