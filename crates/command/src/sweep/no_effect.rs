@@ -8,7 +8,10 @@ use peelkit_scene::{Key, Scene};
 
 /// Refuses a key that `--set` gives as well, and one that no result of this scene depends on.
 pub fn refuse(overrides: &[(String, String)], scene: &Scene, cases: &Cases) -> Result<(), Stop> {
-    [Some(cases.keys.first), cases.keys.second].into_iter().flatten().try_for_each(|key| refuse_key(overrides, scene, key))
+    [Some(cases.keys.first), cases.keys.second]
+        .into_iter()
+        .flatten()
+        .try_for_each(|key| refuse_key(overrides, scene, key))
 }
 
 fn refuse_key(overrides: &[(String, String)], scene: &Scene, key: &Key) -> Result<(), Stop> {
@@ -54,6 +57,10 @@ pub fn seen(keys: SweptKeys, rows: &[SweepRow]) -> Option<String> {
     let alike = |row: &SweepRow| row.found.work.is_some() && row.found == first.found;
     let have = if keys.second.is_some() { "have" } else { "has" };
     (!others.is_empty() && others.iter().all(alike)).then(|| {
-        format!("{} {have} no effect here: all {} values give the same results, to the last digit", keys.names(), rows.len())
+        format!(
+            "{} {have} no effect here: all {} values give the same results, to the last digit",
+            keys.names(),
+            rows.len()
+        )
     })
 }

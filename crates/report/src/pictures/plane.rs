@@ -43,8 +43,9 @@ pub fn draw_plane(
         return Err(refuse(format!("none of the {} pairs of {} has a peak force", rows.len(), keys.names())));
     }
     let [across, up] = values.map(|values| distinct(values.into_iter().flatten()));
-    let axes = [(keys.first.axis_title_in_library_unit(), across, log[0]), (second.axis_title_in_library_unit(), up, log[1])]
-        .map(|(label, values, log)| Grid::new(label, values, log));
+    let axes =
+        [(keys.first.axis_title_in_library_unit(), across, log[0]), (second.axis_title_in_library_unit(), up, log[1])]
+            .map(|(label, values, log)| Grid::new(label, values, log));
     let mut panels = Vec::new();
     type Quantity = (&'static str, fn(&SweepRow) -> Option<f64>);
     let quantities: [Quantity; 2] = [
