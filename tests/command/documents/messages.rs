@@ -6,7 +6,15 @@ use std::path::{Path, PathBuf};
 const PATH: &str = "docs/troubleshooting.md";
 
 /// What a message begins behind.
-const MARKS: [&str; 5] = ["#[error(", "ValueError::new(", "bad_input(", "cut_short(", "Stop::other("];
+const MARKS: [&str; 7] = [
+    "#[error(",
+    "ValueError::new(",
+    "bad_input(",
+    "cut_short(",
+    "Stop::other(",
+    "OverlayError::new(path,",
+    "OverlayError::new(&table,",
+];
 
 /// The files of the code, without those of tests.
 fn sources() -> Vec<PathBuf> {
@@ -37,7 +45,7 @@ fn string(code: &str) -> Option<String> {
         match rest.next()? {
             '"' => return Some(text),
             '\\' => match rest.next()? {
-                '\n' => rest = rest.as_str().trim_start().chars(),
+                ' ' => rest = rest.as_str().trim_start().chars(),
                 escaped => text.push(escaped),
             },
             other => text.push(other),
@@ -71,6 +79,8 @@ fn plain(text: &str) -> String {
 fn messages(file: &Path) -> Vec<String> {
     let code = std::fs::read_to_string(file).unwrap();
     let code = code.split("#[cfg(test)]").next().unwrap();
+    // as on one line
+    let code = code.split_whitespace().collect::<Vec<_>>().join(" ").replace("( ", "(");
     MARKS.iter().flat_map(|mark| code.split(mark).skip(1).filter_map(string)).collect()
 }
 
