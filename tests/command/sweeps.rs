@@ -74,7 +74,7 @@ fn two_keys_make_a_plane_with_a_map() {
     let alone: Value = serde_json::from_str(&done(dir.path(), &scene)).unwrap();
     assert_eq!(rows[4]["peak_force_nN"].parse::<f64>().unwrap(), alone["peak"]["force_nN"].as_f64().unwrap());
     let picture = fs::read_to_string(dir.path().join("out/sweep.svg")).unwrap();
-    for label in ["strip.height (nm)", "strip.youngs_modulus (GPa)", "peak force P (nN)", "work to snap-off W (aJ)"] {
+    for label in ["height of the section h (nm)", "s modulus E (GPa)", "peak force P (nN)", "work to snap-off W (aJ)"] {
         assert!(picture.contains(label), "{label} is missing");
     }
     assert!(dir.path().join("out/sweep.png").exists());

@@ -55,9 +55,6 @@ pub const RUN: &str = "\
 Example: peel run strip.toml --set strip.length=\"50 nm\" --out short
 More: peel run --help, on files, ends of a path, resuming; peel keys, the keys of a scene";
 
-/// Of `peel sweep -h`.
-pub const SWEEP: &str = "More: peel sweep --help, on files and resuming; peel keys, the keys that can be varied";
-
 /// Of `peel run --help`.
 pub fn run() -> String {
     format!(

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// Where a command that writes files writes them.
 #[derive(Args)]
 pub struct OutArgs {
-    /// Folder for the outputs [default: in out/, named after the scene and what is asked]
+    /// Folder for the outputs [default: in out/, named after what is asked]
     ///
     /// It is created if missing.
     #[arg(long, value_name = "DIR")]

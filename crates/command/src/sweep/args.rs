@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 /// Varies a number of a scene, or two: peak force, plateau, snap-off and work against the values
 #[derive(Args)]
-#[command(after_help = help::SWEEP, after_long_help = help::sweep())]
+#[command(after_long_help = help::sweep())]
 pub struct Sweep {
     #[command(flatten)]
     pub scene: SceneArgs,

@@ -109,7 +109,7 @@ impl Args for Varied {
         let points = option("points", "N", "Number of values, both ends included");
         let log = Arg::new("log").long("log").action(ArgAction::Append).num_args(0).default_missing_value("true");
         command
-            .arg(option("vary", "KEY", "The key to vary: strip.length; twice for a plane").required(true))
+            .arg(option("vary", "KEY", "The key to vary (see peel keys); twice for a plane").required(true))
             .arg(option("from", "A", "First value, with its unit: \"100 nm\"").allow_hyphen_values(true))
             .arg(option("to", "B", "Last value, with its unit").allow_hyphen_values(true))
             .arg(points.value_parser(value_parser!(u32).range(1..=1_000_000)))
