@@ -396,6 +396,5 @@ pub fn on_more_elements(
 
 /// The configuration on half as many elements again.
 pub(in crate::solve) fn refined(problem: &Problem, at: &State) -> State {
-    let elements = at.mesh.elements();
-    problem.system.on_elements(at, elements + elements.div_ceil(2))
+    problem.system.on_elements(at, (3 * at.mesh.elements()).div_ceil(2))
 }

@@ -3,6 +3,7 @@
 use super::scene::{SampleKind, scene_text};
 use crate::agreement::{Reported, disagree};
 use cpu_time::ThreadTime;
+use peelkit::beam::MeshKind;
 use peelkit::study::{Accuracy, Choice, Failure, PathEnd, peel};
 use peelkit_report::end_word;
 use peelkit_scene::{BoundsTable, Scene};
@@ -22,10 +23,15 @@ pub struct PeelSetting {
 }
 
 /// The ways in which every scene is peeled. The first is judged by the others.
-pub const WAYS: [PeelSetting; 3] = [
+pub const WAYS: [PeelSetting; 4] = [
     PeelSetting { name: "1e-6", relative: 1e-6, choice: Choice::NOTHING },
     PeelSetting { name: "1e-9", relative: 1e-9, choice: Choice::NOTHING },
     PeelSetting { name: "1e-6, order 5", relative: 1e-6, choice: Choice { order: Some(5), ..Choice::NOTHING } },
+    PeelSetting {
+        name: "1e-6, fixed mesh",
+        relative: 1e-6,
+        choice: Choice { mesh: MeshKind::Graded, ..Choice::NOTHING },
+    },
 ];
 
 /// What became of one way.

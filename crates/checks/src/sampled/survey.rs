@@ -138,7 +138,7 @@ mod tests {
         Run::made(end, reason, seconds, [None, peak, None, None])
     }
 
-    fn scene(index: u64, first: Run, others: [Run; 2]) -> Sampled {
+    fn scene(index: u64, first: Run, others: [Run; 3]) -> Sampled {
         Sampled { index, runs: std::iter::once(first).chain(others).collect() }
     }
 
@@ -148,9 +148,9 @@ mod tests {
         let good = |force| run("detached", None, 0.1, Some((force, 1e-6)));
         let bad = |point: usize| run("failed", Some(&format!("stopped at point {point}")), 3.0, None);
         let scenes = vec![
-            scene(0, good(1.0), [good(1.0 + 1.5e-6), good(1.0 + 2.5e-6)]),
-            scene(1, bad(17), [good(2.0), bad(3)]),
-            scene(2, bad(4), [good(2.0), good(2.0)]),
+            scene(0, good(1.0), [good(1.0 + 1.5e-6), good(1.0 + 2.5e-6), good(1.0)]),
+            scene(1, bad(17), [good(2.0), bad(3), bad(4)]),
+            scene(2, bad(4), [good(2.0), good(2.0), good(2.0)]),
         ];
         let survey = SampleSurvey { kind: SampleKind::Strip, seed: 1, scenes };
         assert_eq!((survey.count(0, "detached"), survey.count(0, "failed"), survey.count(1, "failed")), (1, 2, 0));
