@@ -43,6 +43,23 @@ impl Failure {
     }
 }
 
+impl PathFailure {
+    /// The path point behind which the trouble is, where that is known.
+    pub(super) fn after(&self) -> Option<usize> {
+        match self {
+            Self::Missed { after, .. } | Self::NotLocated { after, .. } | Self::Jumped { after, .. } => Some(*after),
+            Self::Path(_)
+            | Self::LostAtRest { .. }
+            | Self::Stuck { .. }
+            | Self::OutOfTime
+            | Self::NearUpright(_)
+            | Self::TooManyPoints { .. }
+            | Self::StepsMatter { .. }
+            | Self::BoundsMissed { .. } => None,
+        }
+    }
+}
+
 /// Why a path on one mesh cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 #[allow(missing_docs)] // the message of each names its numbers

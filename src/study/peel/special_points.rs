@@ -41,14 +41,7 @@ pub(super) fn name_special_points(peel: &mut Peel, problem: &PlanarProblem, foll
 /// How many steps of a path are behind one another: beyond one on which a limit point is missing, or on which it may have gone to another
 /// part of itself, a limit point is not the first of anything.
 fn steps_known(followed: &Followed) -> usize {
-    match &followed.trouble {
-        Some(
-            PathFailure::Missed { after, .. }
-            | PathFailure::NotLocated { after, .. }
-            | PathFailure::Jumped { after, .. },
-        ) => *after,
-        _ => followed.points.len(),
-    }
+    followed.trouble.as_ref().and_then(PathFailure::after).unwrap_or(followed.points.len())
 }
 
 /// The located point with the largest force, where the computed curve goes no higher than that is known: else the largest force is

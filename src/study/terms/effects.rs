@@ -15,6 +15,9 @@ use crate::adhesion::{LineLaw, LineLoad};
 use crate::model::{Hold, PeelModel};
 use crate::study::peel::{Peel, SolutionHistory};
 
+/// cos θ of a section from which on the near face alone, W/cos θ, is no small change of the model.
+const UPRIGHT: f64 = 0.1;
+
 /// A term, and what leaving it out would change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TermEffect {
@@ -25,7 +28,8 @@ pub struct TermEffect {
 }
 
 /// The effects of the terms that the model has, at its initiation peak; none without one, or of a grip that turns as it goes, with
-/// friction or of a law without a potential, where a change of the force is no change of an energy.
+/// friction or of a law without a potential, where a change of the force is no change of an energy. The far face has none where a section is
+/// nearly upright: without it the energy has a pole there.
 fn terms(model: &PeelModel, trace: &SolutionHistory) -> Vec<TermEffect> {
     let Some(peak) = &trace.peak else { return Vec::new() };
     // with a turn dΠ/du is the force with a share of the moment, and has its largest value elsewhere
@@ -39,7 +43,7 @@ fn terms(model: &PeelModel, trace: &SolutionHistory) -> Vec<TermEffect> {
     };
     let law = model.line_law();
     if model.ground.substrate.is_flat() {
-        if law.has_far_face() {
+        if law.has_far_face() && sampling.steepest() > UPRIGHT {
             let near = LineLaw { far_face: false, ..law };
             add(Term::FarFace, sampling.rate(|at| at.adhesion(&near) - at.adhesion(&law)));
         }

@@ -94,6 +94,14 @@ impl<'a> SectionSampling<'a> {
         sum
     }
 
+    /// The least |cos θ| of its sections.
+    pub fn steepest(&self) -> f64 {
+        let mut least = f64::INFINITY;
+        let at = self.problem.beam.configuration(&self.solution.at);
+        self.each(at, |_, point| least = least.min(point.rotation.cos().abs()));
+        least
+    }
+
     fn step(&self) -> f64 {
         STEP / self.problem.system.size(&self.solution.tangent.direction, &self.solution.at.values)
     }

@@ -116,6 +116,9 @@ fn fitting(units: &[Unit], largest: f64) -> Unit {
     units.iter().rev().find(fits).copied().unwrap_or(units[0])
 }
 
+/// Most digits of a number without a bound.
+const MOST_DIGITS: i32 = 11;
+
 impl Unit {
     /// A number of the library's units in this one.
     pub fn of(&self, value: f64) -> f64 {
@@ -132,10 +135,12 @@ impl Unit {
         with_error(self.of(value), self.of(error))
     }
 
-    /// With its unit, to so many decimals of the unit of the files.
+    /// With its unit, to so many decimals of the unit of the files, but no more than eleven digits.
     pub fn fixed(&self, value: f64, decimals: i32) -> String {
-        let decimals = (decimals + self.size.log10().round() as i32).clamp(0, 15) as usize;
-        format!("{:.decimals$} {}", self.of(value), self.name)
+        let value = self.of(value);
+        let behind_the_first = MOST_DIGITS - 1 - value.abs().max(1.0).log10().floor() as i32;
+        let decimals = (decimals + self.size.log10().round() as i32).min(behind_the_first).max(0) as usize;
+        format!("{value:.decimals$} {}", self.name)
     }
 
     /// Six digits and the unit.
@@ -180,5 +185,6 @@ mod tests {
         assert_eq!(micrometre.with_error(48215.6178228, 3e-3), "48.215618 ± 3e-6 µm");
         assert_eq!(micrometre.fixed(48215.6178228, 6), "48.215617823 µm");
         assert_eq!(FORCES[0].short(0.0075), "7.5 pN");
+        assert_eq!(LENGTHS[1].fixed(12345678901234.5, 6), "12345678901234 nm");
     }
 }

@@ -88,7 +88,7 @@ pub const PEEL_SUMMARY: &[OutputKey] = &[
     key("derived.groups.adhesion_over_stretching", "w/(E h)"),
     key("derived.groups.strength_over_modulus", "σ/E"),
 
-    key("terms", "what leaving out a term of the model would change, to first order; empty with friction and for a load without a potential"),
+    key("terms", "what leaving out a term of the model would change, to first order; empty with friction and for a load without a potential; without the far face where a section is nearly upright"),
     key("terms[].left_out", "the term: far face, contact moment, shear or extension"),
     key("terms[].initiation_peak_change_nN", "by how much the initiation peak would change"),
     key("considered", "with `terms = \"auto\"`: what was neglected and what was kept"),

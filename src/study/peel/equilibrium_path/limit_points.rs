@@ -2,7 +2,7 @@
 
 use super::followed::Followed;
 use crate::model::PlanarProblem;
-use crate::solve::{LimitPointKind, Located, PathSegment, Solution, SolveError, brackets, locate, unlocated};
+use crate::solve::{LimitPointKind, PathSegment, Solution, SolveError, brackets, locate, unlocated};
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 use crate::study::peel::{PathEnd, PathFailure};
 
@@ -92,15 +92,21 @@ impl Followed {
         Ok(())
     }
 
-    /// Ends the path before its first limit point at which the elements do not resolve a pole of the law: two meshes may agree there on a number that
-    /// finer ones do not give.
+    /// Ends the path where the elements do not resolve a pole of the law: before the first limit point there, at which two meshes may agree on a number
+    /// that finer ones do not give, or where the path is in trouble there.
     pub(super) fn end_at_unresolved(&mut self, problem: &PlanarProblem) {
-        let unresolved = |(index, turn): (usize, &(LimitPointKind, usize, Located))| {
-            Some((index, problem.beam.unresolved_section(&turn.2.solution.at)?))
-        };
-        let Some((index, section)) = self.turns.iter().enumerate().find_map(unresolved) else { return };
-        self.points.truncate(self.turns[index].1 + 1);
-        self.turns.truncate(index);
+        let unresolved = |solution: &Solution| problem.beam.unresolved_section(&solution.at);
+        let turns = self.turns.iter().map(|(_, after, located)| (*after, unresolved(&located.solution)));
+        let last = self.points.len().saturating_sub(1);
+        let trouble = self.trouble.as_ref().filter(|trouble| **trouble != PathFailure::OutOfTime);
+        let trouble = trouble.map(|trouble| trouble.after().unwrap_or(last)).map(|after| {
+            let around = self.points.get(after..(after + 2).min(self.points.len())).unwrap_or_default();
+            (after, around.iter().find_map(|point| unresolved(point)))
+        });
+        let places = turns.chain(trouble).filter_map(|(after, section)| Some((after, section?)));
+        let Some((after, section)) = places.min_by_key(|&(after, _)| after) else { return };
+        self.points.truncate(after + 1);
+        self.turns.retain(|turn| turn.1 < after);
         self.trouble = Some(PathFailure::NearUpright(section));
         self.beyond = Some(PathEnd::Upright(section));
     }
