@@ -9,7 +9,8 @@
 //! Parameters: strips of 100 nm, h = 10 and 40 nm, E = 2 and 0.1 GPa, EI × 1 and 100, the grip free and held across the pull; the spatula.
 //! Expected: the estimate is of first order. An effect below a thousandth is estimated to 1 %, one below a thirtieth to a third, with what
 //! the peaks themselves are known to; of a larger one the estimate is above a hundredth. Why: what does not matter can be left out
-//! only if it is known what it would have changed.
+//! only if it is known what it would have changed. The shaft of the spatula is nearly upright at the peak: without the far face the energy has a pole
+//! there, the peak is a third lower and at another place, and there is no estimate.
 //!
 //! With `terms = "auto"` the same from the other side: the far face of a strip 40 nm high, waves of 0.5 pm and friction of 0.02 MPa are left
 //! out, and what they would change, of every turning point, is estimated on the path without them. Reference: the paths with and without,
@@ -57,13 +58,12 @@ fn without(term: Term, model: &PeelModel) -> PeelModel {
     model
 }
 
-/// Every effect of a model as it is estimated and as it is.
-fn assert_estimates(name: &str, model: &PeelModel) {
+/// The effects of these terms of a model as they are estimated and as they are.
+fn assert_estimates(name: &str, model: &PeelModel, terms: &[Term]) {
     let whole = peeled(model);
     let peak = whole.initiation_peak.unwrap();
     let effects = whole.terms();
-    let held = model.grip.horizontal == Hold::Fixed;
-    assert_eq!(effects.len(), if held { 3 } else { 4 }, "{name}: {effects:?}");
+    assert_eq!(effects.iter().map(|effect| effect.term).collect::<Vec<_>>(), terms, "{name}: {effects:?}");
     for effect in effects {
         let left = peeled(&without(effect.term, model)).initiation_peak.unwrap();
         let (estimated, computed) = (effect.force / peak.force, (left.force - peak.force) / peak.force);
@@ -78,6 +78,8 @@ fn assert_estimates(name: &str, model: &PeelModel) {
     }
 }
 
+const ALL: &[Term] = &[Term::FarFace, Term::ContactMoment, Term::Shear, Term::Extension];
+
 fn strip(change: impl Fn(&mut StripModel)) -> PeelModel {
     let mut model = paper_strip(100.0, 1.0);
     change(&mut model);
@@ -86,17 +88,18 @@ fn strip(change: impl Fn(&mut StripModel)) -> PeelModel {
 
 #[test]
 fn estimates_of_strips_are_what_is_computed() {
-    assert_estimates("paper", &strip(|_| {}));
-    assert_estimates("high", &strip(|model| model.strip.height = 40.0));
-    assert_estimates("soft", &strip(|model| model.strip.youngs_modulus = 0.1));
-    assert_estimates("stiff", &strip(|model| model.strip.bending_stiffness_factor = 100.0));
-    assert_estimates("held", &PeelModel::from(with_grip(paper_strip(100.0, 1.0), Hold::Free, Hold::Fixed)));
-    assert_estimates("clamped", &PeelModel::from(with_grip(paper_strip(100.0, 1.0), Hold::Fixed, Hold::Free)));
+    assert_estimates("paper", &strip(|_| {}), ALL);
+    assert_estimates("high", &strip(|model| model.strip.height = 40.0), ALL);
+    assert_estimates("soft", &strip(|model| model.strip.youngs_modulus = 0.1), ALL);
+    assert_estimates("stiff", &strip(|model| model.strip.bending_stiffness_factor = 100.0), ALL);
+    let gripped = |rotation, horizontal| PeelModel::from(with_grip(paper_strip(100.0, 1.0), rotation, horizontal));
+    assert_estimates("held", &gripped(Hold::Free, Hold::Fixed), &ALL[..3]);
+    assert_estimates("clamped", &gripped(Hold::Fixed, Hold::Free), ALL);
 }
 
 #[test]
 fn estimates_of_a_spatula_are_what_is_computed() {
-    assert_estimates("spatula", &Spatula::default().model());
+    assert_estimates("spatula", &Spatula::default().model(), &ALL[1..]);
 }
 
 fn left_out(model: &PeelModel, relative: f64, bounds: &StopCriteria) -> Peel {
