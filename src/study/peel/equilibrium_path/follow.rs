@@ -45,6 +45,8 @@ pub(in crate::study::peel) fn follow(
         }
         match stepped {
             Ok(None) => {}
+            // on finer elements the path may turn back before the pole
+            Ok(Some(PathEnd::Upright(upright))) => break Err(PathFailure::NearUpright(upright)),
             Ok(Some(end)) => break Ok(end),
             Err(error) => break Err(PathFailure::Path(error)),
         }
@@ -54,12 +56,16 @@ pub(in crate::study::peel) fn follow(
         let failure = Failure::Path { cause: trouble.clone(), elements, order, asked: relative };
         (PathEnd::Failed(failure), Some(trouble))
     };
-    let beyond = stopped.as_ref().err().and_then(|_| stopped_by_model(problem, path.points()));
+    let beyond = stopped.as_ref().err().and_then(|trouble| stopped_by_model(problem, path.points(), trouble));
     let (end, trouble) = match stopped {
         Ok(end) => (end, None),
         Err(trouble) => failed(trouble),
     };
     let mut points = path.points().to_vec();
+    // beyond its model the point says nothing
+    if matches!(trouble, Some(PathFailure::NearUpright(_))) {
+        points.pop();
+    }
     let stays = |pair: &[Arc<Solution>]| pair[1].observables.displacement == pair[0].observables.displacement;
     let (end, trouble) = match trouble {
         _ if points.windows(2).next().is_some_and(stays) => {

@@ -3,7 +3,7 @@
 use crate::beam::BondedLoss;
 use crate::model::PlanarProblem;
 use crate::solve::Solution;
-use crate::study::peel::PathEnd;
+use crate::study::peel::{PathEnd, PathFailure};
 use std::sync::Arc;
 
 /// The end at the newest point, if its model says so: a section is where the energy has a pole, or what is bonded has lost its stability
@@ -29,7 +29,14 @@ fn loss(problem: &PlanarProblem, at: &Solution) -> Option<BondedLoss> {
 }
 
 /// The end of a path that cannot be continued where its model says why.
-pub(super) fn stopped_by_model(problem: &PlanarProblem, points: &[Arc<Solution>]) -> Option<PathEnd> {
+pub(super) fn stopped_by_model(
+    problem: &PlanarProblem,
+    points: &[Arc<Solution>],
+    trouble: &PathFailure,
+) -> Option<PathEnd> {
+    if let PathFailure::NearUpright(upright) = trouble {
+        return Some(PathEnd::Upright(*upright));
+    }
     let [_, _, .., newest] = points else { return None };
     let beam = &problem.beam;
     beam.limits.bonded.as_ref()?;

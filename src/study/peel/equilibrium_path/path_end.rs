@@ -115,7 +115,7 @@ impl Followed {
             PathEnd::Pivoting => (Observables::FORCE, 0.0),
             PathEnd::TurnedBack => (Observables::DISPLACEMENT, 0.0),
             // beyond its model the point says nothing
-            PathEnd::BondedPartUnstable(_) | PathEnd::Upright(_) => {
+            PathEnd::BondedPartUnstable(_) => {
                 self.points.pop();
                 return;
             }
