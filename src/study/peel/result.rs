@@ -236,9 +236,9 @@ impl Peel {
         self.trace.as_ref().map(|trace| trace.smooth_shape(index)).unwrap_or_default()
     }
 
-    /// The deformed axis at a limit point of this peel, for a picture: solved anew between the path points on either side of it. Nothing
-    /// where that fails, or where the solutions behind the path are not known.
+    /// The deformed axis at a limit point of this peel, for a picture. Nothing where the solutions behind the path are not known.
     pub fn shape_at_limit_point(&self, limit: &LimitPoint) -> Option<DeformedShape> {
-        self.trace.as_ref()?.shape_at_limit_point(limit)
+        let number = self.limit_points.iter().position(|known| known == limit)?;
+        self.trace.as_ref()?.shape_at_limit_point(number)
     }
 }

@@ -3,7 +3,7 @@
 use super::{DeformedShape, LimitPoint};
 use crate::beam::{NodeState, PlanarBeam};
 use crate::model::PlanarProblem;
-use crate::solve::{LimitPointKind, PathSegment, ROUGH, Solution, State, Workspace, step_to};
+use crate::solve::{LimitPointKind, PathSegment, Solution, State};
 use std::sync::Arc;
 
 /// Path points with the problem that they solve.
@@ -27,8 +27,6 @@ impl std::fmt::Debug for SolutionHistory {
 const SAMPLES: usize = 6;
 /// Samples of the axis a whole beam gets at least in a picture.
 const SMOOTH: f64 = 240.0;
-/// Places on a step among which that of a limit point is chosen.
-const LABELS: usize = 400;
 
 impl SolutionHistory {
     /// (u, P, negative eigenvalues under displacement control) with `per_step` intervals a step. A displacement limit
@@ -75,24 +73,9 @@ impl SolutionHistory {
         self.points.get(index).map(|point| DeformedShape::smooth(&self.problem.beam, &point.at)).unwrap_or_default()
     }
 
-    /// The shape at a limit point of the path, solved between the points on either side of it; nothing where that fails.
-    pub fn shape_at_limit_point(&self, limit: &LimitPoint) -> Option<DeformedShape> {
-        if limit.after + 1 >= self.points.len() {
-            return None;
-        }
-        let mut segment = PathSegment::around(&self.problem, &self.points, limit.after);
-        let (end, middle) = (segment.end(), 0.5 * segment.end());
-        let displacement = segment.observable(|o| o.displacement, middle);
-        let force = segment.observable(|o| o.force, middle);
-        let scales = segment.change();
-        let away = |label: f64| {
-            let (u, p) = (displacement.at(label).0 - limit.displacement, force.at(label).0 - limit.force);
-            (u / scales.displacement).hypot(p / scales.force)
-        };
-        let labels = (0..=LABELS).map(|k| end * k as f64 / LABELS as f64);
-        let label = labels.min_by(|&a, &b| away(a).total_cmp(&away(b)))?;
-        let solution = step_to(&self.problem, &mut segment, 0.0, label, ROUGH, &mut Workspace::default()).ok()?;
-        Some(DeformedShape::smooth(&self.problem.beam, &solution.at))
+    /// The shape at the solution next to a limit point, by its number.
+    pub fn shape_at_limit_point(&self, number: usize) -> Option<DeformedShape> {
+        self.limit_points.get(number).map(|solution| DeformedShape::smooth(&self.problem.beam, &solution.at))
     }
 }
 
