@@ -1,12 +1,14 @@
 //! Adhesion model and friction: pair potential, half space, traction, line load, friction, ground.
 //!
 //! From atoms to beams in the order of the paper: `levels/` up to the [`HalfSpace`] (eqs. 1-10 and 18), `section/` with the adhesion of a
-//! section of a beam, [`Law`] and [`LineLaw`] (17-22); [`TiltedBlock`] evaluates one and the same body at every level. `friction/` has what resists
-//! sliding, `substrate/` the shape of the ground, and [`GroundLaw`] is a line law on it.
+//! section of a beam, [`Law`] and [`LineLaw`] (17-22); [`TiltedBlock`] evaluates one and the same body at every level. `spatial_section/` has
+//! that of a section of a beam in space, `friction/` what resists sliding, `substrate/` the shape of the ground, and [`GroundLaw`] is a line law on
+//! it.
 
 mod friction;
 mod levels;
 mod section;
+mod spatial_section;
 mod substrate;
 mod tilted_block;
 pub use friction::{FrictionLaw, FrictionState, Traction};
@@ -17,5 +19,6 @@ pub use levels::{
 pub use section::{
     Attraction, Cohesive, CohesiveShape, Law, LineLaw, LineLoad, LineResponse, OwnLaw, SectionLaw, TiltedSection,
 };
+pub use spatial_section::{SectionShape, SpatialSection, SpatialSectionError, SpatialSectionResponse};
 pub use substrate::*;
 pub use tilted_block::{Faces, Level, Resultant, TiltedBlock, section_by_body_force};

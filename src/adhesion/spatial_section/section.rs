@@ -1,0 +1,129 @@
+//! The adhesion of a section of a beam in space over a flat half space.
+
+use super::{SpatialSectionError, SpatialSectionResponse, axis_gap, ellipse, near_face, rectangle};
+use crate::adhesion::{Law, LineLaw, LineLoad};
+use crate::number::Real;
+
+/// The outline of a section.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SectionShape {
+    /// b × h
+    #[default]
+    Rectangle,
+    /// With the axes b and h; a disc where they are equal.
+    Ellipse,
+}
+
+/// A section of a beam in space: outline, width b along d2, height h along d3 (of its law), adhesion law.
+///
+/// Its axis is at the height y over the half space; from side to side it rises by a = b d2·e_y, from bottom to top by c = h d3·e_y, nm. In
+/// the plane, a = 0 and c = h cos θ, the energy is that of [`LineLaw`] times the width.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpatialSection {
+    shape: SectionShape,
+    width: f64,
+    law: LineLaw,
+    form: Form,
+}
+
+/// How the energy is computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Form {
+    /// Body force over a rectangle
+    Rectangle,
+    /// Body force over an ellipse
+    Ellipse,
+    /// Body force of a rectangle's lower face
+    NearFace,
+    /// At the gap below the axis
+    AxisGap,
+}
+
+impl SpatialSection {
+    /// A section of this outline and width, nm, whose height, adhesion law, line load and faces are those of `law`.
+    ///
+    /// # Errors
+    ///
+    /// Where the load has no potential: line load "force-only", surface traction, a law of the user's own that says so. Where an ellipse has
+    /// another law than the body force with both faces. Where width or height is not a length.
+    pub fn new(shape: SectionShape, width: f64, law: LineLaw) -> Result<Self, SpatialSectionError> {
+        for (what, value) in [("width", width), ("height", law.height)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(SpatialSectionError::NoLength { what, value });
+            }
+        }
+        Ok(Self { shape, width, law, form: Form::of(shape, &law)? })
+    }
+
+    /// The outline
+    pub fn shape(&self) -> SectionShape {
+        self.shape
+    }
+
+    /// b, nm
+    pub fn width(&self) -> f64 {
+        self.width
+    }
+
+    /// The law in the plane, with the height h
+    pub fn law(&self) -> &LineLaw {
+        &self.law
+    }
+
+    /// Ψ with gradient and Hessian at the height y of the axis and the rises a and c of width and height, nm.
+    ///
+    /// The lowest point of the section lies above the half space: y > (|a| + |c|)/2, of an ellipse y > √(a² + c²)/2. Nothing checks that here.
+    #[inline(always)]
+    pub fn response<T: Real>(&self, y: T, a: T, c: T) -> SpatialSectionResponse<T> {
+        let (half_space, area) = (&self.law.half_space, self.width * self.law.height);
+        match self.form {
+            Form::Rectangle => rectangle::response(half_space, area, y, a, c),
+            Form::Ellipse => ellipse::response(half_space, area, y, a, c),
+            Form::NearFace => near_face::response(half_space, area, y, a, c),
+            Form::AxisGap => axis_gap::response(&self.law, self.width, y),
+        }
+    }
+
+    /// Ψ alone, nN.
+    #[inline(always)]
+    pub fn energy<T: Real>(&self, y: T, a: T, c: T) -> T {
+        let (half_space, area) = (&self.law.half_space, self.width * self.law.height);
+        match self.form {
+            Form::Rectangle => rectangle::energy(half_space, area, y, a, c),
+            Form::Ellipse => ellipse::energy(half_space, area, y, a, c),
+            Form::NearFace => near_face::response(half_space, area, y, a, c).energy,
+            Form::AxisGap => axis_gap::response(&self.law, self.width, y).energy,
+        }
+    }
+}
+
+impl Form {
+    fn of(shape: SectionShape, law: &LineLaw) -> Result<Self, SpatialSectionError> {
+        if !law.has_potential() {
+            return Err(SpatialSectionError::NoPotential { law: name(law) });
+        }
+        let form = match (law.line_load, law.law, law.far_face) {
+            (LineLoad::AxisGap, ..) => Self::AxisGap,
+            (_, Law::BodyForce, true) if shape == SectionShape::Ellipse => return Ok(Self::Ellipse),
+            (_, Law::BodyForce, true) => Self::Rectangle,
+            (_, Law::BodyForce, false) => Self::NearFace,
+            _ => return Err(SpatialSectionError::NotOffered { law: name(law) }),
+        };
+        match shape {
+            SectionShape::Rectangle => Ok(form),
+            SectionShape::Ellipse => Err(SpatialSectionError::RequiresRectangle { law: name(law) }),
+        }
+    }
+}
+
+/// What of a law decides.
+fn name(law: &LineLaw) -> String {
+    match (law.line_load, &law.law) {
+        (LineLoad::ForceOnly, _) => "the line load \"force-only\"".into(),
+        (LineLoad::AxisGap, _) => "the line load \"axis-gap\"".into(),
+        (_, Law::BodyForce) => "the body force without the upper surface".into(),
+        (_, Law::SurfaceTraction) => "the surface traction".into(),
+        (_, Law::Cohesive(cohesive)) => format!("the cohesive law \"{}\"", cohesive.shape.name()),
+        (_, Law::Own(own)) => format!("the law \"{}\"", own.law().name()),
+    }
+}
