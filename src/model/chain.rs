@@ -1,10 +1,10 @@
 //! Chains of a density, with elements of order 1 to 8 chosen when the program runs.
 
-use crate::beam::{Chain, EnergyDensity, Integrand, UniformChain};
+use crate::beam::{Chain, EnergyDensity, PlanarIntegrand, UniformChain};
 
 /// Two unknowns a node, both free at the left end.
 pub(super) fn two_field(density: impl EnergyDensity<2> + 'static, order: usize) -> Box<dyn Chain> {
-    let density: Box<dyn Integrand<2>> = Box::new(density);
+    let density: Box<dyn PlanarIntegrand<2>> = Box::new(density);
     if density.has_border() {
         Box::new(UniformChain::new::<true>(density, order, [None; 2]))
     } else {

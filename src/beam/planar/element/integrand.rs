@@ -54,14 +54,12 @@ pub struct PointGradient<const F: usize> {
     pub by_border: f64,
 }
 
-/// A [`EnergyDensity`] without its type: every density is one.
+/// What an element integrates: an energy density of F fields without its type.
 pub trait Integrand<const F: usize>: Send + Sync {
     /// [`EnergyDensity::COUPLING`]
     fn coupling(&self) -> Coupling<F>;
     /// [`EnergyDensity::BORDER`]
     fn has_border(&self) -> bool;
-    /// [`EnergyDensity::HAS_HISTORY`]
-    fn remembers(&self) -> bool;
     /// [`EnergyDensity::is_symmetric`]
     fn is_symmetric(&self) -> bool;
     /// The responses at some points, with the traction that remembers; as many of them as there are points.
@@ -70,6 +68,12 @@ pub trait Integrand<const F: usize>: Send + Sync {
     fn energy_at(&self, point: &Point<F64x4, F>, axial_multiplier: f64) -> PointEnergy<F64x4, F>;
     /// The first derivatives at one point, with the traction that remembers.
     fn gradient_at(&self, point: &Point<f64, F>, axial_multiplier: f64) -> PointGradient<F>;
+}
+
+/// An [`EnergyDensity`] of a planar beam without its type: every one is one.
+pub trait PlanarIntegrand<const F: usize>: Integrand<F> {
+    /// [`EnergyDensity::HAS_HISTORY`]
+    fn remembers(&self) -> bool;
     /// Adhesion energy per length with these fields, nN
     fn adhesion_at(&self, place: f64, value: [f64; F], axial_multiplier: f64) -> f64;
     /// [`EnergyDensity::remembered`]
@@ -95,10 +99,6 @@ impl<D: EnergyDensity<F>, const F: usize> Integrand<F> for D {
         D::BORDER
     }
 
-    fn remembers(&self) -> bool {
-        D::HAS_HISTORY
-    }
-
     fn is_symmetric(&self) -> bool {
         EnergyDensity::is_symmetric(self)
     }
@@ -115,6 +115,12 @@ impl<D: EnergyDensity<F>, const F: usize> Integrand<F> for D {
         let PointResponse { by_value, by_slope, coverage_by_value, by_border, .. } =
             response(self, point, axial_multiplier);
         PointGradient { by_value, by_slope, coverage_by_value, by_border }
+    }
+}
+
+impl<D: EnergyDensity<F>, const F: usize> PlanarIntegrand<F> for D {
+    fn remembers(&self) -> bool {
+        D::HAS_HISTORY
     }
 
     fn adhesion_at(&self, place: f64, value: [f64; F], axial_multiplier: f64) -> f64 {

@@ -16,8 +16,8 @@ mod tests;
 
 use super::{
     AnyNumber, Basis, Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, Element, ElementEnergy,
-    Fixed, FrontalMatrix, Integrand, Integration, MOST_FIELDS, MOST_NODES, MOST_ORDER, NodeState, Nodes, Responses,
-    RootVector, SectionState, slot,
+    Fixed, FrontalMatrix, Integration, MOST_FIELDS, MOST_NODES, MOST_ORDER, NodeState, Nodes, PlanarIntegrand,
+    Responses, RootVector, SectionState, slot,
 };
 use crate::number::F64x4;
 use crate::solve::{History, SolveError};
@@ -75,7 +75,7 @@ const USUAL: usize = 7;
 
 /// [`Chain`] of F fields a node.
 pub struct UniformChain<const F: usize> {
-    density: Box<dyn Integrand<F>>,
+    density: Box<dyn PlanarIntegrand<F>>,
     basis: Basis,
     /// Whether the tangent is symmetric.
     symmetric: bool,
@@ -88,7 +88,7 @@ impl<const F: usize> UniformChain<F> {
     /// A chain of elements of an order, 1 to 8, whose left end is free but for the fields that `pinned_left` holds at a value.
     /// Panics unless `BORDER` is what the density has.
     pub fn new<const BORDER: bool>(
-        density: Box<dyn Integrand<F>>,
+        density: Box<dyn PlanarIntegrand<F>>,
         order: usize,
         pinned_left: [Option<f64>; F],
     ) -> Self {

@@ -207,7 +207,7 @@ fn made_up<const F: usize, const BORDER: bool>(pinned: [Option<f64>; F]) {
     for order in 1..=8 {
         for elements in [1, 2, 3, 4, 5, 7, 9] {
             for symmetric in [true, false] {
-                let density: Box<dyn Integrand<F>> = Box::new(MadeUp::<F, BORDER>::new(symmetric, &mut numbers));
+                let density: Box<dyn PlanarIntegrand<F>> = Box::new(MadeUp::<F, BORDER>::new(symmetric, &mut numbers));
                 let chain = UniformChain::new::<BORDER>(density, order, pinned);
                 let unknowns = (elements * order + 1) * F;
                 let mut end = 0.0;

@@ -1,0 +1,94 @@
+//! The block of an element's two ends, what condensation leaves of it: eliminated from its left end to its right.
+
+use super::projection::{SPATIAL_UNKNOWNS, SpatialFront};
+use crate::beam::Nodes;
+
+/// Both ends, and the residual or the path.
+pub(super) const EDGE: usize = 2 * SPATIAL_UNKNOWNS + 1;
+/// The right end, and the residual or the path.
+pub(super) const ROOT: usize = SPATIAL_UNKNOWNS + 1;
+const KNOWN: usize = 2 * SPATIAL_UNKNOWNS;
+
+/// An equation of the block.
+pub(super) type EndRow = [f64; EDGE];
+/// What stands below the pivots of the left end in the rows of the right.
+pub(super) type BelowEnd = [[f64; SPATIAL_UNKNOWNS]; SPATIAL_UNKNOWNS];
+/// What is left on the right end.
+pub(super) type Carry = [[f64; ROOT]; ROOT];
+
+/// The block itself.
+pub(super) struct EndBlock(pub [EndRow; EDGE]);
+
+impl EndBlock {
+    /// What condensation left of element `l` of a front, which is symmetric.
+    #[inline(always)]
+    pub fn of(nodes: impl Nodes, front: &SpatialFront, l: usize) -> Self {
+        const F: usize = SPATIAL_UNKNOWNS;
+        let mut block = [[0.0; EDGE]; EDGE];
+        let ends = [nodes.count() - 2, nodes.count() - 1];
+        for i in 0..KNOWN {
+            let row = &front.rows[ends[i / F]][i % F];
+            for j in i..KNOWN {
+                block[i][j] = row.fields[ends[j / F]][j % F].0[l];
+                block[j][i] = block[i][j];
+            }
+            block[i][KNOWN] = row.residual.0[l];
+            block[KNOWN][i] = front.path.fields[ends[i / F]][i % F].0[l];
+        }
+        block[KNOWN][KNOWN] = front.path.residual.0[l];
+        Self(block)
+    }
+
+    /// The left end of the chain: its part of the path functional, and by how much what is held is off.
+    pub fn start(&mut self, path: &[f64; SPATIAL_UNKNOWNS], off: &[Option<f64>; SPATIAL_UNKNOWNS]) {
+        for f in 0..SPATIAL_UNKNOWNS {
+            self.0[KNOWN][f] += path[f];
+        }
+        for f in 0..SPATIAL_UNKNOWNS {
+            let Some(off) = off[f] else { continue };
+            self.0[f] = [0.0; EDGE];
+            self.0[f][f] = 1.0;
+            self.0[f][KNOWN] = off;
+        }
+    }
+
+    /// Eliminates the left end; each pivot is replaced by one over it. How many pivots were negative, and the least without its sign.
+    #[inline(always)]
+    pub fn eliminate(&mut self) -> (usize, f64) {
+        let (mut negative, mut least) = (0, f64::INFINITY);
+        for k in 0..SPATIAL_UNKNOWNS {
+            let row = self.0[k];
+            negative += usize::from(row[k] < 0.0);
+            least = least.min(row[k].abs());
+            let inverse = 1.0 / row[k];
+            for i in k + 1..EDGE {
+                let factor = self.0[i][k] * inverse;
+                for j in k + 1..EDGE {
+                    self.0[i][j] -= factor * row[j];
+                }
+            }
+            self.0[k][k] = inverse;
+        }
+        (negative, least)
+    }
+
+    /// What stands below the pivots.
+    pub fn below(&self) -> BelowEnd {
+        std::array::from_fn(|i| std::array::from_fn(|k| self.0[SPATIAL_UNKNOWNS + i][k]))
+    }
+
+    /// What is left on the right end and the path.
+    pub fn load(&self) -> Carry {
+        std::array::from_fn(|i| std::array::from_fn(|j| self.0[SPATIAL_UNKNOWNS + i][SPATIAL_UNKNOWNS + j]))
+    }
+
+    /// Adds what the element before left to the left end.
+    pub fn unload(&mut self, carry: &Carry) {
+        let place = |i: usize| if i < SPATIAL_UNKNOWNS { i } else { KNOWN };
+        for i in 0..ROOT {
+            for j in 0..ROOT {
+                self.0[place(i)][place(j)] += carry[i][j];
+            }
+        }
+    }
+}

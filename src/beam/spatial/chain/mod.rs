@@ -1,0 +1,186 @@
+//! A chain of elements of a beam in space, eliminated front by front down to its right end.
+//!
+//! As in the planar chain: the interior nodes of four elements are eliminated side by side, then the ends of the elements from left to
+//! right. The last row of a front carries the path functional and the last column the residual. The sign of a pivot is the sign of an
+//! eigenvalue, so the sweep counts the negative ones.
+
+mod back;
+mod end_block;
+mod projection;
+pub mod read;
+mod sweep;
+
+pub use projection::{EndMap, SPATIAL_UNKNOWNS};
+
+use super::density::{SPATIAL_FIELDS, SpatialDensity};
+use super::end_rotation::EndRotation;
+use super::rotation::{Matrix3, Quaternion};
+use crate::beam::{
+    AnyNumber, BUNDLE, Basis, Element, Fixed, Integrand, Integration, MOST_NODES, MOST_ORDER, Nodes, Responses, slot,
+};
+use crate::number::{F64x4, Real};
+use end_block::{BelowEnd, EndRow};
+use projection::{FieldFront, SpatialFront};
+
+/// An end of the chain: along what it moves, how it turns, and which of these are held.
+#[derive(Clone, Copy, Debug)]
+pub struct SpatialEnd {
+    /// Columns: the axes along which the end is moved.
+    pub axes: Matrix3,
+    /// How it turns
+    pub rotation: EndRotation,
+    /// The directors at rest
+    pub rest: Quaternion,
+    /// Force (nN) and moment (nN·nm) on it that keep their directions in space, along and about x, y, z; the moment has no potential.
+    pub dead_load: [[f64; 3]; 2],
+}
+
+/// The order that is used where none is asked for: its loops are compiled for it alone, those of the others for any.
+pub const USUAL_ORDER: usize = 7;
+
+/// The chain.
+#[derive(Clone, Debug)]
+pub struct SpatialChain {
+    /// What is integrated
+    pub density: SpatialDensity,
+    basis: Basis,
+    /// The left end and the right end
+    pub ends: [SpatialEnd; 2],
+    /// Which unknowns of the left end are held, and at what: of its place along its axes, and of its angles.
+    pub held_left: [Option<f64>; SPATIAL_UNKNOWNS],
+}
+
+/// A configuration as a chain sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct SpatialConfiguration<'a> {
+    /// Reference coordinates S of the ends of the elements, nm
+    pub boundaries: &'a [f64],
+    /// Fields node by node from left to right
+    pub fields: &'a [f64],
+    /// Angles of the two ends; of a free end zeros.
+    pub angles: [[f64; 3]; 2],
+}
+
+/// What the path condition wants of the chain: a linear functional of the coverage and of the unknowns of the left end.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SpatialFunctional {
+    /// Weight of the coverage, 1/aJ
+    pub coverage: f64,
+    /// Weights of the unknowns of the left end
+    pub left: [f64; SPATIAL_UNKNOWNS],
+}
+
+/// What an elimination leaves for the way back.
+pub struct SpatialFactors {
+    fronts: Vec<SpatialFront>,
+    ends: Vec<[EndRow; SPATIAL_UNKNOWNS]>,
+    below: Vec<BelowEnd>,
+    field_front: Box<FieldFront>,
+    room: Box<Responses<SPATIAL_FIELDS>>,
+}
+
+impl Default for SpatialFactors {
+    fn default() -> Self {
+        Self {
+            fronts: Vec::new(),
+            ends: Vec::new(),
+            below: Vec::new(),
+            field_front: Box::new(FieldFront::zero()),
+            room: Box::default(),
+        }
+    }
+}
+
+impl SpatialChain {
+    /// A chain of elements of an order, 1 to 8.
+    pub fn new(
+        density: SpatialDensity,
+        order: usize,
+        ends: [SpatialEnd; 2],
+        held_left: [Option<f64>; SPATIAL_UNKNOWNS],
+    ) -> Self {
+        Self { density, basis: Basis::new(order.clamp(1, MOST_ORDER)), ends, held_left }
+    }
+
+    /// Order p of its elements.
+    pub fn order(&self) -> usize {
+        self.basis.order
+    }
+
+    /// Place of the node of a rank in its element, from 0 to 1.
+    pub fn node_fraction(&self, rank: usize) -> f64 {
+        0.5 * (1.0 + self.basis.nodes[slot(self.basis.order + 1, rank)])
+    }
+
+    fn integration<N: Nodes>(&self, nodes: N) -> Integration<'_, N, SPATIAL_FIELDS> {
+        let (density, coupling): (&dyn Integrand<SPATIAL_FIELDS>, _) = (&self.density, self.density.coupling());
+        Integration { nodes, basis: &self.basis, density, coupling, symmetric: true }
+    }
+
+    fn nodes(&self) -> AnyNumber {
+        AnyNumber::of_order(self.basis.order)
+    }
+
+    /// Elements `first` to `first + 3`; behind the last one it is repeated.
+    #[inline(always)]
+    fn gather(
+        &self,
+        nodes: impl Nodes,
+        at: SpatialConfiguration,
+        first: usize,
+        bundle: &mut Element<F64x4, SPATIAL_FIELDS>,
+    ) {
+        let elements = at.boundaries.len() - 1;
+        for l in 0..BUNDLE {
+            let e = (first + l).min(elements - 1);
+            bundle.from.0[l] = at.boundaries[e];
+            bundle.length.0[l] = at.boundaries[e + 1] - at.boundaries[e];
+        }
+        gather_nodes(nodes, at.fields, (first, elements), &mut bundle.values);
+    }
+
+    /// One element.
+    fn element(&self, at: SpatialConfiguration, e: usize) -> Element<f64, SPATIAL_FIELDS> {
+        let mut element = Element::zero();
+        element.from = at.boundaries[e];
+        element.length = at.boundaries[e + 1] - at.boundaries[e];
+        let count = self.basis.order + 1;
+        for rank in 0..count {
+            let from = (e * self.basis.order + rank) * SPATIAL_FIELDS;
+            element.values[slot(count, rank)].copy_from_slice(&at.fields[from..from + SPATIAL_FIELDS]);
+        }
+        element
+    }
+}
+
+/// Numbers of the nodes of four elements, in elimination order.
+#[inline(always)]
+fn gather_nodes<const F: usize>(
+    nodes: impl Nodes,
+    all: &[f64],
+    (first, elements): (usize, usize),
+    out: &mut [[F64x4; F]; MOST_NODES],
+) {
+    let count = nodes.count();
+    for l in 0..BUNDLE {
+        let e = (first + l).min(elements - 1);
+        let own = &all[e * (count - 1) * F..][..count * F];
+        for rank in 0..count {
+            for f in 0..F {
+                out[slot(count, rank)][f].0[l] = own[rank * F + f];
+            }
+        }
+    }
+}
+
+/// The quaternion of a node's fields.
+pub fn quaternion_of(node: &[f64]) -> Quaternion {
+    [node[3], node[4], node[5], node[6]]
+}
+
+/// Nodes whose number is known, for the usual order.
+type Usual = Fixed<{ USUAL_ORDER + 1 }>;
+
+fn no_values<const F: usize>() -> [[F64x4; F]; MOST_NODES] {
+    [[F64x4::splat(0.0); F]; MOST_NODES]
+}

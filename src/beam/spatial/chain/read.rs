@@ -1,0 +1,176 @@
+//! What is read off a configuration: energies, gradients, and its fields in other places.
+
+use super::projection::{SPATIAL_UNKNOWNS, projected, turn_to_quaternion};
+use super::{SpatialChain, SpatialConfiguration, SpatialEnd, gather_nodes, no_values, quaternion_of};
+use crate::beam::spatial::density::SPATIAL_FIELDS;
+use crate::beam::spatial::rotation::{apply, apply_transposed, inner, matrix, times};
+use crate::beam::{BUNDLE, Element, ElementEnergy, MOST_NODES, PerNode, slot};
+
+const F: usize = SPATIAL_UNKNOWNS;
+const N: usize = SPATIAL_FIELDS;
+
+impl SpatialChain {
+    /// Energy and coverage, and how the coverage changes along a direction.
+    pub fn energy(&self, at: SpatialConfiguration, direction: &[f64]) -> (ElementEnergy, f64) {
+        let elements = at.boundaries.len() - 1;
+        let (nodes, mut sums, mut bundle) = (self.nodes(), [0.0; 3], Element::zero());
+        let (by, change) = (self.integration(nodes), self.change_of_fields(at, direction));
+        for first in (0..elements).step_by(BUNDLE) {
+            self.gather(nodes, at, first, &mut bundle);
+            let mut changes = no_values::<N>();
+            gather_nodes(nodes, &change, (first, elements), &mut changes);
+            for (sum, part) in sums.iter_mut().zip(bundle.energy(&by, &changes)) {
+                *sum += part.0[..BUNDLE.min(elements - first)].iter().sum::<f64>();
+            }
+        }
+        (ElementEnergy { total: sums[0], coverage: sums[1] }, sums[2])
+    }
+
+    /// A direction as one of the nodes alone, without ends of their own.
+    pub fn direction_of_nodes(&self, at: SpatialConfiguration, direction: &[f64]) -> Vec<f64> {
+        let mut own = direction.to_vec();
+        let last = own.len() - F;
+        for (end, from) in [(0, 0), (1, last)] {
+            let SpatialEnd { axes, rotation, .. } = self.ends[end];
+            let (map, _) = rotation.map(axes, at.angles[end], quaternion_of(self.end_node(at, end)), [0.0; 3]);
+            own[from..from + F].copy_from_slice(&map.forward(&direction[from..from + F]));
+        }
+        own
+    }
+
+    /// The change of the fields along a direction.
+    fn change_of_fields(&self, at: SpatialConfiguration, direction: &[f64]) -> Vec<f64> {
+        let own = self.direction_of_nodes(at, direction);
+        let mut change = Vec::with_capacity(at.fields.len());
+        for (node, own) in at.fields.chunks_exact(N).zip(own.chunks_exact(F)) {
+            change.extend_from_slice(&own[..3]);
+            change.extend(apply(&turn_to_quaternion(quaternion_of(node)), &[own[3], own[4], own[5]]));
+        }
+        change
+    }
+
+    /// A gradient by the fields of the nodes as one by the unknowns.
+    fn by_unknowns(&self, at: SpatialConfiguration, by_fields: &[f64]) -> Vec<f64> {
+        let mut out = Vec::with_capacity(by_fields.len() / N * F);
+        for (node, by) in at.fields.chunks_exact(N).zip(by_fields.as_chunks::<N>().0) {
+            out.extend(projected(by, &turn_to_quaternion(quaternion_of(node))));
+        }
+        let last = out.len() - F;
+        for (end, from) in [(0, 0), (1, last)] {
+            let SpatialEnd { axes, rotation, .. } = self.ends[end];
+            let (map, _) = rotation.map(axes, at.angles[end], quaternion_of(self.end_node(at, end)), [0.0; 3]);
+            let taken = map.back(&out[from..from + F]);
+            out[from..from + F].copy_from_slice(&taken);
+        }
+        out
+    }
+
+    /// The residual: the gradient of the energy less the dead load, and by how much what is held of the left end is off.
+    pub fn residual(&self, at: SpatialConfiguration) -> Vec<f64> {
+        let by = self.integration(self.nodes());
+        let fields = self.summed(at, |element| element.forces(&by));
+        let mut residual = self.by_unknowns(at, &fields);
+        let SpatialEnd { axes, rotation, dead_load: [force, moment], .. } = self.ends[1];
+        let q = quaternion_of(self.end_node(at, 1));
+        let own = apply_transposed(&matrix(q), &moment);
+        let (map, _) = rotation.map(axes, at.angles[1], q, [0.0; 3]);
+        let load = map.back(&[force[0], force[1], force[2], own[0], own[1], own[2]]);
+        let last = residual.len() - F;
+        (0..F).for_each(|f| residual[last + f] -= load[f]);
+        for (f, off) in self.off(at).into_iter().enumerate() {
+            residual[f] = off.unwrap_or(residual[f]);
+        }
+        residual
+    }
+
+    /// The gradient of the coverage.
+    pub fn coverage_gradient(&self, at: SpatialConfiguration) -> Vec<f64> {
+        let fields = self.summed(at, |element| element.coverage_forces(self.nodes(), &self.density, &self.basis));
+        self.by_unknowns(at, &fields)
+    }
+
+    /// Numbers of the nodes of each element, summed.
+    fn summed(&self, at: SpatialConfiguration, of: impl Fn(&Element<f64, N>) -> [[f64; N]; MOST_NODES]) -> Vec<f64> {
+        let (order, mut all) = (self.basis.order, vec![0.0; at.fields.len()]);
+        for e in 0..at.boundaries.len() - 1 {
+            let own = of(&self.element(at, e));
+            for rank in 0..=order {
+                for f in 0..N {
+                    all[(e * order + rank) * N + f] += own[slot(order + 1, rank)][f];
+                }
+            }
+        }
+        all
+    }
+
+    /// Fields at the local coordinate `local` in [-1, 1] of an element, and their slopes along S; the quaternion as it is interpolated.
+    pub fn sample(&self, at: SpatialConfiguration, element: usize, local: f64) -> ([f64; N], [f64; N]) {
+        let (shape, slopes) = self.basis.sample(local);
+        let own = self.element(at, element);
+        let value = combine(&own.values, &shape);
+        let stretch = 2.0 / own.length;
+        (value, combine(&own.values, &slopes).map(|slope| slope * stretch))
+    }
+
+    /// The fields on boundaries of elements that lie a little beside those of `at`: each node moved along the polynomial of its element, to
+    /// second order in the move.
+    pub fn shifted(&self, at: SpatialConfiguration, boundaries: &[f64]) -> Vec<f64> {
+        let (count, order) = (self.basis.order + 1, self.basis.order);
+        let mut fields = at.fields.to_vec();
+        for e in 0..boundaries.len() - 1 {
+            let own = self.element(at, e);
+            let (from, length) = (boundaries[e], boundaries[e + 1] - boundaries[e]);
+            let first = self.basis.differentiate(self.nodes(), &own.values);
+            let second = self.basis.differentiate(self.nodes(), &first);
+            for rank in usize::from(e > 0)..count {
+                let a = slot(count, rank);
+                let place = 0.5 * (1.0 + self.basis.nodes[a]);
+                let shift = 2.0 / own.length * (from - own.from + place * (length - own.length));
+                let node = &mut fields[(e * order + rank) * N..][..N];
+                for f in 0..N {
+                    node[f] += shift * (first[a][f] + 0.5 * shift * second[a][f]);
+                }
+                normalise(node);
+            }
+        }
+        fields
+    }
+
+    /// The fields on other boundaries of elements, each new node read off the element it falls in.
+    pub fn resampled(&self, at: SpatialConfiguration, boundaries: &[f64]) -> Vec<f64> {
+        let (order, mut old) = (self.basis.order, 0);
+        let mut fields = Vec::with_capacity(((boundaries.len() - 1) * order + 1) * N);
+        for (e, pair) in boundaries.windows(2).enumerate() {
+            let last = usize::from(e + 2 == boundaries.len());
+            for rank in 0..order + last {
+                let s = pair[0] + self.node_fraction(rank) * (pair[1] - pair[0]);
+                while old + 2 < at.boundaries.len() && s > at.boundaries[old + 1] {
+                    old += 1;
+                }
+                let (from, to) = (at.boundaries[old], at.boundaries[old + 1]);
+                let shape = self.basis.sample_values(2.0 * (s - from) / (to - from) - 1.0);
+                let mut node = combine(&self.element(at, old).values, &shape);
+                normalise(&mut node);
+                fields.extend_from_slice(&node);
+            }
+        }
+        fields
+    }
+}
+
+/// Makes the quaternion of a node one of length one.
+pub fn normalise(node: &mut [f64]) {
+    let q = quaternion_of(node);
+    node[3..].copy_from_slice(&times(q, 1.0 / inner(q, q).sqrt()));
+}
+
+/// Σ shape·values over the nodes.
+fn combine(values: &[[f64; N]; MOST_NODES], shape: &PerNode) -> [f64; N] {
+    let mut sum = [0.0; N];
+    for a in 0..MOST_NODES {
+        for f in 0..N {
+            sum[f] += shape[a] * values[a][f];
+        }
+    }
+    sum
+}

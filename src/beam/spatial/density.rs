@@ -1,0 +1,406 @@
+//! The energy of a beam in space, per length of its axis: stored and of adhesion.
+//!
+//! Fields are the place (x, y, z) of the axis and the quaternion q of the directors d1 (along the axis), d2 (width) and d3 (height). With
+//! R = [d1 d2 d3],
+//!
+//!   Γ = Rᵀ r' - e1,   K = 2 Im(q̄ ∘ q')/|q|²,   φ = ½ (Γ, K - K0) · C (Γ, K - K0) + Ψ(y, a, c),   a = b d2·e_y,  c = h d3·e_y.
+//!
+//! Γ, K and R are homogeneous of degree zero in (q, q'), so that interpolated quaternions need not have the length one; and they do not
+//! change when the whole beam is turned, which interpolation between the nodes commutes with.
+//!
+//! Derivatives: with q̂ = q/|q|, changes are written as δq = |q| q̂ ∘ (α, ω), δq' = |q| q̂ ∘ (β, ξ) and δr' = R γ. Then, to second order,
+//!
+//!   Γ = g + γ + 2 g × ω  - 2 ω × γ + 2α ω × g + 2 ω (ω·g) - 2 |ω|² g,                                g = Rᵀ r'
+//!   K = k - αk + 2ξ - 2v ω + k × ω  - 2αξ - 2βω - 2 ω × ξ + α² k + 4αv ω + 2α ω × k - |ω|² k,        v = q·q'/|q|²
+//!
+//! and Rᵀ e_y as Γ with γ = 0. Source: J. C. Simo, A finite strain beam formulation, Comput. Methods Appl. Mech. Eng. 49 (1985).
+
+use super::rotation::{
+    Matrix3, apply, apply_transposed, cross, dot, inner, matrix, multiply, multiply_by_transposed, multiply_transposed,
+    product, skew,
+};
+use super::spatial_profile::{SpatialProfile, Station};
+use crate::adhesion::SpatialSection;
+use crate::beam::{Coupling, Integrand, Point, PointEnergy, PointGradient, PointResponse};
+use crate::number::{F64x4, Real};
+
+/// Fields of a beam in space: x, y, z and the quaternion.
+pub const SPATIAL_FIELDS: usize = 7;
+
+/// The density, with sections from place to place.
+#[derive(Clone, Debug)]
+pub struct SpatialDensity {
+    /// What bends
+    pub profile: SpatialProfile,
+    /// What adheres its sections to the flat ground y = 0; nothing of a beam on its own.
+    pub adhesion: Option<SpatialSection>,
+}
+
+/// What is known at a point: lengths, the frame, the strains.
+struct Kinematics<T> {
+    /// 1/|q|
+    per_length: T,
+    /// q̂
+    unit: [T; 4],
+    frame: Matrix3<T>,
+    /// g = Rᵀ r'
+    stretch: [T; 3],
+    /// k
+    turn: [T; 3],
+    /// v
+    growth: T,
+}
+
+impl<T: Real> Kinematics<T> {
+    #[inline(always)]
+    fn new(value: &[T; SPATIAL_FIELDS], slope: &[T; SPATIAL_FIELDS]) -> Self {
+        let [dx, dy, dz, s0, s1, s2, s3] = *slope;
+        let q = [value[3], value[4], value[5], value[6]];
+        let per_length = inner(q, q).each(|square| [1.0 / square.sqrt()])[0];
+        let unit = q.map(|entry| entry * per_length);
+        let change = [s0, s1, s2, s3].map(|entry| entry * per_length);
+        let frame = matrix(unit);
+        let [growth, turn @ ..] = product([unit[0], -unit[1], -unit[2], -unit[3]], change);
+        Self {
+            per_length,
+            unit,
+            stretch: apply_transposed(&frame, &[dx, dy, dz]),
+            frame,
+            turn: turn.map(|entry| entry * 2.0),
+            growth,
+        }
+    }
+
+    /// Γ and K - K0.
+    #[inline(always)]
+    fn strains(&self, rest: &[T; 3]) -> [T; 6] {
+        let ([g0, g1, g2], k) = (self.stretch, self.turn);
+        [g0 - 1.0, g1, g2, k[0] - rest[0], k[1] - rest[1], k[2] - rest[2]]
+    }
+
+    /// The columns of q̂ ∘ (1, e1, e2, e3), over |q|: from local changes to those of the field.
+    #[inline(always)]
+    fn basis(&self) -> [[T; 4]; 4] {
+        let [w, x, y, z] = self.unit.map(|entry| entry * self.per_length);
+        [[w, -x, -y, -z], [x, w, -z, y], [y, z, w, -x], [z, -y, x, w]]
+    }
+}
+
+/// Section forces and moments C ε, and the energy.
+#[inline(always)]
+fn forces<T: Real>(stiffness: &[[T; 6]; 6], strains: &[T; 6]) -> ([T; 3], [T; 3], T) {
+    let [n0, n1, n2, m0, m1, m2] = apply(stiffness, strains);
+    let (n, m) = ([n0, n1, n2], [m0, m1, m2]);
+    let [g0, g1, g2, k0, k1, k2] = *strains;
+    (n, m, (dot(n, [g0, g1, g2]) + dot(m, [k0, k1, k2])) * 0.5)
+}
+
+/// First derivatives of the stored energy in local changes: by γ, by (α, ω), by (β, ξ).
+#[inline(always)]
+fn local_gradient<T: Real>(at: &Kinematics<T>, n: [T; 3], m: [T; 3]) -> ([T; 3], [T; 4], [T; 4]) {
+    let (by_stretch, by_turn) = (cross(n, at.stretch), cross(m, at.turn));
+    let on_value = [
+        -dot(m, at.turn),
+        by_stretch[0] * 2.0 + by_turn[0] - at.growth * m[0] * 2.0,
+        by_stretch[1] * 2.0 + by_turn[1] - at.growth * m[1] * 2.0,
+        by_stretch[2] * 2.0 + by_turn[2] - at.growth * m[2] * 2.0,
+    ];
+    (n, on_value, [T::splat(0.0), m[0] * 2.0, m[1] * 2.0, m[2] * 2.0])
+}
+
+/// Second derivatives of p·(Rᵀ v), with e = Rᵀ v, by (α, ω) twice.
+#[inline(always)]
+fn turned_twice<T: Real>(p: [T; 3], e: [T; 3], out: &mut [[T; 4]; 4]) {
+    let mixed = cross(e, p);
+    let both = dot(p, e) * 4.0;
+    for i in 0..3 {
+        out[0][i + 1] = out[0][i + 1] + mixed[i] * 2.0;
+        out[i + 1][0] = out[i + 1][0] + mixed[i] * 2.0;
+        for j in 0..3 {
+            out[i + 1][j + 1] = out[i + 1][j + 1] + (p[i] * e[j] + e[i] * p[j]) * 2.0;
+        }
+        out[i + 1][i + 1] = out[i + 1][i + 1] - both;
+    }
+}
+
+/// Second derivatives of the stored energy in local changes.
+struct LocalTangent<T> {
+    /// By γ twice
+    stretch_stretch: [[T; 3]; 3],
+    /// By γ and (α, ω)
+    stretch_value: [[T; 4]; 3],
+    /// By γ and (β, ξ)
+    stretch_slope: [[T; 4]; 3],
+    /// By (α, ω) twice
+    value_value: [[T; 4]; 4],
+    /// By (α, ω) and (β, ξ)
+    value_slope: [[T; 4]; 4],
+    /// By (β, ξ) twice
+    slope_slope: [[T; 4]; 4],
+}
+
+impl<T: Real> LocalTangent<T> {
+    #[inline(always)]
+    fn new(at: &Kinematics<T>, c: &[[T; 6]; 6], n: [T; 3], m: [T; 3]) -> Self {
+        let zero = T::splat(0.0);
+        let part = |row: usize, column: usize| -> Matrix3<T> {
+            let mut out = [[zero; 3]; 3];
+            for i in 0..3 {
+                for j in 0..3 {
+                    out[i][j] = c[row + i][column + j];
+                }
+            }
+            out
+        };
+        let (gg, gk, kk) = (part(0, 0), part(0, 3), part(3, 3));
+        // how Γ and K change with (α, ω); with γ as it is, with (β, ξ) by twice ξ
+        let (g, k) = (skew(at.stretch), skew(at.turn));
+        let (mut stretch, mut turn) = ([[zero; 4]; 3], [[zero; 4]; 3]);
+        for i in 0..3 {
+            turn[i][0] = -at.turn[i];
+            for j in 0..3 {
+                stretch[i][j + 1] = g[i][j] * 2.0;
+                turn[i][j + 1] = k[i][j];
+            }
+            turn[i][i + 1] = turn[i][i + 1] - at.growth * 2.0;
+        }
+        let add = |a: [[T; 4]; 3], b: [[T; 4]; 3]| {
+            let mut sum = a;
+            for i in 0..3 {
+                for j in 0..4 {
+                    sum[i][j] = sum[i][j] + b[i][j];
+                }
+            }
+            sum
+        };
+        let force = add(multiply(&gg, &stretch), multiply(&gk, &turn));
+        let moment = add(multiply_transposed(&gk, &stretch), multiply(&kk, &turn));
+        let mut value_value = multiply_transposed(&stretch, &force);
+        let by_turn = multiply_transposed(&turn, &moment);
+        let (mut stretch_value, mut stretch_slope) = (force, [[zero; 4]; 3]);
+        let (mut value_slope, mut slope_slope) = ([[zero; 4]; 4], [[zero; 4]; 4]);
+        let (force_skew, moment_skew) = (skew(n), skew(m));
+        for i in 0..4 {
+            for j in 0..4 {
+                value_value[i][j] = value_value[i][j] + by_turn[i][j];
+            }
+            for j in 0..3 {
+                value_slope[i][j + 1] = moment[j][i] * 2.0;
+            }
+        }
+        for i in 0..3 {
+            for j in 0..3 {
+                stretch_value[i][j + 1] = stretch_value[i][j + 1] - force_skew[i][j] * 2.0;
+                stretch_slope[i][j + 1] = gk[i][j] * 2.0;
+                value_slope[i + 1][j + 1] = value_slope[i + 1][j + 1] + moment_skew[i][j] * 2.0;
+                slope_slope[i + 1][j + 1] = kk[i][j] * 4.0;
+            }
+        }
+        turned_twice(n, at.stretch, &mut value_value);
+        let (across, along) = (cross(at.turn, m), dot(m, at.turn) * 2.0);
+        value_value[0][0] = value_value[0][0] + along;
+        for i in 0..3 {
+            let mixed = at.growth * m[i] * 4.0 + across[i] * 2.0;
+            value_value[0][i + 1] = value_value[0][i + 1] + mixed;
+            value_value[i + 1][0] = value_value[i + 1][0] + mixed;
+            value_value[i + 1][i + 1] = value_value[i + 1][i + 1] - along;
+            value_slope[0][i + 1] = value_slope[0][i + 1] - m[i] * 2.0;
+            value_slope[i + 1][0] = value_slope[i + 1][0] - m[i] * 2.0;
+        }
+        Self { stretch_stretch: gg, stretch_value, stretch_slope, value_value, value_slope, slope_slope }
+    }
+}
+
+/// Adhesion at a point: energy, the derivatives by y and (α, ω), and what the front is counted by.
+struct LocalAdhesion<T> {
+    energy: T,
+    by_height: T,
+    by_value: [T; 4],
+    height_height: T,
+    height_value: [T; 4],
+    value_value: [[T; 4]; 4],
+    coverage: T,
+    coverage_by_height: T,
+    coverage_by_value: [T; 4],
+}
+
+impl<T: Real> LocalAdhesion<T> {
+    #[inline(always)]
+    fn new(law: &SpatialSection, at: &Kinematics<T>, height: T, station: &Station<T>) -> Self {
+        let zero = T::splat(0.0);
+        let up = at.frame[1];
+        let (b, h) = (station.width, station.height);
+        let response = law.response(height, b * up[1], h * up[2]);
+        let [by_y, by_a, by_c] = response.gradient;
+        let [yy, ya, yc, aa, ac, cc] = response.hessian;
+        // how a and c change with ω: 2 (e × ω) along d2 and d3
+        let (in_a, in_c) = ([up[2] * b * 2.0, zero, -(up[0] * b * 2.0)], [-(up[1] * h * 2.0), up[0] * h * 2.0, zero]);
+        let mut out = Self {
+            energy: response.energy,
+            by_height: by_y,
+            by_value: [zero; 4],
+            height_height: yy,
+            height_value: [zero; 4],
+            value_value: [[zero; 4]; 4],
+            coverage: zero,
+            coverage_by_height: zero,
+            coverage_by_value: [zero; 4],
+        };
+        for i in 0..3 {
+            out.by_value[i + 1] = by_a * in_a[i] + by_c * in_c[i];
+            out.height_value[i + 1] = ya * in_a[i] + yc * in_c[i];
+            let (on_a, on_c) = (aa * in_a[i] + ac * in_c[i], ac * in_a[i] + cc * in_c[i]);
+            for j in 0..3 {
+                out.value_value[i + 1][j + 1] = on_a * in_a[j] + on_c * in_c[j];
+            }
+        }
+        turned_twice([zero, by_a * b, by_c * h], up, &mut out.value_value);
+        // as of the planar beam, cos²θ being what the axis covers of the ground: 1 - (d1·e_y)²
+        let square = T::splat(1.0) - up[0] * up[0];
+        let share = square - (square * square - 1.0) * 0.25;
+        let by_rise = -(up[0] * (T::splat(2.0) - square));
+        out.coverage = out.energy * share;
+        out.coverage_by_height = by_y * share;
+        let rise = [zero, -(up[2] * 2.0), up[1] * 2.0];
+        for i in 0..3 {
+            out.coverage_by_value[i + 1] = out.by_value[i + 1] * share + out.energy * by_rise * rise[i];
+        }
+        out
+    }
+}
+
+impl SpatialDensity {
+    /// The density and its derivatives by the fields, at one point or at several side by side.
+    #[inline(always)]
+    pub fn response<T: Real>(
+        &self,
+        place: T,
+        value: &[T; SPATIAL_FIELDS],
+        slope: &[T; SPATIAL_FIELDS],
+    ) -> PointResponse<T, SPATIAL_FIELDS> {
+        let station = self.profile.at(place);
+        let at = Kinematics::new(value, slope);
+        let (n, m, stored) = forces(&station.stiffness, &at.strains(&station.rest_curvature));
+        let (on_stretch, on_value, on_slope) = local_gradient(&at, n, m);
+        let tangent = LocalTangent::new(&at, &station.stiffness, n, m);
+        let mut out = PointResponse::zero();
+        out.energy = stored;
+        let (mut value_gradient, mut value_value) = (on_value, tangent.value_value);
+        let to_field = at.basis();
+        if let Some(law) = &self.adhesion {
+            let adhesion = LocalAdhesion::new(law, &at, value[1], &station);
+            out.energy = out.energy + adhesion.energy;
+            out.adhesion = adhesion.energy;
+            out.coverage = adhesion.coverage;
+            out.by_value[1] = adhesion.by_height;
+            out.value_value[1][1] = adhesion.height_height;
+            out.coverage_by_value[1] = adhesion.coverage_by_height;
+            let (mixed, covered) =
+                (apply(&to_field, &adhesion.height_value), apply(&to_field, &adhesion.coverage_by_value));
+            for i in 0..4 {
+                value_gradient[i] = value_gradient[i] + adhesion.by_value[i];
+                for j in 0..4 {
+                    value_value[i][j] = value_value[i][j] + adhesion.value_value[i][j];
+                }
+                out.value_value[1][3 + i] = mixed[i];
+                out.value_value[3 + i][1] = mixed[i];
+                out.coverage_by_value[3 + i] = covered[i];
+            }
+        }
+        let (by_quaternion, by_its_slope) = (apply(&to_field, &value_gradient), apply(&to_field, &on_slope));
+        let by_place = apply(&at.frame, &on_stretch);
+        let place_place = multiply_by_transposed(&multiply(&at.frame, &tangent.stretch_stretch), &at.frame);
+        let place_value = multiply_by_transposed(&multiply(&at.frame, &tangent.stretch_value), &to_field);
+        let place_slope = multiply_by_transposed(&multiply(&at.frame, &tangent.stretch_slope), &to_field);
+        let value_value = multiply_by_transposed(&multiply(&to_field, &value_value), &to_field);
+        let value_slope = multiply_by_transposed(&multiply(&to_field, &tangent.value_slope), &to_field);
+        let slope_slope = multiply_by_transposed(&multiply(&to_field, &tangent.slope_slope), &to_field);
+        for i in 0..3 {
+            out.by_slope[i] = by_place[i];
+            for j in 0..3 {
+                out.slope_slope[i][j] = place_place[i][j];
+            }
+            for j in 0..4 {
+                out.slope_value[i][3 + j] = place_value[i][j];
+                out.value_slope[3 + j][i] = place_value[i][j];
+                out.slope_slope[i][3 + j] = place_slope[i][j];
+                out.slope_slope[3 + j][i] = place_slope[i][j];
+            }
+        }
+        for i in 0..4 {
+            out.by_value[3 + i] = by_quaternion[i];
+            out.by_slope[3 + i] = by_its_slope[i];
+            for j in 0..4 {
+                out.value_value[3 + i][3 + j] = value_value[i][j];
+                out.value_slope[3 + i][3 + j] = value_slope[i][j];
+                out.slope_value[3 + j][3 + i] = value_slope[i][j];
+                out.slope_slope[3 + i][3 + j] = slope_slope[i][j];
+            }
+        }
+        out
+    }
+}
+
+/// What couples: y and the quaternion by adhesion, the quaternion with all slopes, and all slopes with one another.
+const COUPLING: Coupling<SPATIAL_FIELDS> = {
+    let (mut value_value, mut value_slope, mut slope_slope) = ([[false; 7]; 7], [[false; 7]; 7], [[true; 7]; 7]);
+    let mut i = 0;
+    while i < 7 {
+        let mut j = 0;
+        while j < 7 {
+            value_value[i][j] = (i == 1 || i > 2) && (j == 1 || j > 2);
+            value_slope[i][j] = i > 2;
+            slope_slope[i][j] = true;
+            j += 1;
+        }
+        i += 1;
+    }
+    Coupling { value_value, value_slope, slope_slope }
+};
+
+impl Integrand<SPATIAL_FIELDS> for SpatialDensity {
+    fn coupling(&self) -> Coupling<SPATIAL_FIELDS> {
+        COUPLING
+    }
+
+    fn has_border(&self) -> bool {
+        false
+    }
+
+    fn is_symmetric(&self) -> bool {
+        true
+    }
+
+    fn respond(
+        &self,
+        points: &[Point<F64x4, SPATIAL_FIELDS>],
+        _: f64,
+        responses: &mut [PointResponse<F64x4, SPATIAL_FIELDS>],
+    ) {
+        respond(self, points, responses);
+    }
+
+    fn energy_at(&self, point: &Point<F64x4, SPATIAL_FIELDS>, _: f64) -> PointEnergy<F64x4, SPATIAL_FIELDS> {
+        let PointResponse { energy, coverage, coverage_by_value, .. } =
+            self.response(point.place, &point.value, &point.slope);
+        PointEnergy { energy, coverage, coverage_by_value }
+    }
+
+    fn gradient_at(&self, point: &Point<f64, SPATIAL_FIELDS>, _: f64) -> PointGradient<SPATIAL_FIELDS> {
+        let PointResponse { by_value, by_slope, coverage_by_value, by_border, .. } =
+            self.response(point.place, &point.value, &point.slope);
+        PointGradient { by_value, by_slope, coverage_by_value, by_border }
+    }
+}
+
+/// The responses compiled for the vector units that the machine may have, chosen when it runs.
+#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+fn respond(
+    density: &SpatialDensity,
+    points: &[Point<F64x4, SPATIAL_FIELDS>],
+    responses: &mut [PointResponse<F64x4, SPATIAL_FIELDS>],
+) {
+    for (point, out) in points.iter().zip(responses) {
+        *out = density.response(point.place, &point.value, &point.slope);
+    }
+}

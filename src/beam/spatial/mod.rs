@@ -1,0 +1,17 @@
+//! The beam in space of Simo and Reissner: strains, elements, chains of them, and the system that they make.
+mod chain;
+mod density;
+mod end_rotation;
+mod rest_curve;
+pub mod rotation;
+mod spatial_beam;
+mod spatial_profile;
+mod spatial_system;
+mod stiffness;
+pub use chain::{SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional};
+pub use density::{SPATIAL_FIELDS, SpatialDensity};
+pub use end_rotation::{EndRotation, angles, turned};
+pub use rest_curve::{ALONG_X, SpatialRestCurve};
+pub use spatial_beam::SpatialBeam;
+pub use spatial_profile::{SpatialProfile, Station};
+pub use stiffness::SpatialStiffness;

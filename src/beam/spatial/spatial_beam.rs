@@ -1,0 +1,160 @@
+//! A beam in space: a chain of elements above flat ground or on its own, in its rest configuration.
+
+use super::chain::{SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, read::normalise};
+use super::density::SPATIAL_FIELDS;
+use super::end_rotation::{EndRotation, turned};
+use super::rest_curve::SpatialRestCurve;
+use super::rotation::{apply, matrix};
+use crate::beam::{FrontPosition, MeshKind, MeshPolicy, graded_ends, mesh::Focus};
+use crate::solve::{Mesh, State};
+
+/// Values of a state behind those of its nodes: the angles of the two ends.
+pub(super) const ANGLES: usize = 6;
+
+/// A chain with its rest configuration and the scales of its adhesion.
+///
+/// Values of a state: x, y, z and the quaternion of each node from left to right, then the angles of the left and of the right end (zeros of
+/// an end that turns freely). A direction has six numbers a node: of its place, and of its turn in the axes of its directors; of the two end
+/// nodes those of [`super::SpatialEnd`]. The interface is the right end.
+#[derive(Clone, Debug)]
+pub struct SpatialBeam {
+    /// Its elements
+    pub chain: SpatialChain,
+    /// Reference length L, nm
+    pub length: f64,
+    /// The stress-free configuration
+    pub rest: SpatialRestCurve,
+    /// Scales of an error: of a place near the ground (nm), and of a turn (rad).
+    pub scale: [f64; 2],
+    /// The machine's epsilon times the ratio of the stiffest to the softest way to deform, or zero where that ratio is small.
+    pub round_off: f64,
+    /// Adhesion energy per length at rest, nN: negative, or zero where nothing adheres. Then there is no front.
+    pub rest_adhesion: f64,
+    /// Length ℓ of the process zone, nm; L where nothing adheres
+    pub process_length: f64,
+    /// Where its elements end
+    pub mesh: MeshPolicy,
+}
+
+impl SpatialBeam {
+    /// Whether there is adhesion, and with it a front.
+    pub fn adheres(&self) -> bool {
+        self.rest_adhesion != 0.0
+    }
+
+    /// The front for a coverage, or its change for a change of that, nm; zero where nothing adheres.
+    pub fn front(&self, coverage: f64) -> f64 {
+        if self.adheres() { coverage / self.rest_adhesion } else { 0.0 }
+    }
+
+    /// A state as its chain sees it.
+    pub fn configuration<'a>(&self, at: &'a State) -> SpatialConfiguration<'a> {
+        self.seen(&at.values, &at.mesh.boundaries)
+    }
+
+    pub(super) fn seen<'a>(&self, values: &'a [f64], boundaries: &'a [f64]) -> SpatialConfiguration<'a> {
+        let (fields, angles) = values.split_at(values.len() - ANGLES);
+        let of = |end: usize| [angles[3 * end], angles[3 * end + 1], angles[3 * end + 2]];
+        SpatialConfiguration { boundaries, fields, angles: [of(0), of(1)] }
+    }
+
+    /// Makes the quaternions of a state's values ones of length one, those of ends with angles the ones that these say.
+    pub(super) fn settle_rotations(&self, values: &mut [f64]) {
+        let last = values.len() - ANGLES - SPATIAL_FIELDS;
+        values[..last + SPATIAL_FIELDS].chunks_exact_mut(SPATIAL_FIELDS).for_each(normalise);
+        for (end, from) in [(0, 0), (1, last)] {
+            let own = &self.chain.ends[end];
+            if own.rotation == EndRotation::Angles {
+                let angles = std::array::from_fn(|k| values[last + SPATIAL_FIELDS + 3 * end + k]);
+                values[from + 3..from + SPATIAL_FIELDS].copy_from_slice(&turned(angles, own.rest));
+            }
+        }
+    }
+
+    /// Element boundaries for a front.
+    fn boundaries(&self, front: f64, elements: usize, near: &[f64]) -> Vec<f64> {
+        let MeshPolicy { kind, fixed_foci, pieces } = &self.mesh;
+        let mut foci = Vec::with_capacity(1 + fixed_foci.len());
+        if self.adheres() && *kind != MeshKind::Uniform {
+            let center = if *kind == MeshKind::Moving { FrontPosition::Even.place(front) } else { self.length };
+            foci.push(Focus { center, length: self.process_length, weight: 1.0 });
+            foci.extend(fixed_foci);
+        }
+        graded_ends(pieces, &foci, elements, near)
+    }
+
+    /// A front as the focus of a mesh: no farther than the ends of the chain.
+    pub(super) fn centered(&self, front: f64) -> f64 {
+        front.clamp(0.0, self.length)
+    }
+
+    /// A mesh of its own for a front.
+    pub fn mesh_at(&self, front: f64, elements: usize) -> Mesh {
+        let focus = self.centered(front);
+        Mesh { boundaries: self.boundaries(focus, elements, &[]), focus }
+    }
+
+    /// The mesh for a front with as many elements as another one, found faster near to that.
+    pub fn mesh_near(&self, front: f64, like: &Mesh) -> Mesh {
+        let focus = self.centered(front);
+        Mesh { boundaries: self.boundaries(focus, like.elements(), &like.boundaries), focus }
+    }
+
+    /// A state read off on another mesh.
+    pub fn resampled(&self, at: &State, mesh: Mesh) -> State {
+        let mut values = self.chain.resampled(self.configuration(at), &mesh.boundaries);
+        values.extend_from_slice(&at.values[at.values.len() - ANGLES..]);
+        self.settle_rotations(&mut values);
+        State { mesh, values, ..at.clone() }
+    }
+
+    /// The peeling front of a state, nm.
+    pub fn front_of(&self, at: &State) -> f64 {
+        let still = vec![0.0; (at.values.len() - ANGLES) / SPATIAL_FIELDS * SPATIAL_UNKNOWNS];
+        self.front(self.chain.energy(self.configuration(at), &still).0.coverage)
+    }
+
+    /// Height of the lowest corner of a section with these fields above the ground, nm, b wide and h high.
+    fn lowest(&self, place: f64, fields: &[f64; SPATIAL_FIELDS]) -> f64 {
+        let mut node = *fields;
+        normalise(&mut node);
+        let frame = matrix([node[3], node[4], node[5], node[6]]);
+        let station = self.chain.density.profile.at(place);
+        node[1] - 0.5 * ((station.width * frame[1][1]).abs() + (station.height * frame[1][2]).abs())
+    }
+
+    /// Distance of the beam from the ground, nm: of the lowest corner at its nodes and between them.
+    pub fn nearest(&self, at: &State) -> f64 {
+        let (configuration, order) = (self.configuration(at), self.chain.order());
+        let mut nearest = f64::INFINITY;
+        for (element, pair) in at.mesh.boundaries.windows(2).enumerate() {
+            for k in 0..=2 * order {
+                let local = k as f64 / order as f64 - 1.0;
+                let (fields, _) = self.chain.sample(configuration, element, local);
+                nearest = nearest.min(self.lowest(pair[0] + 0.5 * (1.0 + local) * (pair[1] - pair[0]), &fields));
+            }
+        }
+        nearest
+    }
+
+    /// Values of the stress-free state on a mesh.
+    pub(super) fn rest_values(&self, boundaries: &[f64]) -> Vec<f64> {
+        let order = self.chain.order();
+        let mut values = Vec::new();
+        for (e, pair) in boundaries.windows(2).enumerate() {
+            let last = usize::from(e + 2 == boundaries.len());
+            for rank in 0..order + last {
+                let (place, q) = self.rest.at(pair[0] + self.chain.node_fraction(rank) * (pair[1] - pair[0]));
+                values.extend(place);
+                values.extend(q);
+            }
+        }
+        values.extend([0.0; ANGLES]);
+        values
+    }
+
+    /// The place of an end moved along its axes, nm.
+    pub(super) fn moved(&self, end: usize, along: [f64; 3]) -> [f64; 3] {
+        apply(&self.chain.ends[end].axes, &along)
+    }
+}

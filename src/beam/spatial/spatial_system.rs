@@ -1,0 +1,309 @@
+//! The beam in space as a [`System`]: what a solver asks of it. Its interface is the right end.
+
+use super::chain::{SPATIAL_UNKNOWNS, SpatialFactors, SpatialFunctional, quaternion_of};
+use super::density::SPATIAL_FIELDS;
+use super::end_rotation::{EndRotation, angles, turn_on, turned};
+use super::rotation::{apply, apply_transposed, conjugate, cross, logarithm, matrix, product};
+use super::spatial_beam::{ANGLES, SpatialBeam};
+use crate::beam::{ElementEnergy, FRONT, MeshKind, TIP_ROTATION};
+use crate::solve::{
+    Coefficients, CondensedSystem, Evaluation, INTERFACE, MONITORS, Mesh, Rates, SolveError, State, System, Unknown,
+    Workspace,
+};
+
+const F: usize = SPATIAL_UNKNOWNS;
+const N: usize = SPATIAL_FIELDS;
+
+const RIGHT_END: [Unknown; 6] = [
+    Unknown { name: "place of the right end along the pull", unit: "nm" },
+    Unknown { name: "place of the right end across the pull", unit: "nm" },
+    Unknown { name: "place of the right end sideways", unit: "nm" },
+    Unknown { name: "rotation of the right end", unit: "rad" },
+    Unknown { name: "yaw of the right end", unit: "rad" },
+    Unknown { name: "roll of the right end", unit: "rad" },
+];
+
+/// The mesh is renewed when the front has moved by this share of the process zone.
+const MOVED: f64 = 0.3;
+/// A beam of which less than this share of the process zone adheres is loose.
+const LOOSE: f64 = 0.1;
+/// One step takes a loose beam no nearer to the ground than this share of its distance.
+const NEARER: f64 = 0.6;
+
+impl SpatialBeam {
+    fn nodes(&self, values: &[f64]) -> usize {
+        (values.len() - ANGLES) / N
+    }
+
+    fn evaluation(&self, at: &State, chain: ElementEnergy) -> Evaluation {
+        let angles = self.configuration(at).angles;
+        Evaluation {
+            energy: chain.total,
+            monitors: [self.front(chain.coverage), angles[0][0]],
+            recorded: self.rotation_of_grip(at),
+        }
+    }
+
+    /// θ of the right end, rad.
+    pub fn rotation_of_grip(&self, at: &State) -> f64 {
+        let (end, configuration) = (&self.chain.ends[1], self.configuration(at));
+        match end.rotation {
+            EndRotation::Angles => configuration.angles[1][0],
+            EndRotation::Free => angles(quaternion_of(self.chain.end_node(configuration, 1)), end.rest)[0],
+        }
+    }
+
+    fn diagonal(&self, at: &State, coefficients: Coefficients) -> Vec<f64> {
+        let time = coefficients.per_damping;
+        if time.is_infinite() {
+            return Vec::new();
+        }
+        let order = self.chain.order();
+        let mut lengths = vec![0.0; self.nodes(&at.values)];
+        for (e, pair) in at.mesh.boundaries.windows(2).enumerate() {
+            let share = (pair[1] - pair[0]) / order as f64;
+            for rank in 0..=order {
+                let inside = rank > 0 && rank < order;
+                lengths[e * order + rank] += if inside { share } else { 0.5 * share };
+            }
+        }
+        let energy = if self.adheres() { self.rest_adhesion.abs() } else { 1.0 };
+        let damping = |length: f64, f: usize| energy * length / self.scale[f / 3].powi(2) / time;
+        lengths.iter().flat_map(|&length| (0..F).map(move |f| damping(length, f))).collect()
+    }
+
+    /// What places of a node are measured by, nm.
+    fn place_unit(&self, node: &[f64]) -> f64 {
+        self.scale[0] + (node[1] - self.rest.start[1]).abs()
+    }
+}
+
+impl System for SpatialBeam {
+    fn interface(&self) -> &[Unknown] {
+        &RIGHT_END
+    }
+
+    fn unknowns(&self, at: &State) -> usize {
+        self.nodes(&at.values) * F
+    }
+
+    fn interface_values(&self, at: &State) -> [f64; INTERFACE] {
+        self.chain.end_values(self.configuration(at), 1)
+    }
+
+    fn place_of(&self, slot: usize, at: &State) -> usize {
+        (self.nodes(&at.values) - 1) * F + slot
+    }
+
+    fn is_conservative(&self) -> bool {
+        self.chain.ends[1].dead_load[1] == [0.0; 3]
+    }
+
+    fn round_off(&self) -> f64 {
+        self.round_off
+    }
+
+    fn factorise(
+        &self,
+        at: &State,
+        coefficients: Coefficients,
+        weights: [f64; MONITORS],
+        ws: &mut Workspace,
+    ) -> Result<CondensedSystem, SolveError> {
+        let mut row = SpatialFunctional { coverage: self.front(weights[FRONT]), left: [0.0; F] };
+        row.left[3] = weights[TIP_ROTATION];
+        let diagonal = self.diagonal(at, coefficients);
+        let root = self.chain.eliminate(self.configuration(at), &row, &diagonal, ws.factors::<SpatialFactors>())?;
+        let mut condensed = CondensedSystem {
+            matrix: [[0.0; INTERFACE]; INTERFACE],
+            residual: [0.0; INTERFACE],
+            gradient: [0.0; INTERFACE],
+            gradient_residual: root.matrix[F][F],
+            negative: root.negative,
+            least_pivot: root.least_pivot,
+            evaluation: self.evaluation(at, root.energy),
+        };
+        for i in 0..F {
+            condensed.matrix[i].copy_from_slice(&root.matrix[i][..F]);
+            condensed.residual[i] = root.matrix[i][F];
+            condensed.gradient[i] = root.matrix[F][i];
+        }
+        Ok(condensed)
+    }
+
+    fn recover(&self, ws: &Workspace, interface: &[f64; INTERFACE], scale: f64, direction: &mut [f64]) {
+        self.chain.recover(ws.factored::<SpatialFactors>(), interface, scale, direction);
+    }
+
+    fn reduce(&self, ws: &Workspace, right: &mut [f64], transposed: bool) -> [f64; INTERFACE] {
+        self.chain.reduce(ws.factored::<SpatialFactors>(), right, transposed)
+    }
+
+    fn substitute(&self, ws: &Workspace, interface: &[f64; INTERFACE], right: &mut [f64], transposed: bool) {
+        self.chain.substitute(ws.factored::<SpatialFactors>(), interface, right, transposed);
+    }
+
+    fn evaluate(&self, at: &State, direction: &[f64]) -> (Evaluation, Rates) {
+        let (energy, adhesion) = self.chain.energy(self.configuration(at), direction);
+        let recorded = match self.chain.ends[1].rotation {
+            EndRotation::Angles => direction[direction.len() - F + 3],
+            EndRotation::Free => self.rotation_rate(at, direction),
+        };
+        let rates = Rates { monitors: [self.front(adhesion), direction[3]], recorded };
+        (self.evaluation(at, energy), rates)
+    }
+
+    fn gradient(&self, at: &State, weights: [f64; MONITORS]) -> Vec<f64> {
+        let mut gradient = if weights[FRONT] == 0.0 {
+            vec![0.0; self.unknowns(at)]
+        } else {
+            self.chain.coverage_gradient(self.configuration(at))
+        };
+        gradient.iter_mut().for_each(|entry| *entry = weights[FRONT] * self.front(*entry));
+        gradient[3] += weights[TIP_ROTATION];
+        gradient
+    }
+
+    fn residual(&self, at: &State) -> Vec<f64> {
+        self.chain.residual(self.configuration(at))
+    }
+
+    fn retract(&self, at: &mut State, direction: &[f64], factor: f64) {
+        let nodes = self.nodes(&at.values);
+        let (fields, known) = at.values.split_at_mut(nodes * N);
+        for (k, (node, step)) in fields.chunks_exact_mut(N).zip(direction.chunks_exact(F)).enumerate() {
+            let step: [f64; F] = std::array::from_fn(|f| factor * step[f]);
+            let end = if k == 0 { Some(0) } else { (k + 1 == nodes).then_some(1) };
+            let along = [step[0], step[1], step[2]];
+            let turn = [step[3], step[4], step[5]];
+            let moved = end.map_or(along, |end| self.moved(end, along));
+            (0..3).for_each(|i| node[i] += moved[i]);
+            let q = match end.map(|end| (end, &self.chain.ends[end])) {
+                Some((end, own)) if own.rotation == EndRotation::Angles => {
+                    let own_angles = &mut known[3 * end..3 * end + 3];
+                    (0..3).for_each(|i| own_angles[i] += turn[i]);
+                    turned([own_angles[0], own_angles[1], own_angles[2]], own.rest)
+                }
+                _ => turn_on(quaternion_of(node), turn),
+            };
+            node[3..].copy_from_slice(&q);
+        }
+    }
+
+    fn difference(&self, from: &[f64], to: &[f64]) -> Vec<f64> {
+        let nodes = self.nodes(from);
+        let mut direction = Vec::with_capacity(nodes * F);
+        for (a, b) in from[..nodes * N].chunks_exact(N).zip(to[..nodes * N].chunks_exact(N)) {
+            direction.extend((0..3).map(|i| b[i] - a[i]));
+            direction.extend(logarithm(product(conjugate(quaternion_of(a)), quaternion_of(b))));
+        }
+        let last = direction.len() - F;
+        for (end, at) in [(0, 0), (1, last)] {
+            let own = &self.chain.ends[end];
+            let moved = [direction[at], direction[at + 1], direction[at + 2]];
+            direction[at..at + 3].copy_from_slice(&apply_transposed(&own.axes, &moved));
+            if own.rotation == EndRotation::Angles {
+                let angle = nodes * N + 3 * end;
+                (0..3).for_each(|i| direction[at + 3 + i] = to[angle + i] - from[angle + i]);
+            }
+        }
+        direction
+    }
+
+    /// Places and angles are combined; quaternions too, and made ones of length one: that commutes with any turn of the whole.
+    fn combine(&self, states: &[&[f64]], weights: &[f64]) -> Vec<f64> {
+        let mut sum = vec![0.0; states.first().map_or(0, |state| state.len())];
+        for (state, weight) in states.iter().zip(weights) {
+            sum.iter_mut().zip(*state).for_each(|(sum, value)| *sum += weight * value);
+        }
+        self.settle_rotations(&mut sum);
+        sum
+    }
+
+    fn miss(&self, reached: &[f64], states: &[&[f64]], weights: &[f64], out: &mut Vec<f64>) {
+        *out = self.difference(&self.combine(states, weights), reached);
+    }
+
+    fn size(&self, direction: &[f64], values: &[f64]) -> f64 {
+        let (mut largest, mut sum) = (0.0f64, 0.0);
+        for (step, node) in direction.chunks_exact(F).zip(values.chunks_exact(N)) {
+            let unit = self.place_unit(node);
+            for f in 0..F {
+                let size = step[f].abs() / if f < 3 { unit } else { self.scale[1] };
+                sum += size;
+                largest = largest.max(size);
+            }
+        }
+        if sum.is_finite() { largest } else { f64::NAN }
+    }
+
+    fn per_unit(&self, values: &[f64]) -> Vec<f64> {
+        let nodes = self.nodes(values);
+        let of = |node: &[f64]| {
+            let place = 1.0 / self.place_unit(node);
+            let turn = 1.0 / self.scale[1];
+            [place, place, place, turn, turn, turn]
+        };
+        values[..nodes * N].chunks_exact(N).flat_map(of).collect()
+    }
+
+    fn stress_free(&self, elements: usize) -> State {
+        let mesh = self.mesh_at(self.length, elements);
+        let mut values = self.rest_values(&mesh.boundaries);
+        self.settle_rotations(&mut values);
+        State { values, mesh, force: 0.0, history: None }
+    }
+
+    fn on_elements(&self, at: &State, elements: usize) -> State {
+        self.resampled(at, self.mesh_at(at.mesh.focus, elements))
+    }
+
+    fn refocused(&self, at: &State, monitors: [f64; MONITORS]) -> State {
+        self.resampled(at, self.mesh_at(monitors[FRONT], at.mesh.elements()))
+    }
+
+    fn mesh_for(&self, monitors: [f64; MONITORS], like: &Mesh) -> Mesh {
+        self.mesh_near(monitors[FRONT], like)
+    }
+
+    fn aligned(&self, at: &State, monitors: [f64; MONITORS]) -> Vec<f64> {
+        let mesh = self.mesh_for(monitors, &at.mesh);
+        let mut values = self.chain.shifted(self.configuration(at), &mesh.boundaries);
+        values.extend_from_slice(&at.values[values.len()..]);
+        self.settle_rotations(&mut values);
+        values
+    }
+
+    fn remeshed(&self, at: &State) -> Option<State> {
+        if self.mesh.kind != MeshKind::Moving || !self.adheres() {
+            return None;
+        }
+        let front = self.front_of(at);
+        if (self.centered(front) - at.mesh.focus).abs() < MOVED * self.process_length {
+            return None;
+        }
+        Some(self.resampled(at, self.mesh_near(front, &at.mesh)))
+    }
+
+    fn admits(&self, from: &State, monitors: [f64; MONITORS], prediction: &State) -> bool {
+        let loose = self.adheres() && monitors[FRONT] < LOOSE * self.process_length;
+        !(loose && self.nearest(prediction) < NEARER * self.nearest(from))
+    }
+
+    fn is_admissible(&self, at: &State) -> bool {
+        !self.adheres() || self.nearest(at) > 0.0
+    }
+}
+
+impl SpatialBeam {
+    /// How fast θ of an end that turns freely changes along a direction.
+    fn rotation_rate(&self, at: &State, direction: &[f64]) -> f64 {
+        let rest = matrix(self.chain.ends[1].rest);
+        let r = matrix(quaternion_of(self.chain.end_node(self.configuration(at), 1)));
+        let last = direction.len() - 3;
+        // what lies along x at rest, in the axes of the directors
+        let (along, turn) = (rest[0], [direction[last], direction[last + 1], direction[last + 2]]);
+        let ([x, y, _], [dx, dy, _]) = (apply(&r, &along), apply(&r, &cross(turn, along)));
+        (x * dy - y * dx) / (x * x + y * y).max(f64::MIN_POSITIVE)
+    }
+}
