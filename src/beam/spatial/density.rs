@@ -381,9 +381,7 @@ impl Integrand<SPATIAL_FIELDS> for SpatialDensity {
     }
 
     fn energy_at(&self, point: &Point<F64x4, SPATIAL_FIELDS>, _: f64) -> PointEnergy<F64x4, SPATIAL_FIELDS> {
-        let PointResponse { energy, coverage, coverage_by_value, .. } =
-            self.response(point.place, &point.value, &point.slope);
-        PointEnergy { energy, coverage, coverage_by_value }
+        energy_at(self, point)
     }
 
     fn gradient_at(&self, point: &Point<f64, SPATIAL_FIELDS>, _: f64) -> PointGradient<SPATIAL_FIELDS> {
@@ -403,4 +401,12 @@ fn respond(
     for (point, out) in points.iter().zip(responses) {
         *out = density.response(point.place, &point.value, &point.slope);
     }
+}
+
+/// The energies, likewise.
+#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+fn energy_at(density: &SpatialDensity, point: &Point<F64x4, SPATIAL_FIELDS>) -> PointEnergy<F64x4, SPATIAL_FIELDS> {
+    let PointResponse { energy, coverage, coverage_by_value, .. } =
+        density.response(point.place, &point.value, &point.slope);
+    PointEnergy { energy, coverage, coverage_by_value }
 }

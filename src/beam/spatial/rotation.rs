@@ -95,7 +95,8 @@ pub fn skew<T: Real>(a: [T; 3]) -> Matrix3<T> {
 pub fn apply<T: Real, const N: usize, const M: usize>(m: &[[T; N]; M], v: &[T; N]) -> [T; M] {
     let mut out = [T::splat(0.0); M];
     for i in 0..M {
-        for j in 0..N {
+        out[i] = m[i][0] * v[0];
+        for j in 1..N {
             out[i] = out[i] + m[i][j] * v[j];
         }
     }
@@ -105,8 +106,11 @@ pub fn apply<T: Real, const N: usize, const M: usize>(m: &[[T; N]; M], v: &[T; N
 /// Mᵀ v
 #[inline(always)]
 pub fn apply_transposed<T: Real, const N: usize, const M: usize>(m: &[[T; N]; M], v: &[T; M]) -> [T; N] {
-    let mut out = [T::splat(0.0); N];
-    for i in 0..M {
+    let mut out = m[0];
+    for j in 0..N {
+        out[j] = out[j] * v[0];
+    }
+    for i in 1..M {
         for j in 0..N {
             out[j] = out[j] + m[i][j] * v[i];
         }
@@ -122,7 +126,10 @@ pub fn multiply<T: Real, const L: usize, const M: usize, const N: usize>(
 ) -> [[T; N]; L] {
     let mut out = [[T::splat(0.0); N]; L];
     for i in 0..L {
-        for k in 0..M {
+        for j in 0..N {
+            out[i][j] = a[i][0] * b[0][j];
+        }
+        for k in 1..M {
             for j in 0..N {
                 out[i][j] = out[i][j] + a[i][k] * b[k][j];
             }
@@ -138,8 +145,11 @@ pub fn multiply_transposed<T: Real, const L: usize, const M: usize, const N: usi
     b: &[[T; N]; M],
 ) -> [[T; N]; L] {
     let mut out = [[T::splat(0.0); N]; L];
-    for k in 0..M {
-        for i in 0..L {
+    for i in 0..L {
+        for j in 0..N {
+            out[i][j] = a[0][i] * b[0][j];
+        }
+        for k in 1..M {
             for j in 0..N {
                 out[i][j] = out[i][j] + a[k][i] * b[k][j];
             }
@@ -157,7 +167,8 @@ pub fn multiply_by_transposed<T: Real, const L: usize, const M: usize, const N: 
     let mut out = [[T::splat(0.0); N]; L];
     for i in 0..L {
         for j in 0..N {
-            for k in 0..M {
+            out[i][j] = a[i][0] * b[j][0];
+            for k in 1..M {
                 out[i][j] = out[i][j] + a[i][k] * b[j][k];
             }
         }

@@ -82,10 +82,6 @@ pub struct Basis {
     /// `slope[q][a]`: its derivative with respect to the local coordinate.
     pub slope: [PerNode; MOST_NODES],
     /// `value_of[a][q]` and `slope_of[a][q]`: the same two tables by node.
-    pub value_of: [PerNode; MOST_NODES],
-    /// See `value_of`.
-    pub slope_of: [PerNode; MOST_NODES],
-    /// The two tables by node once more, each number four times side by side.
     pub four_values_of: [[F64x4; MOST_NODES]; MOST_NODES],
     /// See `four_values_of`.
     pub four_slopes_of: [[F64x4; MOST_NODES]; MOST_NODES],
@@ -108,27 +104,15 @@ impl Basis {
             nodes[slot(count, rank)] = node;
         }
         let [points, weights] = [[0.0; MOST_NODES]; 2];
-        let [value, slope, value_of, slope_of, nodal_slope, mut apart] = [zero; 6];
+        let [value, slope, nodal_slope, mut apart] = [zero; 4];
         for a in 0..count {
             for b in (0..count).filter(|&b| b != a) {
                 apart[a][b] = 1.0 / (nodes[a] - nodes[b]);
             }
         }
         let [four_values_of, four_slopes_of] = [[[F64x4::splat(0.0); MOST_NODES]; MOST_NODES]; 2];
-        let mut basis = Self {
-            order,
-            nodes,
-            points,
-            weights,
-            value,
-            slope,
-            value_of,
-            slope_of,
-            four_values_of,
-            four_slopes_of,
-            nodal_slope,
-            apart,
-        };
+        let mut basis =
+            Self { order, nodes, points, weights, value, slope, four_values_of, four_slopes_of, nodal_slope, apart };
         for b in 0..count {
             basis.nodal_slope[b] = basis.sample(nodes[b]).1;
         }
@@ -138,10 +122,10 @@ impl Basis {
             basis.weights[q] = weight;
             (basis.value[q], basis.slope[q]) = basis.sample(point);
         }
-        basis.value_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.value[q][a]));
-        basis.slope_of = std::array::from_fn(|a| std::array::from_fn(|q| basis.slope[q][a]));
-        basis.four_values_of = basis.value_of.map(|of| of.map(F64x4::splat));
-        basis.four_slopes_of = basis.slope_of.map(|of| of.map(F64x4::splat));
+        let by_node =
+            |table: &[PerNode; MOST_NODES]| std::array::from_fn(|a| std::array::from_fn(|q| F64x4::splat(table[q][a])));
+        basis.four_values_of = by_node(&basis.value);
+        basis.four_slopes_of = by_node(&basis.slope);
         basis
     }
 

@@ -162,6 +162,49 @@ impl<T: Real, const F: usize> FrontalMatrix<T, F> {
         pivots
     }
 
+    /// The same of a symmetric tangent without a border, a node at a time: F times less often every number below is read and written.
+    #[inline(always)]
+    pub fn condense_by_nodes(&mut self, nodes: impl Nodes) -> Pivots<T> {
+        let mut pivots = Pivots { least: T::splat(f64::INFINITY), negative: T::splat(0.0) };
+        for a in 0..nodes.count() - 2 {
+            let (done, below) = self.rows[..nodes.count()].split_at_mut(a + 1);
+            let own = &mut done[a];
+            let mut inverse = [T::splat(0.0); F];
+            for k in 0..F {
+                let (first, rest) = own.split_at_mut(k + 1);
+                let pivot_row = &first[k];
+                inverse[k] = pivots.invert(pivot_row.fields[a][k]);
+                for (i, row) in (k + 1..).zip(rest) {
+                    let factor = pivot_row.fields[a][i] * inverse[k];
+                    row.reduce::<false, 1>(nodes, [pivot_row], [factor], F * a + i);
+                }
+            }
+            let pivot_rows: [&FrontalRow<T, F>; F] = own.each_ref();
+            for (b, rows) in (a + 1..).zip(below) {
+                for (i, row) in rows.iter_mut().enumerate() {
+                    let mut factors = inverse;
+                    for k in 0..F {
+                        factors[k] = factors[k] * pivot_rows[k].fields[b][i];
+                    }
+                    row.reduce::<false, F>(nodes, pivot_rows, factors, F * b + i);
+                }
+            }
+            let mut factors = [T::splat(0.0); F];
+            for k in 0..F {
+                let mut entry = self.path.fields[a][k];
+                for r in 0..k {
+                    entry = entry - pivot_rows[r].fields[a][k] * factors[r];
+                }
+                factors[k] = entry * inverse[k];
+            }
+            self.path.reduce::<false, F>(nodes, pivot_rows, factors, F * (a + 1));
+            for k in 0..F {
+                own[k].fields[a][k] = inverse[k];
+            }
+        }
+        pivots
+    }
+
     #[inline(always)]
     fn eliminate_one<const BORDER: bool>(
         &mut self,

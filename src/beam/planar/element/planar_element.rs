@@ -263,15 +263,15 @@ fn at_point<T: Real, const F: usize>(nodes: impl Nodes, values: &[[T; F]; MOST_N
 
 /// At each Gauss point, shape function `a` times one weight and its slope times another, as far as there are any.
 #[inline(always)]
-fn mixed<T: Real>(
+fn mixed(
     nodes: impl Nodes,
     basis: &Basis,
     a: usize,
-    by_value: Option<&[T; MOST_NODES]>,
-    by_slope: Option<&[T; MOST_NODES]>,
-) -> [T; MOST_NODES] {
-    let mut sum = [T::splat(0.0); MOST_NODES];
-    let (points, value, slope) = (nodes.count() - 1, &basis.value_of[a], &basis.slope_of[a]);
+    by_value: Option<&[F64x4; MOST_NODES]>,
+    by_slope: Option<&[F64x4; MOST_NODES]>,
+) -> [F64x4; MOST_NODES] {
+    let mut sum = [F64x4::splat(0.0); MOST_NODES];
+    let (points, value, slope) = (nodes.count() - 1, &basis.four_values_of[a], &basis.four_slopes_of[a]);
     // loops and not closures: these are not compiled for the vector units that the rest is compiled for
     match (by_value, by_slope) {
         (Some(v), Some(s)) => {

@@ -25,15 +25,19 @@ impl EndBlock {
     pub fn of(nodes: impl Nodes, front: &SpatialFront, l: usize) -> Self {
         const F: usize = SPATIAL_UNKNOWNS;
         let mut block = [[0.0; EDGE]; EDGE];
-        let ends = [nodes.count() - 2, nodes.count() - 1];
-        for i in 0..KNOWN {
-            let row = &front.rows[ends[i / F]][i % F];
-            for j in i..KNOWN {
-                block[i][j] = row.fields[ends[j / F]][j % F].0[l];
-                block[j][i] = block[i][j];
+        let first = nodes.count() - 2;
+        for a in 0..2 {
+            for f in 0..F {
+                let (i, row) = (a * F + f, &front.rows[first + a][f]);
+                for b in a..2 {
+                    for g in if b == a { f } else { 0 }..F {
+                        block[i][b * F + g] = row.fields[first + b][g].0[l];
+                        block[b * F + g][i] = row.fields[first + b][g].0[l];
+                    }
+                }
+                block[i][KNOWN] = row.residual.0[l];
+                block[KNOWN][i] = front.path.fields[first + a][f].0[l];
             }
-            block[i][KNOWN] = row.residual.0[l];
-            block[KNOWN][i] = front.path.fields[ends[i / F]][i % F].0[l];
         }
         block[KNOWN][KNOWN] = front.path.residual.0[l];
         Self(block)

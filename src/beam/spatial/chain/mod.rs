@@ -6,6 +6,7 @@
 
 mod back;
 mod end_block;
+mod factors;
 mod projection;
 pub mod read;
 mod sweep;

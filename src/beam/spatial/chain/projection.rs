@@ -3,8 +3,8 @@
 //! With ∂q/∂φ = T and ∂²q/∂φ² = -q I/4, the gradient g and the tangent H by the fields become Tᵀg and TᵀHT - (g·q) I/4.
 
 use crate::beam::spatial::density::SPATIAL_FIELDS;
-use crate::beam::spatial::rotation::{Matrix3, inner, multiply, multiply_transposed};
-use crate::beam::{FrontalMatrix, FrontalRow, MOST_NODES, Nodes};
+use crate::beam::spatial::rotation::{Matrix3, apply_transposed, inner};
+use crate::beam::{FrontalMatrix, MOST_NODES, Nodes};
 use crate::number::{F64x4, Real};
 
 /// Unknowns of a node.
@@ -21,7 +21,13 @@ pub fn turn_to_quaternion<T: Real>([w, x, y, z]: [T; 4]) -> [[T; 3]; 4] {
     [[-x, -y, -z], [w, -z, y], [z, w, -x], [-y, x, w]]
 }
 
-/// Writes the front of the fields of four elements, whose nodes have the `values`, as that of their unknowns. Nothing below the diagonal is
+/// The quaternion of the fields of a node.
+#[inline(always)]
+fn quaternion_of<T: Real>(fields: &[T; SPATIAL_FIELDS]) -> [T; 4] {
+    [fields[3], fields[4], fields[5], fields[6]]
+}
+
+/// Writes the front of the fields of four elements, whose nodes have the `values`, as that of their unknowns. No node below the diagonal is
 /// read or written.
 #[inline(always)]
 pub(super) fn project(
@@ -30,40 +36,46 @@ pub(super) fn project(
     values: &[[F64x4; SPATIAL_FIELDS]; MOST_NODES],
     front: &mut SpatialFront,
 ) {
-    let quaternion = |a: usize| [values[a][3], values[a][4], values[a][5], values[a][6]];
+    let mut turns = [[[F64x4::splat(0.0); 3]; 4]; MOST_NODES];
     for a in 0..nodes.count() {
-        let (rows, turned) = (&fields.rows[a], turn_to_quaternion(quaternion(a)));
+        turns[a] = turn_to_quaternion(quaternion_of(&values[a]));
+    }
+    for a in 0..nodes.count() {
+        let (rows, turned) = (&fields.rows[a], &turns[a]);
         let by_quaternion = [rows[3].residual, rows[4].residual, rows[5].residual, rows[6].residual];
+        let on_turn = apply_transposed(turned, &by_quaternion);
         for f in 0..3 {
             front.rows[a][f].residual = rows[f].residual;
-            let mut sum = F64x4::splat(0.0);
-            for k in 0..4 {
-                sum = sum + turned[k][f] * by_quaternion[k];
-            }
-            front.rows[a][3 + f].residual = sum;
+            front.rows[a][3 + f].residual = on_turn[f];
         }
         for b in a..nodes.count() {
-            let next = turn_to_quaternion(quaternion(b));
-            let upper = multiply(&block::<3>(rows, 0, b), &next);
-            let lower = multiply_transposed(&turned, &multiply(&block::<4>(rows, 3, b), &next));
+            // the columns of node b, then the rows of node a
+            let next = &turns[b];
             for i in 0..3 {
-                for j in 0..3 {
-                    front.rows[a][i].fields[b][j] = rows[i].fields[b][j];
-                    front.rows[a][i].fields[b][3 + j] = upper[i][j];
-                    front.rows[a][3 + i].fields[b][3 + j] = lower[i][j];
-                    let mut sum = F64x4::splat(0.0);
-                    for k in 0..4 {
-                        sum = sum + turned[k][i] * rows[3 + k].fields[b][j];
-                    }
-                    front.rows[a][3 + i].fields[b][j] = sum;
+                front.rows[a][i].fields[b] = projected(&rows[i].fields[b], next);
+            }
+            let mut half = [[F64x4::splat(0.0); 3]; 4];
+            for k in 0..4 {
+                half[k] = apply_transposed(next, &quaternion_of(&rows[3 + k].fields[b]));
+            }
+            for g in 0..3 {
+                let mut of_place = [F64x4::splat(0.0); 4];
+                let mut of_turn = of_place;
+                for k in 0..4 {
+                    (of_place[k], of_turn[k]) = (rows[3 + k].fields[b][g], half[k][g]);
+                }
+                let (of_place, of_turn) = (apply_transposed(turned, &of_place), apply_transposed(turned, &of_turn));
+                for i in 0..3 {
+                    (front.rows[a][3 + i].fields[b][g], front.rows[a][3 + i].fields[b][3 + g]) =
+                        (of_place[i], of_turn[i]);
                 }
             }
         }
-        let bent = inner(by_quaternion, quaternion(a)) * 0.25;
+        let bent = inner(by_quaternion, quaternion_of(&values[a])) * 0.25;
         for f in 3..SPATIAL_UNKNOWNS {
             front.rows[a][f].fields[a][f] = front.rows[a][f].fields[a][f] - bent;
         }
-        front.path.fields[a] = projected(&fields.path.fields[a], &turned);
+        front.path.fields[a] = projected(&fields.path.fields[a], turned);
     }
     front.path.residual = fields.path.residual;
 }
@@ -71,29 +83,8 @@ pub(super) fn project(
 /// A row of a node's fields in its unknowns.
 #[inline(always)]
 pub(super) fn projected<T: Real>(row: &[T; SPATIAL_FIELDS], turned: &[[T; 3]; 4]) -> [T; SPATIAL_UNKNOWNS] {
-    let mut out = [row[0], row[1], row[2], T::splat(0.0), T::splat(0.0), T::splat(0.0)];
-    for f in 0..3 {
-        for k in 0..4 {
-            out[3 + f] = out[3 + f] + row[3 + k] * turned[k][f];
-        }
-    }
-    out
-}
-
-/// The columns of node b's quaternion in some rows of a node.
-#[inline(always)]
-fn block<const N: usize>(
-    rows: &[FrontalRow<F64x4, SPATIAL_FIELDS>; SPATIAL_FIELDS],
-    first: usize,
-    b: usize,
-) -> [[F64x4; 4]; N] {
-    let mut out = [[F64x4::splat(0.0); 4]; N];
-    for i in 0..N {
-        for k in 0..4 {
-            out[i][k] = rows[first + i].fields[b][3 + k];
-        }
-    }
-    out
+    let own = apply_transposed(turned, &quaternion_of(row));
+    [row[0], row[1], row[2], own[0], own[1], own[2]]
 }
 
 /// From the unknowns of an end of the chain to those of its last node: of its place and of its turn, and how that is bent,

@@ -70,7 +70,7 @@ impl SpatialChain {
             if !damping.is_empty() {
                 damp_inside(nodes, front, damping, (first, elements));
             }
-            let pivots = front.condense::<false>(nodes, true);
+            let pivots = front.condense_by_nodes(nodes);
             for e in first..elements.min(first + BUNDLE) {
                 let l = e - first;
                 energy.total += total.0[l];
