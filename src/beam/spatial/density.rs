@@ -15,17 +15,14 @@
 //!
 //! and Rᵀ e_y as Γ with γ = 0. Source: J. C. Simo, A finite strain beam formulation, Comput. Methods Appl. Mech. Eng. 49 (1985).
 
-use super::rotation::{
-    Matrix3, apply, apply_transposed, cross, dot, inner, matrix, multiply, multiply_by_transposed, multiply_transposed,
-    product, skew,
-};
-use super::spatial_profile::{SpatialProfile, Station};
+pub use super::kinematics::SPATIAL_FIELDS;
+use super::kinematics::{Kinematics, turned_twice};
+use super::local_adhesion::LocalAdhesion;
+use super::rotation::{Matrix3, apply, cross, dot, multiply, multiply_by_transposed, multiply_transposed, skew};
+use super::spatial_profile::SpatialProfile;
 use crate::adhesion::SpatialSection;
 use crate::beam::{Coupling, Integrand, Point, PointEnergy, PointGradient, PointResponse};
 use crate::number::{F64x4, Real};
-
-/// Fields of a beam in space: x, y, z and the quaternion.
-pub const SPATIAL_FIELDS: usize = 7;
 
 /// The density, with sections from place to place.
 #[derive(Clone, Debug)]
@@ -34,56 +31,6 @@ pub struct SpatialDensity {
     pub profile: SpatialProfile,
     /// What adheres its sections to the flat ground y = 0; nothing of a beam on its own.
     pub adhesion: Option<SpatialSection>,
-}
-
-/// What is known at a point: lengths, the frame, the strains.
-struct Kinematics<T> {
-    /// 1/|q|
-    per_length: T,
-    /// q̂
-    unit: [T; 4],
-    frame: Matrix3<T>,
-    /// g = Rᵀ r'
-    stretch: [T; 3],
-    /// k
-    turn: [T; 3],
-    /// v
-    growth: T,
-}
-
-impl<T: Real> Kinematics<T> {
-    #[inline(always)]
-    fn new(value: &[T; SPATIAL_FIELDS], slope: &[T; SPATIAL_FIELDS]) -> Self {
-        let [dx, dy, dz, s0, s1, s2, s3] = *slope;
-        let q = [value[3], value[4], value[5], value[6]];
-        let per_length = inner(q, q).each(|square| [1.0 / square.sqrt()])[0];
-        let unit = q.map(|entry| entry * per_length);
-        let change = [s0, s1, s2, s3].map(|entry| entry * per_length);
-        let frame = matrix(unit);
-        let [growth, turn @ ..] = product([unit[0], -unit[1], -unit[2], -unit[3]], change);
-        Self {
-            per_length,
-            unit,
-            stretch: apply_transposed(&frame, &[dx, dy, dz]),
-            frame,
-            turn: turn.map(|entry| entry * 2.0),
-            growth,
-        }
-    }
-
-    /// Γ and K - K0.
-    #[inline(always)]
-    fn strains(&self, rest: &[T; 3]) -> [T; 6] {
-        let ([g0, g1, g2], k) = (self.stretch, self.turn);
-        [g0 - 1.0, g1, g2, k[0] - rest[0], k[1] - rest[1], k[2] - rest[2]]
-    }
-
-    /// The columns of q̂ ∘ (1, e1, e2, e3), over |q|: from local changes to those of the field.
-    #[inline(always)]
-    fn basis(&self) -> [[T; 4]; 4] {
-        let [w, x, y, z] = self.unit.map(|entry| entry * self.per_length);
-        [[w, -x, -y, -z], [x, w, -z, y], [y, z, w, -x], [z, -y, x, w]]
-    }
 }
 
 /// Section forces and moments C ε, and the energy.
@@ -106,21 +53,6 @@ fn local_gradient<T: Real>(at: &Kinematics<T>, n: [T; 3], m: [T; 3]) -> ([T; 3],
         by_stretch[2] * 2.0 + by_turn[2] - at.growth * m[2] * 2.0,
     ];
     (n, on_value, [T::splat(0.0), m[0] * 2.0, m[1] * 2.0, m[2] * 2.0])
-}
-
-/// Second derivatives of p·(Rᵀ v), with e = Rᵀ v, by (α, ω) twice.
-#[inline(always)]
-fn turned_twice<T: Real>(p: [T; 3], e: [T; 3], out: &mut [[T; 4]; 4]) {
-    let mixed = cross(e, p);
-    let both = dot(p, e) * 4.0;
-    for i in 0..3 {
-        out[0][i + 1] = out[0][i + 1] + mixed[i] * 2.0;
-        out[i + 1][0] = out[i + 1][0] + mixed[i] * 2.0;
-        for j in 0..3 {
-            out[i + 1][j + 1] = out[i + 1][j + 1] + (p[i] * e[j] + e[i] * p[j]) * 2.0;
-        }
-        out[i + 1][i + 1] = out[i + 1][i + 1] - both;
-    }
 }
 
 /// Second derivatives of the stored energy in local changes.
@@ -211,64 +143,6 @@ impl<T: Real> LocalTangent<T> {
     }
 }
 
-/// Adhesion at a point: energy, the derivatives by y and (α, ω), and what the front is counted by.
-struct LocalAdhesion<T> {
-    energy: T,
-    by_height: T,
-    by_value: [T; 4],
-    height_height: T,
-    height_value: [T; 4],
-    value_value: [[T; 4]; 4],
-    coverage: T,
-    coverage_by_height: T,
-    coverage_by_value: [T; 4],
-}
-
-impl<T: Real> LocalAdhesion<T> {
-    #[inline(always)]
-    fn new(law: &SpatialSection, at: &Kinematics<T>, height: T, station: &Station<T>) -> Self {
-        let zero = T::splat(0.0);
-        let up = at.frame[1];
-        let (b, h) = (station.width, station.height);
-        let response = law.response(height, b * up[1], h * up[2]);
-        let [by_y, by_a, by_c] = response.gradient;
-        let [yy, ya, yc, aa, ac, cc] = response.hessian;
-        // how a and c change with ω: 2 (e × ω) along d2 and d3
-        let (in_a, in_c) = ([up[2] * b * 2.0, zero, -(up[0] * b * 2.0)], [-(up[1] * h * 2.0), up[0] * h * 2.0, zero]);
-        let mut out = Self {
-            energy: response.energy,
-            by_height: by_y,
-            by_value: [zero; 4],
-            height_height: yy,
-            height_value: [zero; 4],
-            value_value: [[zero; 4]; 4],
-            coverage: zero,
-            coverage_by_height: zero,
-            coverage_by_value: [zero; 4],
-        };
-        for i in 0..3 {
-            out.by_value[i + 1] = by_a * in_a[i] + by_c * in_c[i];
-            out.height_value[i + 1] = ya * in_a[i] + yc * in_c[i];
-            let (on_a, on_c) = (aa * in_a[i] + ac * in_c[i], ac * in_a[i] + cc * in_c[i]);
-            for j in 0..3 {
-                out.value_value[i + 1][j + 1] = on_a * in_a[j] + on_c * in_c[j];
-            }
-        }
-        turned_twice([zero, by_a * b, by_c * h], up, &mut out.value_value);
-        // as of the planar beam, cos²θ being what the axis covers of the ground: 1 - (d1·e_y)²
-        let square = T::splat(1.0) - up[0] * up[0];
-        let share = square - (square * square - 1.0) * 0.25;
-        let by_rise = -(up[0] * (T::splat(2.0) - square));
-        out.coverage = out.energy * share;
-        out.coverage_by_height = by_y * share;
-        let rise = [zero, -(up[2] * 2.0), up[1] * 2.0];
-        for i in 0..3 {
-            out.coverage_by_value[i + 1] = out.by_value[i + 1] * share + out.energy * by_rise * rise[i];
-        }
-        out
-    }
-}
-
 impl SpatialDensity {
     /// The density and its derivatives by the fields, at one point or at several side by side.
     #[inline(always)]
@@ -278,34 +152,47 @@ impl SpatialDensity {
         value: &[T; SPATIAL_FIELDS],
         slope: &[T; SPATIAL_FIELDS],
     ) -> PointResponse<T, SPATIAL_FIELDS> {
+        let mut out = PointResponse::zero();
+        self.respond_into(place, value, slope, &mut out);
+        out
+    }
+
+    /// The same into a response that was zero or one of a beam in space: what never couples stays zero.
+    #[inline(always)]
+    fn respond_into<T: Real>(
+        &self,
+        place: T,
+        value: &[T; SPATIAL_FIELDS],
+        slope: &[T; SPATIAL_FIELDS],
+        out: &mut PointResponse<T, SPATIAL_FIELDS>,
+    ) {
         let station = self.profile.at(place);
         let at = Kinematics::new(value, slope);
         let (n, m, stored) = forces(&station.stiffness, &at.strains(&station.rest_curvature));
         let (on_stretch, on_value, on_slope) = local_gradient(&at, n, m);
         let tangent = LocalTangent::new(&at, &station.stiffness, n, m);
-        let mut out = PointResponse::zero();
-        out.energy = stored;
         let (mut value_gradient, mut value_value) = (on_value, tangent.value_value);
         let to_field = at.basis();
-        if let Some(law) = &self.adhesion {
-            let adhesion = LocalAdhesion::new(law, &at, value[1], &station);
-            out.energy = out.energy + adhesion.energy;
-            out.adhesion = adhesion.energy;
-            out.coverage = adhesion.coverage;
-            out.by_value[1] = adhesion.by_height;
-            out.value_value[1][1] = adhesion.height_height;
-            out.coverage_by_value[1] = adhesion.coverage_by_height;
-            let (mixed, covered) =
-                (apply(&to_field, &adhesion.height_value), apply(&to_field, &adhesion.coverage_by_value));
-            for i in 0..4 {
-                value_gradient[i] = value_gradient[i] + adhesion.by_value[i];
-                for j in 0..4 {
-                    value_value[i][j] = value_value[i][j] + adhesion.value_value[i][j];
-                }
-                out.value_value[1][3 + i] = mixed[i];
-                out.value_value[3 + i][1] = mixed[i];
-                out.coverage_by_value[3 + i] = covered[i];
+        let adhesion = match &self.adhesion {
+            Some(law) => LocalAdhesion::new(law, &at, value[1], &station),
+            None => LocalAdhesion::none(),
+        };
+        out.energy = stored + adhesion.energy;
+        out.adhesion = adhesion.energy;
+        out.coverage = adhesion.coverage;
+        out.by_value[1] = adhesion.by_height;
+        out.value_value[1][1] = adhesion.height_height;
+        out.coverage_by_value[1] = adhesion.coverage_by_height;
+        let (mixed, covered) =
+            (apply(&to_field, &adhesion.height_value), apply(&to_field, &adhesion.coverage_by_value));
+        for i in 0..4 {
+            value_gradient[i] = value_gradient[i] + adhesion.by_value[i];
+            for j in 0..4 {
+                value_value[i][j] = value_value[i][j] + adhesion.value_value[i][j];
             }
+            out.value_value[1][3 + i] = mixed[i];
+            out.value_value[3 + i][1] = mixed[i];
+            out.coverage_by_value[3 + i] = covered[i];
         }
         let (by_quaternion, by_its_slope) = (apply(&to_field, &value_gradient), apply(&to_field, &on_slope));
         let by_place = apply(&at.frame, &on_stretch);
@@ -337,7 +224,6 @@ impl SpatialDensity {
                 out.slope_slope[3 + i][3 + j] = slope_slope[i][j];
             }
         }
-        out
     }
 }
 
@@ -399,7 +285,7 @@ fn respond(
     responses: &mut [PointResponse<F64x4, SPATIAL_FIELDS>],
 ) {
     for (point, out) in points.iter().zip(responses) {
-        *out = density.response(point.place, &point.value, &point.slope);
+        density.respond_into(point.place, &point.value, &point.slope, out);
     }
 }
 

@@ -2,6 +2,8 @@
 mod chain;
 mod density;
 mod end_rotation;
+mod kinematics;
+mod local_adhesion;
 mod rest_curve;
 pub mod rotation;
 mod spatial_beam;

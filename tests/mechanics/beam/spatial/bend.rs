@@ -30,7 +30,7 @@ pub fn rod(shear_correction: f64, torsion: f64, compliance: f64) -> Rod {
     Rod::clamped(stiffness, REST, 100.0 * FRAC_PI_4)
 }
 
-/// The tip under the three loads, and the iterations of all steps to each.
+/// The tip under the three loads, and the iterations of the last step to each.
 fn tips(rod: &Rod, elements: usize) -> Vec<([f64; 3], usize)> {
     let (problem, _) = rod.problem(2, &[]);
     let found = controlled(&problem, problem.initial(elements), Observables::FORCE, &LOADS, 1e-12).unwrap();
