@@ -2,7 +2,7 @@
 
 use peelkit::adhesion::LineLaw;
 use peelkit::beam::{ChainFactors, ConstraintGradient, ROOT};
-use peelkit::model::{Form, PlanarProblem, StripModel};
+use peelkit::model::{Form, BeamProblem, StripModel};
 use peelkit::number::F64x4;
 use peelkit::solve::State;
 use std::hint::black_box;
@@ -12,7 +12,7 @@ pub const LANES: usize = 4;
 
 /// A problem at rest, with room to solve it.
 pub struct Setting {
-    pub problem: PlanarProblem,
+    pub problem: BeamProblem,
     pub at: State,
     row: ConstraintGradient,
     work: ChainFactors,

@@ -1,4 +1,5 @@
 //! A structure in a grip, on a substrate or on its own: what `solve` is given.
+mod beam_problem;
 mod body;
 mod build;
 mod chain;
@@ -16,6 +17,7 @@ mod stress_free_placement;
 mod strip;
 mod transition;
 pub use crate::adhesion::Attraction;
+pub use beam_problem::{Beam, BeamProblem};
 pub use body::*;
 pub use build::*;
 pub use check::*;

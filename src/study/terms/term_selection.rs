@@ -219,14 +219,15 @@ impl Found {
             return Self { left_out: nothing, shifts: Vec::new() };
         };
         let rate = |solution: &Solution, lift: f64| {
-            work.rate(&SectionSampling::new(&peel.model, &trace.problem, solution), lift)
+            let sampling = SectionSampling::new(&peel.model, &trace.problem, solution);
+            sampling.map_or(f64::NAN, |sampling| work.rate(&sampling, lift))
         };
         // where the path begins, from where displacements count
         let lift = match term {
             // friction holds nothing yet
             Term::Friction => 0.0,
             Term::FarFace => {
-                LineLaw { far_face: true, ..peel.model.line_law() }.rest_gap() - trace.problem.beam.rest_gap
+                LineLaw { far_face: true, ..peel.model.line_law() }.rest_gap() - peel.model.line_law().rest_gap()
             }
             _ => trace.points.first().map_or(0.0, |first| -rate(first, 0.0) / first.slope.force),
         };

@@ -16,7 +16,7 @@
 use crate::common::{LOADS, paper_strip, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::beam::{FRONT, TIP_ROTATION};
-use peelkit::model::{Body, Form, Hold, PeelModel, PlanarProblem, Spatula, StripModel};
+use peelkit::model::{Body, Form, Hold, PeelModel, BeamProblem, Spatula, StripModel};
 use peelkit::solve::{Mesh, NewtonOptions, Observables, PathConstraint, Solution, Workspace, solve};
 use peelkit::study::{Accuracy, Choice, StopCriteria, peel};
 
@@ -26,7 +26,7 @@ const STEPS: [f64; 14] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.35, 0.5, 0.75, 1.0,
 const LONGEST: f64 = 0.05;
 
 /// Equilibria under displacement control, at every one of [`STEPS`]. The mesh stays: fine where the front is at 5 nm.
-fn lift(problem: &PlanarProblem, elements: usize) -> Vec<Solution> {
+fn lift(problem: &BeamProblem, elements: usize) -> Vec<Solution> {
     let weights = Observables::DISPLACEMENT;
     let options = NewtonOptions { tolerance: 1e-12, largest_update: 1.0, most_iterations: 20, exact_slope: false };
     let mut work = Workspace::default();
@@ -61,7 +61,7 @@ fn assert_same(model: &StripModel, order: usize) {
     let stiffest = full.iter().map(|s| s.slope.force.abs()).fold(0.0, f64::max);
     // energies count from rest
     let energy = |s: &[Solution], i: usize| s[i].energy - s[0].energy;
-    let coverage = |p: &PlanarProblem, s: &Solution| {
+    let coverage = |p: &BeamProblem, s: &Solution| {
         p.beam.chain.energy(p.beam.configuration(&s.at), p.beam.nodes(&s.at.values)).0.coverage
     };
     let whole = energy(&full, STEPS.len() - 1);

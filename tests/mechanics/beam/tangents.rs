@@ -24,7 +24,7 @@ use peelkit::beam::{
     BeamGeometry, ChainFactors, ConstraintGradient, EnergyDensity, FRONT, Material, PointResponse, Profile,
     ReducedBeam, ReissnerBeam, Section, SectionGeometry, TIP_ROTATION, Varying, rectangle_second_moment,
 };
-use peelkit::model::{Form, Hold, PlanarProblem};
+use peelkit::model::{Form, Hold, BeamProblem};
 use peelkit::solve::{NewtonOptions, Observables, PathConstraint, Problem, SolveError, State, Workspace, solve};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
@@ -285,7 +285,7 @@ fn section_states_agree_with_the_density() {
 }
 
 /// A configuration with its right end lifted smoothly by `lift`: no equilibrium.
-fn lifted(problem: &PlanarProblem, mut at: State, lift: f64) -> State {
+fn lifted(problem: &BeamProblem, mut at: State, lift: f64) -> State {
     let (fields, order) = (problem.beam.fields(), problem.beam.chain.order());
     let (nodes, ends) = (problem.beam.nodes(&at.values).len(), &at.mesh.boundaries);
     for (node, values) in at.values[..nodes].chunks_exact_mut(fields).enumerate() {
