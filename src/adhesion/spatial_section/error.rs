@@ -22,12 +22,6 @@ pub enum SpatialSectionError {
         /// What requires it
         law: String,
     },
-    /// A law without a form in space.
-    #[error("{law} is not offered for a beam in space")]
-    NotOffered {
-        /// Which
-        law: String,
-    },
     /// A width or a height that is no length.
     #[error("the {what} of a section in space is {value} nm; it must be above zero and finite")]
     NoLength {

@@ -1,7 +1,8 @@
 //! The adhesion of a section of a beam in space over a flat half space.
 
-use super::{SpatialSectionError, SpatialSectionResponse, axis_gap, ellipse, near_face, rectangle};
-use crate::adhesion::{Law, LineLaw, LineLoad};
+use super::face::OwnFace;
+use super::{SpatialSectionError, SpatialSectionResponse, axis_gap, ellipse, face, near_face, rectangle};
+use crate::adhesion::{Cohesive, Law, LineLaw, LineLoad};
 use crate::number::Real;
 
 /// The outline of a section.
@@ -35,6 +36,10 @@ enum Form {
     Ellipse,
     /// Body force of a rectangle's lower face
     NearFace,
+    /// A cohesive law on a rectangle's lower face
+    Cohesive(Cohesive),
+    /// A law of the user's own on a rectangle
+    Own(OwnFace),
     /// At the gap below the axis
     AxisGap,
 }
@@ -80,6 +85,8 @@ impl SpatialSection {
             Form::Rectangle => rectangle::response(half_space, area, y, a, c),
             Form::Ellipse => ellipse::response(half_space, area, y, a, c),
             Form::NearFace => near_face::response(half_space, area, y, a, c),
+            Form::Cohesive(law) => each(y, a, c, |y, a, c| face::cohesive(&law, self.width, y, a, c)),
+            Form::Own(law) => each(y, a, c, |y, a, c| law.response(self.width, y, a, c)),
             Form::AxisGap => axis_gap::response(&self.law, self.width, y),
         }
     }
@@ -92,7 +99,7 @@ impl SpatialSection {
             Form::Rectangle => rectangle::energy(half_space, area, y, a, c),
             Form::Ellipse => ellipse::energy(half_space, area, y, a, c),
             Form::NearFace => near_face::response(half_space, area, y, a, c).energy,
-            Form::AxisGap => axis_gap::response(&self.law, self.width, y).energy,
+            Form::Cohesive(_) | Form::Own(_) | Form::AxisGap => self.response(y, a, c).energy,
         }
     }
 }
@@ -107,13 +114,26 @@ impl Form {
             (_, Law::BodyForce, true) if shape == SectionShape::Ellipse => return Ok(Self::Ellipse),
             (_, Law::BodyForce, true) => Self::Rectangle,
             (_, Law::BodyForce, false) => Self::NearFace,
-            _ => return Err(SpatialSectionError::NotOffered { law: name(law) }),
+            (_, Law::Cohesive(cohesive), _) => Self::Cohesive(cohesive),
+            (_, Law::Own(own), _) => Self::Own(OwnFace::new(own, law.height)),
+            (_, Law::SurfaceTraction, _) => return Err(SpatialSectionError::NoPotential { law: name(law) }),
         };
         match shape {
             SectionShape::Rectangle => Ok(form),
             SectionShape::Ellipse => Err(SpatialSectionError::RequiresRectangle { law: name(law) }),
         }
     }
+}
+
+/// At one section or at several side by side, which are computed one by one.
+#[inline(always)]
+fn each<T: Real>(y: T, a: T, c: T, one: impl Fn(f64, f64, f64) -> SpatialSectionResponse) -> SpatialSectionResponse<T> {
+    let [energy, by_y, by_a, by_c, yy, ya, yc, aa, ac, cc] = T::each_of([y, a, c], |[y, a, c]| {
+        let SpatialSectionResponse { energy, gradient: [by_y, by_a, by_c], hessian: [yy, ya, yc, aa, ac, cc] } =
+            one(y, a, c);
+        [energy, by_y, by_a, by_c, yy, ya, yc, aa, ac, cc]
+    });
+    SpatialSectionResponse { energy, gradient: [by_y, by_a, by_c], hessian: [yy, ya, yc, aa, ac, cc] }
 }
 
 /// What of a law decides.

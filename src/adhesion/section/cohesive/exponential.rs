@@ -6,6 +6,8 @@ use super::at::At;
 
 pub(super) const NAME: &str = "exponential";
 pub(super) const CORNERS: f64 = 1.0;
+/// It has none; a wide face is looked at where it is near.
+pub(super) const BREAKS: &[f64] = &[0.0, 2.0, 6.0, 14.0, 30.0];
 
 #[inline]
 pub(super) fn at(t: f64) -> At {

@@ -41,6 +41,18 @@ impl<const CORNERS: usize> Lines<CORNERS> {
         [self.factor * sums[0], self.factor * sums[1], self.factor * sums[2]]
     }
 
+    /// Where the rounding of each corner begins and ends; so many are twice the corners.
+    pub const fn breaks<const BREAKS: usize>(&self) -> [f64; BREAKS] {
+        let mut breaks = [0.0; BREAKS];
+        let mut k = 0;
+        while k < BREAKS {
+            let Corner { place, half, .. } = self.corners[k / 2];
+            breaks[k] = if k % 2 == 0 { place - half } else { place + half };
+            k += 1;
+        }
+        breaks
+    }
+
     /// The largest value, where it is at the first corner.
     pub const fn top(&self) -> f64 {
         let Corner { place, half, .. } = self.corners[0];
