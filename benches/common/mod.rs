@@ -2,7 +2,7 @@
 
 use peelkit::adhesion::LineLaw;
 use peelkit::beam::{ChainFactors, ConstraintGradient, ROOT};
-use peelkit::model::{Form, BeamProblem, StripModel};
+use peelkit::model::{BeamProblem, Form, StripModel};
 use peelkit::number::F64x4;
 use peelkit::solve::State;
 use std::hint::black_box;

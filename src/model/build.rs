@@ -66,6 +66,9 @@ impl PeelModel {
         adjust: impl FnOnce(&mut PlanarBeam),
     ) -> Result<BeamProblem, NoSuchOrder> {
         how.check().map_err(|_| NoSuchOrder { order: how.order })?;
+        if let Some((space, section)) = self.space.and_then(|space| Some((space, self.spatial_section(&space).ok()?))) {
+            return self.spatial_problem(&space, section, how);
+        }
         let form = self.form(how.form);
         let (width, height) = self.free_end();
         let (law, length, along) = (self.line_law(), self.length(), self.has_horizontal_force());

@@ -1,6 +1,6 @@
 //! A uniform strip of rectangular section.
 
-use super::{Adhesion, Body, Form, Geometry, Grip, NoSuchOrder, PeelModel, BeamProblem, Pull};
+use super::{Adhesion, BeamProblem, Body, Form, Geometry, Grip, NoSuchOrder, PeelModel, Pull};
 use crate::adhesion::LineLaw;
 use crate::beam::{BeamGeometry, Material, Section, SectionGeometry};
 use serde::{Deserialize, Serialize};

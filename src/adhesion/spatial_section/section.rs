@@ -4,9 +4,11 @@ use super::face::OwnFace;
 use super::{SpatialSectionError, SpatialSectionResponse, axis_gap, ellipse, face, near_face, rectangle};
 use crate::adhesion::{Cohesive, Law, LineLaw, LineLoad};
 use crate::number::Real;
+use serde::{Deserialize, Serialize};
 
 /// The outline of a section.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum SectionShape {
     /// b × h
     #[default]

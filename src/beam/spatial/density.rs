@@ -271,7 +271,12 @@ impl<T: Real> LocalAdhesion<T> {
 
 impl SpatialDensity {
     /// Section forces and moments along and about the directors.
-    pub fn section_forces(&self, place: f64, value: &[f64; SPATIAL_FIELDS], slope: &[f64; SPATIAL_FIELDS]) -> [[f64; 3]; 2] {
+    pub fn section_forces(
+        &self,
+        place: f64,
+        value: &[f64; SPATIAL_FIELDS],
+        slope: &[f64; SPATIAL_FIELDS],
+    ) -> [[f64; 3]; 2] {
         let station = self.profile.at(place);
         let at = Kinematics::new(value, slope);
         let (n, m, _) = forces(&station.stiffness, &at.strains(&station.rest_curvature));

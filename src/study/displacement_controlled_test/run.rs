@@ -7,7 +7,7 @@ use super::jump;
 use super::result::*;
 use super::stable_branch::{BranchEnd, Machine, StableBranch, Until};
 use crate::beam::FRONT;
-use crate::model::{Discretisation, Form, PeelModel, BeamProblem};
+use crate::model::{BeamProblem, Discretisation, Form, PeelModel};
 use crate::solve::{
     EndConditions, Held, Located, RelaxOptions, Solution, State, Workspace, disturbed, disturbed_anyhow, relax,
 };

@@ -7,7 +7,7 @@
 
 use super::error::{LoadingError, LoadingPhase, LoadingProgress, LoadingUnit, NoEquilibrium};
 use crate::beam::{BUNDLE, FRONT, GripForces, GripState};
-use crate::model::{Moved, PeelModel, BeamProblem, Step};
+use crate::model::{BeamProblem, Moved, PeelModel, Step};
 use crate::solve::{
     Direction, EndConditions, INTERFACE, LimitPointKind, Located, MOST_POINTS, NewtonOptions, Observables, Path,
     PathConstraint, PathOptions, PathSegment, ShouldStop, Solution, State, Workspace, locate, settle, solve,
@@ -241,12 +241,7 @@ impl LoadingSequence {
     }
 
     /// Lets the problem begin in a solution, on twice as many elements and a mesh that is fine at its front.
-    fn lead(
-        &self,
-        problem: &mut BeamProblem,
-        end: &Solution,
-        constraint: &PathConstraint,
-    ) -> Result<(), LoadingError> {
+    fn lead(&self, problem: &mut BeamProblem, end: &Solution, constraint: &PathConstraint) -> Result<(), LoadingError> {
         let beam = &problem.beam;
         let mesh = beam.mesh_at(end.observables.monitors[FRONT], 2 * self.elements);
         let finer = beam.resampled(&end.at, mesh);

@@ -7,7 +7,7 @@ mod stability;
 pub use error::*;
 
 use crate::beam::GripState;
-use crate::model::{Discretisation, PeelModel, BeamProblem};
+use crate::model::{BeamProblem, Discretisation, PeelModel};
 use crate::solve::ShouldStop;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;

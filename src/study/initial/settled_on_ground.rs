@@ -2,7 +2,7 @@
 
 use super::error::SettlingError;
 use crate::beam::{PlanarBeam, ReferenceConfiguration};
-use crate::model::{Ground, BeamProblem, Start};
+use crate::model::{BeamProblem, Ground, Start};
 use crate::solve::{
     EndConditions, Held, INTERFACE, Mesh, NewtonOptions, Observables, PathConstraint, RelaxOptions, ShouldStop, State,
     System, Workspace, relax, settle,

@@ -5,7 +5,7 @@ use super::RelaxedStart;
 use super::error::UnstableRest;
 use super::loading_steps::elements;
 use crate::beam::{BondedBeam, BondedMode};
-use crate::model::{Adhesion, Discretisation, Form, Hold, PeelModel, BeamProblem};
+use crate::model::{Adhesion, BeamProblem, Discretisation, Form, Hold, PeelModel};
 use crate::solve::{
     Held, InitialState, MOST_POINTS, Path, PathError, PathOptions, RelaxError, RelaxOptions, ShouldStop, Solution,
     State, Workspace, disturbed_anyhow, relax,
@@ -148,7 +148,12 @@ fn relaxed(
     should_stop: &Option<ShouldStop>,
 ) -> Result<State, RelaxError> {
     let three_field = Discretisation { form: Form::ThreeField, ..how };
-    let with_x = problem.beam.planar().is_some_and(|beam| beam.chain.has_border()).then(|| model.discretised(three_field, |_| {}).ok()).flatten();
+    let with_x = problem
+        .beam
+        .planar()
+        .is_some_and(|beam| beam.chain.has_border())
+        .then(|| model.discretised(three_field, |_| {}).ok())
+        .flatten();
     let (falling, start) = match &with_x {
         None => (problem, first.at.clone()),
         Some(with_x) => (with_x, with_x.initial(first.at.mesh.elements())),

@@ -6,7 +6,7 @@
 
 use super::result::PointKind;
 use crate::beam::FRONT;
-use crate::model::{Discretisation, Form, PeelModel, BeamProblem};
+use crate::model::{BeamProblem, Discretisation, Form, PeelModel};
 use crate::solve::{
     BendRule, FoundLimitPoint, LimitPointSearch, Mesh, Observables, Problem, SolveError, State, Workspace,
     lagrange_weights, longest_step,

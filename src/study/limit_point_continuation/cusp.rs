@@ -5,7 +5,7 @@
 //! sides of the cusp, and its zero a regular one, where the limit points themselves are singular.
 
 use super::failure::CuspError;
-use crate::model::{Form, PeelModel, BeamProblem};
+use crate::model::{BeamProblem, Form, PeelModel};
 use crate::solve::{
     LimitPointKind, NewtonOptions, Observables, PathConstraint, Problem, Solution, State, Workspace, solve,
 };

@@ -5,7 +5,7 @@ use super::special_points::{name_special_points, peak_of, pushes_behind_a_fold};
 use super::work::{WorkErrors, work_near, works};
 use super::{Effort, Failure, LargestComputedForce, LimitPoint, PathEnd, PathPoint, Peak, Peel};
 use crate::beam::FRONT;
-use crate::model::{PeelModel, BeamProblem};
+use crate::model::{BeamProblem, PeelModel};
 use crate::solve::{LimitPointKind, Located, Solution};
 use crate::study::Accuracy;
 use crate::study::error_bounds::*;
@@ -38,7 +38,11 @@ pub(super) fn report(model: &PeelModel, problem: &BeamProblem, followed: &Follow
     let strained = STRAIN_ROUND_OFF * f64::EPSILON * section.axial.max(section.shear);
     let bent = BENDING_ROUND_OFF * f64::EPSILON * section.bending / model.adhesion.equilibrium_distance.powi(2);
     let elements = followed.points.first().map_or(0, |point| point.at.mesh.elements());
-    let force_round_off = if problem.beam.planar().is_some_and(|beam| beam.chain.has_border()) { ROUND_OFF_HELD * elements as f64 } else { ROUND_OFF };
+    let force_round_off = if problem.beam.planar().is_some_and(|beam| beam.chain.has_border()) {
+        ROUND_OFF_HELD * elements as f64
+    } else {
+        ROUND_OFF
+    };
     let points = followed.points.iter().zip(&works).map(|(s, &work)| PathPoint {
         displacement: s.observables.displacement,
         force: s.observables.force,

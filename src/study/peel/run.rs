@@ -6,7 +6,7 @@ use super::equilibrium_path::{Followed, follow};
 use super::solution_history::SolutionHistory;
 use super::special_points::error_at_start;
 use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
-use crate::model::{Discretisation, PeelModel, BeamProblem};
+use crate::model::{BeamProblem, Discretisation, PeelModel};
 use crate::solve::LimitPointKind;
 use crate::study::accuracy::{Choice, Resolution, aim, most_elements};
 use crate::study::checkpoint::Limits;

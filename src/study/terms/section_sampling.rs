@@ -1,8 +1,8 @@
 //! A beam at one point of its path, as a term of the model sees it.
 
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, Rule, Substrate};
-use crate::beam::{PlanarBeam, Configuration, Section};
-use crate::model::{PeelModel, BeamProblem};
+use crate::beam::{Configuration, PlanarBeam, Section};
+use crate::model::{BeamProblem, PeelModel};
 use crate::solve::{Solution, lagrange_weights};
 use std::num::NonZeroUsize;
 

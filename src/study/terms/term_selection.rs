@@ -111,6 +111,9 @@ impl TermSelection<'_> {
 /// The terms to try without, and those of the model that are kept untried.
 fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, KeptReason)>) {
     let (mut tried, mut kept) = (Vec::new(), Vec::new());
+    if model.space.is_some() {
+        return (tried, kept);
+    }
     let mut consider = |term: Term, obstacle: Option<KeptReason>| match obstacle {
         None => tried.push(term),
         Some(why) => kept.push((term, why)),

@@ -16,7 +16,7 @@
 use crate::common::{LOADS, paper_strip, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::beam::{FRONT, TIP_ROTATION};
-use peelkit::model::{Body, Form, Hold, PeelModel, BeamProblem, Spatula, StripModel};
+use peelkit::model::{BeamProblem, Body, Form, Hold, PeelModel, Spatula, StripModel};
 use peelkit::solve::{Mesh, NewtonOptions, Observables, PathConstraint, Solution, Workspace, solve};
 use peelkit::study::{Accuracy, Choice, StopCriteria, peel};
 

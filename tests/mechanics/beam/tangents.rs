@@ -24,7 +24,7 @@ use peelkit::beam::{
     BeamGeometry, ChainFactors, ConstraintGradient, EnergyDensity, FRONT, Material, PointResponse, Profile,
     ReducedBeam, ReissnerBeam, Section, SectionGeometry, TIP_ROTATION, Varying, rectangle_second_moment,
 };
-use peelkit::model::{Form, Hold, BeamProblem};
+use peelkit::model::{BeamProblem, Form, Hold};
 use peelkit::solve::{NewtonOptions, Observables, PathConstraint, Problem, SolveError, State, Workspace, solve};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};

@@ -16,7 +16,7 @@ use crate::common::{paper_law, paper_strip};
 use approx::assert_relative_eq;
 use peelkit::adhesion::{FrictionLaw, GroundLaw, LineLoad, Substrate};
 use peelkit::beam::{BeamOnGround, EnergyDensity, PointResponse, Profile};
-use peelkit::model::{Form, Friction, Hold, PeelModel, BeamProblem, Pull, Step};
+use peelkit::model::{BeamProblem, Form, Friction, Hold, PeelModel, Pull, Step};
 use peelkit::solve::{Observables, Path, PathOptions, Solution, controlled};
 use peelkit::study::{Accuracy, Choice, PathEnd, StopCriteria, peel};
 use std::sync::Arc;

@@ -14,7 +14,7 @@
 //! what the energy's slope is. Collocation has its word in `peel verify --only pull`. Recorded: path points and Newton iterations.
 
 use crate::common::{paper_strip, with_grip};
-use peelkit::model::{Body, Form, Hold, PeelModel, BeamProblem, Pull, Spatula, Step};
+use peelkit::model::{BeamProblem, Body, Form, Hold, PeelModel, Pull, Spatula, Step};
 use peelkit::solve::{Observables, Path, PathConstraint, PathOptions, Problem, State, Workspace, controlled, slopes};
 use peelkit::study::{Accuracy, Choice, Effort, PathEnd, Peel, StopCriteria, peel};
 use std::f64::consts::FRAC_PI_3;

@@ -5,7 +5,7 @@
 //! between two meshes approaches it linearly in h, so that it is extrapolated to h = 0.
 
 use super::check::{Check, Measure, Topic};
-use peelkit::model::{Form, BeamProblem, StripModel};
+use peelkit::model::{BeamProblem, Form, StripModel};
 use peelkit::solve::{NewtonOptions, Observables, PathConstraint, Solution, State, Workspace, solve};
 
 pub(super) const TOPIC: Topic =

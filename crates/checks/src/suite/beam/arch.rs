@@ -4,7 +4,7 @@ use super::rods::{DISPLACEMENT, LEFT_ROTATION, TOLERANCE, cantilever, problem};
 use crate::suite::check::{Check, Measure};
 use crate::suite::reference::{self, Row};
 use peelkit::beam::{ReferenceCurve, TIP_ROTATION};
-use peelkit::model::{Drive, Hold, BeamProblem, RodModel, Support};
+use peelkit::model::{BeamProblem, Drive, Hold, RodModel, Support};
 use peelkit::solve::{LimitPointKind, PathOptions, Solution, controlled};
 use peelkit::study::{RodLimitPoint, RodPath, follow_rod};
 

@@ -3,7 +3,7 @@
 use super::rods::{cantilever, problem};
 use crate::suite::check::{Check, Measure};
 use peelkit::beam::{Configuration, ReferenceCurve};
-use peelkit::model::{Drive, BeamProblem, RodModel, Support};
+use peelkit::model::{BeamProblem, Drive, RodModel, Support};
 
 const ELEMENTS: usize = 5;
 const AXIAL: f64 = 1e4;

@@ -1,7 +1,7 @@
 //! Rods without adhesion, and their equilibria.
 
 use peelkit::beam::{ReferenceCurve, Section, TIP_ROTATION};
-use peelkit::model::{Drive, BeamProblem, RodModel, Support};
+use peelkit::model::{BeamProblem, Drive, RodModel, Support};
 use peelkit::solve::{Observables, Solution, controlled};
 
 pub(crate) const DISPLACEMENT: Observables = Observables::DISPLACEMENT;
