@@ -1,6 +1,7 @@
 //! Saint-Venant's torsion constant J of a section, nm⁴: the torque is G J times the twist per length.
 //!
-//! Source: S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed. (1970), arts. 106 (ellipse) and 109 (rectangle).
+//! Source: S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed. (1970), arts. 106 (ellipse) and 109
+//! (rectangle).
 
 use crate::adhesion::SectionShape;
 use std::f64::consts::PI;
