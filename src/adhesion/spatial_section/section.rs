@@ -17,8 +17,8 @@ pub enum SectionShape {
 
 /// A section of a beam in space: outline, width b along d2, height h along d3 (of its law), adhesion law.
 ///
-/// Its axis is at the height y over the half space; from side to side it rises by a = b d2·e_y, from bottom to top by c
-/// = h d3·e_y, nm. In the plane, a = 0 and c = h cos θ, the energy is that of [`LineLaw`] times the width.
+/// Its axis is at the height y over the half space; from side to side it rises by a = b d2·e_y, from bottom to top by
+/// c = h d3·e_y, nm. In the plane, a = 0 and c = h cos θ, the energy is that of [`LineLaw`] times the width.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialSection {
     shape: SectionShape,
@@ -82,11 +82,11 @@ impl SpatialSection {
     #[inline(always)]
     pub fn response<T: Real>(&self, y: T, a: T, c: T) -> SpatialSectionResponse<T> {
         let (half_space, area) = (&self.law.half_space, self.width * self.law.height);
-        match self.form {
+        match &self.form {
             Form::Rectangle => rectangle::response(half_space, area, y, a, c),
             Form::Ellipse => ellipse::response(half_space, area, y, a, c),
             Form::NearFace => near_face::response(half_space, area, y, a, c),
-            Form::Cohesive(law) => each(y, a, c, |y, a, c| cohesive_face::response(&law, self.width, y, a, c)),
+            Form::Cohesive(law) => each(y, a, c, |y, a, c| cohesive_face::response(law, self.width, y, a, c)),
             Form::Own(law) => each(y, a, c, |y, a, c| law.response(self.width, y, a, c)),
             Form::AxisGap => axis_gap::response(&self.law, self.width, y),
         }
@@ -96,7 +96,7 @@ impl SpatialSection {
     #[inline(always)]
     pub fn energy<T: Real>(&self, y: T, a: T, c: T) -> T {
         let (half_space, area) = (&self.law.half_space, self.width * self.law.height);
-        match self.form {
+        match &self.form {
             Form::Rectangle => rectangle::energy(half_space, area, y, a, c),
             Form::Ellipse => ellipse::energy(half_space, area, y, a, c),
             Form::NearFace => near_face::response(half_space, area, y, a, c).energy,

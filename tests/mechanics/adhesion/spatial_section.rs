@@ -136,6 +136,30 @@ fn all_ten_are_those_of_the_definition() {
     println!("worst errors over size, and over size and condition: {worst:?}");
 }
 
+/// Of another program, in which four terms of 400 digits are subtracted: moderate, steep, and level along the beam.
+#[test]
+fn values_of_another_program() {
+    #[rustfmt::skip]
+    let states: [([f64; 5], &[f64]); 3] = [
+        ([8.0, 4.0, 9.0, 40.0, 10.0], &[
+            -0.0135156539862028, 0.0119976265136771, -0.00345403696482849, -0.00462422257964902,
+            -0.00254279702108364, -0.00255715197943661, -0.0032422104857981,
+        ]),
+        ([30.0, 39.0, 2.0, 40.0, 10.0], &[
+            -0.000237917046881944, 4.741850506592e-05, -1.80578018752807e-05, -2.2748691399389e-06,
+        ]),
+        ([100.3, 200.0, 0.0, 200.0, 10.0], &[-0.267130812866672, 1.22887844553744, -0.613103575306091, 0.0]),
+    ];
+    for ([y, a, c, b, h], expected) in states {
+        let at = section(SectionShape::Rectangle, b, line_law(h, Law::BodyForce, true)).response(y, a, c);
+        let computed = [at.energy].into_iter().chain(at.gradient).chain(at.hessian[3..].iter().copied());
+        for (computed, expected) in computed.zip(expected) {
+            let off = (computed - expected).abs();
+            assert!(off <= 2e-13 * expected.abs(), "at {y}, {a}, {c}: {computed:e}, expected {expected:e}");
+        }
+    }
+}
+
 /// In the plane a = 0, c = h cos θ: Ψ_θ = -h sin θ Ψ_c, Ψ_θθ = h² sin² θ Ψ_cc - c Ψ_c.
 #[test]
 fn level_across_it_is_the_law_in_the_plane() {
