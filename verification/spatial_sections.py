@@ -176,7 +176,7 @@ if __name__ == "__main__":
             (
                 "spatial_sections.csv",
                 [
-                    "Energy of sections of a beam in space per length, nN; its derivatives by y, a, c, nm; their sizes.",
+                    "Energy of sections of a beam in space per length, nN; derivatives by y, a, c, nm; their sizes.",
                     "A_H = 0.1 aJ, r0 = 0.4 nm. b, h: width, height, nm; y: height of the axis; a, c: rises of both.",
                 ],
                 table,
