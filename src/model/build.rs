@@ -2,51 +2,15 @@
 
 use super::chain::{three_field, two_field};
 use super::stress_free_placement::StressFreePlacement;
-use super::{Body, Form, Hold, PeelModel, Profile, Spatula, friction};
+use super::{Beam, BeamProblem, Body, Form, Hold, PeelModel, Profile, Spatula, friction};
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
 use crate::beam::{
     self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, ReducedBeam,
     ReferenceConfiguration, ReissnerBeam, UprightPole, Variation, Varying,
 };
-use crate::solve::{EndConditions, History, INTERFACE, InitialState, PathMeasure, Problem};
+use crate::solve::{EndConditions, History, INTERFACE, InitialState, PathMeasure};
 use serde::{Deserialize, Serialize};
-use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
-
-/// A problem whose system is a planar beam.
-#[derive(Clone)]
-pub struct PlanarProblem {
-    problem: Problem,
-    /// What the solver sees as a system
-    pub beam: Arc<PlanarBeam>,
-}
-
-impl Deref for PlanarProblem {
-    type Target = Problem;
-
-    fn deref(&self) -> &Problem {
-        &self.problem
-    }
-}
-
-impl DerefMut for PlanarProblem {
-    fn deref_mut(&mut self) -> &mut Problem {
-        &mut self.problem
-    }
-}
-
-impl PlanarProblem {
-    /// A beam in a grip.
-    pub fn new(beam: PlanarBeam, grip: EndConditions, measure: PathMeasure, start: InitialState) -> Self {
-        let beam = Arc::new(beam);
-        Self { problem: Problem { system: beam.clone(), grip, measure, start }, beam }
-    }
-
-    /// The same problem under other end conditions.
-    pub fn with_grip(&self, grip: EndConditions) -> Self {
-        Self { problem: Problem { grip, ..self.problem.clone() }, beam: self.beam.clone() }
-    }
-}
 
 /// How a beam is discretised.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -88,7 +52,7 @@ impl PeelModel {
     ///
     /// # Errors
     /// Another order.
-    pub fn problem(&self, form: Form, order: usize) -> Result<PlanarProblem, NoSuchOrder> {
+    pub fn problem(&self, form: Form, order: usize) -> Result<BeamProblem, NoSuchOrder> {
         self.discretised(Discretisation::moving(form, order), |_| {})
     }
 
@@ -100,8 +64,11 @@ impl PeelModel {
         &self,
         how: Discretisation,
         adjust: impl FnOnce(&mut PlanarBeam),
-    ) -> Result<PlanarProblem, NoSuchOrder> {
+    ) -> Result<BeamProblem, NoSuchOrder> {
         how.check().map_err(|_| NoSuchOrder { order: how.order })?;
+        if let Some((space, section)) = self.space.and_then(|space| Some((space, self.spatial_section(&space).ok()?))) {
+            return self.spatial_problem(&space, section, how);
+        }
         let form = self.form(how.form);
         let (width, height) = self.free_end();
         let (law, length, along) = (self.line_law(), self.length(), self.has_horizontal_force());
@@ -172,7 +139,7 @@ impl PeelModel {
             by_force: false,
         };
         let grip = self.end_conditions(&beam);
-        Ok(PlanarProblem::new(beam, grip, measure, start))
+        Ok(BeamProblem::new(Beam::Planar(Arc::new(beam)), grip, measure, start))
     }
 
     /// Where its model ends on the way.

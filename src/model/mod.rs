@@ -1,4 +1,5 @@
 //! A structure in a grip, on a substrate or on its own: what `solve` is given.
+mod beam_problem;
 mod body;
 mod build;
 mod chain;
@@ -10,12 +11,14 @@ mod peel;
 mod pieces;
 mod profile;
 mod rod;
+mod space;
 mod spatula;
 mod step;
 mod stress_free_placement;
 mod strip;
 mod transition;
 pub use crate::adhesion::Attraction;
+pub use beam_problem::{Beam, BeamProblem};
 pub use body::*;
 pub use build::*;
 pub use check::*;
@@ -26,6 +29,7 @@ pub use peel::*;
 pub use pieces::*;
 pub use profile::*;
 pub use rod::*;
+pub use space::Space;
 pub use spatula::*;
 pub use step::*;
 pub use strip::*;

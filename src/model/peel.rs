@@ -1,7 +1,7 @@
 //! A beam on a flat half space, lifted at its right end.
 
 use super::stress_free_placement::StressFreePlacement;
-use super::{Body, Friction, Geometry, Ground, Moved, Step, Strip};
+use super::{Body, Friction, Geometry, Ground, Moved, Space, Step, Strip};
 use crate::adhesion::{Attraction, FrictionLaw, HalfSpace, LineLaw, LineLoad};
 use crate::beam::{BeamGeometry, BondedBeam, Material, Section, Varying};
 use crate::solve::Direction;
@@ -157,6 +157,9 @@ pub struct PeelModel {
     pub ground: Ground,
     /// What resists sliding
     pub friction: Friction,
+    /// Where it is peeled in space; none: in the plane
+    #[serde(default)]
+    pub space: Option<Space>,
 }
 
 /// Which unknowns a node has.
@@ -180,7 +183,7 @@ impl PeelModel {
     /// Pulled straight up, on flat ground without friction, with nothing done before.
     pub fn of(body: Body, adhesion: Adhesion, grip: Grip) -> Self {
         let (ground, friction) = (Ground::default(), Friction::NONE);
-        Self { body, adhesion, grip, pull: Pull::UP, steps: Vec::new(), ground, friction }
+        Self { body, adhesion, grip, pull: Pull::UP, steps: Vec::new(), ground, friction, space: None }
     }
 
     /// The strip, where it is one.
@@ -198,9 +201,10 @@ impl PeelModel {
             || !self.ground.substrate.is_flat()
     }
 
-    /// The form in which it can be solved where another is asked for: on ground that is not flat and with friction with x.
+    /// The form in which it can be solved where another is asked for: on ground that is not flat, with friction and in space with x.
     pub fn form(&self, asked: Form) -> Form {
-        if self.ground.substrate.is_flat() && self.friction_law().is_none() { asked } else { Form::ThreeField }
+        let reducible = self.ground.substrate.is_flat() && self.friction_law().is_none() && self.space.is_none();
+        if reducible { asked } else { Form::ThreeField }
     }
 
     /// The law of its friction, if there is any.

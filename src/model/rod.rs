@@ -1,7 +1,7 @@
 //! A beam on its own: nothing adheres, it may be curved at rest, and its ends are held as chosen.
 
 use super::chain::three_field;
-use super::{Discretisation, Hold, PlanarProblem};
+use super::{Beam, BeamProblem, Discretisation, Hold};
 use crate::adhesion::Substrate;
 use crate::beam::{
     FrontPosition, MOST_FIELDS, MeshIntervals, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, ReferenceConfiguration,
@@ -9,6 +9,7 @@ use crate::beam::{
 };
 use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// What an end of a rod does with each of its unknowns: `Fixed` at the value of the rest curve, or `Free`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -82,7 +83,7 @@ pub enum RodError {
 
 impl RodModel {
     /// What the solver is given, with elements of order 1 to 8, equally long.
-    pub fn problem(&self, order: usize) -> Result<PlanarProblem, RodError> {
+    pub fn problem(&self, order: usize) -> Result<BeamProblem, RodError> {
         self.check(order)?;
         let Self { length, section, rest, .. } = *self;
         let start = rest.at(0.0);
@@ -125,7 +126,7 @@ impl RodModel {
         };
         let force = if self.drive == Drive::Rotation { moment } else { moment / length };
         let measure = PathMeasure { monitors: [f64::INFINITY, scale[2]], force, by_force: true };
-        Ok(PlanarProblem::new(beam, grip, measure, InitialState::StressFree))
+        Ok(BeamProblem::new(Beam::Planar(Arc::new(beam)), grip, measure, InitialState::StressFree))
     }
 
     fn driven(&self) -> usize {

@@ -1,6 +1,6 @@
 //! A uniform strip of rectangular section.
 
-use super::{Adhesion, Body, Form, Geometry, Grip, NoSuchOrder, PeelModel, PlanarProblem, Pull};
+use super::{Adhesion, BeamProblem, Body, Form, Geometry, Grip, NoSuchOrder, PeelModel, Pull};
 use crate::adhesion::LineLaw;
 use crate::beam::{BeamGeometry, Material, Section, SectionGeometry};
 use serde::{Deserialize, Serialize};
@@ -125,7 +125,7 @@ impl StripModel {
     ///
     /// # Errors
     /// An order that there is not.
-    pub fn problem(&self, form: Form, order: usize) -> Result<PlanarProblem, NoSuchOrder> {
+    pub fn problem(&self, form: Form, order: usize) -> Result<BeamProblem, NoSuchOrder> {
         PeelModel::from(self).problem(form, order)
     }
 }

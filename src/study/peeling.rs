@@ -18,7 +18,9 @@ pub fn peel_on<'m, M>(model: &'m M, accuracy: &Accuracy, stop: &StopCriteria, ch
 where
     PeelModel: From<&'m M>,
 {
-    let model = model.into();
+    let model: PeelModel = model.into();
+    // what stays in the plane is solved there
+    let model = model.in_the_plane().unwrap_or(model);
     match checked(&model, accuracy) {
         Ok(()) => terms::run(&model, accuracy, stop, checkpoint),
         Err(error) => refused::peel(&model, accuracy, &error),

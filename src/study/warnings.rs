@@ -130,7 +130,7 @@ impl Peel {
     /// The largest |θ'| h/2 and the largest strain of the two points.
     fn largest_bend_and_strain(&self) -> [f64; 2] {
         let Some(trace) = &self.trace else { return [0.0; 2] };
-        let beam = &trace.problem.beam;
+        let Some(beam) = trace.problem.beam.planar() else { return [0.0; 2] };
         let one = |node: &NodeState| {
             let (Section { axial, shear, bending }, _, height) = self.model.section_at(node.position);
             let (sin, cos) = node.values[beam.rotation].sin_cos();

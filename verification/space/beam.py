@@ -1,7 +1,8 @@
 """Strong form of the shear-flexible beam in space: 13 first-order equations.
 
-State z = (r, q, n, m): position of the axis, quaternion (w, x, y, z) of the section, force and moment on the face of larger S, both in
-fixed components. R(q) = [d1 d2 d3], divided by q.q: d1 along the axis, d2 along the width, d3 along the height.
+State z = (r, q, n, m): position of the axis, quaternion (w, x, y, z) of the section, force and moment on the face of
+larger S, both in fixed components. R(q) = [d1 d2 d3], divided by q.q: d1 along the axis, d2 along the width, d3 along
+the height.
 
     r' = R (e1 + G),   G = (d1.n/EA, d2.n/GA2, d3.n/GA3)
     q' = q o (0, K)/2,  K = K0 + (d1.m/GJ, d2.m/EI2, d3.m/EI3)
@@ -11,6 +12,7 @@ fixed components. R(q) = [d1 d2 d3], divided by q.q: d1 along the axis, d2 along
 with Psi(y, e2, e3) of law.py, e2 = d2.e_y, e3 = d3.e_y. First integral of a uniform beam with a uniform K0:
 n.r' + m.(R K) - stored - Psi. Also constant: n_x, n_z, m_y + (r x n)_y; without adhesion n and m + r x n.
 """
+
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -88,14 +90,15 @@ def right_side(beam, z, pull):
 
 
 def linearised(beam, z):
-    """Right side (13, M) at real z of shape (13, M), and its Jacobian (13, 13, M): row, column, point. Complex steps."""
+    """Right side (13, M) at real z of shape (13, M), and its Jacobian (13, 13, M): row, column, point. Complex
+    steps."""
     pull = None
     if beam.law is not None:
         d = frame(z[3:7])
         at = np.array([z[1], d[1][1], d[2][1]])
         _, g, H = laws.with_hessian(beam.law, *at)
 
-        def pull(*x):                                                 # linear: its real part is exact, and its complex step as well
+        def pull(*x):  # linear: its real part is exact, and its complex step as well
             step = np.array([x[i] - at[i] for i in range(3)])
             return g[:, None, :] + np.einsum("ijm,jkm->ikm", H, step)
 
@@ -107,7 +110,9 @@ def linearised(beam, z):
 def stored(beam, z):
     """Elastic energy per length."""
     d = frame(z[3:7])
-    return 0.5 * sum(beam.soft[i] * dot(d[i], z[7:10]) ** 2 + beam.pliant[i] * dot(d[i], z[10:13]) ** 2 for i in range(3))
+    return 0.5 * sum(
+        beam.soft[i] * dot(d[i], z[7:10]) ** 2 + beam.pliant[i] * dot(d[i], z[10:13]) ** 2 for i in range(3)
+    )
 
 
 def adhesion(beam, z):

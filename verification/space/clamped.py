@@ -1,8 +1,9 @@
 """Benchmarks without adhesion: beams of a CSV row, their end conditions and loads.
 
-Section of the strip everywhere: d2 = -e_z, d3 = e_y at rest where d1 = e_x. EI2 bends in the plane of x and y, EI3 out of it. The 45-degree
-bend alone starts with d2 = e_y, d3 = e_z, as its rest curve is curved about d3.
+Section of the strip everywhere: d2 = -e_z, d3 = e_y at rest where d1 = e_x. EI2 bends in the plane of x and y, EI3
+out of it. The 45-degree bend alone starts with d2 = e_y, d3 = e_z, as its rest curve is curved about d3.
 """
+
 import math
 
 import numpy as np
@@ -18,8 +19,13 @@ FLAT, PLAIN = (C, -C, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0)
 def beam_of(case):
     """The beam of a row; "inf" is rigid."""
     soft = lambda name: 1.0 / float(case[name])
-    return Beam(float(case["length"]), (soft("EA"), soft("GA"), soft("GA")), (soft("GJ"), soft("EI2"), soft("EI3")), None,
-                (0.0, 0.0, float(case["curvature_3"])))
+    return Beam(
+        float(case["length"]),
+        (soft("EA"), soft("GA"), soft("GA")),
+        (soft("GJ"), soft("EI2"), soft("EI3")),
+        None,
+        (0.0, 0.0, float(case["curvature_3"])),
+    )
 
 
 def scales(beam):
@@ -32,12 +38,19 @@ def clamp(a, q0):
     """r(0) = 0 and the frame of q0: the vector part of conj(q0) o q vanishes."""
     w, x, y, z = q0
     q = a[3:7]
-    return [a[0], a[1], a[2], w * q[1] - x * q[0] - y * q[3] + z * q[2], w * q[2] + x * q[3] - y * q[0] - z * q[1],
-            w * q[3] - x * q[2] + y * q[1] - z * q[0]]
+    return [
+        a[0],
+        a[1],
+        a[2],
+        w * q[1] - x * q[0] - y * q[3] + z * q[2],
+        w * q[2] + x * q[3] - y * q[0] - z * q[1],
+        w * q[3] - x * q[2] + y * q[1] - z * q[0],
+    ]
 
 
 def loaded(beam, q0, force, moment):
     """Clamped at S = 0; force and moment of the load `par` at S = L, in fixed components."""
+
     def conditions(a, b, par):
         f, m = force(par[0]), moment(par[0])
         return clamp(a, q0) + [b[7 + i] - f[i] for i in range(3)] + [b[10 + i] - m[i] for i in range(3)]
@@ -54,9 +67,19 @@ def rest(problem, mesh, q0, tangent=(1.0, 0.0, 0.0)):
         for S, value, slope in ((st.X, st.z, None), (st.places(), None, st.K)):
             a = k * S
             if value is not None:
-                value[0], value[1], value[3], value[6] = np.sin(a) / k, (1.0 - np.cos(a)) / k, np.cos(a / 2.0), np.sin(a / 2.0)
+                value[0], value[1], value[3], value[6] = (
+                    np.sin(a) / k,
+                    (1.0 - np.cos(a)) / k,
+                    np.cos(a / 2.0),
+                    np.sin(a / 2.0),
+                )
             else:
-                slope[0], slope[1], slope[3], slope[6] = np.cos(a), np.sin(a), -0.5 * k * np.sin(a / 2.0), 0.5 * k * np.cos(a / 2.0)
+                slope[0], slope[1], slope[3], slope[6] = (
+                    np.cos(a),
+                    np.sin(a),
+                    -0.5 * k * np.sin(a / 2.0),
+                    0.5 * k * np.cos(a / 2.0),
+                )
     return st
 
 
@@ -113,10 +136,16 @@ def end_screw(case, mesh):
 
 
 def singular(problem, st, steps, low, high, modes=1, side=None):
-    """Critical load between low and high of the states reached from st by the first parameter. side: the condition that n_z = 0 at L;
-    the states themselves, which lie in a plane, are held there by z(L) = 0 in its place, or they would be singular as well."""
+    """Critical load between low and high of the states reached from st by the first parameter. side: the condition
+    that n_z = 0 at L; the states themselves, which lie in a plane, are held there by z(L) = 0 in its place, or they
+    would be singular as well.
+    """
     control = row(problem, "par", 0)
-    stiff = problem if side is None else Problem(problem.beam, planar(problem.conditions, side), problem.scale, problem.par_scale)
+    stiff = (
+        problem
+        if side is None
+        else Problem(problem.beam, planar(problem.conditions, side), problem.scale, problem.par_scale)
+    )
     st = held(stiff, st, control, 0.5 * (low + high), steps=steps)
     state_at = lambda load: stiff.solve(st, control, load, tolerance=1e-10)
     return critical(without(problem), state_at, low, high, modes), st, control
@@ -124,6 +153,7 @@ def singular(problem, st, steps, low, high, modes=1, side=None):
 
 def planar(conditions, side):
     """Conditions with number `side` replaced by z(L) = 0."""
+
     def changed(a, b, par):
         g = conditions(a, b, par)
         g[side] = b[2]
@@ -156,13 +186,14 @@ def twisted(case, mesh):
 
     problem = Problem(beam, conditions, scales(beam), [1.0])
     (load, _, G), st, _ = singular(problem, rest(problem, mesh, FLAT), 4, 8.5, 9.3, modes=2)
-    if np.abs(G).max() > 1e-12:                                       # all four vanish at a double root
+    if np.abs(G).max() > 1e-12:  # all four vanish at a double root
         raise RuntimeError(f"{case['case']}: not a double root, {G}")
     return {"moment": (load, 0.0)}, st, problem
 
 
 def lateral(case, mesh):
-    """Clamped; a dead force along y at the end of the axis. Behind the buckling load: held by the displacement z of the end."""
+    """Clamped; a dead force along y at the end of the axis. Behind the buckling load: held by the displacement z of
+    the end."""
     beam = beam_of(case)
     problem = loaded(beam, FLAT, lambda p: (0.0, p, 0.0), lambda p: (0.0, 0.0, 0.0))
     low, high = (3.9, 4.9) if float(case["EI2"]) > 5.0 else (6.5, 7.5)
@@ -174,24 +205,27 @@ def lateral(case, mesh):
         for z in (0.05, 0.1, 0.2, 0.3, 0.4):
             st = held(problem, st, side, z, steps=4)
             fine = problem.solve(remesh(st, mesh[0], problem.scale), side, z, tolerance=1e-11)
-            out |= {f"force_at_z_{z:g}": (float(fine.par[0]), 0.0), f"tip_x_at_z_{z:g}": (float(fine.z[0, -1]), 1.0),
-                    f"tip_y_at_z_{z:g}": (float(fine.z[1, -1]), 1.0)}
+            out |= {
+                f"force_at_z_{z:g}": (float(fine.par[0]), 0.0),
+                f"tip_x_at_z_{z:g}": (float(fine.z[0, -1]), 1.0),
+                f"tip_y_at_z_{z:g}": (float(fine.z[1, -1]), 1.0),
+            }
         st = fine
     return out, st, problem
 
 
 def frame_half(case, mesh):
-    """One leg of the right-angle frame, at 45 degrees: hinge about z on rollers along x, moment par; apex in its plane of symmetry."""
+    """One leg of the right-angle frame, at 45 degrees: hinge about z on rollers along x, moment par; apex in its
+    plane of symmetry."""
     beam = beam_of(case)
     half = math.pi / 8.0
     turn = (math.cos(half), 0.0, 0.0, math.sin(half))
-    q0 = (turn[0] * C, -turn[0] * C, -turn[3] * C, turn[3] * C)         # turn o FLAT
+    q0 = (turn[0] * C, -turn[0] * C, -turn[3] * C, turn[3] * C)  # turn o FLAT
 
     def conditions(a, b, par):
         _, d2, _ = frame(a[3:7])
         e1, _, e3 = frame(b[3:7])
-        return [a[1], a[2], a[7], d2[0], d2[1], a[12] - par[0],
-                b[0], b[8], b[9], b[10], e1[1] - e3[1], e1[2] - e3[2]]
+        return [a[1], a[2], a[7], d2[0], d2[1], a[12] - par[0], b[0], b[8], b[9], b[10], e1[1] - e3[1], e1[2] - e3[2]]
 
     problem = Problem(beam, conditions, scales(beam), [100.0])
     st = straight(beam.length, *mesh, (-beam.length * C, 0.0, 0.0), q0, [0.0], (C, C, 0.0))
@@ -202,5 +236,13 @@ def frame_half(case, mesh):
     return out, last, problem
 
 
-KINDS = {"bend": bend, "helix": helix, "end_force": end_force, "end_moment": end_moment, "end_screw": end_screw, "twisted": twisted,
-         "lateral": lateral, "frame": frame_half}
+KINDS = {
+    "bend": bend,
+    "helix": helix,
+    "end_force": end_force,
+    "end_moment": end_moment,
+    "end_screw": end_screw,
+    "twisted": twisted,
+    "lateral": lateral,
+    "frame": frame_half,
+}

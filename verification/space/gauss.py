@@ -1,9 +1,11 @@
 """Collocation at the Gauss points of sub-intervals, and Newton's method with conditions at both ends.
 
-A state is a mesh X, the values z at its nodes (13, N+1), the slopes K at the Gauss points (13, N, s) and a few parameters `par`.
-The slopes are eliminated on each sub-interval; what is left couples neighbouring nodes, the two end conditions and the parameters, and is
-solved by a sparse factorisation. Gauss collocation keeps q.q to round-off, so that |q(0)| = 1 is the thirteenth condition.
+A state is a mesh X, the values z at its nodes (13, N+1), the slopes K at the Gauss points (13, N, s) and a few
+parameters `par`. The slopes are eliminated on each sub-interval; what is left couples neighbouring nodes, the two end
+conditions and the parameters, and is solved by a sparse factorisation. Gauss collocation keeps q.q to round-off, so
+that |q(0)| = 1 is the thirteenth condition.
 """
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,7 +22,8 @@ class Failure(Exception):
 
 
 class Rule:
-    """Gauss points t of (0, 1), weights b, the matrix A of integrals up to the points, and one of integrals up to any place."""
+    """Gauss points t of (0, 1), weights b, the matrix A of integrals up to the points, and one of integrals up to any
+    place."""
 
     known = {}
 
@@ -105,6 +108,7 @@ class Problem:
 
     def __init__(self, beam, conditions, scale, par_scale=()):
         self.beam, self.conditions = beam, conditions
+        self.solved = self.tangent = self.back = None
         self.scale, self.par_scale = np.asarray(scale, dtype=float), np.asarray(par_scale, dtype=float)
 
     def ends(self, st):
@@ -112,7 +116,7 @@ class Problem:
         x = np.concatenate([st.z[:, 0], st.z[:, -1], st.par])
         n = len(x)
         moved = x[:, None] + 1j * TINY * np.eye(n)
-        g = list(self.conditions(moved[:SIZE], moved[SIZE:2 * SIZE], moved[2 * SIZE:]))
+        g = list(self.conditions(moved[:SIZE], moved[SIZE : 2 * SIZE], moved[2 * SIZE :]))
         q = moved[3:7]
         g.append(q[0] ** 2 + q[1] ** 2 + q[2] ** 2 + q[3] ** 2 - 1.0)
         g = np.array([v + np.zeros(n) for v in g])
@@ -124,11 +128,11 @@ class Problem:
         rule, h = st.rule, np.diff(st.X)
         f, J = beams.linearised(self.beam, st.inner().reshape(SIZE, -1))
         F = (st.K - f.reshape(SIZE, N, s)).transpose(1, 2, 0).reshape(N, s * SIZE)
-        J = J.reshape(SIZE, SIZE, N, s).transpose(2, 3, 0, 1)          # (N, s, row, column)
+        J = J.reshape(SIZE, SIZE, N, s).transpose(2, 3, 0, 1)  # (N, s, row, column)
         big = -np.einsum("e,ejrc,jl->ejrlc", h, J, rule.A).reshape(N, s * SIZE, s * SIZE)
         big[:, np.arange(s * SIZE), np.arange(s * SIZE)] += 1.0
         right = np.concatenate([J.reshape(N, s * SIZE, SIZE), -F[:, :, None]], axis=2)
-        back = np.linalg.solve(big, right)                            # dK = back[..., :13] dz_i + back[..., 13]
+        back = np.linalg.solve(big, right)  # dK = back[..., :13] dz_i + back[..., 13]
         total = h[:, None, None] * np.einsum("j,ejrc->erc", rule.b, back.reshape(N, s, SIZE, SIZE + 1))
         transfer, gain = total[:, :, :SIZE] + np.eye(SIZE), total[:, :, SIZE]
         jump = (st.z[:, :-1] + h * (st.K @ rule.b) - st.z[:, 1:]).T + gain
@@ -157,7 +161,8 @@ class Problem:
         return A, sc, size
 
     def step(self, st, control=None, target=0.0):
-        """Newton's step and the tangent. control: a row over (z(0), z(L), par) with control . x = target; the tangent has control . t = 1."""
+        """Newton's step and the tangent. control: a row over (z(0), z(L), par) with control . x = target; the tangent
+        has control . t = 1."""
         jump, transfer, back, g, B = self.assemble(st)
         extra = np.zeros((0, B.shape[1])) if control is None else control[None, :]
         A, sc, size = self.matrix(st, transfer, B, extra)
@@ -183,9 +188,14 @@ class Problem:
 
     def apply(self, st, dx, back, share=1.0):
         N, s = st.K.shape[1:]
-        dz = dx[:SIZE * (N + 1)].reshape(N + 1, SIZE)
+        dz = dx[: SIZE * (N + 1)].reshape(N + 1, SIZE)
         dK = np.einsum("erc,ec->er", back[:, :, :SIZE], dz[:-1]) + back[:, :, SIZE]
-        return State(st.X, st.z + share * dz.T, st.K + share * dK.reshape(N, s, SIZE).transpose(2, 0, 1), st.par + share * dx[SIZE * (N + 1):])
+        return State(
+            st.X,
+            st.z + share * dz.T,
+            st.K + share * dK.reshape(N, s, SIZE).transpose(2, 0, 1),
+            st.par + share * dx[SIZE * (N + 1) :],
+        )
 
     def size(self, st, dx):
         sc = np.concatenate([np.tile(self.scale, len(st.X)), self.par_scale])
@@ -211,7 +221,7 @@ class Problem:
             if not self.allowed(st):
                 raise Failure("penetrates")
             if size < tolerance or (it > 2 and size < 1e-6 and size > 0.3 * last):
-                self.used = it + 1
+                self.used, self.solved = it + 1, st
                 self.tangent, self.back = t, back
                 self.last = size
                 return st
@@ -223,18 +233,19 @@ class Problem:
     def tangent_ends(self):
         """The part of the last tangent in (z(0), z(L), par)."""
         N = len(self.back)
-        return np.concatenate([self.tangent[:SIZE], self.tangent[SIZE * N:]])
+        return np.concatenate([self.tangent[:SIZE], self.tangent[SIZE * N :]])
 
     def along(self, st, sigma):
         """The state moved by sigma along the last tangent."""
         N, s = st.K.shape[1:]
-        dz = self.tangent[:SIZE * (N + 1)].reshape(N + 1, SIZE)
+        dz = self.tangent[: SIZE * (N + 1)].reshape(N + 1, SIZE)
         dK = np.einsum("erc,ec->er", self.back[:, :, :SIZE], dz[:-1]).reshape(N, s, SIZE).transpose(2, 0, 1)
-        return State(st.X, st.z + sigma * dz.T, st.K + sigma * dK, st.par + sigma * self.tangent[SIZE * (N + 1):])
+        return State(st.X, st.z + sigma * dz.T, st.K + sigma * dK, st.par + sigma * self.tangent[SIZE * (N + 1) :])
 
 
 def remesh(st, N, scale, s=None, floor=1e-11, smooth=0.4):
-    """N sub-intervals on which the last Legendre coefficients of the slopes are alike; their density does not change abruptly."""
+    """N sub-intervals on which the last Legendre coefficients of the slopes are alike; their density does not change
+    abruptly."""
     h = np.diff(st.X)
     c = np.abs(st.series()) / scale[:, None, None] * h[:, None]
     order = st.K.shape[2]

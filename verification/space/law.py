@@ -1,16 +1,20 @@
 """Energy of adhesion per length of a tilted section over a plane, and its gradient.
 
-A law answers gradient(y, e2, e3): (Psi, dPsi/dy, dPsi/de2, dPsi/de3) for the height y of the axis and the components e2, e3 of the
-directors of the width and of the height along the normal. All formulas are analytic: complex arguments give further derivatives.
+A law answers gradient(y, e2, e3): (Psi, dPsi/dy, dPsi/de2, dPsi/de3) for the height y of the axis and the components
+e2, e3 of the directors of the width and of the height along the normal. All formulas are analytic: complex arguments
+give further derivatives.
 
-Rectangle b x h, a = b e2, c = h e3, with V = A_H/(2 pi r0) [(r0/r)^7/2520 - (r0/r)/6], the second integral of the force on a molecule:
+Rectangle b x h, a = b e2, c = h e3, with V = A_H/(2 pi r0) [(r0/r)^7/2520 - (r0/r)/6], the second integral of the
+force on a molecule:
     Psi = b h [V(y - (a+c)/2) - V(y - (a-c)/2) - V(y + (a-c)/2) + V(y + (a+c)/2)]/(a c)
-is the divided difference b h Phi[s, t] of Phi(x) = V(y - sqrt x) + V(y + sqrt x) with s = ((a+c)/2)^2, t = ((a-c)/2)^2, since
-s - t = a c. Phi of 1/r^n is 2 N(x) (y^2 - x)^-n with N = sum C(n, 2j) y^(n-2j) x^j. Its divided differences are sums of positive terms.
+is the divided difference b h Phi[s, t] of Phi(x) = V(y - sqrt x) + V(y + sqrt x) with s = ((a+c)/2)^2, t =
+((a-c)/2)^2, since s - t = a c. Phi of 1/r^n is 2 N(x) (y^2 - x)^-n with N = sum C(n, 2j) y^(n-2j) x^j. Its divided
+differences are sums of positive terms.
 
-Ellipse with semi-axes p along the width and q along the height: the integral of (r0/r)^9 and (r0/r)^3 over the section, closed form in
-rho = (p e2)^2 + (q e3)^2 and w^2 = y^2 - rho.
+Ellipse with semi-axes p along the width and q along the height: the integral of (r0/r)^9 and (r0/r)^3 over the
+section, closed form in rho = (p e2)^2 + (q e3)^2 and w^2 = y^2 - rho.
 """
+
 from dataclasses import dataclass
 from math import comb, pi
 
@@ -37,8 +41,8 @@ def differences(n, y, a, c, most):
     for k, l in most:
         points = [0] * k + [1] * l
         total = 0.0
-        for i in range(k + l):                                        # Leibniz: N[x_0 .. x_i] D[x_i .. x_m]
-            left, right = points[:i + 1], points[i:]
+        for i in range(k + l):  # Leibniz: N[x_0 .. x_i] D[x_i .. x_m]
+            left, right = points[: i + 1], points[i:]
             h = complete(max(top - i, 0), [(s, t)[p] for p in left])
             number = sum(comb(n, 2 * j) * y ** (n - 2 * j) * h[j - i] for j in range(i, top + 1))
             K, L = right.count(0), right.count(1)
@@ -51,7 +55,7 @@ def differences(n, y, a, c, most):
 class Rectangle:
     width: float
     height: float
-    hamaker: float = 0.1                                              # nN nm: 1e-19 J
+    hamaker: float = 0.1  # nN nm: 1e-19 J
     r0: float = 0.4
 
     def gradient(self, y, e2, e3):
@@ -99,7 +103,9 @@ class Ellipse:
 def rest_height(law):
     """Height of the axis where a level section is attracted no more and not yet repelled."""
     half = 0.5 * law.height
-    return brentq(lambda y: law.gradient(y, 0.0, 1.0)[1], half + 0.4 * law.r0, half + 0.9 * law.r0, xtol=1e-15, rtol=1e-15)
+    return brentq(
+        lambda y: law.gradient(y, 0.0, 1.0)[1], half + 0.4 * law.r0, half + 0.9 * law.r0, xtol=1e-15, rtol=1e-15
+    )
 
 
 def with_hessian(law, y, e2, e3, tiny=1e-30):

@@ -1,9 +1,11 @@
 """Paths of equilibria, their extrema, and critical loads.
 
-Every row acts on the end values x = (z(0), z(L), par): it does not know the mesh, which may change from point to point. A path is
-controlled by a row along its own tangent. An extremum of a functional w . x is a root of w . t, t the tangent, between two points: the
-derivative is exact, and the root is found to round-off. A critical load is a root of the number that borders the singular matrix.
+Every row acts on the end values x = (z(0), z(L), par): it does not know the mesh, which may change from point to
+point. A path is controlled by a row along its own tangent. An extremum of a functional w . x is a root of w . t, t
+the tangent, between two points: the derivative is exact, and the root is found to round-off. A critical load is a
+root of the number that borders the singular matrix.
 """
+
 import numpy as np
 from scipy.optimize import brentq
 from scipy.sparse import bmat, csc_matrix
@@ -32,16 +34,16 @@ def held(problem, st, control, target, steps=1, **options):
 
 
 class Walk:
-    """A path: points with their tangents, from a state that is an equilibrium. `scale` weighs the end values; `toward` sets the sense."""
+    """A path: points with their tangents, from a state that is an equilibrium. `scale` weighs the end values;
+    `toward` sets the sense."""
 
     def __init__(self, problem, st, toward, weights=None, step=0.1, N=None, s=None):
         self.problem, self.N, self.s = problem, N, s
         scale = np.concatenate([np.full(SIZE, np.inf), problem.scale, problem.par_scale])
         self.weights = 1.0 / scale**2 if weights is None else weights
-        self.step, self.sense = step, toward
+        self.step = step
         st = problem.solve(st, toward, toward @ problem.end_values(st))
         self.points, self.tangents = [st], [self.normal(problem.tangent_ends())]
-        self.guide = (problem.tangent, problem.back)
 
     def normal(self, t):
         return t / np.sqrt(self.weights @ t**2)
@@ -50,13 +52,13 @@ class Walk:
         """One more point; the step grows or shrinks with the number of Newton's steps."""
         p, st, t = self.problem, self.points[-1], self.tangents[-1]
         control = self.weights * t
-        if self.N:
-            st = remesh(st, self.N, p.scale, self.s)
-        st = p.solve(st, control, control @ p.end_values(self.points[-1]), tolerance=1e-7)
         value = control @ p.end_values(st)
-        for _ in range(14):
+        if self.N and len(self.points) % 3 == 0:
+            st = remesh(st, self.N, p.scale, self.s)
+        for trial in range(14):
             try:
-                p.solve(st, control, value, tolerance=1e-6)
+                if trial or st is not p.solved:
+                    st = p.solve(st, control, value, tolerance=1e-6)
                 new = p.solve(p.along(st, self.step), control, value + self.step, most=7)
                 used, found = p.used, self.normal(p.tangent_ends())
                 found = found if (self.weights * t) @ found > 0.0 else -found
@@ -96,7 +98,8 @@ def extremum(problem, before, after, tangent, w, weights, fine, passes=2):
 
         def solved(sigma):
             near = min(known, key=lambda v: abs(v - sigma))
-            known[sigma] = problem.solve(known[near], control, sigma, tolerance=1e-9)
+            st = known[sigma] = problem.solve(known[near], control, sigma, tolerance=1e-9)
+            _, problem.tangent, problem.back = problem.step(st, control, sigma)  # there, not at the last but one step
             return w @ problem.tangent_ends()
 
         if k == 0:
@@ -114,7 +117,8 @@ def extremum(problem, before, after, tangent, w, weights, fine, passes=2):
 
 
 def bordered(problem, st, rows, columns):
-    """The small matrix G of [A columns; rows 0] [V; G] = [0; 1]: singular where A, the conditions without a control, is.
+    """The small matrix G of [A columns; rows 0] [V; G] = [0; 1]: singular where A, the conditions without a control,
+    is.
 
     Also V, the same of the transposed matrix, and the sizes of the unknowns."""
     _, transfer, _, _, B = problem.assemble(st)
@@ -128,7 +132,8 @@ def bordered(problem, st, rows, columns):
 
 
 def critical(problem, state_at, low, high, modes=1, seed=1):
-    """The load between low and high at which the conditions are singular, the mode there and G. state_at(load): the equilibrium.
+    """The load between low and high at which the conditions are singular, the mode there and G. state_at(load): the
+    equilibrium.
 
     The borders are the null vectors at the middle of the interval, which leaves G without a pole there."""
     st = state_at(0.5 * (low + high))

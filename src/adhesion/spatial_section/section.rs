@@ -1,11 +1,14 @@
 //! The adhesion of a section of a beam in space over a flat half space.
 
-use super::{SpatialSectionError, SpatialSectionResponse, axis_gap, ellipse, near_face, rectangle};
-use crate::adhesion::{Law, LineLaw, LineLoad};
+use super::own_face::OwnFace;
+use super::{SpatialSectionError, SpatialSectionResponse, axis_gap, cohesive_face, ellipse, near_face, rectangle};
+use crate::adhesion::{Cohesive, Law, LineLaw, LineLoad};
 use crate::number::Real;
+use serde::{Deserialize, Serialize};
 
 /// The outline of a section.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum SectionShape {
     /// b × h
     #[default]
@@ -16,8 +19,8 @@ pub enum SectionShape {
 
 /// A section of a beam in space: outline, width b along d2, height h along d3 (of its law), adhesion law.
 ///
-/// Its axis is at the height y over the half space; from side to side it rises by a = b d2·e_y, from bottom to top by c = h d3·e_y, nm. In
-/// the plane, a = 0 and c = h cos θ, the energy is that of [`LineLaw`] times the width.
+/// Its axis is at the height y over the half space; from side to side it rises by a = b d2·e_y, from bottom to top by
+/// c = h d3·e_y, nm. In the plane, a = 0 and c = h cos θ, the energy is that of [`LineLaw`] times the width.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialSection {
     shape: SectionShape,
@@ -35,6 +38,10 @@ enum Form {
     Ellipse,
     /// Body force of a rectangle's lower face
     NearFace,
+    /// A cohesive law on a rectangle's lower face
+    Cohesive(Cohesive),
+    /// A law of the user's own on a rectangle
+    Own(OwnFace),
     /// At the gap below the axis
     AxisGap,
 }
@@ -44,8 +51,8 @@ impl SpatialSection {
     ///
     /// # Errors
     ///
-    /// Where the load has no potential: line load "force-only", surface traction, a law of the user's own that says so. Where an ellipse has
-    /// another law than the body force with both faces. Where width or height is not a length.
+    /// Where the load has no potential: line load "force-only", surface traction, a law of the user's own that says so.
+    /// Where an ellipse has another law than the body force with both faces. Where width or height is not a length.
     pub fn new(shape: SectionShape, width: f64, law: LineLaw) -> Result<Self, SpatialSectionError> {
         for (what, value) in [("width", width), ("height", law.height)] {
             if !(value > 0.0 && value.is_finite()) {
@@ -72,14 +79,17 @@ impl SpatialSection {
 
     /// Ψ with gradient and Hessian at the height y of the axis and the rises a and c of width and height, nm.
     ///
-    /// The lowest point of the section lies above the half space: y > (|a| + |c|)/2, of an ellipse y > √(a² + c²)/2. Nothing checks that here.
+    /// The lowest point of the section lies above the half space: y > (|a| + |c|)/2, of an ellipse y > √(a² + c²)/2.
+    /// Nothing checks that here.
     #[inline(always)]
     pub fn response<T: Real>(&self, y: T, a: T, c: T) -> SpatialSectionResponse<T> {
         let (half_space, area) = (&self.law.half_space, self.width * self.law.height);
-        match self.form {
+        match &self.form {
             Form::Rectangle => rectangle::response(half_space, area, y, a, c),
             Form::Ellipse => ellipse::response(half_space, area, y, a, c),
             Form::NearFace => near_face::response(half_space, area, y, a, c),
+            Form::Cohesive(law) => each(y, a, c, |y, a, c| cohesive_face::response(law, self.width, y, a, c)),
+            Form::Own(law) => each(y, a, c, |y, a, c| law.response(self.width, y, a, c)),
             Form::AxisGap => axis_gap::response(&self.law, self.width, y),
         }
     }
@@ -88,11 +98,11 @@ impl SpatialSection {
     #[inline(always)]
     pub fn energy<T: Real>(&self, y: T, a: T, c: T) -> T {
         let (half_space, area) = (&self.law.half_space, self.width * self.law.height);
-        match self.form {
+        match &self.form {
             Form::Rectangle => rectangle::energy(half_space, area, y, a, c),
             Form::Ellipse => ellipse::energy(half_space, area, y, a, c),
             Form::NearFace => near_face::response(half_space, area, y, a, c).energy,
-            Form::AxisGap => axis_gap::response(&self.law, self.width, y).energy,
+            Form::Cohesive(_) | Form::Own(_) | Form::AxisGap => self.response(y, a, c).energy,
         }
     }
 }
@@ -107,13 +117,26 @@ impl Form {
             (_, Law::BodyForce, true) if shape == SectionShape::Ellipse => return Ok(Self::Ellipse),
             (_, Law::BodyForce, true) => Self::Rectangle,
             (_, Law::BodyForce, false) => Self::NearFace,
-            _ => return Err(SpatialSectionError::NotOffered { law: name(law) }),
+            (_, Law::Cohesive(cohesive), _) => Self::Cohesive(cohesive),
+            (_, Law::Own(own), _) => Self::Own(OwnFace::new(own, law.height)),
+            (_, Law::SurfaceTraction, _) => return Err(SpatialSectionError::NoPotential { law: name(law) }),
         };
         match shape {
             SectionShape::Rectangle => Ok(form),
             SectionShape::Ellipse => Err(SpatialSectionError::RequiresRectangle { law: name(law) }),
         }
     }
+}
+
+/// At one section or at several side by side, which are computed one by one.
+#[inline(always)]
+fn each<T: Real>(y: T, a: T, c: T, one: impl Fn(f64, f64, f64) -> SpatialSectionResponse) -> SpatialSectionResponse<T> {
+    let [energy, by_y, by_a, by_c, yy, ya, yc, aa, ac, cc] = T::each_of([y, a, c], |[y, a, c]| {
+        let SpatialSectionResponse { energy, gradient: [by_y, by_a, by_c], hessian: [yy, ya, yc, aa, ac, cc] } =
+            one(y, a, c);
+        [energy, by_y, by_a, by_c, yy, ya, yc, aa, ac, cc]
+    });
+    SpatialSectionResponse { energy, gradient: [by_y, by_a, by_c], hessian: [yy, ya, yc, aa, ac, cc] }
 }
 
 /// What of a law decides.

@@ -144,6 +144,19 @@ impl<T: Real> LocalTangent<T> {
 }
 
 impl SpatialDensity {
+    /// Section forces and moments along and about the directors.
+    pub fn section_forces(
+        &self,
+        place: f64,
+        value: &[f64; SPATIAL_FIELDS],
+        slope: &[f64; SPATIAL_FIELDS],
+    ) -> [[f64; 3]; 2] {
+        let station = self.profile.at(place);
+        let at = Kinematics::new(value, slope);
+        let (n, m, _) = forces(&station.stiffness, &at.strains(&station.rest_curvature));
+        [n, m]
+    }
+
     /// The density and its derivatives by the fields, at one point or at several side by side.
     #[inline(always)]
     pub fn response<T: Real>(

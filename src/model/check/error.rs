@@ -1,7 +1,7 @@
 //! What is wrong with a model.
 
 use super::{Measured, Range};
-use crate::adhesion::{Attraction, Misfit};
+use crate::adhesion::{Attraction, Misfit, SpatialSectionError};
 use crate::model::{Step, StepError};
 
 /// What is wrong with a model: the key of a scene that gives the value, what was found, and what would be right. It reads as one
@@ -114,6 +114,12 @@ pub enum ModelErrorKind {
     /// More steps than are taken.
     #[error("has {found} steps, more than {most}")]
     TooManySteps { found: usize, most: usize },
+    /// Something that is not offered in space.
+    #[error("is given, and this scene is in space, where {why}")]
+    NotInSpace { why: &'static str },
+    /// An adhesion law that a section in space does not have.
+    #[error("is not offered in space: {0}")]
+    LawInSpace(SpatialSectionError),
     /// A pull along a strip, degrees.
     #[error("is {degrees} degrees, along the strip, which is then only stretched or compressed")]
     AlongStrip { degrees: f64 },
@@ -153,6 +159,8 @@ impl ModelErrorKind {
             | Self::TooManyDetails { .. }
             | Self::TooManyZones { .. }
             | Self::Substrate(_)
+            | Self::NotInSpace { .. }
+            | Self::LawInSpace(_)
             | Self::StepOfFreeGrip { .. }
             | Self::Step { .. } => None,
         }
@@ -204,6 +212,10 @@ impl ModelErrorKind {
                 "Give lengths above zero, angles that are not zero, and \"hold\" for a step that moves nothing."
             }
             Self::TooManySteps { .. } => "Take fewer steps: one that is longer in place of several.",
+            Self::NotInSpace { .. } => {
+                "Remove it, or remove `space` and the keys of space: `azimuth`, `lateral`, `roll`, `yaw` and `section`."
+            }
+            Self::LawInSpace(_) => "Use `law = \"body-force\"` or a cohesive law with `line_load = \"full\"`.",
             Self::AlongStrip { .. } => "Pull at an angle between, above 0 and below 180 degrees: `angle = \"60 deg\"`.",
             Self::RoundingBeyondPad { .. } => "Round the pad at most: `tip_rounding_length` not above `pad_length`.",
             Self::RoundingWiderThanTip { .. } => {

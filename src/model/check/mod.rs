@@ -11,6 +11,7 @@ mod friction;
 mod ground;
 mod numbers;
 mod range;
+mod space;
 mod spatula;
 pub use drive::MOST_STEPS;
 pub use error::{ModelError, ModelErrorKind};
@@ -44,7 +45,8 @@ impl PeelModel {
         friction::check(self)?;
         ground::check(self)?;
         drive::check(self)?;
-        spatula::check(self)
+        spatula::check(self)?;
+        space::check(self)
     }
 
     /// Itself, if it can be computed.

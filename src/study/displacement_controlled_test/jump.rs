@@ -4,7 +4,7 @@ use super::balance::LoadingDirection;
 use super::result::{Jump, JumpEnd, JumpKind};
 use super::stable_branch::Machine;
 use crate::beam::FRONT;
-use crate::model::PlanarProblem;
+use crate::model::BeamProblem;
 use crate::solve::{Located, Observables, Relaxed, Solution, SolveError, Workspace, on_more_elements};
 use crate::study::Adhering;
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, bound_floor, least};
@@ -79,7 +79,7 @@ fn at_rest(
 }
 
 fn end(
-    problem: &PlanarProblem,
+    problem: &BeamProblem,
     o: &Observables,
     (machine_error, force_error): (f64, f64),
     energy: f64,

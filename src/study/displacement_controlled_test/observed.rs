@@ -57,6 +57,7 @@ where
     PeelModel: From<&'m M>,
 {
     let model = PeelModel::from(model);
+    let model = model.in_the_plane().unwrap_or(model);
     checked(&model, accuracy)?;
     if model.friction_law().is_some() {
         return Err(NoTest::Friction);

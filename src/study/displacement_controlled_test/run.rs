@@ -7,7 +7,7 @@ use super::jump;
 use super::result::*;
 use super::stable_branch::{BranchEnd, Machine, StableBranch, Until};
 use crate::beam::FRONT;
-use crate::model::{Discretisation, Form, PeelModel, PlanarProblem};
+use crate::model::{BeamProblem, Discretisation, Form, PeelModel};
 use crate::solve::{
     EndConditions, Held, Located, RelaxOptions, Solution, State, Workspace, disturbed, disturbed_anyhow, relax,
 };
@@ -69,7 +69,7 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -
 
 /// The strip behind its spring. Without x its horizontal section force, where it has one, is a multiplier, and the energy no
 /// minimum: such a strip is relaxed with all three unknowns.
-fn problem(model: &PeelModel, accuracy: &Accuracy, order: usize) -> Result<PlanarProblem, NoEquilibrium> {
+fn problem(model: &PeelModel, accuracy: &Accuracy, order: usize) -> Result<BeamProblem, NoEquilibrium> {
     let form = if model.has_horizontal_force() { Form::ThreeField } else { accuracy.choice.form };
     let compliance = model.grip.stiffness.map_or(0.0, f64::recip);
     let how = Discretisation { form, order, mesh: accuracy.choice.mesh };

@@ -1,7 +1,7 @@
 //! One stable piece of a test: from an equilibrium on until it is lost or the machine has arrived.
 
 use super::failure::BranchError;
-use crate::model::PlanarProblem;
+use crate::model::BeamProblem;
 use crate::solve::{
     LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathEvent, PathOptions, PathSegment,
     PathTracer, Solution, State, TraceOptions, Workspace, locate, solve,
@@ -36,7 +36,7 @@ pub(super) struct StableBranch {
 
 /// What a piece is followed under.
 pub(super) struct Machine<'a> {
-    pub problem: &'a PlanarProblem,
+    pub problem: &'a BeamProblem,
     pub options: PathOptions,
     pub stop: &'a StopCriteria,
     /// Accuracy asked for.

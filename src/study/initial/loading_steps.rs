@@ -7,7 +7,7 @@
 
 use super::error::{LoadingError, LoadingPhase, LoadingProgress, LoadingUnit, NoEquilibrium};
 use crate::beam::{BUNDLE, FRONT, GripForces, GripState};
-use crate::model::{Moved, PeelModel, PlanarProblem, Step};
+use crate::model::{BeamProblem, Moved, PeelModel, Step};
 use crate::solve::{
     Direction, EndConditions, INTERFACE, LimitPointKind, Located, MOST_POINTS, NewtonOptions, Observables, Path,
     PathConstraint, PathOptions, PathSegment, ShouldStop, Solution, State, Workspace, locate, settle, solve,
@@ -40,7 +40,7 @@ const NONE: f64 = 1e-9;
 /// was taken.
 pub(super) fn take(
     model: &PeelModel,
-    problem: &mut PlanarProblem,
+    problem: &mut BeamProblem,
     should_stop: Option<ShouldStop>,
 ) -> (Vec<GripState>, Result<(), NoEquilibrium>) {
     if model.steps.is_empty() {
@@ -55,7 +55,7 @@ pub(super) fn take(
 }
 
 /// Elements on which steps are followed.
-pub(super) fn elements(model: &PeelModel, problem: &PlanarProblem) -> usize {
+pub(super) fn elements(model: &PeelModel, problem: &BeamProblem) -> usize {
     if let Some(at) = problem.start.known() {
         return at.mesh.elements() / 2;
     }
@@ -108,7 +108,7 @@ struct LoadingSequence {
 }
 
 impl LoadingSequence {
-    fn all(&mut self, steps: &[Step], problem: &mut PlanarProblem) -> Result<(), NoEquilibrium> {
+    fn all(&mut self, steps: &[Step], problem: &mut BeamProblem) -> Result<(), NoEquilibrium> {
         let failed = |phase: LoadingPhase| move |cause| NoEquilibrium::Loading { phase, cause: Box::new(cause) };
         self.begin(problem).map_err(failed(LoadingPhase::Start))?;
         for (number, &step) in (1..).zip(steps) {
@@ -129,7 +129,7 @@ impl LoadingSequence {
     }
 
     /// The equilibrium from which the first step goes.
-    fn begin(&mut self, problem: &mut PlanarProblem) -> Result<(), LoadingError> {
+    fn begin(&mut self, problem: &mut BeamProblem) -> Result<(), LoadingError> {
         let options = self.options(problem.grip.displacement_scale());
         let start =
             Path::new(problem, options).until(self.should_stop.clone()).advance().map_err(LoadingError::Start)?;
@@ -140,7 +140,7 @@ impl LoadingSequence {
     }
 
     /// Makes the grip move this and hold the rest, from the equilibrium where it is.
-    fn take_hold(&self, problem: &mut PlanarProblem, moved: Moved) -> Result<(), LoadingError> {
+    fn take_hold(&self, problem: &mut BeamProblem, moved: Moved) -> Result<(), LoadingError> {
         let (height, rotation) = (self.pull.driven, problem.beam.slot_of_rotation());
         let mut held = self.pull.held;
         let (driven, direction) = match moved {
@@ -159,7 +159,7 @@ impl LoadingSequence {
     }
 
     /// Lets the force on what the grip does not hold across fall to zero, with all else held.
-    fn let_go(&self, problem: &mut PlanarProblem) -> Result<(), LoadingError> {
+    fn let_go(&self, problem: &mut BeamProblem) -> Result<(), LoadingError> {
         let control = GripControl::of(&problem.grip);
         let (Some(across), Some(at)) = (problem.grip.across, problem.start.known().cloned()) else { return Ok(()) };
         if control.held[across] {
@@ -196,14 +196,14 @@ impl LoadingSequence {
     }
 
     /// Follows the equilibria from where the problem begins to the goal, where it then begins.
-    fn follow(&self, problem: &mut PlanarProblem, goal: Goal) -> Result<(), LoadingError> {
+    fn follow(&self, problem: &mut BeamProblem, goal: Goal) -> Result<(), LoadingError> {
         let end = self.path(problem, goal)?;
         let weights = goal.weights();
         self.lead(problem, &end, &PathConstraint { weights, target: goal.value })
     }
 
     /// The solution at the goal, on the elements of the path there.
-    fn path(&self, problem: &PlanarProblem, goal: Goal) -> Result<Solution, LoadingError> {
+    fn path(&self, problem: &BeamProblem, goal: Goal) -> Result<Solution, LoadingError> {
         let mut path = Path::new(problem, self.options(goal.first)).until(self.should_stop.clone());
         let start = path.advance().map_err(LoadingError::Start)?;
         let value = goal.what.pick();
@@ -241,12 +241,7 @@ impl LoadingSequence {
     }
 
     /// Lets the problem begin in a solution, on twice as many elements and a mesh that is fine at its front.
-    fn lead(
-        &self,
-        problem: &mut PlanarProblem,
-        end: &Solution,
-        constraint: &PathConstraint,
-    ) -> Result<(), LoadingError> {
+    fn lead(&self, problem: &mut BeamProblem, end: &Solution, constraint: &PathConstraint) -> Result<(), LoadingError> {
         let beam = &problem.beam;
         let mesh = beam.mesh_at(end.observables.monitors[FRONT], 2 * self.elements);
         let finer = beam.resampled(&end.at, mesh);
@@ -269,14 +264,14 @@ impl Goal {
         }
     }
 
-    fn reached(self, problem: &PlanarProblem, solution: &Solution) -> LoadingProgress {
+    fn reached(self, problem: &BeamProblem, solution: &Solution) -> LoadingProgress {
         let amount = solution.observables.displacement;
         LoadingProgress { amount, unit: self.unit, forces: problem.beam.grip_forces(&solution.at) }
     }
 }
 
 /// Why a segment that loses its stability does not lead to the goal: the displacement turns, or the path branches.
-fn lost(problem: &PlanarProblem, segment: &PathSegment, goal: Goal, before: &Solution, turned: bool) -> LoadingError {
+fn lost(problem: &BeamProblem, segment: &PathSegment, goal: Goal, before: &Solution, turned: bool) -> LoadingError {
     let whole = (0.0, segment.end());
     let turn = |at: Located| {
         let reached = goal.reached(problem, &at.solution);

@@ -7,7 +7,7 @@ mod stability;
 pub use error::*;
 
 use crate::beam::GripState;
-use crate::model::{Discretisation, PeelModel, PlanarProblem};
+use crate::model::{BeamProblem, Discretisation, PeelModel};
 use crate::solve::ShouldStop;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 #[derive(Clone)]
 pub struct Prepared {
     /// With the start of its path
-    pub problem: PlanarProblem,
+    pub problem: BeamProblem,
     /// The grip behind each step before the pull, seen from where it took hold.
     pub steps: Vec<GripState>,
     /// Where the equilibrium next to the stress-free configuration is unstable: what it took to leave it.

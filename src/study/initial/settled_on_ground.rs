@@ -2,7 +2,7 @@
 
 use super::error::SettlingError;
 use crate::beam::{PlanarBeam, ReferenceConfiguration};
-use crate::model::{Ground, PlanarProblem, Start};
+use crate::model::{BeamProblem, Ground, Start};
 use crate::solve::{
     EndConditions, Held, INTERFACE, Mesh, NewtonOptions, Observables, PathConstraint, RelaxOptions, ShouldStop, State,
     System, Workspace, relax, settle,
@@ -24,14 +24,14 @@ const RELAXING: f64 = 0.3;
 /// The free equilibrium, found by gradient flow from the stress-free configuration, of a beam that its ground can touch up to S = `contact_extent`. An error says why
 /// there is none.
 pub(super) fn settled_on_ground(
-    problem: &PlanarProblem,
+    problem: &BeamProblem,
     ground: &Ground,
     contact_extent: f64,
     should_stop: &Option<ShouldStop>,
 ) -> Result<State, SettlingError> {
     // no grip yet
     let problem = &problem.with_grip(EndConditions { held: [false; INTERFACE], ..problem.grip });
-    let beam = &*problem.beam;
+    let Some(beam) = problem.beam.planar() else { return Ok(problem.initial(FEWEST as usize)) };
     let detail = ground.substrate.feature_length();
     let elements =
         (contact_extent / (ELEMENT * beam.process_length).min(OF_DETAIL * detail)).ceil().clamp(FEWEST, MOST);

@@ -5,7 +5,7 @@ use super::RelaxedStart;
 use super::error::UnstableRest;
 use super::loading_steps::elements;
 use crate::beam::{BondedBeam, BondedMode};
-use crate::model::{Adhesion, Discretisation, Form, Hold, PeelModel, PlanarProblem};
+use crate::model::{Adhesion, BeamProblem, Discretisation, Form, Hold, PeelModel};
 use crate::solve::{
     Held, InitialState, MOST_POINTS, Path, PathError, PathOptions, RelaxError, RelaxOptions, ShouldStop, Solution,
     State, Workspace, disturbed_anyhow, relax,
@@ -70,17 +70,18 @@ fn over_the_pad(model: &PeelModel) -> (f64, f64) {
 pub(super) fn stabilise(
     model: &PeelModel,
     how: Discretisation,
-    problem: &mut PlanarProblem,
+    problem: &mut BeamProblem,
     should_stop: &Option<ShouldStop>,
 ) -> Result<Option<RelaxedStart>, UnstableRest> {
-    if !problem.system.is_conservative() && problem.beam.limits.pole.is_none() {
+    if !problem.system.is_conservative() && problem.beam.planar().is_none_or(|beam| beam.limits.pole.is_none()) {
         return Ok(None);
     }
     let first = match first(model, problem, should_stop) {
         Ok(first) => first,
         Err(_) => return near_face_alone(model, how, should_stop).map_or(Ok(None), Err),
     };
-    if let Some(upright) = problem.beam.upright_section(&first.at, UPRIGHT) {
+    let upright_in = |at: &State| problem.beam.planar().and_then(|beam| beam.upright_section(at, UPRIGHT));
+    if let Some(upright) = upright_in(&first.at) {
         return Err(UnstableRest::Upright(upright));
     }
     let negative = first.negative;
@@ -99,7 +100,7 @@ pub(super) fn stabilise(
     };
     let at = relaxed(model, how, problem, &first, should_stop)
         .map_err(|cause| near_face_alone(model, how, should_stop).unwrap_or_else(|| failed(cause)))?;
-    if let Some(upright) = problem.beam.upright_section(&at, UPRIGHT) {
+    if let Some(upright) = upright_in(&at) {
         return Err(UnstableRest::Upright(upright));
     }
     let energy = |at: &State| {
@@ -124,7 +125,7 @@ fn wrinkles(model: &PeelModel, beam: &BondedBeam, force: f64, negative: usize) -
 /// The equilibrium in which the path would start, on few elements.
 fn first(
     model: &PeelModel,
-    problem: &PlanarProblem,
+    problem: &BeamProblem,
     should_stop: &Option<ShouldStop>,
 ) -> Result<Arc<Solution>, PathError> {
     let options = PathOptions {
@@ -142,12 +143,17 @@ fn first(
 fn relaxed(
     model: &PeelModel,
     how: Discretisation,
-    problem: &PlanarProblem,
+    problem: &BeamProblem,
     first: &Solution,
     should_stop: &Option<ShouldStop>,
 ) -> Result<State, RelaxError> {
     let three_field = Discretisation { form: Form::ThreeField, ..how };
-    let with_x = problem.beam.chain.has_border().then(|| model.discretised(three_field, |_| {}).ok()).flatten();
+    let with_x = problem
+        .beam
+        .planar()
+        .is_some_and(|beam| beam.chain.has_border())
+        .then(|| model.discretised(three_field, |_| {}).ok())
+        .flatten();
     let (falling, start) = match &with_x {
         None => (problem, first.at.clone()),
         Some(with_x) => (with_x, with_x.initial(first.at.mesh.elements())),
@@ -162,7 +168,10 @@ fn relaxed(
     // on few elements an equilibrium may be one that is none on more
     let finer = falling.system.on_elements(&at, FINER * at.mesh.elements());
     let at = at_rest(finer)?;
-    Ok(if with_x.is_some() { problem.beam.without_x(&at, &falling.beam) } else { at })
+    Ok(match (&with_x, problem.beam.planar(), falling.beam.planar()) {
+        (Some(_), Some(beam), Some(falling)) => beam.without_x(&at, falling),
+        _ => at,
+    })
 }
 
 /// That the pole of the near face is why a beam does not settle in a stable state: with both faces it does.
@@ -174,7 +183,7 @@ fn near_face_alone(model: &PeelModel, how: Discretisation, should_stop: &Option<
     let both = PeelModel { adhesion, ..model.clone() };
     let problem = both.discretised(how, |_| {}).ok()?;
     let rest = first(&both, &problem, should_stop).ok().filter(|rest| rest.negative == 0)?;
-    let beam = &problem.beam;
+    let beam = problem.beam.planar()?;
     let rotations = beam.nodes(&rest.at.values).iter().skip(beam.rotation).step_by(beam.fields());
     let steepest = rotations.fold(0.0f64, |most, rotation| most.max(rotation.sin().abs()));
     Some(UnstableRest::NearFaceAlone { steepest: steepest.asin().to_degrees() })

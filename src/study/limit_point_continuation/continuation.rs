@@ -6,9 +6,9 @@
 
 use super::result::PointKind;
 use crate::beam::FRONT;
-use crate::model::{Discretisation, Form, PeelModel, PlanarProblem};
+use crate::model::{BeamProblem, Discretisation, Form, PeelModel};
 use crate::solve::{
-    BendRule, FoundLimitPoint, LimitPointSearch, Mesh, Observables, Problem, SolveError, State, System, Workspace,
+    BendRule, FoundLimitPoint, LimitPointSearch, Mesh, Observables, Problem, SolveError, State, Workspace,
     lagrange_weights, longest_step,
 };
 use crate::study::accuracy::ORDER;
@@ -70,7 +70,7 @@ pub(super) struct Lost {
 }
 
 /// The model's problem with the mesh that the point needs.
-pub(super) fn problem(model: &PeelModel, kind: PointKind) -> PlanarProblem {
+pub(super) fn problem(model: &PeelModel, kind: PointKind) -> BeamProblem {
     let how = Discretisation::moving(Form::TwoField, ORDER);
     let problem = model.discretised(how, |beam| {
         if kind == PointKind::InitiationPeak {
@@ -97,7 +97,7 @@ pub(super) fn search(problem: &Problem, kind: PointKind, target: f64) -> LimitPo
 impl Known {
     /// A located limit point, on a mesh whose focus is exactly at the front of the solution next to it: on the mesh of
     /// the search it is where the front was predicted, and that prediction's error would be noise to the next one.
-    pub fn new(problem: &PlanarProblem, kind: PointKind, at: f64, fold: &FoundLimitPoint) -> Self {
+    pub fn new(problem: &BeamProblem, kind: PointKind, at: f64, fold: &FoundLimitPoint) -> Self {
         let FoundLimitPoint { solution, ahead, .. } = fold;
         let focus = problem.system.mesh_for(solution.observables.monitors, &solution.at.mesh).focus;
         let mut equilibrium = State {
@@ -124,14 +124,14 @@ impl Known {
     /// The same limit point on `elements` elements, and how it was found.
     pub fn on_elements(
         &self,
-        problem: &PlanarProblem,
+        problem: &BeamProblem,
         kind: PointKind,
         elements: usize,
         ws: &mut Workspace,
     ) -> Result<FoundLimitPoint, SolveError> {
         let from = &self.equilibrium;
         let (beam, mesh) = (&problem.beam, problem.beam.mesh_near(from.mesh.focus, &from.mesh));
-        let at = beam.on_elements(&State { mesh, ..from.clone() }, elements);
+        let at = beam.system().on_elements(&State { mesh, ..from.clone() }, elements);
         search(problem, kind, self.target).run(at, self.target, BendRule::Difference { neighbour: None }, ws)
     }
 
@@ -262,7 +262,7 @@ impl<'m> Continuation<'m> {
     }
 
     /// A start for Newton's method at a value, and the constraint's target there.
-    fn extrapolated(&self, problem: &PlanarProblem, at: f64, count: usize) -> (State, f64) {
+    fn extrapolated(&self, problem: &BeamProblem, at: f64, count: usize) -> (State, f64) {
         let newest = self.newest();
         let used: Vec<&Known> = self.history.iter().rev().take(count).collect();
         let labels: Vec<f64> = used.iter().map(|known| known.at - newest.at).collect();

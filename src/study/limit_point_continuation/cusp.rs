@@ -5,7 +5,7 @@
 //! sides of the cusp, and its zero a regular one, where the limit points themselves are singular.
 
 use super::failure::CuspError;
-use crate::model::{Form, PeelModel, PlanarProblem};
+use crate::model::{BeamProblem, Form, PeelModel};
 use crate::solve::{
     LimitPointKind, NewtonOptions, Observables, PathConstraint, Problem, Solution, State, Workspace, solve,
 };
@@ -56,7 +56,7 @@ pub fn cusp<M: Into<PeelModel>>(model: &dyn Fn(f64) -> M, from: f64, accuracy: &
     Ok(Cusp { error: DIFFERENCE_BOUND_FACTOR * (fine.value - coarse.value).abs() + CERTAIN * coarse.value, ..coarse })
 }
 
-fn problem(model: &PeelModel) -> PlanarProblem {
+fn problem(model: &PeelModel) -> BeamProblem {
     model.problem(Form::TwoField, ORDER).expect("the order is one that there is")
 }
 

@@ -2,7 +2,7 @@
 
 use super::DeformedShape;
 use super::contact::{NEAR, Sample, samples};
-use crate::beam::PlanarBeam;
+use crate::model::Beam;
 use crate::solve::State;
 use serde::{Deserialize, Serialize};
 
@@ -31,10 +31,10 @@ impl Adhering {
     }
 
     /// Of a beam in a state; the gap at rest between two bodies of this equilibrium distance, nm, is the unit.
-    pub(in crate::study) fn of(beam: &PlanarBeam, at: &State, equilibrium_distance: f64) -> Self {
+    pub(in crate::study) fn of(beam: &Beam, at: &State, equilibrium_distance: f64) -> Self {
         let shape = DeformedShape::of(beam, at);
         let end_height = shape.height.first().copied().unwrap_or(0.0);
-        Self::of_samples(&samples(&beam.substrate, &shape), NEAR * equilibrium_distance, end_height)
+        Self::of_samples(&samples(beam.substrate(), &shape), NEAR * equilibrium_distance, end_height)
     }
 
     fn of_samples(samples: &[Sample], near: f64, end_height: f64) -> Self {

@@ -5,7 +5,7 @@ use super::special_points::{name_special_points, peak_of, pushes_behind_a_fold};
 use super::work::{WorkErrors, work_near, works};
 use super::{Effort, Failure, LargestComputedForce, LimitPoint, PathEnd, PathPoint, Peak, Peel};
 use crate::beam::FRONT;
-use crate::model::{PeelModel, PlanarProblem};
+use crate::model::{BeamProblem, PeelModel};
 use crate::solve::{LimitPointKind, Located, Solution};
 use crate::study::Accuracy;
 use crate::study::error_bounds::*;
@@ -17,7 +17,7 @@ const OVERLOOKED: f64 = 0.1;
 /// The relative differences to more elements of what is reported. Where the material points remember, of the turns of the force
 /// alone: at one of the displacement much of the beam that slid sticks at once, a corner of the path, of which bounds tell how well it
 /// is known.
-pub(super) fn differences(followed: &Followed, problem: &PlanarProblem) -> Vec<f64> {
+pub(super) fn differences(followed: &Followed, problem: &BeamProblem) -> Vec<f64> {
     let first_load = followed.turns.iter().position(|t| t.0 == LimitPointKind::Load);
     let told = followed.turns.iter().enumerate().filter(|(_, turn)| counts(problem, turn.0));
     let turns = told.flat_map(|(i, (_, _, located))| {
@@ -29,7 +29,7 @@ pub(super) fn differences(followed: &Followed, problem: &PlanarProblem) -> Vec<f
 }
 
 /// What is reported of a path.
-pub(super) fn report(model: &PeelModel, problem: &PlanarProblem, followed: &Followed, relative: f64) -> Peel {
+pub(super) fn report(model: &PeelModel, problem: &BeamProblem, followed: &Followed, relative: f64) -> Peel {
     let mut ws = followed.workspace();
     let works = works(problem, &followed.points, &mut ws);
     let largest = followed.points.iter().map(|s| s.observables.force.abs()).fold(0.0, f64::max);
@@ -38,7 +38,11 @@ pub(super) fn report(model: &PeelModel, problem: &PlanarProblem, followed: &Foll
     let strained = STRAIN_ROUND_OFF * f64::EPSILON * section.axial.max(section.shear);
     let bent = BENDING_ROUND_OFF * f64::EPSILON * section.bending / model.adhesion.equilibrium_distance.powi(2);
     let elements = followed.points.first().map_or(0, |point| point.at.mesh.elements());
-    let force_round_off = if problem.beam.chain.has_border() { ROUND_OFF_HELD * elements as f64 } else { ROUND_OFF };
+    let force_round_off = if problem.beam.planar().is_some_and(|beam| beam.chain.has_border()) {
+        ROUND_OFF_HELD * elements as f64
+    } else {
+        ROUND_OFF
+    };
     let points = followed.points.iter().zip(&works).map(|(s, &work)| PathPoint {
         displacement: s.observables.displacement,
         force: s.observables.force,
@@ -46,7 +50,7 @@ pub(super) fn report(model: &PeelModel, problem: &PlanarProblem, followed: &Foll
         work,
         negative_eigenvalues: s.negative,
         negative_eigenvalues_load: s.negative_load,
-        front: problem.beam.fronts.place(s.observables.monitors[FRONT]),
+        front: problem.beam.front_place(s.observables.monitors[FRONT]),
         iterations: s.iterations,
     });
     let force_error = |turn: LimitPointKind, located: &Located| {

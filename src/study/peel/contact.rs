@@ -121,9 +121,9 @@ impl Whole {
         let ground = Ground { substrate: level, start: Start::Conformed };
         let how = Discretisation { form: Form::ThreeField, order: ORDER, mesh: MeshKind::Graded };
         let problem = prepared(&PeelModel { ground, steps: Vec::new(), ..model.clone() }, how, None).ok()?.problem;
-        let (beam, at) = (&*problem.beam, problem.start.known()?);
-        let length = adhered(&self::samples(&beam.substrate, &DeformedShape::of(beam, at)), near);
-        let front = beam.front_of(at);
+        let (beam, at) = (&problem.beam, problem.start.known()?);
+        let length = adhered(&self::samples(beam.substrate(), &DeformedShape::of(beam, at)), near);
+        let front = beam.planar()?.front_of(at);
         let lying = steps(samples).scan(0.0, |sum, step| {
             *sum += step;
             Some(*sum)

@@ -3,12 +3,12 @@
 use super::adhering::Adhering;
 use super::equilibrium_path::Followed;
 use super::{LimitPoint, PathEnd, Peel};
-use crate::model::PlanarProblem;
+use crate::model::BeamProblem;
 use crate::solve::LimitPointKind;
 
 impl Peel {
     /// Looks for them, on a path that was followed to where it ends by itself: elsewhere it may come back.
-    pub(super) fn find_detachment(&mut self, problem: &PlanarProblem, followed: &Followed) {
+    pub(super) fn find_detachment(&mut self, problem: &BeamProblem, followed: &Followed) {
         let comes_off = matches!(self.end, PathEnd::Detached | PathEnd::Pivoting);
         if !comes_off || followed.trouble.is_some() || problem.system.has_history() {
             return;

@@ -2,7 +2,7 @@
 
 use super::equilibrium_path::Followed;
 use super::{Plateau, StepCurve};
-use crate::model::PlanarProblem;
+use crate::model::BeamProblem;
 use crate::solve::{LimitPointKind, Solution, Workspace, difference_on_more_elements};
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, LEVEL_FACTOR, ROUND_OFF, least};
 use std::sync::Arc;
@@ -16,7 +16,7 @@ const SAMPLES: usize = 64;
 /// The plateau between the initiation peak and the snap-off (or the end of the path): the flattest segment of the curve,
 /// and on it the place of least steepness. Load limit points are level too, but only for a moment.
 pub(super) fn plateau(
-    problem: &PlanarProblem,
+    problem: &BeamProblem,
     followed: &Followed,
     peak_after: usize,
     snap_after: usize,
@@ -83,7 +83,7 @@ fn sample(curve: &StepCurve, k: usize) -> Sample {
 /// is less steep than the best by no more than that may be the true one. The force is wrong by what more elements change of it, and by what it
 /// changes up to there.
 fn bounds(
-    problem: &PlanarProblem,
+    problem: &BeamProblem,
     around: &[Arc<Solution>],
     [samples, others]: [&[Sample]; 2],
     (best, chord): (&Sample, f64),

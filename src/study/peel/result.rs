@@ -134,14 +134,17 @@ pub struct Effort {
     pub order: usize,
 }
 
-/// The axis of the beam at one equilibrium, sampled: x and y in nm, the rotation in rad, and the height of the section in nm.
+/// The axis of the beam at one equilibrium, sampled: x, y and in space z in nm, the rotation in rad, and the height of the section in nm.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct DeformedShape {
     /// Of the axis, nm
     pub x: Vec<f64>,
     /// Of the axis, nm
     pub y: Vec<f64>,
-    /// θ, rad
+    /// Of the axis sideways, nm; empty in the plane
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub z: Vec<f64>,
+    /// θ, rad; in space the elevation of the axis
     pub rotation: Vec<f64>,
     /// h, nm
     pub height: Vec<f64>,

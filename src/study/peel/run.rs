@@ -6,7 +6,7 @@ use super::equilibrium_path::{Followed, follow};
 use super::solution_history::SolutionHistory;
 use super::special_points::error_at_start;
 use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
-use crate::model::{Discretisation, PeelModel, PlanarProblem};
+use crate::model::{BeamProblem, Discretisation, PeelModel};
 use crate::solve::LimitPointKind;
 use crate::study::accuracy::{Choice, Resolution, aim, most_elements};
 use crate::study::checkpoint::Limits;
@@ -120,7 +120,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, checkp
 /// ones.
 struct Shorter<'r> {
     model: &'r PeelModel,
-    problem: &'r Arc<PlanarProblem>,
+    problem: &'r Arc<BeamProblem>,
     accuracy: &'r Accuracy,
     limits: &'r Limits<'r>,
     far: f64,
@@ -179,7 +179,7 @@ struct Attempt {
 impl Attempt {
     fn new(
         model: &PeelModel,
-        problem: &Arc<PlanarProblem>,
+        problem: &Arc<BeamProblem>,
         followed: Followed,
         resolution: Resolution,
         accuracy: &Accuracy,
@@ -277,7 +277,7 @@ impl Attempt {
     }
 
     /// Widens the bounds to what another choice of steps changed; returns the largest relative change of a limit point that counts.
-    fn allow_for(&mut self, other: &Self, problem: &PlanarProblem) -> f64 {
+    fn allow_for(&mut self, other: &Self, problem: &BeamProblem) -> f64 {
         let mut largest = 0.0f64;
         for (point, twin) in self.peel.limit_points.iter_mut().zip(&other.peel.limit_points) {
             let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);

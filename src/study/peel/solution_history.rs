@@ -1,15 +1,15 @@
 //! The solutions behind a peel: the curve between its points and the deformed strip.
 
 use super::{DeformedShape, LimitPoint};
-use crate::beam::{NodeState, PlanarBeam};
-use crate::model::PlanarProblem;
+use crate::beam::{NodeState, PlanarBeam, SpatialBeam};
+use crate::model::{Beam, BeamProblem};
 use crate::solve::{LimitPointKind, PathSegment, Solution, State};
 use std::sync::Arc;
 
 /// Path points with the problem that they solve.
 #[derive(Clone)]
 pub(in crate::study) struct SolutionHistory {
-    pub problem: Arc<PlanarProblem>,
+    pub problem: Arc<BeamProblem>,
     pub points: Vec<Arc<Solution>>,
     /// The solution next to the initiation peak, if there is one.
     pub peak: Option<Arc<Solution>>,
@@ -58,9 +58,8 @@ impl SolutionHistory {
 
     /// Section states at the ends of the elements.
     pub fn sections(&self, index: usize) -> Vec<NodeState> {
-        let at = self.points.get(index).map(|p| &p.at);
-        let beam = &self.problem.beam;
-        at.map(|at| beam.chain.node_states(beam.configuration(at), 0..at.mesh.elements())).unwrap_or_default()
+        let (Some(point), Some(beam)) = (self.points.get(index), self.problem.beam.planar()) else { return Vec::new() };
+        beam.chain.node_states(beam.configuration(&point.at), 0..point.at.mesh.elements())
     }
 
     /// Axis and rotation at one point, with x from the section's x' by Simpson's rule between samples.
@@ -81,18 +80,44 @@ impl SolutionHistory {
 
 impl DeformedShape {
     /// Axis and rotation of an equilibrium.
-    pub(super) fn of(beam: &PlanarBeam, at: &State) -> Self {
+    pub(super) fn of(beam: &Beam, at: &State) -> Self {
         Self::sampled(beam, at, |_| SAMPLES)
     }
 
     /// The same with samples so near to one another that a picture of it has no corners.
-    fn smooth(beam: &PlanarBeam, at: &State) -> Self {
-        let nearest = beam.length / SMOOTH;
+    fn smooth(beam: &Beam, at: &State) -> Self {
+        let nearest = beam.length() / SMOOTH;
         Self::sampled(beam, at, |length| SAMPLES.max((length / nearest).ceil() as usize))
     }
 
     /// With so many samples to an element of a length, nm.
-    fn sampled(beam: &PlanarBeam, at: &State, samples: impl Fn(f64) -> usize) -> Self {
+    fn sampled(beam: &Beam, at: &State, samples: impl Fn(f64) -> usize) -> Self {
+        match beam {
+            Beam::Planar(beam) => Self::in_the_plane(beam, at, samples),
+            Beam::Spatial(beam) => Self::in_space(beam, at, samples),
+        }
+    }
+
+    /// The height is that of the outline along the section's own rise: the lowest corner is half of it times the cosine below the axis.
+    fn in_space(beam: &SpatialBeam, at: &State, samples: impl Fn(f64) -> usize) -> Self {
+        let mut shape = Self::default();
+        for (e, pair) in at.mesh.boundaries.windows(2).enumerate() {
+            let samples = samples(pair[1] - pair[0]);
+            let last = usize::from(e + 2 == at.mesh.boundaries.len());
+            for k in 0..samples + last {
+                let section = beam.section_at(at, e, k as f64 / samples as f64);
+                let [rise, across, up] = [0, 1, 2].map(|director| section.directors[director][1]);
+                let cos = across.hypot(up);
+                let corner = (section.width * across).abs() + (section.height * up).abs();
+                let height = if cos > 0.0 { corner / cos } else { section.height };
+                shape.push(section.place[0], [section.place[1], rise.atan2(cos), height]);
+                shape.z.push(section.place[2]);
+            }
+        }
+        shape
+    }
+
+    fn in_the_plane(beam: &PlanarBeam, at: &State, samples: impl Fn(f64) -> usize) -> Self {
         let mut shape = Self::default();
         let sample = |e: usize, fraction: f64| {
             let (values, section) = beam.chain.sample(beam.configuration(at), e, 2.0 * fraction - 1.0);

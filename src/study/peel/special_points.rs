@@ -3,7 +3,7 @@
 use super::equilibrium_path::Followed;
 use super::plateau::plateau;
 use super::{LargestComputedForce, LimitPoint, PathEnd, PathFailure, PathPoint, Peak, Peel};
-use crate::model::PlanarProblem;
+use crate::model::BeamProblem;
 use crate::solve::{LimitPointKind, Solution, Workspace, difference_on_more_elements};
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
 use std::sync::Arc;
@@ -12,7 +12,7 @@ use std::sync::Arc;
 const PULL: f64 = 1e-6;
 
 /// Names the points of a path with points and limit points.
-pub(super) fn name_special_points(peel: &mut Peel, problem: &PlanarProblem, followed: &Followed) {
+pub(super) fn name_special_points(peel: &mut Peel, problem: &BeamProblem, followed: &Followed) {
     let known = steps_known(followed);
     let rises = |at: &LimitPoint, of: fn(&Solution) -> f64| of(&followed.points[at.after]) > 0.0;
     let located: Vec<LimitPoint> = peel.limit_points.iter().filter(|at| at.after < known).copied().collect();
@@ -73,7 +73,7 @@ pub(super) fn peak_of(at: &LimitPoint) -> Peak {
 
 /// Whether a path that ended because its force was not above zero never came back to zero: it jumps where the grip pushes, and goes on
 /// there.
-pub(super) fn pushes_behind_a_fold(problem: &PlanarProblem, followed: &Followed) -> bool {
+pub(super) fn pushes_behind_a_fold(problem: &BeamProblem, followed: &Followed) -> bool {
     let pushes = |point: &Arc<Solution>| point.observables.force < 0.0;
     problem.grip.gear != 0.0
         && followed.end == PathEnd::Pivoting
@@ -90,7 +90,7 @@ impl Peel {
 }
 
 /// Bound on the relative error of the force where a path begins, where that is its largest: 0 elsewhere. A mesh has to show that force too.
-pub(super) fn error_at_start(peel: &Peel, problem: &PlanarProblem, points: &[Arc<Solution>]) -> f64 {
+pub(super) fn error_at_start(peel: &Peel, problem: &BeamProblem, points: &[Arc<Solution>]) -> f64 {
     let is_largest = |first: &&Arc<Solution>| {
         peel.largest_computed_force
             .is_some_and(|at| at.displacement == first.observables.displacement && at.force > 0.0)

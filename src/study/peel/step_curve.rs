@@ -5,7 +5,7 @@
 
 use super::Peel;
 use crate::beam::Basis;
-use crate::model::PlanarProblem;
+use crate::model::BeamProblem;
 use crate::number::root::Bracket;
 use crate::solve::{Observables, PathSegment, ROUGH, Solution, Workspace, lagrange_weights, step_to};
 use std::sync::Arc;
@@ -30,19 +30,19 @@ pub(in crate::study) struct StepCurve {
 
 impl StepCurve {
     /// The step behind `points[index]`.
-    pub fn behind(problem: &PlanarProblem, points: &[Arc<Solution>], index: usize, ws: &mut Workspace) -> Self {
+    pub fn behind(problem: &BeamProblem, points: &[Arc<Solution>], index: usize, ws: &mut Workspace) -> Self {
         let segment = PathSegment::around(problem, points, index);
         Self::until(problem, &segment, segment.end(), &points[index + 1], ws)
     }
 
     /// From the first point of a segment to a solution at the label `to` of it.
-    pub fn until(problem: &PlanarProblem, segment: &PathSegment, to: f64, end: &Solution, ws: &mut Workspace) -> Self {
+    pub fn until(problem: &BeamProblem, segment: &PathSegment, to: f64, end: &Solution, ws: &mut Workspace) -> Self {
         Self::between(problem, segment, [(0.0, &segment.first()), (to, end)], ws)
     }
 
     /// The same in pieces, halved where one curve would not be certain of its work.
     pub fn pieces(
-        problem: &PlanarProblem,
+        problem: &BeamProblem,
         segment: &PathSegment,
         to: f64,
         end: &Solution,
@@ -53,14 +53,14 @@ impl StepCurve {
     }
 
     fn halved(
-        problem: &PlanarProblem,
+        problem: &BeamProblem,
         known: &mut PathSegment,
         [from, to]: [(f64, &Solution); 2],
         halvings: usize,
         ws: &mut Workspace,
     ) -> Vec<Self> {
         let curve = Self::between(problem, known, [from, to], ws);
-        let scale = problem.measure.force * problem.beam.length;
+        let scale = problem.measure.force * problem.beam.length();
         if halvings == 0 || !curve.is_uncertain(scale) {
             return vec![curve];
         }
@@ -74,7 +74,7 @@ impl StepCurve {
     /// Between two solutions at labels of a segment. Where a solution between cannot be found, the segment's own interpolants
     /// stand in.
     fn between(
-        problem: &PlanarProblem,
+        problem: &BeamProblem,
         segment: &PathSegment,
         [(from, start), (to, end)]: [(f64, &Solution); 2],
         ws: &mut Workspace,

@@ -3,13 +3,13 @@
 
 use super::Peel;
 use super::step_curve::StepCurve;
-use crate::model::PlanarProblem;
+use crate::model::BeamProblem;
 use crate::solve::{LimitPointKind, Located, Observables, PathSegment, Solution, Workspace, on_more_elements};
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, bound_floor};
 use std::sync::Arc;
 
 /// Work from rest to each point, aJ.
-pub(super) fn works(problem: &PlanarProblem, points: &[Arc<Solution>], ws: &mut Workspace) -> Vec<f64> {
+pub(super) fn works(problem: &BeamProblem, points: &[Arc<Solution>], ws: &mut Workspace) -> Vec<f64> {
     if !problem.system.is_conservative() {
         return works_of_force(problem, points, ws);
     }
@@ -18,7 +18,7 @@ pub(super) fn works(problem: &PlanarProblem, points: &[Arc<Solution>], ws: &mut 
 
 /// Work at a located point, aJ; `works` as above.
 pub(super) fn work_near(
-    problem: &PlanarProblem,
+    problem: &BeamProblem,
     points: &[Arc<Solution>],
     works: &[f64],
     after: usize,
@@ -37,7 +37,7 @@ pub(super) fn work_near(
 
 /// What more elements change of the works of a path.
 pub(super) struct WorkErrors<'p> {
-    problem: &'p PlanarProblem,
+    problem: &'p BeamProblem,
     /// Change of the energy where the path begins, aJ; none where there is none to be had.
     start: Option<f64>,
     /// Energy there, aJ
@@ -47,7 +47,7 @@ pub(super) struct WorkErrors<'p> {
 
 impl<'p> WorkErrors<'p> {
     /// Of a path that begins at a point.
-    pub fn new(problem: &'p PlanarProblem, first: &Solution, relative: f64, ws: &mut Workspace) -> Self {
+    pub fn new(problem: &'p BeamProblem, first: &Solution, relative: f64, ws: &mut Workspace) -> Self {
         let known = problem.system.is_conservative() && !problem.system.has_history();
         let start = known.then(|| change_of_energy(problem, first, Observables::DISPLACEMENT, ws)).flatten();
         Self { problem, start, first: energy(problem, first), relative }
@@ -80,14 +80,14 @@ impl<'p> WorkErrors<'p> {
 }
 
 /// E' - E - P (u' - u), aJ: a solution on half as many elements again, with one number held, against a solution.
-fn change_of_energy(problem: &PlanarProblem, s: &Solution, held: Observables, ws: &mut Workspace) -> Option<f64> {
+fn change_of_energy(problem: &BeamProblem, s: &Solution, held: Observables, ws: &mut Workspace) -> Option<f64> {
     let finer = on_more_elements(problem, s, held, ws).ok()?;
     let moved = finer.observables.displacement - s.observables.displacement;
     Some(energy(problem, &finer) - energy(problem, s) - power(problem, s) * moved)
 }
 
 /// ∫ P du from rest to each point, aJ, whatever the load.
-pub(super) fn works_of_force(problem: &PlanarProblem, points: &[Arc<Solution>], ws: &mut Workspace) -> Vec<f64> {
+pub(super) fn works_of_force(problem: &BeamProblem, points: &[Arc<Solution>], ws: &mut Workspace) -> Vec<f64> {
     let mut works = vec![0.0];
     for i in 0..points.len().saturating_sub(1) {
         works.push(works[i] + StepCurve::behind(problem, points, i, ws).work());
@@ -96,13 +96,13 @@ pub(super) fn works_of_force(problem: &PlanarProblem, points: &[Arc<Solution>], 
 }
 
 /// dΠ/du of an equilibrium, nN: the force along the pull, and of a grip that turns as it goes the work of the moment besides.
-pub(in crate::study) fn power(problem: &PlanarProblem, s: &Solution) -> f64 {
+pub(in crate::study) fn power(problem: &BeamProblem, s: &Solution) -> f64 {
     let (force, gear) = (s.at.force, problem.grip.gear);
     if gear == 0.0 { force } else { force + gear * problem.beam.grip_forces(&s.at).moment }
 }
 
 /// Stored and adhesion energy, aJ.
-pub(super) fn energy(problem: &PlanarProblem, s: &Solution) -> f64 {
+pub(super) fn energy(problem: &BeamProblem, s: &Solution) -> f64 {
     problem.energy(&s.at, s.energy)
 }
 

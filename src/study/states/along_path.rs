@@ -15,7 +15,8 @@ impl Peel {
     /// curve of P over u, each over its range. In path order; empty where the peel was read or its solutions were dropped.
     pub fn states(&self, count: usize) -> Vec<BeamState> {
         let Some(trace) = self.trace.as_ref().filter(|trace| !trace.points.is_empty()) else { return Vec::new() };
-        let reader = Reader::new(&self.model, &trace.problem.beam);
+        let Some(beam) = trace.problem.beam.planar() else { return Vec::new() };
+        let reader = Reader::new(&self.model, beam);
         let lengths = Lengths::of(trace);
         let mut found: Vec<BeamState> = lengths
             .places(count)

@@ -28,7 +28,7 @@ pub struct TermEffect {
 }
 
 /// The effects of the terms that the model has, at its initiation peak; none without one, or of a grip that turns as it goes, with
-/// friction or of a law without a potential, where a change of the force is no change of an energy. The far face has none where a section is
+/// friction or of a law without a potential, where a change of the force is no change of an energy; none in space. The far face has none where a section is
 /// nearly upright: without it the energy has a pole there.
 fn terms(model: &PeelModel, trace: &SolutionHistory) -> Vec<TermEffect> {
     let Some(peak) = &trace.peak else { return Vec::new() };
@@ -36,7 +36,7 @@ fn terms(model: &PeelModel, trace: &SolutionHistory) -> Vec<TermEffect> {
     if trace.problem.grip.gear != 0.0 || !trace.problem.system.is_conservative() {
         return Vec::new();
     }
-    let sampling = SectionSampling::new(model, &trace.problem, peak);
+    let Some(sampling) = SectionSampling::new(model, &trace.problem, peak) else { return Vec::new() };
     let mut effects = Vec::new();
     let mut add = |term: Term, work: f64| {
         effects.push(TermEffect { term, force: work / peak.slope.displacement });

@@ -1,15 +1,16 @@
 //! A beam at one point of its path, as a term of the model sees it.
 
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, Rule, Substrate};
-use crate::beam::{Configuration, Section};
-use crate::model::{PeelModel, PlanarProblem};
+use crate::beam::{Configuration, PlanarBeam, Section};
+use crate::model::{BeamProblem, PeelModel};
 use crate::solve::{Solution, lagrange_weights};
 use std::num::NonZeroUsize;
 
 /// One equilibrium of a path, with the direction in which the path goes on.
 pub(super) struct SectionSampling<'a> {
     model: &'a PeelModel,
-    problem: &'a PlanarProblem,
+    problem: &'a BeamProblem,
+    beam: &'a PlanarBeam,
     pub solution: &'a Solution,
     rule: Rule,
     /// Weights of a sum over the points of an element that gives the integral from its left end to one of them.
@@ -34,9 +35,10 @@ pub(super) struct Point {
 const STEP: f64 = 1e-4;
 
 impl<'a> SectionSampling<'a> {
-    /// On a path of this model, with one more point than an element has unknowns along it.
-    pub fn new(model: &'a PeelModel, problem: &'a PlanarProblem, solution: &'a Solution) -> Self {
-        let rule = Rule::new(NonZeroUsize::MIN.saturating_add(problem.beam.chain.order()));
+    /// On a path of this model in the plane, with one more point than an element has unknowns along it.
+    pub fn new(model: &'a PeelModel, problem: &'a BeamProblem, solution: &'a Solution) -> Option<Self> {
+        let beam = problem.beam.planar()?;
+        let rule = Rule::new(NonZeroUsize::MIN.saturating_add(problem.beam.order()));
         let places: Vec<f64> = rule.over(0.0, 1.0).map(|(place, _)| place).collect();
         let integral = |to: f64| {
             let mut weights = vec![0.0; places.len()];
@@ -47,7 +49,7 @@ impl<'a> SectionSampling<'a> {
             weights
         };
         let up_to = places.iter().map(|&place| integral(place)).collect();
-        Self { model, problem, solution, rule, up_to }
+        Some(Self { model, problem, beam, solution, rule, up_to })
     }
 
     /// dF of F = ∫ density dS, per unit of the path's parameter.
@@ -59,7 +61,7 @@ impl<'a> SectionSampling<'a> {
         };
         let step = self.step();
         let [ahead, behind] = [step, -step].map(|step| self.solution.moved(self.problem, step));
-        let beam = &self.problem.beam;
+        let beam = self.beam;
         (total(beam.configuration(&ahead)) - total(beam.configuration(&behind))) / (2.0 * step)
     }
 
@@ -67,7 +69,7 @@ impl<'a> SectionSampling<'a> {
     /// with the c for which it is least. That is how a beam slides which friction alone holds along the substrate: what it carries
     /// one way and the other balances.
     pub fn dissipation(&self, law: &FrictionLaw) -> f64 {
-        let (step, beam) = (self.step(), &self.problem.beam);
+        let (step, beam) = (self.step(), self.beam);
         let [onward, backward] = [step, -step].map(|step| self.solution.moved(self.problem, step));
         let mut ways = Vec::new();
         self.each(beam.configuration(&onward), |weight, point| {
@@ -84,7 +86,7 @@ impl<'a> SectionSampling<'a> {
 
     /// δR · dq of a load that turns the sections, ∫ moment dθ dS, per unit of the path's parameter.
     pub fn work_of_moment(&self, moment: impl Fn(&Point) -> f64) -> f64 {
-        let (beam, at) = (&self.problem.beam, &self.solution.at);
+        let (beam, at) = (self.beam, &self.solution.at);
         let here = beam.configuration(at);
         let change = Configuration { state: beam.nodes(&self.solution.tangent.direction), ..here };
         let mut turns = Vec::new();
@@ -97,7 +99,7 @@ impl<'a> SectionSampling<'a> {
     /// The least |cos θ| of its sections.
     pub fn steepest(&self) -> f64 {
         let mut least = f64::INFINITY;
-        let at = self.problem.beam.configuration(&self.solution.at);
+        let at = self.beam.configuration(&self.solution.at);
         self.each(at, |_, point| least = least.min(point.rotation.cos().abs()));
         least
     }
@@ -108,11 +110,11 @@ impl<'a> SectionSampling<'a> {
 
     /// Every point of the rule on every element, with its weight.
     fn each(&self, at: Configuration<'_>, mut visit: impl FnMut(f64, Point)) {
-        let rotation = self.problem.beam.rotation;
+        let rotation = self.beam.rotation;
         let mut begin = 0.0;
         for element in 0..at.ends.len() - 1 {
             let (from, length) = (at.ends[element], at.ends[element + 1] - at.ends[element]);
-            let sample = |(share, _)| self.problem.beam.chain.sample(at, element, 2.0 * share - 1.0);
+            let sample = |(share, _)| self.beam.chain.sample(at, element, 2.0 * share - 1.0);
             let samples: Vec<_> = self.rule.over(0.0, 1.0).map(sample).collect();
             let along = |weights: &mut dyn Iterator<Item = f64>| -> f64 {
                 length * weights.zip(&samples).map(|(weight, sample)| weight * sample.1.horizontal_slope).sum::<f64>()

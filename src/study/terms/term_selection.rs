@@ -111,6 +111,9 @@ impl TermSelection<'_> {
 /// The terms to try without, and those of the model that are kept untried.
 fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, KeptReason)>) {
     let (mut tried, mut kept) = (Vec::new(), Vec::new());
+    if model.space.is_some() {
+        return (tried, kept);
+    }
     let mut consider = |term: Term, obstacle: Option<KeptReason>| match obstacle {
         None => tried.push(term),
         Some(why) => kept.push((term, why)),
@@ -219,14 +222,15 @@ impl Found {
             return Self { left_out: nothing, shifts: Vec::new() };
         };
         let rate = |solution: &Solution, lift: f64| {
-            work.rate(&SectionSampling::new(&peel.model, &trace.problem, solution), lift)
+            let sampling = SectionSampling::new(&peel.model, &trace.problem, solution);
+            sampling.map_or(f64::NAN, |sampling| work.rate(&sampling, lift))
         };
         // where the path begins, from where displacements count
         let lift = match term {
             // friction holds nothing yet
             Term::Friction => 0.0,
             Term::FarFace => {
-                LineLaw { far_face: true, ..peel.model.line_law() }.rest_gap() - trace.problem.beam.rest_gap
+                LineLaw { far_face: true, ..peel.model.line_law() }.rest_gap() - peel.model.line_law().rest_gap()
             }
             _ => trace.points.first().map_or(0.0, |first| -rate(first, 0.0) / first.slope.force),
         };

@@ -16,7 +16,7 @@
 use crate::common::{LOADS, paper_strip, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::beam::{FRONT, TIP_ROTATION};
-use peelkit::model::{Body, Form, Hold, PeelModel, PlanarProblem, Spatula, StripModel};
+use peelkit::model::{BeamProblem, Body, Form, Hold, PeelModel, Spatula, StripModel};
 use peelkit::solve::{Mesh, NewtonOptions, Observables, PathConstraint, Solution, Workspace, solve};
 use peelkit::study::{Accuracy, Choice, StopCriteria, peel};
 
@@ -26,12 +26,12 @@ const STEPS: [f64; 14] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.35, 0.5, 0.75, 1.0,
 const LONGEST: f64 = 0.05;
 
 /// Equilibria under displacement control, at every one of [`STEPS`]. The mesh stays: fine where the front is at 5 nm.
-fn lift(problem: &PlanarProblem, elements: usize) -> Vec<Solution> {
+fn lift(problem: &BeamProblem, elements: usize) -> Vec<Solution> {
     let weights = Observables::DISPLACEMENT;
     let options = NewtonOptions { tolerance: 1e-12, largest_update: 1.0, most_iterations: 20, exact_slope: false };
     let mut work = Workspace::default();
-    let focus = 0.9 * problem.beam.length;
-    let mesh = Mesh { boundaries: problem.beam.ends(focus, elements), focus };
+    let focus = 0.9 * problem.beam.length();
+    let mesh = Mesh { boundaries: problem.beam.planar().unwrap().ends(focus, elements), focus };
     let mut at = problem.beam.resampled(&problem.initial(elements), mesh);
     let (mut solutions, mut u) = (Vec::new(), 0.0);
     for target in STEPS {
@@ -61,8 +61,14 @@ fn assert_same(model: &StripModel, order: usize) {
     let stiffest = full.iter().map(|s| s.slope.force.abs()).fold(0.0, f64::max);
     // energies count from rest
     let energy = |s: &[Solution], i: usize| s[i].energy - s[0].energy;
-    let coverage = |p: &PlanarProblem, s: &Solution| {
-        p.beam.chain.energy(p.beam.configuration(&s.at), p.beam.nodes(&s.at.values)).0.coverage
+    let coverage = |p: &BeamProblem, s: &Solution| {
+        p.beam
+            .planar()
+            .unwrap()
+            .chain
+            .energy(p.beam.planar().unwrap().configuration(&s.at), p.beam.planar().unwrap().nodes(&s.at.values))
+            .0
+            .coverage
     };
     let whole = energy(&full, STEPS.len() - 1);
     let held = model.grip.horizontal == Hold::Fixed;
@@ -79,15 +85,20 @@ fn assert_same(model: &StripModel, order: usize) {
             b.observables.monitors[TIP_ROTATION],
             0.1,
         );
-        close("front", a.observables.monitors[FRONT], b.observables.monitors[FRONT], two.beam.length);
+        close("front", a.observables.monitors[FRONT], b.observables.monitors[FRONT], two.beam.length());
         close("energy", energy(&reduced, i), energy(&full, i), whole);
         close("coverage", coverage(&two, a), coverage(&three, b), whole);
         // taken one Newton update before the solution, hence coarser
         close("stiffness", a.slope.force, b.slope.force, 1e4 * stiffest);
         assert_eq!((a.negative, a.negative_load), (b.negative, b.negative_load), "negative eigenvalues, {case}");
         if held {
-            let states = three.beam.chain.node_states(three.beam.configuration(&b.at), 0..b.at.mesh.elements());
-            let axial_multiplier = two.beam.configuration(&a.at).axial_multiplier;
+            let states = three
+                .beam
+                .planar()
+                .unwrap()
+                .chain
+                .node_states(three.beam.planar().unwrap().configuration(&b.at), 0..b.at.mesh.elements());
+            let axial_multiplier = two.beam.planar().unwrap().configuration(&a.at).axial_multiplier;
             for state in states {
                 close("horizontal force", axial_multiplier, state.section.horizontal_force, largest);
             }

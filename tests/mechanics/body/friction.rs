@@ -16,7 +16,7 @@ use crate::common::{paper_law, paper_strip};
 use approx::assert_relative_eq;
 use peelkit::adhesion::{FrictionLaw, GroundLaw, LineLoad, Substrate};
 use peelkit::beam::{BeamOnGround, EnergyDensity, PointResponse, Profile};
-use peelkit::model::{Form, Friction, Hold, PeelModel, PlanarProblem, Pull, Step};
+use peelkit::model::{BeamProblem, Form, Friction, Hold, PeelModel, Pull, Step};
 use peelkit::solve::{Observables, Path, PathOptions, Solution, controlled};
 use peelkit::study::{Accuracy, Choice, PathEnd, StopCriteria, peel};
 use std::sync::Arc;
@@ -71,7 +71,7 @@ fn the_tangent_is_the_derivative() {
 }
 
 /// Points of a path up to a displacement, with steps of `stride` times their length.
-fn walk(model: &PeelModel, stride: f64, far: f64) -> (PlanarProblem, Vec<Arc<Solution>>) {
+fn walk(model: &PeelModel, stride: f64, far: f64) -> (BeamProblem, Vec<Arc<Solution>>) {
     let problem = model.problem(Form::ThreeField, 7).unwrap();
     let options = PathOptions {
         elements: 60,
@@ -104,7 +104,14 @@ fn balance(model: &PeelModel, stride: f64) -> (f64, f64, usize) {
         .sum();
     let energy = |s: &Solution| problem.energy(&s.at, s.energy);
     let last = &points[points.len() - 1];
-    let dissipated = problem.beam.chain.updated_history(problem.beam.configuration(&last.at)).unwrap().dissipated;
+    let dissipated = problem
+        .beam
+        .planar()
+        .unwrap()
+        .chain
+        .updated_history(problem.beam.planar().unwrap().configuration(&last.at))
+        .unwrap()
+        .dissipated;
     (work, work - (energy(last) - energy(&points[0])) - dissipated, points.len())
 }
 

@@ -14,7 +14,7 @@
 //! what the energy's slope is. Collocation has its word in `peel verify --only pull`. Recorded: path points and Newton iterations.
 
 use crate::common::{paper_strip, with_grip};
-use peelkit::model::{Body, Form, Hold, PeelModel, PlanarProblem, Pull, Spatula, Step};
+use peelkit::model::{BeamProblem, Body, Form, Hold, PeelModel, Pull, Spatula, Step};
 use peelkit::solve::{Observables, Path, PathConstraint, PathOptions, Problem, State, Workspace, controlled, slopes};
 use peelkit::study::{Accuracy, Choice, Effort, PathEnd, Peel, StopCriteria, peel};
 use std::f64::consts::FRAC_PI_3;
@@ -216,7 +216,7 @@ fn points(problem: &Problem, until: f64) -> Vec<std::sync::Arc<peelkit::solve::S
 }
 
 /// dΠ/du: the force along the pull, and of a grip that turns as it goes the work of the moment besides.
-fn slope_of_energy(problem: &PlanarProblem, at: &State) -> f64 {
+fn slope_of_energy(problem: &BeamProblem, at: &State) -> f64 {
     at.force + problem.grip.gear * problem.beam.grip_forces(at).moment
 }
 

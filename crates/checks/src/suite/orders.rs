@@ -5,7 +5,7 @@
 //! between two meshes approaches it linearly in h, so that it is extrapolated to h = 0.
 
 use super::check::{Check, Measure, Topic};
-use peelkit::model::{Form, PlanarProblem, StripModel};
+use peelkit::model::{BeamProblem, Form, StripModel};
 use peelkit::solve::{NewtonOptions, Observables, PathConstraint, Solution, State, Workspace, solve};
 
 pub(super) const TOPIC: Topic =
@@ -169,15 +169,15 @@ impl Measured {
 
 /// A fixed mesh, and the last equilibrium on it.
 struct Mesh<'a> {
-    problem: &'a PlanarProblem,
+    problem: &'a BeamProblem,
     at: State,
     ws: Workspace,
 }
 
 impl<'a> Mesh<'a> {
-    fn new(problem: &'a PlanarProblem, elements: usize) -> Self {
+    fn new(problem: &'a BeamProblem, elements: usize) -> Self {
         let mut at = problem.initial(elements);
-        at.mesh.boundaries = (0..=elements).map(|k| problem.beam.length * k as f64 / elements as f64).collect();
+        at.mesh.boundaries = (0..=elements).map(|k| problem.beam.length() * k as f64 / elements as f64).collect();
         Self { problem, at, ws: Workspace::default() }
     }
 

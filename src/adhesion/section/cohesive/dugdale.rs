@@ -8,21 +8,28 @@ use super::ramp::{Corner, Lines};
 
 pub(super) const NAME: &str = "dugdale";
 pub(super) const CORNERS: f64 = 10.0;
+pub(super) const BREAKS: &[f64] = &LAW.breaks::<6>();
 
 /// What the flanks take of the range; the corners at their ends are rounded over ± half of that.
 const RISE: f64 = 0.1;
 const FALL: f64 = 0.2;
 
+const DOWN: f64 = RISE / FALL;
+const LAW: Lines<3> = Lines {
+    corners: [
+        Corner { place: RISE, change: -1.0, half: 0.5 * RISE },
+        Corner { place: 1.0 - FALL, change: -DOWN, half: 0.5 * FALL },
+        Corner { place: 1.0, change: DOWN, half: 0.5 * FALL },
+    ],
+    factor: 1.0 / RISE,
+};
+
 #[inline]
 pub(super) fn at(t: f64) -> At {
-    const DOWN: f64 = RISE / FALL;
-    const LAW: Lines<3> = Lines {
-        corners: [
-            Corner { place: RISE, change: -1.0, half: 0.5 * RISE },
-            Corner { place: 1.0 - FALL, change: -DOWN, half: 0.5 * FALL },
-            Corner { place: 1.0, change: DOWN, half: 0.5 * FALL },
-        ],
-        factor: 1.0 / RISE,
-    };
     LAW.at(t)
+}
+
+#[inline]
+pub(super) fn primitive(t: f64) -> f64 {
+    LAW.primitive(t)
 }

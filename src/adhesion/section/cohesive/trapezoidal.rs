@@ -9,6 +9,7 @@ use super::ramp::{Corner, Lines};
 
 pub(super) const NAME: &str = "trapezoidal";
 pub(super) const CORNERS: f64 = 5.0;
+pub(super) const BREAKS: &[f64] = &LAW.breaks::<6>();
 
 /// λ1 and λ2
 const UP: f64 = 0.15;
@@ -16,19 +17,25 @@ const LEVEL: f64 = 0.5;
 /// Half of the width over which each of the three corners is rounded.
 const ROUNDED: [f64; 3] = [0.5 * UP, 0.2, 0.25];
 
+/// How much less steeply it falls than it rises.
+const DOWN: f64 = UP / (1.0 - LEVEL);
+const LAW: Lines<3> = Lines {
+    corners: [
+        Corner { place: UP, change: -1.0, half: ROUNDED[0] },
+        Corner { place: LEVEL, change: -DOWN, half: ROUNDED[1] },
+        Corner { place: 1.0, change: DOWN, half: ROUNDED[2] },
+    ],
+    factor: 1.0 / UP,
+};
+
 #[inline]
 pub(super) fn at(t: f64) -> At {
-    /// How much less steeply it falls than it rises.
-    const DOWN: f64 = UP / (1.0 - LEVEL);
-    const LAW: Lines<3> = Lines {
-        corners: [
-            Corner { place: UP, change: -1.0, half: ROUNDED[0] },
-            Corner { place: LEVEL, change: -DOWN, half: ROUNDED[1] },
-            Corner { place: 1.0, change: DOWN, half: ROUNDED[2] },
-        ],
-        factor: 1.0 / UP,
-    };
     LAW.at(t)
+}
+
+#[inline]
+pub(super) fn primitive(t: f64) -> f64 {
+    LAW.primitive(t)
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use super::path_end::step;
 use super::path_refinement::fill_in;
 use super::slope_polishing::sharpen;
 use crate::beam::ReferenceConfiguration;
-use crate::model::PlanarProblem;
+use crate::model::BeamProblem;
 use crate::solve::{Path, PathOptions, ROUGH, Solution};
 use crate::study::checkpoint::Limits;
 use crate::study::peel::{Failure, PathEnd, PathFailure};
@@ -19,7 +19,7 @@ fn points_allowed(elements: usize) -> usize {
 
 /// Follows the path and locates its limit points.
 pub(in crate::study::peel) fn follow(
-    problem: &PlanarProblem,
+    problem: &BeamProblem,
     options: PathOptions,
     far: f64,
     relative: f64,
@@ -52,7 +52,7 @@ pub(in crate::study::peel) fn follow(
         }
     };
     let failed = |trouble: PathFailure| {
-        let (elements, order) = (options.elements, problem.beam.chain.order());
+        let (elements, order) = (options.elements, problem.beam.order());
         let failure = Failure::Path { cause: trouble.clone(), elements, order, asked: relative };
         (PathEnd::Failed(failure), Some(trouble))
     };
@@ -74,7 +74,7 @@ pub(in crate::study::peel) fn follow(
         }
         None if end == PathEnd::Pivoting && !has_maximum(path.points()) => failed(PathFailure::LostAtRest {
             displacement_nm: path.points().last().map_or(0.0, |p| p.observables.displacement),
-            process_nm: problem.beam.process_length,
+            process_nm: problem.beam.process_length(),
         }),
         trouble => (end, trouble),
     };
@@ -111,23 +111,24 @@ pub(in crate::study::peel) fn follow(
 /// The largest spread of the first integral along the beam at any point of the path, over the work of adhesion: zero where
 /// a mesh resolves the beam. Without a potential, along a beam of varying outline and on ground that is not flat there is
 /// no such integral.
-fn worst_spread(problem: &PlanarProblem, points: &[Arc<Solution>]) -> f64 {
+fn worst_spread(problem: &BeamProblem, points: &[Arc<Solution>]) -> f64 {
+    let Some(beam) = problem.beam.planar() else { return 0.0 };
     if !problem.system.is_conservative()
-        || matches!(problem.beam.rest, ReferenceConfiguration::Varying(_))
-        || !problem.beam.substrate.is_flat()
+        || matches!(beam.rest, ReferenceConfiguration::Varying(_))
+        || !beam.substrate.is_flat()
     {
         return 0.0;
     }
     let spread = |point: &Arc<Solution>| {
-        let (at, last) = (problem.beam.configuration(&point.at), point.at.mesh.elements() - 1);
+        let (at, last) = (beam.configuration(&point.at), point.at.mesh.elements() - 1);
         // what is lost on the way shows at the two ends, and most of it is lost in the element at an edge
-        let sections = [0..1, last..last + 1].map(|element| problem.beam.chain.node_states(at, element));
+        let sections = [0..1, last..last + 1].map(|element| beam.chain.node_states(at, element));
         let (low, high) = sections
             .iter()
             .flatten()
             .map(|section| section.first_integral())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
-        (high - low) / problem.beam.rest_adhesion.abs()
+        (high - low) / beam.rest_adhesion.abs()
     };
     points.iter().map(spread).fold(0.0, f64::max)
 }

@@ -1,7 +1,7 @@
 //! The limit points of a path: every one located, none missed without a report.
 
 use super::followed::Followed;
-use crate::model::PlanarProblem;
+use crate::model::BeamProblem;
 use crate::solve::{LimitPointKind, PathSegment, Solution, SolveError, brackets, locate, unlocated};
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 use crate::study::peel::{PathEnd, PathFailure};
@@ -42,7 +42,7 @@ fn without_ripple(candidates: Vec<Candidate>, relative: f64) -> Vec<Candidate> {
 impl Followed {
     /// Locates every limit point but those of a flat segment, where the force rises and falls by less than `relative`
     /// of itself: there its slope is the discretisation's.
-    pub(super) fn locate_turns(&mut self, problem: &PlanarProblem, relative: f64) -> Result<(), PathFailure> {
+    pub(super) fn locate_turns(&mut self, problem: &BeamProblem, relative: f64) -> Result<(), PathFailure> {
         let mut ws = self.workspace();
         let mut candidates = Vec::new();
         for index in 0..self.points.len().saturating_sub(1) {
@@ -94,8 +94,9 @@ impl Followed {
 
     /// Ends the path where the elements do not resolve a pole of the law: before the first limit point there, at which two meshes may agree on a number
     /// that finer ones do not give, or where the path is in trouble there.
-    pub(super) fn end_at_unresolved(&mut self, problem: &PlanarProblem) {
-        let unresolved = |solution: &Solution| problem.beam.unresolved_section(&solution.at);
+    pub(super) fn end_at_unresolved(&mut self, problem: &BeamProblem) {
+        let Some(beam) = problem.beam.planar() else { return };
+        let unresolved = |solution: &Solution| beam.unresolved_section(&solution.at);
         let turns = self.turns.iter().map(|(_, after, located)| (*after, unresolved(&located.solution)));
         let last = self.points.len().saturating_sub(1);
         let trouble = self.trouble.as_ref().filter(|trouble| **trouble != PathFailure::OutOfTime);
@@ -156,7 +157,7 @@ impl Followed {
 
     /// Each displacement limit point changes the number of negative eigenvalues by one; nothing else does. Not so at a corner of a path
     /// that remembers, where much that slid sticks.
-    pub(super) fn check_inertia(&self, problem: &PlanarProblem) -> Result<(), PathFailure> {
+    pub(super) fn check_inertia(&self, problem: &BeamProblem) -> Result<(), PathFailure> {
         if problem.system.has_history() {
             return Ok(());
         }

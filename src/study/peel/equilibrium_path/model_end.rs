@@ -1,7 +1,7 @@
 //! Whether a path has come to where the model itself ends.
 
 use crate::beam::BondedLoss;
-use crate::model::PlanarProblem;
+use crate::model::BeamProblem;
 use crate::solve::Solution;
 use crate::study::peel::{PathEnd, PathFailure};
 use std::sync::Arc;
@@ -9,9 +9,9 @@ use std::sync::Arc;
 /// The end at the newest point, if its model says so: a section is where the energy has a pole, or what is bonded has lost its stability
 /// since the point before. Then a negative eigenvalue comes without a limit point; where the sections tilt to one side from the front on
 /// instead, none does, and the path goes on in a stable state.
-pub(super) fn model_end(problem: &PlanarProblem, points: &[Arc<Solution>], relative: f64) -> Option<PathEnd> {
+pub(super) fn model_end(problem: &BeamProblem, points: &[Arc<Solution>], relative: f64) -> Option<PathEnd> {
     let [.., before, newest] = points else { return None };
-    let beam = &problem.beam;
+    let beam = problem.beam.planar()?;
     if let Some(upright) = beam.upright_section(&newest.at, relative) {
         return Some(PathEnd::Upright(upright));
     }
@@ -22,15 +22,15 @@ pub(super) fn model_end(problem: &PlanarProblem, points: &[Arc<Solution>], relat
     loss(problem, newest).map(PathEnd::BondedPartUnstable)
 }
 
-fn loss(problem: &PlanarProblem, at: &Solution) -> Option<BondedLoss> {
-    let beam = &problem.beam;
+fn loss(problem: &BeamProblem, at: &Solution) -> Option<BondedLoss> {
+    let beam = problem.beam.planar()?;
     beam.limits.bonded.as_ref()?;
     beam.limits.bonded_loss(beam.grip_forces(&at.at).horizontal)
 }
 
 /// The end of a path that cannot be continued where its model says why.
 pub(super) fn stopped_by_model(
-    problem: &PlanarProblem,
+    problem: &BeamProblem,
     points: &[Arc<Solution>],
     trouble: &PathFailure,
 ) -> Option<PathEnd> {
@@ -38,7 +38,7 @@ pub(super) fn stopped_by_model(
         return Some(PathEnd::Upright(*upright));
     }
     let [_, _, .., newest] = points else { return None };
-    let beam = &problem.beam;
+    let beam = problem.beam.planar()?;
     beam.limits.bonded.as_ref()?;
     beam.limits.near_bonded_loss(beam.grip_forces(&newest.at).horizontal).map(PathEnd::BondedPartUnstable)
 }

@@ -3,7 +3,7 @@
 use super::followed::Followed;
 use super::model_end::model_end;
 use crate::beam::{FrictionHistory, TIP_ROTATION};
-use crate::model::PlanarProblem;
+use crate::model::BeamProblem;
 use crate::solve::{
     Direction, NewtonOptions, Observables, Path, PathConstraint, PathError, PathSegment, ROUGH, Solution, Workspace,
     solve, solve_on,
@@ -20,7 +20,7 @@ const MOST_SECANTS: usize = 20;
 const PUSH: f64 = 1e-6;
 /// Takes one step; the end, if it is reached.
 pub(super) fn step(
-    problem: &PlanarProblem,
+    problem: &BeamProblem,
     path: &mut Path,
     far: f64,
     relative: f64,
@@ -64,7 +64,7 @@ pub(super) fn step(
 }
 
 /// Whether no part of the beam is nearer to the substrate than `far`, nm, at the newest point.
-pub(in crate::study) fn is_clear(problem: &PlanarProblem, path: &Path, far: f64) -> bool {
+pub(in crate::study) fn is_clear(problem: &BeamProblem, path: &Path, far: f64) -> bool {
     path.points().last().is_none_or(|point| problem.beam.is_clear(&point.at, far))
 }
 
@@ -73,29 +73,30 @@ const LET_GO: f64 = 0.5;
 
 /// Whether all that is in contact slides one way, or next to nothing is left of the friction that alone holds the beam along the
 /// substrate.
-fn slides(problem: &PlanarProblem, path: &Path) -> bool {
-    let (Some(now), Some(rest)) = (path.history(), &problem.beam.history) else { return false };
-    let little = LET_GO * problem.beam.process_length / problem.beam.length;
+fn slides(problem: &BeamProblem, path: &Path) -> bool {
+    let rest = problem.beam.planar().and_then(|beam| beam.history.as_ref());
+    let (Some(now), Some(rest)) = (path.history(), rest) else { return false };
+    let little = LET_GO * problem.beam.process_length() / problem.beam.length();
     FrictionHistory(now).slides(little * FrictionHistory(rest).capacity())
 }
 
 /// Whether the force has been above zero: where a beam is curved in its stress-free configuration, the grip may have to push at first.
-fn has_pulled(problem: &PlanarProblem, points: &[Arc<Solution>]) -> bool {
+fn has_pulled(problem: &BeamProblem, points: &[Arc<Solution>]) -> bool {
     let pushes = points[0].observables.force < -PUSH * problem.measure.force;
     !pushes || points.iter().any(|point| point.observables.force > 0.0)
 }
 
 /// Whether the strip has just passed the upright position, all of it near 90 degrees: it hangs from its edge, and behind
 /// that, on a flat substrate, the path is the mirror image of itself.
-fn stands_upright(problem: &PlanarProblem, points: &[Arc<Solution>]) -> bool {
+fn stands_upright(problem: &BeamProblem, points: &[Arc<Solution>]) -> bool {
     let [.., before, newest] = points else { return false };
     // only a strip that is pulled straight up from flat ground has a mirror image
-    if problem.grip.direction != Direction::UP || !problem.beam.substrate.is_flat() {
+    let Some(beam) = problem.beam.planar() else { return false };
+    if problem.grip.direction != Direction::UP || !beam.substrate.is_flat() {
         return false;
     }
     let tip = |s: &Solution| s.observables.monitors[TIP_ROTATION] - FRAC_PI_2;
     let away = 3.0 * tip(before).abs().max(tip(newest).abs());
-    let beam = &problem.beam;
     let rotations = beam.nodes(&newest.at.values).iter().skip(beam.rotation).step_by(beam.fields());
     tip(before) < 0.0 && tip(newest) >= 0.0 && rotations.into_iter().all(|r| (r - FRAC_PI_2).abs() <= away)
 }
@@ -103,7 +104,7 @@ fn stands_upright(problem: &PlanarProblem, points: &[Arc<Solution>]) -> bool {
 impl Followed {
     /// Moves the last point of a path that crossed P = 0, u = 0 or the upright position onto the crossing. Where that fails the point beyond it
     /// stays: it is an equilibrium too.
-    pub(super) fn finish(&mut self, problem: &PlanarProblem, far: f64) {
+    pub(super) fn finish(&mut self, problem: &BeamProblem, far: f64) {
         let n = self.points.len();
         if self.end == PathEnd::Detached {
             return self.finish_detached(problem, far);
@@ -144,7 +145,7 @@ impl Followed {
     }
 
     /// Moves the last point of a path that has left the substrate to where its distance is `far`, by the secant rule.
-    fn finish_detached(&mut self, problem: &PlanarProblem, far: f64) {
+    fn finish_detached(&mut self, problem: &BeamProblem, far: f64) {
         let n = self.points.len();
         let segment = PathSegment::around(problem, &self.points, n - 2);
         let mut ws = Workspace::default();

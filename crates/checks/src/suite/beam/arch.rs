@@ -4,7 +4,7 @@ use super::rods::{DISPLACEMENT, LEFT_ROTATION, TOLERANCE, cantilever, problem};
 use crate::suite::check::{Check, Measure};
 use crate::suite::reference::{self, Row};
 use peelkit::beam::{ReferenceCurve, TIP_ROTATION};
-use peelkit::model::{Drive, Hold, PlanarProblem, RodModel, Support};
+use peelkit::model::{BeamProblem, Drive, Hold, RodModel, Support};
 use peelkit::solve::{LimitPointKind, PathOptions, Solution, controlled};
 use peelkit::study::{RodLimitPoint, RodPath, follow_rod};
 
@@ -56,7 +56,7 @@ fn checks_of(name: &str) -> Vec<Check> {
         for (what, column) in [("lowering of the crown, L", "lowering"), ("load of half the arch, EI/L²", "load")] {
             let expected = row.number(column).unwrap_or(f64::NAN);
             let value =
-                |(_, path): &(PlanarProblem, RodPath)| Ok(of_turn(path, k, kind)?.0[usize::from(column == "load")]);
+                |(_, path): &(BeamProblem, RodPath)| Ok(of_turn(path, k, kind)?.0[usize::from(column == "load")]);
             checks.push(Check::new(
                 format!("{what}, {label}"),
                 SOURCE,
@@ -67,7 +67,7 @@ fn checks_of(name: &str) -> Vec<Check> {
             ));
         }
         let expected = row.number("load").unwrap_or(f64::NAN);
-        let share = |(_, path): &(PlanarProblem, RodPath)| {
+        let share = |(_, path): &(BeamProblem, RodPath)| {
             let ([_, load], [_, difference]) = of_turn(path, k, kind)?;
             Ok((load - expected).abs() / (2.0 * difference))
         };
@@ -92,7 +92,7 @@ fn checks_of(name: &str) -> Vec<Check> {
 }
 
 /// The path from rest to a lowering of [`FAR`] times the rise.
-pub(crate) fn snapped(model: &RodModel, order: usize, elements: usize) -> Result<(PlanarProblem, RodPath), String> {
+pub(crate) fn snapped(model: &RodModel, order: usize, elements: usize) -> Result<(BeamProblem, RodPath), String> {
     let problem = problem(model, order)?;
     let rise = model.rest.at(1.0)[1];
     let options = PathOptions {
@@ -118,7 +118,7 @@ fn of_turn(path: &RodPath, k: usize, kind: &str) -> Result<([f64; 2], [f64; 2]),
 
 /// The largest difference between the path and points of the table. Each is approached from the nearest path point with the
 /// lowering or the hinge's rotation held, whichever changes faster along the path.
-fn largest_difference(problem: &PlanarProblem, path: &RodPath, table: &[Row]) -> Result<f64, String> {
+fn largest_difference(problem: &BeamProblem, path: &RodPath, table: &[Row]) -> Result<f64, String> {
     let mut largest = 0.0f64;
     for row in table {
         let number = |column| row.number(column).ok_or(format!("the table has no {column}"));

@@ -2,8 +2,8 @@
 
 use super::rods::{cantilever, problem};
 use crate::suite::check::{Check, Measure};
-use peelkit::beam::{Configuration, ReferenceCurve};
-use peelkit::model::{Drive, PlanarProblem, RodModel, Support};
+use peelkit::beam::{Configuration, PlanarBeam, ReferenceCurve};
+use peelkit::model::{BeamProblem, Drive, RodModel, Support};
 
 const ELEMENTS: usize = 5;
 const AXIAL: f64 = 1e4;
@@ -41,15 +41,21 @@ pub(super) fn checks() -> Vec<Check> {
     checks
 }
 
-fn energy(problem: &PlanarProblem, state: &[f64]) -> f64 {
-    let ends = problem.beam.ends(0.0, ELEMENTS);
-    problem.beam.chain.energy(Configuration { ends: &ends, state, axial_multiplier: 0.0, history: None }, state).0.total
+/// A rod lies in the plane.
+fn planar(problem: &BeamProblem) -> &PlanarBeam {
+    problem.beam.planar().expect("a rod lies in the plane")
 }
 
-fn largest_force(problem: &PlanarProblem, state: &[f64]) -> f64 {
-    let ends = problem.beam.ends(0.0, ELEMENTS);
-    let states = problem
-        .beam
+fn energy(problem: &BeamProblem, state: &[f64]) -> f64 {
+    let beam = planar(problem);
+    let ends = beam.ends(0.0, ELEMENTS);
+    beam.chain.energy(Configuration { ends: &ends, state, axial_multiplier: 0.0, history: None }, state).0.total
+}
+
+fn largest_force(problem: &BeamProblem, state: &[f64]) -> f64 {
+    let beam = planar(problem);
+    let ends = beam.ends(0.0, ELEMENTS);
+    let states = beam
         .chain
         .node_states(Configuration { ends: &ends, state, axial_multiplier: 0.0, history: None }, 0..ends.len() - 1);
     states.iter().map(|s| s.section.horizontal_force.abs().max(s.section.vertical_force.abs())).fold(0.0, f64::max)
@@ -63,7 +69,7 @@ fn moved(state: &[f64], turn: f64) -> Vec<f64> {
 }
 
 /// The rest state with a wave of a tenth of the length in every field: strains of order one, no equilibrium.
-fn deformed(problem: &PlanarProblem) -> Vec<f64> {
+fn deformed(problem: &BeamProblem) -> Vec<f64> {
     let rest = problem.initial(ELEMENTS).values;
     let wave = |n: &[f64]| [n[0] + 0.1 * (3.0 * n[1]).cos(), n[1] + 0.1 * (4.0 * n[0]).sin(), n[2] + 0.3 * n[0] * n[0]];
     rest.chunks_exact(3).flat_map(wave).collect()

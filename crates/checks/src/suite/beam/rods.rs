@@ -1,7 +1,7 @@
 //! Rods without adhesion, and their equilibria.
 
 use peelkit::beam::{ReferenceCurve, Section, TIP_ROTATION};
-use peelkit::model::{Drive, PlanarProblem, RodModel, Support};
+use peelkit::model::{BeamProblem, Drive, RodModel, Support};
 use peelkit::solve::{Observables, Solution, controlled};
 
 pub(crate) const DISPLACEMENT: Observables = Observables::DISPLACEMENT;
@@ -20,7 +20,7 @@ pub(crate) fn cantilever(axial: f64, shear: f64, drive: Drive) -> RodModel {
     }
 }
 
-pub(super) fn problem(model: &RodModel, order: usize) -> Result<PlanarProblem, String> {
+pub(super) fn problem(model: &RodModel, order: usize) -> Result<BeamProblem, String> {
     model.problem(order).map_err(|error| error.to_string())
 }
 

@@ -1,0 +1,94 @@
+//! What the grip of a beam in space exerts, and its sections as they lie.
+
+use super::chain::{quaternion_of, read::normalise};
+use super::rotation::{apply, matrix};
+use super::spatial_beam::SpatialBeam;
+use crate::beam::{GripForces, GripState};
+use crate::solve::{State, System};
+
+/// What the grip exerts on the right end of a beam in space.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct GripReactions {
+    /// Along x, y and z, nN
+    pub force: [f64; 3],
+    /// What works on the end's rotation θ, yaw and roll, nN·nm; zeros of an end that turns freely
+    pub moment: [f64; 3],
+}
+
+/// A section of a beam in space as it lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpatialSectionPlace {
+    /// S, nm
+    pub arc_length: f64,
+    /// x, y, z of the axis, nm
+    pub place: [f64; 3],
+    /// d1 along the axis, d2 along the width, d3 along the height: x, y, z of each
+    pub directors: [[f64; 3]; 3],
+    /// b, nm
+    pub width: f64,
+    /// h, nm
+    pub height: f64,
+    /// Section forces along the directors, nN: axial, along the width, along the height
+    pub force: [f64; 3],
+    /// Section moments about the directors, nN·nm: torsion, about the width, about the height
+    pub moment: [f64; 3],
+}
+
+impl SpatialBeam {
+    /// What the grip exerts on the end of an equilibrium.
+    pub fn grip_reactions(&self, at: &State) -> GripReactions {
+        let residual = self.chain.residual(self.configuration(at));
+        let end = &residual[residual.len() - 6..];
+        GripReactions {
+            force: apply(&self.chain.ends[1].axes, &[end[0], end[1], end[2]]),
+            moment: [end[3], end[4], end[5]],
+        }
+    }
+
+    /// The same along x and y, and on its rotation.
+    pub fn grip_forces(&self, at: &State) -> GripForces {
+        let GripReactions { force: [horizontal, vertical, _], moment: [moment, ..] } = self.grip_reactions(at);
+        GripForces { horizontal, vertical, moment }
+    }
+
+    /// The grip in an equilibrium, seen from an earlier one.
+    pub fn grip_state(&self, at: &State, from: &State) -> GripState {
+        let place = |state: &State| -> [f64; 2] {
+            let node = self.chain.end_node(self.configuration(state), 1);
+            [node[0], node[1]]
+        };
+        let (here, there) = (place(at), place(from));
+        GripState {
+            x: Some(here[0] - there[0]),
+            y: here[1] - there[1],
+            rotation: self.rotation_of_grip(at),
+            forces: self.grip_forces(at),
+        }
+    }
+
+    /// Where the right end is, as a solver names its unknowns.
+    pub fn interface_at(&self, at: &State) -> [f64; 6] {
+        self.interface_values(at)
+    }
+
+    /// The section at a share of an element, from 0 to 1.
+    pub fn section_at(&self, at: &State, element: usize, share: f64) -> SpatialSectionPlace {
+        let boundaries = &at.mesh.boundaries;
+        let arc_length = boundaries[element] + share * (boundaries[element + 1] - boundaries[element]);
+        let (value, slope) = self.chain.sample(self.configuration(at), element, 2.0 * share - 1.0);
+        let [force, moment] = self.chain.density.section_forces(arc_length, &value, &slope);
+        let mut node = value;
+        normalise(&mut node);
+        let frame = matrix(quaternion_of(&node));
+        let station = self.chain.density.profile.at(arc_length);
+        SpatialSectionPlace {
+            arc_length,
+            place: [node[0], node[1], node[2]],
+            directors: std::array::from_fn(|d| std::array::from_fn(|i| frame[i][d])),
+            width: station.width,
+            height: station.height,
+            force,
+            moment,
+        }
+    }
+}

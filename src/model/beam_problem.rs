@@ -1,0 +1,191 @@
+//! A problem whose system is a beam, in the plane or in space.
+
+use crate::adhesion::Substrate;
+use crate::beam::{GripForces, GripState, PlanarBeam, SpatialBeam};
+use crate::solve::{EndConditions, InitialState, Mesh, PathMeasure, Problem, State, System};
+use std::borrow::Cow;
+use std::ops::{Deref, DerefMut};
+use std::sync::Arc;
+
+/// The beam of a problem.
+#[derive(Clone)]
+pub enum Beam {
+    /// In the plane
+    Planar(Arc<PlanarBeam>),
+    /// In space
+    Spatial(Arc<SpatialBeam>),
+}
+
+impl Beam {
+    /// The planar one, where it is one: what only the plane knows is asked of it.
+    pub fn planar(&self) -> Option<&Arc<PlanarBeam>> {
+        if let Self::Planar(beam) = self { Some(beam) } else { None }
+    }
+
+    /// The one in space, where it is one.
+    pub fn spatial(&self) -> Option<&Arc<SpatialBeam>> {
+        if let Self::Spatial(beam) = self { Some(beam) } else { None }
+    }
+
+    /// What a solver sees.
+    pub fn system(&self) -> Arc<dyn System> {
+        match self {
+            Self::Planar(beam) => beam.clone(),
+            Self::Spatial(beam) => beam.clone(),
+        }
+    }
+
+    /// What it is on.
+    pub fn substrate(&self) -> &Substrate {
+        match self {
+            Self::Planar(beam) => &beam.substrate,
+            Self::Spatial(_) => &Substrate::Flat,
+        }
+    }
+
+    /// Slot of the interface for the rotation.
+    pub fn slot_of_rotation(&self) -> usize {
+        match self {
+            Self::Planar(beam) => beam.slot_of_rotation(),
+            Self::Spatial(_) => 3,
+        }
+    }
+
+    /// Order p of its elements.
+    pub fn order(&self) -> usize {
+        match self {
+            Self::Planar(beam) => beam.chain.order(),
+            Self::Spatial(beam) => beam.chain.order(),
+        }
+    }
+
+    /// L, nm
+    pub fn length(&self) -> f64 {
+        match self {
+            Self::Planar(beam) => beam.length,
+            Self::Spatial(beam) => beam.length,
+        }
+    }
+
+    /// Length ℓ of the process zone, nm; L where nothing adheres
+    pub fn process_length(&self) -> f64 {
+        match self {
+            Self::Planar(beam) => beam.process_length,
+            Self::Spatial(beam) => beam.process_length,
+        }
+    }
+
+    /// Adhesion energy per length at rest at the left end, nN.
+    pub fn rest_adhesion(&self) -> f64 {
+        match self {
+            Self::Planar(beam) => beam.rest_adhesion,
+            Self::Spatial(beam) => beam.rest_adhesion,
+        }
+    }
+
+    /// S of a front, nm.
+    pub fn front_place(&self, front: f64) -> f64 {
+        match self {
+            Self::Planar(beam) => beam.fronts.place(front),
+            Self::Spatial(_) => front,
+        }
+    }
+
+    /// Whether no part of the beam is nearer to the substrate than `far`, nm.
+    pub fn is_clear(&self, at: &State, far: f64) -> bool {
+        match self {
+            Self::Planar(beam) => beam.is_clear(at, far),
+            Self::Spatial(beam) => beam.nearest(at) > far,
+        }
+    }
+
+    /// Distance of the beam from the substrate, nm.
+    pub fn nearest(&self, at: &State) -> f64 {
+        match self {
+            Self::Planar(beam) => beam.nearest(at),
+            Self::Spatial(beam) => beam.nearest(at),
+        }
+    }
+
+    /// The mesh for a front with as many elements as another one.
+    pub fn mesh_near(&self, front: f64, like: &Mesh) -> Mesh {
+        match self {
+            Self::Planar(beam) => beam.mesh_near(front, like),
+            Self::Spatial(beam) => beam.mesh_near(front, like),
+        }
+    }
+
+    /// A state read off on another mesh.
+    pub fn resampled(&self, at: &State, mesh: Mesh) -> State {
+        match self {
+            Self::Planar(beam) => beam.resampled(at, mesh),
+            Self::Spatial(beam) => beam.resampled(at, mesh),
+        }
+    }
+
+    /// The numbers of a state of this beam, or of one that is pulled in another direction.
+    pub fn adopted<'a>(&self, at: &'a State) -> Cow<'a, [f64]> {
+        match self {
+            Self::Planar(beam) => beam.adopted(at),
+            Self::Spatial(_) => Cow::Borrowed(&at.values),
+        }
+    }
+
+    /// What the grip exerts on the end of an equilibrium: of a beam in space along x and y, and on its rotation.
+    pub fn grip_forces(&self, at: &State) -> GripForces {
+        match self {
+            Self::Planar(beam) => beam.grip_forces(at),
+            Self::Spatial(beam) => beam.grip_forces(at),
+        }
+    }
+
+    /// The grip in an equilibrium, seen from an earlier one.
+    pub fn grip_state(&self, at: &State, from: &State) -> GripState {
+        match self {
+            Self::Planar(beam) => beam.grip_state(at, from),
+            Self::Spatial(beam) => beam.grip_state(at, from),
+        }
+    }
+
+    /// A mesh of its own for a front.
+    pub fn mesh_at(&self, front: f64, elements: usize) -> Mesh {
+        match self {
+            Self::Planar(beam) => beam.mesh_at(front, elements),
+            Self::Spatial(beam) => beam.mesh_at(front, elements),
+        }
+    }
+}
+
+/// A beam in a grip, with the start of its path.
+#[derive(Clone)]
+pub struct BeamProblem {
+    problem: Problem,
+    /// What the solver sees as a system
+    pub beam: Beam,
+}
+
+impl Deref for BeamProblem {
+    type Target = Problem;
+
+    fn deref(&self) -> &Problem {
+        &self.problem
+    }
+}
+
+impl DerefMut for BeamProblem {
+    fn deref_mut(&mut self) -> &mut Problem {
+        &mut self.problem
+    }
+}
+
+impl BeamProblem {
+    /// A beam in a grip.
+    pub fn new(beam: Beam, grip: EndConditions, measure: PathMeasure, start: InitialState) -> Self {
+        Self { problem: Problem { system: beam.system(), grip, measure, start }, beam }
+    }
+
+    /// The same problem under other end conditions.
+    pub fn with_grip(&self, grip: EndConditions) -> Self {
+        Self { problem: Problem { grip, ..self.problem.clone() }, beam: self.beam.clone() }
+    }
+}

@@ -1,0 +1,181 @@
+//! A strip that is peeled in space: pulled sideways, twisted, rolled off.
+
+use super::{Beam, BeamProblem, Discretisation, Hold, NoSuchOrder, PeelModel};
+use crate::adhesion::{SectionShape, SpatialSection, SpatialSectionError};
+use crate::beam::{
+    ALONG_X, EndRotation, Focus, MeshIntervals, MeshPolicy, SpatialBeam, SpatialChain, SpatialDensity, SpatialEnd,
+    SpatialProfile, SpatialRestCurve, SpatialStiffness, torsion_constant,
+};
+use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure, System};
+use serde::{Deserialize, Serialize};
+use std::f64::consts::{FRAC_PI_4, PI};
+
+/// What a model in space has besides one in the plane. Displacements and angles count from rest.
+///
+/// The ground is without friction: what neither it nor the grip holds is held at the left end, which is x and z of the axis, its yaw unless
+/// the grip holds that of its own end or its place sideways, and its roll where the section is a disc and the grip lets it roll.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Space {
+    /// Direction of the pull along the substrate, rad: 0 along the strip, away from it; π/2 sideways, along z
+    pub azimuth: f64,
+    /// Of the place normal to the vertical plane of the pull
+    pub lateral: Hold,
+    /// Of the roll about the axis of the right end
+    pub roll: Hold,
+    /// Of the yaw of the right end
+    pub yaw: Hold,
+    /// Outline of the section
+    pub section: SectionShape,
+}
+
+/// A pull that is off the vertical plane of the strip by less, rad, is in that plane.
+const ROUNDED: f64 = 1e-12;
+
+/// The left end moves along x, y and z.
+const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// Slots of the interface: along the pull, across it in its vertical plane, sideways, and the three angles.
+const ALONG: usize = 0;
+const ACROSS: usize = 1;
+const SIDEWAYS: usize = 2;
+const ROTATION: usize = 3;
+const YAW: usize = 4;
+const ROLL: usize = 5;
+
+impl PeelModel {
+    /// The model in the plane whose solution is the same, of a model in space whose solution stays in the strip's vertical plane: a rectangle
+    /// that is pulled within it, in one direction or the other.
+    pub fn in_the_plane(&self) -> Option<Self> {
+        let space = self.space?;
+        if space.section != SectionShape::Rectangle || space.azimuth.sin().abs() > ROUNDED {
+            return None;
+        }
+        let mut model = Self { space: None, ..self.clone() };
+        if space.azimuth.cos() < 0.0 {
+            model.pull.angle = PI - model.pull.angle;
+        }
+        Some(model)
+    }
+
+    /// Adhesion of its section in space.
+    ///
+    /// # Errors
+    /// A law that has none there.
+    pub fn spatial_section(&self, space: &Space) -> Result<SpatialSection, SpatialSectionError> {
+        SpatialSection::new(space.section, self.free_end().0, self.line_law())
+    }
+
+    /// Stiffness of its section in space, from the outline's area, second moments and torsion constant.
+    pub fn spatial_stiffness(&self, space: &Space) -> SpatialStiffness {
+        let (width, height) = self.free_end();
+        let share = |moment: f64| if space.section == SectionShape::Ellipse { moment } else { 1.0 };
+        let area = width * height * share(FRAC_PI_4);
+        // of an ellipse π/64 of the axes instead of 1/12
+        let bent = share(12.0 * PI / 64.0) / 12.0;
+        let second_moments = [bent * width * height.powi(3), bent * height * width.powi(3)];
+        let torsion = torsion_constant(space.section, width, height);
+        SpatialStiffness::isotropic(&self.material(), area, second_moments, torsion)
+    }
+
+    /// What the solver is given of a strip in space.
+    pub(super) fn spatial_problem(
+        &self,
+        space: &Space,
+        section: SpatialSection,
+        how: Discretisation,
+    ) -> Result<BeamProblem, NoSuchOrder> {
+        how.check().map_err(|_| NoSuchOrder { order: how.order })?;
+        let ((width, height), length) = (self.free_end(), self.length());
+        let r0 = self.adhesion.equilibrium_distance;
+        let rest_height = rest_height(&section, 0.5 * height + self.line_law().rest_gap());
+        let at_rest = section.response(rest_height, 0.0, height);
+        let stiffness = self.spatial_stiffness(space);
+        let process_length = 0.7
+            * (stiffness.0[4][4] / at_rest.hessian[0])
+                .powf(0.25)
+                .min(3.0 * (stiffness.0[2][2] / at_rest.hessian[0]).sqrt());
+        let rest = SpatialRestCurve::along_x(rest_height);
+        let angles = [self.grip.rotation, space.yaw, space.roll].contains(&Hold::Fixed);
+        let rotation = if angles { EndRotation::Angles } else { EndRotation::Free };
+        let end = |axes, rotation| SpatialEnd { axes, rotation, rest: ALONG_X, dead_load: [[0.0; 3]; 2] };
+        let ends = [end(AXES, EndRotation::Angles), end(self.pull_axes(space), rotation)];
+        let density =
+            SpatialDensity { profile: SpatialProfile::uniform(stiffness, width, height), adhesion: Some(section) };
+        let edge = (0.36 * process_length).min(0.25 * r0);
+        let grip = Focus { center: length, length: process_length, weight: 0.2 };
+        let beam = SpatialBeam {
+            chain: SpatialChain::new(density, how.order, ends, self.held_left(space)),
+            length,
+            rest,
+            scale: [r0, (r0 / process_length).min(1.0)],
+            round_off: 0.0,
+            rest_adhesion: at_rest.energy,
+            process_length,
+            mesh: MeshPolicy {
+                kind: how.mesh,
+                fixed_foci: vec![Focus { center: 0.0, length: edge, weight: 0.8 }, grip],
+                pieces: MeshIntervals::whole(length),
+            },
+        };
+        let measure = PathMeasure {
+            monitors: [beam.process_length, beam.scale[1]],
+            force: beam.rest_adhesion.abs(),
+            by_force: false,
+        };
+        let grip = self.spatial_grip(space, &beam);
+        Ok(BeamProblem::new(Beam::Spatial(beam.into()), grip, measure, InitialState::StressFree))
+    }
+
+    /// Columns: along the pull, across it in its vertical plane, and sideways.
+    fn pull_axes(&self, space: &Space) -> [[f64; 3]; 3] {
+        let direction = self.pull.direction();
+        let (sin, cos) = space.azimuth.sin_cos();
+        let pull = [direction.along * cos, direction.up, direction.along * sin];
+        let across = [direction.up * cos, -direction.along, direction.up * sin];
+        let sideways = [-sin, 0.0, cos];
+        std::array::from_fn(|i| [pull[i], across[i], sideways[i]])
+    }
+
+    /// What the left end holds.
+    fn held_left(&self, space: &Space) -> [Option<f64>; 6] {
+        let (width, height) = self.free_end();
+        let disc = space.section == SectionShape::Ellipse && width == height;
+        let held = |holds: bool| holds.then_some(0.0);
+        let yaw = space.yaw == Hold::Free && space.lateral == Hold::Free;
+        [Some(0.0), None, Some(0.0), None, held(yaw), held(disc && space.roll == Hold::Free)]
+    }
+
+    fn spatial_grip(&self, space: &Space, beam: &SpatialBeam) -> EndConditions {
+        let fixed = |hold: Hold| hold == Hold::Fixed;
+        let mut held = [false; INTERFACE];
+        held[ACROSS] = fixed(self.grip.horizontal);
+        held[SIDEWAYS] = fixed(space.lateral);
+        held[ROTATION] = fixed(self.grip.rotation);
+        held[YAW] = fixed(space.yaw);
+        held[ROLL] = fixed(space.roll);
+        let [place, turn] = beam.scale;
+        EndConditions {
+            held,
+            geared: ROTATION,
+            gear: if held[ROTATION] { self.pull.turn } else { 0.0 },
+            origin: beam.interface_values(&beam.stress_free(1)),
+            scale: [place, place, place, turn, turn, turn],
+            ..EndConditions::drive(ALONG)
+        }
+    }
+}
+
+/// Height of the axis at which the ground neither pulls nor pushes, from the one of the law in the plane: Newton's method.
+fn rest_height(section: &SpatialSection, start: f64) -> f64 {
+    const MOST: usize = 100;
+    let (mut y, height) = (start, section.law().height);
+    for _ in 0..MOST {
+        let at = section.response(y, 0.0, height);
+        let step = at.gradient[0] / at.hessian[0];
+        y -= step;
+        if step.abs() <= 4.0 * f64::EPSILON * y {
+            break;
+        }
+    }
+    y
+}
