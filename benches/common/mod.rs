@@ -27,7 +27,7 @@ impl Setting {
         let problem = model.problem(Form::TwoField, order).unwrap();
         let at = problem.initial(elements);
         let (out, row) = (
-            vec![0.0; problem.beam.nodes(&at.values).len()],
+            vec![0.0; problem.beam.planar().unwrap().nodes(&at.values).len()],
             ConstraintGradient { coverage: 1.0, ..ConstraintGradient::default() },
         );
         Self { law: model.line_law(), problem, at, row, work: ChainFactors::default(), out }
@@ -35,8 +35,8 @@ impl Setting {
 
     /// Integrates the elements and eliminates all nodes but the last.
     pub fn eliminate(&mut self) {
-        let root = self.problem.beam.chain.eliminate(
-            black_box(self.problem.beam.configuration(&self.at)),
+        let root = self.problem.beam.planar().unwrap().chain.eliminate(
+            black_box(self.problem.beam.planar().unwrap().configuration(&self.at)),
             &self.row,
             &mut self.work,
         );
@@ -46,13 +46,20 @@ impl Setting {
     /// The same and the way back: what a Newton iteration takes.
     pub fn iterate(&mut self) {
         self.eliminate();
-        self.problem.beam.chain.recover(&self.work, black_box(&[1e-3; ROOT]), -1.0, &mut self.out);
+        self.problem.beam.planar().unwrap().chain.recover(&self.work, black_box(&[1e-3; ROOT]), -1.0, &mut self.out);
         black_box(&self.out);
     }
 
     /// The energy alone.
     pub fn energy(&mut self) {
-        black_box(self.problem.beam.chain.energy(black_box(self.problem.beam.configuration(&self.at)), &self.out));
+        black_box(
+            self.problem
+                .beam
+                .planar()
+                .unwrap()
+                .chain
+                .energy(black_box(self.problem.beam.planar().unwrap().configuration(&self.at)), &self.out),
+        );
     }
 
     /// The bare law with all second derivatives at so many points.

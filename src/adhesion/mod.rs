@@ -1,9 +1,9 @@
 //! Adhesion model and friction: pair potential, half space, traction, line load, friction, ground.
 //!
 //! From atoms to beams in the order of the paper: `levels/` up to the [`HalfSpace`] (eqs. 1-10 and 18), `section/` with the adhesion of a
-//! section of a beam, [`Law`] and [`LineLaw`] (17-22); [`TiltedBlock`] evaluates one and the same body at every level. `spatial_section/` has
-//! that of a section of a beam in space, `friction/` what resists sliding, `substrate/` the shape of the ground, and [`GroundLaw`] is a line law on
-//! it.
+//! section of a beam, [`Law`] and [`LineLaw`] (17-22); [`TiltedBlock`] evaluates one and the same body at every level.
+//! `spatial_section/` has that of a section of a beam in space, `friction/` what resists sliding, `substrate/` the
+//! shape of the ground, and [`GroundLaw`] is a line law on it.
 
 mod friction;
 mod levels;

@@ -1,11 +1,12 @@
-//! The traction at the gap below the axis, independent of both tilts: Ψ = b [W(η) - W(η + h)] with η = y - h/2, as in the plane.
+//! The traction at the gap below the axis, independent of both tilts: Ψ = b [W(η) - W(η + h)] with η = y - h/2, as in
+//! the plane.
 
 use super::SpatialSectionResponse;
 use crate::adhesion::LineLaw;
 use crate::number::Real;
 
-/// Ψ of a section of this width, nm, and of the height of its law; the section is level in the plane's sense, cos θ = 1.
-#[inline(always)]
+/// Ψ of a section of this width, nm, and of the height of its law, taken as level: cos θ = 1.
+#[inline(never)]
 pub(super) fn response<T: Real>(law: &LineLaw, width: f64, y: T) -> SpatialSectionResponse<T> {
     let zero = T::splat(0.0);
     let at = law.response(y - 0.5 * law.height, zero, T::splat(1.0));

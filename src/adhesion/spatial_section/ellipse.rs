@@ -1,7 +1,7 @@
 //! The body force of eq. (9) summed over an ellipse that is tilted both ways, in closed form.
 //!
-//! The heights of an ellipse's points depend on the tilts through ρ² = (a² + c²)/4 alone, ρ the rise from the axis to its highest point.
-//! With w² = y² - ρ² and z = ρ²/w² the energy per length is the integral of T over the ellipse,
+//! The heights of an ellipse's points depend on the tilts through ρ² = (a² + c²)/4 alone, ρ the rise from the axis to
+//! its highest point. With w² = y² - ρ² and z = ρ²/w² the energy per length is the integral of T over the ellipse,
 //!
 //!   Ψ = (π b h/4) A_H/(2π r0³) [ (r0/w)⁹/45 (1 + 27/4 z + 99/8 z² + 429/64 z³) - (r0/w)³/3 ].
 //!

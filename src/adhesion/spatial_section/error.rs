@@ -7,8 +7,8 @@ use thiserror::Error;
 pub enum SpatialSectionError {
     /// The beam in space takes its forces and moments from one energy.
     #[error(
-        "a beam in space requires an adhesion law with a potential; {law} has none. Use the full line load of the body force, a cohesive law, or \
-         the load \"axis-gap\""
+        "a beam in space requires an adhesion law with a potential; {law} has none. Use the full line load of the \
+         body force, a cohesive law, or the load \"axis-gap\""
     )]
     NoPotential {
         /// What has none
@@ -16,7 +16,8 @@ pub enum SpatialSectionError {
     },
     /// What a law does is said of the faces of a rectangle.
     #[error(
-        "an elliptical section is computed for the body force with the upper surface and the full line load; {law} requires a rectangle"
+        "an elliptical section is computed for the body force with the upper surface and the full line load; {law} \
+         requires a rectangle"
     )]
     RequiresRectangle {
         /// What requires it

@@ -1,7 +1,8 @@
-//! Means of a power of the height over what is symmetric about its middle: f(y, e) = v^m Σ_j g_j (e v)ʲ, v = 1/(y² - e).
+//! Means of a power of the height over what is symmetric about its middle: f(y, e) = v^m Σ_j g_j (e v)ʲ, v = 1/(y² -
+//! e).
 //!
-//! √e is half the rise of a width, or that of an ellipse. With z = e v, dz/de = v (1 + z) and dz/dy = -2 y v z every derivative is of the
-//! same kind. Of v^m g(z)
+//! √e is half the rise of a width, or that of an ellipse. With z = e v, dz/de = v (1 + z) and dz/dy = -2 y v z every
+//! derivative is of the same kind. Of v^m g(z)
 //!
 //!   ∂/∂e = v^(m+1) [m g + (1 + z) g'],   ∂/∂y = -2 y v^(m+1) [m g + z g'],
 //!

@@ -1,15 +1,17 @@
-//! The adhesion of a section of a beam in space, tilted along the beam and across it: one shape or law a file, and [`SpatialSection`].
+//! The adhesion of a section of a beam in space, tilted along the beam and across it: one shape or law a file, and
+//! [`SpatialSection`].
 
+mod adaptive_mean;
 mod axis_gap;
+mod cohesive_face;
 mod ellipse;
 mod error;
 mod even_power;
-mod face;
 mod near_face;
+mod own_face;
 mod rectangle;
 mod response;
 mod section;
-mod width_average;
 pub use error::SpatialSectionError;
 pub use response::SpatialSectionResponse;
 pub use section::{SectionShape, SpatialSection};

@@ -1,11 +1,13 @@
-//! The body force of eq. (9) with the lower face alone, Ψ = W(r1)/|cos θ| in the plane, averaged over the width, in closed form.
+//! The body force of eq. (9) with the lower face alone, Ψ = W(r1)/|cos θ| in the plane, averaged over the width, in
+//! closed form.
 //!
 //! With 1/|cos θ| = h/|c| and the face at r + s a, r = y - |c|/2, s from -1/2 to 1/2,
 //!
 //!   Ψ = (b h/|c|) ∫ W(r + s a) ds = b h [V(r - a/2) - V(r + a/2)] / (a |c|):
 //!
-//! of the four corners of the rectangle the two of the face that looks down. With e = a²/4, v = 1/(r² - e) and z = e v the means over the
-//! width are v⁴ (1 + 8 z + 16 z² + 64/7 z³) of r⁻⁸ and v of r⁻². There is a pole at c = 0, as in the plane.
+//! of the four corners of the rectangle the two of the face that looks down. With e = a²/4, v = 1/(r² - e) and z = e v
+//! the means over the width are v⁴ (1 + 8 z + 16 z² + 64/7 z³) of r⁻⁸ and v of r⁻². There is a pole at c = 0, as in the
+//! plane.
 
 use super::SpatialSectionResponse;
 use super::even_power::EvenPower;
@@ -15,7 +17,8 @@ use crate::number::Real;
 const REPEL: EvenPower<4> = EvenPower::new(4.0, [1.0, 8.0, 16.0, 64.0 / 7.0]);
 const ATTRACT: EvenPower<1> = EvenPower::new(1.0, [1.0]);
 
-/// Ψ of a rectangle of this `area`, nm², with gradient and Hessian; the lowest corner, y - (|a| + |c|)/2, is above zero.
+/// Ψ of a rectangle of this `area`, nm², with gradient and Hessian; the lowest corner, y - (|a| + |c|)/2, is above
+/// zero.
 #[inline(always)]
 pub(super) fn response<T: Real>(half_space: &HalfSpace, area: f64, y: T, a: T, c: T) -> SpatialSectionResponse<T> {
     let side = c.select(T::splat(1.0), T::splat(-1.0));

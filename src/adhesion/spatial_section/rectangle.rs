@@ -1,24 +1,28 @@
 //! The body force of eq. (9) summed over a rectangle that is tilted both ways, in closed form.
 //!
-//! The axis of a rectangle b × h is at the height y; from side to side it rises by a = b d2·e_y, from bottom to top by c = h d3·e_y. Its
-//! points are at y + α a + γ c, α and γ from -1/2 to 1/2. With V' = -W, that is V = A_H/(2π r0) [ (r0/r)⁷/2520 - (r0/r)/6 ], the energy per
-//! length is
+//! The axis of a rectangle b × h is at the height y; from side to side it rises by a = b d2·e_y, from bottom to top by
+//! c = h d3·e_y. Its points are at y + α a + γ c, α and γ from -1/2 to 1/2. With V' = -W, that is
+//! V = A_H/(2π r0) [ (r0/r)⁷/2520 - (r0/r)/6 ], the energy per length is
 //!
-//!   Ψ = b h ∫∫ T(y + α a + γ c) dα dγ = b h [V(y - a/2 - c/2) - V(y - a/2 + c/2) - V(y + a/2 - c/2) + V(y + a/2 + c/2)] / (a c).
+//!   Ψ = b h ∫∫ T(y + α a + γ c) dα dγ
+//!     = b h [V(y - a/2 - c/2) - V(y - a/2 + c/2) - V(y + a/2 - c/2) + V(y + a/2 + c/2)] / (a c).
 //!
-//! That is 0/0 where one of the tilts is zero. With s = ((a + c)/2)², t = ((a - c)/2)², whose difference is a c, it is one divided difference,
+//! That is 0/0 where one of the tilts is zero. With s = ((a + c)/2)², t = ((a - c)/2)², whose difference is a c, it is
+//! one divided difference,
 //!
 //!   Ψ = b h Φ\[s, t\],   Φ(x) = V(y - √x) + V(y + √x).
 //!
-//! Φ_kl is the divided difference over k times s and l times t. With D = Φ21 + Φ12, E = Φ22, F = Φ22 + Φ31 + Φ13, G = Φ32 + Φ23, H = Φ33,
-//! and times b h,
+//! Φ_kl is the divided difference over k times s and l times t. With D = Φ21 + Φ12, E = Φ22, F = Φ22 + Φ31 + Φ13,
+//! G = Φ32 + Φ23, H = Φ33, and times b h,
 //!
-//!   Ψ_a = (a/2) (D + c² E),   Ψ_aa = (D + c² E)/2 + (a²/2) (F + 2 c² G + c⁴ H),   Ψ_ac = (a c/2) (F + 2 E + (a² + c²) G + a² c² H).
+//!   Ψ_a = (a/2) (D + c² E),   Ψ_aa = (D + c² E)/2 + (a²/2) (F + 2 c² G + c⁴ H),
+//!   Ψ_ac = (a c/2) (F + 2 E + (a² + c²) G + a² c² H).
 //!
-//! For V = r⁻ⁿ it is Φ = 2 N(x) (y² - x)⁻ⁿ with N = Σ_j C(n, 2j) yⁿ⁻²ʲ xʲ. The divided difference of a product is Leibniz's sum over the nodes;
-//! that of xʲ is h_(j-k-l+1)(s.., t..), that of (y² - x)⁻ⁿ is Aᵏ Bˡ h_(n-1)(A.., B..) with A = 1/(y² - s) and B = 1/(y² - t), where
-//! h_j are the complete homogeneous symmetric polynomials, h_j(X, x) = h_j(X) + x h_(j-1)(X, x). Every term of a power is positive: nothing
-//! cancels at any tilt, and nothing is divided by a or c. A derivative by y is -n times the same with n + 1.
+//! For V = r⁻ⁿ it is Φ = 2 N(x) (y² - x)⁻ⁿ with N = Σ_j C(n, 2j) yⁿ⁻²ʲ xʲ. The divided difference of a product is
+//! Leibniz's sum over the nodes; that of xʲ is h_(j-k-l+1)(s.., t..), that of (y² - x)⁻ⁿ is Aᵏ Bˡ h_(n-1)(A.., B..)
+//! with A = 1/(y² - s) and B = 1/(y² - t), where h_j are the complete homogeneous symmetric polynomials,
+//! h_j(X, x) = h_j(X) + x h_(j-1)(X, x). Every term of a power is positive: nothing cancels at any tilt, and nothing is
+//! divided by a or c. A derivative by y is -n times the same with n + 1.
 
 use super::SpatialSectionResponse;
 use crate::adhesion::HalfSpace;

@@ -1,7 +1,7 @@
 //! The adhesion of a section of a beam in space over a flat half space.
 
-use super::face::OwnFace;
-use super::{SpatialSectionError, SpatialSectionResponse, axis_gap, ellipse, face, near_face, rectangle};
+use super::own_face::OwnFace;
+use super::{SpatialSectionError, SpatialSectionResponse, axis_gap, cohesive_face, ellipse, near_face, rectangle};
 use crate::adhesion::{Cohesive, Law, LineLaw, LineLoad};
 use crate::number::Real;
 use serde::{Deserialize, Serialize};
@@ -19,8 +19,8 @@ pub enum SectionShape {
 
 /// A section of a beam in space: outline, width b along d2, height h along d3 (of its law), adhesion law.
 ///
-/// Its axis is at the height y over the half space; from side to side it rises by a = b d2·e_y, from bottom to top by c = h d3·e_y, nm. In
-/// the plane, a = 0 and c = h cos θ, the energy is that of [`LineLaw`] times the width.
+/// Its axis is at the height y over the half space; from side to side it rises by a = b d2·e_y, from bottom to top by
+/// c = h d3·e_y, nm. In the plane, a = 0 and c = h cos θ, the energy is that of [`LineLaw`] times the width.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialSection {
     shape: SectionShape,
@@ -51,8 +51,8 @@ impl SpatialSection {
     ///
     /// # Errors
     ///
-    /// Where the load has no potential: line load "force-only", surface traction, a law of the user's own that says so. Where an ellipse has
-    /// another law than the body force with both faces. Where width or height is not a length.
+    /// Where the load has no potential: line load "force-only", surface traction, a law of the user's own that says so.
+    /// Where an ellipse has another law than the body force with both faces. Where width or height is not a length.
     pub fn new(shape: SectionShape, width: f64, law: LineLaw) -> Result<Self, SpatialSectionError> {
         for (what, value) in [("width", width), ("height", law.height)] {
             if !(value > 0.0 && value.is_finite()) {
@@ -79,15 +79,16 @@ impl SpatialSection {
 
     /// Ψ with gradient and Hessian at the height y of the axis and the rises a and c of width and height, nm.
     ///
-    /// The lowest point of the section lies above the half space: y > (|a| + |c|)/2, of an ellipse y > √(a² + c²)/2. Nothing checks that here.
+    /// The lowest point of the section lies above the half space: y > (|a| + |c|)/2, of an ellipse y > √(a² + c²)/2.
+    /// Nothing checks that here.
     #[inline(always)]
     pub fn response<T: Real>(&self, y: T, a: T, c: T) -> SpatialSectionResponse<T> {
         let (half_space, area) = (&self.law.half_space, self.width * self.law.height);
-        match self.form {
+        match &self.form {
             Form::Rectangle => rectangle::response(half_space, area, y, a, c),
             Form::Ellipse => ellipse::response(half_space, area, y, a, c),
             Form::NearFace => near_face::response(half_space, area, y, a, c),
-            Form::Cohesive(law) => each(y, a, c, |y, a, c| face::cohesive(&law, self.width, y, a, c)),
+            Form::Cohesive(law) => each(y, a, c, |y, a, c| cohesive_face::response(law, self.width, y, a, c)),
             Form::Own(law) => each(y, a, c, |y, a, c| law.response(self.width, y, a, c)),
             Form::AxisGap => axis_gap::response(&self.law, self.width, y),
         }
@@ -97,7 +98,7 @@ impl SpatialSection {
     #[inline(always)]
     pub fn energy<T: Real>(&self, y: T, a: T, c: T) -> T {
         let (half_space, area) = (&self.law.half_space, self.width * self.law.height);
-        match self.form {
+        match &self.form {
             Form::Rectangle => rectangle::energy(half_space, area, y, a, c),
             Form::Ellipse => ellipse::energy(half_space, area, y, a, c),
             Form::NearFace => near_face::response(half_space, area, y, a, c).energy,

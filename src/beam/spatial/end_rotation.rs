@@ -6,7 +6,9 @@
 //! the yaw is a right angle. Without them a turn is a vector in the axes of the directors, and the moment on all three is held to be zero.
 
 use super::chain::EndMap;
-use super::rotation::{Matrix3, Quaternion, apply_transposed, cross, exponential, inner, matrix, product, times};
+use super::rotation::{
+    Matrix3, Quaternion, apply_transposed, cross, dot, exponential, inner, matrix, product, skew, times,
+};
 
 /// What an end's rotation is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,6 +71,20 @@ impl EndRotation {
             Self::Angles => {
                 let turn = axes(angles, q);
                 (EndMap { place, turn }, bent(&turn, gradient))
+            }
+        }
+    }
+
+    /// How the work of a moment that keeps its direction in space, `moment` in the axes of the directors, changes with the unknowns of an end
+    /// whose axes are `turn`; of an end that is free the second derivative along a turn by exp(φ/2), without the first in its new axes.
+    pub(super) fn moment_change(self, turn: &Matrix3, moment: [f64; 3]) -> Matrix3 {
+        match self {
+            Self::Free => skew(moment).map(|row| row.map(|entry| 0.5 * entry)),
+            Self::Angles => {
+                // an axis is carried along by the turns about those before it
+                let column = |k: usize| -> [f64; 3] { std::array::from_fn(|i| turn[i][k]) };
+                let change = |row, by| if by < row { dot(cross(column(by), column(row)), moment) } else { 0.0 };
+                std::array::from_fn(|row| std::array::from_fn(|by| change(row, by)))
             }
         }
     }

@@ -21,7 +21,7 @@ pub struct Station<T = f64> {
 #[derive(Clone)]
 pub enum SpatialProfile {
     /// The same everywhere
-    Uniform(Station),
+    Uniform(Box<Station>),
     /// From place (nm) to place
     Varying(Arc<dyn Fn(f64) -> Station + Send + Sync>),
 }
@@ -38,7 +38,7 @@ impl std::fmt::Debug for SpatialProfile {
 impl SpatialProfile {
     /// Of a straight beam that is the same everywhere; `width` and `height` matter where it adheres, nm.
     pub fn uniform(SpatialStiffness(stiffness): SpatialStiffness, width: f64, height: f64) -> Self {
-        Self::Uniform(Station { stiffness, rest_curvature: [0.0; 3], width, height })
+        Self::Uniform(Box::new(Station { stiffness, rest_curvature: [0.0; 3], width, height }))
     }
 
     /// The section at one place, or at several side by side.

@@ -2,3 +2,4 @@
 
 mod laws;
 mod line_load;
+mod spatial_section;

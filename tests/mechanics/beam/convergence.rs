@@ -38,7 +38,7 @@ fn force(form: Form, order: usize, elements: usize) -> (f64, usize) {
     let options = NewtonOptions { tolerance: 1e-13, largest_update: 5.0, most_iterations: 30, exact_slope: false };
     let mut work = Workspace::default();
     let mut at = problem.initial(elements);
-    let boundaries = (0..=elements).map(|k| problem.beam.length * k as f64 / elements as f64).collect();
+    let boundaries = (0..=elements).map(|k| problem.beam.length() * k as f64 / elements as f64).collect();
     at = problem.beam.resampled(&at, Mesh { boundaries, ..at.mesh });
     let (mut force, mut iterations) = (0.0, 0);
     for target in [0.0, 0.05, 0.1, 0.15, 0.2] {

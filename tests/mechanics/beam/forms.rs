@@ -30,8 +30,8 @@ fn lift(problem: &BeamProblem, elements: usize) -> Vec<Solution> {
     let weights = Observables::DISPLACEMENT;
     let options = NewtonOptions { tolerance: 1e-12, largest_update: 1.0, most_iterations: 20, exact_slope: false };
     let mut work = Workspace::default();
-    let focus = 0.9 * problem.beam.length;
-    let mesh = Mesh { boundaries: problem.beam.ends(focus, elements), focus };
+    let focus = 0.9 * problem.beam.length();
+    let mesh = Mesh { boundaries: problem.beam.planar().unwrap().ends(focus, elements), focus };
     let mut at = problem.beam.resampled(&problem.initial(elements), mesh);
     let (mut solutions, mut u) = (Vec::new(), 0.0);
     for target in STEPS {
@@ -62,7 +62,13 @@ fn assert_same(model: &StripModel, order: usize) {
     // energies count from rest
     let energy = |s: &[Solution], i: usize| s[i].energy - s[0].energy;
     let coverage = |p: &BeamProblem, s: &Solution| {
-        p.beam.chain.energy(p.beam.configuration(&s.at), p.beam.nodes(&s.at.values)).0.coverage
+        p.beam
+            .planar()
+            .unwrap()
+            .chain
+            .energy(p.beam.planar().unwrap().configuration(&s.at), p.beam.planar().unwrap().nodes(&s.at.values))
+            .0
+            .coverage
     };
     let whole = energy(&full, STEPS.len() - 1);
     let held = model.grip.horizontal == Hold::Fixed;
@@ -79,15 +85,20 @@ fn assert_same(model: &StripModel, order: usize) {
             b.observables.monitors[TIP_ROTATION],
             0.1,
         );
-        close("front", a.observables.monitors[FRONT], b.observables.monitors[FRONT], two.beam.length);
+        close("front", a.observables.monitors[FRONT], b.observables.monitors[FRONT], two.beam.length());
         close("energy", energy(&reduced, i), energy(&full, i), whole);
         close("coverage", coverage(&two, a), coverage(&three, b), whole);
         // taken one Newton update before the solution, hence coarser
         close("stiffness", a.slope.force, b.slope.force, 1e4 * stiffest);
         assert_eq!((a.negative, a.negative_load), (b.negative, b.negative_load), "negative eigenvalues, {case}");
         if held {
-            let states = three.beam.chain.node_states(three.beam.configuration(&b.at), 0..b.at.mesh.elements());
-            let axial_multiplier = two.beam.configuration(&a.at).axial_multiplier;
+            let states = three
+                .beam
+                .planar()
+                .unwrap()
+                .chain
+                .node_states(three.beam.planar().unwrap().configuration(&b.at), 0..b.at.mesh.elements());
+            let axial_multiplier = two.beam.planar().unwrap().configuration(&a.at).axial_multiplier;
             for state in states {
                 close("horizontal force", axial_multiplier, state.section.horizontal_force, largest);
             }

@@ -4,4 +4,5 @@ mod convergence;
 mod first_integral;
 mod forms;
 mod rods;
+mod spatial;
 mod tangents;

@@ -101,10 +101,16 @@ fn an_element_agrees_with_central_differences_of_its_energy() {
     }
     let energy = |state: &[f64]| {
         let configuration = Configuration { ends: &at.mesh.boundaries, state, axial_multiplier: 0.0, history: None };
-        problem.beam.chain.energy(configuration, state).0.total
+        problem.beam.planar().unwrap().chain.energy(configuration, state).0.total
     };
     let (row, mut factors) = (ConstraintGradient::default(), ChainFactors::default());
-    let root = problem.beam.chain.eliminate(problem.beam.configuration(&at), &row, &mut factors).unwrap();
+    let root = problem
+        .beam
+        .planar()
+        .unwrap()
+        .chain
+        .eliminate(problem.beam.planar().unwrap().configuration(&at), &row, &mut factors)
+        .unwrap();
     let moved = |changes: &[(usize, f64)]| {
         let mut state = at.values.clone();
         changes.iter().for_each(|&(f, by)| state[3 + f] += by);

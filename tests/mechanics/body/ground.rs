@@ -98,7 +98,7 @@ fn energy_at_start(model: &PeelModel) -> f64 {
     let problem = prepared(model, Discretisation::moving(Form::TwoField, 7), None).unwrap().problem;
     let InitialState::Known { at, .. } = &problem.start else { panic!("{:?}", problem.start) };
     assert_eq!((at.force, problem.displacement(at)), (0.0, 0.0));
-    problem.beam.chain.energy(problem.beam.configuration(at), &at.values).0.total
+    problem.beam.planar().unwrap().chain.energy(problem.beam.planar().unwrap().configuration(at), &at.values).0.total
 }
 
 /// A thin strip follows the ground, however it came there; a thick one stays on the crests, or in the valley once it is pressed

@@ -160,7 +160,7 @@ fn what_is_bonded_buckles_under_a_pull_backwards() {
 fn critical_forces_are_found_on_either_side() {
     let model = PeelModel::from(with_grip(strip(5.0, 0.03, 1.0), Hold::Free, Hold::Fixed));
     let problem = model.problem(Form::TwoField, 7).unwrap();
-    let limits = &problem.beam.limits;
+    let limits = &problem.beam.planar().unwrap().limits;
     let tension = model.bonded_beam(0.0).critical_tension().unwrap();
     assert!(limits.bonded_loss(0.9 * tension).is_none() && limits.bonded_loss(0.0).is_none());
     let loss = limits.bonded_loss(1.1 * tension).unwrap();
@@ -168,7 +168,17 @@ fn critical_forces_are_found_on_either_side() {
     assert!((loss.critical / tension - 1.0).abs() < 1e-9, "{loss} {tension}");
     let near = limits.near_bonded_loss(0.999 * tension).unwrap();
     assert!((near.critical / tension - 1.0).abs() < 1e-9, "{near} {tension}");
-    assert!(PeelModel::from(strip(5.0, 0.03, 1.0)).problem(Form::TwoField, 7).unwrap().beam.limits.bonded.is_none());
+    assert!(
+        PeelModel::from(strip(5.0, 0.03, 1.0))
+            .problem(Form::TwoField, 7)
+            .unwrap()
+            .beam
+            .planar()
+            .unwrap()
+            .limits
+            .bonded
+            .is_none()
+    );
 }
 
 /// A shaft of 86 degrees that the near face alone draws on to 90 degrees; both faces leave it where it is.

@@ -181,9 +181,9 @@ fn at_start(model: &PeelModel, places: [f64; 3]) -> [Result<f64, String>; 6] {
         Ok(Prepared { problem, .. }) => problem,
         Err(failed) => return std::array::from_fn(|_| Err(failed.to_string())),
     };
-    let (beam, at) = match &problem.start {
-        InitialState::Known { at, .. } => (&*problem.beam, at),
-        InitialState::StressFree | InitialState::Settling => {
+    let (beam, at) = match (problem.beam.planar(), &problem.start) {
+        (Some(beam), InitialState::Known { at, .. }) => (beam, at),
+        _ => {
             return std::array::from_fn(|_| Err("the ground is flat".to_owned()));
         }
     };

@@ -177,7 +177,7 @@ struct Mesh<'a> {
 impl<'a> Mesh<'a> {
     fn new(problem: &'a BeamProblem, elements: usize) -> Self {
         let mut at = problem.initial(elements);
-        at.mesh.boundaries = (0..=elements).map(|k| problem.beam.length * k as f64 / elements as f64).collect();
+        at.mesh.boundaries = (0..=elements).map(|k| problem.beam.length() * k as f64 / elements as f64).collect();
         Self { problem, at, ws: Workspace::default() }
     }
 

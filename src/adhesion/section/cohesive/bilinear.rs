@@ -8,7 +8,7 @@ use super::ramp::{Corner, Lines};
 
 pub(super) const NAME: &str = "bilinear";
 pub(super) const CORNERS: f64 = 5.0;
-pub(super) const BREAKS: &[f64] = &lines(1.0).breaks::<4>();
+pub(super) const BREAKS: &[f64] = &LAW.breaks::<4>();
 
 /// Where the top is, as a share of the range, which is rounded over ± half of that.
 const RISE: f64 = 0.1;
@@ -17,10 +17,16 @@ const TAIL: f64 = 0.3;
 /// How much less steeply it falls than it rises.
 const FALL: f64 = RISE / (1.0 - RISE);
 
+const LAW: Lines<2> = lines(1.0 / lines(1.0).top());
+
 #[inline]
 pub(super) fn at(t: f64) -> At {
-    const LAW: Lines<2> = lines(1.0 / lines(1.0).top());
     LAW.at(t)
+}
+
+#[inline]
+pub(super) fn primitive(t: f64) -> f64 {
+    LAW.primitive(t)
 }
 
 const fn lines(factor: f64) -> Lines<2> {

@@ -28,3 +28,8 @@ const LAW: Lines<3> = Lines {
 pub(super) fn at(t: f64) -> At {
     LAW.at(t)
 }
+
+#[inline]
+pub(super) fn primitive(t: f64) -> f64 {
+    LAW.primitive(t)
+}

@@ -4,13 +4,16 @@
 
 mod at;
 mod calibrated;
+mod on_width;
 mod ramp;
 pub use calibrated::Cohesive;
 
 use at::At;
 
 /// Makes the list of shapes from lines `/// what it is` and `Name = file`. A file has `NAME`, as a scene calls the law, `CORNERS`, how many
-/// times as many elements it takes as a law without corners, `BREAKS`, the openings δ/δ_r, ascending, between which it is smooth, and `at`.
+/// times as many elements it takes as a law without corners, `BREAKS`, the openings δ/δ_r, ascending, between which it
+/// is a polynomial of degree 8 (or smooth altogether), `at`, and `primitive`, the integral from t on of the first
+/// number of `at`.
 macro_rules! shapes {
     ($($(#[$what:meta])* $shape:ident = $file:ident,)*) => {
         $(mod $file;)*
@@ -39,8 +42,16 @@ macro_rules! shapes {
                 }
             }
 
-            /// The openings δ/δ_r, ascending, between which it is smooth enough for a rule of quadrature.
-            pub(in crate::adhesion) const fn breaks(self) -> &'static [f64] {
+            /// The integral from t on of the first number of `at`.
+            #[inline(always)]
+            fn primitive(self, t: f64) -> f64 {
+                match self {
+                    $(Self::$shape => $file::primitive(t),)*
+                }
+            }
+
+            /// Between these openings δ/δ_r, ascending, s is a polynomial of degree 8 at most, or smooth altogether.
+            const fn breaks(self) -> &'static [f64] {
                 match self {
                     $(Self::$shape => $file::BREAKS,)*
                 }

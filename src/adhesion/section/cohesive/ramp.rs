@@ -41,6 +41,19 @@ impl<const CORNERS: usize> Lines<CORNERS> {
         [self.factor * sums[0], self.factor * sums[1], self.factor * sums[2]]
     }
 
+    /// The integral of the integral of `at`, from t on.
+    #[inline]
+    pub const fn primitive(&self, t: f64) -> f64 {
+        let mut sum = 0.0;
+        let mut k = 0;
+        while k < CORNERS {
+            let Corner { place, change, half } = self.corners[k];
+            sum += change * half * half * half * twice_behind((place - t) / half);
+            k += 1;
+        }
+        self.factor * sum
+    }
+
     /// Where the rounding of each corner begins and ends; so many are twice the corners.
     pub const fn breaks<const BREAKS: usize>(&self) -> [f64; BREAKS] {
         let mut breaks = [0.0; BREAKS];
@@ -87,6 +100,24 @@ const fn rounded(t: f64) -> At {
     const FACTOR: f64 = 35.0 / 32.0;
     const LIFT: f64 = 35.0 / 256.0;
     [FACTOR * third + 0.25 * z + LIFT * t + BEHIND, FACTOR * second + 0.5 * t + LIFT, FACTOR * first + 0.5]
+}
+
+/// The integral of ∫ R up to t.
+#[inline]
+const fn twice_behind(t: f64) -> f64 {
+    if t <= -1.0 {
+        return 0.0;
+    }
+    if t >= 1.0 {
+        return t * (t * t / 6.0 + 1.0 / 18.0) + (inside(1.0) - inside(-1.0)) - (1.0 / 6.0 + 1.0 / 18.0);
+    }
+    return inside(t) - inside(-1.0);
+
+    const fn inside(t: f64) -> f64 {
+        let z = t * t;
+        let fourth = z * z * (1.0 / 24.0 - z * (1.0 / 120.0 - z * (1.0 / 560.0 - z / 5040.0)));
+        35.0 / 32.0 * fourth + t * (z / 12.0 + 35.0 / 512.0 * t + BEHIND)
+    }
 }
 
 /// ∫ R from -1 to 0: such that the integral goes on as t²/2 + 1/18 beyond 1.

@@ -33,6 +33,11 @@ pub(super) fn at(t: f64) -> At {
     LAW.at(t)
 }
 
+#[inline]
+pub(super) fn primitive(t: f64) -> f64 {
+    LAW.primitive(t)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

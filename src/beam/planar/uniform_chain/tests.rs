@@ -12,7 +12,7 @@ use super::UniformChain;
 use crate::adhesion::{FrictionLaw, GroundLaw, HalfSpace, Law, LineLaw, LineLoad, Substrate};
 use crate::beam::{
     BUNDLE, BeamOnGround, Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, Coupling, Element,
-    EnergyDensity, FrontalMatrix, Integrand, PointResponse, Profile, Responses, Section, SectionState, slot,
+    EnergyDensity, FrontalMatrix, PlanarIntegrand, PointResponse, Profile, Responses, Section, SectionState, slot,
 };
 use crate::number::Real;
 use crate::solve::History;

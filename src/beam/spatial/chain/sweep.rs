@@ -7,7 +7,7 @@ use super::{
     Usual, gather_nodes, no_values, quaternion_of,
 };
 use crate::beam::spatial::density::SPATIAL_FIELDS;
-use crate::beam::spatial::rotation::{apply_transposed, matrix, skew};
+use crate::beam::spatial::rotation::{apply_transposed, matrix};
 use crate::beam::{AnyNumber, BUNDLE, Element, ElementEnergy, FrontalMatrix, Nodes};
 use crate::solve::{Place, Quantity, SolveError};
 
@@ -156,14 +156,13 @@ impl SpatialChain {
         let own = apply_transposed(&matrix(q), &moment);
         let (map, _) = rotation.map(axes, at.angles[1], q, [0.0; 3]);
         let load = map.back(&[force[0], force[1], force[2], own[0], own[1], own[2]]);
-        // the moment in the axes of the directors turns against them: half of that is the tangent's, since the gradient is one by exp(φ)
-        let turned = skew(own);
+        let turned = rotation.moment_change(&map.turn, own);
         for i in 0..SPATIAL_UNKNOWNS {
             carry[i][SPATIAL_UNKNOWNS] -= load[i];
         }
         for i in 0..3 {
             for j in 0..3 {
-                carry[3 + i][3 + j] -= 0.5 * turned[i][j];
+                carry[3 + i][3 + j] -= turned[i][j];
             }
         }
     }

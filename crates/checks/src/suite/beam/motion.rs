@@ -2,7 +2,7 @@
 
 use super::rods::{cantilever, problem};
 use crate::suite::check::{Check, Measure};
-use peelkit::beam::{Configuration, ReferenceCurve};
+use peelkit::beam::{Configuration, PlanarBeam, ReferenceCurve};
 use peelkit::model::{BeamProblem, Drive, RodModel, Support};
 
 const ELEMENTS: usize = 5;
@@ -41,15 +41,21 @@ pub(super) fn checks() -> Vec<Check> {
     checks
 }
 
+/// A rod lies in the plane.
+fn planar(problem: &BeamProblem) -> &PlanarBeam {
+    problem.beam.planar().expect("a rod lies in the plane")
+}
+
 fn energy(problem: &BeamProblem, state: &[f64]) -> f64 {
-    let ends = problem.beam.ends(0.0, ELEMENTS);
-    problem.beam.chain.energy(Configuration { ends: &ends, state, axial_multiplier: 0.0, history: None }, state).0.total
+    let beam = planar(problem);
+    let ends = beam.ends(0.0, ELEMENTS);
+    beam.chain.energy(Configuration { ends: &ends, state, axial_multiplier: 0.0, history: None }, state).0.total
 }
 
 fn largest_force(problem: &BeamProblem, state: &[f64]) -> f64 {
-    let ends = problem.beam.ends(0.0, ELEMENTS);
-    let states = problem
-        .beam
+    let beam = planar(problem);
+    let ends = beam.ends(0.0, ELEMENTS);
+    let states = beam
         .chain
         .node_states(Configuration { ends: &ends, state, axial_multiplier: 0.0, history: None }, 0..ends.len() - 1);
     states.iter().map(|s| s.section.horizontal_force.abs().max(s.section.vertical_force.abs())).fold(0.0, f64::max)

@@ -1,7 +1,7 @@
 //! The mean of a function over the width of a face, with its own error control.
 //!
-//! Each part of the width is integrated by Kronrod's rule of 15 points and by Gauss's of 7 among them, and halved until the estimate of
-//! QUADPACK, r min(1, (200 |K - G|/r)^(3/2)) with r = ∫ |f - mean|, is below 1e-13 of ∫ |f|.
+//! Each part of the width is integrated by Kronrod's rule of 15 points and by Gauss's of 7 among them, and halved until
+//! the estimate of QUADPACK, r min(1, (200 |K - G|/r)^(3/2)) with r = ∫ |f - mean|, is below 1e-13 of ∫ |f|.
 //!
 //! Source: R. Piessens, E. de Doncker-Kapenga, C. W. Überhuber, D. K. Kahaner, QUADPACK (1983).
 
@@ -9,7 +9,8 @@
 const TOLERANCE: f64 = 1e-13;
 /// Below this no halving helps: round-off.
 const ROUND_OFF: f64 = 50.0 * f64::EPSILON;
-/// How often a part is halved, and how many parts there are, at most: a function that is not computed to its round-off has no better mean.
+/// How often a part is halved, and how many parts there are, at most: a function that is not computed to its round-off
+/// has no better mean.
 const DEEPEST: u32 = 24;
 const MOST_PARTS: u32 = 1000;
 
@@ -35,7 +36,7 @@ const KRONROD: [f64; 8] = [
     0.209_482_141_084_727_82,
 ];
 const GAUSS: [f64; 4] =
-    [0.129_484_966_168_869_7, 0.279_705_391_489_276_64, 0.381_830_050_505_118_93, 0.417_959_183_673_469_4];
+    [0.129_484_966_168_869_7, 0.279_705_391_489_276_64, 0.381_830_050_505_118_9, 0.417_959_183_673_469_4];
 
 /// Of several functions at once.
 struct Part<const K: usize> {
@@ -55,29 +56,31 @@ impl<const K: usize> Part<K> {
             let x = if i % 2 == 0 { -POINTS[i / 2] } else { POINTS[i / 2] };
             if i < 15 { f(middle + half * x) } else { [0.0; K] }
         });
-        let (mut integral, mut size, mut error) = ([0.0; K], [0.0; K], [0.0; K]);
-        for k in 0..K {
-            let (mut kronrod, mut gauss, mut plain) = (0.0, 0.0, 0.0);
-            for i in 0..15 {
-                let value = values[i][k];
-                kronrod += KRONROD[i / 2] * value;
-                plain += KRONROD[i / 2] * value.abs();
-                if (i / 2) % 2 == 1 {
-                    gauss += GAUSS[i / 4] * value;
-                }
+        let (mut kronrod, mut gauss, mut size, mut spread) = ([0.0; K], [0.0; K], [0.0; K], [0.0; K]);
+        for i in 0..15 {
+            let weight = KRONROD[i / 2];
+            let other = if (i / 2) % 2 == 1 { GAUSS[i / 4] } else { 0.0 };
+            for k in 0..K {
+                kronrod[k] += weight * values[i][k];
+                gauss[k] += other * values[i][k];
+                size[k] += half * weight * values[i][k].abs();
             }
-            let mean = 0.5 * kronrod;
-            let spread: f64 = (0..15).map(|i| KRONROD[i / 2] * (values[i][k] - mean).abs()).sum();
-            let difference = (kronrod - gauss).abs();
-            let ratio = if spread > 0.0 { 200.0 * difference / spread } else { 0.0 };
-            integral[k] = half * kronrod;
-            size[k] = half * plain;
-            error[k] = half * spread * (ratio * ratio.sqrt()).min(1.0);
         }
+        for i in 0..15 {
+            for k in 0..K {
+                spread[k] += KRONROD[i / 2] * (values[i][k] - 0.5 * kronrod[k]).abs();
+            }
+        }
+        let error = std::array::from_fn(|k| {
+            let ratio = if spread[k] > 0.0 { 200.0 * (kronrod[k] - gauss[k]).abs() / spread[k] } else { 0.0 };
+            half * spread[k] * (ratio * ratio.sqrt()).min(1.0)
+        });
+        let integral = kronrod.map(|sum| half * sum);
         Self { from, to, integral, size, error }
     }
 
-    /// The integral, of halves of the part where it is not yet good enough beside that of the whole width without signs.
+    /// The integral, of halves of the part where it is not yet good enough beside that of the whole width without
+    /// signs.
     fn refined(self, f: &impl Fn(f64) -> [f64; K], whole: &[f64; K], depth: u32, halved: &mut u32) -> [f64; K] {
         let poor = (0..K).any(|k| {
             let allowed = (TOLERANCE * whole[k]).max(ROUND_OFF * self.size[k]);

@@ -1,0 +1,13 @@
+//! Beams in space.
+
+mod bend;
+mod buckling;
+mod convergence;
+mod density;
+mod helix;
+mod invariance;
+mod peels;
+mod plane;
+mod setup;
+mod spring;
+mod tangents;
