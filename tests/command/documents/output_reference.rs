@@ -49,7 +49,7 @@ const STEPS: &[&str] = &["--set", "drive.steps=[\"press 0.1 nm\"]"];
 const SOFT: &[&str] = &["--set", "strip.length=200 nm", "--set", "strip.bending_stiffness_factor=0.01"];
 const CUT: &[&str] = &["--set", "bounds.displacement=0.1 nm"];
 /// Past the peak of the sideways pull, where its limit points are.
-const PAST_PEAK: &[&str] = &["--set", "accuracy.elements=8", "--set", "bounds.displacement=12.775 nm"];
+const PAST_PEAK: &[&str] = &["--set", "bounds.displacement=12.775 nm"];
 
 /// Runs that together have every key.
 const RUNS: &[(&str, &[&[&str]])] = &[

@@ -113,7 +113,8 @@ fn values(scene: &Scene, key: &Key, parameter: &Parameter) -> Result<Vec<f64>, S
         key.store_number(&mut scene.clone(), value).map_err(stop)?;
         Ok(value)
     };
-    if !key.belongs_to(scene) {
+    // a key of space puts every case there
+    if !key.belongs_to(scene) && !key.is_of_space() {
         return Err(Stop::bad_argument(format!("--vary {}", key.path()), &key.foreign(scene)));
     }
     match &parameter.values {
