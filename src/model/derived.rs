@@ -77,7 +77,8 @@ impl PeelModel {
         DerivedQuantities { work_of_adhesion, strength, equilibrium_gap: law.rest_gap(), section }
     }
 
-    /// Angle of the pull to the strip, rad: that to the substrate in the plane; in space cos φ = cos α cos β, of the elevation α and the azimuth β.
+    /// Angle φ of the pull to the strip, rad: that to the substrate in the plane; in space cos φ = cos α cos β, of the
+    /// elevation α and the azimuth β.
     pub fn angle_to_strip(&self) -> f64 {
         let angle = self.pull.angle;
         self.space.map_or(angle, |space| (angle.cos() * space.azimuth.cos()).acos())

@@ -5,8 +5,8 @@ use super::space::{ACROSS, ROLL, SIDEWAYS};
 use crate::solve::State;
 use serde::{Deserialize, Serialize};
 
-/// How the right end of a strip in space is turned, beside its rotation in the plane, and what the grip exerts, beside the force along the pull.
-/// A reaction is exactly zero where the grip does not hold what it works on.
+/// How the right end of a strip in space is turned, beside its rotation in the plane, and what the grip exerts, beside
+/// the force along the pull. A reaction is exactly zero where the grip does not hold what it works on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SpatialGrip {
     /// ρ about the axis, rad: of the directors Rz(θ) Ry(ψ) Rx(ρ)
@@ -15,7 +15,8 @@ pub struct SpatialGrip {
     pub yaw: f64,
     /// Moment on the roll, nN·nm
     pub torque: f64,
-    /// Force across the pull in its vertical plane, nN: along (sin α cos β, -cos α, sin α sin β) for the elevation α and the azimuth β
+    /// Force across the pull in its vertical plane, nN: along (sin α cos β, -cos α, sin α sin β) for the elevation α and
+    /// the azimuth β
     pub across: f64,
     /// Force normal to the vertical plane of the pull, nN: along (-sin β, 0, cos β)
     pub lateral: f64,

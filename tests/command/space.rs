@@ -1,7 +1,8 @@
 //! A strip in space, run by the command.
 //!
-//! Expected: the numbers of an independent computation of the sideways pull, and the numbers of the plane where the solution stays there. Why: what
-//! is pulled sideways is another structure, and the summary has to say which one was computed.
+//! Expected: the numbers of an independent computation of the sideways pull, and the numbers of the plane where the
+//! solution stays there. Why: what is pulled sideways is another structure, and the summary has to say which one was
+//! computed.
 
 use serde_json::Value;
 use std::path::Path;

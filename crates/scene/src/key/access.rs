@@ -74,11 +74,11 @@ impl Key {
         Ok(())
     }
 
-    /// Puts a number into the scene, in the unit of the library, if it is in range.
+    /// Puts a number into the scene, in the unit of the library, if it is in range; one of space puts the scene there.
     ///
     /// Fails where it is out of range, is not whole where it has to be, or the key does not belong to the scene.
     pub fn store_number(&self, scene: &mut Scene, number: f64) -> Result<(), ValueError> {
-        if !self.belongs_to(scene) {
+        if !self.is_of_space() && !self.belongs_to(scene) {
             return Err(self.foreign(scene));
         }
         let range = match self.kind {
