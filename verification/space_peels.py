@@ -14,7 +14,7 @@ from space.tables import rows, run
 
 TABLE = "space_peels.csv"
 REMARKS = (
-    "Adhesive strips peeled in space, by Gauss collocation of the strong form (space_peels.py). Cases: space_cases.csv.",
+    "Adhesive strips peeled in space, by Gauss collocation of the strong form (space_peels.py): space_cases.csv.",
     "start: P = 0, all turns imposed; peak: first maximum of P; fold: first maximum of u; u_1, lift_1: at this",
     "displacement or lift of the grip in nm. Estimated error: three times the difference of two meshes with different",
     "orders, and 2e-12 of what the value is made of.",

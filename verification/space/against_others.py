@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 """Two other programs on the 45-degree bend: the error of the tip and the CPU time at several resolutions.
 
-    python3.11 -m venv others && others/bin/pip install -r verification/requirements.txt pyelastica exudyn
-    others/bin/python verification/space/against_others.py
+    python3.11 -m venv /tmp/others && /tmp/others/bin/pip install -r verification/requirements.txt pyelastica exudyn
+    /tmp/others/bin/python verification/space/against_others.py
 
 Arc of radius 100 and 45 degrees, unit square, E = 1e7, nu = 0, k = 5/6, J = 1/6; force 600 out of its plane. Error:
 distance of the tip from space_benchmarks.csv. Exudyn: static, ObjectBeamGeometricallyExact with two nodes, Euler
-parameters, four load steps. PyElastica: explicit in time, damped to rest, until the distance from the value of twice
-the time is below a tenth of the error; the rotational inertia is raised as far as the step of the axial waves allows.
+parameters, four load steps. PyElastica: explicit in time, damped to rest, until the distance from the state at
+time 80 is below a tenth of its error; the rotational inertia is raised as far as the step of the axial waves allows.
 PyElastica clamps the place of the first node and the frame of the first element, whose middle stands for its place:
 the rod begins half an element before the clamp, and as it comes, with the clamp at the first node, for two rows. The
-collocation of this folder on uniform meshes, in two load steps, is the third.
+collocation of this folder on uniform meshes, in three load steps, is the third.
 """
 
 import sys

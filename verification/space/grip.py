@@ -12,8 +12,8 @@ Frame of the grip: R = Rz(theta) Ry(yaw) Rx(roll) R_rest. With g = Rz(theta) e_y
     rotation        d1y = 0                                     m_z = 0
     yaw             d1z = -sin(yaw)                             m.g = 0
     roll            sin(roll) d2z + cos(roll) d3z = 0           m.d1 = 0
-At S = 0: x = z = 0, n_y = 0, m_z = 0, m.d1 = 0; and the turn about the normal is held, d1z = 0, or free, m.g = 0. Held, it
-carries a moment along g(0) only. The turns of the grip are imposed at P = 0.
+At S = 0: x = z = 0, n_y = 0, m_z = 0, m.d1 = 0; and the turn about the normal is held, d1z = 0, or free, m.g = 0. Held,
+it carries a moment along g(0) only. The turns of the grip are imposed at P = 0.
 """
 
 from dataclasses import dataclass, fields

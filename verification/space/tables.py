@@ -58,5 +58,6 @@ def run(description, table, remarks, cases, compute, quick, checks=()):
     for check in () if a.only else checks:
         faults += check()
     print(*faults, sep="\n", end="\n" if faults else "")
-    print(f"{time.process_time() - started:.0f} s of CPU, {'all checks passed' if not faults else f'{len(faults)} CHECKS FAILED'}")
+    verdict = f"{len(faults)} CHECKS FAILED" if faults else "all checks passed"
+    print(f"{time.process_time() - started:.0f} s of CPU, {verdict}")
     sys.exit(1 if faults else 0)

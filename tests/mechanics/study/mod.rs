@@ -6,6 +6,7 @@ mod ends;
 mod error_bounds;
 mod observed;
 mod peak_only;
+mod space;
 mod special_points;
 mod stability;
 mod terms;

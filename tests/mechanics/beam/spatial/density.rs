@@ -84,8 +84,10 @@ fn agrees(adheres: bool, most: f64) {
         let tilted = [0.8, 0.3, 0.3, 0.2];
         (0..4).for_each(|k| v[3 + k] = (1.0 + 0.4 * v[0]) * (tilted[k] + 0.1 * v[3 + k]));
         v[1] = 5.0 + 0.3 * v[1];
-        let density =
-            SpatialDensity { profile: SpatialProfile::Uniform(station), adhesion: adheres.then_some(section) };
+        let density = SpatialDensity {
+            profile: SpatialProfile::Uniform(Box::new(station)),
+            adhesion: adheres.then_some(section),
+        };
         let (energy, gradient, tangent) = hessian(|v: SVector<Dual, 14>| definition(&station, adheres, &v), &v.into());
         let part = |from: usize| std::array::from_fn(|k| v[from + k]);
         let r = density.response(0.3, &part(0), &part(7));

@@ -47,7 +47,7 @@ impl Rod {
     pub fn beam(&self) -> SpatialBeam {
         let SpatialStiffness(stiffness) = self.stiffness;
         let rest_curvature = self.rest.curvature;
-        let profile = SpatialProfile::Uniform(Station { stiffness, rest_curvature, width: 1.0, height: 1.0 });
+        let profile = SpatialProfile::Uniform(Box::new(Station { stiffness, rest_curvature, width: 1.0, height: 1.0 }));
         let end = |place: f64, rotation, dead_load| SpatialEnd {
             axes: XYZ,
             rotation,
