@@ -1,7 +1,7 @@
 //! What follows from a model before anything is solved: the numbers by which one strip is compared with another.
 
 use super::PeelModel;
-use crate::adhesion::Law;
+use crate::adhesion::{Law, SectionShape};
 use crate::analytic::kendall_force;
 use crate::beam::Section;
 
@@ -15,7 +15,7 @@ pub struct DerivedQuantities {
     pub strength: Option<f64>,
     /// Distance of a flat face at rest from the half space, nm
     pub equilibrium_gap: f64,
-    /// Those of the section; none where that varies along the body
+    /// Those of the section; none where that varies along the body or is an ellipse
     pub section: Option<DerivedOfSection>,
 }
 
@@ -25,7 +25,7 @@ pub struct DerivedOfSection {
     /// w of this section, J/m²: what separating it takes, the attraction of the upper surface included where the model has that. Kendall's
     /// force and the groups are made of this one
     pub work_of_adhesion: f64,
-    /// Kendall's force at the angle of the pull, nN: P²/(2 E h b²) + (P/b)(1 - cos φ) = w
+    /// Kendall's force at the angle φ of the pull to the strip, nN: P²/(2 E h b²) + (P/b)(1 - cos φ) = w
     pub kendall_force: f64,
     /// EA (nN), GA_s (nN) and EI (nN nm²)
     pub stiffness: Section,
@@ -72,8 +72,16 @@ impl PeelModel {
             }
             Law::Own(_) => (-law.rest_energy(), None),
         };
-        let section = self.is_uniform().then(|| self.derived_of_section(strength));
+        let oval = self.space.is_some_and(|space| space.section == SectionShape::Ellipse);
+        let section = (self.is_uniform() && !oval).then(|| self.derived_of_section(strength));
         DerivedQuantities { work_of_adhesion, strength, equilibrium_gap: law.rest_gap(), section }
+    }
+
+    /// Angle φ of the pull to the strip, rad: that to the substrate in the plane; in space cos φ = cos α cos β, of the
+    /// elevation α and the azimuth β.
+    pub fn angle_to_strip(&self) -> f64 {
+        let angle = self.pull.angle;
+        self.space.map_or(angle, |space| (angle.cos() * space.azimuth.cos()).acos())
     }
 
     fn derived_of_section(&self, strength: Option<f64>) -> DerivedOfSection {
@@ -84,7 +92,7 @@ impl PeelModel {
         let over_adhesion = bending / (work * width);
         DerivedOfSection {
             work_of_adhesion: work,
-            kendall_force: kendall_force(work, modulus, height, width, self.pull.angle),
+            kendall_force: kendall_force(work, modulus, height, width, self.angle_to_strip()),
             stiffness,
             process_length,
             elasto_adhesive_length: over_adhesion.sqrt(),

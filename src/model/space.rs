@@ -36,11 +36,11 @@ const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Slots of the interface: along the pull, across it in its vertical plane, sideways, and the three angles.
 const ALONG: usize = 0;
-const ACROSS: usize = 1;
-const SIDEWAYS: usize = 2;
+pub(super) const ACROSS: usize = 1;
+pub(super) const SIDEWAYS: usize = 2;
 const ROTATION: usize = 3;
 const YAW: usize = 4;
-const ROLL: usize = 5;
+pub(super) const ROLL: usize = 5;
 
 impl PeelModel {
     /// The model in the plane whose solution is the same, of a model in space whose solution stays in the strip's vertical plane: a rectangle

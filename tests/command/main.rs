@@ -9,6 +9,7 @@ mod plot;
 mod pull;
 #[cfg(unix)]
 mod resume;
+mod space;
 mod statuses;
 mod steps;
 #[path = "../shared/strip.rs"]

@@ -2,6 +2,7 @@
 
 mod animation;
 mod garbled;
+mod in_space;
 mod outputs;
 mod overlay;
 mod pictures;

@@ -36,6 +36,7 @@ fn made_up() -> (Scene, Peel) {
         work_error: Some(5e-7),
         flat: false,
         after: 0,
+        in_space: None,
     };
     let point = |displacement: f64, force: f64, work: f64| PathPoint {
         displacement,
@@ -46,6 +47,7 @@ fn made_up() -> (Scene, Peel) {
         negative_eigenvalues_load: 2,
         front: 77.5,
         iterations: 3,
+        in_space: None,
     };
     made_up.points = vec![point(0.0, 0.0, 0.0), point(40.0, 1.0 / 3.0, 2.5)];
     made_up.limit_points = vec![LimitPoint { kind: LimitPointKind::Load, ..snap_off }, snap_off];

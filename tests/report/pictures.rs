@@ -58,6 +58,7 @@ fn factors(values: &[f64]) -> Vec<SweepRow> {
             work_error: None,
             flat: false,
             after: 0,
+            in_space: None,
         });
         SweepRow { value, second: None, model: peel.model.clone(), found: PeelResult::from(&peel), solve_s: 0.004 }
     };

@@ -10,6 +10,7 @@ mod overrides;
 mod pull;
 mod reading;
 mod ready_scenes;
+mod space;
 mod steps;
 #[path = "../shared/strip.rs"]
 mod strip;

@@ -35,6 +35,7 @@ fn every_key_is_read() {
     let text = r#"
 title = "All"
 terms = "auto"
+space = false
 [strip]
 length = "0.2 um"
 height = "1e-8 m"

@@ -49,6 +49,7 @@ const TEMPLATES: &[Template] = templates![
     "strip-rough" "a strip on wavy ground",
     "spatula-rough" "a spatula on wavy ground",
     "strip-friction" "a strip held by friction alone, pulled at 30 degrees",
+    "strip-sideways" "a strip in space, pulled sideways",
     "tape" "an adhesive tape of some millimetres, under a cohesive law",
     "rubber" "a soft film under a cohesive law",
     "strip-auto" "a strip whose model is reduced to the terms that matter",

@@ -9,6 +9,7 @@ mod checkpoint;
 mod error;
 mod file;
 mod folder;
+mod grip_in_space;
 mod names;
 mod number;
 pub mod overlay;

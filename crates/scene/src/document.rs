@@ -7,6 +7,7 @@ use super::key::{Key, Kind};
 use super::keys::{KEYS, find_key, tables};
 use super::near::nearest;
 use super::scene::Scene;
+use super::space;
 use super::value::Value;
 use super::value::quantity::Comma;
 use peelkit::model::Adhesion;
@@ -84,6 +85,7 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
         set_body(scene, name_of(table));
     }
     set_shape(scene, &file, document)?;
+    set_space(scene, &file, document)?;
     for (key, value) in in_order(document) {
         match value.get_ref() {
             DeValue::Table(table) if tables().contains(&name_of(key)) => {
@@ -190,12 +192,29 @@ fn set_shape(scene: &mut Scene, file: &Origin, document: &DeTable) -> Result<(),
     value.map_or(Ok(()), |(_, value)| store(scene, file, key, value))
 }
 
+/// Puts the scene in space where the text says so, or where it says nothing of that and gives a key of space.
+fn set_space(scene: &mut Scene, file: &Origin, document: &DeTable) -> Result<(), SceneError> {
+    let Some(key) = KEYS.iter().find(|key| matches!(key.kind, Kind::InSpace)) else { return Ok(()) };
+    if let Some((_, value)) = document.iter().find(|(name, _)| name_of(name) == key.name) {
+        return store(scene, file, key, value);
+    }
+    let implied = document.iter().any(|(table, value)| {
+        let keys = value.get_ref().as_table();
+        keys.is_some_and(|keys| keys.iter().any(|(name, _)| space::has(name_of(table), name_of(name))))
+    });
+    space::set(scene, implied);
+    Ok(())
+}
+
 /// Applies one `--set`.
 fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, SceneError> {
     let text = format!("{path}={value}");
     let origin = Origin::Override { text: &text };
     let key =
         find_key(path).map_err(|problem| origin.error(0..path.len(), &format!("`{}`", one_line(path)), problem))?;
+    if key.is_of_space() {
+        space::set(scene, true);
+    }
     if !key.belongs_to(scene) {
         return Err(origin.error(0..path.len(), &format!("`{}`", key.path()), key.foreign(scene)));
     }
@@ -295,7 +314,9 @@ fn unknown_table(file: &Origin, found: &Spanned<toml::de::DeString>) -> SceneErr
 
 /// Where the value of the key of this path stands in a text, if it does.
 fn place_of(document: &DeTable, path: &str) -> Option<Range<usize>> {
-    let (in_table, key) = path.split_once('.')?;
+    let Some((in_table, key)) = path.split_once('.') else {
+        return document.iter().find(|(name, _)| name_of(name) == path).map(|(key, _)| key.span());
+    };
     let (_, table) = document.iter().find(|(name, _)| name_of(name) == in_table)?;
     let DeValue::Table(table) = table.get_ref() else { return None };
     table.iter().find(|(name, _)| name_of(name) == key).map(|(_, value)| value.span())

@@ -6,6 +6,7 @@ use super::key::{Key, Kind, Need};
 use super::near::nearest;
 use super::scene::Scene;
 use super::shape;
+use super::space;
 use super::value::Value;
 use super::value::quantity::Dimension::{
     Angle, AnglePerLength, Energy, Force, Length, Pressure, Stiffness, Time, Work,
@@ -24,6 +25,7 @@ const fn key(table: &'static str, name: &'static str, need: Need, kind: Kind, ab
 pub static KEYS: &[Key] = &[
     key("", "title", Optional, Kind::Text(|s| &mut s.title), "heading of pictures and tables"),
     key("", "terms", Optional, Kind::Terms(|s| &mut s.accuracy.terms), "model terms: all, or automatic model reduction to the tolerance"),
+    key("", "space", Optional, Kind::InSpace, "peels a strip in space; implied by its keys"),
 
     key("strip", "length", Required, Kind::Quantity(Length, |s| &mut strip(s).length), "length L of the strip"),
     key("strip", "height", Required, Kind::Quantity(Length, |s| &mut strip(s).height), "height h of the section"),
@@ -32,6 +34,7 @@ pub static KEYS: &[Key] = &[
     key("strip", "poissons_ratio", Optional, Kind::Number(Range::POISSONS_RATIO, |s| &mut strip(s).poissons_ratio), "Poisson's ratio"),
     key("strip", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut strip(s).shear_correction), "shear correction factor of the section"),
     key("strip", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut strip(s).bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
+    key("strip", "section", Optional, Kind::Section(|s| &mut space::of(s).section), "in space: outline of the section"),
 
     key("spatula", "pad_length", Optional, Kind::Quantity(Length, |s| &mut spatula(s).pad_length), "length of the flat pad at the tip"),
     key("spatula", "neck_length", Optional, Kind::Quantity(Length, |s| &mut spatula(s).neck_length), "length of the neck, from the pad to the shaft"),
@@ -78,10 +81,14 @@ pub static KEYS: &[Key] = &[
 
     key("grip", "rotation", Optional, Kind::Hold(|s| &mut s.model.grip.rotation), "rotation of the right end, which is pulled"),
     key("grip", "horizontal", Optional, Kind::Hold(|s| &mut s.model.grip.horizontal), "displacement normal to the pull direction"),
+    key("grip", "lateral", Optional, Kind::Hold(|s| &mut space::of(s).lateral), "in space: displacement normal to the plane of the pull"),
+    key("grip", "roll", Optional, Kind::Hold(|s| &mut space::of(s).roll), "in space: rotation of the right end about its axis"),
+    key("grip", "yaw", Optional, Kind::Hold(|s| &mut space::of(s).yaw), "in space: rotation of the right end about y"),
     key("grip", "stiffness", Optional, Kind::Bound(Stiffness, |s| &mut s.model.grip.stiffness), "stiffness of a spring between grip and machine"),
     key("grip", "pretension", Optional, Kind::Bound(Force, |s| &mut s.model.grip.pretension), "adhered under this pretension; needs horizontal = \"fixed\""),
 
     key("drive", "angle", Optional, Kind::Measure(Angle, Range::PULL_ANGLE, |s| &mut s.model.pull.angle), "angle of the pull to the substrate; 90 deg: straight up"),
+    key("drive", "azimuth", Optional, Kind::Measure(Angle, Range::AZIMUTH, |s| &mut space::of(s).azimuth), "in space: direction of the pull; 90 deg: sideways"),
     key("drive", "turn", Optional, Kind::Measure(AnglePerLength, Range::PULL_TURN, |s| &mut s.model.pull.turn), "rotation of a fixed grip per displacement"),
     key("drive", "steps", Optional, Kind::Steps(|s| &mut s.model.steps), "grip motions before the pull: press, lift, drag, push, turn, hold"),
 

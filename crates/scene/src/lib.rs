@@ -17,6 +17,7 @@ mod keys;
 mod near;
 mod scene;
 mod shape;
+mod space;
 mod to_toml;
 mod value;
 

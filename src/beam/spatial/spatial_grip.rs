@@ -1,6 +1,7 @@
 //! What the grip of a beam in space exerts, and its sections as they lie.
 
 use super::chain::{quaternion_of, read::normalise};
+use super::end_rotation::{EndRotation, angles};
 use super::rotation::{apply, matrix};
 use super::spatial_beam::SpatialBeam;
 use crate::beam::{GripForces, GripState};
@@ -45,7 +46,16 @@ impl SpatialBeam {
         }
     }
 
-    /// The same along x and y, and on its rotation.
+    /// θ, yaw and roll of the right end, rad: within half a turn where it turns freely.
+    pub fn angles_of_grip(&self, at: &State) -> [f64; 3] {
+        let (end, configuration) = (&self.chain.ends[1], self.configuration(at));
+        match end.rotation {
+            EndRotation::Angles => configuration.angles[1],
+            EndRotation::Free => angles(quaternion_of(self.chain.end_node(configuration, 1)), end.rest),
+        }
+    }
+
+    /// What the grip exerts along x and y, and on the end's rotation.
     pub fn grip_forces(&self, at: &State) -> GripForces {
         let GripReactions { force: [horizontal, vertical, _], moment: [moment, ..] } = self.grip_reactions(at);
         GripForces { horizontal, vertical, moment }

@@ -2,7 +2,7 @@
 
 use super::chain::{SPATIAL_UNKNOWNS, SpatialFactors, SpatialFunctional, quaternion_of};
 use super::density::SPATIAL_FIELDS;
-use super::end_rotation::{EndRotation, angles, turn_on, turned};
+use super::end_rotation::{EndRotation, turn_on, turned};
 use super::rotation::{apply, apply_transposed, conjugate, cross, logarithm, matrix, product};
 use super::spatial_beam::{ANGLES, SpatialBeam};
 use crate::beam::{ElementEnergy, FRONT, MeshKind, TIP_ROTATION};
@@ -46,11 +46,7 @@ impl SpatialBeam {
 
     /// θ of the right end, rad.
     pub fn rotation_of_grip(&self, at: &State) -> f64 {
-        let (end, configuration) = (&self.chain.ends[1], self.configuration(at));
-        match end.rotation {
-            EndRotation::Angles => configuration.angles[1][0],
-            EndRotation::Free => angles(quaternion_of(self.chain.end_node(configuration, 1)), end.rest)[0],
-        }
+        self.angles_of_grip(at)[0]
     }
 
     fn diagonal(&self, at: &State, coefficients: Coefficients) -> Vec<f64> {

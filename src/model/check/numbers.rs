@@ -90,6 +90,7 @@ pub static MODEL_NUMBERS: &[NumberOf<PeelModel>] = &[
     number("grip.pretension", "nN", Positive, |m| m.grip.pretension),
 
     number("drive.angle", "rad", Range::PULL_ANGLE, |m| Some(m.pull.angle)),
+    number("drive.azimuth", "rad", Range::AZIMUTH, |m| Some(m.space?.azimuth)),
     number("drive.turn", "rad/nm", Range::PULL_TURN, |m| Some(m.pull.turn)),
 ];
 

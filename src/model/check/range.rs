@@ -30,6 +30,8 @@ impl Range {
     pub const FRICTION_COEFFICIENT: Self = Self::From(0.0, 1e3);
     /// Of the angle of the pull, rad.
     pub const PULL_ANGLE: Self = Self::From(0.0, HALF_TURN);
+    /// Of the direction of the pull along the substrate, rad.
+    pub const AZIMUTH: Self = Self::From(-HALF_TURN, HALF_TURN);
     /// Of how the grip turns as it goes, rad/nm.
     pub const PULL_TURN: Self = Self::From(-1e4, 1e4);
 

@@ -52,6 +52,7 @@ pub(super) fn report(model: &PeelModel, problem: &BeamProblem, followed: &Follow
         negative_eigenvalues_load: s.negative_load,
         front: problem.beam.front_place(s.observables.monitors[FRONT]),
         iterations: s.iterations,
+        in_space: problem.spatial_grip(&s.at),
     });
     let force_error = |turn: LimitPointKind, located: &Located| {
         let left_out = if turn == LimitPointKind::Load { located.left_out } else { 0.0 };
@@ -92,6 +93,7 @@ pub(super) fn report(model: &PeelModel, problem: &BeamProblem, followed: &Follow
                     .and_then(|errors| errors.at(located, *kind, displacement_error, &mut ws)),
                 flat: located.flat || overlooked.is_some(),
                 after: *after,
+                in_space: problem.spatial_grip(&located.solution.at),
             }
         })
         .collect();

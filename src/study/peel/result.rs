@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::solution_history::SolutionHistory;
 use crate::beam::{BondedLoss, GripState, NodeState, UprightSection};
-use crate::model::PeelModel;
+use crate::model::{PeelModel, SpatialGrip};
 use crate::solve::LimitPointKind;
 use crate::study::terms::TermDecisions;
 use crate::study::{Bound, Choice, RelaxedStart};
@@ -54,6 +54,9 @@ pub struct PathPoint {
     pub front: f64,
     /// Newton iterations it took.
     pub iterations: usize,
+    /// The grip of a strip in space; none in the plane
+    #[serde(default)]
+    pub in_space: Option<SpatialGrip>,
 }
 
 /// A limit point of the path, located and not sampled.
@@ -80,6 +83,9 @@ pub struct LimitPoint {
     pub flat: bool,
     /// It lies between `points[after]` and `points[after + 1]` of the path.
     pub after: usize,
+    /// The grip of a strip in space, at the solution next to the point; none in the plane
+    #[serde(default)]
+    pub in_space: Option<SpatialGrip>,
 }
 
 /// A largest force: a limit point of the path, located.

@@ -48,6 +48,8 @@ const SHORT: &[&str] = &["--set", "strip.length=100 nm"];
 const STEPS: &[&str] = &["--set", "drive.steps=[\"press 0.1 nm\"]"];
 const SOFT: &[&str] = &["--set", "strip.length=200 nm", "--set", "strip.bending_stiffness_factor=0.01"];
 const CUT: &[&str] = &["--set", "bounds.displacement=0.1 nm"];
+/// Past the peak of the sideways pull, where its limit points are.
+const PAST_PEAK: &[&str] = &["--set", "bounds.displacement=12.775 nm"];
 
 /// Runs that together have every key.
 const RUNS: &[(&str, &[&[&str]])] = &[
@@ -57,6 +59,7 @@ const RUNS: &[(&str, &[&[&str]])] = &[
     ("strip-100nm", &[SOFT]),
     ("strip-100nm", &[CUT]),
     ("strip-rough", &[SHORT]),
+    ("strip-sideways", &[PAST_PEAK]),
     ("strip-auto", &[]),
     ("strip-auto", &[&["--set", "terms=all"]]),
 ];
@@ -114,9 +117,12 @@ fn every_column_is_described() {
     let twice = ["--vary", "strip.length", "--values", "100 nm"];
     peel(&[&["run", &scene, "--out", "run", "--observed", "--states", "0"], ROUGHLY, FIXED].concat(), folder.path());
     peel(&[&vary[..], &twice, &["--out", "sweep"], ROUGHLY].concat(), folder.path());
+    // in space the tables of the path have all their columns
+    let sideways = format!("{}/scenes/strip-sideways.toml", super::ROOT);
+    peel(&[&["run", &sideways, "--out", "sideways"], ROUGHLY, PAST_PEAK].concat(), folder.path());
     for (file, keys) in [
-        ("run/curve.csv", CURVE_COLUMNS),
-        ("run/limit_points.csv", LIMIT_POINT_COLUMNS),
+        ("sideways/curve.csv", CURVE_COLUMNS),
+        ("sideways/limit_points.csv", LIMIT_POINT_COLUMNS),
         ("run/observed.csv", OBSERVED_COLUMNS),
         ("run/states.csv", &state_columns()),
         ("sweep/sweep.csv", SWEEP_COLUMNS),

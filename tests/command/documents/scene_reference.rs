@@ -37,7 +37,7 @@ fn takes(key: &Key) -> [String; 2] {
         Kind::Measure(dimension, range, _) => [name(dimension), measure(key, &range.to_string())],
         Kind::Count(_) => ["a whole number".into(), "1 to 1e9".into()],
         Kind::Fixed(most, _) => ["a whole number".into(), format!("1 to {most}")],
-        Kind::Flag(_) => ["`true` or `false`".into(), String::new()],
+        Kind::Flag(_) | Kind::InSpace => ["`true` or `false`".into(), String::new()],
         Kind::Table(_) | Kind::Heights(_) => {
             ["a CSV in quotes, or the name of a file beside the scene".into(), String::new()]
         }

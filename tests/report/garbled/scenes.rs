@@ -30,6 +30,13 @@ fn with_value(key: &Key, value: &str) -> String {
     let fits = |other: &&Key| {
         fits(other) && if rubs { other.table == "friction" || !apart(other) } else { other.table != "friction" }
     };
+    // in space there are no steps and no pretension, and an ellipse under the half space's law alone
+    let in_space = key.is_of_space() || key.name == "space";
+    let of_plane = |other: &Key| apart(other) && other.name != "shape" || ["steps", "start"].contains(&other.name);
+    let fits = |other: &&Key| {
+        let is_of_space = other.is_of_space() || other.name == "space";
+        fits(other) && if in_space { !of_plane(other) } else { !is_of_space }
+    };
     // a profile takes a table or pieces
     let outline = if key.alternative().is_some() { key.name } else { "table" };
     let fits = |other: &&Key| fits(other) && (other.alternative().is_none() || other.name == outline);
@@ -228,9 +235,10 @@ proptest! {
             let _ = key.store_number(&mut scene, number);
         }
         if scene.check().is_err() {
-            // an angle that has a meaning by itself, but not for a strip, and friction that does not go with the law
+            // an angle that has a meaning by itself, but not for a strip, and friction and a pull in space that do not go with the rest
             scene.model.pull = Pull::UP;
             scene.model.friction = Friction::NONE;
+            scene.model.space = None;
         }
         let text = printed(&scene).unwrap();
         prop_assert_eq!(Scene::parse("garbled.toml", &text, &[]).map_err(|error| error.to_string()), Ok(scene));

@@ -1,5 +1,6 @@
 //! `peel run`: the whole peel of one scene.
 
+mod in_space;
 mod kept;
 mod progress;
 
@@ -89,6 +90,7 @@ impl Run {
 pub fn run(args: &Run) -> Result<(), Stop> {
     let scene = args.scene.load()?;
     args.refuse_states_without_files()?;
+    in_space::refuse(&scene, args.observed, args.states.is_some())?;
     let wanted = args.units.wanted()?;
     let progress = RunProgress::begin();
     let open = |folder: PathBuf| KeptRun::open(&args.out, args.fresh, &folder, &scene, &progress);

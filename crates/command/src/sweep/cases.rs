@@ -113,7 +113,8 @@ fn values(scene: &Scene, key: &Key, parameter: &Parameter) -> Result<Vec<f64>, S
         key.store_number(&mut scene.clone(), value).map_err(stop)?;
         Ok(value)
     };
-    if !key.belongs_to(scene) {
+    // one of space puts every case there
+    if !key.is_of_space() && !key.belongs_to(scene) {
         return Err(Stop::bad_argument(format!("--vary {}", key.path()), &key.foreign(scene)));
     }
     match &parameter.values {

@@ -39,6 +39,7 @@ pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64, wanted: WantedUnits) -> St
         format!("{level} at u = {place}")
     };
     let mut lines: Vec<(&str, String)> = accuracy(peel).map(|text| ("accuracy", text)).into_iter().collect();
+    lines.extend(in_space(scene, peel));
     lines.extend(steps(peel, &units));
     lines.push(("peak force", peel.peak.map_or_else(none, at_peak)));
     lines.extend(peel.largest_computed_force.map(|at| ("largest computed", largest_computed(at, &units))));
@@ -122,6 +123,16 @@ fn accuracy(peel: &Peel) -> Option<String> {
     matches!(peel.end, PathEnd::Failed(_)).then(|| "the computation stopped short; see `end`".to_owned())
 }
 
+/// Where a scene in space was computed.
+fn in_space(scene: &Scene, peel: &Peel) -> Option<(&'static str, String)> {
+    scene.model.space?;
+    let text = match peel.model.space {
+        None => "solved in the plane: the solution stays in the vertical plane of the strip",
+        Some(_) => "solved in space",
+    };
+    Some(("space", text.to_owned()))
+}
+
 /// The grip after each step before the pull.
 fn steps(peel: &Peel, Units { force, length, .. }: &Units) -> Vec<(&'static str, String)> {
     let line = |(index, (step, grip)): (usize, (&Step, &GripState))| {
@@ -178,7 +189,7 @@ fn derived(scene: &Scene, units: &Units) -> Vec<(&'static str, String)> {
     let Some(section) = section else {
         return vec![("adhesion", format!("work of adhesion {} J/m²", short(work_of_adhesion)))];
     };
-    let angle = scene.model.pull.angle.to_degrees();
+    let angle = scene.model.angle_to_strip().to_degrees();
     let groups = section.groups;
     vec![
         (
@@ -293,6 +304,7 @@ mod tests {
             work_error: Some(5e-7),
             flat: false,
             after: 0,
+            in_space: None,
         };
         let mut made_up = study::peel(&scene.model, &scene.accuracy, &bounds.from_now());
         made_up.limit_points = vec![LimitPoint { kind: LimitPointKind::Load, ..snap_off }, snap_off];

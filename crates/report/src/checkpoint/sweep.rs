@@ -167,6 +167,7 @@ mod tests {
             work_error: Some(2e-17),
             flat: true,
             after: 17,
+            in_space: None,
         };
         let found = PeelResult {
             initiation_peak: None,

@@ -187,6 +187,7 @@ mod tests {
             negative_eigenvalues_load: 0,
             front: 0.0,
             iterations: 0,
+            in_space: None,
         };
         let limit = |displacement: f64, after: usize| LimitPoint {
             kind: LimitPointKind::Displacement,
@@ -199,6 +200,7 @@ mod tests {
             work_error: None,
             flat: false,
             after,
+            in_space: None,
         };
         peel.points = [0.0, 0.1, 0.26, 5.0, 10.0, 24.0, 40.0, 48.1, 30.0, 23.5, 30.0, 70.0].map(at).to_vec();
         peel.limit_points = vec![limit(48.2, 6), limit(23.4, 9)];

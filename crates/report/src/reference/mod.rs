@@ -41,6 +41,7 @@ const UNITS: &[(&str, &str)] = &[
     ("_nm", "nm"),
     ("_aJ", "aJ"),
     ("_rad", "rad"),
+    ("_deg", "deg"),
     ("_s", "s"),
 ];
 

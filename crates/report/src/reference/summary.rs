@@ -10,6 +10,7 @@ pub const PEEL_SUMMARY: &[OutputKey] = &[
     key("command", "the command line; null where a program of another kind has written the summary"),
     key("scene", "the scene as it was named on the command line"),
     key("title", "its title"),
+    key("solved_in_plane", "of a scene in space: whether its solution stays in the plane, where it was computed then; null of a scene in the plane"),
     key("end", "how the path ended: a word of the list of ends"),
     key("reason", "why, with numbers; null where the end says it"),
 
@@ -41,6 +42,12 @@ pub const PEEL_SUMMARY: &[OutputKey] = &[
     key("limit_points[].error_aJ", "bound of the error of the work; null with friction and for a load without a potential"),
     key("limit_points[].flat", "whether the force is so level there that the displacement cannot be determined and does not matter"),
 
+    key("limit_points[].torque_nN_nm", "in space, like the next four: moment of the grip on the roll there; 0 where that is free"),
+    key("limit_points[].roll_deg", "roll of the grip there, about its axis"),
+    key("limit_points[].yaw_deg", "yaw of the grip there, about the normal of the substrate"),
+    key("limit_points[].reaction_across_nN", "force of the grip there normal to the pull, in its vertical plane; 0 where it is free"),
+    key("limit_points[].reaction_lateral_nN", "force of the grip there normal to that plane; 0 where it is free"),
+
     key("warnings", "where the model is not to be trusted"),
     key("warnings[].code", "a word that stays the same, for programs"),
     key("warnings[].value", "the number that is beyond the limit"),
@@ -67,12 +74,12 @@ pub const PEEL_SUMMARY: &[OutputKey] = &[
     key("accuracy.form", "`two-field`: y and θ at every node, x eliminated; `three-field`: x, y and θ"),
     key("accuracy.form_note", "whether that leaves anything out"),
 
-    key("derived", "what follows from the scene alone; null where a body has no single value, as of a section that varies, or the law has none"),
+    key("derived", "what follows from the scene alone; null where a body has no single value, as of a section that varies or is an ellipse, or the law has none"),
     key("derived.work_of_adhesion_J_per_m2", "w of the law: that of the half space, or that of a cohesive law"),
     key("derived.strength_GPa", "largest traction σ of the law"),
     key("derived.equilibrium_gap_nm", "gap of a flat face at rest"),
     key("derived.work_of_adhesion_of_section_J_per_m2", "w of this section: less what the attraction of the upper surface takes off. Kendall's force and the groups are made of this one"),
-    key("derived.kendall_force_nN", "P of P²/(2 E h b²) + (P/b)(1 - cos φ) = w at the angle φ of the pull"),
+    key("derived.kendall_force_nN", "P of P²/(2 E h b²) + (P/b)(1 - cos φ) = w at the angle φ of the pull to the strip"),
     key("derived.axial_stiffness_EA_nN", "EA"),
     key("derived.shear_stiffness_GAs_nN", "GA_s"),
     key("derived.bending_stiffness_EI_nN_nm2", "EI"),

@@ -13,6 +13,11 @@ pub const CURVE_COLUMNS: &[OutputKey] = &[
     key("negative_eigenvalues_load", "the same under force control; for a grip that rotates as it pulls, under control of P + `turn` · M"),
     key("front_nm", "length that still adheres, by its energy"),
     key("newton_iterations", "that the point took"),
+    key("torque_nN_nm", "in space, like the next four: moment of the grip on its roll; 0 where that is free"),
+    key("roll_deg", "roll of the grip, about its axis"),
+    key("yaw_deg", "yaw of the grip, about the normal of the substrate"),
+    key("reaction_across_nN", "force of the grip normal to the pull, in its vertical plane; 0 where it is free"),
+    key("reaction_lateral_nN", "force of the grip normal to that plane; 0 where it is free"),
 ];
 
 /// Of limit_points.csv.
@@ -28,6 +33,11 @@ pub const LIMIT_POINT_COLUMNS: &[OutputKey] = &[
     key("flat", "whether the force is so level there that the displacement cannot be determined and does not matter"),
     key("after_point", "it lies behind this row of curve.csv, counted from 0"),
     key("error_aJ", "bound of the error of the work; empty with friction and for a load without a potential"),
+    key("torque_nN_nm", "in space, like the next four: moment of the grip on its roll there; 0 where that is free"),
+    key("roll_deg", "roll of the grip there"),
+    key("yaw_deg", "yaw of the grip there"),
+    key("reaction_across_nN", "force of the grip there normal to the pull, in its vertical plane; 0 where it is free"),
+    key("reaction_lateral_nN", "force of the grip there normal to that plane; 0 where it is free"),
 ];
 
 /// Of observed.csv.

@@ -13,8 +13,8 @@ impl Serialize for Parameters {
         let mut tables = serializer.serialize_map(None)?;
         // the title has a place of its own
         for key in KEYS.iter().filter(|key| key.table.is_empty() && !matches!(key.kind, Kind::Text(_))) {
-            if let Some(Value::Text(text)) = key.value(&self.0) {
-                tables.serialize_entry(key.name, &text)?;
+            if let Some(value) = key.value(&self.0) {
+                tables.serialize_entry(key.name, &Given(&value))?;
             }
         }
         let stands = |key: &Key| !key.table.is_empty() && key.belongs_to(&self.0);

@@ -10,6 +10,7 @@ use super::sliding::SlidingSummary;
 use super::term_summary::TermDecisionsSummary;
 use crate::error::ReportError;
 use crate::file::write_whole;
+use crate::grip_in_space::GripInSpace;
 use crate::names::{end_reason, end_word, limit_point_kind_word};
 use crate::number::{Finite, to_json};
 use peelkit::beam::GripState;
@@ -30,6 +31,8 @@ pub struct PeelSummary {
     command: Option<String>,
     scene: String,
     title: String,
+    /// Of a scene in space: whether its solution stays in the plane, where it was computed then.
+    solved_in_plane: Option<bool>,
     end: &'static str,
     /// Of the ends `bound` and `failed`.
     reason: Option<String>,
@@ -130,6 +133,9 @@ struct LimitPoint {
     work_error: Option<Finite>,
     /// Of a load limit point around which the force is so level that its place cannot be determined and does not matter.
     flat: bool,
+    /// Of a run in space
+    #[serde(flatten)]
+    in_space: Option<GripInSpace>,
 }
 
 #[derive(Debug, serde::Serialize)]
@@ -204,6 +210,7 @@ impl PeelSummary {
             command: None,
             scene: scene.name.clone(),
             title: scene.title.clone(),
+            solved_in_plane: scene.model.space.map(|_| peel.model.space.is_none()),
             end: end_word(&peel.end),
             reason: end_reason(&peel.end),
             peak: peel.peak.map(Peak::from),
@@ -338,6 +345,7 @@ impl From<&study::LimitPoint> for LimitPoint {
             force_error: Finite(at.force_error),
             work_error: at.work_error.map(Finite),
             flat: at.flat,
+            in_space: at.in_space.map(GripInSpace::from),
         }
     }
 }

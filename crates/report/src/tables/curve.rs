@@ -1,14 +1,14 @@
 //! The tables of one peel: curve.csv, limit_points.csv, observed.csv. Units stand in the names of the columns.
 
-use super::table::write_table;
+use super::table::{write_table, write_table_with_grip};
 use crate::error::ReportError;
 use crate::names::limit_point_kind_word;
 use crate::number::Finite;
-use peelkit::study::{Observed, Peel};
+use peelkit::study::{LimitPoint, Observed, PathPoint, Peel};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// Writes curve.csv: one row a path point.
+/// Writes curve.csv: one row a path point; in space with the columns of the grip.
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_curve(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
@@ -25,7 +25,7 @@ pub fn write_curve(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
         front_nm: Finite,
         newton_iterations: usize,
     }
-    let lines = peel.points.iter().map(|point| Line {
+    let line = |point: &PathPoint| Line {
         displacement_nm: Finite(point.displacement),
         force: Finite(point.force),
         end_rotation_rad: Finite(point.end_rotation),
@@ -34,11 +34,11 @@ pub fn write_curve(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
         negative_eigenvalues_load: point.negative_eigenvalues_load,
         front_nm: Finite(point.front),
         newton_iterations: point.iterations,
-    });
-    write_table(dir, "curve.csv", lines)
+    };
+    write_table_with_grip(dir, "curve.csv", peel.points.iter().map(|point| (line(point), point.in_space)))
 }
 
-/// Writes limit_points.csv: one row a limit point, in path order.
+/// Writes limit_points.csv: one row a limit point, in path order; in space with the columns of the grip.
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
@@ -59,7 +59,7 @@ pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportErro
         #[serde(rename = "error_aJ")]
         work_error: Option<Finite>,
     }
-    let lines = peel.limit_points.iter().map(|at| Line {
+    let line = |at: &LimitPoint| Line {
         kind: limit_point_kind_word(at.kind),
         displacement_nm: Finite(at.displacement),
         force: Finite(at.force),
@@ -70,8 +70,8 @@ pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportErro
         flat: at.flat,
         after_point: at.after,
         work_error: at.work_error.map(Finite),
-    });
-    write_table(dir, "limit_points.csv", lines)
+    };
+    write_table_with_grip(dir, "limit_points.csv", peel.limit_points.iter().map(|at| (line(at), at.in_space)))
 }
 
 /// Writes observed.csv: one row a point of the test, in its order.

@@ -1,10 +1,11 @@
 //! A value goes into a scene under its key, and comes out again.
 
-use super::choice::{HOLDS, LINE_LOADS, STARTS, TERMS, attractions, word};
+use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, word};
 use super::{Key, Kind};
 use crate::error::ValueError;
 use crate::scene::Scene;
 use crate::shape;
+use crate::space;
 use crate::value::pieces;
 use crate::value::quantity::{Comma, Dimension, parse_quantity};
 use crate::value::steps;
@@ -20,6 +21,7 @@ impl Key {
         match (&self.kind, value) {
             (Kind::Text(place), Value::Text(text)) => *place(scene) = text.clone(),
             (Kind::Flag(place), &Value::Flag(flag)) => *place(scene) = flag,
+            (Kind::InSpace, &Value::Flag(flag)) => space::set(scene, flag),
             (Kind::Table(place), Value::Text(text)) => {
                 let (table, text) =
                     read_profile(&scene.name, text).map_err(|found| ValueError::new(found, self.remedy()))?;
@@ -36,6 +38,7 @@ impl Key {
             (Kind::Attraction(place), Value::Text(word)) => *place(scene) = self.pick(&attractions(), word)?,
             (Kind::LineLoad(place), Value::Text(word)) => *place(scene) = self.pick(LINE_LOADS, word)?,
             (Kind::Hold(place), Value::Text(word)) => *place(scene) = self.pick(HOLDS, word)?,
+            (Kind::Section(place), Value::Text(word)) => *place(scene) = self.pick(SECTIONS, word)?,
             (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
             (Kind::Terms(place), Value::Text(word)) => *place(scene) = self.pick(TERMS, word)?,
             (Kind::Steps(place), Value::List(items)) => {
@@ -71,11 +74,11 @@ impl Key {
         Ok(())
     }
 
-    /// Puts a number into the scene, in the unit of the library, if it is in range.
+    /// Puts a number into the scene, in the unit of the library, if it is in range; one of space puts the scene there.
     ///
     /// Fails where it is out of range, is not whole where it has to be, or the key does not belong to the scene.
     pub fn store_number(&self, scene: &mut Scene, number: f64) -> Result<(), ValueError> {
-        if !self.belongs_to(scene) {
+        if !self.is_of_space() && !self.belongs_to(scene) {
             return Err(self.foreign(scene));
         }
         let range = match self.kind {
@@ -134,6 +137,7 @@ impl Key {
             Kind::Fixed(_, place) => Value::Number((*place(&mut scene))? as f64),
             Kind::Count(place) => Value::Number(*place(&mut scene) as f64),
             Kind::Flag(place) => Value::Flag(*place(&mut scene)),
+            Kind::InSpace => Value::Flag(scene.model.space.is_some()),
             Kind::Table(place) => match place(&mut scene) {
                 ProfileForm::Table(_) => Value::Text(scene.table_texts.profile.clone()),
                 ProfileForm::Pieces(_) => return None,
@@ -145,6 +149,7 @@ impl Key {
             Kind::Attraction(place) => Value::Text(place(&mut scene).name().to_owned()),
             Kind::LineLoad(place) => Value::Text(word(LINE_LOADS, *place(&mut scene))),
             Kind::Hold(place) => Value::Text(word(HOLDS, *place(&mut scene))),
+            Kind::Section(place) => Value::Text(word(SECTIONS, *place(&mut scene))),
             Kind::Start(place) => Value::Text(word(STARTS, *place(&mut scene))),
             Kind::Terms(place) => Value::Text(word(TERMS, *place(&mut scene))),
             Kind::Steps(place) => {

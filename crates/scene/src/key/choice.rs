@@ -1,6 +1,6 @@
 //! The words that a key with a choice takes.
 
-use peelkit::adhesion::LineLoad;
+use peelkit::adhesion::{LineLoad, SectionShape};
 use peelkit::model::{Attraction, Hold, Start};
 use peelkit::study::Terms;
 
@@ -8,6 +8,8 @@ pub(super) const LINE_LOADS: &[(&str, LineLoad)] =
     &[("full", LineLoad::Full), ("force-only", LineLoad::ForceOnly), ("axis-gap", LineLoad::AxisGap)];
 pub(super) const STARTS: &[(&str, Start)] = &[("conformed", Start::Conformed), ("flat", Start::Crests)];
 pub(super) const TERMS: &[(&str, Terms)] = &[("all", Terms::All), ("auto", Terms::Auto)];
+pub(super) const SECTIONS: &[(&str, SectionShape)] =
+    &[("rectangle", SectionShape::Rectangle), ("ellipse", SectionShape::Ellipse)];
 pub(super) const HOLDS: &[(&str, Hold)] = &[("free", Hold::Free), ("fixed", Hold::Fixed)];
 
 /// The names of the adhesion models in a scene.

@@ -2,7 +2,7 @@
 
 use crate::scene::Scene;
 use crate::value::quantity::Dimension;
-use peelkit::adhesion::{LineLoad, Substrate};
+use peelkit::adhesion::{LineLoad, SectionShape, Substrate};
 use peelkit::model::{Attraction, Hold, ProfileForm, Range, Start, Step};
 use peelkit::study::Terms;
 
@@ -36,6 +36,10 @@ pub enum Kind {
     Share(Range, fn(&mut Scene) -> &mut Option<f64>),
     /// true or false
     Flag(fn(&mut Scene) -> &mut bool),
+    /// true or false: whether the scene is in space
+    InSpace,
+    /// A word for the outline of a section.
+    Section(fn(&mut Scene) -> &mut SectionShape),
     /// A table along a beam: a CSV of several lines, or the name of its file, which is looked for beside the scene.
     Table(fn(&mut Scene) -> &mut ProfileForm),
     /// A list of the pieces of a beam, in place of a table.

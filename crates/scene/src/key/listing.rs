@@ -1,6 +1,6 @@
 //! A key in a few words, as a list of keys shows it: its default and what it may be.
 
-use super::choice::{HOLDS, LINE_LOADS, STARTS, TERMS, attractions};
+use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions};
 use super::{Key, Kind, Need};
 use crate::scene::Scene;
 use crate::shape;
@@ -57,7 +57,7 @@ impl Key {
             Kind::Quantity(..) | Kind::Bound(..) => numbers(Range::Positive),
             Kind::Count(_) => "1 to 1e9, whole".into(),
             Kind::Fixed(most, _) => format!("1 to {most}, whole"),
-            Kind::Flag(_) => "true, false".into(),
+            Kind::Flag(_) | Kind::InSpace => "true, false".into(),
             Kind::Table(_) | Kind::Heights(_) => "CSV, or its file".into(),
             Kind::Pieces(_) => "list of tables".into(),
             Kind::Steps(_) => "list of texts".into(),
@@ -74,6 +74,7 @@ impl Key {
             Kind::Attraction(_) => words(&attractions()),
             Kind::LineLoad(_) => words(LINE_LOADS),
             Kind::Hold(_) => words(HOLDS),
+            Kind::Section(_) => words(SECTIONS),
             Kind::Start(_) => words(STARTS),
             Kind::Terms(_) => words(TERMS),
             Kind::Shape(_) => words(&shape::names()),

@@ -1,6 +1,6 @@
 //! What is said about a key: what it takes, an example, and what is wrong with a value.
 
-use super::choice::{HOLDS, LINE_LOADS, STARTS, TERMS, attractions, words};
+use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, words};
 use super::{Key, Kind};
 use crate::error::{ValueError, one_line};
 use crate::near::nearest;
@@ -26,7 +26,7 @@ impl Key {
             }
             Kind::Count(_) => "a whole number from 1 to 1e9".into(),
             Kind::Fixed(most, _) => format!("a whole number from 1 to {most}"),
-            Kind::Flag(_) => "true or false".into(),
+            Kind::Flag(_) | Kind::InSpace => "true or false".into(),
             Kind::Table(_) => {
                 "a CSV in quotes, or the name of a file beside the scene: one row for each position, with the columns s_nm, \
                                width_nm, height_nm and, optionally, angle_deg and roundness"
@@ -35,6 +35,7 @@ impl Key {
             Kind::Attraction(_) => words(&attractions()),
             Kind::LineLoad(_) => words(LINE_LOADS),
             Kind::Hold(_) => words(HOLDS),
+            Kind::Section(_) => words(SECTIONS),
             Kind::Start(_) => words(STARTS),
             Kind::Terms(_) => words(TERMS),
             Kind::Steps(_) => steps::TAKES.into(),
@@ -81,13 +82,14 @@ impl Key {
             (_, Kind::Count(_)) => "20000",
             (_, Kind::Fixed(..)) => "20",
             (_, Kind::Share(..)) => "0.01",
-            (_, Kind::Flag(_)) => "true",
+            (_, Kind::Flag(_) | Kind::InSpace) => "true",
             (_, Kind::Table(_)) => "\"s_nm,width_nm,height_nm\\n0,20,5\\n100,20,10\"",
             (_, Kind::Pieces(_)) => "[{ length = \"90 nm\", width = [\"9 nm\", \"5 nm\"], height = \"5 nm\" }]",
             (_, Kind::Attraction(_)) => "\"bilinear\"",
             (_, Kind::LineLoad(_)) => "\"full\"",
             (_, Kind::Hold(_)) => "\"fixed\"",
             (_, Kind::Steps(_)) => "[\"press 0.1 nm\", \"turn 1 deg\", \"hold\"]",
+            (_, Kind::Section(_)) => "\"ellipse\"",
             (_, Kind::Start(_)) => "\"conformed\"",
             (_, Kind::Terms(_)) => "\"auto\"",
             (_, Kind::Shape(_)) => "\"flat\"",
@@ -174,10 +176,12 @@ impl Key {
                     format!("Remove the quotes: {} = {}", self.name, one_line(text.trim())),
                 )
             }
-            (Kind::Flag(_), Value::Text(text)) if matches!(text.trim(), "true" | "false") => ValueError::new(
-                format!("is {} in quotes", quoted(text)),
-                format!("Remove the quotes: {} = {}", self.name, text.trim()),
-            ),
+            (Kind::Flag(_) | Kind::InSpace, Value::Text(text)) if matches!(text.trim(), "true" | "false") => {
+                ValueError::new(
+                    format!("is {} in quotes", quoted(text)),
+                    format!("Remove the quotes: {} = {}", self.name, text.trim()),
+                )
+            }
             _ => ValueError::new(format!("is {value}"), self.remedy()),
         }
     }

@@ -13,6 +13,7 @@ use crate::bodies::{BODIES, body_of};
 use crate::error::ValueError;
 use crate::scene::Scene;
 use crate::shape;
+use crate::space;
 use peelkit::model::{Body, ProfileForm};
 
 /// A key of a scene.
@@ -37,9 +38,10 @@ impl Key {
     }
 
     /// Whether it may stand in this scene: one of a body that the scene does not peel may not, nor one of a substrate of another
-    /// shape.
+    /// shape, nor one of space in the plane.
     pub fn belongs_to(&self, scene: &Scene) -> bool {
         match self.table {
+            _ if self.is_of_space() && scene.model.space.is_none() => false,
             shape::TABLE => shape::has(&scene.model.ground.substrate, self.name),
             table if !BODIES.contains(&table) => true,
             table => match &scene.model.body {
@@ -80,6 +82,9 @@ impl Key {
             return shape::foreign(&scene.model.ground.substrate, self.name);
         }
         let body = body_of(scene);
+        if self.is_of_space() && (self.table == body || !BODIES.contains(&self.table)) {
+            return space::foreign();
+        }
         if let Some(other) = self.alternative().filter(|_| self.table == body) {
             return ValueError::new(
                 format!("is given beside `{}.{other}`, and the beam has one geometry", self.table),
@@ -119,7 +124,7 @@ impl Key {
 
     /// Whether its values are TOML strings.
     pub(crate) fn is_text(&self) -> bool {
-        !matches!(self.kind, Kind::Number(..) | Kind::Share(..) | Kind::Flag(_) | Kind::Steps(_) | Kind::Pieces(_))
-            && !self.is_count()
+        let plain = matches!(self.kind, Kind::Number(..) | Kind::Share(..) | Kind::Flag(_) | Kind::InSpace);
+        !plain && !matches!(self.kind, Kind::Steps(_) | Kind::Pieces(_)) && !self.is_count()
     }
 }

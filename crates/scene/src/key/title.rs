@@ -39,6 +39,7 @@ const TITLES: &[(&str, &str, &str)] = &[
     ("grip.stiffness", "stiffness of the machine", "k"),
     ("grip.pretension", "pretension", "T"),
     ("drive.angle", "angle of the pull to the substrate", "α"),
+    ("drive.azimuth", "direction of the pull along the substrate", "β"),
     ("drive.turn", "rotation of the grip per displacement", ""),
     ("accuracy.relative", "relative tolerance", ""),
     ("accuracy.order", "order of the elements", "p"),

@@ -54,6 +54,9 @@ fn holds_what_was_given(text: &str, scene: &Scene) -> Result<(), String> {
     // beside a cohesive law with work and strength it follows from these
     let follows =
         |key: &Key| key.path() == "adhesion.hamaker_constant" && scene.model.adhesion.needs_no_hamaker_constant();
+    // each of its keys implies a scene in space
+    let is_of_space = |path: &String| find_key(path).is_ok_and(Key::is_of_space);
+    let follows = |key: &Key| follows(key) || key.path() == "space" && given.iter().any(|(path, _)| is_of_space(path));
     let absent =
         |key: &&Key| key.belongs_to(scene) && !follows(key) && given.iter().all(|(path, _)| *path != key.path());
     for key in KEYS.iter().filter(absent) {

@@ -96,7 +96,14 @@ pub fn garbled_text(dice: &mut Dice) -> String {
     let body = dice.pick(&BODIES);
     let shape = dice.pick(&["flat", "flat", "sphere", "cylinder", "sinusoid", "profile"]);
     let left_out = dice.pick(&["pieces", "table"]);
+    // in space, most of what is of the plane alone is left out: else next to no such scene is taken
+    let in_space = body == "strip" && dice.below(4) == 0;
+    let of_plane =
+        |key: &Key| key.table == "friction" || ["steps", "pretension", "law", "work", "strength"].contains(&key.name);
+    let of_space = |key: &Key| key.is_of_space() || key.name == "space";
+    let shape = if in_space { "flat" } else { shape };
     let mut entries: Vec<(&str, String, String)> = keys_of(body)
+        .filter(|key| if in_space { !of_plane(key) } else { !of_space(key) })
         .filter(|key| key.table != "substrate" || key.shapes().contains(&shape))
         .filter(|key| key.alternative().is_none() || key.name != left_out)
         .filter(|key| key.need == Need::Required || key.name == "shape" || dice.below(2) == 0)

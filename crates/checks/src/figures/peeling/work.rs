@@ -117,6 +117,7 @@ mod tests {
             work_error: None,
             flat: false,
             after: 0,
+            in_space: None,
         };
         let filled = |&value: &f64| {
             row.value = value;

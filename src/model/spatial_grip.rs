@@ -1,0 +1,42 @@
+//! The grip of a strip in space, beside what it does in the plane.
+
+use super::BeamProblem;
+use super::space::{ACROSS, ROLL, SIDEWAYS};
+use crate::solve::State;
+use serde::{Deserialize, Serialize};
+
+/// How the right end of a strip in space is turned, beside its rotation in the plane, and what the grip exerts, beside
+/// the force along the pull. A reaction is exactly zero where the grip does not hold what it works on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SpatialGrip {
+    /// ρ about the axis, rad: of the directors Rz(θ) Ry(ψ) Rx(ρ)
+    pub roll: f64,
+    /// ψ, rad
+    pub yaw: f64,
+    /// Moment on the roll, nN·nm
+    pub torque: f64,
+    /// Force across the pull in its vertical plane, nN: along (sin α cos β, -cos α, sin α sin β) for the elevation α and
+    /// the azimuth β
+    pub across: f64,
+    /// Force normal to the vertical plane of the pull, nN: along (-sin β, 0, cos β)
+    pub lateral: f64,
+}
+
+impl BeamProblem {
+    /// The grip at an equilibrium of a strip in space; none of one in the plane.
+    pub fn spatial_grip(&self, at: &State) -> Option<SpatialGrip> {
+        let beam = self.beam.spatial()?;
+        let [_, yaw, roll] = beam.angles_of_grip(at);
+        let reactions = beam.grip_reactions(at);
+        let axes = &beam.chain.ends[1].axes;
+        let along = |slot: usize| (0..3).map(|i| axes[i][slot] * reactions.force[i]).sum::<f64>();
+        let held = |slot: usize, value: f64| if self.grip.held[slot] { value } else { 0.0 };
+        Some(SpatialGrip {
+            roll,
+            yaw,
+            torque: held(ROLL, reactions.moment[2]),
+            across: held(ACROSS, along(ACROSS)),
+            lateral: held(SIDEWAYS, along(SIDEWAYS)),
+        })
+    }
+}
