@@ -75,7 +75,7 @@ fn listing(dir: &Path) -> Vec<String> {
 #[test]
 fn a_peel_gives_its_curve_and_its_shapes() {
     let dir = tempfile::tempdir().unwrap();
-    let files = draw_peel(&run(), "A strip & its <peel>", dir.path()).unwrap();
+    let files = draw_peel(&run(), None, "A strip & its <peel>", dir.path()).unwrap();
     assert_eq!(listing(dir.path()), ["curve.png", "curve.svg", "shapes.png", "shapes.svg"]);
     assert_eq!(files.len(), 4);
     let text = check_pictures(&files);
@@ -89,7 +89,7 @@ fn a_peel_gives_its_curve_and_its_shapes() {
 #[test]
 fn the_warnings_stand_below_the_pictures_of_a_run() {
     let dir = tempfile::tempdir().unwrap();
-    let files = draw_peel(&run(), "with warnings", dir.path()).unwrap();
+    let files = draw_peel(&run(), None, "with warnings", dir.path()).unwrap();
     for svg in files.iter().filter(|file| file.extension().is_some_and(|ending| ending == "svg")) {
         let text = std::fs::read_to_string(svg).unwrap();
         assert!(text.contains("Warning: the process zone is 0.217 times"), "{}", svg.display());
@@ -103,11 +103,11 @@ fn a_path_that_stopped_short_is_not_drawn_as_stable() {
     let dir = tempfile::tempdir().unwrap();
     let mut failed = run();
     failed.end = PathEnd::Failed(Failure::NothingComputed);
-    let text = check_pictures(&draw_peel(&failed, "explained", dir.path()).unwrap());
+    let text = check_pictures(&draw_peel(&failed, None, "explained", dir.path()).unwrap());
     assert!(text.contains("unstable under displacement control") && !text.contains("not verified"));
     assert!(text.contains("The computation stopped short: "));
     failed.limit_points.clear();
-    let text = check_pictures(&draw_peel(&failed, "unexplained", dir.path()).unwrap());
+    let text = check_pictures(&draw_peel(&failed, None, "unexplained", dir.path()).unwrap());
     assert!(text.contains("stopped short: stability not verified"));
     assert!(!text.contains("unstable under displacement control"));
 }
@@ -145,7 +145,7 @@ fn shapes_have_no_corners() {
 #[test]
 fn a_peel_without_points_is_an_error_that_says_why() {
     let dir = tempfile::tempdir().unwrap();
-    match draw_peel(&nothing(), "nothing", dir.path()) {
+    match draw_peel(&nothing(), None, "nothing", dir.path()) {
         Err(ReportError::Draw { path, reason }) => {
             assert!(path.ends_with("curve.svg"));
             assert!(reason.contains("0 points") && reason.contains("nothing was computed"), "{reason}");
@@ -208,8 +208,8 @@ fn a_file_that_cannot_be_written_is_named() {
 fn pictures_are_the_same_every_time() {
     let (a, b) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
     let peel = run();
-    draw_peel(&peel, "twice", a.path()).unwrap();
-    draw_peel(&peel, "twice", b.path()).unwrap();
+    draw_peel(&peel, None, "twice", a.path()).unwrap();
+    draw_peel(&peel, None, "twice", b.path()).unwrap();
     for name in listing(a.path()) {
         assert_eq!(
             std::fs::read(a.path().join(&name)).unwrap(),
