@@ -8,8 +8,10 @@ use crate::study::peel::SolutionHistory;
 
 /// Most looks at the margin around a point at which it is least.
 const MOST_LOOKS: usize = 10;
-/// Where a parabola through what is known has its least value above this share of the least margin, there is no loss.
-const CLEAR: f64 = 0.5;
+/// What a parabola through three looks may be wrong by at its least value, over how much lower that is than the least look, and over how much lower
+/// that is than the higher of the other two. Without the latter the loss of a strip 1e-4 nm narrower than the limit, 4.9292 nm, was missed on the
+/// points of a path at 1e-6.
+const PARABOLA: [f64; 2] = [2.0, 0.25];
 
 /// A loss of stability within a step, and the places on it between which that is.
 pub(super) type Within<'s> = (StepSearch<'s>, (Known, Known));
@@ -31,7 +33,7 @@ pub(super) fn dip<'s>(
         behind: (behind, margins[point + 1]),
     };
     for _ in 0..MOST_LOOKS {
-        let Some((place, _)) = valley.next().filter(|next| next.1 < CLEAR * valley.least.1) else { return Ok(None) };
+        let Some((place, _)) = valley.next().filter(|next| !is_clear(&valley, next.1)) else { return Ok(None) };
         let (k, label) = around.label(place);
         let (_, known) = around.steps[k].margin_at(label, ws)?;
         if known.margin <= 0.0 {
@@ -43,4 +45,10 @@ pub(super) fn dip<'s>(
         valley = valley.with((place, known.margin));
     }
     Ok(None)
+}
+
+/// Whether the margin stays above zero, whatever it does between the looks of a valley with this least value of the parabola.
+fn is_clear(valley: &Valley, lowest: f64) -> bool {
+    let depth = valley.before.1.max(valley.behind.1) - valley.least.1;
+    PARABOLA[0] * (valley.least.1 - lowest) + PARABOLA[1] * depth < valley.least.1
 }

@@ -32,7 +32,9 @@ impl NotOutOfPlane {
     /// What forbids it for a model, if anything does.
     pub fn of(model: &PeelModel) -> Option<Self> {
         if model.pull.direction() != Direction::UP {
-            return Some(Self::Angle { degrees: model.pull.angle.to_degrees() });
+            // as it was written, in degrees
+            let degrees = (1e9 * model.pull.angle.to_degrees()).round() / 1e9;
+            return Some(Self::Angle { degrees });
         }
         let reasons = [
             (model.grip.horizontal == Hold::Fixed, Self::Horizontal),
