@@ -52,6 +52,7 @@ const CUT: &[&str] = &["--set", "bounds.displacement=0.1 nm"];
 /// Runs that together have every key.
 const RUNS: &[(&str, &[&[&str]])] = &[
     ("strip-100nm", &[&["--observed"]]),
+    ("strip-100nm", &[&["--out-of-plane"]]),
     ("strip-100nm", &[FIXED]),
     ("strip-100nm", &[STEPS]),
     ("strip-100nm", &[SOFT]),

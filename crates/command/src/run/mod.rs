@@ -42,8 +42,7 @@ pub struct Run {
 
     /// Adds the stability of the planar path against leaving its plane
     ///
-    /// Where a strip that is free to rolls or buckles sideways: from there on the path is not what it does. Of a pull straight up by a grip that is
-    /// free to roll, on flat ground without friction.
+    /// Where a free strip rolls or buckles sideways. For a pull straight up by a grip that is free to roll.
     #[arg(long)]
     out_of_plane: bool,
 
