@@ -9,7 +9,8 @@ use crate::shared_pictures::check_pictures;
 use peelkit::model::{Spatula, StripModel};
 use peelkit::solve::LimitPointKind;
 use peelkit::study::{
-    Accuracy, DeformedShape, Failure, LimitPoint, PathEnd, Peak, Peel, PeelResult, Plateau, StopCriteria, peel,
+    Accuracy, DeformedShape, Failure, LimitPoint, OutOfPlane, OutOfPlaneLoss, PathEnd, Peak, Peel, PeelResult, Plateau,
+    StopCriteria, peel,
 };
 use peelkit_report::pictures::peel::{numbered_points, pose};
 use peelkit_report::{ReportError, SweepRow, draw_peel, draw_sweep};
@@ -82,6 +83,24 @@ fn a_peel_gives_its_curve_and_its_shapes() {
     for label in
         ["displacement u (nm)", "force P (nN)", "x (nm)", "y (nm)", "snap-off", "A strip &amp; its &lt;peel&gt;"]
     {
+        assert!(text.contains(label), "{label} is missing");
+    }
+}
+
+#[test]
+fn a_curve_shows_where_its_path_leaves_the_plane() {
+    let dir = tempfile::tempdir().unwrap();
+    let peel = run();
+    let loss = OutOfPlaneLoss {
+        displacement: 0.489744,
+        force: 0.312662,
+        displacement_error: 1e-9,
+        force_error: 1e-9,
+        after: Some(5),
+    };
+    let stability = OutOfPlane { negative_eigenvalues: Vec::new(), first_loss: Some(loss) };
+    let text = check_pictures(&draw_peel(&peel, Some(&stability), "narrow", dir.path()).unwrap());
+    for label in ["leaves the plane", "u = 0.4897 nm", "P = 0.3127 nN"] {
         assert!(text.contains(label), "{label} is missing");
     }
 }

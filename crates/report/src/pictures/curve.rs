@@ -230,10 +230,9 @@ fn marks(peel: &Peel, numbered: &[usize]) -> Vec<Mark> {
 pub(super) fn mark_loss(picture: &mut Picture, loss: &OutOfPlaneLoss) {
     let at = (loss.displacement, loss.force);
     let note = Some(values(Some("leaves the plane"), loss.displacement, loss.force));
-    let name = Some("stability out of the plane is lost".into());
     // the panel of the initiation is the last one
     if let Some(panel) = picture.panels.iter_mut().rfind(|panel| panel.shows(at)) {
-        panel.marks.push(Mark { at, symbol: Symbol::Square, colour: colour::VERMILLION, name, note });
+        panel.marks.push(Mark { at, symbol: Symbol::Square, colour: colour::VERMILLION, name: None, note });
     }
 }
 
