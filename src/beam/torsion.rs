@@ -11,8 +11,8 @@ const TERMS: usize = 6;
 ///
 ///   J = a t³ [ 1/3 - (64 t/π⁵ a) Σ tanh(nπa/2t)/n⁵ ],  n = 1, 3, 5, ...
 ///
-/// Exact to round-off: tanh x = 1 - 2/(e^2x + 1) leaves a closed sum and one that converges in a few terms. Timoshenko and Goodier, Theory of
-/// Elasticity, § 109.
+/// Exact to round-off: tanh x = 1 - 2/(e^2x + 1) leaves a closed sum and one that converges in a few terms. Timoshenko
+/// and Goodier, Theory of Elasticity, § 109.
 pub fn rectangle_torsion_constant(height: f64, width: f64) -> f64 {
     let (long, short) = (height.max(width), height.min(width));
     let ratio = long / short;

@@ -1,7 +1,8 @@
 //! `peel run --out-of-plane`.
 //!
-//! Reference: verification/out_of_plane.csv, shooting. Expected: the first line of the summary, the object of summary.json, the column of curve.csv and the
-//! mark of the picture say one thing; a scene for which it is not computed is refused before anything is. Why: the user is to read it first.
+//! Reference: verification/out_of_plane.csv, shooting. Expected: the first line of the summary, the object of
+//! summary.json, the column of curve.csv and the mark of the picture say one thing; a scene for which it is not
+//! computed is refused before anything is. Why: the user is to read it first.
 
 use serde_json::Value;
 use std::process::Command;

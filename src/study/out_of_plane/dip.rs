@@ -8,16 +8,16 @@ use crate::study::peel::SolutionHistory;
 
 /// Most looks at the margin around a point at which it is least.
 const MOST_LOOKS: usize = 10;
-/// What a parabola through three looks may be wrong by at its least value, over how much lower that is than the least look, and over how much lower
-/// that is than the higher of the other two. Without the latter the loss of a strip 1e-4 nm narrower than the limit, 4.9292 nm, was missed on the
-/// points of a path at 1e-6.
+/// What a parabola through three looks may be wrong by at its least value, over how much lower that is than the least
+/// look, and over how much lower that is than the higher of the other two. Without the latter the loss of a strip 1e-4
+/// nm narrower than the limit, 4.9292 nm, was missed on the points of a path at 1e-6.
 const PARABOLA: [f64; 2] = [2.0, 0.25];
 
 /// A loss of stability within a step, and the places on it between which that is.
 pub(super) type Within<'s> = (StepSearch<'s>, (Known, Known));
 
-/// The step with a loss of stability beside a point at which the margin is no more than at its neighbours, and the places on it between which
-/// that is.
+/// The step with a loss of stability beside a point at which the margin is no more than at its neighbours, and the
+/// places on it between which that is.
 pub(super) fn dip<'s>(
     reader: &'s RollReader<'s>,
     history: &'s SolutionHistory,
@@ -47,7 +47,8 @@ pub(super) fn dip<'s>(
     Ok(None)
 }
 
-/// Whether the margin stays above zero, whatever it does between the looks of a valley with this least value of the parabola.
+/// Whether the margin stays above zero, whatever it does between the looks of a valley with this least value of the
+/// parabola.
 fn is_clear(valley: &Valley, lowest: f64) -> bool {
     let depth = valley.before.1.max(valley.behind.1) - valley.least.1;
     PARABOLA[0] * (valley.least.1 - lowest) + PARABOLA[1] * depth < valley.least.1

@@ -19,7 +19,8 @@ const FOUND: f64 = 1e-7;
 /// Most finer meshes until the bound is what was asked.
 const MOST_MESHES: usize = 4;
 
-/// A place on a step with what is known there: its label on the segment, and the margin of [`super::roll_elements::RollStability`].
+/// A place on a step with what is known there: its label on the segment, and the margin of
+/// [`super::roll_elements::RollStability`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known {
     pub label: f64,

@@ -8,8 +8,8 @@ use crate::solve::Direction;
 #[allow(missing_docs)] // the message of each says it
 pub enum NotOutOfPlane {
     #[error(
-        "drive.angle is {degrees} degrees: a pull that is not straight up has a part along the strip, which couples its roll with its turn about \
-         the normal"
+        "drive.angle is {degrees} degrees: a pull that is not straight up has a part along the strip, which couples its \
+         roll with its turn about the normal"
     )]
     Angle { degrees: f64 },
     #[error("grip.horizontal is \"fixed\": the force along the strip couples its roll with its turn about the normal")]
@@ -23,7 +23,8 @@ pub enum NotOutOfPlane {
     #[error("there is friction, which has no potential: stability is not that of an energy")]
     Friction,
     #[error(
-        "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): stability is not that of an energy"
+        "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): stability \
+         is not that of an energy"
     )]
     NoPotential,
 }

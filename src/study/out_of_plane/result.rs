@@ -6,8 +6,8 @@ use crate::solve::SolveError;
 /// The stability of the points of a planar path against leaving the plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutOfPlane {
-    /// Negative eigenvalues out of the plane at each point of the path, in the order of [`crate::study::Peel::points`]. They are the same whether
-    /// displacement or force is held.
+    /// Negative eigenvalues out of the plane at each point of the path, in the order of [`crate::study::Peel::points`].
+    /// They are the same whether displacement or force is held.
     pub negative_eigenvalues: Vec<usize>,
     /// Where the path loses its stability first; nothing where all of it is stable
     pub first_loss: Option<OutOfPlaneLoss>,
@@ -24,7 +24,8 @@ pub struct OutOfPlaneLoss {
     pub displacement_error: f64,
     /// Bound on the error of the force, nN
     pub force_error: f64,
-    /// It lies between `points[after]` and `points[after + 1]` of the path; nothing where the path is unstable from its beginning on, the place given.
+    /// It lies between `points[after]` and `points[after + 1]` of the path; nothing where the path is unstable from its
+    /// beginning on, the place given.
     pub after: Option<usize>,
 }
 

@@ -1,8 +1,9 @@
 //! Finite elements for the roll, and the inertia of their matrix.
 //!
-//! On each element of the beam's mesh φ is a polynomial: two functions that are one at an end, and bubbles, integrals of Legendre polynomials. The bubbles are
-//! eliminated element by element, the ends from left to right. The signs of the pivots are those of the eigenvalues (Sylvester's law of inertia); the last
-//! pivot is the moment about the axis that rolls the grip by one.
+//! On each element of the beam's mesh φ is a polynomial: two functions that are one at an end, and bubbles, integrals
+//! of Legendre polynomials. The bubbles are eliminated element by element, the ends from left to right. The signs of
+//! the pivots are those of the eigenvalues (Sylvester's law of inertia); the last pivot is the moment about the axis
+//! that rolls the grip by one.
 
 use super::roll_section::RollDensity;
 use crate::number::gauss::gauss_legendre;
@@ -30,8 +31,8 @@ pub(super) struct RollStability {
 }
 
 impl RollStability {
-    /// A number that falls through zero, continuously, where the first eigenvalue does: the stiffness of the grip, and where modes are unstable with the
-    /// grip held as well, less than any.
+    /// A number that falls through zero, continuously, where the first eigenvalue does: the stiffness of the grip, and
+    /// where modes are unstable with the grip held as well, less than any.
     pub fn margin(&self) -> f64 {
         let held = self.negative - usize::from(self.grip_stiffness < 0.0);
         if held == 0 { self.grip_stiffness } else { f64::NEG_INFINITY }
@@ -60,7 +61,8 @@ impl RollElements {
         self.points.len()
     }
 
-    /// The inertia of elements with these ends, whose densities are given place by place. Nothing where a number is not finite.
+    /// The inertia of elements with these ends, whose densities are given place by place. Nothing where a number is not
+    /// finite.
     pub fn stability(&self, ends: &[f64], densities: impl Iterator<Item = RollDensity>) -> Option<RollStability> {
         let mut densities = densities;
         let size = self.points.first()?.functions.len();
@@ -107,7 +109,8 @@ impl RollElements {
     }
 }
 
-/// Eliminates all unknowns but the last two from a symmetric matrix of which the lower half is given: how many pivots are negative.
+/// Eliminates all unknowns but the last two from a symmetric matrix of which the lower half is given: how many pivots
+/// are negative.
 fn eliminate_bubbles(matrix: &mut [f64], size: usize) -> usize {
     let mut negative = 0;
     for k in 0..size - 2 {
@@ -123,8 +126,8 @@ fn eliminate_bubbles(matrix: &mut [f64], size: usize) -> usize {
     negative
 }
 
-/// The functions of a degree with their slopes at a local coordinate: bubbles (P_k - P_(k-2))/(2k - 1), whose slope is P_(k-1), then the two that are one at
-/// an end.
+/// The functions of a degree with their slopes at a local coordinate: bubbles (P_k - P_(k-2))/(2k - 1), whose slope is
+/// P_(k-1), then the two that are one at an end.
 fn functions(degree: usize, local: f64) -> Vec<[f64; 2]> {
     let mut legendre = vec![1.0, local];
     for k in 2..=degree {
@@ -151,7 +154,8 @@ mod tests {
         of_degree(degree).stability(&ends, std::iter::repeat(density)).unwrap()
     }
 
-    /// ½ ∫ GJ φ'² - k φ² with free ends has an eigenvalue (nπ/L)² GJ - k for n = 0, 1, 2, ...; the grip's stiffness is -(k GJ)^(1/2) tan(L (k/GJ)^(1/2)).
+    /// ½ ∫ GJ φ'² - k φ² with free ends has an eigenvalue (nπ/L)² GJ - k for n = 0, 1, 2, ...; the grip's stiffness is
+    /// -(k GJ)^(1/2) tan(L (k/GJ)^(1/2)).
     #[test]
     fn a_bar_on_a_repelling_bed_has_as_many_modes_as_half_waves() {
         let (stiffness, length) = (3.0, 7.0);

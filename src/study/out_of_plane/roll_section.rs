@@ -1,18 +1,20 @@
 //! The density of the roll's energy at one place of the beam.
 //!
-//! Out of its plane a section may shift along the width by ζ and turn by the vector (ω_x, ω_y, 0). Of the second variation of the energy (with
-//! c = cos θ, s = sin θ, V the vertical section force, M the moment, no horizontal force)
+//! Out of its plane a section may shift along the width by ζ and turn by the vector (ω_x, ω_y, 0). Of the second
+//! variation of the energy (with c = cos θ, s = sin θ, V the vertical section force, M the moment, no horizontal force)
 //!
 //!   ½ GA γ² + ½ GJ τ² + ½ EI3 χ² - V γ ω_x + ½ V y' ω_x² - M ω_x ω_y' + ½ (b²Ψ_aa - hΨ_c c) ω_x²,
 //!   γ = ω_x y' - ω_y x' - ζ',  τ = c ω_x' + s ω_y',  χ = c ω_y' - s ω_x',
 //!
-//! ζ and ω_y are in γ and ω_y' alone where no end holds them and no end carries a moment. Minimising over these two leaves, exactly, the roll φ = ω_x,
+//! ζ and ω_y are in γ and ω_y' alone where no end holds them and no end carries a moment. Minimising over these two
+//! leaves, exactly, the roll φ = ω_x,
 //!
 //!   (φ' - βφ)²/2α + ½ κφ²,  α = c²/GJ + s²/EI3,  β = M s c (1/GJ - 1/EI3),
 //!   κ = V (y' - V/GA) + b²Ψ_aa - hΨ_c c - M² (s²/GJ + c²/EI3),
 //!
-//! with natural ends. Ψ (of the width b) is the planar density averaged over the heights y + t a/b, |t| < b/2, of the strips that make up a rolled section, a =
-//! b φ: so b²Ψ_aa = (b²/12) Ψ_yy. Ψ_c is its derivative by c_h = h cos θ: -hΨ_c sin θ = Ψ_θ.
+//! with natural ends. Ψ (of the width b) is the planar density averaged over the heights y + t a/b, |t| < b/2, of the
+//! strips that make up a rolled section, a = b φ: so b²Ψ_aa = (b²/12) Ψ_yy. Ψ_c is its derivative by c_h = h cos θ:
+//! -hΨ_c sin θ = Ψ_θ.
 
 use crate::adhesion::LineResponse;
 use crate::beam::{
@@ -34,8 +36,8 @@ pub(super) struct LateralStiffness {
 }
 
 impl LateralStiffness {
-    /// Of a section between a rectangle and an ellipse, as [`Material::section`] has it. The factor of the planar bending stiffness has no part in
-    /// it.
+    /// Of a section between a rectangle and an ellipse, as [`Material::section`] has it. The factor of the planar
+    /// bending stiffness has no part in it.
     pub fn of(material: &Material, width: f64, height: f64, roundness: f64) -> Self {
         let rectangle = rectangle_torsion_constant(height, width);
         let torsion_constant = rectangle + roundness * (ellipse_torsion_constant(height, width) - rectangle);
@@ -102,7 +104,8 @@ impl RollSection {
         }
     }
 
-    /// The same section of a straight beam of one section that is `width` wide (nm): its planar equilibrium per width is the same.
+    /// The same section of a straight beam of one section that is `width` wide (nm): its planar equilibrium per width
+    /// is the same.
     pub fn widened(&self, width: f64, lateral: LateralStiffness) -> Self {
         let factor = width / self.width;
         Self {

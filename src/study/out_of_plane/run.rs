@@ -11,12 +11,12 @@ use crate::study::Peel;
 use crate::study::peel::SolutionHistory;
 
 impl Peel {
-    /// The stability of the path against leaving its plane, of a beam whose grip is free to roll, to turn about the normal and to move along the
-    /// width: at every point, and where it is lost first, with error bounds.
+    /// The stability of the path against leaving its plane, of a beam whose grip is free to roll, to turn about the
+    /// normal and to move along the width: at every point, and where it is lost first, with error bounds.
     ///
     /// # Errors
-    /// Where the model is not pulled straight up by its axis alone ([`NotOutOfPlane`]), where the peel was read or its solutions were dropped, and where the
-    /// loss is not located.
+    /// Where the model is not pulled straight up by its axis alone ([`NotOutOfPlane`]), where the peel was read or its
+    /// solutions were dropped, and where the loss is not located.
     pub fn out_of_plane(&self) -> Result<OutOfPlane, OutOfPlaneError> {
         if let Some(refusal) = NotOutOfPlane::of(&self.model) {
             return Err(refusal.into());

@@ -53,8 +53,8 @@ pub(super) struct Valley {
 }
 
 impl Valley {
-    /// Where to look next, with the least value of the parabola through the three: at its vertex, or beside the least one where that is as
-    /// near. Nothing where the parabola has no least value between.
+    /// Where to look next, with the least value of the parabola through the three: at its vertex, or beside the least
+    /// one where that is as near. Nothing where the parabola has no least value between.
     pub fn next(&self) -> Option<Look> {
         let (place, value) = self.vertex()?;
         let apart = APART * (self.least.0 - self.before.0).min(self.behind.0 - self.least.0);

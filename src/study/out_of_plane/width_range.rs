@@ -1,7 +1,8 @@
 //! Between which widths a strip's planar path is stable out of the plane.
 //!
-//! The planar equilibria of a straight strip are, per width, those of any width. So one path serves all of them: at each of its equilibria the roll is
-//! stable up to some width, and down to another. The limits of the path are the least and the largest of these, located along the path as well.
+//! The planar equilibria of a straight strip are, per width, those of any width. So one path serves all of them: at
+//! each of its equilibria the roll is stable up to some width, and down to another. The limits of the path are the
+//! least and the largest of these, located along the path as well.
 
 use super::refusal::NotOutOfPlane;
 use super::result::OutOfPlaneError;
@@ -53,8 +54,8 @@ enum Side {
 }
 
 impl Peel {
-    /// The widths between which the whole planar path of this strip is stable out of the plane: the widest such range from 1/300 to 300 times the height;
-    /// nothing where no width is stable.
+    /// The widths between which the whole planar path of this strip is stable out of the plane: the widest such range
+    /// from 1/300 to 300 times the height; nothing where no width is stable.
     ///
     /// # Errors
     /// As [`Peel::out_of_plane`], and where the body is no strip.
@@ -108,7 +109,8 @@ impl WidthSearch<'_> {
         self.beams.iter().all(|beam| self.margin(beam, width) > 0.0)
     }
 
-    /// The width between a stable one and one beyond at which an equilibrium loses its stability; where it is stable there, twice as far and farther.
+    /// The width between a stable one and one beyond at which an equilibrium loses its stability; where it is stable
+    /// there, twice as far and farther.
     fn limit_of(&self, beam: &RollingBeam, (mut stable, mut beyond): (f64, f64)) -> Option<f64> {
         let factor = beyond / stable;
         let (low, high) = (self.own.min(stable) / FARTHEST.powi(2), self.own.max(stable) * FARTHEST.powi(2));

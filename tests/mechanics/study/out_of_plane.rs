@@ -6,11 +6,12 @@
 //!       |====--'                             |    |  <-- z               \\_____ -->
 //!       +------------------- x                                             \
 //!
-//! References: the spatial Simo-Reissner equations linearised at the planar path and shot from end to end (`verification/out_of_plane.csv`, looked at in
-//! tests/checks/out_of_plane.rs; the numbers here are its first rows), and the same beam described in another way.
-//! Parameters: the paper's strip of 100 nm from 0.3 to 100 nm wide; the same as a profile and in the other form; models that are refused.
-//! Expected: the digits of the table; bounds that hold; between two path points as well. Why: from there on a strip that is free to leave its plane is
-//! not on the planar path any more, whatever the planar computation says.
+//! References: the spatial Simo-Reissner equations linearised at the planar path and shot from end to end
+//! (`verification/out_of_plane.csv`, looked at in tests/checks/out_of_plane.rs; the numbers here are its first rows),
+//! and the same beam described in another way. Parameters: the paper's strip of 100 nm from 0.3 to 100 nm wide; the
+//! same as a profile and in the other form; models that are refused. Expected: the digits of the table; bounds that
+//! hold; between two path points as well. Why: from there on a strip that is free to leave its plane is not on the
+//! planar path any more, whatever the planar computation says.
 
 use crate::common::{paper_strip, whole_peel};
 use peelkit::adhesion::{LineLoad, Sinusoid, Substrate};

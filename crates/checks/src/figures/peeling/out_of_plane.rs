@@ -28,10 +28,11 @@ pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figu
     let by_height = ranges(runner, &spaced(HEIGHT, HEIGHTS), thick);
     let by_modulus = ranges(runner, &spaced(MODULUS, MODULI), stiff);
     let caption = format!(
-        "The widths (shaded) at which all of the planar path of a strip of {LENGTH} nm, pulled straight up by a grip that is free to roll, is stable \
-         against leaving its plane. Left against its thickness (E = 2 GPa), right against the stiffness of its material (h = 10 nm). Narrower strips \
-         buckle sideways, wider ones roll off to one side. Dotted: as wide as high. Found on one planar path for each thickness or stiffness, because its \
-         equilibria per width are those of any width; the limits have error bounds (`width_error_nm`)."
+        "The widths (shaded) at which all of the planar path of a strip of {LENGTH} nm, pulled straight up by a grip \
+         that is free to roll, is stable against leaving its plane. Left against its thickness (E = 2 GPa), right against \
+         the stiffness of its material (h = 10 nm). Narrower strips buckle sideways, wider ones roll off to one side. \
+         Dotted: as wide as high. Found on one planar path for each thickness or stiffness, because its equilibria per \
+         width are those of any width; the limits have error bounds (`width_error_nm`)."
     );
     let title = "Widths at which the planar peel is stable out of its plane";
     let picture = Picture { title: title.into(), height: 470, panels: panels(&by_height, &by_modulus) };

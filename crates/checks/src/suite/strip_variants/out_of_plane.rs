@@ -38,7 +38,8 @@ fn name(row: &Row) -> String {
     told.collect::<Vec<_>>().join(", ")
 }
 
-/// A number against the table, and its error over its bound, which is at most one and half of the last digit that is printed.
+/// A number against the table, and its error over its bound, which is at most one and half of the last digit that is
+/// printed.
 fn held(what: &str, row: &Row, column: &str, found: Option<(f64, f64)>, asked: f64) -> Option<[Check; 2]> {
     let expected = row.number(column)?;
     let name = format!("{what}, {}, at {asked:e}", name(row));
