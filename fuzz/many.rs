@@ -129,7 +129,7 @@ fn check(text: &str, drawn: bool) -> Result<String, String> {
         }
         if drawn && peel.points.len() > 1 {
             let dir = tempfile::tempdir().map_err(|error| error.to_string())?;
-            draw_peel(&peel, "drawn", dir.path()).map_err(|error| error.to_string())?;
+            draw_peel(&peel, None, "drawn", dir.path()).map_err(|error| error.to_string())?;
         }
         Ok(end_word(&peel.end).into())
     })

@@ -4,6 +4,7 @@ mod cusp;
 mod figures;
 mod ground;
 mod levels;
+mod out_of_plane;
 #[path = "../shared/pictures.rs"]
 mod pictures;
 mod reference_values;

@@ -6,7 +6,8 @@
 use crate::strip::STRIP_SCENE;
 use peelkit::solve::LimitPointKind;
 use peelkit::study::{
-    Bound, Failure, LargestComputedForce, LimitPoint, PathEnd, PathPoint, Peak, Peel, PeelResult, Plateau, peel,
+    Bound, Failure, LargestComputedForce, LimitPoint, OutOfPlane, PathEnd, PathPoint, Peak, Peel, PeelResult, Plateau,
+    peel,
 };
 use peelkit_report::{PeelSummary, SweepLine, SweepRow, write_curve, write_limit_points, write_sweep};
 use peelkit_scene::{BoundsTable, Scene, find_key};
@@ -224,13 +225,16 @@ fn the_tables_have_a_header_and_a_row_a_point() {
     let dir = tempfile::tempdir().unwrap();
     let read = |path| fs::read_to_string(path).unwrap();
     let header = "displacement_nm,force_nN,end_rotation_rad,work_aJ,negative_eigenvalues,\
-                  negative_eigenvalues_load,front_nm,newton_iterations\n";
-    let rows = "0.0,0.0,0.25,0.0,1,2,77.5,3\n40.0,0.3333333333333333,0.25,2.5,1,2,77.5,3\n";
-    assert_eq!(read(write_curve(dir.path(), &peel).unwrap()), format!("{header}{rows}"));
+                  negative_eigenvalues_load,front_nm,newton_iterations,negative_eigenvalues_out_of_plane\n";
+    let rows = "0.0,0.0,0.25,0.0,1,2,77.5,3,\n40.0,0.3333333333333333,0.25,2.5,1,2,77.5,3,\n";
+    assert_eq!(read(write_curve(dir.path(), &peel, None).unwrap()), format!("{header}{rows}"));
+    let stability = OutOfPlane { negative_eigenvalues: vec![0, 19], first_loss: None };
+    let curve = read(write_curve(dir.path(), &peel, Some(&stability)).unwrap());
+    assert!(curve.contains("77.5,3,0\n") && curve.ends_with("77.5,3,19\n"), "{curve}");
     let limit_points = read(write_limit_points(dir.path(), &peel).unwrap());
     assert_eq!(limit_points.lines().nth(1), Some("load,48.2,0.0375,0.9,3.25,3e-8,4e-9,false,0,5e-7"));
     peel.points.clear();
-    assert_eq!(read(write_curve(dir.path(), &peel).unwrap()), header, "a path without points is a header");
+    assert_eq!(read(write_curve(dir.path(), &peel, None).unwrap()), header, "a path without points is a header");
 }
 
 #[test]
@@ -278,7 +282,7 @@ fn a_nan_is_an_error_that_names_its_place_and_leaves_no_file() {
     let (scene, mut peel) = made_up();
     let dir = tempfile::tempdir().unwrap();
     peel.points[1].force = f64::NAN;
-    let error = write_curve(dir.path(), &peel).unwrap_err().to_string();
+    let error = write_curve(dir.path(), &peel, None).unwrap_err().to_string();
     assert!(error.contains("curve.csv") && error.contains("NaN"), "{error}");
     peel.limit_points[1].force_error = f64::INFINITY;
     let error = PeelSummary::new(&scene, &peel, 0.004).write(dir.path()).unwrap_err().to_string();

@@ -9,7 +9,8 @@ use crate::shared_pictures::check_pictures;
 use peelkit::model::{Spatula, StripModel};
 use peelkit::solve::LimitPointKind;
 use peelkit::study::{
-    Accuracy, DeformedShape, Failure, LimitPoint, PathEnd, Peak, Peel, PeelResult, Plateau, StopCriteria, peel,
+    Accuracy, DeformedShape, Failure, LimitPoint, OutOfPlane, OutOfPlaneLoss, PathEnd, Peak, Peel, PeelResult, Plateau,
+    StopCriteria, peel,
 };
 use peelkit_report::pictures::peel::{numbered_points, pose};
 use peelkit_report::{ReportError, SweepRow, draw_peel, draw_sweep};
@@ -76,7 +77,7 @@ fn listing(dir: &Path) -> Vec<String> {
 #[test]
 fn a_peel_gives_its_curve_and_its_shapes() {
     let dir = tempfile::tempdir().unwrap();
-    let files = draw_peel(&run(), "A strip & its <peel>", dir.path()).unwrap();
+    let files = draw_peel(&run(), None, "A strip & its <peel>", dir.path()).unwrap();
     assert_eq!(listing(dir.path()), ["curve.png", "curve.svg", "shapes.png", "shapes.svg"]);
     assert_eq!(files.len(), 4);
     let text = check_pictures(&files);
@@ -88,9 +89,27 @@ fn a_peel_gives_its_curve_and_its_shapes() {
 }
 
 #[test]
+fn a_curve_shows_where_its_path_leaves_the_plane() {
+    let dir = tempfile::tempdir().unwrap();
+    let peel = run();
+    let loss = OutOfPlaneLoss {
+        displacement: 0.489744,
+        force: 0.312662,
+        displacement_error: 1e-9,
+        force_error: 1e-9,
+        after: Some(5),
+    };
+    let stability = OutOfPlane { negative_eigenvalues: Vec::new(), first_loss: Some(loss) };
+    let text = check_pictures(&draw_peel(&peel, Some(&stability), "narrow", dir.path()).unwrap());
+    for label in ["leaves the plane", "u = 0.4897 nm", "P = 0.3127 nN"] {
+        assert!(text.contains(label), "{label} is missing");
+    }
+}
+
+#[test]
 fn the_warnings_stand_below_the_pictures_of_a_run() {
     let dir = tempfile::tempdir().unwrap();
-    let files = draw_peel(&run(), "with warnings", dir.path()).unwrap();
+    let files = draw_peel(&run(), None, "with warnings", dir.path()).unwrap();
     for svg in files.iter().filter(|file| file.extension().is_some_and(|ending| ending == "svg")) {
         let text = std::fs::read_to_string(svg).unwrap();
         assert!(text.contains("Warning: the process zone is 0.217 times"), "{}", svg.display());
@@ -104,11 +123,11 @@ fn a_path_that_stopped_short_is_not_drawn_as_stable() {
     let dir = tempfile::tempdir().unwrap();
     let mut failed = run();
     failed.end = PathEnd::Failed(Failure::NothingComputed);
-    let text = check_pictures(&draw_peel(&failed, "explained", dir.path()).unwrap());
+    let text = check_pictures(&draw_peel(&failed, None, "explained", dir.path()).unwrap());
     assert!(text.contains("unstable under displacement control") && !text.contains("not verified"));
     assert!(text.contains("The computation stopped short: "));
     failed.limit_points.clear();
-    let text = check_pictures(&draw_peel(&failed, "unexplained", dir.path()).unwrap());
+    let text = check_pictures(&draw_peel(&failed, None, "unexplained", dir.path()).unwrap());
     assert!(text.contains("stopped short: stability not verified"));
     assert!(!text.contains("unstable under displacement control"));
 }
@@ -146,7 +165,7 @@ fn shapes_have_no_corners() {
 #[test]
 fn a_peel_without_points_is_an_error_that_says_why() {
     let dir = tempfile::tempdir().unwrap();
-    match draw_peel(&nothing(), "nothing", dir.path()) {
+    match draw_peel(&nothing(), None, "nothing", dir.path()) {
         Err(ReportError::Draw { path, reason }) => {
             assert!(path.ends_with("curve.svg"));
             assert!(reason.contains("0 points") && reason.contains("nothing was computed"), "{reason}");
@@ -209,8 +228,8 @@ fn a_file_that_cannot_be_written_is_named() {
 fn pictures_are_the_same_every_time() {
     let (a, b) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
     let peel = run();
-    draw_peel(&peel, "twice", a.path()).unwrap();
-    draw_peel(&peel, "twice", b.path()).unwrap();
+    draw_peel(&peel, None, "twice", a.path()).unwrap();
+    draw_peel(&peel, None, "twice", b.path()).unwrap();
     for name in listing(a.path()) {
         assert_eq!(
             std::fs::read(a.path().join(&name)).unwrap(),

@@ -48,7 +48,7 @@ fn outputs(scene: &Scene, peel: &Peel) -> Vec<Vec<u8>> {
     let dir = tempdir().unwrap();
     let files = [
         PeelSummary::new(scene, peel, 0.0).write(dir.path()).unwrap(),
-        write_curve(dir.path(), peel).unwrap(),
+        write_curve(dir.path(), peel, None).unwrap(),
         write_limit_points(dir.path(), peel).unwrap(),
     ];
     files.iter().map(|file| fs::read(file).unwrap()).collect()

@@ -64,6 +64,7 @@ Examples:
   peel run strip.toml --out thin --set strip.height=\"5 nm\"
   peel run strip.toml --set grip.rotation=fixed --json
   peel run strip.toml --animate
+  peel run strip.toml --out-of-plane
   peel run strip.toml --set grip.rotation=fixed --set grip.stiffness=\"0.05 N/m\" --observed
 
 Files:
@@ -71,7 +72,7 @@ Files:
                      scene, what follows from that alone (work of adhesion, Kendall's force, stiffnesses, dimensionless
                      groups), version and command. A peak is a located limit point or null; then largest_computed_force
                      has no bound
-  curve.csv          one row for each point of the path
+  curve.csv          one row for each point of the path; with --out-of-plane its stability out of the plane
   limit_points.csv   one row for each limit point of load or displacement, with error bounds
   parameters.toml    the scene as it was computed, with what --set has changed: peel run computes it to the same numbers
   curve.svg, .png    force against displacement

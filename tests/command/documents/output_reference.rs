@@ -54,6 +54,7 @@ const PAST_PEAK: &[&str] = &["--set", "bounds.displacement=12.775 nm"];
 /// Runs that together have every key.
 const RUNS: &[(&str, &[&[&str]])] = &[
     ("strip-100nm", &[&["--observed"]]),
+    ("strip-100nm", &[&["--out-of-plane"]]),
     ("strip-100nm", &[FIXED]),
     ("strip-100nm", &[STEPS]),
     ("strip-100nm", &[SOFT]),

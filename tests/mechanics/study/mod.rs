@@ -5,6 +5,7 @@ mod curve;
 mod ends;
 mod error_bounds;
 mod observed;
+mod out_of_plane;
 mod peak_only;
 mod space;
 mod special_points;

@@ -2,7 +2,9 @@
 
 use super::figure::Figure;
 use super::numerics::{beam, levels, round_off, speed, verification};
-use super::peeling::{friction, laws, points, pull, rough, rough_spatula, spatula, stiffness, strip, work};
+use super::peeling::{
+    friction, laws, out_of_plane, points, pull, rough, rough_spatula, spatula, stiffness, strip, work,
+};
 use super::runner::Runner;
 use peelkit_report::{ReportError, write_whole};
 use std::path::{Path, PathBuf};
@@ -30,6 +32,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
         + pull::PEELS
         + friction::PEELS
         + laws::PEELS
+        + out_of_plane::PEELS
         + stiffness::PEELS
         + work::PEELS
         + speed::PEELS;
@@ -41,6 +44,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
     figures.push(pull::figure(&runner, dir)?);
     figures.push(friction::figure(&runner, dir)?);
     figures.extend(laws::figures(&runner, dir)?);
+    figures.push(out_of_plane::figure(&runner, dir)?);
     let stiffness = stiffness::Sweeps::compute(&runner);
     figures.extend(stiffness::figures(&stiffness, dir)?);
     figures.push(points::figure(&stiffness, dir)?);

@@ -27,6 +27,7 @@ pub const TOPICS: &[Topic] = &[
     strip_variants::pull::TOPIC,
     strip_variants::laws::TOPIC,
     strip_variants::friction::TOPIC,
+    strip_variants::out_of_plane::TOPIC,
     ground::TOPIC,
     orders::TOPIC,
     bounds::TOPIC,

@@ -13,7 +13,10 @@ use crate::text_summary::{self, UnitsArgs};
 use clap::Args;
 use kept::KeptRun;
 use peelkit::solve::{PathOptions, Waypoint};
-use peelkit::study::{self, Checkpoint, Failure, NoEquilibrium, Observed, PathEnd, Peel, TestEnd};
+use peelkit::study::{
+    self, Checkpoint, Failure, NoEquilibrium, NotOutOfPlane, Observed, OutOfPlane, OutOfPlaneError, PathEnd, Peel,
+    TestEnd,
+};
 use peelkit_report::{self as report, PeelSummary, ReportError, timed};
 use peelkit_scene::Scene;
 use progress::RunProgress;
@@ -37,6 +40,12 @@ pub struct Run {
     /// The machine retreats until the beam is off, and returns. Jumps come with the energy that they release.
     #[arg(long)]
     observed: bool,
+
+    /// Adds the stability of the planar path against leaving its plane
+    ///
+    /// Where a free strip rolls or buckles sideways. For a pull straight up by a grip that is free to roll.
+    #[arg(long)]
+    out_of_plane: bool,
 
     /// Writes the fields along the beam: states.csv, states.pvd
     ///
@@ -73,7 +82,17 @@ impl Run {
     /// What the name of the folder says of the run.
     fn folder_parts(&self) -> Vec<String> {
         let states = self.states.map(|count| format!("states={count}"));
-        self.observed.then(|| "observed".to_owned()).into_iter().chain(states).collect()
+        let asked = [(self.observed, "observed"), (self.out_of_plane, "out-of-plane")];
+        asked.iter().filter(|(is, _)| *is).map(|(_, name)| (*name).to_owned()).chain(states).collect()
+    }
+
+    fn refuse_out_of_plane(&self, scene: &Scene) -> Result<(), Stop> {
+        match NotOutOfPlane::of(&scene.model).filter(|_| self.out_of_plane) {
+            Some(why) => {
+                Err(Stop::bad_input(format!("the stability out of the plane is not computed: {why}"), why.remedy()))
+            }
+            None => Ok(()),
+        }
     }
 
     fn refuse_states_without_files(&self) -> Result<(), Stop> {
@@ -91,6 +110,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
     let scene = args.scene.load()?;
     args.refuse_states_without_files()?;
     in_space::refuse(&scene, args.observed, args.states.is_some())?;
+    args.refuse_out_of_plane(&scene)?;
     let wanted = args.units.wanted()?;
     let progress = RunProgress::begin();
     let open = |folder: PathBuf| KeptRun::open(&args.out, args.fresh, &folder, &scene, &progress);
@@ -100,6 +120,12 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         None => unkept(&scene, &progress),
     });
     let interrupted = kept.as_ref().is_some_and(|kept| kept.interrupted);
+    let looked_at = args.out_of_plane && !peel.points.is_empty();
+    let (stability, stability_s) = timed(|| looked_at.then(|| peel.out_of_plane()).transpose());
+    let (stability, unknown) = match stability {
+        Ok(stability) => (stability, None),
+        Err(why) => (None, Some(why)),
+    };
     let (test, test_s) = timed(|| (args.observed && !interrupted).then(|| observed(&scene, &progress)));
     progress.finish();
     let test = test.transpose()?;
@@ -109,9 +135,14 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         Some(test) => summary.with_observed(test, test_s),
         None => summary,
     };
+    let summary = match &stability {
+        Some(stability) => summary.with_out_of_plane(stability, stability_s),
+        None => summary,
+    };
     let (files, left) = kept.as_ref().map_or((Ok(Vec::new()), None), |kept| {
         kept.write(&peel, |dir| {
-            let mut files = write(dir, &scene, &peel, test.as_ref(), (&summary, &command), args.states)?;
+            let found = Found { peel: &peel, stability: stability.as_ref(), test: test.as_ref() };
+            let mut files = write(dir, &scene, &found, (&summary, &command), args.states)?;
             if args.animate && peel.points.len() > 1 {
                 files.push(report::write_animation(dir, &peel, &scene.title)?);
             }
@@ -128,7 +159,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
         say(&format!(
             "{}{recorded}{taken}\n{}{left}",
-            text_summary::peel(&scene, &peel, peel_s, wanted),
+            text_summary::peel(&scene, &peel, stability.as_ref(), peel_s, wanted),
             list_files(&files)
         ))?;
     }
@@ -144,7 +175,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         (_, Some(TestEnd::Failed(reason))) => {
             Err(Stop::cut_short(format!("in the displacement-controlled test, {reason}")))
         }
-        _ => Ok(()),
+        _ => unknown.map_or(Ok(()), |why: OutOfPlaneError| Err(Stop::cut_short(why))),
     }
 }
 
@@ -162,19 +193,28 @@ fn observed(scene: &Scene, progress: &RunProgress) -> Result<Observed, Stop> {
         .map_err(|none| Stop::bad_input(format!("there is no observed test: {none}"), none.remedy()))
 }
 
+/// What a run found.
+struct Found<'f> {
+    peel: &'f Peel,
+    stability: Option<&'f OutOfPlane>,
+    test: Option<&'f Observed>,
+}
+
 fn write(
     folder: &Path,
     scene: &Scene,
-    peel: &Peel,
-    test: Option<&Observed>,
+    &Found { peel, stability, test }: &Found,
     (summary, command): (&PeelSummary, &str),
     states: Option<u32>,
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let mut files =
-        vec![summary.write(folder)?, report::write_curve(folder, peel)?, report::write_limit_points(folder, peel)?];
+    let mut files = vec![
+        summary.write(folder)?,
+        report::write_curve(folder, peel, stability)?,
+        report::write_limit_points(folder, peel)?,
+    ];
     files.push(report::write_parameters(folder, scene, command)?);
     if peel.points.len() > 1 {
-        files.extend(report::draw_peel(peel, &scene.title, folder)?);
+        files.extend(report::draw_peel(peel, stability, &scene.title, folder)?);
     }
     if let Some(count) = states {
         let states = peel.states(count as usize);

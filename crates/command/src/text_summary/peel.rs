@@ -6,8 +6,8 @@ use super::units::{Units, WantedUnits};
 use peelkit::beam::{GripForces, GripState};
 use peelkit::model::{DerivedQuantities, Step};
 use peelkit::study::{
-    Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, PathEnd, Peak, Peel, Plateau, Sliding,
-    TermDecisions, TermEffect, WarningKind,
+    Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, PathEnd, Peak, Peel, Plateau,
+    Sliding, TermDecisions, TermEffect, WarningKind,
 };
 use peelkit_report::{end_reason, end_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
@@ -15,8 +15,8 @@ use peelkit_scene::Scene;
 /// A relative error below this that finer meshes do not reduce is round-off.
 const ROUND_OFF: f64 = 2e-8;
 
-/// The summary of one peel, which took so many seconds.
-pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64, wanted: WantedUnits) -> String {
+/// The summary of one peel, which took so many seconds, with its stability out of the plane where that was asked for.
+pub fn peel(scene: &Scene, peel: &Peel, stability: Option<&OutOfPlane>, solve_s: f64, wanted: WantedUnits) -> String {
     let units = Units::fitting(wanted, sizes(peel));
     let Units { force, length, work } = units;
     let none = || "none".to_owned();
@@ -40,6 +40,7 @@ pub fn peel(scene: &Scene, peel: &Peel, solve_s: f64, wanted: WantedUnits) -> St
     };
     let mut lines: Vec<(&str, String)> = accuracy(peel).map(|text| ("accuracy", text)).into_iter().collect();
     lines.extend(in_space(scene, peel));
+    lines.extend(stability.map(|stability| ("out of the plane", out_of_plane(stability, &units))));
     lines.extend(steps(peel, &units));
     lines.push(("peak force", peel.peak.map_or_else(none, at_peak)));
     lines.extend(peel.largest_computed_force.map(|at| ("largest computed", largest_computed(at, &units))));
@@ -131,6 +132,21 @@ fn in_space(scene: &Scene, peel: &Peel) -> Option<(&'static str, String)> {
         Some(_) => "solved in space",
     };
     Some(("space", text.to_owned()))
+}
+
+/// From where on the path is not that of a beam that is free to leave its plane.
+fn out_of_plane(stability: &OutOfPlane, Units { force, length, .. }: &Units) -> String {
+    let Some(at) = stability.first_loss else {
+        return "stable on the whole path, of a grip that is free to roll".to_owned();
+    };
+    if at.after.is_none() {
+        return "unstable from the beginning: a strip that is free to roll is not on this path at all".to_owned();
+    }
+    format!(
+        "stable up to u = {}, P = {}: beyond that a strip that is free to roll leaves the plane and this path",
+        length.with_error(at.displacement, at.displacement_error),
+        force.with_error(at.force, at.force_error)
+    )
 }
 
 /// The grip after each step before the pull.
@@ -282,7 +298,7 @@ fn end(end: &PathEnd) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use peelkit::study::{self, Bound, Effort};
+    use peelkit::study::{self, Bound, Effort, OutOfPlaneLoss};
     use peelkit_scene::BoundsTable;
 
     #[test]
@@ -336,6 +352,24 @@ short
   end                bound: a limit set under [bounds] was reached: bounds.points = 20
   computational cost 20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
 ";
-        assert_eq!(peel(&scene, &made_up, 0.0042, WantedUnits::default()), expected);
+        assert_eq!(peel(&scene, &made_up, None, 0.0042, WantedUnits::default()), expected);
+        let loss = OutOfPlaneLoss {
+            displacement: 0.489743876,
+            force: 0.312661701,
+            displacement_error: 3e-8,
+            force_error: 2e-7,
+            after: Some(3),
+        };
+        let from_start = OutOfPlaneLoss { after: None, ..loss };
+        for (first_loss, begins) in [
+            (Some(loss), "stable up to u = 0.48974388 ± 3e-8 nm, P = 0.3126617 ± 2e-7 nN: beyond that"),
+            (Some(from_start), "unstable from the beginning"),
+            (None, "stable on the whole path"),
+        ] {
+            let stability = OutOfPlane { negative_eigenvalues: Vec::new(), first_loss };
+            let text = peel(&scene, &made_up, Some(&stability), 0.0042, WantedUnits::default());
+            let first = text.lines().nth(2).unwrap_or_default();
+            assert!(first.trim_start().starts_with(&format!("out of the plane   {begins}")), "{first}");
+        }
     }
 }

@@ -53,6 +53,8 @@ pub enum Symbol {
     Diamond,
     /// A triangle on its base.
     Triangle,
+    /// A square on its side.
+    Square,
 }
 
 /// A marked point; with a name its symbol stands in the legend, with a note it is labelled.
@@ -255,6 +257,7 @@ fn draw_symbol(canvas: &Canvas<'_>, symbol: Symbol, (x, y): Pixel, colour: RGBCo
         Symbol::Dot => return canvas.disc((x, y), 3.6, colour),
         Symbol::Diamond => vec![(x, y - 6.0), (x + 6.0, y), (x, y + 6.0), (x - 6.0, y)],
         Symbol::Triangle => vec![(x, y - 6.0), (x + 5.6, y + 4.2), (x - 5.6, y + 4.2)],
+        Symbol::Square => vec![(x - 4.6, y - 4.6), (x + 4.6, y - 4.6), (x + 4.6, y + 4.6), (x - 4.6, y + 4.6)],
     };
     canvas.area(&corners, colour, 1.0)
 }

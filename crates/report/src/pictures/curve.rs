@@ -7,7 +7,7 @@ use super::peel::limit_at;
 use crate::chart::{
     Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, order_shade, significant,
 };
-use peelkit::study::{LimitPoint, LimitPointKind, PathEnd, Peel};
+use peelkit::study::{LimitPoint, LimitPointKind, OutOfPlaneLoss, PathEnd, Peel};
 
 const HEIGHT: u32 = 440;
 /// About how many points the curve is drawn with.
@@ -224,6 +224,16 @@ fn marks(peel: &Peel, numbered: &[usize]) -> Vec<Mark> {
         }
     }
     marks
+}
+
+/// Marks where the path loses its stability out of the plane.
+pub(super) fn mark_loss(picture: &mut Picture, loss: &OutOfPlaneLoss) {
+    let at = (loss.displacement, loss.force);
+    let note = Some(values(Some("leaves the plane"), loss.displacement, loss.force));
+    // the panel of the initiation is the last one
+    if let Some(panel) = picture.panels.iter_mut().rfind(|panel| panel.shows(at)) {
+        panel.marks.push(Mark { at, symbol: Symbol::Square, colour: colour::VERMILLION, name: None, note });
+    }
 }
 
 fn title_of(peel: &Peel, limit: &LimitPoint) -> Option<&'static str> {

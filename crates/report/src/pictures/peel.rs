@@ -1,11 +1,11 @@
 //! The pictures of one peel: force against displacement, and the deformed strip at numbered points of that curve.
 
-use super::curve::curve_picture;
+use super::curve::{curve_picture, mark_loss};
 use super::shapes::{Posed, shapes_picture};
 use crate::chart::{Picture, save};
 use crate::error::ReportError;
 use crate::names::end_reason;
-use peelkit::study::{DeformedShape, LimitPoint, LimitPointKind, PathEnd, Peel, WarningKind};
+use peelkit::study::{DeformedShape, LimitPoint, LimitPointKind, OutOfPlane, PathEnd, Peel, WarningKind};
 use std::path::{Path, PathBuf};
 
 /// How many deformed shapes are shown.
@@ -14,13 +14,23 @@ const SHAPES: usize = 6;
 /// Draws `curve.svg`, `curve.png`, `shapes.svg` and `shapes.png` into `dir`.
 ///
 /// The curve carries its limit points and its peak with their values; what is unstable under displacement control
-/// is dashed. The shapes are those of the points with the same numbers on the curve.
+/// is dashed. Where its stability out of the plane is known, its first loss is marked. The shapes are those of the points with the same
+/// numbers on the curve.
 ///
 /// Fails where there is nothing to draw ([`ReportError::Draw`]) or a file cannot be written ([`ReportError::Write`]).
-pub fn draw_peel(peel: &Peel, title: &str, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+pub fn draw_peel(
+    peel: &Peel,
+    out_of_plane: Option<&OutOfPlane>,
+    title: &str,
+    dir: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
     let numbered = numbered_points(peel);
     let title = captioned(peel, title);
-    let mut files = save(&curve(peel, &numbered, &title, &dir.join("curve.svg"))?, dir, "curve")?;
+    let mut picture = curve(peel, &numbered, &title, &dir.join("curve.svg"))?;
+    if let Some(loss) = out_of_plane.and_then(|stability| stability.first_loss) {
+        mark_loss(&mut picture, &loss);
+    }
+    let mut files = save(&picture, dir, "curve")?;
     files.extend(save(&shapes(peel, &numbered, &title, &dir.join("shapes.svg"))?, dir, "shapes")?);
     Ok(files)
 }

@@ -146,6 +146,17 @@ pub const PEEL_SUMMARY: &[OutputKey] = &[
     key("sliding.sliding_length_nm", "how much of it slides"),
     key("sliding.dissipated_aJ", "work that friction has dissipated"),
 
+    key("out_of_plane", "with `--out-of-plane`: the stability of the path against leaving its plane, grip free to roll"),
+    key("out_of_plane.first_loss", "where it is lost first: from there on the path is not that of a beam that is free to leave the plane; null where all of the path is stable"),
+    key("out_of_plane.first_loss.displacement_nm", "u there"),
+    key("out_of_plane.first_loss.force_nN", "P there"),
+    key("out_of_plane.first_loss.error_nm", "bound of the error of the displacement"),
+    key("out_of_plane.first_loss.error_nN", "bound of the error of the force"),
+    key("out_of_plane.first_loss.at_start", "whether the path is unstable from its beginning on, the place given"),
+    key("out_of_plane.unstable_points", "how many points of the path are unstable out of the plane"),
+    key("out_of_plane.most_negative_eigenvalues", "the most unstable directions out of the plane of a point"),
+    key("out_of_plane.solve_s", "time of this analysis, without the path"),
+
     key("observed", "with `--observed`: the displacement-controlled test"),
     key("observed.end", "`closed`, `returned`, `bound` or `failed`"),
     key("observed.reason", "why, where it is not `closed`"),

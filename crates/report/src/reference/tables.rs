@@ -13,6 +13,7 @@ pub const CURVE_COLUMNS: &[OutputKey] = &[
     key("negative_eigenvalues_load", "the same under force control; for a grip that rotates as it pulls, under control of P + `turn` · M"),
     key("front_nm", "length that still adheres, by its energy"),
     key("newton_iterations", "that the point took"),
+    key("negative_eigenvalues_out_of_plane", "with `--out-of-plane`: number of unstable directions out of the plane, grip free to roll, whether displacement or force is held; else empty"),
     key("torque_nN_nm", "in space, like the next four: moment of the grip on its roll; 0 where that is free"),
     key("roll_deg", "roll of the grip, about its axis"),
     key("yaw_deg", "yaw of the grip, about the normal of the substrate"),

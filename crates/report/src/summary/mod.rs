@@ -5,6 +5,7 @@ mod derived;
 mod ground;
 mod observed;
 mod origin;
+mod out_of_plane;
 mod parameters;
 mod peel;
 mod sliding;

@@ -5,6 +5,7 @@ use super::derived::DerivedSummary;
 use super::ground::GroundSummary;
 use super::observed::ObservedSummary;
 use super::origin::{SCHEMA, VERSION};
+use super::out_of_plane::OutOfPlaneSummary;
 use super::parameters::Parameters;
 use super::sliding::SlidingSummary;
 use super::term_summary::TermDecisionsSummary;
@@ -15,7 +16,7 @@ use crate::names::{end_reason, end_word, limit_point_kind_word};
 use crate::number::{Finite, to_json};
 use peelkit::beam::GripState;
 use peelkit::model::Step;
-use peelkit::study::{self, Observed, Peel};
+use peelkit::study::{self, Observed, OutOfPlane, Peel};
 use peelkit_scene::Scene;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -71,6 +72,9 @@ pub struct PeelSummary {
     /// How far the beam has slid at the initiation peak, with friction.
     #[serde(skip_serializing_if = "Option::is_none")]
     sliding: Option<SlidingSummary>,
+    /// The stability against leaving the plane, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    out_of_plane: Option<OutOfPlaneSummary>,
     /// The displacement-controlled test, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     observed: Option<ObservedSummary>,
@@ -246,6 +250,7 @@ impl PeelSummary {
             steps: peel.model.steps.iter().zip(&peel.steps).map(StepEnd::from).collect(),
             ground: GroundSummary::of(peel),
             sliding: SlidingSummary::of(peel),
+            out_of_plane: None,
             observed: None,
             parameters: Parameters(scene.clone()),
         }
@@ -254,6 +259,11 @@ impl PeelSummary {
     /// The same with what a test of this scene would record, which took so many seconds.
     pub fn with_observed(self, test: &Observed, solve_s: f64) -> Self {
         Self { observed: Some(ObservedSummary::new(test, solve_s)), ..self }
+    }
+
+    /// The same with the stability against leaving the plane, which took so many seconds.
+    pub fn with_out_of_plane(self, stability: &OutOfPlane, solve_s: f64) -> Self {
+        Self { out_of_plane: Some(OutOfPlaneSummary::new(stability, solve_s)), ..self }
     }
 
     /// The same with the command line that asked for it.

@@ -4,14 +4,14 @@ use super::table::{write_table, write_table_with_grip};
 use crate::error::ReportError;
 use crate::names::limit_point_kind_word;
 use crate::number::Finite;
-use peelkit::study::{LimitPoint, Observed, PathPoint, Peel};
+use peelkit::study::{LimitPoint, Observed, OutOfPlane, PathPoint, Peel};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// Writes curve.csv: one row a path point; in space with the columns of the grip.
+/// Writes curve.csv: one row a path point, with its stability out of the plane where that is known; in space with the columns of the grip.
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
-pub fn write_curve(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
+pub fn write_curve(dir: &Path, peel: &Peel, out_of_plane: Option<&OutOfPlane>) -> Result<PathBuf, ReportError> {
     #[derive(Default, Serialize)]
     struct Line {
         displacement_nm: Finite,
@@ -24,8 +24,9 @@ pub fn write_curve(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
         negative_eigenvalues_load: usize,
         front_nm: Finite,
         newton_iterations: usize,
+        negative_eigenvalues_out_of_plane: Option<usize>,
     }
-    let line = |point: &PathPoint| Line {
+    let line = |(index, point): (usize, &PathPoint)| Line {
         displacement_nm: Finite(point.displacement),
         force: Finite(point.force),
         end_rotation_rad: Finite(point.end_rotation),
@@ -34,8 +35,10 @@ pub fn write_curve(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
         negative_eigenvalues_load: point.negative_eigenvalues_load,
         front_nm: Finite(point.front),
         newton_iterations: point.iterations,
+        negative_eigenvalues_out_of_plane: out_of_plane.and_then(|at| at.negative_eigenvalues.get(index).copied()),
     };
-    write_table_with_grip(dir, "curve.csv", peel.points.iter().map(|point| (line(point), point.in_space)))
+    let lines = peel.points.iter().enumerate().map(|at| (line(at), at.1.in_space));
+    write_table_with_grip(dir, "curve.csv", lines)
 }
 
 /// Writes limit_points.csv: one row a limit point, in path order; in space with the columns of the grip.

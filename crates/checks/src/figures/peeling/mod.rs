@@ -2,6 +2,7 @@
 
 pub(super) mod friction;
 pub(super) mod laws;
+pub(super) mod out_of_plane;
 pub(super) mod points;
 pub(super) mod pull;
 pub(super) mod rough;

@@ -1,0 +1,70 @@
+//! Models for which the stability against leaving the plane is not this scalar problem.
+
+use crate::model::{Hold, PeelModel};
+use crate::solve::Direction;
+
+/// Why the stability out of the plane is not computed.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the message of each says it
+pub enum NotOutOfPlane {
+    #[error(
+        "drive.angle is {degrees} degrees: a pull that is not straight up has a part along the strip, which couples its \
+         roll with its turn about the normal"
+    )]
+    Angle { degrees: f64 },
+    #[error("the scene is in space, where the stability of a point is that in every direction")]
+    InSpace,
+    #[error("grip.horizontal is \"fixed\": the force along the strip couples its roll with its turn about the normal")]
+    Horizontal,
+    #[error("grip.rotation is \"fixed\": the moment of such a grip depends on how it holds the end out of the plane")]
+    Rotation,
+    #[error("drive.steps has steps before the pull, in which the stability out of the plane is not computed")]
+    Steps,
+    #[error("the substrate is not flat: its forces along the strip couple its roll with its turn about the normal")]
+    Ground,
+    #[error("there is friction, which has no potential: stability is not that of an energy")]
+    Friction,
+    #[error(
+        "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): stability \
+         is not that of an energy"
+    )]
+    NoPotential,
+}
+
+impl NotOutOfPlane {
+    /// What forbids it for a model, if anything does.
+    pub fn of(model: &PeelModel) -> Option<Self> {
+        if model.space.is_some() && model.in_the_plane().is_none() {
+            return Some(Self::InSpace);
+        }
+        if model.pull.direction() != Direction::UP {
+            // as it was written, in degrees
+            let degrees = (1e9 * model.pull.angle.to_degrees()).round() / 1e9;
+            return Some(Self::Angle { degrees });
+        }
+        let reasons = [
+            (model.grip.horizontal == Hold::Fixed, Self::Horizontal),
+            (model.grip.rotation == Hold::Fixed, Self::Rotation),
+            (!model.steps.is_empty(), Self::Steps),
+            (!model.ground.substrate.is_flat(), Self::Ground),
+            (model.friction_law().is_some(), Self::Friction),
+            (!model.line_law().has_potential(), Self::NoPotential),
+        ];
+        reasons.into_iter().find(|(holds, _)| *holds).map(|(_, reason)| reason)
+    }
+
+    /// What to try: a sentence of its own.
+    pub fn remedy(&self) -> String {
+        let change = match self {
+            Self::Angle { .. } => "remove drive.angle",
+            Self::InSpace => "remove the keys of space",
+            Self::Horizontal => "remove grip.horizontal",
+            Self::Rotation => "remove grip.rotation",
+            Self::Steps => "remove drive.steps",
+            Self::Ground => "remove the table [substrate]",
+            Self::Friction => "remove the table [friction]",
+            Self::NoPotential => "use another line_load or law",
+        };
+        format!("Omit --out-of-plane, or {change}.")
+    }
+}

@@ -1,0 +1,63 @@
+//! What is known of the stability of a planar path against leaving its plane.
+
+use super::refusal::NotOutOfPlane;
+use crate::solve::SolveError;
+
+/// The stability of the points of a planar path against leaving the plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OutOfPlane {
+    /// Negative eigenvalues out of the plane at each point of the path, in the order of [`crate::study::Peel::points`].
+    /// They are the same whether displacement or force is held.
+    pub negative_eigenvalues: Vec<usize>,
+    /// Where the path loses its stability first; nothing where all of it is stable
+    pub first_loss: Option<OutOfPlaneLoss>,
+}
+
+/// The first loss of stability out of the plane: behind it a beam that is free to does not stay in its plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutOfPlaneLoss {
+    /// u, nm
+    pub displacement: f64,
+    /// P, nN
+    pub force: f64,
+    /// Bound on the error of the displacement, nm
+    pub displacement_error: f64,
+    /// Bound on the error of the force, nN
+    pub force_error: f64,
+    /// It lies between `points[after]` and `points[after + 1]` of the path; nothing where the path is unstable from its
+    /// beginning on, the place given.
+    pub after: Option<usize>,
+}
+
+impl OutOfPlane {
+    /// The most negative eigenvalues of a point of the path; a loss between two of them counts as one.
+    pub fn most(&self) -> usize {
+        self.negative_eigenvalues.iter().copied().chain(self.first_loss.map(|_| 1)).max().unwrap_or(0)
+    }
+
+    /// How many points of the path are unstable.
+    pub fn unstable_points(&self) -> usize {
+        self.negative_eigenvalues.iter().filter(|&&negative| negative > 0).count()
+    }
+}
+
+/// Why the stability out of the plane is not known.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the message of each names its numbers
+pub enum OutOfPlaneError {
+    /// The model is not one that it is computed for.
+    #[error("{0}")]
+    Refused(#[from] NotOutOfPlane),
+    /// The peel has no solutions behind its points.
+    #[error("the path has no solutions to look at")]
+    NoSolutions,
+    /// Something overflowed.
+    #[error("the stability out of the plane is not finite at u = {displacement:.6} nm")]
+    NotFinite { displacement: f64 },
+    /// It was lost somewhere, but where was not found.
+    #[error("the loss of stability out of the plane between u = {from:.6} nm and {to:.6} nm was not located: {cause}")]
+    NotLocated { from: f64, to: f64, cause: SolveError },
+    /// The body has no one width.
+    #[error("the widths at which the planar path is stable are those of a strip, and this body is none")]
+    NoStrip,
+}

@@ -1,0 +1,185 @@
+//! Finite elements for the roll, and the inertia of their matrix.
+//!
+//! On each element of the beam's mesh φ is a polynomial: two functions that are one at an end, and bubbles, integrals
+//! of Legendre polynomials. The bubbles are eliminated element by element, the ends from left to right. The signs of
+//! the pivots are those of the eigenvalues (Sylvester's law of inertia); the last pivot is the moment about the axis
+//! that rolls the grip by one.
+
+use super::roll_section::RollDensity;
+use crate::number::gauss::gauss_legendre;
+use std::num::NonZeroUsize;
+
+/// A place of the rule: local coordinate in [-1, 1], weight, and each function with its slope there.
+struct RulePoint {
+    local: f64,
+    weight: f64,
+    functions: Vec<[f64; 2]>,
+}
+
+/// Elements of one degree.
+pub(super) struct RollElements {
+    points: Vec<RulePoint>,
+}
+
+/// What the elimination of a roll found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct RollStability {
+    /// Negative eigenvalues
+    pub negative: usize,
+    /// The last pivot: the moment that rolls the grip by one, all else in equilibrium, nN nm
+    pub grip_stiffness: f64,
+}
+
+impl RollStability {
+    /// A number that falls through zero, continuously, where the first eigenvalue does: the stiffness of the grip, and
+    /// where modes are unstable with the grip held as well, less than any.
+    pub fn margin(&self) -> f64 {
+        let held = self.negative - usize::from(self.grip_stiffness < 0.0);
+        if held == 0 { self.grip_stiffness } else { f64::NEG_INFINITY }
+    }
+}
+
+impl RollElements {
+    /// Of a degree, with a point more than that.
+    pub fn new(degree: NonZeroUsize) -> Self {
+        let rule = gauss_legendre(degree.saturating_add(1));
+        let points = rule.into_iter().map(|(local, weight)| RulePoint {
+            local,
+            weight,
+            functions: functions(degree.get(), local),
+        });
+        Self { points: points.collect() }
+    }
+
+    /// Local coordinates of the rule on an element, in [-1, 1].
+    pub fn places(&self) -> impl Iterator<Item = f64> + '_ {
+        self.points.iter().map(|point| point.local)
+    }
+
+    /// How many there are.
+    pub fn places_of_element(&self) -> usize {
+        self.points.len()
+    }
+
+    /// The inertia of elements with these ends, whose densities are given place by place. Nothing where a number is not
+    /// finite.
+    pub fn stability(&self, ends: &[f64], densities: impl Iterator<Item = RollDensity>) -> Option<RollStability> {
+        let mut densities = densities;
+        let size = self.points.first()?.functions.len();
+        let mut matrix = vec![0.0; size * size];
+        let mut found = RollStability { negative: 0, grip_stiffness: 0.0 };
+        for pair in ends.windows(2) {
+            self.assemble(&mut matrix, pair[1] - pair[0], &mut densities)?;
+            found.negative += eliminate_bubbles(&mut matrix, size);
+            // the last two are the ends
+            let [left, mixed, right] =
+                [(size - 2, size - 2), (size - 1, size - 2), (size - 1, size - 1)].map(|(i, j)| matrix[i * size + j]);
+            let pivot = found.grip_stiffness + left;
+            found.negative += usize::from(pivot < 0.0);
+            found.grip_stiffness = right - mixed * mixed / pivot;
+        }
+        found.negative += usize::from(found.grip_stiffness < 0.0);
+        (!found.grip_stiffness.is_nan()).then_some(found)
+    }
+
+    /// The lower half of the matrix of an element of this length, nm.
+    fn assemble(
+        &self,
+        matrix: &mut [f64],
+        length: f64,
+        densities: &mut impl Iterator<Item = RollDensity>,
+    ) -> Option<()> {
+        matrix.fill(0.0);
+        let size = self.points.first()?.functions.len();
+        let mut strains = vec![0.0; size];
+        for point in &self.points {
+            let RollDensity { stiffness, drift, support } = densities.next()?;
+            let weight = 0.5 * length * point.weight;
+            for (strain, [value, slope]) in strains.iter_mut().zip(&point.functions) {
+                *strain = slope * 2.0 / length - drift * value;
+            }
+            for i in 0..size {
+                let (by_strain, by_value) = (weight * stiffness * strains[i], weight * support * point.functions[i][0]);
+                for j in 0..=i {
+                    matrix[i * size + j] += by_strain * strains[j] + by_value * point.functions[j][0];
+                }
+            }
+        }
+        Some(())
+    }
+}
+
+/// Eliminates all unknowns but the last two from a symmetric matrix of which the lower half is given: how many pivots
+/// are negative.
+fn eliminate_bubbles(matrix: &mut [f64], size: usize) -> usize {
+    let mut negative = 0;
+    for k in 0..size - 2 {
+        let pivot = matrix[k * size + k];
+        negative += usize::from(pivot < 0.0);
+        for i in k + 1..size {
+            let factor = matrix[i * size + k] / pivot;
+            for j in k + 1..=i {
+                matrix[i * size + j] -= factor * matrix[j * size + k];
+            }
+        }
+    }
+    negative
+}
+
+/// The functions of a degree with their slopes at a local coordinate: bubbles (P_k - P_(k-2))/(2k - 1), whose slope is
+/// P_(k-1), then the two that are one at an end.
+fn functions(degree: usize, local: f64) -> Vec<[f64; 2]> {
+    let mut legendre = vec![1.0, local];
+    for k in 2..=degree {
+        let n = k as f64;
+        legendre.push(((2.0 * n - 1.0) * local * legendre[k - 1] - (n - 1.0) * legendre[k - 2]) / n);
+    }
+    let bubble = |k: usize| [(legendre[k] - legendre[k - 2]) / (2 * k - 1) as f64, legendre[k - 1]];
+    let ends = [[0.5 * (1.0 - local), -0.5], [0.5 * (1.0 + local), 0.5]];
+    (2..=degree).map(bubble).chain(ends).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use std::f64::consts::PI;
+
+    fn of_degree(degree: usize) -> RollElements {
+        RollElements::new(NonZeroUsize::new(degree).unwrap())
+    }
+
+    fn uniform(degree: usize, elements: usize, length: f64, density: RollDensity) -> RollStability {
+        let ends: Vec<f64> = (0..=elements).map(|k| length * k as f64 / elements as f64).collect();
+        of_degree(degree).stability(&ends, std::iter::repeat(density)).unwrap()
+    }
+
+    /// ½ ∫ GJ φ'² - k φ² with free ends has an eigenvalue (nπ/L)² GJ - k for n = 0, 1, 2, ...; the grip's stiffness is
+    /// -(k GJ)^(1/2) tan(L (k/GJ)^(1/2)).
+    #[test]
+    fn a_bar_on_a_repelling_bed_has_as_many_modes_as_half_waves() {
+        let (stiffness, length) = (3.0, 7.0);
+        for waves in [0.1, 0.4, 0.6, 1.3, 2.7, 5.5] {
+            let support = -stiffness * (waves * PI / length).powi(2);
+            let found = uniform(8, 5, length, RollDensity { stiffness, drift: 0.0, support });
+            assert_eq!(found.negative, waves.ceil() as usize, "{waves} half waves");
+            let exact = -(-support * stiffness).sqrt() * (waves * PI).tan();
+            assert_relative_eq!(found.grip_stiffness, exact, max_relative = 1e-9);
+            assert_eq!(found.margin() == f64::NEG_INFINITY, waves > 0.5);
+        }
+    }
+
+    /// φ = exp(βS) has no strain: with κ = 0 the grip rolls freely. A drift of any size changes nothing about that.
+    #[test]
+    fn a_drift_alone_stores_nothing() {
+        let found = uniform(8, 4, 3.0, RollDensity { stiffness: 2.0, drift: 0.7, support: 0.0 });
+        assert!(found.grip_stiffness.abs() < 1e-10, "{}", found.grip_stiffness);
+    }
+
+    #[test]
+    fn what_is_not_finite_has_no_inertia() {
+        let bad = RollDensity { stiffness: f64::NAN, drift: 0.0, support: 1.0 };
+        assert_eq!(of_degree(3).stability(&[0.0, 1.0], std::iter::repeat(bad)), None);
+        assert_eq!(of_degree(3).stability(&[0.0, 1.0], std::iter::empty()), None);
+    }
+}

@@ -1,0 +1,133 @@
+//! The density of the roll's energy at one place of the beam.
+//!
+//! Out of its plane a section may shift along the width by ζ and turn by the vector (ω_x, ω_y, 0). Of the second
+//! variation of the energy (with c = cos θ, s = sin θ, V the vertical section force, M the moment, no horizontal force)
+//!
+//!   ½ GA γ² + ½ GJ τ² + ½ EI3 χ² - V γ ω_x + ½ V y' ω_x² - M ω_x ω_y' + ½ (b²Ψ_aa - hΨ_c c) ω_x²,
+//!   γ = ω_x y' - ω_y x' - ζ',  τ = c ω_x' + s ω_y',  χ = c ω_y' - s ω_x',
+//!
+//! ζ and ω_y are in γ and ω_y' alone where no end holds them and no end carries a moment. Minimising over these two
+//! leaves, exactly, the roll φ = ω_x,
+//!
+//!   (φ' - βφ)²/2α + ½ κφ²,  α = c²/GJ + s²/EI3,  β = M s c (1/GJ - 1/EI3),
+//!   κ = V (y' - V/GA) + b²Ψ_aa - hΨ_c c - M² (s²/GJ + c²/EI3),
+//!
+//! with natural ends. Ψ (of the width b) is the planar density averaged over the heights y + t a/b, |t| < b/2, of the
+//! strips that make up a rolled section, a = b φ: so b²Ψ_aa = (b²/12) Ψ_yy. Ψ_c is its derivative by c_h = h cos θ:
+//! -hΨ_c sin θ = Ψ_θ.
+
+use crate::adhesion::{LineResponse, SectionShape};
+use crate::beam::{Material, SectionGeometry, SectionState, rectangle_second_moment, torsion_constant};
+use std::f64::consts::PI;
+
+/// Below this |sin θ| the quotient Ψ_θ/sin θ is taken for its limit Ψ_θθ: products with a smaller number lose digits.
+const LEVEL: f64 = 1e-140;
+
+/// The stiffness of a section that a planar beam does not have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct LateralStiffness {
+    /// GJ, nN nm²
+    pub torsion: f64,
+    /// EI3, of bending along the width, nN nm²
+    pub bending: f64,
+}
+
+impl LateralStiffness {
+    /// Of a section between a rectangle and an ellipse, as [`Material::section`] has it. The factor of the planar
+    /// bending stiffness has no part in it.
+    pub fn of(material: &Material, width: f64, height: f64, roundness: f64) -> Self {
+        let rectangle = torsion_constant(SectionShape::Rectangle, width, height);
+        let torsion_constant =
+            rectangle + roundness * (torsion_constant(SectionShape::Ellipse, width, height) - rectangle);
+        let second_moment = rectangle_second_moment(width, height) * (1.0 + (12.0 * PI / 64.0 - 1.0) * roundness);
+        let shear_modulus = material.youngs_modulus / (2.0 * (1.0 + material.poissons_ratio));
+        Self { torsion: shear_modulus * torsion_constant, bending: material.youngs_modulus * second_moment }
+    }
+}
+
+/// A place of the beam in a planar equilibrium, as its roll sees it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RollSection {
+    width: f64,
+    sin: f64,
+    cos: f64,
+    /// V, nN
+    vertical_force: f64,
+    /// M, nN nm
+    moment: f64,
+    /// y'
+    vertical_slope: f64,
+    /// GA of shear along the width, nN: that of the height
+    shear: f64,
+    /// b²Ψ_aa, nN
+    rolled: f64,
+    /// hΨ_c, nN
+    lever: f64,
+    lateral: LateralStiffness,
+}
+
+/// 1/α, β and κ of the module's head.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct RollDensity {
+    /// 1/α, nN nm²
+    pub stiffness: f64,
+    /// β, 1/nm
+    pub drift: f64,
+    /// κ, nN
+    pub support: f64,
+}
+
+impl RollSection {
+    /// Of the section's outline, its forces, its rotation and the adhesion per width.
+    pub fn new(
+        material: &Material,
+        outline: &SectionGeometry,
+        state: &SectionState,
+        [sin, cos]: [f64; 2],
+        adhesion: &LineResponse<f64>,
+    ) -> Self {
+        let (width, height) = (outline.width, outline.height[0]);
+        let by_cosine = if sin.abs() > LEVEL { adhesion.by_rotation / sin } else { adhesion.rotation_rotation / cos };
+        Self {
+            width,
+            sin,
+            cos,
+            vertical_force: state.vertical_force,
+            moment: state.moment,
+            vertical_slope: state.vertical_slope,
+            shear: material.section(width, height, outline.roundness).shear,
+            rolled: width.powi(3) / 12.0 * adhesion.gap_gap,
+            lever: -width * by_cosine,
+            lateral: LateralStiffness::of(material, width, height, outline.roundness),
+        }
+    }
+
+    /// The same section of a straight beam of one section that is `width` wide (nm): its planar equilibrium per width
+    /// is the same.
+    pub fn widened(&self, width: f64, lateral: LateralStiffness) -> Self {
+        let factor = width / self.width;
+        Self {
+            width,
+            vertical_force: factor * self.vertical_force,
+            moment: factor * self.moment,
+            shear: factor * self.shear,
+            rolled: factor.powi(3) * self.rolled,
+            lever: factor * self.lever,
+            lateral,
+            ..*self
+        }
+    }
+
+    /// The density of the roll's energy.
+    pub fn density(&self) -> RollDensity {
+        let (s, c, v, m) = (self.sin, self.cos, self.vertical_force, self.moment);
+        let (twist, bend) = (1.0 / self.lateral.torsion, 1.0 / self.lateral.bending);
+        RollDensity {
+            stiffness: 1.0 / (c * c * twist + s * s * bend),
+            drift: m * s * c * (twist - bend),
+            support: v * (self.vertical_slope - v / self.shear) + self.rolled
+                - self.lever * c
+                - m * m * (s * s * twist + c * c * bend),
+        }
+    }
+}
