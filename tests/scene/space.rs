@@ -1,7 +1,8 @@
 //! Scenes in space: what puts a scene there, and what is refused there.
 //!
-//! Expected: a key of space implies `space = true`; a scene that says `space = false` beside one is refused at that key; what is not computed in
-//! space is refused by its own key. Why: a pull sideways that is computed in the plane would be a wrong number without a message.
+//! Expected: a key of space implies `space = true`; a scene that says `space = false` beside one is refused at that key;
+//! what is not computed in space is refused by its own key. Why: a pull sideways that is computed in the plane would be
+//! a wrong number without a message.
 
 use crate::text::{MINIMAL, SPATULA, assert_says, complaint, set, with};
 use peelkit::adhesion::SectionShape;
