@@ -103,6 +103,8 @@ const A_BREAK: usize = 2;
 /// the ground changes.
 const EVEN: f64 = 1.0;
 const OF_DETAIL: f64 = 0.5;
+/// Elements besides where they are cut at the corners of the law, at the accuracy 1e-6.
+const AT_CORNERS: f64 = 32.0;
 /// Most elements that are chosen, and where the law has corners.
 const MOST_ELEMENTS: usize = 400;
 const MOST_CORNERED: usize = 1000;
@@ -141,6 +143,7 @@ impl Resolution {
                 + model.contact_extent()
                     / (EVEN * model.process_length() / sharp).min(OF_DETAIL * substrate.feature_length())
         };
+        let elements = if model.cuts_elements() { elements + AT_CORNERS * sharp } else { elements };
         let elements = match model.sticking_length() {
             None => elements,
             Some(_) => elements + model.length() / (EVEN * model.feature_length() / sharp),
@@ -194,9 +197,10 @@ pub(super) fn most_elements(model: &PeelModel) -> usize {
     if cornered(model) > 1.0 { MOST_CORNERED } else { MOST_ELEMENTS }
 }
 
-/// How many times as many elements the corners of the model's law take: the narrower they are, the more.
+/// How many times as many elements the corners of the model's law take, unless elements are cut there: the narrower
+/// they are, the more.
 fn cornered(model: &PeelModel) -> f64 {
-    model.adhesion.attraction.corners()
+    if model.cuts_elements() { 1.0 } else { model.adhesion.attraction.corners() }
 }
 
 /// Elements come in bundles, of which the last costs the same however full it is.

@@ -8,6 +8,7 @@ use super::ramp::{Corner, Lines};
 
 pub(super) const NAME: &str = "bilinear";
 pub(super) const CORNERS: f64 = 5.0;
+pub(super) const KNOTS: &[f64] = &LAW.knots::<4>();
 
 /// Where the top is, as a share of the range, which is rounded over ± half of that.
 const RISE: f64 = 0.1;
@@ -18,9 +19,10 @@ const FALL: f64 = RISE / (1.0 - RISE);
 
 #[inline]
 pub(super) fn at(t: f64) -> At {
-    const LAW: Lines<2> = lines(1.0 / lines(1.0).top());
     LAW.at(t)
 }
+
+const LAW: Lines<2> = lines(1.0 / lines(1.0).top());
 
 const fn lines(factor: f64) -> Lines<2> {
     let top = Corner { place: RISE, change: -1.0 - FALL, half: 0.5 * RISE };

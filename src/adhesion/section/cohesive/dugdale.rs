@@ -8,21 +8,24 @@ use super::ramp::{Corner, Lines};
 
 pub(super) const NAME: &str = "dugdale";
 pub(super) const CORNERS: f64 = 10.0;
+pub(super) const KNOTS: &[f64] = &LAW.knots::<6>();
 
 /// What the flanks take of the range; the corners at their ends are rounded over ± half of that.
 const RISE: f64 = 0.1;
 const FALL: f64 = 0.2;
+/// How much less steeply it falls than it rises.
+const DOWN: f64 = RISE / FALL;
 
 #[inline]
 pub(super) fn at(t: f64) -> At {
-    const DOWN: f64 = RISE / FALL;
-    const LAW: Lines<3> = Lines {
-        corners: [
-            Corner { place: RISE, change: -1.0, half: 0.5 * RISE },
-            Corner { place: 1.0 - FALL, change: -DOWN, half: 0.5 * FALL },
-            Corner { place: 1.0, change: DOWN, half: 0.5 * FALL },
-        ],
-        factor: 1.0 / RISE,
-    };
     LAW.at(t)
 }
+
+const LAW: Lines<3> = Lines {
+    corners: [
+        Corner { place: RISE, change: -1.0, half: 0.5 * RISE },
+        Corner { place: 1.0 - FALL, change: -DOWN, half: 0.5 * FALL },
+        Corner { place: 1.0, change: DOWN, half: 0.5 * FALL },
+    ],
+    factor: 1.0 / RISE,
+};

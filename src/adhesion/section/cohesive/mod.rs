@@ -10,7 +10,7 @@ pub use calibrated::Cohesive;
 use at::At;
 
 /// Makes the list of shapes from lines `/// what it is` and `Name = file`. A file has `NAME`, as a scene calls the law, `CORNERS`, how many
-/// times as many elements it takes as a law without corners, and `at`.
+/// times as many elements it takes as a law without corners, `KNOTS`, the openings at which its pieces join, and `at`.
 macro_rules! shapes {
     ($($(#[$what:meta])* $shape:ident = $file:ident,)*) => {
         $(mod $file;)*
@@ -36,6 +36,13 @@ macro_rules! shapes {
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$shape => $file::NAME,)*
+                }
+            }
+
+            /// The openings, in ranges, at which its pieces join, ascending: between them it is smooth.
+            pub const fn knots(self) -> &'static [f64] {
+                match self {
+                    $(Self::$shape => $file::KNOTS,)*
                 }
             }
 

@@ -41,6 +41,20 @@ impl<const CORNERS: usize> Lines<CORNERS> {
         [self.factor * sums[0], self.factor * sums[1], self.factor * sums[2]]
     }
 
+    /// Where its corners begin and end, two openings a corner: between them it is a polynomial.
+    pub const fn knots<const KNOTS: usize>(&self) -> [f64; KNOTS] {
+        assert!(KNOTS == 2 * CORNERS);
+        let mut knots = [0.0; KNOTS];
+        let mut k = 0;
+        while k < CORNERS {
+            let Corner { place, half, .. } = self.corners[k];
+            knots[2 * k] = place - half;
+            knots[2 * k + 1] = place + half;
+            k += 1;
+        }
+        knots
+    }
+
     /// The largest value, where it is at the first corner.
     pub const fn top(&self) -> f64 {
         let Corner { place, half, .. } = self.corners[0];

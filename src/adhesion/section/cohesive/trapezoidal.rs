@@ -9,6 +9,7 @@ use super::ramp::{Corner, Lines};
 
 pub(super) const NAME: &str = "trapezoidal";
 pub(super) const CORNERS: f64 = 5.0;
+pub(super) const KNOTS: &[f64] = &LAW.knots::<6>();
 
 /// λ1 and λ2
 const UP: f64 = 0.15;
@@ -18,18 +19,19 @@ const ROUNDED: [f64; 3] = [0.5 * UP, 0.2, 0.25];
 
 #[inline]
 pub(super) fn at(t: f64) -> At {
-    /// How much less steeply it falls than it rises.
-    const DOWN: f64 = UP / (1.0 - LEVEL);
-    const LAW: Lines<3> = Lines {
-        corners: [
-            Corner { place: UP, change: -1.0, half: ROUNDED[0] },
-            Corner { place: LEVEL, change: -DOWN, half: ROUNDED[1] },
-            Corner { place: 1.0, change: DOWN, half: ROUNDED[2] },
-        ],
-        factor: 1.0 / UP,
-    };
     LAW.at(t)
 }
+
+/// How much less steeply it falls than it rises.
+const DOWN: f64 = UP / (1.0 - LEVEL);
+const LAW: Lines<3> = Lines {
+    corners: [
+        Corner { place: UP, change: -1.0, half: ROUNDED[0] },
+        Corner { place: LEVEL, change: -DOWN, half: ROUNDED[1] },
+        Corner { place: 1.0, change: DOWN, half: ROUNDED[2] },
+    ],
+    factor: 1.0 / UP,
+};
 
 #[cfg(test)]
 mod tests {

@@ -72,6 +72,12 @@ pub trait Integrand<const F: usize>: Send + Sync {
     fn gradient_at(&self, point: &Point<f64, F>, axial_multiplier: f64) -> PointGradient<F>;
     /// Adhesion energy per length with these fields, nN
     fn adhesion_at(&self, place: f64, value: [f64; F], axial_multiplier: f64) -> f64;
+    /// [`EnergyDensity::knots`]
+    fn knots(&self) -> &'static [f64];
+    /// [`EnergyDensity::opening`]
+    fn opening(&self, place: f64, value: [f64; F]) -> f64;
+    /// [`EnergyDensity::adhesion_response`]
+    fn adhesion_response(&self, place: f64, value: [f64; F]) -> PointResponse<f64, F>;
     /// [`EnergyDensity::remembered`]
     fn remembered(&self, place: f64, value: [f64; F], before: FrictionState) -> (FrictionState, f64);
     /// [`EnergyDensity::section_state`]
@@ -119,6 +125,18 @@ impl<D: EnergyDensity<F>, const F: usize> Integrand<F> for D {
 
     fn adhesion_at(&self, place: f64, value: [f64; F], axial_multiplier: f64) -> f64 {
         self.response(place, value, [0.0; F], axial_multiplier).adhesion
+    }
+
+    fn knots(&self) -> &'static [f64] {
+        EnergyDensity::knots(self)
+    }
+
+    fn opening(&self, place: f64, value: [f64; F]) -> f64 {
+        EnergyDensity::opening(self, place, value)
+    }
+
+    fn adhesion_response(&self, place: f64, value: [f64; F]) -> PointResponse<f64, F> {
+        EnergyDensity::adhesion_response(self, place, value)
     }
 
     fn remembered(&self, place: f64, value: [f64; F], before: FrictionState) -> (FrictionState, f64) {
