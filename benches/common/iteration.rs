@@ -3,7 +3,7 @@
 
 use peelkit::adhesion::{HalfSpace, Law, LineLaw, LineLoad, SectionShape, SpatialSection};
 use peelkit::beam::{
-    ALONG_X, EndRotation, Focus, Material, MeshIntervals, MeshKind, MeshPolicy, SpatialBeam, SpatialChain,
+    ALONG_X, EndRotation, Focus, Material, MeshIntervals, MeshKind, MeshPolicy, Reach, SpatialBeam, SpatialChain,
     SpatialDensity, SpatialEnd, SpatialProfile, SpatialRestCurve, SpatialStiffness,
 };
 use peelkit::model::{Form, StripModel};
@@ -102,7 +102,8 @@ fn strip_in_space() -> SpatialBeam {
         process_length,
         mesh: MeshPolicy {
             kind: MeshKind::Moving,
-            fixed_foci: vec![Focus { center: 0.0, length: 0.1, weight: 0.8 }],
+            front_foci: vec![Focus { center: 0.0, length: process_length, weight: 1.0, reach: Reach::Far }],
+            fixed_foci: vec![Focus { center: 0.0, length: 0.1, weight: 0.8, reach: Reach::Far }],
             pieces: MeshIntervals::whole(length),
         },
     }

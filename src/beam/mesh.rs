@@ -28,6 +28,18 @@ pub struct Focus {
     pub length: f64,
     /// w, relative to the others
     pub weight: f64,
+    /// How elements grow away from it
+    pub reach: Reach,
+}
+
+/// How elements grow away from a focus.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Reach {
+    /// In proportion to the distance: w asinh x, with x = (S - c)/ℓ
+    #[default]
+    Far,
+    /// With its square, so that the focus has elements next to it alone: w atan x
+    Near,
 }
 
 /// Width of a focus that is the same everywhere, over the length of the chain.
@@ -37,7 +49,7 @@ impl Focus {
     /// So wide that elements are alike all along a chain: as long as those where a focus of weight 1 has the length `floor`, nm.
     pub fn everywhere(length: f64, floor: f64) -> Self {
         let wide = WIDE * length;
-        Self { center: 0.5 * length, length: wide, weight: wide / floor }
+        Self { center: 0.5 * length, length: wide, weight: wide / floor, reach: Reach::Far }
     }
 
     /// How much of F lies between two places for these foci: what elements are shared out by.
@@ -49,6 +61,9 @@ impl Focus {
     fn value(&self, s: f64) -> (f64, f64) {
         // asinh, to the absolute accuracy that a mesh needs, without the library's care for tiny arguments
         let x = (s - self.center) / self.length;
+        if self.reach == Reach::Near {
+            return (self.weight * x.atan(), self.weight / (self.length * (x * x + 1.0)));
+        }
         let root = (x * x + 1.0).sqrt();
         (self.weight * (x.abs() + root).ln().copysign(x), self.weight / (self.length * root))
     }
@@ -167,7 +182,10 @@ mod tests {
     fn ends_ascend_and_crowd_at_the_focus() {
         for center in [0.0, 30.0, 100.0, 1e4] {
             let length = 1e4;
-            let foci = [Focus { center, length: 1.0, weight: 1.0 }, Focus { center: 0.0, length: 1.0, weight: 0.8 }];
+            let foci = [
+                Focus { center, length: 1.0, weight: 1.0, reach: Reach::Far },
+                Focus { center: 0.0, length: 1.0, weight: 0.8, reach: Reach::Far },
+            ];
             let ends = graded_ends(&MeshIntervals::whole(length), &foci, 24, &[]);
             assert_eq!((ends.len(), ends[0], ends[24]), (25, 0.0, length));
             let smallest = ends.windows(2).map(|e| e[1] - e[0]).fold(f64::INFINITY, f64::min);
@@ -177,7 +195,7 @@ mod tests {
 
     #[test]
     fn elements_end_where_pieces_do_and_their_number_is_kept() {
-        let foci = |center| vec![Focus { center, length: 1.0, weight: 1.0 }];
+        let foci = |center| vec![Focus { center, length: 1.0, weight: 1.0, reach: Reach::Far }];
         let most = |from, to| Focus::between(&foci(0.0), from, to).max(Focus::between(&foci(25.0), from, to));
         let pieces = MeshIntervals::cut(100.0, &[20.0, 30.0, 30.5], most);
         for elements in 1..60 {

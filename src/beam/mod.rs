@@ -8,7 +8,7 @@ mod spatial;
 mod torsion;
 mod varying;
 pub use bonded_beam::{BondedBeam, BondedMode};
-pub use mesh::{Focus, MeshIntervals, MeshKind, graded_ends};
+pub use mesh::{Focus, MeshIntervals, MeshKind, Reach, graded_ends};
 pub use planar::*;
 pub use reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
 pub use section::{Material, Section, rectangle_second_moment};

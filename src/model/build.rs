@@ -5,7 +5,7 @@ use super::stress_free_placement::StressFreePlacement;
 use super::{Beam, BeamProblem, Body, Form, Hold, PeelModel, Profile, Spatula, friction};
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
 use crate::beam::{
-    self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, ReducedBeam,
+    self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, Reach, ReducedBeam,
     ReferenceConfiguration, ReissnerBeam, UprightPole, Variation, Varying,
 };
 use crate::solve::{EndConditions, History, INTERFACE, InitialState, PathMeasure};
@@ -40,6 +40,12 @@ pub struct NoSuchOrder {
 
 /// The parameters of a model that move none of its reference configuration.
 const VARIABLE: &[&str] = &["youngs_modulus", "shear_correction", "bending_stiffness_factor", "hamaker_constant"];
+
+/// Length of the focus at the front, over that of the process zone, for a law with corners, and its weight.
+///
+/// Thirty sampled scenes at a quarter of 1e-6 took least time with these, 27 s on a shared machine; with weights of 3 to 12 and lengths of 1.5 to 3 they took 32 to 56 s.
+const CORNERED_ZONE: f64 = 1.2;
+const CORNERED_WEIGHT: f64 = 8.0;
 
 /// From one remembered slip to the next, over the least length over which what happens at the front changes.
 const REMEMBERED: f64 = 1.0 / 24.0;
@@ -77,14 +83,13 @@ impl PeelModel {
         let process_length = 0.7 * self.process_length();
         let mut scale = [r0; MOST_FIELDS];
         scale[lead + 1] = (r0 / process_length).min(1.0);
-        let mut fixed_foci = self.fixed_foci(process_length);
+        let (front_foci, mut fixed_foci) = (self.front_foci(process_length), self.fixed_foci(process_length));
         let rest_adhesion = width * law.rest_energy();
         let placement = match self.contour() {
             None => StressFreePlacement::flat(length, law.rest_gap()),
             Some(contour) => {
                 let beam = Varying::new(contour, self.material());
-                let front = Focus { center: 0.0, length: process_length, weight: 1.0 };
-                StressFreePlacement::varying(&beam, &self.adhesion, &self.ground, front, &mut fixed_foci)
+                StressFreePlacement::varying(&beam, &self.adhesion, &self.ground, &front_foci, &mut fixed_foci)
             }
         };
         let profile = self.profile();
@@ -121,6 +126,7 @@ impl PeelModel {
             rest_front: placement.rest_front,
             mesh: MeshPolicy {
                 kind: if substrate.is_flat() { how.mesh } else { MeshKind::Graded },
+                front_foci,
                 fixed_foci,
                 pieces: placement.pieces,
             },
@@ -215,14 +221,30 @@ impl PeelModel {
         History::new(self.length(), REMEMBERED * self.feature_length(), face)
     }
 
+    /// Where elements are small next to the front, as if that were at S = 0. Corners of a law lie where it acts, a few
+    /// process zones long.
+    fn front_foci(&self, process_length: f64) -> Vec<Focus> {
+        let mut foci = vec![Focus { center: 0.0, length: process_length, weight: 1.0, reach: Reach::Far }];
+        if self.cuts_elements() {
+            let length = CORNERED_ZONE * process_length;
+            foci.push(Focus { center: 0.0, length, weight: CORNERED_WEIGHT, reach: Reach::Near });
+        }
+        foci
+    }
+
+    /// Whether elements are cut where the pieces of the law join.
+    pub(crate) fn cuts_elements(&self) -> bool {
+        self.ground.substrate.is_flat() && !self.line_law().knots().is_empty()
+    }
+
     /// Where elements are small whatever the front: at the free end, which may come to stand on its edge, a wedge whose attraction
     /// is concentrated on a part of r0, and at the end of a strip that may not turn there, or that steps bend before the pull.
     fn fixed_foci(&self, process_length: f64) -> Vec<Focus> {
         let edge = (0.36 * process_length).min(0.25 * self.adhesion.equilibrium_distance);
-        let mut foci = vec![Focus { center: 0.0, length: edge, weight: 0.8 }];
+        let mut foci = vec![Focus { center: 0.0, length: edge, weight: 0.8, reach: Reach::Far }];
         let bent = self.grip.rotation == Hold::Fixed || !self.steps.is_empty();
         if let Some(strip) = self.strip().filter(|_| bent) {
-            foci.push(Focus { center: strip.length, length: process_length, weight: 0.2 });
+            foci.push(Focus { center: strip.length, length: process_length, weight: 0.2, reach: Reach::Far });
         }
         foci
     }

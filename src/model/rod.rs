@@ -105,7 +105,12 @@ impl RodModel {
             rest_adhesion: 0.0,
             fronts: FrontPosition::Even,
             rest_front: length,
-            mesh: MeshPolicy { kind: MeshKind::Moving, fixed_foci: Vec::new(), pieces: MeshIntervals::whole(length) },
+            mesh: MeshPolicy {
+                kind: MeshKind::Moving,
+                front_foci: Vec::new(),
+                fixed_foci: Vec::new(),
+                pieces: MeshIntervals::whole(length),
+            },
             process_length: length,
             height: 0.0,
             sees_tilt: false,

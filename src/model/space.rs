@@ -3,8 +3,8 @@
 use super::{Beam, BeamProblem, Discretisation, Hold, NoSuchOrder, PeelModel};
 use crate::adhesion::{SectionShape, SpatialSection, SpatialSectionError};
 use crate::beam::{
-    ALONG_X, EndRotation, Focus, MeshIntervals, MeshPolicy, SpatialBeam, SpatialChain, SpatialDensity, SpatialEnd,
-    SpatialProfile, SpatialRestCurve, SpatialStiffness, torsion_constant,
+    ALONG_X, EndRotation, Focus, MeshIntervals, MeshPolicy, Reach, SpatialBeam, SpatialChain, SpatialDensity,
+    SpatialEnd, SpatialProfile, SpatialRestCurve, SpatialStiffness, torsion_constant,
 };
 use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure, System};
 use serde::{Deserialize, Serialize};
@@ -102,7 +102,8 @@ impl PeelModel {
         let density =
             SpatialDensity { profile: SpatialProfile::uniform(stiffness, width, height), adhesion: Some(section) };
         let edge = (0.36 * process_length).min(0.25 * r0);
-        let grip = Focus { center: length, length: process_length, weight: 0.2 };
+        let front = Focus { center: 0.0, length: process_length, weight: 1.0, reach: Reach::Far };
+        let grip = Focus { center: length, weight: 0.2, ..front };
         let beam = SpatialBeam {
             chain: SpatialChain::new(density, how.order, ends, self.held_left(space)),
             length,
@@ -113,7 +114,8 @@ impl PeelModel {
             process_length,
             mesh: MeshPolicy {
                 kind: how.mesh,
-                fixed_foci: vec![Focus { center: 0.0, length: edge, weight: 0.8 }, grip],
+                front_foci: vec![front],
+                fixed_foci: vec![Focus { length: edge, weight: 0.8, ..front }, grip],
                 pieces: MeshIntervals::whole(length),
             },
         };

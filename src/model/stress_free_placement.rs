@@ -39,14 +39,16 @@ impl StressFreePlacement {
         }
     }
 
-    /// As its outline says, with the free end at the gap of a flat section in equilibrium. `front` is the mesh's moving focus; to the
+    /// As its outline says, with the free end at the gap of a flat section in equilibrium. `front` are the mesh's
+    /// moving foci, the first of
+    /// them that of every law; to the
     /// others are added those where the beam comes down again behind its front. On ground that is not flat elements are shared out as if
     /// they were alike as far as that reaches.
     pub fn varying(
         beam: &Varying,
         adhesion: &Adhesion,
         ground: &Ground,
-        front: Focus,
+        front: &[Focus],
         fixed_foci: &mut Vec<Focus>,
     ) -> Self {
         let length = beam.contour().length();
@@ -55,12 +57,15 @@ impl StressFreePlacement {
         let rest = VaryingReference::new(beam.clone(), law.rest_gap());
         let (touching, again) = contact(&rest, length, REACH * adhesion.equilibrium_distance);
         let rest_front = settled_front(beam, adhesion, touching);
-        let alike = ground.floor(front.length).map(|floor| (contact_extent(&rest, length, adhesion, ground), floor));
-        fixed_foci.extend(again.into_iter().map(|center| Focus { center, weight: AGAIN, ..front }));
+        let along = |front: &Focus| ground.floor(front.length);
+        let alike = front.first().and_then(along).map(|floor| (contact_extent(&rest, length, adhesion, ground), floor));
+        let again = again.into_iter().zip(front.first().into_iter().cycle());
+        fixed_foci.extend(again.map(|(center, front)| Focus { center, weight: AGAIN, ..*front }));
         let meshes: Vec<Vec<Focus>> = (0..=FRONTS_TRIED)
             .map(|k| {
-                let moved = Focus { center: rest_front * k as f64 / FRONTS_TRIED as f64, ..front };
-                std::iter::once(moved).chain(fixed_foci.iter().copied()).collect()
+                let center = rest_front * k as f64 / FRONTS_TRIED as f64;
+                let moved = front.iter().map(|focus| Focus { center: center + focus.center, ..*focus });
+                moved.chain(fixed_foci.iter().copied()).collect()
             })
             .collect();
         let wanted = |from: f64, to: f64| {

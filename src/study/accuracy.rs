@@ -103,12 +103,17 @@ const A_BREAK: usize = 2;
 /// the ground changes.
 const EVEN: f64 = 1.0;
 const OF_DETAIL: f64 = 0.5;
+/// Elements besides where they are cut at the corners of the law, at the accuracy 1e-6.
+const AT_CORNERS: f64 = 32.0;
 /// Most elements that are chosen, and where the law has corners.
 const MOST_ELEMENTS: usize = 400;
 const MOST_CORNERED: usize = 1000;
 /// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its fourth
 /// root, so that the curve between the points keeps up with the points.
 const STEP_TOLERANCE: f64 = 1.2e-2;
+/// The same in space, where a pull that is not quite symmetric rounds off a loss of stability, and the path turns within a short way: longer steps
+/// went on along the branch beyond.
+const STEP_TOLERANCE_IN_SPACE: f64 = 1e-5;
 /// The same at any accuracy: beyond it Newton's method takes more than it saves.
 const LONGEST: f64 = 5e-2;
 
@@ -141,15 +146,17 @@ impl Resolution {
                 + model.contact_extent()
                     / (EVEN * model.process_length() / sharp).min(OF_DETAIL * substrate.feature_length())
         };
+        let elements = if model.cuts_elements() { elements + AT_CORNERS * sharp } else { elements };
         let elements = match model.sticking_length() {
             None => elements,
             Some(_) => elements + model.length() / (EVEN * model.feature_length() / sharp),
         };
         let chosen = whole_bundles(elements).clamp(6, most_elements(model));
+        let aimed = if model.space.is_some() { STEP_TOLERANCE_IN_SPACE } else { STEP_TOLERANCE };
         Self {
             order: accuracy.order(),
             elements: accuracy.choice.elements.unwrap_or(chosen),
-            step_tolerance: accuracy.choice.step.unwrap_or((STEP_TOLERANCE * (1e6 * relative).powf(0.25)).min(LONGEST)),
+            step_tolerance: accuracy.choice.step.unwrap_or((aimed * (1e6 * relative).powf(0.25)).min(LONGEST)),
             stride: 1.0,
         }
     }
@@ -194,9 +201,10 @@ pub(super) fn most_elements(model: &PeelModel) -> usize {
     if cornered(model) > 1.0 { MOST_CORNERED } else { MOST_ELEMENTS }
 }
 
-/// How many times as many elements the corners of the model's law take: the narrower they are, the more.
+/// How many times as many elements the corners of the model's law take, unless elements are cut there: the narrower
+/// they are, the more.
 fn cornered(model: &PeelModel) -> f64 {
-    model.adhesion.attraction.corners()
+    if model.cuts_elements() { 1.0 } else { model.adhesion.attraction.corners() }
 }
 
 /// Elements come in bundles, of which the last costs the same however full it is.

@@ -250,6 +250,7 @@ Examples:
   peel verify --only strip --json
   peel verify --hard
   peel verify --sampled 100 --kind strip
+  peel verify --sampled 100 --kind law --ways 2
   peel verify --kind strip --scene 4
 
 Topics:

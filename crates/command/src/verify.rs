@@ -5,7 +5,7 @@ use crate::help;
 use crate::output::{progress_bar, say};
 use crate::stop::Stop;
 use clap::Args;
-use peelkit_checks::sampled::{SampleKind, scene_text, survey_sample};
+use peelkit_checks::sampled::{SampleKind, WAYS, scene_text, survey_sample};
 use peelkit_checks::suite::{Check, TOPICS, Topic, hard};
 use peelkit_checks::{check_line, checks_json};
 
@@ -30,6 +30,10 @@ pub struct Verify {
     /// What is sampled: strip, angle, spatula or law; all of them unless given
     #[arg(long, value_name = "KIND")]
     kind: Option<String>,
+
+    /// Peels them in so many of the ways: 1e-6, 1e-9, elements of order 5, a mesh that stays
+    #[arg(long, value_name = "N", default_value_t = WAYS.len(), value_parser = ways, requires = "sampled")]
+    ways: usize,
 
     /// Prints the text of this scene of the sample and peels nothing
     #[arg(long, value_name = "K", requires = "kind", conflicts_with = "sampled")]
@@ -73,6 +77,12 @@ pub fn verify(args: &Verify) -> Result<(), Stop> {
     if failed == 0 { Ok(()) } else { Err(Stop::other(format!("{failed} of {} checks failed", checks.len()))) }
 }
 
+/// A number of ways, from 1 on.
+fn ways(text: &str) -> Result<usize, String> {
+    let ways = text.parse().ok().filter(|ways| (1..=WAYS.len()).contains(ways));
+    ways.ok_or_else(|| format!("1 to {} are possible", WAYS.len()))
+}
+
 /// The kinds that are wanted.
 fn kinds(args: &Verify) -> Result<Vec<SampleKind>, Stop> {
     let Some(name) = &args.kind else { return Ok(SampleKind::ALL.to_vec()) };
@@ -87,7 +97,7 @@ fn sampled(args: &Verify, count: u64) -> Result<(), Stop> {
     let kinds = kinds(args)?;
     let bar = progress_bar(usize::try_from(count).unwrap_or(usize::MAX).saturating_mul(kinds.len()));
     for kind in kinds {
-        let survey = survey_sample(kind, args.seed, count, &|| bar.inc(1)).map_err(Stop::other)?;
+        let survey = survey_sample(kind, args.seed, count, args.ways, &|| bar.inc(1)).map_err(Stop::other)?;
         bar.suspend(|| say(&survey.table()))?;
     }
     bar.finish_and_clear();

@@ -65,6 +65,22 @@ impl LineLaw {
         if self.line_load == LineLoad::ForceOnly { full.without_moment() } else { full }
     }
 
+    /// The openings, in ranges of a cohesive law, at which its pieces join, ascending; none of a law that is smooth.
+    pub fn knots(&self) -> &'static [f64] {
+        match &self.law {
+            Law::Cohesive(cohesive) => cohesive.shape.knots(),
+            Law::BodyForce | Law::SurfaceTraction | Law::Own(_) => &[],
+        }
+    }
+
+    /// The opening that [`Self::knots`] speaks of, of a section of this height (nm) at the gap η (nm) and the rotation
+    /// θ; zero of other laws.
+    pub fn opening(&self, height: f64, gap: f64, rotation: f64) -> f64 {
+        let Law::Cohesive(cohesive) = &self.law else { return 0.0 };
+        let lift = if self.line_load == LineLoad::AxisGap { 0.0 } else { 0.5 * height * (1.0 - rotation.cos().abs()) };
+        (gap + lift - cohesive.closed) / cohesive.range
+    }
+
     /// Whether the load derives from a potential, so that the tangent is symmetric and energy is conserved.
     pub fn has_potential(&self) -> bool {
         match self.line_load {

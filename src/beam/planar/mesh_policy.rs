@@ -9,7 +9,9 @@ use crate::solve::{Mesh, State};
 pub struct MeshPolicy {
     /// Whether the mesh follows the front.
     pub kind: MeshKind,
-    /// Foci of the mesh besides the front.
+    /// Foci that follow the front, as they are for a front at S = 0.
+    pub front_foci: Vec<Focus>,
+    /// Foci of the mesh besides those.
     pub fixed_foci: Vec<Focus>,
     /// Between which places elements lie.
     pub pieces: MeshIntervals,
@@ -28,11 +30,11 @@ impl PlanarBeam {
 
     /// The same, found faster from the ends of a similar mesh.
     pub fn ends_near(&self, center: f64, elements: usize, near: &[f64]) -> Vec<f64> {
-        let MeshPolicy { kind, fixed_foci, pieces } = &self.mesh;
-        let mut foci = Vec::with_capacity(1 + fixed_foci.len());
+        let MeshPolicy { kind, front_foci, fixed_foci, pieces } = &self.mesh;
+        let mut foci = Vec::with_capacity(front_foci.len() + fixed_foci.len());
         if self.adheres() && *kind != MeshKind::Uniform {
             let center = if *kind == MeshKind::Moving { self.fronts.place(center) } else { self.rest_front };
-            foci.push(Focus { center, length: self.process_length, weight: 1.0 });
+            foci.extend(front_foci.iter().map(|focus| Focus { center: center + focus.center, ..*focus }));
             foci.extend(fixed_foci);
         }
         graded_ends(pieces, &foci, elements, near)

@@ -73,11 +73,11 @@ impl SpatialBeam {
 
     /// Element boundaries for a front.
     fn boundaries(&self, front: f64, elements: usize, near: &[f64]) -> Vec<f64> {
-        let MeshPolicy { kind, fixed_foci, pieces } = &self.mesh;
-        let mut foci = Vec::with_capacity(1 + fixed_foci.len());
+        let MeshPolicy { kind, front_foci, fixed_foci, pieces } = &self.mesh;
+        let mut foci = Vec::with_capacity(front_foci.len() + fixed_foci.len());
         if self.adheres() && *kind != MeshKind::Uniform {
             let center = if *kind == MeshKind::Moving { FrontPosition::Even.place(front) } else { self.length };
-            foci.push(Focus { center, length: self.process_length, weight: 1.0 });
+            foci.extend(front_foci.iter().map(|focus| Focus { center: center + focus.center, ..*focus }));
             foci.extend(fixed_foci);
         }
         graded_ends(pieces, &foci, elements, near)

@@ -222,9 +222,9 @@ pub fn locate(
     if relative.is_some_and(|r| change.abs() < r * middle.observables.force.abs()) {
         return flat(problem, &segment, furthest(&segment, middle), change, iterations, ws);
     }
-    let steepest = |a: f64, b: f64| a.abs().max(b.abs());
-    let level = steepest(low.1, high.1) <= LEVEL * steepest(turn.pick()(&first), turn.pick()(&second));
-    if level && turn == LimitPointKind::Displacement {
+    let level = low.1.abs().max(high.1.abs()) <= LEVEL * turn.pick()(&first).abs().max(turn.pick()(&second).abs());
+    if level && turn == LimitPointKind::Displacement && on_more_elements(problem, &middle, segment.weights, ws).is_ok()
+    {
         let spanned = spanned(&segment, turn, &middle, [low, high]);
         let located = beside(problem, &segment, middle, spanned, iterations, ws);
         let (d, o) = (&located.difference, &located.observables);

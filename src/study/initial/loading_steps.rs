@@ -18,8 +18,9 @@ use std::sync::Arc;
 /// twice as many.
 const SHORT: f64 = 10.0;
 const A_BREAK: usize = 4;
-/// How many times as many a law with corners takes.
+/// How many times as many a law with corners takes, and how many more where elements are cut there.
 const CORNERED: f64 = 5.0;
+const AT_CORNERS: f64 = 32.0;
 /// Most more that friction takes.
 const MOST_SLIDING: f64 = 400.0;
 /// Error of a prediction, over the gap, and of a solution on the way and at the end.
@@ -60,9 +61,10 @@ pub(super) fn elements(model: &PeelModel, problem: &BeamProblem) -> usize {
         return at.mesh.elements() / 2;
     }
     let span = (model.length() / model.process_length()).asinh();
-    let corners = if model.adhesion.attraction.corners() > 1.0 { CORNERED } else { 1.0 };
+    let corners = if model.adhesion.attraction.corners() > 1.0 && !model.cuts_elements() { CORNERED } else { 1.0 };
+    let cut = if model.cuts_elements() { AT_CORNERS } else { 0.0 };
     let slides = model.sticking_length().map_or(0.0, |_| (model.length() / model.feature_length()).min(MOST_SLIDING));
-    let elements = corners * (SHORT + span * span) + slides;
+    let elements = corners * (SHORT + span * span) + cut + slides;
     (elements.ceil() as usize + A_BREAK * model.breaks().len()).next_multiple_of(BUNDLE)
 }
 

@@ -22,7 +22,8 @@ pub(super) fn differences(followed: &Followed, problem: &BeamProblem) -> Vec<f64
     let told = followed.turns.iter().enumerate().filter(|(_, turn)| counts(problem, turn.0));
     let turns = told.flat_map(|(i, (_, _, located))| {
         let (o, d) = (&located.observables, &located.difference);
-        let place = if located.flat && Some(i) != first_load { 0.0 } else { (d.displacement / o.displacement).abs() };
+        let anywhere = located.flat && (followed.level || Some(i) != first_load);
+        let place = if anywhere { 0.0 } else { (d.displacement / o.displacement).abs() };
         [place, (d.force / o.force).abs()]
     });
     turns.collect()

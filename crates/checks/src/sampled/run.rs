@@ -53,7 +53,7 @@ pub struct Run {
 pub struct Sampled {
     /// Its number in the sample.
     pub index: u64,
-    /// One for each way.
+    /// One for each way, in the order of [`WAYS`].
     pub runs: Vec<Run>,
 }
 
@@ -68,11 +68,14 @@ pub struct Outside {
     pub found: [(f64, f64); 2],
 }
 
-/// Peels scene `index` of a sample in every way.
-pub fn sampled(kind: SampleKind, seed: u64, index: u64) -> Result<Sampled, String> {
+/// Peels scene `index` of a sample in the first `ways` of [`WAYS`].
+///
+/// # Errors
+/// A scene that cannot be read, with its text: a fault of the sampler.
+pub fn sampled(kind: SampleKind, seed: u64, index: u64, ways: usize) -> Result<Sampled, String> {
     let text = scene_text(kind, seed, index);
     let scene = Scene::parse("sampled", &text, &[]).map_err(|error| format!("{error}\n{text}"))?;
-    let runs = WAYS.iter().map(|way| run(&scene, way)).collect();
+    let runs = WAYS.iter().take(ways).map(|way| run(&scene, way)).collect();
     Ok(Sampled { index, runs })
 }
 

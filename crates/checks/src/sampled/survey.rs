@@ -17,7 +17,7 @@ pub struct SampleSurvey {
     pub scenes: Vec<Sampled>,
 }
 
-/// Samples `count` scenes and peels them, on all cores; `done` is called behind each.
+/// Samples `count` scenes and peels them in the first `ways` of [`WAYS`], on all cores; `done` is called behind each.
 ///
 /// # Errors
 /// A sampled scene that cannot be read, with its text: a fault of the sampler.
@@ -25,10 +25,11 @@ pub fn survey_sample(
     kind: SampleKind,
     seed: u64,
     count: u64,
+    ways: usize,
     done: &(dyn Fn() + Sync),
 ) -> Result<SampleSurvey, String> {
     let one = |index| {
-        let scene = sampled(kind, seed, index);
+        let scene = sampled(kind, seed, index, ways);
         done();
         scene
     };
@@ -78,7 +79,8 @@ impl SampleSurvey {
     pub fn table(&self) -> String {
         let mut text = String::new();
         let total = self.scenes.len();
-        for (way, name) in WAYS.iter().map(|way| way.name).enumerate() {
+        let ways = self.scenes.first().map_or(0, |scene| scene.runs.len());
+        for (way, name) in WAYS[..ways].iter().map(|way| way.name).enumerate() {
             let mut ends: BTreeMap<&str, usize> = BTreeMap::new();
             self.scenes.iter().for_each(|scene| *ends.entry(scene.runs[way].end).or_default() += 1);
             let shares: Vec<String> = ends
@@ -96,7 +98,7 @@ impl SampleSurvey {
                 }
             }
         }
-        for other in 1..WAYS.len() {
+        for other in 1..ways {
             let (compared, outside) = self.against(other);
             let [one, two] = [0, other].map(|way| WAYS[way].name);
             let _ = writeln!(

@@ -11,7 +11,7 @@ pub use calibrated::Cohesive;
 use at::At;
 
 /// Makes the list of shapes from lines `/// what it is` and `Name = file`. A file has `NAME`, as a scene calls the law, `CORNERS`, how many
-/// times as many elements it takes as a law without corners, `BREAKS`, the openings δ/δ_r, ascending, between which it
+/// times as many elements it takes as a law without corners, `KNOTS`, the openings δ/δ_r, ascending, between which it
 /// is a polynomial of degree 8 (or smooth altogether), `at`, and `primitive`, the integral from t on of the first
 /// number of `at`.
 macro_rules! shapes {
@@ -51,9 +51,9 @@ macro_rules! shapes {
             }
 
             /// Between these openings δ/δ_r, ascending, s is a polynomial of degree 8 at most, or smooth altogether.
-            const fn breaks(self) -> &'static [f64] {
+            pub const fn knots(self) -> &'static [f64] {
                 match self {
-                    $(Self::$shape => $file::BREAKS,)*
+                    $(Self::$shape => $file::KNOTS,)*
                 }
             }
 

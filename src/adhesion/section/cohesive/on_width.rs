@@ -42,9 +42,9 @@ impl Cohesive {
     fn by_points(&self, t: f64, x: f64) -> [f64; 6] {
         let mut sums = [0.0; 6];
         let mut from = -0.5;
-        let breaks = self.shape.breaks().iter().map(|opening| (opening - t) / x);
+        let knots = self.shape.knots().iter().map(|opening| (opening - t) / x);
         // without a tilt they are infinite, or no numbers
-        for to in breaks.filter(|place| place.abs() < 0.5).chain([0.5]) {
+        for to in knots.filter(|place| place.abs() < 0.5).chain([0.5]) {
             let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
             for (point, weight) in POINTS.into_iter().zip(WEIGHTS) {
                 for place in [middle - half * point, middle + half * point] {
@@ -80,7 +80,7 @@ mod tests {
                     let (r, a) = (law.closed + law.range * (lowest + 0.5 * x), law.range * x);
                     let (mut sums, mut sizes) = ([0.0; 6], [0.0; 6]);
                     let inside = |opening: &&f64| x > 0.0 && **opening > lowest && **opening < lowest + x;
-                    let corners = shape.breaks().iter().filter(inside).map(|opening| (opening - lowest) / x - 0.5);
+                    let corners = shape.knots().iter().filter(inside).map(|opening| (opening - lowest) / x - 0.5);
                     let ends: Vec<f64> = [-0.5].into_iter().chain(corners).chain([0.5]).collect();
                     for part in ends.windows(2) {
                         let pieces = 30;

@@ -55,15 +55,15 @@ impl<const CORNERS: usize> Lines<CORNERS> {
     }
 
     /// Where the rounding of each corner begins and ends; so many are twice the corners.
-    pub const fn breaks<const BREAKS: usize>(&self) -> [f64; BREAKS] {
-        let mut breaks = [0.0; BREAKS];
+    pub const fn knots<const KNOTS: usize>(&self) -> [f64; KNOTS] {
+        let mut knots = [0.0; KNOTS];
         let mut k = 0;
-        while k < BREAKS {
+        while k < KNOTS {
             let Corner { place, half, .. } = self.corners[k / 2];
-            breaks[k] = if k % 2 == 0 { place - half } else { place + half };
+            knots[k] = if k % 2 == 0 { place - half } else { place + half };
             k += 1;
         }
-        breaks
+        knots
     }
 
     /// The largest value, where it is at the first corner.

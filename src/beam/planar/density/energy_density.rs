@@ -1,6 +1,6 @@
 //! What an element integrates: an energy density along the axis and its first and second derivatives.
 
-use crate::adhesion::FrictionState;
+use crate::adhesion::{FrictionState, LineResponse};
 use crate::number::Real;
 
 /// Response at one point of the axis to F fields, their slopes along S and one number that is the same along the whole
@@ -64,6 +64,25 @@ impl<T: Real, const F: usize> PointResponse<T, F> {
 }
 
 impl<T: Real, const F: usize> PointResponse<T, F> {
+    /// Of the adhesion alone, on an adhering width. The last two fields are the gap and the rotation.
+    #[inline(always)]
+    pub(super) fn of_adhesion(adhesion: &LineResponse<T>, b: T, tilt: [T; 2]) -> Self {
+        let (gap, rotation) = (F - 2, F - 1);
+        let mut response = Self::zero();
+        response.energy = adhesion.energy * b;
+        response.adhesion = response.energy;
+        response.by_value[gap] = adhesion.by_gap * b;
+        response.by_value[rotation] = adhesion.by_rotation * b;
+        response.value_value[gap][gap] = adhesion.gap_gap * b;
+        response.value_value[gap][rotation] = adhesion.gap_rotation * b;
+        response.value_value[rotation][gap] = adhesion.rotation_gap * b;
+        response.value_value[rotation][rotation] = adhesion.rotation_rotation * b;
+        let mut gradient = [T::splat(0.0); F];
+        (gradient[gap], gradient[rotation]) = (response.by_value[gap], adhesion.energy_by_rotation * b);
+        response.set_coverage(tilt, gradient);
+        response
+    }
+
     /// Sets the coverage from the adhesion energy and its gradient. Without the factor sections that adhere and are tilted would count more than
     /// others, and the front would run ahead of where the beam peels.
     #[inline(always)]
@@ -124,6 +143,22 @@ pub struct Coupling<const F: usize> {
 pub trait EnergyDensity<const F: usize>: Send + Sync {
     /// Which second derivatives there are.
     const COUPLING: Coupling<F>;
+
+    /// Openings at which the pieces of its law join, ascending; none of a law that is smooth.
+    fn knots(&self) -> &'static [f64] {
+        &[]
+    }
+
+    /// The opening that [`Self::knots`] speaks of, in ranges of the law.
+    fn opening(&self, _place: f64, _value: [f64; F]) -> f64 {
+        0.0
+    }
+
+    /// What the adhesion of a law that has knots gives to a response with these fields: all of it depends on the fields
+    /// alone.
+    fn adhesion_response(&self, _place: f64, _value: [f64; F]) -> PointResponse<f64, F> {
+        PointResponse::zero()
+    }
 
     /// Whether one number is shared by the whole chain.
     const BORDER: bool = false;

@@ -131,6 +131,21 @@ impl<const HELD: bool> EnergyDensity<2> for ReducedBeam<HELD> {
         response
     }
 
+    fn knots(&self) -> &'static [f64] {
+        self.law.knots()
+    }
+
+    fn opening(&self, place: f64, [gap, rotation]: [f64; 2]) -> f64 {
+        self.law.opening(self.profile.at(place).height, gap, rotation)
+    }
+
+    fn adhesion_response(&self, place: f64, [gap, rotation]: [f64; 2]) -> PointResponse<f64, 2> {
+        let (sin, cos) = rotation.sin_cos();
+        let station = self.profile.at(place);
+        let adhesion = self.law.response_of(station.height, gap, sin, cos);
+        PointResponse::of_adhesion(&adhesion, station.width, [sin, cos])
+    }
+
     fn is_symmetric(&self) -> bool {
         self.law.has_potential()
     }

@@ -112,6 +112,21 @@ impl EnergyDensity<3> for ReissnerBeam {
         response
     }
 
+    fn knots(&self) -> &'static [f64] {
+        self.law.knots()
+    }
+
+    fn opening(&self, place: f64, [_, gap, rotation]: [f64; 3]) -> f64 {
+        self.law.opening(self.profile.at(place).height, gap, rotation)
+    }
+
+    fn adhesion_response(&self, place: f64, [_, gap, rotation]: [f64; 3]) -> PointResponse<f64, 3> {
+        let (sin, cos) = rotation.sin_cos();
+        let station = self.profile.at(place);
+        let adhesion = self.law.response_of(station.height, gap, sin, cos);
+        PointResponse::of_adhesion(&adhesion, station.width, [sin, cos])
+    }
+
     fn is_symmetric(&self) -> bool {
         self.law.has_potential()
     }

@@ -13,6 +13,9 @@ pub const MOST_NODES: usize = 9;
 /// The highest order of an element.
 pub const MOST_ORDER: usize = MOST_NODES - 1;
 
+/// Points of the rule for a part of an element.
+const FINE: NonZeroUsize = NonZeroUsize::MIN.saturating_add(9);
+
 /// How many nodes an element has, p + 1: known when the program is compiled, which is faster, or when it runs.
 pub trait Nodes: Copy {
     /// For elements of an order.
@@ -77,6 +80,8 @@ pub struct Basis {
     pub points: PerNode,
     /// Gauss weights.
     pub weights: PerNode,
+    /// Points and weights of a finer rule, for a part of an element.
+    pub fine: Vec<(f64, f64)>,
     /// `value[q][a]`: shape function a at point q.
     pub value: [PerNode; MOST_NODES],
     /// `slope[q][a]`: its derivative with respect to the local coordinate.
@@ -111,8 +116,19 @@ impl Basis {
             }
         }
         let [four_values_of, four_slopes_of] = [[[F64x4::splat(0.0); MOST_NODES]; MOST_NODES]; 2];
-        let mut basis =
-            Self { order, nodes, points, weights, value, slope, four_values_of, four_slopes_of, nodal_slope, apart };
+        let mut basis = Self {
+            order,
+            nodes,
+            points,
+            weights,
+            fine: gauss_legendre(FINE),
+            value,
+            slope,
+            four_values_of,
+            four_slopes_of,
+            nodal_slope,
+            apart,
+        };
         for b in 0..count {
             basis.nodal_slope[b] = basis.sample(nodes[b]).1;
         }

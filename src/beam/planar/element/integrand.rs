@@ -68,6 +68,18 @@ pub trait Integrand<const F: usize>: Send + Sync {
     fn energy_at(&self, point: &Point<F64x4, F>, axial_multiplier: f64) -> PointEnergy<F64x4, F>;
     /// The first derivatives at one point, with the traction that remembers.
     fn gradient_at(&self, point: &Point<f64, F>, axial_multiplier: f64) -> PointGradient<F>;
+    /// [`EnergyDensity::knots`]; without any, neither of the next two is asked.
+    fn knots(&self) -> &'static [f64] {
+        &[]
+    }
+    /// [`EnergyDensity::opening`]
+    fn opening(&self, _place: f64, _value: [f64; F]) -> f64 {
+        0.0
+    }
+    /// [`EnergyDensity::adhesion_response`]
+    fn adhesion_response(&self, _place: f64, _value: [f64; F]) -> PointResponse<f64, F> {
+        PointResponse::zero()
+    }
 }
 
 /// An [`EnergyDensity`] of a planar beam without its type: every one is one.
@@ -115,6 +127,18 @@ impl<D: EnergyDensity<F>, const F: usize> Integrand<F> for D {
         let PointResponse { by_value, by_slope, coverage_by_value, by_border, .. } =
             response(self, point, axial_multiplier);
         PointGradient { by_value, by_slope, coverage_by_value, by_border }
+    }
+
+    fn knots(&self) -> &'static [f64] {
+        EnergyDensity::knots(self)
+    }
+
+    fn opening(&self, place: f64, value: [f64; F]) -> f64 {
+        EnergyDensity::opening(self, place, value)
+    }
+
+    fn adhesion_response(&self, place: f64, value: [f64; F]) -> PointResponse<f64, F> {
+        EnergyDensity::adhesion_response(self, place, value)
     }
 }
 

@@ -1,6 +1,7 @@
 //! The element: integrates a density into its front, the matrix that elimination works on.
 
 use super::integrand::{Integrand, Point};
+use super::piecewise::PiecePoint;
 use crate::beam::{Basis, Coupling, FrontalMatrix, MOST_NODES, Nodes, PerNode, PointResponse};
 use crate::number::{F64x4, Real};
 use serde::{Deserialize, Serialize};
@@ -217,16 +218,13 @@ impl<const F: usize> Element<f64, F> {
                 }
             }
         }
+        self.piecewise(by, |point| add_piece(nodes, &point.response.by_value, point, &mut forces));
         forces
     }
 
     /// The gradient of the adhesion energy, node by node.
-    pub fn coverage_forces(
-        &self,
-        nodes: impl Nodes,
-        density: &dyn Integrand<F>,
-        basis: &Basis,
-    ) -> [[f64; F]; MOST_NODES] {
+    pub fn coverage_forces(&self, by: &Integration<impl Nodes, F>) -> [[f64; F]; MOST_NODES] {
+        let &Integration { nodes, basis, density, .. } = by;
         let mut forces = [[0.0; F]; MOST_NODES];
         for q in 0..nodes.count() - 1 {
             let (r, weight) =
@@ -237,6 +235,7 @@ impl<const F: usize> Element<f64, F> {
                 }
             }
         }
+        self.piecewise(by, |point| add_piece(nodes, &point.response.coverage_by_value, point, &mut forces));
         forces
     }
 
@@ -246,6 +245,20 @@ impl<const F: usize> Element<f64, F> {
             density.gradient_at(&self.point(nodes, basis, q), self.axial_multiplier).by_border * self.weight(basis, q)
         };
         (0..nodes.count() - 1).map(force).sum()
+    }
+}
+
+/// Adds what a derivative by the fields at a point of a piece gives to the nodes.
+#[inline(always)]
+fn add_piece<const F: usize>(
+    nodes: impl Nodes,
+    by_value: &[f64; F],
+    point: &PiecePoint<F>,
+    forces: &mut [[f64; F]; MOST_NODES],
+) {
+    for a in 0..nodes.count() {
+        let share = point.weight * point.shape[a];
+        (0..F).for_each(|f| forces[a][f] += by_value[f] * share);
     }
 }
 

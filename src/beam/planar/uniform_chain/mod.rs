@@ -9,6 +9,8 @@
 mod back;
 mod ends;
 mod factors;
+#[cfg(test)]
+mod piece_tests;
 mod read;
 mod sweep;
 #[cfg(test)]
@@ -79,6 +81,8 @@ pub struct UniformChain<const F: usize> {
     basis: Basis,
     /// Whether the tangent is symmetric.
     symmetric: bool,
+    /// Whether its law has pieces that join inside of elements.
+    has_knots: bool,
     /// Where the fields of the left end are held, as far as they are.
     pinned_left: [Option<f64>; F],
     kernels: Kernels<F>,
@@ -98,7 +102,8 @@ impl<const F: usize> UniformChain<F> {
             USUAL => Kernels::of::<Fixed<{ USUAL + 1 }>, BORDER>(),
             _ => Kernels::of::<AnyNumber, BORDER>(),
         };
-        Self { symmetric: density.is_symmetric(), density, basis: Basis::new(order), pinned_left, kernels }
+        let (symmetric, has_knots) = (density.is_symmetric(), !density.knots().is_empty());
+        Self { symmetric, has_knots, density, basis: Basis::new(order), pinned_left, kernels }
     }
 
     /// How its elements are integrated.

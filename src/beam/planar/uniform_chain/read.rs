@@ -47,6 +47,15 @@ impl<const F: usize> UniformChain<F> {
                 *sum += part.0[..BUNDLE.min(elements - first)].iter().sum::<f64>();
             }
         }
+        for e in if self.has_knots { 0..elements } else { 0..0 } {
+            let changes = self.gather(nodes, direction, e);
+            self.element(nodes, at, e).piecewise(&by, |point| {
+                let change = combine(nodes, &changes, &point.shape);
+                let turned: f64 = (0..F).map(|f| point.response.coverage_by_value[f] * change[f]).sum();
+                let parts = [point.response.energy, point.response.coverage, turned];
+                sums.iter_mut().zip(parts).for_each(|(sum, part)| *sum += point.weight * part);
+            });
+        }
         (ElementEnergy { total: sums[0], coverage: sums[1] }, sums[2])
     }
 
@@ -92,7 +101,7 @@ impl<const F: usize> UniformChain<F> {
         let (nodes, mut gradient) = (self.nodes(), vec![0.0; at.state.len()]);
         for e in 0..at.ends.len() - 1 {
             let element = self.element(nodes, at, e);
-            self.scatter(e, &element.coverage_forces(nodes, &*self.density, &self.basis), &mut gradient);
+            self.scatter(e, &element.coverage_forces(&self.integration(nodes)), &mut gradient);
         }
         gradient
     }

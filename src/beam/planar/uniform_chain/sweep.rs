@@ -71,14 +71,15 @@ impl<const F: usize> UniformChain<F> {
         for (first, front) in (0..elements).step_by(BUNDLE).zip(fronts) {
             self.gather_bundle(nodes, at, first, bundle);
             let (total, coverage) = bundle.integrate::<BORDER>(&by, path.coverage, room, front);
+            let pieces = self.add_pieces(nodes, at, first, path.coverage, front);
             if !damping.is_empty() {
                 self.damp_inside(nodes, front, damping, first, elements);
             }
             let pivots = front.condense::<BORDER>(nodes, self.symmetric);
             for e in first..elements.min(first + BUNDLE) {
                 let l = e - first;
-                energy.total += total.0[l];
-                energy.coverage += coverage.0[l];
+                energy.total += total.0[l] + pieces[l].total;
+                energy.coverage += coverage.0[l] + pieces[l].coverage;
                 let mut block = Ends::<F, BORDER>::block(nodes, front, self.symmetric, l);
                 if !damping.is_empty() {
                     (0..F).for_each(|f| block[f][f] += damping[e * order * F + f]);
@@ -113,6 +114,31 @@ impl<const F: usize> UniformChain<F> {
             (0..F).for_each(|f| carry[f][f] += damping[elements * order * F + f]);
         }
         Ok(CondensedChain { matrix: carry, negative, energy, least_pivot })
+    }
+
+    /// Adds what the pieces of a law with knots make of the elements of a bundle; returns their energies.
+    #[inline(always)]
+    fn add_pieces(
+        &self,
+        nodes: impl Nodes,
+        at: Configuration,
+        first: usize,
+        path_weight: f64,
+        front: &mut FrontalMatrix<F64x4, F>,
+    ) -> [ElementEnergy; BUNDLE] {
+        let mut energies = [ElementEnergy::default(); BUNDLE];
+        if self.has_knots {
+            let by = self.integration(nodes);
+            for e in first..(at.ends.len() - 1).min(first + BUNDLE) {
+                let l = e - first;
+                self.element(nodes, at, e).piecewise(&by, |point| {
+                    energies[l].total += point.weight * point.response.energy;
+                    energies[l].coverage += point.weight * point.response.coverage;
+                    front.add_piece(nodes, l, point, path_weight, self.symmetric);
+                });
+            }
+        }
+        energies
     }
 
     /// Adds to the diagonal of the interior nodes of a bundle; the ends of its elements are left to the chain.

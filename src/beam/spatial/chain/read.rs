@@ -85,7 +85,8 @@ impl SpatialChain {
 
     /// The gradient of the coverage.
     pub fn coverage_gradient(&self, at: SpatialConfiguration) -> Vec<f64> {
-        let fields = self.summed(at, |element| element.coverage_forces(self.nodes(), &self.density, &self.basis));
+        let by = self.integration(self.nodes());
+        let fields = self.summed(at, |element| element.coverage_forces(&by));
         self.by_unknowns(at, &fields)
     }
 

@@ -86,6 +86,7 @@ pub(in crate::study::peel) fn follow(
         cut,
         iterations: path.iterations(),
         ripple: 0,
+        level: false,
         upright: false,
         beyond,
         trouble,

@@ -17,6 +17,9 @@ pub(in crate::study::peel) struct Followed {
     pub upright: bool,
     /// Load limit points left out because the force hardly changes between them.
     pub ripple: usize,
+    /// Whether the first maximum of the force is so level that no place on it has more than others: nothing is missed
+    /// where its place is not known.
+    pub level: bool,
     /// Largest spread of the first integral along the beam at any point, over the work of adhesion.
     pub spread: f64,
     /// The end that the model gives where the path cannot be continued.

@@ -78,6 +78,12 @@ impl Followed {
             let flat = (c.turn == LimitPointKind::Load && !first).then_some(relative);
             let mut located = match locate(problem, &segment, c.turn, c.bracket, flat, &mut ws) {
                 Err(_) if flat.is_some() => unlocated(problem, &segment, &mut ws),
+                // a stiff beam under a level traction has no place where its force is largest
+                Err(cause) if c.turn == LimitPointKind::Load => {
+                    let level = locate(problem, &segment, c.turn, c.bracket, Some(relative), &mut ws);
+                    self.level = level.as_ref().is_ok_and(|located| located.flat);
+                    level.map_err(|_| cause)
+                }
                 located => located,
             }
             .and_then(|located| if located.is_finite() { Ok(located) } else { Err(SolveError::LimitPointNotConfirmed) })

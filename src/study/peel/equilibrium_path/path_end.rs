@@ -18,6 +18,10 @@ use std::sync::Arc;
 const MOST_SECANTS: usize = 20;
 /// A force below this share of its scale is none.
 const PUSH: f64 = 1e-6;
+/// A section this near to 90 degrees stands upright, rad: there the path meets that of upright strips, and may go on
+/// along it without passing
+/// the upright position.
+const UPRIGHT: f64 = 1e-8;
 /// Takes one step; the end, if it is reached.
 pub(super) fn step(
     problem: &BeamProblem,
@@ -98,7 +102,7 @@ fn stands_upright(problem: &BeamProblem, points: &[Arc<Solution>]) -> bool {
     let tip = |s: &Solution| s.observables.monitors[TIP_ROTATION] - FRAC_PI_2;
     let away = 3.0 * tip(before).abs().max(tip(newest).abs());
     let rotations = beam.nodes(&newest.at.values).iter().skip(beam.rotation).step_by(beam.fields());
-    tip(before) < 0.0 && tip(newest) >= 0.0 && rotations.into_iter().all(|r| (r - FRAC_PI_2).abs() <= away)
+    tip(before) < -UPRIGHT && tip(newest) >= -UPRIGHT && rotations.into_iter().all(|r| (r - FRAC_PI_2).abs() <= away)
 }
 
 impl Followed {

@@ -18,7 +18,7 @@ use super::setup::{XYZ, problem};
 use peelkit::adhesion::{HalfSpace, Law, LineLaw, LineLoad, SectionShape, SpatialSection};
 use peelkit::beam::rotation::{Matrix3, apply, cross, matrix};
 use peelkit::beam::{
-    ALONG_X, EndRotation, Focus, Material, MeshIntervals, MeshKind, MeshPolicy, SpatialBeam, SpatialChain,
+    ALONG_X, EndRotation, Focus, Material, MeshIntervals, MeshKind, MeshPolicy, Reach, SpatialBeam, SpatialChain,
     SpatialConfiguration, SpatialDensity, SpatialEnd, SpatialProfile, SpatialRestCurve, SpatialStiffness,
 };
 use peelkit::solve::{
@@ -96,7 +96,8 @@ impl Strip {
             process_length,
             mesh: MeshPolicy {
                 kind: MeshKind::Moving,
-                fixed_foci: vec![Focus { center: 0.0, length: 0.1, weight: 0.8 }],
+                front_foci: vec![Focus { center: 0.0, length: process_length, weight: 1.0, reach: Reach::Far }],
+                fixed_foci: vec![Focus { center: 0.0, length: 0.1, weight: 0.8, reach: Reach::Far }],
                 pieces: MeshIntervals::whole(LENGTH),
             },
         }

@@ -66,7 +66,12 @@ impl Rod {
             round_off: 0.0,
             rest_adhesion: 0.0,
             process_length: self.length,
-            mesh: MeshPolicy { kind: MeshKind::Uniform, fixed_foci: vec![], pieces: MeshIntervals::whole(self.length) },
+            mesh: MeshPolicy {
+                kind: MeshKind::Uniform,
+                front_foci: vec![],
+                fixed_foci: vec![],
+                pieces: MeshIntervals::whole(self.length),
+            },
         }
     }
 
