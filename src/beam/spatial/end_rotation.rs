@@ -75,8 +75,8 @@ impl EndRotation {
         }
     }
 
-    /// How the work of a moment that keeps its direction in space, `moment` in the axes of the directors, changes with the unknowns of an end
-    /// whose axes are `turn`; of an end that is free the second derivative along a turn by exp(φ/2), without the first in its new axes.
+    /// How the work of a moment that keeps its direction in space changes with the unknowns of an end whose axes are `turn`;
+    /// `moment` in the axes of the directors. Of an end that is free, the second derivative along a turn by exp(φ/2).
     pub(super) fn moment_change(self, turn: &Matrix3, moment: [f64; 3]) -> Matrix3 {
         match self {
             Self::Free => skew(moment).map(|row| row.map(|entry| 0.5 * entry)),

@@ -1,4 +1,6 @@
-//! The frame and the strains at a point of a beam in space, and how they change with local changes of the fields; see the energy density.
+//! The frame and the strains at a point of a beam in space, and how they change with local changes of the fields.
+//!
+//! Symbols are those of the energy density.
 
 use super::rotation::{Matrix3, apply_transposed, cross, dot, inner, matrix, product};
 use crate::number::Real;
@@ -12,6 +14,7 @@ pub(super) struct Kinematics<T> {
     pub per_length: T,
     /// q̂
     pub unit: [T; 4],
+    /// R
     pub frame: Matrix3<T>,
     /// g = Rᵀ r'
     pub stretch: [T; 3],

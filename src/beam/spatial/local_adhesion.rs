@@ -1,4 +1,4 @@
-//! Adhesion at a point of a beam in space, by local changes of its fields; see the energy density.
+//! Adhesion at a point of a beam in space, by local changes of its fields; symbols are those of the energy density.
 
 use super::kinematics::{Kinematics, turned_twice};
 use super::spatial_profile::Station;
@@ -36,6 +36,7 @@ impl<T: Real> LocalAdhesion<T> {
         }
     }
 
+    /// At the height of the axis, nm.
     #[inline(always)]
     pub fn new(law: &SpatialSection, at: &Kinematics<T>, height: T, station: &Station<T>) -> Self {
         let zero = T::splat(0.0);

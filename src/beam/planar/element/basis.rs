@@ -86,9 +86,9 @@ pub struct Basis {
     pub value: [PerNode; MOST_NODES],
     /// `slope[q][a]`: its derivative with respect to the local coordinate.
     pub slope: [PerNode; MOST_NODES],
-    /// `value_of[a][q]` and `slope_of[a][q]`: the same two tables by node.
+    /// `four_values_of[a][q]`: shape function a at point q, four times side by side.
     pub four_values_of: [[F64x4; MOST_NODES]; MOST_NODES],
-    /// See `four_values_of`.
+    /// Its derivative, likewise.
     pub four_slopes_of: [[F64x4; MOST_NODES]; MOST_NODES],
     /// `nodal_slope[b][a]`: derivative of shape function a at node b.
     pub nodal_slope: [PerNode; MOST_NODES],

@@ -162,7 +162,8 @@ impl<T: Real, const F: usize> FrontalMatrix<T, F> {
         pivots
     }
 
-    /// The same of a symmetric tangent without a border, a node at a time: F times less often every number below is read and written.
+    /// The same of a symmetric tangent without a border, a node at a time: every number below is read and written F times
+    /// less often.
     #[inline(always)]
     pub fn condense_by_nodes(&mut self, nodes: impl Nodes) -> Pivots<T> {
         let mut pivots = Pivots { least: T::splat(f64::INFINITY), negative: T::splat(0.0) };
