@@ -38,7 +38,7 @@ fn the_curve_in_space_has_the_columns_of_the_grip() {
     let dir = tempfile::tempdir().unwrap();
     let mut written = |grip| {
         peel.points = vec![point(grip)];
-        fs::read_to_string(write_curve(dir.path(), &peel).unwrap()).unwrap()
+        fs::read_to_string(write_curve(dir.path(), &peel, None).unwrap()).unwrap()
     };
     let header = "displacement_nm,force_nN,end_rotation_rad,work_aJ,negative_eigenvalues,\
                   negative_eigenvalues_load,front_nm,newton_iterations";
