@@ -54,8 +54,8 @@ fn the_sideways_pull_has_the_peak_of_an_independent_computation() {
     }
     assert!(number("/limit_points/0/roll_deg").abs() > 0.1 && number("/limit_points/0/yaw_deg").abs() > 0.1);
     let (names, rows) = columns(&out.join("curve.csv"));
-    assert_eq!(names[8..], ["torque_nN_nm", "roll_deg", "yaw_deg", "reaction_across_nN", "reaction_lateral_nN"]);
-    assert!(rows.len() > 3 && rows.iter().all(|row| row.len() == names.len() && row[8] == 0.0));
+    assert_eq!(names[9..], ["torque_nN_nm", "roll_deg", "yaw_deg", "reaction_across_nN", "reaction_lateral_nN"]);
+    assert!(rows.len() > 3 && rows.iter().all(|row| row.len() == names.len() && row[9] == 0.0));
     let (names, _) = columns(&out.join("limit_points.csv"));
     assert_eq!(names[10..], ["torque_nN_nm", "roll_deg", "yaw_deg", "reaction_across_nN", "reaction_lateral_nN"]);
 }
@@ -68,7 +68,7 @@ fn what_the_grip_holds_takes_a_reaction() {
     json(&[&["run", SIDEWAYS, "--out", out.to_str().unwrap(), "--set", "accuracy.elements=8"], &held[..]].concat());
     let (_, rows) = columns(&out.join("curve.csv"));
     let last = rows.last().unwrap();
-    let [torque, roll, _, across, lateral] = [8, 9, 10, 11, 12].map(|column| last[column]);
+    let [torque, roll, _, across, lateral] = [9, 10, 11, 12, 13].map(|column| last[column]);
     assert!(torque.abs() > 1e-3 && lateral.abs() > 1e-6, "{last:?}");
     assert!(roll.abs() < 1e-9 && across == 0.0, "{last:?}");
 }

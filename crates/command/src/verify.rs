@@ -31,7 +31,9 @@ pub struct Verify {
     #[arg(long, value_name = "KIND")]
     kind: Option<String>,
 
-    /// Peels them in so many of the ways: 1e-6, 1e-9, elements of order 5, a mesh that stays
+    /// Peels them in so many ways
+    ///
+    /// They are: to 1e-6, to 1e-9, on elements of order 5, on a mesh that stays.
     #[arg(long, value_name = "N", default_value_t = WAYS.len(), value_parser = ways, requires = "sampled")]
     ways: usize,
 
