@@ -8,8 +8,8 @@ use peelkit::adhesion::{BodyShape, CohesiveShape, Heights, LineLoad, Ridge, Roun
 use peelkit::beam::MeshKind;
 use peelkit::model::{
     Attraction, Body, Discretisation, Form, Friction, Grip, Ground, Hold, MODEL_NUMBERS, Measured, ModelError,
-    ModelErrorKind, NoSuchOrder, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Pull, Range, Spatula, Start,
-    Step, StepError, StripModel,
+    ModelErrorKind, NoSuchOrder, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Pull, Range, Space, Spatula,
+    Start, Step, StepError, StripModel,
 };
 use peelkit::study::{Accuracy, Choice, prepared};
 use std::f64::consts::{FRAC_PI_3, PI};
@@ -68,7 +68,7 @@ fn set(model: &mut PeelModel, key: &str, number: f64) {
         *place = number;
         return;
     }
-    let PeelModel { body, adhesion, grip, pull, ground, friction, .. } = model;
+    let PeelModel { body, adhesion, grip, pull, ground, friction, space, .. } = model;
     match (table, body) {
         ("strip", Body::Strip(strip)) => {
             *match name {
@@ -111,6 +111,7 @@ fn set(model: &mut PeelModel, key: &str, number: f64) {
             "grip.pretension" => grip.pretension = Some(number),
             "drive.angle" => pull.angle = number,
             "drive.turn" => pull.turn = number,
+            "drive.azimuth" => space.get_or_insert_default().azimuth = number,
             _ => panic!("{key} is not in this test"),
         },
     }
@@ -129,6 +130,7 @@ fn having(key: &str) -> PeelModel {
         }
         ("substrate", "radius" | "offset") => ground(Substrate::Ridge(Ridge { radius: 90.0, offset: 0.0 })),
         ("substrate", _) => ground(Substrate::Sinusoid(Sinusoid { height: 1.0, wavelength: 90.0, offset: 0.0 })),
+        ("drive", "azimuth") => PeelModel { space: Some(Space::default()), ..strip() },
         _ => strip(),
     }
 }
