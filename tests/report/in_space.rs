@@ -41,8 +41,8 @@ fn the_curve_in_space_has_the_columns_of_the_grip() {
         fs::read_to_string(write_curve(dir.path(), &peel, None).unwrap()).unwrap()
     };
     let header = "displacement_nm,force_nN,end_rotation_rad,work_aJ,negative_eigenvalues,\
-                  negative_eigenvalues_load,front_nm,newton_iterations";
-    let row = "40.0,0.3333333333333333,0.25,2.5,1,2,77.5,3";
+                  negative_eigenvalues_load,front_nm,newton_iterations,negative_eigenvalues_out_of_plane";
+    let row = "40.0,0.3333333333333333,0.25,2.5,1,2,77.5,3,";
     assert_eq!(written(None), format!("{header}\n{row}\n"));
     let grip = SpatialGrip { roll: 1f64.to_radians(), yaw: -0.5, torque: 1.5, across: 0.125, lateral: -2.0 };
     let yaw = (-0.5f64).to_degrees();
