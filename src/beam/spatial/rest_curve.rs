@@ -2,7 +2,7 @@
 
 use super::rotation::{Matrix3, Quaternion, apply, cross, dot, exponential, matrix, product};
 
-/// A curve along which the directors turn evenly: R0' = R0 [K0]×, r0' = R0 e1.
+/// A curve along which the directors turn evenly: R0' = R0 K0×, r0' = R0 e1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialRestCurve {
     /// r0(0), nm
