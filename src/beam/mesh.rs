@@ -134,6 +134,19 @@ pub fn graded_ends(pieces: &MeshIntervals, foci: &[Focus], elements: usize, near
     ends
 }
 
+/// The length that belongs to each node of elements of an order between these boundaries, nm.
+pub fn nodal_lengths(boundaries: &[f64], order: usize) -> Vec<f64> {
+    let mut lengths = vec![0.0; (boundaries.len() - 1) * order + 1];
+    for (e, pair) in boundaries.windows(2).enumerate() {
+        let share = (pair[1] - pair[0]) / order as f64;
+        for rank in 0..=order {
+            let inside = rank > 0 && rank < order;
+            lengths[e * order + rank] += if inside { share } else { 0.5 * share };
+        }
+    }
+    lengths
+}
+
 /// Adds the ends of the elements of one piece, but for its first.
 fn add_graded((start, end): (f64, f64), foci: &[Focus], elements: usize, near: &[f64], ends: &mut Vec<f64>) {
     if foci.is_empty() {

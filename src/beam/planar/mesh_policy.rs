@@ -17,6 +17,20 @@ pub struct MeshPolicy {
     pub pieces: MeshIntervals,
 }
 
+impl MeshPolicy {
+    /// Element ends for a front at this place, which may be found faster from the `near` ones of a similar mesh; without a front they are
+    /// graded towards nothing.
+    pub fn ends(&self, front: Option<f64>, elements: usize, near: &[f64]) -> Vec<f64> {
+        let Self { kind, front_foci, fixed_foci, pieces } = self;
+        let mut foci = Vec::with_capacity(front_foci.len() + fixed_foci.len());
+        if let Some(center) = front.filter(|_| *kind != MeshKind::Uniform) {
+            foci.extend(front_foci.iter().map(|focus| Focus { center: center + focus.center, ..*focus }));
+            foci.extend(fixed_foci);
+        }
+        graded_ends(pieces, &foci, elements, near)
+    }
+}
+
 impl PlanarBeam {
     /// A front as the focus of a mesh: no farther than the ends of the chain.
     pub(super) fn centered(&self, front: f64) -> f64 {
@@ -30,14 +44,9 @@ impl PlanarBeam {
 
     /// The same, found faster from the ends of a similar mesh.
     pub fn ends_near(&self, center: f64, elements: usize, near: &[f64]) -> Vec<f64> {
-        let MeshPolicy { kind, front_foci, fixed_foci, pieces } = &self.mesh;
-        let mut foci = Vec::with_capacity(front_foci.len() + fixed_foci.len());
-        if self.adheres() && *kind != MeshKind::Uniform {
-            let center = if *kind == MeshKind::Moving { self.fronts.place(center) } else { self.rest_front };
-            foci.extend(front_foci.iter().map(|focus| Focus { center: center + focus.center, ..*focus }));
-            foci.extend(fixed_foci);
-        }
-        graded_ends(pieces, &foci, elements, near)
+        let moves = self.mesh.kind == MeshKind::Moving;
+        let front = self.adheres().then(|| if moves { self.fronts.place(center) } else { self.rest_front });
+        self.mesh.ends(front, elements, near)
     }
 
     /// A mesh of its own for a front.

@@ -3,6 +3,7 @@
 use super::{Chain, Configuration, ElementEnergy, FrontPosition, MOST_FIELDS, MeshPolicy, ModelLimits};
 use crate::adhesion::Substrate;
 use crate::beam::ReferenceConfiguration;
+use crate::beam::mesh::nodal_lengths;
 use crate::solve::{Coefficients, Evaluation, History, INTERFACE, State};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -269,15 +270,7 @@ impl PlanarBeam {
         if time.is_infinite() {
             return Vec::new();
         }
-        let (fields, order) = (self.fields(), self.chain.order());
-        let mut lengths = vec![0.0; self.nodes(&at.values).len() / fields];
-        for (e, pair) in at.mesh.boundaries.windows(2).enumerate() {
-            let share = (pair[1] - pair[0]) / order as f64;
-            for rank in 0..=order {
-                let inside = rank > 0 && rank < order;
-                lengths[e * order + rank] += if inside { share } else { 0.5 * share };
-            }
-        }
+        let (fields, lengths) = (self.fields(), nodal_lengths(&at.mesh.boundaries, self.chain.order()));
         let energy = self.rest_adhesion.abs();
         let damping = |length: f64, f: usize| energy * length / self.scale[f].powi(2) / time;
         lengths.iter().flat_map(|&length| (0..fields).map(move |f| damping(length, f))).collect()

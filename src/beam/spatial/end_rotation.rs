@@ -7,7 +7,7 @@
 
 use super::chain::EndMap;
 use super::rotation::{
-    Matrix3, Quaternion, apply_transposed, cross, dot, exponential, inner, matrix, product, skew, times,
+    Matrix3, Quaternion, apply_transposed, conjugate, cross, dot, exponential, matrix, normalised, product, skew,
 };
 
 /// What an end's rotation is.
@@ -31,7 +31,7 @@ pub fn turned([rotation, yaw, roll]: [f64; 3], rest: Quaternion) -> Quaternion {
 
 /// The angles of the directors q, each within half a turn.
 pub fn angles(q: Quaternion, rest: Quaternion) -> [f64; 3] {
-    let r = matrix(product(q, [rest[0], -rest[1], -rest[2], -rest[3]]));
+    let r = matrix(product(q, conjugate(rest)));
     let yaw = (-r[2][0]).atan2(r[0][0].hypot(r[1][0]));
     [r[1][0].atan2(r[0][0]), yaw, r[2][1].atan2(r[2][2])]
 }
@@ -93,5 +93,5 @@ impl EndRotation {
 /// Turns a quaternion on by a vector in the axes of the directors, and keeps its length one.
 pub fn turn_on(q: Quaternion, by: [f64; 3]) -> Quaternion {
     let next = product(q, exponential(by));
-    times(next, 1.0 / inner(next, next).sqrt())
+    normalised(next)
 }

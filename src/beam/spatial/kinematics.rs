@@ -2,7 +2,7 @@
 //!
 //! Symbols are those of the energy density.
 
-use super::rotation::{Matrix3, apply_transposed, cross, dot, inner, matrix, product};
+use super::rotation::{Matrix3, apply_transposed, conjugate, cross, dot, inner, matrix, product};
 use crate::number::Real;
 
 /// Fields of a beam in space: x, y, z and the quaternion.
@@ -33,7 +33,7 @@ impl<T: Real> Kinematics<T> {
         let unit = q.map(|entry| entry * per_length);
         let change = [s0, s1, s2, s3].map(|entry| entry * per_length);
         let frame = matrix(unit);
-        let [growth, turn @ ..] = product([unit[0], -unit[1], -unit[2], -unit[3]], change);
+        let [growth, turn @ ..] = product(conjugate(unit), change);
         Self {
             per_length,
             unit,

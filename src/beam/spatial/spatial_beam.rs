@@ -5,7 +5,7 @@ use super::density::SPATIAL_FIELDS;
 use super::end_rotation::{EndRotation, turned};
 use super::rest_curve::SpatialRestCurve;
 use super::rotation::{apply, matrix};
-use crate::beam::{FrontPosition, MeshKind, MeshPolicy, graded_ends, mesh::Focus};
+use crate::beam::{MeshKind, MeshPolicy};
 use crate::solve::{Mesh, State};
 
 /// Values of a state behind those of its nodes: the angles of the two ends.
@@ -73,14 +73,9 @@ impl SpatialBeam {
 
     /// Element boundaries for a front.
     fn boundaries(&self, front: f64, elements: usize, near: &[f64]) -> Vec<f64> {
-        let MeshPolicy { kind, front_foci, fixed_foci, pieces } = &self.mesh;
-        let mut foci = Vec::with_capacity(front_foci.len() + fixed_foci.len());
-        if self.adheres() && *kind != MeshKind::Uniform {
-            let center = if *kind == MeshKind::Moving { FrontPosition::Even.place(front) } else { self.length };
-            foci.extend(front_foci.iter().map(|focus| Focus { center: center + focus.center, ..*focus }));
-            foci.extend(fixed_foci);
-        }
-        graded_ends(pieces, &foci, elements, near)
+        let moves = self.mesh.kind == MeshKind::Moving;
+        let front = self.adheres().then_some(if moves { front } else { self.length });
+        self.mesh.ends(front, elements, near)
     }
 
     /// A front as the focus of a mesh: no farther than the ends of the chain.

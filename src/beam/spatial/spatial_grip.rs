@@ -5,7 +5,7 @@ use super::end_rotation::{EndRotation, angles};
 use super::rotation::{apply, matrix};
 use super::spatial_beam::SpatialBeam;
 use crate::beam::{GripForces, GripState};
-use crate::solve::{State, System};
+use crate::solve::State;
 
 /// What the grip exerts on the right end of a beam in space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -74,11 +74,6 @@ impl SpatialBeam {
             rotation: self.rotation_of_grip(at),
             forces: self.grip_forces(at),
         }
-    }
-
-    /// Where the right end is, as a solver names its unknowns.
-    pub fn interface_at(&self, at: &State) -> [f64; 6] {
-        self.interface_values(at)
     }
 
     /// The section at a share of an element, from 0 to 1.

@@ -5,6 +5,7 @@ use super::density::SPATIAL_FIELDS;
 use super::end_rotation::{EndRotation, turn_on, turned};
 use super::rotation::{apply, apply_transposed, conjugate, cross, logarithm, matrix, product};
 use super::spatial_beam::{ANGLES, SpatialBeam};
+use crate::beam::mesh::nodal_lengths;
 use crate::beam::{ElementEnergy, FRONT, MeshKind, TIP_ROTATION};
 use crate::solve::{
     Coefficients, CondensedSystem, Evaluation, INTERFACE, MONITORS, Mesh, Rates, SolveError, State, System, Unknown,
@@ -54,15 +55,7 @@ impl SpatialBeam {
         if time.is_infinite() {
             return Vec::new();
         }
-        let order = self.chain.order();
-        let mut lengths = vec![0.0; self.nodes(&at.values)];
-        for (e, pair) in at.mesh.boundaries.windows(2).enumerate() {
-            let share = (pair[1] - pair[0]) / order as f64;
-            for rank in 0..=order {
-                let inside = rank > 0 && rank < order;
-                lengths[e * order + rank] += if inside { share } else { 0.5 * share };
-            }
-        }
+        let lengths = nodal_lengths(&at.mesh.boundaries, self.chain.order());
         let energy = if self.adheres() { self.rest_adhesion.abs() } else { 1.0 };
         let damping = |length: f64, f: usize| energy * length / self.scale[f / 3].powi(2) / time;
         lengths.iter().flat_map(|&length| (0..F).map(move |f| damping(length, f))).collect()

@@ -1,9 +1,9 @@
 //! What is read off a configuration: energies, gradients, and its fields in other places.
 
 use super::projection::{SPATIAL_UNKNOWNS, projected, turn_to_quaternion};
-use super::{SpatialChain, SpatialConfiguration, SpatialEnd, gather_nodes, no_values, quaternion_of};
+use super::{SpatialChain, SpatialConfiguration, gather_nodes, no_values, quaternion_of};
 use crate::beam::spatial::density::SPATIAL_FIELDS;
-use crate::beam::spatial::rotation::{apply, apply_transposed, inner, matrix, times};
+use crate::beam::spatial::rotation::{apply, normalised};
 use crate::beam::{BUNDLE, Element, ElementEnergy, MOST_NODES, PerNode, slot};
 
 const F: usize = SPATIAL_UNKNOWNS;
@@ -31,9 +31,7 @@ impl SpatialChain {
         let mut own = direction.to_vec();
         let last = own.len() - F;
         for (end, from) in [(0, 0), (1, last)] {
-            let SpatialEnd { axes, rotation, .. } = self.ends[end];
-            let (map, _) = rotation.map(axes, at.angles[end], quaternion_of(self.end_node(at, end)), [0.0; 3]);
-            own[from..from + F].copy_from_slice(&map.forward(&direction[from..from + F]));
+            own[from..from + F].copy_from_slice(&self.end_map(at, end).forward(&direction[from..from + F]));
         }
         own
     }
@@ -57,9 +55,7 @@ impl SpatialChain {
         }
         let last = out.len() - F;
         for (end, from) in [(0, 0), (1, last)] {
-            let SpatialEnd { axes, rotation, .. } = self.ends[end];
-            let (map, _) = rotation.map(axes, at.angles[end], quaternion_of(self.end_node(at, end)), [0.0; 3]);
-            let taken = map.back(&out[from..from + F]);
+            let taken = self.end_map(at, end).back(&out[from..from + F]);
             out[from..from + F].copy_from_slice(&taken);
         }
         out
@@ -70,11 +66,7 @@ impl SpatialChain {
         let by = self.integration(self.nodes());
         let fields = self.summed(at, |element| element.forces(&by));
         let mut residual = self.by_unknowns(at, &fields);
-        let SpatialEnd { axes, rotation, dead_load: [force, moment], .. } = self.ends[1];
-        let q = quaternion_of(self.end_node(at, 1));
-        let own = apply_transposed(&matrix(q), &moment);
-        let (map, _) = rotation.map(axes, at.angles[1], q, [0.0; 3]);
-        let load = map.back(&[force[0], force[1], force[2], own[0], own[1], own[2]]);
+        let (load, _) = self.dead_load(at);
         let last = residual.len() - F;
         (0..F).for_each(|f| residual[last + f] -= load[f]);
         for (f, off) in self.off(at).into_iter().enumerate() {
@@ -161,8 +153,8 @@ impl SpatialChain {
 
 /// Makes the quaternion of a node one of length one.
 pub fn normalise(node: &mut [f64]) {
-    let q = quaternion_of(node);
-    node[3..].copy_from_slice(&times(q, 1.0 / inner(q, q).sqrt()));
+    let unit = normalised(quaternion_of(node));
+    node[3..].copy_from_slice(&unit);
 }
 
 /// Σ shape·values over the nodes.

@@ -3,11 +3,11 @@
 use super::end_block::{Carry, EndBlock, ROOT};
 use super::projection::{SpatialFront, project};
 use super::{
-    SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional, USUAL_ORDER,
-    Usual, gather_nodes, no_values, quaternion_of,
+    EndMap, SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional,
+    USUAL_ORDER, Usual, gather_nodes, no_values, quaternion_of,
 };
 use crate::beam::spatial::density::SPATIAL_FIELDS;
-use crate::beam::spatial::rotation::{apply_transposed, matrix};
+use crate::beam::spatial::rotation::{Matrix3, apply_transposed, matrix};
 use crate::beam::{AnyNumber, BUNDLE, Element, ElementEnergy, FrontalMatrix, Nodes};
 use crate::solve::{Place, Quantity, SolveError};
 
@@ -145,18 +145,27 @@ impl SpatialChain {
         }
     }
 
-    /// The dead load of the right end, in its residual and tangent.
+    /// From the unknowns of an end to those of its node.
+    pub(super) fn end_map(&self, at: SpatialConfiguration, end: usize) -> EndMap {
+        let SpatialEnd { axes, rotation, .. } = self.ends[end];
+        rotation.map(axes, at.angles[end], quaternion_of(self.end_node(at, end)), [0.0; 3]).0
+    }
+
+    /// The dead load of the right end by its unknowns, and what its moment adds to the tangent by the turn.
+    pub(super) fn dead_load(&self, at: SpatialConfiguration) -> ([f64; SPATIAL_UNKNOWNS], Matrix3) {
+        let SpatialEnd { rotation, dead_load: [force, moment], .. } = self.ends[1];
+        let own = apply_transposed(&matrix(quaternion_of(self.end_node(at, 1))), &moment);
+        let map = self.end_map(at, 1);
+        let load = map.back(&[force[0], force[1], force[2], own[0], own[1], own[2]]);
+        (load, rotation.moment_change(&map.turn, own))
+    }
+
+    /// Takes the dead load off the residual and the tangent of the right end.
     fn load_right(&self, at: SpatialConfiguration, carry: &mut Carry) {
-        let [force, moment] = self.ends[1].dead_load;
-        if [force, moment] == [[0.0; 3]; 2] {
+        if self.ends[1].dead_load == [[0.0; 3]; 2] {
             return;
         }
-        let SpatialEnd { axes, rotation, .. } = self.ends[1];
-        let q = quaternion_of(self.end_node(at, 1));
-        let own = apply_transposed(&matrix(q), &moment);
-        let (map, _) = rotation.map(axes, at.angles[1], q, [0.0; 3]);
-        let load = map.back(&[force[0], force[1], force[2], own[0], own[1], own[2]]);
-        let turned = rotation.moment_change(&map.turn, own);
+        let (load, turned) = self.dead_load(at);
         for i in 0..SPATIAL_UNKNOWNS {
             carry[i][SPATIAL_UNKNOWNS] -= load[i];
         }
