@@ -142,7 +142,7 @@ impl<'s> StepSearch<'s> {
                 if (known.label - before.label).abs() < (behind.label - known.label).abs() { before } else { behind };
             let slope = (known.margin - other.margin) / (known.label - other.label);
             let ahead = -known.margin / slope;
-            let is_near = ahead.abs() <= FOUND * end || lost.label - stable.label <= FOUND * end;
+            let is_near = ahead.abs() <= FOUND * end || (lost.label - stable.label).abs() <= FOUND * end;
             if slope.is_finite() && ahead.is_finite() && is_near {
                 let target = self.segment.target(known.label);
                 return Ok(Lost { solution, target, ahead, slope });

@@ -24,9 +24,7 @@ impl Peel {
     }
 
     /// The same, with what is known beside the first loss.
-    pub(super) fn stability_out_of_plane(
-        &self,
-    ) -> Result<(Vec<RollStability>, Option<LocatedLoss>), OutOfPlaneError> {
+    pub(super) fn stability_out_of_plane(&self) -> Result<(Vec<RollStability>, Option<LocatedLoss>), OutOfPlaneError> {
         if let Some(refusal) = NotOutOfPlane::of(&self.model) {
             return Err(refusal.into());
         }

@@ -53,7 +53,12 @@ pub(in crate::study) struct KnownStart {
 }
 
 /// The same from an equilibrium on.
-pub(in crate::study) fn run_from(start: &KnownStart, model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Peel {
+pub(in crate::study) fn run_from(
+    start: &KnownStart,
+    model: &PeelModel,
+    accuracy: &Accuracy,
+    stop: &StopCriteria,
+) -> Peel {
     let (aimed, least) = aim(model, accuracy);
     let peel = on_meshes(model, &aimed, &Limits { stop, checkpoint: &Checkpoint::NOTHING }, Some(start));
     widened(peel, accuracy, least)

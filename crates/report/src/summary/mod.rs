@@ -1,6 +1,7 @@
 //! What was found as one JSON object: summary.json, and what `--json` prints.
 
 mod accuracy;
+mod branch;
 mod derived;
 mod ground;
 mod observed;

@@ -45,9 +45,5 @@ fn planar_at(beam: &PlanarBeam, at: &State, place: f64) -> [f64; 3] {
     let element = ends.partition_point(|&end| end <= place).clamp(1, at.mesh.elements()) - 1;
     let local = 2.0 * (place - ends[element]) / (ends[element + 1] - ends[element]) - 1.0;
     let (values, section) = beam.chain.sample(beam.configuration(at), element, local);
-    [
-        values[beam.rotation - 1] + 0.5 * beam.height_at(place),
-        values[beam.rotation],
-        section.horizontal_slope,
-    ]
+    [values[beam.rotation - 1] + 0.5 * beam.height_at(place), values[beam.rotation], section.horizontal_slope]
 }

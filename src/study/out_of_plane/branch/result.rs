@@ -15,6 +15,9 @@ pub struct OutOfPlaneBranch {
     pub start: BranchStart,
     /// The branch from its first point on, in space. Displacements and works count from rest.
     pub peel: Peel,
+    /// Where the branch comes back to the planar path and ends, with bounds: at the point of that path at which it regains its
+    /// stability. Nothing where the branch ends otherwise.
+    pub rejoins: Option<OutOfPlaneLoss>,
 }
 
 /// A branch at the point where it begins, to second order in the roll a of the grip: u = u* + u₂ a², P = P* + P₂ a².
@@ -50,7 +53,9 @@ pub enum OutOfPlaneBranchError {
     #[error("the strip is not computed in space: `{}` {}", .0.key(), .0.found())]
     NotInSpace(ModelError),
     /// There is no stable path to leave.
-    #[error("the planar path is unstable out of the plane from its beginning on: there is no point at which it is left")]
+    #[error(
+        "the planar path is unstable out of the plane from its beginning on: there is no point at which it is left"
+    )]
     FromTheBeginning,
     /// Newton's method failed.
     #[error("no equilibrium was found on the branch that leaves the plane at u = {displacement:.6} nm: {cause}")]

@@ -10,7 +10,7 @@
 //! higher order are less.
 
 use super::embedding::embedded;
-use super::result::{OutOfPlaneBranchError, BranchStart};
+use super::result::{BranchStart, OutOfPlaneBranchError};
 use super::rolled::{Rolled, RolledStrip};
 use crate::beam::{FRONT, PlanarBeam, SpatialBeam};
 use crate::model::BeamProblem;
@@ -22,13 +22,15 @@ const LINEAR: f64 = 1e-4;
 /// Sizes of a₀ v, which with that of an edge of the end is over r0, and of a² e, relative as in [`System::size`].
 const FIRST_ORDER: f64 = 0.01;
 const SECOND_ORDER: f64 = 0.02;
+/// a₀ is halved until the branch begins where the planar path loses its stability, to this share of u₂ a₀², or so often.
+const SAME_PLACE: f64 = 0.02;
+const MOST_SMALLER: usize = 5;
 /// Largest roll of the first point, over the one that moves an edge of its end by r0, and rad.
 const MOST_ROLL: [f64; 2] = [0.5, 0.2];
 /// Terms of higher order are less than this share of those of second order.
 const HIGHER_ORDER: f64 = 0.2;
 /// Most times the roll of the first point is halved.
 const MOST_HALVINGS: usize = 8;
-
 
 /// A first point of the branch, and the branch point.
 pub(super) struct FirstPoint {
@@ -117,16 +119,24 @@ impl Switch<'_> {
         let linear = LINEAR / self.broad;
         let rolled = strip.held(at.clone(), linear, target, ws)?;
         let first = self.out_of_plane(&self.difference(&at, &rolled.solution.at, linear));
-        let roll = FIRST_ORDER / self.spatial.size(&first, &at.values).max(self.broad);
+        let mut roll = FIRST_ORDER / self.spatial.size(&first, &at.values).max(self.broad);
         let mut of_roll = |roll: f64, target: f64| {
             let mut start = at.clone();
             self.spatial.retract(&mut start, &first, roll);
             strip.without_torque(start, roll, target, margin_slope, ws)
         };
-        let one = of_roll(roll, target)?;
-        let two = of_roll(2.0 * roll, one.target)?;
         // f(2a) - f(a) = 3 f₂ a², f* = f(a) - f₂ a²
-        let terms = |one: f64, two: f64| [one - (two - one) / 3.0, (two - one) / (3.0 * roll * roll)];
+        let terms = |roll: f64, one: f64, two: f64| [one - (two - one) / 3.0, (two - one) / (3.0 * roll * roll)];
+        let (mut one, mut two) = (of_roll(roll, target)?, of_roll(2.0 * roll, target)?);
+        for _ in 0..MOST_SMALLER {
+            let [begins, second] = terms(roll, one.target, two.target);
+            if (begins - target).abs() <= SAME_PLACE * (second * roll * roll).abs() {
+                break;
+            }
+            let (Ok(nearer), Ok(next)) = (of_roll(0.5 * roll, target), of_roll(roll, target)) else { break };
+            (roll, one, two) = (0.5 * roll, nearer, next);
+        }
+        let terms = |one: f64, two: f64| terms(roll, one, two);
         let second = self.difference(&one.solution.at, &two.solution.at, 3.0 * roll * roll);
         let (a, b): (&Observables, &Observables) = (&one.solution.observables, &two.solution.observables);
         Ok(Expansion {
