@@ -64,6 +64,11 @@ impl PeelModel {
         Some(model)
     }
 
+    /// The same model in space, in a grip that lets the end roll, turn about the normal and move sideways: what leaves its plane is free to.
+    pub fn left_plane(&self) -> Self {
+        Self { space: Some(Space::default()), ..self.clone() }
+    }
+
     /// Adhesion of its section in space.
     ///
     /// # Errors

@@ -55,6 +55,13 @@ impl SpatialBeam {
         }
     }
 
+    /// A state whose right end is turned by angles, for this beam, whose right end turns freely.
+    pub fn without_angles_of_grip(&self, mut at: State) -> State {
+        let angles = at.values.len() - 3;
+        at.values[angles..].fill(0.0);
+        at
+    }
+
     /// What the grip exerts along x and y, and on the end's rotation.
     pub fn grip_forces(&self, at: &State) -> GripForces {
         let GripReactions { force: [horizontal, vertical, _], moment: [moment, ..] } = self.grip_reactions(at);

@@ -27,6 +27,8 @@ pub enum PathEnd {
     Snapped,
     /// What is bonded loses its stability under the horizontal force, and the beam leaves its path there for no state that is near.
     BondedPartUnstable(BondedLoss),
+    /// A branch that had left the plane has come back into it: there it ends on the planar path.
+    BackInPlane,
     /// A section stands upright in the reach of a law whose energy has no lower bound there.
     Upright(UprightSection),
     /// It goes on; a stop criterion was met.
