@@ -9,5 +9,6 @@ mod vtk;
 
 pub use fields::{STATE_FIELDS, StateField};
 pub use spatial_fields::SPATIAL_STATE_FIELDS;
+pub(crate) use surface::outline;
 pub use table::write_states;
 pub use vtk::write_vtk;
