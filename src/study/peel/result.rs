@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::solution_history::SolutionHistory;
-use crate::beam::{BondedLoss, GripState, NodeState, UprightSection};
+use crate::beam::{BondedLoss, GripState, NodeState, SpatialSectionPlace, SpatialSectionState, UprightSection};
 use crate::model::{PeelModel, SpatialGrip};
 use crate::solve::LimitPointKind;
 use crate::study::terms::TermDecisions;
@@ -247,9 +247,14 @@ impl Peel {
     }
 
     /// Section forces, stretch and adhesion at the ends of the elements at `points[index]`, from S = 0 to S = L; empty
-    /// where there is none. H x' + V y' + M θ' - stored - bΨ is the same at all of them.
+    /// where there is none, and in space. H x' + V y' + M θ' - stored - bΨ is the same at all of them.
     pub fn sections(&self, index: usize) -> Vec<NodeState> {
         self.trace.as_ref().map(|trace| trace.sections(index)).unwrap_or_default()
+    }
+
+    /// The same of a beam in space; empty in the plane. [`SpatialSectionState::integrals`] of a uniform beam are the same at all of them.
+    pub fn sections_in_space(&self, index: usize) -> Vec<SpatialSectionState> {
+        self.trace.as_ref().map(|trace| trace.sections_in_space(index)).unwrap_or_default()
     }
 
     /// The same without the solutions behind its points, which take most of its memory: without shapes, sections and terms.
@@ -271,5 +276,16 @@ impl Peel {
     pub fn shape_at_limit_point(&self, limit: &LimitPoint) -> Option<DeformedShape> {
         let number = self.limit_points.iter().position(|known| known == limit)?;
         self.trace.as_ref()?.shape_at_limit_point(number)
+    }
+
+    /// Sections at `count` places evenly along a beam in space at `points[index]`; empty in the plane.
+    pub fn places_in_space(&self, index: usize, count: usize) -> Vec<SpatialSectionPlace> {
+        self.trace.as_ref().map(|trace| trace.evenly_in_space(index, count)).unwrap_or_default()
+    }
+
+    /// The same at a limit point of this peel. Nothing where the solutions behind the path are not known.
+    pub fn places_at_limit_point(&self, limit: &LimitPoint, count: usize) -> Option<Vec<SpatialSectionPlace>> {
+        let number = self.limit_points.iter().position(|known| known == limit)?;
+        self.trace.as_ref()?.evenly_at_limit_point(number, count)
     }
 }
