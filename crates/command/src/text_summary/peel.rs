@@ -7,13 +7,8 @@ use super::units::{Units, WantedUnits};
 use peelkit::beam::{GripForces, GripState};
 use peelkit::model::{DerivedQuantities, Step};
 use peelkit::study::{
-<<<<<<< HEAD
-    BranchPoint, Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, PathEnd, Peak, Peel,
-    Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
-=======
-    Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, OutOfPlaneBranch, PathEnd, Peak,
-    Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
->>>>>>> wt-branch
+    BranchPoint, Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, OutOfPlaneBranch,
+    PathEnd, Peak, Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
 };
 use peelkit_report::{end_reason, end_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
