@@ -223,6 +223,7 @@ impl Attempt {
         let relative = accuracy.relative;
         let mut spread = f64::INFINITY;
         let mut peel = report(model, problem, &followed, relative);
+        peel.allow_for_start(problem, &followed.points);
         let at_rest = error_at_start(&peel, problem, &followed.points);
         let differences = differences(&followed, problem).into_iter().map(|d| DIFFERENCE_BOUND_FACTOR * d / relative);
         let missed = differences.clone().filter(|difference| difference.is_nan() || *difference > 1.0).count();
