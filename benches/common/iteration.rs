@@ -95,7 +95,7 @@ fn strip_in_space() -> SpatialBeam {
     SpatialBeam {
         chain: SpatialChain::new(density, ORDER, [end(EndRotation::Angles), end(EndRotation::Free)], held),
         length,
-        rest: SpatialRestCurve::along_x(height),
+        rest: SpatialRestCurve::along_x(height).into(),
         scale: [0.4, 0.4 / process_length],
         round_off: 0.0,
         rest_adhesion: rest.energy,

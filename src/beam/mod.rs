@@ -1,5 +1,6 @@
 //! What bends: section stiffness, outline, reference curves, and the planar beam.
 mod bonded_beam;
+mod lateral_stiffness;
 pub mod mesh;
 mod planar;
 mod reference_configuration;
@@ -8,6 +9,7 @@ mod spatial;
 mod torsion;
 mod varying;
 pub use bonded_beam::{BondedBeam, BondedMode};
+pub use lateral_stiffness::LateralStiffness;
 pub use mesh::{Focus, MeshIntervals, MeshKind, Reach, graded_ends};
 pub use planar::*;
 pub use reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};

@@ -1,6 +1,7 @@
 //! Where a path starts: how the beam comes to lie on its ground, and what the grip does before the pull.
 mod error;
 mod loading_steps;
+mod settled_in_space;
 mod settled_on_ground;
 mod stability;
 
@@ -50,6 +51,7 @@ pub fn prepared(
             .map_err(|why| NotPrepared { why: NoEquilibrium::OnGround(why), steps: Vec::new() })?;
         problem.start_at(Arc::new(at));
     }
+    settled_in_space::settle(model, &mut problem, &should_stop);
     let relaxed = stability::stabilise(model, how, &mut problem, &should_stop).map_err(refused)?;
     match loading_steps::take(model, &mut problem, should_stop) {
         (steps, Ok(())) => Ok(Prepared { problem, steps, relaxed }),

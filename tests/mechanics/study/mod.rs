@@ -8,6 +8,7 @@ mod observed;
 mod out_of_plane;
 mod peak_only;
 mod space;
+mod space_outlines;
 mod special_points;
 mod stability;
 mod terms;
