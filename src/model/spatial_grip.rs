@@ -23,6 +23,14 @@ pub struct SpatialGrip {
 }
 
 impl BeamProblem {
+    /// The same strip in space in a grip that holds its end at this roll, rad, or lets it roll.
+    pub fn with_roll(&self, roll: Option<f64>) -> Self {
+        let mut grip = self.grip;
+        grip.held[ROLL] = roll.is_some();
+        grip.origin[ROLL] = roll.unwrap_or(0.0);
+        self.with_grip(grip)
+    }
+
     /// The grip at an equilibrium of a strip in space; none of one in the plane.
     pub fn spatial_grip(&self, at: &State) -> Option<SpatialGrip> {
         let beam = self.beam.spatial()?;

@@ -55,6 +55,13 @@ impl SpatialBeam {
         }
     }
 
+    /// A state whose right end is turned by angles, for this beam, whose right end turns freely.
+    pub fn without_angles_of_grip(&self, mut at: State) -> State {
+        let angles = at.values.len() - 3;
+        at.values[angles..].fill(0.0);
+        at
+    }
+
     /// What the grip exerts along x and y, and on the end's rotation.
     pub fn grip_forces(&self, at: &State) -> GripForces {
         let GripReactions { force: [horizontal, vertical, _], moment: [moment, ..] } = self.grip_reactions(at);
@@ -84,7 +91,18 @@ impl SpatialBeam {
         let [force, moment] = self.chain.density.section_forces(arc_length, &value, &slope);
         let mut node = value;
         normalise(&mut node);
-        let frame = matrix(quaternion_of(&node));
+        self.section_of(arc_length, &node, force, moment)
+    }
+
+    /// A section with these fields, forces along and moments about the directors.
+    pub(super) fn section_of(
+        &self,
+        arc_length: f64,
+        node: &[f64],
+        force: [f64; 3],
+        moment: [f64; 3],
+    ) -> SpatialSectionPlace {
+        let frame = matrix(quaternion_of(node));
         let station = self.chain.density.profile.at(arc_length);
         SpatialSectionPlace {
             arc_length,

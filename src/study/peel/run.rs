@@ -40,7 +40,32 @@ pub(in crate::study) fn run(
     checkpoint: &Checkpoint,
 ) -> Peel {
     let (aimed, least) = aim(model, accuracy);
-    let mut peel = on_meshes(model, &aimed, stop, checkpoint);
+    let peel = on_meshes(model, &aimed, &Limits { stop, checkpoint }, None);
+    widened(peel, accuracy, least)
+}
+
+/// A path that begins at an equilibrium that is known.
+pub(in crate::study) struct KnownStart {
+    /// With that equilibrium as its start
+    pub problem: Arc<BeamProblem>,
+    /// Of the first step from there, nm
+    pub first_displacement: f64,
+}
+
+/// The same from an equilibrium on.
+pub(in crate::study) fn run_from(
+    start: &KnownStart,
+    model: &PeelModel,
+    accuracy: &Accuracy,
+    stop: &StopCriteria,
+) -> Peel {
+    let (aimed, least) = aim(model, accuracy);
+    let peel = on_meshes(model, &aimed, &Limits { stop, checkpoint: &Checkpoint::NOTHING }, Some(start));
+    widened(peel, accuracy, least)
+}
+
+/// With no bound below a share of its number, where there is one.
+fn widened(mut peel: Peel, accuracy: &Accuracy, least: Option<f64>) -> Peel {
     peel.asked = accuracy.relative;
     let Peel { limit_points, initiation_peak, peak, snap_off, pad_detachment, detachment, plateau, .. } = &mut peel;
     if let Some(share) = least {
@@ -61,27 +86,31 @@ pub(in crate::study) fn run(
 }
 
 /// The path on one mesh after another, until its bounds are what is wanted.
-fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, checkpoint: &Checkpoint) -> Peel {
+fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Option<&KnownStart>) -> Peel {
     let accuracy = &accuracy.fitted(model);
-    let limits = Limits { stop, checkpoint };
     let Choice { mesh, form, .. } = accuracy.choice;
     let first = Resolution::first(model, accuracy);
     let how = Discretisation { form, order: first.order, mesh };
-    let Prepared { problem, steps, relaxed } = match prepared(model, how, limits.should_stop()) {
+    let prepared = match start {
+        Some(known) => Ok((known.problem.clone(), Vec::new(), None)),
+        None => prepared(model, how, limits.should_stop())
+            .map(|Prepared { problem, steps, relaxed }| (Arc::new(problem), steps, relaxed)),
+    };
+    let (problem, steps, relaxed) = match prepared {
         Ok(prepared) => prepared,
         Err(NotPrepared { why, steps }) => {
             let (end, asked) = (PathEnd::Failed(Failure::NoStart(why)), accuracy.relative);
             return Peel { steps, end, asked, choice: accuracy.choice, ..empty(model) };
         }
     };
-    let problem = Arc::new(problem);
     let far = model.line_law().cutoff_distance();
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
     let (mut iterations, mut unfinished, mut finest) = (0, false, 0);
     let mut best =
         refined(first, most_elements(model), Attempt::is_better_than, |resolution, best: Option<&Attempt>| {
-            let options = resolution.path_options(model, accuracy.relative);
-            let followed = follow(&problem, options, far, accuracy.relative, &limits);
+            let mut options = resolution.path_options(model, accuracy.relative);
+            options.first_displacement = start.map_or(options.first_displacement, |known| known.first_displacement);
+            let followed = follow(&problem, options, far, accuracy.relative, limits);
             iterations += followed.iterations;
             let attempt = Attempt::new(model, &problem, followed, resolution, accuracy);
             let enough = accuracy.choice.elements.is_some()
@@ -102,7 +131,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, checkp
     }
     if problem.system.has_history() && accuracy.choice.step.is_none() && !unfinished {
         best = best.map(|best| {
-            let shorter = Shorter { model, problem: &problem, accuracy, limits: &limits, far };
+            let shorter = Shorter { model, problem: &problem, accuracy, limits, far };
             let (confirmed, further) = shorter.confirmed(best);
             iterations += further;
             unfinished = confirmed.cut;

@@ -1,11 +1,14 @@
 //! The pictures of one peel: force against displacement, and the deformed strip at numbered points of that curve.
 
-use super::curve::{curve_picture, mark_loss};
+use super::curve::{add_branch, curve_picture, mark_loss};
+use super::in_space;
 use super::shapes::{Posed, shapes_picture};
 use crate::chart::{Picture, save};
 use crate::error::ReportError;
 use crate::names::end_reason;
-use peelkit::study::{DeformedShape, LimitPoint, LimitPointKind, OutOfPlane, PathEnd, Peel, WarningKind};
+use peelkit::study::{
+    DeformedShape, LimitPoint, LimitPointKind, OutOfPlane, OutOfPlaneBranch, PathEnd, Peel, WarningKind,
+};
 use std::path::{Path, PathBuf};
 
 /// How many deformed shapes are shown.
@@ -24,11 +27,27 @@ pub fn draw_peel(
     title: &str,
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
+    draw_peel_with_branch(peel, out_of_plane, None, title, dir)
+}
+
+/// The same with the branch that leaves the plane at the first loss, in the same pictures.
+///
+/// Fails as [`draw_peel`].
+pub fn draw_peel_with_branch(
+    peel: &Peel,
+    out_of_plane: Option<&OutOfPlane>,
+    branch: Option<&OutOfPlaneBranch>,
+    title: &str,
+    dir: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
     let numbered = numbered_points(peel);
     let title = captioned(peel, title);
     let mut picture = curve(peel, &numbered, &title, &dir.join("curve.svg"))?;
     if let Some(loss) = out_of_plane.and_then(|stability| stability.first_loss) {
         mark_loss(&mut picture, &loss);
+    }
+    if let Some(branch) = branch {
+        add_branch(&mut picture, branch);
     }
     let mut files = save(&picture, dir, "curve")?;
     files.extend(save(&shapes(peel, &numbered, &title, &dir.join("shapes.svg"))?, dir, "shapes")?);
@@ -102,6 +121,13 @@ pub fn curve(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -> Resul
 ///
 /// Fails with [`ReportError::Draw`] where none of the points has a shape.
 pub fn shapes(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -> Result<Picture, ReportError> {
+    if let Some(space) = &peel.model.space {
+        let posed = in_space::posed(peel, numbered);
+        if posed.is_empty() {
+            return Err(nothing(path, peel));
+        }
+        return Ok(in_space::shapes_picture(&posed, &peel.model, space, title));
+    }
     // A force that the path has brought to zero is printed as zero.
     let largest = peel.points.iter().fold(0.0f64, |r, p| r.max(p.force.abs()));
     let poses: Vec<Posed> = numbered

@@ -1,6 +1,7 @@
 //! What a run found, as one JSON object: summary.json, and what `--json` prints.
 
 use super::accuracy::AccuracySummary;
+use super::branch_point::BranchPoint;
 use super::derived::DerivedSummary;
 use super::ground::GroundSummary;
 use super::observed::ObservedSummary;
@@ -16,7 +17,7 @@ use crate::names::{end_reason, end_word, limit_point_kind_word};
 use crate::number::{Finite, to_json};
 use peelkit::beam::GripState;
 use peelkit::model::Step;
-use peelkit::study::{self, Observed, OutOfPlane, Peel};
+use peelkit::study::{self, Observed, OutOfPlane, OutOfPlaneBranch, Peel};
 use peelkit_scene::Scene;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -43,6 +44,8 @@ pub struct PeelSummary {
     initiation_peak: Option<Peak>,
     plateau: Option<Plateau>,
     limit_points: Vec<LimitPoint>,
+    /// Where other branches meet the path.
+    branch_points: Vec<BranchPoint>,
     /// Where the model is not to be trusted.
     warnings: Vec<Warning>,
     /// What follows from the model before anything is solved.
@@ -119,7 +122,7 @@ struct Plateau {
 }
 
 #[derive(Debug, serde::Serialize)]
-struct LimitPoint {
+pub(super) struct LimitPoint {
     kind: &'static str,
     #[serde(rename = "displacement_nm")]
     displacement: Finite,
@@ -231,6 +234,7 @@ impl PeelSummary {
                 displacement_error: at.displacement_error.map(Finite),
             }),
             limit_points: peel.limit_points.iter().map(LimitPoint::from).collect(),
+            branch_points: peel.branch_points.iter().map(BranchPoint::from).collect(),
             warnings: peel.warnings().iter().map(Warning::from).collect(),
             derived: DerivedSummary::of(&scene.model),
             snap_off: peel.snap_off.map(Fold::from),
@@ -264,6 +268,11 @@ impl PeelSummary {
     /// The same with the stability against leaving the plane, which took so many seconds.
     pub fn with_out_of_plane(self, stability: &OutOfPlane, solve_s: f64) -> Self {
         Self { out_of_plane: Some(OutOfPlaneSummary::new(stability, solve_s)), ..self }
+    }
+
+    /// The same with the branch that leaves the plane, where there is one, which took so many seconds; behind the stability against that.
+    pub fn with_branch(self, branch: Option<&OutOfPlaneBranch>, solve_s: f64) -> Self {
+        Self { out_of_plane: self.out_of_plane.map(|stability| stability.with_branch(branch, solve_s)), ..self }
     }
 
     /// The same with the command line that asked for it.
