@@ -19,10 +19,15 @@ pub fn torsion_constant(shape: SectionShape, width: f64, height: f64) -> f64 {
 
 /// J = a b³ [1/3 - (64/π⁵)(b/a) Σ tanh(n π a/2b)/n⁵] over odd n, with sides a ≥ b.
 ///
-/// With tanh x = 1 - 2/(e²ˣ + 1) the ones add up to 31/32 ζ(5), and what is left of a term falls with exp(-n π a/b).
+/// With tanh x = 1 - 2/(e²ˣ + 1) the ones add up to 31/32 ζ(5), and what is left of a term falls with eⁿ, e = exp(-π a/b):
+/// it is 2 eⁿ/(n⁵ (1 + eⁿ)). At n = 9 that is below 2e-17.
 fn of_rectangle(a: f64, b: f64) -> f64 {
-    let left: f64 =
-        [11.0, 9.0, 7.0, 5.0, 3.0, 1.0f64].iter().map(|n| 2.0 / (n.powi(5) * ((n * PI * a / b).exp() + 1.0))).sum();
+    let e = (-PI * a / b).exp();
+    let square = e * e;
+    let (e3, e5) = (square * e, square * square * e);
+    let e7 = square * e5;
+    let term = |power: f64, over: f64| 2.0 / over * power / (1.0 + power);
+    let left = term(e7, 16807.0) + term(e5, 3125.0) + term(e3, 243.0) + term(e, 1.0);
     a * b.powi(3) * (1.0 / 3.0 - 64.0 / PI.powi(5) * (b / a) * (31.0 / 32.0 * ZETA_5 - left))
 }
 
