@@ -85,7 +85,7 @@ fn limits(problem: &BeamProblem, elements: usize) -> Vec<(LimitPointKind, Observ
 
 #[test]
 fn a_pull_in_the_plane_has_the_limit_points_of_the_plane() {
-    let cases = [(wedge(90.0), 24), (wedge(60.0), 24), (narrow(90.0, Hold::Fixed), 40), (narrow(60.0, Hold::Free), 40)];
+    let cases = [(wedge(90.0), 36), (wedge(60.0), 36), (narrow(90.0, Hold::Fixed), 56), (narrow(60.0, Hold::Free), 56)];
     for (model, elements) in cases {
         let (plane, space) = (limits(&in_the_plane(&model), elements), limits(&in_space(&model), elements));
         for ((kind, planar), (same, spatial)) in plane.iter().zip(&space) {
