@@ -1,7 +1,6 @@
 //! The grip of a strip in space, beside what it does in the plane.
 
-use super::BeamProblem;
-use super::space::{ACROSS, ROLL, SIDEWAYS};
+use super::{ACROSS, BeamProblem, ROLL, SIDEWAYS};
 use crate::solve::State;
 use serde::{Deserialize, Serialize};
 
@@ -23,6 +22,14 @@ pub struct SpatialGrip {
 }
 
 impl BeamProblem {
+    /// The same strip in space in a grip that holds its end at this roll, rad, or lets it roll.
+    pub fn with_roll(&self, roll: Option<f64>) -> Self {
+        let mut grip = self.grip;
+        grip.held[ROLL] = roll.is_some();
+        grip.origin[ROLL] = roll.unwrap_or(0.0);
+        self.with_grip(grip)
+    }
+
     /// The grip at an equilibrium of a strip in space; none of one in the plane.
     pub fn spatial_grip(&self, at: &State) -> Option<SpatialGrip> {
         let beam = self.beam.spatial()?;

@@ -65,6 +65,7 @@ Examples:
   peel run strip.toml --set grip.rotation=fixed --json
   peel run strip.toml --animate
   peel run strip.toml --out-of-plane
+  peel run strip.toml --branch
   peel run strip.toml --set grip.rotation=fixed --set grip.stiffness=\"0.05 N/m\" --observed
 
 Files:
@@ -77,6 +78,7 @@ Files:
   parameters.toml    the scene as it was computed, with what --set has changed: peel run computes it to the same numbers
   curve.svg, .png    force against displacement
   shapes.svg, .png   the strip at marked points of the curve
+  branch.csv         with --branch: one row for each point of the branch out of the plane
   states.csv, states.pvd   with --states N: the fields along the beam (place, rotation, section forces, gap, loads) at
                      every limit point and at N points evenly along the path; states.pvd opens in ParaView
   observed.csv, .svg, .png   with --observed: the displacement-controlled test, one row for each point, pulling off and
@@ -102,6 +104,8 @@ How a path ends:
   pivoting     the force has returned to zero, and the strip is still in edge contact
   pushing      behind a snap-off of a grip that rotates the force is below zero and does not return to zero
   turned-back  re-adhered: u has returned to 0
+  back-in-plane
+               of the branch of --branch: it has come back to the planar path
   sliding      with friction: the whole contact slides
   snapped      with friction: the strip snaps off
   bonded-part-unstable

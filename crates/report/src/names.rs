@@ -10,6 +10,7 @@ pub fn end_word(end: &PathEnd) -> &'static str {
         PathEnd::Pivoting => "pivoting",
         PathEnd::Pushing => "pushing",
         PathEnd::TurnedBack => "turned-back",
+        PathEnd::BackInPlane => "back-in-plane",
         PathEnd::Sliding => "sliding",
         PathEnd::Snapped => "snapped",
         PathEnd::BondedPartUnstable(_) => "bonded-part-unstable",
@@ -31,6 +32,7 @@ pub fn end_reason(end: &PathEnd) -> Option<String> {
         | PathEnd::Pivoting
         | PathEnd::Pushing
         | PathEnd::TurnedBack
+        | PathEnd::BackInPlane
         | PathEnd::Sliding
         | PathEnd::Snapped => None,
     }

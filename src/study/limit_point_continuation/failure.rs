@@ -41,6 +41,7 @@ impl PointNotFound {
             | PathEnd::Pivoting
             | PathEnd::Pushing
             | PathEnd::TurnedBack
+            | PathEnd::BackInPlane
             | PathEnd::Sliding
             | PathEnd::Snapped
             | PathEnd::BondedPartUnstable(_)

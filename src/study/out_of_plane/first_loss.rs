@@ -35,6 +35,24 @@ pub(super) struct StepSearch<'s> {
     pub segment: PathSegment,
 }
 
+/// A loss that was located, with what is known of the path beside it.
+pub(super) struct LocatedLoss {
+    pub loss: OutOfPlaneLoss,
+    /// Nothing where the path is unstable from its beginning on
+    pub beside: Option<Beside>,
+}
+
+/// An equilibrium next to a loss.
+pub(super) struct Beside {
+    pub solution: Arc<Solution>,
+    /// Of the constraint along the path
+    pub weights: Observables,
+    /// From there to the loss, in the constraint's target
+    pub ahead: f64,
+    /// Change of the margin per unit of the constraint's target
+    pub margin_slope: f64,
+}
+
 /// A loss on one mesh.
 struct Lost {
     solution: Arc<Solution>,
@@ -82,8 +100,11 @@ impl<'s> StepSearch<'s> {
         (stable, lost): (Known, Known),
         relative: f64,
         ws: &mut Workspace,
-    ) -> Result<OutOfPlaneLoss, SolveError> {
+    ) -> Result<LocatedLoss, SolveError> {
         let mut coarse = self.on_path_mesh(stable, lost, ws)?;
+        let Lost { solution, ahead, slope, .. } = &coarse;
+        let (weights, ahead, margin_slope) = (self.segment.weights, *ahead, *slope);
+        let beside = Some(Beside { solution: solution.clone(), weights, ahead, margin_slope });
         let mut found = None;
         for _ in 0..MOST_MESHES {
             let Ok(fine) = self.on_finer_mesh(&coarse, ws) else { break };
@@ -97,7 +118,7 @@ impl<'s> StepSearch<'s> {
             coarse = fine;
         }
         // where finer meshes have no loss beside this one, the step is what is known
-        Ok(found.unwrap_or_else(|| self.unconfirmed(&coarse)))
+        Ok(LocatedLoss { loss: found.unwrap_or_else(|| self.unconfirmed(&coarse)), beside })
     }
 
     /// By chords of the margin, every third look in the middle of what is left.
@@ -121,7 +142,7 @@ impl<'s> StepSearch<'s> {
                 if (known.label - before.label).abs() < (behind.label - known.label).abs() { before } else { behind };
             let slope = (known.margin - other.margin) / (known.label - other.label);
             let ahead = -known.margin / slope;
-            let is_near = ahead.abs() <= FOUND * end || lost.label - stable.label <= FOUND * end;
+            let is_near = ahead.abs() <= FOUND * end || (lost.label - stable.label).abs() <= FOUND * end;
             if slope.is_finite() && ahead.is_finite() && is_near {
                 let target = self.segment.target(known.label);
                 return Ok(Lost { solution, target, ahead, slope });

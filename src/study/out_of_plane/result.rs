@@ -57,6 +57,12 @@ pub enum OutOfPlaneError {
     /// It was lost somewhere, but where was not found.
     #[error("the loss of stability out of the plane between u = {from:.6} nm and {to:.6} nm was not located: {cause}")]
     NotLocated { from: f64, to: f64, cause: SolveError },
+    /// The planar path is stable nowhere where the branch comes back.
+    #[error(
+        "the branch out of the plane comes back into it at u = {displacement:.6} nm, P = {force:.6} nN, and the planar path \
+         regains its stability nowhere"
+    )]
+    NotRegained { displacement: f64, force: f64 },
     /// The body has no one width.
     #[error("the widths at which the planar path is stable are those of a strip, and this body is none")]
     NoStrip,

@@ -1,7 +1,7 @@
 //! The stability out of the plane at every point of a path, and where it is lost first.
 
 use super::dip::dip;
-use super::first_loss::{Known, StepSearch};
+use super::first_loss::{Known, LocatedLoss, StepSearch};
 use super::refusal::NotOutOfPlane;
 use super::result::{OutOfPlane, OutOfPlaneError, OutOfPlaneLoss};
 use super::roll_elements::RollStability;
@@ -18,6 +18,13 @@ impl Peel {
     /// Where the model is not pulled straight up by its axis alone ([`NotOutOfPlane`]), where the peel was read or its
     /// solutions were dropped, and where the loss is not located.
     pub fn out_of_plane(&self) -> Result<OutOfPlane, OutOfPlaneError> {
+        let (stabilities, located) = self.stability_out_of_plane()?;
+        let negative_eigenvalues = stabilities.iter().map(|at| at.negative).collect();
+        Ok(OutOfPlane { negative_eigenvalues, first_loss: located.map(|located| located.loss) })
+    }
+
+    /// The same, with what is known beside the first loss.
+    pub(super) fn stability_out_of_plane(&self) -> Result<(Vec<RollStability>, Option<LocatedLoss>), OutOfPlaneError> {
         if let Some(refusal) = NotOutOfPlane::of(&self.model) {
             return Err(refusal.into());
         }
@@ -26,8 +33,8 @@ impl Peel {
         let beam = history.problem.beam.planar().ok_or(NotOutOfPlane::InSpace)?;
         let reader = RollReader::new(&self.model, beam);
         let stabilities = stabilities(&reader, history)?;
-        let first_loss = first_loss(&reader, history, &stabilities, self.asked)?;
-        Ok(OutOfPlane { negative_eigenvalues: stabilities.iter().map(|at| at.negative).collect(), first_loss })
+        let located = first_loss(&reader, history, &stabilities, self.asked)?;
+        Ok((stabilities, located))
     }
 }
 
@@ -45,19 +52,15 @@ fn first_loss(
     history: &SolutionHistory,
     stabilities: &[RollStability],
     relative: f64,
-) -> Result<Option<OutOfPlaneLoss>, OutOfPlaneError> {
+) -> Result<Option<LocatedLoss>, OutOfPlaneError> {
     let margins: Vec<f64> = stabilities.iter().map(RollStability::margin).collect();
     let first = stabilities.iter().position(|at| at.negative > 0);
     if first == Some(0) {
         let o = &history.points[0].observables;
         let (displacement, force) = (o.displacement, o.force);
-        return Ok(Some(OutOfPlaneLoss {
-            displacement,
-            force,
-            displacement_error: 0.0,
-            force_error: 0.0,
-            after: None,
-        }));
+        let (displacement_error, force_error) = (0.0, 0.0);
+        let loss = OutOfPlaneLoss { displacement, force, displacement_error, force_error, after: None };
+        return Ok(Some(LocatedLoss { loss, beside: None }));
     }
     let mut ws = Workspace::default();
     let stable = first.unwrap_or(margins.len());

@@ -27,6 +27,8 @@ pub enum PathEnd {
     Snapped,
     /// What is bonded loses its stability under the horizontal force, and the beam leaves its path there for no state that is near.
     BondedPartUnstable(BondedLoss),
+    /// A branch that had left the plane has come back into it: there it ends on the planar path.
+    BackInPlane,
     /// A section stands upright in the reach of a law whose energy has no lower bound there.
     Upright(UprightSection),
     /// It goes on; a stop criterion was met.
@@ -86,6 +88,23 @@ pub struct LimitPoint {
     /// The grip of a strip in space, at the solution next to the point; none in the plane
     #[serde(default)]
     pub in_space: Option<SpatialGrip>,
+}
+
+/// Where another branch of equilibria meets the path although the displacement does not turn, located: an eigenvalue passes through zero there.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BranchPoint {
+    /// u of the grip, nm
+    pub displacement: f64,
+    /// P, nN
+    pub force: f64,
+    /// Bound on the error of `displacement`, nm
+    pub displacement_error: f64,
+    /// Bound on the error of `force`, nN
+    pub force_error: f64,
+    /// Negative eigenvalues with the displacement held, before it and behind it
+    pub negative_eigenvalues: [usize; 2],
+    /// It lies between `points[after]` and `points[after + 1]` of the path.
+    pub after: usize,
 }
 
 /// A largest force: a limit point of the path, located.
@@ -171,6 +190,9 @@ pub struct Peel {
     pub points: Vec<PathPoint>,
     /// In path order.
     pub limit_points: Vec<LimitPoint>,
+    /// Where other branches meet the path, in its order. The path goes on along the branch that it is on, stable or not.
+    #[serde(default)]
+    pub branch_points: Vec<BranchPoint>,
     /// The first load limit point that is a maximum; none where the path has none
     pub initiation_peak: Option<Peak>,
     /// The limit point with the largest force up to the first displacement limit point, or as far as a stop criterion let the path go. None

@@ -28,6 +28,8 @@ const STAGNATION: f64 = 2e-8;
 /// The same where the error did not fall with this many times as many elements.
 const CERTAIN_STAGNATION: f64 = 1e-6;
 const MANY_MORE: usize = 2;
+/// Meshes in space on which a path may be unusable: what three did not cure more do not, and each takes as long as a peel that succeeds.
+const MOST_FAILED_IN_SPACE: usize = 4;
 /// Length of the steps of a path that confirms another, over those of the other.
 const SHORTER: f64 = 0.5;
 /// Most such paths.
@@ -40,7 +42,32 @@ pub(in crate::study) fn run(
     checkpoint: &Checkpoint,
 ) -> Peel {
     let (aimed, least) = aim(model, accuracy);
-    let mut peel = on_meshes(model, &aimed, stop, checkpoint);
+    let peel = on_meshes(model, &aimed, &Limits { stop, checkpoint }, None);
+    widened(peel, accuracy, least)
+}
+
+/// A path that begins at an equilibrium that is known.
+pub(in crate::study) struct KnownStart {
+    /// With that equilibrium as its start
+    pub problem: Arc<BeamProblem>,
+    /// Of the first step from there, nm
+    pub first_displacement: f64,
+}
+
+/// The same from an equilibrium on.
+pub(in crate::study) fn run_from(
+    start: &KnownStart,
+    model: &PeelModel,
+    accuracy: &Accuracy,
+    stop: &StopCriteria,
+) -> Peel {
+    let (aimed, least) = aim(model, accuracy);
+    let peel = on_meshes(model, &aimed, &Limits { stop, checkpoint: &Checkpoint::NOTHING }, Some(start));
+    widened(peel, accuracy, least)
+}
+
+/// With no bound below a share of its number, where there is one.
+fn widened(mut peel: Peel, accuracy: &Accuracy, least: Option<f64>) -> Peel {
     peel.asked = accuracy.relative;
     let Peel { limit_points, initiation_peak, peak, snap_off, pad_detachment, detachment, plateau, .. } = &mut peel;
     if let Some(share) = least {
@@ -61,27 +88,31 @@ pub(in crate::study) fn run(
 }
 
 /// The path on one mesh after another, until its bounds are what is wanted.
-fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, checkpoint: &Checkpoint) -> Peel {
+fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Option<&KnownStart>) -> Peel {
     let accuracy = &accuracy.fitted(model);
-    let limits = Limits { stop, checkpoint };
     let Choice { mesh, form, .. } = accuracy.choice;
     let first = Resolution::first(model, accuracy);
     let how = Discretisation { form, order: first.order, mesh };
-    let Prepared { problem, steps, relaxed } = match prepared(model, how, limits.should_stop()) {
+    let prepared = match start {
+        Some(known) => Ok((known.problem.clone(), Vec::new(), None)),
+        None => prepared(model, how, limits.should_stop())
+            .map(|Prepared { problem, steps, relaxed }| (Arc::new(problem), steps, relaxed)),
+    };
+    let (problem, steps, relaxed) = match prepared {
         Ok(prepared) => prepared,
         Err(NotPrepared { why, steps }) => {
             let (end, asked) = (PathEnd::Failed(Failure::NoStart(why)), accuracy.relative);
             return Peel { steps, end, asked, choice: accuracy.choice, ..empty(model) };
         }
     };
-    let problem = Arc::new(problem);
     let far = model.line_law().cutoff_distance();
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
-    let (mut iterations, mut unfinished, mut finest) = (0, false, 0);
+    let (mut iterations, mut unfinished, mut finest, mut failed) = (0, false, 0, 0);
     let mut best =
         refined(first, most_elements(model), Attempt::is_better_than, |resolution, best: Option<&Attempt>| {
-            let options = resolution.path_options(model, accuracy.relative);
-            let followed = follow(&problem, options, far, accuracy.relative, &limits);
+            let mut options = resolution.path_options(model, accuracy.relative);
+            options.first_displacement = start.map_or(options.first_displacement, |known| known.first_displacement);
+            let followed = follow(&problem, options, far, accuracy.relative, limits);
             iterations += followed.iterations;
             let attempt = Attempt::new(model, &problem, followed, resolution, accuracy);
             let enough = accuracy.choice.elements.is_some()
@@ -89,11 +120,15 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, checkp
                 || best.is_some_and(|best| attempt.is_stuck_behind(best));
             let over = attempt.cut || limits.reached().is_some();
             unfinished = over && (attempt.cut || attempt.trouble.is_some() || !enough);
+            let hopeless = attempt.trouble.is_some() && model.space.is_some() && {
+                failed += 1;
+                failed == MOST_FAILED_IN_SPACE
+            };
             if attempt.trouble.is_none() {
                 finest = finest.max(attempt.peel.effort.elements);
                 others.push(attempt.peel.limit_points.clone());
             }
-            let finer = (!enough && !over).then_some(attempt.next);
+            let finer = (!enough && !over && !hopeless).then_some(attempt.next);
             (attempt, finer)
         });
     if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {
@@ -102,7 +137,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria, checkp
     }
     if problem.system.has_history() && accuracy.choice.step.is_none() && !unfinished {
         best = best.map(|best| {
-            let shorter = Shorter { model, problem: &problem, accuracy, limits: &limits, far };
+            let shorter = Shorter { model, problem: &problem, accuracy, limits, far };
             let (confirmed, further) = shorter.confirmed(best);
             iterations += further;
             unfinished = confirmed.cut;

@@ -52,10 +52,13 @@ const CUT: &[&str] = &["--set", "bounds.displacement=0.1 nm"];
 /// Past the peak of the sideways pull, where its limit points are.
 const PAST_PEAK: &[&str] = &["--set", "bounds.displacement=12.775 nm"];
 
+/// With a peak, a jump, and an end on the planar path.
+const BRANCH: &[&str] = &["--branch", "--set", "strip.width=40 nm"];
+
 /// Runs that together have every key.
 const RUNS: &[(&str, &[&[&str]])] = &[
     ("strip-100nm", &[&["--observed"]]),
-    ("strip-100nm", &[&["--out-of-plane"]]),
+    ("strip-100nm", &[BRANCH]),
     ("strip-100nm", &[FIXED]),
     ("strip-100nm", &[STEPS]),
     ("strip-100nm", &[SOFT]),
@@ -122,6 +125,13 @@ fn every_column_is_described() {
     // in space the tables of the path have all their columns
     let sideways = format!("{}/scenes/strip-sideways.toml", super::ROOT);
     peel(&[&["run", &sideways, "--out", "sideways", "--states", "0"], ROUGHLY, PAST_PEAK].concat(), folder.path());
+    peel(&[&["run", &scene, "--out", "branch"], ROUGHLY, BRANCH].concat(), folder.path());
+    let branch = std::fs::read_to_string(folder.path().join("branch/branch.csv")).unwrap();
+    let of_curve = |column: &str| CURVE_COLUMNS.iter().any(|key| key.path == column);
+    assert!(
+        branch.lines().next().unwrap().split(',').all(of_curve),
+        "the columns of branch.csv are those of curve.csv"
+    );
     for (file, keys) in [
         ("sideways/curve.csv", CURVE_COLUMNS),
         ("sideways/limit_points.csv", LIMIT_POINT_COLUMNS),

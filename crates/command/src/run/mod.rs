@@ -1,6 +1,5 @@
 //! `peel run`: the whole peel of one scene.
 
-mod in_space;
 mod kept;
 mod progress;
 
@@ -12,10 +11,11 @@ use crate::stop::Stop;
 use crate::text_summary::{self, UnitsArgs};
 use clap::Args;
 use kept::KeptRun;
+use peelkit::model::PeelModel;
 use peelkit::solve::{PathOptions, Waypoint};
 use peelkit::study::{
-    self, Checkpoint, Failure, NoEquilibrium, NotOutOfPlane, Observed, OutOfPlane, OutOfPlaneError, PathEnd, Peel,
-    TestEnd,
+    self, Checkpoint, Failure, NoEquilibrium, NotOutOfPlane, Observed, OutOfPlane, OutOfPlaneBranch,
+    OutOfPlaneBranchError, PathEnd, Peel, TestEnd,
 };
 use peelkit_report::{self as report, PeelSummary, ReportError, timed};
 use peelkit_scene::Scene;
@@ -46,6 +46,12 @@ pub struct Run {
     /// Where a free strip rolls or buckles sideways. For a pull straight up by a grip that is free to roll.
     #[arg(long)]
     out_of_plane: bool,
+
+    /// Follows the branch out of the plane from there in space; implies --out-of-plane
+    ///
+    /// To one side: the other is its mirror image. Adds branch.csv, and the branch to summary.json and curve.svg.
+    #[arg(long)]
+    branch: bool,
 
     /// Writes the fields along the beam: states.csv, states.pvd
     ///
@@ -82,15 +88,35 @@ impl Run {
     /// What the name of the folder says of the run.
     fn folder_parts(&self) -> Vec<String> {
         let states = self.states.map(|count| format!("states={count}"));
-        let asked = [(self.observed, "observed"), (self.out_of_plane, "out-of-plane")];
+        let asked =
+            [(self.observed, "observed"), (self.out_of_plane && !self.branch, "out-of-plane"), (self.branch, "branch")];
         asked.iter().filter(|(is, _)| *is).map(|(_, name)| (*name).to_owned()).chain(states).collect()
     }
 
     fn refuse_out_of_plane(&self, scene: &Scene) -> Result<(), Stop> {
-        match NotOutOfPlane::of(&scene.model).filter(|_| self.out_of_plane) {
+        match NotOutOfPlane::of(&scene.model).filter(|_| self.looks_out_of_plane()) {
             Some(why) => {
-                Err(Stop::bad_input(format!("the stability out of the plane is not computed: {why}"), why.remedy()))
+                let (what, option) = match self.branch {
+                    true => ("the branch out of the plane is not followed", "--branch"),
+                    false => ("the stability out of the plane is not computed", "--out-of-plane"),
+                };
+                Err(Stop::bad_input(format!("{what}: {why}"), why.remedy().replace("--out-of-plane", option)))
             }
+            None => Ok(()),
+        }
+    }
+
+    fn looks_out_of_plane(&self) -> bool {
+        self.out_of_plane || self.branch
+    }
+
+    /// Refuses a scene whose branch is none that is computed in space.
+    fn refuse_branch(&self, scene: &Scene) -> Result<(), Stop> {
+        match PeelModel::left_plane(&scene.model).check().err().filter(|_| self.branch) {
+            Some(why) => Err(Stop::bad_input(
+                format!("the branch out of the plane is not followed: in space `{}` {}", why.key(), why.found()),
+                "Omit --branch: --out-of-plane alone says where the planar path loses its stability.",
+            )),
             None => Ok(()),
         }
     }
@@ -109,8 +135,8 @@ impl Run {
 pub fn run(args: &Run) -> Result<(), Stop> {
     let scene = args.scene.load()?;
     args.refuse_states_without_files()?;
-    in_space::refuse(&scene, args.observed)?;
     args.refuse_out_of_plane(&scene)?;
+    args.refuse_branch(&scene)?;
     let wanted = args.units.wanted()?;
     let progress = RunProgress::begin();
     let open = |folder: PathBuf| KeptRun::open(&args.out, args.fresh, &folder, &scene, &progress);
@@ -120,10 +146,16 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         None => unkept(&scene, &progress),
     });
     let interrupted = kept.as_ref().is_some_and(|kept| kept.interrupted);
-    let looked_at = args.out_of_plane && !peel.points.is_empty();
+    let looked_at = args.looks_out_of_plane() && !peel.points.is_empty();
     let (stability, stability_s) = timed(|| looked_at.then(|| peel.out_of_plane()).transpose());
     let (stability, unknown) = match stability {
         Ok(stability) => (stability, None),
+        Err(why) => (None, Some(why)),
+    };
+    let follows = args.branch && !interrupted && stability.is_some();
+    let (branch, branch_s) = timed(|| follows.then(|| branch(&scene, &peel, &progress)).transpose());
+    let (branch, not_followed) = match branch {
+        Ok(branch) => (branch, None),
         Err(why) => (None, Some(why)),
     };
     let (test, test_s) = timed(|| (args.observed && !interrupted).then(|| observed(&scene, &progress)));
@@ -139,9 +171,14 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         Some(stability) => summary.with_out_of_plane(stability, stability_s),
         None => summary,
     };
+    let summary = match &branch {
+        Some(branch) => summary.with_branch(branch.as_ref(), branch_s),
+        None => summary,
+    };
     let (files, left) = kept.as_ref().map_or((Ok(Vec::new()), None), |kept| {
         kept.write(&peel, |dir| {
-            let found = Found { peel: &peel, stability: stability.as_ref(), test: test.as_ref() };
+            let branch = branch.iter().flatten().next();
+            let found = Found { peel: &peel, stability: stability.as_ref(), branch, test: test.as_ref() };
             let mut files = write(dir, &scene, &found, (&summary, &command), args.states)?;
             if args.animate && peel.points.len() > 1 {
                 files.push(report::write_animation(dir, &peel, &scene.title)?);
@@ -159,7 +196,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
         say(&format!(
             "{}{recorded}{taken}\n{}{left}",
-            text_summary::peel(&scene, &peel, stability.as_ref(), peel_s, wanted),
+            text_summary::peel(&scene, &peel, (stability.as_ref(), branch.as_ref()), peel_s, wanted),
             list_files(&files)
         ))?;
     }
@@ -175,8 +212,25 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         (_, Some(TestEnd::Failed(reason))) => {
             Err(Stop::cut_short(format!("in the displacement-controlled test, {reason}")))
         }
-        _ => unknown.map_or(Ok(()), |why: OutOfPlaneError| Err(Stop::cut_short(why))),
+        _ => match (unknown, not_followed, branch.flatten().map(|branch| branch.peel.end)) {
+            (Some(why), ..) => Err(Stop::cut_short(why)),
+            (_, Some(why), _) => Err(Stop::cut_short(why)),
+            (.., Some(PathEnd::Failed(reason))) => {
+                Err(Stop::cut_short(format!("on the branch out of the plane, {reason}")))
+            }
+            _ => Ok(()),
+        },
     }
+}
+
+/// The branch of a peel that leaves the plane, if there is one.
+fn branch(
+    scene: &Scene,
+    peel: &Peel,
+    progress: &RunProgress,
+) -> Result<Option<OutOfPlaneBranch>, OutOfPlaneBranchError> {
+    progress.stage("branch out of the plane");
+    peel.branch(&progress.watch(scene.bounds.from_now()))
 }
 
 /// The peel of a scene of which nothing is written.
@@ -197,13 +251,14 @@ fn observed(scene: &Scene, progress: &RunProgress) -> Result<Observed, Stop> {
 struct Found<'f> {
     peel: &'f Peel,
     stability: Option<&'f OutOfPlane>,
+    branch: Option<&'f OutOfPlaneBranch>,
     test: Option<&'f Observed>,
 }
 
 fn write(
     folder: &Path,
     scene: &Scene,
-    &Found { peel, stability, test }: &Found,
+    &Found { peel, stability, branch, test }: &Found,
     (summary, command): (&PeelSummary, &str),
     states: Option<u32>,
 ) -> Result<Vec<PathBuf>, ReportError> {
@@ -214,7 +269,10 @@ fn write(
     ];
     files.push(report::write_parameters(folder, scene, command)?);
     if peel.points.len() > 1 {
-        files.extend(report::draw_peel(peel, stability, &scene.title, folder)?);
+        files.extend(report::draw_peel_with_branch(peel, stability, branch, &scene.title, folder)?);
+    }
+    if let Some(branch) = branch {
+        files.push(report::write_branch(folder, branch)?);
     }
     if let Some(count) = states {
         let states = peel.states(count as usize);

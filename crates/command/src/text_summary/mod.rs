@@ -1,5 +1,6 @@
 //! What a run found, laid out for a person.
 
+mod branch;
 mod layout;
 mod number;
 mod observed;

@@ -1,13 +1,14 @@
 //! The summary of one peel.
 
+use super::branch::branch_lines;
 use super::layout::in_columns;
 use super::number::short;
 use super::units::{Units, WantedUnits};
-use peelkit::beam::{GripForces, GripState};
+use peelkit::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 use peelkit::model::{DerivedQuantities, Step};
 use peelkit::study::{
-    Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, PathEnd, Peak, Peel, Plateau,
-    Sliding, TermDecisions, TermEffect, WarningKind,
+    BranchPoint, Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, OutOfPlaneBranch,
+    PathEnd, Peak, Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
 };
 use peelkit_report::{end_reason, end_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
@@ -15,8 +16,15 @@ use peelkit_scene::Scene;
 /// A relative error below this that finer meshes do not reduce is round-off.
 const ROUND_OFF: f64 = 2e-8;
 
-/// The summary of one peel, which took so many seconds, with its stability out of the plane where that was asked for.
-pub fn peel(scene: &Scene, peel: &Peel, stability: Option<&OutOfPlane>, solve_s: f64, wanted: WantedUnits) -> String {
+/// The summary of one peel, which took so many seconds, with its stability out of the plane and the branch that leaves it where they were
+/// asked for.
+pub fn peel(
+    scene: &Scene,
+    peel: &Peel,
+    (stability, branch): (Option<&OutOfPlane>, Option<&Option<OutOfPlaneBranch>>),
+    solve_s: f64,
+    wanted: WantedUnits,
+) -> String {
     let units = Units::fitting(wanted, sizes(peel));
     let Units { force, length, work } = units;
     let none = || "none".to_owned();
@@ -41,6 +49,7 @@ pub fn peel(scene: &Scene, peel: &Peel, stability: Option<&OutOfPlane>, solve_s:
     let mut lines: Vec<(&str, String)> = accuracy(peel).map(|text| ("accuracy", text)).into_iter().collect();
     lines.extend(in_space(scene, peel));
     lines.extend(stability.map(|stability| ("out of the plane", out_of_plane(stability, &units))));
+    lines.extend(branch.iter().copied().flatten().flat_map(|branch| branch_lines(branch, &units)));
     lines.extend(steps(peel, &units));
     lines.push(("peak force", peel.peak.map_or_else(none, at_peak)));
     lines.extend(peel.largest_computed_force.map(|at| ("largest computed", largest_computed(at, &units))));
@@ -71,6 +80,7 @@ pub fn peel(scene: &Scene, peel: &Peel, stability: Option<&OutOfPlane>, solve_s:
             format!("{kind} at u = {displacement}, P = {force}{}", if at.flat { " (flat)" } else { "" }),
         ));
     }
+    lines.extend(peel.branch_points.iter().map(|at| ("branch point", branch_point(at, &units))));
     if let Some(left_out) = left_out(peel) {
         lines.push(("", format!("left out: {} {left_out}", peel.ripple)));
     }
@@ -94,6 +104,18 @@ pub fn peel(scene: &Scene, peel: &Peel, stability: Option<&OutOfPlane>, solve_s:
         ),
     ));
     in_columns(&scene.title, &lines)
+}
+
+/// A branch point, and what it does to stability.
+fn branch_point(at: &BranchPoint, units: &Units) -> String {
+    let place = units.length.with_error(at.displacement, at.displacement_error);
+    let force = units.force.with_error(at.force, at.force_error);
+    let what = match at.negative_eigenvalues {
+        [0, _] => "stability is lost without a jump, and the path goes on along the unstable branch",
+        [_, 0] => "the path is stable again",
+        _ => "another branch meets the path",
+    };
+    format!("at u = {place}, P = {force}: {what}")
 }
 
 /// The largest force (nN), displacement (nm) and work (aJ) that is printed.
@@ -152,13 +174,22 @@ fn out_of_plane(stability: &OutOfPlane, Units { force, length, .. }: &Units) -> 
 /// The grip after each step before the pull.
 fn steps(peel: &Peel, Units { force, length, .. }: &Units) -> Vec<(&'static str, String)> {
     let line = |(index, (step, grip)): (usize, (&Step, &GripState))| {
-        let GripForces { horizontal, vertical, moment } = grip.forces;
+        let GripForces { horizontal, vertical, moment, in_space } = grip.forces;
         let x = grip.x.map(|x| format!("x = {}, ", length.fixed(x, 4))).unwrap_or_default();
         let place = format!("{x}y = {}, θ = {:.4} deg", length.fixed(grip.y, 4), grip.rotation.to_degrees());
         let (horizontal, vertical) = (force.fixed(horizontal, 6), force.fixed(vertical, 6));
+        let beside = |(place, forces): (PlaceInSpace, ForcesInSpace)| {
+            let (z, lateral) = (length.fixed(place.z, 4), force.fixed(forces.lateral, 6));
+            let [roll, yaw] = [place.roll, place.yaw].map(f64::to_degrees);
+            let ForcesInSpace { torque, yaw_moment, .. } = forces;
+            format!(
+                "; z = {z}, roll {roll:.4} deg, yaw {yaw:.4} deg; sideways {lateral}, on the roll {torque:.6} nN nm, on the yaw {yaw_moment:.6} nN nm"
+            )
+        };
+        let beside = grip.in_space.zip(in_space).map(beside).unwrap_or_default();
         (
             if index == 0 { "steps" } else { "" },
-            format!("{step}: {place}; H = {horizontal}, V = {vertical}, M = {moment:.6} nN nm"),
+            format!("{step}: {place}; H = {horizontal}, V = {vertical}, M = {moment:.6} nN nm{beside}"),
         )
     };
     peel.model.steps.iter().zip(&peel.steps).enumerate().map(line).collect()
@@ -273,7 +304,7 @@ pub fn taken(points: usize) -> String {
     if points == 0 { String::new() } else { format!("\n{points} path points taken from an earlier, unfinished run\n") }
 }
 
-fn end(end: &PathEnd) -> String {
+pub(super) fn end(end: &PathEnd) -> String {
     let word = match end {
         PathEnd::TurnedBack => "re-adhered",
         _ => end_word(end),
@@ -283,6 +314,7 @@ fn end(end: &PathEnd) -> String {
         PathEnd::Pivoting => "the force has returned to zero, and the strip is still in edge contact",
         PathEnd::Pushing => "behind the snap-off the grip pushes, and the force does not return to zero",
         PathEnd::TurnedBack => "u has returned to 0",
+        PathEnd::BackInPlane => "the strip has come back into its plane, on the planar path",
         PathEnd::Sliding => "the whole contact slides, at a constant force from here on",
         PathEnd::Snapped => "the strip snaps off; equilibrium does not determine how it slides during the jump",
         PathEnd::BondedPartUnstable(_) => "no stable state is near",
@@ -352,7 +384,7 @@ short
   end                bound: a limit set under [bounds] was reached: bounds.points = 20
   computational cost 20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
 ";
-        assert_eq!(peel(&scene, &made_up, None, 0.0042, WantedUnits::default()), expected);
+        assert_eq!(peel(&scene, &made_up, (None, None), 0.0042, WantedUnits::default()), expected);
         let loss = OutOfPlaneLoss {
             displacement: 0.489743876,
             force: 0.312661701,
@@ -367,7 +399,7 @@ short
             (None, "stable on the whole path"),
         ] {
             let stability = OutOfPlane { negative_eigenvalues: Vec::new(), first_loss };
-            let text = peel(&scene, &made_up, Some(&stability), 0.0042, WantedUnits::default());
+            let text = peel(&scene, &made_up, (Some(&stability), None), 0.0042, WantedUnits::default());
             let first = text.lines().nth(2).unwrap_or_default();
             assert!(first.trim_start().starts_with(&format!("out of the plane   {begins}")), "{first}");
         }

@@ -7,7 +7,7 @@ use super::peel::limit_at;
 use crate::chart::{
     Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, order_shade, significant,
 };
-use peelkit::study::{LimitPoint, LimitPointKind, OutOfPlaneLoss, PathEnd, Peel};
+use peelkit::study::{LimitPoint, LimitPointKind, OutOfPlaneBranch, OutOfPlaneLoss, PathEnd, Peel};
 
 const HEIGHT: u32 = 440;
 /// About how many points the curve is drawn with.
@@ -233,6 +233,35 @@ pub(super) fn mark_loss(picture: &mut Picture, loss: &OutOfPlaneLoss) {
     // the panel of the initiation is the last one
     if let Some(panel) = picture.panels.iter_mut().rfind(|panel| panel.shows(at)) {
         panel.marks.push(Mark { at, symbol: Symbol::Square, colour: colour::VERMILLION, name: None, note });
+    }
+}
+
+/// Adds the branch that leaves the plane to a picture of the path that it leaves, dashed where it is unstable, in every panel.
+pub(super) fn add_branch(picture: &mut Picture, branch: &OutOfPlaneBranch) {
+    let mut curve = curve_of(&branch.peel);
+    // it begins on the planar path, and where it ends there, ends on it
+    let kind = |point: Option<&(f64, f64, Branch)>| point.map_or(Branch::Stable, |point| point.2);
+    let (first, last) = (kind(curve.first()), kind(curve.last()));
+    curve.insert(0, (branch.loss.displacement, branch.loss.force, first));
+    curve.extend(branch.rejoins.map(|end| (end.displacement, end.force, last)));
+    let farthest = curve.iter().fold(0.0f64, |r, p| r.max(p.0));
+    if let Some(panel) = picture.panels.first_mut().filter(|panel| panel.x.to < farthest) {
+        panel.x.to = 1.04 * farthest;
+    }
+    for panel in &mut picture.panels {
+        for (kind, points) in runs(&curve) {
+            let stroke = match kind {
+                Branch::Stable => Stroke::solid(colour::GREEN, 2.0),
+                Branch::Unstable => Stroke::dashed(colour::GREEN, 2.0),
+                Branch::Unverified => kind.stroke(),
+            };
+            panel.lines.push(Line { points, stroke, name: None });
+        }
+    }
+    if let Some(panel) = picture.panels.first_mut() {
+        let is_of_branch = |line: &&mut Line| line.stroke.colour == colour::GREEN;
+        let line = panel.lines.iter_mut().find(is_of_branch);
+        line.into_iter().for_each(|line| line.name = Some("branch out of the plane, dashed where unstable".into()));
     }
 }
 

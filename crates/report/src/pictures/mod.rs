@@ -13,6 +13,6 @@ pub mod sweep;
 
 pub use followed::draw_followed;
 pub use observed::draw_observed;
-pub use peel::draw_peel;
+pub use peel::{draw_peel, draw_peel_with_branch};
 pub use plane::draw_plane;
 pub use sweep::draw_sweep;

@@ -1,12 +1,14 @@
 //! The pictures of one peel: force against displacement, and the deformed strip at numbered points of that curve.
 
-use super::curve::{curve_picture, mark_loss};
+use super::curve::{add_branch, curve_picture, mark_loss};
 use super::in_space;
 use super::shapes::{Posed, shapes_picture};
 use crate::chart::{Picture, save};
 use crate::error::ReportError;
 use crate::names::end_reason;
-use peelkit::study::{DeformedShape, LimitPoint, LimitPointKind, OutOfPlane, PathEnd, Peel, WarningKind};
+use peelkit::study::{
+    DeformedShape, LimitPoint, LimitPointKind, OutOfPlane, OutOfPlaneBranch, PathEnd, Peel, WarningKind,
+};
 use std::path::{Path, PathBuf};
 
 /// How many deformed shapes are shown.
@@ -25,11 +27,27 @@ pub fn draw_peel(
     title: &str,
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
+    draw_peel_with_branch(peel, out_of_plane, None, title, dir)
+}
+
+/// The same with the branch that leaves the plane at the first loss, in the same pictures.
+///
+/// Fails as [`draw_peel`].
+pub fn draw_peel_with_branch(
+    peel: &Peel,
+    out_of_plane: Option<&OutOfPlane>,
+    branch: Option<&OutOfPlaneBranch>,
+    title: &str,
+    dir: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
     let numbered = numbered_points(peel);
     let title = captioned(peel, title);
     let mut picture = curve(peel, &numbered, &title, &dir.join("curve.svg"))?;
     if let Some(loss) = out_of_plane.and_then(|stability| stability.first_loss) {
         mark_loss(&mut picture, &loss);
+    }
+    if let Some(branch) = branch {
+        add_branch(&mut picture, branch);
     }
     let mut files = save(&picture, dir, "curve")?;
     files.extend(save(&shapes(peel, &numbered, &title, &dir.join("shapes.svg"))?, dir, "shapes")?);

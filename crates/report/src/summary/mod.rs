@@ -1,6 +1,8 @@
 //! What was found as one JSON object: summary.json, and what `--json` prints.
 
 mod accuracy;
+mod branch;
+mod branch_point;
 mod derived;
 mod ground;
 mod observed;

@@ -1,7 +1,8 @@
 //! The stability of the path against leaving its plane, as part of a summary.
 
+use super::branch::BranchSummary;
 use crate::number::Finite;
-use peelkit::study::{OutOfPlane, OutOfPlaneLoss};
+use peelkit::study::{OutOfPlane, OutOfPlaneBranch, OutOfPlaneLoss};
 
 /// What `--out-of-plane` adds.
 #[derive(Debug, serde::Serialize)]
@@ -10,6 +11,9 @@ pub(super) struct OutOfPlaneSummary {
     unstable_points: usize,
     most_negative_eigenvalues: usize,
     solve_s: Finite,
+    /// Where it was asked for: the branch that begins at the first loss, if there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    branch: Option<Option<BranchSummary>>,
 }
 
 #[derive(Debug, serde::Serialize)]
@@ -32,7 +36,13 @@ impl OutOfPlaneSummary {
             unstable_points: stability.unstable_points(),
             most_negative_eigenvalues: stability.most(),
             solve_s: Finite(solve_s),
+            branch: None,
         }
+    }
+
+    /// The same with the branch, which took so many seconds.
+    pub fn with_branch(self, branch: Option<&OutOfPlaneBranch>, solve_s: f64) -> Self {
+        Self { branch: Some(branch.map(|branch| BranchSummary::new(branch, solve_s))), ..self }
     }
 }
 

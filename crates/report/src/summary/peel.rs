@@ -1,6 +1,7 @@
 //! What a run found, as one JSON object: summary.json, and what `--json` prints.
 
 use super::accuracy::AccuracySummary;
+use super::branch_point::BranchPoint;
 use super::derived::DerivedSummary;
 use super::ground::GroundSummary;
 use super::observed::ObservedSummary;
@@ -16,7 +17,7 @@ use crate::names::{end_reason, end_word, limit_point_kind_word};
 use crate::number::{Finite, to_json};
 use peelkit::beam::GripState;
 use peelkit::model::Step;
-use peelkit::study::{self, Observed, OutOfPlane, Peel};
+use peelkit::study::{self, Observed, OutOfPlane, OutOfPlaneBranch, Peel};
 use peelkit_scene::Scene;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -43,6 +44,8 @@ pub struct PeelSummary {
     initiation_peak: Option<Peak>,
     plateau: Option<Plateau>,
     limit_points: Vec<LimitPoint>,
+    /// Where other branches meet the path.
+    branch_points: Vec<BranchPoint>,
     /// Where the model is not to be trusted.
     warnings: Vec<Warning>,
     /// What follows from the model before anything is solved.
@@ -119,7 +122,7 @@ struct Plateau {
 }
 
 #[derive(Debug, serde::Serialize)]
-struct LimitPoint {
+pub(super) struct LimitPoint {
     kind: &'static str,
     #[serde(rename = "displacement_nm")]
     displacement: Finite,
@@ -191,6 +194,23 @@ struct StepEnd {
     vertical: Finite,
     #[serde(rename = "moment_nN_nm")]
     moment: Finite,
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    in_space: Option<StepInSpace>,
+}
+
+/// What the grip behind a step has in space beside one in the plane.
+#[derive(Debug, serde::Serialize)]
+struct StepInSpace {
+    #[serde(rename = "z_nm")]
+    z: Finite,
+    roll_deg: Finite,
+    yaw_deg: Finite,
+    #[serde(rename = "lateral_force_nN")]
+    lateral: Finite,
+    #[serde(rename = "torque_nN_nm")]
+    torque: Finite,
+    #[serde(rename = "yaw_moment_nN_nm")]
+    yaw_moment: Finite,
 }
 
 #[derive(Debug, serde::Serialize)]
@@ -231,6 +251,7 @@ impl PeelSummary {
                 displacement_error: at.displacement_error.map(Finite),
             }),
             limit_points: peel.limit_points.iter().map(LimitPoint::from).collect(),
+            branch_points: peel.branch_points.iter().map(BranchPoint::from).collect(),
             warnings: peel.warnings().iter().map(Warning::from).collect(),
             derived: DerivedSummary::of(&scene.model),
             snap_off: peel.snap_off.map(Fold::from),
@@ -266,6 +287,11 @@ impl PeelSummary {
         Self { out_of_plane: Some(OutOfPlaneSummary::new(stability, solve_s)), ..self }
     }
 
+    /// The same with the branch that leaves the plane, where there is one, which took so many seconds; behind the stability against that.
+    pub fn with_branch(self, branch: Option<&OutOfPlaneBranch>, solve_s: f64) -> Self {
+        Self { out_of_plane: self.out_of_plane.map(|stability| stability.with_branch(branch, solve_s)), ..self }
+    }
+
     /// The same with the command line that asked for it.
     pub fn with_command(self, command: &str) -> Self {
         Self { command: Some(command.to_owned()), ..self }
@@ -297,6 +323,14 @@ impl From<(&Step, &GripState)> for StepEnd {
             horizontal: Finite(grip.forces.horizontal),
             vertical: Finite(grip.forces.vertical),
             moment: Finite(grip.forces.moment),
+            in_space: grip.in_space.zip(grip.forces.in_space).map(|(place, forces)| StepInSpace {
+                z: Finite(place.z),
+                roll_deg: Finite(place.roll.to_degrees()),
+                yaw_deg: Finite(place.yaw.to_degrees()),
+                lateral: Finite(forces.lateral),
+                torque: Finite(forces.torque),
+                yaw_moment: Finite(forces.yaw_moment),
+            }),
         }
     }
 }

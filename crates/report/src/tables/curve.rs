@@ -1,44 +1,65 @@
-//! The tables of one peel: curve.csv, limit_points.csv, observed.csv. Units stand in the names of the columns.
+//! The tables of one peel: curve.csv, limit_points.csv, branch.csv, observed.csv. Units stand in the names of the columns.
 
 use super::table::{write_table, write_table_with_grip};
 use crate::error::ReportError;
 use crate::names::limit_point_kind_word;
 use crate::number::Finite;
-use peelkit::study::{LimitPoint, Observed, OutOfPlane, PathPoint, Peel};
+use peelkit::study::{LimitPoint, Observed, OutOfPlane, OutOfPlaneBranch, PathPoint, Peel};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+
+/// A point of a path, in the plane or in space.
+#[derive(Default, Serialize)]
+struct PointColumns {
+    displacement_nm: Finite,
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    end_rotation_rad: Finite,
+    #[serde(rename = "work_aJ")]
+    work: Finite,
+    negative_eigenvalues: usize,
+    negative_eigenvalues_load: usize,
+    front_nm: Finite,
+    newton_iterations: usize,
+}
+
+impl From<&PathPoint> for PointColumns {
+    fn from(point: &PathPoint) -> Self {
+        Self {
+            displacement_nm: Finite(point.displacement),
+            force: Finite(point.force),
+            end_rotation_rad: Finite(point.end_rotation),
+            work: Finite(point.work),
+            negative_eigenvalues: point.negative_eigenvalues,
+            negative_eigenvalues_load: point.negative_eigenvalues_load,
+            front_nm: Finite(point.front),
+            newton_iterations: point.iterations,
+        }
+    }
+}
 
 /// Writes curve.csv: one row a path point, with its stability out of the plane where that is known; in space with the columns of the grip.
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_curve(dir: &Path, peel: &Peel, out_of_plane: Option<&OutOfPlane>) -> Result<PathBuf, ReportError> {
     #[derive(Default, Serialize)]
-    struct Line {
-        displacement_nm: Finite,
-        #[serde(rename = "force_nN")]
-        force: Finite,
-        end_rotation_rad: Finite,
-        #[serde(rename = "work_aJ")]
-        work: Finite,
-        negative_eigenvalues: usize,
-        negative_eigenvalues_load: usize,
-        front_nm: Finite,
-        newton_iterations: usize,
+    struct OutOfPlaneColumn {
         negative_eigenvalues_out_of_plane: Option<usize>,
     }
-    let line = |(index, point): (usize, &PathPoint)| Line {
-        displacement_nm: Finite(point.displacement),
-        force: Finite(point.force),
-        end_rotation_rad: Finite(point.end_rotation),
-        work: Finite(point.work),
-        negative_eigenvalues: point.negative_eigenvalues,
-        negative_eigenvalues_load: point.negative_eigenvalues_load,
-        front_nm: Finite(point.front),
-        newton_iterations: point.iterations,
-        negative_eigenvalues_out_of_plane: out_of_plane.and_then(|at| at.negative_eigenvalues.get(index).copied()),
+    let line = |(index, point): (usize, &PathPoint)| {
+        let negative_eigenvalues_out_of_plane = out_of_plane.and_then(|at| at.negative_eigenvalues.get(index).copied());
+        (PointColumns::from(point), OutOfPlaneColumn { negative_eigenvalues_out_of_plane })
     };
     let lines = peel.points.iter().enumerate().map(|at| (line(at), at.1.in_space));
     write_table_with_grip(dir, "curve.csv", lines)
+}
+
+/// Writes branch.csv: one row a point of the branch that leaves the plane, with the columns of curve.csv in space.
+///
+/// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
+pub fn write_branch(dir: &Path, branch: &OutOfPlaneBranch) -> Result<PathBuf, ReportError> {
+    let lines = branch.peel.points.iter().map(|point| (PointColumns::from(point), point.in_space));
+    write_table_with_grip(dir, "branch.csv", lines)
 }
 
 /// Writes limit_points.csv: one row a limit point, in path order; in space with the columns of the grip.

@@ -4,6 +4,6 @@ mod curve;
 mod sweep;
 mod table;
 
-pub use curve::{write_curve, write_limit_points, write_observed};
+pub use curve::{write_branch, write_curve, write_limit_points, write_observed};
 pub use sweep::{SweepLine, work_to, write_followed, write_sweep};
 pub use table::write_table;

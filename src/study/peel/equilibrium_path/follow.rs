@@ -82,6 +82,7 @@ pub(in crate::study::peel) fn follow(
         spread: worst_spread(problem, &points),
         points,
         turns: Vec::new(),
+        branch_points: Vec::new(),
         end,
         cut,
         iterations: path.iterations(),

@@ -18,6 +18,9 @@ use std::sync::Arc;
 const MOST_SECANTS: usize = 20;
 /// A force below this share of its scale is none.
 const PUSH: f64 = 1e-6;
+/// A roll that is none, rad, and what is left of roll and yaw in the plane, over the roll at the beginning.
+const NO_ROLL: f64 = 1e-7;
+const IN_PLANE: f64 = 1e-4;
 /// A section this near to 90 degrees stands upright, rad: there the path meets that of upright strips, and may go on
 /// along it without passing
 /// the upright position.
@@ -59,6 +62,9 @@ pub(super) fn step(
     }
     if stands_upright(problem, path.points()) {
         return Ok(Some(PathEnd::Pivoting));
+    }
+    if is_back_in_plane(problem, path.points()) {
+        return Ok(Some(PathEnd::BackInPlane));
     }
     if let Some(end) = model_end(problem, path.points(), relative) {
         return Ok(Some(end));
@@ -105,6 +111,18 @@ fn stands_upright(problem: &BeamProblem, points: &[Arc<Solution>]) -> bool {
     tip(before) < -UPRIGHT && tip(newest) >= -UPRIGHT && rotations.into_iter().all(|r| (r - FRAC_PI_2).abs() <= away)
 }
 
+/// Whether a path that begins out of its plane has come back into it, or to its mirror image: its grip had a roll, and has neither roll
+/// nor yaw any more. A branch between two points of a planar path comes back at the second of them, where its inertia does not change.
+fn is_back_in_plane(problem: &BeamProblem, points: &[Arc<Solution>]) -> bool {
+    let (Some(beam), [first, .., before, newest]) = (problem.beam.spatial(), points) else { return false };
+    let [first, before, newest] = [first, before, newest].map(|point| beam.angles_of_grip(&point.at));
+    let [yaw, roll] = [1, 2].map(|angle| {
+        let is_less = newest[angle].abs() <= IN_PLANE * first[2].abs();
+        is_less || newest[angle] * before[angle] < 0.0
+    });
+    first[2].abs() > NO_ROLL && yaw && roll
+}
+
 impl Followed {
     /// Moves the last point of a path that crossed P = 0, u = 0 or the upright position onto the crossing. Where that fails the point beyond it
     /// stays: it is an equilibrium too.
@@ -119,8 +137,8 @@ impl Followed {
             }
             PathEnd::Pivoting => (Observables::FORCE, 0.0),
             PathEnd::TurnedBack => (Observables::DISPLACEMENT, 0.0),
-            // beyond its model the point says nothing
-            PathEnd::BondedPartUnstable(_) => {
+            // beyond its model the point says nothing; in the plane it is one of the planar path
+            PathEnd::BondedPartUnstable(_) | PathEnd::BackInPlane => {
                 self.points.pop();
                 return;
             }

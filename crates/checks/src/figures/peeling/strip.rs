@@ -109,6 +109,7 @@ fn ending(end: &PathEnd) -> String {
         PathEnd::TurnedBack => "ends with the strip re-adhered: u has returned to 0".into(),
         PathEnd::Sliding => "ends with the whole contact sliding".into(),
         PathEnd::Snapped => "ends with the snap-off".into(),
+        PathEnd::BackInPlane => "ends with the strip back in its plane".into(),
         PathEnd::BondedPartUnstable(loss) => format!("ends where {loss}"),
         PathEnd::Upright(upright) => format!("ends where {upright}"),
         PathEnd::Bound(what) => format!("was stopped by a limit ({what})"),

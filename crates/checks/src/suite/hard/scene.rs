@@ -34,7 +34,7 @@ impl Ending {
             PathEnd::Detached => Self::Detached,
             PathEnd::Pivoting => Self::Pivoting,
             PathEnd::Pushing => Self::Pushing,
-            PathEnd::TurnedBack => Self::TurnedBack,
+            PathEnd::TurnedBack | PathEnd::BackInPlane => Self::TurnedBack,
             PathEnd::Sliding => Self::Sliding,
             PathEnd::Snapped => Self::Snapped,
             PathEnd::BondedPartUnstable(_) | PathEnd::Upright(_) => Self::BeyondModel,

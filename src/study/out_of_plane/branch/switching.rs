@@ -1,0 +1,180 @@
+//! From the planar path onto the branch, by the terms of second order at the branch point.
+//!
+//! With the roll a of the grip as its parameter the branch is, by its mirror image a → -a,
+//!
+//!   q(a) = q* + a v + a² e + O(a³),  u = u* + u₂ a² + O(a⁴),  P = P* + P₂ a² + O(a⁴),
+//!
+//! v out of the plane, e in it. v is what a small roll of the grip makes of the equilibrium at the loss, which takes no
+//! torque there. Two rolls a₀ and 2a₀ without torque give e, u₂ and P₂, and u* once more. These choose the roll of the
+//! first point: so large that a² e is a share of the gap that predictions on the path see, and so small that terms of
+//! higher order are less.
+
+use super::embedding::embedded;
+use super::result::{BranchStart, OutOfPlaneBranchError};
+use super::rolled::{Rolled, RolledStrip};
+use crate::beam::{FRONT, PlanarBeam, SpatialBeam};
+use crate::model::BeamProblem;
+use crate::solve::{Observables, State, System, Workspace};
+use crate::study::out_of_plane::first_loss::Beside;
+
+/// Roll of the grip whose effect is taken for linear, over the one that moves an edge of its end by r0.
+const LINEAR: f64 = 1e-4;
+/// Sizes of a₀ v, which with that of an edge of the end is over r0, and of a² e, relative as in [`System::size`].
+const FIRST_ORDER: f64 = 0.01;
+const SECOND_ORDER: f64 = 0.02;
+/// a₀ is halved until the branch begins where the planar path loses its stability, to this share of u₂ a₀², or so often.
+const SAME_PLACE: f64 = 0.02;
+const MOST_SMALLER: usize = 5;
+/// Largest roll of the first point, over the one that moves an edge of its end by r0, and rad.
+const MOST_ROLL: [f64; 2] = [0.5, 0.2];
+/// Terms of higher order are less than this share of those of second order.
+const HIGHER_ORDER: f64 = 0.2;
+/// Most times the roll of the first point is halved.
+const MOST_HALVINGS: usize = 8;
+
+/// A first point of the branch, and the branch point.
+pub(super) struct FirstPoint {
+    /// In equilibrium, of the grip whose roll is an unknown
+    pub at: State,
+    pub displacement: f64,
+    pub start: BranchStart,
+}
+
+/// The planar equilibrium beside the loss, what of it is known, and the same strip in space.
+pub(super) struct Switch<'s> {
+    pub planar: &'s PlanarBeam,
+    pub beside: &'s Beside,
+    pub problem: &'s BeamProblem,
+    pub spatial: &'s SpatialBeam,
+    pub elements: usize,
+    /// Half of the larger dimension of the section over r0
+    pub broad: f64,
+}
+
+/// What is known at the branch point.
+struct Expansion {
+    /// The planar equilibrium there
+    planar: Rolled,
+    /// v per unit roll, and e per its square
+    first: Vec<f64>,
+    second: Vec<f64>,
+    /// Of the constraint's target, and the terms of u and P
+    target: [f64; 2],
+    displacement: [f64; 2],
+    force: [f64; 2],
+    /// The larger of the two rolls that it was found with
+    known: f64,
+}
+
+impl Switch<'_> {
+    /// The first point of the branch.
+    pub fn first_point(&self, ws: &mut Workspace) -> Result<FirstPoint, OutOfPlaneBranchError> {
+        let strip = RolledStrip { problem: self.problem, weights: self.beside.weights };
+        let expansion = self.expansion(&strip, ws).map_err(OutOfPlaneBranchError::NotSwitched)?;
+        let size = |direction: &[f64]| self.spatial.size(direction, &expansion.planar.solution.at.values);
+        let mut roll = (SECOND_ORDER / size(&expansion.second)).sqrt().min(MOST_ROLL[0] / self.broad).min(MOST_ROLL[1]);
+        let mut missed = f64::NAN;
+        for _ in 0..MOST_HALVINGS {
+            let [_, second] = expansion.target;
+            let target = expansion.target[0] + second * roll * roll;
+            let mut start = expansion.planar.solution.at.clone();
+            let step: Vec<f64> =
+                expansion.first.iter().zip(&expansion.second).map(|(v, e)| roll * v + roll * roll * e).collect();
+            self.spatial.retract(&mut start, &step, 1.0);
+            start.force += expansion.force[1] * roll * roll;
+            let found = strip.without_torque(start, roll, target, self.beside.margin_slope, ws);
+            let Ok(found) = found else {
+                roll *= 0.5;
+                continue;
+            };
+            let o = &found.solution.observables;
+            let of_second = expansion.displacement[1] * roll * roll;
+            missed = ((o.displacement - expansion.displacement[0] - of_second) / of_second).abs();
+            if missed <= HIGHER_ORDER {
+                let start = BranchStart {
+                    roll,
+                    displacement: expansion.displacement[0],
+                    force: expansion.force[0],
+                    displacement_by_roll: expansion.displacement[1],
+                    force_by_roll: expansion.force[1],
+                };
+                return Ok(FirstPoint { displacement: o.displacement, at: found.solution.at, start });
+            }
+            roll *= 0.5;
+        }
+        Err(OutOfPlaneBranchError::HigherOrder { roll, share: missed, known: expansion.known })
+    }
+
+    /// The terms at the branch point, from two small rolls.
+    fn expansion(&self, strip: &RolledStrip, ws: &mut Workspace) -> Result<Expansion, crate::solve::SolveError> {
+        let Beside { solution, weights, ahead, margin_slope } = self.beside;
+        let (ahead, margin_slope) = (*ahead, *margin_slope);
+        let front = self.planar.fronts.place(solution.observables.monitors[FRONT]);
+        let start = embedded((self.planar, &solution.at), self.spatial, front, self.elements);
+        // the monitors of the two kinds of elements differ by their errors
+        let (evaluation, _) = self.spatial.evaluate(&start, &vec![0.0; self.spatial.unknowns(&start)]);
+        let target = weights.dot(&self.problem.observables(&start, &evaluation)) + ahead;
+        let planar = strip.held(start, 0.0, target, ws)?;
+        let at = planar.solution.at.clone();
+        let linear = LINEAR / self.broad;
+        let rolled = strip.held(at.clone(), linear, target, ws)?;
+        let first = self.out_of_plane(&self.difference(&at, &rolled.solution.at, linear));
+        let mut roll = FIRST_ORDER / self.spatial.size(&first, &at.values).max(self.broad);
+        let mut of_roll = |roll: f64, target: f64| {
+            let mut start = at.clone();
+            self.spatial.retract(&mut start, &first, roll);
+            strip.without_torque(start, roll, target, margin_slope, ws)
+        };
+        // f(2a) - f(a) = 3 f₂ a², f* = f(a) - f₂ a²
+        let terms = |roll: f64, one: f64, two: f64| [one - (two - one) / 3.0, (two - one) / (3.0 * roll * roll)];
+        let (mut one, mut two) = (of_roll(roll, target)?, of_roll(2.0 * roll, target)?);
+        for _ in 0..MOST_SMALLER {
+            let [begins, second] = terms(roll, one.target, two.target);
+            if (begins - target).abs() <= SAME_PLACE * (second * roll * roll).abs() {
+                break;
+            }
+            let (Ok(nearer), Ok(next)) = (of_roll(0.5 * roll, target), of_roll(roll, target)) else { break };
+            (roll, one, two) = (0.5 * roll, nearer, next);
+        }
+        let terms = |one: f64, two: f64| terms(roll, one, two);
+        let second = self.difference(&one.solution.at, &two.solution.at, 3.0 * roll * roll);
+        let (a, b): (&Observables, &Observables) = (&one.solution.observables, &two.solution.observables);
+        Ok(Expansion {
+            planar,
+            second: self.in_the_plane(&second),
+            target: terms(one.target, two.target),
+            displacement: terms(a.displacement, b.displacement),
+            force: terms(a.force, b.force),
+            known: 2.0 * roll,
+            first,
+        })
+    }
+
+    /// From one state to another on its mesh, over a number.
+    fn difference(&self, from: &State, to: &State, over: f64) -> Vec<f64> {
+        let mut direction = self.spatial.difference(&from.values, &to.values);
+        direction.iter_mut().for_each(|entry| *entry /= over);
+        direction
+    }
+
+    /// The part of a direction in the plane: x, y and the turn about the width, which of an end is the first angle.
+    fn in_the_plane(&self, direction: &[f64]) -> Vec<f64> {
+        self.parted(direction, true)
+    }
+
+    fn out_of_plane(&self, direction: &[f64]) -> Vec<f64> {
+        self.parted(direction, false)
+    }
+
+    fn parted(&self, direction: &[f64], in_the_plane: bool) -> Vec<f64> {
+        const OF_NODE: usize = 6;
+        let last = direction.len() / OF_NODE - 1;
+        let part = |(index, &entry): (usize, &f64)| {
+            let (node, field) = (index / OF_NODE, index % OF_NODE);
+            let turn = if node == 0 || node == last { 3 } else { 4 };
+            let is_planar = field < 2 || field == turn;
+            if is_planar == in_the_plane { entry } else { 0.0 }
+        };
+        direction.iter().enumerate().map(part).collect()
+    }
+}
