@@ -17,5 +17,5 @@ pub use planar::*;
 pub use reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
 pub use section::{Material, Section, rectangle_second_moment};
 pub use spatial::*;
-pub use torsion::torsion_constant;
+pub use torsion::{torsion_constant, torsion_strain};
 pub use varying::{BeamGeometry, SectionGeometry, Varying};
