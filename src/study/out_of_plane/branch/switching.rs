@@ -97,6 +97,7 @@ impl Switch<'_> {
                     force: expansion.force[0],
                     displacement_by_roll: expansion.displacement[1],
                     force_by_roll: expansion.force[1],
+                    yaw_by_roll: expansion.first[expansion.first.len() - 2],
                 };
                 return Ok(FirstPoint { displacement: o.displacement, at: found.solution.at, start });
             }
