@@ -1,5 +1,5 @@
-//! Where a path loses its stability without turning: a branching point, such as a strip that stands upright and falls to either
-//! side. The smallest eigenvalue passes through zero there, which the inertia shows.
+//! Where a path loses or regains its stability without turning: a branching point, such as a strip that stands upright and falls to either
+//! side. An eigenvalue passes through zero there, which the inertia shows.
 
 use super::limit_point::locate::refined;
 use super::{
@@ -12,11 +12,13 @@ const MOST_SOLVES: usize = 80;
 /// It is located when it lies between displacements that differ by this share, and no better: round-off is an imperfection that
 /// turns the path to one of its branches before or behind it, by a power 2/3 of its size.
 const CLOSE: f64 = 1e-7;
+/// Farther apart, relative as in [`crate::solve::System::size`], solutions on both sides of a branching point lie on two branches that do not meet.
+const GAP: f64 = 1e-3;
 /// Error of a solution, relative as in [`crate::solve::System::size`].
 const TOLERANCE: f64 = 1e-9;
 
-/// The first equilibrium that is not stable behind the stable one `from`, on its way to the displacement `to`, where it is
-/// not; its error by the same on half as many elements again. The displacement must not turn between them.
+/// The first equilibrium behind `from` that has not as many negative eigenvalues, on its way to the displacement `to`, where there are not as
+/// many; its error by the same on half as many elements again. The displacement must not turn between them.
 pub fn locate_branching(
     problem: &Problem,
     from: &Solution,
@@ -39,32 +41,32 @@ pub fn locate_branching(
     })
 }
 
-/// The unstable end of the bracket, on the mesh of `from`, and Newton iterations.
+/// The far end of the bracket, on the mesh of `from`, and Newton iterations.
 fn bisected(problem: &Problem, from: State, to: f64, ws: &mut Workspace) -> Result<(Solution, usize), SolveError> {
     let options = NewtonOptions { tolerance: TOLERANCE, largest_update: 0.5, most_iterations: 12, exact_slope: true };
     let mut solved = |start: State, target: f64| {
         solve(problem, start, &PathConstraint { weights: Observables::DISPLACEMENT, target }, &options, ws)
     };
     let start = problem.displacement(&from);
-    let mut stable = solved(from, start)?;
-    let mut iterations = stable.iterations;
-    let (mut unstable, mut high, mut longest) = (None, to, f64::INFINITY);
+    let mut near = solved(from, start)?;
+    let (negative, mut iterations) = (near.negative, near.iterations);
+    let (mut far, mut high, mut longest) = (None, to, f64::INFINITY);
     let mut trouble = SolveError::LimitPointNotConfirmed;
     for _ in 0..MOST_SOLVES {
-        let here = stable.observables.displacement;
+        let here = near.observables.displacement;
         if (high - here).abs() <= CLOSE * here.abs() {
             break;
         }
         let ahead = 0.5 * (high - here);
         let ahead = ahead.abs().min(longest).copysign(ahead);
-        match solved(stable.moved(problem, ahead), here + ahead) {
+        match solved(near.moved(problem, ahead), here + ahead) {
             Ok(next) => {
                 iterations += next.iterations;
-                if next.negative == 0 {
-                    stable = next;
+                if next.negative == negative {
+                    near = next;
                 } else {
                     high = here + ahead;
-                    unstable = Some(next);
+                    far = Some(next);
                 }
             }
             Err(error) => {
@@ -73,5 +75,16 @@ fn bisected(problem: &Problem, from: State, to: f64, ws: &mut Workspace) -> Resu
             }
         }
     }
-    Ok((unstable.ok_or(trouble)?, iterations))
+    let far = far.ok_or(trouble)?;
+    if gap(problem, &near.at, &far.at) > GAP {
+        return Err(SolveError::LimitPointNotConfirmed);
+    }
+    Ok((far, iterations))
+}
+
+/// How far two states on one mesh are apart, relative as in [`crate::solve::System::size`].
+fn gap(problem: &Problem, one: &State, other: &State) -> f64 {
+    let mut update = Vec::new();
+    problem.system.miss(&one.values, &[&other.values], &[1.0], &mut update);
+    problem.system.size(&update, &one.values)
 }

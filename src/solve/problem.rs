@@ -89,6 +89,14 @@ impl Problem {
         system + 0.5 * self.grip.compliance * at.force.powi(2)
     }
 
+    /// How far two points of the path are apart: the largest change of what measures it, each in units of its scale.
+    pub(super) fn apart(&self, one: &Observables, other: &Observables) -> f64 {
+        let change = other.since(one);
+        let force = if self.measure.by_force { (change.force / self.measure.force).abs() } else { 0.0 };
+        let displacement = (change.displacement / self.grip.displacement_scale()).abs();
+        self.measure.apart(one, other).max(displacement).max(force)
+    }
+
     /// Where on the path a state lies.
     pub fn observables(&self, at: &State, evaluation: &Evaluation) -> Observables {
         Observables {

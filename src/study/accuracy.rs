@@ -111,9 +111,10 @@ const MOST_CORNERED: usize = 1000;
 /// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its fourth
 /// root, so that the curve between the points keeps up with the points.
 const STEP_TOLERANCE: f64 = 1.2e-2;
-/// The same in space, where a pull that is not quite symmetric rounds off a loss of stability, and the path turns within a short way: longer steps
-/// went on along the branch beyond.
-const STEP_TOLERANCE_IN_SPACE: f64 = 1e-5;
+/// The same in space, where branches of the path nearly meet.
+const STEP_TOLERANCE_IN_SPACE: f64 = 4e-3;
+/// Elements in space, over those in the plane.
+const IN_SPACE: f64 = 1.25;
 /// The same at any accuracy: beyond it Newton's method takes more than it saves.
 const LONGEST: f64 = 5e-2;
 
@@ -151,6 +152,7 @@ impl Resolution {
             None => elements,
             Some(_) => elements + model.length() / (EVEN * model.feature_length() / sharp),
         };
+        let elements = if model.space.is_some() { IN_SPACE * elements } else { elements };
         let chosen = whole_bundles(elements).clamp(6, most_elements(model));
         let aimed = if model.space.is_some() { STEP_TOLERANCE_IN_SPACE } else { STEP_TOLERANCE };
         Self {

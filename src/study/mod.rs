@@ -30,7 +30,7 @@ pub use peel::*;
 pub use peeling::{checked, peel, peel_on};
 pub use power_law::power_law;
 pub use rod::{RodFailure, RodLimitPoint, RodPath, follow_rod};
-pub use states::{BeamState, SectionFields};
+pub use states::{BeamState, SectionFields, SpatialSectionFields, StateSections};
 pub use stop_criteria::{Bound, Stage, StopCheck, StopCriteria, StopReason};
 pub use sweep::*;
 pub use terms::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, TermEffect, Terms};

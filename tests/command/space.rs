@@ -61,6 +61,24 @@ fn the_sideways_pull_has_the_peak_of_an_independent_computation() {
 }
 
 #[test]
+fn the_states_of_a_run_are_written_with_its_surface() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("run");
+    let arguments =
+        ["run", SIDEWAYS, "--states", "2", "--out", out.to_str().unwrap(), "--set", "bounds.displacement=1 nm"];
+    let output = peel(&arguments);
+    let told = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(told.contains("states/ with 4 files for ParaView, which the .pvd lists name"), "{told}");
+    let (names, rows) = columns(&out.join("states.csv"));
+    assert_eq!(names[5..9], ["S_nm", "x_nm", "y_nm", "z_nm"]);
+    assert!(rows.iter().all(|row| row.len() == names.len()));
+    for name in ["states.pvd", "states-surface.pvd", "states/state-001.vtu", "states/surface-001.vtu"] {
+        assert!(out.join(name).exists(), "{name}");
+    }
+}
+
+#[test]
 fn what_the_grip_holds_takes_a_reaction() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("run");
@@ -115,7 +133,6 @@ fn what_is_computed_in_the_plane_alone_is_refused_by_name() {
             vec!["run", SIDEWAYS, "--observed"],
             "--observed is computed in the plane, and the strip of this scene leaves it",
         ),
-        (vec!["run", SIDEWAYS, "--states", "0", "--out", "x"], "--states is computed in the plane"),
         (
             vec!["sweep", SIDEWAYS, "--vary", "strip.width", "--values", "30,40 nm", "--peak-only"],
             "--follow computes a limit point in the plane only, and this scene is in space",

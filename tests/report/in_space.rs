@@ -2,11 +2,16 @@
 //!
 //! Expected: the columns of the grip behind those of the plane, angles in degrees, at full precision; none of them in
 //! the plane. Why: a table that is read by column names has the same columns in the plane as before.
+//!
+//! Of the shapes: a panel for each numbered point of the curve, with the place, the force and the number of that; nothing reaches out of its
+//! panel, the same in every run.
 
+use crate::shared_pictures::check_pictures;
 use crate::strip::STRIP_SCENE;
 use peelkit::model::SpatialGrip;
 use peelkit::study::{PathPoint, Peel, peel};
-use peelkit_report::{PeelSummary, write_curve};
+use peelkit_report::pictures::peel::numbered_points;
+use peelkit_report::{PeelSummary, draw_peel, write_curve};
 use peelkit_scene::{BoundsTable, Scene};
 use serde_json::Value;
 use std::fs;
@@ -67,4 +72,63 @@ fn the_summary_says_where_the_scene_was_solved() {
     let [force, work] =
         ["kendall_force_nN", "work_of_adhesion_of_section_J_per_m2"].map(|key| sideways[key].as_f64().unwrap());
     assert!((force + force * force / 40.0 - work).abs() < 1e-13, "{force} {work}");
+}
+
+/// The strip pulled sideways, up to the first fold.
+fn pulled() -> Peel {
+    let text = include_str!("../../scenes/strip-sideways.toml");
+    let over = [("accuracy.relative", "1e-4"), ("bounds.displacement", "12.775 nm")];
+    let over = over.map(|(key, value)| (key.to_owned(), value.to_owned()));
+    let scene = Scene::parse("strip-sideways.toml", text, &over).unwrap();
+    peel(&scene.model, &scene.accuracy, &scene.bounds.from_now())
+}
+
+#[test]
+fn the_shapes_in_space_have_a_panel_for_each_numbered_point() {
+    let (dir, peel) = (tempfile::tempdir().unwrap(), pulled());
+    let files = draw_peel(&peel, None, "sideways", dir.path()).unwrap();
+    check_pictures(&files);
+    let text = fs::read_to_string(dir.path().join("shapes.svg")).unwrap();
+    let picture = roxmltree::Document::parse(&text).unwrap();
+    let texts: Vec<&str> =
+        picture.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(str::trim).collect();
+    let count = |wanted: &str| texts.iter().filter(|text| **text == wanted).count();
+    let numbered = numbered_points(&peel);
+    assert!(numbered.len() > 3);
+    for number in 1..=numbered.len() {
+        assert_eq!(count(&number.to_string()), 1, "{texts:?}");
+    }
+    for axis in ["x", "y", "z"] {
+        assert_eq!(count(axis), numbered.len(), "{texts:?}");
+    }
+    assert_eq!(count("u = 12.77 nm, P = 15.28 nN"), 1, "{texts:?}");
+    assert!(texts.iter().any(|text| text.contains("the axes x, y and z are 20 nm long")));
+    // frames are the lines of five points, in tenths of a pixel; faces lie in one of them
+    let corners = |node: roxmltree::Node| -> Vec<[f64; 2]> {
+        let points = node.attribute("points").unwrap_or("").split_whitespace();
+        let point = |text: &str| text.split_once(',').map(|(x, y)| [x.parse().unwrap(), y.parse().unwrap()]);
+        points.filter_map(point).collect()
+    };
+    let of = |tag: &str| -> Vec<Vec<[f64; 2]>> {
+        picture.descendants().filter(|node| node.has_tag_name(tag)).map(corners).collect()
+    };
+    let frames: Vec<_> = of("polyline").into_iter().filter(|line| line.len() == 5 && line[0] == line[4]).collect();
+    let (shapes, mut inside) = (of("polygon"), 0);
+    assert_eq!(frames.len(), numbered.len());
+    for shape in &shapes {
+        let holds = |frame: &&Vec<[f64; 2]>| {
+            let within = |at: &[f64; 2]| (0..2).all(|i| at[i] >= frame[0][i] && at[i] <= frame[2][i]);
+            shape.iter().all(within)
+        };
+        inside += frames.iter().filter(holds).count();
+    }
+    assert_eq!(inside, shapes.len());
+    assert!(shapes.len() > 80 * numbered.len(), "{}", shapes.len());
+}
+
+#[test]
+fn a_peel_in_space_without_solutions_has_no_shapes() {
+    let dir = tempfile::tempdir().unwrap();
+    let error = draw_peel(&pulled().without_solutions(), None, "", dir.path()).unwrap_err().to_string();
+    assert!(error.contains("shapes.svg"), "{error}");
 }

@@ -11,5 +11,6 @@ mod resume;
 mod shared_pictures;
 mod sketch;
 mod states;
+mod states_in_space;
 #[path = "../shared/strip.rs"]
 mod strip;

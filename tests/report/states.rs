@@ -24,27 +24,27 @@ fn peeled(overrides: &[(&str, &str)]) -> Peel {
 }
 
 /// A state of the table: its columns by name, and of the words the first.
-struct Read {
-    kind: String,
+pub struct Read {
+    pub kind: String,
     columns: HashMap<String, Vec<f64>>,
 }
 
 impl Read {
-    fn of(&self, name: &str) -> &[f64] {
+    pub fn of(&self, name: &str) -> &[f64] {
         &self.columns[name]
     }
 
-    fn one(&self, name: &str) -> f64 {
+    pub fn one(&self, name: &str) -> f64 {
         self.of(name)[0]
     }
 
     /// By the weights that come along.
-    fn integral(&self, name: &str) -> f64 {
+    pub fn integral(&self, name: &str) -> f64 {
         self.of(name).iter().zip(self.of("weight_nm")).map(|(value, weight)| value * weight).sum()
     }
 }
 
-fn read_csv(path: &Path) -> Vec<Read> {
+pub fn read_csv(path: &Path) -> Vec<Read> {
     let mut reader = csv::Reader::from_path(path).unwrap();
     let names = reader.headers().unwrap().clone();
     let mut states: Vec<Read> = Vec::new();

@@ -48,7 +48,7 @@ pub fn list_files(files: &Result<Vec<PathBuf>, ReportError>) -> String {
     if let Some(grid) = all().find(is_grid) {
         let folder = grid.parent().unwrap_or(Path::new("")).display();
         text += &format!(
-            "wrote {folder}/ with {} files for ParaView, which states.pvd lists\n",
+            "wrote {folder}/ with {} files for ParaView, which the .pvd lists name\n",
             all().filter(is_grid).count()
         );
     }

@@ -6,6 +6,7 @@ mod kinematics;
 mod local_adhesion;
 mod rest_curve;
 pub mod rotation;
+mod section_state;
 mod spatial_beam;
 mod spatial_grip;
 mod spatial_profile;
@@ -15,6 +16,7 @@ pub use chain::{SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, SpatialEnd
 pub use density::{SPATIAL_FIELDS, SpatialDensity};
 pub use end_rotation::{EndRotation, angles, turned};
 pub use rest_curve::{ALONG_X, SpatialRestCurve};
+pub use section_state::{SpatialIntegrals, SpatialSectionState};
 pub use spatial_beam::SpatialBeam;
 pub use spatial_grip::{GripReactions, SpatialSectionPlace};
 pub use spatial_profile::{SpatialProfile, Station};

@@ -91,7 +91,18 @@ impl SpatialBeam {
         let [force, moment] = self.chain.density.section_forces(arc_length, &value, &slope);
         let mut node = value;
         normalise(&mut node);
-        let frame = matrix(quaternion_of(&node));
+        self.section_of(arc_length, &node, force, moment)
+    }
+
+    /// A section with these fields, forces along and moments about the directors.
+    pub(super) fn section_of(
+        &self,
+        arc_length: f64,
+        node: &[f64],
+        force: [f64; 3],
+        moment: [f64; 3],
+    ) -> SpatialSectionPlace {
+        let frame = matrix(quaternion_of(node));
         let station = self.chain.density.profile.at(arc_length);
         SpatialSectionPlace {
             arc_length,

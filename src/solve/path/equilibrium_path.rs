@@ -5,6 +5,8 @@
 //! observable measured by its own recent changes.
 
 use super::metric::Metric;
+use super::near_branch::{self, NearBranch, changes_branch};
+use super::options::{PathError, PathOptions};
 use super::predictor::{self, MOST_POINTS};
 use crate::solve::{
     Held, History, NewtonOptions, Observables, PathConstraint, Problem, RelaxOptions, ShouldStop, Solution, SolveError,
@@ -14,51 +16,6 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::vec;
 
-/// How a path is stepped. Its points follow from this and the problem alone.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PathOptions {
-    /// Elements of the chain.
-    pub elements: usize,
-    /// Error wanted of a prediction, relative as in [`crate::solve::System::size`].
-    pub step_tolerance: f64,
-    /// Length of a step over that which predictions allow, at most 1.
-    pub stride: f64,
-    /// Error wanted of a solution, likewise.
-    pub tolerance: f64,
-    /// Most points that a prediction uses: 2 is the secant
-    pub prediction: usize,
-    /// First displacement, nm (rad where the rotation is driven); its sign is the direction of the path
-    pub first_displacement: f64,
-}
-
-impl Default for PathOptions {
-    /// How a peel of the paper's strip is followed at a relative accuracy of 1e-6.
-    fn default() -> Self {
-        Self {
-            elements: 16,
-            step_tolerance: 1.2e-2,
-            stride: 1.0,
-            tolerance: 1e-8,
-            prediction: MOST_POINTS,
-            first_displacement: 8e-3,
-        }
-    }
-}
-
-/// Where a path stopped and why.
-#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
-#[error(
-    "the path cannot be continued from u = {displacement_nm:.6} nm, P = {force:.6} nN (point {point}): after {tries} ever shorter steps: {cause}"
-)]
-#[allow(missing_docs)] // the message of each names its numbers
-pub struct PathError {
-    pub point: usize,
-    pub displacement_nm: f64,
-    pub force: f64,
-    pub tries: usize,
-    pub cause: SolveError,
-}
-
 /// A point of a path and what the path has learnt there: with the points before, all that it takes to go on.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Waypoint {
@@ -67,6 +24,7 @@ pub struct Waypoint {
     errors: Vec<f64>,
     iterations: usize,
     careful: bool,
+    branch: Option<NearBranch>,
 }
 
 /// A path being followed: an iterator over its points, to be driven and stopped at will. All points stay in it.
@@ -85,6 +43,8 @@ pub struct Path<'p> {
     history: Option<Arc<History>>,
     /// Whether a step has been refused because Newton's method did not converge from where it was predicted to lead.
     careful: bool,
+    /// Where a step has led to another branch, until that lies behind.
+    branch: Option<NearBranch>,
 }
 
 /// Most tries of one step, each shorter.
@@ -130,6 +90,7 @@ impl<'p> Path<'p> {
             iterations: 0,
             history: None,
             careful: false,
+            branch: None,
         }
     }
 
@@ -166,14 +127,16 @@ impl<'p> Path<'p> {
     /// The newest point, for a path that is to go on from there.
     pub fn waypoint(&self) -> Option<Waypoint> {
         let point = self.points.last()?.clone();
-        Some(Waypoint { point, errors: self.errors.clone(), iterations: self.iterations, careful: self.careful })
+        let Self { iterations, careful, branch, .. } = *self;
+        Some(Waypoint { point, errors: self.errors.clone(), iterations, careful, branch })
     }
 
     /// Computes the next point, where it is not known.
     pub fn advance(&mut self) -> Result<Arc<Solution>, PathError> {
         let point = match self.known.next() {
-            Some(Waypoint { point, errors, iterations, careful }) => {
-                (self.errors, self.iterations, self.careful) = (errors, iterations, careful);
+            Some(Waypoint { point, errors, iterations, careful, branch }) => {
+                (self.errors, self.iterations) = (errors, iterations);
+                (self.careful, self.branch) = (careful, branch);
                 point
             }
             None if self.points.is_empty() => Arc::new(self.first()?),
@@ -235,7 +198,7 @@ impl<'p> Path<'p> {
         let (mut points, mut labels) = self.labelled(&weights);
         let outset = self.points.len() <= 2;
         let (mut count, mut step) = if outset { (1, self.first_step(&labels)) } else { self.choose(&labels) };
-        let mut cause = SolveError::SingularGrip;
+        let (mut cause, mut crosses) = (SolveError::SingularGrip, false);
         for tries in 0..MOST_TRIES {
             if tries == DOUBTFUL
                 && let Ok(exact) = self.again(&newest, &weights)
@@ -260,11 +223,14 @@ impl<'p> Path<'p> {
                 Ok(next) => {
                     self.iterations += next.iterations;
                     let turned = points.len() > 1 && self.turns_sharply(&slope, &next);
-                    if turned || next.correction > REFUSE * self.options.step_tolerance && points.len() > 1 {
-                        cause = SolveError::NotConverged { update: next.correction, iterations: next.iterations };
-                        step *= 0.4;
+                    let refused = SolveError::NotConverged { update: next.correction, iterations: next.iterations };
+                    if !crosses && self.leaves_path(&newest, &next) {
+                        (cause, step) = (refused, step * near_branch::SHORTER);
+                    } else if turned || next.correction > REFUSE * self.step_tolerance() && points.len() > 1 {
+                        (cause, step) = (refused, step * 0.4);
                     } else {
                         self.errors = predictor::errors(self.problem, &points, &labels, &next, step);
+                        self.branch = self.branch.filter(|near| !near.is_behind(self.problem, &newest, &next));
                         return Ok(next);
                     }
                 }
@@ -274,6 +240,10 @@ impl<'p> Path<'p> {
                     self.careful = !self.problem.system.has_history();
                     cause = error;
                     step *= 0.25;
+                    // next to a branch point no equilibrium is certain, beyond it there is one
+                    if let Some(near) = self.branch.filter(|_| !crosses) {
+                        (crosses, step) = (true, near.step_across(self.problem, &weights, &slope));
+                    }
                 }
             }
             count = count.min(3);
@@ -315,6 +285,21 @@ impl<'p> Path<'p> {
         let metric = self.metric(Some(&next.observables));
         let chord = next.observables.since(&newest.observables);
         metric.cosine(slope, &chord) < LEAST_COSINE || metric.cosine(&next.slope, &chord) < LEAST_COSINE
+    }
+
+    /// Error wanted of a prediction.
+    fn step_tolerance(&self) -> f64 {
+        NearBranch::step_tolerance(self.branch.as_ref(), self.options.step_tolerance)
+    }
+
+    /// Whether a step leads to another branch that the path does not meet.
+    fn leaves_path(&mut self, newest: &Solution, next: &Solution) -> bool {
+        let problem = self.problem;
+        changes_branch(problem, newest, next)
+            && !self
+                .branch
+                .get_or_insert_with(|| NearBranch::ahead(problem, newest, next))
+                .is_crossed(problem, newest, next)
     }
 
     /// The metric of the newest points, and of a further one.
@@ -360,7 +345,7 @@ impl<'p> Path<'p> {
         }
         let stride = self.options.stride;
         let most = MOST_GROWTH / stride * -labels[1];
-        let tolerance = 0.7 * self.options.step_tolerance;
+        let tolerance = 0.7 * self.step_tolerance();
         let mut best = (labels.len().min(2), 0.5 / stride * -labels[1], f64::INFINITY);
         for count in 1..labels.len() {
             let Some(&error) = self.errors.get(count - 1) else { break };

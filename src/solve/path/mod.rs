@@ -2,11 +2,14 @@
 mod equilibrium_path;
 mod hermite;
 mod metric;
+mod near_branch;
+mod options;
 mod predictor;
 mod segment;
 mod tracer;
-pub use equilibrium_path::{Path, PathError, PathOptions, Waypoint};
+pub use equilibrium_path::{Path, Waypoint};
 pub use hermite::Hermite;
+pub use options::{PathError, PathOptions};
 pub use predictor::{MOST_POINTS, lagrange_weights, longest_step};
 pub use segment::PathSegment;
 pub use tracer::{PathEvent, PathTracer, TraceError, TraceOptions};

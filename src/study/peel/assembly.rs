@@ -3,7 +3,7 @@
 use super::equilibrium_path::Followed;
 use super::special_points::{name_special_points, peak_of, pushes_behind_a_fold};
 use super::work::{WorkErrors, work_near, works};
-use super::{Effort, Failure, LargestComputedForce, LimitPoint, PathEnd, PathPoint, Peak, Peel};
+use super::{BranchPoint, Effort, Failure, LargestComputedForce, LimitPoint, PathEnd, PathPoint, Peak, Peel};
 use crate::beam::FRONT;
 use crate::model::{BeamProblem, PeelModel};
 use crate::solve::{LimitPointKind, Located, Solution};
@@ -99,10 +99,30 @@ pub(super) fn report(model: &PeelModel, problem: &BeamProblem, followed: &Follow
         })
         .collect();
     let end = if pushes_behind_a_fold(problem, followed) { PathEnd::Pushing } else { followed.end.clone() };
-    let mut peel = Peel { points: points.collect(), end, limit_points, asked: relative, ..empty(model) };
+    let branch_points = branch_points(followed, relative);
+    let mut peel = Peel { points: points.collect(), end, limit_points, branch_points, asked: relative, ..empty(model) };
     name_special_points(&mut peel, problem, followed);
     peel.find_detachment(problem, followed);
     peel
+}
+
+fn branch_points(followed: &Followed, relative: f64) -> Vec<BranchPoint> {
+    let located = |(after, located): &(usize, Located)| {
+        let (at, difference) = (&located.observables, &located.difference);
+        let [before, behind] = [*after, after + 1].map(|index| followed.points[index].negative);
+        let bound = |value: f64, difference: f64| {
+            DIFFERENCE_BOUND_FACTOR * difference.abs() + bound_floor(located, relative) * value.abs()
+        };
+        BranchPoint {
+            displacement: at.displacement,
+            force: at.force,
+            displacement_error: bound(at.displacement, difference.displacement),
+            force_error: bound(at.force, difference.force),
+            negative_eigenvalues: [before, behind],
+            after: *after,
+        }
+    };
+    followed.branch_points.iter().map(located).collect()
 }
 
 /// Bound on the error of a located point's displacement, nm.
@@ -200,6 +220,7 @@ pub(in crate::study) fn empty(model: &PeelModel) -> Peel {
         relaxed_start: None,
         points: Vec::new(),
         limit_points: Vec::new(),
+        branch_points: Vec::new(),
         initiation_peak: None,
         peak: None,
         largest_computed_force: None,

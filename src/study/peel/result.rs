@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::solution_history::SolutionHistory;
-use crate::beam::{BondedLoss, GripState, NodeState, UprightSection};
+use crate::beam::{BondedLoss, GripState, NodeState, SpatialSectionPlace, SpatialSectionState, UprightSection};
 use crate::model::{PeelModel, SpatialGrip};
 use crate::solve::LimitPointKind;
 use crate::study::terms::TermDecisions;
@@ -90,6 +90,23 @@ pub struct LimitPoint {
     pub in_space: Option<SpatialGrip>,
 }
 
+/// Where another branch of equilibria meets the path although the displacement does not turn, located: an eigenvalue passes through zero there.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BranchPoint {
+    /// u of the grip, nm
+    pub displacement: f64,
+    /// P, nN
+    pub force: f64,
+    /// Bound on the error of `displacement`, nm
+    pub displacement_error: f64,
+    /// Bound on the error of `force`, nN
+    pub force_error: f64,
+    /// Negative eigenvalues with the displacement held, before it and behind it
+    pub negative_eigenvalues: [usize; 2],
+    /// It lies between `points[after]` and `points[after + 1]` of the path.
+    pub after: usize,
+}
+
 /// A largest force: a limit point of the path, located.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
@@ -173,6 +190,9 @@ pub struct Peel {
     pub points: Vec<PathPoint>,
     /// In path order.
     pub limit_points: Vec<LimitPoint>,
+    /// Where other branches meet the path, in its order. The path goes on along the branch that it is on, stable or not.
+    #[serde(default)]
+    pub branch_points: Vec<BranchPoint>,
     /// The first load limit point that is a maximum; none where the path has none
     pub initiation_peak: Option<Peak>,
     /// The limit point with the largest force up to the first displacement limit point, or as far as a stop criterion let the path go. None
@@ -227,9 +247,14 @@ impl Peel {
     }
 
     /// Section forces, stretch and adhesion at the ends of the elements at `points[index]`, from S = 0 to S = L; empty
-    /// where there is none. H x' + V y' + M θ' - stored - bΨ is the same at all of them.
+    /// where there is none, and in space. H x' + V y' + M θ' - stored - bΨ is the same at all of them.
     pub fn sections(&self, index: usize) -> Vec<NodeState> {
         self.trace.as_ref().map(|trace| trace.sections(index)).unwrap_or_default()
+    }
+
+    /// The same of a beam in space; empty in the plane. [`SpatialSectionState::integrals`] of a uniform beam are the same at all of them.
+    pub fn sections_in_space(&self, index: usize) -> Vec<SpatialSectionState> {
+        self.trace.as_ref().map(|trace| trace.sections_in_space(index)).unwrap_or_default()
     }
 
     /// The same without the solutions behind its points, which take most of its memory: without shapes, sections and terms.
@@ -251,5 +276,16 @@ impl Peel {
     pub fn shape_at_limit_point(&self, limit: &LimitPoint) -> Option<DeformedShape> {
         let number = self.limit_points.iter().position(|known| known == limit)?;
         self.trace.as_ref()?.shape_at_limit_point(number)
+    }
+
+    /// Sections at `count` places evenly along a beam in space at `points[index]`; empty in the plane.
+    pub fn places_in_space(&self, index: usize, count: usize) -> Vec<SpatialSectionPlace> {
+        self.trace.as_ref().map(|trace| trace.evenly_in_space(index, count)).unwrap_or_default()
+    }
+
+    /// The same at a limit point of this peel. Nothing where the solutions behind the path are not known.
+    pub fn places_at_limit_point(&self, limit: &LimitPoint, count: usize) -> Option<Vec<SpatialSectionPlace>> {
+        let number = self.limit_points.iter().position(|known| known == limit)?;
+        self.trace.as_ref()?.evenly_at_limit_point(number, count)
     }
 }

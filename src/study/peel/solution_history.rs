@@ -1,7 +1,7 @@
 //! The solutions behind a peel: the curve between its points and the deformed strip.
 
 use super::{DeformedShape, LimitPoint};
-use crate::beam::{NodeState, PlanarBeam, SpatialBeam};
+use crate::beam::{NodeState, PlanarBeam, SpatialBeam, SpatialSectionPlace, SpatialSectionState};
 use crate::model::{Beam, BeamProblem};
 use crate::solve::{LimitPointKind, PathSegment, Solution, State};
 use std::sync::Arc;
@@ -62,6 +62,14 @@ impl SolutionHistory {
         beam.chain.node_states(beam.configuration(&point.at), 0..point.at.mesh.elements())
     }
 
+    /// The same of a beam in space.
+    pub fn sections_in_space(&self, index: usize) -> Vec<SpatialSectionState> {
+        let (Some(point), Some(beam)) = (self.points.get(index), self.problem.beam.spatial()) else {
+            return Vec::new();
+        };
+        beam.end_states(&point.at, 0..point.at.mesh.elements())
+    }
+
     /// Axis and rotation at one point, with x from the section's x' by Simpson's rule between samples.
     pub fn shape(&self, index: usize) -> DeformedShape {
         self.points.get(index).map(|point| DeformedShape::of(&self.problem.beam, &point.at)).unwrap_or_default()
@@ -70,6 +78,26 @@ impl SolutionHistory {
     /// The same with samples so near to one another that a picture of it has no corners.
     pub fn smooth_shape(&self, index: usize) -> DeformedShape {
         self.points.get(index).map(|point| DeformedShape::smooth(&self.problem.beam, &point.at)).unwrap_or_default()
+    }
+
+    /// Sections at so many places evenly along a beam in space, at one point.
+    pub fn evenly_in_space(&self, index: usize, count: usize) -> Vec<SpatialSectionPlace> {
+        self.points.get(index).map(|point| self.sections_evenly(&point.at, count)).unwrap_or_default()
+    }
+
+    /// The same at the solution next to a limit point, by its number.
+    pub fn evenly_at_limit_point(&self, number: usize, count: usize) -> Option<Vec<SpatialSectionPlace>> {
+        self.limit_points.get(number).map(|solution| self.sections_evenly(&solution.at, count))
+    }
+
+    fn sections_evenly(&self, at: &State, count: usize) -> Vec<SpatialSectionPlace> {
+        let (Some(beam), ends) = (self.problem.beam.spatial(), &at.mesh.boundaries) else { return Vec::new() };
+        let one = |k: usize| {
+            let place = beam.length * k as f64 / count.saturating_sub(1).max(1) as f64;
+            let element = ends.partition_point(|&end| end <= place).clamp(1, ends.len() - 1) - 1;
+            beam.section_at(at, element, (place - ends[element]) / (ends[element + 1] - ends[element]))
+        };
+        (0..count).map(one).collect()
     }
 
     /// The shape at the solution next to a limit point, by its number.

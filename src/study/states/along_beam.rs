@@ -1,4 +1,4 @@
-//! The fields of one equilibrium along the beam.
+//! The fields of one equilibrium along a planar beam.
 //!
 //! They are sampled where the elements know them best: at the ends of elements, from nodal forces, and at the Gauss points between, where the
 //! slopes of an element of order p are as accurate as its values. The Gauss weights come along: Σ weight × line force is the integral that the
@@ -8,23 +8,8 @@ use crate::adhesion::{FrictionLaw, GroundLaw};
 use crate::beam::{NodeState, PlanarBeam, SectionState};
 use crate::model::PeelModel;
 use crate::number::gauss::{Rule, gauss_legendre};
-use crate::solve::{LimitPointKind, Solution, State};
+use crate::solve::State;
 use std::num::NonZeroUsize;
-
-/// One equilibrium of a path with its fields along the beam.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BeamState {
-    /// u of the grip, nm
-    pub displacement: f64,
-    /// P, nN
-    pub force: f64,
-    /// Whether it is a limit point, and of what.
-    pub limit_point: Option<LimitPointKind>,
-    /// How far along the path it is: 0 where the path begins, 1 where it ends, by the length of the curve of P over u, each over its range.
-    pub path_position: f64,
-    /// From S = 0 to S = L.
-    pub sections: Vec<SectionFields>,
-}
 
 /// The beam at one place. Its loads are those that it exerts on the ground, which exerts the opposite on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -67,8 +52,8 @@ pub struct SectionFields {
     pub weight: f64,
 }
 
-/// What the fields of all states of one peel are read with.
-pub(super) struct Reader<'p> {
+/// What the fields of all states of one peel in the plane are read with.
+pub(super) struct PlanarReader<'p> {
     model: &'p PeelModel,
     beam: &'p PlanarBeam,
     friction: Option<FrictionLaw>,
@@ -81,25 +66,14 @@ pub(super) struct Reader<'p> {
 /// Of the integral of x' between two samples: x' has no higher order there.
 const POINTS_BETWEEN: NonZeroUsize = NonZeroUsize::new(3).expect("three is not zero");
 
-impl<'p> Reader<'p> {
+impl<'p> PlanarReader<'p> {
     pub fn new(model: &'p PeelModel, beam: &'p PlanarBeam) -> Self {
         let gauss = NonZeroUsize::new(beam.chain.order()).map_or_else(Vec::new, gauss_legendre);
         Self { model, beam, friction: model.friction_law(), gauss, between: Rule::new(POINTS_BETWEEN) }
     }
 
-    /// The state of a solution of the path.
-    pub fn read(&self, solution: &Solution, limit_point: Option<LimitPointKind>, path_position: f64) -> BeamState {
-        let o = &solution.observables;
-        BeamState {
-            displacement: o.displacement,
-            force: o.force,
-            limit_point,
-            path_position,
-            sections: self.sections(&solution.at),
-        }
-    }
-
-    fn sections(&self, at: &State) -> Vec<SectionFields> {
+    /// The fields from S = 0 to S = L.
+    pub fn sections(&self, at: &State) -> Vec<SectionFields> {
         let configuration = self.beam.configuration(at);
         let elements = at.mesh.elements();
         let ends = self.beam.chain.node_states(configuration, 0..elements);

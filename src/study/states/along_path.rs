@@ -1,7 +1,7 @@
 //! Which points of a path are looked at: its limit points, and others evenly between.
 
 use super::BeamState;
-use super::along_beam::Reader;
+use super::beam_state::Reader;
 use crate::solve::{PathSegment, ROUGH, Solution, Workspace, step_to};
 use crate::study::Peel;
 use crate::study::peel::SolutionHistory;
@@ -15,8 +15,7 @@ impl Peel {
     /// curve of P over u, each over its range. In path order; empty where the peel was read or its solutions were dropped.
     pub fn states(&self, count: usize) -> Vec<BeamState> {
         let Some(trace) = self.trace.as_ref().filter(|trace| !trace.points.is_empty()) else { return Vec::new() };
-        let Some(beam) = trace.problem.beam.planar() else { return Vec::new() };
-        let reader = Reader::new(&self.model, beam);
+        let reader = Reader::new(&self.model, &trace.problem.beam);
         let lengths = Lengths::of(trace);
         let mut found: Vec<BeamState> = lengths
             .places(count)

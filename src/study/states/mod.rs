@@ -2,5 +2,9 @@
 
 mod along_beam;
 mod along_path;
+mod beam_state;
+mod in_space;
 
-pub use along_beam::{BeamState, SectionFields};
+pub use along_beam::SectionFields;
+pub use beam_state::{BeamState, StateSections};
+pub use in_space::SpatialSectionFields;

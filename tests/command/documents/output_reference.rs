@@ -2,11 +2,11 @@
 //! writes.
 
 use super::{hold, row, text, with_part};
-use peelkit_report::STATE_FIELDS;
 use peelkit_report::reference::{
     CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, OutputKey, PEEL_SUMMARY, STATE_COLUMNS, SWEEP_COLUMNS,
     SWEEP_SUMMARY, paths,
 };
+use peelkit_report::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -23,7 +23,8 @@ fn the_output_reference_is_that_of_the_lists() {
         ("curve.csv", CURVE_COLUMNS, "column"),
         ("limit_points.csv", LIMIT_POINT_COLUMNS, "column"),
         ("observed.csv", OBSERVED_COLUMNS, "column"),
-        ("states.csv", &state_columns(), "column"),
+        ("states.csv", &state_columns(STATE_FIELDS), "column"),
+        ("states.csv in space", &state_columns(SPATIAL_STATE_FIELDS), "column"),
         ("sweep.csv", SWEEP_COLUMNS, "column"),
     ] {
         let mut part = row(&[first, "unit", "meaning"]) + "|---|---|---|\n";
@@ -37,8 +38,8 @@ fn the_output_reference_is_that_of_the_lists() {
 }
 
 /// The columns of a state, and of each place.
-fn state_columns() -> Vec<OutputKey> {
-    let fields = STATE_FIELDS.iter().map(|field| OutputKey { path: field.name, about: field.about, like: None });
+fn state_columns<S>(fields: &[StateField<S>]) -> Vec<OutputKey> {
+    let fields = fields.iter().map(|field| OutputKey { path: field.name, about: field.about, like: None });
     STATE_COLUMNS.iter().copied().chain(fields).collect()
 }
 
@@ -123,7 +124,7 @@ fn every_column_is_described() {
     peel(&[&vary[..], &twice, &["--out", "sweep"], ROUGHLY].concat(), folder.path());
     // in space the tables of the path have all their columns
     let sideways = format!("{}/scenes/strip-sideways.toml", super::ROOT);
-    peel(&[&["run", &sideways, "--out", "sideways"], ROUGHLY, PAST_PEAK].concat(), folder.path());
+    peel(&[&["run", &sideways, "--out", "sideways", "--states", "0"], ROUGHLY, PAST_PEAK].concat(), folder.path());
     peel(&[&["run", &scene, "--out", "branch"], ROUGHLY, BRANCH].concat(), folder.path());
     let branch = std::fs::read_to_string(folder.path().join("branch/branch.csv")).unwrap();
     let of_curve = |column: &str| CURVE_COLUMNS.iter().any(|key| key.path == column);
@@ -135,7 +136,8 @@ fn every_column_is_described() {
         ("sideways/curve.csv", CURVE_COLUMNS),
         ("sideways/limit_points.csv", LIMIT_POINT_COLUMNS),
         ("run/observed.csv", OBSERVED_COLUMNS),
-        ("run/states.csv", &state_columns()),
+        ("run/states.csv", &state_columns(STATE_FIELDS)),
+        ("sideways/states.csv", &state_columns(SPATIAL_STATE_FIELDS)),
         ("sweep/sweep.csv", SWEEP_COLUMNS),
     ] {
         let table = std::fs::read_to_string(folder.path().join(file)).unwrap();

@@ -7,8 +7,13 @@ use super::units::{Units, WantedUnits};
 use peelkit::beam::{GripForces, GripState};
 use peelkit::model::{DerivedQuantities, Step};
 use peelkit::study::{
+<<<<<<< HEAD
+    BranchPoint, Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, PathEnd, Peak, Peel,
+    Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
+=======
     Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, OutOfPlaneBranch, PathEnd, Peak,
     Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
+>>>>>>> wt-branch
 };
 use peelkit_report::{end_reason, end_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
@@ -80,6 +85,7 @@ pub fn peel(
             format!("{kind} at u = {displacement}, P = {force}{}", if at.flat { " (flat)" } else { "" }),
         ));
     }
+    lines.extend(peel.branch_points.iter().map(|at| ("branch point", branch_point(at, &units))));
     if let Some(left_out) = left_out(peel) {
         lines.push(("", format!("left out: {} {left_out}", peel.ripple)));
     }
@@ -103,6 +109,18 @@ pub fn peel(
         ),
     ));
     in_columns(&scene.title, &lines)
+}
+
+/// A branch point, and what it does to stability.
+fn branch_point(at: &BranchPoint, units: &Units) -> String {
+    let place = units.length.with_error(at.displacement, at.displacement_error);
+    let force = units.force.with_error(at.force, at.force_error);
+    let what = match at.negative_eigenvalues {
+        [0, _] => "stability is lost without a jump, and the path goes on along the unstable branch",
+        [_, 0] => "the path is stable again",
+        _ => "another branch meets the path",
+    };
+    format!("at u = {place}, P = {force}: {what}")
 }
 
 /// The largest force (nN), displacement (nm) and work (aJ) that is printed.

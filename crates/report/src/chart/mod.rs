@@ -4,18 +4,22 @@
 mod axis;
 mod canvas;
 mod drawn;
+mod face;
 mod font;
 mod output;
 mod panel;
 mod picture;
 mod place;
 mod style;
+mod symbol;
 
 pub use axis::{Axis, significant};
 pub use canvas::{Dash, Stroke};
+pub use face::{Face, Rim};
 pub use output::save;
-pub use panel::{Band, Line, Mark, Note, Panel, Shape, Symbol};
+pub use panel::{Band, Line, Mark, Note, Panel, Shape};
 pub use picture::Picture;
 pub use place::Frame;
 pub use plotters::style::RGBColor;
 pub use style::{WIDTH, colour, order_shade};
+pub use symbol::Symbol;

@@ -3,8 +3,10 @@
 use super::axis::{Axis, Tick};
 use super::canvas::{Align, Canvas, Pixel, Stroke};
 use super::drawn::Drawn;
+use super::face::{Face, Rim};
 use super::place::{Frame, Places, clip};
 use super::style::{colour, size};
+use super::symbol::{Symbol, draw_symbol};
 use plotters::style::RGBColor;
 
 /// A curve; with a name it stands in the legend.
@@ -40,21 +42,6 @@ pub struct Shape {
     pub colour: RGBColor,
     /// From 0, invisible, to 1.
     pub opacity: f64,
-}
-
-/// The shape of a mark.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Symbol {
-    /// Nothing: the mark is there for its note.
-    None,
-    /// A disc.
-    Dot,
-    /// A square on its corner.
-    Diamond,
-    /// A triangle on its base.
-    Triangle,
-    /// A square on its side.
-    Square,
 }
 
 /// A marked point; with a name its symbol stands in the legend, with a note it is labelled.
@@ -105,6 +92,10 @@ pub struct Panel {
     pub shapes: Vec<Shape>,
     /// Curves.
     pub lines: Vec<Line>,
+    /// Faces of a body, over all these.
+    pub faces: Vec<Face>,
+    /// What stands around it.
+    pub rim: Rim,
     /// Marked points, before all else.
     pub marks: Vec<Mark>,
 }
@@ -125,8 +116,8 @@ const KEY: f64 = 34.0;
 impl Panel {
     /// An empty panel without a title.
     pub fn new(frame: Frame, x: Axis, y: Axis) -> Self {
-        let (bands, shapes, lines, marks) = Default::default();
-        Panel { frame, title: String::new(), x, y, bands, shapes, lines, marks }
+        let (bands, shapes, lines, faces, marks) = Default::default();
+        Panel { frame, title: String::new(), x, y, bands, shapes, lines, faces, rim: Rim::Axes, marks }
     }
 
     /// Whether a point lies within both axes.
@@ -151,7 +142,10 @@ impl Panel {
                 (a.0.clamp(self.frame.left, self.frame.right), b.0.clamp(self.frame.left, self.frame.right));
             canvas.area(&Frame { left, right, ..self.frame }.corners(), band.colour, 0.16)?;
         }
-        self.draw_axes(canvas)?;
+        match self.rim {
+            Rim::Axes => self.draw_axes(canvas)?,
+            Rim::Plain => self.draw_rim(canvas, &Stroke::solid(colour::PALE, 1.0))?,
+        }
         for shape in &self.shapes {
             canvas.area(&self.pixels(&shape.corners), shape.colour, shape.opacity)?;
         }
@@ -159,6 +153,14 @@ impl Panel {
             for piece in clip(&self.pixels(&line.points), &self.frame.grown(1.0)) {
                 canvas.line(&piece, &line.stroke)?;
                 places.add_line(&piece);
+            }
+        }
+        for Face { shape, lines } in &self.faces {
+            canvas.area(&self.pixels(&shape.corners), shape.colour, shape.opacity)?;
+            for (points, stroke) in lines {
+                let points = self.pixels(points);
+                canvas.line(&points, stroke)?;
+                places.add_line(&points);
             }
         }
         let marks: Vec<&Mark> = self.marks.iter().filter(|m| self.shows(m.at)).collect();
@@ -200,13 +202,19 @@ impl Panel {
             }
             canvas.line(&[(left - depth, y), (left, y)], &rule)?;
         }
-        let mut rim = self.frame.corners().to_vec();
-        rim.push(rim[0]);
-        canvas.line(&rim, &rule)?;
         let (middle, half) = (0.5 * (left + right), 0.5 * (top + bottom));
         canvas.text(&self.x.title(), (middle, bottom + 37.0), size::LABEL, colour::INK, Align::Centre)?;
         canvas.text(&self.y.title(), (left - widest - 22.0, half), size::LABEL, colour::INK, Align::Upwards)?;
-        label(&self.title, (middle, top - 12.0), Align::Centre)
+        self.draw_rim(canvas, &rule)
+    }
+
+    /// The frame with the title above it.
+    fn draw_rim(&self, canvas: &Canvas<'_>, stroke: &Stroke) -> Drawn {
+        let Frame { left, top, right, .. } = self.frame;
+        let mut rim = self.frame.corners().to_vec();
+        rim.push(rim[0]);
+        canvas.line(&rim, stroke)?;
+        canvas.text(&self.title, (0.5 * (left + right), top - 12.0), size::TEXT, colour::INK, Align::Centre)
     }
 
     fn draw_legend(&self, canvas: &Canvas<'_>, places: &mut Places) -> Drawn {
@@ -249,17 +257,6 @@ impl Panel {
         }
         Ok(())
     }
-}
-
-fn draw_symbol(canvas: &Canvas<'_>, symbol: Symbol, (x, y): Pixel, colour: RGBColor) -> Drawn {
-    let corners = match symbol {
-        Symbol::None => return Ok(()),
-        Symbol::Dot => return canvas.disc((x, y), 3.6, colour),
-        Symbol::Diamond => vec![(x, y - 6.0), (x + 6.0, y), (x, y + 6.0), (x - 6.0, y)],
-        Symbol::Triangle => vec![(x, y - 6.0), (x + 5.6, y + 4.2), (x - 5.6, y + 4.2)],
-        Symbol::Square => vec![(x - 4.6, y - 4.6), (x + 4.6, y - 4.6), (x + 4.6, y + 4.6), (x - 4.6, y + 4.6)],
-    };
-    canvas.area(&corners, colour, 1.0)
 }
 
 fn draw_badge(canvas: &Canvas<'_>, number: usize, centre: Pixel, colour: RGBColor) -> Drawn {

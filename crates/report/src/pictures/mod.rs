@@ -3,9 +3,11 @@
 mod contour;
 mod curve;
 mod followed;
+mod in_space;
 mod observed;
 pub mod peel;
 mod plane;
+mod projection;
 mod shapes;
 pub mod sweep;
 

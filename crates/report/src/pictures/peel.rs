@@ -1,6 +1,7 @@
 //! The pictures of one peel: force against displacement, and the deformed strip at numbered points of that curve.
 
 use super::curve::{add_branch, curve_picture, mark_loss};
+use super::in_space;
 use super::shapes::{Posed, shapes_picture};
 use crate::chart::{Picture, save};
 use crate::error::ReportError;
@@ -120,6 +121,13 @@ pub fn curve(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -> Resul
 ///
 /// Fails with [`ReportError::Draw`] where none of the points has a shape.
 pub fn shapes(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -> Result<Picture, ReportError> {
+    if let Some(space) = &peel.model.space {
+        let posed = in_space::posed(peel, numbered);
+        if posed.is_empty() {
+            return Err(nothing(path, peel));
+        }
+        return Ok(in_space::shapes_picture(&posed, &peel.model, space, title));
+    }
     // A force that the path has brought to zero is printed as zero.
     let largest = peel.points.iter().fold(0.0f64, |r, p| r.max(p.force.abs()));
     let poses: Vec<Posed> = numbered

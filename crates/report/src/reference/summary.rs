@@ -48,6 +48,13 @@ pub const PEEL_SUMMARY: &[OutputKey] = &[
     key("limit_points[].reaction_across_nN", "force of the grip there normal to the pull, in its vertical plane; 0 where it is free"),
     key("limit_points[].reaction_lateral_nN", "force of the grip there normal to that plane; 0 where it is free"),
 
+    key("branch_points", "where other branches of equilibria meet the path although the displacement does not turn, in path order; the path goes on along the branch that it is on"),
+    key("branch_points[].displacement_nm", "u there"),
+    key("branch_points[].force_nN", "P there"),
+    key("branch_points[].error_nm", "bound of the error of the displacement"),
+    key("branch_points[].error_nN", "bound of the error of the force"),
+    key("branch_points[].negative_eigenvalues", "of the displacement-controlled tangent before it and behind it"),
+
     key("warnings", "where the model is not to be trusted"),
     key("warnings[].code", "a word that stays the same, for programs"),
     key("warnings[].value", "the number that is beyond the limit"),

@@ -2,21 +2,22 @@
 
 use peelkit::study::SectionFields;
 
-/// A field along the beam: a column of states.csv and an array of the files for ParaView.
-pub struct StateField {
+/// A field along the beam: a column of states.csv and an array of the files for ParaView. `S` is the beam at one place, in the plane or in
+/// space.
+pub struct StateField<S = SectionFields> {
     /// With its unit
     pub name: &'static str,
     /// What it is
     pub about: &'static str,
     /// Of a place of the beam, in the unit of the name
-    pub value: fn(&SectionFields) -> f64,
+    pub value: fn(&S) -> f64,
 }
 
-const fn field(name: &'static str, about: &'static str, value: fn(&SectionFields) -> f64) -> StateField {
+pub(super) const fn field<S>(name: &'static str, about: &'static str, value: fn(&S) -> f64) -> StateField<S> {
     StateField { name, about, value }
 }
 
-/// All fields, in the order of the columns. The loads are those that the beam exerts on the ground.
+/// All fields in the plane, in the order of the columns. The loads are those that the beam exerts on the ground.
 pub const STATE_FIELDS: &[StateField] = &[
     field("S_nm", "arc length along the stress-free axis, from the free end", |at| at.place),
     field("x_nm", "place of the axis along the ground", |at| at.x),

@@ -1,9 +1,14 @@
-//! The beam at chosen points of its path: states.csv, and a time series that ParaView opens.
+//! The beam at chosen points of its path: states.csv, and time series that ParaView opens.
 
 mod fields;
+mod grid;
+mod spatial_fields;
+mod surface;
 mod table;
 mod vtk;
 
 pub use fields::{STATE_FIELDS, StateField};
+pub use spatial_fields::SPATIAL_STATE_FIELDS;
+pub(crate) use surface::outline;
 pub use table::write_states;
 pub use vtk::write_vtk;

@@ -1,10 +1,11 @@
 //! states.csv: one row for each place of the beam at each state.
 
-use super::fields::STATE_FIELDS;
+use super::fields::{STATE_FIELDS, StateField};
+use super::spatial_fields::SPATIAL_STATE_FIELDS;
 use crate::error::ReportError;
 use crate::file::write_whole;
 use crate::names::limit_point_kind_word;
-use peelkit::study::{BeamState, SectionFields};
+use peelkit::study::{BeamState, StateSections};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
@@ -12,7 +13,7 @@ use std::path::{Path, PathBuf};
 const OF_STATE: [&str; 5] = ["state", "limit_point", "path_position", "displacement_nm", "force_nN"];
 
 /// Writes states.csv: one row for each place of the beam at each state, in path order and from S = 0 to S = L; the columns are those of the
-/// state, its number from 0 among them, and [`STATE_FIELDS`].
+/// state, its number from 0 among them, and [`STATE_FIELDS`], of a beam in space [`SPATIAL_STATE_FIELDS`].
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_states(dir: &Path, states: &[BeamState]) -> Result<PathBuf, ReportError> {
@@ -24,7 +25,11 @@ pub fn write_states(dir: &Path, states: &[BeamState]) -> Result<PathBuf, ReportE
 
 fn table(states: &[BeamState]) -> io::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(OF_STATE.into_iter().chain(STATE_FIELDS.iter().map(|field| field.name)))?;
+    let fields = match states.first().map(|state| &state.sections) {
+        Some(StateSections::Spatial { .. }) => names(SPATIAL_STATE_FIELDS),
+        Some(StateSections::Planar(_)) | None => names(STATE_FIELDS),
+    };
+    writer.write_record(OF_STATE.into_iter().chain(fields))?;
     for (number, state) in states.iter().enumerate() {
         let of_state = [
             number.to_string(),
@@ -33,15 +38,24 @@ fn table(states: &[BeamState]) -> io::Result<Vec<u8>> {
             written("displacement_nm", state.displacement)?,
             written("force_nN", state.force)?,
         ];
-        for section in &state.sections {
-            writer.write_record(of_state.iter().cloned().chain(cells(section)?))?;
+        let rows = match &state.sections {
+            StateSections::Planar(sections) => rows(sections, STATE_FIELDS),
+            StateSections::Spatial { sections, .. } => rows(sections, SPATIAL_STATE_FIELDS),
+        };
+        for row in rows? {
+            writer.write_record(of_state.iter().chain(&row))?;
         }
     }
     writer.into_inner().map_err(|error| error.into_error())
 }
 
-fn cells(section: &SectionFields) -> io::Result<Vec<String>> {
-    STATE_FIELDS.iter().map(|field| written(field.name, (field.value)(section))).collect()
+fn names<S>(fields: &'static [StateField<S>]) -> Vec<&'static str> {
+    fields.iter().map(|field| field.name).collect()
+}
+
+fn rows<S>(sections: &[S], fields: &[StateField<S>]) -> io::Result<Vec<Vec<String>>> {
+    let row = |section| fields.iter().map(|field| written(field.name, (field.value)(section))).collect();
+    sections.iter().map(row).collect()
 }
 
 /// A number with all its digits; one that is not finite is refused.

@@ -1,82 +1,88 @@
-//! A time series for ParaView: states.pvd lists one unstructured grid a state, the axis of the beam as lines, in VTK's XML.
-//!
-//! <https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html>
+//! A time series for ParaView: states.pvd lists one unstructured grid a state, the axis of the beam as lines; of a beam in space
+//! states-surface.pvd lists its surface.
 
 use super::fields::STATE_FIELDS;
-use super::table::written;
+use super::grid::{Grid, PointData, collection};
+use super::spatial_fields::{SPATIAL_STATE_FIELDS, VECTORS};
+use super::surface;
 use crate::error::ReportError;
 use crate::file::write_whole;
-use peelkit::study::BeamState;
-use std::io;
+use peelkit::study::{BeamState, SectionFields, SpatialSectionFields, StateSections};
 use std::path::{Path, PathBuf};
 
-/// The folder of the grids, beside states.pvd.
+/// The folder of the grids, beside their lists.
 const FOLDER: &str = "states";
-/// VTK's number of a line between two points.
-const LINE: usize = 3;
 
-/// Writes states.pvd, the list of the states, and states/state-000.vtu and so on, which it names: points (x, y, 0) of the axis in nm with
-/// [`STATE_FIELDS`] as point data, and u and P as field data. The time of a state is its number.
+/// Writes states.pvd, the list of the states, and states/state-000.vtu and so on, which it names: points of the axis in nm with
+/// [`STATE_FIELDS`] as point data, of a beam in space with [`SPATIAL_STATE_FIELDS`], directors and loads among them as vectors; and u and P as
+/// field data. The time of a state is its number. Of a beam in space states-surface.pvd and states/surface-000.vtu and so on are its surface.
 ///
 /// Fails with [`ReportError::Write`] where a file cannot be written or a number is not finite.
 pub fn write_vtk(dir: &Path, states: &[BeamState]) -> Result<Vec<PathBuf>, ReportError> {
-    let name = |number: usize| format!("{FOLDER}/state-{number:03}.vtu");
-    let list = dir.join("states.pvd");
+    let axis = |state: &BeamState| match &state.sections {
+        StateSections::Planar(sections) => Some(planar_axis(sections)),
+        StateSections::Spatial { sections, .. } => Some(spatial_axis(sections)),
+    };
+    let surface = |state: &BeamState| match &state.sections {
+        StateSections::Planar(_) => None,
+        StateSections::Spatial { outline, sections } => Some(surface::grid(*outline, sections)),
+    };
+    let mut files = write_series(dir, states, ["states.pvd", "state"], axis)?;
+    if states.iter().any(|state| matches!(state.sections, StateSections::Spatial { .. })) {
+        files.extend(write_series(dir, states, ["states-surface.pvd", "surface"], surface)?);
+    }
+    Ok(files)
+}
+
+/// A list with this name, and the grids that it names.
+fn write_series(
+    dir: &Path,
+    states: &[BeamState],
+    [list, stem]: [&str; 2],
+    grid: impl Fn(&BeamState) -> Option<Grid>,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let name = |number: usize| format!("{FOLDER}/{stem}-{number:03}.vtu");
+    let list = dir.join(list);
     write_whole(&list, collection((0..states.len()).map(name)).as_bytes())?;
     let mut files = vec![list];
     for (number, state) in states.iter().enumerate() {
+        let Some(grid) = grid(state) else { continue };
         let path = dir.join(name(number));
-        let text = grid(state).map_err(|source| ReportError::Write { path: path.clone(), source })?;
+        let text = grid.of_state(state).map_err(|source| ReportError::Write { path: path.clone(), source })?;
         write_whole(&path, text.as_bytes())?;
         files.push(path);
     }
     Ok(files)
 }
 
-fn collection(files: impl Iterator<Item = String>) -> String {
-    let line = |(time, file): (usize, String)| {
-        format!("    <DataSet timestep=\"{time}\" group=\"\" part=\"0\" file=\"{file}\"/>\n")
+/// Lines from place to place.
+fn lines(points: usize) -> Vec<Vec<usize>> {
+    (1..points).map(|k| vec![k - 1, k]).collect()
+}
+
+fn planar_axis(sections: &[SectionFields]) -> Grid {
+    let data = STATE_FIELDS.iter().map(|field| PointData {
+        name: field.name,
+        components: 1,
+        values: sections.iter().map(field.value).collect(),
+    });
+    let points = sections.iter().map(|section| [section.x, section.y, 0.0]).collect();
+    Grid { points, cells: lines(sections.len()), data: data.collect() }
+}
+
+fn spatial_axis(sections: &[SpatialSectionFields]) -> Grid {
+    let values = |name: &str| -> Vec<f64> {
+        let field = SPATIAL_STATE_FIELDS.iter().filter(|field| field.name == name);
+        field.flat_map(|field| sections.iter().map(field.value)).collect()
     };
-    let lines: String = files.enumerate().map(line).collect();
-    in_file("Collection", &format!("  <Collection>\n{lines}  </Collection>\n"))
-}
-
-fn grid(state: &BeamState) -> io::Result<String> {
-    let points = state.sections.len();
-    let lines = points.saturating_sub(1);
-    let mut of_state = String::new();
-    for (name, value) in
-        [("displacement_nm", state.displacement), ("force_nN", state.force), ("path_position", state.path_position)]
-    {
-        let value = written(name, value)?;
-        of_state += &array("Float64", &format!("Name=\"{name}\" NumberOfTuples=\"1\""), &value);
-    }
-    let mut fields = String::new();
-    for field in STATE_FIELDS {
-        let values = state.sections.iter().map(|section| written(field.name, (field.value)(section)));
-        fields +=
-            &array("Float64", &format!("Name=\"{}\"", field.name), &values.collect::<io::Result<Vec<_>>>()?.join(" "));
-    }
-    let place = |x: f64, y: f64| Ok(format!("{} {} 0", written("x_nm", x)?, written("y_nm", y)?));
-    let places = state.sections.iter().map(|section| place(section.x, section.y)).collect::<io::Result<Vec<_>>>()?;
-    let places = array("Float64", "Name=\"Points\" NumberOfComponents=\"3\"", &places.join(" "));
-    let numbers = |of: &dyn Fn(usize) -> String| (0..lines).map(of).collect::<Vec<_>>().join(" ");
-    let cells = array("Int64", "Name=\"connectivity\"", &numbers(&|k| format!("{k} {}", k + 1)))
-        + &array("Int64", "Name=\"offsets\"", &numbers(&|k| (2 * (k + 1)).to_string()))
-        + &array("UInt8", "Name=\"types\"", &numbers(&|_| LINE.to_string()));
-    let piece = format!("    <Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{lines}\">\n")
-        + &format!("      <PointData>\n{fields}      </PointData>\n      <CellData>\n      </CellData>\n")
-        + &format!("      <Points>\n{places}      </Points>\n      <Cells>\n{cells}      </Cells>\n    </Piece>\n");
-    let data = format!("    <FieldData>\n{of_state}    </FieldData>\n");
-    Ok(in_file("UnstructuredGrid", &format!("  <UnstructuredGrid>\n{data}{piece}  </UnstructuredGrid>\n")))
-}
-
-fn array(kind: &str, attributes: &str, values: &str) -> String {
-    format!("        <DataArray type=\"{kind}\" {attributes} format=\"ascii\">{values}</DataArray>\n")
-}
-
-fn in_file(kind: &str, content: &str) -> String {
-    format!(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"{kind}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n{content}</VTKFile>\n"
-    )
+    let is_part = |name: &str| VECTORS.iter().any(|(_, parts)| parts.contains(&name));
+    let scalars = SPATIAL_STATE_FIELDS.iter().filter(|field| !is_part(field.name));
+    let scalars = scalars.map(|field| PointData { name: field.name, components: 1, values: values(field.name) });
+    let vectors = VECTORS.iter().map(|&(name, parts)| {
+        let [x, y, z] = parts.map(values);
+        let values = x.into_iter().zip(y).zip(z).flat_map(|((x, y), z)| [x, y, z]).collect();
+        PointData { name, components: 3, values }
+    });
+    let points = sections.iter().map(|at| at.state.section.place).collect();
+    Grid { points, cells: lines(sections.len()), data: scalars.chain(vectors).collect() }
 }

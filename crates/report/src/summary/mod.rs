@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod branch;
+mod branch_point;
 mod derived;
 mod ground;
 mod observed;

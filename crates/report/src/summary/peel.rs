@@ -1,6 +1,7 @@
 //! What a run found, as one JSON object: summary.json, and what `--json` prints.
 
 use super::accuracy::AccuracySummary;
+use super::branch_point::BranchPoint;
 use super::derived::DerivedSummary;
 use super::ground::GroundSummary;
 use super::observed::ObservedSummary;
@@ -43,6 +44,8 @@ pub struct PeelSummary {
     initiation_peak: Option<Peak>,
     plateau: Option<Plateau>,
     limit_points: Vec<LimitPoint>,
+    /// Where other branches meet the path.
+    branch_points: Vec<BranchPoint>,
     /// Where the model is not to be trusted.
     warnings: Vec<Warning>,
     /// What follows from the model before anything is solved.
@@ -231,6 +234,7 @@ impl PeelSummary {
                 displacement_error: at.displacement_error.map(Finite),
             }),
             limit_points: peel.limit_points.iter().map(LimitPoint::from).collect(),
+            branch_points: peel.branch_points.iter().map(BranchPoint::from).collect(),
             warnings: peel.warnings().iter().map(Warning::from).collect(),
             derived: DerivedSummary::of(&scene.model),
             snap_off: peel.snap_off.map(Fold::from),

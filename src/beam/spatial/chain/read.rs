@@ -5,6 +5,7 @@ use super::{SpatialChain, SpatialConfiguration, gather_nodes, no_values, quatern
 use crate::beam::spatial::density::SPATIAL_FIELDS;
 use crate::beam::spatial::rotation::{apply, normalised};
 use crate::beam::{BUNDLE, Element, ElementEnergy, MOST_NODES, PerNode, slot};
+use std::ops::Range;
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;
@@ -94,6 +95,26 @@ impl SpatialChain {
             }
         }
         all
+    }
+
+    /// Section force (along x, y, z, nN) and moment (about the directors, nN·nm) at the ends of the elements of a range, from nodal forces:
+    /// as accurate as the energy. From the left end of the first element on.
+    pub fn end_forces(&self, at: SpatialConfiguration, elements: Range<usize>) -> Vec<[f64; F]> {
+        let (order, by) = (self.basis.order, self.integration(self.nodes()));
+        let mut ends = Vec::with_capacity(elements.len() + 1);
+        for e in elements.clone() {
+            let element = self.element(at, e);
+            let forces = element.forces(&by);
+            let at_node = |rank: usize| {
+                let node = slot(order + 1, rank);
+                projected(&forces[node], &turn_to_quaternion(quaternion_of(&element.values[node])))
+            };
+            if e == elements.start {
+                ends.push(at_node(0).map(|force| -force));
+            }
+            ends.push(at_node(order));
+        }
+        ends
     }
 
     /// Fields at the local coordinate `local` in [-1, 1] of an element, and their slopes along S; the quaternion as it is interpolated.

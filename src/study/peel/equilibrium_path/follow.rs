@@ -1,11 +1,11 @@
 //! One path on one mesh: followed to its end, every limit point on it located, none missed without a report.
 
+use super::first_integral::worst_spread;
 use super::followed::Followed;
 use super::model_end::stopped_by_model;
 use super::path_end::step;
 use super::path_refinement::fill_in;
 use super::slope_polishing::sharpen;
-use crate::beam::ReferenceConfiguration;
 use crate::model::BeamProblem;
 use crate::solve::{Path, PathOptions, ROUGH, Solution};
 use crate::study::checkpoint::Limits;
@@ -82,6 +82,7 @@ pub(in crate::study::peel) fn follow(
         spread: worst_spread(problem, &points),
         points,
         turns: Vec::new(),
+        branch_points: Vec::new(),
         end,
         cut,
         iterations: path.iterations(),
@@ -107,31 +108,6 @@ pub(in crate::study::peel) fn follow(
     followed.trouble = followed.trouble.take().or(checked.err());
     followed.end_at_unresolved(problem);
     followed
-}
-
-/// The largest spread of the first integral along the beam at any point of the path, over the work of adhesion: zero where
-/// a mesh resolves the beam. Without a potential, along a beam of varying outline and on ground that is not flat there is
-/// no such integral.
-fn worst_spread(problem: &BeamProblem, points: &[Arc<Solution>]) -> f64 {
-    let Some(beam) = problem.beam.planar() else { return 0.0 };
-    if !problem.system.is_conservative()
-        || matches!(beam.rest, ReferenceConfiguration::Varying(_))
-        || !beam.substrate.is_flat()
-    {
-        return 0.0;
-    }
-    let spread = |point: &Arc<Solution>| {
-        let (at, last) = (beam.configuration(&point.at), point.at.mesh.elements() - 1);
-        // what is lost on the way shows at the two ends, and most of it is lost in the element at an edge
-        let sections = [0..1, last..last + 1].map(|element| beam.chain.node_states(at, element));
-        let (low, high) = sections
-            .iter()
-            .flatten()
-            .map(|section| section.first_integral())
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
-        (high - low) / beam.rest_adhesion.abs()
-    };
-    points.iter().map(spread).fold(0.0, f64::max)
 }
 
 /// Whether the force has turned down on the way.

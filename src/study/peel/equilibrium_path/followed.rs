@@ -9,6 +9,8 @@ pub(in crate::study::peel) struct Followed {
     pub points: Vec<Arc<Solution>>,
     /// In path order, each with the index of the point before it.
     pub turns: Vec<(LimitPointKind, usize, Located)>,
+    /// Where an eigenvalue passes through zero although the displacement does not turn, likewise.
+    pub branch_points: Vec<(usize, Located)>,
     pub end: PathEnd,
     /// Whether time or the user ended it.
     pub cut: bool,

@@ -2,7 +2,7 @@
 
 use super::followed::Followed;
 use crate::model::BeamProblem;
-use crate::solve::{LimitPointKind, PathSegment, Solution, SolveError, brackets, locate, unlocated};
+use crate::solve::{LimitPointKind, PathSegment, Solution, SolveError, brackets, locate, locate_branching, unlocated};
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 use crate::study::peel::{PathEnd, PathFailure};
 
@@ -161,26 +161,35 @@ impl Followed {
         }
     }
 
-    /// Each displacement limit point changes the number of negative eigenvalues by one; nothing else does. Not so at a corner of a path
-    /// that remembers, where much that slid sticks.
-    pub(super) fn check_inertia(&self, problem: &BeamProblem) -> Result<(), PathFailure> {
+    /// Each displacement limit point changes the number of negative eigenvalues by one; beside them branch points alone do, which are located
+    /// here. Not so at a corner of a path that remembers, where much that slid sticks.
+    pub(super) fn check_inertia(&mut self, problem: &BeamProblem) -> Result<(), PathFailure> {
         if problem.system.has_history() {
             return Ok(());
         }
+        let (mut ws, conservative) = (self.workspace(), problem.system.is_conservative());
         let checked = self.points.len() - usize::from(self.upright);
-        for (after, pair) in self.points[..checked].windows(2).enumerate() {
-            let change = pair[0].negative.abs_diff(pair[1].negative);
+        for after in 0..checked.saturating_sub(1) {
+            let (before, behind) = (&self.points[after], &self.points[after + 1]);
+            let (from, to) = (before.negative, behind.negative);
+            let change = from.abs_diff(to);
             let turns = self.turns.iter().filter(|t| t.0 == LimitPointKind::Displacement && t.1 == after).count();
-            let explained =
-                (turns + change).is_multiple_of(2) && (change <= turns || !problem.system.is_conservative());
-            if !explained {
-                return Err(PathFailure::Missed {
-                    after,
-                    displacement_nm: pair[0].observables.displacement,
-                    from: pair[0].negative,
-                    to: pair[1].negative,
-                    turns,
-                });
+            if (turns + change).is_multiple_of(2) && (change <= turns || !conservative) {
+                continue;
+            }
+            let alone = turns == 0 && conservative;
+            let located =
+                alone.then(|| locate_branching(problem, before, behind.observables.displacement, &mut ws)).transpose();
+            match located {
+                Ok(Some(located)) => {
+                    self.iterations += located.iterations;
+                    self.branch_points.push((after, located));
+                }
+                Err(SolveError::Stopped) => return Err(PathFailure::OutOfTime),
+                Ok(None) | Err(_) => {
+                    let displacement_nm = before.observables.displacement;
+                    return Err(PathFailure::Missed { after, displacement_nm, from, to, turns });
+                }
             }
         }
         Ok(())

@@ -1,4 +1,5 @@
 //! One path on one mesh: followed to its end, refined where the curve needs it, its limit points located.
+mod first_integral;
 mod follow;
 mod followed;
 mod limit_points;
