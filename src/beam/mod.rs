@@ -1,5 +1,6 @@
 //! What bends: section stiffness, outline, reference curves, and the planar beam.
 mod bonded_beam;
+mod grip_state;
 pub mod mesh;
 mod planar;
 mod reference_configuration;
@@ -8,6 +9,7 @@ mod spatial;
 mod torsion;
 mod varying;
 pub use bonded_beam::{BondedBeam, BondedMode};
+pub use grip_state::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 pub use mesh::{Focus, MeshIntervals, MeshKind, Reach, graded_ends};
 pub use planar::*;
 pub use reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};

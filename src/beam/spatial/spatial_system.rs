@@ -274,6 +274,17 @@ impl System for SpatialBeam {
         Some(self.resampled(at, self.mesh_near(front, &at.mesh)))
     }
 
+    /// The free end turned most, about all three axes.
+    fn disturbance(&self, at: &State, size: f64) -> Vec<f64> {
+        let nodes = self.nodes(&at.values);
+        let mut direction = vec![0.0; nodes * F];
+        for (node, own) in direction.chunks_exact_mut(F).enumerate() {
+            let turn = size * self.scale[1] * (1.0 - node as f64 / (nodes - 1) as f64);
+            own[3..].copy_from_slice(&[turn, -turn, turn]);
+        }
+        direction
+    }
+
     fn admits(&self, from: &State, monitors: [f64; MONITORS], prediction: &State) -> bool {
         let loose = self.adheres() && monitors[FRONT] < LOOSE * self.process_length;
         !(loose && self.nearest(prediction) < NEARER * self.nearest(from))

@@ -4,16 +4,11 @@ use super::branch::branch_lines;
 use super::layout::in_columns;
 use super::number::short;
 use super::units::{Units, WantedUnits};
-use peelkit::beam::{GripForces, GripState};
+use peelkit::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 use peelkit::model::{DerivedQuantities, Step};
 use peelkit::study::{
-<<<<<<< HEAD
-    BranchPoint, Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, PathEnd, Peak, Peel,
-    Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
-=======
-    Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, OutOfPlaneBranch, PathEnd, Peak,
-    Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
->>>>>>> wt-branch
+    BranchPoint, Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, OutOfPlaneBranch,
+    PathEnd, Peak, Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
 };
 use peelkit_report::{end_reason, end_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
@@ -179,13 +174,22 @@ fn out_of_plane(stability: &OutOfPlane, Units { force, length, .. }: &Units) -> 
 /// The grip after each step before the pull.
 fn steps(peel: &Peel, Units { force, length, .. }: &Units) -> Vec<(&'static str, String)> {
     let line = |(index, (step, grip)): (usize, (&Step, &GripState))| {
-        let GripForces { horizontal, vertical, moment } = grip.forces;
+        let GripForces { horizontal, vertical, moment, in_space } = grip.forces;
         let x = grip.x.map(|x| format!("x = {}, ", length.fixed(x, 4))).unwrap_or_default();
         let place = format!("{x}y = {}, θ = {:.4} deg", length.fixed(grip.y, 4), grip.rotation.to_degrees());
         let (horizontal, vertical) = (force.fixed(horizontal, 6), force.fixed(vertical, 6));
+        let beside = |(place, forces): (PlaceInSpace, ForcesInSpace)| {
+            let (z, lateral) = (length.fixed(place.z, 4), force.fixed(forces.lateral, 6));
+            let [roll, yaw] = [place.roll, place.yaw].map(f64::to_degrees);
+            let ForcesInSpace { torque, yaw_moment, .. } = forces;
+            format!(
+                "; z = {z}, roll {roll:.4} deg, yaw {yaw:.4} deg; sideways {lateral}, on the roll {torque:.6} nN nm, on the yaw {yaw_moment:.6} nN nm"
+            )
+        };
+        let beside = grip.in_space.zip(in_space).map(beside).unwrap_or_default();
         (
             if index == 0 { "steps" } else { "" },
-            format!("{step}: {place}; H = {horizontal}, V = {vertical}, M = {moment:.6} nN nm"),
+            format!("{step}: {place}; H = {horizontal}, V = {vertical}, M = {moment:.6} nN nm{beside}"),
         )
     };
     peel.model.steps.iter().zip(&peel.steps).enumerate().map(line).collect()
