@@ -239,7 +239,7 @@ mod tests {
             let about_x = cos - start.yaw_by_roll * sin;
             let expected = planar + margin * about_x.powi(2) / (2.0 * start.displacement_by_roll);
             let scale = planar.abs().max(expected.abs());
-            assert!((start.slope() - expected).abs() < 2e-4 * scale, "b = {width}: {} {expected}", start.slope());
+            assert!((start.slope() - expected).abs() < 5e-3 * scale, "b = {width}: {} {expected}", start.slope());
         }
     }
 

@@ -23,7 +23,7 @@ const LINEAR: f64 = 1e-4;
 const FIRST_ORDER: f64 = 0.01;
 const SECOND_ORDER: f64 = 0.02;
 /// a₀ is halved until the branch begins where the planar path loses its stability, to this share of u₂ a₀², or so often.
-const SAME_PLACE: f64 = 0.02;
+const SAME_PLACE: f64 = 2e-3;
 const MOST_SMALLER: usize = 5;
 /// Largest roll of the first point, over the one that moves an edge of its end by r0, and rad.
 const MOST_ROLL: [f64; 2] = [0.5, 0.2];
