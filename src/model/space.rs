@@ -48,8 +48,10 @@ pub(crate) const ROLL: usize = 5;
 /// elements give what 32 gave without, of the strip of scenes/strip-sideways.toml.
 const TWIST_BEHIND: f64 = 3.0;
 const TWIST_WEIGHT: f64 = 0.7;
-/// Length of the elements everywhere else where the front has elements of one process length, over that: of what bends and twists far away.
+/// Length of the elements everywhere else where the front has elements of one process length, over that, and over the length of the beam where that is
+/// more: of what bends and twists far away.
 const EVEN: f64 = 20.0;
+const EVEN_SHARE: f64 = 0.25;
 
 impl PeelModel {
     /// The model in the plane whose solution is the same, of a model in space whose solution stays in the body's vertical plane: one
@@ -117,7 +119,7 @@ impl PeelModel {
         let twist =
             Focus { center: -TWIST_BEHIND * process_length, length: twist_length, weight: TWIST_WEIGHT, ..front };
         let front_foci = vec![front, twist];
-        let even = Focus::everywhere(length, EVEN * process_length);
+        let even = Focus::everywhere(length, (EVEN * process_length).max(EVEN_SHARE * length));
         let mut fixed_foci = vec![Focus { length: edge, weight: 0.8, ..front }];
         let (profile, rest, pieces) = match varying {
             None => {

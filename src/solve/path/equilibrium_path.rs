@@ -5,7 +5,7 @@
 //! observable measured by its own recent changes.
 
 use super::metric::Metric;
-use super::near_branch::{self, NearBranch, changes_branch};
+use super::near_branch::{self, NearBranch, StepSeen, changes_branch};
 use super::options::{PathError, PathOptions};
 use super::predictor::{self, MOST_POINTS};
 use crate::solve::{
@@ -121,7 +121,9 @@ impl<'p> Path<'p> {
     }
 
     fn newton(&self) -> NewtonOptions {
-        NewtonOptions { tolerance: self.options.tolerance, largest_update: 0.5, most_iterations: 9, exact_slope: false }
+        // next to a branch the tangent turns with the least error
+        let exact_slope = self.branch.is_some();
+        NewtonOptions { tolerance: self.options.tolerance, largest_update: 0.5, most_iterations: 9, exact_slope }
     }
 
     /// The newest point, for a path that is to go on from there.
@@ -224,8 +226,12 @@ impl<'p> Path<'p> {
                     self.iterations += next.iterations;
                     let turned = points.len() > 1 && self.turns_sharply(&slope, &next);
                     let refused = SolveError::NotConverged { update: next.correction, iterations: next.iterations };
-                    if !crosses && self.leaves_path(&newest, &next) {
+                    let seen = self.seen(&newest, &next, crosses);
+                    if let StepSeen::Elsewhere { across } = seen {
                         (cause, step) = (refused, step * near_branch::SHORTER);
+                        if let (true, Some(near)) = (across, &self.branch) {
+                            (crosses, step) = (true, near.step_across(self.problem, &weights, &slope));
+                        }
                     } else if turned || next.correction > REFUSE * self.step_tolerance() && points.len() > 1 {
                         (cause, step) = (refused, step * 0.4);
                     } else {
@@ -241,7 +247,8 @@ impl<'p> Path<'p> {
                     cause = error;
                     step *= 0.25;
                     // next to a branch point no equilibrium is certain, beyond it there is one
-                    if let Some(near) = self.branch.filter(|_| !crosses) {
+                    let near = self.branch.filter(|_| !crosses);
+                    if let Some(near) = near.filter(|near| near.is_short(self.problem, &weights, &slope, step)) {
                         (crosses, step) = (true, near.step_across(self.problem, &weights, &slope));
                     }
                 }
@@ -292,14 +299,14 @@ impl<'p> Path<'p> {
         NearBranch::step_tolerance(self.branch.as_ref(), self.options.step_tolerance)
     }
 
-    /// Whether a step leads to another branch that the path does not meet.
-    fn leaves_path(&mut self, newest: &Solution, next: &Solution) -> bool {
+    /// Where a step has led; a place where branches nearly meet is remembered.
+    fn seen(&mut self, newest: &Solution, next: &Solution, crosses: bool) -> StepSeen {
         let problem = self.problem;
-        changes_branch(problem, newest, next)
-            && !self
-                .branch
-                .get_or_insert_with(|| NearBranch::ahead(problem, newest, next))
-                .is_crossed(problem, newest, next)
+        if self.branch.is_none() && changes_branch(problem, newest, next) {
+            self.branch = Some(NearBranch::ahead(problem, newest, next));
+        }
+        let before = &self.points[self.points.len().saturating_sub(2)];
+        self.branch.map_or(StepSeen::OnPath, |near| near.seen(problem, [before, newest], next, crosses))
     }
 
     /// The metric of the newest points, and of a further one.

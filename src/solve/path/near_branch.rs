@@ -4,19 +4,36 @@
 //! before: a step that is too long lands there.
 
 use crate::solve::{Observables, Problem, Solution};
+use nalgebra::DVector;
 use serde::{Deserialize, Serialize};
 
 /// A step that leads to another branch is shortened by this.
 pub const SHORTER: f64 = 0.3;
 /// Where it still does when it is this share of the first that did, the path does branch there.
-const CROSSES: f64 = 1e-4;
+const CROSSES: f64 = 1e-5;
 /// Error wanted of a prediction, relative as in [`crate::solve::System::size`]: so little that neither branch can be taken for the other. Without it
 /// two of nine strips in space that were drawn at random came to the peak of the branch that is not that of rest.
 const TOLERANCE: f64 = 1e-5;
+/// Most Newton iterations of a step there that is believed: more are taken from between two branches to one of them.
+const CERTAIN: usize = 4;
+/// A tangent that turns by less is straight; one that turns by more turns too sharply; between, by what cosine it has to turn on as before.
+const STRAIGHT: f64 = 0.1;
+const SHARP: f64 = 0.6;
+const ALIGNED: f64 = 0.7;
 /// How far that reaches, over the first step that led to another branch.
 const PAST: f64 = 3.0;
 /// The step across a branch point, likewise.
 const BEYOND: f64 = 0.1;
+
+/// Where a step next to another branch has led.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StepSeen {
+    /// On along the path
+    OnPath,
+    /// To another branch, or nobody knows where; `across` where the next one is to lead across the branch point.
+    #[allow(missing_docs)]
+    Elsewhere { across: bool },
+}
 
 /// A place where a step has led to another branch.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
@@ -34,9 +51,25 @@ impl NearBranch {
         Self { from, first: problem.apart(&from, &next.observables) }
     }
 
-    /// Whether a step that leads to another branch is so short that the path itself branches there.
-    pub fn is_crossed(&self, problem: &Problem, newest: &Solution, next: &Solution) -> bool {
-        problem.apart(&newest.observables, &next.observables) <= CROSSES * self.first
+    /// Where a step has led, on from the two newest points. One whose Newton's method was in doubt between branches, or across which the tangent turns
+    /// otherwise than before, says nothing; across the branch point the path goes on along the branch that it is on, whose stability changes.
+    pub fn seen(
+        &self,
+        problem: &Problem,
+        [before, newest]: [&Solution; 2],
+        next: &Solution,
+        crosses: bool,
+    ) -> StepSeen {
+        let changed = changes_branch(problem, newest, next);
+        let short = problem.apart(&newest.observables, &next.observables) <= CROSSES * self.first;
+        match (changed, crosses || short) {
+            (true, true) => StepSeen::OnPath,
+            (true, false) => StepSeen::Elsewhere { across: false },
+            (false, _) if crosses || next.iterations > CERTAIN || !turns_on(problem, [before, newest, next]) => {
+                StepSeen::Elsewhere { across: short && !crosses }
+            }
+            (false, _) => StepSeen::OnPath,
+        }
     }
 
     /// Whether a step leaves it behind.
@@ -49,10 +82,31 @@ impl NearBranch {
         BEYOND * self.first * weights.dot(slope) / problem.apart(&Observables::default(), slope)
     }
 
+    /// Whether a step in these units is so short that the path may branch there.
+    pub fn is_short(&self, problem: &Problem, weights: &Observables, slope: &Observables, step: f64) -> bool {
+        step <= CROSSES / BEYOND * self.step_across(problem, weights, slope)
+    }
+
     /// Error wanted of a prediction where `asked` suffices elsewhere.
     pub fn step_tolerance(near: Option<&Self>, asked: f64) -> f64 {
         near.map_or(asked, |_| asked.min(TOLERANCE))
     }
+}
+
+/// Whether the tangent turns little on the last step, or on as it did on the step before: where a path turns from one branch to another, it begins to
+/// do so before.
+fn turns_on(problem: &Problem, points: [&Solution; 3]) -> bool {
+    let [first, second, third] = points.map(|point| unit_tangent(problem, point));
+    let (before, turn) = (&second - &first, &third - &second);
+    let angle = turn.norm();
+    angle <= STRAIGHT || angle <= SHARP && turn.dot(&before) >= ALIGNED * angle * before.norm()
+}
+
+/// The tangent of the path at a point, each unknown in its unit, of length one.
+fn unit_tangent(problem: &Problem, point: &Solution) -> DVector<f64> {
+    let units = problem.system.per_unit(&point.at.values);
+    let scaled = point.tangent.direction.iter().zip(units).map(|(change, per_unit)| change * per_unit);
+    DVector::from_iterator(point.tangent.direction.len(), scaled).normalize()
 }
 
 /// Whether a step has gone to another branch. On one branch the number of negative eigenvalues with the displacement held changes by an odd number

@@ -5,6 +5,10 @@ use crate::model::BeamProblem;
 use crate::solve::{LimitPointKind, PathSegment, Solution, SolveError, brackets, locate, locate_branching, unlocated};
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 use crate::study::peel::{PathEnd, PathFailure};
+use std::sync::Arc;
+
+/// How far from a branch point the search for it begins, over its displacement.
+const CLEAR: f64 = 1e-3;
 
 /// A step that contains a limit point.
 struct Candidate {
@@ -178,8 +182,9 @@ impl Followed {
                 continue;
             }
             let alone = turns == 0 && conservative;
+            let start = &self.points[clear_of_branching(&self.points, after)];
             let located =
-                alone.then(|| locate_branching(problem, before, behind.observables.displacement, &mut ws)).transpose();
+                alone.then(|| locate_branching(problem, start, behind.observables.displacement, &mut ws)).transpose();
             match located {
                 Ok(Some(located)) => {
                     self.iterations += located.iterations;
@@ -194,6 +199,21 @@ impl Followed {
         }
         Ok(())
     }
+}
+
+/// The point to look for a branch point from that lies behind `after`: close by, equilibria are not certain.
+fn clear_of_branching(points: &[Arc<Solution>], after: usize) -> usize {
+    let (place, negative) = (|index: usize| points[index].observables.displacement, points[after].negative);
+    let far = place(after + 1);
+    let forward = (far - place(after)).signum();
+    let too_near = |index: usize| (far - place(index)).abs() < CLEAR * far.abs();
+    let leads_here =
+        |index: usize| points[index].negative == negative && (place(index + 1) - place(index)) * forward > 0.0;
+    (1..=after)
+        .rev()
+        .take_while(|&index| too_near(index) && leads_here(index - 1))
+        .last()
+        .map_or(after, |index| index - 1)
 }
 
 fn pick_at(solution: &Solution, turn: LimitPointKind) -> f64 {
