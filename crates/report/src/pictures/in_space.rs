@@ -73,7 +73,7 @@ pub(super) fn shapes_picture(poses: &[Posed], model: &PeelModel, space: &Space, 
     let scene = Scene {
         view: View::beside(if aside < 0.0 { -1.0 } else { 1.0 }),
         outline: space.section,
-        rest: [model.length(), model.free_end().0],
+        rest: model.is_uniform().then(|| [model.length(), model.free_end().0]),
         arrow: round(ARROW * model.length()),
         pull: pull(model, space),
         ground: ground(poses, space.section, model),
@@ -99,8 +99,9 @@ pub(super) fn shapes_picture(poses: &[Posed], model: &PeelModel, space: &Space, 
     let panels: Vec<Panel> = poses.iter().enumerate().map(panel).collect();
     let height = panels.last().map_or(0.0, |panel| panel.frame.bottom) + MARGIN;
     let (first, others) = title.split_once('\n').map_or((title, String::new()), |(a, b)| (a, format!("\n{b}")));
+    let dashed = if scene.rest.is_some() { " Dashed: the strip at rest." } else { "" };
     let about = format!(
-        "Parallel projection, all to one scale: the axes x, y and z are {} nm long. Dashed: the strip at rest. Arrow: direction of the pull.",
+        "Parallel projection, all to one scale: the axes x, y and z are {} nm long.{dashed} Arrow: direction of the pull.",
         significant(scene.arrow, 2).trim_end_matches(".0")
     );
     Picture { title: format!("{first}\n{about}{others}"), height: height.round() as u32, panels }
@@ -137,8 +138,8 @@ fn ground(poses: &[Posed], outline: SectionShape, model: &PeelModel) -> [f64; 4]
 struct Scene {
     view: View,
     outline: SectionShape,
-    /// Length and width of the strip at rest, nm
-    rest: [f64; 2],
+    /// Length and width at rest of a beam that is the same all along, nm
+    rest: Option<[f64; 2]>,
     /// Length of the axes and of the arrow of the pull, nm
     arrow: f64,
     /// Its direction
@@ -198,10 +199,11 @@ impl Scene {
         let [displacement, force] = [posed.displacement, posed.force].map(|value| significant(value, 4));
         panel.title = format!("u = {displacement} nm, P = {force} nN");
         panel.shapes.push(Shape { corners: self.on_ground(self.ground), colour: colour::PALE, opacity: 0.8 });
-        let [length, width] = self.rest;
-        let mut rest = self.on_ground([0.0, length, -0.5 * width, 0.5 * width]);
-        rest.extend(rest.first().copied());
-        panel.lines.push(Line { points: rest, stroke: Stroke::dashed(colour::GREY, 1.0), name: None });
+        if let Some([length, width]) = self.rest {
+            let mut rest = self.on_ground([0.0, length, -0.5 * width, 0.5 * width]);
+            rest.extend(rest.first().copied());
+            panel.lines.push(Line { points: rest, stroke: Stroke::dashed(colour::GREY, 1.0), name: None });
+        }
         for (name, tip) in self.axes() {
             let points = self.arrow_to(self.origin(), tip);
             panel.lines.push(Line { points, stroke: Stroke::solid(colour::INK, 1.0), name: None });
