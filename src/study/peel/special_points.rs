@@ -89,15 +89,39 @@ impl Peel {
     }
 }
 
-/// Bound on the relative error of the force where a path begins, where that is its largest: 0 elsewhere. A mesh has to show that force too.
+/// Bound on the relative error of the force where a path begins, where that is its largest, and in space behind steps over the peak: 0 elsewhere. A
+/// mesh has to show that force too.
 pub(super) fn error_at_start(peel: &Peel, problem: &BeamProblem, points: &[Arc<Solution>]) -> f64 {
-    let is_largest = |first: &&Arc<Solution>| {
-        peel.largest_computed_force
-            .is_some_and(|at| at.displacement == first.observables.displacement && at.force > 0.0)
+    let Some(first) = points.first() else { return 0.0 };
+    let is_largest = peel
+        .largest_computed_force
+        .is_some_and(|at| at.displacement == first.observables.displacement && at.force > 0.0);
+    let force = match peel.peak {
+        _ if is_largest => first.observables.force,
+        Some(peak) if begins_turned(peel) => peak.force,
+        _ => return 0.0,
     };
-    let Some(first) = points.first().filter(is_largest) else { return 0.0 };
     let Ok(difference) = difference_on_more_elements(problem, first, &mut Workspace::default()) else { return 0.0 };
-    let force = first.observables.force;
     (DIFFERENCE_BOUND_FACTOR * difference.force.abs() + ROUND_OFF * force.max(problem.measure.force)) / force
         + least(peel.asked)
+}
+
+/// Whether the pull begins behind steps in space, which turn the strip about where it is fixed.
+fn begins_turned(peel: &Peel) -> bool {
+    peel.model.space.is_some() && !peel.model.steps.is_empty()
+}
+
+impl Peel {
+    /// Behind steps in space displacements count from where the grip was let go, and that is known as well as its force is: the bounds of all places
+    /// hold that too.
+    pub(super) fn allow_for_start(&mut self, problem: &BeamProblem, points: &[Arc<Solution>]) {
+        let Some(first) = points.first().filter(|_| begins_turned(self)) else { return };
+        let difference = difference_on_more_elements(problem, first, &mut Workspace::default());
+        let Ok(difference) = difference else { return };
+        let off = DIFFERENCE_BOUND_FACTOR * (difference.force * first.slope.displacement / first.slope.force).abs();
+        if off.is_finite() {
+            self.limit_points.iter_mut().for_each(|point| point.displacement_error += off);
+            self.tell_bounds();
+        }
+    }
 }
