@@ -133,7 +133,7 @@ pub enum LoadingError {
     Start(PathError),
     /// Its equilibria end on the way.
     #[error("cannot be followed beyond {at}: {why}")]
-    Path { at: LoadingProgress, why: PathError },
+    Path { at: LoadingProgress, why: Box<PathError> },
     /// What it moves turns back.
     #[error("comes to a limit point at {at}, beyond which the beam jumps")]
     Turns { at: LoadingProgress },

@@ -194,7 +194,9 @@ impl LoadingSequence {
         }
         let mut before = start.clone();
         while path.points().len() < MOST_EQUILIBRIA {
-            let here = path.advance().map_err(|why| LoadingError::Path { at: goal.reached(problem, &before), why })?;
+            let here = path
+                .advance()
+                .map_err(|why| LoadingError::Path { at: goal.reached(problem, &before), why: Box::new(why) })?;
             if problem.beam.nearest(&here.at) <= 0.0 {
                 return Err(LoadingError::Inside { at: goal.reached(problem, &before) });
             }

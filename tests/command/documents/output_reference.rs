@@ -65,6 +65,7 @@ const RUNS: &[(&str, &[&[&str]])] = &[
     ("strip-100nm", &[CUT]),
     ("strip-rough", &[SHORT]),
     ("strip-sideways", &[PAST_PEAK]),
+    ("strip-rolled", &[CUT]),
     ("strip-auto", &[]),
     ("strip-auto", &[&["--set", "terms=all"]]),
 ];
