@@ -1,5 +1,6 @@
 //! What bends: section stiffness, outline, reference curves, and the planar beam.
 mod bonded_beam;
+mod grip_state;
 mod lateral_stiffness;
 pub mod mesh;
 mod planar;
@@ -9,6 +10,7 @@ mod spatial;
 mod torsion;
 mod varying;
 pub use bonded_beam::{BondedBeam, BondedMode};
+pub use grip_state::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 pub use lateral_stiffness::LateralStiffness;
 pub use mesh::{Focus, MeshIntervals, MeshKind, Reach, graded_ends};
 pub use planar::*;

@@ -1,6 +1,7 @@
 //! A problem whose system is a beam, in the plane or in space.
 
 use crate::adhesion::Substrate;
+use crate::beam::rotation::Matrix3;
 use crate::beam::{GripForces, GripState, PlanarBeam, SpatialBeam};
 use crate::solve::{EndConditions, InitialState, Mesh, PathMeasure, Problem, State, System};
 use std::borrow::Cow;
@@ -131,7 +132,7 @@ impl Beam {
         }
     }
 
-    /// What the grip exerts on the end of an equilibrium: of a beam in space along x and y, and on its rotation.
+    /// What the grip exerts on the end of an equilibrium.
     pub fn grip_forces(&self, at: &State) -> GripForces {
         match self {
             Self::Planar(beam) => beam.grip_forces(at),
@@ -182,6 +183,16 @@ impl BeamProblem {
     /// A beam in a grip.
     pub fn new(beam: Beam, grip: EndConditions, measure: PathMeasure, start: InitialState) -> Self {
         Self { problem: Problem { system: beam.system(), grip, measure, start }, beam }
+    }
+
+    /// Makes the right end of a beam in space move along these axes: the columns, in the order of its interface. States stay what they are.
+    pub fn move_along(&mut self, axes: Matrix3) {
+        if let Beam::Spatial(beam) = &self.beam {
+            let mut beam = SpatialBeam::clone(beam);
+            beam.chain.ends[1].axes = axes;
+            self.beam = Beam::Spatial(beam.into());
+            self.problem.system = self.beam.system();
+        }
     }
 
     /// The same problem under other end conditions.

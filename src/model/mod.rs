@@ -31,6 +31,7 @@ pub use pieces::*;
 pub use profile::*;
 pub use rod::*;
 pub use space::Space;
+pub(crate) use space::{ACROSS, ALONG, ROLL, ROTATION, SIDEWAYS, YAW};
 pub use spatial_grip::SpatialGrip;
 pub use spatula::*;
 pub use step::*;

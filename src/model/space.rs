@@ -37,12 +37,12 @@ const ROUNDED: f64 = 1e-12;
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Slots of the interface: along the pull, across it in its vertical plane, sideways, and the three angles.
-const ALONG: usize = 0;
-pub(super) const ACROSS: usize = 1;
-pub(super) const SIDEWAYS: usize = 2;
-const ROTATION: usize = 3;
-const YAW: usize = 4;
-pub(super) const ROLL: usize = 5;
+pub(crate) const ALONG: usize = 0;
+pub(crate) const ACROSS: usize = 1;
+pub(crate) const SIDEWAYS: usize = 2;
+pub(crate) const ROTATION: usize = 3;
+pub(crate) const YAW: usize = 4;
+pub(crate) const ROLL: usize = 5;
 
 /// How far behind the front a strip twists off, over the length of the process zone, and the weight of that place beside the front. With it 20
 /// elements give what 32 gave without, of the strip of scenes/strip-sideways.toml.
@@ -53,10 +53,12 @@ const EVEN: f64 = 20.0;
 
 impl PeelModel {
     /// The model in the plane whose solution is the same, of a model in space whose solution stays in the body's vertical plane: one
-    /// whose adhesion is that of a rectangle and that is pulled within it, in one direction or the other.
+    /// whose adhesion is that of a rectangle, that is pulled within it, in one direction or the other, and that no step has moved out of
+    /// it before.
     pub fn in_the_plane(&self) -> Option<Self> {
         let space = self.space?;
-        if space.section != SectionShape::Rectangle || space.azimuth.sin().abs() > ROUNDED {
+        let leaves = self.steps.iter().any(|step| step.motion().is_some_and(|(moved, _)| moved.leaves_plane()));
+        if leaves || space.section != SectionShape::Rectangle || space.azimuth.sin().abs() > ROUNDED {
             return None;
         }
         let mut model = Self { space: None, ..self.clone() };

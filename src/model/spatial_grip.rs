@@ -1,7 +1,6 @@
 //! The grip of a strip in space, beside what it does in the plane.
 
-use super::BeamProblem;
-use super::space::{ACROSS, ROLL, SIDEWAYS};
+use super::{ACROSS, BeamProblem, ROLL, SIDEWAYS};
 use crate::solve::State;
 use serde::{Deserialize, Serialize};
 

@@ -15,8 +15,16 @@ pub enum Step {
     Drag(f64),
     /// Along it, towards the body, nm
     Push(f64),
+    /// Sideways, along z of a strip in space, nm; negative to the other side
+    Shift(f64),
     /// Its rotation, at its place, rad; positive anticlockwise
     Turn(f64),
+    /// Its roll, of a strip in space, at its place, rad
+    Roll(f64),
+    /// Its yaw, likewise
+    Yaw(f64),
+    /// Lets go of its height, and takes hold of it where it exerts no vertical force.
+    Release,
     /// Nothing: equilibria know no time.
     Hold,
 }
@@ -31,6 +39,8 @@ pub enum StepError {
     NotPositive,
     #[error("which is no rotation: write \"hold\"")]
     NoTurn,
+    #[error("which is no displacement: write \"hold\"")]
+    NoShift,
 }
 
 /// What a step moves.
@@ -40,46 +50,60 @@ pub enum Moved {
     Height,
     /// x of the grip, nm
     Place,
+    /// z of the grip, nm
+    Side,
     /// θ of the grip, rad
     Rotation,
+    /// ρ of the grip, rad
+    Roll,
+    /// ψ of the grip, rad
+    Yaw,
+}
+
+impl Moved {
+    /// Whether it is an angle, in rad; else a length, in nm.
+    pub fn is_angle(self) -> bool {
+        matches!(self, Self::Rotation | Self::Roll | Self::Yaw)
+    }
+
+    /// Whether it takes a strip out of its plane.
+    pub fn leaves_plane(self) -> bool {
+        matches!(self, Self::Side | Self::Roll | Self::Yaw)
+    }
 }
 
 impl Step {
-    /// What it moves, and by how much, nm or rad; none of a step that moves nothing.
+    /// What it moves, and by how much, nm or rad; none of a step whose amount is not given.
     pub fn motion(self) -> Option<(Moved, f64)> {
         match self {
             Self::Press(amount) => Some((Moved::Height, -amount)),
             Self::Lift(amount) => Some((Moved::Height, amount)),
             Self::Drag(amount) => Some((Moved::Place, amount)),
             Self::Push(amount) => Some((Moved::Place, -amount)),
+            Self::Shift(amount) => Some((Moved::Side, amount)),
             Self::Turn(amount) => Some((Moved::Rotation, amount)),
-            Self::Hold => None,
+            Self::Roll(amount) => Some((Moved::Roll, amount)),
+            Self::Yaw(amount) => Some((Moved::Yaw, amount)),
+            Self::Release | Self::Hold => None,
         }
     }
 
-    /// Whether it is one: a finite amount, above zero of a length, not zero of an angle.
+    /// Whether it is one: a finite amount, above zero of a length with a word of its own for the way back, else not zero.
     pub fn check(self) -> Result<(), StepError> {
-        match self {
-            Self::Hold => Ok(()),
-            Self::Press(amount) | Self::Lift(amount) | Self::Drag(amount) | Self::Push(amount) | Self::Turn(amount)
-                if !amount.is_finite() =>
-            {
-                Err(StepError::NotFinite)
+        let wrong = match self {
+            Self::Release | Self::Hold => return Ok(()),
+            Self::Press(amount) | Self::Lift(amount) | Self::Drag(amount) | Self::Push(amount) => {
+                (!amount.is_finite(), amount <= 0.0, StepError::NotPositive)
             }
-            Self::Turn(angle) => {
-                if angle != 0.0 {
-                    Ok(())
-                } else {
-                    Err(StepError::NoTurn)
-                }
+            Self::Shift(amount) => (!amount.is_finite(), amount == 0.0, StepError::NoShift),
+            Self::Turn(angle) | Self::Roll(angle) | Self::Yaw(angle) => {
+                (!angle.is_finite(), angle == 0.0, StepError::NoTurn)
             }
-            Self::Press(length) | Self::Lift(length) | Self::Drag(length) | Self::Push(length) => {
-                if length > 0.0 {
-                    Ok(())
-                } else {
-                    Err(StepError::NotPositive)
-                }
-            }
+        };
+        match wrong {
+            (true, ..) => Err(StepError::NotFinite),
+            (_, true, why) => Err(why),
+            _ => Ok(()),
         }
     }
 
@@ -96,7 +120,11 @@ impl fmt::Display for Step {
             Self::Lift(amount) => write!(f, "lift {amount} nm"),
             Self::Drag(amount) => write!(f, "drag {amount} nm"),
             Self::Push(amount) => write!(f, "push {amount} nm"),
+            Self::Shift(amount) => write!(f, "shift {amount} nm"),
             Self::Turn(amount) => write!(f, "turn {}", angle_text(*amount)),
+            Self::Roll(amount) => write!(f, "roll {}", angle_text(*amount)),
+            Self::Yaw(amount) => write!(f, "yaw {}", angle_text(*amount)),
+            Self::Release => write!(f, "release"),
             Self::Hold => write!(f, "hold"),
         }
     }

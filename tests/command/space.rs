@@ -126,16 +126,62 @@ fn the_azimuth_is_swept() {
     assert!(forces.len() == 2 && (forces[0] / forces[1] - 1.0).abs() > 0.01, "{forces:?}");
 }
 
+/// One degree of the azimuth apart, the peak is followed, and is that of whole peels.
 #[test]
-fn what_is_computed_in_the_plane_alone_is_refused_by_name() {
+fn the_peak_is_followed_in_the_azimuth() {
+    let sweep = |more: &[&str]| {
+        let vary = ["--vary", "drive.azimuth", "--from", "55 deg", "--to", "65 deg", "--points", "3"];
+        let held = ["--set", "strip.width=20 nm", "--set", "accuracy.relative=1e-4"];
+        let bound = ["--set", "bounds.displacement=12 nm"];
+        let found = json(&[&["sweep", SIDEWAYS][..], &vary, &held, &bound, more].concat());
+        found["rows"].as_array().unwrap().clone()
+    };
+    for (followed, whole) in sweep(&["--peak-only"]).iter().zip(&sweep(&[])) {
+        for column in ["initiation_peak_nN", "value"] {
+            let [a, b] = [followed, whole].map(|row| row[column].as_f64().unwrap());
+            assert!((a - b).abs() <= 2e-4 * a.abs(), "at {} rad: {a} and {b}", followed["value"]);
+        }
+    }
+}
+
+/// Steps of space are told with what the grip exerts out of the plane.
+#[test]
+fn a_rolled_grip_tells_its_torque() {
+    let rolled = SIDEWAYS.replace("sideways", "rolled");
+    let found = json(&["run", &rolled, "--set", "bounds.displacement=1 nm"]);
+    let number = |path: &str| found.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("{path}"));
+    let near = |path: &str, expected: f64, most: f64| {
+        assert!((number(path) - expected).abs() <= most, "{path}: {}", number(path));
+    };
+    assert_eq!(found["steps"][2]["step"], "release");
+    near("/steps/2/y_nm", 0.320543328, 1e-9);
+    near("/steps/2/torque_nN_nm", 24.1300635, 1e-6);
+    near("/steps/2/roll_deg", 5.0, 1e-12);
+    near("/steps/2/vertical_force_nN", 0.0, 1e-9);
+    near("/initiation_peak/displacement_nm", 0.577228347 - 0.320543328, 1e-8);
+    near("/initiation_peak/force_nN", 2.61014616, 3e-8);
+    near("/limit_points/0/torque_nN_nm", 10.0460141, 1e-5);
+}
+
+/// What a testing machine records of a sideways pull: its first jump is the fold of the whole path.
+#[test]
+fn a_test_in_space_is_recorded() {
+    let short = ["--set", "accuracy.relative=1e-4", "--set", "bounds.displacement=13 nm", "--observed"];
+    let found = json(&[&["run", SIDEWAYS][..], &short].concat());
+    assert_eq!(found["observed"]["end"], "bound");
+    let jump = &found["observed"]["jumps"][0];
+    let at = jump["machine_displacement_nm"].as_f64().unwrap_or_else(|| panic!("{jump}"));
+    assert!((at / 12.7781279884 - 1.0).abs() < 1e-6, "{at}");
+}
+
+#[test]
+fn what_is_not_computed_in_space_is_refused_by_name() {
+    let rolled = SIDEWAYS.replace("sideways", "rolled");
     for (arguments, says) in [
+        (vec!["run", &rolled, "--observed"], "drive.steps has steps before the pull; the test has to begin at rest"),
         (
-            vec!["run", SIDEWAYS, "--observed"],
-            "--observed is computed in the plane, and the strip of this scene leaves it",
-        ),
-        (
-            vec!["sweep", SIDEWAYS, "--vary", "strip.width", "--values", "30,40 nm", "--peak-only"],
-            "--follow computes a limit point in the plane only, and this scene is in space",
+            vec!["sweep", &rolled, "--vary", "strip.width", "--values", "9,10 nm", "--peak-only"],
+            "--follow computes a limit point from rest only, and drive.steps has steps before the pull",
         ),
     ] {
         let output = peel(&arguments);

@@ -94,8 +94,14 @@ fn what_is_not_computed_in_space_is_refused_by_its_key() {
             &[says, "remove `space` and the keys of space"],
         );
     }
-    let steps = SIDEWAYS.to_owned() + "steps = [\"press 0.1 nm\"]\n";
-    assert_says(&complaint(&format!("{MINIMAL}{steps}")), &["`drive.steps` is given", "the pull begins at rest"]);
+    let steps = SIDEWAYS.to_owned() + "steps = [\"yaw 3 deg\"]\n";
+    let says =
+        ["`drive.steps` has the step \"yaw 3 deg\"", "`grip.yaw` is \"free\"", "Give `yaw = \"fixed\"` under [grip]"];
+    assert_says(&complaint(&format!("{MINIMAL}{steps}")), &says);
+    let steps = "[drive]\nsteps = [\"shift 3 nm\"]\n";
+    let says = ["`drive.steps` has the step \"shift 3 nm\", which leaves the plane", "Give `space = true`"];
+    assert_says(&complaint(&format!("{MINIMAL}{steps}")), &says);
+    Scene::parse("a.toml", &format!("space = true\n{MINIMAL}{steps}"), &[]).unwrap();
     // bodies of every kind are
     assert!(Scene::parse("a.toml", &format!("space = true\n{SPATULA}"), &[]).is_ok());
     let forces = |law: &str| complaint(&format!("{MINIMAL}{law}{SIDEWAYS}"));

@@ -50,6 +50,7 @@ const TEMPLATES: &[Template] = templates![
     "spatula-rough" "a spatula on wavy ground",
     "strip-friction" "a strip held by friction alone, pulled at 30 degrees",
     "strip-sideways" "a strip in space, pulled sideways",
+    "strip-rolled" "a strip in space whose grip is rolled before the pull",
     "tape" "an adhesive tape of some millimetres, under a cohesive law",
     "rubber" "a soft film under a cohesive law",
     "strip-auto" "a strip whose model is reduced to the terms that matter",

@@ -27,7 +27,7 @@ pub struct Verify {
     #[arg(long, value_name = "N", conflicts_with_all = ["only", "hard"])]
     sampled: Option<u64>,
 
-    /// What is sampled: strip, angle, spatula or law; all of them unless given
+    /// What is sampled: strip, angle, spatula, law or space; all of them unless given
     #[arg(long, value_name = "KIND")]
     kind: Option<String>,
 

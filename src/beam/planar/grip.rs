@@ -1,32 +1,8 @@
-//! Where the grip of a planar beam is, and what it exerts on the right end.
+//! The grip of a planar beam.
 
 use super::{PlanarBeam, SectionState};
+use crate::beam::{GripForces, GripState};
 use crate::solve::{State, System};
-use serde::{Deserialize, Serialize};
-
-/// What the grip exerts on the right end.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct GripForces {
-    /// H along the substrate, away from the beam, nN
-    pub horizontal: f64,
-    /// V away from the substrate, nN
-    pub vertical: f64,
-    /// M, nN·nm, positive where it turns the end anticlockwise
-    pub moment: f64,
-}
-
-/// Where the grip is, and what it exerts.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct GripState {
-    /// How far it has come along the substrate, nm; none where it is free there and nothing looks at it
-    pub x: Option<f64>,
-    /// How far away from the substrate, nm
-    pub y: f64,
-    /// θ(L), rad
-    pub rotation: f64,
-    /// What the grip exerts on the beam
-    pub forces: GripForces,
-}
 
 impl PlanarBeam {
     /// The grip in an equilibrium, seen from an earlier one.
@@ -37,6 +13,7 @@ impl PlanarBeam {
             x: self.slot_of_x().map(moved),
             y: moved(self.slot_of_height()),
             rotation: here[self.slot_of_rotation()],
+            in_space: None,
             forces: self.grip_forces(at),
         }
     }
@@ -57,6 +34,6 @@ impl PlanarBeam {
         let last = at.mesh.elements() - 1;
         let section = self.chain.node_states(self.configuration(at), last..last + 1)[1].section;
         let SectionState { horizontal_force: horizontal, vertical_force: vertical, moment, .. } = section;
-        GripForces { horizontal, vertical, moment }
+        GripForces { horizontal, vertical, moment, in_space: None }
     }
 }

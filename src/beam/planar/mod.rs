@@ -15,7 +15,6 @@ pub use density::*;
 pub use element::*;
 pub use friction_history::FrictionHistory;
 pub use front_position::FrontPosition;
-pub use grip::{GripForces, GripState};
 pub use mesh_policy::MeshPolicy;
 pub use model_limits::*;
 pub use planar_beam::*;

@@ -5,6 +5,7 @@ use super::density::SPATIAL_FIELDS;
 use super::end_rotation::{EndRotation, turned};
 use super::rest::SpatialRest;
 use super::rotation::{apply, apply_transposed, matrix};
+use crate::adhesion::SectionShape;
 use crate::beam::{MeshKind, MeshPolicy};
 use crate::solve::{INTERFACE, Mesh, State};
 
@@ -110,16 +111,18 @@ impl SpatialBeam {
         self.front(self.chain.energy(self.configuration(at), &still).0.coverage)
     }
 
-    /// Height of the lowest corner of a section with these fields above the ground, nm, b wide and h high.
+    /// Height of the lowest point of a section with these fields above the ground, nm.
     fn lowest(&self, place: f64, fields: &[f64; SPATIAL_FIELDS]) -> f64 {
         let mut node = *fields;
         normalise(&mut node);
         let frame = matrix([node[3], node[4], node[5], node[6]]);
         let station = self.chain.density.profile.at(place);
-        node[1] - 0.5 * ((station.width * frame[1][1]).abs() + (station.height * frame[1][2]).abs())
+        let (aside, up) = (station.width * frame[1][1], station.height * frame[1][2]);
+        let round = self.chain.density.adhesion.as_ref().is_some_and(|own| own.shape() == SectionShape::Ellipse);
+        node[1] - 0.5 * if round { aside.hypot(up) } else { aside.abs() + up.abs() }
     }
 
-    /// Distance of the beam from the ground, nm: of the lowest corner at its nodes and between them.
+    /// Distance of the beam from the ground, nm: of the lowest points of its sections, at its nodes and between them.
     pub fn nearest(&self, at: &State) -> f64 {
         let (configuration, order) = (self.configuration(at), self.chain.order());
         let mut nearest = f64::INFINITY;

@@ -4,7 +4,7 @@ use super::chain::{quaternion_of, read::normalise};
 use super::end_rotation::{EndRotation, angles};
 use super::rotation::{apply, matrix};
 use super::spatial_beam::SpatialBeam;
-use crate::beam::{GripForces, GripState};
+use crate::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 use crate::solve::State;
 
 /// What the grip exerts on the right end of a beam in space.
@@ -62,23 +62,25 @@ impl SpatialBeam {
         at
     }
 
-    /// What the grip exerts along x and y, and on the end's rotation.
+    /// What the grip exerts along x, y and z, and on the end's angles.
     pub fn grip_forces(&self, at: &State) -> GripForces {
-        let GripReactions { force: [horizontal, vertical, _], moment: [moment, ..] } = self.grip_reactions(at);
-        GripForces { horizontal, vertical, moment }
+        let reactions = self.grip_reactions(at);
+        let ([horizontal, vertical, lateral], [moment, yaw_moment, torque]) = (reactions.force, reactions.moment);
+        GripForces { horizontal, vertical, moment, in_space: Some(ForcesInSpace { lateral, yaw_moment, torque }) }
     }
 
     /// The grip in an equilibrium, seen from an earlier one.
     pub fn grip_state(&self, at: &State, from: &State) -> GripState {
-        let place = |state: &State| -> [f64; 2] {
+        let place = |state: &State| -> [f64; 3] {
             let node = self.chain.end_node(self.configuration(state), 1);
-            [node[0], node[1]]
+            [node[0], node[1], node[2]]
         };
-        let (here, there) = (place(at), place(from));
+        let (here, there, [rotation, yaw, roll]) = (place(at), place(from), self.angles_of_grip(at));
         GripState {
             x: Some(here[0] - there[0]),
             y: here[1] - there[1],
-            rotation: self.rotation_of_grip(at),
+            rotation,
+            in_space: Some(PlaceInSpace { z: here[2] - there[2], yaw, roll }),
             forces: self.grip_forces(at),
         }
     }

@@ -22,6 +22,26 @@ pub(super) fn check_steps(steps: &[Step]) -> Result<(), ModelError> {
     Ok(())
 }
 
+/// That the grip holds every angle that a step turns, and that a strip in the plane is not moved out of it.
+fn check_moved(model: &PeelModel) -> Result<(), ModelError> {
+    let error = |kind| Err(ModelError::new("drive.steps", kind));
+    for (step, moved) in model.steps.iter().filter_map(|&step| Some((step, step.motion()?.0))) {
+        let (held, space) = match (moved, model.space) {
+            (Moved::Rotation, _) => (("rotation", model.grip.rotation), model.space),
+            (Moved::Roll, Some(space)) => (("roll", space.roll), Some(space)),
+            (Moved::Yaw, Some(space)) => (("yaw", space.yaw), Some(space)),
+            _ => (("", Hold::Fixed), model.space),
+        };
+        if moved.leaves_plane() && space.is_none() {
+            return error(ModelErrorKind::StepOutOfPlane { step });
+        }
+        if let (held, Hold::Free) = held {
+            return error(ModelErrorKind::StepOfFreeGrip { step, held });
+        }
+    }
+    Ok(())
+}
+
 /// That nothing turns the end in a grip that is free to turn, or under a load without a potential, and that a strip is lifted.
 pub(super) fn check(model: &PeelModel) -> Result<(), ModelError> {
     let free = model.grip.rotation == Hold::Free;
@@ -33,9 +53,7 @@ pub(super) fn check(model: &PeelModel) -> Result<(), ModelError> {
         let found = Measured { value: turn, unit: "rad/nm" };
         return Err(ModelError::new("drive.turn", ModelErrorKind::TurnWithoutPotential { found }));
     }
-    if let Some(&step) = model.steps.iter().find(|step| step.moves(Moved::Rotation)).filter(|_| free) {
-        return Err(ModelError::new("drive.steps", ModelErrorKind::StepOfFreeGrip { step }));
-    }
+    check_moved(model)?;
     let along = model.pull.direction().up.abs() < ALONG;
     if along && model.strip().is_some() && model.friction_law().is_none() {
         let degrees = model.pull.angle.to_degrees();

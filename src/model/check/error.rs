@@ -106,8 +106,11 @@ pub enum ModelErrorKind {
     )]
     TurnWithoutPotential { found: Measured },
     /// A step that turns a grip that is free to turn.
-    #[error("has the step \"{step}\", and `grip.rotation` is \"free\": such a grip cannot rotate the end")]
-    StepOfFreeGrip { step: Step },
+    #[error("has the step \"{step}\", and `grip.{held}` is \"free\": such a grip cannot rotate the end")]
+    StepOfFreeGrip { step: Step, held: &'static str },
+    /// A step that takes a strip in the plane out of it.
+    #[error("has the step \"{step}\", which leaves the plane, and this scene is in the plane")]
+    StepOutOfPlane { step: Step },
     /// A step that is none; steps are counted from 1.
     #[error("has as step {number} \"{step}\", {wrong}")]
     Step { number: usize, step: Step, wrong: StepError },
@@ -162,6 +165,7 @@ impl ModelErrorKind {
             | Self::NotInSpace { .. }
             | Self::LawInSpace(_)
             | Self::StepOfFreeGrip { .. }
+            | Self::StepOutOfPlane { .. }
             | Self::Step { .. } => None,
         }
     }
@@ -207,9 +211,12 @@ impl ModelErrorKind {
             Self::TooManyZones { .. } => "Use a shorter or a stiffer strip or pad.",
             Self::TurnOfFreeGrip { .. } => "Give `rotation = \"fixed\"` under [grip], or remove `turn`.",
             Self::TurnWithoutPotential { .. } => "Use another law or line_load under [adhesion], or remove `turn`.",
+            Self::StepOfFreeGrip { held: "roll", .. } => "Give `roll = \"fixed\"` under [grip], or remove the step.",
+            Self::StepOfFreeGrip { held: "yaw", .. } => "Give `yaw = \"fixed\"` under [grip], or remove the step.",
             Self::StepOfFreeGrip { .. } => "Give `rotation = \"fixed\"` under [grip], or remove the step.",
+            Self::StepOutOfPlane { .. } => "Give `space = true`, or remove the step.",
             Self::Step { .. } => {
-                "Give lengths above zero, angles that are not zero, and \"hold\" for a step that moves nothing."
+                "Give lengths above zero, shifts and angles that are not zero, and \"hold\" for a step that moves nothing."
             }
             Self::TooManySteps { .. } => "Take fewer steps: one that is longer in place of several.",
             Self::NotInSpace { .. } => {

@@ -4,7 +4,7 @@ use super::{ModelError, ModelErrorKind};
 use crate::adhesion::SectionShape;
 use crate::model::PeelModel;
 
-/// That it is on flat ground without friction and pulled from rest, under a law that has an energy there; that only a strip has a section of a shape.
+/// That it is on flat ground without friction, under a law that has an energy there; that only a strip has a section of a shape.
 pub(super) fn check(model: &PeelModel) -> Result<(), ModelError> {
     let Some(space) = &model.space else { return Ok(()) };
     let not = |wrong: bool, key: &'static str, why: &'static str| match wrong {
@@ -15,7 +15,6 @@ pub(super) fn check(model: &PeelModel) -> Result<(), ModelError> {
     not(shaped, "strip.section", "it is the section of a strip")?;
     not(!model.ground.substrate.is_flat(), "substrate.shape", "the substrate is flat")?;
     not(model.friction.strength.is_some(), "friction.strength", "there is no friction")?;
-    not(!model.steps.is_empty(), "drive.steps", "the pull begins at rest")?;
     not(model.grip.pretension.is_some(), "grip.pretension", "the strip adheres without pretension")?;
     let of_law = |error| ModelError::new("adhesion.law", ModelErrorKind::LawInSpace(error));
     model.spatial_section(space).map(drop).map_err(of_law)

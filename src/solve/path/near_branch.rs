@@ -10,8 +10,8 @@ use serde::{Deserialize, Serialize};
 pub const SHORTER: f64 = 0.3;
 /// Where it still does when it is this share of the first that did, the path does branch there.
 const CROSSES: f64 = 1e-4;
-/// Error wanted of a prediction, relative as in [`crate::solve::System::size`]: so little that neither branch can be taken for the other. With 1e-3 and
-/// more two of eight peaks that were looked at belonged to the branch that is not that of rest.
+/// Error wanted of a prediction, relative as in [`crate::solve::System::size`]: so little that neither branch can be taken for the other. Without it
+/// two of nine strips in space that were drawn at random came to the peak of the branch that is not that of rest.
 const TOLERANCE: f64 = 1e-5;
 /// How far that reaches, over the first step that led to another branch.
 const PAST: f64 = 3.0;

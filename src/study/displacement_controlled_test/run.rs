@@ -140,7 +140,7 @@ impl Test {
             return Ok(TestEnd::Bound(bound));
         }
         self.retreat = Some(self.balance(machine, &far)?);
-        let (back, bound) = self.way(machine, far.at.clone(), LoadingDirection::Approach)?;
+        let (back, bound) = self.way(machine, machine.begin_at(&far), LoadingDirection::Approach)?;
         if let Some(bound) = bound {
             return Ok(TestEnd::Bound(bound));
         }
@@ -184,7 +184,7 @@ impl Test {
                 self.point(machine, &landed, way, self.work);
                 return Ok((landed, None));
             }
-            at = landed.at.clone();
+            at = machine.begin_at(&landed);
         }
         Err(TestError::TooManyJumps { way })
     }

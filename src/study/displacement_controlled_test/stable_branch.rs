@@ -1,7 +1,7 @@
 //! One stable piece of a test: from an equilibrium on until it is lost or the machine has arrived.
 
 use super::failure::BranchError;
-use crate::model::BeamProblem;
+use crate::model::{Beam, BeamProblem};
 use crate::solve::{
     LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathEvent, PathOptions, PathSegment,
     PathTracer, Solution, State, TraceOptions, Workspace, locate, solve,
@@ -62,6 +62,15 @@ const BEHIND: usize = 2;
 const INSIDE: usize = 8;
 
 impl Machine<'_> {
+    /// Where a branch begins on which the strip has come to rest. In space on a mesh whose focus is its front: steps are so short there that
+    /// the way from another mesh would be longer.
+    pub fn begin_at(&self, landed: &Solution) -> State {
+        match self.problem.beam {
+            Beam::Planar(_) => landed.at.clone(),
+            Beam::Spatial(_) => self.problem.system.refocused(&landed.at, landed.observables.monitors),
+        }
+    }
+
     /// Follows the stable equilibria from `start` on; U rises or falls as `rising` says. `points` have been computed before.
     pub fn follow(&self, start: State, rising: bool, until: Until, points: usize) -> Result<StableBranch, BranchError> {
         let first = self.options.first_displacement.copysign(if rising { 1.0 } else { -1.0 });

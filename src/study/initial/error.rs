@@ -1,6 +1,6 @@
 //! Why a path has no start.
 
-use crate::beam::{GripForces, GripState, UprightSection};
+use crate::beam::{ForcesInSpace, GripForces, GripState, UprightSection};
 use crate::model::{NoSuchOrder, Step};
 use crate::solve::{PathError, RelaxError, SolveError};
 use serde::{Deserialize, Serialize};
@@ -182,8 +182,12 @@ impl fmt::Display for LoadingUnit {
 
 impl fmt::Display for LoadingProgress {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Self { amount, unit, forces: GripForces { horizontal, vertical, moment } } = self;
-        write!(f, "{amount:.6} {unit} (H = {horizontal:.6} nN, V = {vertical:.6} nN, M = {moment:.6} nN nm)")
+        let Self { amount, unit, forces: GripForces { horizontal, vertical, moment, in_space } } = self;
+        write!(f, "{amount:.6} {unit} (H = {horizontal:.6} nN, V = {vertical:.6} nN, M = {moment:.6} nN nm")?;
+        if let Some(ForcesInSpace { lateral, yaw_moment, torque }) = in_space {
+            write!(f, ", sideways {lateral:.6} nN, on the yaw {yaw_moment:.6} nN nm, on the roll {torque:.6} nN nm")?;
+        }
+        f.write_str(")")
     }
 }
 

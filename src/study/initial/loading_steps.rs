@@ -6,11 +6,12 @@
 //! what is moved; there is no time in it. A step ends at its amount, and not beyond a loss of stability, where a beam would jump.
 
 use super::error::{LoadingError, LoadingPhase, LoadingProgress, LoadingUnit, NoEquilibrium};
-use crate::beam::{BUNDLE, FRONT, GripForces, GripState};
+use super::grip_control::{GripControl, LettingGo, NONE};
+use crate::beam::{BUNDLE, FRONT, GripState};
 use crate::model::{BeamProblem, Moved, PeelModel, Step};
 use crate::solve::{
-    Direction, EndConditions, INTERFACE, LimitPointKind, Located, MOST_POINTS, NewtonOptions, Observables, Path,
-    PathConstraint, PathOptions, PathSegment, ShouldStop, Solution, State, Workspace, locate, settle, solve,
+    LimitPointKind, Located, MOST_POINTS, NewtonOptions, Observables, Path, PathConstraint, PathOptions, PathSegment,
+    ShouldStop, Solution, State, Workspace, locate, settle, solve,
 };
 use std::sync::Arc;
 
@@ -18,6 +19,8 @@ use std::sync::Arc;
 /// twice as many.
 const SHORT: f64 = 10.0;
 const A_BREAK: usize = 4;
+/// How many times as many a strip in space takes, where a rolled section comes near the ground within a short way.
+const IN_SPACE: f64 = 2.0;
 /// How many times as many a law with corners takes, and how many more where elements are cut there.
 const CORNERED: f64 = 5.0;
 const AT_CORNERS: f64 = 32.0;
@@ -34,8 +37,6 @@ const OF_WAY: f64 = 0.1;
 const MOST_EQUILIBRIA: usize = 500;
 /// Parts of a segment of the path in which its end is looked for.
 const PARTS: usize = 64;
-/// A force below this share of its scale is none.
-const NONE: f64 = 1e-9;
 
 /// Takes the steps of a model: its problem then starts where they have led, unless one of them has no end. The grip behind each that
 /// was taken.
@@ -47,11 +48,17 @@ pub(super) fn take(
     if model.steps.is_empty() {
         return (Vec::new(), Ok(()));
     }
-    let pull = GripControl::of(&problem.grip);
-    let mut sequence =
-        LoadingSequence { elements: elements(model, problem), pull, first: None, should_stop, taken: Vec::new() };
+    let pull = GripControl::of(problem);
+    let mut sequence = LoadingSequence {
+        elements: elements(model, problem),
+        azimuth: model.space.map(|space| space.azimuth),
+        pull,
+        first: None,
+        should_stop,
+        taken: Vec::new(),
+    };
     let taken = sequence.all(&model.steps, problem);
-    pull.set(&mut problem.grip);
+    pull.set(problem);
     (sequence.taken, taken)
 }
 
@@ -62,29 +69,11 @@ pub(super) fn elements(model: &PeelModel, problem: &BeamProblem) -> usize {
     }
     let span = (model.length() / model.process_length()).asinh();
     let corners = if model.adhesion.attraction.corners() > 1.0 && !model.cuts_elements() { CORNERED } else { 1.0 };
+    let in_space = if model.space.is_some() { IN_SPACE } else { 1.0 };
     let cut = if model.cuts_elements() { AT_CORNERS } else { 0.0 };
     let slides = model.sticking_length().map_or(0.0, |_| (model.length() / model.feature_length()).min(MOST_SLIDING));
-    let elements = corners * (SHORT + span * span) + cut + slides;
+    let elements = in_space * corners * (SHORT + span * span) + cut + slides;
     (elements.ceil() as usize + A_BREAK * model.breaks().len()).next_multiple_of(BUNDLE)
-}
-
-/// What the grip moves and what it holds.
-#[derive(Clone, Copy)]
-struct GripControl {
-    driven: usize,
-    direction: Direction,
-    held: [bool; INTERFACE],
-    gear: f64,
-}
-
-impl GripControl {
-    fn of(grip: &EndConditions) -> Self {
-        Self { driven: grip.driven, direction: grip.direction, held: grip.held, gear: grip.gear }
-    }
-
-    fn set(self, grip: &mut EndConditions) {
-        Self { driven: grip.driven, direction: grip.direction, held: grip.held, gear: grip.gear } = self;
-    }
 }
 
 /// What the path of a step ends at.
@@ -100,6 +89,8 @@ struct Goal {
 /// Steps under way.
 struct LoadingSequence {
     elements: usize,
+    /// Of the pull in space, rad
+    azimuth: Option<f64>,
     /// What the grip does in the pull behind them.
     pull: GripControl,
     /// Where they began.
@@ -114,19 +105,21 @@ impl LoadingSequence {
         let failed = |phase: LoadingPhase| move |cause| NoEquilibrium::Loading { phase, cause: Box::new(cause) };
         self.begin(problem).map_err(failed(LoadingPhase::Start))?;
         for (number, &step) in (1..).zip(steps) {
-            if let Some((moved, amount)) = step.motion() {
+            let moved = step.motion().map_or(Moved::Height, |(moved, _)| moved);
+            if step != Step::Hold {
                 self.take_hold(problem, moved).map_err(failed(LoadingPhase::LettingGo { number, step }))?;
-                let scale = problem.grip.displacement_scale();
-                let first = (FIRST * scale).min(OF_WAY * amount.abs()).copysign(amount);
-                let unit = if moved == Moved::Rotation { LoadingUnit::Radian } else { LoadingUnit::Nanometre };
-                let goal = Goal { what: LimitPointKind::Displacement, value: amount, first, unit };
-                self.follow(problem, goal).map_err(failed(LoadingPhase::Step { number, step }))?;
             }
+            let taken = match (step, step.motion()) {
+                (_, Some((_, amount))) => self.follow(problem, Goal::moved(problem, moved, amount)),
+                (Step::Release, None) => self.release(problem),
+                _ => Ok(()),
+            };
+            taken.map_err(failed(LoadingPhase::Step { number, step }))?;
             if let (Some(at), Some(first)) = (problem.start.known(), &self.first) {
                 self.taken.push(problem.beam.grip_state(at, first));
             }
         }
-        self.pull.set(&mut problem.grip);
+        self.pull.set(problem);
         self.let_go(problem).map_err(failed(LoadingPhase::LettingGoToPull))
     }
 
@@ -143,47 +136,31 @@ impl LoadingSequence {
 
     /// Makes the grip move this and hold the rest, from the equilibrium where it is.
     fn take_hold(&self, problem: &mut BeamProblem, moved: Moved) -> Result<(), LoadingError> {
-        let (height, rotation) = (self.pull.driven, problem.beam.slot_of_rotation());
-        let mut held = self.pull.held;
-        let (driven, direction) = match moved {
-            Moved::Height => (height, Direction::UP),
-            // the height is then what is held across
-            Moved::Place => (height, Direction { along: 1.0, up: 0.0 }),
-            Moved::Rotation => (rotation, Direction::UP),
-        };
-        held[height] = moved == Moved::Rotation;
-        held[rotation] &= moved != Moved::Rotation;
-        if let Some(across) = problem.grip.across {
-            held[across] |= moved == Moved::Place;
-        }
-        GripControl { driven, direction, held, gear: 0.0 }.set(&mut problem.grip);
+        self.pull.moving(problem, self.azimuth, moved).set(problem);
         self.let_go(problem)
     }
 
-    /// Lets the force on what the grip does not hold across fall to zero, with all else held.
+    /// Lets the force on what the grip does not hold fall to zero, with all else held.
     fn let_go(&self, problem: &mut BeamProblem) -> Result<(), LoadingError> {
-        let control = GripControl::of(&problem.grip);
-        let (Some(across), Some(at)) = (problem.grip.across, problem.start.known().cloned()) else { return Ok(()) };
-        if control.held[across] {
+        let control = GripControl::of(problem);
+        let Some(at) = problem.start.known().cloned() else { return Ok(()) };
+        let Some(LettingGo { control: meanwhile, force }) = control.letting_go(problem, self.pull.driven, &at) else {
             return Ok(());
-        }
-        let GripForces { horizontal, vertical, .. } = problem.beam.grip_forces(&at);
-        let Direction { along, up } = control.direction;
-        let (force, _) = control.direction.turned(horizontal, vertical);
+        };
+        meanwhile.set(problem);
+        let done = self.follow(problem, Goal::without(problem, force));
+        control.set(problem);
+        done
+    }
+
+    /// Lets the vertical force fall to zero, with the height as what moves.
+    fn release(&self, problem: &mut BeamProblem) -> Result<(), LoadingError> {
+        let Some(at) = problem.start.known() else { return Ok(()) };
+        let force = problem.beam.grip_forces(at).vertical;
         if force.abs() < NONE * problem.measure.force {
             return Ok(());
         }
-        let mut held = control.held;
-        // what is about to be moved as well, and the height across the way in which the place is let go
-        held[control.driven] = true;
-        (held[across], held[self.pull.driven]) = (true, false);
-        GripControl { driven: self.pull.driven, direction: Direction { along: up, up: -along }, held, gear: 0.0 }
-            .set(&mut problem.grip);
-        let first = -(FIRST * problem.grip.displacement_scale()).copysign(force);
-        let done =
-            self.follow(problem, Goal { what: LimitPointKind::Load, value: 0.0, first, unit: LoadingUnit::Nanometre });
-        control.set(&mut problem.grip);
-        done
+        self.follow(problem, Goal::without(problem, force))
     }
 
     fn options(&self, first: f64) -> PathOptions {
@@ -209,8 +186,12 @@ impl LoadingSequence {
         let mut path = Path::new(problem, self.options(goal.first)).until(self.should_stop.clone());
         let start = path.advance().map_err(LoadingError::Start)?;
         let value = goal.what.pick();
-        let onward = (goal.value - value(&start.observables)).signum();
+        let onward = goal.first.signum();
         let is_there = |o: &Observables| (value(o) - goal.value) * onward >= 0.0;
+        // a force that was round-off
+        if is_there(&start.observables) {
+            return Ok(Solution::clone(&start));
+        }
         let mut before = start.clone();
         while path.points().len() < MOST_EQUILIBRIA {
             let here = path.advance().map_err(|why| LoadingError::Path { at: goal.reached(problem, &before), why })?;
@@ -259,6 +240,19 @@ impl LoadingSequence {
 }
 
 impl Goal {
+    /// That what moves has come so far, nm or rad.
+    fn moved(problem: &BeamProblem, moved: Moved, amount: f64) -> Self {
+        let first = (FIRST * problem.grip.displacement_scale()).min(OF_WAY * amount.abs()).copysign(amount);
+        let unit = if moved.is_angle() { LoadingUnit::Radian } else { LoadingUnit::Nanometre };
+        Self { what: LimitPointKind::Displacement, value: amount, first, unit }
+    }
+
+    /// That this force on what moves has fallen to zero.
+    fn without(problem: &BeamProblem, force: f64) -> Self {
+        let first = -(FIRST * problem.grip.displacement_scale()).copysign(force);
+        Self { what: LimitPointKind::Load, value: 0.0, first, unit: LoadingUnit::Nanometre }
+    }
+
     fn weights(self) -> Observables {
         match self.what {
             LimitPointKind::Displacement => Observables::DISPLACEMENT,

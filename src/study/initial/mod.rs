@@ -1,5 +1,7 @@
 //! Where a path starts: how the beam comes to lie on its ground, and what the grip does before the pull.
 mod error;
+mod grip_control;
+mod grip_in_space;
 mod loading_steps;
 mod settled_in_space;
 mod settled_on_ground;

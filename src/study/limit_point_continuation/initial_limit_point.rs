@@ -65,6 +65,10 @@ fn snap_off(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Resu
     let (Some(at), Some(trace)) = (peel.snap_off, &peel.trace) else {
         return PointNotFound::unknown_behind(peel.end).map_or(Ok(None), Err);
     };
+    // what stays in the plane was computed there, and is followed in space
+    if model.space.is_some() && trace.problem.beam.planar().is_some() {
+        return Err(PointNotFound::NotFoundAgain);
+    }
     let problem: &Problem = &trace.problem;
     let segment = PathSegment::around(problem, &trace.points, at.after);
     let mut ws = Workspace::default();

@@ -48,7 +48,7 @@ impl Sweep<'_> {
 
 /// Stored and adhesion energy where the path begins, aJ.
 fn energy_at_rest(model: &PeelModel) -> Option<f64> {
-    if let Some(strip) = model.strip() {
+    if let Some(strip) = model.strip().filter(|_| model.space.is_none()) {
         return Some(strip.width * model.line_law().rest_energy() * strip.length);
     }
     let how = Discretisation::moving(Form::TwoField, ORDER);

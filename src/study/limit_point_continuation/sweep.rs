@@ -31,6 +31,10 @@ pub fn follow_point<M: Into<PeelModel>>(
     solved: &dyn Fn(usize),
 ) -> FollowedSweep {
     let model = |value: f64| model(value).into();
+    // of a sweep that leaves the plane all points are in space, as of one beam
+    let planar = |value: &f64| model(*value).in_the_plane();
+    let in_plane = values.iter().all(|value| planar(value).is_some());
+    let model = |value: f64| planar(&value).filter(|_| in_plane).unwrap_or_else(|| model(value));
     // the point is one equilibrium, from which nothing is left out
     let accuracy = &Accuracy { terms: Terms::All, ..*accuracy };
     let at_coordinate = |s: f64| model(spacing.value(s));

@@ -28,6 +28,8 @@ const STAGNATION: f64 = 2e-8;
 /// The same where the error did not fall with this many times as many elements.
 const CERTAIN_STAGNATION: f64 = 1e-6;
 const MANY_MORE: usize = 2;
+/// Meshes in space on which a path may be unusable: what three did not cure more do not, and each takes as long as a peel that succeeds.
+const MOST_FAILED_IN_SPACE: usize = 4;
 /// Length of the steps of a path that confirms another, over those of the other.
 const SHORTER: f64 = 0.5;
 /// Most such paths.
@@ -105,7 +107,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Opt
     };
     let far = model.line_law().cutoff_distance();
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
-    let (mut iterations, mut unfinished, mut finest) = (0, false, 0);
+    let (mut iterations, mut unfinished, mut finest, mut failed) = (0, false, 0, 0);
     let mut best =
         refined(first, most_elements(model), Attempt::is_better_than, |resolution, best: Option<&Attempt>| {
             let mut options = resolution.path_options(model, accuracy.relative);
@@ -118,11 +120,15 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Opt
                 || best.is_some_and(|best| attempt.is_stuck_behind(best));
             let over = attempt.cut || limits.reached().is_some();
             unfinished = over && (attempt.cut || attempt.trouble.is_some() || !enough);
+            let hopeless = attempt.trouble.is_some() && model.space.is_some() && {
+                failed += 1;
+                failed == MOST_FAILED_IN_SPACE
+            };
             if attempt.trouble.is_none() {
                 finest = finest.max(attempt.peel.effort.elements);
                 others.push(attempt.peel.limit_points.clone());
             }
-            let finer = (!enough && !over).then_some(attempt.next);
+            let finer = (!enough && !over && !hopeless).then_some(attempt.next);
             (attempt, finer)
         });
     if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {

@@ -6,3 +6,4 @@ mod pieces;
 mod pull;
 mod rough_spatula;
 mod steps;
+mod steps_in_space;

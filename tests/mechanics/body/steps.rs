@@ -116,6 +116,20 @@ fn a_way_round_leads_to_the_same() {
     }
 }
 
+/// Pressed or lifted and let go of, a strip is where it lay.
+#[test]
+fn a_release_finds_the_height_without_a_force() {
+    let whole = peeled(&strip(Hold::Free, Hold::Free, &[]));
+    for step in [Step::Press(0.05), Step::Lift(0.1)] {
+        let part = peeled(&strip(Hold::Free, Hold::Free, &[step, Step::Release]));
+        assert_near("y", part.steps[1].y, 0.0, 1e-10);
+        assert_near("V", part.steps[1].forces.vertical, 0.0, 1e-10);
+        assert_shifted(&whole, &part, 0.0);
+    }
+    let again = peeled(&strip(Hold::Free, Hold::Free, &[Step::Release]));
+    assert_eq!(again.steps[0].y, 0.0);
+}
+
 /// H = EA d/L; let go, a grip that is free along the substrate springs back, and nothing is left of the drag.
 #[test]
 fn a_strip_that_lies_flat_is_dragged_by_its_stiffness() {

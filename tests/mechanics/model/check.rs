@@ -262,15 +262,32 @@ fn what_does_not_fit_the_drive() {
     let taking = |model: &PeelModel, steps: Vec<Step>| PeelModel { steps, ..model.clone() };
     assert_eq!(taking(&fixed, vec![Step::Turn(-0.1), Step::Hold, Step::Press(0.1)]).check(), Ok(()));
     let error = refused(&taking(&strip(), vec![Step::Hold, Step::Turn(0.1)]));
-    assert_eq!(error.kind(), &ModelErrorKind::StepOfFreeGrip { step: Step::Turn(0.1) });
+    assert_eq!(error.kind(), &ModelErrorKind::StepOfFreeGrip { step: Step::Turn(0.1), held: "rotation" });
+    for step in [Step::Roll(0.1), Step::Yaw(-0.1), Step::Shift(0.1)] {
+        let error = refused(&taking(&fixed, vec![step]));
+        assert_eq!((error.key(), error.kind()), ("drive.steps", &ModelErrorKind::StepOutOfPlane { step }));
+        let space = Space { roll: Hold::Fixed, yaw: Hold::Fixed, ..Space::default() };
+        let there = PeelModel { space: Some(space), ..taking(&fixed, vec![step]) };
+        assert_eq!(there.check(), Ok(()));
+        assert!(there.in_the_plane().is_none(), "{step} leads out of the plane");
+    }
+    let free = PeelModel { space: Some(Space::default()), ..taking(&fixed, vec![Step::Roll(0.1)]) };
+    let sentence =
+        "`drive.steps` has the step \"roll 0.1 rad\", and `grip.roll` is \"free\": such a grip cannot rotate the end";
+    assert_refused(&free, "drive.steps", sentence, None);
     for (step, wrong) in [
         (Step::Press(0.0), StepError::NotPositive),
         (Step::Drag(-1.0), StepError::NotPositive),
         (Step::Turn(0.0), StepError::NoTurn),
+        (Step::Roll(0.0), StepError::NoTurn),
+        (Step::Shift(0.0), StepError::NoShift),
+        (Step::Yaw(f64::NAN), StepError::NotFinite),
         (Step::Lift(f64::INFINITY), StepError::NotFinite),
     ] {
         let error = refused(&taking(&fixed, vec![Step::Hold, step]));
-        assert_eq!((error.key(), error.kind()), ("drive.steps", &ModelErrorKind::Step { number: 2, step, wrong }));
+        // NaN is not equal to itself
+        let (found, wanted) = (format!("{:?}", error.kind()), ModelErrorKind::Step { number: 2, step, wrong });
+        assert_eq!((error.key(), found), ("drive.steps", format!("{wanted:?}")));
     }
     let nan = refused(&taking(&fixed, vec![Step::Push(f64::NAN)]));
     assert_eq!(nan.to_string(), "`drive.steps` has as step 1 \"push NaN nm\", whose amount is not a finite number");

@@ -110,6 +110,8 @@ fn grips_drives_and_choices_are_read_as_they_were_written() {
     let grip =
         Grip { rotation: Hold::Fixed, horizontal: Hold::Fixed, stiffness: Some(0.1 / 3.0), pretension: Some(0.3) };
     let steps = vec![Step::Press(0.1), Step::Lift(0.2), Step::Drag(0.3), Step::Push(0.7), Step::Turn(-0.1), Step::Hold];
+    let out = [Step::Shift(-0.3), Step::Roll(0.1), Step::Yaw(0.2), Step::Release];
+    let steps = [steps, out.to_vec()].concat();
     let friction = Friction { strength: Some(0.05), coefficient: 0.1 * 3.0, presliding: Some(1e-3) };
     round_trip(&PeelModel { grip, steps, friction, pull: Pull { angle: 1.0 / 3.0, turn: 1e-17 }, ..strip() });
     round_trip(&Accuracy::default());

@@ -5,6 +5,7 @@ mod curve;
 mod ends;
 mod error_bounds;
 mod observed;
+mod observed_in_space;
 mod out_of_plane;
 mod out_of_plane_branch;
 mod peak_only;

@@ -22,7 +22,7 @@ use peelkit::adhesion::SectionShape;
 use peelkit::beam::{SpatialIntegrals, SpatialSectionState};
 use peelkit::model::{Body, Hold, PeelModel, Space, StripModel};
 use peelkit::solve::LimitPointKind;
-use peelkit::study::{Accuracy, PathEnd, Peel, StopCriteria, peel};
+use peelkit::study::{Accuracy, Choice, PathEnd, Peel, StopCriteria, peel};
 
 const ASKED: f64 = 1e-6;
 /// Of a strip 10 nm high, nN/nm
@@ -127,6 +127,42 @@ fn beside_the_plane_the_path_is_that_of_the_plane() {
     let peak = beside.peak.expect("a peak");
     within("peak", peak.force, peak.force_error, reference("upright", "peak_force_nN"));
     within("its place", peak.displacement, peak.displacement_error, reference("upright", "peak_displacement_nm"));
+}
+
+/// Pulled straight up with a grip that is free to roll, the symmetric path meets another branch where the strip rolls or buckles sideways. There
+/// the inertia changes and no displacement turns: u and P of that point are those of verification/out_of_plane.csv, by shooting.
+#[test]
+fn a_branch_point_is_located() {
+    for (width, displacement, force) in [(1.0, 0.489743875867, 0.312661701292), (40.0, 0.152134725598, 12.9596243898)] {
+        let model = strip([100.0, width, 10.0], [90.0, 90.0], Space::default());
+        let peel = peeled(&model, 60);
+        assert!(peel.model.space.is_some());
+        let at = peel.branch_points.first().expect("a branch point");
+        assert_eq!(at.negative_eigenvalues, [0, 1], "{width} nm");
+        within(&format!("{width} nm, u"), at.displacement, at.displacement_error, (displacement, 1e-11));
+        within(&format!("{width} nm, P"), at.force, at.force_error, (force, 1e-10 * force));
+    }
+}
+
+/// A pull 0.3 degrees off the vertical rounds a branch point off at u = 0.14 nm. Behind it two branches lie side by side, whose peaks differ little;
+/// steps of any length stay on the one that comes from rest.
+#[test]
+fn steps_of_any_length_stay_on_the_branch_from_rest() {
+    let mut model = strip([89.55, 42.27, 10.94], [89.7, 21.3], Space::default());
+    model.grip.rotation = Hold::Fixed;
+    if let Body::Strip(strip) = &mut model.body {
+        strip.youngs_modulus = 3.76;
+    }
+    let peaks = [1.2e-2, 4e-3, 3e-4].map(|step| {
+        let accuracy = Accuracy::to(ASKED).with(Choice { step: Some(step), ..Choice::NOTHING });
+        let peel = peel(&model, &accuracy, &StopCriteria::after_points(160));
+        assert!(peel.branch_points.is_empty(), "{:?}", peel.branch_points);
+        peel.initiation_peak.expect("a peak")
+    });
+    for peak in &peaks[1..] {
+        let bound = peak.force_error + peaks[0].force_error;
+        assert!((peak.force - peaks[0].force).abs() <= bound, "{peaks:?}");
+    }
 }
 
 /// Largest less least of one integral at all ends of elements.

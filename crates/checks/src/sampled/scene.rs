@@ -15,11 +15,13 @@ pub enum SampleKind {
     Spatula,
     /// Strips under every law and every line load but the half space's body force with all of them.
     Law,
+    /// Strips in space, pulled in any direction over the substrate, in grips that hold this or that.
+    Space,
 }
 
 impl SampleKind {
     /// All of them, in the order in which help lists them.
-    pub const ALL: [Self; 4] = [Self::Strip, Self::Angle, Self::Spatula, Self::Law];
+    pub const ALL: [Self; 5] = [Self::Strip, Self::Angle, Self::Spatula, Self::Law, Self::Space];
 
     /// What the command calls it.
     pub fn name(self) -> &'static str {
@@ -28,6 +30,7 @@ impl SampleKind {
             Self::Angle => "angle",
             Self::Spatula => "spatula",
             Self::Law => "law",
+            Self::Space => "space",
         }
     }
 
@@ -48,6 +51,7 @@ pub fn scene_text(kind: SampleKind, seed: u64, index: u64) -> String {
     let mut sampler = Sampler { random, text: format!("# scene {index} of kind {}, seed {seed}\n", kind.name()) };
     match kind {
         SampleKind::Spatula => sampler.spatula(),
+        SampleKind::Space => sampler.strip_in_space(),
         SampleKind::Strip | SampleKind::Angle | SampleKind::Law => sampler.strip(kind),
     }
     sampler.text
@@ -97,6 +101,26 @@ impl Sampler {
         let far_face = self.pick(&["true", "false"]);
         self.line(&format!("far_face = {far_face}"));
         self.grip();
+    }
+
+    fn strip_in_space(&mut self) {
+        self.line("space = true\n[strip]");
+        self.quantity("length", (50.0, 200.0), "nm");
+        let height = self.log_uniform((4.0, 14.0));
+        let width = height * self.log_uniform((1.0, 8.0));
+        self.line(&format!("height = \"{height:.6e} nm\"\nwidth = \"{width:.6e} nm\""));
+        self.quantity("youngs_modulus", (0.5, 20.0), "GPa");
+        let section = self.pick(&["rectangle", "rectangle", "rectangle", "ellipse"]);
+        self.line(&format!("section = \"{section}\"\n[adhesion]"));
+        self.quantity("hamaker_constant", (2e-20, 4e-19), "J");
+        self.quantity("equilibrium_distance", (0.2, 0.8), "nm");
+        self.grip();
+        for hold in ["roll", "yaw", "lateral"] {
+            let held = self.pick(&["free", "free", "free", "fixed"]);
+            self.line(&format!("{hold} = \"{held}\""));
+        }
+        let (angle, azimuth) = (self.random.random_range(15.0..90.0), self.random.random_range(-170.0..170.0));
+        self.line(&format!("[drive]\nangle = \"{angle:.3} deg\"\nazimuth = \"{azimuth:.3} deg\""));
     }
 
     fn grip(&mut self) {

@@ -1,6 +1,5 @@
 //! `peel run`: the whole peel of one scene.
 
-mod in_space;
 mod kept;
 mod progress;
 
@@ -136,7 +135,6 @@ impl Run {
 pub fn run(args: &Run) -> Result<(), Stop> {
     let scene = args.scene.load()?;
     args.refuse_states_without_files()?;
-    in_space::refuse(&scene, args.observed)?;
     args.refuse_out_of_plane(&scene)?;
     args.refuse_branch(&scene)?;
     let wanted = args.units.wanted()?;

@@ -45,7 +45,6 @@ fn not_followed(cases: &Cases) -> Option<&'static str> {
     let why = |case: &Case| match &case.scene.model {
         model if model.friction_law().is_some() => Some("without friction only, and friction.strength is given"),
         model if !model.ground.substrate.is_flat() => Some("on a flat substrate only, and substrate.shape is another"),
-        model if model.space.is_some() => Some("in the plane only, and this scene is in space"),
         model if !model.steps.is_empty() => Some("from rest only, and drive.steps has steps before the pull"),
         _ => None,
     };

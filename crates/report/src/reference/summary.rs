@@ -131,6 +131,12 @@ pub const PEEL_SUMMARY: &[OutputKey] = &[
     key("steps[].horizontal_force_nN", "its force along the substrate"),
     key("steps[].vertical_force_nN", "its force upwards"),
     key("steps[].moment_nN_nm", "its moment"),
+    key("steps[].z_nm", "in space, like the next five: how far it has moved sideways"),
+    key("steps[].roll_deg", "its roll"),
+    key("steps[].yaw_deg", "its yaw"),
+    key("steps[].lateral_force_nN", "its force sideways"),
+    key("steps[].torque_nN_nm", "its moment on the roll"),
+    key("steps[].yaw_moment_nN_nm", "its moment on the yaw"),
 
     key("ground", "on ground that is not flat: how the beam lies where the path begins"),
     key("ground.adhered_fraction", "length nearer than 2 r0, over that of the same beam on flat ground"),

@@ -194,6 +194,23 @@ struct StepEnd {
     vertical: Finite,
     #[serde(rename = "moment_nN_nm")]
     moment: Finite,
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    in_space: Option<StepInSpace>,
+}
+
+/// What the grip behind a step has in space beside one in the plane.
+#[derive(Debug, serde::Serialize)]
+struct StepInSpace {
+    #[serde(rename = "z_nm")]
+    z: Finite,
+    roll_deg: Finite,
+    yaw_deg: Finite,
+    #[serde(rename = "lateral_force_nN")]
+    lateral: Finite,
+    #[serde(rename = "torque_nN_nm")]
+    torque: Finite,
+    #[serde(rename = "yaw_moment_nN_nm")]
+    yaw_moment: Finite,
 }
 
 #[derive(Debug, serde::Serialize)]
@@ -306,6 +323,14 @@ impl From<(&Step, &GripState)> for StepEnd {
             horizontal: Finite(grip.forces.horizontal),
             vertical: Finite(grip.forces.vertical),
             moment: Finite(grip.forces.moment),
+            in_space: grip.in_space.zip(grip.forces.in_space).map(|(place, forces)| StepInSpace {
+                z: Finite(place.z),
+                roll_deg: Finite(place.roll.to_degrees()),
+                yaw_deg: Finite(place.yaw.to_degrees()),
+                lateral: Finite(forces.lateral),
+                torque: Finite(forces.torque),
+                yaw_moment: Finite(forces.yaw_moment),
+            }),
         }
     }
 }

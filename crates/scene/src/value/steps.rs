@@ -5,10 +5,15 @@ use peelkit::model::{MOST_STEPS, ModelErrorKind, Step};
 
 /// A word for a step that takes a length.
 type Word = (&'static str, fn(f64) -> Step);
-const WORDS: [Word; 4] = [("press", Step::Press), ("lift", Step::Lift), ("drag", Step::Drag), ("push", Step::Push)];
+const LENGTHS: [Word; 5] =
+    [("press", Step::Press), ("lift", Step::Lift), ("drag", Step::Drag), ("push", Step::Push), ("shift", Step::Shift)];
+/// For one that takes an angle.
+const ANGLES: [Word; 3] = [("turn", Step::Turn), ("roll", Step::Roll), ("yaw", Step::Yaw)];
+/// For one that takes neither.
+const ALONE: [(&str, Step); 2] = [("release", Step::Release), ("hold", Step::Hold)];
 
 /// What a list of steps takes.
-pub(crate) const TAKES: &str = "a list of steps, each a text: \"press 2 nm\", \"lift 2 nm\", \"drag 2 nm\", \"push 2 nm\", \"turn 20 deg\" or \"hold\"";
+pub(crate) const TAKES: &str = "a list of steps, each a text: \"press 2 nm\", \"lift 2 nm\", \"drag 2 nm\", \"push 2 nm\", \"turn 20 deg\", \"release\" or \"hold\"; in space also \"shift 2 nm\", \"roll 20 deg\" or \"yaw 20 deg\"";
 
 /// Reads the steps of a list; what was found where one is none.
 pub(crate) fn read(texts: &[String]) -> Result<Vec<Step>, String> {
@@ -23,18 +28,17 @@ pub(crate) fn read(texts: &[String]) -> Result<Vec<Step>, String> {
 
 fn one(text: &str) -> Result<Step, String> {
     let (word, amount) = text.trim().split_once(char::is_whitespace).unwrap_or((text.trim(), ""));
-    let length = WORDS.iter().find(|(name, _)| *name == word);
-    match (word, length) {
-        ("hold", _) if amount.is_empty() => Ok(Step::Hold),
-        ("hold", _) => Err("and hold takes no amount".into()),
-        ("turn", _) => {
-            checked(Step::Turn(quantity(amount, Dimension::Angle, "whose word is not followed by an angle")?))
-        }
-        (_, Some((_, step))) => {
-            checked(step(quantity(amount, Dimension::Length, "whose word is not followed by a length")?))
-        }
-        _ => Err("which does not begin with press, lift, drag, push, turn or hold".into()),
+    if let Some((name, step)) = ALONE.into_iter().find(|(name, _)| *name == word) {
+        return if amount.is_empty() { Ok(step) } else { Err(format!("and {name} takes no amount")) };
     }
+    let of = |words: &[Word]| words.iter().find(|(name, _)| *name == word).map(|(_, step)| *step);
+    if let Some(step) = of(&ANGLES) {
+        return checked(step(quantity(amount, Dimension::Angle, "whose word is not followed by an angle")?));
+    }
+    if let Some(step) = of(&LENGTHS) {
+        return checked(step(quantity(amount, Dimension::Length, "whose word is not followed by a length")?));
+    }
+    Err("which does not begin with press, lift, drag, push, shift, turn, roll, yaw, release or hold".into())
 }
 
 /// The step, if it is one.
