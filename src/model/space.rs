@@ -55,7 +55,8 @@ const EVEN_SHARE: f64 = 0.25;
 
 impl PeelModel {
     /// The model in the plane whose solution is the same, of a model in space whose solution stays in the body's vertical plane: one
-    /// whose adhesion is that of a rectangle, that is pulled within it, in one direction or the other, and that no step has moved out of it before.
+    /// whose adhesion is that of a rectangle, that is pulled within it, in one direction or the other, and that no step has moved out of
+    /// it before.
     pub fn in_the_plane(&self) -> Option<Self> {
         let space = self.space?;
         let leaves = self.steps.iter().any(|step| step.motion().is_some_and(|(moved, _)| moved.leaves_plane()));
