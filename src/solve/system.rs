@@ -148,6 +148,11 @@ pub trait System: Send + Sync {
         true
     }
 
+    /// Whether branches that nearly meet are to be expected on its paths: each step is then looked at for whether it stays on its branch.
+    fn has_near_branches(&self) -> bool {
+        false
+    }
+
     /// Whether material points remember what they went through.
     fn has_history(&self) -> bool {
         false

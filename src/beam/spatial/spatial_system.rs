@@ -88,6 +88,10 @@ impl System for SpatialBeam {
         self.chain.ends[1].dead_load[1] == [0.0; 3]
     }
 
+    fn has_near_branches(&self) -> bool {
+        true
+    }
+
     fn round_off(&self) -> f64 {
         self.round_off
     }

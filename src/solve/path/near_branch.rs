@@ -115,7 +115,8 @@ pub fn changes_branch(problem: &Problem, newest: &Solution, next: &Solution) -> 
     let turns = |before: f64, behind: f64| (before < 0.0) != (behind < 0.0);
     let odd = |before: usize, behind: usize| before.abs_diff(behind) % 2 == 1;
     let (from, to) = (&newest.slope, &next.slope);
-    problem.system.is_conservative()
+    problem.system.has_near_branches()
+        && problem.system.is_conservative()
         && (odd(newest.negative, next.negative) != turns(from.displacement, to.displacement)
             || odd(newest.negative_load, next.negative_load) != turns(from.force, to.force))
 }

@@ -256,7 +256,7 @@ fn a_rolled_grip() {
     let strip = Strip { width: 10.0, shape: SectionShape::Rectangle, axes: UP, rotation: EndRotation::Angles, held };
     let (rolling, beam) = problem(strip.beam(), 5, &[4]);
     let rolled =
-        controlled(&rolling, rolling.initial(40), Observables::DISPLACEMENT, &[5f64.to_radians()], 1e-11).unwrap();
+        controlled(&rolling, rolling.initial(44), Observables::DISPLACEMENT, &[5f64.to_radians()], 1e-11).unwrap();
     let height = |at: &State| beam.interface_values(at)[0] - beam.rest.at(0.0).0[1];
     assert_digits(height(&rolled[0].at), 0.320_543_328, 1e-9, "height without a force");
     assert_digits(rolled[0].at.force, 24.130_063_5, 1e-7, "torque without a force");
@@ -265,7 +265,7 @@ fn a_rolled_grip() {
     pulling.grip.origin = beam.interface_values(&start);
     pulling.grip.origin[0] = beam.rest.at(0.0).0[1];
     pulling.start = InitialState::Known { at: start, settling: false };
-    let trace = trace(&pulling, 40, displaced(5.0));
+    let trace = trace(&pulling, 44, displaced(5.0));
     let torque = |at: &State| beam.residual(at)[beam.place_of(5, at)];
     let peak = first_of(&trace, LimitPointKind::Load);
     assert_digits(peak.displacement, 0.577_228_347, 1e-8, "displacement of the peak");
