@@ -1,7 +1,7 @@
 //! A beam that is peeled in space: pulled sideways, twisted, rolled off.
 
 use super::stress_free_placement::StressFreePlacement;
-use super::{Beam, BeamProblem, Discretisation, Hold, NoSuchOrder, PeelModel};
+use super::{Beam, BeamProblem, Discretisation, Hold, NoSuchOrder, PeelModel, Step};
 use crate::adhesion::{SectionShape, SpatialSection, SpatialSectionError};
 use crate::beam::{
     ALONG_X, EndRotation, Focus, MeshIntervals, MeshPolicy, Reach, ReferenceConfiguration, RestOutline, SpatialBeam,
@@ -48,7 +48,7 @@ pub(crate) const ROLL: usize = 5;
 /// elements give what 32 gave without, of the strip of scenes/strip-sideways.toml.
 const TWIST_BEHIND: f64 = 3.0;
 const TWIST_WEIGHT: f64 = 0.7;
-/// Weight of the right end where the grip holds its roll.
+/// Weight of the right end where a step has rolled it.
 const HELD_WEIGHT: f64 = 0.4;
 /// Length of the elements everywhere else where the front has elements of one process length, over that, and over the length of the beam where that is
 /// more: of what bends and twists far away.
@@ -122,11 +122,11 @@ impl PeelModel {
         let twist =
             Focus { center: -TWIST_BEHIND * process_length, length: twist_length, weight: TWIST_WEIGHT, ..front };
         let front_foci = vec![front, twist];
-        // a strip that is held rolled twists flat next to the grip
+        // a strip that has been rolled twists flat next to the grip
         let held = Focus { center: length, length: twist_length, weight: HELD_WEIGHT, ..front };
         let even = Focus::everywhere(length, (EVEN * process_length).max(EVEN_SHARE * length));
         let mut fixed_foci = vec![Focus { length: edge, weight: 0.8, ..front }];
-        fixed_foci.extend((space.roll == Hold::Fixed).then_some(held));
+        fixed_foci.extend(self.steps.iter().any(|step| matches!(step, Step::Roll(_))).then_some(held));
         let (profile, rest, pieces) = match varying {
             None => {
                 fixed_foci.extend([Focus { center: length, weight: 0.2, ..front }, even]);

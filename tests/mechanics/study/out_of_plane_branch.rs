@@ -35,11 +35,11 @@ fn known(case: &str, quantity: &str) -> f64 {
     table.lines().find(row).unwrap().split(',').nth(2).unwrap().parse().unwrap()
 }
 
-/// A number of the branch at a displacement, by the polynomial through the six points around.
+/// A number of the branch at a displacement, by the polynomial through the ten points around.
 fn at(branch: &OutOfPlaneBranch, displacement: f64, of: impl Fn(&PathPoint) -> f64) -> f64 {
     let points = &branch.peel.points;
     let behind = points.iter().position(|point| point.displacement > displacement).unwrap();
-    let near = &points[behind.max(3) - 3..(behind + 3).min(points.len())];
+    let near = &points[behind.max(5) - 5..(behind + 5).min(points.len())];
     let weight = |i: usize| -> f64 {
         let others = (0..near.len()).filter(|&j| j != i);
         let factor = |j: usize| (displacement - near[j].displacement) / (near[i].displacement - near[j].displacement);
