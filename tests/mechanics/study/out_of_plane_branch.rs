@@ -73,7 +73,7 @@ fn limit_points_are_those_of_collocation() {
 
 #[test]
 fn forces_and_rolls_between_limit_points_are_those_of_collocation() {
-    for (case, width, places) in [("wide_40", 40.0, &[0.5, 1.0, 2.0, 5.0][..]), ("narrow_1", 1.0, &[0.6, 0.8, 1.0])] {
+    for (case, width, places) in [("wide_40", 40.0, &[0.5, 1.0, 2.0][..]), ("narrow_1", 1.0, &[0.6, 0.8])] {
         let branch = branch_to(width, 1e-9, places[places.len() - 1] + 0.2);
         assert!(matches!(branch.peel.end, PathEnd::Bound(Bound::Displacement(_))), "{:?}", branch.peel.end);
         for &u in places {
@@ -99,7 +99,7 @@ fn a_narrow_strip_leans_by_five_degrees() {
     let lean = |point: &PathPoint| {
         let grip = point.in_space.unwrap();
         let ((s, c), (sr, cr)) = (point.end_rotation.sin_cos(), grip.roll.sin_cos());
-        (c * sr - s * grip.yaw.sin() * cr).asin().to_degrees()
+        (c * sr - s * grip.yaw.sin() * cr).atan2(c * cr + s * grip.yaw.sin() * sr).to_degrees()
     };
     assert!((at(&branch, 0.554922612, lean) - 5.0).abs() < 2e-6);
     assert!((at(&branch, 0.554922612, |point| point.force) - 0.27663077).abs() < 1e-8);
