@@ -17,12 +17,31 @@ pub fn torsion_constant(shape: SectionShape, width: f64, height: f64) -> f64 {
     }
 }
 
+/// The largest shear strain of torsion over the twist per length, nm: in the middle of a longer side of a rectangle, at the ends of the shorter
+/// axis of an ellipse.
+pub fn torsion_strain(shape: SectionShape, width: f64, height: f64) -> f64 {
+    let (a, b) = (width.max(height), width.min(height));
+    match shape {
+        // b [1 - (8/π²) Σ 1/(n² cosh(n π a/2b))] over odd n; the term behind these is below 1e-16
+        SectionShape::Rectangle => {
+            let term = |k: u32| f64::from(2 * k + 1).powi(-2) / (f64::from(2 * k + 1) * 0.5 * PI * a / b).cosh();
+            b * (1.0 - 8.0 / (PI * PI) * (0..12).map(term).sum::<f64>())
+        }
+        SectionShape::Ellipse => a * a * b / (a * a + b * b),
+    }
+}
+
 /// J = a b³ [1/3 - (64/π⁵)(b/a) Σ tanh(n π a/2b)/n⁵] over odd n, with sides a ≥ b.
 ///
-/// With tanh x = 1 - 2/(e²ˣ + 1) the ones add up to 31/32 ζ(5), and what is left of a term falls with exp(-n π a/b).
+/// With tanh x = 1 - 2/(e²ˣ + 1) the ones add up to 31/32 ζ(5), and what is left of a term falls with eⁿ, e = exp(-π a/b):
+/// it is 2 eⁿ/(n⁵ (1 + eⁿ)). At n = 9 that is below 2e-17.
 fn of_rectangle(a: f64, b: f64) -> f64 {
-    let left: f64 =
-        [11.0, 9.0, 7.0, 5.0, 3.0, 1.0f64].iter().map(|n| 2.0 / (n.powi(5) * ((n * PI * a / b).exp() + 1.0))).sum();
+    let e = (-PI * a / b).exp();
+    let square = e * e;
+    let (e3, e5) = (square * e, square * square * e);
+    let e7 = square * e5;
+    let term = |power: f64, over: f64| 2.0 / over * power / (1.0 + power);
+    let left = term(e7, 16807.0) + term(e5, 3125.0) + term(e3, 243.0) + term(e, 1.0);
     a * b.powi(3) * (1.0 / 3.0 - 64.0 / PI.powi(5) * (b / a) * (31.0 / 32.0 * ZETA_5 - left))
 }
 
@@ -81,5 +100,15 @@ mod tests {
         );
         // semi-axes p and q: π p³ q³/(p² + q²)
         assert_relative_eq!(torsion_constant(SectionShape::Ellipse, 6.0, 2.0), PI * 27.0 / 10.0, max_relative = 1e-15);
+    }
+
+    /// Timoshenko and Goodier's table of the largest strain over b times the twist; of a circle it is the radius.
+    #[test]
+    fn largest_strains_as_published() {
+        for (side, published) in [(1.0, 0.675), (1.2, 0.759), (1.5, 0.848), (2.0, 0.930), (3.0, 0.985), (5.0, 0.999)] {
+            let computed = torsion_strain(SectionShape::Rectangle, 3.0, 3.0 * side) / 3.0;
+            assert!((computed - published).abs() <= 6e-4, "{side}: {computed}");
+        }
+        assert_relative_eq!(torsion_strain(SectionShape::Ellipse, 10.0, 10.0), 5.0, max_relative = 1e-15);
     }
 }

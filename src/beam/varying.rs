@@ -50,6 +50,11 @@ impl Varying {
         &*self.contour
     }
 
+    /// What it is made of.
+    pub fn material(&self) -> &Material {
+        &self.material
+    }
+
     /// θ0, the direction of the stress-free axis, rad.
     pub fn rotation(&self, place: f64) -> f64 {
         let outline = self.contour.at(place);
@@ -69,7 +74,12 @@ impl Varying {
     }
 
     fn station(&self, place: f64) -> SectionAt<f64> {
-        let SectionGeometry { width, height: [height, slope, bend], roundness, underside } = self.contour.at(place);
+        self.section_of(&self.contour.at(place))
+    }
+
+    /// The beam where its outline is this one.
+    pub fn section_of(&self, outline: &SectionGeometry) -> SectionAt<f64> {
+        let SectionGeometry { width, height: [height, slope, bend], roundness, underside } = *outline;
         let rise = 0.5 * slope;
         let section = self.material.section(width, height, roundness);
         SectionAt {

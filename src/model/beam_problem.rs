@@ -88,7 +88,7 @@ impl Beam {
     pub fn front_place(&self, front: f64) -> f64 {
         match self {
             Self::Planar(beam) => beam.fronts.place(front),
-            Self::Spatial(_) => front,
+            Self::Spatial(beam) => beam.rest.fronts().place(front),
         }
     }
 

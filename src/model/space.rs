@@ -1,12 +1,14 @@
-//! A strip that is peeled in space: pulled sideways, twisted, rolled off.
+//! A beam that is peeled in space: pulled sideways, twisted, rolled off.
 
+use super::stress_free_placement::StressFreePlacement;
 use super::{Beam, BeamProblem, Discretisation, Hold, NoSuchOrder, PeelModel};
 use crate::adhesion::{SectionShape, SpatialSection, SpatialSectionError};
 use crate::beam::{
-    ALONG_X, EndRotation, Focus, MeshIntervals, MeshPolicy, Reach, SpatialBeam, SpatialChain, SpatialDensity,
-    SpatialEnd, SpatialProfile, SpatialRestCurve, SpatialStiffness, torsion_constant,
+    ALONG_X, EndRotation, Focus, MeshIntervals, MeshPolicy, Reach, ReferenceConfiguration, RestOutline, SpatialBeam,
+    SpatialChain, SpatialDensity, SpatialEnd, SpatialProfile, SpatialRest, SpatialRestCurve, SpatialStiffness, Varying,
+    torsion_constant,
 };
-use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure, System};
+use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -16,7 +18,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 /// the grip holds that of its own end or its place sideways, and its roll where the section is a disc and the grip lets it roll.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Space {
-    /// Direction of the pull along the substrate, rad: 0 along the strip, away from it; π/2 sideways, along z
+    /// Direction of the pull along the substrate, rad: 0 along the body, away from it; π/2 sideways, along z
     pub azimuth: f64,
     /// Of the place normal to the vertical plane of the pull
     pub lateral: Hold,
@@ -24,7 +26,7 @@ pub struct Space {
     pub roll: Hold,
     /// Of the yaw of the right end
     pub yaw: Hold,
-    /// Outline of the section
+    /// Outline of the section of a strip; other bodies are as round as their outline says and adhere as rectangles.
     pub section: SectionShape,
 }
 
@@ -50,8 +52,8 @@ const TWIST_WEIGHT: f64 = 0.7;
 const EVEN: f64 = 20.0;
 
 impl PeelModel {
-    /// The model in the plane whose solution is the same, of a model in space whose solution stays in the strip's vertical plane: a rectangle
-    /// that is pulled within it, in one direction or the other, and that no step has moved out of it before.
+    /// The model in the plane whose solution is the same, of a model in space whose solution stays in the body's vertical plane: one
+    /// whose adhesion is that of a rectangle, that is pulled within it, in one direction or the other, and that no step has moved out of it before.
     pub fn in_the_plane(&self) -> Option<Self> {
         let space = self.space?;
         let leaves = self.steps.iter().any(|step| step.motion().is_some_and(|(moved, _)| moved.leaves_plane()));
@@ -90,7 +92,7 @@ impl PeelModel {
         SpatialStiffness::isotropic(&self.material(), area, second_moments, torsion)
     }
 
-    /// What the solver is given of a strip in space.
+    /// What the solver is given of a body in space.
     pub(super) fn spatial_problem(
         &self,
         space: &Space,
@@ -100,6 +102,7 @@ impl PeelModel {
         how.check().map_err(|_| NoSuchOrder { order: how.order })?;
         let ((width, height), length) = (self.free_end(), self.length());
         let r0 = self.adhesion.equilibrium_distance;
+        let varying = self.contour().map(|contour| Varying::new(contour, self.material()));
         let rest_height = rest_height(&section, 0.5 * height + self.line_law().rest_gap());
         let at_rest = section.response(rest_height, 0.0, height);
         let stiffness = self.spatial_stiffness(space);
@@ -107,21 +110,36 @@ impl PeelModel {
             * (stiffness.0[4][4] / at_rest.hessian[0])
                 .powf(0.25)
                 .min(3.0 * (stiffness.0[2][2] / at_rest.hessian[0]).sqrt());
-        let rest = SpatialRestCurve::along_x(rest_height);
-        let angles = [self.grip.rotation, space.yaw, space.roll].contains(&Hold::Fixed);
-        let rotation = if angles { EndRotation::Angles } else { EndRotation::Free };
-        let end = |axes, rotation| SpatialEnd { axes, rotation, rest: ALONG_X, dead_load: [[0.0; 3]; 2] };
-        let ends = [end(AXES, EndRotation::Angles), end(self.pull_axes(space), rotation)];
-        let density =
-            SpatialDensity { profile: SpatialProfile::uniform(stiffness, width, height), adhesion: Some(section) };
         let edge = (0.36 * process_length).min(0.25 * r0);
         let front = Focus { center: 0.0, length: process_length, weight: 1.0, reach: Reach::Far };
-        let grip = Focus { center: length, weight: 0.2, ..front };
         // behind the front the strip twists off within √(12 GJ / (b² Ψ_yy))
         let twist_length = (12.0 * stiffness.0[3][3] / (width * width * at_rest.hessian[0])).sqrt();
         let twist =
             Focus { center: -TWIST_BEHIND * process_length, length: twist_length, weight: TWIST_WEIGHT, ..front };
+        let front_foci = vec![front, twist];
         let even = Focus::everywhere(length, EVEN * process_length);
+        let mut fixed_foci = vec![Focus { length: edge, weight: 0.8, ..front }];
+        let (profile, rest, pieces) = match varying {
+            None => {
+                fixed_foci.extend([Focus { center: length, weight: 0.2, ..front }, even]);
+                let profile = SpatialProfile::uniform(stiffness, width, height);
+                (profile, SpatialRestCurve::along_x(rest_height).into(), MeshIntervals::whole(length))
+            }
+            Some(beam) => {
+                fixed_foci.push(even);
+                let (rest, pieces) = self.rest_outline(&beam, &front_foci, &mut fixed_foci);
+                (SpatialProfile::Varying(beam), rest, pieces)
+            }
+        };
+        let start = match rest {
+            SpatialRest::Curve(_) => InitialState::StressFree,
+            SpatialRest::Outline(_) => InitialState::Settling,
+        };
+        let angles = [self.grip.rotation, space.yaw, space.roll].contains(&Hold::Fixed);
+        let rotation = if angles { EndRotation::Angles } else { EndRotation::Free };
+        let end = |axes, rotation| SpatialEnd { axes, rotation, rest: ALONG_X, dead_load: [[0.0; 3]; 2] };
+        let ends = [end(AXES, EndRotation::Angles), end(self.pull_axes(space), rotation)];
+        let density = SpatialDensity { profile, adhesion: Some(section) };
         let beam = SpatialBeam {
             chain: SpatialChain::new(density, how.order, ends, self.held_left(space)),
             length,
@@ -130,12 +148,7 @@ impl PeelModel {
             round_off: 0.0,
             rest_adhesion: at_rest.energy,
             process_length,
-            mesh: MeshPolicy {
-                kind: how.mesh,
-                front_foci: vec![front, twist],
-                fixed_foci: vec![Focus { length: edge, weight: 0.8, ..front }, grip, even],
-                pieces: MeshIntervals::whole(length),
-            },
+            mesh: MeshPolicy { kind: how.mesh, front_foci, fixed_foci, pieces },
         };
         let measure = PathMeasure {
             monitors: [beam.process_length, beam.scale[1]],
@@ -143,7 +156,20 @@ impl PeelModel {
             by_force: false,
         };
         let grip = self.spatial_grip(space, &beam);
-        Ok(BeamProblem::new(Beam::Spatial(beam.into()), grip, measure, InitialState::StressFree))
+        Ok(BeamProblem::new(Beam::Spatial(beam.into()), grip, measure, start))
+    }
+
+    /// The stress-free configuration of a body whose section varies, in its vertical plane, and between which places its elements lie.
+    fn rest_outline(&self, beam: &Varying, front: &[Focus], fixed: &mut Vec<Focus>) -> (SpatialRest, MeshIntervals) {
+        let placement = StressFreePlacement::varying(beam, &self.adhesion, &self.ground, front, fixed);
+        let rest = match placement.rest {
+            ReferenceConfiguration::Varying(reference) => {
+                let outline = RestOutline::new(*reference, self.length(), placement.fronts, placement.rest_front);
+                SpatialRest::Outline(Box::new(outline))
+            }
+            ReferenceConfiguration::Curve(curve) => SpatialRestCurve::along_x(curve.start[1]).into(),
+        };
+        (rest, placement.pieces)
     }
 
     /// Columns: along the pull, across it in its vertical plane, and sideways.
@@ -178,7 +204,7 @@ impl PeelModel {
             held,
             geared: ROTATION,
             gear: if held[ROTATION] { self.pull.turn } else { 0.0 },
-            origin: beam.interface_values(&beam.stress_free(1)),
+            origin: beam.interface_at_rest(),
             scale: [place, place, place, turn, turn, turn],
             ..EndConditions::drive(ALONG)
         }

@@ -1,7 +1,13 @@
 //! Where a peel leaves what its model can be trusted with: said with numbers, and without changing one.
 
 use super::Peel;
-use crate::beam::{NodeState, PlanarBeam, Section};
+use crate::adhesion::SectionShape;
+use crate::beam::rotation::{Quaternion, conjugate, logarithm, product};
+use crate::beam::{
+    NodeState, PlanarBeam, SPATIAL_FIELDS, Section, SpatialBeam, SpatialSectionPlace, SpatialSectionState,
+    torsion_strain,
+};
+use crate::model::Beam;
 use crate::solve::Solution;
 use crate::study::SMALLEST_RADIUS;
 use serde::{Deserialize, Serialize};
@@ -15,9 +21,12 @@ pub enum WarningKind {
     ShortProcessZone,
     /// Largest |κ| h/2 on the path.
     FoldedOutline,
+    /// Largest |κ3| b/2 of a strip in space on the path, of bending about the height.
+    FoldedSideways,
     /// Length over height.
     ShortBeam,
-    /// Largest strain on the path: of the faces, |Γ1| + |κ - κ0| h/2, or of shear, |Γ2|.
+    /// Largest strain on the path: of the faces, |Γ1| + |κ - κ0| h/2, or of shear, |Γ2|. In space of the corners, |Γ1| + |κ2| h/2 + |κ3| b/2,
+    /// or of shear with that of torsion.
     LargeStrain,
     /// Height of the ground, from crest to valley, over r0.
     HighGround,
@@ -33,6 +42,7 @@ impl WarningKind {
         match self {
             Self::ShortProcessZone => "short-process-zone",
             Self::FoldedOutline => "folded-outline",
+            Self::FoldedSideways => "folded-sideways",
             Self::ShortBeam => "short-beam",
             Self::LargeStrain => "large-strain",
             Self::HighGround => "high-ground",
@@ -65,6 +75,10 @@ impl fmt::Display for Warning {
             WarningKind::FoldedOutline => write!(
                 f,
                 "|κ| h/2 comes to {value:.3} on the path, more than {limit}: the outline folds through itself"
+            ),
+            WarningKind::FoldedSideways => write!(
+                f,
+                "|κ3| b/2 comes to {value:.3} on the path, more than {limit}: bent sideways, the outline folds through itself"
             ),
             WarningKind::ShortBeam => {
                 write!(f, "the beam is {value:.3} times as long as it is high, less than {limit}: it is hardly a beam")
@@ -108,13 +122,14 @@ impl Peel {
         let height = model.free_end().1;
         let below = |kind, value: f64, limit: f64| (value < limit).then_some(Warning { kind, value, limit });
         let above = |kind, value: f64, limit: f64| (value > limit).then_some(Warning { kind, value, limit });
-        let [folded, strained] = self.largest_bend_and_strain();
+        let Largest { folded, folded_sideways, strained } = self.largest_bend_and_strain();
         let ground = model.ground.substrate.peak_to_valley() / model.adhesion.equilibrium_distance;
         let radius = self.contact(0).and_then(|contact| contact.sharp());
         let start = self.relaxed_start.map_or(0.0, |start| start.negative as f64);
         [
             below(WarningKind::ShortProcessZone, model.process_length() / height, ZONE),
             above(WarningKind::FoldedOutline, folded, FOLDED),
+            above(WarningKind::FoldedSideways, folded_sideways, FOLDED),
             below(WarningKind::ShortBeam, model.length() / height, SLENDER),
             above(WarningKind::LargeStrain, strained, STRAINED),
             above(WarningKind::HighGround, if ground.is_finite() { ground } else { 0.0 }, HIGH),
@@ -127,41 +142,115 @@ impl Peel {
         .collect()
     }
 
-    /// The largest |θ'| h/2 and the largest strain of the two points.
-    fn largest_bend_and_strain(&self) -> [f64; 2] {
-        let Some(trace) = &self.trace else { return [0.0; 2] };
-        let Some(beam) = trace.problem.beam.planar() else { return [0.0; 2] };
-        let one = |node: &NodeState| {
-            let (Section { axial, shear, bending }, _, height) = self.model.section_at(node.position);
-            let (sin, cos) = node.values[beam.rotation].sin_cos();
-            let [horizontal, vertical] = [node.section.horizontal_force, node.section.vertical_force];
-            let stretch = ((horizontal * cos + vertical * sin) / axial).abs();
-            let slide = ((vertical * cos - horizontal * sin) / shear).abs();
-            let bent = (node.section.moment / bending).abs() * 0.5 * height;
-            [node.section.curvature.abs() * 0.5 * height, slide.max(stretch + bent)]
+    fn largest_bend_and_strain(&self) -> Largest {
+        let Some(trace) = &self.trace else { return Largest::default() };
+        let bent = |point: &Solution| match &trace.problem.beam {
+            Beam::Planar(beam) => most_turned(beam, point),
+            Beam::Spatial(beam) => most_turned_in_space(beam, point),
         };
         let at_most = |size: &dyn Fn(&Solution) -> f64| {
             let sizes = trace.points.iter().map(|point| size(point)).enumerate();
             sizes.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index)
         };
-        let points = [at_most(&|point| most_turned(beam, point)), at_most(&|point| point.observables.force.abs())];
-        let nodes = points.into_iter().flatten().flat_map(|index| self.sections(index));
-        nodes.map(|node| one(&node)).fold([0.0; 2], |[a, b], [c, d]| [f64::max(a, c), f64::max(b, d)])
+        let points = [at_most(&bent), at_most(&|point| point.observables.force.abs())];
+        let points = points.into_iter().flatten();
+        match &trace.problem.beam {
+            Beam::Planar(beam) => {
+                let nodes = points.flat_map(|index| self.sections(index));
+                nodes.map(|node| self.of_node(beam, &node)).fold(Largest::default(), Largest::or)
+            }
+            Beam::Spatial(beam) => {
+                let outline = self.model.space.map_or(SectionShape::Rectangle, |space| space.section);
+                let sections = points.flat_map(|index| self.sections_in_space(index));
+                sections.map(|section| of_section(beam, outline, &section)).fold(Largest::default(), Largest::or)
+            }
+        }
+    }
+
+    fn of_node(&self, beam: &PlanarBeam, node: &NodeState) -> Largest {
+        let (Section { axial, shear, bending }, _, height) = self.model.section_at(node.position);
+        let (sin, cos) = node.values[beam.rotation].sin_cos();
+        let [horizontal, vertical] = [node.section.horizontal_force, node.section.vertical_force];
+        let stretch = ((horizontal * cos + vertical * sin) / axial).abs();
+        let slide = ((vertical * cos - horizontal * sin) / shear).abs();
+        let bent = (node.section.moment / bending).abs() * 0.5 * height;
+        let folded = node.section.curvature.abs() * 0.5 * height;
+        Largest { folded, folded_sideways: 0.0, strained: slide.max(stretch + bent) }
+    }
+}
+
+/// The largest bending and strain of some sections.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Largest {
+    /// |κ| h/2, in space |κ2| h/2
+    folded: f64,
+    /// |κ3| b/2
+    folded_sideways: f64,
+    strained: f64,
+}
+
+impl Largest {
+    fn or(self, other: Self) -> Self {
+        Self {
+            folded: self.folded.max(other.folded),
+            folded_sideways: self.folded_sideways.max(other.folded_sideways),
+            strained: self.strained.max(other.strained),
+        }
+    }
+}
+
+/// Of a section in space.
+fn of_section(beam: &SpatialBeam, outline: SectionShape, state: &SpatialSectionState) -> Largest {
+    let SpatialSectionPlace { arc_length, width, height, .. } = state.section;
+    let ([axial, across, up], [twist, about_width, about_height]) = (state.stretch, state.curvature);
+    let [_, rest_about_width, rest_about_height] = beam.chain.density.profile.at::<f64>(arc_length).rest_curvature;
+    let (bent, bent_sideways) = (about_width.abs() * 0.5 * height, about_height.abs() * 0.5 * width);
+    let faces = match outline {
+        SectionShape::Rectangle => bent + bent_sideways,
+        SectionShape::Ellipse => bent.hypot(bent_sideways),
+    };
+    let sheared = across.hypot(up) + twist.abs() * torsion_strain(outline, width, height);
+    Largest {
+        folded: (about_width + rest_about_width).abs() * 0.5 * height,
+        folded_sideways: (about_height + rest_about_height).abs() * 0.5 * width,
+        strained: sheared.max(axial.abs() + faces),
     }
 }
 
 /// The largest turn from node to node over their distance, times half the height.
 fn most_turned(beam: &PlanarBeam, point: &Solution) -> f64 {
-    let (order, ends) = (beam.chain.order(), &point.at.mesh.boundaries);
     let rotations: Vec<f64> =
         beam.nodes(&point.at.values).iter().skip(beam.rotation).step_by(beam.fields()).copied().collect();
-    let inside = |pair: (&[f64], &[f64])| {
-        let (ends, rotations) = pair;
-        let (length, half) = (ends[1] - ends[0], 0.5 * beam.height_at(ends[0]));
-        let part = |rank: usize| length * (beam.chain.node_fraction(rank + 1) - beam.chain.node_fraction(rank));
-        let turns = rotations.windows(2).enumerate().map(|(rank, pair)| (pair[1] - pair[0]).abs() / part(rank));
-        half * turns.fold(0.0, f64::max)
+    let turn = |first: usize, place: f64| 0.5 * beam.height_at(place) * (rotations[first + 1] - rotations[first]).abs();
+    most_from_node_to_node(&point.at.mesh.boundaries, beam.chain.order(), |rank| beam.chain.node_fraction(rank), turn)
+}
+
+/// The same in space, about the width times half the height or about the height times half the width.
+fn most_turned_in_space(beam: &SpatialBeam, point: &Solution) -> f64 {
+    let nodes: Vec<Quaternion> = beam
+        .configuration(&point.at)
+        .fields
+        .chunks_exact(SPATIAL_FIELDS)
+        .map(|node| [node[3], node[4], node[5], node[6]])
+        .collect();
+    let turn = |first: usize, place: f64| {
+        let station = beam.chain.density.profile.at::<f64>(place);
+        let [_, about_width, about_height] = logarithm(product(conjugate(nodes[first]), nodes[first + 1]));
+        (0.5 * station.height * about_width.abs()).max(0.5 * station.width * about_height.abs())
     };
-    let elements = ends.windows(2).zip((0..).map(|element: usize| &rotations[element * order..=(element + 1) * order]));
-    elements.map(inside).fold(0.0, f64::max)
+    most_from_node_to_node(&point.at.mesh.boundaries, beam.chain.order(), |rank| beam.chain.node_fraction(rank), turn)
+}
+
+/// The most of what `turn` says of neighbouring nodes, by the number of the first and where its element begins, over their distance.
+fn most_from_node_to_node(
+    boundaries: &[f64],
+    order: usize,
+    fraction: impl Fn(usize) -> f64,
+    turn: impl Fn(usize, f64) -> f64,
+) -> f64 {
+    let inside = |(element, ends): (usize, &[f64])| {
+        let part = |rank: usize| (ends[1] - ends[0]) * (fraction(rank + 1) - fraction(rank));
+        (0..order).map(|rank| turn(element * order + rank, ends[0]) / part(rank)).fold(0.0, f64::max)
+    };
+    boundaries.windows(2).enumerate().map(inside).fold(0.0, f64::max)
 }

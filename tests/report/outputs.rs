@@ -208,6 +208,7 @@ fn every_end_has_its_word_and_its_reason() {
         (PathEnd::Pivoting, "pivoting", None),
         (PathEnd::Pushing, "pushing", None),
         (PathEnd::TurnedBack, "turned-back", None),
+        (PathEnd::BackInPlane, "back-in-plane", None),
         (PathEnd::Sliding, "sliding", None),
         (PathEnd::Snapped, "snapped", None),
         (PathEnd::Bound(Bound::Points(20)), "bound", Some("bounds.points = 20")),

@@ -25,7 +25,7 @@ const fn key(table: &'static str, name: &'static str, need: Need, kind: Kind, ab
 pub static KEYS: &[Key] = &[
     key("", "title", Optional, Kind::Text(|s| &mut s.title), "heading of pictures and tables"),
     key("", "terms", Optional, Kind::Terms(|s| &mut s.accuracy.terms), "model terms: all, or automatic model reduction to the tolerance"),
-    key("", "space", Optional, Kind::InSpace, "peels a strip in space; implied by its keys"),
+    key("", "space", Optional, Kind::InSpace, "peels the body in space; implied by its keys"),
 
     key("strip", "length", Required, Kind::Quantity(Length, |s| &mut strip(s).length), "length L of the strip"),
     key("strip", "height", Required, Kind::Quantity(Length, |s| &mut strip(s).height), "height h of the section"),

@@ -5,11 +5,11 @@ use super::SpatialSectionResponse;
 use crate::adhesion::LineLaw;
 use crate::number::Real;
 
-/// Ψ of a section of this width, nm, and of the height of its law, taken as level: cos θ = 1.
+/// Ψ of a section of this width and height, nm, taken as level: cos θ = 1.
 #[inline(never)]
-pub(super) fn response<T: Real>(law: &LineLaw, width: f64, y: T) -> SpatialSectionResponse<T> {
+pub(super) fn response<T: Real>(law: &LineLaw, [width, height]: [T; 2], y: T) -> SpatialSectionResponse<T> {
     let zero = T::splat(0.0);
-    let at = law.response(y - 0.5 * law.height, zero, T::splat(1.0));
+    let at = law.response_of(height, y - height * 0.5, zero, T::splat(1.0));
     SpatialSectionResponse {
         energy: at.energy * width,
         gradient: [at.by_gap * width, zero, zero],

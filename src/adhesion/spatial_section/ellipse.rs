@@ -18,26 +18,27 @@ const ATTRACT: EvenPower<1> = EvenPower::new(1.5, [1.0]);
 
 /// ρ², v = 1/w², v^(9/2), v^(3/2) and what they are multiplied by.
 #[inline(always)]
-fn powers<T: Real>(half_space: &HalfSpace, area: f64, y: T, a: T, c: T) -> ([T; 4], [f64; 2]) {
+fn powers<T: Real>(half_space: &HalfSpace, area: T, y: T, a: T, c: T) -> ([T; 4], [T; 2]) {
     let e = (a * a + c * c) * 0.25;
     let v = (y * y - e).recip();
     let [root] = v.each(|v| [v.sqrt()]);
     let v2 = v * v;
     let r0_squared = half_space.equilibrium_distance * half_space.equilibrium_distance;
-    let scale = half_space.hamaker_constant * area * 0.125;
-    ([e, v, v2 * v2 * root, v * root], [scale * r0_squared * r0_squared * r0_squared / 45.0, scale / 3.0])
+    let scale = area * (half_space.hamaker_constant * 0.125);
+    let repel = scale * (r0_squared * r0_squared * r0_squared / 45.0);
+    ([e, v, v2 * v2 * root, v * root], [repel, scale * (1.0 / 3.0)])
 }
 
 /// Ψ of an ellipse in a rectangle of this `area` b h, nm²; its lowest point, y - ρ, is above zero.
 #[inline(always)]
-pub(super) fn energy<T: Real>(half_space: &HalfSpace, area: f64, y: T, a: T, c: T) -> T {
+pub(super) fn energy<T: Real>(half_space: &HalfSpace, area: T, y: T, a: T, c: T) -> T {
     let ([e, v, nine, three], [repel, attract]) = powers(half_space, area, y, a, c);
     REPEL.value(e, v, nine) * repel - ATTRACT.value(e, v, three) * attract
 }
 
 /// Ψ with gradient and Hessian.
 #[inline(always)]
-pub(super) fn response<T: Real>(half_space: &HalfSpace, area: f64, y: T, a: T, c: T) -> SpatialSectionResponse<T> {
+pub(super) fn response<T: Real>(half_space: &HalfSpace, area: T, y: T, a: T, c: T) -> SpatialSectionResponse<T> {
     let ([e, v, nine, three], [repel, attract]) = powers(half_space, area, y, a, c);
     let (r, t) = (REPEL.derivatives(y, e, v, nine), ATTRACT.derivatives(y, e, v, three));
     let [energy, by_y, by_e, by_yy, by_ye, by_ee] = std::array::from_fn(|k| r[k] * repel - t[k] * attract);

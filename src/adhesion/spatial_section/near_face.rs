@@ -20,15 +20,15 @@ const ATTRACT: EvenPower<1> = EvenPower::new(1.0, [1.0]);
 /// Ψ of a rectangle of this `area`, nm², with gradient and Hessian; the lowest corner, y - (|a| + |c|)/2, is above
 /// zero.
 #[inline(always)]
-pub(super) fn response<T: Real>(half_space: &HalfSpace, area: f64, y: T, a: T, c: T) -> SpatialSectionResponse<T> {
+pub(super) fn response<T: Real>(half_space: &HalfSpace, area: T, y: T, a: T, c: T) -> SpatialSectionResponse<T> {
     let side = c.select(T::splat(1.0), T::splat(-1.0));
     let k = c * side;
     let (r, e) = (y - k * 0.5, a * a * 0.25);
     let v = (r * r - e).recip();
     let v2 = v * v;
     let r0_squared = half_space.equilibrium_distance * half_space.equilibrium_distance;
-    let attract = half_space.potential_scale() * r0_squared * area / 6.0;
-    let repel = attract * r0_squared * r0_squared * r0_squared / 60.0;
+    let attract = area * (half_space.potential_scale() * r0_squared / 6.0);
+    let repel = attract * (r0_squared * r0_squared * r0_squared / 60.0);
     let (p, q) = (REPEL.derivatives(r, e, v, v2 * v2), ATTRACT.derivatives(r, e, v, v));
     let inverse = k.recip();
     let [m, m_r, m_e, m_rr, m_re, m_ee] = std::array::from_fn(|i| (p[i] * repel - q[i] * attract) * inverse);

@@ -18,26 +18,25 @@ const LEAST_SINE: f64 = 1e-4;
 const NARROW: f64 = 1e-4;
 const GAUSS: f64 = 0.288_675_134_594_812_9;
 
-/// A law of the user's own in space: the law in the plane, and between which heights of the face it is smooth.
+/// A law of the user's own in space: the law in the plane, and the gap at rest, by which a width is divided.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct OwnFace {
     law: OwnLaw,
-    height: f64,
     rest_gap: f64,
 }
 
 impl OwnFace {
     pub fn new(law: OwnLaw, height: f64) -> Self {
-        Self { law, height, rest_gap: law.law().rest_gap(height) }
+        Self { law, rest_gap: law.law().rest_gap(height) }
     }
 
-    /// Ψ of a rectangle of this width, nm, with gradient and Hessian.
+    /// Ψ of a rectangle of this width and height, nm, with gradient and Hessian.
     #[inline(never)]
-    pub fn response(&self, width: f64, y: f64, a: f64, c: f64) -> SpatialSectionResponse {
+    pub fn response(&self, [width, height]: [f64; 2], y: f64, a: f64, c: f64) -> SpatialSectionResponse {
         let rise = a.abs();
         let face = y - 0.5 * c.abs();
         let at = |s: f64| {
-            let [energy, by_y, by_c, yy, yc, cc] = self.in_the_plane(y + s * rise, c);
+            let [energy, by_y, by_c, yy, yc, cc] = self.in_the_plane(height, y + s * rise, c);
             [energy, by_y, s * by_y, by_c, yy, s * yy, yc, s * s * yy, s * yc, cc]
         };
         let means = if rise <= NARROW * self.rest_gap {
@@ -62,8 +61,7 @@ impl OwnFace {
     /// With c = h cos θ it is Ψ_θ = -h sin θ Ψ_c and Ψ_θθ = h² sin² θ Ψ_cc - c Ψ_c, which where the section is not
     /// tilted says nothing of Ψ_cc, nor of Ψ_yc. A little tilt stands for none there: no force depends on these two,
     /// and what a tangent has of them is multiplied by sin θ.
-    fn in_the_plane(&self, y: f64, c: f64) -> [f64; 6] {
-        let h = self.height;
+    fn in_the_plane(&self, h: f64, y: f64, c: f64) -> [f64; 6] {
         let cos = (c / h).clamp(-1.0, 1.0);
         let at = |sin: f64, cos: f64| {
             let at = self.law.law().response(&TiltedSection { height: h, gap: y - 0.5 * h, sin, cos });

@@ -31,11 +31,11 @@ use std::f64::consts::PI;
 
 /// What the powers of V are multiplied by in 2 b h V: of r⁻⁷ and of -r⁻¹.
 #[inline(always)]
-fn factors(half_space: &HalfSpace, area: f64) -> [f64; 2] {
+fn factors<T: Real>(half_space: &HalfSpace, area: T) -> [T; 2] {
     let r0 = half_space.equilibrium_distance;
     let r0_cubed = r0 * r0 * r0;
-    let scale = half_space.hamaker_constant * area * (1.0 / PI);
-    [scale * (r0_cubed * r0_cubed) * (1.0 / 2520.0), scale * (1.0 / 6.0)]
+    let scale = area * (half_space.hamaker_constant / PI);
+    [scale * (r0_cubed * r0_cubed / 2520.0), scale * (1.0 / 6.0)]
 }
 
 /// h_j of the numbers of `fewer` and one more number, for j from 0.
@@ -57,7 +57,7 @@ fn nodes<T: Real>(y: T, a: T, c: T) -> [T; 4] {
 
 /// Ψ of a rectangle of this `area`, nm²; its lowest corner, y - (|a| + |c|)/2, is above zero.
 #[inline(always)]
-pub(super) fn energy<T: Real>(half_space: &HalfSpace, area: f64, y: T, a: T, c: T) -> T {
+pub(super) fn energy<T: Real>(half_space: &HalfSpace, area: T, y: T, a: T, c: T) -> T {
     let [s, t, p, q] = nodes(y, a, c);
     let yy = y * y;
     let (pq, p2, q2) = (p * q, p * p, q * q);
@@ -72,7 +72,7 @@ pub(super) fn energy<T: Real>(half_space: &HalfSpace, area: f64, y: T, a: T, c: 
 
 /// Ψ with gradient and Hessian.
 #[inline(always)]
-pub(super) fn response<T: Real>(half_space: &HalfSpace, area: f64, y: T, a: T, c: T) -> SpatialSectionResponse<T> {
+pub(super) fn response<T: Real>(half_space: &HalfSpace, area: T, y: T, a: T, c: T) -> SpatialSectionResponse<T> {
     let [s, t, p, q] = nodes(y, a, c);
     let one = T::splat(1.0);
     let (p2, q2, pq, sum) = (p * p, q * q, p * q, p + q);
@@ -154,13 +154,13 @@ pub(super) fn response<T: Real>(half_space: &HalfSpace, area: f64, y: T, a: T, c
     let f = both(f7, pq * (pq + p2 + q2));
     let g = both(g7, p2q2 * sum);
     let h = both(h7, p2q2 * pq);
-    let d_y = d2 * attract - d8 * (7.0 * repel);
-    let e_y = e2 * attract - e8 * (7.0 * repel);
+    let d_y = d2 * attract - d8 * (repel * 7.0);
+    let e_y = e2 * attract - e8 * (repel * 7.0);
     let (slope_a, slope_c) = (d + cc * e, d + aa * e);
     let (half_a, half_c) = (a * 0.5, c * 0.5);
     SpatialSectionResponse {
         energy: both(value, pq),
-        gradient: [value_2 * attract - value_8 * (7.0 * repel), half_a * slope_a, half_c * slope_c],
+        gradient: [value_2 * attract - value_8 * (repel * 7.0), half_a * slope_a, half_c * slope_c],
         hessian: [
             value_9 * (repel_y * 56.0) - value_3 * (attract_y * 2.0),
             half_a * (d_y + cc * e_y),

@@ -83,21 +83,31 @@ impl SpatialSection {
     /// Nothing checks that here.
     #[inline(always)]
     pub fn response<T: Real>(&self, y: T, a: T, c: T) -> SpatialSectionResponse<T> {
-        let (half_space, area) = (&self.law.half_space, self.width * self.law.height);
+        self.response_of([T::splat(self.width), T::splat(self.law.height)], y, a, c)
+    }
+
+    /// The same for a section of another width and height, nm.
+    #[inline(always)]
+    pub fn response_of<T: Real>(&self, [width, height]: [T; 2], y: T, a: T, c: T) -> SpatialSectionResponse<T> {
+        let half_space = &self.law.half_space;
         match &self.form {
-            Form::Rectangle => rectangle::response(half_space, area, y, a, c),
-            Form::Ellipse => ellipse::response(half_space, area, y, a, c),
-            Form::NearFace => near_face::response(half_space, area, y, a, c),
-            Form::Cohesive(law) => each(y, a, c, |y, a, c| cohesive_face::response(law, self.width, y, a, c)),
-            Form::Own(law) => each(y, a, c, |y, a, c| law.response(self.width, y, a, c)),
-            Form::AxisGap => axis_gap::response(&self.law, self.width, y),
+            Form::Rectangle => rectangle::response(half_space, width * height, y, a, c),
+            Form::Ellipse => ellipse::response(half_space, width * height, y, a, c),
+            Form::NearFace => near_face::response(half_space, width * height, y, a, c),
+            Form::Cohesive(law) => {
+                each([width, height, y, a, c], |[width, _, y, a, c]| cohesive_face::response(law, width, y, a, c))
+            }
+            Form::Own(law) => {
+                each([width, height, y, a, c], |[width, height, y, a, c]| law.response([width, height], y, a, c))
+            }
+            Form::AxisGap => axis_gap::response(&self.law, [width, height], y),
         }
     }
 
     /// Ψ alone, nN.
     #[inline(always)]
     pub fn energy<T: Real>(&self, y: T, a: T, c: T) -> T {
-        let (half_space, area) = (&self.law.half_space, self.width * self.law.height);
+        let (half_space, area) = (&self.law.half_space, T::splat(self.width * self.law.height));
         match &self.form {
             Form::Rectangle => rectangle::energy(half_space, area, y, a, c),
             Form::Ellipse => ellipse::energy(half_space, area, y, a, c),
@@ -130,10 +140,10 @@ impl Form {
 
 /// At one section or at several side by side, which are computed one by one.
 #[inline(always)]
-fn each<T: Real>(y: T, a: T, c: T, one: impl Fn(f64, f64, f64) -> SpatialSectionResponse) -> SpatialSectionResponse<T> {
-    let [energy, by_y, by_a, by_c, yy, ya, yc, aa, ac, cc] = T::each_of([y, a, c], |[y, a, c]| {
+fn each<T: Real>(at: [T; 5], one: impl Fn([f64; 5]) -> SpatialSectionResponse) -> SpatialSectionResponse<T> {
+    let [energy, by_y, by_a, by_c, yy, ya, yc, aa, ac, cc] = T::each_of(at, |at| {
         let SpatialSectionResponse { energy, gradient: [by_y, by_a, by_c], hessian: [yy, ya, yc, aa, ac, cc] } =
-            one(y, a, c);
+            one(at);
         [energy, by_y, by_a, by_c, yy, ya, yc, aa, ac, cc]
     });
     SpatialSectionResponse { energy, gradient: [by_y, by_a, by_c], hessian: [yy, ya, yc, aa, ac, cc] }

@@ -42,7 +42,7 @@ impl<T: Real> LocalAdhesion<T> {
         let zero = T::splat(0.0);
         let up = at.frame[1];
         let (b, h) = (station.width, station.height);
-        let response = law.response(height, b * up[1], h * up[2]);
+        let response = law.response_of([b, h], height, b * up[1], h * up[2]);
         let [by_y, by_a, by_c] = response.gradient;
         let [yy, ya, yc, aa, ac, cc] = response.hessian;
         // how a and c change with ω: 2 (e × ω) along d2 and d3

@@ -3,11 +3,11 @@
 use super::chain::{SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, read::normalise};
 use super::density::SPATIAL_FIELDS;
 use super::end_rotation::{EndRotation, turned};
-use super::rest_curve::SpatialRestCurve;
-use super::rotation::{apply, matrix};
+use super::rest::SpatialRest;
+use super::rotation::{apply, apply_transposed, matrix};
 use crate::adhesion::SectionShape;
 use crate::beam::{MeshKind, MeshPolicy};
-use crate::solve::{Mesh, State};
+use crate::solve::{INTERFACE, Mesh, State};
 
 /// Values of a state behind those of its nodes: the angles of the two ends.
 pub(super) const ANGLES: usize = 6;
@@ -24,7 +24,7 @@ pub struct SpatialBeam {
     /// Reference length L, nm
     pub length: f64,
     /// The stress-free configuration
-    pub rest: SpatialRestCurve,
+    pub rest: SpatialRest,
     /// Scales of an error: of a place near the ground (nm), and of a turn (rad).
     pub scale: [f64; 2],
     /// The machine's epsilon times the ratio of the stiffest to the softest way to deform, or zero where that ratio is small.
@@ -75,13 +75,14 @@ impl SpatialBeam {
     /// Element boundaries for a front.
     fn boundaries(&self, front: f64, elements: usize, near: &[f64]) -> Vec<f64> {
         let moves = self.mesh.kind == MeshKind::Moving;
-        let front = self.adheres().then_some(if moves { front } else { self.length });
+        let place = || if moves { self.rest.fronts().place(front) } else { self.rest.front(self.length) };
+        let front = self.adheres().then(place);
         self.mesh.ends(front, elements, near)
     }
 
     /// A front as the focus of a mesh: no farther than the ends of the chain.
     pub(super) fn centered(&self, front: f64) -> f64 {
-        front.clamp(0.0, self.length)
+        front.clamp(0.0, self.rest.fronts().near(self.length))
     }
 
     /// A mesh of its own for a front.
@@ -142,13 +143,30 @@ impl SpatialBeam {
         for (e, pair) in boundaries.windows(2).enumerate() {
             let last = usize::from(e + 2 == boundaries.len());
             for rank in 0..order + last {
-                let (place, q) = self.rest.at(pair[0] + self.chain.node_fraction(rank) * (pair[1] - pair[0]));
-                values.extend(place);
+                let place = pair[0] + self.chain.node_fraction(rank) * (pair[1] - pair[0]);
+                let ([x, y, z], q) = self.rest.at(place);
+                values.extend([x, self.rest.lifted(place, y), z]);
                 values.extend(q);
             }
         }
-        values.extend([0.0; ANGLES]);
+        values.extend(self.rest_angles());
         values
+    }
+
+    /// The angles of the two ends at rest, rad.
+    fn rest_angles(&self) -> [f64; ANGLES] {
+        let rotation = |end: usize, place: f64| match self.chain.ends[end].rotation {
+            EndRotation::Angles => self.rest.rotation(place),
+            EndRotation::Free => 0.0,
+        };
+        [rotation(0, 0.0), 0.0, 0.0, rotation(1, self.length), 0.0, 0.0]
+    }
+
+    /// Values of the interface in the stress-free configuration, not lifted off the ground.
+    pub fn interface_at_rest(&self) -> [f64; INTERFACE] {
+        let ([_, _, _, rotation, yaw, roll], (place, _)) = (self.rest_angles(), self.rest.at(self.length));
+        let [along, across, sideways] = apply_transposed(&self.chain.ends[1].axes, &place);
+        [along, across, sideways, rotation, yaw, roll]
     }
 
     /// The place of an end moved along its axes, nm.

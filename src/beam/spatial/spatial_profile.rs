@@ -1,8 +1,8 @@
 //! The sections of a beam in space, from place to place.
 
 use super::stiffness::SpatialStiffness;
+use crate::beam::{LateralStiffness, SectionAt, Varying};
 use crate::number::Real;
-use std::sync::Arc;
 
 /// What a section is at one place.
 #[derive(Clone, Copy, Debug)]
@@ -18,22 +18,16 @@ pub struct Station<T = f64> {
 }
 
 /// What sections are along S.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub enum SpatialProfile {
     /// The same everywhere
     Uniform(Box<Station>),
-    /// From place (nm) to place
-    Varying(Arc<dyn Fn(f64) -> Station + Send + Sync>),
+    /// Of an outline that varies along S, with its width along z at rest
+    Varying(Varying),
 }
 
-impl std::fmt::Debug for SpatialProfile {
-    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        match self {
-            Self::Uniform(station) => f.debug_tuple("Uniform").field(station).finish(),
-            Self::Varying(_) => f.write_str("Varying(..)"),
-        }
-    }
-}
+/// Numbers of a section that varies: its diagonal stiffness, κ0, b and h.
+const VARYING: usize = 9;
 
 impl SpatialProfile {
     /// Of a straight beam that is the same everywhere; `width` and `height` matter where it adheres, nm.
@@ -51,27 +45,26 @@ impl SpatialProfile {
                 width: T::splat(station.width),
                 height: T::splat(station.height),
             },
-            Self::Varying(at) => {
-                let numbers = place.each(|place| at(place).numbers());
-                let mut stiffness = [[T::splat(0.0); 6]; 6];
-                for i in 0..6 {
-                    stiffness[i].copy_from_slice(&numbers[6 * i..6 * i + 6]);
+            Self::Varying(beam) => {
+                let [diagonal @ .., curvature, width, height] = place.each(|place| varying(beam, place));
+                let zero = T::splat(0.0);
+                let mut stiffness = [[zero; 6]; 6];
+                for (k, entry) in diagonal.into_iter().enumerate() {
+                    stiffness[k][k] = entry;
                 }
-                let rest_curvature = [numbers[36], numbers[37], numbers[38]];
-                Station { stiffness, rest_curvature, width: numbers[39], height: numbers[40] }
+                Station { stiffness, rest_curvature: [zero, curvature, zero], width, height }
             }
         }
     }
 }
 
-impl Station {
-    fn numbers(&self) -> [f64; 41] {
-        let mut numbers = [0.0; 41];
-        for i in 0..6 {
-            numbers[6 * i..6 * i + 6].copy_from_slice(&self.stiffness[i]);
-        }
-        numbers[36..39].copy_from_slice(&self.rest_curvature);
-        (numbers[39], numbers[40]) = (self.width, self.height);
-        numbers
-    }
+/// EA, GA twice, GJ, EI2 and EI3 of a section, its curvature about d2, b and h. Turning up, a section turns about -d2.
+#[inline(never)]
+fn varying(beam: &Varying, place: f64) -> [f64; VARYING] {
+    let outline = beam.contour().at(place);
+    let SectionAt { section, curvature, width, height, .. } = beam.section_of(&outline);
+    let lateral = LateralStiffness::of(beam.material(), width, height, outline.roundness);
+    let shear = section.shear;
+    let (axial, bending) = (section.axial, section.bending);
+    [axial, shear, shear, lateral.torsion, bending, lateral.bending, -curvature, width, height]
 }

@@ -63,7 +63,7 @@ impl SpatialBeam {
 
     /// What places of a node are measured by, nm.
     fn place_unit(&self, node: &[f64]) -> f64 {
-        self.scale[0] + (node[1] - self.rest.start[1]).abs()
+        self.scale[0] + self.rest.lift(node[1])
     }
 }
 
@@ -237,7 +237,7 @@ impl System for SpatialBeam {
     }
 
     fn stress_free(&self, elements: usize) -> State {
-        let mesh = self.mesh_at(self.length, elements);
+        let mesh = self.mesh_at(self.rest.fronts().near(self.rest.front(self.length)), elements);
         let mut values = self.rest_values(&mesh.boundaries);
         self.settle_rotations(&mut values);
         State { values, mesh, force: 0.0, history: None }
@@ -274,13 +274,27 @@ impl System for SpatialBeam {
         Some(self.resampled(at, self.mesh_near(front, &at.mesh)))
     }
 
-    /// The free end turned most, about all three axes.
+    /// Turned in the plane, the more the farther from the grip, and rolled to the side to which the end is pulled, by as much as moves an
+    /// edge by `size` over the scale of a place.
     fn disturbance(&self, at: &State, size: f64) -> Vec<f64> {
-        let nodes = self.nodes(&at.values);
+        let (nodes, order) = (self.nodes(&at.values), self.chain.order());
+        let boundaries = &at.mesh.boundaries;
+        let side = if self.chain.ends[1].axes[2][0] < 0.0 { -1.0 } else { 1.0 };
         let mut direction = vec![0.0; nodes * F];
-        for (node, own) in direction.chunks_exact_mut(F).enumerate() {
-            let turn = size * self.scale[1] * (1.0 - node as f64 / (nodes - 1) as f64);
-            own[3..].copy_from_slice(&[turn, -turn, turn]);
+        for (node, fields) in at.values[..nodes * N].chunks_exact(N).enumerate() {
+            let element = (node / order).min(boundaries.len() - 2);
+            let share = self.chain.node_fraction(node - element * order);
+            let place = boundaries[element] + share * (boundaries[element + 1] - boundaries[element]);
+            let half = 0.5 * self.chain.density.profile.at(place).width;
+            let turn = size * self.scale[1] * (1.0 - place / self.length);
+            let roll = side * size * (self.scale[0] / half).min(self.scale[1]);
+            let own = &mut direction[node * F + 3..(node + 1) * F];
+            match node {
+                // its angles: the rotation in the plane, the yaw, the roll
+                0 => own.copy_from_slice(&[turn, 0.0, roll]),
+                _ if node + 1 == nodes => {}
+                _ => own.copy_from_slice(&apply_transposed(&matrix(quaternion_of(fields)), &[roll, 0.0, turn])),
+            }
         }
         direction
     }

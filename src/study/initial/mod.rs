@@ -3,6 +3,7 @@ mod error;
 mod grip_control;
 mod grip_in_space;
 mod loading_steps;
+mod settled_in_space;
 mod settled_on_ground;
 mod stability;
 
@@ -52,6 +53,7 @@ pub fn prepared(
             .map_err(|why| NotPrepared { why: NoEquilibrium::OnGround(why), steps: Vec::new() })?;
         problem.start_at(Arc::new(at));
     }
+    settled_in_space::settle(model, &mut problem, &should_stop);
     let relaxed = stability::stabilise(model, how, &mut problem, &should_stop).map_err(refused)?;
     match loading_steps::take(model, &mut problem, should_stop) {
         (steps, Ok(())) => Ok(Prepared { problem, steps, relaxed }),

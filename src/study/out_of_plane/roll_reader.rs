@@ -1,9 +1,9 @@
 //! The roll of a beam in a planar equilibrium.
 
 use super::roll_elements::{RollElements, RollStability};
-use super::roll_section::{LateralStiffness, RollSection};
+use super::roll_section::RollSection;
 use crate::adhesion::LineLaw;
-use crate::beam::{Material, PlanarBeam};
+use crate::beam::{LateralStiffness, Material, PlanarBeam};
 use crate::model::PeelModel;
 use crate::solve::State;
 use std::num::NonZeroUsize;

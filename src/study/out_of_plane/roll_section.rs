@@ -16,34 +16,11 @@
 //! strips that make up a rolled section, a = b φ: so b²Ψ_aa = (b²/12) Ψ_yy. Ψ_c is its derivative by c_h = h cos θ:
 //! -hΨ_c sin θ = Ψ_θ.
 
-use crate::adhesion::{LineResponse, SectionShape};
-use crate::beam::{Material, SectionGeometry, SectionState, rectangle_second_moment, torsion_constant};
-use std::f64::consts::PI;
+use crate::adhesion::LineResponse;
+use crate::beam::{LateralStiffness, Material, SectionGeometry, SectionState};
 
 /// Below this |sin θ| the quotient Ψ_θ/sin θ is taken for its limit Ψ_θθ: products with a smaller number lose digits.
 const LEVEL: f64 = 1e-140;
-
-/// The stiffness of a section that a planar beam does not have.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct LateralStiffness {
-    /// GJ, nN nm²
-    pub torsion: f64,
-    /// EI3, of bending along the width, nN nm²
-    pub bending: f64,
-}
-
-impl LateralStiffness {
-    /// Of a section between a rectangle and an ellipse, as [`Material::section`] has it. The factor of the planar
-    /// bending stiffness has no part in it.
-    pub fn of(material: &Material, width: f64, height: f64, roundness: f64) -> Self {
-        let rectangle = torsion_constant(SectionShape::Rectangle, width, height);
-        let torsion_constant =
-            rectangle + roundness * (torsion_constant(SectionShape::Ellipse, width, height) - rectangle);
-        let second_moment = rectangle_second_moment(width, height) * (1.0 + (12.0 * PI / 64.0 - 1.0) * roundness);
-        let shear_modulus = material.youngs_modulus / (2.0 * (1.0 + material.poissons_ratio));
-        Self { torsion: shear_modulus * torsion_constant, bending: material.youngs_modulus * second_moment }
-    }
-}
 
 /// A place of the beam in a planar equilibrium, as its roll sees it.
 #[derive(Clone, Copy, Debug)]

@@ -10,6 +10,7 @@ mod out_of_plane;
 mod out_of_plane_branch;
 mod peak_only;
 mod space;
+mod space_outlines;
 mod special_points;
 mod stability;
 mod terms;

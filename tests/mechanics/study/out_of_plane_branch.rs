@@ -152,7 +152,8 @@ fn work_counts_from_rest() {
     let to_loss = at_planar(&planar.points, branch.loss.displacement);
     let points = &branch.peel.points;
     let start = (branch.loss.displacement, branch.loss.force);
-    let curve = std::iter::once(start).chain(points.iter().map(|point| (point.displacement, point.force)));
+    let dense = branch.peel.dense_curve(8).into_iter().map(|(u, force, _)| (u, force));
+    let curve = std::iter::once(start).chain(dense);
     let curve: Vec<(f64, f64)> = curve.collect();
     let work: f64 = curve.windows(2).map(|p| 0.5 * (p[1].0 - p[0].0) * (p[0].1 + p[1].1)).sum();
     let last = points[points.len() - 1];

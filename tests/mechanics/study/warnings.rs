@@ -8,7 +8,8 @@
 
 use crate::common::paper_strip;
 use peelkit::adhesion::{Sinusoid, Substrate};
-use peelkit::model::{Ground, PeelModel, Start};
+use peelkit::beam::SpatialSectionState;
+use peelkit::model::{Ground, PeelModel, Space, Start};
 use peelkit::study::{Accuracy, Peel, StopCriteria, Warning, WarningKind, peel};
 
 fn peeled(model: &PeelModel) -> Peel {
@@ -61,4 +62,41 @@ fn ground_higher_than_r0_is_told() {
     assert!(found(&on(0.2), WarningKind::HighGround).is_none());
     let high = found(&on(0.8), WarningKind::HighGround).expect("two r0");
     assert!((high.value - 2.0).abs() < 1e-12 && high.limit == 1.0, "{high}");
+}
+
+/// A strip of the same material in space.
+fn in_space(width: f64, youngs_modulus: f64, [elevation, azimuth]: [f64; 2]) -> PeelModel {
+    let mut strip = paper_strip(100.0, 1.0);
+    (strip.strip.width, strip.strip.youngs_modulus) = (width, youngs_modulus);
+    (strip.strip.poissons_ratio, strip.strip.shear_correction) = (0.0, 1.0);
+    let mut model = PeelModel::from(strip);
+    model.pull.angle = elevation.to_radians();
+    model.space = Some(Space { azimuth: azimuth.to_radians(), ..Space::default() });
+    model
+}
+
+/// The largest |κ2| h/2, |κ3| b/2 and strain of the corners at all ends of elements of all points of a path.
+fn largest_in_space(peel: &Peel) -> [f64; 3] {
+    let sections = (0..peel.points.len()).flat_map(|index| peel.sections_in_space(index));
+    let one = |at: SpatialSectionState| {
+        let [bent, sideways] =
+            [at.curvature[1].abs() * 0.5 * at.section.height, at.curvature[2].abs() * 0.5 * at.section.width];
+        [bent, sideways, at.stretch[0].abs() + bent + sideways]
+    };
+    sections.map(one).fold([0.0; 3], |a, b| std::array::from_fn(|i| f64::max(a[i], b[i])))
+}
+
+/// Pulled sideways at 40 degrees, a soft strip bends about its height by more than the width allows.
+#[test]
+fn what_a_strip_in_space_folds_and_strains_by_is_told() {
+    let whole = |model: &PeelModel| peel(model, &Accuracy::to(1e-4), &StopCriteria::after_points(5000));
+    let soft = whole(&in_space(5.0, 0.007, [40.0, 90.0]));
+    let [_, sideways, strain] = largest_in_space(&soft);
+    let folded = found(&soft, WarningKind::FoldedSideways).expect("|κ3| b/2 of a soft strip");
+    assert!(folded.value <= sideways && folded.value > 0.99 * sideways, "{} {sideways}", folded.value);
+    let strained = found(&soft, WarningKind::LargeStrain).expect("the same bending");
+    assert!(strained.value <= strain && strained.value > 0.99 * strain, "{} {strain}", strained.value);
+    assert!(found(&soft, WarningKind::FoldedOutline).is_none());
+    assert!(found(&soft, WarningKind::ShortProcessZone).is_some() && found(&soft, WarningKind::ShortBeam).is_none());
+    assert!(found(&soft.without_solutions(), WarningKind::FoldedSideways).is_none());
 }

@@ -47,7 +47,7 @@ pub struct Run {
     #[arg(long)]
     out_of_plane: bool,
 
-    /// Follows the branch out of the plane from there in space; implies --out-of-plane
+    /// Follows the branch that leaves the plane in space; implies --out-of-plane
     ///
     /// To one side: the other is its mirror image. Adds branch.csv, and the branch to summary.json and curve.svg.
     #[arg(long)]

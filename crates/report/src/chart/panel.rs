@@ -146,6 +146,8 @@ impl Panel {
             Rim::Axes => self.draw_axes(canvas)?,
             Rim::Plain => self.draw_rim(canvas, &Stroke::solid(colour::PALE, 1.0))?,
         }
+        let above = (0.5 * (self.frame.left + self.frame.right), self.frame.top - 12.0);
+        canvas.text(&self.title, above, size::TEXT, colour::INK, Align::Centre)?;
         for shape in &self.shapes {
             canvas.area(&self.pixels(&shape.corners), shape.colour, shape.opacity)?;
         }
@@ -202,19 +204,16 @@ impl Panel {
             }
             canvas.line(&[(left - depth, y), (left, y)], &rule)?;
         }
+        self.draw_rim(canvas, &rule)?;
         let (middle, half) = (0.5 * (left + right), 0.5 * (top + bottom));
         canvas.text(&self.x.title(), (middle, bottom + 37.0), size::LABEL, colour::INK, Align::Centre)?;
-        canvas.text(&self.y.title(), (left - widest - 22.0, half), size::LABEL, colour::INK, Align::Upwards)?;
-        self.draw_rim(canvas, &rule)
+        canvas.text(&self.y.title(), (left - widest - 22.0, half), size::LABEL, colour::INK, Align::Upwards)
     }
 
-    /// The frame with the title above it.
     fn draw_rim(&self, canvas: &Canvas<'_>, stroke: &Stroke) -> Drawn {
-        let Frame { left, top, right, .. } = self.frame;
         let mut rim = self.frame.corners().to_vec();
         rim.push(rim[0]);
-        canvas.line(&rim, stroke)?;
-        canvas.text(&self.title, (0.5 * (left + right), top - 12.0), size::TEXT, colour::INK, Align::Centre)
+        canvas.line(&rim, stroke)
     }
 
     fn draw_legend(&self, canvas: &Canvas<'_>, places: &mut Places) -> Drawn {

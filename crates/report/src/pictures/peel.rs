@@ -64,8 +64,8 @@ pub fn captioned(peel: &Peel, title: &str) -> String {
         lines.push(format!("The computation stopped short: {first}."));
     }
     let shown = |kind| {
-        use WarningKind::{FoldedOutline, LargeStrain, ShortBeam, ShortProcessZone};
-        matches!(kind, ShortProcessZone | FoldedOutline | ShortBeam | LargeStrain)
+        use WarningKind::{FoldedOutline, FoldedSideways, LargeStrain, ShortBeam, ShortProcessZone};
+        matches!(kind, ShortProcessZone | FoldedOutline | FoldedSideways | ShortBeam | LargeStrain)
     };
     let warnings = peel.warnings().into_iter().filter(|warning| shown(warning.kind));
     lines.extend(warnings.map(|warning| format!("Warning: {warning}.")));

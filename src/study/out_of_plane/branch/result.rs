@@ -31,6 +31,8 @@ pub struct BranchStart {
     pub displacement_by_roll: f64,
     /// P₂, nN/rad²
     pub force_by_roll: f64,
+    /// Yaw of the grip per roll
+    pub yaw_by_roll: f64,
     /// Roll of the grip at the first point of the branch, rad
     pub roll: f64,
 }

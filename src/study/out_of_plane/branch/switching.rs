@@ -23,7 +23,7 @@ const LINEAR: f64 = 1e-4;
 const FIRST_ORDER: f64 = 0.01;
 const SECOND_ORDER: f64 = 0.02;
 /// a₀ is halved until the branch begins where the planar path loses its stability, to this share of u₂ a₀², or so often.
-const SAME_PLACE: f64 = 0.02;
+const SAME_PLACE: f64 = 2e-3;
 const MOST_SMALLER: usize = 5;
 /// Largest roll of the first point, over the one that moves an edge of its end by r0, and rad.
 const MOST_ROLL: [f64; 2] = [0.5, 0.2];
@@ -97,6 +97,7 @@ impl Switch<'_> {
                     force: expansion.force[0],
                     displacement_by_roll: expansion.displacement[1],
                     force_by_roll: expansion.force[1],
+                    yaw_by_roll: expansion.first[expansion.first.len() - 2],
                 };
                 return Ok(FirstPoint { displacement: o.displacement, at: found.solution.at, start });
             }

@@ -3,7 +3,7 @@
 use super::first_integral::worst_spread;
 use super::followed::Followed;
 use super::model_end::stopped_by_model;
-use super::path_end::step;
+use super::path_end::{is_next_to_plane, step};
 use super::path_refinement::fill_in;
 use super::slope_polishing::sharpen;
 use crate::model::BeamProblem;
@@ -48,6 +48,8 @@ pub(in crate::study::peel) fn follow(
             // on finer elements the path may turn back before the pole
             Ok(Some(PathEnd::Upright(upright))) => break Err(PathFailure::NearUpright(upright)),
             Ok(Some(end)) => break Ok(end),
+            // where a branch meets the planar path no equilibrium is certain
+            Err(_) if is_next_to_plane(problem, path.points()) => break Ok(PathEnd::BackInPlane),
             Err(error) => break Err(PathFailure::Path(error)),
         }
     };

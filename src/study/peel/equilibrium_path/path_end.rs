@@ -21,6 +21,10 @@ const PUSH: f64 = 1e-6;
 /// A roll that is none, rad, and what is left of roll and yaw in the plane, over the roll at the beginning.
 const NO_ROLL: f64 = 1e-7;
 const IN_PLANE: f64 = 1e-4;
+/// A path that cannot be continued is next to its plane where its roll is less than this share of the largest.
+const NEXT_TO_PLANE: f64 = 0.02;
+/// The ratio of yaw and roll changes by less over a step through the plane.
+const SAME_RATIO: f64 = 0.1;
 /// A section this near to 90 degrees stands upright, rad: there the path meets that of upright strips, and may go on
 /// along it without passing
 /// the upright position.
@@ -116,11 +120,19 @@ fn stands_upright(problem: &BeamProblem, points: &[Arc<Solution>]) -> bool {
 fn is_back_in_plane(problem: &BeamProblem, points: &[Arc<Solution>]) -> bool {
     let (Some(beam), [first, .., before, newest]) = (problem.beam.spatial(), points) else { return false };
     let [first, before, newest] = [first, before, newest].map(|point| beam.angles_of_grip(&point.at));
-    let [yaw, roll] = [1, 2].map(|angle| {
-        let is_less = newest[angle].abs() <= IN_PLANE * first[2].abs();
-        is_less || newest[angle] * before[angle] < 0.0
-    });
-    first[2].abs() > NO_ROLL && yaw && roll
+    let is_zero = |angle: usize| newest[angle].abs() <= IN_PLANE * first[2].abs();
+    // in a mirror image both have turned over, and their ratio is what it was
+    let [one, other] = [newest[1] * before[2], newest[2] * before[1]];
+    let is_mirrored = newest[2] * before[2] < 0.0 && (one - other).abs() <= SAME_RATIO * one.abs();
+    first[2].abs() > NO_ROLL && (is_zero(1) && is_zero(2) || is_mirrored)
+}
+
+/// Whether such a path is so near to its plane, and comes nearer, that it ends there.
+pub(super) fn is_next_to_plane(problem: &BeamProblem, points: &[Arc<Solution>]) -> bool {
+    let (Some(beam), [.., before, newest]) = (problem.beam.spatial(), points) else { return false };
+    let roll = |point: &Arc<Solution>| beam.angles_of_grip(&point.at)[2].abs();
+    let largest = points.iter().map(roll).fold(0.0, f64::max);
+    roll(&points[0]) > NO_ROLL && roll(newest) < roll(before) && roll(newest) <= NEXT_TO_PLANE * largest
 }
 
 impl Followed {

@@ -89,7 +89,7 @@ impl Strip {
         SpatialBeam {
             chain: SpatialChain::new(density, 7, ends, held),
             length: LENGTH,
-            rest: SpatialRestCurve::along_x(height),
+            rest: SpatialRestCurve::along_x(height).into(),
             scale: [0.4, (0.4 / process_length).min(1.0)],
             round_off: 0.0,
             rest_adhesion: at_rest.energy,
@@ -257,13 +257,13 @@ fn a_rolled_grip() {
     let (rolling, beam) = problem(strip.beam(), 5, &[4]);
     let rolled =
         controlled(&rolling, rolling.initial(40), Observables::DISPLACEMENT, &[5f64.to_radians()], 1e-11).unwrap();
-    let height = |at: &State| beam.interface_values(at)[0] - beam.rest.start[1];
+    let height = |at: &State| beam.interface_values(at)[0] - beam.rest.at(0.0).0[1];
     assert_digits(height(&rolled[0].at), 0.320_543_328, 1e-9, "height without a force");
     assert_digits(rolled[0].at.force, 24.130_063_5, 1e-7, "torque without a force");
     let start = Arc::new(State { force: 0.0, ..rolled[0].at.clone() });
     let (mut pulling, _) = problem(strip.beam(), 0, &[4, 5]);
     pulling.grip.origin = beam.interface_values(&start);
-    pulling.grip.origin[0] = beam.rest.start[1];
+    pulling.grip.origin[0] = beam.rest.at(0.0).0[1];
     pulling.start = InitialState::Known { at: start, settling: false };
     let trace = trace(&pulling, 40, displaced(5.0));
     let torque = |at: &State| beam.residual(at)[beam.place_of(5, at)];
@@ -299,7 +299,7 @@ fn sideways() {
     let start = at(&problem, near, near.observables.displacement);
     assert_eq!(start.negative_load, 0);
     problem.start = InitialState::Known { at: Arc::new(start.at), settling: false };
-    let lift = |at: &State| at.values[at.values.len() - 12] - beam.rest.start[1];
+    let lift = |at: &State| at.values[at.values.len() - 12] - beam.rest.at(0.0).0[1];
     let trace = trace(&problem, 36, |p| lift(&p.at) > 1.0);
     let peak = first_of(&trace, LimitPointKind::Load);
     assert_digits(peak.displacement, 12.770_802_701_4, 1e-8, "displacement of the peak");

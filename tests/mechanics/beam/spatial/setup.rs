@@ -61,7 +61,7 @@ impl Rod {
         SpatialBeam {
             chain: SpatialChain::new(SpatialDensity { profile, adhesion: None }, self.order, ends, held),
             length: self.length,
-            rest: self.rest,
+            rest: self.rest.into(),
             scale: [0.01 * self.length, 0.01],
             round_off: 0.0,
             rest_adhesion: 0.0,

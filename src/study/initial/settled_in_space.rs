@@ -1,0 +1,28 @@
+//! How a beam of varying outline comes to lie on flat ground in space.
+//!
+//! Where its section is wide at the peeling front, the equilibrium in its vertical plane may be unstable: it leans to one side. So it is
+//! relaxed without a force on the grip, from the stress-free configuration turned a little to the side to which it is pulled: a
+//! mirror image of the pull leads to the mirror image of the peel.
+
+use super::loading_steps::elements;
+use crate::model::{BeamProblem, PeelModel};
+use crate::solve::{Held, InitialState, RelaxOptions, ShouldStop, Workspace, disturbed_anyhow, relax};
+use std::sync::Arc;
+
+/// Most that a step of relaxation moves, relative as in [`crate::solve::System::size`], and most steps.
+const RELAXING: f64 = 0.3;
+const MOST_STEPS: usize = 1000;
+
+/// Lets a path in space that would have to settle start in the stable equilibrium to which the beam relaxes; displacements count from
+/// there. Where it does not come to rest the path settles by Newton's method, and says what is wrong if that fails too.
+pub(super) fn settle(model: &PeelModel, problem: &mut BeamProblem, should_stop: &Option<ShouldStop>) {
+    if problem.beam.spatial().is_none() || !matches!(problem.start, InitialState::Settling) {
+        return;
+    }
+    let options = RelaxOptions { largest_update: RELAXING, most_steps: MOST_STEPS };
+    let mut ws = Workspace::until(should_stop.clone());
+    let leaning = disturbed_anyhow(problem, &problem.initial(elements(model, problem)));
+    if let Ok(relaxed) = relax(problem, leaning, Held::Force(0.0), &options, &mut ws) {
+        problem.start_at(Arc::new(relaxed.solution.at));
+    }
+}
