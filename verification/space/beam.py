@@ -36,6 +36,25 @@ class Beam:
     def with_curvature(self, curvature):
         return replace(self, curvature=tuple(curvature))
 
+    def at(self, S):
+        """The beam at places S: the same everywhere."""
+        return self
+
+
+@dataclass(frozen=True)
+class Varying:
+    """A beam whose numbers change along S: section(S) gives a Beam of arrays."""
+
+    length: float
+    section: object
+
+    def with_curvature(self, curvature):
+        assert not any(curvature)
+        return self
+
+    def at(self, S):
+        return self.section(np.asarray(S))
+
 
 def frame(q):
     """The three directors, each a list of components."""

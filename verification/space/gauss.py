@@ -126,7 +126,7 @@ class Problem:
         """Residual and matrix of the condensed system, and what gives the slopes back."""
         N, s = st.K.shape[1:]
         rule, h = st.rule, np.diff(st.X)
-        f, J = beams.linearised(self.beam, st.inner().reshape(SIZE, -1))
+        f, J = beams.linearised(self.beam.at(st.places().ravel()), st.inner().reshape(SIZE, -1))
         F = (st.K - f.reshape(SIZE, N, s)).transpose(1, 2, 0).reshape(N, s * SIZE)
         J = J.reshape(SIZE, SIZE, N, s).transpose(2, 3, 0, 1)  # (N, s, row, column)
         big = -np.einsum("e,ejrc,jl->ejrlc", h, J, rule.A).reshape(N, s * SIZE, s * SIZE)
@@ -203,7 +203,7 @@ class Problem:
 
     def allowed(self, st):
         """Whether a state stays clear of the plane."""
-        law = self.beam.law
+        law = self.beam.at(st.X).law
         if law is None:
             return True
         d = beams.frame(st.z[3:7])

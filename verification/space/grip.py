@@ -17,12 +17,12 @@ it carries a moment along g(0) only. The turns of the grip are imposed at P = 0.
 """
 
 from dataclasses import dataclass, fields
-from math import cos, pi, radians, sin, sqrt, tanh
+from math import atan, cos, pi, radians, sin, sqrt, tanh
 
 import numpy as np
 
 from . import law as laws
-from .beam import SIZE, Beam, dot, frame
+from .beam import SIZE, Beam, Varying, dot, frame
 from .gauss import Failure, Problem, remesh, straight
 from .path import row
 
@@ -54,6 +54,8 @@ class Case:
     left_turn: str = "fixed"
     grip_roll_deg: float = 0.0
     grip_yaw_deg: float = 0.0
+    end_width_nm: str = ""
+    end_height_nm: str = ""
     displacements_nm: str = ""
     lifts_nm: str = ""
 
@@ -70,12 +72,38 @@ class Case:
         across = self.pull_angle_deg != 90.0 and self.azimuth_deg % 180.0 != 0.0
         return across or self.grip_roll_deg != 0.0 or self.grip_yaw_deg != 0.0 or self.twist_deg != 0.0
 
+    def ends(self):
+        """Width and height at the two ends, between which they are linear."""
+        wide = float(self.end_width_nm or self.width_nm)
+        return (self.width_nm, wide), (self.height_nm, float(self.end_height_nm or self.height_nm))
+
+    def slope(self):
+        """Direction of the axis free of stress over the flat underside: it rises by half of what the height grows."""
+        _, (h0, h1) = self.ends()
+        return atan(0.5 * (h1 - h0) / self.length_nm)
+
+    def section_at(self, S):
+        """The rectangle at places S."""
+        (b0, b1), (h0, h1) = self.ends()
+        t = S / self.length_nm
+        b, h, E = b0 + (b1 - b0) * t, h0 + (h1 - h0) * t, self.youngs_modulus_GPa
+        G = 0.5 * E / (1.0 + self.poissons_ratio)
+        A, GA = b * h, self.shear_correction * G * b * h
+        return Beam(
+            self.length_nm,
+            (1.0 / (E * A), 1.0 / GA, 1.0 / GA),
+            (1.0 / (G * torsion_of_widths(b, h)), 12.0 / (E * b * h**3), 12.0 / (E * h * b**3)),
+            laws.Rectangle(b, h, self.hamaker_constant_J * 1e18, self.equilibrium_distance_nm),
+        )
+
     def law(self):
         kind = {"rectangle": laws.Rectangle, "ellipse": laws.Ellipse}[self.section]
         return kind(self.width_nm, self.height_nm, self.hamaker_constant_J * 1e18, self.equilibrium_distance_nm)
 
     def beam(self):
         b, h, E = self.width_nm, self.height_nm, self.youngs_modulus_GPa
+        if self.end_width_nm or self.end_height_nm:
+            return Varying(self.length_nm, self.section_at)
         G = 0.5 * E / (1.0 + self.poissons_ratio)
         if self.section == "rectangle":
             A, I2, I3, J = b * h, b * h**3 / 12.0, h * b**3 / 12.0, torsion(b, h)
@@ -89,6 +117,11 @@ class Case:
             (1.0 / (G * J), 1.0 / (E * I2), 1.0 / (E * I3)),
             self.law(),
         )
+
+
+def torsion_of_widths(b, h):
+    """Of rectangles, one after the other."""
+    return np.array([torsion(*sides) for sides in zip(np.ravel(b), np.ravel(h))])
 
 
 def torsion(b, h):
@@ -115,7 +148,8 @@ class Peel:
         self.p = np.array([ca * cos(be), sa, ca * sin(be)])
         self.v = np.array([-sa * cos(be), ca, -sa * sin(be)])
         self.w = np.array([-sin(be), 0.0, cos(be)])
-        self.rest = np.array([case.length_nm, self.y0, 0.0])
+        along, up = case.length_nm * cos(case.slope()), case.length_nm * sin(case.slope())
+        self.rest = np.array([along, self.y0 + up, 0.0])
         self.u = np.zeros(2 * SIZE + 1)
         self.u[SIZE : SIZE + 3] = self.p
         self.P, self.lift = row(self.problem, "par", 0), row(self.problem, "right", 1)
@@ -172,11 +206,16 @@ class Peel:
             "rotation": float(np.arctan2(d1[1], d1[0])),
         }
 
+    def tangent(self):
+        return cos(self.case.slope()), sin(self.case.slope()), 0.0
+
     def at_rest(self, N, s):
         """The level strip, on a mesh that is finer towards the grip."""
-        st = straight(self.case.length_nm, N, s, (0.0, self.y0, 0.0), (C, -C, 0.0, 0.0), [0.0])
+        # about z by the slope, after R_rest
+        c, d = C * cos(0.5 * self.case.slope()), C * sin(0.5 * self.case.slope())
+        st = straight(self.case.length_nm, N, s, (0.0, self.y0, 0.0), (c, -c, -d, d), [0.0], self.tangent())
         st.X = self.case.length_nm * (1.0 - (1.0 - np.linspace(0.0, 1.0, N + 1)) ** 1.6)
-        st.z[0] = st.X
+        st.z[0], st.z[1] = st.X * cos(self.case.slope()), self.y0 + st.X * sin(self.case.slope())
         return st
 
     def start(self, N, s, step=0.1):

@@ -98,7 +98,8 @@ def integrals(peel, st):
     """How far the first integrals of a solution are from constant: energy, n_x and n_z, m_y + (r x n)_y; each over
     its size."""
     z = st.inner().reshape(SIZE, -1)
-    I = first_integral(peel.problem.beam, z)
+    uniform = peel.case.end_width_nm == "" and peel.case.end_height_nm == ""
+    I = first_integral(peel.problem.beam, z) if uniform else np.zeros(1)
     r, n, m = z[0:3], z[7:10], z[10:13]
     turn = m[1] + r[2] * n[0] - r[0] * n[2]
     force, moment = np.abs(n).max() + 1e-300, np.abs(m).max() + 1e-300

@@ -24,9 +24,9 @@ fn powers<T: Real>(half_space: &HalfSpace, area: T, y: T, a: T, c: T) -> ([T; 4]
     let [root] = v.each(|v| [v.sqrt()]);
     let v2 = v * v;
     let r0_squared = half_space.equilibrium_distance * half_space.equilibrium_distance;
-    let scale = area * (half_space.hamaker_constant * 0.125);
-    let repel = scale * (r0_squared * r0_squared * r0_squared / 45.0);
-    ([e, v, v2 * v2 * root, v * root], [repel, scale * (1.0 / 3.0)])
+    let scale = area * half_space.hamaker_constant * 0.125;
+    let repel = scale * r0_squared * r0_squared * r0_squared / T::splat(45.0);
+    ([e, v, v2 * v2 * root, v * root], [repel, scale / T::splat(3.0)])
 }
 
 /// Ψ of an ellipse in a rectangle of this `area` b h, nm²; its lowest point, y - ρ, is above zero.

@@ -27,8 +27,8 @@ pub(super) fn response<T: Real>(half_space: &HalfSpace, area: T, y: T, a: T, c: 
     let v = (r * r - e).recip();
     let v2 = v * v;
     let r0_squared = half_space.equilibrium_distance * half_space.equilibrium_distance;
-    let attract = area * (half_space.potential_scale() * r0_squared / 6.0);
-    let repel = attract * (r0_squared * r0_squared * r0_squared / 60.0);
+    let attract = area * (half_space.potential_scale() * r0_squared) / T::splat(6.0);
+    let repel = attract * r0_squared * r0_squared * r0_squared / T::splat(60.0);
     let (p, q) = (REPEL.derivatives(r, e, v, v2 * v2), ATTRACT.derivatives(r, e, v, v));
     let inverse = k.recip();
     let [m, m_r, m_e, m_rr, m_re, m_ee] = std::array::from_fn(|i| (p[i] * repel - q[i] * attract) * inverse);

@@ -34,8 +34,8 @@ use std::f64::consts::PI;
 fn factors<T: Real>(half_space: &HalfSpace, area: T) -> [T; 2] {
     let r0 = half_space.equilibrium_distance;
     let r0_cubed = r0 * r0 * r0;
-    let scale = area * (half_space.hamaker_constant / PI);
-    [scale * (r0_cubed * r0_cubed / 2520.0), scale * (1.0 / 6.0)]
+    let scale = area * half_space.hamaker_constant * (1.0 / PI);
+    [scale * (r0_cubed * r0_cubed) * (1.0 / 2520.0), scale * (1.0 / 6.0)]
 }
 
 /// h_j of the numbers of `fewer` and one more number, for j from 0.
