@@ -5,7 +5,6 @@
 
 mod body_force;
 mod cohesive;
-mod coverage;
 mod law;
 mod line_load;
 mod own;

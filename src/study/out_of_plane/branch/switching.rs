@@ -128,13 +128,22 @@ impl Switch<'_> {
         };
         // f(2a) - f(a) = 3 f₂ a², f* = f(a) - f₂ a²
         let terms = |roll: f64, one: f64, two: f64| [one - (two - one) / 3.0, (two - one) / (3.0 * roll * roll)];
+        // how far from the loss it begins, over the term of second order
+        let missed = |roll: f64, one: &Rolled, two: &Rolled| {
+            let [begins, second] = terms(roll, one.target, two.target);
+            ((begins - target) / (second * roll * roll)).abs()
+        };
         let (mut one, mut two) = (of_roll(roll, target)?, of_roll(2.0 * roll, target)?);
         for _ in 0..MOST_SMALLER {
-            let [begins, second] = terms(roll, one.target, two.target);
-            if (begins - target).abs() <= SAME_PLACE * (second * roll * roll).abs() {
+            let least = missed(roll, &one, &two);
+            if least <= SAME_PLACE {
                 break;
             }
             let (Ok(nearer), Ok(next)) = (of_roll(0.5 * roll, target), of_roll(roll, target)) else { break };
+            // smaller ones are lost in what the two meshes differ by
+            if missed(0.5 * roll, &nearer, &next) >= least {
+                break;
+            }
             (roll, one, two) = (0.5 * roll, nearer, next);
         }
         let terms = |one: f64, two: f64| terms(roll, one, two);
