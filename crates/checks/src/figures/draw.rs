@@ -3,7 +3,7 @@
 use super::figure::Figure;
 use super::numerics::{beam, levels, round_off, speed, verification};
 use super::peeling::{
-    friction, laws, out_of_plane, points, pull, rough, rough_spatula, spatula, stiffness, strip, work,
+    directions, friction, laws, out_of_plane, points, pull, rough, rough_spatula, spatula, stiffness, strip, work,
 };
 use super::runner::Runner;
 use peelkit_report::{ReportError, write_whole};
@@ -33,6 +33,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
         + friction::PEELS
         + laws::PEELS
         + out_of_plane::PEELS
+        + directions::PEELS
         + stiffness::PEELS
         + work::PEELS
         + speed::PEELS;
@@ -45,6 +46,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
     figures.push(friction::figure(&runner, dir)?);
     figures.extend(laws::figures(&runner, dir)?);
     figures.push(out_of_plane::figure(&runner, dir)?);
+    figures.push(directions::figure(&runner, dir)?);
     let stiffness = stiffness::Sweeps::compute(&runner);
     figures.extend(stiffness::figures(&stiffness, dir)?);
     figures.push(points::figure(&stiffness, dir)?);

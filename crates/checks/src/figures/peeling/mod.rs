@@ -1,5 +1,6 @@
 //! Figures of what peels.
 
+pub(super) mod directions;
 pub(super) mod friction;
 pub(super) mod laws;
 pub(super) mod out_of_plane;
