@@ -132,7 +132,7 @@ fn the_peak_is_followed_in_the_azimuth() {
     let sweep = |more: &[&str]| {
         let vary = ["--vary", "drive.azimuth", "--from", "55 deg", "--to", "65 deg", "--points", "3"];
         let held = ["--set", "strip.width=20 nm", "--set", "accuracy.relative=1e-4"];
-        let bound = ["--set", "bounds.displacement=12 nm"];
+        let bound = ["--set", "bounds.displacement=25 nm"];
         let found = json(&[&["sweep", SIDEWAYS][..], &vary, &held, &bound, more].concat());
         found["rows"].as_array().unwrap().clone()
     };

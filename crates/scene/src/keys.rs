@@ -90,7 +90,7 @@ pub static KEYS: &[Key] = &[
     key("drive", "angle", Optional, Kind::Measure(Angle, Range::PULL_ANGLE, |s| &mut s.model.pull.angle), "angle of the pull to the substrate; 90 deg: straight up"),
     key("drive", "azimuth", Optional, Kind::Measure(Angle, Range::AZIMUTH, |s| &mut space::of(s).azimuth), "in space: direction of the pull; 90 deg: sideways"),
     key("drive", "turn", Optional, Kind::Measure(AnglePerLength, Range::PULL_TURN, |s| &mut s.model.pull.turn), "rotation of a fixed grip per displacement"),
-    key("drive", "steps", Optional, Kind::Steps(|s| &mut s.model.steps), "motions before the pull: press, lift, drag, push, turn, release, hold, shift, roll, yaw"),
+    key("drive", "steps", Optional, Kind::Steps(|s| &mut s.model.steps), "press, lift, drag, push, turn, release, hold, shift, roll, yaw first"),
 
     key("accuracy", "relative", Optional, Kind::Number(Accuracy::RELATIVE, |s| &mut s.accuracy.relative), "relative tolerance of every reported force and displacement"),
     key("accuracy", "order", Optional, Kind::Fixed(Discretisation::MOST_ORDER, |s| &mut s.accuracy.choice.order), "order p of the elements"),

@@ -51,7 +51,8 @@ const SOFT: &[&str] = &["--set", "strip.length=200 nm", "--set", "strip.bending_
 const CUT: &[&str] = &["--set", "bounds.displacement=0.1 nm"];
 /// Past the peak of the sideways pull, where its limit points are.
 const PAST_PEAK: &[&str] = &["--set", "bounds.displacement=12.775 nm"];
-
+/// Past a branch point of the symmetric path.
+const UPWARD: &[&str] = &["--set", "drive.angle=90 deg", "--set", "bounds.displacement=0.2 nm"];
 /// With a peak, a jump, and an end on the planar path.
 const BRANCH: &[&str] = &["--branch", "--set", "strip.width=40 nm"];
 
@@ -65,6 +66,7 @@ const RUNS: &[(&str, &[&[&str]])] = &[
     ("strip-100nm", &[CUT]),
     ("strip-rough", &[SHORT]),
     ("strip-sideways", &[PAST_PEAK]),
+    ("strip-sideways", &[UPWARD]),
     ("strip-rolled", &[CUT]),
     ("strip-auto", &[]),
     ("strip-auto", &[&["--set", "terms=all"]]),

@@ -5,6 +5,7 @@ mod layout;
 mod number;
 mod observed;
 mod peel;
+mod stability;
 mod sweep;
 mod units;
 

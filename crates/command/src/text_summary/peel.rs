@@ -3,12 +3,13 @@
 use super::branch::branch_lines;
 use super::layout::in_columns;
 use super::number::short;
+use super::stability::{branch_point, out_of_plane};
 use super::units::{Units, WantedUnits};
 use peelkit::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 use peelkit::model::{DerivedQuantities, Step};
 use peelkit::study::{
-    BranchPoint, Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, OutOfPlaneBranch,
-    PathEnd, Peak, Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
+    Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, OutOfPlaneBranch, PathEnd, Peak,
+    Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
 };
 use peelkit_report::{end_reason, end_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
@@ -106,18 +107,6 @@ pub fn peel(
     in_columns(&scene.title, &lines)
 }
 
-/// A branch point, and what it does to stability.
-fn branch_point(at: &BranchPoint, units: &Units) -> String {
-    let place = units.length.with_error(at.displacement, at.displacement_error);
-    let force = units.force.with_error(at.force, at.force_error);
-    let what = match at.negative_eigenvalues {
-        [0, _] => "stability is lost without a jump, and the path goes on along the unstable branch",
-        [_, 0] => "the path is stable again",
-        _ => "another branch meets the path",
-    };
-    format!("at u = {place}, P = {force}: {what}")
-}
-
 /// The largest force (nN), displacement (nm) and work (aJ) that is printed.
 fn sizes(peel: &Peel) -> [f64; 3] {
     let limit_points = peel.limit_points.iter().map(|at| [at.force, at.displacement, at.work]);
@@ -154,21 +143,6 @@ fn in_space(scene: &Scene, peel: &Peel) -> Option<(&'static str, String)> {
         Some(_) => "solved in space",
     };
     Some(("space", text.to_owned()))
-}
-
-/// From where on the path is not that of a beam that is free to leave its plane.
-fn out_of_plane(stability: &OutOfPlane, Units { force, length, .. }: &Units) -> String {
-    let Some(at) = stability.first_loss else {
-        return "stable on the whole path, of a grip that is free to roll".to_owned();
-    };
-    if at.after.is_none() {
-        return "unstable from the beginning: a strip that is free to roll is not on this path at all".to_owned();
-    }
-    format!(
-        "stable up to u = {}, P = {}: beyond that a strip that is free to roll leaves the plane and this path",
-        length.with_error(at.displacement, at.displacement_error),
-        force.with_error(at.force, at.force_error)
-    )
 }
 
 /// The grip after each step before the pull.
