@@ -113,8 +113,9 @@ const MOST_CORNERED: usize = 1000;
 const STEP_TOLERANCE: f64 = 1.2e-2;
 /// The same in space, where branches of the path nearly meet.
 const STEP_TOLERANCE_IN_SPACE: f64 = 4e-3;
-/// Elements in space, over those in the plane.
+/// Elements in space, over those in the plane: of a uniform section, and of one that varies, whose pad twists off along its length.
 const IN_SPACE: f64 = 1.25;
+const VARYING_IN_SPACE: f64 = 3.0;
 /// The same at any accuracy: beyond it Newton's method takes more than it saves.
 const LONGEST: f64 = 5e-2;
 
@@ -152,7 +153,11 @@ impl Resolution {
             None => elements,
             Some(_) => elements + model.length() / (EVEN * model.feature_length() / sharp),
         };
-        let elements = if model.space.is_some() { IN_SPACE * elements } else { elements };
+        let elements = match model.space {
+            None => elements,
+            Some(_) if model.strip().is_none() => VARYING_IN_SPACE * elements,
+            Some(_) => IN_SPACE * elements,
+        };
         let chosen = whole_bundles(elements).clamp(6, most_elements(model));
         let aimed = if model.space.is_some() { STEP_TOLERANCE_IN_SPACE } else { STEP_TOLERANCE };
         Self {
