@@ -1,5 +1,6 @@
 //! A problem whose system is a beam, in the plane or in space.
 
+use super::space::ROTATION;
 use crate::adhesion::Substrate;
 use crate::beam::rotation::Matrix3;
 use crate::beam::{GripForces, GripState, PlanarBeam, SpatialBeam};
@@ -48,7 +49,7 @@ impl Beam {
     pub fn slot_of_rotation(&self) -> usize {
         match self {
             Self::Planar(beam) => beam.slot_of_rotation(),
-            Self::Spatial(_) => 3,
+            Self::Spatial(_) => ROTATION,
         }
     }
 

@@ -1,6 +1,7 @@
 //! The grip of a strip in space, beside what it does in the plane.
 
 use super::{ACROSS, BeamProblem, ROLL, SIDEWAYS};
+use crate::beam::rotation::apply_transposed;
 use crate::solve::State;
 use serde::{Deserialize, Serialize};
 
@@ -35,15 +36,14 @@ impl BeamProblem {
         let beam = self.beam.spatial()?;
         let [_, yaw, roll] = beam.angles_of_grip(at);
         let reactions = beam.grip_reactions(at);
-        let axes = &beam.chain.ends[1].axes;
-        let along = |slot: usize| (0..3).map(|i| axes[i][slot] * reactions.force[i]).sum::<f64>();
+        let along = apply_transposed(&beam.chain.ends[1].axes, &reactions.force);
         let held = |slot: usize, value: f64| if self.grip.held[slot] { value } else { 0.0 };
         Some(SpatialGrip {
             roll,
             yaw,
             torque: held(ROLL, reactions.moment[2]),
-            across: held(ACROSS, along(ACROSS)),
-            lateral: held(SIDEWAYS, along(SIDEWAYS)),
+            across: held(ACROSS, along[ACROSS]),
+            lateral: held(SIDEWAYS, along[SIDEWAYS]),
         })
     }
 }

@@ -40,9 +40,7 @@ impl StressFreePlacement {
     }
 
     /// As its outline says, with the free end at the gap of a flat section in equilibrium. `front` are the mesh's
-    /// moving foci, the first of
-    /// them that of every law; to the
-    /// others are added those where the beam comes down again behind its front. On ground that is not flat elements are shared out as if
+    /// moving foci, the first of them that of every law; to the others are added those where the beam comes down again behind its front. On ground that is not flat elements are shared out as if
     /// they were alike as far as that reaches.
     pub fn varying(
         beam: &Varying,

@@ -6,7 +6,7 @@
 //! grip is held in one of its two directions; else a grip that is held in one of them is free in the other.
 
 use super::grip_control::{GripControl, LettingGo};
-use crate::beam::rotation::{Matrix3, cross};
+use crate::beam::rotation::{Matrix3, apply_transposed, cross};
 use crate::model::{ACROSS, ALONG, Moved, ROLL, ROTATION, SIDEWAYS, YAW};
 use crate::solve::Direction;
 
@@ -49,15 +49,15 @@ pub(super) fn moving(pull: &GripControl, azimuth: f64, moved: Moved) -> GripCont
 /// How the force on what is neither driven nor held comes to be zero: the grip moves along it, and holds all else that the control drives or holds.
 pub(super) fn letting_go(control: &GripControl, axes: &Matrix3, force: [f64; 3], least: f64) -> Option<LettingGo> {
     let is_free = |slot: usize| !control.held[slot] && slot != control.driven;
-    let along = |slot: usize| (0..3).map(|i| axes[i][slot] * force[i]).sum::<f64>();
+    let along = apply_transposed(axes, &force);
     let free: Vec<usize> = PLACES.into_iter().filter(|&slot| is_free(slot)).collect();
-    let size = free.iter().map(|&slot| along(slot).powi(2)).sum::<f64>().sqrt();
+    let size = free.iter().map(|&slot| along[slot].powi(2)).sum::<f64>().sqrt();
     if size < least || size == 0.0 {
         return None;
     }
     let mut way = [0.0; 3];
     for &slot in &free {
-        let share = along(slot) / size;
+        let share = along[slot] / size;
         way.iter_mut().zip(column(axes, slot)).for_each(|(way, axis)| *way += share * axis);
     }
     let mut kept = PLACES.into_iter().filter(|&slot| !is_free(slot)).map(|slot| column(axes, slot));

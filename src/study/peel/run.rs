@@ -4,7 +4,7 @@
 use super::assembly::{differences, empty, report};
 use super::equilibrium_path::{Followed, follow};
 use super::solution_history::SolutionHistory;
-use super::special_points::error_at_start;
+use super::special_points::{difference_at_start, error_at_start};
 use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
 use crate::model::{BeamProblem, Discretisation, PeelModel};
 use crate::solve::LimitPointKind;
@@ -230,11 +230,14 @@ impl Attempt {
         let relative = accuracy.relative;
         let mut spread = f64::INFINITY;
         let mut peel = report(model, problem, &followed, relative);
-        peel.allow_for_start(problem, &followed.points);
-        let at_rest = error_at_start(&peel, problem, &followed.points);
+        let start = difference_at_start(&peel, problem, &followed.points);
+        let at_start = start.map_or(0.0, |(first, difference)| {
+            peel.allow_for_start(first, &difference);
+            error_at_start(&peel, problem, first, &difference)
+        });
         let differences = differences(&followed, problem).into_iter().map(|d| DIFFERENCE_BOUND_FACTOR * d / relative);
         let missed = differences.clone().filter(|difference| difference.is_nan() || *difference > 1.0).count();
-        let difference = differences.fold(at_rest / relative, f64::max);
+        let difference = differences.fold(at_start / relative, f64::max);
         let next = match &followed.trouble {
             None => {
                 spread = followed.spread / (SPREAD * relative).max(SPREAD_ROUND_OFF);

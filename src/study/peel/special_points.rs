@@ -4,7 +4,7 @@ use super::equilibrium_path::Followed;
 use super::plateau::plateau;
 use super::{LargestComputedForce, LimitPoint, PathEnd, PathFailure, PathPoint, Peak, Peel};
 use crate::model::BeamProblem;
-use crate::solve::{LimitPointKind, Solution, Workspace, difference_on_more_elements};
+use crate::solve::{LimitPointKind, Observables, Solution, Workspace, difference_on_more_elements};
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
 use std::sync::Arc;
 
@@ -89,21 +89,33 @@ impl Peel {
     }
 }
 
-/// Bound on the relative error of the force where a path begins, where that is its largest, and in space behind steps over the peak: 0 elsewhere. A
-/// mesh has to show that force too.
-pub(super) fn error_at_start(peel: &Peel, problem: &BeamProblem, points: &[Arc<Solution>]) -> f64 {
-    let Some(first) = points.first() else { return 0.0 };
-    let is_largest = peel
-        .largest_computed_force
-        .is_some_and(|at| at.displacement == first.observables.displacement && at.force > 0.0);
+/// What more elements change of the force where a path begins, at that displacement: where it is the largest, and behind steps in space. A mesh has to
+/// show that force too.
+pub(super) fn difference_at_start<'p>(
+    peel: &Peel,
+    problem: &BeamProblem,
+    points: &'p [Arc<Solution>],
+) -> Option<(&'p Solution, Observables)> {
+    let first = points.first().filter(|first| is_largest(peel, first) || begins_turned(peel))?;
+    let difference = difference_on_more_elements(problem, first, &mut Workspace::default()).ok()?;
+    Some((first, difference))
+}
+
+/// Bound on the relative error of that force, in space behind steps over the peak: 0 where there is none to compare it with.
+pub(super) fn error_at_start(peel: &Peel, problem: &BeamProblem, first: &Solution, difference: &Observables) -> f64 {
     let force = match peel.peak {
-        _ if is_largest => first.observables.force,
-        Some(peak) if begins_turned(peel) => peak.force,
-        _ => return 0.0,
+        _ if is_largest(peel, first) => first.observables.force,
+        Some(peak) => peak.force,
+        None => return 0.0,
     };
-    let Ok(difference) = difference_on_more_elements(problem, first, &mut Workspace::default()) else { return 0.0 };
     (DIFFERENCE_BOUND_FACTOR * difference.force.abs() + ROUND_OFF * force.max(problem.measure.force)) / force
         + least(peel.asked)
+}
+
+/// Whether the force where a path begins is the largest that was computed.
+fn is_largest(peel: &Peel, first: &Solution) -> bool {
+    let here = first.observables.displacement;
+    peel.largest_computed_force.is_some_and(|at| at.displacement == here && at.force > 0.0)
 }
 
 /// Whether the pull begins behind steps in space, which turn the strip about where it is fixed.
@@ -114,12 +126,9 @@ fn begins_turned(peel: &Peel) -> bool {
 impl Peel {
     /// Behind steps in space displacements count from where the grip was let go, and that is known as well as its force is: the bounds of all places
     /// hold that too.
-    pub(super) fn allow_for_start(&mut self, problem: &BeamProblem, points: &[Arc<Solution>]) {
-        let Some(first) = points.first().filter(|_| begins_turned(self)) else { return };
-        let difference = difference_on_more_elements(problem, first, &mut Workspace::default());
-        let Ok(difference) = difference else { return };
+    pub(super) fn allow_for_start(&mut self, first: &Solution, difference: &Observables) {
         let off = DIFFERENCE_BOUND_FACTOR * (difference.force * first.slope.displacement / first.slope.force).abs();
-        if off.is_finite() {
+        if begins_turned(self) && off.is_finite() {
             self.limit_points.iter_mut().for_each(|point| point.displacement_error += off);
             self.tell_bounds();
         }

@@ -2,7 +2,7 @@
 
 use super::peel::end;
 use super::units::Units;
-use peelkit::study::{LimitPoint, LimitPointKind, OutOfPlaneBranch};
+use peelkit::study::{LimitPoint, OutOfPlaneBranch};
 
 /// Where the branch begins, its peak, its first jump, and where it ends.
 pub(super) fn branch_lines(
@@ -30,11 +30,7 @@ pub(super) fn branch_lines(
             length.with_error(loss.displacement, loss.displacement_error)
         ),
     )];
-    let of_kind = |kind: LimitPointKind, u: f64| {
-        peel.limit_points.iter().find(move |limit| limit.kind == kind && limit.displacement == u)
-    };
-    let peak = peel.peak.and_then(|peak| of_kind(LimitPointKind::Load, peak.displacement));
-    lines.push(("", format!("peak force: {}", peak.map_or_else(|| "none".into(), at))));
+    lines.push(("", format!("peak force: {}", branch.peak().map_or_else(|| "none".into(), at))));
     lines.extend(peel.snap_off.iter().map(|fold| ("", format!("snap-off: {}", at(fold)))));
     let last = rejoins.map_or_else(
         || {

@@ -1,9 +1,10 @@
 //! The branch on which a strip leaves its plane, as part of a summary.
 
 use super::peel::LimitPoint;
+use super::place::Place;
 use crate::names::{end_reason, end_word};
 use crate::number::Finite;
-use peelkit::study::{LimitPointKind, OutOfPlaneBranch, OutOfPlaneLoss, PathPoint, Peel};
+use peelkit::study::{OutOfPlaneBranch, PathPoint};
 
 /// What `--branch` adds.
 #[derive(Debug, serde::Serialize)]
@@ -35,19 +36,6 @@ struct Start {
     negative_eigenvalues_load: usize,
 }
 
-/// A point of the planar path at which a branch begins or ends.
-#[derive(Debug, serde::Serialize)]
-struct Place {
-    #[serde(rename = "displacement_nm")]
-    displacement: Finite,
-    #[serde(rename = "force_nN")]
-    force: Finite,
-    #[serde(rename = "error_nm")]
-    displacement_error: Finite,
-    #[serde(rename = "error_nN")]
-    force_error: Finite,
-}
-
 /// The last point of the branch.
 #[derive(Debug, serde::Serialize)]
 struct Last {
@@ -65,41 +53,24 @@ impl BranchSummary {
         let negative = |of: fn(&PathPoint) -> usize| peel.points.first().map_or(0, of);
         Self {
             start: Start {
-                place: Place::from(branch.loss),
+                place: Place::from(&branch.loss),
                 slope: Finite(branch.start.slope()),
                 negative_eigenvalues: negative(|point| point.negative_eigenvalues),
                 negative_eigenvalues_load: negative(|point| point.negative_eigenvalues_load),
             },
-            peak: peel.peak.and_then(|peak| limit_point(peel, LimitPointKind::Load, peak.displacement)),
+            peak: branch.peak().map(LimitPoint::from),
             first_jump: peel.snap_off.as_ref().map(LimitPoint::from),
             limit_points: peel.limit_points.iter().map(LimitPoint::from).collect(),
             branch_points: peel.branch_points.len(),
             end: end_word(&peel.end),
             reason: end_reason(&peel.end),
-            rejoins: branch.rejoins.map(Place::from),
+            rejoins: branch.rejoins.as_ref().map(Place::from),
             last: peel.points.last().map(Last::from),
             accuracy_reached: peel.reached_accuracy().map(Finite),
             points: peel.effort.points,
             newton_iterations: peel.effort.newton_iterations,
             elements: peel.effort.elements,
             solve_s: Finite(solve_s),
-        }
-    }
-}
-
-/// The limit point at this displacement.
-fn limit_point(peel: &Peel, kind: LimitPointKind, displacement: f64) -> Option<LimitPoint> {
-    let is = |at: &&peelkit::study::LimitPoint| at.kind == kind && at.displacement == displacement;
-    peel.limit_points.iter().find(is).map(LimitPoint::from)
-}
-
-impl From<OutOfPlaneLoss> for Place {
-    fn from(at: OutOfPlaneLoss) -> Self {
-        Self {
-            displacement: Finite(at.displacement),
-            force: Finite(at.force),
-            displacement_error: Finite(at.displacement_error),
-            force_error: Finite(at.force_error),
         }
     }
 }

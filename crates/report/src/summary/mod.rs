@@ -10,6 +10,7 @@ mod origin;
 mod out_of_plane;
 mod parameters;
 mod peel;
+mod place;
 mod sliding;
 mod sweep;
 mod term_summary;

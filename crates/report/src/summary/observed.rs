@@ -1,5 +1,6 @@
 //! The displacement-controlled test, as an object of summary.json.
 
+use super::place::Place;
 use crate::names::{jump_word, test_end_reason, test_end_word};
 use crate::number::Finite;
 use peelkit::study::{Balance, Jump, JumpEnd, Observed, PullOff};
@@ -48,14 +49,8 @@ struct JumpLine {
 
 #[derive(Debug, Serialize)]
 struct EndLine {
-    #[serde(rename = "displacement_nm")]
-    displacement: Finite,
-    #[serde(rename = "force_nN")]
-    force: Finite,
-    #[serde(rename = "error_nm")]
-    displacement_error: Finite,
-    #[serde(rename = "error_nN")]
-    force_error: Finite,
+    #[serde(flatten)]
+    place: Place,
     #[serde(rename = "energy_aJ")]
     energy: Finite,
     #[serde(rename = "front_nm")]
@@ -163,10 +158,7 @@ impl From<&Jump> for JumpLine {
 impl From<&JumpEnd> for EndLine {
     fn from(end: &JumpEnd) -> Self {
         Self {
-            displacement: Finite(end.displacement),
-            force: Finite(end.force),
-            displacement_error: Finite(end.displacement_error),
-            force_error: Finite(end.force_error),
+            place: Place::from(end),
             energy: Finite(end.energy),
             front: Finite(end.front),
             adheres: end.adheres.word(),

@@ -1,6 +1,7 @@
 //! The stability of the path against leaving its plane, as part of a summary.
 
 use super::branch::BranchSummary;
+use super::place::Place;
 use crate::number::Finite;
 use peelkit::study::{OutOfPlane, OutOfPlaneBranch, OutOfPlaneLoss};
 
@@ -18,14 +19,8 @@ pub(super) struct OutOfPlaneSummary {
 
 #[derive(Debug, serde::Serialize)]
 struct Loss {
-    #[serde(rename = "displacement_nm")]
-    displacement: Finite,
-    #[serde(rename = "force_nN")]
-    force: Finite,
-    #[serde(rename = "error_nm")]
-    displacement_error: Finite,
-    #[serde(rename = "error_nN")]
-    force_error: Finite,
+    #[serde(flatten)]
+    place: Place,
     at_start: bool,
 }
 
@@ -48,12 +43,6 @@ impl OutOfPlaneSummary {
 
 impl From<OutOfPlaneLoss> for Loss {
     fn from(at: OutOfPlaneLoss) -> Self {
-        Self {
-            displacement: Finite(at.displacement),
-            force: Finite(at.force),
-            displacement_error: Finite(at.displacement_error),
-            force_error: Finite(at.force_error),
-            at_start: at.after.is_none(),
-        }
+        Self { place: Place::from(&at), at_start: at.after.is_none() }
     }
 }

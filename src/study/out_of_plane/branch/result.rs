@@ -1,9 +1,9 @@
 //! The branch on which a strip leaves its plane.
 
 use crate::model::ModelError;
-use crate::solve::SolveError;
-use crate::study::Peel;
+use crate::solve::{LimitPointKind, SolveError};
 use crate::study::out_of_plane::{OutOfPlaneError, OutOfPlaneLoss};
+use crate::study::{LimitPoint, Peel};
 
 /// The branch on which a strip that is free to leave its plane goes on from the first loss of its stability, followed in
 /// space. It has a mirror image: to the other side the strip does the same, with all rolls, yaws and z the other way.
@@ -18,6 +18,15 @@ pub struct OutOfPlaneBranch {
     /// Where the branch comes back to the planar path and ends, with bounds: at the point of that path at which it regains its
     /// stability. Nothing where the branch ends otherwise.
     pub rejoins: Option<OutOfPlaneLoss>,
+}
+
+impl OutOfPlaneBranch {
+    /// The limit point of the force that is the peak of the branch, if it has one.
+    pub fn peak(&self) -> Option<&LimitPoint> {
+        let peak = self.peel.peak?;
+        let is = |at: &&LimitPoint| at.kind == LimitPointKind::Load && at.displacement == peak.displacement;
+        self.peel.limit_points.iter().find(is)
+    }
 }
 
 /// A branch at the point where it begins, to second order in the roll a of the grip: u = u* + u₂ a², P = P* + P₂ a².

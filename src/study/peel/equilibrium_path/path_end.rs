@@ -26,9 +26,9 @@ const NEXT_TO_PLANE: f64 = 0.02;
 /// The ratio of yaw and roll changes by less over a step through the plane.
 const SAME_RATIO: f64 = 0.1;
 /// A section this near to 90 degrees stands upright, rad: there the path meets that of upright strips, and may go on
-/// along it without passing
-/// the upright position.
+/// along it without passing the upright position.
 const UPRIGHT: f64 = 1e-8;
+
 /// Takes one step; the end, if it is reached.
 pub(super) fn step(
     problem: &BeamProblem,
