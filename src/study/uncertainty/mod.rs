@@ -1,0 +1,20 @@
+//! What is uncertain of a peel where numbers of its model are: distributions of inputs, sampled and propagated.
+mod dependence;
+mod derivatives;
+mod design;
+mod distribution;
+mod outcome;
+mod plan;
+mod sobol_indices;
+mod spread;
+mod statistics;
+mod taylor;
+pub use derivatives::{NumbersAt, OneAtATime, one_at_a_time, taylor_by_differences};
+pub use design::{Design, SamplePlace};
+pub use distribution::{Distribution, NoDistribution};
+pub use outcome::{Outcome, peel_numbers};
+pub use plan::{Correlation, Indices, Input, NoDesign, Plan};
+pub use sobol_indices::{SobolIndex, sobol_indices};
+pub use spread::{CONFIDENCE, Estimate};
+pub use statistics::{Quantile, Statistics};
+pub use taylor::{Order, Propagation, Taylor};
