@@ -14,6 +14,7 @@ mod place;
 mod sliding;
 mod sweep;
 mod term_summary;
+mod uncertainty;
 
 pub use accuracy::left_out;
 pub use ground::ground_warning;
@@ -22,3 +23,4 @@ pub(crate) use parameters::Parameters;
 pub use peel::PeelSummary;
 pub use sweep::SweepSummary;
 pub use term_summary::why_kept;
+pub use uncertainty::UncertaintySummary;
