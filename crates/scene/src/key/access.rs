@@ -29,10 +29,8 @@ impl Key {
                 scene.table_texts.profile = text;
             }
             (Kind::Pieces(place), Value::List(items)) => {
-                let problem = |fault: Fault| ValueError {
-                    item: fault.item,
-                    ..ValueError::new(fault.found, self.remedy())
-                };
+                let problem =
+                    |fault: Fault| ValueError { item: fault.item, ..ValueError::new(fault.found, self.remedy()) };
                 *place(scene) = ProfileForm::Pieces(pieces::read(items).map_err(problem)?);
             }
             (Kind::Attraction(place), Value::Text(word)) => *place(scene) = self.pick(&attractions(), word)?,
@@ -41,10 +39,8 @@ impl Key {
             (Kind::Section(place), Value::Text(word)) => *place(scene) = self.pick(SECTIONS, word)?,
             (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
             (Kind::Terms(place), Value::Text(word)) => *place(scene) = self.pick(TERMS, word)?,
-            (Kind::Setting(setting), value) => (setting.read)(scene, value).map_err(|fault| ValueError {
-                item: fault.item,
-                ..ValueError::new(fault.found, self.remedy())
-            })?,
+            (Kind::Setting(setting), value) => (setting.read)(scene, value)
+                .map_err(|fault| ValueError { item: fault.item, ..ValueError::new(fault.found, self.remedy()) })?,
             (Kind::Steps(place), Value::List(items)) => {
                 let text = |item: &Value| if let Value::Text(text) = item { Some(text.clone()) } else { None };
                 let texts = items.iter().map(text).collect::<Option<Vec<_>>>().ok_or_else(|| self.wrong_type(value))?;
@@ -96,8 +92,7 @@ impl Key {
             ValueError::new(found, self.remedy())
         })?;
         match self.kind {
-            Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => *place(scene) = number,
-            Kind::Bound(_, place) | Kind::Share(_, place) => *place(scene) = Some(number),
+            _ if self.put_number(scene, number) => {}
             Kind::Count(_) | Kind::Fixed(..) if number.fract() != 0.0 => {
                 return Err(ValueError::new(format!("is {found}, which is not whole"), self.remedy()));
             }
@@ -116,6 +111,16 @@ impl Key {
             Kind::Fixed(most, _) => Range::From(1.0, most as f64),
             _ => Range::Positive,
         }
+    }
+
+    /// Puts a number with or without a unit into the scene, whatever it is; says whether the key takes one.
+    pub(crate) fn put_number(&self, scene: &mut Scene, number: f64) -> bool {
+        match self.kind {
+            Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => *place(scene) = number,
+            Kind::Bound(_, place) | Kind::Share(_, place) => *place(scene) = Some(number),
+            _ => return false,
+        }
+        true
     }
 
     /// Reads a text of the command line as a number of this key, in the unit of the library.
