@@ -5,9 +5,6 @@ use peelkit::study::uncertainty::{Analysis, DerivativesBy, NumberAnalysis, Order
 use peelkit_scene::{Key, Scene, find_key};
 use std::fmt::Write;
 
-/// A difference to the sample is told of where it is more than this part of the standard deviation.
-const WORTH_TELLING: f64 = 0.01;
-
 /// What is uncertain, how it was sampled, and a block for each result.
 pub fn uncertainty(scene: &Scene, analysis: &Analysis) -> String {
     let mut text = format!("{}\n\n{}", scene.title, sampled(analysis));
@@ -86,10 +83,10 @@ fn propagation(of: &Propagation, statistics: &Statistics) -> String {
         Order::First => "first-order",
         Order::Second => "second-order",
     };
-    let scale = WORTH_TELLING * statistics.deviation.value;
     let differences = [("mean", of.mean_difference), ("deviation", of.deviation_difference)];
-    let worth = differences.iter().filter(|(_, of)| of.value.abs() > of.error && of.value.abs() > scale);
-    let told: Vec<String> = worth
+    let told: Vec<String> = differences
+        .iter()
+        .filter(|(_, difference)| of.is_failure(difference))
         .map(|(what, of)| {
             let percent = 100.0 * of.value / statistics.deviation.value;
             let error = 100.0 * of.error / statistics.deviation.value;

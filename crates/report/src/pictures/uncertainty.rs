@@ -198,11 +198,8 @@ fn tornado(rows: &[(String, [f64; 2])], center: f64, number: &NumberAnalysis, fr
         shapes.push(bar(place, 0.0, center, *at_low, colour::ORANGE));
         shapes.push(bar(place, 0.0, center, *at_high, colour::BLUE));
     }
-    let percent = 100.0 * ALONE_AT;
-    let lines = vec![
-        named(colour::ORANGE, &format!("input at its quantile of {percent:.0} %")),
-        named(colour::BLUE, &format!("of {:.0} %", 100.0 - percent)),
-        upright(center, rows.len(), Dash::Dashed),
-    ];
-    Panel { title: "one input changed, all others at their means".into(), shapes, lines, ..Panel::new(frame, x, y) }
+    let (lower, upper) = (100.0 * ALONE_AT, 100.0 * (1.0 - ALONE_AT));
+    let title = format!("one input at its quantile of {lower:.0} % (orange) and of {upper:.0} % (blue), all others at their means");
+    let lines = vec![upright(center, rows.len(), Dash::Dashed)];
+    Panel { title, shapes, lines, ..Panel::new(frame, x, y) }
 }
