@@ -1,0 +1,83 @@
+//! The pull-off of a gecko's spatula: a pad holds by the length of its front, not by its area.
+//!
+//! What it shows: a spatula, a thin pad on a thicker shaft, is lifted by its shaft. It peels from the root of the pad to its tip, which is the
+//! widest place; the largest force comes last. A pad with a wider tip holds more, a longer one does not.
+//!
+//! Equations: a front of the width b holds P ≈ w b, w ∝ A_H/r0². If that were all, d ln P/d ln p were 1 for the width and for A_H, -2 for
+//! r0, and 0 for everything else. What is left is bending: it spreads the pull over more than a line.
+//!
+//! What to try: a pad of constant width, `body.neck_width = 200.0`: where is the peak then? A shaft that stands upright,
+//! `body.shaft_angle = FRAC_PI_2`; the modulus of the pad, 1 to 4 GPa.
+//!
+//!     cargo run --release --example spatula_pull_off
+//!
+//! writes out/examples/spatula_pull_off.svg and .png.
+
+use peelkit::prelude::*;
+use peelkit::study::sweep;
+use peelkit_report::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, colour, save};
+use std::{error::Error, path::Path};
+
+/// What is varied, and d ln P/d ln p of P = w b.
+const PARAMETERS: [(&str, f64); 6] = [
+    ("tip width", 1.0),
+    ("Hamaker constant", 1.0),
+    ("equilibrium distance", -2.0),
+    ("pad thickness", 0.0),
+    ("pad length", 0.0),
+    ("Young's modulus", 0.0),
+];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    print!("{}", draw(Path::new("out/examples"))?);
+    Ok(())
+}
+
+/// Draws the picture in a folder, and gives the text to print.
+pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
+    // a pair of peels for each parameter: ln p up and down by this
+    let step: f64 = 1e-3;
+    let cases: Vec<(&str, f64)> =
+        PARAMETERS.iter().flat_map(|&(name, _)| [(name, step.exp()), (name, (-step).exp())]).collect();
+    let pairs = sweep(&cases, &|| true, &|&(name, factor)| pulled(name, factor));
+    let peak = |peel: &Peel| peel.peak.map(|peak| peak.force).ok_or("no peak");
+    let mut text = format!("{:22} {:>14} {:>9}\n", "p", "d ln P/d ln p", "of w b");
+    for ((name, estimate), pair) in PARAMETERS.iter().zip(pairs.chunks(2)) {
+        let slope = (peak(&pair[0])? / peak(&pair[1])?).ln() / (2.0 * step);
+        text += &format!("{name:22} {slope:>14.4} {estimate:>9}\n");
+    }
+
+    let curves = [
+        ("as it is", "tip width", 1.0, colour::BLUE),
+        ("tip wider by a quarter", "tip width", 1.25, colour::VERMILLION),
+        ("pad longer by a quarter", "pad length", 1.25, colour::GREEN),
+        ("pad thicker by a quarter", "pad thickness", 1.25, colour::ORANGE),
+    ];
+    let peels = sweep(&curves, &|| true, &|&(_, parameter, factor, _)| pulled(parameter, factor));
+    let (mut lines, mut marks) = (Vec::new(), Vec::new());
+    for ((name, _, _, ink), peel) in curves.iter().zip(&peels) {
+        let stable = peel.dense_curve(8).into_iter().take_while(|at| at.2 == 0);
+        lines.push(Line::named(name, stable.map(|(u, force, _)| (u, force)).collect(), Stroke::solid(*ink, 2.2)));
+        let at = peel.peak.ok_or("no peak")?;
+        marks.push(Mark::labelled((at.displacement, at.force), *ink, &[&format!("{:.2} nN", at.force)]));
+    }
+    let (x, y) = (Axis::linear("displacement u (nm)", 0.0, 500.0), Axis::linear("force P (nN)", 0.0, 9.0));
+    let panel = Panel { marks, ..Panel::of_lines(Frame::across(), x, y, lines) };
+    save(&Picture::of("Spatula pull-off", vec![panel]), folder, "spatula_pull_off")?;
+    Ok(text)
+}
+
+/// The spatula with a parameter multiplied, lifted until it has jumped.
+fn pulled(parameter: &str, factor: f64) -> Peel {
+    let (mut body, mut adhesion) = (Spatula::default(), Adhesion::default());
+    match parameter {
+        "tip width" => body.tip_width *= factor,
+        "pad thickness" => body.pad_thickness *= factor,
+        "pad length" => body.pad_length *= factor,
+        "Young's modulus" => body.material.youngs_modulus *= factor,
+        "Hamaker constant" => adhesion.hamaker_constant *= factor,
+        _ => adhesion.equilibrium_distance *= factor,
+    }
+    let model = PeelModel { adhesion, ..body.model() };
+    peel(&model, &Accuracy::to(1e-8), &StopCriteria::default())
+}
