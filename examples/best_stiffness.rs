@@ -5,7 +5,7 @@
 //!
 //! Equations: until the jump nothing is lost. The work of the grip is W = ΔΨ + U, the adhesion that has been overcome and the elastic
 //! energy. A soft tape peels to its end, ΔΨ = w b L, and stores next to nothing. A stiffer strip stores more, but jumps while more of it
-//! still adheres. No strip comes off for less than w b L; what W is above that the jump dissipates.
+//! still adheres. If the jump takes the strip off, it dissipates what W is above w b L.
 //!
 //! What to try: a length of 100 nm; a grip that holds the rotation, `model.grip.rotation = Hold::Fixed`.
 //!
