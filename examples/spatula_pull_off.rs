@@ -14,7 +14,7 @@
 //! writes out/examples/spatula_pull_off.svg and .png.
 
 use peelkit::prelude::*;
-use peelkit::study::sweep;
+use peelkit::study::{PeelQuantity, Variation, sensitivities, sweep};
 use peelkit_report::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, colour, save};
 use std::{error::Error, path::Path};
 
@@ -35,16 +35,15 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Draws the picture in a folder, and gives the text to print.
 pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
-    // a pair of peels for each parameter: ln p up and down by this
-    let step: f64 = 1e-3;
-    let cases: Vec<(&str, f64)> =
-        PARAMETERS.iter().flat_map(|&(name, _)| [(name, step.exp()), (name, (-step).exp())]).collect();
-    let pairs = sweep(&cases, &|| true, &|&(name, factor)| pulled(name, factor));
-    let peak = |peel: &Peel| peel.peak.map(|peak| peak.force).ok_or("no peak");
+    let (force, whole) = (PeelQuantity::PeakForce, pulled("tip width", 1.0));
+    let variations: Vec<Variation> =
+        PARAMETERS.iter().map(|&(name, _)| Variation::new(name, move |x| spatula(name, x.exp()))).collect();
+    let derivatives = sensitivities(&whole, &[force], &variations)?;
+    let peak = force.value(&whole).ok_or("no peak")?;
     let mut text = format!("{:22} {:>14} {:>9}\n", "p", "d ln P/d ln p", "of w b");
-    for ((name, estimate), pair) in PARAMETERS.iter().zip(pairs.chunks(2)) {
-        let slope = (peak(&pair[0])? / peak(&pair[1])?).ln() / (2.0 * step);
-        text += &format!("{name:22} {slope:>14.4} {estimate:>9}\n");
+    for (k, (name, estimate)) in PARAMETERS.iter().enumerate() {
+        let derivative = derivatives.of(force, k).ok_or("no derivative")?;
+        text += &format!("{name:22} {:>14.4} {estimate:>9}\n", derivative.value / peak);
     }
 
     let curves = [
@@ -67,8 +66,8 @@ pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
     Ok(text)
 }
 
-/// The spatula with a parameter multiplied, lifted until it has jumped.
-fn pulled(parameter: &str, factor: f64) -> Peel {
+/// The spatula with a parameter multiplied.
+fn spatula(parameter: &str, factor: f64) -> PeelModel {
     let (mut body, mut adhesion) = (Spatula::default(), Adhesion::default());
     match parameter {
         "tip width" => body.tip_width *= factor,
@@ -78,6 +77,10 @@ fn pulled(parameter: &str, factor: f64) -> Peel {
         "Hamaker constant" => adhesion.hamaker_constant *= factor,
         _ => adhesion.equilibrium_distance *= factor,
     }
-    let model = PeelModel { adhesion, ..body.model() };
-    peel(&model, &Accuracy::to(1e-8), &StopCriteria::default())
+    PeelModel { adhesion, ..body.model() }
+}
+
+/// Its peel.
+fn pulled(parameter: &str, factor: f64) -> Peel {
+    peel(&spatula(parameter, factor), &Accuracy::to(1e-6), &StopCriteria::default())
 }

@@ -14,7 +14,7 @@
 //! writes out/examples/what_is_uncertain.svg and .png.
 
 use peelkit::prelude::*;
-use peelkit::study::sweep;
+use peelkit::study::{PeelQuantity, Variation, sensitivities, sweep};
 use peelkit_report::chart::{Axis, Frame, Line, Panel, Picture, Shape, Stroke, colour, save};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -38,19 +38,22 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Draws the picture in a folder, and gives the text to print.
 pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
-    let own = peak(&[0.0; 4]).ok_or("no peak")?;
-    let mut spread = [0.0; 4];
-    for (k, (_, scatter, _)) in PARAMETERS.iter().enumerate() {
-        let [up, down] = [1e-3, -1e-3].map(|step| peak(&std::array::from_fn(|j| if j == k { step } else { 0.0 })));
-        spread[k] = scatter * (up.ok_or("no peak")? / down.ok_or("no peak")?).ln() / 2e-3;
-    }
+    let (force, own) = (PeelQuantity::InitiationPeakForce, peeled(&[0.0; 4]));
+    let median = force.value(&own).ok_or("no peak")?;
+    let along = |k: usize, x: f64| strip(&std::array::from_fn(|j| if j == k { x } else { 0.0 }));
+    let variations: Vec<Variation> =
+        (0..4).map(|k| Variation::new(PARAMETERS[k].0, move |x| along(k, x).into())).collect();
+    let derivatives = sensitivities(&own, &[force], &variations)?;
+    let slope = |k: usize| derivatives.of(force, k).map_or(f64::NAN, |derivative| derivative.value / median);
+    let spread: [f64; 4] = std::array::from_fn(|k| PARAMETERS[k].1 * slope(k));
     let first_order = spread.iter().map(|part| part * part).sum::<f64>().sqrt();
 
     // Box and Muller's normal numbers
     let mut random = ChaCha8Rng::seed_from_u64(1);
     let mut normal = || (-2.0 * random.random::<f64>().ln()).sqrt() * (2.0 * PI * random.random::<f64>()).cos();
     let samples: Vec<[f64; 4]> = (0..1000).map(|_| PARAMETERS.map(|(_, scatter, _)| scatter * normal())).collect();
-    let peaks: Vec<f64> = sweep(&samples, &|| true, &peak).into_iter().flatten().collect();
+    let peaks: Vec<f64> =
+        sweep(&samples, &|| true, &|sample| force.value(&peeled(sample))).into_iter().flatten().collect();
     let mean = |of: &dyn Fn(f64) -> f64| peaks.iter().map(|&peak| of(peak)).sum::<f64>() / peaks.len() as f64;
     let centre = mean(&f64::ln);
     let sampled = mean(&|peak| (peak.ln() - centre).powi(2)).sqrt();
@@ -60,7 +63,7 @@ pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
         let share = 100.0 * (part / first_order).powi(2);
         text += &format!("{name:22} {:>14.4} {share:>16.1} %\n", part / scatter);
     }
-    text += &format!("first order:  median {own:.4} nN, ln P scatters by {first_order:.4}\n");
+    text += &format!("first order:  median {median:.4} nN, ln P scatters by {first_order:.4}\n");
     text += &format!("{} samples: median {:.4} nN, ln P scatters by {sampled:.4}\n", peaks.len(), centre.exp());
 
     let column = |k: usize| {
@@ -70,7 +73,7 @@ pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
     };
     // the density of P where ln P is normal, times the samples and the width of a column
     let density = |force: f64| {
-        let z = (force / own).ln() / first_order;
+        let z = (force / median).ln() / first_order;
         (force, peaks.len() as f64 * COLUMN * (-0.5 * z * z).exp() / ((2.0 * PI).sqrt() * first_order * force))
     };
     let points = (5..=80).map(|k| density(0.01 * f64::from(k))).collect();
@@ -82,12 +85,17 @@ pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
     Ok(text)
 }
 
-/// The initiation peak of a strip whose parameters are changed by these logarithms, nN.
-fn peak(logarithms: &[f64; 4]) -> Option<f64> {
+/// The strip with its parameters changed by these logarithms.
+fn strip(logarithms: &[f64; 4]) -> StripModel {
     let mut model = StripModel::of_the_paper(100.0, 1.0);
     for ((_, _, parameter), logarithm) in PARAMETERS.iter().zip(logarithms) {
         *parameter(&mut model) *= logarithm.exp();
     }
+    model
+}
+
+/// Its peel, as far as the initiation peak needs.
+fn peeled(logarithms: &[f64; 4]) -> Peel {
     let initiation = StopCriteria { displacement: Some(3.0), ..StopCriteria::default() };
-    peel(&model, &Accuracy::to(1e-6), &initiation).initiation_peak.map(|peak| peak.force)
+    peel(&strip(logarithms), &Accuracy::to(1e-6), &initiation)
 }
