@@ -14,8 +14,9 @@
 //! writes out/examples/spatula_pull_off.svg and .png.
 
 use peelkit::prelude::*;
-use peelkit::study::{PeelQuantity, Variation, sensitivities, sweep};
-use peelkit_report::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, colour, save};
+use peelkit::study::{Exponent, PeelQuantity, Variation, sensitivities, sweep};
+use peelkit_report::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, colour, save};
+use peelkit_report::pictures::bars;
 use std::{error::Error, path::Path};
 
 /// What is varied, and d ln P/d ln p of P = w b.
@@ -38,12 +39,12 @@ pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
     let (force, whole) = (PeelQuantity::PeakForce, pulled("tip width", 1.0));
     let variations: Vec<Variation> =
         PARAMETERS.iter().map(|&(name, _)| Variation::new(name, move |x| spatula(name, x.exp()))).collect();
-    let derivatives = sensitivities(&whole, &[force], &variations)?;
-    let peak = force.value(&whole).ok_or("no peak")?;
+    let exponents = sensitivities(&whole, &[force], &variations)?.exponents(&whole);
+    let parameter = |exponent: &Exponent| PARAMETERS[exponent.variation];
     let mut text = format!("{:22} {:>14} {:>9}\n", "p", "d ln P/d ln p", "of w b");
-    for (k, (name, estimate)) in PARAMETERS.iter().enumerate() {
-        let derivative = derivatives.of(force, k).ok_or("no derivative")?;
-        text += &format!("{name:22} {:>14.4} {estimate:>9}\n", derivative.value / peak);
+    for exponent in &exponents {
+        let (name, estimate) = parameter(exponent);
+        text += &format!("{name:22} {:>14.4} {estimate:>9}\n", exponent.value);
     }
 
     let curves = [
@@ -61,8 +62,17 @@ pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
         marks.push(Mark::labelled((at.displacement, at.force), *ink, &[&format!("{:.2} nN", at.force)]));
     }
     let (x, y) = (Axis::linear("displacement u (nm)", 0.0, 500.0), Axis::linear("force P (nN)", 0.0, 9.0));
-    let panel = Panel { marks, ..Panel::of_lines(Frame::across(), x, y, lines) };
-    save(&Picture::of("Spatula pull-off", vec![panel]), folder, "spatula_pull_off")?;
+    let left = Panel { marks, ..Panel::of_lines(Frame { right: 415.0, ..Frame::across() }, x, y, lines) };
+    let rows: Vec<(&str, f64)> = exponents.iter().map(|exponent| (parameter(exponent).0, exponent.value)).collect();
+    let estimate = |(row, exponent): (usize, &Exponent)| {
+        let at = (parameter(exponent).1, (rows.len() - 1 - row) as f64);
+        Mark { symbol: Symbol::Diamond, ..Mark::dot(at, colour::INK) }
+    };
+    let (marks, title) = (exponents.iter().enumerate().map(estimate).collect(), "diamonds: if P were w b".into());
+    let x = Axis::linear("d ln P / d ln p", -2.3, 1.5);
+    let right = bars(Frame { left: 570.0, ..Frame::across() }, "", &rows);
+    let right = Panel { marks, title, x, ..right };
+    save(&Picture::of("Spatula pull-off", vec![left, right]), folder, "spatula_pull_off")?;
     Ok(text)
 }
 

@@ -16,6 +16,7 @@
 use peelkit::prelude::*;
 use peelkit::study::{PeelQuantity, Variation, sensitivities, sweep};
 use peelkit_report::chart::{Axis, Frame, Line, Panel, Picture, Shape, Stroke, colour, save};
+use peelkit_report::pictures::bars;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::{error::Error, f64::consts::PI, path::Path};
@@ -43,9 +44,9 @@ pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
     let along = |k: usize, x: f64| strip(&std::array::from_fn(|j| if j == k { x } else { 0.0 }));
     let variations: Vec<Variation> =
         (0..4).map(|k| Variation::new(PARAMETERS[k].0, move |x| along(k, x).into())).collect();
-    let derivatives = sensitivities(&own, &[force], &variations)?;
-    let slope = |k: usize| derivatives.of(force, k).map_or(f64::NAN, |derivative| derivative.value / median);
-    let spread: [f64; 4] = std::array::from_fn(|k| PARAMETERS[k].1 * slope(k));
+    let exponents = sensitivities(&own, &[force], &variations)?.exponents(&own);
+    // s σ of each parameter, the largest exponent first
+    let spread: Vec<f64> = exponents.iter().map(|exponent| exponent.value * PARAMETERS[exponent.variation].1).collect();
     let first_order = spread.iter().map(|part| part * part).sum::<f64>().sqrt();
 
     // Box and Muller's normal numbers
@@ -59,9 +60,11 @@ pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
     let sampled = mean(&|peak| (peak.ln() - centre).powi(2)).sqrt();
 
     let mut text = format!("{:22} {:>14} {:>18}\n", "p", "d ln P/d ln p", "share of variance");
-    for ((name, scatter, _), part) in PARAMETERS.iter().zip(spread) {
-        let share = 100.0 * (part / first_order).powi(2);
-        text += &format!("{name:22} {:>14.4} {share:>16.1} %\n", part / scatter);
+    let mut rows = Vec::new();
+    for (exponent, part) in exponents.iter().zip(spread) {
+        let (name, share) = (PARAMETERS[exponent.variation].0, 100.0 * (part / first_order).powi(2));
+        text += &format!("{name:22} {:>14.4} {share:>16.1} %\n", exponent.value);
+        rows.push((name, share));
     }
     text += &format!("first order:  median {median:.4} nN, ln P scatters by {first_order:.4}\n");
     text += &format!("{} samples: median {:.4} nN, ln P scatters by {sampled:.4}\n", peaks.len(), centre.exp());
@@ -79,9 +82,10 @@ pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
     let points = (5..=80).map(|k| density(0.01 * f64::from(k))).collect();
     let line = Line::named("first order", points, Stroke::solid(colour::VERMILLION, 2.4));
     let (x, y) = (Axis::linear("initiation peak (nN)", 0.0, 0.8), Axis::linear("strips of 1000", 0.0, 130.0));
-    let shapes = (0..40).map(column).collect();
-    let panel = Panel { shapes, ..Panel::of_lines(Frame::across(), x, y, vec![line]) };
-    save(&Picture::of("What is uncertain of a peak force", vec![panel]), folder, "what_is_uncertain")?;
+    let mut left = Panel::of_lines(Frame { right: 450.0, ..Frame::across() }, x, y, vec![line]);
+    left.shapes = (0..40).map(column).collect();
+    let right = bars(Frame { left: 610.0, ..Frame::across() }, "share of the variance (%)", &rows);
+    save(&Picture::of("What is uncertain of a peak force", vec![left, right]), folder, "what_is_uncertain")?;
     Ok(text)
 }
 

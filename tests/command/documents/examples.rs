@@ -98,7 +98,7 @@ fn programs_say_what_they_show() {
         for part in ["What it shows:", "Equations:", "What to try:", &format!("--example {name}")] {
             assert!(header.contains(part), "examples/{name}.rs lacks {part}");
         }
-        let lines = code.lines().filter(|line| !line.starts_with("//!") && !line.trim().is_empty()).count();
+        let lines = code.lines().map(str::trim).filter(|line| !line.starts_with("//") && !line.is_empty()).count();
         assert!(lines <= 80, "examples/{name}.rs: {lines} lines of code");
     }
 }
