@@ -17,3 +17,4 @@ mod steps;
 #[path = "../shared/strip.rs"]
 mod strip;
 mod sweeps;
+mod uncertainty;
