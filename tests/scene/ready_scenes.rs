@@ -26,6 +26,11 @@ fn every_example_that_messages_give_is_right() {
             }
             _ if ["turn", "steps"].contains(&key.name) => format!("{MINIMAL}[grip]\nrotation = \"fixed\"\n"),
             _ if key.name == "pretension" => format!("{MINIMAL}[grip]\nhorizontal = \"fixed\"\n"),
+            "uncertainty" => {
+                let input =
+                    |key| format!("{{ key = \"strip.{key}\", distribution = \"lognormal\", log_deviation = 0.1 }}");
+                format!("{MINIMAL}[uncertainty]\ninputs = [{}, {}]\n", input("height"), input("width"))
+            }
             _ => MINIMAL.to_owned(),
         };
         Scene::parse("a.toml", &text, &set(&key.path(), key.example())).unwrap();

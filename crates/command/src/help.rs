@@ -344,7 +344,10 @@ fn sample(key: &Key) -> String {
     match key.default_value() {
         _ if matches!(key.kind, Kind::Pieces(_)) => format!("[{{ length = {:?}, ... }}]", "90 nm"),
         Some(Value::Number(_)) if !key.unit().is_empty() => format!("\"{}\"", key.default_text()),
+        Some(Value::List(items)) if !items.is_empty() => format!("[\"{}\"]", key.default_text()),
         Some(Value::List(_)) => "[]".into(),
+        // tables with several keys each
+        _ if matches!(key.kind, Kind::Setting(_)) && key.example().starts_with("[{") => "[{ key = ..., ... }]".into(),
         Some(Value::Text(text)) if !text.is_empty() => format!("\"{text}\""),
         Some(value @ (Value::Number(_) | Value::Flag(_))) => value.to_string(),
         _ => key.example().to_owned(),

@@ -71,6 +71,7 @@ fn default(key: &Key) -> String {
         Value::Number(number) => Some(format!("{} {}", trimmed(number), key.unit()).trim().to_owned()),
         Value::Text(text) if !text.is_empty() => Some(format!("`{text}`")),
         Value::Flag(flag) => Some(format!("`{flag}`")),
+        Value::List(items) if !items.is_empty() => Some(format!("`{}`", key.default_text())),
         _ => None,
     };
     match (key.need, key.default_value().and_then(stands), &key.kind) {

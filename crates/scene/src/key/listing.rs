@@ -33,6 +33,10 @@ impl Key {
             (Kind::Bound(..), None) => "none".into(),
             (Kind::Steps(_), _) => "[]".into(),
             (Kind::Setting(_), Some(Value::List(items))) if items.is_empty() => "[]".into(),
+            (Kind::Setting(_), Some(Value::List(items))) => {
+                let text = |item: &Value| if let Value::Text(text) = item { text.clone() } else { item.to_string() };
+                items.iter().map(text).collect::<Vec<_>>().join(", ")
+            }
             (_, Some(Value::Number(angle))) if self.dimension() == Some(Dimension::Angle) => angle_text(angle),
             // an angle per length of zero is that in any unit
             (_, Some(Value::Number(0.0))) if !self.unit().is_empty() => format!("0 {}", self.usual_unit()),

@@ -55,7 +55,8 @@ fn one(entries: &[(String, Value)]) -> Result<UncertainKey, String> {
     }
     let number = |name: &str| match given(name) {
         Some(value) => number(key, name, value),
-        None if center == Some(name) => Ok(f64::NAN),
+        // the scene gives it
+        None if center == Some(name) => Ok(0.0),
         None => Err(format!("no `{name}`, which a {kind} distribution needs")),
     };
     let is_centered = center.is_some_and(|center| given(center).is_none());
@@ -93,8 +94,11 @@ pub(super) fn written(input: &UncertainKey) -> Value {
         "" => Value::Number(number),
         unit => Value::Text(format!("{number} {unit}")),
     };
+    let kind = input.distribution.name();
+    let center = KINDS.iter().find(|(name, ..)| *name == kind).and_then(|&(.., center)| center);
     let parameters = input.distribution.parameters().into_iter();
-    let given = parameters.filter(|(_, number)| !number.is_nan()).map(|(name, of)| (name.to_owned(), value(name, of)));
+    let of_scene = |name: &str| input.is_centered && center == Some(name);
+    let given = parameters.filter(|(name, _)| !of_scene(name)).map(|(name, of)| (name.to_owned(), value(name, of)));
     let named = [("key", text(&input.path)), ("distribution", text(input.distribution.name()))];
     Value::Table(named.into_iter().map(|(name, value)| (name.to_owned(), value)).chain(given).collect())
 }

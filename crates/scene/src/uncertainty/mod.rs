@@ -38,9 +38,9 @@ pub struct UncertaintyTable {
 pub struct UncertainKey {
     /// `strip.height`
     pub path: String,
-    /// In the unit of the library. Its mean, median or mode is that of the scene where `is_centered`.
+    /// In the unit of the library. Its mean, median or mode is 0 where `is_centered`.
     pub distribution: Distribution,
-    /// Whether the value of the scene is its mean, median or mode
+    /// Whether the value of the scene takes the place of its mean, median or mode
     pub is_centered: bool,
 }
 
