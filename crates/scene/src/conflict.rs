@@ -1,6 +1,7 @@
 //! Keys of a scene that do not fit one another, or that are missing.
 
 use super::error::{Origin, SceneError, ValueError};
+use super::fit;
 use super::key::{Key, Kind, Need};
 use super::keys::KEYS;
 use super::scene::Scene;
@@ -36,8 +37,11 @@ impl Conflict {
         if let Some(key) = KEYS.iter().filter(needed).find(|key| !is_given(key)) {
             return Some(Self::missing(key, given, scene));
         }
-        let error = scene.check().err()?;
-        Some(Self { key: error.key().to_owned(), problem: error.into(), missing: None })
+        if let Err(error) = scene.check() {
+            return Some(Self { key: error.key().to_owned(), problem: error.into(), missing: None });
+        }
+        let problem = fit::conflict(scene)?;
+        Some(Self { key: "fit.parameters".into(), problem, missing: None })
     }
 
     /// That a scene lacks a key, beside these.

@@ -1,6 +1,7 @@
 //! A scene as data.
 
 use crate::bounds::BoundsTable;
+use crate::fit::FitTable;
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
 use peelkit::study::Accuracy;
 use std::path::Path;
@@ -18,6 +19,8 @@ pub struct Scene {
     pub accuracy: Accuracy,
     /// Where the path may be stopped although it goes on.
     pub bounds: BoundsTable,
+    /// What is fitted to a measured curve; none where the text has no such table.
+    pub fit: Option<FitTable>,
     /// The tables that the text gives, as they were read.
     pub table_texts: TableTexts,
 }
@@ -43,6 +46,7 @@ impl Scene {
             model: PeelModel::of(Body::Strip(UNKNOWN_STRIP), adhesion, Grip::FREE),
             accuracy: Accuracy::to(1e-6),
             bounds: BoundsTable { points: 20_000, time_s: Some(60.0), displacement: None },
+            fit: None,
             table_texts: TableTexts::default(),
         }
     }

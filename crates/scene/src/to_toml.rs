@@ -26,7 +26,7 @@ impl Scene {
     pub fn to_toml(&self) -> String {
         let mut text = String::new();
         let mut table = "";
-        for key in KEYS.iter().filter(|key| key.belongs_to(self)) {
+        for key in KEYS.iter().filter(|key| key.stands_in(self)) {
             let Some(value) = key.value(self) else { continue };
             if key.table != table {
                 table = key.table;

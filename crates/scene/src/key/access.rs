@@ -3,6 +3,7 @@
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, word};
 use super::{Key, Kind};
 use crate::error::ValueError;
+use crate::fit::{self, LOSSES, PROFILES};
 use crate::scene::Scene;
 use crate::shape;
 use crate::space;
@@ -41,6 +42,9 @@ impl Key {
             (Kind::Section(place), Value::Text(word)) => *place(scene) = self.pick(SECTIONS, word)?,
             (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
             (Kind::Terms(place), Value::Text(word)) => *place(scene) = self.pick(TERMS, word)?,
+            (Kind::Loss(place), Value::Text(word)) => *place(scene) = self.pick(LOSSES, word)?,
+            (Kind::Profile(place), Value::Text(word)) => *place(scene) = self.pick(PROFILES, word)?,
+            (Kind::Fitted(place), Value::List(items)) => *place(scene) = fit::read(items)?,
             (Kind::Steps(place), Value::List(items)) => {
                 let text = |item: &Value| if let Value::Text(text) = item { Some(text.clone()) } else { None };
                 let texts = items.iter().map(text).collect::<Option<Vec<_>>>().ok_or_else(|| self.wrong_type(value))?;
@@ -81,12 +85,7 @@ impl Key {
         if !self.is_of_space() && !self.belongs_to(scene) {
             return Err(self.foreign(scene));
         }
-        let range = match self.kind {
-            Kind::Number(range, _) | Kind::Share(range, _) | Kind::Measure(_, range, _) => range,
-            Kind::Count(_) => Range::From(1.0, 1e9),
-            Kind::Fixed(most, _) => Range::From(1.0, most as f64),
-            _ => Range::Positive,
-        };
+        let range = self.range().unwrap_or(Range::Positive);
         let found = Measured { value: number, unit: self.unit() };
         range.check(found).map_err(|wrong| {
             let found = match wrong {
@@ -108,6 +107,17 @@ impl Key {
             _ => return Err(ValueError::new("is not a number", self.remedy())),
         }
         Ok(())
+    }
+
+    /// What its number may be; nothing where it takes none.
+    pub fn range(&self) -> Option<Range> {
+        Some(match self.kind {
+            Kind::Number(range, _) | Kind::Share(range, _) | Kind::Measure(_, range, _) => range,
+            Kind::Quantity(..) | Kind::Bound(..) => Range::Positive,
+            Kind::Count(_) => Range::From(1.0, 1e9),
+            Kind::Fixed(most, _) => Range::From(1.0, most as f64),
+            _ => return None,
+        })
     }
 
     /// Reads a text of the command line as a number of this key, in the unit of the library.
@@ -152,6 +162,9 @@ impl Key {
             Kind::Section(place) => Value::Text(word(SECTIONS, *place(&mut scene))),
             Kind::Start(place) => Value::Text(word(STARTS, *place(&mut scene))),
             Kind::Terms(place) => Value::Text(word(TERMS, *place(&mut scene))),
+            Kind::Fitted(place) => fit::written(place(&mut scene)),
+            Kind::Loss(place) => Value::Text(word(LOSSES, *place(&mut scene))),
+            Kind::Profile(place) => Value::Text(word(PROFILES, *place(&mut scene))),
             Kind::Steps(place) => {
                 Value::List(place(&mut scene).iter().map(|step| Value::Text(step.to_string())).collect())
             }

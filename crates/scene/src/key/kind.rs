@@ -1,10 +1,11 @@
 //! What a key takes, and where in a scene its value goes.
 
+use crate::fit::FittedKey;
 use crate::scene::Scene;
 use crate::value::quantity::Dimension;
 use peelkit::adhesion::{LineLoad, SectionShape, Substrate};
 use peelkit::model::{Attraction, Hold, ProfileForm, Range, Start, Step};
-use peelkit::study::Terms;
+use peelkit::study::{Loss, ProfileChoice, Terms};
 
 /// Whether a scene has to hold a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,4 +61,10 @@ pub enum Kind {
     Terms(fn(&mut Scene) -> &mut Terms),
     /// A list of motions of the grip before the pull.
     Steps(fn(&mut Scene) -> &mut Vec<Step>),
+    /// A list of keys that are fitted.
+    Fitted(fn(&mut Scene) -> &mut Vec<FittedKey>),
+    /// A word for the loss of a fit.
+    Loss(fn(&mut Scene) -> &mut Loss),
+    /// A word for the profiles of a fit.
+    Profile(fn(&mut Scene) -> &mut ProfileChoice),
 }

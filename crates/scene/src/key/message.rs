@@ -3,6 +3,7 @@
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, words};
 use super::{Key, Kind};
 use crate::error::{ValueError, one_line};
+use crate::fit::{self, LOSSES, PROFILES};
 use crate::near::nearest;
 use crate::shape;
 use crate::value::pieces;
@@ -39,6 +40,9 @@ impl Key {
             Kind::Start(_) => words(STARTS),
             Kind::Terms(_) => words(TERMS),
             Kind::Steps(_) => steps::TAKES.into(),
+            Kind::Fitted(_) => fit::TAKES.into(),
+            Kind::Loss(_) => words(LOSSES),
+            Kind::Profile(_) => words(PROFILES),
             Kind::Pieces(_) => pieces::TAKES.into(),
             Kind::Shape(_) => words(&shape::names()),
             Kind::Heights(_) => {
@@ -89,6 +93,9 @@ impl Key {
             (_, Kind::LineLoad(_)) => "\"full\"",
             (_, Kind::Hold(_)) => "\"fixed\"",
             (_, Kind::Steps(_)) => "[\"press 0.1 nm\", \"turn 1 deg\", \"hold\"]",
+            (_, Kind::Fitted(_)) => "[\"strip.youngs_modulus from 1 GPa to 5 GPa\"]",
+            (_, Kind::Loss(_)) => "\"huber\"",
+            (_, Kind::Profile(_)) => "\"all\"",
             (_, Kind::Section(_)) => "\"ellipse\"",
             (_, Kind::Start(_)) => "\"conformed\"",
             (_, Kind::Terms(_)) => "\"auto\"",

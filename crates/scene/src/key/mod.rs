@@ -11,6 +11,7 @@ pub use kind::{Kind, Need};
 
 use crate::bodies::{BODIES, body_of};
 use crate::error::ValueError;
+use crate::fit;
 use crate::scene::Scene;
 use crate::shape;
 use crate::space;
@@ -51,6 +52,11 @@ impl Key {
                 _ => table == body_of(scene),
             },
         }
+    }
+
+    /// Whether it belongs to the scene and stands in it: a table of what is done with a scene stands there only where its text gives it.
+    pub fn stands_in(&self, scene: &Scene) -> bool {
+        self.belongs_to(scene) && (self.table != fit::TABLE || scene.fit.is_some())
     }
 
     /// Whether a profile that has this form and table already may be given the key: it takes a table or pieces, and not both.
@@ -125,6 +131,6 @@ impl Key {
     /// Whether its values are TOML strings.
     pub(crate) fn is_text(&self) -> bool {
         let plain = matches!(self.kind, Kind::Number(..) | Kind::Share(..) | Kind::Flag(_) | Kind::InSpace);
-        !plain && !matches!(self.kind, Kind::Steps(_) | Kind::Pieces(_)) && !self.is_count()
+        !plain && !matches!(self.kind, Kind::Steps(_) | Kind::Pieces(_) | Kind::Fitted(_)) && !self.is_count()
     }
 }

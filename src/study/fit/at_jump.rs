@@ -1,0 +1,29 @@
+//! How the displacement of the first jump changes with the parameters.
+
+use super::machine_curve::MachineCurve;
+use crate::study::{NoSensitivities, Peel, PeelQuantity, Variation, force_derivatives, sensitivities};
+
+/// dU*/dx of the first jump, a number a variation: 0 where the path ends without one. `compliance` is d(1/k)/dx.
+///
+/// U = u + P/k is largest there, so that only what U depends on directly counts: dU*/dx = P d(1/k)/dx + (1/k) dP/dx at held u. Of a rigid machine it
+/// is that of the limit point.
+pub(super) fn jump_derivatives(
+    peel: &Peel,
+    curve: &MachineCurve,
+    variations: &[Variation],
+    compliance: &[f64],
+) -> Result<Vec<f64>, NoSensitivities> {
+    if !curve.end.jumps {
+        return Ok(vec![0.0; variations.len()]);
+    }
+    if curve.compliance == 0.0 {
+        let found = sensitivities(peel, &[PeelQuantity::FirstJumpDisplacement], variations)?;
+        let own = |k: usize| found.of(PeelQuantity::FirstJumpDisplacement, k).map_or(0.0, |derivative| derivative.value);
+        let changed = compliance.iter().map(|change| change * curve.end.at.force);
+        return Ok(changed.enumerate().map(|(k, direct)| own(k) + direct).collect());
+    }
+    let at_end = force_derivatives(peel, &[curve.end.at.grip], variations)?;
+    let forces = at_end.first().map_or(&[][..], |(_, row)| row);
+    let one = |(force, change): (&f64, &f64)| change * curve.end.at.force + curve.compliance * force;
+    Ok(forces.iter().zip(compliance).map(one).collect())
+}
