@@ -16,6 +16,7 @@ mod fit;
 mod key;
 mod keys;
 mod near;
+mod parameters;
 mod scene;
 mod shape;
 mod space;
