@@ -5,6 +5,7 @@
 mod accuracy;
 mod command_line;
 mod figures;
+mod fit;
 mod folder_name;
 mod hard_scenes;
 mod help;
@@ -36,6 +37,7 @@ struct Cli {
 enum Command {
     Run(run::Run),
     Sweep(sweep::Sweep),
+    Fit(fit::Fit),
     Accuracy(accuracy::Accuracy),
     Verify(verify::Verify),
     New(new::New),
@@ -54,6 +56,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::Fit(args) => fit::fit(&args),
         Command::Accuracy(args) => accuracy::accuracy(&args),
         Command::Verify(args) => verify::verify(&args),
         Command::New(args) => new::new(&args),

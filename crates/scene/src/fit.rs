@@ -91,11 +91,10 @@ fn one(text: &str) -> Result<FittedKey, ValueError> {
     };
     let bound = |words: &[&str], name: &str| match words.split_first() {
         None => Ok(None),
-        Some((word, amount)) if *word == name && !amount.is_empty() => {
-            key.parse_number(&amount.join(" ")).map(Some).map_err(|problem| {
-                ValueError::new(format!("whose bound `{name}` {}", problem.found), problem.remedy)
-            })
-        }
+        Some((word, amount)) if *word == name && !amount.is_empty() => key
+            .parse_number(&amount.join(" "))
+            .map(Some)
+            .map_err(|problem| ValueError::new(format!("whose bound `{name}` {}", problem.found), problem.remedy)),
         Some(_) => Err(ValueError::new("behind whose key stands something else than `from A to B`", "")),
     };
     let (from, to) = (bound(from, "from")?, bound(to, "to")?);
@@ -125,7 +124,8 @@ fn is_parameter(key: &Key) -> bool {
 pub(crate) fn written(parameters: &[FittedKey]) -> Value {
     let text = |fitted: &FittedKey| {
         let unit = find_key(&fitted.path).map_or("", |key| key.unit());
-        let bound = |name: &str, value: Option<f64>| value.map(|value| format!(" {name} {value} {unit}").trim_end().to_owned());
+        let bound =
+            |name: &str, value: Option<f64>| value.map(|value| format!(" {name} {value} {unit}").trim_end().to_owned());
         let (from, to) = (bound("from", fitted.from), bound("to", fitted.to));
         Value::Text(format!("{}{}{}", fitted.path, from.unwrap_or_default(), to.unwrap_or_default()))
     };
@@ -173,12 +173,14 @@ impl Scene {
         table.map(|fitted| parameter(self, fitted)).collect()
     }
 
-    /// The scene with other values of these keys, in the unit of the library. A value that is out of the range of its key stays as it is.
+    /// The scene with other values of these keys, in the unit of the library, whatever they are: the check of the model refuses those that are
+    /// out of range.
     pub fn with_numbers<'k>(&self, numbers: impl IntoIterator<Item = (&'k str, f64)>) -> Self {
         let mut scene = self.clone();
         for (path, value) in numbers {
-            // a key that is none was refused when the scene was read
-            let _ = find_key(path).and_then(|key| key.store_number(&mut scene, value));
+            if let Ok(key) = find_key(path) {
+                key.put_number(&mut scene, value);
+            }
         }
         scene
     }

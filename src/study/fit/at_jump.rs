@@ -18,7 +18,8 @@ pub(super) fn jump_derivatives(
     }
     if curve.compliance == 0.0 {
         let found = sensitivities(peel, &[PeelQuantity::FirstJumpDisplacement], variations)?;
-        let own = |k: usize| found.of(PeelQuantity::FirstJumpDisplacement, k).map_or(0.0, |derivative| derivative.value);
+        let own =
+            |k: usize| found.of(PeelQuantity::FirstJumpDisplacement, k).map_or(0.0, |derivative| derivative.value);
         let changed = compliance.iter().map(|change| change * curve.end.at.force);
         return Ok(changed.enumerate().map(|(k, direct)| own(k) + direct).collect());
     }

@@ -41,7 +41,9 @@ pub enum NoFit {
     TooFewData { data: usize, parameters: usize },
     #[error("{key} = {value:e} is not between its bounds, {from:e} and {to:e}")]
     OutsideBounds { key: String, value: f64, from: f64, to: f64 },
-    #[error("{key} changes the force nowhere by more than {largest:.1e} nN per unit of its coordinate: it has no influence on the measured part of the curve")]
+    #[error(
+        "{key} changes the force nowhere by more than {largest:.1e} nN per unit of its coordinate: it has no influence on the measured part of the curve"
+    )]
     NoInfluence { key: String, largest: f64 },
     #[error("the model cannot be computed: {0}")]
     Model(#[from] ModelError),
@@ -57,9 +59,7 @@ impl NoFit {
     /// What would be right.
     pub fn remedy(&self) -> String {
         let remedy = match self {
-            Self::NoParameters => {
-                "Add to the scene for example\n[fit]\nparameters = [\"adhesion.hamaker_constant\"]"
-            }
+            Self::NoParameters => "Add to the scene for example\n[fit]\nparameters = [\"adhesion.hamaker_constant\"]",
             Self::TooFewData { .. } => "Measure more points, or fit fewer parameters.",
             Self::OutsideBounds { .. } => "Give bounds around the value of the scene.",
             Self::NoInfluence { .. } => "Remove it from `fit.parameters`.",

@@ -26,6 +26,7 @@ mod result;
 mod run;
 mod search;
 mod statistics;
+mod warnings;
 
 pub use error::{FitDataError, NoFit};
 pub use loss::Loss;
@@ -35,3 +36,4 @@ pub use result::{
     Combination, Fit, FitEnd, FittedJump, FittedParameter, FittedPoint, PairDetermined, PointPlace, Profile,
 };
 pub use run::fit;
+pub use warnings::FitWarning;

@@ -126,9 +126,8 @@ impl Evaluator<'_> {
             values[index] = self.coordinates[index].value(trial.x[index] + change);
             (self.problem.model)(&values)
         };
-        let of_model: Vec<usize> = (0..values.len())
-            .filter(|&index| self.problem.parameters[index].of == ParameterOf::Model)
-            .collect();
+        let of_model: Vec<usize> =
+            (0..values.len()).filter(|&index| self.problem.parameters[index].of == ParameterOf::Model).collect();
         let variation = |&index: &usize| {
             let beside = &beside;
             Variation::new(self.problem.parameters[index].key.clone(), move |change| beside(index, change))

@@ -106,14 +106,14 @@ fn weighted_search(evaluator: &Evaluator, start: &Arc<Trial>, count: usize) -> R
         let moved = &found.best.x - &best.x;
         best = found.best.clone();
         if estimates {
-            let residuals: Vec<f64> = best.modelled.iter().zip(&measured.points).map(|(m, p)| m.force - p.force).collect();
+            let residuals: Vec<f64> =
+                best.modelled.iter().zip(&measured.points).map(|(m, p)| m.force - p.force).collect();
             estimated = scale(&residuals, &weights, count, options.loss != Loss::Squares, least);
         }
         let next = evaluator.reweighted(&best, estimated);
         let covariance = Covariance::new(&evaluator.jacobian(&evaluator.derivatives(&best)?, &next), free.clone(), 1.0);
-        let settled = free
-            .iter()
-            .all(|&k| moved[k].abs() <= SETTLED * covariance.standard_error(k).unwrap_or(f64::INFINITY));
+        let settled =
+            free.iter().all(|&k| moved[k].abs() <= SETTLED * covariance.standard_error(k).unwrap_or(f64::INFINITY));
         let over = found.trouble.is_some() || !changes || weightings == MOST_WEIGHTINGS;
         if over || (settled && weightings > 1) {
             let sum = evaluator.residuals(&best, &next).norm_squared();
@@ -169,8 +169,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     let mut parameters: Vec<FittedParameter> = (0..count).map(parameter).collect();
     let poor: Vec<bool> = parameters.iter().map(|parameter| parameter.poorly_determined).collect();
     if end == FitEnd::Converged {
-        let least =
-            Least { evaluator, weights: &weights, best: &best, sum: found.sum, level: factor * half * half };
+        let least = Least { evaluator, weights: &weights, best: &best, sum: found.sum, level: factor * half * half };
         let wanted = |k: &usize| match options.profile {
             ProfileChoice::All => true,
             ProfileChoice::Poor => poor[*k],

@@ -40,7 +40,8 @@ pub(super) fn search(evaluator: &Evaluator, weights: &Weights, start: &Arc<Trial
     if free.is_empty() {
         return Found { best: start.clone(), sum, trouble: None };
     }
-    let z = DVector::from_iterator(free.len(), free.iter().map(|&k| SHIFT + evaluator.coordinates[k].inner(start.x[k])));
+    let z =
+        DVector::from_iterator(free.len(), free.iter().map(|&k| SHIFT + evaluator.coordinates[k].inner(start.x[k])));
     let bad = BAD * (1.0 + residuals.amax());
     let problem = Search {
         evaluator,
@@ -64,7 +65,9 @@ pub(super) fn search(evaluator: &Evaluator, weights: &Weights, start: &Arc<Trial
     let (problem, report) = method.minimize(problem);
     use levenberg_marquardt::TerminationReason as Reason;
     let trouble = match report.termination {
-        Reason::ResidualsZero | Reason::Orthogonal | Reason::Converged { .. } | Reason::NoImprovementPossible(_) => None,
+        Reason::ResidualsZero | Reason::Orthogonal | Reason::Converged { .. } | Reason::NoImprovementPossible(_) => {
+            None
+        }
         Reason::LostPatience => Some(format!("it has not converged in {} evaluations", report.number_of_evaluations)),
         _ if evaluator.interrupted.load(Ordering::Relaxed) => Some("it was interrupted".to_owned()),
         other => Some(match problem.trouble.borrow().as_ref() {

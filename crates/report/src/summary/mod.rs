@@ -4,6 +4,7 @@ mod accuracy;
 mod branch;
 mod branch_point;
 mod derived;
+mod fit;
 mod ground;
 mod observed;
 mod origin;
@@ -17,6 +18,7 @@ mod sweep;
 mod term_summary;
 
 pub use accuracy::left_out;
+pub use fit::FitSummary;
 pub use ground::ground_warning;
 pub use origin::{SCHEMA, VERSION};
 pub(crate) use parameters::Parameters;
