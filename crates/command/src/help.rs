@@ -66,6 +66,7 @@ Examples:
   peel run strip.toml --animate
   peel run strip.toml --out-of-plane
   peel run strip.toml --branch
+  peel run strip.toml --sensitivities
   peel run strip.toml --set grip.rotation=fixed --set grip.stiffness=\"0.05 N/m\" --observed
 
 Files:
@@ -78,6 +79,7 @@ Files:
   parameters.toml    the scene as it was computed, with what --set has changed: peel run computes it to the same numbers
   curve.svg, .png    force against displacement
   shapes.svg, .png   the strip at marked points of the curve
+  sensitivities.svg, .png   with --sensitivities: by which power of each parameter the results change
   branch.csv         with --branch: one row for each point of the branch out of the plane
   states.csv, states.pvd   with --states N: the fields along the beam (place, rotation, section forces, gap, loads) at
                      every limit point and at N points evenly along the path; states.pvd opens in ParaView
