@@ -219,3 +219,86 @@ impl Evaluator<'_> {
         weights
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::measured_curve::MeasuredPoint;
+    use super::super::problem::FitParameter;
+    use super::super::result::PointPlace;
+    use super::*;
+    use crate::model::{Body, PeelModel, Range, StripModel};
+
+    /// Stiffness, length and hold of the strip, its law, and its machine: A_H, E, k and d.
+    fn model(values: &[f64]) -> PeelModel {
+        let mut model = PeelModel::from(StripModel::of_the_paper(100.0, 1.0));
+        if let Body::Strip(strip) = &mut model.body {
+            strip.youngs_modulus = values[1];
+        }
+        model.adhesion.hamaker_constant = values[0];
+        model.grip.stiffness = values.get(2).copied();
+        model
+    }
+
+    fn parameter(initial: f64, of: ParameterOf) -> FitParameter {
+        let range = if of == ParameterOf::Model { Range::Positive } else { Range::OFFSET };
+        FitParameter { key: "k".into(), initial, range, from: None, to: None, of }
+    }
+
+    /// Derivatives against central differences of whole runs: before the start, on the branch, behind the jump, of the jump; with the
+    /// machine's spring and without.
+    #[test]
+    fn derivatives_are_those_of_differences_of_runs() {
+        let model_numbers = [0.1, 2.0, 0.5];
+        for (numbers, last) in [(&model_numbers[..], 49.5), (&model_numbers[..2], 60.0)] {
+            let mut parameters: Vec<FitParameter> =
+                numbers.iter().map(|&number| parameter(number, ParameterOf::Model)).collect();
+            parameters.push(parameter(0.7, ParameterOf::DisplacementZero));
+            let count = numbers.len();
+            let problem = FitProblem { parameters, model: Box::new(move |values: &[f64]| model(&values[..count])) };
+            let places = [0.6, 0.75, 1.0, 2.0, 6.0, 30.0, last];
+            let point = |&displacement: &f64| MeasuredPoint { displacement, force: displacement, force_error: None };
+            let mut measured = MeasuredCurve::new(places.iter().map(point).collect(), None).unwrap();
+            measured.jump = Some(super::super::MeasuredJump { displacement: last, error: 0.1 });
+            let (options, accuracy) = (FitOptions::default(), Accuracy::to(1e-8));
+            let coordinates =
+                problem.parameters.iter().map(|parameter| Coordinate::new(parameter, 25.0).unwrap()).collect();
+            let evaluator = Evaluator {
+                problem: &problem,
+                coordinates,
+                measured: &measured,
+                options: &options,
+                accuracy: &accuracy,
+                stop: &StopCriteria::default,
+                paths: AtomicUsize::new(0),
+                interrupted: AtomicBool::new(false),
+            };
+            let x = DVector::zeros(count + 1);
+            let trial = evaluator.trial(&x).unwrap();
+            assert_eq!(trial.modelled[0].place, PointPlace::BeforeStart);
+            let behind = trial.modelled[6].place == PointPlace::BehindJump;
+            assert!(behind, "the last point is behind the jump at {:?}", trial.jump);
+            let found = evaluator.derivatives(&trial).unwrap();
+            for k in 0..=count {
+                let step = 1e-4;
+                let beside = [1.0, -1.0].map(|sign| {
+                    let mut x = x.clone();
+                    x[k] = sign * step;
+                    evaluator.trial(&x).unwrap()
+                });
+                let [up, down] = &beside;
+                let difference = |a: f64, b: f64| (a - b) / (2.0 * step);
+                for row in 0..places.len() {
+                    let expected = difference(up.modelled[row].force, down.modelled[row].force);
+                    let force = found.force[(row, k)];
+                    // behind the jump the slope of the branch is so steep that it is good to few digits
+                    let tolerance = if row == 6 { 3e-2 } else { 1e-4 };
+                    let scale = expected.abs().max(1e-3);
+                    assert!((force - expected).abs() < tolerance * scale, "point {row} by {k}: {force} {expected}");
+                }
+                let expected = difference(up.jump.unwrap(), down.jump.unwrap());
+                let jump = found.jump[k];
+                assert!((jump - expected).abs() < 1e-4 * expected.abs().max(1.0), "jump by {k}: {jump} {expected}");
+            }
+        }
+    }
+}
