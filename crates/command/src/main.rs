@@ -19,6 +19,7 @@ mod run;
 mod stop;
 mod sweep;
 mod text_summary;
+mod uncertainty;
 mod verify;
 
 use clap::{Parser, Subcommand};
@@ -38,6 +39,7 @@ enum Command {
     Run(run::Run),
     Sweep(sweep::Sweep),
     Fit(fit::Fit),
+    Uncertainty(uncertainty::Uncertainty),
     Accuracy(accuracy::Accuracy),
     Verify(verify::Verify),
     New(new::New),
@@ -57,6 +59,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
         Command::Fit(args) => fit::fit(&args),
+        Command::Uncertainty(args) => uncertainty::uncertainty(&args),
         Command::Accuracy(args) => accuracy::accuracy(&args),
         Command::Verify(args) => verify::verify(&args),
         Command::New(args) => new::new(&args),

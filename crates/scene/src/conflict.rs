@@ -5,6 +5,7 @@ use super::fit;
 use super::key::{Key, Kind, Need};
 use super::keys::KEYS;
 use super::scene::Scene;
+use super::uncertainty;
 use std::collections::HashSet;
 
 /// What is wrong with a scene of which every value is right by itself.
@@ -37,11 +38,12 @@ impl Conflict {
         if let Some(key) = KEYS.iter().filter(needed).find(|key| !is_given(key)) {
             return Some(Self::missing(key, given, scene));
         }
-        if let Err(error) = scene.check() {
-            return Some(Self { key: error.key().to_owned(), problem: error.into(), missing: None });
-        }
-        let problem = fit::conflict(scene)?;
-        Some(Self { key: "fit.parameters".into(), problem, missing: None })
+        let Err(error) = scene.check() else {
+            let of_fit = fit::conflict(scene).map(|problem| ("fit.parameters".to_owned(), problem));
+            let (key, problem) = of_fit.or_else(|| uncertainty::problem(scene))?;
+            return Some(Self { key, problem, missing: None });
+        };
+        Some(Self { key: error.key().to_owned(), problem: error.into(), missing: None })
     }
 
     /// That a scene lacks a key, beside these.

@@ -1,11 +1,11 @@
 //! What of a scene is fitted to a measured curve, and how: the table `fit`.
 
 use crate::error::{ValueError, one_line};
-use crate::key::Key;
-use crate::keys::{KEYS, find_key};
+use crate::key::{Key, Setting};
+use crate::keys::find_key;
+use crate::near::nearest;
 use crate::scene::Scene;
-use crate::value::{Value, show};
-use peelkit::model::Range;
+use crate::value::{Fault, Value, quoted, show};
 use peelkit::study::{FitOptions, FitParameter, Loss, ParameterOf, ProfileChoice};
 
 /// The table `fit`.
@@ -42,9 +42,61 @@ pub(crate) const TABLE: &str = "fit";
 const ZERO: &str = "fit.displacement_zero";
 /// Tables whose numbers are no parameters of a model.
 const NO_MODEL: [&str; 2] = ["accuracy", "bounds"];
-/// What the list of parameters takes.
-pub(crate) const TAKES: &str = "a list of texts, each a key with a number in the scene and, optionally, bounds: \"strip.youngs_modulus\", \
-                                \"strip.youngs_modulus from 1 GPa to 5 GPa\"";
+/// `parameters`
+pub(crate) static PARAMETERS: Setting = Setting {
+    takes: "a list of texts, each a key with a number in the scene and, optionally, bounds: \"strip.youngs_modulus\", \"strip.youngs_modulus \
+            from 1 GPa to 5 GPa\"",
+    brief: "list of texts",
+    example: "[\"strip.youngs_modulus from 1 GPa to 5 GPa\"]",
+    read: |scene, value| {
+        let Value::List(items) = value else { return Err(Fault::whole(format!("is {value}, no list"))) };
+        of(scene).parameters = read(items)?;
+        Ok(())
+    },
+    write: |scene| Some(written(&scene.fit.as_ref()?.parameters)),
+};
+
+/// `loss`
+pub(crate) static LOSS: Setting = Setting {
+    takes: "\"squares\", \"huber\" or \"soft-l1\"",
+    brief: "one of three words",
+    example: "\"huber\"",
+    read: |scene, value| {
+        of(scene).options.loss = picked(LOSSES, value)?;
+        Ok(())
+    },
+    write: |scene| Some(word(LOSSES, scene.fit.as_ref()?.options.loss)),
+};
+
+/// `profile`
+pub(crate) static PROFILE: Setting = Setting {
+    takes: "\"poor\" (of those that are poorly determined), \"all\" or \"none\"",
+    brief: "poor, all, none",
+    example: "\"all\"",
+    read: |scene, value| {
+        of(scene).options.profile = picked(PROFILES, value)?;
+        Ok(())
+    },
+    write: |scene| Some(word(PROFILES, scene.fit.as_ref()?.options.profile)),
+};
+
+const LOSSES: &[(&str, Loss)] = &[("squares", Loss::Squares), ("huber", Loss::Huber), ("soft-l1", Loss::SoftL1)];
+const PROFILES: &[(&str, ProfileChoice)] =
+    &[("poor", ProfileChoice::Poor), ("all", ProfileChoice::All), ("none", ProfileChoice::None)];
+
+fn picked<T: Copy>(words: &[(&str, T)], value: &Value) -> Result<T, Fault> {
+    let Value::Text(text) = value else { return Err(Fault::whole(format!("is {value}, no word"))) };
+    let found = words.iter().find(|(word, _)| word == text).map(|&(_, choice)| choice);
+    found.ok_or_else(|| {
+        let near = nearest(text, words.iter().map(|&(word, _)| word));
+        let guess = near.map(|near| format!("; did you mean \"{near}\"?")).unwrap_or_default();
+        Fault::whole(format!("is {}, which is none of its values{guess}", quoted(text)))
+    })
+}
+
+fn word<T: Copy + PartialEq>(words: &[(&str, T)], choice: T) -> Value {
+    Value::Text(words.iter().find(|(_, own)| *own == choice).map_or("", |(word, _)| word).to_owned())
+}
 
 /// The table of a scene, which has one from now on.
 pub(crate) fn of(scene: &mut Scene) -> &mut FitTable {
@@ -52,66 +104,59 @@ pub(crate) fn of(scene: &mut Scene) -> &mut FitTable {
 }
 
 /// Reads the list of parameters.
-pub(crate) fn read(items: &[Value]) -> Result<Vec<FittedKey>, ValueError> {
+fn read(items: &[Value]) -> Result<Vec<FittedKey>, Fault> {
     let mut found: Vec<FittedKey> = Vec::new();
     for (index, item) in items.iter().enumerate() {
         let number = index + 1;
-        let wrong = |found: String, remedy: String| ValueError { found, remedy, item: Some(index) };
-        let general = format!("`parameters` takes {TAKES}.");
         let Value::Text(text) = item else {
-            return Err(wrong(format!("has as parameter {number} {item}, which is no text"), general));
+            return Err(Fault::at(index, format!("has as parameter {number} {item}, which is no text")));
         };
-        let one = one(text).map_err(|problem| {
-            let remedy = if problem.remedy.is_empty() { general.clone() } else { problem.remedy };
-            wrong(format!("has as parameter {number} \"{}\", {}", one_line(text), problem.found), remedy)
-        })?;
+        let one = one(text)
+            .map_err(|why| Fault::at(index, format!("has as parameter {number} \"{}\", {why}", one_line(text))))?;
         if found.iter().any(|other| other.path == one.path) {
-            return Err(wrong(format!("names `{}` twice", one.path), "Remove one of the two.".into()));
+            return Err(Fault::at(index, format!("names `{}` twice", one.path)));
         }
         found.push(one);
     }
     Ok(found)
 }
 
-fn one(text: &str) -> Result<FittedKey, ValueError> {
+/// One of them; else what is wrong with it.
+fn one(text: &str) -> Result<FittedKey, String> {
     let mut words = text.split_whitespace();
     let path = words.next().unwrap_or_default();
-    let key = find_key(path).map_err(|problem| ValueError::new(format!("which {}", problem.found), problem.remedy))?;
+    let key = find_key(path).map_err(|problem| format!("which {}: {}", problem.found, lowered(&problem.remedy)))?;
     if !is_parameter(key) {
-        let names: Vec<String> = KEYS.iter().filter(|key| is_parameter(key)).map(Key::path).collect();
-        return Err(ValueError::new(
-            "which is not a number of the model",
-            format!("What can be fitted is {}.", names.join(", ")),
-        ));
+        return Err("whose key is not a number of the model".into());
     }
     let rest: Vec<&str> = words.collect();
     let (from, to) = match rest.iter().position(|&word| word == "to") {
-        Some(at) => (&rest[..at], &rest[at..]),
+        Some(at) => rest.split_at(at),
         None => (&rest[..], &[][..]),
     };
-    let bound = |words: &[&str], name: &str| match words.split_first() {
-        None => Ok(None),
-        Some((word, amount)) if *word == name && !amount.is_empty() => key
-            .parse_number(&amount.join(" "))
-            .map(Some)
-            .map_err(|problem| ValueError::new(format!("whose bound `{name}` {}", problem.found), problem.remedy)),
-        Some(_) => Err(ValueError::new("behind whose key stands something else than `from A to B`", "")),
-    };
-    let (from, to) = (bound(from, "from")?, bound(to, "to")?);
-    if let (Some(a), Some(b)) = (from, to)
-        && a >= b
-    {
-        return Err(ValueError::new("whose first bound is not below its second", "Give the lower bound first."));
-    }
-    if let Some(range) = key.range() {
-        for (name, value) in [("from", from), ("to", to)] {
-            if let Some(value) = value.filter(|value| !range.contains(*value)) {
-                let found = format!("whose bound `{name}` is {}, which is out of range", show(value));
-                return Err(ValueError::new(found, format!("`{path}` takes {}.", key.takes())));
-            }
-        }
+    let (from, to) = (bound(key, from, "from")?, bound(key, to, "to")?);
+    if from.zip(to).is_some_and(|(from, to)| from >= to) {
+        return Err("whose first bound is not below its second".into());
     }
     Ok(FittedKey { path: key.path(), from, to })
+}
+
+/// "from 1 GPa"
+fn bound(key: &Key, words: &[&str], name: &str) -> Result<Option<f64>, String> {
+    let Some((word, amount)) = words.split_first() else { return Ok(None) };
+    if *word != name || amount.is_empty() {
+        return Err("behind whose key stands something else than from A to B".into());
+    }
+    let value = key.parse_number(&amount.join(" ")).map_err(|problem| format!("whose bound {}", problem.found))?;
+    if !key.range().contains(value) {
+        return Err(format!("whose bound {} is out of range: it takes {}", amount.join(" "), key.takes()));
+    }
+    Ok(Some(value))
+}
+
+fn lowered(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
 }
 
 /// Whether a key is a number of the model, or that of the measured displacement.
@@ -121,7 +166,7 @@ fn is_parameter(key: &Key) -> bool {
 }
 
 /// The list as a scene writes it.
-pub(crate) fn written(parameters: &[FittedKey]) -> Value {
+fn written(parameters: &[FittedKey]) -> Value {
     let text = |fitted: &FittedKey| {
         let unit = find_key(&fitted.path).map_or("", |key| key.unit());
         let bound =
@@ -160,8 +205,7 @@ fn parameter(scene: &Scene, fitted: &FittedKey) -> Result<FitParameter, ValueErr
         ));
     }
     let of = if path == ZERO { ParameterOf::DisplacementZero } else { ParameterOf::Model };
-    let range = key.range().unwrap_or(Range::Positive);
-    Ok(FitParameter { key: path.clone(), initial, range, from: *from, to: *to, of })
+    Ok(FitParameter { key: path.clone(), initial, range: key.range(), from: *from, to: *to, of })
 }
 
 impl Scene {
@@ -185,9 +229,3 @@ impl Scene {
         scene
     }
 }
-
-/// The words of a loss and of a choice of profiles.
-pub(crate) const LOSSES: &[(&str, Loss)] =
-    &[("squares", Loss::Squares), ("huber", Loss::Huber), ("soft-l1", Loss::SoftL1)];
-pub(crate) const PROFILES: &[(&str, ProfileChoice)] =
-    &[("poor", ProfileChoice::Poor), ("all", ProfileChoice::All), ("none", ProfileChoice::None)];

@@ -8,6 +8,7 @@ use super::near::nearest;
 use super::scene::Scene;
 use super::shape;
 use super::space;
+use super::uncertainty;
 use super::value::Value;
 use super::value::quantity::Dimension::{
     Angle, AnglePerLength, Energy, Force, Length, Pressure, Stiffness, Time, Work,
@@ -102,14 +103,21 @@ pub static KEYS: &[Key] = &[
     key("bounds", "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "longest time for a path"),
     key("bounds", "displacement", Optional, Kind::Bound(Length, |s| &mut s.bounds.displacement), "largest displacement of the grip"),
 
-    key("fit", "parameters", Optional, Kind::Fitted(|s| &mut fit::of(s).parameters), "keys that peel fit determines, with bounds if wanted"),
+    key("fit", "parameters", Required, Kind::Setting(&fit::PARAMETERS), "keys that are determined, with bounds if wanted"),
     key("fit", "force_error", Optional, Kind::Bound(Force, |s| &mut fit::of(s).options.force_error), "standard error of measured forces; none: from the residuals"),
     key("fit", "displacement_error", Optional, Kind::Bound(Length, |s| &mut fit::of(s).options.displacement_error), "standard error of measured displacements; none: exact"),
     key("fit", "displacement_zero", Optional, Kind::Measure(Length, Range::OFFSET, |s| &mut fit::of(s).options.displacement_zero), "measured displacement at which the model's is zero"),
     key("fit", "jump", Optional, Kind::Bound(Length, |s| &mut fit::of(s).jump), "measured displacement of the first jump; none: looked for"),
     key("fit", "use_jump", Optional, Kind::Flag(|s| &mut fit::of(s).options.use_jump), "whether the displacement of the jump is a datum"),
-    key("fit", "loss", Optional, Kind::Loss(|s| &mut fit::of(s).options.loss), "how much points far from the curve count"),
-    key("fit", "profile", Optional, Kind::Profile(|s| &mut fit::of(s).options.profile), "of which parameters the profile likelihood is computed"),
+    key("fit", "loss", Optional, Kind::Setting(&fit::LOSS), "how much points far from the curve count"),
+    key("fit", "profile", Optional, Kind::Setting(&fit::PROFILE), "of which parameters the profile likelihood is computed"),
+
+    key("uncertainty", "inputs", Required, Kind::Setting(&uncertainty::INPUTS), "keys that are uncertain, with their distributions"),
+    key("uncertainty", "correlations", Optional, Kind::Setting(&uncertainty::CORRELATIONS), "inputs that vary together"),
+    key("uncertainty", "quantities", Optional, Kind::Setting(&uncertainty::QUANTITIES), "results that are asked for"),
+    key("uncertainty", "samples", Optional, Kind::Setting(&uncertainty::SAMPLES), "largest number of peels that are sampled"),
+    key("uncertainty", "seed", Optional, Kind::Setting(&uncertainty::SEED), "another seed gives another sample"),
+    key("uncertainty", "indices", Optional, Kind::Setting(&uncertainty::INDICES), "whether sensitivity indices are estimated"),
 ];
 
 /// What the scene's body lies on.
@@ -145,7 +153,7 @@ impl Key {
     pub fn default_value(&self) -> Option<Value> {
         match self.need {
             Need::Required => None,
-            Need::Optional => self.value(&Scene::empty("")),
+            Need::Optional => self.value(&Scene::of_defaults()),
         }
     }
 }

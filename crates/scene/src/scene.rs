@@ -2,6 +2,7 @@
 
 use crate::bounds::BoundsTable;
 use crate::fit::FitTable;
+use crate::uncertainty::UncertaintyTable;
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
 use peelkit::study::Accuracy;
 use std::path::Path;
@@ -19,8 +20,10 @@ pub struct Scene {
     pub accuracy: Accuracy,
     /// Where the path may be stopped although it goes on.
     pub bounds: BoundsTable,
-    /// What is fitted to a measured curve; none where the text has no such table.
+    /// What `peel fit` determines, where the scene says so.
     pub fit: Option<FitTable>,
+    /// What is uncertain, where the scene says so; `peel uncertainty` samples it.
+    pub uncertainty: Option<UncertaintyTable>,
     /// The tables that the text gives, as they were read.
     pub table_texts: TableTexts,
 }
@@ -36,6 +39,11 @@ pub struct TableTexts {
 }
 
 impl Scene {
+    /// The same with every table that a scene may hold.
+    pub(crate) fn of_defaults() -> Self {
+        Self { fit: Some(FitTable::default()), uncertainty: Some(UncertaintyTable::default()), ..Self::empty("") }
+    }
+
     /// A scene that holds the defaults; what has none is NaN until the text gives it.
     pub(crate) fn empty(name: &str) -> Self {
         let title = Path::new(name).file_stem().unwrap_or_default().to_string_lossy().into_owned();
@@ -47,6 +55,7 @@ impl Scene {
             accuracy: Accuracy::to(1e-6),
             bounds: BoundsTable { points: 20_000, time_s: Some(60.0), displacement: None },
             fit: None,
+            uncertainty: None,
             table_texts: TableTexts::default(),
         }
     }

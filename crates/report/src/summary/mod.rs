@@ -16,6 +16,7 @@ mod sensitivities;
 mod sliding;
 mod sweep;
 mod term_summary;
+mod uncertainty;
 
 pub use accuracy::left_out;
 pub use fit::FitSummary;
@@ -25,3 +26,4 @@ pub(crate) use parameters::Parameters;
 pub use peel::PeelSummary;
 pub use sweep::SweepSummary;
 pub use term_summary::why_kept;
+pub use uncertainty::UncertaintySummary;

@@ -17,7 +17,7 @@ impl Serialize for Parameters {
                 tables.serialize_entry(key.name, &Given(&value))?;
             }
         }
-        let stands = |key: &Key| !key.table.is_empty() && key.stands_in(&self.0);
+        let stands = |key: &Key| !key.table.is_empty() && key.belongs_to(&self.0);
         for keys in KEYS.chunk_by(|a, b| a.table == b.table).filter(|keys| keys.iter().any(stands)) {
             tables.serialize_entry(keys[0].table, &Table { scene: &self.0, keys })?;
         }
@@ -33,11 +33,13 @@ struct Table<'a> {
 impl Serialize for Table<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut table = serializer.serialize_map(None)?;
-        for key in self.keys.iter().filter(|key| key.stands_in(self.scene)) {
+        for key in self.keys.iter().filter(|key| key.belongs_to(self.scene)) {
             let unit = key.unit().replace('/', "_per_");
             let name = if unit.is_empty() { key.name.to_owned() } else { format!("{}_{unit}", key.name) };
             match key.value(self.scene) {
-                Some(Value::Number(count)) if key.is_count() => table.serialize_entry(&name, &(count as u64))?,
+                Some(Value::Number(count)) if key.is_written_whole(count) => {
+                    table.serialize_entry(&name, &(count as u64))?
+                }
                 value => table.serialize_entry(&name, &value.as_ref().map(Given))?,
             }
         }

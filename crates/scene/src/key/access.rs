@@ -3,7 +3,6 @@
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, word};
 use super::{Key, Kind};
 use crate::error::ValueError;
-use crate::fit::{self, LOSSES, PROFILES};
 use crate::scene::Scene;
 use crate::shape;
 use crate::space;
@@ -11,7 +10,7 @@ use crate::value::pieces;
 use crate::value::quantity::{Comma, Dimension, parse_quantity};
 use crate::value::steps;
 use crate::value::table::{read_heights, read_profile};
-use crate::value::{Value, quoted};
+use crate::value::{Fault, Value, quoted};
 use peelkit::adhesion::Substrate;
 use peelkit::model::{Measured, ModelErrorKind, ProfileForm, Range, angle_text};
 use std::sync::Arc;
@@ -30,10 +29,8 @@ impl Key {
                 scene.table_texts.profile = text;
             }
             (Kind::Pieces(place), Value::List(items)) => {
-                let problem = |fault: pieces::Fault| ValueError {
-                    item: fault.item,
-                    ..ValueError::new(fault.found, self.remedy())
-                };
+                let problem =
+                    |fault: Fault| ValueError { item: fault.item, ..ValueError::new(fault.found, self.remedy()) };
                 *place(scene) = ProfileForm::Pieces(pieces::read(items).map_err(problem)?);
             }
             (Kind::Attraction(place), Value::Text(word)) => *place(scene) = self.pick(&attractions(), word)?,
@@ -42,9 +39,8 @@ impl Key {
             (Kind::Section(place), Value::Text(word)) => *place(scene) = self.pick(SECTIONS, word)?,
             (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
             (Kind::Terms(place), Value::Text(word)) => *place(scene) = self.pick(TERMS, word)?,
-            (Kind::Loss(place), Value::Text(word)) => *place(scene) = self.pick(LOSSES, word)?,
-            (Kind::Profile(place), Value::Text(word)) => *place(scene) = self.pick(PROFILES, word)?,
-            (Kind::Fitted(place), Value::List(items)) => *place(scene) = fit::read(items)?,
+            (Kind::Setting(setting), value) => (setting.read)(scene, value)
+                .map_err(|fault| ValueError { item: fault.item, ..ValueError::new(fault.found, self.remedy()) })?,
             (Kind::Steps(place), Value::List(items)) => {
                 let text = |item: &Value| if let Value::Text(text) = item { Some(text.clone()) } else { None };
                 let texts = items.iter().map(text).collect::<Option<Vec<_>>>().ok_or_else(|| self.wrong_type(value))?;
@@ -85,9 +81,8 @@ impl Key {
         if !self.is_of_space() && !self.belongs_to(scene) {
             return Err(self.foreign(scene));
         }
-        let range = self.range().unwrap_or(Range::Positive);
         let found = Measured { value: number, unit: self.unit() };
-        range.check(found).map_err(|wrong| {
+        self.range().check(found).map_err(|wrong| {
             let found = match wrong {
                 ModelErrorKind::OutOfRange { .. } if self.unit() == Dimension::Angle.unit() => {
                     format!("is {}, which is out of range", angle_text(number))
@@ -108,15 +103,14 @@ impl Key {
         Ok(())
     }
 
-    /// What its number may be; nothing where it takes none.
-    pub fn range(&self) -> Option<Range> {
-        Some(match self.kind {
+    /// What its number may be.
+    pub(crate) fn range(&self) -> Range {
+        match self.kind {
             Kind::Number(range, _) | Kind::Share(range, _) | Kind::Measure(_, range, _) => range,
-            Kind::Quantity(..) | Kind::Bound(..) => Range::Positive,
             Kind::Count(_) => Range::From(1.0, 1e9),
             Kind::Fixed(most, _) => Range::From(1.0, most as f64),
-            _ => return None,
-        })
+            _ => Range::Positive,
+        }
     }
 
     /// Puts a number with or without a unit into the scene, whatever it is; says whether the key takes one.
@@ -146,8 +140,12 @@ impl Key {
 
     /// What the scene holds for this key; nothing for a bound that is not set.
     pub fn value(&self, scene: &Scene) -> Option<Value> {
+        if let Kind::Setting(setting) = self.kind {
+            return (setting.write)(scene);
+        }
         let mut scene = scene.clone();
         Some(match self.kind {
+            Kind::Setting(_) => return None,
             Kind::Text(place) => Value::Text(place(&mut scene).clone()),
             Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => {
                 Value::Number(*place(&mut scene))
@@ -171,9 +169,6 @@ impl Key {
             Kind::Section(place) => Value::Text(word(SECTIONS, *place(&mut scene))),
             Kind::Start(place) => Value::Text(word(STARTS, *place(&mut scene))),
             Kind::Terms(place) => Value::Text(word(TERMS, *place(&mut scene))),
-            Kind::Fitted(place) => fit::written(place(&mut scene)),
-            Kind::Loss(place) => Value::Text(word(LOSSES, *place(&mut scene))),
-            Kind::Profile(place) => Value::Text(word(PROFILES, *place(&mut scene))),
             Kind::Steps(place) => {
                 Value::List(place(&mut scene).iter().map(|step| Value::Text(step.to_string())).collect())
             }

@@ -2,7 +2,6 @@
 
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions};
 use super::{Key, Kind, Need};
-use crate::fit::{LOSSES, PROFILES};
 use crate::scene::Scene;
 use crate::shape;
 use crate::value::quantity::Dimension;
@@ -28,11 +27,12 @@ impl Key {
         if self.need == Need::Required {
             return "required".into();
         }
-        match (&self.kind, self.value(&Scene::empty(""))) {
+        match (&self.kind, self.value(&Scene::of_defaults())) {
             (Kind::Text(_), _) => "file name".into(),
             (Kind::Fixed(..) | Kind::Share(..), _) => "automatic".into(),
             (Kind::Bound(..), None) => "none".into(),
-            (Kind::Steps(_) | Kind::Fitted(_), _) => "[]".into(),
+            (Kind::Steps(_), _) => "[]".into(),
+            (Kind::Setting(_), Some(Value::List(items))) if items.is_empty() => "[]".into(),
             (_, Some(Value::Number(angle))) if self.dimension() == Some(Dimension::Angle) => angle_text(angle),
             // an angle per length of zero is that in any unit
             (_, Some(Value::Number(0.0))) if !self.unit().is_empty() => format!("0 {}", self.usual_unit()),
@@ -61,7 +61,8 @@ impl Key {
             Kind::Flag(_) | Kind::InSpace => "true, false".into(),
             Kind::Table(_) | Kind::Heights(_) => "CSV, or its file".into(),
             Kind::Pieces(_) => "list of tables".into(),
-            Kind::Steps(_) | Kind::Fitted(_) => "list of texts".into(),
+            Kind::Steps(_) => "list of texts".into(),
+            Kind::Setting(setting) => setting.brief.into(),
             _ => self.choices().join(", "),
         }
     }
@@ -79,8 +80,6 @@ impl Key {
             Kind::Start(_) => words(STARTS),
             Kind::Terms(_) => words(TERMS),
             Kind::Shape(_) => words(&shape::names()),
-            Kind::Loss(_) => words(LOSSES),
-            Kind::Profile(_) => words(PROFILES),
             _ => Vec::new(),
         }
     }

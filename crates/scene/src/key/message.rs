@@ -3,7 +3,6 @@
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, words};
 use super::{Key, Kind};
 use crate::error::{ValueError, one_line};
-use crate::fit::{self, LOSSES, PROFILES};
 use crate::near::nearest;
 use crate::shape;
 use crate::value::pieces;
@@ -40,9 +39,7 @@ impl Key {
             Kind::Start(_) => words(STARTS),
             Kind::Terms(_) => words(TERMS),
             Kind::Steps(_) => steps::TAKES.into(),
-            Kind::Fitted(_) => fit::TAKES.into(),
-            Kind::Loss(_) => words(LOSSES),
-            Kind::Profile(_) => words(PROFILES),
+            Kind::Setting(setting) => setting.takes.into(),
             Kind::Pieces(_) => pieces::TAKES.into(),
             Kind::Shape(_) => words(&shape::names()),
             Kind::Heights(_) => {
@@ -56,6 +53,7 @@ impl Key {
     /// A value that is right, as it stands in a scene.
     pub fn example(&self) -> &'static str {
         match (self.name, &self.kind) {
+            (_, Kind::Setting(setting)) => setting.example,
             ("length" | "wavelength", _) => "\"100 nm\"",
             ("radius", _) => "\"200 nm\"",
             ("height", _) => "\"10 nm\"",
@@ -93,9 +91,6 @@ impl Key {
             (_, Kind::LineLoad(_)) => "\"full\"",
             (_, Kind::Hold(_)) => "\"fixed\"",
             (_, Kind::Steps(_)) => "[\"press 0.1 nm\", \"turn 1 deg\", \"hold\"]",
-            (_, Kind::Fitted(_)) => "[\"strip.youngs_modulus from 1 GPa to 5 GPa\"]",
-            (_, Kind::Loss(_)) => "\"huber\"",
-            (_, Kind::Profile(_)) => "\"all\"",
             (_, Kind::Section(_)) => "\"ellipse\"",
             (_, Kind::Start(_)) => "\"conformed\"",
             (_, Kind::Terms(_)) => "\"auto\"",

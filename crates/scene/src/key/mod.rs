@@ -7,7 +7,7 @@ mod listing;
 mod message;
 mod title;
 
-pub use kind::{Kind, Need};
+pub use kind::{Kind, Need, Setting};
 
 use crate::bodies::{BODIES, body_of};
 use crate::error::ValueError;
@@ -15,6 +15,7 @@ use crate::fit;
 use crate::scene::Scene;
 use crate::shape;
 use crate::space;
+use crate::uncertainty;
 use peelkit::model::{Body, ProfileForm};
 
 /// A key of a scene.
@@ -42,6 +43,8 @@ impl Key {
     /// shape, nor one of space in the plane.
     pub fn belongs_to(&self, scene: &Scene) -> bool {
         match self.table {
+            fit::TABLE => scene.fit.is_some(),
+            uncertainty::TABLE => scene.uncertainty.is_some(),
             _ if self.is_of_space() && scene.model.space.is_none() => false,
             shape::TABLE => shape::has(&scene.model.ground.substrate, self.name),
             table if !BODIES.contains(&table) => true,
@@ -52,11 +55,6 @@ impl Key {
                 _ => table == body_of(scene),
             },
         }
-    }
-
-    /// Whether it belongs to the scene and stands in it: a table of what is done with a scene stands there only where its text gives it.
-    pub fn stands_in(&self, scene: &Scene) -> bool {
-        self.belongs_to(scene) && (self.table != fit::TABLE || scene.fit.is_some())
     }
 
     /// Whether a profile that has this form and table already may be given the key: it takes a table or pieces, and not both.
@@ -86,6 +84,12 @@ impl Key {
     pub fn foreign(&self, scene: &Scene) -> ValueError {
         if self.table == shape::TABLE {
             return shape::foreign(&scene.model.ground.substrate, self.name);
+        }
+        if self.table == fit::TABLE {
+            return ValueError::new(
+                "is a key of [fit], a table that the scene does not have",
+                "Add the table [fit] to the scene.",
+            );
         }
         let body = body_of(scene);
         if self.is_of_space() && (self.table == body || !BODIES.contains(&self.table)) {
@@ -128,9 +132,14 @@ impl Key {
         matches!(self.kind, Kind::Count(_) | Kind::Fixed(..))
     }
 
+    /// Whether its number is written without a decimal point.
+    pub fn is_written_whole(&self, number: f64) -> bool {
+        self.is_count() || matches!(self.kind, Kind::Setting(_)) && number.fract() == 0.0
+    }
+
     /// Whether its values are TOML strings.
     pub(crate) fn is_text(&self) -> bool {
         let plain = matches!(self.kind, Kind::Number(..) | Kind::Share(..) | Kind::Flag(_) | Kind::InSpace);
-        !plain && !matches!(self.kind, Kind::Steps(_) | Kind::Pieces(_) | Kind::Fitted(_)) && !self.is_count()
+        !plain && !matches!(self.kind, Kind::Steps(_) | Kind::Pieces(_) | Kind::Setting(_)) && !self.is_count()
     }
 }
