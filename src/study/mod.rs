@@ -35,6 +35,7 @@ pub use peeling::{checked, peel, peel_on};
 pub use power_law::power_law;
 pub use rod::{RodFailure, RodLimitPoint, RodPath, follow_rod};
 pub use sensitivity::*;
+use sensitivity::{ForceOnBranch, forces_on_branch};
 pub use states::{BeamState, SectionFields, SpatialSectionFields, StateSections};
 pub use stop_criteria::{Bound, Stage, StopCheck, StopCriteria, StopReason};
 pub use sweep::*;

@@ -51,8 +51,6 @@ pub enum NoFit {
     NoStart(String),
     #[error("the curve cannot be differentiated: {0}")]
     NoDerivatives(#[from] NoSensitivities),
-    #[error("the search for the best parameters stopped before its first step: {0}")]
-    NoSearch(String),
 }
 
 impl NoFit {
@@ -68,7 +66,6 @@ impl NoFit {
                 "Try `peel run` with the scene. Set its parameters near to the measured curve, or raise its [bounds]."
             }
             Self::NoDerivatives(_) => "Omit what the message names, or do not fit this parameter.",
-            Self::NoSearch(_) => "Set the parameters of the scene nearer to the measured curve.",
         };
         remedy.to_owned()
     }

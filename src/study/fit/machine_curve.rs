@@ -35,6 +35,8 @@ pub(super) struct MachineCurve {
     /// U and P where the path begins
     pub start: (f64, f64),
     pub end: BranchEnd,
+    /// The branch is solved for up to here, nm: next to a limit point of u, where its slope is not infinite yet
+    furthest: f64,
 }
 
 /// One step of the path, by a label that is 0 at its beginning.
@@ -50,6 +52,8 @@ struct Step {
 
 /// Places of a step at which the slope of U is looked at.
 const LOOKS: usize = 32;
+/// How far before a limit point of u the branch is solved for, over its place.
+const BEFORE_LIMIT: f64 = 1e-7;
 /// How sharp a place is looked for, over a step.
 const SHARP: f64 = 1e-15;
 
@@ -60,7 +64,12 @@ impl MachineCurve {
         let compliance = peel.model.grip.stiffness.map_or(0.0, f64::recip);
         let turn = peel.limit_points.iter().find(|point| point.kind == LimitPointKind::Displacement);
         let last = turn.map_or(history.points.len().checked_sub(2)?, |turn| turn.after);
+        let furthest = match turn {
+            Some(turn) => turn.displacement - BEFORE_LIMIT * turn.displacement.abs(),
+            None => history.points.last()?.observables.displacement,
+        };
         let mut curve = Self {
+            furthest,
             steps: Vec::with_capacity(last + 1),
             compliance,
             start: (0.0, 0.0),
@@ -102,7 +111,13 @@ impl MachineCurve {
         let is_before = |label: f64| step.machine_at(label, self.compliance).0 < machine;
         let narrow = SHARP * step.until;
         let label = Bracket { low: 0.0, high: step.until }.bisected(is_before, |left| left.width() <= narrow).middle();
-        step.at(label)
+        let at = step.at(label);
+        BranchPoint { grip: at.grip.min(self.furthest), ..at }
+    }
+
+    /// u of the grip where the branch ends, as far as it is solved for, nm.
+    pub fn last_grip(&self) -> f64 {
+        self.end.at.grip.min(self.furthest)
     }
 
     /// dP/dU at a point of it, nN/nm.

@@ -3,8 +3,8 @@
 use super::machine_curve::{BranchPoint, MachineCurve};
 use super::result::PointPlace;
 
-/// The branch is taken to end this share of its length before its jump, where its slope becomes infinite.
-const EDGE: f64 = 1e-5;
+/// The branch is taken to end this share of its length before its jump: there its slope becomes infinite, and what is interpolated of it good to few digits.
+const EDGE: f64 = 1e-3;
 
 /// What the model says of one measured point.
 ///
@@ -19,8 +19,6 @@ pub(super) struct Modelled {
     pub slope: f64,
     /// The point of the branch of which that was made
     at: BranchPoint,
-    /// dP/dU there
-    machine_slope: f64,
 }
 
 impl Modelled {
@@ -42,7 +40,7 @@ impl Modelled {
             PointPlace::OnBranch => (at.force, machine_slope),
             PointPlace::BehindJump => (at.force, 0.0),
         };
-        Self { place, force, slope, at, machine_slope }
+        Self { place, force, slope, at }
     }
 
     /// u of the grip at the point of the branch, nm.
@@ -52,16 +50,16 @@ impl Modelled {
 
     /// dP/dx at the measured displacement.
     pub fn derivative(&self, curve: &MachineCurve, change: &Change) -> f64 {
-        let at = &self.at;
-        let held = (change.force - at.slope * at.force * change.compliance) / (1.0 + curve.compliance * at.slope);
+        let stiffness = 1.0 + curve.compliance * change.slope;
+        let held = (change.force - change.slope * self.at.force * change.compliance) / stiffness;
         let force_at_start = curve.start.1;
         match self.place {
             PointPlace::OnBranch => held,
             PointPlace::BeforeStart => {
                 let start = change.compliance * force_at_start + curve.compliance * change.force_at_start;
-                2.0 * change.force_at_start - held - 2.0 * self.machine_slope * start
+                2.0 * change.force_at_start - held - 2.0 * change.slope / stiffness * start
             }
-            PointPlace::BehindJump => held + self.machine_slope * change.jump,
+            PointPlace::BehindJump => held + change.slope / stiffness * change.jump,
         }
     }
 }
@@ -71,6 +69,8 @@ impl Modelled {
 pub(super) struct Change {
     /// dP/dx at the point's displacement of the grip
     pub force: f64,
+    /// dP/du there, nN/nm: of the same solution, because the two grow beyond bounds together at a limit point
+    pub slope: f64,
     /// dP/dx where the path begins
     pub force_at_start: f64,
     /// d(1/k)/dx

@@ -3,6 +3,7 @@
 use super::residuals::{Evaluator, Trial, Weights};
 use super::result::Profile;
 use super::search::search;
+use super::statistics::Covariance;
 use std::sync::Arc;
 
 /// Step over the half interval of the standard error.
@@ -18,6 +19,8 @@ pub(super) struct Least<'a> {
     pub weights: &'a Weights,
     pub best: &'a Arc<Trial>,
     pub sum: f64,
+    /// Along which the others go with the one that is held
+    pub covariance: &'a Covariance,
     /// Excess of the sum that ends the interval: the square of the half interval in standard errors
     pub level: f64,
 }
@@ -50,6 +53,10 @@ impl Least<'_> {
                 break;
             }
             let mut x = before.x.clone();
+            for other in 0..x.len() {
+                let (low, high) = self.evaluator.coordinates[other].bounds();
+                x[other] = (x[other] + self.covariance.follows(other, index) * (to - from)).clamp(low, high);
+            }
             x[index] = to;
             let Ok(start) = self.evaluator.trial(&x) else { break };
             let found = search(self.evaluator, self.weights, &Arc::new(start), &others);

@@ -101,7 +101,9 @@ fn weighted_search(evaluator: &Evaluator, start: &Arc<Trial>, count: usize) -> R
     let mut weights = evaluator.weights(estimated);
     let free: Vec<usize> = (0..count).collect();
     let mut best = start.clone();
-    for weightings in 1.. {
+    let mut weightings = 0;
+    loop {
+        weightings += 1;
         let found = search(evaluator, &weights, &best, &free);
         let moved = &found.best.x - &best.x;
         best = found.best.clone();
@@ -125,7 +127,6 @@ fn weighted_search(evaluator: &Evaluator, start: &Arc<Trial>, count: usize) -> R
         }
         weights = next;
     }
-    Err(NoFit::NoSearch("no search was made".into()))
 }
 
 /// The result with its statistics.
@@ -140,7 +141,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     };
     let plain = Weights { robust: vec![1.0; weights.errors.len()], ..weights.clone() };
     let jacobian = evaluator.jacobian(&evaluator.derivatives(&best)?, &plain);
-    let (standardised, jump_residual) = evaluator.standardised(&best, &plain);
+    let (standardised, _) = evaluator.standardised(&best, &plain);
     let inside = (0..count).filter(|&k| evaluator.coordinates[k].at_bound(best.x[k]).is_none()).collect();
     let factor = options.loss.covariance_factor(&standardised, count);
     let covariance = Covariance::new(&jacobian, inside, factor);
@@ -169,7 +170,14 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     let mut parameters: Vec<FittedParameter> = (0..count).map(parameter).collect();
     let poor: Vec<bool> = parameters.iter().map(|parameter| parameter.poorly_determined).collect();
     if end == FitEnd::Converged {
-        let least = Least { evaluator, weights: &weights, best: &best, sum: found.sum, level: factor * half * half };
+        let least = Least {
+            evaluator,
+            weights: &weights,
+            best: &best,
+            sum: found.sum,
+            covariance: &covariance,
+            level: factor * half * half,
+        };
         let wanted = |k: &usize| match options.profile {
             ProfileChoice::All => true,
             ProfileChoice::Poor => poor[*k],
@@ -194,7 +202,6 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
         let zero = zero_of(evaluator, trial);
         trial.curve.points(PER_STEP).into_iter().map(|(u, force)| (u + zero, force)).collect()
     };
-    debug_assert_eq!(jump_residual.is_some(), evaluator.jump().is_some());
     Ok(Fit {
         correlations: (0..count).map(row).collect(),
         combinations: combinations(&covariance, &evaluator.coordinates),

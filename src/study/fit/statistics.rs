@@ -44,6 +44,14 @@ impl Covariance {
         Some(self.matrix[(place, place)].max(0.0).sqrt())
     }
 
+    /// How far one coordinate goes with another that is moved by 1, where the sum of squares is least: their covariance over the variance of the
+    /// other; 0 at a bound.
+    pub fn follows(&self, one: usize, other: usize) -> f64 {
+        let place = |index: usize| self.of.iter().position(|&own| own == index);
+        let (Some(a), Some(b)) = (place(one), place(other)) else { return 0.0 };
+        self.matrix[(a, b)] / self.matrix[(b, b)]
+    }
+
     /// Correlation of two coordinates; none at a bound.
     pub fn correlation(&self, one: usize, other: usize) -> Option<f64> {
         let place = |index: usize| self.of.iter().position(|&own| own == index);

@@ -27,6 +27,26 @@ pub fn force_derivatives(
     displacements: &[f64],
     variations: &[Variation],
 ) -> Result<Vec<(f64, Vec<f64>)>, NoSensitivities> {
+    let found = forces_on_branch(peel, displacements, variations)?;
+    Ok(found.into_iter().map(|at| (at.force, at.derivatives)).collect())
+}
+
+/// The force at a displacement.
+pub(in crate::study) struct ForceOnBranch {
+    /// P, nN
+    pub force: f64,
+    /// dP/du, nN/nm
+    pub slope: f64,
+    /// dP/dx with the displacement held, one a variation
+    pub derivatives: Vec<f64>,
+}
+
+/// The same with the slope of the force, at the same solutions.
+pub(in crate::study) fn forces_on_branch(
+    peel: &Peel,
+    displacements: &[f64],
+    variations: &[Variation],
+) -> Result<Vec<ForceOnBranch>, NoSensitivities> {
     let history = solutions(peel)?;
     let problem = &history.problem;
     let turn = peel.limit_points.iter().find(|point| point.kind == LimitPointKind::Displacement);
@@ -46,17 +66,17 @@ pub fn force_derivatives(
         let start = interpolated(problem, &history.points, next.saturating_sub(1), displacement);
         let found = solved(problem, start, Held::Displacement, displacement, &mut ws).map_err(not_solved)?;
         let adjoint = Adjoint::new(problem, &found.at, Held::Displacement, &mut ws).map_err(not_solved)?;
-        Ok((found.observables.force, adjoint))
+        Ok((found.observables.force, found.slope.force, adjoint))
     };
-    let points: Vec<(f64, Adjoint)> = displacements.par_iter().map(adjoint).collect::<Result<_, _>>()?;
+    let points: Vec<(f64, f64, Adjoint)> = displacements.par_iter().map(adjoint).collect::<Result<_, _>>()?;
     let (base, how) = (Beside::base(problem, &peel.model), discretisation(peel));
     let column = |variation: &Variation| -> Result<Vec<f64>, NoSensitivities> {
         let beside = Stencil::beside(variation, &base, how)?;
         let stencil = Stencil::new(&base, &beside);
-        if points.iter().any(|(_, point)| !stencil.has_unknowns_of(&point.at)) {
+        if points.iter().any(|(.., point)| !stencil.has_unknowns_of(&point.at)) {
             return Err(NoSensitivities::AnotherKind { key: variation.key.clone() });
         }
-        let one = |(_, point): &(f64, Adjoint)| {
+        let one = |(.., point): &(f64, f64, Adjoint)| {
             let value = stencil.force(point).estimate().value;
             let not_finite = || NoSensitivities::NotFinite { key: variation.key.clone(), of: "the force" };
             if value.is_finite() { Ok(value) } else { Err(not_finite()) }
@@ -64,7 +84,12 @@ pub fn force_derivatives(
         points.iter().map(one).collect()
     };
     let columns: Vec<Vec<f64>> = variations.par_iter().map(column).collect::<Result<_, _>>()?;
-    Ok(points.iter().enumerate().map(|(k, (force, _))| (*force, columns.iter().map(|c| c[k]).collect())).collect())
+    let on_branch = |(k, (force, slope, _)): (usize, &(f64, f64, Adjoint))| ForceOnBranch {
+        force: *force,
+        slope: *slope,
+        derivatives: columns.iter().map(|column| column[k]).collect(),
+    };
+    Ok(points.iter().enumerate().map(on_branch).collect())
 }
 
 /// A state between solutions of a path at a displacement that the step behind `points[index]` comes to first: the curve may be steep, and bends

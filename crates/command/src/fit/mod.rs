@@ -66,7 +66,10 @@ pub fn fit(args: &Fit) -> Result<(), Stop> {
     let stop = || interrupt.ends(scene.bounds.from_now());
     let (found, solve_s) = timed(|| study::fit(&problem, &measured, &table.options, &scene.accuracy, &stop));
     bar.finish_and_clear();
-    let fit = found.map_err(|why| of_scene(&args.scene.path, &why))?;
+    let fit = match found {
+        Err(_) if interrupt.asked() => return Err(Stop::cut_short("interrupted before anything was found")),
+        found => found.map_err(|why| of_scene(&args.scene.path, &why))?,
+    };
     let report = FitReport { scene: &scene, file: &file, measured: &measured, fit: &fit, solve_s };
     let command = command_line();
     let summary = FitSummary::new(&report).with_command(&command);
