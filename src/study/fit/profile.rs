@@ -8,6 +8,8 @@ use std::sync::Arc;
 
 /// Step over the half interval of the standard error.
 const STEP: f64 = 0.5;
+/// Longest step over the way between the bounds: a parameter that is hardly determined has a standard error beyond all bounds.
+const LONGEST: f64 = 0.02;
 /// Most steps to a side.
 const MOST: usize = 24;
 /// A step grows by this where the sum has hardly risen.
@@ -45,7 +47,8 @@ impl Least<'_> {
         let (low, high) = self.evaluator.coordinates[index].bounds();
         let others: Vec<usize> = (0..self.evaluator.coordinates.len()).filter(|&other| other != index).collect();
         let mut points: Vec<(f64, f64)> = Vec::new();
-        let (mut before, mut step) = (self.best.clone(), STEP * half);
+        let longest = LONGEST * (high - low);
+        let (mut before, mut step) = (self.best.clone(), (STEP * half).clamp(-longest, longest));
         for _ in 0..MOST {
             let from = before.x[index];
             let to = (from + step).clamp(low, high);
