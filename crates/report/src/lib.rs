@@ -31,7 +31,9 @@ pub use folder::{Existing, OutputFolder};
 pub use names::{end_reason, end_word, form_word, jump_word, test_end_reason, test_end_word};
 pub use number::{Finite, to_json};
 pub use parameters_file::write_parameters;
-pub use pictures::{draw_followed, draw_observed, draw_peel, draw_peel_with_branch, draw_plane, draw_sweep};
+pub use pictures::{
+    draw_followed, draw_observed, draw_peel, draw_peel_with_branch, draw_plane, draw_sensitivities, draw_sweep,
+};
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
 pub use summary::{PeelSummary, SCHEMA, SweepSummary, VERSION, ground_warning, left_out, why_kept};
 pub use sweep_row::SweepRow;

@@ -15,6 +15,7 @@ mod error;
 mod key;
 mod keys;
 mod near;
+mod parameters;
 mod scene;
 mod shape;
 mod space;

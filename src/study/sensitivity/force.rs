@@ -28,7 +28,7 @@ pub fn force_derivatives(
     let most = most.or_else(|| branch.last().map(|point| point.observables.displacement)).unwrap_or(0.0);
     let adjoint = |&displacement: &f64| {
         let missing = NoSensitivities::NotOnBranch { displacement, most };
-        if !(displacement <= most) {
+        if displacement.is_nan() || displacement > most {
             return Err(missing);
         }
         let next = branch.partition_point(|point| point.observables.displacement <= displacement);

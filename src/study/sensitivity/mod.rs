@@ -18,6 +18,7 @@ mod carried;
 mod differences;
 mod error;
 mod force;
+mod logarithmic;
 mod point;
 mod quantity;
 mod residual_change;
@@ -25,6 +26,7 @@ mod run;
 
 pub use error::NoSensitivities;
 pub use force::force_derivatives;
+pub use logarithmic::Exponent;
 pub use quantity::PeelQuantity;
 pub use run::{Sensitivities, sensitivities};
 

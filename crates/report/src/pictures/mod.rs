@@ -8,6 +8,7 @@ mod observed;
 pub mod peel;
 mod plane;
 mod projection;
+mod sensitivities;
 mod shapes;
 pub mod sweep;
 
@@ -15,4 +16,5 @@ pub use followed::draw_followed;
 pub use observed::draw_observed;
 pub use peel::{draw_peel, draw_peel_with_branch};
 pub use plane::draw_plane;
+pub use sensitivities::{bars, draw_sensitivities};
 pub use sweep::draw_sweep;

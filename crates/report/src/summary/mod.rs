@@ -11,6 +11,7 @@ mod out_of_plane;
 mod parameters;
 mod peel;
 mod place;
+mod sensitivities;
 mod sliding;
 mod sweep;
 mod term_summary;

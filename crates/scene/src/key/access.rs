@@ -98,8 +98,7 @@ impl Key {
             ValueError::new(found, self.remedy())
         })?;
         match self.kind {
-            Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => *place(scene) = number,
-            Kind::Bound(_, place) | Kind::Share(_, place) => *place(scene) = Some(number),
+            _ if self.put_number(scene, number) => {}
             Kind::Count(_) | Kind::Fixed(..) if number.fract() != 0.0 => {
                 return Err(ValueError::new(format!("is {found}, which is not whole"), self.remedy()));
             }
@@ -108,6 +107,16 @@ impl Key {
             _ => return Err(ValueError::new("is not a number", self.remedy())),
         }
         Ok(())
+    }
+
+    /// Puts a number with or without a unit into the scene, whatever it is; says whether the key takes one.
+    pub(crate) fn put_number(&self, scene: &mut Scene, number: f64) -> bool {
+        match self.kind {
+            Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => *place(scene) = number,
+            Kind::Bound(_, place) | Kind::Share(_, place) => *place(scene) = Some(number),
+            _ => return false,
+        }
+        true
     }
 
     /// Reads a text of the command line as a number of this key, in the unit of the library.
