@@ -2,11 +2,8 @@
 
 use super::options::OptimisationOptions;
 use super::problem::{DesignProblem, Factor};
-use crate::model::PeelModel;
-use crate::study::{
-    Accuracy, Choice, Derivative, PathEnd, Peel, PeelQuantity, Spacing, StopCriteria, Terms, Variation, peel,
-    sensitivities,
-};
+use super::search_path::SearchPath;
+use crate::study::{Derivative, Peel, Spacing, Variation, peel, sensitivities};
 
 /// What was found of one design. A design whose peel has no such number, or that cannot be computed, has no value.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,36 +23,17 @@ pub(super) struct Precise {
     pub errors: Vec<f64>,
 }
 
-/// Evaluates designs alike, whatever was evaluated before: on the mesh of the design at the start, and for an initiation peak as far as
-/// a few times its displacement there.
+/// Evaluates designs.
 pub(super) struct Evaluator<'p> {
     problem: &'p DesignProblem<'p>,
     options: &'p OptimisationOptions<'p>,
     factors: Vec<(Factor, SearchPath)>,
 }
 
-/// How the peel of a factor is computed in the search.
-#[derive(Clone, Copy)]
-struct SearchPath {
-    elements: usize,
-    /// nm; none: to the end of the path
-    displacement: Option<f64>,
-}
-
-/// A path is followed this many times as far as the peak of the start is.
-const BEYOND_PEAK: f64 = 3.0;
-/// A mesh is as good as that of the start where its error is not this many times what was asked for.
-const WORSE_MESH: f64 = 10.0;
-
 impl<'p> Evaluator<'p> {
     /// From the peels of the start.
     pub fn new(problem: &'p DesignProblem<'p>, options: &'p OptimisationOptions<'p>, start: &[Peel]) -> Self {
-        let path = |(factor, peel): (Factor, &Peel)| {
-            let of_peak =
-                matches!(factor.of, PeelQuantity::InitiationPeakForce | PeelQuantity::InitiationPeakDisplacement);
-            let peak = peel.initiation_peak.filter(|_| of_peak).map(|peak| BEYOND_PEAK * peak.displacement);
-            (factor, SearchPath { elements: peel.effort.elements, displacement: peak })
-        };
+        let path = |(factor, peel): (Factor, &Peel)| (factor, SearchPath::new(factor.of, peel));
         let factors = problem.objective.factors().into_iter().zip(start).map(path).collect();
         Self { problem, options, factors }
     }
@@ -71,7 +49,7 @@ impl<'p> Evaluator<'p> {
         let model = self.problem.model_at(coordinates)?;
         let (mut sum, mut gradient) = (0.0, vec![0.0; if with_gradient { coordinates.len() } else { 0 }]);
         for (factor, path) in &self.factors {
-            let peel = self.peel(&factor.model(model.clone()), factor.of, path);
+            let peel = path.peel(&factor.model(model.clone()), self.options);
             let value = factor.of.value(&peel).filter(|&value| value > 0.0)?;
             sum += factor.power * value.ln();
             if with_gradient {
@@ -97,21 +75,6 @@ impl<'p> Evaluator<'p> {
             }
         }
         Some(sum)
-    }
-
-    /// The peel in which the search looks for a number: on another mesh or to its end only where the number is not found otherwise.
-    fn peel(&self, model: &PeelModel, of: PeelQuantity, path: &SearchPath) -> Peel {
-        let Accuracy { relative, choice, .. } = self.options.search;
-        let accuracy = Accuracy { relative, choice, terms: Terms::All };
-        let fixed = accuracy.with(Choice { elements: Some(path.elements), ..choice });
-        let stop = || (self.options.stop)();
-        let short = || StopCriteria { displacement: path.displacement.or(stop().displacement), ..stop() };
-        let found = peel(model, &fixed, &short());
-        let good = found.reached_accuracy().is_some_and(|reached| reached <= WORSE_MESH * relative);
-        if good && of.value(&found).is_some() && !matches!(found.end, PathEnd::Failed(_)) {
-            return found;
-        }
-        peel(model, &accuracy, &stop())
     }
 }
 

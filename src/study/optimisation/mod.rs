@@ -12,6 +12,7 @@ mod refine;
 mod result;
 mod run;
 mod search;
+mod search_path;
 mod sequential_quadratic;
 mod starts;
 pub use certificate::{ActiveConstraint, Certificate, DerivativeFreeCheck, Neighbours};
