@@ -18,6 +18,7 @@ mod states;
 mod stop_criteria;
 mod sweep;
 mod terms;
+pub mod uncertainty;
 mod warnings;
 pub use crate::solve::LimitPointKind;
 /// Order of the elements with which a point is followed.

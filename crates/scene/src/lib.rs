@@ -20,15 +20,17 @@ mod scene;
 mod shape;
 mod space;
 mod to_toml;
+mod uncertainty;
 mod value;
 
 pub use bodies::{BODIES, body_of};
 pub use bounds::BoundsTable;
 pub use error::{SceneError, ValueError};
-pub use key::{Key, Kind, Need};
+pub use key::{Key, Kind, Need, Setting};
 pub use keys::{KEYS, find_key, tables};
 pub use peelkit::model::Range;
 pub use scene::{Scene, TableTexts};
+pub use uncertainty::{CorrelatedKeys, UncertainKey, UncertaintyTable};
 pub use value::Value;
 pub use value::quantity::{Comma, Dimension, QuantityError, parse_quantity};
 pub use value::table::{CsvError, parse_heights, parse_profile};
