@@ -3,6 +3,7 @@
 use super::error::{Origin, SceneError, ValueError};
 use super::key::{Key, Kind, Need};
 use super::keys::KEYS;
+use super::optimisation;
 use super::scene::Scene;
 use super::uncertainty;
 use std::collections::HashSet;
@@ -38,7 +39,7 @@ impl Conflict {
             return Some(Self::missing(key, given, scene));
         }
         let Err(error) = scene.check() else {
-            let (key, problem) = uncertainty::problem(scene)?;
+            let (key, problem) = optimisation::problem(scene).or_else(|| uncertainty::problem(scene))?;
             return Some(Self { key, problem, missing: None });
         };
         Some(Self { key: error.key().to_owned(), problem: error.into(), missing: None })

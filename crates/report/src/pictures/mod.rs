@@ -11,6 +11,7 @@ mod projection;
 mod sensitivities;
 mod shapes;
 pub mod sweep;
+mod uncertainty;
 
 pub use followed::draw_followed;
 pub use observed::draw_observed;
@@ -18,3 +19,4 @@ pub use peel::{draw_peel, draw_peel_with_branch};
 pub use plane::draw_plane;
 pub use sensitivities::{bars, draw_sensitivities};
 pub use sweep::draw_sweep;
+pub use uncertainty::draw_uncertainty;
