@@ -40,7 +40,7 @@ pub use summary::{PeelSummary, SCHEMA, SweepSummary, UncertaintySummary, VERSION
 pub use sweep_row::SweepRow;
 pub use swept_keys::SweptKeys;
 pub use tables::{
-    SweepLine, work_to, write_branch, write_curve, write_followed, write_limit_points, write_observed, write_samples, write_sweep,
-    write_table, write_uncertainty,
+    SweepLine, work_to, write_branch, write_curve, write_followed, write_limit_points, write_observed, write_samples,
+    write_sweep, write_table, write_uncertainty,
 };
 pub use timing::timed;

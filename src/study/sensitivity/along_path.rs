@@ -13,9 +13,9 @@ const APART: f64 = 4e-3;
 /// How much nearer they are where they are not found, and how often that is tried.
 const NEARER: f64 = 0.25;
 const MOST_TRIES: usize = 4;
-/// Most that the logarithm of the displacement of a plateau changes per unit of a parameter's coordinate. Of a strip pulled at 60 degrees by a grip
-/// that holds it, it is 2.0 for the angle.
-const PLATEAU_MOVES: f64 = 4.0;
+/// Most that the logarithm of the displacement of a plateau is taken to change per unit of a parameter's coordinate. Of a strip 50 nm long pulled at 60
+/// degrees by a grip that holds it, it is 4.5 for the angle.
+const PLATEAU_MOVES: f64 = 16.0;
 
 /// An equilibrium at a limit point, or at a plateau, with what the derivatives there need.
 pub(super) struct AtPoint {

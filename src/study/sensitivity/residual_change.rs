@@ -7,7 +7,7 @@ use super::carried::Beside;
 use super::differences::{Change, STEP, STEPS};
 use super::point::Adjoint;
 use super::{NoSensitivities, Variation};
-use crate::model::Discretisation;
+use crate::model::{BeamProblem, Discretisation};
 use crate::solve::State;
 
 /// The model that was peeled, and those beside it in one parameter.
@@ -53,6 +53,15 @@ impl<'b> Stencil<'b> {
 
     /// ∂Π/∂x at an equilibrium with dΠ/du = `power`, nN, whose grip stays along the drive.
     pub fn energy(&self, at: &State, power: f64) -> Change {
+        self.energy_of(at, power, |_| 0.0)
+    }
+
+    /// The same where the path begins: its grip is where the beam is stress-free.
+    pub fn energy_at_start(&self, at: &State, power: f64) -> Change {
+        self.energy_of(at, power, |problem| problem.displacement(&problem.initial(at.mesh.elements())))
+    }
+
+    fn energy_of(&self, at: &State, power: f64, place: impl Fn(&BeamProblem) -> f64) -> Change {
         let mut scale = 0.0f64;
         let values = std::array::from_fn(|k| {
             let Some(at) = self.beside[k].carried(self.base, at) else { return f64::NAN };
@@ -60,7 +69,8 @@ impl<'b> Stencil<'b> {
             let direction = vec![0.0; problem.system.unknowns(&at)];
             let energy = problem.energy(&at, problem.system.evaluate(&at, &direction).0.energy);
             scale = scale.max(energy.abs());
-            energy - power * problem.grip.grip_displacement(&problem.system.interface_values(&at))
+            let moved = problem.grip.grip_displacement(&problem.system.interface_values(&at));
+            energy + power * (place(problem) - moved)
         });
         Change::between(values, scale)
     }

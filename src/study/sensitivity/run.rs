@@ -164,6 +164,10 @@ impl Place {
         let mut asked: Vec<(Option<usize>, Vec<PeelQuantity>)> = Vec::new();
         for &quantity in of.iter().filter(|quantity| quantity.value(peel).is_some()) {
             let number = quantity.limit_point(peel);
+            // without a potential a work is no difference of energies
+            if is_work(quantity) && !problem.system.is_conservative() {
+                continue;
+            }
             // a plateau without a bound may be another one with other parameters
             let plateau = quantity == PeelQuantity::PlateauForce && quantity.error(peel).is_some();
             if number.is_none() && !plateau {
@@ -221,7 +225,7 @@ impl Place {
             error: finer.error + DIFFERENCE_BOUND_FACTOR * (finer.value - own.value).abs(),
         };
         if is_work(of) {
-            found = found.plus(stencil.energy(&start.0, start.1).estimate().times(-1.0));
+            found = found.plus(stencil.energy_at_start(&start.0, start.1).estimate().times(-1.0));
         }
         found
     }

@@ -86,7 +86,8 @@ fn first_order(plan: &Plan, of: &SampledPeel, inputs: &[f64]) -> Option<Vec<Opti
         })
     };
     let variations: Vec<Variation> = (0..inputs.len()).map(variation).collect();
-    let is_inside = |input: usize| [1.0, -1.0].iter().all(|x| (of.model)(&moved(inputs, input, x * BESIDE * scale(input))).is_ok());
+    let is_inside =
+        |input: usize| [1.0, -1.0].iter().all(|x| (of.model)(&moved(inputs, input, x * BESIDE * scale(input))).is_ok());
     if !(0..inputs.len()).all(is_inside) {
         return None;
     }

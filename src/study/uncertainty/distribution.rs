@@ -56,8 +56,7 @@ pub enum NoDistribution {
 
 impl fmt::Display for Distribution {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let named: Vec<String> =
-            self.parameters().into_iter().map(|(name, value)| format!("{name} {value}")).collect();
+        let named: Vec<String> = self.parameters().into_iter().map(|(name, value)| format!("{name} {value}")).collect();
         write!(f, "{} with {}", self.name(), named.join(", "))
     }
 }
@@ -91,7 +90,8 @@ impl Distribution {
         if let Some((name, found)) = self.parameters().into_iter().find(|(_, value)| !value.is_finite()) {
             return Err(NoDistribution::NotFinite { name, found });
         }
-        let positive = |name, found| if found > 0.0 { Ok(()) } else { Err(NoDistribution::NotPositive { name, found }) };
+        let positive =
+            |name, found| if found > 0.0 { Ok(()) } else { Err(NoDistribution::NotPositive { name, found }) };
         match *self {
             Self::Normal { deviation, .. } => positive("deviation", deviation),
             Self::Lognormal { median, log_deviation } => {

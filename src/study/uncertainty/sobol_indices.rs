@@ -51,7 +51,8 @@ pub fn sobol_indices(design: &Design, values: &[Option<f64>]) -> Vec<SobolIndex>
         if sums.len() < 2 || sums.iter().map(|of| of.variance).sum::<f64>() <= 0.0 {
             return None;
         }
-        let of = |part: &dyn Fn(&Sums) -> f64| quotient(&sums.iter().map(|of| (part(of), of.variance)).collect::<Vec<_>>());
+        let of =
+            |part: &dyn Fn(&Sums) -> f64| quotient(&sums.iter().map(|of| (part(of), of.variance)).collect::<Vec<_>>());
         let total = of(&|of| of.total);
         let weight = total.value.clamp(0.0, 1.0);
         let first = of(&|of| (1.0 - weight) * of.saltelli + weight * of.jansen);

@@ -42,10 +42,18 @@ pub struct Propagation {
     pub deviation_difference: Estimate,
 }
 
+/// A difference to the sample that does not matter, over the standard deviation.
+const NEGLIGIBLE: f64 = 0.01;
+
 impl Propagation {
-    /// Whether it differs from what was sampled by more than chance explains.
+    /// Whether one of its differences to the sample is larger than chance explains, and large enough to matter.
     pub fn fails(&self) -> bool {
-        [self.mean_difference, self.deviation_difference].iter().any(|of| of.value.abs() > of.error)
+        [self.mean_difference, self.deviation_difference].iter().any(|difference| self.is_failure(difference))
+    }
+
+    /// Whether a difference to the sample is larger than its error and than 1 % of the standard deviation.
+    pub fn is_failure(&self, difference: &Estimate) -> bool {
+        difference.value.abs() > difference.error.max(NEGLIGIBLE * self.deviation)
     }
 }
 

@@ -8,6 +8,7 @@ mod peel;
 mod sensitivities;
 mod stability;
 mod sweep;
+mod uncertainty;
 mod units;
 
 pub use number::spaced;
@@ -15,4 +16,5 @@ pub use observed::observed;
 pub use peel::{peel, taken};
 pub use sensitivities::sensitivities;
 pub use sweep::{followed, sweep};
+pub use uncertainty::uncertainty;
 pub use units::{UnitsArgs, WantedUnits};

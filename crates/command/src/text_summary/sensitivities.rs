@@ -22,10 +22,7 @@ pub fn sensitivities(exponents: &[Exponent], keys: &[String], refused: &[(String
         text += &format!("\n  {}\n", names.join(", "));
         for exponent in group {
             let key = &keys[exponent.variation];
-            text += &format!(
-                "    {key:<width$}  {:>}\n",
-                signed(with_error(exponent.value, exponent.error), exponent.value)
-            );
+            text += &format!("    {key:<width$}  {}\n", signed(exponent.value, exponent.error));
         }
     }
     for (key, why) in refused {

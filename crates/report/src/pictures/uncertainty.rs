@@ -77,7 +77,11 @@ fn histogram(number: &NumberAnalysis, statistics: &Statistics, frame: Frame) -> 
     let bar = |(k, &count): (usize, &usize)| {
         let (left, right) = (from + k as f64 * width, from + (k + 1) as f64 * width);
         let top = density(count);
-        Shape { corners: vec![(left, 0.0), (right, 0.0), (right, top), (left, top)], colour: colour::BLUE, opacity: 0.7 }
+        Shape {
+            corners: vec![(left, 0.0), (right, 0.0), (right, top), (left, top)],
+            colour: colour::BLUE,
+            opacity: 0.7,
+        }
     };
     let highest = counts.iter().copied().map(density).fold(0.0, f64::max);
     let normal = number.propagations.iter().find(|of| of.order == Order::First && of.deviation > 0.0);
@@ -154,7 +158,12 @@ fn indices_panel(rows: &[IndexRow], frame: Frame) -> Panel {
             lines.push(Line { points, stroke: Stroke::solid(colour::INK, 1.2), name: None });
         }
     }
-    Panel { title: "sensitivity indices of Sobol, with errors of 95 %".into(), shapes, lines, ..Panel::new(frame, x, y) }
+    Panel {
+        title: "sensitivity indices of Sobol, with errors of 95 %".into(),
+        shapes,
+        lines,
+        ..Panel::new(frame, x, y)
+    }
 }
 
 /// A line that stands in the legend alone.
@@ -170,10 +179,8 @@ fn upright(x: f64, rows: usize, dash: Dash) -> Line {
 /// Name, and the number at the lower and the upper quantile of the input, the largest change first.
 fn alone_rows(analysis: &Analysis, number: &NumberAnalysis) -> Vec<(String, [f64; 2])> {
     let inputs = analysis.design.plan().inputs.iter();
-    let mut rows: Vec<(String, [f64; 2])> = inputs
-        .zip(&number.alone)
-        .filter_map(|(input, at)| Some((input.name.clone(), [at[0]?, at[1]?])))
-        .collect();
+    let mut rows: Vec<(String, [f64; 2])> =
+        inputs.zip(&number.alone).filter_map(|(input, at)| Some((input.name.clone(), [at[0]?, at[1]?]))).collect();
     rows.sort_by(|a, b| (b.1[1] - b.1[0]).abs().total_cmp(&(a.1[1] - a.1[0]).abs()));
     rows.truncate(MOST);
     rows
@@ -191,11 +198,8 @@ fn tornado(rows: &[(String, [f64; 2])], center: f64, number: &NumberAnalysis, fr
         shapes.push(bar(place, 0.0, center, *at_low, colour::ORANGE));
         shapes.push(bar(place, 0.0, center, *at_high, colour::BLUE));
     }
-    let percent = 100.0 * ALONE_AT;
-    let lines = vec![
-        named(colour::ORANGE, &format!("input at its quantile of {percent:.0} %")),
-        named(colour::BLUE, &format!("of {:.0} %", 100.0 - percent)),
-        upright(center, rows.len(), Dash::Dashed),
-    ];
-    Panel { title: "one input changed, all others at their means".into(), shapes, lines, ..Panel::new(frame, x, y) }
+    let (lower, upper) = (100.0 * ALONE_AT, 100.0 * (1.0 - ALONE_AT));
+    let title = format!("one input at its quantile of {lower:.0} % (orange) and of {upper:.0} % (blue), all others at their means");
+    let lines = vec![upright(center, rows.len(), Dash::Dashed)];
+    Panel { title, shapes, lines, ..Panel::new(frame, x, y) }
 }

@@ -64,7 +64,7 @@ pub const UNCERTAINTY_SUMMARY: &[OutputKey] = &[
     key("results[].propagation[].deviation", "its standard deviation"),
     like("results[].propagation[].mean_difference", "results[].mean", "mean of the polynomial less that of the result, at the same samples"),
     like("results[].propagation[].deviation_difference", "results[].mean", "the same of the standard deviations"),
-    key("results[].propagation[].fails", "whether one of the two differences is larger than its error"),
+    key("results[].propagation[].fails", "whether one of the two differences is larger than its error and than 1 % of the standard deviation"),
     key("results[].one_at_a_time", "the result where one input is at a quantile and all others at their means"),
     key("results[].one_at_a_time[].key", "the input"),
     key("results[].one_at_a_time[].from", "its quantile of 5 %"),

@@ -29,10 +29,8 @@ impl Key {
                 scene.table_texts.profile = text;
             }
             (Kind::Pieces(place), Value::List(items)) => {
-                let problem = |fault: Fault| ValueError {
-                    item: fault.item,
-                    ..ValueError::new(fault.found, self.remedy())
-                };
+                let problem =
+                    |fault: Fault| ValueError { item: fault.item, ..ValueError::new(fault.found, self.remedy()) };
                 *place(scene) = ProfileForm::Pieces(pieces::read(items).map_err(problem)?);
             }
             (Kind::Attraction(place), Value::Text(word)) => *place(scene) = self.pick(&attractions(), word)?,
@@ -41,10 +39,8 @@ impl Key {
             (Kind::Section(place), Value::Text(word)) => *place(scene) = self.pick(SECTIONS, word)?,
             (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
             (Kind::Terms(place), Value::Text(word)) => *place(scene) = self.pick(TERMS, word)?,
-            (Kind::Setting(setting), value) => (setting.read)(scene, value).map_err(|fault| ValueError {
-                item: fault.item,
-                ..ValueError::new(fault.found, self.remedy())
-            })?,
+            (Kind::Setting(setting), value) => (setting.read)(scene, value)
+                .map_err(|fault| ValueError { item: fault.item, ..ValueError::new(fault.found, self.remedy()) })?,
             (Kind::Steps(place), Value::List(items)) => {
                 let text = |item: &Value| if let Value::Text(text) = item { Some(text.clone()) } else { None };
                 let texts = items.iter().map(text).collect::<Option<Vec<_>>>().ok_or_else(|| self.wrong_type(value))?;

@@ -31,8 +31,12 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
         NoDesign::Twice { .. } => ("inputs", "Remove one of the two."),
         NoDesign::Distribution { .. } => ("inputs", "Give it other numbers."),
         NoDesign::Coefficient { .. } => ("correlations", "Two inputs that are one and the same are one input."),
-        NoDesign::WithItself { .. } | NoDesign::CorrelatedTwice { .. } | NoDesign::NoSuchInput { .. } => ("correlations", "Remove it."),
-        NoDesign::Contradiction => ("correlations", "Make them smaller: no three inputs can be strongly correlated in contradictory ways."),
+        NoDesign::WithItself { .. } | NoDesign::CorrelatedTwice { .. } | NoDesign::NoSuchInput { .. } => {
+            ("correlations", "Remove it.")
+        }
+        NoDesign::Contradiction => {
+            ("correlations", "Make them smaller: no three inputs can be strongly correlated in contradictory ways.")
+        }
         NoDesign::TooFew { .. } => ("samples", "Give more samples, or indices = false."),
     };
     Some(at(name, ValueError::new(format!("cannot be used: {error}"), remedy)))
@@ -49,7 +53,10 @@ fn of_input(scene: &Scene, table: &UncertaintyTable, index: usize) -> Result<(),
     let key = find_key(&input.path)?;
     if !is_of_model(key) {
         let found = in_input(format!("{}, which is no number of the model", input.path));
-        return Err(ValueError::new(found, "Name a number of what is peeled, of its adhesion, grip, drive or substrate."));
+        return Err(ValueError::new(
+            found,
+            "Name a number of what is peeled, of its adhesion, grip, drive or substrate.",
+        ));
     }
     if !key.belongs_to(scene) {
         let foreign = key.foreign(scene);
@@ -78,7 +85,9 @@ fn inside(scene: &Scene, key: &Key, distribution: &Distribution) -> Result<(), V
     let outside = distribution.probability_outside(key.range());
     if outside > MOST_OUTSIDE {
         let instead = match distribution {
-            Distribution::Normal { .. } => "Use a smaller deviation, or a lognormal, uniform or triangular distribution that ends inside.",
+            Distribution::Normal { .. } => {
+                "Use a smaller deviation, or a lognormal, uniform or triangular distribution that ends inside."
+            }
             _ => "Move its ends inside.",
         };
         let found = format!(
@@ -93,7 +102,11 @@ fn inside(scene: &Scene, key: &Key, distribution: &Distribution) -> Result<(), V
         let value = distribution.quantile(probability);
         let mut extreme = scene.clone();
         let found = |why: &str| {
-            format!("{path}, whose distribution reaches {} {}: the scene then has no model, because {why}", show(value), key.unit())
+            format!(
+                "{path}, whose distribution reaches {} {}: the scene then has no model, because {why}",
+                show(value),
+                key.unit()
+            )
         };
         let narrower = "Use a narrower distribution.";
         key.store_number(&mut extreme, value).map_err(|error| ValueError::new(found(&error.found), narrower))?;

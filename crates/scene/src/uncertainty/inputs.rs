@@ -40,7 +40,8 @@ fn one(entries: &[(String, Value)]) -> Result<UncertainKey, String> {
         None => Err(format!("no `{name}`")),
     };
     let path = text("key")?;
-    let key = find_key(path).map_err(|error| format!("the key {}, which {}. {}", quoted(path), error.found, error.remedy))?;
+    let key =
+        find_key(path).map_err(|error| format!("the key {}, which {}. {}", quoted(path), error.found, error.remedy))?;
     let kind = text("distribution")?;
     let Some(&(kind, needed, center)) = KINDS.iter().find(|(name, ..)| *name == kind) else {
         let names = KINDS.map(|(name, ..)| name);

@@ -15,8 +15,10 @@ impl UncertaintyTable {
         let input = |of: &UncertainKey| Input { name: of.path.clone(), distribution: of.of_scene(scene) };
         // a key that is no input has a number that no input has: the plan is refused
         let place = |path: &String| self.inputs.iter().position(|of| of.path == *path).unwrap_or(usize::MAX);
-        let correlation =
-            |of: &super::CorrelatedKeys| Correlation { inputs: of.keys.each_ref().map(place), coefficient: of.coefficient };
+        let correlation = |of: &super::CorrelatedKeys| Correlation {
+            inputs: of.keys.each_ref().map(place),
+            coefficient: of.coefficient,
+        };
         Plan {
             inputs: self.inputs.iter().map(input).collect(),
             correlations: self.correlations.iter().map(correlation).collect(),

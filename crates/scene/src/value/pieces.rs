@@ -1,8 +1,8 @@
 //! The pieces of a profile as a scene writes them.
 
-use super::{Fault, Value};
 use super::quantity::Dimension;
 use super::steps::quantity;
+use super::{Fault, Value};
 use crate::error::one_line;
 use crate::near::nearest;
 use peelkit::model::{Piece, ProfilePieces, Transition, angle_text};
