@@ -12,6 +12,7 @@ mod input;
 mod interrupt;
 mod keys;
 mod new;
+mod optimise;
 mod output;
 mod plot;
 mod run;
@@ -37,6 +38,7 @@ struct Cli {
 enum Command {
     Run(run::Run),
     Sweep(sweep::Sweep),
+    Optimise(optimise::Optimise),
     Uncertainty(uncertainty::Uncertainty),
     Accuracy(accuracy::Accuracy),
     Verify(verify::Verify),
@@ -56,6 +58,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::Optimise(args) => optimise::optimise(&args),
         Command::Uncertainty(args) => uncertainty::uncertainty(&args),
         Command::Accuracy(args) => accuracy::accuracy(&args),
         Command::Verify(args) => verify::verify(&args),

@@ -153,8 +153,10 @@ pub(super) fn neighbours(
         let found = (options.known)(&place).unwrap_or_else(|| evaluator.evaluate(&place, false));
         Some(found.log_value.map(|value| -sign * (value - log_value)))
     };
-    let gains: Vec<Option<Option<f64>>> =
-        (0..options.neighbours).into_par_iter().map(|number| (options.go_on)().then(|| gain(number)).flatten()).collect();
+    let gains: Vec<Option<Option<f64>>> = (0..options.neighbours)
+        .into_par_iter()
+        .map(|number| (options.go_on)().then(|| gain(number)).flatten())
+        .collect();
     let computed: Vec<f64> = gains.iter().flatten().flatten().copied().collect();
     // both values have the error of the search
     let error = 2.0 * options.search.relative * problem.objective.factors().len() as f64;

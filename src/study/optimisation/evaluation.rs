@@ -53,7 +53,9 @@ impl<'p> Evaluator<'p> {
             let value = factor.of.value(&peel).filter(|&value| value > 0.0)?;
             sum += factor.power * value.ln();
             if with_gradient {
-                for (slope, total) in derivatives(self.problem, factor, &peel, coordinates).ok()?.iter().zip(&mut gradient) {
+                for (slope, total) in
+                    derivatives(self.problem, factor, &peel, coordinates).ok()?.iter().zip(&mut gradient)
+                {
                     *total += factor.power * slope.value / value;
                 }
             }

@@ -102,8 +102,7 @@ impl ProfileDesign {
         for (row, pair) in self.columns.places.windows(2).enumerate() {
             let (from, step) = (first + row, pair[1] - pair[0]);
             for (sign, word) in [(1.0, "up"), (-1.0, "down")] {
-                let function =
-                    move |values: &[f64]| (sign * (values[from + 1] - values[from]) - slope * step) / scale;
+                let function = move |values: &[f64]| (sign * (values[from + 1] - values[from]) - slope * step) / scale;
                 constraints.push(DesignConstraint {
                     name: format!("slope of {} {word} from s_nm = {} to {}", column.word(), pair[0], pair[1]),
                     kind: ConstraintKind::AtMost,

@@ -44,7 +44,8 @@ pub(super) fn refined(problem: &DesignProblem, evaluator: &Evaluator, from: &[f6
         let step = cholesky.solve(&slope);
         let inverse = cholesky.inverse();
         let unsure = |row: usize| {
-            let by_error: f64 = free.iter().enumerate().map(|(k, &i)| inverse[(row, k)].abs() * precise.errors[i]).sum();
+            let by_error: f64 =
+                free.iter().enumerate().map(|(k, &i)| inverse[(row, k)].abs() * precise.errors[i]).sum();
             SAFETY * (step[row].abs() + by_error)
         };
         let mut errors = vec![0.0; from.len()];

@@ -32,7 +32,8 @@ pub fn optimise(problem: &DesignProblem, options: &OptimisationOptions) -> Resul
     let starts: Vec<Vec<f64>> = std::iter::once(first)
         .chain((1..options.starts).filter_map(|number| random(problem, options.seed, number as u64)))
         .collect();
-    let search = |(number, from): (usize, &Vec<f64>)| Search::new(problem, options, &evaluator, number).run(method, from);
+    let search =
+        |(number, from): (usize, &Vec<f64>)| Search::new(problem, options, &evaluator, number).run(method, from);
     let mut searches: Vec<SearchResult> = starts.par_iter().enumerate().map(search).collect();
     let (mut best_search, found) = best(problem, &searches)?;
     let unfinished = searches.iter().any(|search| search.end == SearchEnd::Interrupted);
@@ -56,7 +57,8 @@ pub fn optimise(problem: &DesignProblem, options: &OptimisationOptions) -> Resul
     let refined = refined(problem, &evaluator, &found);
     let after = design(problem, options, &refined.coordinates)?;
     let sign = problem.goal.sign();
-    let minimised = refined.precise.map(|precise| precise.gradient.iter().map(|slope| sign * slope).collect::<Vec<_>>());
+    let minimised =
+        refined.precise.map(|precise| precise.gradient.iter().map(|slope| sign * slope).collect::<Vec<_>>());
     let projection = minimised.as_ref().map(|slopes| projected_gradient(problem, &refined.coordinates, slopes));
     let here = evaluator.evaluate(&refined.coordinates, false).log_value;
     let certificate = Certificate {
@@ -83,7 +85,9 @@ fn feasible(problem: &DesignProblem, given: &[f64]) -> Result<Vec<f64>, NoOptimu
     projected(problem, given).ok_or_else(|| {
         // the constraint that holds least of all
         let inside: Vec<f64> = given.iter().map(|c| c.clamp(0.0, 1.0)).collect();
-        problem.worst_constraint(&inside).map_or(NoOptimum::NoModel, |(name, violation)| NoOptimum::Contradictory { name, violation })
+        problem
+            .worst_constraint(&inside)
+            .map_or(NoOptimum::NoModel, |(name, violation)| NoOptimum::Contradictory { name, violation })
     })
 }
 
@@ -122,7 +126,8 @@ fn differentiable(problem: &DesignProblem, before: &Design) -> Result<(), NoOpti
 /// The search with the best feasible design, and that.
 fn best(problem: &DesignProblem, searches: &[SearchResult]) -> Result<(usize, Vec<f64>), NoOptimum> {
     let sign = problem.goal.sign();
-    let value = |search: &SearchResult| sign * search.best.and_then(|k| search.evaluations[k].log_value).unwrap_or(f64::NAN);
+    let value =
+        |search: &SearchResult| sign * search.best.and_then(|k| search.evaluations[k].log_value).unwrap_or(f64::NAN);
     let with_best = searches.iter().enumerate().filter(|(_, search)| search.best.is_some());
     let found = with_best.min_by(|a, b| value(a.1).total_cmp(&value(b.1)));
     let evaluations = searches.iter().map(|search| search.evaluations.len()).sum();

@@ -188,9 +188,8 @@ impl<'p> Search<'p> {
     fn best_of(&self, seen: &[Evaluation]) -> Option<usize> {
         let sign = self.problem.goal.sign();
         let value = |k: &usize| seen[*k].log_value.map_or(f64::INFINITY, |value| sign * value);
-        let good = |k: &usize| {
-            seen[*k].log_value.is_some() && self.problem.violation(&seen[*k].coordinates) <= FEASIBLE
-        };
+        let good =
+            |k: &usize| seen[*k].log_value.is_some() && self.problem.violation(&seen[*k].coordinates) <= FEASIBLE;
         (0..seen.len()).filter(good).min_by(|a, b| value(a).total_cmp(&value(b)))
     }
 }

@@ -40,9 +40,9 @@ impl SearchPath {
     pub fn new(of: PeelQuantity, start: &Peel) -> Self {
         use PeelQuantity::*;
         let reach = match of {
-            InitiationPeakForce | InitiationPeakDisplacement => start
-                .initiation_peak
-                .map_or(Reach::End, |peak| Reach::Displacement(BEYOND_PEAK * peak.displacement)),
+            InitiationPeakForce | InitiationPeakDisplacement => {
+                start.initiation_peak.map_or(Reach::End, |peak| Reach::Displacement(BEYOND_PEAK * peak.displacement))
+            }
             PeakForce | PeakDisplacement | FirstJumpForce | FirstJumpDisplacement | FirstJumpWork
                 if start.snap_off.is_some() =>
             {

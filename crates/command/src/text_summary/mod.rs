@@ -4,6 +4,7 @@ mod branch;
 mod layout;
 mod number;
 mod observed;
+mod optimisation;
 mod peel;
 mod sensitivities;
 mod stability;
@@ -13,6 +14,7 @@ mod units;
 
 pub use number::spaced;
 pub use observed::observed;
+pub use optimisation::optimum;
 pub use peel::{peel, taken};
 pub use sensitivities::sensitivities;
 pub use sweep::{followed, sweep};

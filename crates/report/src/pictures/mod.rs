@@ -5,6 +5,7 @@ mod curve;
 mod followed;
 mod in_space;
 mod observed;
+mod optimisation;
 pub mod peel;
 mod plane;
 mod projection;
@@ -15,6 +16,7 @@ mod uncertainty;
 
 pub use followed::draw_followed;
 pub use observed::draw_observed;
+pub use optimisation::draw_optimum;
 pub use peel::{draw_peel, draw_peel_with_branch};
 pub use plane::draw_plane;
 pub use sensitivities::{bars, draw_sensitivities};

@@ -1,10 +1,12 @@
 //! What every key and column of an output means: one line each. `docs/outputs.md` is made of these lists, and a test holds them
 //! against what the command writes.
 
+mod optimisation;
 mod summary;
 mod tables;
 mod uncertainty;
 
+pub use optimisation::{HISTORY_COLUMNS, OPTIMISATION_SUMMARY};
 pub use summary::{PEEL_SUMMARY, SWEEP_SUMMARY};
 pub use tables::{CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS};
 pub use uncertainty::{SAMPLE_COLUMNS, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY};
@@ -71,7 +73,9 @@ pub fn paths(keys: &[OutputKey]) -> Vec<String> {
 mod tests {
     use super::*;
 
-    const ALL: [&[OutputKey]; 10] = [
+    const ALL: [&[OutputKey]; 12] = [
+        OPTIMISATION_SUMMARY,
+        HISTORY_COLUMNS,
         UNCERTAINTY_SUMMARY,
         UNCERTAINTY_COLUMNS,
         SAMPLE_COLUMNS,

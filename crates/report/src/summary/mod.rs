@@ -6,6 +6,7 @@ mod branch_point;
 mod derived;
 mod ground;
 mod observed;
+mod optimisation;
 mod origin;
 mod out_of_plane;
 mod parameters;
@@ -19,6 +20,7 @@ mod uncertainty;
 
 pub use accuracy::left_out;
 pub use ground::ground_warning;
+pub use optimisation::OptimisationSummary;
 pub use origin::{SCHEMA, VERSION};
 pub(crate) use parameters::Parameters;
 pub use peel::PeelSummary;

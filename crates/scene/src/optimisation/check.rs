@@ -61,9 +61,19 @@ impl Wrong<'_> {
             }
         }
         match (holding_angle, release_angle) {
-            (Some(_), None) => refuse("holding_angle", "is given without release_angle", "Give both, for a ratio of two peels, or none."),
-            (None, Some(_)) => refuse("release_angle", "is given without holding_angle", "Give both, for a ratio of two peels, or none."),
-            (Some(a), Some(b)) if a == b => refuse("release_angle", "is the holding_angle, and the ratio is always 1", "Give another angle."),
+            (Some(_), None) => refuse(
+                "holding_angle",
+                "is given without release_angle",
+                "Give both, for a ratio of two peels, or none.",
+            ),
+            (None, Some(_)) => refuse(
+                "release_angle",
+                "is given without holding_angle",
+                "Give both, for a ratio of two peels, or none.",
+            ),
+            (Some(a), Some(b)) if a == b => {
+                refuse("release_angle", "is the holding_angle, and the ratio is always 1", "Give another angle.")
+            }
             (Some(_), Some(_)) if self.table.parameters.iter().any(|free| free.path == "drive.angle") => refuse(
                 "parameters",
                 "has drive.angle, and both peels of the ratio have angles of their own",
@@ -75,7 +85,8 @@ impl Wrong<'_> {
 
     fn parameter(&self, item: usize, free: &FreeKey) -> Checked {
         let (path, number) = (&free.path, item + 1);
-        let refuse = |found: String, remedy: String| refuse("parameters", format!("has in parameter {number} {found}"), remedy);
+        let refuse =
+            |found: String, remedy: String| refuse("parameters", format!("has in parameter {number} {found}"), remedy);
         let key = match find_key(path) {
             Ok(key) => key,
             Err(error) => return refuse(format!("{path}, which {}", error.found), error.remedy),
@@ -102,7 +113,11 @@ impl Wrong<'_> {
         }
         if free.from.total_cmp(&free.to).is_ge() {
             return refuse(
-                format!("{path} from {} to {}: the lower bound is not below the upper one", shown(key, free.from), shown(key, free.to)),
+                format!(
+                    "{path} from {} to {}: the lower bound is not below the upper one",
+                    shown(key, free.from),
+                    shown(key, free.to)
+                ),
                 "Exchange them, or set the key and remove the parameter.".into(),
             );
         }
@@ -127,11 +142,17 @@ impl Wrong<'_> {
             if !(free.from > 0.0 && free.from < free.to) {
                 return refuse(
                     name,
-                    format!("goes from {} nm to {} nm: the lower bound is not above zero and below the upper one", show(free.from), show(free.to)),
+                    format!(
+                        "goes from {} nm to {} nm: the lower bound is not above zero and below the upper one",
+                        show(free.from),
+                        show(free.to)
+                    ),
                     "Exchange them, or give others.",
                 );
             }
-            if let Some(other) = self.table.parameters.iter().find(|of| of.path == format!("{}.{name}", body_of(self.scene))) {
+            if let Some(other) =
+                self.table.parameters.iter().find(|of| of.path == format!("{}.{name}", body_of(self.scene)))
+            {
                 return refuse(
                     "parameters",
                     format!("has {}, and the {name} along the body is free as well", other.path),

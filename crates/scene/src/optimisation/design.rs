@@ -4,7 +4,7 @@ use super::{FreeProfile, OptimisationTable, VolumeRule};
 use crate::keys::find_key;
 use crate::scene::Scene;
 use crate::value::Value;
-use peelkit::model::PeelModel;
+use peelkit::model::{Body, PeelModel, Profile, ProfileColumns, ProfileForm, ProfileTable};
 use peelkit::study::PeelQuantity;
 use peelkit::study::optimisation::{
     ConstraintKind, DesignConstraint, DesignProblem, DesignVariable, Objective, ProfileColumn, ProfileDesign, volume,
@@ -57,6 +57,17 @@ impl OptimisationTable {
 }
 
 impl Scene {
+    /// The scene of a design: the keys set, the profile a table, and nothing left to optimise; none where it is no scene.
+    pub fn of_design(&self, values: &[f64]) -> Option<Self> {
+        let table = self.optimisation.as_ref()?;
+        let problem = self.design_problem()?;
+        let mut scene = Self { model: (problem.model)(values)?, optimisation: None, uncertainty: None, ..self.clone() };
+        if !table.columns().is_empty() {
+            scene.table_texts.profile = table_text(&scene.model)?;
+        }
+        Some(scene)
+    }
+
     /// The design problem of the table `optimise`; none where the scene has none. What is wrong with it
     /// [`peelkit::study::optimisation::DesignProblem::check`] says.
     pub fn design_problem(&self) -> Option<DesignProblem<'static>> {
@@ -101,4 +112,13 @@ fn volume_constraint(rule: VolumeRule, model: &PeelModel, designs: Designs) -> O
     let (designs, given) = (Arc::new(designs), volume(model));
     let function = move |values: &[f64]| designs.model(values).map_or(f64::NAN, |model| (volume(&model) / given).ln());
     Some(DesignConstraint { name: "volume".into(), kind, function: Box::new(function) })
+}
+
+/// The table of a profile as a CSV that reads as the same numbers.
+fn table_text(model: &PeelModel) -> Option<String> {
+    let Body::Profile(Profile { form: ProfileForm::Table(table), .. }) = &model.body else { return None };
+    let ProfileColumns { places, widths, heights, angles, roundness } = table.columns();
+    let row = |k: usize| format!("{},{},{},{},{}\n", places[k], widths[k], heights[k], angles[k], roundness[k]);
+    let rows: String = (0..places.len()).map(row).collect();
+    Some(format!("{}\n{rows}", ProfileTable::COLUMNS.join(",")))
 }

@@ -68,7 +68,8 @@ fn free_key(entries: &[(String, Value)]) -> Result<FreeKey, String> {
         Value::Text(text) => text.trim(),
         value => return Err(format!("`key` = {value}, no text in quotes")),
     };
-    let key = find_key(path).map_err(|error| format!("the key {}, which {}. {}", quoted(path), error.found, error.remedy))?;
+    let key =
+        find_key(path).map_err(|error| format!("the key {}, which {}. {}", quoted(path), error.found, error.remedy))?;
     let (from, to) = (number(key, "from", given("from")?)?, number(key, "to", given("to")?)?);
     Ok(FreeKey { path: key.path(), from, to })
 }
@@ -79,9 +80,10 @@ fn number(key: &Key, name: &str, value: &Value) -> Result<f64, String> {
         Value::Text(text) if !key.unit().is_empty() => key
             .parse_number(text)
             .map_err(|error| format!("`{name}` = {value}, and {} {}. {}", key.path(), error.found, error.remedy)),
-        Value::Number(number) => {
-            Err(format!("`{name}` = {value}, a number without a unit: write \"{number} {}\" if that is meant", key.usual_unit()))
-        }
+        Value::Number(number) => Err(format!(
+            "`{name}` = {value}, a number without a unit: write \"{number} {}\" if that is meant",
+            key.usual_unit()
+        )),
         value => Err(format!("`{name}` = {value}, which is not a number without quotes")),
     }
 }
@@ -106,7 +108,8 @@ pub(super) fn profile(value: &Value) -> Result<FreeProfile, Fault> {
 /// A free key as a scene writes it.
 pub(super) fn written_key(of: &FreeKey) -> Value {
     let unit = find_key(&of.path).map_or("", Key::unit);
-    let value = |number: f64| if unit.is_empty() { Value::Number(number) } else { Value::Text(format!("{number} {unit}")) };
+    let value =
+        |number: f64| if unit.is_empty() { Value::Number(number) } else { Value::Text(format!("{number} {unit}")) };
     let entries = [("key", Value::Text(of.path.clone())), ("from", value(of.from)), ("to", value(of.to))];
     Value::Table(entries.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
 }
