@@ -4,6 +4,7 @@ mod documents;
 mod friction;
 mod interrupt;
 mod observed;
+mod optimise;
 mod out_of_plane;
 mod output_folders;
 mod plot;

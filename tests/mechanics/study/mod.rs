@@ -6,6 +6,7 @@ mod ends;
 mod error_bounds;
 mod observed;
 mod observed_in_space;
+mod optimisation;
 mod out_of_plane;
 mod out_of_plane_branch;
 mod peak_only;
