@@ -65,8 +65,10 @@ fn the_cells_of_a_table_are_parameters() {
 #[test]
 fn scenes_without_them_are_refused() {
     let dir = tempfile::tempdir().unwrap();
-    for (scene, why) in [("strip-friction", "with friction"), ("strip-auto", "terms = \"auto\"")] {
-        let (status, _, trouble) = run(dir.path(), scene, &[]);
+    let auto: &[&str] = &["--set", "terms=auto"];
+    for (scene, more, why) in [("strip-friction", &[][..], "with friction"), ("strip-100nm", auto, "terms = \"auto\"")]
+    {
+        let (status, _, trouble) = run(dir.path(), scene, more);
         let plain = trouble.replace(['\n', '│'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(status, Some(2), "{trouble}");
         assert!(plain.contains(why) && plain.contains("Omit --sensitivities"), "{plain}");

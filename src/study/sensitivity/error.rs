@@ -12,9 +12,7 @@ pub enum NoSensitivities {
         "with friction what a beam does depends on its past, and no derivative of it is computed; set friction to none"
     )]
     Friction,
-    #[error(
-        "terms of the model were left out of the path ({terms}); ask for all of them with accuracy.terms = \"all\""
-    )]
+    #[error("terms of the model were left out of the path ({terms}); ask for all of them with terms = \"all\"")]
     TermsLeftOut { terms: String },
     #[error("the solutions behind the path are not known: it was read and not computed, or it has no point")]
     NoSolutions,

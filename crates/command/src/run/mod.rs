@@ -57,7 +57,7 @@ pub struct Run {
 
     /// Adds by which power of each parameter the results change
     ///
-    /// d ln Q/d ln p of peaks, plateau, first jump and detachment, with error bounds: sensitivities.svg, and in summary.json.
+    /// d ln Q/d ln p of peaks, plateau, first jump and detachment, with bounds: sensitivities.svg, summary.json.
     #[arg(long)]
     sensitivities: bool,
 
