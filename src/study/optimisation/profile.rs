@@ -67,7 +67,7 @@ impl ProfileDesign {
     pub fn variables(&self, column: ProfileColumn, lower: f64, upper: f64) -> Vec<DesignVariable> {
         let length = self.columns.places.last().copied().unwrap_or(f64::NAN);
         let variable = |place: &f64| DesignVariable {
-            name: format!("{}_nm at s_nm = {}", column.word(), (place * 1e6).round() / 1e6),
+            name: format!("{}_nm at s_nm = {}", column.word(), rounded(*place)),
             lower,
             upper,
             spacing: Spacing::Linear,
@@ -104,7 +104,12 @@ impl ProfileDesign {
             for (sign, word) in [(1.0, "up"), (-1.0, "down")] {
                 let function = move |values: &[f64]| (sign * (values[from + 1] - values[from]) - slope * step) / scale;
                 constraints.push(DesignConstraint {
-                    name: format!("slope of {} {word} from s_nm = {} to {}", column.word(), pair[0], pair[1]),
+                    name: format!(
+                        "slope of {} {word}, s_nm = {} to {}",
+                        column.word(),
+                        rounded(pair[0]),
+                        rounded(pair[1])
+                    ),
                     kind: ConstraintKind::AtMost,
                     function: Box::new(function),
                 });
@@ -112,6 +117,11 @@ impl ProfileDesign {
         }
         constraints
     }
+}
+
+/// A place as a name has it, to a thousandth of a nm.
+fn rounded(place: f64) -> f64 {
+    (place * 1e3).round() / 1e3
 }
 
 /// Points of a quadrature that is exact for cubics of width, height and roundness.

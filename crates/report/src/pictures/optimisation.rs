@@ -31,7 +31,7 @@ pub fn draw_optimum(
     for column in [ProfileColumn::Width, ProfileColumn::Height].into_iter().filter(|&column| is_free(column)) {
         let of = |model: &Option<PeelModel>| model.as_ref().map_or_else(Vec::new, |model| outline(model, column));
         let label = format!("{} (nm)", column.word());
-        sheet.add(column.word(), ["place along the body S (nm)", &label], both(models.each_ref().map(of)));
+        sheet.add("", ["place along the body S (nm)", &label], both(models.each_ref().map(of)));
     }
     for (k, (before, after)) in optimum.before.peels.iter().zip(&optimum.after.peels).enumerate() {
         let angle = |peel: &Peel| peel.model.pull.angle.to_degrees();
