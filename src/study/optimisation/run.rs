@@ -98,7 +98,7 @@ fn design(problem: &DesignProblem, options: &OptimisationOptions, coordinates: &
     let factors = problem.objective.factors();
     let one = |factor: &Factor| peel(&factor.model(model.clone()), &options.accuracy, &(options.stop)());
     let peels: Vec<Peel> = factors.par_iter().map(one).collect();
-    let (mut log_value, mut error) = (0.0, Some(0.0));
+    let (mut objective, mut error) = (1.0, Some(0.0));
     for (factor, peel) in factors.iter().zip(&peels) {
         let name = factor.of.name();
         let Some(value) = factor.of.value(peel) else {
@@ -107,10 +107,9 @@ fn design(problem: &DesignProblem, options: &OptimisationOptions, coordinates: &
         if value <= 0.0 {
             return Err(NoOptimum::NotPositive { name, value });
         }
-        log_value += factor.power * value.ln();
+        objective *= value.powf(factor.power);
         error = error.zip(factor.of.error(peel)).map(|(sum, error)| sum + error / value);
     }
-    let objective = log_value.exp();
     let values = problem.values(coordinates);
     let coordinates = coordinates.to_vec();
     Ok(Design { values, coordinates, objective, error: error.map(|error| error * objective), peels })
