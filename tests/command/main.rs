@@ -18,3 +18,4 @@ mod steps;
 #[path = "../shared/strip.rs"]
 mod strip;
 mod sweeps;
+mod uncertainty;

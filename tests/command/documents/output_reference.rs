@@ -4,7 +4,8 @@
 use super::{hold, row, text, with_part};
 use peelkit_report::reference::{
     CURVE_COLUMNS, HISTORY_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, OPTIMISATION_SUMMARY, OutputKey,
-    PEEL_SUMMARY, STATE_COLUMNS, SWEEP_COLUMNS, SWEEP_SUMMARY, paths,
+    PEEL_SUMMARY, SAMPLE_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS, SWEEP_SUMMARY, UNCERTAINTY_COLUMNS,
+    UNCERTAINTY_SUMMARY, paths,
 };
 use peelkit_report::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
 use serde_json::Value;
@@ -28,6 +29,9 @@ fn the_output_reference_is_that_of_the_lists() {
         ("sweep.csv", SWEEP_COLUMNS, "column"),
         ("peel optimise --json", OPTIMISATION_SUMMARY, "key"),
         ("history.csv", HISTORY_COLUMNS, "column"),
+        ("summary.json of peel uncertainty", UNCERTAINTY_SUMMARY, "key"),
+        ("statistics.csv and indices.csv", UNCERTAINTY_COLUMNS, "column"),
+        ("samples.csv", SAMPLE_COLUMNS, "column"),
     ] {
         let mut part = row(&[first, "unit", "meaning"]) + "|---|---|---|\n";
         for key in keys {
@@ -184,4 +188,33 @@ fn every_key_of_an_optimisation_is_described() {
     let history = std::fs::read_to_string(folder.path().join("out/history.csv")).unwrap();
     let columns = history.lines().next().unwrap().split(',').map(str::to_owned).collect();
     assert_described(&columns, HISTORY_COLUMNS, "history.csv");
+}
+
+#[test]
+fn every_key_and_column_of_an_uncertain_peel_is_described() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = format!("{}/scenes/strip-uncertain.toml", super::ROOT);
+    let correlated =
+        "uncertainty.correlations=[{ keys = [\"strip.height\", \"strip.youngs_modulus\"], coefficient = 0.3 }]";
+    let few = ["--set", "uncertainty.samples=240", "--set", correlated];
+    // every path is cut short behind its peak
+    let cut = [
+        "--set",
+        "bounds.displacement=1 nm",
+        "--set",
+        "uncertainty.quantities=[\"initiation_peak.force_nN\", \"peak.force_nN\"]",
+    ];
+    let arguments = [&["uncertainty", &scene, "--out", "out"], ROUGHLY, &few, &cut].concat();
+    let output = Command::new(env!("CARGO_BIN_EXE_peel")).args(arguments).current_dir(folder.path()).output().unwrap();
+    assert_eq!(output.status.code(), Some(3), "{}", String::from_utf8_lossy(&output.stderr));
+    let file = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    let mut found = BTreeSet::new();
+    keys_of(&serde_json::from_str(&file("summary.json")).unwrap(), "", &mut found);
+    assert_described(&found, UNCERTAINTY_SUMMARY, "summary.json of peel uncertainty");
+    let columns =
+        |name: &str| -> Vec<String> { file(name).lines().next().unwrap().split(',').map(str::to_owned).collect() };
+    let both = columns("statistics.csv").into_iter().chain(columns("indices.csv")).collect();
+    assert_described(&both, UNCERTAINTY_COLUMNS, "statistics.csv and indices.csv");
+    let own = |column: &String| !column.contains('.');
+    assert_described(&columns("samples.csv").into_iter().filter(own).collect(), SAMPLE_COLUMNS, "samples.csv");
 }
