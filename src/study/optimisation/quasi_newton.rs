@@ -19,9 +19,16 @@ const INSIDE: f64 = 1e-3;
 struct Sine<'s, 'p>(&'s Search<'p>);
 
 /// The method has been told to stop.
-#[derive(Debug, thiserror::Error)]
-#[error("no further design is evaluated")]
+#[derive(Debug)]
 struct Over;
+
+impl std::fmt::Display for Over {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str("no further design is evaluated")
+    }
+}
+
+impl std::error::Error for Over {}
 
 impl Sine<'_, '_> {
     fn minimised(&self, z: &DVector<f64>) -> Result<(f64, Vec<f64>), Error> {

@@ -1,9 +1,9 @@
 //! `peel optimise`: the best design of a scene that says what is free.
 
+mod help;
 mod kept;
 
 use crate::command_line::command_line;
-use crate::help;
 use crate::input::SceneArgs;
 use crate::output::{OutArgs, list_files, say};
 use crate::stop::Stop;
@@ -18,7 +18,7 @@ use std::time::Instant;
 
 /// Optimises keys of a scene, or width and height along the body
 #[derive(Args)]
-#[command(after_help = help::OPTIMISE, after_long_help = help::optimise())]
+#[command(after_help = help::SHORT, after_long_help = help::long())]
 pub struct Optimise {
     #[command(flatten)]
     pub scene: SceneArgs,
