@@ -1,6 +1,7 @@
 //! The command `peel`, run as a user runs it.
 
 mod documents;
+mod fit;
 mod friction;
 mod interrupt;
 mod observed;

@@ -5,6 +5,7 @@
 mod accuracy;
 mod command_line;
 mod figures;
+mod fit;
 mod folder_name;
 mod hard_scenes;
 mod help;
@@ -39,6 +40,7 @@ enum Command {
     Run(run::Run),
     Sweep(sweep::Sweep),
     Optimise(optimise::Optimise),
+    Fit(fit::Fit),
     Uncertainty(uncertainty::Uncertainty),
     Accuracy(accuracy::Accuracy),
     Verify(verify::Verify),
@@ -59,6 +61,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
         Command::Optimise(args) => optimise::optimise(&args),
+        Command::Fit(args) => fit::fit(&args),
         Command::Uncertainty(args) => uncertainty::uncertainty(&args),
         Command::Accuracy(args) => accuracy::accuracy(&args),
         Command::Verify(args) => verify::verify(&args),

@@ -3,6 +3,7 @@
 use super::bodies::{BODIES, body_of, set_body};
 use super::conflict::Conflict;
 use super::error::{Origin, SceneError, ValueError, one_line};
+use super::fit;
 use super::key::{Key, Kind};
 use super::keys::{KEYS, find_key, tables};
 use super::near::nearest;
@@ -90,6 +91,9 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
     set_space(scene, &file, document)?;
     if document.iter().any(|(table, _)| name_of(table) == optimisation::TABLE) {
         optimisation::of(scene);
+    }
+    if document.iter().any(|(table, _)| name_of(table) == fit::TABLE) {
+        fit::of(scene);
     }
     if document.iter().any(|(table, _)| name_of(table) == uncertainty::TABLE) {
         uncertainty::of(scene);
@@ -225,6 +229,9 @@ fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, Scene
     }
     if key.table == optimisation::TABLE {
         optimisation::of(scene);
+    }
+    if key.table == fit::TABLE {
+        fit::of(scene);
     }
     if key.table == uncertainty::TABLE {
         uncertainty::of(scene);

@@ -1,6 +1,7 @@
 //! A scene as data.
 
 use crate::bounds::BoundsTable;
+use crate::fit::FitTable;
 use crate::optimisation::OptimisationTable;
 use crate::uncertainty::UncertaintyTable;
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
@@ -20,6 +21,8 @@ pub struct Scene {
     pub accuracy: Accuracy,
     /// Where the path may be stopped although it goes on.
     pub bounds: BoundsTable,
+    /// What `peel fit` determines, where the scene says so.
+    pub fit: Option<FitTable>,
     /// What is optimised, where the scene says so; `peel optimise` does it.
     pub optimisation: Option<OptimisationTable>,
     /// What is uncertain, where the scene says so; `peel uncertainty` samples it.
@@ -42,6 +45,7 @@ impl Scene {
     /// The same with every table that a scene may hold.
     pub(crate) fn of_defaults() -> Self {
         Self {
+            fit: Some(FitTable::default()),
             optimisation: Some(OptimisationTable::default()),
             uncertainty: Some(UncertaintyTable::default()),
             ..Self::empty("")
@@ -58,6 +62,7 @@ impl Scene {
             model: PeelModel::of(Body::Strip(UNKNOWN_STRIP), adhesion, Grip::FREE),
             accuracy: Accuracy::to(1e-6),
             bounds: BoundsTable { points: 20_000, time_s: Some(60.0), displacement: None },
+            fit: None,
             optimisation: None,
             uncertainty: None,
             table_texts: TableTexts::default(),

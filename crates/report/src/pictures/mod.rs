@@ -2,6 +2,7 @@
 
 mod contour;
 mod curve;
+mod fit;
 mod followed;
 mod in_space;
 mod observed;
@@ -14,6 +15,7 @@ mod shapes;
 pub mod sweep;
 mod uncertainty;
 
+pub use fit::draw_fit;
 pub use followed::draw_followed;
 pub use observed::draw_observed;
 pub use optimisation::draw_optimum;

@@ -4,6 +4,7 @@ mod accuracy;
 mod branch;
 mod branch_point;
 mod derived;
+mod fit;
 mod ground;
 mod observed;
 mod optimisation;
@@ -19,6 +20,7 @@ mod term_summary;
 mod uncertainty;
 
 pub use accuracy::left_out;
+pub use fit::FitSummary;
 pub use ground::ground_warning;
 pub use optimisation::OptimisationSummary;
 pub use origin::{SCHEMA, VERSION};

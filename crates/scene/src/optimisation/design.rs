@@ -61,7 +61,8 @@ impl Scene {
     pub fn of_design(&self, values: &[f64]) -> Option<Self> {
         let table = self.optimisation.as_ref()?;
         let problem = self.design_problem()?;
-        let mut scene = Self { model: (problem.model)(values)?, optimisation: None, uncertainty: None, ..self.clone() };
+        let mut scene =
+            Self { model: (problem.model)(values)?, optimisation: None, uncertainty: None, fit: None, ..self.clone() };
         if !table.columns().is_empty() {
             scene.table_texts.profile = table_text(&scene.model)?;
         }
