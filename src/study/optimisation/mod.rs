@@ -19,7 +19,9 @@ pub use certificate::{ActiveConstraint, Certificate, DerivativeFreeCheck, Neighb
 pub use evaluation::Evaluation;
 pub use failure::NoOptimum;
 pub use options::{OptimisationOptions, SearchMethod};
-pub use problem::{ConstraintKind, DesignConstraint, DesignModel, DesignProblem, DesignVariable, Goal, Objective};
+pub use problem::{
+    ConstraintKind, DesignConstraint, DesignFunction, DesignModel, DesignProblem, DesignVariable, Goal, Objective,
+};
 pub use profile::{ProfileColumn, ProfileDesign, volume};
 pub use result::{Design, Optimum};
 pub use run::optimise;

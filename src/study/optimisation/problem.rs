@@ -144,6 +144,9 @@ pub enum ConstraintKind {
     AtMost,
 }
 
+/// A function of the values of all variables.
+pub type DesignFunction<'m> = Box<dyn Fn(&[f64]) -> f64 + Send + Sync + 'm>;
+
 /// A constraint that costs nothing to evaluate beside a peel: a function of the values, without a unit, that changes by about as much
 /// as ln of the values does.
 pub struct DesignConstraint<'m> {
@@ -152,7 +155,7 @@ pub struct DesignConstraint<'m> {
     /// What it demands
     pub kind: ConstraintKind,
     /// e or g of the values of all variables
-    pub function: Box<dyn Fn(&[f64]) -> f64 + Send + Sync + 'm>,
+    pub function: DesignFunction<'m>,
 }
 
 /// The model of the values of all variables; none where there is no such model.
