@@ -6,6 +6,7 @@ mod error_bounds;
 mod fit;
 mod initial;
 mod limit_point_continuation;
+pub mod optimisation;
 mod out_of_plane;
 mod peel;
 mod peeling;

@@ -5,6 +5,7 @@ mod fit;
 mod friction;
 mod interrupt;
 mod observed;
+mod optimise;
 mod out_of_plane;
 mod output_folders;
 mod plot;

@@ -12,6 +12,15 @@ fn on_ground(shape: &str) -> String {
     format!("{MINIMAL}[substrate]\nshape = \"{shape}\"\n{lines}")
 }
 
+/// A table that fits every example of its keys.
+const OPTIMISED: &str = r#"
+[optimise]
+objective = "peak.force_nN"
+parameters = [{ key = "strip.poissons_ratio", from = 0.1, to = 0.3 }]
+holding_angle = "40 deg"
+release_angle = "100 deg"
+"#;
+
 #[test]
 fn every_example_that_messages_give_is_right() {
     for key in KEYS {
@@ -20,6 +29,7 @@ fn every_example_that_messages_give_is_right() {
             "profile" if key.name == "pieces" => PIECES.to_owned(),
             "profile" => PROFILE.to_owned(),
             "substrate" => on_ground(key.shapes()[0]),
+            "optimise" => MINIMAL.replace("height = \"10 nm\"", "height = \"5 nm\"\nwidth = \"10 nm\"") + OPTIMISED,
             "friction" => format!("{MINIMAL}[friction]\nstrength = \"50 MPa\"\n"),
             _ if ["work", "strength"].contains(&key.name) => {
                 MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")

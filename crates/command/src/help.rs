@@ -17,7 +17,7 @@ A quantity is a text with its unit: \"100 nm\", \"0.1 um\", \"2 GPa\", \"2000 MP
 The name of an output includes its unit: force_nN, displacement_nm, work_aJ (1 aJ = 1 nN nm). A positive force pulls
 the grip away from the surface.";
 
-const OUTPUTS: &str = "\
+pub const OUTPUTS: &str = "\
 The output files appear in their folder all at once, when the command is done. A folder that is not empty is refused
 before anything is computed. With --force, files of the same names are replaced and all others stay.";
 
@@ -39,6 +39,7 @@ Examples:
   peel sweep strip.toml --vary strip.bending_stiffness_factor --from 1e-4 --to 1e4 --points 33 --log
   peel keys                      lists the keys of a scene with units, defaults and ranges
   peel new --list                names the kinds of scenes
+  peel optimise strip.toml       finds the best of what a table [optimise] of the scene leaves free
   peel uncertainty strip.toml    samples what a table [uncertainty] of the scene calls uncertain
   peel accuracy                  computing time against error: a table and a picture
   peel verify                    compares the program with published and independent values

@@ -13,6 +13,7 @@ mod input;
 mod interrupt;
 mod keys;
 mod new;
+mod optimise;
 mod output;
 mod plot;
 mod run;
@@ -38,6 +39,7 @@ struct Cli {
 enum Command {
     Run(run::Run),
     Sweep(sweep::Sweep),
+    Optimise(optimise::Optimise),
     Fit(fit::Fit),
     Uncertainty(uncertainty::Uncertainty),
     Accuracy(accuracy::Accuracy),
@@ -58,6 +60,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::Optimise(args) => optimise::optimise(&args),
         Command::Fit(args) => fit::fit(&args),
         Command::Uncertainty(args) => uncertainty::uncertainty(&args),
         Command::Accuracy(args) => accuracy::accuracy(&args),

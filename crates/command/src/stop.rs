@@ -69,6 +69,10 @@ impl From<ReportError> for Stop {
                 &error,
                 "Finish that sample with its own command, or give another folder with --out DIR, or --fresh to discard its samples.",
             ),
+            ReportError::OtherOptimisation { .. } => Self::bad_input(
+                &error,
+                "Finish that optimisation with its own command, or give another folder with --out DIR, or --fresh to discard its designs.",
+            ),
             ReportError::OtherRun { .. } => Self::bad_input(
                 &error,
                 "Finish that run with its own command, or give another folder with --out DIR, or --fresh to discard its points.",
@@ -94,6 +98,7 @@ mod tests {
         assert_eq!(status(report.into()), 1);
         assert_eq!(status(ReportError::Exists { path: "x".into() }.into()), 2);
         assert_eq!(status(ReportError::OtherSweep { path: "x".into() }.into()), 2);
+        assert_eq!(status(ReportError::OtherOptimisation { path: "x".into() }.into()), 2);
         assert_eq!(status(ReportError::OtherSample { path: "x".into() }.into()), 2);
         assert_eq!(status(ReportError::OtherRun { path: "x".into() }.into()), 2);
     }

@@ -31,6 +31,12 @@ pub enum ReportError {
         /// The checkpoint.
         path: PathBuf,
     },
+    /// The designs of another scene would be lost.
+    #[error("{path} is the checkpoint of an interrupted optimisation of another scene or version")]
+    OtherOptimisation {
+        /// The checkpoint.
+        path: PathBuf,
+    },
     /// The points of another run would be lost.
     #[error("{path} is the checkpoint of an interrupted run of another scene or version")]
     OtherRun {
@@ -62,6 +68,7 @@ impl ReportError {
         | Self::Exists { path }
         | Self::OtherSweep { path }
         | Self::OtherSample { path }
+        | Self::OtherOptimisation { path }
         | Self::OtherRun { path }
         | Self::Read { path, .. }
         | Self::Draw { path, .. }) = &mut self;

@@ -4,6 +4,7 @@ use super::error::{Origin, SceneError, ValueError};
 use super::fit;
 use super::key::{Key, Kind, Need};
 use super::keys::KEYS;
+use super::optimisation;
 use super::scene::Scene;
 use super::uncertainty;
 use std::collections::HashSet;
@@ -40,7 +41,8 @@ impl Conflict {
         }
         let Err(error) = scene.check() else {
             let of_fit = fit::conflict(scene).map(|problem| ("fit.parameters".to_owned(), problem));
-            let (key, problem) = of_fit.or_else(|| uncertainty::problem(scene))?;
+            let of_questions = of_fit.or_else(|| optimisation::problem(scene));
+            let (key, problem) = of_questions.or_else(|| uncertainty::problem(scene))?;
             return Some(Self { key, problem, missing: None });
         };
         Some(Self { key: error.key().to_owned(), problem: error.into(), missing: None })

@@ -7,6 +7,7 @@ use super::fit;
 use super::key::{Key, Kind};
 use super::keys::{KEYS, find_key, tables};
 use super::near::nearest;
+use super::optimisation;
 use super::scene::Scene;
 use super::space;
 use super::uncertainty;
@@ -88,6 +89,9 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
     }
     set_shape(scene, &file, document)?;
     set_space(scene, &file, document)?;
+    if document.iter().any(|(table, _)| name_of(table) == optimisation::TABLE) {
+        optimisation::of(scene);
+    }
     if document.iter().any(|(table, _)| name_of(table) == fit::TABLE) {
         fit::of(scene);
     }
@@ -222,6 +226,9 @@ fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, Scene
         find_key(path).map_err(|problem| origin.error(0..path.len(), &format!("`{}`", one_line(path)), problem))?;
     if key.is_of_space() {
         space::set(scene, true);
+    }
+    if key.table == optimisation::TABLE {
+        optimisation::of(scene);
     }
     if key.table == fit::TABLE {
         fit::of(scene);

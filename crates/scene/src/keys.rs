@@ -5,6 +5,7 @@ use super::error::ValueError;
 use super::fit;
 use super::key::{Key, Kind, Need};
 use super::near::nearest;
+use super::optimisation as opt;
 use super::scene::Scene;
 use super::shape;
 use super::space;
@@ -111,6 +112,22 @@ pub static KEYS: &[Key] = &[
     key("fit", "use_jump", Optional, Kind::Flag(|s| &mut fit::of(s).options.use_jump), "whether the displacement of the jump is a datum"),
     key("fit", "loss", Optional, Kind::Setting(&fit::LOSS), "how much points far from the curve count"),
     key("fit", "profile", Optional, Kind::Setting(&fit::PROFILE), "of which parameters the profile likelihood is computed"),
+
+    key("optimise", "objective", Required, Kind::Setting(&opt::OBJECTIVE), "result that is optimised"),
+    key("optimise", "goal", Optional, Kind::Setting(&opt::GOAL), "whether it is to be large or small"),
+    key("optimise", "holding_angle", Optional, Kind::Setting(&opt::HOLDING_ANGLE), "optimises a ratio: angle of the pull above the line"),
+    key("optimise", "release_angle", Optional, Kind::Setting(&opt::RELEASE_ANGLE), "angle of the pull below the line of that ratio"),
+    key("optimise", "parameters", Optional, Kind::Setting(&opt::PARAMETERS), "keys that are free, with their bounds"),
+    key("optimise", "width", Optional, Kind::Setting(&opt::WIDTH), "bounds and smoothness of the width along the body"),
+    key("optimise", "height", Optional, Kind::Setting(&opt::HEIGHT), "bounds and smoothness of the height along the body"),
+    key("optimise", "values", Optional, Kind::Setting(&opt::VALUES), "values of a profile along the body"),
+    key("optimise", "volume", Optional, Kind::Setting(&opt::VOLUME), "volume of the body, against that of the scene"),
+    key("optimise", "method", Optional, Kind::Setting(&opt::METHOD), "how designs are chosen; automatic by the constraints"),
+    key("optimise", "starts", Optional, Kind::Setting(&opt::STARTS), "searches, the first from the scene, others from random designs"),
+    key("optimise", "evaluations", Optional, Kind::Setting(&opt::EVALUATIONS), "largest number of designs of one search"),
+    key("optimise", "neighbours", Optional, Kind::Setting(&opt::NEIGHBOURS), "random designs that the optimum is compared with"),
+    key("optimise", "seed", Optional, Kind::Setting(&opt::SEED_OF_STARTS), "another seed gives other random designs"),
+    key("optimise", "check", Optional, Kind::Setting(&opt::CHECK), "whether a search without gradients goes on from the optimum"),
 
     key("uncertainty", "inputs", Required, Kind::Setting(&uncertainty::INPUTS), "keys that are uncertain, with their distributions"),
     key("uncertainty", "correlations", Optional, Kind::Setting(&uncertainty::CORRELATIONS), "inputs that vary together"),

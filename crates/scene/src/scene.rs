@@ -2,6 +2,7 @@
 
 use crate::bounds::BoundsTable;
 use crate::fit::FitTable;
+use crate::optimisation::OptimisationTable;
 use crate::uncertainty::UncertaintyTable;
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
 use peelkit::study::Accuracy;
@@ -22,6 +23,8 @@ pub struct Scene {
     pub bounds: BoundsTable,
     /// What `peel fit` determines, where the scene says so.
     pub fit: Option<FitTable>,
+    /// What is optimised, where the scene says so; `peel optimise` does it.
+    pub optimisation: Option<OptimisationTable>,
     /// What is uncertain, where the scene says so; `peel uncertainty` samples it.
     pub uncertainty: Option<UncertaintyTable>,
     /// The tables that the text gives, as they were read.
@@ -41,7 +44,12 @@ pub struct TableTexts {
 impl Scene {
     /// The same with every table that a scene may hold.
     pub(crate) fn of_defaults() -> Self {
-        Self { fit: Some(FitTable::default()), uncertainty: Some(UncertaintyTable::default()), ..Self::empty("") }
+        Self {
+            fit: Some(FitTable::default()),
+            optimisation: Some(OptimisationTable::default()),
+            uncertainty: Some(UncertaintyTable::default()),
+            ..Self::empty("")
+        }
     }
 
     /// A scene that holds the defaults; what has none is NaN until the text gives it.
@@ -55,6 +63,7 @@ impl Scene {
             accuracy: Accuracy::to(1e-6),
             bounds: BoundsTable { points: 20_000, time_s: Some(60.0), displacement: None },
             fit: None,
+            optimisation: None,
             uncertainty: None,
             table_texts: TableTexts::default(),
         }

@@ -3,9 +3,9 @@
 
 use super::{hold, row, text, with_part};
 use peelkit_report::reference::{
-    CURVE_COLUMNS, FIT_COLUMNS, FIT_SUMMARY, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, OutputKey, PEEL_SUMMARY,
-    PROFILE_COLUMNS, SAMPLE_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS, SWEEP_SUMMARY, UNCERTAINTY_COLUMNS,
-    UNCERTAINTY_SUMMARY, paths,
+    CURVE_COLUMNS, FIT_COLUMNS, FIT_SUMMARY, HISTORY_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS,
+    OPTIMISATION_SUMMARY, OutputKey, PEEL_SUMMARY, PROFILE_COLUMNS, SAMPLE_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS,
+    SWEEP_SUMMARY, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY, paths,
 };
 use peelkit_report::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
 use serde_json::Value;
@@ -27,6 +27,8 @@ fn the_output_reference_is_that_of_the_lists() {
         ("states.csv", &state_columns(STATE_FIELDS), "column"),
         ("states.csv in space", &state_columns(SPATIAL_STATE_FIELDS), "column"),
         ("sweep.csv", SWEEP_COLUMNS, "column"),
+        ("peel optimise --json", OPTIMISATION_SUMMARY, "key"),
+        ("history.csv", HISTORY_COLUMNS, "column"),
         ("peel fit", FIT_SUMMARY, "key"),
         ("fit.csv", FIT_COLUMNS, "column"),
         ("profiles.csv", PROFILE_COLUMNS, "column"),
@@ -189,6 +191,28 @@ fn every_output_of_a_fit_is_described() {
         let table = std::fs::read_to_string(folder.path().join("fit").join(file)).unwrap();
         assert_described(&table.lines().next().unwrap().split(',').map(str::to_owned).collect(), keys, file);
     }
+}
+
+#[test]
+fn every_key_of_an_optimisation_is_described() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = format!("{}/scenes/strip-optimised.toml", super::ROOT);
+    let few = [
+        "optimise.values=5",
+        "optimise.evaluations=3",
+        "optimise.neighbours=2",
+        "optimise.starts=1",
+        "optimise.check=true",
+    ];
+    let few: Vec<&str> = few.iter().flat_map(|set| ["--set", set]).collect();
+    peel(&[&["optimise", &scene, "--out", "out"], ROUGHLY, &few].concat(), folder.path());
+    let json = std::fs::read(folder.path().join("out/summary.json")).unwrap();
+    let mut found = BTreeSet::new();
+    keys_of(&serde_json::from_slice(&json).unwrap(), "", &mut found);
+    assert_described(&found, OPTIMISATION_SUMMARY, "peel optimise --json");
+    let history = std::fs::read_to_string(folder.path().join("out/history.csv")).unwrap();
+    let columns = history.lines().next().unwrap().split(',').map(str::to_owned).collect();
+    assert_described(&columns, HISTORY_COLUMNS, "history.csv");
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod error_bounds;
 mod fit;
 mod observed;
 mod observed_in_space;
+mod optimisation;
 mod out_of_plane;
 mod out_of_plane_branch;
 mod peak_only;

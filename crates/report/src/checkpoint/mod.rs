@@ -1,10 +1,12 @@
 //! What an unfinished command has found, kept in a file as it comes and taken up by the next one.
 
 mod lines;
+mod optimisation;
 mod run;
 mod sweep;
 mod uncertainty;
 
+pub use optimisation::PartialOptimisation;
 pub use run::PartialRun;
 pub use sweep::PartialSweep;
 pub use uncertainty::PartialUncertainty;

@@ -2,11 +2,13 @@
 //! against what the command writes.
 
 mod fit;
+mod optimisation;
 mod summary;
 mod tables;
 mod uncertainty;
 
 pub use fit::{FIT_COLUMNS, FIT_SUMMARY, PROFILE_COLUMNS};
+pub use optimisation::{HISTORY_COLUMNS, OPTIMISATION_SUMMARY};
 pub use summary::{PEEL_SUMMARY, SWEEP_SUMMARY};
 pub use tables::{CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS};
 pub use uncertainty::{SAMPLE_COLUMNS, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY};
@@ -73,7 +75,9 @@ pub fn paths(keys: &[OutputKey]) -> Vec<String> {
 mod tests {
     use super::*;
 
-    const ALL: [&[OutputKey]; 13] = [
+    const ALL: [&[OutputKey]; 15] = [
+        OPTIMISATION_SUMMARY,
+        HISTORY_COLUMNS,
         FIT_SUMMARY,
         FIT_COLUMNS,
         PROFILE_COLUMNS,

@@ -2,12 +2,14 @@
 
 mod curve;
 mod fit;
+mod optimisation;
 mod sweep;
 mod table;
 mod uncertainty;
 
 pub use curve::{write_branch, write_curve, write_limit_points, write_observed};
 pub use fit::write_fit;
+pub use optimisation::write_history;
 pub use sweep::{SweepLine, work_to, write_followed, write_sweep};
 pub use table::write_table;
 pub use uncertainty::{write_samples, write_uncertainty};

@@ -12,6 +12,7 @@ pub use kind::{Kind, Need, Setting};
 use crate::bodies::{BODIES, body_of};
 use crate::error::ValueError;
 use crate::fit;
+use crate::optimisation;
 use crate::scene::Scene;
 use crate::shape;
 use crate::space;
@@ -44,6 +45,7 @@ impl Key {
     pub fn belongs_to(&self, scene: &Scene) -> bool {
         match self.table {
             fit::TABLE => scene.fit.is_some(),
+            optimisation::TABLE => scene.optimisation.is_some(),
             uncertainty::TABLE => scene.uncertainty.is_some(),
             _ if self.is_of_space() && scene.model.space.is_none() => false,
             shape::TABLE => shape::has(&scene.model.ground.substrate, self.name),

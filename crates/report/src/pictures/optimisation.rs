@@ -1,0 +1,103 @@
+//! An optimisation: the shape before and after, both peels, and how the searches went.
+
+use crate::chart::{Axis, Frame, Line, Panel, Picture, RGBColor, Stroke, WIDTH, colour, order_shade, save};
+use crate::error::ReportError;
+use peelkit::model::PeelModel;
+use peelkit::study::Peel;
+use peelkit::study::optimisation::{DesignProblem, Optimum, ProfileColumn};
+use std::path::{Path, PathBuf};
+
+/// Height of a panel, pixels.
+const HEIGHT: f64 = 250.0;
+/// From one panel to the next: its axis, and the title of the next, pixels.
+const BETWEEN: f64 = 86.0;
+/// Points of a shape, and intervals of a curve between two points of its path.
+const ALONG: usize = 400;
+const DENSE: usize = 8;
+
+/// Draws `optimum.svg` and `optimum.png` into `dir`: where a profile is free its shape before and after, force against displacement before and after,
+/// and the objective against the designs of each search.
+///
+/// Fails where a file cannot be written ([`ReportError::Write`]) or drawn ([`ReportError::Draw`]).
+pub fn draw_optimum(
+    problem: &DesignProblem,
+    optimum: &Optimum,
+    title: &str,
+    dir: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let mut sheet = Sheet::default();
+    let models = [&optimum.before, &optimum.after].map(|design| (problem.model)(&design.values));
+    let is_free = |column| problem.variables.iter().any(|variable| variable.along.is_some_and(|(of, _)| of == column));
+    for column in [ProfileColumn::Width, ProfileColumn::Height].into_iter().filter(|&column| is_free(column)) {
+        let of = |model: &Option<PeelModel>| model.as_ref().map_or_else(Vec::new, |model| outline(model, column));
+        let label = format!("{} (nm)", column.word());
+        sheet.add("", ["place along the body S (nm)", &label], both(models.each_ref().map(of)));
+    }
+    for (k, (before, after)) in optimum.before.peels.iter().zip(&optimum.after.peels).enumerate() {
+        let angle = |peel: &Peel| peel.model.pull.angle.to_degrees();
+        let title = match optimum.before.peels.len() {
+            1 => String::new(),
+            _ => format!("{} at {:.6} degrees", ["holding", "release"][k.min(1)], angle(before)),
+        };
+        sheet.add(&title, ["displacement u (nm)", "force P (nN)"], both([before, after].map(curve)));
+    }
+    let count = optimum.searches.len();
+    let lines = optimum.searches.iter().enumerate().map(|(k, search)| {
+        let value = |(k, log_value): (usize, Option<f64>)| log_value.map(|value| (k as f64, value.exp()));
+        let points = search.evaluations.iter().map(|design| design.log_value).enumerate().filter_map(value).collect();
+        line(points, order_shade(k, count), &format!("search {k}"))
+    });
+    let lines: Vec<Line> = lines.collect();
+    sheet.add("", ["designs evaluated", problem.objective.quantity().name()], lines);
+    let height = sheet.top as u32;
+    save(&Picture { title: title.into(), height, panels: sheet.panels }, dir, "optimum")
+}
+
+/// Panels below one another.
+struct Sheet {
+    top: f64,
+    panels: Vec<Panel>,
+}
+
+impl Default for Sheet {
+    fn default() -> Self {
+        Self { top: 12.0, panels: Vec::new() }
+    }
+}
+
+impl Sheet {
+    /// A panel with these lines; none where they have no points.
+    fn add(&mut self, title: &str, labels: [&str; 2], lines: Vec<Line>) {
+        let points = || lines.iter().flat_map(|line| &line.points);
+        if points().next().is_none() {
+            return;
+        }
+        let top = self.top + 34.0;
+        let frame = Frame { left: 88.0, top, right: f64::from(WIDTH) - 18.0, bottom: top + HEIGHT };
+        let x = Axis::around(labels[0], points().map(|point| point.0), false);
+        let y = Axis::around(labels[1], points().map(|point| point.1), false);
+        self.panels.push(Panel { title: title.to_owned(), lines, ..Panel::new(frame, x, y) });
+        self.top += HEIGHT + BETWEEN;
+    }
+}
+
+fn both([before, after]: [Vec<(f64, f64)>; 2]) -> Vec<Line> {
+    vec![line(before, colour::GREY, "before"), line(after, colour::BLUE, "after")]
+}
+
+fn line(points: Vec<(f64, f64)>, colour: RGBColor, name: &str) -> Line {
+    Line { points, stroke: Stroke::solid(colour, 2.0), name: Some(name.to_owned()) }
+}
+
+fn outline(model: &PeelModel, column: ProfileColumn) -> Vec<(f64, f64)> {
+    let place = |k: usize| model.length() * k as f64 / ALONG as f64;
+    let value = |place: f64| {
+        let (_, width, height) = model.section_at(place);
+        if column == ProfileColumn::Width { width } else { height }
+    };
+    (0..=ALONG).map(|k| (place(k), value(place(k)))).collect()
+}
+
+fn curve(peel: &Peel) -> Vec<(f64, f64)> {
+    peel.dense_curve(DENSE).into_iter().map(|(u, force, _)| (u, force)).collect()
+}

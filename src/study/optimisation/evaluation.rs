@@ -1,0 +1,113 @@
+//! One design evaluated: ln Q and its gradient from one peel a factor of the objective, and one adjoint.
+
+use super::options::OptimisationOptions;
+use super::problem::{DesignProblem, Factor};
+use super::search_path::SearchPath;
+use crate::study::{Derivative, Peel, Spacing, Variation, peel, sensitivities};
+
+/// What was found of one design. A design whose peel has no such number, or that cannot be computed, has no value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Evaluation {
+    /// From 0 to 1 between the bounds of each variable
+    pub coordinates: Vec<f64>,
+    /// ln Q; none: a bad point
+    pub log_value: Option<f64>,
+    /// d ln Q/d coordinate; empty where it was not asked for or there is none
+    pub gradient: Vec<f64>,
+}
+
+/// A gradient of ln Q to the accuracy asked for.
+#[derive(Clone, Debug)]
+pub(super) struct Precise {
+    pub gradient: Vec<f64>,
+    pub errors: Vec<f64>,
+}
+
+/// Evaluates designs.
+pub(super) struct Evaluator<'p> {
+    problem: &'p DesignProblem<'p>,
+    options: &'p OptimisationOptions<'p>,
+    factors: Vec<(Factor, SearchPath)>,
+}
+
+impl<'p> Evaluator<'p> {
+    /// From the peels of the start.
+    pub fn new(problem: &'p DesignProblem<'p>, options: &'p OptimisationOptions<'p>, start: &[Peel]) -> Self {
+        let path = |(factor, peel): (Factor, &Peel)| (factor, SearchPath::new(factor.of, peel));
+        let factors = problem.objective.factors().into_iter().zip(start).map(path).collect();
+        Self { problem, options, factors }
+    }
+
+    /// ln Q at coordinates, with its gradient where that is asked for.
+    pub fn evaluate(&self, coordinates: &[f64], with_gradient: bool) -> Evaluation {
+        let found = self.log_value(coordinates, with_gradient);
+        let (log_value, gradient) = found.map_or((None, Vec::new()), |(value, gradient)| (Some(value), gradient));
+        Evaluation { coordinates: coordinates.to_vec(), log_value, gradient }
+    }
+
+    fn log_value(&self, coordinates: &[f64], with_gradient: bool) -> Option<(f64, Vec<f64>)> {
+        let model = self.problem.model_at(coordinates)?;
+        let (mut sum, mut gradient) = (0.0, vec![0.0; if with_gradient { coordinates.len() } else { 0 }]);
+        for (factor, path) in &self.factors {
+            let peel = path.peel(&factor.model(model.clone()), self.options);
+            let value = factor.of.value(&peel).filter(|&value| value > 0.0)?;
+            sum += factor.power * value.ln();
+            if with_gradient {
+                for (slope, total) in
+                    derivatives(self.problem, factor, &peel, coordinates).ok()?.iter().zip(&mut gradient)
+                {
+                    *total += factor.power * slope.value / value;
+                }
+            }
+        }
+        (sum.is_finite() && gradient.iter().all(|slope| slope.is_finite())).then_some((sum, gradient))
+    }
+
+    /// The gradient of ln Q from peels to the accuracy asked for.
+    pub fn precise(&self, coordinates: &[f64]) -> Option<Precise> {
+        let model = self.problem.model_at(coordinates)?;
+        let zero = || vec![0.0; coordinates.len()];
+        let mut sum = Precise { gradient: zero(), errors: zero() };
+        for (factor, _) in &self.factors {
+            let peel = peel(&factor.model(model.clone()), &self.options.accuracy, &(self.options.stop)());
+            let value = factor.of.value(&peel).filter(|&value| value > 0.0)?;
+            for (k, slope) in derivatives(self.problem, factor, &peel, coordinates).ok()?.iter().enumerate() {
+                sum.gradient[k] += factor.power * slope.value / value;
+                sum.errors[k] += slope.error / value;
+            }
+        }
+        Some(sum)
+    }
+}
+
+/// The derivatives of the number of a factor by the coordinates, or why there are none.
+pub(super) fn derivatives(
+    problem: &DesignProblem,
+    factor: &Factor,
+    peel: &Peel,
+    coordinates: &[f64],
+) -> Result<Vec<Derivative>, String> {
+    let base = &peel.model;
+    let ranges: Vec<f64> = problem.variables.iter().map(|variable| variable.range()).collect();
+    let variation = |index: usize| {
+        // of a logarithmic coordinate x is ln of the value, else a share of the range
+        let share = if problem.variables[index].spacing == Spacing::Logarithmic { 1.0 / ranges[index] } else { 1.0 };
+        let model = move |x: f64| {
+            let mut moved = coordinates.to_vec();
+            moved[index] += share * x;
+            // the bounds lie inside the range in which there is a model
+            problem.model_at(&moved).map_or_else(|| base.clone(), |model| factor.model(model))
+        };
+        (share, Variation { key: problem.variables[index].name.clone(), model: Box::new(model) })
+    };
+    let (shares, variations): (Vec<f64>, Vec<Variation>) = (0..coordinates.len()).map(variation).unzip();
+    let found = sensitivities(peel, &[factor.of], &variations).map_err(|why| why.to_string())?;
+    let one = |(index, share): (usize, &f64)| {
+        let slope = found.of(factor.of, index).copied();
+        let refused = || found.refused.iter().find(|(variation, _)| *variation == index);
+        slope
+            .map(|slope| Derivative { value: slope.value / share, error: slope.error / share, ..slope })
+            .ok_or_else(|| refused().map_or_else(|| factor.of.name().to_owned(), |(_, why)| why.to_string()))
+    };
+    shares.iter().enumerate().map(one).collect()
+}

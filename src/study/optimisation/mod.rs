@@ -1,0 +1,28 @@
+//! The best design: numbers of a model, and its width and height along the body, under bounds and constraints.
+mod certificate;
+mod check;
+mod derivative_free;
+mod evaluation;
+mod failure;
+mod options;
+mod problem;
+mod profile;
+mod quasi_newton;
+mod refine;
+mod result;
+mod run;
+mod search;
+mod search_path;
+mod sequential_quadratic;
+mod starts;
+pub use certificate::{ActiveConstraint, Certificate, DerivativeFreeCheck, Neighbours};
+pub use evaluation::Evaluation;
+pub use failure::NoOptimum;
+pub use options::{OptimisationOptions, SearchMethod};
+pub use problem::{
+    ConstraintKind, DesignConstraint, DesignFunction, DesignModel, DesignProblem, DesignVariable, Goal, Objective,
+};
+pub use profile::{ProfileColumn, ProfileDesign, volume};
+pub use result::{Design, Optimum};
+pub use run::optimise;
+pub use search::{SearchEnd, SearchResult};
