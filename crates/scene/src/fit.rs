@@ -125,7 +125,10 @@ fn read(items: &[Value]) -> Result<Vec<FittedKey>, Fault> {
 fn one(text: &str) -> Result<FittedKey, String> {
     let mut words = text.split_whitespace();
     let path = words.next().unwrap_or_default();
-    let key = find_key(path).map_err(|problem| format!("which {}: {}", problem.found, lowered(&problem.remedy)))?;
+    let key = find_key(path).map_err(|problem| match problem.remedy.starts_with("Did you mean") {
+        true => format!("which {}: {}", problem.found, lowered(&problem.remedy)),
+        false => format!("which {}", problem.found),
+    })?;
     if !is_parameter(key) {
         return Err("whose key is not a number of the model".into());
     }
