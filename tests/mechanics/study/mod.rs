@@ -14,4 +14,5 @@ mod space_outlines;
 mod special_points;
 mod stability;
 mod terms;
+mod upright;
 mod warnings;
