@@ -6,7 +6,7 @@ use super::{Beam, BeamProblem, Body, Form, Hold, PeelModel, Profile, Spatula, fr
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
 use crate::beam::{
     self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, Reach, ReducedBeam,
-    ReferenceConfiguration, ReissnerBeam, UprightPole, Variation, Varying,
+    ReferenceConfiguration, ReissnerBeam, UprightCorner, UprightPole, Variation, Varying,
 };
 use crate::solve::{EndConditions, History, INTERFACE, InitialState, PathMeasure};
 use serde::{Deserialize, Serialize};
@@ -159,7 +159,11 @@ impl PeelModel {
         };
         let law = self.line_law();
         let pole = law.has_pole().then(|| UprightPole { law, section: Box::new(section) });
-        ModelLimits { bonded, pole }
+        let model = self.clone();
+        let width = move |place| model.section_at(place).1;
+        let smooth = pole.is_none() && self.ground.substrate.is_flat();
+        let corner = smooth.then(|| UprightCorner { law, width: Box::new(width) });
+        ModelLimits { bonded, pole, corner }
     }
 
     /// Its sections along S.

@@ -5,6 +5,7 @@
 
 mod body_force;
 mod cohesive;
+mod coverage;
 mod law;
 mod line_load;
 mod own;

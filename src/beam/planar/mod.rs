@@ -10,6 +10,7 @@ mod model_limits;
 mod planar_beam;
 mod planar_system;
 mod uniform_chain;
+mod upright_corner;
 pub use chain::*;
 pub use density::*;
 pub use element::*;

@@ -14,6 +14,8 @@ pub struct ModelLimits {
     pub bonded: Option<BondedBeam>,
     /// Of a law with a pole at upright sections.
     pub pole: Option<UprightPole>,
+    /// Of a law without such a pole.
+    pub corner: Option<UprightCorner>,
 }
 
 /// The near face's energy bW/|cos θ|, which has no lower bound where a section is upright.
@@ -26,6 +28,14 @@ pub struct UprightPole {
     pub law: LineLaw,
     /// EI (nN·nm²) and b (nm) at S, nm
     pub section: Box<dyn Fn(f64) -> [f64; 2] + Send + Sync>,
+}
+
+/// The line moment of a law at upright sections, which may jump there (`upright_corner.rs`).
+pub struct UprightCorner {
+    /// The law of the free end
+    pub law: LineLaw,
+    /// b at S, both nm
+    pub width: Box<dyn Fn(f64) -> f64 + Send + Sync>,
 }
 
 /// Half width of a pole's barrier, cos θ, below which elements step over it without a trace, whatever their mesh. Of sampled pulls and spatulae
@@ -49,11 +59,11 @@ pub struct UprightSection {
     pub place: f64,
     /// Height of the near face above the ground, nm
     pub height: f64,
-    /// What the pole does there
+    /// What the law does there
     pub pole: PoleInReach,
 }
 
-/// What the pole of the near face alone does to a section.
+/// What holds the beam at an upright section: the pole of the near face alone, or the corner of a pressed edge.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum PoleInReach {
     /// The beam passes through it.
@@ -70,6 +80,13 @@ pub enum PoleInReach {
         /// Length of the element, nm
         element: f64,
     },
+    /// The section stands on a pressed edge, about which it turns to neither side.
+    Edge {
+        /// cos θ where it is nearest to upright
+        cosine: f64,
+        /// Line moment to either side, nN
+        moment: f64,
+    },
 }
 
 impl fmt::Display for UprightSection {
@@ -85,6 +102,11 @@ impl fmt::Display for UprightSection {
                 f,
                 "is so nearly upright, cos θ = {cosine:.1e}, that the energy of the near face alone, W/cos θ, bends the beam within {length:.2} nm, \
                  where elements are {element:.2} nm long"
+            ),
+            PoleInReach::Edge { cosine, moment } => write!(
+                f,
+                "stands upright, cos θ = {cosine:.1e}, on an edge that is pressed on the substrate, which turns it back from either side with a \
+                 line moment of {moment:.3e} nN: the beam is no longer smooth there"
             ),
         }
     }
@@ -175,7 +197,7 @@ impl PlanarBeam {
         self.elements_near_upright(at).find_map(|element| self.unresolved(&self.looks(at, element), pole))
     }
 
-    fn elements_near_upright(&self, at: &State) -> impl Iterator<Item = usize> {
+    pub(super) fn elements_near_upright(&self, at: &State) -> impl Iterator<Item = usize> {
         (0..at.mesh.elements()).filter(|&element| self.is_near_upright(at, element))
     }
 
@@ -189,7 +211,7 @@ impl PlanarBeam {
     }
 
     /// [S, height of the axis, rotation] at places along an element.
-    fn looks(&self, at: &State, element: usize) -> Vec<[f64; 3]> {
+    pub(super) fn looks(&self, at: &State, element: usize) -> Vec<[f64; 3]> {
         let ends = &at.mesh.boundaries;
         let look = |k: usize| {
             let share = k as f64 / LOOKS as f64;

@@ -1,6 +1,7 @@
 //! The run behind [`super::peel`]: a mesh from the accuracy asked for, the path on it, and, where the error bounds say
 //! so, a finer mesh and the path again.
 
+use super::PathFailure::{Jumped, Missed, NearUpright, NotLocated, Path, TooManyPoints};
 use super::assembly::{differences, empty, report};
 use super::equilibrium_path::{Followed, follow};
 use super::solution_history::SolutionHistory;
@@ -244,23 +245,20 @@ impl Attempt {
                 resolution.finer(difference, spread)
             }
             // a displacement that turns nowhere may be a jump as well
-            Some(
-                PathFailure::Missed { .. }
-                | PathFailure::Jumped { .. }
-                | PathFailure::NotLocated { turn: LimitPointKind::Displacement, .. },
-            ) => Resolution { step_tolerance: 0.3 * step_tolerance, ..resolution.times(1.25) },
+            Some(Missed { .. } | Jumped { .. } | NotLocated { turn: LimitPointKind::Displacement, .. }) => {
+                Resolution { step_tolerance: 0.3 * step_tolerance, ..resolution.times(1.25) }
+            }
             Some(_) => resolution.times(1.5),
         };
         let trouble = followed.trouble.clone().or_else(|| followed.late());
         peel.asked = relative;
         peel.choice = accuracy.choice;
         peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order };
-        let (cut, beyond) = (followed.cut, followed.beyond);
+        let (cut, beyond, remembers) = (followed.cut, followed.beyond, problem.system.has_history());
         let first = |place: f64| followed.turns.iter().find(|turn| turn.2.observables.displacement == place);
         let peak = peel.initiation_peak.and_then(|peak| first(peak.displacement)).map(|turn| turn.2.solution.clone());
         let limit_points = followed.turns.iter().map(|turn| turn.2.solution.clone()).collect();
         peel.trace = Some(SolutionHistory { problem: problem.clone(), points: followed.points, peak, limit_points });
-        let remembers = problem.system.has_history();
         Self { peel, difference, missed, spread, trouble, beyond, cut, next, remembers, finest: elements }
     }
 
@@ -269,9 +267,17 @@ impl Attempt {
         if self.trouble.is_some() { f64::INFINITY } else { self.difference }
     }
 
-    /// Whether nothing finer is needed.
+    /// Whether nothing finer is needed, as where a path that cannot be continued ends with its model.
     fn is_enough(&self) -> bool {
-        self.worst() <= 1.0 && self.spread <= 1.0
+        let ends = matches!(self.beyond, Some(PathEnd::Upright(_) | PathEnd::Pivoting));
+        let stopped = ends && matches!(self.trouble, Some(Path(_)));
+        self.worst() <= 1.0 && self.spread <= 1.0 || stopped && self.difference <= 1.0
+    }
+
+    /// The end that its model gives to a path that cannot be continued.
+    fn model_end(&self) -> Option<PathEnd> {
+        let stopped = matches!(self.trouble, Some(Path(_) | TooManyPoints { .. } | NearUpright(_)));
+        self.beyond.clone().filter(|_| stopped)
     }
 
     /// A whole path comes before one that was cut, then the error bounds; among those that are met, the first integral.
@@ -370,16 +376,10 @@ impl Attempt {
     /// The result, as a failure where the path cannot be used.
     fn into_peel(mut self) -> Peel {
         // a path that cannot be continued because its model ends has not failed
-        if let (
-            Some(PathFailure::Path(_) | PathFailure::TooManyPoints { .. } | PathFailure::NearUpright(_)),
-            Some(end),
-        ) = (&self.trouble, &self.beyond)
-        {
-            self.peel.end = end.clone();
-            self.trouble = None;
+        if let Some(end) = self.model_end() {
+            (self.peel.end, self.trouble) = (end, None);
         }
-        let fixed = self.peel.choice.elements.is_some();
-        let worst = self.worst();
+        let (fixed, worst) = (self.peel.choice.elements.is_some(), self.worst());
         // a path that remembers has been followed again with other steps, whose mesh may be a little worse
         let missed = worst > if self.remembers { STRIDE_TOLERANCE_FACTOR } else { 1.0 }
             && worst * self.peel.asked > if self.is_at_round_off() { CERTAIN_STAGNATION } else { STAGNATION }

@@ -187,9 +187,11 @@ fn reduced_energy<D: DualNum<f64> + Copy>(section: &Section, rotation: D, dy: D,
     stored_energy(section, rotation, dx, dy, curvature) - force * dx
 }
 
-/// What a tilted section counts in the coverage: near to cos θ, and a quarter where it stands upright.
-fn share<D: DualNum<f64> + Copy>(cos: D) -> D {
-    cos * cos - (cos.powi(4) - 1.0) * 0.25
+/// What a tilted section counts in the coverage: near to cos θ, and a quarter where it stands upright; all of it under a load that is blind
+/// to the tilt.
+fn share<D: DualNum<f64> + Copy>(law: &LineLaw, cos: D) -> D {
+    let seen = cos * cos - (cos.powi(4) - 1.0) * 0.25;
+    if law.line_load == LineLoad::AxisGap { D::one() } else { seen }
 }
 
 #[test]
@@ -206,7 +208,8 @@ fn two_field_density_held_and_free() {
                 &at,
             );
             let energy = |v: SVector<Dual2SVec64<5>, 5>| line_energy(&law, v[0], v[1]) * width;
-            let covered = |v: SVector<Dual2SVec64<5>, 5>| line_energy(&law, v[0], v[1]) * share(v[1].cos()) * width;
+            let covered =
+                |v: SVector<Dual2SVec64<5>, 5>| line_energy(&law, v[0], v[1]) * share(&law, v[1].cos()) * width;
             let adhesion = [hessian(energy, &at), hessian(covered, &at)];
             let held = ReducedBeam::<true> { profile: c.profile(), law };
             compare(&held.response(0.0, value, [dy, curvature], c.axial_multiplier), stored, adhesion, 0, potential)?;
@@ -217,7 +220,8 @@ fn two_field_density_held_and_free() {
                 &at,
             );
             let energy = |v: SVector<Dual2SVec64<4>, 4>| line_energy(&law, v[0], v[1]) * width;
-            let covered = |v: SVector<Dual2SVec64<4>, 4>| line_energy(&law, v[0], v[1]) * share(v[1].cos()) * width;
+            let covered =
+                |v: SVector<Dual2SVec64<4>, 4>| line_energy(&law, v[0], v[1]) * share(&law, v[1].cos()) * width;
             let adhesion = [hessian(energy, &at), hessian(covered, &at)];
             let free = ReducedBeam::<false> { profile: c.profile(), law };
             // a free grip knows no H, whatever stands in its place
@@ -238,7 +242,8 @@ fn three_field_density() {
                 &at,
             );
             let energy = |v: SVector<Dual2SVec64<6>, 6>| line_energy(&law, v[1], v[2]) * width;
-            let covered = |v: SVector<Dual2SVec64<6>, 6>| line_energy(&law, v[1], v[2]) * share(v[2].cos()) * width;
+            let covered =
+                |v: SVector<Dual2SVec64<6>, 6>| line_energy(&law, v[1], v[2]) * share(&law, v[2].cos()) * width;
             let adhesion = [hessian(energy, &at), hessian(covered, &at)];
             let response =
                 ReissnerBeam { profile: c.profile(), law }.response(0.0, [17.0, c.gap, c.rotation], c.slopes, 0.0);

@@ -17,4 +17,5 @@ mod space_outlines;
 mod special_points;
 mod stability;
 mod terms;
+mod upright;
 mod warnings;

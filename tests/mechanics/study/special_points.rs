@@ -150,6 +150,8 @@ fn works_and_plateaus_stay_within_their_bounds() {
         paper_strip(1000.0, 1.0).into(),
         with_grip(paper_strip(100.0, 1.0), Hold::Fixed, Hold::Fixed).into(),
         with_load(paper_strip(500.0, 1.0), LineLoad::AxisGap).into(),
+        with_load(paper_strip(700.0, 1.0), LineLoad::AxisGap).into(),
+        paper_strip(400.0, 0.3).into(),
         at_angle(30.0),
         at_angle(120.0),
     ] {
@@ -178,7 +180,7 @@ fn works_and_plateaus_stay_within_their_bounds() {
             }
         }
     }
-    assert!(judged > 20 && plateaus > 1, "{judged} {plateaus}");
+    assert!(judged > 20 && plateaus > 4, "{judged} {plateaus}");
 }
 
 /// Without a potential the work is an integral over the path: it has no bound, and says so.

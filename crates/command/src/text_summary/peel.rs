@@ -292,7 +292,7 @@ pub(super) fn end(end: &PathEnd) -> String {
         PathEnd::Sliding => "the whole contact slides, at a constant force from here on",
         PathEnd::Snapped => "the strip snaps off; equilibrium does not determine how it slides during the jump",
         PathEnd::BondedPartUnstable(_) => "no stable state is near",
-        PathEnd::Upright(_) => "the near face alone has no energy there",
+        PathEnd::Upright(_) => "no smooth solution goes on from there",
         PathEnd::Bound(_) => "a limit set under [bounds] was reached",
         PathEnd::Failed(failure) if failure.is_refusal() => "the model is not computed",
         PathEnd::Failed(_) => "the computation stopped short",

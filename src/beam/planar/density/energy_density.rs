@@ -11,9 +11,7 @@ pub struct PointResponse<T, const F: usize> {
     pub energy: T,
     /// Its share from adhesion, nN
     pub adhesion: T,
-    /// The same per length of the substrate, ¼(1 + 4 cos²θ - cos⁴θ) bΨ, nN: what the peeling front is counted by. A section covers
-    /// |cos θ| of its length, from which the factor differs by a fourth power of θ; it is smooth, and an upright section that adheres counts a
-    /// quarter
+    /// What the peeling front is counted by, nN: [`crate::adhesion::LineLaw::coverage`] times the width
     pub coverage: T,
     /// ∂φ/∂field
     pub by_value: [T; F],
@@ -66,7 +64,7 @@ impl<T: Real, const F: usize> PointResponse<T, F> {
 impl<T: Real, const F: usize> PointResponse<T, F> {
     /// Of the adhesion alone, on an adhering width. The last two fields are the gap and the rotation.
     #[inline(always)]
-    pub(super) fn of_adhesion(adhesion: &LineResponse<T>, b: T, tilt: [T; 2]) -> Self {
+    pub(super) fn of_adhesion(adhesion: &LineResponse<T>, coverage: [T; 3], b: T) -> Self {
         let (gap, rotation) = (F - 2, F - 1);
         let mut response = Self::zero();
         response.energy = adhesion.energy * b;
@@ -77,24 +75,16 @@ impl<T: Real, const F: usize> PointResponse<T, F> {
         response.value_value[gap][rotation] = adhesion.gap_rotation * b;
         response.value_value[rotation][gap] = adhesion.rotation_gap * b;
         response.value_value[rotation][rotation] = adhesion.rotation_rotation * b;
-        let mut gradient = [T::splat(0.0); F];
-        (gradient[gap], gradient[rotation]) = (response.by_value[gap], adhesion.energy_by_rotation * b);
-        response.set_coverage(tilt, gradient);
+        response.set_coverage(coverage, b);
         response
     }
 
-    /// Sets the coverage from the adhesion energy and its gradient. Without the factor sections that adhere and are tilted would count more than
-    /// others, and the front would run ahead of where the beam peels.
+    /// Sets the coverage from that of the law, with its derivatives by the last two fields, and the adhering width.
     #[inline(always)]
-    pub(super) fn set_coverage(&mut self, [sin, cos]: [T; 2], gradient: [T; F]) {
-        let square = cos * cos;
-        let share = square - (square * square - 1.0) * 0.25;
-        self.coverage = self.adhesion * share;
-        for f in 0..F {
-            self.coverage_by_value[f] = gradient[f] * share;
-        }
-        // the rotation is the last field
-        self.coverage_by_value[F - 1] = self.coverage_by_value[F - 1] - self.adhesion * sin * cos * (-square + 2.0);
+    pub(super) fn set_coverage(&mut self, [value, by_gap, by_rotation]: [T; 3], b: T) {
+        self.coverage = value * b;
+        self.coverage_by_value[F - 2] = by_gap * b;
+        self.coverage_by_value[F - 1] = by_rotation * b;
     }
 }
 

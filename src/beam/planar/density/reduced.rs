@@ -127,7 +127,7 @@ impl<const HELD: bool> EnergyDensity<2> for ReducedBeam<HELD> {
         response.slope_value[0][1] = v_t;
         response.slope_slope[0][0] = inverse;
         response.slope_slope[1][1] = ei;
-        response.set_coverage([sin, cos], [adhesion.by_gap * b, adhesion.energy_by_rotation * b]);
+        response.set_coverage(self.law.coverage(&adhesion, sin, cos), b);
         response
     }
 
@@ -143,7 +143,7 @@ impl<const HELD: bool> EnergyDensity<2> for ReducedBeam<HELD> {
         let (sin, cos) = rotation.sin_cos();
         let station = self.profile.at(place);
         let adhesion = self.law.response_of(station.height, gap, sin, cos);
-        PointResponse::of_adhesion(&adhesion, station.width, [sin, cos])
+        PointResponse::of_adhesion(&adhesion, self.law.coverage(&adhesion, sin, cos), station.width)
     }
 
     fn is_symmetric(&self) -> bool {

@@ -108,7 +108,7 @@ impl EnergyDensity<3> for ReissnerBeam {
         response.value_value[1][2] = adhesion.gap_rotation * b;
         response.value_value[2][1] = adhesion.rotation_gap * b;
         response.value_value[2][2] = response.value_value[2][2] + adhesion.rotation_rotation * b;
-        response.set_coverage([sin, cos], [T::splat(0.0), adhesion.by_gap * b, adhesion.energy_by_rotation * b]);
+        response.set_coverage(self.law.coverage(&adhesion, sin, cos), b);
         response
     }
 
@@ -124,7 +124,7 @@ impl EnergyDensity<3> for ReissnerBeam {
         let (sin, cos) = rotation.sin_cos();
         let station = self.profile.at(place);
         let adhesion = self.law.response_of(station.height, gap, sin, cos);
-        PointResponse::of_adhesion(&adhesion, station.width, [sin, cos])
+        PointResponse::of_adhesion(&adhesion, self.law.coverage(&adhesion, sin, cos), station.width)
     }
 
     fn is_symmetric(&self) -> bool {

@@ -100,7 +100,7 @@ pub(in crate::study::peel) fn follow(
         let mut ws = followed.workspace();
         let (tolerance, most) = (options.tolerance.min(ROUGH), limits.stop.points);
         let (iterations, jump) = fill_in(problem, &mut followed.points, relative, tolerance, most, &mut ws);
-        followed.iterations += iterations + sharpen(problem, &mut followed.points, tolerance, &mut ws);
+        followed.iterations += iterations + sharpen(problem, &mut followed.points, relative, tolerance, &mut ws);
         followed.trouble = jump.map(|after| PathFailure::Jumped {
             after,
             displacement_nm: followed.points[after].observables.displacement,

@@ -118,6 +118,7 @@ impl Followed {
         let Some((after, section)) = places.min_by_key(|&(after, _)| after) else { return };
         self.points.truncate(after + 1);
         self.turns.retain(|turn| turn.1 < after);
+        self.branch_points.retain(|branch| branch.0 < after);
         self.trouble = Some(PathFailure::NearUpright(section));
         self.beyond = Some(PathEnd::Upright(section));
     }

@@ -6,6 +6,9 @@ use crate::solve::Solution;
 use crate::study::peel::{PathEnd, PathFailure};
 use std::sync::Arc;
 
+/// A force below this share of the work of adhesion over the width is none, where a path cannot be continued.
+const NO_FORCE: f64 = 1e-6;
+
 /// The end at the newest point, if its model says so: a section is where the energy has a pole, or what is bonded has lost its stability
 /// since the point before. Then a negative eigenvalue comes without a limit point; where the sections tilt to one side from the front on
 /// instead, none does, and the path goes on in a stable state.
@@ -39,6 +42,12 @@ pub(super) fn stopped_by_model(
     }
     let [_, _, .., newest] = points else { return None };
     let beam = problem.beam.planar()?;
+    if let Some(section) = beam.held_upright(&newest.at) {
+        return Some(PathEnd::Upright(section));
+    }
+    if newest.observables.force < NO_FORCE * problem.measure.force && newest.slope.force < 0.0 {
+        return Some(PathEnd::Pivoting);
+    }
     beam.limits.bonded.as_ref()?;
     beam.limits.near_bonded_loss(beam.grip_forces(&newest.at).horizontal).map(PathEnd::BondedPartUnstable)
 }

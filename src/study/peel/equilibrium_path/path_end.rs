@@ -187,7 +187,11 @@ impl Followed {
         let (mut low, mut high) = ((0.0, beyond(&self.points[n - 2])), (segment.end(), beyond(&self.points[n - 1])));
         for _ in 0..MOST_SECANTS {
             let label = (low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)).clamp(0.0, segment.end());
-            let Ok(solution) = solve_on(problem, &segment, label, ROUGH, &mut ws) else { return };
+            // where nothing pulls any more no equilibrium is certain: nearer to where something does
+            let Ok(solution) = solve_on(problem, &segment, label, ROUGH, &mut ws) else {
+                high.0 = label;
+                continue;
+            };
             self.iterations += solution.iterations;
             let value = beyond(&solution);
             if value.abs() < 1e-6 * far {
