@@ -9,7 +9,7 @@ use crate::solve::{Mesh, State};
 pub struct MeshPolicy {
     /// Whether the mesh follows the front.
     pub kind: MeshKind,
-    /// Foci that follow the front, as they are for a front at S = 0.
+    /// Foci that follow each front, as they are for a front at S = 0.
     pub front_foci: Vec<Focus>,
     /// Foci of the mesh besides those.
     pub fixed_foci: Vec<Focus>,
@@ -18,13 +18,15 @@ pub struct MeshPolicy {
 }
 
 impl MeshPolicy {
-    /// Element ends for a front at this place, which may be found faster from the `near` ones of a similar mesh; without a front they are
+    /// Element ends for fronts at these places, which may be found faster from the `near` ones of a similar mesh; without a front they are
     /// graded towards nothing.
-    pub fn ends(&self, front: Option<f64>, elements: usize, near: &[f64]) -> Vec<f64> {
+    pub fn ends(&self, fronts: &[f64], elements: usize, near: &[f64]) -> Vec<f64> {
         let Self { kind, front_foci, fixed_foci, pieces } = self;
-        let mut foci = Vec::with_capacity(front_foci.len() + fixed_foci.len());
-        if let Some(center) = front.filter(|_| *kind != MeshKind::Uniform) {
-            foci.extend(front_foci.iter().map(|focus| Focus { center: center + focus.center, ..*focus }));
+        let mut foci = Vec::with_capacity(fronts.len() * front_foci.len() + fixed_foci.len());
+        if !fronts.is_empty() && *kind != MeshKind::Uniform {
+            for front in fronts {
+                foci.extend(front_foci.iter().map(|focus| Focus { center: front + focus.center, ..*focus }));
+            }
             foci.extend(fixed_foci);
         }
         graded_ends(pieces, &foci, elements, near)
@@ -46,19 +48,19 @@ impl PlanarBeam {
     pub fn ends_near(&self, center: f64, elements: usize, near: &[f64]) -> Vec<f64> {
         let moves = self.mesh.kind == MeshKind::Moving;
         let front = self.adheres().then(|| if moves { self.fronts.place(center) } else { self.rest_front });
-        self.mesh.ends(front, elements, near)
+        self.mesh.ends(front.as_slice(), elements, near)
     }
 
     /// A mesh of its own for a front.
     pub fn mesh_at(&self, front: f64, elements: usize) -> Mesh {
         let focus = self.centered(front);
-        Mesh { boundaries: self.ends(focus, elements), focus }
+        Mesh { boundaries: self.ends(focus, elements), focus, ..Mesh::default() }
     }
 
     /// The mesh for a front with as many elements as another one, found faster near to that.
     pub fn mesh_near(&self, front: f64, like: &Mesh) -> Mesh {
         let focus = self.centered(front);
-        Mesh { boundaries: self.ends_near(focus, like.elements(), &like.boundaries), focus }
+        Mesh { boundaries: self.ends_near(focus, like.elements(), &like.boundaries), focus, ..Mesh::default() }
     }
 
     /// S of every node, nm.

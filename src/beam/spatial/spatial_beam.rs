@@ -72,12 +72,18 @@ impl SpatialBeam {
         }
     }
 
-    /// Element boundaries for a front.
-    fn boundaries(&self, front: f64, elements: usize, near: &[f64]) -> Vec<f64> {
-        let moves = self.mesh.kind == MeshKind::Moving;
-        let place = || if moves { self.rest.fronts().place(front) } else { self.rest.front(self.length) };
-        let front = self.adheres().then(place);
-        self.mesh.ends(front, elements, near)
+    /// Element boundaries for a front and edges.
+    fn boundaries(&self, front: f64, edges: [f64; 2], elements: usize, near: &[f64]) -> Vec<f64> {
+        if !self.adheres() {
+            return self.mesh.ends(&[], elements, near);
+        }
+        let fronts = if self.mesh.kind == MeshKind::Moving {
+            let place = self.rest.fronts().place(front);
+            edges.map(|edge| (place + edge).clamp(0.0, self.length))
+        } else {
+            [self.rest.front(self.length); 2]
+        };
+        self.mesh.ends(&fronts, elements, near)
     }
 
     /// A front as the focus of a mesh: no farther than the ends of the chain.
@@ -85,16 +91,16 @@ impl SpatialBeam {
         front.clamp(0.0, self.rest.fronts().near(self.length))
     }
 
-    /// A mesh of its own for a front.
-    pub fn mesh_at(&self, front: f64, elements: usize) -> Mesh {
+    /// A mesh of its own for a front and [`Mesh::edges`].
+    pub fn mesh_at(&self, front: f64, edges: [f64; 2], elements: usize) -> Mesh {
         let focus = self.centered(front);
-        Mesh { boundaries: self.boundaries(focus, elements, &[]), focus }
+        Mesh { boundaries: self.boundaries(focus, edges, elements, &[]), focus, edges }
     }
 
-    /// The mesh for a front with as many elements as another one, found faster near to that.
-    pub fn mesh_near(&self, front: f64, like: &Mesh) -> Mesh {
+    /// The mesh for a front and edges with as many elements as another one, found faster near to that.
+    pub fn mesh_near(&self, front: f64, edges: [f64; 2], like: &Mesh) -> Mesh {
         let focus = self.centered(front);
-        Mesh { boundaries: self.boundaries(focus, like.elements(), &like.boundaries), focus }
+        Mesh { boundaries: self.boundaries(focus, edges, like.elements(), &like.boundaries), focus, edges }
     }
 
     /// A state read off on another mesh.

@@ -16,7 +16,7 @@ pub(super) fn embedded(
     front: f64,
     elements: usize,
 ) -> State {
-    let mesh = spatial.mesh_at(front, elements);
+    let mesh = spatial.mesh_at(front, [0.0; 2], elements);
     let (rule, order) = (Rule::new(POINTS), spatial.chain.order());
     let (mut values, mut x, mut before) = (Vec::new(), 0.0, 0.0);
     let mut rotations = [0.0; 2];
