@@ -136,7 +136,7 @@ fn the_same_beam_described_in_another_way_is_the_same() {
 }
 
 #[test]
-fn what_the_scalar_problem_does_not_cover_is_refused() {
+fn what_it_does_not_cover_is_refused() {
     let strip: PeelModel = wide(2.0).into();
     let refused = |change: fn(&mut PeelModel), why: NotOutOfPlane| {
         let mut model = strip.clone();
@@ -148,10 +148,6 @@ fn what_the_scalar_problem_does_not_cover_is_refused() {
         assert!(why.remedy().starts_with("Omit --out-of-plane, or "));
     };
     assert_eq!(NotOutOfPlane::of(&strip), None);
-    refused(
-        |model| model.pull = Pull { angle: 60f64.to_radians(), ..Pull::UP },
-        NotOutOfPlane::Angle { degrees: 60.0 },
-    );
     refused(|model| model.grip.horizontal = Hold::Fixed, NotOutOfPlane::Horizontal);
     refused(|model| model.grip.rotation = Hold::Fixed, NotOutOfPlane::Rotation);
     refused(|model| model.steps = vec![Step::Press(0.01)], NotOutOfPlane::Steps);
