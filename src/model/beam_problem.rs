@@ -97,7 +97,7 @@ impl Beam {
     pub fn is_clear(&self, at: &State, far: f64) -> bool {
         match self {
             Self::Planar(beam) => beam.is_clear(at, far),
-            Self::Spatial(beam) => beam.nearest(at) > far,
+            Self::Spatial(beam) => beam.is_clear(at, far),
         }
     }
 

@@ -55,7 +55,6 @@ fn scenes_that_it_does_not_cover_are_refused() {
     let dir = tempfile::tempdir().unwrap();
     for (key, why) in [
         ("grip.rotation=fixed", "grip.rotation is \"fixed\""),
-        ("grip.horizontal=fixed", "grip.horizontal is \"fixed\""),
         ("adhesion.line_load=force-only", "the load has no potential"),
     ] {
         let (status, _, trouble) = run(dir.path(), &["--out-of-plane", "--set", key]);

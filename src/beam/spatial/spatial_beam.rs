@@ -130,16 +130,24 @@ impl SpatialBeam {
 
     /// Distance of the beam from the ground, nm: of the lowest points of its sections, at its nodes and between them.
     pub fn nearest(&self, at: &State) -> f64 {
+        self.lowest_points(at).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether no part of the beam is nearer to the ground than `far`, nm.
+    pub fn is_clear(&self, at: &State, far: f64) -> bool {
+        self.lowest_points(at).all(|height| height > far)
+    }
+
+    /// Heights of the lowest points of sections at the nodes and between them, from the left end on, nm.
+    fn lowest_points(&self, at: &State) -> impl Iterator<Item = f64> {
         let (configuration, order) = (self.configuration(at), self.chain.order());
-        let mut nearest = f64::INFINITY;
-        for (element, pair) in at.mesh.boundaries.windows(2).enumerate() {
-            for k in 0..=2 * order {
+        at.mesh.boundaries.windows(2).enumerate().flat_map(move |(element, pair)| {
+            (0..=2 * order).map(move |k| {
                 let local = k as f64 / order as f64 - 1.0;
                 let (fields, _) = self.chain.sample(configuration, element, local);
-                nearest = nearest.min(self.lowest(pair[0] + 0.5 * (1.0 + local) * (pair[1] - pair[0]), &fields));
-            }
-        }
-        nearest
+                self.lowest(pair[0] + 0.5 * (1.0 + local) * (pair[1] - pair[0]), &fields)
+            })
+        })
     }
 
     /// Values of the stress-free state on a mesh.

@@ -8,13 +8,11 @@ use crate::model::{Hold, PeelModel};
 pub enum NotOutOfPlane {
     #[error("the scene is in space, where the stability of a point is that in every direction")]
     InSpace,
-    #[error("grip.horizontal is \"fixed\": the force along the strip couples its roll with its turn about the normal")]
-    Horizontal,
     #[error("grip.rotation is \"fixed\": the moment of such a grip depends on how it holds the end out of the plane")]
     Rotation,
     #[error("drive.steps has steps before the pull, in which the stability out of the plane is not computed")]
     Steps,
-    #[error("the substrate is not flat: its forces along the strip couple its roll with its turn about the normal")]
+    #[error("the substrate is not flat: what it does to a section that leaves the plane is not computed")]
     Ground,
     #[error("there is friction, which has no potential: stability is not that of an energy")]
     Friction,
@@ -32,7 +30,6 @@ impl NotOutOfPlane {
             return Some(Self::InSpace);
         }
         let reasons = [
-            (model.grip.horizontal == Hold::Fixed, Self::Horizontal),
             (model.grip.rotation == Hold::Fixed, Self::Rotation),
             (!model.steps.is_empty(), Self::Steps),
             (!model.ground.substrate.is_flat(), Self::Ground),
@@ -46,7 +43,6 @@ impl NotOutOfPlane {
     pub fn remedy(&self) -> String {
         let change = match self {
             Self::InSpace => "remove the keys of space",
-            Self::Horizontal => "remove grip.horizontal",
             Self::Rotation => "remove grip.rotation",
             Self::Steps => "remove drive.steps",
             Self::Ground => "remove the table [substrate]",

@@ -1,4 +1,4 @@
-//! The roll and the turn about the normal together, where the pull has a part along the strip: the inertia of their matrix.
+//! The roll and the turn about the normal together, where there is a force along the strip: the inertia of their matrix.
 //!
 //! Elements and elimination are those of the roll alone, with two unknowns for each function: ω_y and then ω_x. The turn about the normal is
 //! held at the left end, as it is of a beam in space. So the last pivot is again the moment about the axis that rolls the grip by one, all

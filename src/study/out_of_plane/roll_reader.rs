@@ -4,7 +4,7 @@ use super::roll_elements::{RollElements, RollStability};
 use super::roll_section::RollSection;
 use crate::adhesion::LineLaw;
 use crate::beam::{LateralStiffness, Material, PlanarBeam};
-use crate::model::PeelModel;
+use crate::model::{Hold, PeelModel};
 use crate::solve::{Direction, State};
 use std::num::NonZeroUsize;
 
@@ -48,13 +48,13 @@ impl<'p> RollReader<'p> {
         self.stability_of_sections(&beam.ends, beam.sections.iter().map(|section| section.widened(width, lateral)))
     }
 
-    /// A pull straight up leaves the roll alone, any other one the turn about the normal as well.
+    /// Without a force along the strip the roll alone is left, with one the turn about the normal as well.
     fn stability_of_sections(
         &self,
         ends: &[f64],
         sections: impl Iterator<Item = RollSection>,
     ) -> Option<RollStability> {
-        if self.model.pull.direction() == Direction::UP {
+        if self.model.pull.direction() == Direction::UP && self.model.grip.horizontal == Hold::Free {
             self.elements.stability(ends, sections.map(|section| section.density()))
         } else {
             self.elements.coupled_stability(ends, sections.map(|section| section.coupled()))
