@@ -179,6 +179,13 @@ impl ProfileTable {
     /// Most rows: there is an element at least between two.
     pub const MOST_ROWS: usize = 200;
 
+    /// Its columns, as it was made of them.
+    pub fn columns(&self) -> ProfileColumns {
+        let [widths, heights, angles, roundness] = self.columns.each_ref().map(|column| column.values.clone());
+        let angles = angles.into_iter().map(f64::to_degrees).collect();
+        ProfileColumns { places: self.places.clone(), widths, heights, angles, roundness }
+    }
+
     /// The table of these columns, checked row by row. Rows are counted from 1 in an error.
     ///
     /// ```

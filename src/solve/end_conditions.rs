@@ -104,7 +104,7 @@ impl EndConditions {
     }
 
     /// u: how far the grip is along the drive from where displacements are zero.
-    pub(super) fn grip_displacement(&self, values: &[f64; INTERFACE]) -> f64 {
+    pub(crate) fn grip_displacement(&self, values: &[f64; INTERFACE]) -> f64 {
         let driven = values[self.driven] - self.origin[self.driven];
         match self.mixed() {
             Some((across, direction)) => direction.turned(values[across] - self.origin[across], driven).1,
@@ -124,5 +124,38 @@ impl EndConditions {
         }
         system.retract(&mut at, &direction, 1.0);
         at
+    }
+
+    /// A state under these end conditions that has everything from one under others, and what is held as far from where it is held. `own` and
+    /// `system` are the systems of the two. The grip need not be as far along the drive then.
+    pub(crate) fn carried(&self, other: &Self, own: &dyn System, system: &dyn System, mut at: State) -> State {
+        let (values, now) = (own.interface_values(&at), system.interface_values(&at));
+        let mut change = vec![0.0; system.unknowns(&at)];
+        for slot in (0..system.interface().len()).filter(|&slot| self.held[slot]) {
+            let off = self.off(slot, &now) - other.off(slot, &values);
+            // across the drive by the first unknown alone, unless that is along it
+            let share = self.mixed().filter(|(across, _)| *across == slot).map_or(1.0, |(_, direction)| direction.up);
+            change[system.place_of(slot, &at)] = -off / share;
+        }
+        system.retract(&mut at, &change, 1.0);
+        at
+    }
+
+    /// The rows of a residual, or of its multipliers, that belong to the two driven unknowns turned into those across and along the drive.
+    pub(crate) fn turn_rows(&self, system: &dyn System, at: &State, rows: &mut [f64]) {
+        if let Some((across, direction)) = self.mixed() {
+            let (a, d) = (system.place_of(across, at), system.place_of(self.driven, at));
+            (rows[a], rows[d]) = direction.turned(rows[a], rows[d]);
+        }
+    }
+
+    /// ∂u/∂q: how far the grip goes along the drive with each unknown; of the drive itself, not of its spring.
+    pub(crate) fn displacement_gradient(&self, system: &dyn System, at: &State) -> Vec<f64> {
+        let mut gradient = vec![0.0; system.unknowns(at)];
+        gradient[system.place_of(self.driven, at)] = self.direction.up;
+        if let Some((across, direction)) = self.mixed() {
+            gradient[system.place_of(across, at)] = direction.along;
+        }
+        gradient
     }
 }

@@ -10,6 +10,7 @@ mod plot;
 mod pull;
 #[cfg(unix)]
 mod resume;
+mod sensitivities;
 mod space;
 mod statuses;
 mod steps;

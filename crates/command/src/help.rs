@@ -39,6 +39,7 @@ Examples:
   peel sweep strip.toml --vary strip.bending_stiffness_factor --from 1e-4 --to 1e4 --points 33 --log
   peel keys                      lists the keys of a scene with units, defaults and ranges
   peel new --list                names the kinds of scenes
+  peel uncertainty strip.toml    samples what a table [uncertainty] of the scene calls uncertain
   peel accuracy                  computing time against error: a table and a picture
   peel verify                    compares the program with published and independent values
 
@@ -66,6 +67,7 @@ Examples:
   peel run strip.toml --animate
   peel run strip.toml --out-of-plane
   peel run strip.toml --branch
+  peel run strip.toml --sensitivities
   peel run strip.toml --set grip.rotation=fixed --set grip.stiffness=\"0.05 N/m\" --observed
 
 Files:
@@ -78,6 +80,7 @@ Files:
   parameters.toml    the scene as it was computed, with what --set has changed: peel run computes it to the same numbers
   curve.svg, .png    force against displacement
   shapes.svg, .png   the strip at marked points of the curve
+  sensitivities.svg, .png   with --sensitivities: by which power of each parameter the results change
   branch.csv         with --branch: one row for each point of the branch out of the plane
   states.csv, states.pvd   with --states N: the fields along the beam (place, rotation, section forces, gap, loads) at
                      every limit point and at N points evenly along the path; states.pvd opens in ParaView
@@ -174,6 +177,59 @@ With --json the object holds scene, title, vary, unit, rows (the columns of swee
 {}
 {EXIT_STATUS}",
         keys()
+    )
+}
+
+/// Of `peel uncertainty -h`.
+pub const UNCERTAINTY: &str = "\
+Example: peel uncertainty strip.toml, with a table [uncertainty] in the scene
+More: peel uncertainty --help, on that table, files, resuming";
+
+/// Of `peel uncertainty --help`.
+pub fn uncertainty() -> String {
+    format!(
+        "\
+The scene names what is uncertain:
+
+  [uncertainty]
+  inputs = [
+    {{ key = \"strip.youngs_modulus\", distribution = \"lognormal\", median = \"2 GPa\", log_deviation = 0.1 }},
+    {{ key = \"strip.height\", distribution = \"normal\", deviation = \"0.5 nm\" }},
+    {{ key = \"adhesion.hamaker_constant\", distribution = \"uniform\", from = \"0.8e-19 J\", to = \"1.2e-19 J\" }},
+    {{ key = \"adhesion.equilibrium_distance\", distribution = \"triangular\", from = \"0.35 nm\", to = \"0.45 nm\" }},
+  ]
+  quantities = [\"initiation_peak.force_nN\", \"first_jump.work_aJ\"]
+  samples = 10000
+
+A mean, median or mode that is left out is the value of the scene. `correlations` lists inputs that vary together.
+Where only the initiation peak is asked for, the path is followed to it and no farther. `peel run` ignores the table.
+
+Examples:
+  peel uncertainty strip.toml
+  peel uncertainty strip.toml --set uncertainty.samples=1000 --set uncertainty.seed=1 --json
+  peel uncertainty strip.toml --set uncertainty.indices=false
+
+Files:
+  summary.json       for each result mean, standard deviation and quantiles with their sampling errors, sensitivity
+                     indices, what derivatives give beside that, and what each input does alone
+  statistics.csv     one row for each result
+  indices.csv        one row for each result and input: first-order and total index of Sobol
+  samples.csv        one row for each sample: inputs, results, why it was cut short
+  RESULT.svg, .png   histogram, indices, and the result with one input changed, for each result
+  parameters.toml    the scene with what --set has changed: peel uncertainty gives the same numbers
+  uncertainty.partial.jsonl  checkpoint while it runs: each finished sample, written at once
+
+Interrupting: after Ctrl-C the samples being computed are finished, and what follows from all finished samples is
+written (exit status 3). A second Ctrl-C stops the program at once (130).
+
+Resuming: give the same command again. The samples in the checkpoint are used again; the rest is computed. `samples`
+may be changed meanwhile. --fresh discards the checkpoint. With --json and without --out nothing is kept.
+
+A sample whose path was not computed to its end is counted and reported (exit status 3); results that it has count.
+
+{OUTPUTS}
+
+{EXIT_STATUS}"
     )
 }
 

@@ -18,6 +18,7 @@ mod run;
 mod stop;
 mod sweep;
 mod text_summary;
+mod uncertainty;
 mod verify;
 
 use clap::{Parser, Subcommand};
@@ -36,6 +37,7 @@ struct Cli {
 enum Command {
     Run(run::Run),
     Sweep(sweep::Sweep),
+    Uncertainty(uncertainty::Uncertainty),
     Accuracy(accuracy::Accuracy),
     Verify(verify::Verify),
     New(new::New),
@@ -54,6 +56,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::Uncertainty(args) => uncertainty::uncertainty(&args),
         Command::Accuracy(args) => accuracy::accuracy(&args),
         Command::Verify(args) => verify::verify(&args),
         Command::New(args) => new::new(&args),

@@ -65,6 +65,10 @@ impl From<ReportError> for Stop {
                 &error,
                 "Finish that sweep with its own command, or give another folder with --out DIR, or --fresh to discard its values.",
             ),
+            ReportError::OtherSample { .. } => Self::bad_input(
+                &error,
+                "Finish that sample with its own command, or give another folder with --out DIR, or --fresh to discard its samples.",
+            ),
             ReportError::OtherRun { .. } => Self::bad_input(
                 &error,
                 "Finish that run with its own command, or give another folder with --out DIR, or --fresh to discard its points.",
@@ -90,6 +94,7 @@ mod tests {
         assert_eq!(status(report.into()), 1);
         assert_eq!(status(ReportError::Exists { path: "x".into() }.into()), 2);
         assert_eq!(status(ReportError::OtherSweep { path: "x".into() }.into()), 2);
+        assert_eq!(status(ReportError::OtherSample { path: "x".into() }.into()), 2);
         assert_eq!(status(ReportError::OtherRun { path: "x".into() }.into()), 2);
     }
 }

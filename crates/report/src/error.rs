@@ -25,6 +25,12 @@ pub enum ReportError {
         /// The checkpoint.
         path: PathBuf,
     },
+    /// The samples of another scene would be lost.
+    #[error("{path} is the checkpoint of an interrupted sample of another scene, seed or version")]
+    OtherSample {
+        /// The checkpoint.
+        path: PathBuf,
+    },
     /// The points of another run would be lost.
     #[error("{path} is the checkpoint of an interrupted run of another scene or version")]
     OtherRun {
@@ -55,6 +61,7 @@ impl ReportError {
         let (Self::Write { path, .. }
         | Self::Exists { path }
         | Self::OtherSweep { path }
+        | Self::OtherSample { path }
         | Self::OtherRun { path }
         | Self::Read { path, .. }
         | Self::Draw { path, .. }) = &mut self;

@@ -24,20 +24,23 @@ mod tables;
 mod timing;
 
 pub use animation::write_animation;
-pub use checkpoint::{PartialRun, PartialSweep};
+pub use checkpoint::{PartialRun, PartialSweep, PartialUncertainty};
 pub use error::ReportError;
 pub use file::write_whole;
 pub use folder::{Existing, OutputFolder};
 pub use names::{end_reason, end_word, form_word, jump_word, test_end_reason, test_end_word};
 pub use number::{Finite, to_json};
 pub use parameters_file::write_parameters;
-pub use pictures::{draw_followed, draw_observed, draw_peel, draw_peel_with_branch, draw_plane, draw_sweep};
+pub use pictures::{
+    draw_followed, draw_observed, draw_peel, draw_peel_with_branch, draw_plane, draw_sensitivities, draw_sweep,
+    draw_uncertainty,
+};
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
-pub use summary::{PeelSummary, SCHEMA, SweepSummary, VERSION, ground_warning, left_out, why_kept};
+pub use summary::{PeelSummary, SCHEMA, SweepSummary, UncertaintySummary, VERSION, ground_warning, left_out, why_kept};
 pub use sweep_row::SweepRow;
 pub use swept_keys::SweptKeys;
 pub use tables::{
-    SweepLine, work_to, write_branch, write_curve, write_followed, write_limit_points, write_observed, write_sweep,
-    write_table,
+    SweepLine, work_to, write_branch, write_curve, write_followed, write_limit_points, write_observed, write_samples,
+    write_sweep, write_table, write_uncertainty,
 };
 pub use timing::timed;

@@ -32,7 +32,8 @@ impl SweptKeys<'_> {
     }
 }
 
-fn column(key: &Key) -> String {
+/// The key with the unit of its number in its name.
+pub(crate) fn column(key: &Key) -> String {
     let unit = key.unit().replace('/', "_per_");
     if unit.is_empty() { key.path() } else { format!("{}_{unit}", key.path()) }
 }

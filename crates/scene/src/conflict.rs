@@ -4,6 +4,7 @@ use super::error::{Origin, SceneError, ValueError};
 use super::key::{Key, Kind, Need};
 use super::keys::KEYS;
 use super::scene::Scene;
+use super::uncertainty;
 use std::collections::HashSet;
 
 /// What is wrong with a scene of which every value is right by itself.
@@ -36,7 +37,10 @@ impl Conflict {
         if let Some(key) = KEYS.iter().filter(needed).find(|key| !is_given(key)) {
             return Some(Self::missing(key, given, scene));
         }
-        let error = scene.check().err()?;
+        let Err(error) = scene.check() else {
+            let (key, problem) = uncertainty::problem(scene)?;
+            return Some(Self { key, problem, missing: None });
+        };
         Some(Self { key: error.key().to_owned(), problem: error.into(), missing: None })
     }
 

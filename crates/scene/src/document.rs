@@ -8,6 +8,7 @@ use super::keys::{KEYS, find_key, tables};
 use super::near::nearest;
 use super::scene::Scene;
 use super::space;
+use super::uncertainty;
 use super::value::Value;
 use super::value::quantity::Comma;
 use peelkit::model::Adhesion;
@@ -86,6 +87,9 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
     }
     set_shape(scene, &file, document)?;
     set_space(scene, &file, document)?;
+    if document.iter().any(|(table, _)| name_of(table) == uncertainty::TABLE) {
+        uncertainty::of(scene);
+    }
     for (key, value) in in_order(document) {
         match value.get_ref() {
             DeValue::Table(table) if tables().contains(&name_of(key)) => {
@@ -214,6 +218,9 @@ fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, Scene
         find_key(path).map_err(|problem| origin.error(0..path.len(), &format!("`{}`", one_line(path)), problem))?;
     if key.is_of_space() {
         space::set(scene, true);
+    }
+    if key.table == uncertainty::TABLE {
+        uncertainty::of(scene);
     }
     if !key.belongs_to(scene) {
         return Err(origin.error(0..path.len(), &format!("`{}`", key.path()), key.foreign(scene)));

@@ -7,6 +7,7 @@ use super::near::nearest;
 use super::scene::Scene;
 use super::shape;
 use super::space;
+use super::uncertainty;
 use super::value::Value;
 use super::value::quantity::Dimension::{
     Angle, AnglePerLength, Energy, Force, Length, Pressure, Stiffness, Time, Work,
@@ -100,6 +101,13 @@ pub static KEYS: &[Key] = &[
     key("bounds", "points", Optional, Kind::Count(|s| &mut s.bounds.points), "largest number of points of a path"),
     key("bounds", "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "longest time for a path"),
     key("bounds", "displacement", Optional, Kind::Bound(Length, |s| &mut s.bounds.displacement), "largest displacement of the grip"),
+
+    key("uncertainty", "inputs", Required, Kind::Setting(&uncertainty::INPUTS), "keys that are uncertain, with their distributions"),
+    key("uncertainty", "correlations", Optional, Kind::Setting(&uncertainty::CORRELATIONS), "inputs that vary together"),
+    key("uncertainty", "quantities", Optional, Kind::Setting(&uncertainty::QUANTITIES), "results that are asked for"),
+    key("uncertainty", "samples", Optional, Kind::Setting(&uncertainty::SAMPLES), "largest number of peels that are sampled"),
+    key("uncertainty", "seed", Optional, Kind::Setting(&uncertainty::SEED), "another seed gives another sample"),
+    key("uncertainty", "indices", Optional, Kind::Setting(&uncertainty::INDICES), "whether sensitivity indices are estimated"),
 ];
 
 /// What the scene's body lies on.
@@ -135,7 +143,7 @@ impl Key {
     pub fn default_value(&self) -> Option<Value> {
         match self.need {
             Need::Required => None,
-            Need::Optional => self.value(&Scene::empty("")),
+            Need::Optional => self.value(&Scene::of_defaults()),
         }
     }
 }

@@ -42,7 +42,7 @@ impl Key {
     /// A value as it stands behind the name of the key.
     fn written(&self, value: &Value) -> toml::Value {
         match value {
-            Value::Number(number) if self.is_count() => toml::Value::Integer(*number as i64),
+            Value::Number(number) if self.is_written_whole(*number) => toml::Value::Integer(*number as i64),
             Value::Number(number) if self.has_unit() => toml::Value::String(format!("{number} {}", self.unit())),
             value => in_toml(value),
         }

@@ -8,6 +8,7 @@
 mod commands;
 #[cfg(unix)]
 mod console;
+mod examples;
 mod links;
 mod messages;
 mod output_reference;
@@ -30,7 +31,7 @@ fn text(path: &str) -> String {
 
 /// The chapters of the book, from the folder of the repository.
 fn chapters() -> Vec<String> {
-    files_in("docs", ".md")
+    ["docs", "docs/examples"].into_iter().flat_map(|folder| files_in(folder, ".md")).collect()
 }
 
 /// What a user reads: README, the book, and the two other documents with commands.

@@ -60,6 +60,7 @@ const BRANCH: &[&str] = &["--branch", "--set", "strip.width=40 nm"];
 const RUNS: &[(&str, &[&[&str]])] = &[
     ("strip-100nm", &[&["--observed"]]),
     ("strip-100nm", &[BRANCH]),
+    ("strip-100nm", &[&["--sensitivities"]]),
     ("strip-100nm", &[FIXED]),
     ("strip-100nm", &[STEPS]),
     ("strip-100nm", &[SOFT]),

@@ -35,7 +35,7 @@ fn number(json: &Value, path: &str) -> Option<f64> {
 }
 
 /// Half a digit beyond the last one that is written; solvers agree to less than that, and their bounds may be wider.
-fn last_digit(text: &str) -> f64 {
+pub fn last_digit(text: &str) -> f64 {
     let decimals = text.split_once('.').map_or(0, |(_, behind)| behind.len());
     1.5 * 10f64.powi(-(decimals as i32))
 }

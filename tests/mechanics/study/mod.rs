@@ -9,6 +9,7 @@ mod observed_in_space;
 mod out_of_plane;
 mod out_of_plane_branch;
 mod peak_only;
+mod sensitivities;
 mod space;
 mod space_outlines;
 mod special_points;

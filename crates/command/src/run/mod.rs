@@ -2,6 +2,7 @@
 
 mod kept;
 mod progress;
+mod sensitivities;
 
 use crate::command_line::command_line;
 use crate::help;
@@ -20,6 +21,7 @@ use peelkit::study::{
 use peelkit_report::{self as report, PeelSummary, ReportError, timed};
 use peelkit_scene::Scene;
 use progress::RunProgress;
+use sensitivities::Exponents;
 use std::path::{Path, PathBuf};
 
 /// How an unfinished run is finished.
@@ -52,6 +54,12 @@ pub struct Run {
     /// To one side: the other is its mirror image. Adds branch.csv, and the branch to summary.json and curve.svg.
     #[arg(long)]
     branch: bool,
+
+    /// Adds by which power of each parameter the results change
+    ///
+    /// d ln Q/d ln p of peaks, plateau, first jump and detachment, with bounds: sensitivities.svg, summary.json.
+    #[arg(long)]
+    sensitivities: bool,
 
     /// Writes the fields along the beam: states.csv, states.pvd
     ///
@@ -88,8 +96,12 @@ impl Run {
     /// What the name of the folder says of the run.
     fn folder_parts(&self) -> Vec<String> {
         let states = self.states.map(|count| format!("states={count}"));
-        let asked =
-            [(self.observed, "observed"), (self.out_of_plane && !self.branch, "out-of-plane"), (self.branch, "branch")];
+        let asked = [
+            (self.observed, "observed"),
+            (self.out_of_plane && !self.branch, "out-of-plane"),
+            (self.branch, "branch"),
+            (self.sensitivities, "sensitivities"),
+        ];
         asked.iter().filter(|(is, _)| *is).map(|(_, name)| (*name).to_owned()).chain(states).collect()
     }
 
@@ -137,6 +149,9 @@ pub fn run(args: &Run) -> Result<(), Stop> {
     args.refuse_states_without_files()?;
     args.refuse_out_of_plane(&scene)?;
     args.refuse_branch(&scene)?;
+    if args.sensitivities {
+        sensitivities::refuse(&scene)?;
+    }
     let wanted = args.units.wanted()?;
     let progress = RunProgress::begin();
     let open = |folder: PathBuf| KeptRun::open(&args.out, args.fresh, &folder, &scene, &progress);
@@ -158,6 +173,11 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         Ok(branch) => (branch, None),
         Err(why) => (None, Some(why)),
     };
+    let differentiated = args.sensitivities && !interrupted && peel.points.len() > 1;
+    let (exponents, no_exponents) = match differentiated.then(|| Exponents::of(&scene, &peel, &progress)).transpose() {
+        Ok(exponents) => (exponents, None),
+        Err(why) => (None, Some(why)),
+    };
     let (test, test_s) = timed(|| (args.observed && !interrupted).then(|| observed(&scene, &progress)));
     progress.finish();
     let test = test.transpose()?;
@@ -175,10 +195,20 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         Some(branch) => summary.with_branch(branch.as_ref(), branch_s),
         None => summary,
     };
+    let summary = match &exponents {
+        Some(Exponents { found, keys, .. }) => summary.with_sensitivities(found, keys),
+        None => summary,
+    };
     let (files, left) = kept.as_ref().map_or((Ok(Vec::new()), None), |kept| {
         kept.write(&peel, |dir| {
             let branch = branch.iter().flatten().next();
-            let found = Found { peel: &peel, stability: stability.as_ref(), branch, test: test.as_ref() };
+            let found = Found {
+                peel: &peel,
+                stability: stability.as_ref(),
+                branch,
+                test: test.as_ref(),
+                exponents: exponents.as_ref(),
+            };
             let mut files = write(dir, &scene, &found, (&summary, &command), args.states)?;
             if args.animate && peel.points.len() > 1 {
                 files.push(report::write_animation(dir, &peel, &scene.title)?);
@@ -192,10 +222,11 @@ pub fn run(args: &Run) -> Result<(), Stop> {
     } else {
         let recorded =
             test.as_ref().map(|test| format!("\n{}", text_summary::observed(test, test_s, wanted))).unwrap_or_default();
+        let exponents = exponents.as_ref().map(|found| format!("\n{}", found.text())).unwrap_or_default();
         let taken = text_summary::taken(kept.as_ref().map_or(0, KeptRun::taken));
         let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
         say(&format!(
-            "{}{recorded}{taken}\n{}{left}",
+            "{}{recorded}{exponents}{taken}\n{}{left}",
             text_summary::peel(&scene, &peel, (stability.as_ref(), branch.as_ref()), peel_s, wanted),
             list_files(&files)
         ))?;
@@ -211,6 +242,9 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         (PathEnd::Failed(reason), _) => Err(Stop::cut_short(reason)),
         (_, Some(TestEnd::Failed(reason))) => {
             Err(Stop::cut_short(format!("in the displacement-controlled test, {reason}")))
+        }
+        _ if no_exponents.is_some() => {
+            Err(Stop::cut_short(no_exponents.map(|why| why.to_string()).unwrap_or_default()))
         }
         _ => match (unknown, not_followed, branch.flatten().map(|branch| branch.peel.end)) {
             (Some(why), ..) => Err(Stop::cut_short(why)),
@@ -253,12 +287,13 @@ struct Found<'f> {
     stability: Option<&'f OutOfPlane>,
     branch: Option<&'f OutOfPlaneBranch>,
     test: Option<&'f Observed>,
+    exponents: Option<&'f Exponents>,
 }
 
 fn write(
     folder: &Path,
     scene: &Scene,
-    &Found { peel, stability, branch, test }: &Found,
+    &Found { peel, stability, branch, test, exponents }: &Found,
     (summary, command): (&PeelSummary, &str),
     states: Option<u32>,
 ) -> Result<Vec<PathBuf>, ReportError> {
@@ -278,6 +313,9 @@ fn write(
         let states = peel.states(count as usize);
         files.push(report::write_states(folder, &states)?);
         files.extend(report::write_vtk(folder, &states)?);
+    }
+    if let Some(Exponents { found, keys, .. }) = exponents.filter(|exponents| !exponents.found.is_empty()) {
+        files.extend(report::draw_sensitivities(found, keys, &scene.title, folder)?);
     }
     if let Some(test) = test {
         files.push(report::write_observed(folder, test)?);

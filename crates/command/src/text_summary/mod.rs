@@ -5,12 +5,16 @@ mod layout;
 mod number;
 mod observed;
 mod peel;
+mod sensitivities;
 mod stability;
 mod sweep;
+mod uncertainty;
 mod units;
 
 pub use number::spaced;
 pub use observed::observed;
 pub use peel::{peel, taken};
+pub use sensitivities::sensitivities;
 pub use sweep::{followed, sweep};
+pub use uncertainty::uncertainty;
 pub use units::{UnitsArgs, WantedUnits};

@@ -11,6 +11,8 @@ pub struct Axis {
     pub to: f64,
     /// Whether it is logarithmic.
     pub log: bool,
+    /// Names of the values 0, 1, 2, … in place of numbers; none of an axis of numbers.
+    pub names: Vec<String>,
 }
 
 /// A tick; the small ones between carry no text.
@@ -23,12 +25,17 @@ pub struct Tick {
 impl Axis {
     /// A linear axis.
     pub fn linear(label: &str, from: f64, to: f64) -> Self {
-        Axis { label: label.into(), from, to, log: false }
+        Axis { label: label.into(), from, to, log: false, names: Vec::new() }
     }
 
     /// A logarithmic axis; both ends above zero.
     pub fn log(label: &str, from: f64, to: f64) -> Self {
-        Axis { label: label.into(), from, to, log: true }
+        Axis { label: label.into(), from, to, log: true, names: Vec::new() }
+    }
+
+    /// Of things with names, the first one at the lower end.
+    pub fn of_names(names: Vec<String>) -> Self {
+        Axis { from: -0.5, to: names.len() as f64 - 0.5, label: String::new(), log: false, names }
     }
 
     /// Around the values with a small margin; a linear axis starts at 0 where that costs little.
@@ -36,7 +43,7 @@ impl Axis {
         let usable = values.into_iter().filter(|v| v.is_finite() && (!log || *v > 0.0));
         let (low, high) = usable.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         if low > high {
-            return Axis { label: label.into(), from: if log { 0.1 } else { 0.0 }, to: 1.0, log };
+            return Axis { label: label.into(), from: if log { 0.1 } else { 0.0 }, to: 1.0, log, names: Vec::new() };
         }
         if log {
             let margin = (high / low).powf(0.03).max(1.1);
@@ -59,7 +66,12 @@ impl Axis {
     /// The power of ten that the texts of the ticks leave out: of a linear axis with many zeros.
     fn decades(&self) -> i32 {
         let largest = self.from.abs().max(self.to.abs());
-        if self.log || !largest.is_finite() || largest == 0.0 || (1e-3..1e5).contains(&largest) {
+        if self.log
+            || !self.names.is_empty()
+            || !largest.is_finite()
+            || largest == 0.0
+            || (1e-3..1e5).contains(&largest)
+        {
             return 0;
         }
         3 * (largest.log10() / 3.0).floor() as i32
@@ -79,6 +91,10 @@ impl Axis {
 
     /// Ticks for about `count` texts.
     pub fn ticks(&self, count: usize) -> Vec<Tick> {
+        if !self.names.is_empty() {
+            let tick = |(k, name): (usize, &String)| Tick { value: k as f64, text: Some(name.clone()) };
+            return self.names.iter().enumerate().map(tick).collect();
+        }
         let ticks = if self.log { self.log_ticks(count) } else { self.linear_ticks(count) };
         ticks.into_iter().filter(|t| (-1e-9..=1.0 + 1e-9).contains(&self.place(t.value))).collect()
     }

@@ -10,6 +10,7 @@ mod output;
 mod panel;
 mod picture;
 mod place;
+mod shorthand;
 mod style;
 mod symbol;
 

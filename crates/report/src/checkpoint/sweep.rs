@@ -1,8 +1,9 @@
 //! The rows of a sweep that is not finished yet, kept in a file as they come: a run that was interrupted loses none of
 //! them, and the next run of the same sweep takes them up.
 
+use super::lines::Lines;
 use crate::error::ReportError;
-use crate::file::{remove, write_whole};
+use crate::file::remove;
 use crate::summary::Parameters;
 use crate::sweep_row::SweepRow;
 use crate::swept_keys::SweptKeys;
@@ -10,16 +11,12 @@ use peelkit::study::PeelResult;
 use peelkit_scene::Scene;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, ErrorKind, Write};
-use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::path::Path;
 
 /// The file of an unfinished sweep: a line that identifies the sweep, then a line a finished value, in no order.
 #[derive(Debug)]
 pub struct PartialSweep {
-    path: PathBuf,
-    file: Mutex<File>,
+    lines: Lines<Line>,
     /// By the bits of the values.
     taken: HashMap<(u64, Option<u64>), Line>,
 }
@@ -52,29 +49,12 @@ impl PartialSweep {
     ///
     /// Fails with [`ReportError::OtherSweep`], [`ReportError::Read`] or [`ReportError::Write`].
     pub fn open<'k>(dir: &Path, scene: &Scene, keys: impl Into<SweptKeys<'k>>) -> Result<Self, ReportError> {
-        let path = dir.join(Self::NAME);
-        let refuse = |source: io::Error| ReportError::Write { path: path.clone(), source };
         let header =
             Header { peelkit: env!("CARGO_PKG_VERSION"), vary: keys.into().names(), scene: Parameters(scene.clone()) };
-        let header = text_line(&header).map_err(refuse)?;
-        let old = match fs::read(&path) {
-            Err(error) if error.kind() == ErrorKind::NotFound => Vec::new(),
-            read => read.map_err(|source| ReportError::Read { path: path.clone(), source })?,
-        };
-        let lines = match old.strip_prefix(header.as_slice()) {
-            Some(kept) => read_lines(kept),
-            None if old.is_empty() => Vec::new(),
-            None => return Err(ReportError::OtherSweep { path }),
-        };
-        // Written anew, so that what comes next does not continue a torn line, and whole or not at all.
-        let mut text = header;
-        for line in &lines {
-            text.extend(text_line(line).map_err(refuse)?);
-        }
-        write_whole(&path, &text)?;
-        let file = OpenOptions::new().append(true).open(&path).map_err(refuse)?;
-        let taken = lines.into_iter().map(|line| (place(line.value, line.second), line)).collect();
-        Ok(Self { path, file: Mutex::new(file), taken })
+        let other = |path| ReportError::OtherSweep { path };
+        let (lines, kept) = Lines::<Line>::open(&dir.join(Self::NAME), &header, other)?;
+        let taken = kept.into_iter().map(|line| (place(line.value, line.second), line)).collect();
+        Ok(Self { lines, taken })
     }
 
     /// Whether `dir` holds the file of a sweep that is not finished.
@@ -99,14 +79,7 @@ impl PartialSweep {
     /// Fails with [`ReportError::Write`].
     pub fn keep(&self, row: &SweepRow) -> Result<(), ReportError> {
         let line = Line { value: row.value, second: row.second, found: row.found.clone(), solve_s: row.solve_s };
-        let refuse = |source: io::Error| ReportError::Write { path: self.path.clone(), source };
-        let text = text_line(&line).map_err(refuse)?;
-        // What would not come back as it is, such as a NaN, is computed again.
-        if read_lines(&text) != [line] {
-            return Ok(());
-        }
-        let mut file = self.file.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-        file.write_all(&text).map_err(refuse)
+        self.lines.keep(&line)
     }
 }
 
@@ -114,23 +87,14 @@ fn place(value: f64, second: Option<f64>) -> (u64, Option<u64>) {
     (value.to_bits(), second.map(f64::to_bits))
 }
 
-fn text_line<T: Serialize>(line: &T) -> io::Result<Vec<u8>> {
-    let mut text = serde_json::to_vec(line)?;
-    text.push(b'\n');
-    Ok(text)
-}
-
-/// The lines that can be read: one that was torn when its run was killed is left out.
-fn read_lines(text: &[u8]) -> Vec<Line> {
-    text.split(|&byte| byte == b'\n').filter_map(|line| serde_json::from_slice(line).ok()).collect()
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::lines::text_line;
     use super::*;
     use peelkit::solve::{PathError, Place, SolveError};
     use peelkit::study::{Effort, Failure, LimitPoint, LimitPointKind, PathEnd, PathFailure, Peak, Plateau};
     use peelkit_scene::find_key;
+    use std::fs;
 
     fn scene() -> Scene {
         let text = r#"

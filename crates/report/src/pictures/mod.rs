@@ -8,11 +8,15 @@ mod observed;
 pub mod peel;
 mod plane;
 mod projection;
+mod sensitivities;
 mod shapes;
 pub mod sweep;
+mod uncertainty;
 
 pub use followed::draw_followed;
 pub use observed::draw_observed;
 pub use peel::{draw_peel, draw_peel_with_branch};
 pub use plane::draw_plane;
+pub use sensitivities::{bars, draw_sensitivities};
 pub use sweep::draw_sweep;
+pub use uncertainty::draw_uncertainty;

@@ -96,7 +96,7 @@ impl Grid {
         let mut ends = vec![first];
         ends.extend(places.windows(2).map(|pair| pair[0] + half(pair[0], pair[1])));
         ends.push(last);
-        let axis = Axis { label, from: off(first), to: off(last), log };
+        let axis = Axis { label, from: off(first), to: off(last), log, names: Vec::new() };
         let edges = ends.iter().map(|end| (end - first) / (last - first)).collect();
         Self { axis, values, edges }
     }
@@ -142,7 +142,7 @@ impl Map {
         let (low, high) = known().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         let log = low > 0.0 && high > 8.0 * low;
         let margin = if high > low { 0.0 } else { 0.05 * high.abs().max(f64::MIN_POSITIVE) };
-        let scale = Axis { label: label.into(), from: low - margin, to: high + margin, log };
+        let scale = Axis { label: label.into(), from: low - margin, to: high + margin, log, names: Vec::new() };
         let bottom = top + 300.0;
         let frame = Frame { left: 88.0, top, right: f64::from(WIDTH) - 170.0, bottom };
         let mut map = Panel::new(frame, axes[0].axis.clone(), axes[1].axis.clone());

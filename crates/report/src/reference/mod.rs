@@ -3,9 +3,11 @@
 
 mod summary;
 mod tables;
+mod uncertainty;
 
 pub use summary::{PEEL_SUMMARY, SWEEP_SUMMARY};
 pub use tables::{CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS};
+pub use uncertainty::{SAMPLE_COLUMNS, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY};
 
 /// A key of a JSON object or a column of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,7 +71,10 @@ pub fn paths(keys: &[OutputKey]) -> Vec<String> {
 mod tests {
     use super::*;
 
-    const ALL: [&[OutputKey]; 7] = [
+    const ALL: [&[OutputKey]; 10] = [
+        UNCERTAINTY_SUMMARY,
+        UNCERTAINTY_COLUMNS,
+        SAMPLE_COLUMNS,
         PEEL_SUMMARY,
         SWEEP_SUMMARY,
         CURVE_COLUMNS,

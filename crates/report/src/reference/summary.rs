@@ -200,6 +200,12 @@ pub const PEEL_SUMMARY: &[OutputKey] = &[
     key("out_of_plane.branch.elements", "elements of the final mesh"),
     key("out_of_plane.branch.solve_s", "time of the branch"),
 
+    key("sensitivities", "with `--sensitivities`: by which power of each parameter the results change; those of one result together, largest first"),
+    key("sensitivities[].of", "the result Q: where it stands in this object, as `initiation_peak.force_nN`"),
+    key("sensitivities[].key", "the parameter p: a key of the scene, or a cell of the table of a profile"),
+    key("sensitivities[].d_ln_d_ln", "d ln Q/d ln p"),
+    key("sensitivities[].error", "bound of its error"),
+
     key("observed", "with `--observed`: the displacement-controlled test"),
     key("observed.end", "`closed`, `returned`, `bound` or `failed`"),
     key("observed.reason", "why, where it is not `closed`"),

@@ -11,9 +11,11 @@ mod out_of_plane;
 mod parameters;
 mod peel;
 mod place;
+mod sensitivities;
 mod sliding;
 mod sweep;
 mod term_summary;
+mod uncertainty;
 
 pub use accuracy::left_out;
 pub use ground::ground_warning;
@@ -22,3 +24,4 @@ pub(crate) use parameters::Parameters;
 pub use peel::PeelSummary;
 pub use sweep::SweepSummary;
 pub use term_summary::why_kept;
+pub use uncertainty::UncertaintySummary;

@@ -37,7 +37,9 @@ impl Serialize for Table<'_> {
             let unit = key.unit().replace('/', "_per_");
             let name = if unit.is_empty() { key.name.to_owned() } else { format!("{}_{unit}", key.name) };
             match key.value(self.scene) {
-                Some(Value::Number(count)) if key.is_count() => table.serialize_entry(&name, &(count as u64))?,
+                Some(Value::Number(count)) if key.is_written_whole(count) => {
+                    table.serialize_entry(&name, &(count as u64))?
+                }
                 value => table.serialize_entry(&name, &value.as_ref().map(Given))?,
             }
         }

@@ -8,6 +8,7 @@ use super::observed::ObservedSummary;
 use super::origin::{SCHEMA, VERSION};
 use super::out_of_plane::OutOfPlaneSummary;
 use super::parameters::Parameters;
+use super::sensitivities::SensitivitySummary;
 use super::sliding::SlidingSummary;
 use super::term_summary::TermDecisionsSummary;
 use crate::error::ReportError;
@@ -17,7 +18,7 @@ use crate::names::{end_reason, end_word, limit_point_kind_word};
 use crate::number::{Finite, to_json};
 use peelkit::beam::GripState;
 use peelkit::model::Step;
-use peelkit::study::{self, Observed, OutOfPlane, OutOfPlaneBranch, Peel};
+use peelkit::study::{self, Exponent, Observed, OutOfPlane, OutOfPlaneBranch, Peel};
 use peelkit_scene::Scene;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -81,6 +82,9 @@ pub struct PeelSummary {
     /// The displacement-controlled test, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     observed: Option<ObservedSummary>,
+    /// By which power of each parameter the results change, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sensitivities: Option<Vec<SensitivitySummary>>,
     parameters: Parameters,
 }
 
@@ -273,6 +277,7 @@ impl PeelSummary {
             sliding: SlidingSummary::of(peel),
             out_of_plane: None,
             observed: None,
+            sensitivities: None,
             parameters: Parameters(scene.clone()),
         }
     }
@@ -280,6 +285,12 @@ impl PeelSummary {
     /// The same with what a test of this scene would record, which took so many seconds.
     pub fn with_observed(self, test: &Observed, solve_s: f64) -> Self {
         Self { observed: Some(ObservedSummary::new(test, solve_s)), ..self }
+    }
+
+    /// The same with the exponents of its results by the parameters with these keys.
+    pub fn with_sensitivities(self, exponents: &[Exponent], keys: &[String]) -> Self {
+        let one = |exponent| SensitivitySummary::new(exponent, keys);
+        Self { sensitivities: Some(exponents.iter().map(one).collect()), ..self }
     }
 
     /// The same with the stability against leaving the plane, which took so many seconds.

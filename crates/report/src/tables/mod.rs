@@ -3,7 +3,9 @@
 mod curve;
 mod sweep;
 mod table;
+mod uncertainty;
 
 pub use curve::{write_branch, write_curve, write_limit_points, write_observed};
 pub use sweep::{SweepLine, work_to, write_followed, write_sweep};
 pub use table::write_table;
+pub use uncertainty::{write_samples, write_uncertainty};

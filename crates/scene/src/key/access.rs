@@ -10,7 +10,7 @@ use crate::value::pieces;
 use crate::value::quantity::{Comma, Dimension, parse_quantity};
 use crate::value::steps;
 use crate::value::table::{read_heights, read_profile};
-use crate::value::{Value, quoted};
+use crate::value::{Fault, Value, quoted};
 use peelkit::adhesion::Substrate;
 use peelkit::model::{Measured, ModelErrorKind, ProfileForm, Range, angle_text};
 use std::sync::Arc;
@@ -29,10 +29,8 @@ impl Key {
                 scene.table_texts.profile = text;
             }
             (Kind::Pieces(place), Value::List(items)) => {
-                let problem = |fault: pieces::Fault| ValueError {
-                    item: fault.item,
-                    ..ValueError::new(fault.found, self.remedy())
-                };
+                let problem =
+                    |fault: Fault| ValueError { item: fault.item, ..ValueError::new(fault.found, self.remedy()) };
                 *place(scene) = ProfileForm::Pieces(pieces::read(items).map_err(problem)?);
             }
             (Kind::Attraction(place), Value::Text(word)) => *place(scene) = self.pick(&attractions(), word)?,
@@ -41,6 +39,8 @@ impl Key {
             (Kind::Section(place), Value::Text(word)) => *place(scene) = self.pick(SECTIONS, word)?,
             (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
             (Kind::Terms(place), Value::Text(word)) => *place(scene) = self.pick(TERMS, word)?,
+            (Kind::Setting(setting), value) => (setting.read)(scene, value)
+                .map_err(|fault| ValueError { item: fault.item, ..ValueError::new(fault.found, self.remedy()) })?,
             (Kind::Steps(place), Value::List(items)) => {
                 let text = |item: &Value| if let Value::Text(text) = item { Some(text.clone()) } else { None };
                 let texts = items.iter().map(text).collect::<Option<Vec<_>>>().ok_or_else(|| self.wrong_type(value))?;
@@ -81,14 +81,8 @@ impl Key {
         if !self.is_of_space() && !self.belongs_to(scene) {
             return Err(self.foreign(scene));
         }
-        let range = match self.kind {
-            Kind::Number(range, _) | Kind::Share(range, _) | Kind::Measure(_, range, _) => range,
-            Kind::Count(_) => Range::From(1.0, 1e9),
-            Kind::Fixed(most, _) => Range::From(1.0, most as f64),
-            _ => Range::Positive,
-        };
         let found = Measured { value: number, unit: self.unit() };
-        range.check(found).map_err(|wrong| {
+        self.range().check(found).map_err(|wrong| {
             let found = match wrong {
                 ModelErrorKind::OutOfRange { .. } if self.unit() == Dimension::Angle.unit() => {
                     format!("is {}, which is out of range", angle_text(number))
@@ -98,8 +92,7 @@ impl Key {
             ValueError::new(found, self.remedy())
         })?;
         match self.kind {
-            Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => *place(scene) = number,
-            Kind::Bound(_, place) | Kind::Share(_, place) => *place(scene) = Some(number),
+            _ if self.put_number(scene, number) => {}
             Kind::Count(_) | Kind::Fixed(..) if number.fract() != 0.0 => {
                 return Err(ValueError::new(format!("is {found}, which is not whole"), self.remedy()));
             }
@@ -108,6 +101,26 @@ impl Key {
             _ => return Err(ValueError::new("is not a number", self.remedy())),
         }
         Ok(())
+    }
+
+    /// What its number may be.
+    pub(crate) fn range(&self) -> Range {
+        match self.kind {
+            Kind::Number(range, _) | Kind::Share(range, _) | Kind::Measure(_, range, _) => range,
+            Kind::Count(_) => Range::From(1.0, 1e9),
+            Kind::Fixed(most, _) => Range::From(1.0, most as f64),
+            _ => Range::Positive,
+        }
+    }
+
+    /// Puts a number with or without a unit into the scene, whatever it is; says whether the key takes one.
+    pub(crate) fn put_number(&self, scene: &mut Scene, number: f64) -> bool {
+        match self.kind {
+            Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => *place(scene) = number,
+            Kind::Bound(_, place) | Kind::Share(_, place) => *place(scene) = Some(number),
+            _ => return false,
+        }
+        true
     }
 
     /// Reads a text of the command line as a number of this key, in the unit of the library.
@@ -127,8 +140,12 @@ impl Key {
 
     /// What the scene holds for this key; nothing for a bound that is not set.
     pub fn value(&self, scene: &Scene) -> Option<Value> {
+        if let Kind::Setting(setting) = self.kind {
+            return (setting.write)(scene);
+        }
         let mut scene = scene.clone();
         Some(match self.kind {
+            Kind::Setting(_) => return None,
             Kind::Text(place) => Value::Text(place(&mut scene).clone()),
             Kind::Number(_, place) | Kind::Quantity(_, place) | Kind::Measure(_, _, place) => {
                 Value::Number(*place(&mut scene))

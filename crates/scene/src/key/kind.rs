@@ -2,6 +2,7 @@
 
 use crate::scene::Scene;
 use crate::value::quantity::Dimension;
+use crate::value::{Fault, Value};
 use peelkit::adhesion::{LineLoad, SectionShape, Substrate};
 use peelkit::model::{Attraction, Hold, ProfileForm, Range, Start, Step};
 use peelkit::study::Terms;
@@ -13,6 +14,21 @@ pub enum Need {
     Required,
     /// What holds without it is what `Scene::empty` holds.
     Optional,
+}
+
+/// A key of an analysis that a scene asks for, which is read and written by functions of its own.
+#[derive(Debug)]
+pub struct Setting {
+    /// What it takes, in words
+    pub takes: &'static str,
+    /// The same as a list of keys shows it
+    pub brief: &'static str,
+    /// A value that is right, as it stands in a scene
+    pub example: &'static str,
+    /// Puts a value into the scene
+    pub read: fn(&mut Scene, &Value) -> Result<(), Fault>,
+    /// What the scene holds; nothing where it does not ask for the analysis
+    pub write: fn(&Scene) -> Option<Value>,
 }
 
 /// What a key takes, and where in the scene its value goes.
@@ -58,6 +74,8 @@ pub enum Kind {
     Start(fn(&mut Scene) -> &mut Start),
     /// A word for which terms of the model are computed.
     Terms(fn(&mut Scene) -> &mut Terms),
+    /// A setting of an analysis that the scene asks for.
+    Setting(&'static Setting),
     /// A list of motions of the grip before the pull.
     Steps(fn(&mut Scene) -> &mut Vec<Step>),
 }

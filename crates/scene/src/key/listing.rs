@@ -27,11 +27,12 @@ impl Key {
         if self.need == Need::Required {
             return "required".into();
         }
-        match (&self.kind, self.value(&Scene::empty(""))) {
+        match (&self.kind, self.value(&Scene::of_defaults())) {
             (Kind::Text(_), _) => "file name".into(),
             (Kind::Fixed(..) | Kind::Share(..), _) => "automatic".into(),
             (Kind::Bound(..), None) => "none".into(),
             (Kind::Steps(_), _) => "[]".into(),
+            (Kind::Setting(_), Some(Value::List(items))) if items.is_empty() => "[]".into(),
             (_, Some(Value::Number(angle))) if self.dimension() == Some(Dimension::Angle) => angle_text(angle),
             // an angle per length of zero is that in any unit
             (_, Some(Value::Number(0.0))) if !self.unit().is_empty() => format!("0 {}", self.usual_unit()),
@@ -61,6 +62,7 @@ impl Key {
             Kind::Table(_) | Kind::Heights(_) => "CSV, or its file".into(),
             Kind::Pieces(_) => "list of tables".into(),
             Kind::Steps(_) => "list of texts".into(),
+            Kind::Setting(setting) => setting.brief.into(),
             _ => self.choices().join(", "),
         }
     }

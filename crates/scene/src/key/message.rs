@@ -39,6 +39,7 @@ impl Key {
             Kind::Start(_) => words(STARTS),
             Kind::Terms(_) => words(TERMS),
             Kind::Steps(_) => steps::TAKES.into(),
+            Kind::Setting(setting) => setting.takes.into(),
             Kind::Pieces(_) => pieces::TAKES.into(),
             Kind::Shape(_) => words(&shape::names()),
             Kind::Heights(_) => {
@@ -52,6 +53,7 @@ impl Key {
     /// A value that is right, as it stands in a scene.
     pub fn example(&self) -> &'static str {
         match (self.name, &self.kind) {
+            (_, Kind::Setting(setting)) => setting.example,
             ("length" | "wavelength", _) => "\"100 nm\"",
             ("radius", _) => "\"200 nm\"",
             ("height", _) => "\"10 nm\"",

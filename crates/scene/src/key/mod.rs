@@ -7,13 +7,14 @@ mod listing;
 mod message;
 mod title;
 
-pub use kind::{Kind, Need};
+pub use kind::{Kind, Need, Setting};
 
 use crate::bodies::{BODIES, body_of};
 use crate::error::ValueError;
 use crate::scene::Scene;
 use crate::shape;
 use crate::space;
+use crate::uncertainty;
 use peelkit::model::{Body, ProfileForm};
 
 /// A key of a scene.
@@ -41,6 +42,7 @@ impl Key {
     /// shape, nor one of space in the plane.
     pub fn belongs_to(&self, scene: &Scene) -> bool {
         match self.table {
+            uncertainty::TABLE => scene.uncertainty.is_some(),
             _ if self.is_of_space() && scene.model.space.is_none() => false,
             shape::TABLE => shape::has(&scene.model.ground.substrate, self.name),
             table if !BODIES.contains(&table) => true,
@@ -122,9 +124,14 @@ impl Key {
         matches!(self.kind, Kind::Count(_) | Kind::Fixed(..))
     }
 
+    /// Whether its number is written without a decimal point.
+    pub fn is_written_whole(&self, number: f64) -> bool {
+        self.is_count() || matches!(self.kind, Kind::Setting(_)) && number.fract() == 0.0
+    }
+
     /// Whether its values are TOML strings.
     pub(crate) fn is_text(&self) -> bool {
         let plain = matches!(self.kind, Kind::Number(..) | Kind::Share(..) | Kind::Flag(_) | Kind::InSpace);
-        !plain && !matches!(self.kind, Kind::Steps(_) | Kind::Pieces(_)) && !self.is_count()
+        !plain && !matches!(self.kind, Kind::Steps(_) | Kind::Pieces(_) | Kind::Setting(_)) && !self.is_count()
     }
 }

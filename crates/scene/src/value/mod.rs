@@ -40,6 +40,27 @@ impl fmt::Display for Value {
     }
 }
 
+/// What is wrong with a value that is a list or a table.
+#[derive(Debug)]
+pub struct Fault {
+    /// Which item of a list it is in, counted from 0, where it is in one
+    pub(crate) item: Option<usize>,
+    /// Completes "`profile.pieces` ..."
+    pub(crate) found: String,
+}
+
+impl Fault {
+    /// Of one item of a list.
+    pub(crate) fn at(item: usize, found: String) -> Self {
+        Self { item: Some(item), found }
+    }
+
+    /// Of the whole value.
+    pub(crate) fn whole(found: String) -> Self {
+        Self { item: None, found }
+    }
+}
+
 /// A text in quotes, as it stands in a message.
 pub(crate) fn quoted(text: &str) -> String {
     format!("\"{}\"", one_line(text))

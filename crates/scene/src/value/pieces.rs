@@ -1,8 +1,8 @@
 //! The pieces of a profile as a scene writes them.
 
-use super::Value;
 use super::quantity::Dimension;
 use super::steps::quantity;
+use super::{Fault, Value};
 use crate::error::one_line;
 use crate::near::nearest;
 use peelkit::model::{Piece, ProfilePieces, Transition, angle_text};
@@ -16,12 +16,6 @@ pub(crate) const TAKES: &str = "a list of pieces from the free end on, each with
 const NAMES: [&str; 7] = ["length", "width", "height", "roundness", "bend", "course", "height_course"];
 const NEEDED: usize = 3;
 const COURSES: [(&str, Transition); 2] = [("linear", Transition::Linear), ("smooth", Transition::Smooth)];
-
-/// What is wrong with pieces, and with which of them, counted from 0.
-pub(crate) struct Fault {
-    pub item: Option<usize>,
-    pub found: String,
-}
 
 /// Reads the pieces of a list.
 pub(crate) fn read(items: &[Value]) -> Result<ProfilePieces, Fault> {

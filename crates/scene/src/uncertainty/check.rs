@@ -1,0 +1,121 @@
+//! Whether what is uncertain can be sampled: every distribution has to stay where its key may be.
+
+use super::{TABLE, UncertaintyTable};
+use crate::error::ValueError;
+use crate::key::Key;
+use crate::keys::find_key;
+use crate::scene::Scene;
+use crate::value::{quoted, show};
+use peelkit::study::uncertainty::{Design, Distribution, NoDesign};
+
+/// The largest probability of a value that cannot be computed.
+const MOST_OUTSIDE: f64 = 1e-6;
+
+/// What is wrong with the table of a scene: its key, and how.
+pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
+    let table = scene.uncertainty.as_ref()?;
+    let at = |name: &str, problem: ValueError| (format!("{TABLE}.{name}"), problem);
+    let each = (0..table.inputs.len()).find_map(|index| of_input(scene, table, index).err());
+    if let Some(problem) = each {
+        return Some(at("inputs", problem));
+    }
+    if let Some(path) = table.correlations.iter().flat_map(|of| &of.keys).find(|path| !has(table, path)) {
+        let known: Vec<&str> = table.inputs.iter().map(|of| of.path.as_str()).collect();
+        let remedy = format!("The inputs are {}.", known.join(", "));
+        return Some(at("correlations", ValueError::new(format!("names {}, which is no input", quoted(path)), remedy)));
+    }
+    let error = Design::new(table.plan(scene)).err()?;
+    let (name, remedy) = match &error {
+        NoDesign::NoInputs => ("inputs", "Add an input: a key, its distribution and what that needs."),
+        NoDesign::TooManyInputs { .. } => ("inputs", "Leave out inputs that matter little."),
+        NoDesign::Twice { .. } => ("inputs", "Remove one of the two."),
+        NoDesign::Distribution { .. } => ("inputs", "Give it other numbers."),
+        NoDesign::Coefficient { .. } => ("correlations", "Two inputs that are one and the same are one input."),
+        NoDesign::WithItself { .. } | NoDesign::CorrelatedTwice { .. } | NoDesign::NoSuchInput { .. } => {
+            ("correlations", "Remove it.")
+        }
+        NoDesign::Contradiction => {
+            ("correlations", "Make them smaller: no three inputs can be strongly correlated in contradictory ways.")
+        }
+        NoDesign::TooFew { .. } => ("samples", "Give more samples, or indices = false."),
+    };
+    Some(at(name, ValueError::new(format!("cannot be used: {error}"), remedy)))
+}
+
+fn has(table: &UncertaintyTable, path: &str) -> bool {
+    table.inputs.iter().any(|of| of.path == path)
+}
+
+/// Whether an input is a number of the model whose distribution stays where that may be.
+fn of_input(scene: &Scene, table: &UncertaintyTable, index: usize) -> Result<(), ValueError> {
+    let input = &table.inputs[index];
+    let in_input = |found: String| format!("has in input {} {found}", index + 1);
+    let key = find_key(&input.path)?;
+    if !is_of_model(key) {
+        let found = in_input(format!("{}, which is no number of the model", input.path));
+        return Err(ValueError::new(
+            found,
+            "Name a number of what is peeled, of its adhesion, grip, drive or substrate.",
+        ));
+    }
+    if !key.belongs_to(scene) {
+        let foreign = key.foreign(scene);
+        return Err(ValueError::new(in_input(format!("{}, which {}", input.path, foreign.found)), foreign.remedy));
+    }
+    let distribution = input.of_scene(scene);
+    if input.is_centered && key.value(scene).is_none() {
+        let found = in_input(format!("{} without a mean, median or mode, and the scene has none", input.path));
+        return Err(ValueError::new(found, "Give the distribution its mean, median or mode."));
+    }
+    distribution.check().map_err(|error| {
+        let found = in_input(format!("{}: a {} distribution whose {error}", input.path, distribution.name()));
+        ValueError::new(found, "Give it other numbers.")
+    })?;
+    inside(scene, key, &distribution).map_err(|error| ValueError::new(in_input(error.found), error.remedy))
+}
+
+/// Whether the key is a number of what is computed, and not of how.
+fn is_of_model(key: &Key) -> bool {
+    key.is_numeric() && !key.is_count() && !["", "accuracy", "bounds", TABLE].contains(&key.table)
+}
+
+/// Whether the distribution stays in the range of its key, and the scene with its extreme values can be computed.
+fn inside(scene: &Scene, key: &Key, distribution: &Distribution) -> Result<(), ValueError> {
+    let path = key.path();
+    let outside = distribution.probability_outside(key.range());
+    if outside > MOST_OUTSIDE {
+        let instead = match distribution {
+            Distribution::Normal { .. } => {
+                "Use a smaller deviation, or a lognormal, uniform or triangular distribution that ends inside."
+            }
+            _ => "Move its ends inside.",
+        };
+        let found = format!(
+            "{path}, {} of whose distribution is outside of what the key may be: it is {distribution}{}, and the key takes {}",
+            show_share(outside),
+            if key.unit().is_empty() { String::new() } else { format!(" in {}", key.unit()) },
+            key.takes()
+        );
+        return Err(ValueError::new(found, instead));
+    }
+    for probability in [MOST_OUTSIDE, 1.0 - MOST_OUTSIDE] {
+        let value = distribution.quantile(probability);
+        let mut extreme = scene.clone();
+        let found = |why: &str| {
+            format!(
+                "{path}, whose distribution reaches {} {}: the scene then has no model, because {why}",
+                show(value),
+                key.unit()
+            )
+        };
+        let narrower = "Use a narrower distribution.";
+        key.store_number(&mut extreme, value).map_err(|error| ValueError::new(found(&error.found), narrower))?;
+        extreme.check().map_err(|error| ValueError::new(found(&error.to_string()), narrower))?;
+    }
+    Ok(())
+}
+
+/// A probability as a person reads it.
+fn show_share(share: f64) -> String {
+    if share < 1e-3 { format!("a share of {share:.1e}") } else { format!("{:.2} %", 100.0 * share) }
+}

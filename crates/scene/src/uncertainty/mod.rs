@@ -1,0 +1,72 @@
+//! The table `uncertainty`: which keys of the scene are uncertain, how, and what is asked for.
+
+mod check;
+mod correlations;
+mod inputs;
+mod plan;
+mod settings;
+
+pub(crate) use check::problem;
+pub(crate) use settings::{CORRELATIONS, INDICES, INPUTS, QUANTITIES, SAMPLES, SEED};
+
+use crate::scene::Scene;
+use peelkit::study::PeelQuantity;
+use peelkit::study::uncertainty::{Distribution, Indices};
+
+/// Its name.
+pub(crate) const TABLE: &str = "uncertainty";
+
+/// The table `uncertainty`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UncertaintyTable {
+    /// What is uncertain
+    pub inputs: Vec<UncertainKey>,
+    /// Which of them vary together
+    pub correlations: Vec<CorrelatedKeys>,
+    /// What is asked for
+    pub quantities: Vec<PeelQuantity>,
+    /// Most peels that are sampled
+    pub samples: usize,
+    /// Of the sample
+    pub seed: u64,
+    /// Whether sensitivity indices are estimated
+    pub indices: Indices,
+}
+
+/// A key that is uncertain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UncertainKey {
+    /// `strip.height`
+    pub path: String,
+    /// In the unit of the library. Its mean, median or mode is that of the scene where `is_centered`.
+    pub distribution: Distribution,
+    /// Whether the value of the scene is its mean, median or mode
+    pub is_centered: bool,
+}
+
+/// Two keys that vary together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CorrelatedKeys {
+    /// Their paths
+    pub keys: [String; 2],
+    /// As of [`peelkit::study::uncertainty::Correlation`]
+    pub coefficient: f64,
+}
+
+impl Default for UncertaintyTable {
+    fn default() -> Self {
+        Self {
+            inputs: Vec::new(),
+            correlations: Vec::new(),
+            quantities: vec![PeelQuantity::InitiationPeakForce],
+            samples: 10_000,
+            seed: 0,
+            indices: Indices::Estimated,
+        }
+    }
+}
+
+/// The table of a scene, which it is given where it has none.
+pub(crate) fn of(scene: &mut Scene) -> &mut UncertaintyTable {
+    scene.uncertainty.get_or_insert_default()
+}
