@@ -93,8 +93,8 @@ fn checks_of(case: &Case) -> Vec<Check> {
     for (what, point) in points {
         let place = |point: LimitPoint| (point.displacement, point.displacement_error);
         let force = |point: LimitPoint| (point.force, point.force_error);
-        found.extend(held(case, &format!("{what}_displacement_nm"), start, point.map(place)));
-        found.extend(held(case, &format!("{what}_force_nN"), 0.0, point.map(force)));
+        found.extend(held(case, &format!("{what}_displacement_nm"), start, point.map(place)).into_iter().flatten());
+        found.extend(held(case, &format!("{what}_force_nN"), 0.0, point.map(force)).into_iter().flatten());
     }
     found
 }
