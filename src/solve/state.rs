@@ -10,7 +10,7 @@ pub struct Mesh {
     pub boundaries: Vec<f64>,
     /// What it follows: where the peeling front is
     pub focus: f64,
-    /// Where the two edges of a section let go, from there, nm; zeros of a beam in its plane.
+    /// Where the two edges of a section let go, from there, nm; zeros where the mesh does not follow these.
     pub edges: [f64; 2],
 }
 

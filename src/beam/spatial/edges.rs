@@ -16,9 +16,9 @@ use crate::adhesion::SectionShape;
 use crate::solve::State;
 
 impl SpatialBeam {
-    /// The two places, from that of the front, nm; zeros where nothing adheres.
-    pub(super) fn edges(&self, at: &State, front: f64) -> [f64; 2] {
-        if !self.adheres() {
+    /// The two places, from that of the front, nm; zeros where nothing follows them.
+    pub fn edges(&self, at: &State, front: f64) -> [f64; 2] {
+        if !self.adheres() || self.mesh.edge_foci.is_empty() {
             return [0.0; 2];
         }
         let (order, boundaries) = (self.chain.order(), &at.mesh.boundaries);

@@ -74,16 +74,10 @@ impl SpatialBeam {
 
     /// Element boundaries for a front and edges.
     fn boundaries(&self, front: f64, edges: [f64; 2], elements: usize, near: &[f64]) -> Vec<f64> {
-        if !self.adheres() {
-            return self.mesh.ends(&[], elements, near);
-        }
-        let fronts = if self.mesh.kind == MeshKind::Moving {
-            let place = self.rest.fronts().place(front);
-            edges.map(|edge| (place + edge).clamp(0.0, self.length))
-        } else {
-            [self.rest.front(self.length); 2]
-        };
-        self.mesh.ends(&fronts, elements, near)
+        let moves = self.mesh.kind == MeshKind::Moving;
+        let place = || if moves { self.rest.fronts().place(front) } else { self.rest.front(self.length) };
+        let edges = if moves { edges } else { [0.0; 2] };
+        self.mesh.ends(self.adheres().then(place), edges, elements, near)
     }
 
     /// A front as the focus of a mesh: no farther than the ends of the chain.
