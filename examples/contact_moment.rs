@@ -1,13 +1,13 @@
 //! What the contact moment does: without it, adhesion does less work than it should.
 //!
 //! What it shows: the ground pulls a tilted section with a force and a moment. Three line loads are compared over the bending stiffness: both;
-//! the force alone; and the traction at the gap below the axis, which is blind to the tilt and needs no moment.
+//! the force alone; and the traction at the gap below the axis, which is independent of the section's rotation and has no moment.
 //!
 //! Equations: with the potential Ψ(y, θ) per length and width T_c = -∂Ψ/∂y and M_c = -∂Ψ/∂θ. To peel a unit of length off takes
 //! ∫ (Ψ_y y' + Ψ_θ θ') dS = w, the work of adhesion, so that P + P²/(2EA) = w b. Leave M_c out, and only ∫ Ψ_y y' dS remains:
 //! P + P²/(2EA) = w b - b ∫ Ψ_θ θ' dS. The integral depends on how sharply the strip bends.
 //!
-//! What to try: `far_face = false`; a thinner strip. The moment is T_c (h/2) sin θ for one face: when does it matter little?
+//! What to try: a thinner strip. The moment of one face is T_c (h/2) sin θ: when does it matter little?
 //!
 //!     cargo run --release --example contact_moment
 //!

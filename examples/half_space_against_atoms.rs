@@ -9,8 +9,8 @@
 //! largest, T'' = 27 σ/g² with the strength σ: it is larger by 9/4 (a/g)² of itself. What depends on the place along the surface falls
 //! faster than any power of a.
 //!
-//! What to try: a spacing of 0.3 nm, as solids have it, with r0 = 0.4 nm: half spaces describe atoms only with an A_H and r0 that
-//! were fitted to them. The place (a/2, 0) over a bridge between two atoms.
+//! What to try: a spacing of 0.3 nm, as solids have it, and gaps from 0.05 nm on: half spaces describe such atoms only with an A_H and r0
+//! that were fitted to them. The place (a/2, 0) over a bridge between two atoms.
 //!
 //!     cargo run --release --example half_space_against_atoms
 //!

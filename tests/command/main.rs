@@ -1,6 +1,7 @@
 //! The command `peel`, run as a user runs it.
 
 mod documents;
+mod fit;
 mod friction;
 mod interrupt;
 mod observed;
@@ -17,3 +18,4 @@ mod steps;
 #[path = "../shared/strip.rs"]
 mod strip;
 mod sweeps;
+mod uncertainty;

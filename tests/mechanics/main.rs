@@ -9,3 +9,4 @@ mod common;
 mod model;
 mod solve;
 mod study;
+mod uncertainty;

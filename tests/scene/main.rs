@@ -16,5 +16,6 @@ mod steps;
 mod strip;
 mod text;
 mod to_toml;
+mod uncertainty;
 mod units;
 mod written;

@@ -18,3 +18,8 @@ pub use work_precision::{AUTOMATIC, Errors, Line, Trial, WorkPrecision, work_pre
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/library.md")]
 mod book {}
+
+/// The programs of the chapter on uncertainty.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/uncertainty.md")]
+mod uncertainty {}

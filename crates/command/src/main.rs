@@ -5,6 +5,7 @@
 mod accuracy;
 mod command_line;
 mod figures;
+mod fit;
 mod folder_name;
 mod hard_scenes;
 mod help;
@@ -37,6 +38,7 @@ struct Cli {
 enum Command {
     Run(run::Run),
     Sweep(sweep::Sweep),
+    Fit(fit::Fit),
     Uncertainty(uncertainty::Uncertainty),
     Accuracy(accuracy::Accuracy),
     Verify(verify::Verify),
@@ -56,6 +58,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::Fit(args) => fit::fit(&args),
         Command::Uncertainty(args) => uncertainty::uncertainty(&args),
         Command::Accuracy(args) => accuracy::accuracy(&args),
         Command::Verify(args) => verify::verify(&args),

@@ -8,6 +8,7 @@ pub mod chart;
 mod checkpoint;
 mod error;
 mod file;
+mod fit_report;
 mod folder;
 mod grip_in_space;
 mod names;
@@ -27,20 +28,23 @@ pub use animation::write_animation;
 pub use checkpoint::{PartialRun, PartialSweep, PartialUncertainty};
 pub use error::ReportError;
 pub use file::write_whole;
+pub use fit_report::FitReport;
 pub use folder::{Existing, OutputFolder};
 pub use names::{end_reason, end_word, form_word, jump_word, test_end_reason, test_end_word};
 pub use number::{Finite, to_json};
 pub use parameters_file::write_parameters;
 pub use pictures::{
-    draw_followed, draw_observed, draw_peel, draw_peel_with_branch, draw_plane, draw_sensitivities, draw_sweep,
-    draw_uncertainty,
+    draw_fit, draw_followed, draw_observed, draw_peel, draw_peel_with_branch, draw_plane, draw_sensitivities,
+    draw_sweep, draw_uncertainty,
 };
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
-pub use summary::{PeelSummary, SCHEMA, SweepSummary, UncertaintySummary, VERSION, ground_warning, left_out, why_kept};
+pub use summary::{
+    FitSummary, PeelSummary, SCHEMA, SweepSummary, UncertaintySummary, VERSION, ground_warning, left_out, why_kept,
+};
 pub use sweep_row::SweepRow;
 pub use swept_keys::SweptKeys;
 pub use tables::{
-    SweepLine, work_to, write_branch, write_curve, write_followed, write_limit_points, write_observed, write_samples,
-    write_sweep, write_table, write_uncertainty,
+    SweepLine, work_to, write_branch, write_curve, write_fit, write_followed, write_limit_points, write_observed,
+    write_samples, write_sweep, write_table, write_uncertainty,
 };
 pub use timing::timed;

@@ -1,6 +1,7 @@
 //! Keys of a scene that do not fit one another, or that are missing.
 
 use super::error::{Origin, SceneError, ValueError};
+use super::fit;
 use super::key::{Key, Kind, Need};
 use super::keys::KEYS;
 use super::scene::Scene;
@@ -38,7 +39,8 @@ impl Conflict {
             return Some(Self::missing(key, given, scene));
         }
         let Err(error) = scene.check() else {
-            let (key, problem) = uncertainty::problem(scene)?;
+            let of_fit = fit::conflict(scene).map(|problem| ("fit.parameters".to_owned(), problem));
+            let (key, problem) = of_fit.or_else(|| uncertainty::problem(scene))?;
             return Some(Self { key, problem, missing: None });
         };
         Some(Self { key: error.key().to_owned(), problem: error.into(), missing: None })

@@ -3,6 +3,7 @@
 use super::bodies::{BODIES, body_of, set_body};
 use super::conflict::Conflict;
 use super::error::{Origin, SceneError, ValueError, one_line};
+use super::fit;
 use super::key::{Key, Kind};
 use super::keys::{KEYS, find_key, tables};
 use super::near::nearest;
@@ -87,6 +88,9 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
     }
     set_shape(scene, &file, document)?;
     set_space(scene, &file, document)?;
+    if document.iter().any(|(table, _)| name_of(table) == fit::TABLE) {
+        fit::of(scene);
+    }
     if document.iter().any(|(table, _)| name_of(table) == uncertainty::TABLE) {
         uncertainty::of(scene);
     }
@@ -218,6 +222,9 @@ fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, Scene
         find_key(path).map_err(|problem| origin.error(0..path.len(), &format!("`{}`", one_line(path)), problem))?;
     if key.is_of_space() {
         space::set(scene, true);
+    }
+    if key.table == fit::TABLE {
+        fit::of(scene);
     }
     if key.table == uncertainty::TABLE {
         uncertainty::of(scene);

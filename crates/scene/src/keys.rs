@@ -2,6 +2,7 @@
 
 use super::bodies::{profile, spatula, strip};
 use super::error::ValueError;
+use super::fit;
 use super::key::{Key, Kind, Need};
 use super::near::nearest;
 use super::scene::Scene;
@@ -101,6 +102,15 @@ pub static KEYS: &[Key] = &[
     key("bounds", "points", Optional, Kind::Count(|s| &mut s.bounds.points), "largest number of points of a path"),
     key("bounds", "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "longest time for a path"),
     key("bounds", "displacement", Optional, Kind::Bound(Length, |s| &mut s.bounds.displacement), "largest displacement of the grip"),
+
+    key("fit", "parameters", Required, Kind::Setting(&fit::PARAMETERS), "keys that are determined, with bounds if wanted"),
+    key("fit", "force_error", Optional, Kind::Bound(Force, |s| &mut fit::of(s).options.force_error), "standard error of measured forces; none: from the residuals"),
+    key("fit", "displacement_error", Optional, Kind::Bound(Length, |s| &mut fit::of(s).options.displacement_error), "standard error of measured displacements; none: exact"),
+    key("fit", "displacement_zero", Optional, Kind::Measure(Length, Range::OFFSET, |s| &mut fit::of(s).options.displacement_zero), "measured displacement at which the model's is zero"),
+    key("fit", "jump", Optional, Kind::Bound(Length, |s| &mut fit::of(s).jump), "measured displacement of the first jump; none: looked for"),
+    key("fit", "use_jump", Optional, Kind::Flag(|s| &mut fit::of(s).options.use_jump), "whether the displacement of the jump is a datum"),
+    key("fit", "loss", Optional, Kind::Setting(&fit::LOSS), "how much points far from the curve count"),
+    key("fit", "profile", Optional, Kind::Setting(&fit::PROFILE), "of which parameters the profile likelihood is computed"),
 
     key("uncertainty", "inputs", Required, Kind::Setting(&uncertainty::INPUTS), "keys that are uncertain, with their distributions"),
     key("uncertainty", "correlations", Optional, Kind::Setting(&uncertainty::CORRELATIONS), "inputs that vary together"),

@@ -1,6 +1,7 @@
 //! A scene as data.
 
 use crate::bounds::BoundsTable;
+use crate::fit::FitTable;
 use crate::uncertainty::UncertaintyTable;
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
 use peelkit::study::Accuracy;
@@ -19,6 +20,8 @@ pub struct Scene {
     pub accuracy: Accuracy,
     /// Where the path may be stopped although it goes on.
     pub bounds: BoundsTable,
+    /// What `peel fit` determines, where the scene says so.
+    pub fit: Option<FitTable>,
     /// What is uncertain, where the scene says so; `peel uncertainty` samples it.
     pub uncertainty: Option<UncertaintyTable>,
     /// The tables that the text gives, as they were read.
@@ -38,7 +41,7 @@ pub struct TableTexts {
 impl Scene {
     /// The same with every table that a scene may hold.
     pub(crate) fn of_defaults() -> Self {
-        Self { uncertainty: Some(UncertaintyTable::default()), ..Self::empty("") }
+        Self { fit: Some(FitTable::default()), uncertainty: Some(UncertaintyTable::default()), ..Self::empty("") }
     }
 
     /// A scene that holds the defaults; what has none is NaN until the text gives it.
@@ -51,6 +54,7 @@ impl Scene {
             model: PeelModel::of(Body::Strip(UNKNOWN_STRIP), adhesion, Grip::FREE),
             accuracy: Accuracy::to(1e-6),
             bounds: BoundsTable { points: 20_000, time_s: Some(60.0), displacement: None },
+            fit: None,
             uncertainty: None,
             table_texts: TableTexts::default(),
         }

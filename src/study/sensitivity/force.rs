@@ -5,9 +5,17 @@ use super::point::{Adjoint, Held, solved};
 use super::residual_change::Stencil;
 use super::run::{discretisation, solutions};
 use super::{NoSensitivities, Variation};
-use crate::solve::Workspace;
+use crate::model::BeamProblem;
+use crate::number::root::Bracket;
+use crate::solve::{PathSegment, Solution, State, Workspace};
 use crate::study::{LimitPointKind, Peel};
 use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Solutions that a start for Newton's method is interpolated between.
+const INTERPOLATED: usize = 4;
+/// How sharp its place on a step is looked for, over the step.
+const SHARP: f64 = 1e-12;
 
 /// The force P (nN) at displacements (nm) on the first stable branch of the path, from its beginning to its first displacement limit point, and
 /// dP/dx there with the displacement held: one row a displacement, one column a variation.
@@ -19,6 +27,26 @@ pub fn force_derivatives(
     displacements: &[f64],
     variations: &[Variation],
 ) -> Result<Vec<(f64, Vec<f64>)>, NoSensitivities> {
+    let found = forces_on_branch(peel, displacements, variations)?;
+    Ok(found.into_iter().map(|at| (at.force, at.derivatives)).collect())
+}
+
+/// The force at a displacement.
+pub(in crate::study) struct ForceOnBranch {
+    /// P, nN
+    pub force: f64,
+    /// dP/du, nN/nm
+    pub slope: f64,
+    /// dP/dx with the displacement held, one a variation
+    pub derivatives: Vec<f64>,
+}
+
+/// The same with the slope of the force, at the same solutions.
+pub(in crate::study) fn forces_on_branch(
+    peel: &Peel,
+    displacements: &[f64],
+    variations: &[Variation],
+) -> Result<Vec<ForceOnBranch>, NoSensitivities> {
     let history = solutions(peel)?;
     let problem = &history.problem;
     let turn = peel.limit_points.iter().find(|point| point.kind == LimitPointKind::Displacement);
@@ -32,24 +60,23 @@ pub fn force_derivatives(
             return Err(missing);
         }
         let next = branch.partition_point(|point| point.observables.displacement <= displacement);
-        let near = branch.get(next.saturating_sub(1)).ok_or(missing)?;
-        let ahead = (displacement - near.observables.displacement) / near.slope.displacement;
+        branch.first().ok_or(missing)?;
         let mut ws = Workspace::default();
         let not_solved = |cause| NoSensitivities::NotSolved { of: "the force", cause };
-        let start = near.moved(problem, ahead);
+        let start = interpolated(problem, &history.points, next.saturating_sub(1), displacement);
         let found = solved(problem, start, Held::Displacement, displacement, &mut ws).map_err(not_solved)?;
         let adjoint = Adjoint::new(problem, &found.at, Held::Displacement, &mut ws).map_err(not_solved)?;
-        Ok((found.observables.force, adjoint))
+        Ok((found.observables.force, found.slope.force, adjoint))
     };
-    let points: Vec<(f64, Adjoint)> = displacements.par_iter().map(adjoint).collect::<Result<_, _>>()?;
+    let points: Vec<(f64, f64, Adjoint)> = displacements.par_iter().map(adjoint).collect::<Result<_, _>>()?;
     let (base, how) = (Beside::base(problem, &peel.model), discretisation(peel));
     let column = |variation: &Variation| -> Result<Vec<f64>, NoSensitivities> {
         let beside = Stencil::beside(variation, &base, how)?;
         let stencil = Stencil::new(&base, &beside);
-        if points.iter().any(|(_, point)| !stencil.has_unknowns_of(&point.at)) {
+        if points.iter().any(|(.., point)| !stencil.has_unknowns_of(&point.at)) {
             return Err(NoSensitivities::AnotherKind { key: variation.key.clone() });
         }
-        let one = |(_, point): &(f64, Adjoint)| {
+        let one = |(.., point): &(f64, f64, Adjoint)| {
             let value = stencil.force(point).estimate().value;
             let not_finite = || NoSensitivities::NotFinite { key: variation.key.clone(), of: "the force" };
             if value.is_finite() { Ok(value) } else { Err(not_finite()) }
@@ -57,5 +84,26 @@ pub fn force_derivatives(
         points.iter().map(one).collect()
     };
     let columns: Vec<Vec<f64>> = variations.par_iter().map(column).collect::<Result<_, _>>()?;
-    Ok(points.iter().enumerate().map(|(k, (force, _))| (*force, columns.iter().map(|c| c[k]).collect())).collect())
+    let on_branch = |(k, (force, slope, _)): (usize, &(f64, f64, Adjoint))| ForceOnBranch {
+        force: *force,
+        slope: *slope,
+        derivatives: columns.iter().map(|column| column[k]).collect(),
+    };
+    Ok(points.iter().enumerate().map(on_branch).collect())
+}
+
+/// A state between solutions of a path at a displacement that the step behind `points[index]` comes to first: the curve may be steep, and bends
+/// sharply before a limit point, so that a tangent is no start.
+fn interpolated(problem: &BeamProblem, points: &[Arc<Solution>], index: usize, displacement: f64) -> State {
+    if index + 1 >= points.len() {
+        let last = &points[points.len() - 1];
+        return last.moved(problem, (displacement - last.observables.displacement) / last.slope.displacement);
+    }
+    let segment = PathSegment::around(problem, points, index);
+    let curve = segment.observable(|o| o.displacement, 0.5 * segment.end());
+    let end = segment.end();
+    let high = if curve.at(end).1 < 0.0 { curve.turning_point(0.0, end) } else { end };
+    let is_before = |label: f64| curve.at(label).0 < displacement;
+    let place = Bracket { low: 0.0, high }.bisected(is_before, |left| left.width() <= SHARP * end);
+    segment.start(problem, place.middle(), INTERPOLATED)
 }

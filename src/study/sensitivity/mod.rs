@@ -26,6 +26,7 @@ mod run;
 
 pub use error::NoSensitivities;
 pub use force::force_derivatives;
+pub(super) use force::{ForceOnBranch, forces_on_branch};
 pub use logarithmic::Exponent;
 pub use quantity::PeelQuantity;
 pub use run::{Sensitivities, sensitivities};

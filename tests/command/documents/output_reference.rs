@@ -3,8 +3,9 @@
 
 use super::{hold, row, text, with_part};
 use peelkit_report::reference::{
-    CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, OutputKey, PEEL_SUMMARY, STATE_COLUMNS, SWEEP_COLUMNS,
-    SWEEP_SUMMARY, paths,
+    CURVE_COLUMNS, FIT_COLUMNS, FIT_SUMMARY, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, OutputKey, PEEL_SUMMARY,
+    PROFILE_COLUMNS, SAMPLE_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS, SWEEP_SUMMARY, UNCERTAINTY_COLUMNS,
+    UNCERTAINTY_SUMMARY, paths,
 };
 use peelkit_report::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
 use serde_json::Value;
@@ -26,6 +27,12 @@ fn the_output_reference_is_that_of_the_lists() {
         ("states.csv", &state_columns(STATE_FIELDS), "column"),
         ("states.csv in space", &state_columns(SPATIAL_STATE_FIELDS), "column"),
         ("sweep.csv", SWEEP_COLUMNS, "column"),
+        ("peel fit", FIT_SUMMARY, "key"),
+        ("fit.csv", FIT_COLUMNS, "column"),
+        ("profiles.csv", PROFILE_COLUMNS, "column"),
+        ("summary.json of peel uncertainty", UNCERTAINTY_SUMMARY, "key"),
+        ("statistics.csv and indices.csv", UNCERTAINTY_COLUMNS, "column"),
+        ("samples.csv", SAMPLE_COLUMNS, "column"),
     ] {
         let mut part = row(&[first, "unit", "meaning"]) + "|---|---|---|\n";
         for key in keys {
@@ -160,4 +167,55 @@ fn every_column_is_described() {
     // one is told of where there is something to tell, the other where the second key has a unit
     found.extend(["remarks", "unit_2"].map(str::to_owned));
     assert_described(&found, SWEEP_SUMMARY, "peel sweep --json");
+}
+
+/// Two parameters that a curve without its peak does not tell apart have a profile.
+#[test]
+fn every_output_of_a_fit_is_described() {
+    let folder = tempfile::tempdir().unwrap();
+    let (scene, data) =
+        (format!("{}/scenes/strip-fit.toml", super::ROOT), format!("{}/scenes/strip-fit.csv", super::ROOT));
+    let lines: Vec<String> = std::fs::read_to_string(data).unwrap().lines().map(str::to_owned).collect();
+    let late: Vec<String> = lines[..2].iter().chain(&lines[24..]).cloned().collect();
+    std::fs::write(folder.path().join("late.csv"), late.join("\n")).unwrap();
+    let both = "fit.parameters=[\"adhesion.hamaker_constant\", \"adhesion.equilibrium_distance\"]";
+    let known = ["--set", "strip.youngs_modulus=2 GPa", "--set", "fit.displacement_zero=1.3 nm", "--set", both];
+    peel(&[&["fit", &scene, "--data", "late.csv", "--out", "fit"], ROUGHLY, &known].concat(), folder.path());
+    let json: Value = serde_json::from_slice(&std::fs::read(folder.path().join("fit/summary.json")).unwrap()).unwrap();
+    let mut found = BTreeSet::new();
+    keys_of(&json, "", &mut found);
+    assert_described(&found, FIT_SUMMARY, "peel fit");
+    for (file, keys) in [("fit.csv", FIT_COLUMNS), ("profiles.csv", PROFILE_COLUMNS)] {
+        let table = std::fs::read_to_string(folder.path().join("fit").join(file)).unwrap();
+        assert_described(&table.lines().next().unwrap().split(',').map(str::to_owned).collect(), keys, file);
+    }
+}
+
+#[test]
+fn every_key_and_column_of_an_uncertain_peel_is_described() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = format!("{}/scenes/strip-uncertain.toml", super::ROOT);
+    let correlated =
+        "uncertainty.correlations=[{ keys = [\"strip.height\", \"strip.youngs_modulus\"], coefficient = 0.3 }]";
+    let few = ["--set", "uncertainty.samples=240", "--set", correlated];
+    // every path is cut short behind its peak
+    let cut = [
+        "--set",
+        "bounds.displacement=1 nm",
+        "--set",
+        "uncertainty.quantities=[\"initiation_peak.force_nN\", \"peak.force_nN\"]",
+    ];
+    let arguments = [&["uncertainty", &scene, "--out", "out"], ROUGHLY, &few, &cut].concat();
+    let output = Command::new(env!("CARGO_BIN_EXE_peel")).args(arguments).current_dir(folder.path()).output().unwrap();
+    assert_eq!(output.status.code(), Some(3), "{}", String::from_utf8_lossy(&output.stderr));
+    let file = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    let mut found = BTreeSet::new();
+    keys_of(&serde_json::from_str(&file("summary.json")).unwrap(), "", &mut found);
+    assert_described(&found, UNCERTAINTY_SUMMARY, "summary.json of peel uncertainty");
+    let columns =
+        |name: &str| -> Vec<String> { file(name).lines().next().unwrap().split(',').map(str::to_owned).collect() };
+    let both = columns("statistics.csv").into_iter().chain(columns("indices.csv")).collect();
+    assert_described(&both, UNCERTAINTY_COLUMNS, "statistics.csv and indices.csv");
+    let own = |column: &String| !column.contains('.');
+    assert_described(&columns("samples.csv").into_iter().filter(own).collect(), SAMPLE_COLUMNS, "samples.csv");
 }

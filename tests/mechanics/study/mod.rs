@@ -4,6 +4,7 @@ mod choice;
 mod curve;
 mod ends;
 mod error_bounds;
+mod fit;
 mod observed;
 mod observed_in_space;
 mod out_of_plane;

@@ -12,6 +12,9 @@ use peelkit::model::{Friction, Pull};
 use peelkit_scene::{BODIES, KEYS, Key, Kind, Need, Range, Scene};
 use proptest::prelude::*;
 
+/// Tables of what is asked of a scene besides its peel.
+const QUESTIONS: [&str; 3] = ["uncertainty", "fit", "optimise"];
+
 /// A scene with every key that may stand beside one of them, whose value is replaced.
 fn with_value(key: &Key, value: &str) -> String {
     let body = if BODIES.contains(&key.table) { key.table } else { BODIES[0] };
@@ -40,6 +43,8 @@ fn with_value(key: &Key, value: &str) -> String {
     // a profile takes a table or pieces
     let outline = if key.alternative().is_some() { key.name } else { "table" };
     let fits = |other: &&Key| fits(other) && (other.alternative().is_none() || other.name == outline);
+    // what is asked of a scene besides has keys of strips in it
+    let fits = |other: &&Key| fits(other) && (other.table == key.table || !QUESTIONS.contains(&other.table));
     let line = |other: &Key| match shape {
         _ if other.path() == key.path() => format!("{} = {value}\n", other.path()),
         Some(shape) if other.name == "shape" => format!("{} = \"{shape}\"\n", other.path()),

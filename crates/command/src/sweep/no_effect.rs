@@ -31,6 +31,10 @@ fn refuse_key(overrides: &[(String, String)], scene: &Scene, key: &Key) -> Resul
 fn why_none(scene: &Scene, key: &Key) -> Option<(&'static str, &'static str)> {
     let model = &scene.model;
     match key.path().as_str() {
+        _ if key.table == "fit" => Some((
+            "only peel fit reads the table [fit]",
+            "Vary a key of the body, its adhesion, its grip or its loading.",
+        )),
         "grip.stiffness" => Some((
             "only the displacement-controlled test uses the spring of the machine, and a sweep has none",
             "Use peel run --observed with --set grip.stiffness=... for each value.",

@@ -1,6 +1,7 @@
 //! What a run found, laid out for a person.
 
 mod branch;
+mod fit;
 mod layout;
 mod number;
 mod observed;
@@ -11,6 +12,7 @@ mod sweep;
 mod uncertainty;
 mod units;
 
+pub use fit::fit;
 pub use number::spaced;
 pub use observed::observed;
 pub use peel::{peel, taken};

@@ -5,9 +5,12 @@ use peelkit::study::uncertainty::{Analysis, DerivativesBy, NumberAnalysis, Order
 use peelkit_scene::{Key, Scene, find_key};
 use std::fmt::Write;
 
-/// What is uncertain, how it was sampled, and a block for each result.
-pub fn uncertainty(scene: &Scene, analysis: &Analysis) -> String {
+/// What is uncertain, how it was sampled and what is to be said of that, and a block for each result.
+pub fn uncertainty(scene: &Scene, analysis: &Analysis, remark: Option<&str>) -> String {
     let mut text = format!("{}\n\n{}", scene.title, sampled(analysis));
+    if let Some(remark) = remark {
+        let _ = writeln!(text, "{remark}");
+    }
     for number in &analysis.numbers {
         text += &block(analysis, number);
     }

@@ -9,6 +9,7 @@ use peelkit_report::{Existing, OutputFolder, PartialUncertainty, ReportError};
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Runs the samples of one command.
 pub struct Sampler {
@@ -17,6 +18,8 @@ pub struct Sampler {
     kept: Option<(PathBuf, PartialUncertainty)>,
     bar: ProgressBar,
     interrupt: Interrupt,
+    /// Samples of an earlier command
+    taken: AtomicUsize,
 }
 
 impl Sampler {
@@ -36,7 +39,7 @@ impl Sampler {
         let above = bar.clone();
         let answer = "stopping when the samples being computed are done; Ctrl-C again stops at once";
         let interrupt = Interrupt::listen(move || above.println(answer));
-        Ok(Self { output, kept, bar, interrupt })
+        Ok(Self { output, kept, bar, interrupt, taken: AtomicUsize::new(0) })
     }
 
     /// The outcomes in the order of the samples, those of an earlier run among them. After Ctrl-C some are missing.
@@ -47,6 +50,7 @@ impl Sampler {
         let partial = self.kept.as_ref().map(|(_, partial)| partial);
         let run = |at: SamplePlace| {
             if let Some(found) = partial.and_then(|partial| partial.found(at)) {
+                self.taken.fetch_add(1, Ordering::Relaxed);
                 self.bar.inc(1);
                 // what was taken says nothing about the time to go
                 self.bar.reset_eta();
@@ -63,6 +67,13 @@ impl Sampler {
         let outcomes = sample(design, &|| !self.interrupt.asked() && trouble.get().is_none(), &run);
         self.bar.finish_and_clear();
         trouble.into_inner().map_or(Ok(outcomes), Err)
+    }
+
+    /// Where samples come from that were not computed now.
+    pub fn remark(&self) -> Option<String> {
+        let taken = self.taken.load(Ordering::Relaxed);
+        let samples = self.bar.length().unwrap_or_default();
+        (taken > 0).then(|| format!("{taken} of {samples} samples taken from an earlier, interrupted run"))
     }
 
     /// Removes what was kept: all is computed and written.

@@ -58,7 +58,11 @@ pub fn uncertainty(args: &Uncertainty) -> Result<(), Stop> {
     if args.json {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
-        say(&format!("{}\n{}", text_summary::uncertainty(&scene, &analysis), list_files(&files)))?;
+        say(&format!(
+            "{}\n{}",
+            text_summary::uncertainty(&scene, &analysis, sampler.remark().as_deref()),
+            list_files(&files)
+        ))?;
     }
     files?;
     stopped_short(&analysis)

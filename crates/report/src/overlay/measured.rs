@@ -56,7 +56,7 @@ impl Measured {
 }
 
 /// How many units of the library one of a column is whose name is followed by its unit; 1 where it has none and needs none.
-fn factor(column: &str, dimension: Option<Dimension>) -> Option<f64> {
+pub(super) fn factor(column: &str, dimension: Option<Dimension>) -> Option<f64> {
     let Some(dimension) = dimension else { return unit_of(column).is_none_or(|unit| unit.is_empty()).then_some(1.0) };
     let read = |unit: &str| parse_quantity(&format!("1 {unit}"), dimension).ok();
     unit_of(column).and_then(read).or_else(|| read(column.rsplit_once('_')?.1))

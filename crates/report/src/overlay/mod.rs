@@ -1,10 +1,12 @@
 //! Several results in one picture, with measured points over them.
 
 mod columns;
+mod force_curve;
 mod measured;
 mod picture;
 mod result;
 
+pub use force_curve::read_force_curve;
 pub use measured::Measured;
 pub use picture::draw_overlay;
 pub use result::{Kind, ResultFile};

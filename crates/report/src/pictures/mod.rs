@@ -2,6 +2,7 @@
 
 mod contour;
 mod curve;
+mod fit;
 mod followed;
 mod in_space;
 mod observed;
@@ -13,6 +14,7 @@ mod shapes;
 pub mod sweep;
 mod uncertainty;
 
+pub use fit::draw_fit;
 pub use followed::draw_followed;
 pub use observed::draw_observed;
 pub use peel::{draw_peel, draw_peel_with_branch};

@@ -1,10 +1,12 @@
 //! What every key and column of an output means: one line each. `docs/outputs.md` is made of these lists, and a test holds them
 //! against what the command writes.
 
+mod fit;
 mod summary;
 mod tables;
 mod uncertainty;
 
+pub use fit::{FIT_COLUMNS, FIT_SUMMARY, PROFILE_COLUMNS};
 pub use summary::{PEEL_SUMMARY, SWEEP_SUMMARY};
 pub use tables::{CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS};
 pub use uncertainty::{SAMPLE_COLUMNS, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY};
@@ -71,7 +73,10 @@ pub fn paths(keys: &[OutputKey]) -> Vec<String> {
 mod tests {
     use super::*;
 
-    const ALL: [&[OutputKey]; 10] = [
+    const ALL: [&[OutputKey]; 13] = [
+        FIT_SUMMARY,
+        FIT_COLUMNS,
+        PROFILE_COLUMNS,
         UNCERTAINTY_SUMMARY,
         UNCERTAINTY_COLUMNS,
         SAMPLE_COLUMNS,

@@ -4,6 +4,7 @@ mod accuracy;
 mod branch;
 mod branch_point;
 mod derived;
+mod fit;
 mod ground;
 mod observed;
 mod origin;
@@ -18,6 +19,7 @@ mod term_summary;
 mod uncertainty;
 
 pub use accuracy::left_out;
+pub use fit::FitSummary;
 pub use ground::ground_warning;
 pub use origin::{SCHEMA, VERSION};
 pub(crate) use parameters::Parameters;

@@ -1,11 +1,13 @@
 //! Tables in CSV.
 
 mod curve;
+mod fit;
 mod sweep;
 mod table;
 mod uncertainty;
 
 pub use curve::{write_branch, write_curve, write_limit_points, write_observed};
+pub use fit::write_fit;
 pub use sweep::{SweepLine, work_to, write_followed, write_sweep};
 pub use table::write_table;
 pub use uncertainty::{write_samples, write_uncertainty};

@@ -11,6 +11,7 @@ pub use kind::{Kind, Need, Setting};
 
 use crate::bodies::{BODIES, body_of};
 use crate::error::ValueError;
+use crate::fit;
 use crate::scene::Scene;
 use crate::shape;
 use crate::space;
@@ -42,6 +43,7 @@ impl Key {
     /// shape, nor one of space in the plane.
     pub fn belongs_to(&self, scene: &Scene) -> bool {
         match self.table {
+            fit::TABLE => scene.fit.is_some(),
             uncertainty::TABLE => scene.uncertainty.is_some(),
             _ if self.is_of_space() && scene.model.space.is_none() => false,
             shape::TABLE => shape::has(&scene.model.ground.substrate, self.name),
@@ -82,6 +84,12 @@ impl Key {
     pub fn foreign(&self, scene: &Scene) -> ValueError {
         if self.table == shape::TABLE {
             return shape::foreign(&scene.model.ground.substrate, self.name);
+        }
+        if self.table == fit::TABLE {
+            return ValueError::new(
+                "is a key of [fit], a table that the scene does not have",
+                "Add the table [fit] to the scene.",
+            );
         }
         let body = body_of(scene);
         if self.is_of_space() && (self.table == body || !BODIES.contains(&self.table)) {

@@ -48,6 +48,10 @@ const TITLES: &[(&str, &str, &str)] = &[
     ("bounds.points", "largest number of points of the path", ""),
     ("bounds.time", "longest time for a path", ""),
     ("bounds.displacement", "largest displacement of the grip", ""),
+    ("fit.force_error", "standard error of the measured forces", ""),
+    ("fit.displacement_error", "standard error of the measured displacements", ""),
+    ("fit.displacement_zero", "zero of the measured displacement", "d"),
+    ("fit.jump", "measured displacement of the jump", ""),
 ];
 
 impl Key {

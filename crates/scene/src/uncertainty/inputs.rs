@@ -40,8 +40,12 @@ fn one(entries: &[(String, Value)]) -> Result<UncertainKey, String> {
         None => Err(format!("no `{name}`")),
     };
     let path = text("key")?;
-    let key =
-        find_key(path).map_err(|error| format!("the key {}, which {}. {}", quoted(path), error.found, error.remedy))?;
+    let key = find_key(path).map_err(|error| {
+        // a list of all keys is no sentence of a message
+        let near = Some(error.remedy.as_str()).filter(|remedy| remedy.len() < 100);
+        let remedy = near.unwrap_or("peel keys lists them");
+        format!("the key {}, which {}. {remedy}", quoted(path), error.found)
+    })?;
     let kind = text("distribution")?;
     let Some(&(kind, needed, center)) = KINDS.iter().find(|(name, ..)| *name == kind) else {
         let names = KINDS.map(|(name, ..)| name);

@@ -19,7 +19,8 @@ pub(crate) static INPUTS: Setting = Setting {
             \"lognormal\" (median, log_deviation of the logarithm), \"uniform\" (from, to) or \"triangular\" (from, mode, to); a mean, median \
             or mode that is left out is the value of the scene",
     brief: "list of tables",
-    example: "[{ key = \"strip.height\", distribution = \"normal\", mean = \"10 nm\", deviation = \"0.5 nm\" }]",
+    example: "[{ key = \"strip.height\", distribution = \"normal\", mean = \"10 nm\", deviation = \"0.5 nm\" }, { key = \"strip.width\", distribution = \
+              \"lognormal\", median = \"1 nm\", log_deviation = 0.1 }]",
     read: |scene, value| {
         of(scene).inputs = inputs::read(list(value)?)?;
         Ok(())

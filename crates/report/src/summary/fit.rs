@@ -1,0 +1,186 @@
+//! What a fit found, as one JSON object: summary.json of `peel fit`, and what `--json` prints.
+
+use super::origin::{SCHEMA, VERSION};
+use super::parameters::Parameters;
+use crate::error::ReportError;
+use crate::file::write_whole;
+use crate::fit_report::FitReport;
+use crate::number::{Finite, to_json};
+use peelkit::study::{FitEnd, PairDetermined, PointPlace};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A fit as one object. Parameters in the units of their keys, forces in nN, lengths in nm; `None` where a thing does not occur.
+#[derive(Debug, serde::Serialize)]
+pub struct FitSummary {
+    version: &'static str,
+    schema: u32,
+    command: Option<String>,
+    scene: String,
+    title: String,
+    end: &'static str,
+    /// Of the end `stopped`.
+    reason: Option<String>,
+    fitted: Vec<Fitted>,
+    correlations: Vec<Vec<Option<Finite>>>,
+    condition: Option<Finite>,
+    combinations: Vec<Combined>,
+    pairs: Vec<Pair>,
+    data: Data,
+    jump: Option<Jump>,
+    sum_of_squares: Finite,
+    degrees_of_freedom: usize,
+    displacement_zero_nm: Finite,
+    warnings: Vec<Warning>,
+    paths: usize,
+    weightings: usize,
+    solve_s: Finite,
+    /// The scene with the parameters that were found.
+    parameters: Parameters,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Fitted {
+    key: String,
+    unit: Option<&'static str>,
+    initial: Finite,
+    value: Finite,
+    standard_error: Option<Finite>,
+    interval: Option<[Finite; 2]>,
+    profile_interval: Option<[Option<Finite>; 2]>,
+    bounds: [Finite; 2],
+    at_bound: bool,
+    poorly_determined: bool,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Combined {
+    exponents: Vec<Finite>,
+    relative_error: Finite,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Pair {
+    keys: [String; 2],
+    correlation: Finite,
+    exponent: Option<Finite>,
+    relative_error: Option<Finite>,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Data {
+    file: String,
+    points: usize,
+    behind_jump: usize,
+    #[serde(rename = "estimated_error_nN")]
+    estimated_error: Option<Finite>,
+    before_start_of_model: usize,
+    behind_jump_of_model: usize,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Jump {
+    displacement_nm: Finite,
+    standard_error_nm: Finite,
+    modelled_nm: Option<Finite>,
+    used: bool,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Warning {
+    code: &'static str,
+    text: String,
+}
+
+impl FitSummary {
+    /// The summary of a fit.
+    pub fn new(report: &FitReport) -> Self {
+        let FitReport { scene, file, measured, fit, solve_s } = *report;
+        let (end, reason) = match &fit.end {
+            FitEnd::Converged => ("converged", None),
+            FitEnd::Stopped(why) => ("stopped", Some(why.clone())),
+            FitEnd::Interrupted => ("interrupted", None),
+        };
+        let fitted = |(index, parameter): (usize, &peelkit::study::FittedParameter)| Fitted {
+            key: parameter.key.clone(),
+            unit: Some(report.unit(index)).filter(|unit| !unit.is_empty()),
+            initial: Finite(parameter.initial),
+            value: Finite(parameter.value),
+            standard_error: parameter.standard_error.map(Finite),
+            interval: parameter.interval.map(|ends| ends.map(Finite)),
+            profile_interval: parameter.profile.as_ref().map(|profile| profile.interval.map(|end| end.map(Finite))),
+            bounds: parameter.bounds.map(Finite),
+            at_bound: parameter.at_bound.is_some(),
+            poorly_determined: parameter.poorly_determined,
+        };
+        let pair = |pair: &PairDetermined| Pair {
+            keys: pair.parameters.map(|index| fit.parameters[index].key.clone()),
+            correlation: Finite(pair.correlation),
+            exponent: pair.exponent.map(Finite),
+            relative_error: pair.relative_error.map(Finite),
+        };
+        let row = |row: &Vec<Option<f64>>| row.iter().map(|number| number.map(Finite)).collect();
+        let combined = |found: &peelkit::study::Combination| Combined {
+            exponents: found.exponents.iter().copied().map(Finite).collect(),
+            relative_error: Finite(found.relative_error),
+        };
+        let jump = fit.jump.map(|jump| Jump {
+            displacement_nm: Finite(jump.displacement),
+            standard_error_nm: Finite(jump.error),
+            modelled_nm: jump.modelled.map(Finite),
+            used: jump.used,
+        });
+        let warnings = fit.warnings();
+        Self {
+            version: VERSION,
+            schema: SCHEMA,
+            command: None,
+            scene: scene.name.clone(),
+            title: scene.title.clone(),
+            end,
+            reason,
+            fitted: fit.parameters.iter().enumerate().map(fitted).collect(),
+            correlations: fit.correlations.iter().map(row).collect(),
+            condition: fit.condition.map(Finite),
+            combinations: fit.combinations.iter().map(combined).collect(),
+            pairs: fit.pairs.iter().map(pair).collect(),
+            data: Data {
+                file: file.to_owned(),
+                points: fit.points.len(),
+                behind_jump: measured.behind_jump.len(),
+                estimated_error: fit.estimated_error.map(Finite),
+                before_start_of_model: fit.count(PointPlace::BeforeStart),
+                behind_jump_of_model: fit.count(PointPlace::BehindJump),
+            },
+            jump,
+            sum_of_squares: Finite(fit.sum_of_squares),
+            degrees_of_freedom: fit.degrees_of_freedom,
+            displacement_zero_nm: Finite(fit.displacement_zero),
+            warnings: warnings.iter().map(|w| Warning { code: w.code(), text: w.to_string() }).collect(),
+            paths: fit.paths,
+            weightings: fit.weightings,
+            solve_s: Finite(solve_s),
+            parameters: Parameters(report.fitted_scene()),
+        }
+    }
+
+    /// The same with the command line that asked for it.
+    pub fn with_command(self, command: &str) -> Self {
+        Self { command: Some(command.to_owned()), ..self }
+    }
+
+    /// The object as text; a number that is not finite is an error that names its key.
+    pub fn to_json(&self) -> io::Result<String> {
+        to_json(self)
+    }
+
+    /// Writes summary.json.
+    ///
+    /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
+    pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
+        let path = dir.join("summary.json");
+        let text = self.to_json().map_err(|source| ReportError::Write { path: path.clone(), source })?;
+        write_whole(&path, text.as_bytes())?;
+        Ok(path)
+    }
+}

@@ -1,0 +1,168 @@
+//! What of a fit is not to be trusted.
+
+use super::result::{Fit, PointPlace};
+use std::fmt;
+
+/// Something that a user of a fit has to know.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FitWarning {
+    /// Parameters that the curve determines together and not each by itself
+    Together {
+        /// Their keys
+        keys: [String; 2],
+        /// Of their coordinates
+        correlation: f64,
+        /// As of [`super::PairDetermined`]
+        exponent: Option<f64>,
+        /// Likewise
+        relative_error: Option<f64>,
+    },
+    /// A parameter whose interval is wide
+    Poor {
+        /// Its key
+        key: String,
+        /// Half its interval over its value
+        half: f64,
+    },
+    /// A parameter that ended at a bound of the search
+    AtBound {
+        /// Its key
+        key: String,
+        /// The bound
+        bound: f64,
+    },
+    /// Measured points behind the first jump of the model
+    BehindJump {
+        /// How many
+        points: usize,
+        /// Where the model jumps, as the machine records it, nm
+        jump: f64,
+    },
+    /// Measured points before the path of the model begins
+    BeforeStart {
+        /// How many
+        points: usize,
+        /// Where it begins, as the machine records it, nm
+        start: f64,
+    },
+    /// The measured curve jumps and the model does not
+    NoJump {
+        /// Where the curve jumps, nm
+        measured: f64,
+    },
+    /// Residuals larger than their standard errors say
+    Misfit {
+        /// Sum of squares over its degrees of freedom
+        reduced: f64,
+    },
+}
+
+/// A sum of squares over its degrees of freedom n is too large from 1 + this times √(2/n) on.
+const MISFIT: f64 = 5.0;
+
+impl Fit {
+    /// What of it is not to be trusted.
+    pub fn warnings(&self) -> Vec<FitWarning> {
+        let mut found = Vec::new();
+        for pair in &self.pairs {
+            found.push(FitWarning::Together {
+                keys: pair.parameters.map(|index| self.parameters[index].key.clone()),
+                correlation: pair.correlation,
+                exponent: pair.exponent,
+                relative_error: pair.relative_error,
+            });
+        }
+        let paired = |index: &usize| self.pairs.iter().any(|pair| pair.parameters.contains(index));
+        for (index, parameter) in self.parameters.iter().enumerate() {
+            if let Some(bound) = parameter.at_bound {
+                found.push(FitWarning::AtBound { key: parameter.key.clone(), bound });
+            } else if let Some([low, high]) = parameter.interval
+                && parameter.poorly_determined
+                && !paired(&index)
+            {
+                let half = 0.5 * (high - low) / parameter.value.abs();
+                found.push(FitWarning::Poor { key: parameter.key.clone(), half });
+            }
+        }
+        let ends = |curve: &[(f64, f64)]| (curve.first().map_or(0.0, |at| at.0), curve.last().map_or(0.0, |at| at.0));
+        let (start, jump) = ends(&self.curve);
+        match self.count(PointPlace::BehindJump) {
+            0 => {}
+            points => found.push(FitWarning::BehindJump { points, jump }),
+        }
+        match self.count(PointPlace::BeforeStart) {
+            0 => {}
+            points => found.push(FitWarning::BeforeStart { points, start }),
+        }
+        if let Some(jump) = self.jump.filter(|jump| jump.modelled.is_none()) {
+            found.push(FitWarning::NoJump { measured: jump.displacement });
+        }
+        let freedom = self.degrees_of_freedom as f64;
+        let reduced = self.sum_of_squares / freedom;
+        if self.estimated_error.is_none() && reduced > 1.0 + MISFIT * (2.0 / freedom).sqrt() {
+            found.push(FitWarning::Misfit { reduced });
+        }
+        found
+    }
+}
+
+impl FitWarning {
+    /// A word that stays the same, for programs.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Together { .. } => "determined-together",
+            Self::Poor { .. } => "poorly-determined",
+            Self::AtBound { .. } => "at-bound",
+            Self::BehindJump { .. } => "behind-jump",
+            Self::BeforeStart { .. } => "before-start",
+            Self::NoJump { .. } => "no-jump",
+            Self::Misfit { .. } => "misfit",
+        }
+    }
+}
+
+impl fmt::Display for FitWarning {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Together { keys: [one, other], correlation, exponent, relative_error } => {
+                write!(
+                    f,
+                    "{one} and {other} are poorly determined together, their correlation is {correlation:.3}: the curve hardly changes where one makes up for the other"
+                )?;
+                match exponent.zip(*relative_error) {
+                    Some((exponent, error)) => write!(
+                        f,
+                        "; what it determines is {one} times {other} to the power {exponent:.3}, to ± {:.2} %. Fix one of the two by other knowledge",
+                        100.0 * error
+                    ),
+                    None => write!(f, ". Fix one of the two by other knowledge"),
+                }
+            }
+            Self::Poor { key, half } => write!(
+                f,
+                "{key} is poorly determined, to ± {:.0} % at 95 %: see its profile likelihood, or measure where the curve depends on it",
+                100.0 * half
+            ),
+            Self::AtBound { key, bound } => write!(
+                f,
+                "{key} ended at a bound of the search, {bound}: its interval is not known, and those of the others hold at this value. Give it other bounds, or fix it"
+            ),
+            Self::BehindJump { points, jump } => write!(
+                f,
+                "{points} measured points lie behind the first jump of the model, at {jump:.6} nm of the machine, and were compared with the force there: give the measured displacement of the jump as fit.jump, or remove these points"
+            ),
+            Self::BeforeStart { points, start } => write!(
+                f,
+                "{points} measured points lie before the path of the model begins, at {start:.6} nm of the machine, and were compared with the curve reflected there: that is right to the first order only. Remove points that are pressed on"
+            ),
+            Self::NoJump { measured } => write!(
+                f,
+                "the measured curve jumps at {measured:.6} nm, and the model does not as far as it was followed: raise bounds.displacement, or set fit.use_jump = false"
+            ),
+            Self::Misfit { reduced } => write!(
+                f,
+                "the residuals are larger than their standard errors, chi² is {reduced:.2} times its degrees of freedom: the errors are too small or the model does not describe the curve, and the intervals are too narrow"
+            ),
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! `peel fit`: the parameters of a scene from a measured curve.
+//!
+//!      P |  .o
+//!        | o  `o . o  o   o     o: rows of the CSV
+//!        |_|____________________ o o o U
+//!
+//! Reference: the parameters with which the curve of scenes/strip-fit.csv was computed: A_H = 1e-19 J, E = 2 GPa, k = 0.5 N/m, d = 1.3 nm.
+//! Expected: they lie in the intervals; terminal, summary.json and tables say one thing; parameters.toml is a scene with them; what cannot be
+//! fitted is refused before anything is computed, with what would be right.
+
+use serde_json::Value;
+use std::path::Path;
+use std::process::Command;
+
+const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes");
+
+fn peel(dir: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(dir).args(arguments).output().unwrap();
+    let plain = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (output.status.code(), plain(output.stdout), plain(output.stderr))
+}
+
+fn fit(dir: &Path, data: &str, more: &[&str]) -> (Option<i32>, String, String) {
+    let scene = format!("{SCENES}/strip-fit.toml");
+    peel(dir, &[&["fit", &scene, "--data", data, "--set", "accuracy.relative=1e-4"], more].concat())
+}
+
+#[test]
+fn known_parameters_are_found_again() {
+    let dir = tempfile::tempdir().unwrap();
+    let (status, text, trouble) = fit(dir.path(), &format!("{SCENES}/strip-fit.csv"), &["--out", "fit"]);
+    assert_eq!(status, Some(0), "{trouble}");
+    let folder = dir.path().join("fit");
+    let summary: Value = serde_json::from_slice(&std::fs::read(folder.join("summary.json")).unwrap()).unwrap();
+    assert_eq!(summary["end"], "converged");
+    let fitted = summary["fitted"].as_array().unwrap();
+    assert_eq!(fitted.len(), 4);
+    let number = |value: &Value| value.as_f64().unwrap();
+    for (row, known) in fitted.iter().zip([0.1, 2.0, 0.5, 1.3]) {
+        let (low, high) = (number(&row["interval"][0]), number(&row["interval"][1]));
+        assert!(low < known && known < high && high - low < 0.2 * known, "{row}");
+        assert!(text.contains(row["key"].as_str().unwrap()), "{text}");
+        assert_eq!(row["poorly_determined"], false);
+    }
+    let jump = &summary["jump"];
+    let away = number(&jump["modelled_nm"]) - number(&jump["displacement_nm"]);
+    assert!(away.abs() < 3.0 * number(&jump["standard_error_nm"]), "{jump}");
+    let rows = std::fs::read_to_string(folder.join("fit.csv")).unwrap().lines().count();
+    assert_eq!(rows as u64, 1 + summary["data"]["points"].as_u64().unwrap());
+    assert!(folder.join("fit.svg").exists() && folder.join("fit.png").exists());
+    // the scene that was found is fitted already
+    let again = ["fit", "fit/parameters.toml", "--data", &format!("{SCENES}/strip-fit.csv"), "--json"];
+    let (status, text, trouble) = peel(dir.path(), &again);
+    assert_eq!(status, Some(0), "{trouble}");
+    let again: Value = serde_json::from_str(&text).unwrap();
+    for (row, other) in fitted.iter().zip(again["fitted"].as_array().unwrap()) {
+        let change = (number(&row["value"]) - number(&other["value"])).abs();
+        assert!(change < 0.05 * number(&row["standard_error"]), "{row} {other}");
+    }
+}
+
+/// What is refused: the arguments, the text of the data, and what the message says.
+type Case<'c> = (&'c [&'c str], &'c str, &'c [&'c str]);
+
+const GOOD: &str = "u (nm),P (nN)\n0,0\n0.1,0.1\n0.2,0.2\n0.3,0.2\n1,0.1\n2,0.09\n";
+
+#[test]
+fn what_cannot_be_fitted_is_refused_with_what_would_be_right() {
+    let dir = tempfile::tempdir().unwrap();
+    let data = |name: &str, text: &str| {
+        let path = dir.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path.display().to_string()
+    };
+    let cases: &[Case] = &[
+        (&[], "u (nm),t (s)\n0,0\n1,1\n", &["column `t (s)`", "displacement_nm,force_nN"]),
+        (&[], "u (nm),v (nm)\n0,0\n1,1\n", &["two columns of displacements"]),
+        (&[], "u (nm),P error (nN)\n0,0\n1,1\n", &["none of forces"]),
+        (&[], "u (nm),P (nN)\n0,0\n1,\n", &["in row 2 no `P (nN)`"]),
+        (&[], "u (nm),P (nN),P error (nN)\n0,0,1\n1,1,0\n", &["in row 2 a standard error"]),
+        (&[], "u (nm),P (nN)\n0,0\n1,1\n", &["has 2 points", "at least 4"]),
+        (&[], "u (nm),P (nN)\n0,0\n1,1\n2,2\n3,3\n2,2\n1,1\n0,0\n", &["back to 0 nm", "retreat alone"]),
+        (&[], "u (nm),P (nN)\n0,1\n1,1\n2,1\n3,1\n", &["same force"]),
+        (&["--set", "fit.jump=900 nm"], GOOD, &["the jump is said to be at 900 nm"]),
+        (&["--set", "fit.parameters=[]"], GOOD, &["no parameter to fit"]),
+        (&["--set", "fit.parameters=[\"strip.young\"]"], GOOD, &["strip.young", "did you mean"]),
+        (&["--set", "fit.parameters=[\"title\"]"], GOOD, &["not a number of the model"]),
+        (&["--set", "fit.parameters=[\"accuracy.relative\"]"], GOOD, &["not a number of the model"]),
+        (&["--set", "fit.parameters=[\"spatula.tip_width\"]"], GOOD, &["spatula.tip_width", "peels a [strip]"]),
+        (&["--set", "fit.parameters=[\"grip.pretension\"]"], GOOD, &["has no value in the scene"]),
+        (
+            &["--set", "fit.parameters=[\"strip.height from 11 nm\"]"],
+            GOOD,
+            &["do not hold its value in the scene, 10 nm"],
+        ),
+        (&["--set", "fit.parameters=[\"strip.height from 5\"]"], GOOD, &["a number without a unit"]),
+        (&["--set", "fit.parameters=[\"strip.height up to 5 nm\"]"], GOOD, &["something else than from A to B"]),
+        (&["--set", "fit.parameters=[\"strip.height from 20 nm to 5 nm\"]"], GOOD, &["not below its second"]),
+        (&["--set", "fit.parameters=[\"strip.height\", \"strip.height\"]"], GOOD, &["names `strip.height` twice"]),
+        (&["--set", "fit.loss=hubert"], GOOD, &["did you mean \"huber\""]),
+        (&["--set", "terms=auto"], GOOD, &["terms = \"auto\"", "terms=all"]),
+        (&["--set", "friction.strength=20 MPa"], GOOD, &["friction"]),
+    ];
+    for (arguments, text, expected) in cases {
+        let (status, _, trouble) = fit(dir.path(), &data("curve.csv", text), arguments);
+        let plain = trouble.replace(['\n', '│'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(status, Some(2), "{arguments:?} {text}: {trouble}");
+        for part in *expected {
+            assert!(plain.contains(part), "{arguments:?} {text}: {plain} lacks {part}");
+        }
+    }
+    let no_data = fit(dir.path(), "nowhere.csv", &[]);
+    assert!(no_data.0 == Some(2) && no_data.2.contains("cannot be read"), "{no_data:?}");
+    assert!(!dir.path().join("out").exists());
+}
+
+/// A law with a work of adhesion and a strength of its own takes nothing from the half space.
+#[test]
+fn a_parameter_without_influence_is_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    let set = [
+        "adhesion.law=bilinear",
+        "adhesion.work=0.03 J/m2",
+        "adhesion.strength=20 MPa",
+        "fit.parameters=[\"adhesion.work\", \"adhesion.hamaker_constant\"]",
+    ];
+    let set: Vec<&str> = set.iter().flat_map(|text| ["--set", text]).collect();
+    let (status, _, trouble) = fit(dir.path(), &format!("{SCENES}/strip-fit.csv"), &set);
+    let plain = trouble.replace(['\n', '│'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(status, Some(2), "{trouble}");
+    assert!(plain.contains("adhesion.hamaker_constant") && plain.contains("no influence"), "{plain}");
+}
