@@ -1,6 +1,6 @@
 //! A problem whose system is a beam, in the plane or in space.
 
-use super::space::ROTATION;
+use super::space::{ACROSS, ALONG, ROLL, ROTATION, ROUNDED, SIDEWAYS, YAW};
 use crate::adhesion::Substrate;
 use crate::beam::rotation::Matrix3;
 use crate::beam::{GripForces, GripState, PlanarBeam, SpatialBeam};
@@ -97,7 +97,7 @@ impl Beam {
     pub fn is_clear(&self, at: &State, far: f64) -> bool {
         match self {
             Self::Planar(beam) => beam.is_clear(at, far),
-            Self::Spatial(beam) => beam.nearest(at) > far,
+            Self::Spatial(beam) => beam.is_clear(at, far),
         }
     }
 
@@ -109,11 +109,11 @@ impl Beam {
         }
     }
 
-    /// The mesh for a front with as many elements as another one.
-    pub fn mesh_near(&self, front: f64, like: &Mesh) -> Mesh {
+    /// The mesh for a front and [`Mesh::edges`] with as many elements as another one.
+    pub fn mesh_near(&self, front: f64, edges: [f64; 2], like: &Mesh) -> Mesh {
         match self {
             Self::Planar(beam) => beam.mesh_near(front, like),
-            Self::Spatial(beam) => beam.mesh_near(front, like),
+            Self::Spatial(beam) => beam.mesh_near(front, edges, like),
         }
     }
 
@@ -149,11 +149,11 @@ impl Beam {
         }
     }
 
-    /// A mesh of its own for a front.
-    pub fn mesh_at(&self, front: f64, elements: usize) -> Mesh {
+    /// A mesh of its own for a front and [`Mesh::edges`].
+    pub fn mesh_at(&self, front: f64, edges: [f64; 2], elements: usize) -> Mesh {
         match self {
             Self::Planar(beam) => beam.mesh_at(front, elements),
-            Self::Spatial(beam) => beam.mesh_at(front, elements),
+            Self::Spatial(beam) => beam.mesh_at(front, edges, elements),
         }
     }
 }
@@ -194,6 +194,18 @@ impl BeamProblem {
             self.beam = Beam::Spatial(beam.into());
             self.problem.system = self.beam.system();
         }
+    }
+
+    /// Whether the vertical plane of the body at rest is one of symmetry: it is pulled within that, and what the grip holds does not lead out of it.
+    pub fn has_plane_of_symmetry(&self) -> bool {
+        let Beam::Spatial(beam) = &self.beam else { return true };
+        let (axes, grip) = (&beam.chain.ends[1].axes, &self.problem.grip);
+        let is_zero = |number: f64| number.abs() <= ROUNDED;
+        let in_plane = |slot: usize| is_zero(axes[2][slot]);
+        let normal = |slot: usize| is_zero(axes[0][slot]) && is_zero(grip.origin[slot]);
+        in_plane(ALONG)
+            && [ACROSS, SIDEWAYS].iter().all(|&slot| !grip.held[slot] || in_plane(slot) || normal(slot))
+            && [YAW, ROLL].iter().all(|&slot| !grip.held[slot] || is_zero(grip.origin[slot]))
     }
 
     /// The same problem under other end conditions.

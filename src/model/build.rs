@@ -127,6 +127,7 @@ impl PeelModel {
             mesh: MeshPolicy {
                 kind: if substrate.is_flat() { how.mesh } else { MeshKind::Graded },
                 front_foci,
+                edge_foci: Vec::new(),
                 fixed_foci,
                 pieces: placement.pieces,
             },

@@ -108,6 +108,7 @@ impl RodModel {
             mesh: MeshPolicy {
                 kind: MeshKind::Moving,
                 front_foci: Vec::new(),
+                edge_foci: Vec::new(),
                 fixed_foci: Vec::new(),
                 pieces: MeshIntervals::whole(length),
             },

@@ -31,7 +31,7 @@ pub struct Space {
 }
 
 /// A pull that is off the vertical plane of the strip by less, rad, is in that plane.
-const ROUNDED: f64 = 1e-12;
+pub(super) const ROUNDED: f64 = 1e-12;
 
 /// The left end moves along x, y and z.
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -48,6 +48,12 @@ pub(crate) const ROLL: usize = 5;
 /// elements give what 32 gave without, of the strip of scenes/strip-sideways.toml.
 const TWIST_BEHIND: f64 = 3.0;
 const TWIST_WEIGHT: f64 = 0.7;
+/// Where the mesh of a body whose section varies is fine at each of the two edges that let go: behind that place, how long that is, both over the length
+/// of the process zone, and its weight. With it 48 elements give the first displacement limit point of scenes/spatula.toml in space to 3e-10, and 96
+/// gave it to 9e-8 where the mesh followed the front alone.
+const BEHIND_EDGE: f64 = 0.6;
+const EDGE_LENGTH: f64 = 0.6;
+const EDGE_WEIGHT: f64 = 0.9;
 /// Weight of the right end where a step has rolled it.
 const HELD_WEIGHT: f64 = 0.4;
 /// Length of the elements everywhere else where the front has elements of one process length, over that, and over the length of the beam where that is
@@ -121,22 +127,28 @@ impl PeelModel {
         let twist_length = (12.0 * stiffness.0[3][3] / (width * width * at_rest.hessian[0])).sqrt();
         let twist =
             Focus { center: -TWIST_BEHIND * process_length, length: twist_length, weight: TWIST_WEIGHT, ..front };
-        let front_foci = vec![front, twist];
+        let letting_go = Focus {
+            center: -BEHIND_EDGE * process_length,
+            length: EDGE_LENGTH * process_length,
+            weight: EDGE_WEIGHT,
+            ..front
+        };
         // a strip that has been rolled twists flat next to the grip
         let held = Focus { center: length, length: twist_length, weight: HELD_WEIGHT, ..front };
         let even = Focus::everywhere(length, (EVEN * process_length).max(EVEN_SHARE * length));
         let mut fixed_foci = vec![Focus { length: edge, weight: 0.8, ..front }];
         fixed_foci.extend(self.steps.iter().any(|step| matches!(step, Step::Roll(_))).then_some(held));
-        let (profile, rest, pieces) = match varying {
+        let (profile, rest, pieces, [front_foci, edge_foci]) = match varying {
             None => {
                 fixed_foci.extend([Focus { center: length, weight: 0.2, ..front }, even]);
                 let profile = SpatialProfile::uniform(stiffness, width, height);
-                (profile, SpatialRestCurve::along_x(rest_height).into(), MeshIntervals::whole(length))
+                let rest = SpatialRestCurve::along_x(rest_height).into();
+                (profile, rest, MeshIntervals::whole(length), [vec![front, twist], Vec::new()])
             }
             Some(beam) => {
                 fixed_foci.push(even);
-                let (rest, pieces) = self.rest_outline(&beam, &front_foci, &mut fixed_foci);
-                (SpatialProfile::Varying(beam), rest, pieces)
+                let (rest, pieces) = self.rest_outline(&beam, &[letting_go; 2], &mut fixed_foci);
+                (SpatialProfile::Varying(beam), rest, pieces, [Vec::new(), vec![letting_go]])
             }
         };
         let start = match rest {
@@ -156,7 +168,7 @@ impl PeelModel {
             round_off: 0.0,
             rest_adhesion: at_rest.energy,
             process_length,
-            mesh: MeshPolicy { kind: how.mesh, front_foci, fixed_foci, pieces },
+            mesh: MeshPolicy { kind: how.mesh, front_foci, edge_foci, fixed_foci, pieces },
         };
         let measure = PathMeasure {
             monitors: [beam.process_length, beam.scale[1]],

@@ -35,7 +35,7 @@ pub struct Solution {
     pub at: State,
     /// See [`Solution::aligned`]: made when it is first asked for.
     #[serde(skip)]
-    aligned: OnceLock<Vec<f64>>,
+    aligned: OnceLock<State>,
     /// Displacement, force and what else measures the path
     pub observables: Observables,
     /// Change of the observables along the path, per unit of the constraint's target.
@@ -77,9 +77,9 @@ pub struct Tangent {
 }
 
 impl Solution {
-    /// Its values on the mesh that its own monitors ask for: what predictions combine. The mesh of `at` lies where the monitors
-    /// were predicted, and that prediction's error would be noise. `problem` is the one that it solves.
-    pub fn aligned(&self, problem: &Problem) -> &[f64] {
+    /// It on the mesh that it asks for itself: what predictions combine. The mesh of `at` lies where the front was
+    /// predicted, and that prediction's error would be noise. `problem` is the one that it solves.
+    pub fn aligned(&self, problem: &Problem) -> &State {
         self.aligned.get_or_init(|| problem.system.aligned(&self.at, self.observables.monitors))
     }
 

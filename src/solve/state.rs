@@ -8,8 +8,10 @@ use std::sync::Arc;
 pub struct Mesh {
     /// Boundaries of the elements, ascending; one more than there are elements.
     pub boundaries: Vec<f64>,
-    /// Where the mesh is finest.
+    /// What it follows: where the peeling front is
     pub focus: f64,
+    /// Where the two edges of a section let go, from there, nm; zeros where the mesh does not follow these.
+    pub edges: [f64; 2],
 }
 
 impl Mesh {

@@ -252,16 +252,16 @@ pub trait System: Send + Sync {
         at.clone()
     }
 
-    /// The mesh for these monitors, with as many elements as `like` and near to it.
-    fn mesh_for(&self, monitors: [f64; MONITORS], like: &Mesh) -> Mesh {
-        let _ = monitors;
+    /// The mesh for these monitors and [`Mesh::edges`], with as many elements as `like` and near to it.
+    fn mesh_for(&self, monitors: [f64; MONITORS], edges: [f64; 2], like: &Mesh) -> Mesh {
+        let _ = (monitors, edges);
         like.clone()
     }
 
-    /// The values of a state on the mesh that its monitors ask for, which is next to its own. Predictions combine these.
-    fn aligned(&self, at: &State, monitors: [f64; MONITORS]) -> Vec<f64> {
+    /// A state on the mesh that it asks for itself, with these monitors of it, which is next to its own. Predictions combine these.
+    fn aligned(&self, at: &State, monitors: [f64; MONITORS]) -> State {
         let _ = monitors;
-        at.values.clone()
+        at.clone()
     }
 
     /// The same state on the mesh that it asks for, if its own is too far from that.

@@ -115,7 +115,7 @@ const STEP_TOLERANCE: f64 = 1.2e-2;
 const STEP_TOLERANCE_IN_SPACE: f64 = 4e-3;
 /// Elements in space, over those in the plane: of a uniform section, and of one that varies, whose pad twists off along its length.
 const IN_SPACE: f64 = 1.25;
-const VARYING_IN_SPACE: f64 = 3.0;
+const VARYING_IN_SPACE: f64 = 1.5;
 /// The same at any accuracy: beyond it Newton's method takes more than it saves.
 const LONGEST: f64 = 5e-2;
 

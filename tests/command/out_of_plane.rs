@@ -54,9 +54,7 @@ fn a_path_that_stays_in_its_plane_is_null() {
 fn scenes_that_it_does_not_cover_are_refused() {
     let dir = tempfile::tempdir().unwrap();
     for (key, why) in [
-        ("drive.angle=60 deg", "drive.angle is 60 degrees"),
         ("grip.rotation=fixed", "grip.rotation is \"fixed\""),
-        ("grip.horizontal=fixed", "grip.horizontal is \"fixed\""),
         ("adhesion.line_load=force-only", "the load has no potential"),
     ] {
         let (status, _, trouble) = run(dir.path(), &["--out-of-plane", "--set", key]);

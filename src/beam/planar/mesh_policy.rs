@@ -11,6 +11,8 @@ pub struct MeshPolicy {
     pub kind: MeshKind,
     /// Foci that follow the front, as they are for a front at S = 0.
     pub front_foci: Vec<Focus>,
+    /// Foci that follow each of the two edges of a section in space, likewise.
+    pub edge_foci: Vec<Focus>,
     /// Foci of the mesh besides those.
     pub fixed_foci: Vec<Focus>,
     /// Between which places elements lie.
@@ -18,13 +20,15 @@ pub struct MeshPolicy {
 }
 
 impl MeshPolicy {
-    /// Element ends for a front at this place, which may be found faster from the `near` ones of a similar mesh; without a front they are
-    /// graded towards nothing.
-    pub fn ends(&self, front: Option<f64>, elements: usize, near: &[f64]) -> Vec<f64> {
-        let Self { kind, front_foci, fixed_foci, pieces } = self;
-        let mut foci = Vec::with_capacity(front_foci.len() + fixed_foci.len());
-        if let Some(center) = front.filter(|_| *kind != MeshKind::Uniform) {
-            foci.extend(front_foci.iter().map(|focus| Focus { center: center + focus.center, ..*focus }));
+    /// Element ends for a front at this place and edges so far from it, which may be found faster from the `near` ones of a similar mesh; without a
+    /// front they are graded towards nothing.
+    pub fn ends(&self, front: Option<f64>, edges: [f64; 2], elements: usize, near: &[f64]) -> Vec<f64> {
+        let Self { kind, front_foci, edge_foci, fixed_foci, pieces } = self;
+        let mut foci = Vec::with_capacity(front_foci.len() + edges.len() * edge_foci.len() + fixed_foci.len());
+        if let Some(front) = front.filter(|_| *kind != MeshKind::Uniform) {
+            let at = |place: f64| move |focus: &Focus| Focus { center: place + focus.center, ..*focus };
+            foci.extend(front_foci.iter().map(at(front)));
+            edges.iter().for_each(|edge| foci.extend(edge_foci.iter().map(at((front + edge).max(0.0)))));
             foci.extend(fixed_foci);
         }
         graded_ends(pieces, &foci, elements, near)
@@ -46,19 +50,19 @@ impl PlanarBeam {
     pub fn ends_near(&self, center: f64, elements: usize, near: &[f64]) -> Vec<f64> {
         let moves = self.mesh.kind == MeshKind::Moving;
         let front = self.adheres().then(|| if moves { self.fronts.place(center) } else { self.rest_front });
-        self.mesh.ends(front, elements, near)
+        self.mesh.ends(front, [0.0; 2], elements, near)
     }
 
     /// A mesh of its own for a front.
     pub fn mesh_at(&self, front: f64, elements: usize) -> Mesh {
         let focus = self.centered(front);
-        Mesh { boundaries: self.ends(focus, elements), focus }
+        Mesh { boundaries: self.ends(focus, elements), focus, ..Mesh::default() }
     }
 
     /// The mesh for a front with as many elements as another one, found faster near to that.
     pub fn mesh_near(&self, front: f64, like: &Mesh) -> Mesh {
         let focus = self.centered(front);
-        Mesh { boundaries: self.ends_near(focus, like.elements(), &like.boundaries), focus }
+        Mesh { boundaries: self.ends_near(focus, like.elements(), &like.boundaries), focus, ..Mesh::default() }
     }
 
     /// S of every node, nm.

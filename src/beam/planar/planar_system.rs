@@ -216,27 +216,27 @@ impl System for PlanarBeam {
         if self.chain.has_border() {
             values.extend([self.pretension, self.stretch]);
         }
-        State { mesh: Mesh { boundaries, focus }, values, force: 0.0, history: self.history.clone() }
+        State { mesh: Mesh { boundaries, focus, ..Mesh::default() }, values, force: 0.0, history: self.history.clone() }
     }
 
     fn on_elements(&self, at: &State, elements: usize) -> State {
         let focus = at.mesh.focus;
-        self.resampled(at, Mesh { boundaries: self.ends(focus, elements), focus })
+        self.resampled(at, Mesh { boundaries: self.ends(focus, elements), ..at.mesh.clone() })
     }
 
     fn refocused(&self, at: &State, monitors: [f64; MONITORS]) -> State {
         self.resampled(at, self.mesh_at(monitors[FRONT], at.mesh.elements()))
     }
 
-    fn mesh_for(&self, monitors: [f64; MONITORS], like: &Mesh) -> Mesh {
+    fn mesh_for(&self, monitors: [f64; MONITORS], _: [f64; 2], like: &Mesh) -> Mesh {
         self.mesh_near(monitors[FRONT], like)
     }
 
-    fn aligned(&self, at: &State, monitors: [f64; MONITORS]) -> Vec<f64> {
-        let mesh = self.mesh_for(monitors, &at.mesh);
+    fn aligned(&self, at: &State, monitors: [f64; MONITORS]) -> State {
+        let mesh = self.mesh_near(monitors[FRONT], &at.mesh);
         let mut values = self.chain.shifted(self.configuration(at), &mesh.boundaries);
         values.extend_from_slice(&at.values[values.len()..]);
-        values
+        State { mesh, values, force: at.force, history: at.history.clone() }
     }
 
     fn remeshed(&self, at: &State) -> Option<State> {

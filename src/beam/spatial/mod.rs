@@ -1,6 +1,7 @@
 //! The beam in space of Simo and Reissner: strains, elements, chains of them, and the system that they make.
 mod chain;
 mod density;
+mod edges;
 mod end_rotation;
 mod kinematics;
 mod local_adhesion;

@@ -72,12 +72,12 @@ impl SpatialBeam {
         }
     }
 
-    /// Element boundaries for a front.
-    fn boundaries(&self, front: f64, elements: usize, near: &[f64]) -> Vec<f64> {
+    /// Element boundaries for a front and edges.
+    fn boundaries(&self, front: f64, edges: [f64; 2], elements: usize, near: &[f64]) -> Vec<f64> {
         let moves = self.mesh.kind == MeshKind::Moving;
         let place = || if moves { self.rest.fronts().place(front) } else { self.rest.front(self.length) };
-        let front = self.adheres().then(place);
-        self.mesh.ends(front, elements, near)
+        let edges = if moves { edges } else { [0.0; 2] };
+        self.mesh.ends(self.adheres().then(place), edges, elements, near)
     }
 
     /// A front as the focus of a mesh: no farther than the ends of the chain.
@@ -85,16 +85,16 @@ impl SpatialBeam {
         front.clamp(0.0, self.rest.fronts().near(self.length))
     }
 
-    /// A mesh of its own for a front.
-    pub fn mesh_at(&self, front: f64, elements: usize) -> Mesh {
+    /// A mesh of its own for a front and [`Mesh::edges`].
+    pub fn mesh_at(&self, front: f64, edges: [f64; 2], elements: usize) -> Mesh {
         let focus = self.centered(front);
-        Mesh { boundaries: self.boundaries(focus, elements, &[]), focus }
+        Mesh { boundaries: self.boundaries(focus, edges, elements, &[]), focus, edges }
     }
 
-    /// The mesh for a front with as many elements as another one, found faster near to that.
-    pub fn mesh_near(&self, front: f64, like: &Mesh) -> Mesh {
+    /// The mesh for a front and edges with as many elements as another one, found faster near to that.
+    pub fn mesh_near(&self, front: f64, edges: [f64; 2], like: &Mesh) -> Mesh {
         let focus = self.centered(front);
-        Mesh { boundaries: self.boundaries(focus, like.elements(), &like.boundaries), focus }
+        Mesh { boundaries: self.boundaries(focus, edges, like.elements(), &like.boundaries), focus, edges }
     }
 
     /// A state read off on another mesh.
@@ -124,16 +124,24 @@ impl SpatialBeam {
 
     /// Distance of the beam from the ground, nm: of the lowest points of its sections, at its nodes and between them.
     pub fn nearest(&self, at: &State) -> f64 {
+        self.lowest_points(at).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether no part of the beam is nearer to the ground than `far`, nm.
+    pub fn is_clear(&self, at: &State, far: f64) -> bool {
+        self.lowest_points(at).all(|height| height > far)
+    }
+
+    /// Heights of the lowest points of sections at the nodes and between them, from the left end on, nm.
+    fn lowest_points(&self, at: &State) -> impl Iterator<Item = f64> {
         let (configuration, order) = (self.configuration(at), self.chain.order());
-        let mut nearest = f64::INFINITY;
-        for (element, pair) in at.mesh.boundaries.windows(2).enumerate() {
-            for k in 0..=2 * order {
+        at.mesh.boundaries.windows(2).enumerate().flat_map(move |(element, pair)| {
+            (0..=2 * order).map(move |k| {
                 let local = k as f64 / order as f64 - 1.0;
                 let (fields, _) = self.chain.sample(configuration, element, local);
-                nearest = nearest.min(self.lowest(pair[0] + 0.5 * (1.0 + local) * (pair[1] - pair[0]), &fields));
-            }
-        }
-        nearest
+                self.lowest(pair[0] + 0.5 * (1.0 + local) * (pair[1] - pair[0]), &fields)
+            })
+        })
     }
 
     /// Values of the stress-free state on a mesh.

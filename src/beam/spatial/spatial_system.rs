@@ -241,30 +241,30 @@ impl System for SpatialBeam {
     }
 
     fn stress_free(&self, elements: usize) -> State {
-        let mesh = self.mesh_at(self.rest.fronts().near(self.rest.front(self.length)), elements);
+        let mesh = self.mesh_at(self.rest.fronts().near(self.rest.front(self.length)), [0.0; 2], elements);
         let mut values = self.rest_values(&mesh.boundaries);
         self.settle_rotations(&mut values);
         State { values, mesh, force: 0.0, history: None }
     }
 
     fn on_elements(&self, at: &State, elements: usize) -> State {
-        self.resampled(at, self.mesh_at(at.mesh.focus, elements))
+        self.resampled(at, self.mesh_at(at.mesh.focus, at.mesh.edges, elements))
     }
 
     fn refocused(&self, at: &State, monitors: [f64; MONITORS]) -> State {
-        self.resampled(at, self.mesh_at(monitors[FRONT], at.mesh.elements()))
+        self.resampled(at, self.mesh_at(monitors[FRONT], self.edges(at, monitors[FRONT]), at.mesh.elements()))
     }
 
-    fn mesh_for(&self, monitors: [f64; MONITORS], like: &Mesh) -> Mesh {
-        self.mesh_near(monitors[FRONT], like)
+    fn mesh_for(&self, monitors: [f64; MONITORS], edges: [f64; 2], like: &Mesh) -> Mesh {
+        self.mesh_near(monitors[FRONT], edges, like)
     }
 
-    fn aligned(&self, at: &State, monitors: [f64; MONITORS]) -> Vec<f64> {
-        let mesh = self.mesh_for(monitors, &at.mesh);
+    fn aligned(&self, at: &State, monitors: [f64; MONITORS]) -> State {
+        let mesh = self.mesh_near(monitors[FRONT], self.edges(at, monitors[FRONT]), &at.mesh);
         let mut values = self.chain.shifted(self.configuration(at), &mesh.boundaries);
         values.extend_from_slice(&at.values[values.len()..]);
         self.settle_rotations(&mut values);
-        values
+        State { mesh, values, force: at.force, history: None }
     }
 
     fn remeshed(&self, at: &State) -> Option<State> {
@@ -275,7 +275,7 @@ impl System for SpatialBeam {
         if (self.centered(front) - at.mesh.focus).abs() < MOVED * self.process_length {
             return None;
         }
-        Some(self.resampled(at, self.mesh_near(front, &at.mesh)))
+        Some(self.resampled(at, self.mesh_near(front, self.edges(at, front), &at.mesh)))
     }
 
     /// Turned in the plane, the more the farther from the grip, and rolled to the side to which the end is pulled, by as much as moves an

@@ -23,30 +23,38 @@ pub fn lagrange_weights(labels: &[f64], at: f64) -> Vec<f64> {
 
 /// Combination of stored points with the given weights; the mesh follows the combined monitors.
 pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> State {
-    on_mesh_of(problem, points, weights, combined_monitors(points, weights))
+    on_mesh_of(problem, points, weights, followed(problem, points, weights))
 }
 
 /// The state a step on from the newest point, extrapolated through the newest `count` points; the mesh moves on even where a single point is
 /// taken, because the error of a prediction is measured on the mesh that its solution has.
 pub fn predicted(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], count: usize, step: f64) -> State {
     let moving = count.max(2).min(points.len());
-    let monitors = combined_monitors(&points[..moving], &lagrange_weights(&labels[..moving], step));
-    on_mesh_of(problem, &points[..count], &lagrange_weights(&labels[..count], step), monitors)
+    let followed = followed(problem, &points[..moving], &lagrange_weights(&labels[..moving], step));
+    on_mesh_of(problem, &points[..count], &lagrange_weights(&labels[..count], step), followed)
 }
 
-fn combined_monitors(points: &[Arc<Solution>], weights: &[f64]) -> [f64; MONITORS] {
-    let mut monitors = [0.0; MONITORS];
+/// What a mesh follows, extrapolated: the monitors, and where the edges are.
+fn followed(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> ([f64; MONITORS], [f64; 2]) {
+    let (mut monitors, mut edges) = ([0.0; MONITORS], [0.0; 2]);
     for (point, &weight) in points.iter().zip(weights) {
         (0..MONITORS).for_each(|k| monitors[k] += weight * point.observables.monitors[k]);
+        let own = point.aligned(problem).mesh.edges;
+        (0..edges.len()).for_each(|k| edges[k] += weight * own[k]);
     }
-    monitors
+    (monitors, edges)
 }
 
-fn on_mesh_of(problem: &Problem, points: &[Arc<Solution>], weights: &[f64], monitors: [f64; MONITORS]) -> State {
-    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned(problem)).collect();
+fn on_mesh_of(
+    problem: &Problem,
+    points: &[Arc<Solution>],
+    weights: &[f64],
+    (monitors, edges): ([f64; MONITORS], [f64; 2]),
+) -> State {
+    let states: Vec<&[f64]> = points.iter().map(|point| &*point.aligned(problem).values).collect();
     let force = points.iter().zip(weights).fold(0.0, |sum, (point, &weight)| sum + weight * point.at.force);
     State {
-        mesh: problem.system.mesh_for(monitors, &points[0].at.mesh),
+        mesh: problem.system.mesh_for(monitors, edges, &points[0].at.mesh),
         values: problem.system.combine(&states, weights),
         force,
         history: points[0].at.history.clone(),
@@ -57,9 +65,9 @@ fn on_mesh_of(problem: &Problem, points: &[Arc<Solution>], weights: &[f64], moni
 /// in [`crate::solve::System::size`], or of the force, relative to itself and its scale.
 pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solution: &Solution, at: f64) -> Vec<f64> {
     let force_scale = solution.at.force.abs() + problem.measure.force;
-    let reached = solution.aligned(problem);
+    let reached = &*solution.aligned(problem).values;
     let per_unit = problem.system.per_unit(reached);
-    let states: Vec<&[f64]> = points.iter().map(|point| point.aligned(problem)).collect();
+    let states: Vec<&[f64]> = points.iter().map(|point| &*point.aligned(problem).values).collect();
     let mut update = Vec::with_capacity(reached.len());
     (1..=points.len())
         .map(|count| {

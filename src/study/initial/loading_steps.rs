@@ -228,7 +228,7 @@ impl LoadingSequence {
     /// Lets the problem begin in a solution, on twice as many elements and a mesh that is fine at its front.
     fn lead(&self, problem: &mut BeamProblem, end: &Solution, constraint: &PathConstraint) -> Result<(), LoadingError> {
         let beam = &problem.beam;
-        let mesh = beam.mesh_at(end.observables.monitors[FRONT], 2 * self.elements);
+        let mesh = beam.mesh_at(end.observables.monitors[FRONT], end.aligned(problem).mesh.edges, 2 * self.elements);
         let finer = beam.resampled(&end.at, mesh);
         let settled = settle(problem, finer, constraint, &newton(FINE), &mut Workspace::default());
         let at = LoadingProgress {

@@ -12,6 +12,8 @@ use std::sync::Arc;
 /// Most that a step of relaxation moves, relative as in [`crate::solve::System::size`], and most steps.
 const RELAXING: f64 = 0.3;
 const MOST_STEPS: usize = 1000;
+/// Elements of the steps before the pull, over those on which it is relaxed: the path, or the first step, begins with Newton's method on its own.
+const COARSER: usize = 2;
 
 /// Lets a path in space that would have to settle start in the stable equilibrium to which the beam relaxes; displacements count from
 /// there. Where it does not come to rest the path settles by Newton's method, and says what is wrong if that fails too.
@@ -21,8 +23,10 @@ pub(super) fn settle(model: &PeelModel, problem: &mut BeamProblem, should_stop: 
     }
     let options = RelaxOptions { largest_update: RELAXING, most_steps: MOST_STEPS };
     let mut ws = Workspace::until(should_stop.clone());
-    let leaning = disturbed_anyhow(problem, &problem.initial(elements(model, problem)));
+    let elements = elements(model, problem);
+    let leaning = disturbed_anyhow(problem, &problem.initial(elements / COARSER));
     if let Ok(relaxed) = relax(problem, leaning, Held::Force(0.0), &options, &mut ws) {
-        problem.start_at(Arc::new(relaxed.solution.at));
+        let at = problem.system.on_elements(&relaxed.solution.at, elements);
+        problem.start_at(Arc::new(at));
     }
 }

@@ -83,7 +83,7 @@ fn guess(beam: &PlanarBeam, ground: &Ground, elements: usize) -> State {
     let values =
         axes.iter().zip(&places).flat_map(|(&[x, y, rotation], &place)| [x, y - half(place), rotation]).collect();
     let focus = beam.fronts.near(beam.rest_front);
-    State { mesh: Mesh { boundaries, focus }, values, ..State::default() }
+    State { mesh: Mesh { boundaries, focus, ..Mesh::default() }, values, ..State::default() }
 }
 
 /// The axis of a beam on flat ground, bent over to this: what lies keeps its place along the ground and its distance from it, and

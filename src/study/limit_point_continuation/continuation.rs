@@ -99,10 +99,10 @@ impl Known {
     /// the search it is where the front was predicted, and that prediction's error would be noise to the next one.
     pub fn new(problem: &BeamProblem, kind: PointKind, at: f64, fold: &FoundLimitPoint) -> Self {
         let FoundLimitPoint { solution, ahead, .. } = fold;
-        let focus = problem.system.mesh_for(solution.observables.monitors, &solution.at.mesh).focus;
+        let own = solution.aligned(problem);
         let mut equilibrium = State {
-            mesh: Mesh { focus, boundaries: solution.at.mesh.boundaries.clone() },
-            values: solution.aligned(problem).to_vec(),
+            mesh: Mesh { boundaries: solution.at.mesh.boundaries.clone(), ..own.mesh },
+            values: own.values.clone(),
             force: 0.0,
             history: solution.at.history.clone(),
         };
@@ -130,7 +130,7 @@ impl Known {
         ws: &mut Workspace,
     ) -> Result<FoundLimitPoint, SolveError> {
         let from = &self.equilibrium;
-        let (beam, mesh) = (&problem.beam, problem.beam.mesh_near(from.mesh.focus, &from.mesh));
+        let (beam, mesh) = (&problem.beam, problem.beam.mesh_near(from.mesh.focus, from.mesh.edges, &from.mesh));
         let at = beam.system().on_elements(&State { mesh, ..from.clone() }, elements);
         search(problem, kind, self.target).run(at, self.target, BendRule::Difference { neighbour: None }, ws)
     }
@@ -267,16 +267,18 @@ impl<'m> Continuation<'m> {
         let used: Vec<&Known> = self.history.iter().rev().take(count).collect();
         let labels: Vec<f64> = used.iter().map(|known| known.at - newest.at).collect();
         let weights = lagrange_weights(&labels, at - newest.at);
-        let (mut focus, mut force, mut target) = (0.0, 0.0, 0.0);
+        let (mut focus, mut edges, mut force, mut target) = (0.0, [0.0; 2], 0.0, 0.0);
         for (known, weight) in used.iter().zip(&weights) {
-            focus += weight * known.equilibrium.mesh.focus;
+            let mesh = &known.equilibrium.mesh;
+            focus += weight * mesh.focus;
+            (0..edges.len()).for_each(|k| edges[k] += weight * mesh.edges[k]);
             force += weight * known.equilibrium.force;
             target += weight * known.target;
         }
         // along the way a pull can become vertical: there the beam has no axial force among its unknowns
         let values: Vec<_> = used.iter().map(|known| problem.beam.adopted(&known.equilibrium)).collect();
         let states: Vec<&[f64]> = values.iter().map(|values| &**values).collect();
-        let mesh = problem.beam.mesh_near(focus, &newest.equilibrium.mesh);
+        let mesh = problem.beam.mesh_near(focus, edges, &newest.equilibrium.mesh);
         let sum = State { mesh, values: problem.system.combine(&states, &weights), force, history: None };
         (sum, target)
     }

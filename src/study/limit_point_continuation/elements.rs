@@ -28,7 +28,8 @@ impl Sweep<'_> {
     pub fn taken_up(&self, index: usize, located: &Located, elements: usize) -> Result<Known, SolveError> {
         let problem = problem(&(self.model)(self.values[index]), self.kind);
         let (beam, known) = (&problem.beam, &located.solution.at);
-        let mesh = Mesh { focus: known.mesh.focus, ..beam.mesh_at(located.observables.monitors[FRONT], elements) };
+        let front = located.observables.monitors[FRONT];
+        let mesh = Mesh { focus: known.mesh.focus, ..beam.mesh_at(front, known.mesh.edges, elements) };
         let at = beam.resampled(known, mesh);
         let sampling = search(&problem, self.kind, 1.0);
         let target = sampling.weights.dot(&located.observables);

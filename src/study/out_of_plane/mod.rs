@@ -4,6 +4,7 @@ mod dip;
 mod first_loss;
 mod refusal;
 mod result;
+mod roll_and_yaw;
 mod roll_elements;
 mod roll_reader;
 mod roll_section;

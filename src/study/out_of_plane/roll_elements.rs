@@ -10,15 +10,15 @@ use crate::number::gauss::gauss_legendre;
 use std::num::NonZeroUsize;
 
 /// A place of the rule: local coordinate in [-1, 1], weight, and each function with its slope there.
-struct RulePoint {
-    local: f64,
-    weight: f64,
-    functions: Vec<[f64; 2]>,
+pub(super) struct RulePoint {
+    pub local: f64,
+    pub weight: f64,
+    pub functions: Vec<[f64; 2]>,
 }
 
 /// Elements of one degree.
 pub(super) struct RollElements {
-    points: Vec<RulePoint>,
+    pub points: Vec<RulePoint>,
 }
 
 /// What the elimination of a roll found.
@@ -70,7 +70,7 @@ impl RollElements {
         let mut found = RollStability { negative: 0, grip_stiffness: 0.0 };
         for pair in ends.windows(2) {
             self.assemble(&mut matrix, pair[1] - pair[0], &mut densities)?;
-            found.negative += eliminate_bubbles(&mut matrix, size);
+            found.negative += eliminate(&mut matrix, size, size - 2);
             // the last two are the ends
             let [left, mixed, right] =
                 [(size - 2, size - 2), (size - 1, size - 2), (size - 1, size - 1)].map(|(i, j)| matrix[i * size + j]);
@@ -109,11 +109,11 @@ impl RollElements {
     }
 }
 
-/// Eliminates all unknowns but the last two from a symmetric matrix of which the lower half is given: how many pivots
+/// Eliminates the first unknowns, so many, from a symmetric matrix of which the lower half is given: how many pivots
 /// are negative.
-fn eliminate_bubbles(matrix: &mut [f64], size: usize) -> usize {
+pub(super) fn eliminate(matrix: &mut [f64], size: usize, first: usize) -> usize {
     let mut negative = 0;
-    for k in 0..size - 2 {
+    for k in 0..first {
         let pivot = matrix[k * size + k];
         negative += usize::from(pivot < 0.0);
         for i in k + 1..size {

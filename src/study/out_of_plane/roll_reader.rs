@@ -4,8 +4,8 @@ use super::roll_elements::{RollElements, RollStability};
 use super::roll_section::RollSection;
 use crate::adhesion::LineLaw;
 use crate::beam::{LateralStiffness, Material, PlanarBeam};
-use crate::model::PeelModel;
-use crate::solve::State;
+use crate::model::{Hold, PeelModel};
+use crate::solve::{Direction, State};
 use std::num::NonZeroUsize;
 
 /// What the roll of all equilibria of one peel is computed with.
@@ -38,15 +38,27 @@ impl<'p> RollReader<'p> {
 
     /// The same of what was read before.
     pub fn stability_of(&self, beam: &RollingBeam) -> Option<RollStability> {
-        self.elements.stability(&beam.ends, beam.sections.iter().map(RollSection::density))
+        self.stability_of_sections(&beam.ends, beam.sections.iter().copied())
     }
 
     /// The same where a straight beam of one section is of another width, nm.
     pub fn stability_of_width(&self, beam: &RollingBeam, width: f64) -> Option<RollStability> {
         let outline = self.model.body.geometry().at(0.0);
         let lateral = LateralStiffness::of(&self.material, width, outline.height[0], outline.roundness);
-        let widened = beam.sections.iter().map(|section| section.widened(width, lateral).density());
-        self.elements.stability(&beam.ends, widened)
+        self.stability_of_sections(&beam.ends, beam.sections.iter().map(|section| section.widened(width, lateral)))
+    }
+
+    /// Without a force along the strip the roll alone is left, with one the turn about the normal as well.
+    fn stability_of_sections(
+        &self,
+        ends: &[f64],
+        sections: impl Iterator<Item = RollSection>,
+    ) -> Option<RollStability> {
+        if self.model.pull.direction() == Direction::UP && self.model.grip.horizontal == Hold::Free {
+            self.elements.stability(ends, sections.map(|section| section.density()))
+        } else {
+            self.elements.coupled_stability(ends, sections.map(|section| section.coupled()))
+        }
     }
 
     /// The sections of an equilibrium.

@@ -1,13 +1,18 @@
-//! The density of the roll's energy at one place of the beam.
+//! The density of the energy out of the plane at one place of the beam.
 //!
-//! Out of its plane a section may shift along the width by ζ and turn by the vector (ω_x, ω_y, 0). Of the second
-//! variation of the energy (with c = cos θ, s = sin θ, V the vertical section force, M the moment, no horizontal force)
+//! Out of its plane a section may shift along the width by ζ and turn by the vector (ω_x, ω_y, 0). The second
+//! variation of the energy is (with c = cos θ, s = sin θ, H and V the horizontal and vertical section force, M the moment)
 //!
-//!   ½ GA γ² + ½ GJ τ² + ½ EI3 χ² - V γ ω_x + ½ V y' ω_x² - M ω_x ω_y' + ½ (b²Ψ_aa - hΨ_c c) ω_x²,
+//!   ½ GA γ² + ½ GJ τ² + ½ EI3 χ² + γ (H ω_y - V ω_x) + ½ V y' ω_x² + ½ H x' ω_y² - H y' ω_x ω_y - M ω_x ω_y'
+//!     + ½ (b²Ψ_aa - hΨ_c c) ω_x²,
 //!   γ = ω_x y' - ω_y x' - ζ',  τ = c ω_x' + s ω_y',  χ = c ω_y' - s ω_x',
 //!
-//! ζ and ω_y are in γ and ω_y' alone where no end holds them and no end carries a moment. Minimising over these two
-//! leaves, exactly, the roll φ = ω_x,
+//! where the ends carry no moment. With exp(ω) on the left of the directors, Γ gives the terms with H and V, K gives
+//! -½ M (ω_x ω_y' - ω_y ω_x'), of which an integration by parts with M' = H y' - V x' - hΨ_c s takes ω_x' away.
+//! ζ is in γ alone where no end holds it: minimising over γ leaves -½ (H ω_y - V ω_x)²/GA of it, and two fields, of
+//! which ω_y is held at the left end ([`RollSection::coupled`]).
+//!
+//! Without H, ω_y is in ω_y' alone. Minimising over that too leaves, exactly, the roll φ = ω_x,
 //!
 //!   (φ' - βφ)²/2α + ½ κφ²,  α = c²/GJ + s²/EI3,  β = M s c (1/GJ - 1/EI3),
 //!   κ = V (y' - V/GA) + b²Ψ_aa - hΨ_c c - M² (s²/GJ + c²/EI3),
@@ -28,11 +33,13 @@ pub(super) struct RollSection {
     width: f64,
     sin: f64,
     cos: f64,
-    /// V, nN
+    /// H and V, nN
+    horizontal_force: f64,
     vertical_force: f64,
     /// M, nN nm
     moment: f64,
-    /// y'
+    /// x' and y'
+    horizontal_slope: f64,
     vertical_slope: f64,
     /// GA of shear along the width, nN: that of the height
     shear: f64,
@@ -54,6 +61,9 @@ pub(super) struct RollDensity {
     pub support: f64,
 }
 
+/// Of [`RollSection::coupled`].
+pub(super) type CoupledDensity = [[f64; 4]; 4];
+
 impl RollSection {
     /// Of the section's outline, its forces, its rotation and the adhesion per width.
     pub fn new(
@@ -69,8 +79,10 @@ impl RollSection {
             width,
             sin,
             cos,
+            horizontal_force: state.horizontal_force,
             vertical_force: state.vertical_force,
             moment: state.moment,
+            horizontal_slope: state.horizontal_slope,
             vertical_slope: state.vertical_slope,
             shear: material.section(width, height, outline.roundness).shear,
             rolled: width.powi(3) / 12.0 * adhesion.gap_gap,
@@ -85,6 +97,7 @@ impl RollSection {
         let factor = width / self.width;
         Self {
             width,
+            horizontal_force: factor * self.horizontal_force,
             vertical_force: factor * self.vertical_force,
             moment: factor * self.moment,
             shear: factor * self.shear,
@@ -93,6 +106,32 @@ impl RollSection {
             lateral,
             ..*self
         }
+    }
+
+    /// The matrix of twice the density in (ω_x, ω_x', ω_y, ω_y'), with a horizontal force.
+    pub fn coupled(&self) -> CoupledDensity {
+        let (s, c, m) = (self.sin, self.cos, self.moment);
+        let (horizontal, vertical) = (self.horizontal_force, self.vertical_force);
+        let stiff = [
+            (self.lateral.torsion, [0.0, c, 0.0, s]),
+            (self.lateral.bending, [0.0, -s, 0.0, c]),
+            (-1.0 / self.shear, [-vertical, 0.0, horizontal, 0.0]),
+        ];
+        let mut matrix = [[0.0; 4]; 4];
+        for (factor, form) in stiff {
+            for i in 0..4 {
+                for j in 0..4 {
+                    matrix[i][j] += factor * form[i] * form[j];
+                }
+            }
+        }
+        matrix[0][0] += vertical * self.vertical_slope + self.rolled - self.lever * c;
+        matrix[2][2] += horizontal * self.horizontal_slope;
+        for (i, j, mixed) in [(0, 2, -horizontal * self.vertical_slope), (0, 3, -m)] {
+            matrix[i][j] += mixed;
+            matrix[j][i] += mixed;
+        }
+        matrix
     }
 
     /// The density of the roll's energy.

@@ -55,7 +55,7 @@ impl Beside {
             return None;
         }
         let boundaries: Vec<f64> = at.mesh.boundaries.iter().map(|&s| place(s)).collect();
-        let moved = State { mesh: Mesh { boundaries, focus: at.mesh.focus }, ..at.clone() };
+        let moved = State { mesh: Mesh { boundaries, ..at.mesh.clone() }, ..at.clone() };
         if own.system.interface().len() != other.system.interface().len()
             || own.system.unknowns(&moved) != other.system.unknowns(at)
         {

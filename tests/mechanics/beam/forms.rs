@@ -31,7 +31,7 @@ fn lift(problem: &BeamProblem, elements: usize) -> Vec<Solution> {
     let options = NewtonOptions { tolerance: 1e-12, largest_update: 1.0, most_iterations: 20, exact_slope: false };
     let mut work = Workspace::default();
     let focus = 0.9 * problem.beam.length();
-    let mesh = Mesh { boundaries: problem.beam.planar().unwrap().ends(focus, elements), focus };
+    let mesh = Mesh { boundaries: problem.beam.planar().unwrap().ends(focus, elements), focus, ..Mesh::default() };
     let mut at = problem.beam.resampled(&problem.initial(elements), mesh);
     let (mut solutions, mut u) = (Vec::new(), 0.0);
     for target in STEPS {

@@ -7,14 +7,16 @@
 //!       +------------------ u                       +----*-----------*---- u
 //!
 //! References: Gauss collocation of the strong form, without finite elements (`verification/out_of_plane_branch.csv`);
-//! the theory of bifurcations. Parameters: the paper's strip of 100 nm, 1 to 100 nm wide. Expected: limit points of the
+//! the theory of bifurcations; paths in space that are pulled beside the plane, extrapolated to it. Parameters: the paper's strip of 100 nm, 1 to
+//! 100 nm wide, pulled straight up, and 40 nm wide at 30 degrees. Expected: limit points of the
 //! table within their bounds; forces at given displacements; a branch that begins where the planar path loses its
 //! stability and ends where that regains it. Why: behind that loss the branch is what a strip that is free to roll does.
 
 use crate::common::{paper_strip, whole_peel};
-use peelkit::model::StripModel;
+use peelkit::model::{PeelModel, Pull, Space, StripModel};
 use peelkit::study::{
-    Bound, LimitPointKind, OutOfPlaneBranch, OutOfPlaneBranchError, PathEnd, PathPoint, StopCriteria,
+    Accuracy, Bound, LimitPoint, LimitPointKind, OutOfPlaneBranch, OutOfPlaneBranchError, PathEnd, PathPoint,
+    StopCriteria, peel,
 };
 
 fn wide(width: f64) -> StripModel {
@@ -145,6 +147,30 @@ fn the_inertia_is_that_of_a_pitchfork() {
 }
 
 /// Against ∫ P du along the planar path to where it is left, and along the branch.
+/// Beside the plane the peak of the path is that of the branch up to terms in the azimuth: the parabola through three azimuths takes off the first two.
+#[test]
+fn the_peak_of_an_inclined_pull_is_what_is_left_where_the_azimuth_goes_to_zero() {
+    let inclined = |azimuth: f64| PeelModel {
+        pull: Pull { angle: 30f64.to_radians(), ..Pull::UP },
+        space: Some(Space { azimuth: azimuth.to_radians(), ..Space::default() }),
+        ..wide(40.0).into()
+    };
+    let stop = StopCriteria { displacement: Some(2.8), ..StopCriteria::default() };
+    let of = |azimuth: f64| peel(&inclined(azimuth), &Accuracy::to(1e-7), &stop);
+    let branch = of(0.0).branch(&stop).unwrap().unwrap().peel.limit_points[0];
+    let beside = [0.01, 0.02, 0.03].map(|azimuth| of(azimuth).limit_points[0]);
+    let sum = |weights: [f64; 3], of: fn(&LimitPoint) -> f64| -> f64 {
+        weights.iter().zip(&beside).map(|(weight, point)| weight * of(point)).sum()
+    };
+    let (there, sizes) = ([3.0, -3.0, 1.0], [3.0, 3.0, 1.0]);
+    let place = (branch.displacement - sum(there, |point| point.displacement)).abs();
+    let force = (branch.force - sum(there, |point| point.force)).abs();
+    assert!(place <= branch.displacement_error + sum(sizes, |point| point.displacement_error), "{place:e}");
+    assert!(force <= branch.force_error + sum(sizes, |point| point.force_error), "{force:e}");
+    // what was taken off is more than that
+    assert!((branch.force - beside[2].force).abs() > 1e3 * force);
+}
+
 #[test]
 fn work_counts_from_rest() {
     let branch = branch_to(40.0, 1e-7, 5.0);

@@ -11,6 +11,7 @@ mod levels;
 pub(crate) mod orders;
 mod published;
 pub mod reference;
+mod space;
 mod spatula;
 mod strip;
 mod strip_variants;
@@ -28,6 +29,7 @@ pub const TOPICS: &[Topic] = &[
     strip_variants::laws::TOPIC,
     strip_variants::friction::TOPIC,
     strip_variants::out_of_plane::TOPIC,
+    space::TOPIC,
     ground::TOPIC,
     orders::TOPIC,
     bounds::TOPIC,

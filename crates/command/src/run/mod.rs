@@ -45,7 +45,7 @@ pub struct Run {
 
     /// Adds the stability of the planar path against leaving its plane
     ///
-    /// Where a free strip rolls or buckles sideways. For a pull straight up by a grip that is free to roll.
+    /// Where a free strip rolls or buckles sideways. For a grip that is free to roll and to rotate.
     #[arg(long)]
     out_of_plane: bool,
 

@@ -8,8 +8,8 @@ use super::units::{Units, WantedUnits};
 use peelkit::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 use peelkit::model::{DerivedQuantities, Step};
 use peelkit::study::{
-    Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, OutOfPlane, OutOfPlaneBranch, PathEnd, Peak,
-    Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
+    Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, NotOutOfPlane, OutOfPlane, OutOfPlaneBranch,
+    PathEnd, Peak, Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
 };
 use peelkit_report::{end_reason, end_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
@@ -48,7 +48,7 @@ pub fn peel(
         format!("{level} at u = {place}")
     };
     let mut lines: Vec<(&str, String)> = accuracy(peel).map(|text| ("accuracy", text)).into_iter().collect();
-    lines.extend(in_space(scene, peel));
+    lines.extend(in_space(scene, peel, stability.is_some()));
     lines.extend(stability.map(|stability| ("out of the plane", out_of_plane(stability, &units))));
     lines.extend(branch.iter().copied().flatten().flat_map(|branch| branch_lines(branch, &units)));
     lines.extend(steps(peel, &units));
@@ -135,12 +135,18 @@ fn accuracy(peel: &Peel) -> Option<String> {
     matches!(peel.end, PathEnd::Failed(_)).then(|| "the computation stopped short; see `end`".to_owned())
 }
 
-/// Where a scene in space was computed.
-fn in_space(scene: &Scene, peel: &Peel) -> Option<(&'static str, String)> {
+/// Where a scene in space was computed; in the plane, how to see whether it is stable there, unless that was looked at.
+fn in_space(scene: &Scene, peel: &Peel, looked_at: bool) -> Option<(&'static str, String)> {
     scene.model.space?;
     let text = match peel.model.space {
-        None => "solved in the plane: the solution stays in the vertical plane of the strip",
         Some(_) => "solved in space",
+        None if looked_at || NotOutOfPlane::of(&scene.model).is_some() => {
+            "solved in the plane: the solution stays in the vertical plane of the strip"
+        }
+        None => {
+            "solved in the plane: the solution stays in the vertical plane of the strip; whether it is stable there: \
+             peel run --out-of-plane"
+        }
     };
     Some(("space", text.to_owned()))
 }

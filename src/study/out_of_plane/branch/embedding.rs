@@ -2,7 +2,7 @@
 
 use crate::beam::{ALONG_X, EndRotation, PlanarBeam, SpatialBeam, turned};
 use crate::number::gauss::Rule;
-use crate::solve::State;
+use crate::solve::{Mesh, State};
 use std::num::NonZeroUsize;
 
 /// Points of the rule with which x' is integrated from node to node.
@@ -16,7 +16,13 @@ pub(super) fn embedded(
     front: f64,
     elements: usize,
 ) -> State {
-    let mesh = spatial.mesh_at(front, elements);
+    let at_front = on_mesh((planar, at), spatial, spatial.mesh_at(front, [0.0; 2], elements));
+    let edges = spatial.edges(&at_front, front);
+    if edges == [0.0; 2] { at_front } else { on_mesh((planar, at), spatial, spatial.mesh_at(front, edges, elements)) }
+}
+
+/// The same on a mesh.
+fn on_mesh((planar, at): (&PlanarBeam, &State), spatial: &SpatialBeam, mesh: Mesh) -> State {
     let (rule, order) = (Rule::new(POINTS), spatial.chain.order());
     let (mut values, mut x, mut before) = (Vec::new(), 0.0, 0.0);
     let mut rotations = [0.0; 2];

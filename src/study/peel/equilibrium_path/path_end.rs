@@ -116,9 +116,13 @@ fn stands_upright(problem: &BeamProblem, points: &[Arc<Solution>]) -> bool {
 }
 
 /// Whether a path that begins out of its plane has come back into it, or to its mirror image: its grip had a roll, and has neither roll
-/// nor yaw any more. A branch between two points of a planar path comes back at the second of them, where its inertia does not change.
+/// nor yaw any more. A branch between two points of a planar path comes back at the second of them, where its inertia does not change. Where the
+/// pull is not symmetric there is no such plane.
 fn is_back_in_plane(problem: &BeamProblem, points: &[Arc<Solution>]) -> bool {
     let (Some(beam), [first, .., before, newest]) = (problem.beam.spatial(), points) else { return false };
+    if !problem.has_plane_of_symmetry() {
+        return false;
+    }
     let [first, before, newest] = [first, before, newest].map(|point| beam.angles_of_grip(&point.at));
     let is_zero = |angle: usize| newest[angle].abs() <= IN_PLANE * first[2].abs();
     // in a mirror image both have turned over, and their ratio is what it was
@@ -132,7 +136,10 @@ pub(super) fn is_next_to_plane(problem: &BeamProblem, points: &[Arc<Solution>]) 
     let (Some(beam), [.., before, newest]) = (problem.beam.spatial(), points) else { return false };
     let roll = |point: &Arc<Solution>| beam.angles_of_grip(&point.at)[2].abs();
     let largest = points.iter().map(roll).fold(0.0, f64::max);
-    roll(&points[0]) > NO_ROLL && roll(newest) < roll(before) && roll(newest) <= NEXT_TO_PLANE * largest
+    problem.has_plane_of_symmetry()
+        && roll(&points[0]) > NO_ROLL
+        && roll(newest) < roll(before)
+        && roll(newest) <= NEXT_TO_PLANE * largest
 }
 
 impl Followed {

@@ -97,6 +97,7 @@ impl Strip {
             mesh: MeshPolicy {
                 kind: MeshKind::Moving,
                 front_foci: vec![Focus { center: 0.0, length: process_length, weight: 1.0, reach: Reach::Far }],
+                edge_foci: Vec::new(),
                 fixed_foci: vec![Focus { center: 0.0, length: 0.1, weight: 0.8, reach: Reach::Far }],
                 pieces: MeshIntervals::whole(LENGTH),
             },

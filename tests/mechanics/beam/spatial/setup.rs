@@ -69,6 +69,7 @@ impl Rod {
             mesh: MeshPolicy {
                 kind: MeshKind::Uniform,
                 front_foci: vec![],
+                edge_foci: Vec::new(),
                 fixed_foci: vec![],
                 pieces: MeshIntervals::whole(self.length),
             },

@@ -1,0 +1,63 @@
+//! Where the two edges of a wide section let go of the ground.
+//!
+//! A strip that is rolled peels along one of its edges first. Behind the place where that edge lets go it twists, up to the place where the other
+//! one does: within a short way at each of the two, and evenly in between. So a mesh follows both. With the gap g of an edge and its equilibrium
+//! distance r0, an edge has let go at
+//!
+//!   E = ∫ w(g)/w(g0) dS,   w(g) = 1/(1 + (g/r0)⁸),   g± = y ± ½ b d2·e_y - ½ h |d3·e_y|,
+//!
+//! g0 that of a section that lies on the ground; of an ellipse both are its lowest point.
+
+use super::chain::quaternion_of;
+use super::density::SPATIAL_FIELDS;
+use super::rotation::matrix;
+use super::spatial_beam::{ANGLES, SpatialBeam};
+use crate::adhesion::SectionShape;
+use crate::solve::State;
+
+impl SpatialBeam {
+    /// The two places, from that of the front, nm; zeros where nothing follows them.
+    pub fn edges(&self, at: &State, front: f64) -> [f64; 2] {
+        if !self.adheres() || self.mesh.edge_foci.is_empty() {
+            return [0.0; 2];
+        }
+        let (order, boundaries) = (self.chain.order(), &at.mesh.boundaries);
+        let is_round = self.chain.density.adhesion.as_ref().is_some_and(|own| own.shape() == SectionShape::Ellipse);
+        let nodes = at.values[..at.values.len() - ANGLES].chunks_exact(SPATIAL_FIELDS);
+        let (mut sums, mut before) = ([0.0; 2], (0.0, [0.0; 2]));
+        for (k, node) in nodes.enumerate() {
+            let element = (k / order).min(boundaries.len() - 2);
+            let (from, to) = (boundaries[element], boundaries[element + 1]);
+            let place = from + self.chain.node_fraction(k - element * order) * (to - from);
+            let adhering = self.adhering_edges(place, node, is_round);
+            for edge in 0..2 {
+                sums[edge] += 0.5 * (place - before.0) * (adhering[edge] + before.1[edge]);
+            }
+            before = (place, adhering);
+        }
+        let [y, height] = self.lying();
+        let rest = adhering((y - 0.5 * height) / self.scale[0]);
+        let place = self.rest.fronts().place(front);
+        sums.map(|sum| sum / rest - place)
+    }
+
+    /// w of the two edges of a section with these fields.
+    fn adhering_edges(&self, place: f64, node: &[f64], is_round: bool) -> [f64; 2] {
+        let frame = matrix(quaternion_of(node));
+        let station = self.chain.density.profile.at(place);
+        let (aside, up) = (0.5 * station.width * frame[1][1], 0.5 * station.height * frame[1][2].abs());
+        let gaps = if is_round { [node[1] - aside.hypot(up); 2] } else { [node[1] - up - aside, node[1] - up + aside] };
+        gaps.map(|gap| adhering(gap / self.scale[0]))
+    }
+
+    /// Height of the axis and of the section at the left end where that lies on the ground, nm.
+    fn lying(&self) -> [f64; 2] {
+        let ([_, y, _], _) = self.rest.at(0.0);
+        [y, self.chain.density.profile.at(0.0).height]
+    }
+}
+
+/// w of a gap over r0.
+fn adhering(gap: f64) -> f64 {
+    1.0 / (1.0 + gap.max(0.0).powi(8))
+}
