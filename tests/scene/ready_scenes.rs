@@ -36,6 +36,7 @@ fn every_example_that_messages_give_is_right() {
             }
             _ if ["turn", "steps"].contains(&key.name) => format!("{MINIMAL}[grip]\nrotation = \"fixed\"\n"),
             _ if key.name == "pretension" => format!("{MINIMAL}[grip]\nhorizontal = \"fixed\"\n"),
+            "fit" => format!("{MINIMAL}[fit]\nparameters = [\"strip.youngs_modulus\"]\n"),
             "uncertainty" => {
                 let input =
                     |key| format!("{{ key = \"strip.{key}\", distribution = \"lognormal\", log_deviation = 0.1 }}");

@@ -199,9 +199,8 @@ fn tornado(rows: &[(String, [f64; 2])], center: f64, number: &NumberAnalysis, fr
         shapes.push(bar(place, 0.0, center, *at_high, colour::BLUE));
     }
     let (lower, upper) = (100.0 * ALONE_AT, 100.0 * (1.0 - ALONE_AT));
-    let title = format!(
-        "one input at its quantile of {lower:.0} % (orange) and of {upper:.0} % (blue), all others at their means"
-    );
+    let title =
+        format!("one input at its quantile of {lower:.0} % (orange) and {upper:.0} % (blue), others at their means");
     let lines = vec![upright(center, rows.len(), Dash::Dashed)];
     Panel { title, shapes, lines, ..Panel::new(frame, x, y) }
 }
