@@ -9,7 +9,7 @@ use crate::value::{Fault, Value, quoted, show};
 use peelkit::study::{FitOptions, FitParameter, Loss, ParameterOf, ProfileChoice};
 
 /// The table `fit`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct FitTable {
     /// What is fitted
     pub parameters: Vec<FittedKey>,
@@ -17,12 +17,6 @@ pub struct FitTable {
     pub jump: Option<f64>,
     /// How
     pub options: FitOptions,
-}
-
-impl Default for FitTable {
-    fn default() -> Self {
-        Self { parameters: Vec::new(), jump: None, options: FitOptions::default() }
-    }
 }
 
 /// A key that is fitted.

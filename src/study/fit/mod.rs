@@ -31,7 +31,7 @@ mod warnings;
 pub use error::{FitDataError, NoFit};
 pub use loss::Loss;
 pub use measured_curve::{MeasuredCurve, MeasuredJump, MeasuredPoint};
-pub use problem::{FitOptions, FitParameter, FitProblem, ParameterOf, ProfileChoice};
+pub use problem::{FitOptions, FitParameter, FitProblem, ModelOf, ParameterOf, ProfileChoice};
 pub use result::{
     Combination, Fit, FitEnd, FittedJump, FittedParameter, FittedPoint, PairDetermined, PointPlace, Profile,
 };

@@ -29,13 +29,16 @@ pub struct FitParameter {
     pub of: ParameterOf,
 }
 
+/// The model with these values of the parameters.
+pub type ModelOf<'m> = Box<dyn Fn(&[f64]) -> PeelModel + Send + Sync + 'm>;
+
 /// Parameters, and the model that has their values.
 pub struct FitProblem<'m> {
     /// In this order
     pub parameters: Vec<FitParameter>,
     /// The model with these values of the parameters; those of [`ParameterOf::DisplacementZero`] are not for it. It is checked where it is
     /// computed.
-    pub model: Box<dyn Fn(&[f64]) -> PeelModel + Send + Sync + 'm>,
+    pub model: ModelOf<'m>,
 }
 
 /// Of which parameters the profile likelihood is computed.

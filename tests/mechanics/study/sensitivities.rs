@@ -92,9 +92,9 @@ fn pulled(strip: impl Into<PeelModel>, degrees: f64) -> PeelModel {
 fn strips_pulled_up_and_at_an_angle() {
     let strip = paper_strip(50.0, 1.0);
     check_strip("up", &(&strip).into(), &[MODULUS, LENGTH, DISTANCE, ANGLE]);
-    check_strip("at 60 degrees", &pulled(&strip, 60.0), &[HEIGHT, HAMAKER, ANGLE]);
+    check_strip("at 60 degrees", &pulled(strip, 60.0), &[HEIGHT, HAMAKER, ANGLE]);
     let held = with_grip(strip, Hold::Fixed, Hold::Fixed);
-    check_strip("held at 60 degrees", &pulled(&held, 60.0), &[MODULUS, DISTANCE, ANGLE]);
+    check_strip("held at 60 degrees", &pulled(held, 60.0), &[MODULUS, DISTANCE, ANGLE]);
 }
 
 #[test]
@@ -135,7 +135,7 @@ fn spatula_and_table() {
 
 #[test]
 fn sideways_in_space() {
-    let mut model = pulled(&paper_strip(60.0, 1.0), 60.0);
+    let mut model = pulled(paper_strip(60.0, 1.0), 60.0);
     model.space = Some(Space { azimuth: 45f64.to_radians(), ..Space::default() });
     strip_of(&mut model).width = 10.0;
     let azimuth: Place = |model| &mut model.space.as_mut().expect("it is in space").azimuth;
