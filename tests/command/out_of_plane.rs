@@ -120,11 +120,11 @@ fn a_branch_that_there_is_not_is_null() {
 #[test]
 fn a_branch_that_is_not_computed_is_refused() {
     let dir = tempfile::tempdir().unwrap();
-    let (status, _, trouble) = run(dir.path(), &["--branch", "--set", "drive.angle=60 deg"]);
+    let (status, _, trouble) = run(dir.path(), &["--branch", "--set", "grip.rotation=fixed"]);
     let plain = trouble.replace("\n", " ").replace("│", " ").split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(status, Some(2));
-    assert!(plain.contains("the branch out of the plane is not followed: drive.angle is 60 degrees"), "{trouble}");
-    assert!(plain.contains("Omit --branch, or remove drive.angle."), "{trouble}");
+    assert!(plain.contains("the branch out of the plane is not followed: grip.rotation is \"fixed\""), "{trouble}");
+    assert!(plain.contains("Omit --branch"), "{trouble}");
     // a strip that falls over at rest: its path is written, and has no branch
     let (status, _, trouble) = run(dir.path(), &["--branch", "--set", "strip.width=0.15 nm"]);
     assert_eq!(status, Some(3));

@@ -104,7 +104,7 @@ pub static KEYS: &[Key] = &[
     key("bounds", "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "longest time for a path"),
     key("bounds", "displacement", Optional, Kind::Bound(Length, |s| &mut s.bounds.displacement), "largest displacement of the grip"),
 
-    key("fit", "parameters", Required, Kind::Setting(&fit::PARAMETERS), "keys that are determined, with bounds if wanted"),
+    key("fit", "parameters", Required, Kind::Setting(&fit::PARAMETERS), "keys to determine, with bounds if wanted"),
     key("fit", "force_error", Optional, Kind::Bound(Force, |s| &mut fit::of(s).options.force_error), "standard error of measured forces; none: from the residuals"),
     key("fit", "displacement_error", Optional, Kind::Bound(Length, |s| &mut fit::of(s).options.displacement_error), "standard error of measured displacements; none: exact"),
     key("fit", "displacement_zero", Optional, Kind::Measure(Length, Range::OFFSET, |s| &mut fit::of(s).options.displacement_zero), "measured displacement at which the model's is zero"),

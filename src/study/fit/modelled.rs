@@ -52,14 +52,12 @@ impl Modelled {
     pub fn derivative(&self, curve: &MachineCurve, change: &Change) -> f64 {
         let stiffness = 1.0 + curve.compliance * change.slope;
         let held = (change.force - change.slope * self.at.force * change.compliance) / stiffness;
-        let force_at_start = curve.start.1;
+        let start = change.compliance * curve.start.1 + curve.compliance * change.force_at_start;
+        let slope = change.slope / stiffness;
         match self.place {
             PointPlace::OnBranch => held,
-            PointPlace::BeforeStart => {
-                let start = change.compliance * force_at_start + curve.compliance * change.force_at_start;
-                2.0 * change.force_at_start - held - 2.0 * change.slope / stiffness * start
-            }
-            PointPlace::BehindJump => held + change.slope / stiffness * change.jump,
+            PointPlace::BeforeStart => 2.0 * change.force_at_start - held - 2.0 * slope * start,
+            PointPlace::BehindJump => held + slope * ((1.0 - EDGE) * change.jump + EDGE * start),
         }
     }
 }

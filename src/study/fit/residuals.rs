@@ -298,7 +298,7 @@ mod tests {
                     let expected = difference(up.modelled[row].force, down.modelled[row].force);
                     let force = found.force[(row, k)];
                     // behind the jump the branch is so steep that differences are good to few digits
-                    let tolerance = if row == 6 { 1e-2 } else { 1e-4 };
+                    let tolerance = if row == 6 { 5e-3 } else { 1e-4 };
                     let scale = expected.abs().max(1e-3);
                     assert!((force - expected).abs() < tolerance * scale, "point {row} by {k}: {force} {expected}");
                 }

@@ -39,7 +39,9 @@ fn holds_what_was_given(text: &str, scene: &Scene) -> Result<(), String> {
         let same = match (value, &stored) {
             (toml::Value::String(text), Value::Text(word)) => text == word,
             (toml::Value::Boolean(flag), Value::Flag(stored)) => flag == stored,
-            (toml::Value::Array(_), Value::List(_)) => same_item(value, &stored),
+            (toml::Value::Array(_), Value::List(_)) | (toml::Value::Table(_), Value::Table(_)) => {
+                same_item(value, &stored)
+            }
             (toml::Value::Integer(number), Value::Number(stored)) => *number as f64 == *stored,
             (toml::Value::Float(number), Value::Number(stored)) => number == stored,
             (toml::Value::String(text), &Value::Number(stored)) => quantity(text, key.unit()).is_none_or(|number| {
