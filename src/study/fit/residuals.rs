@@ -286,7 +286,7 @@ mod tests {
             assert!(behind, "the last point is behind the jump at {:?}", trial.jump);
             let found = evaluator.derivatives(&trial).unwrap();
             for k in 0..=count {
-                let step = 1e-4;
+                let step = 1e-5;
                 let beside = [1.0, -1.0].map(|sign| {
                     let mut x = x.clone();
                     x[k] = sign * step;
