@@ -137,23 +137,42 @@ fn what_cannot_be_optimised_is_refused() {
 }
 
 #[cfg(unix)]
-#[test]
-fn an_interrupted_optimisation_goes_on() {
-    const PARTIAL: &str = "out/optimise.partial.jsonl";
-    let reference = finished(with_scene(WIDTH).path(), &[]);
+const PARTIAL: &str = "out/optimise.partial.jsonl";
+/// Designs that are known when the command is interrupted, and most commands that are tried.
+#[cfg(unix)]
+const DESIGNS: usize = 4;
+#[cfg(unix)]
+const TRIES: usize = 40;
+
+/// The folder of a command that was interrupted with some designs known; nothing where it was done before that.
+#[cfg(unix)]
+fn interrupted() -> Option<tempfile::TempDir> {
     let dir = with_scene(WIDTH);
     let mut command = Command::new(env!("CARGO_BIN_EXE_peel"));
     command.current_dir(dir.path()).args(["optimise", "a.toml", "--out", "out"]);
     let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
     let designs = || std::fs::read_to_string(dir.path().join(PARTIAL)).map_or(0, |text| text.lines().count());
-    while designs() < 4 {
-        assert!(child.try_wait().unwrap().is_none(), "it ended before it could be interrupted");
+    while designs() < DESIGNS {
+        if child.try_wait().unwrap().is_some() {
+            return None;
+        }
         std::thread::sleep(std::time::Duration::from_millis(2));
     }
     let interrupt = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
     assert!(interrupt.success());
-    assert_eq!(child.wait().unwrap().code(), Some(3));
-    assert!(dir.path().join("out/summary.json").exists() && designs() >= 4);
+    let code = child.wait().unwrap().code();
+    assert!(matches!(code, Some(0 | 3)), "{code:?}");
+    (code == Some(3)).then_some(dir)
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_optimisation_goes_on() {
+    let reference = finished(with_scene(WIDTH).path(), &[]);
+    // a command may be done before it hears of the interruption: then once more
+    let dir = (0..TRIES).find_map(|_| interrupted()).expect("one of the commands is interrupted");
+    let designs = std::fs::read_to_string(dir.path().join(PARTIAL)).unwrap().lines().count();
+    assert!(dir.path().join("out/summary.json").exists() && designs >= DESIGNS);
     let other = peel(dir.path(), &["optimise", "a.toml", "--out", "out", "--set", "strip.length=90 nm"]);
     assert_eq!(other.status.code(), Some(2), "the designs of another scene are not taken");
     let resumed = finished(dir.path(), &[]);
