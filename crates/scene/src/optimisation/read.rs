@@ -68,8 +68,12 @@ fn free_key(entries: &[(String, Value)]) -> Result<FreeKey, String> {
         Value::Text(text) => text.trim(),
         value => return Err(format!("`key` = {value}, no text in quotes")),
     };
-    let key =
-        find_key(path).map_err(|error| format!("the key {}, which {}. {}", quoted(path), error.found, error.remedy))?;
+    let key = find_key(path).map_err(|error| {
+        // a list of all keys is no sentence of a message
+        let near = Some(error.remedy.as_str()).filter(|remedy| remedy.len() < 100);
+        let remedy = near.unwrap_or("peel keys lists them");
+        format!("the key {}, which {}. {remedy}", quoted(path), error.found)
+    })?;
     let (from, to) = (number(key, "from", given("from")?)?, number(key, "to", given("to")?)?);
     Ok(FreeKey { path: key.path(), from, to })
 }
