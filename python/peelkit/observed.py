@@ -74,7 +74,7 @@ class Test:
     @property
     def pull_off_force(self) -> float | None:
         """The largest force that the machine records, nN; None where there is none."""
-        force: float | None = self._found["pull_off_nN"]
+        force: float | None = self._found["pull_off_force_nN"]
         return force
 
     @property

@@ -54,14 +54,12 @@ class Peel:
     @property
     def end(self) -> str:
         """How the path ends: ``"detached"``, ``"pivoting"``, ``"turned-back"``, ``"bound"``, ``"failed"``, ..."""
-        end: str = self._summary["end"]
-        return end
+        return self._native.end
 
     @property
     def reason(self) -> str | None:
         """Why it ends, of the ends ``"bound"`` and ``"failed"``."""
-        reason: str | None = self._summary["reason"]
-        return reason
+        return self._native.reason
 
     def raise_for_failure(self) -> None:
         """Raise where the computation stopped short.

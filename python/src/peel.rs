@@ -7,7 +7,7 @@ use crate::scene::{NativeScene, Source};
 use crate::states::{self, NativeState};
 use peelkit::study::{self, PathEnd, Peel};
 use peelkit_report::pictures::peel::{captioned, curve, numbered_points};
-use peelkit_report::{PeelSummary, VERSION};
+use peelkit_report::{PeelSummary, VERSION, end_reason, end_word};
 use peelkit_scene::BoundsTable;
 use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyBytes, PyDict};
@@ -129,6 +129,18 @@ impl NativePeel {
     #[getter]
     fn scene(&self) -> NativeScene {
         NativeScene { source: self.source.clone() }
+    }
+
+    /// How the path ends, in a word.
+    #[getter]
+    fn end(&self) -> &'static str {
+        end_word(&self.peel.end)
+    }
+
+    /// Why it ends, of the ends `bound` and `failed`.
+    #[getter]
+    fn reason(&self) -> Option<String> {
+        end_reason(&self.peel.end)
     }
 
     /// The object of summary.json as text.

@@ -30,7 +30,7 @@ def test_an_optimum(in_root: None, command: Command, tmp_path: Path) -> None:
     scene = peelkit.Scene.read(STRIP).with_(
         {
             "optimise.objective": "initiation_peak.force_nN",
-            "optimise.parameters": ["strip.height from 5 nm to 12 nm"],
+            "optimise.parameters": [{"key": "strip.height", "from": "5 nm", "to": "12 nm"}],
             "optimise.starts": 1,
             "optimise.neighbours": 4,
         }
@@ -66,7 +66,7 @@ def test_a_fit(in_root: None, command: Command, tmp_path: Path) -> None:
 
 def test_an_uncertainty(in_root: None, command: Command, tmp_path: Path) -> None:
     inputs = [dict(key="strip.height", distribution="normal", deviation="0.5 nm")]
-    scene = peelkit.Scene.read(STRIP).with_({"uncertainty.inputs": inputs, "uncertainty.samples": 32, "accuracy.relative": 1e-4})
+    scene = peelkit.Scene.read(STRIP).with_({"uncertainty.inputs": inputs, "uncertainty.samples": 120, "accuracy.relative": 1e-4})
     path = written(tmp_path, scene)
     found = peelkit.uncertainty(peelkit.Scene.read(path))
     assert comparable(found.summary()) == comparable(command("uncertainty", path, "--json"))

@@ -44,7 +44,7 @@ def test_quantities_of_pint_are_converted(strip: peelkit.Scene) -> None:
         ("strip.youngs_modulus", 3e9 * units.Pa, "3 GPa"),
         ("strip.youngs_modulus", 3e9 * units.kg / units.m / units.s**2, "3 GPa"),
         ("adhesion.hamaker_constant", 1e-19 * units.J, "0.1 aJ"),
-        ("strip.poissons_ratio", 0.25 * units.dimensionless, "0.25"),
+        ("strip.poissons_ratio", 0.25 * units.dimensionless, 0.25),
     ]:
         assert strip.with_(key, quantity) == strip.with_(key, text)
     with pytest.raises(peelkit.SceneError, match="strip.length") as error:
@@ -66,8 +66,9 @@ def test_a_scene_of_tables_is_that_of_its_text(strip: peelkit.Scene) -> None:
 def test_lists_and_nested_tables_are_written(strip: peelkit.Scene) -> None:
     fit = strip.with_("fit.parameters", ["strip.youngs_modulus from 1 GPa to 5 GPa"])
     assert "from 1 GPa to 5 GPa" in fit.to_toml()
-    free = strip.with_({"optimise.objective": "initiation_peak.force_nN", "optimise.starts": np.int64(3)})
-    assert "starts = 3" in free.to_toml()
+    height = {"key": "strip.height", "from": 5.0 * units.nm, "to": "12 nm"}
+    free = strip.with_({"optimise.objective": "peak.force_nN", "optimise.parameters": [height], "optimise.starts": np.int64(3)})
+    assert "starts = 3" in free.to_toml() and "12 nm" in free.to_toml()
     quoted = strip.with_("title", 'A "title"\nwith \\ and \x7f')
     assert quoted.title == 'A "title"\nwith \\ and \x7f'
 
