@@ -3,9 +3,11 @@
 Reference: `docs/python.md`, whose blocks are one session, and the examples of the modules.
 """
 
+import ast
 import doctest
 import importlib
 import pkgutil
+import re
 from pathlib import Path
 
 import matplotlib
@@ -45,3 +47,32 @@ def test_what_is_public_is_documented() -> None:
             for member in members:
                 documented = getattr(member, "__doc__", None) or not (callable(member) or isinstance(member, property))
                 assert documented, (name, member)
+
+
+RAISED = {"SceneError", "PeelkitError", "ComputationError", "TypeError", "warn"}
+
+
+def messages(code: str) -> list[str]:
+    """What is raised or warned of, without the numbers and names in it: its longest part."""
+    found = []
+    for call in (node for node in ast.walk(ast.parse(code)) if isinstance(node, ast.Call) and node.args):
+        name = getattr(call.func, "id", getattr(call.func, "attr", None))
+        message = call.args[0]
+        parts = message.values if isinstance(message, ast.JoinedStr) else [message]
+        texts = [part.value for part in parts if isinstance(part, ast.Constant) and isinstance(part.value, str)]
+        if name in RAISED and texts:
+            found.append(max(texts, key=len))
+    return found
+
+
+def test_every_message_is_in_the_chapter_on_trouble(root: Path) -> None:
+    def plain(text: str) -> str:
+        return re.sub(r"\s+", " ", text.replace("`", ""))
+
+    chapter = plain((root / "docs/troubleshooting.md").read_text(encoding="utf-8"))
+    code = [path.read_text(encoding="utf-8") for path in sorted((root / "python/peelkit").glob("*.py"))]
+    all_messages = [message for text in code for message in messages(text)]
+    assert len(all_messages) > 12
+    # what follows a colon or a semicolon explains
+    missing = [one for one in all_messages if not re.split("[:;]", plain(one))[0].strip(" ,.") in chapter]
+    assert not missing
