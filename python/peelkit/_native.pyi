@@ -2,6 +2,24 @@
 
 from typing import final
 
+__all__ = [
+    "SCHEMA",
+    "VERSION",
+    "Path",
+    "Peel",
+    "Scene",
+    "State",
+    "Test",
+    "fit",
+    "keys",
+    "optimise",
+    "path",
+    "sensitivities",
+    "takes",
+    "test",
+    "uncertainty",
+]
+
 VERSION: str
 SCHEMA: int
 

@@ -34,7 +34,7 @@ class Test:
     jump : ndarray of bool
         Whether the point lies behind a jump.
     branch, adheres : ndarray of str
-        ``"retreat"`` or ``"return"``, and what adheres.
+        ``"retreat"`` or ``"approach"``, and what adheres.
     """
 
     __test__ = False  # of pytest
@@ -89,7 +89,7 @@ class Test:
         return copy.deepcopy(list(self._found["jumps"]))
 
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
-        """Plot the recorded force against the displacement of the machine: retreat solid, return dotted.
+        """Plot the recorded force against the displacement of the machine: retreat solid, approach dotted.
 
         Parameters
         ----------

@@ -30,7 +30,7 @@ def test(test: Test, ax: Axes | None, style: dict[str, Any]) -> Axes:
     """The force against the displacement of the machine."""
     ax = _axes(ax)
     style = dict(style)
-    for branch, dash in [("retreat", "-"), ("return", ":")]:
+    for branch, dash in [("retreat", "-"), ("approach", ":")]:
         on = test.branch == branch
         (line,) = ax.plot(test.machine_displacement[on], test.force[on], **{"linestyle": dash, **style})
         style = {**style, "color": line.get_color(), "label": "_nolegend_"}

@@ -65,6 +65,7 @@ def test_a_test_jumps_at_the_first_displacement_limit_point(strip: peelkit.Scene
     before = test.jumps[0]["before"]
     assert before["displacement_nm"] == pytest.approx(jump.displacement, rel=1e-6)
     assert test.pull_off_force is not None and test.jump.dtype == np.bool_
+    assert set(test.branch.tolist()) == {"retreat", "approach"}
     assert test.hysteresis is None or test.hysteresis > 0.0
 
 

@@ -5,6 +5,7 @@ documentation names, and pint converts others to it.
 """
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pint
@@ -12,7 +13,7 @@ import pytest
 
 import peelkit
 
-units = pint.UnitRegistry()
+units: Any = pint.UnitRegistry()
 
 
 @pytest.mark.parametrize(
