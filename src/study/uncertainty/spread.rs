@@ -41,14 +41,6 @@ pub(super) fn quotient(parts: &[(f64, f64)]) -> Estimate {
     Estimate { value, error: error_of_mean(&residuals) }
 }
 
-/// The jackknife (Efron and Stein, Ann. Stat. 9 (1981) 586) over independent replicates: `of` gives the number of all replicates, and of all but one.
-pub(super) fn jackknife(replicates: usize, of: impl Fn(Option<usize>) -> f64) -> Estimate {
-    let (value, count) = (of(None), replicates as f64);
-    let pseudo_values: Vec<f64> =
-        (0..replicates).map(|left_out| count * value - (count - 1.0) * of(Some(left_out))).collect();
-    Estimate { value, error: error_of_mean(&pseudo_values) }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -72,18 +64,5 @@ mod tests {
     fn a_quotient_that_is_the_same_in_all_replicates_has_no_error() {
         let found = quotient(&[(2.0, 1.0), (6.0, 3.0), (4.0, 2.0)]);
         assert_eq!((found.value, found.error), (2.0, 0.0));
-    }
-
-    /// Of a mean it is Student's interval.
-    #[test]
-    fn the_jackknife_of_a_mean_is_that_mean() {
-        let numbers = [1.0, 2.0, 3.0, 4.0, 5.0];
-        let mean = |left_out: Option<usize>| {
-            let kept: Vec<f64> = (0..5).filter(|&k| Some(k) != left_out).map(|k| numbers[k]).collect();
-            kept.iter().sum::<f64>() / kept.len() as f64
-        };
-        let found = jackknife(5, mean);
-        assert_relative_eq!(found.value, 3.0, max_relative = 1e-14);
-        assert_relative_eq!(found.error, error_of_mean(&numbers), max_relative = 1e-12);
     }
 }

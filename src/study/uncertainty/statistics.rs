@@ -1,7 +1,7 @@
 //! Mean, standard deviation and quantiles of a sampled number, with their sampling errors.
 
 use super::design::Design;
-use super::spread::{Estimate, error_of_mean, jackknife, quotient};
+use super::spread::{Estimate, error_of_mean, quotient};
 
 /// A quantile with its confidence interval of 95 %.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +49,7 @@ impl Statistics {
             replicates.iter().map(|numbers| (numbers.iter().map(|&x| of(x)).sum(), numbers.len() as f64)).collect()
         };
         let mean = quotient(&sum(&|x| x));
+        let variance = quotient(&sum(&|x| (x - mean.value).powi(2)));
         let quantile = |&probability: &f64| {
             let value = between(&sorted, probability);
             let below: Vec<f64> = replicates.iter().map(|numbers| share_below(numbers, value)).collect();
@@ -61,7 +62,7 @@ impl Statistics {
             count: sorted.len(),
             missing: values.len() - sorted.len(),
             mean,
-            deviation: deviation(&replicates, mean.value),
+            deviation: root(variance),
             quantiles: probabilities.iter().map(quantile).collect(),
             smallest: sorted[0],
             largest: sorted[sorted.len() - 1],
@@ -75,25 +76,10 @@ fn by_replicate(design: &Design, values: &[Option<f64>]) -> Vec<Vec<f64>> {
     values.chunks(design.samples_of_replicate()).map(numbers).filter(|numbers| !numbers.is_empty()).collect()
 }
 
-/// The standard deviation. Estimates of a variance are skewed, the more so the more it comes from few large values; those of its logarithm less: the
-/// error is the jackknife's of that, and of the two sides of its interval the wider one.
-fn deviation(replicates: &[Vec<f64>], mean: f64) -> Estimate {
-    // of each replicate the count, and the sums of the distances from a number in the middle and of their squares
-    let moments = |numbers: &Vec<f64>| {
-        let away = || numbers.iter().map(|x| x - mean);
-        [numbers.len() as f64, away().sum(), away().map(|x| x * x).sum()]
-    };
-    let all: Vec<[f64; 3]> = replicates.iter().map(moments).collect();
-    let log_variance = |left_out: Option<usize>| {
-        let kept = || all.iter().enumerate().filter(|(k, _)| Some(*k) != left_out).map(|(_, of)| of);
-        let [count, sum, squares] = [0, 1, 2].map(|power| kept().map(|of| of[power]).sum::<f64>());
-        (squares / count - (sum / count).powi(2)).ln()
-    };
-    let found = jackknife(all.len(), log_variance);
-    let value = (0.5 * found.value).exp();
-    // without one of the replicates nothing varies, or nothing at all does
-    let error = if found.error.is_finite() { value * (0.5 * found.error).exp_m1() } else { value };
-    Estimate { value, error }
+/// The square root of a variance.
+fn root(variance: Estimate) -> Estimate {
+    let value = variance.value.max(0.0).sqrt();
+    Estimate { value, error: if value > 0.0 { 0.5 * variance.error / value } else { 0.0 } }
 }
 
 /// The quantile of sorted numbers, linear between them.
