@@ -4,7 +4,8 @@ python execute.py                   run all of them; name some to run these alon
 python execute.py --check           the same, and the committed gallery is what the notebooks say
 python execute.py --gallery DIR     the same, and write DIR/notebooks.md and DIR/notebooks/NAME.png; DIR is docs of the repository
 
-A notebook is in order if no cell and no slider fails, with the sliders moved to both of their ends. The picture of the gallery is that of the cell with the tag "gallery", its text is in the first cell.
+A notebook is in order if no cell and no slider fails, with every slider at both of its ends. The picture of
+the gallery is that of the cell with the tag "gallery", its text is in the first cell.
 """
 
 from __future__ import annotations
@@ -32,15 +33,14 @@ LONGEST_CELL = 300
 # of a picture in the book, bytes
 LARGEST_PICTURE = 100_000
 
-# a slider calls its function whenever it moves
+# what a slider would call: its function with each value at its ends, or with each of its options
 MOVE_SLIDERS = """
 for made in list(globals().values()):
     if type(made).__name__ == "function" and hasattr(made, "widget"):
         for slider in made.widget.children:
-            if hasattr(slider, "min") and hasattr(slider, "max"):
-                start = slider.value
-                for slider.value in (slider.min, slider.max, start):
-                    pass
+            if hasattr(slider, "_kwarg"):
+                for value in slider.options if hasattr(slider, "options") else (slider.min, slider.max):
+                    made(**{**made.widget.kwargs, slider._kwarg: value})
 """
 
 
@@ -108,6 +108,10 @@ def main() -> int:
         parser.error("a gallery is made of all notebooks: leave out their names")
     paths = [HERE / f"{name}.ipynb" for name in asked.names] or sorted(HERE.glob("*.ipynb"))
 
+    missing = [path.stem for path in paths if not path.is_file()]
+    if missing:
+        there = ", ".join(path.stem for path in sorted(HERE.glob("*.ipynb")))
+        parser.error(f"no notebook is called {missing[0]!r}; there are {there}")
     # streams of a kernel that has ended
     logging.getLogger("tornado").setLevel(logging.ERROR)
     notebooks, wrong = {}, []
