@@ -40,7 +40,15 @@ fn garbled_requests_are_refused() {
 #[test]
 fn what_is_no_request_of_the_page_is_told_so() {
     let server = Running::usual();
-    for body in ["", "{}", "[]", "null", "{\"name\": 1}", "{\"name\": \"s\", \"scene\": \"\", \"parts\": [\"all\"]}", &"[".repeat(100_000)] {
+    for body in [
+        "",
+        "{}",
+        "[]",
+        "null",
+        "{\"name\": 1}",
+        "{\"name\": \"s\", \"scene\": \"\", \"parts\": [\"all\"]}",
+        &"[".repeat(100_000),
+    ] {
         let reply = server.raw(&server.request("/api/peel", body, ""));
         assert_eq!(reply.status, 400);
         assert!(reply.json()["error"].as_str().unwrap().starts_with("the request is none that the page sends: "));
@@ -55,7 +63,10 @@ fn a_huge_request_is_refused_with_the_limit() {
     let reply = server.raw(&server.request("/api/peel", &body, ""));
     assert!(matches!(reply.status, 0 | 413), "{}", reply.status);
     // its length alone is enough
-    let head = format!("POST /api/peel HTTP/1.1\r\nHost: {}\r\nContent-Type: application/json\r\nConnection: close\r\nContent-Length: 99999999999\r\n\r\n", server.address);
+    let head = format!(
+        "POST /api/peel HTTP/1.1\r\nHost: {}\r\nContent-Type: application/json\r\nConnection: close\r\nContent-Length: 99999999999\r\n\r\n",
+        server.address
+    );
     let reply = server.raw(head.as_bytes());
     assert_eq!(reply.status, 413);
     assert_eq!(reply.json()["error"], "the request is larger than 1048576 bytes");

@@ -5,7 +5,16 @@ use peelkit_scene::Scene;
 use peelkit_serve::READY;
 
 const FILES: [&str; 11] = [
-    "/", "/style.css", "/main.js", "/server.js", "/controls.js", "/curve.js", "/beam.js", "/sweep.js", "/results.js", "/link.js",
+    "/",
+    "/style.css",
+    "/main.js",
+    "/server.js",
+    "/controls.js",
+    "/curve.js",
+    "/beam.js",
+    "/sweep.js",
+    "/results.js",
+    "/link.js",
     "/chart.js",
 ];
 
@@ -15,7 +24,11 @@ fn every_file_is_there_and_forbids_what_comes_from_elsewhere() {
     for path in FILES {
         let reply = server.get(path);
         assert_eq!(reply.status, 200, "{path}");
-        assert!(reply.head.contains("content-security-policy: default-src 'none'; script-src 'self'"), "{}", reply.head);
+        assert!(
+            reply.head.contains("content-security-policy: default-src 'none'; script-src 'self'"),
+            "{}",
+            reply.head
+        );
         assert!(reply.head.contains("x-content-type-options: nosniff"), "{}", reply.head);
         assert!(!reply.head.contains("set-cookie"), "{}", reply.head);
     }

@@ -50,7 +50,10 @@ fn controls_have_the_ranges_of_their_keys() {
     assert_eq!((number(&height["value"]), height["unit"].as_str()), (10.0, Some("nm")));
     assert_eq!((number(&height["slider"]["low"]), number(&height["slider"]["high"])), (1.0, 100.0));
     let angle = control("drive.angle");
-    assert_eq!((number(&angle["slider"]["low"]), number(&angle["slider"]["high"]), angle["unit"].as_str()), (0.0, 180.0, Some("deg")));
+    assert_eq!(
+        (number(&angle["slider"]["low"]), number(&angle["slider"]["high"]), angle["unit"].as_str()),
+        (0.0, 180.0, Some("deg"))
+    );
     assert!(control("adhesion.law")["words"].as_array().unwrap().contains(&json!("bilinear")));
     assert!(control("grip.stiffness")["value"].is_null());
 }

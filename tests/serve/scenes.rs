@@ -28,7 +28,9 @@ fn no_file_is_read() {
     let server = Running::usual();
     let ground = format!("{STRIP}\n[substrate]\nshape = \"profile\"\ntable = \"/etc/passwd\"\n");
     let beam = "[profile]\ntable = \"/etc/passwd\"\nyoungs_modulus = \"2 GPa\"\n[adhesion]\nhamaker_constant = \"1e-19 J\"\nequilibrium_distance = \"0.4 nm\"\n";
-    let inline = format!("{STRIP}\n[substrate]\nshape = \"profile\"\ntable = \"\"\"\nx_nm,height_nm\n0,0\n50,-1\n100,0\n\"\"\"\n");
+    let inline = format!(
+        "{STRIP}\n[substrate]\nshape = \"profile\"\ntable = \"\"\"\nx_nm,height_nm\n0,0\n50,-1\n100,0\n\"\"\"\n"
+    );
     for (scene, set, key) in [
         (ground.as_str(), json!([]), "substrate.table"),
         (beam, json!([]), "profile.table"),
@@ -46,6 +48,7 @@ fn no_file_is_read() {
 fn a_model_that_is_refused_is_an_answer_with_a_reason() {
     let server = Running::usual();
     let set = json!([["adhesion.far_face", "false"], ["strip.height", "0.05 nm"]]);
-    let reply = server.post("/api/peel", &json!({"name": "s", "scene": STRIP, "set": set, "parts": ["curve", "poses"]}));
+    let reply =
+        server.post("/api/peel", &json!({"name": "s", "scene": STRIP, "set": set, "parts": ["curve", "poses"]}));
     assert!(matches!(reply.status, 200 | 422), "{}", reply.body);
 }

@@ -45,7 +45,7 @@ pub use summary::{
 pub use sweep_row::SweepRow;
 pub use swept_keys::SweptKeys;
 pub use tables::{
-    SweepLine, curve_csv, work_to, write_branch, write_curve, write_fit, write_followed, write_history, write_limit_points,
-    write_observed, write_samples, write_sweep, write_table, write_uncertainty,
+    SweepLine, curve_csv, work_to, write_branch, write_curve, write_fit, write_followed, write_history,
+    write_limit_points, write_observed, write_samples, write_sweep, write_table, write_uncertainty,
 };
 pub use timing::timed;

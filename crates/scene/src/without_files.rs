@@ -9,11 +9,7 @@ use toml::de::DeTable;
 impl Scene {
     /// As [`Scene::parse`], of a text that somebody else wrote: no file is read. A table of such a scene stands in its text; one that
     /// is the name of a file is refused, wherever it stands.
-    pub fn parse_without_files(
-        name: &str,
-        text: &str,
-        overrides: &[(String, String)],
-    ) -> Result<Self, SceneError> {
+    pub fn parse_without_files(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
         let file = Origin::File { name, text };
         let document = DeTable::parse(text).map_err(|error| not_toml(&file, text, &error))?;
         for key in KEYS.iter().filter(|key| key.reads_a_file()) {

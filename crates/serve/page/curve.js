@@ -11,7 +11,7 @@ export function textSize() {
   return parseFloat(getComputedStyle(document.documentElement).fontSize);
 }
 
-const line = (label, borderColor, more) => ({ label, data: [], borderColor, backgroundColor: borderColor, showLine: true, pointRadius: 0, pointHitRadius: 0, ...more });
+const line = (label, borderColor, more) => ({ label, data: [], borderColor, backgroundColor: borderColor, showLine: true, pointStyle: 'line', pointRadius: 0, pointHitRadius: 0, ...more });
 const points = (label, colour, more) => ({ label, data: [], borderColor: colour, backgroundColor: colour, showLine: false, pointRadius: 5, ...more });
 
 /** The chart of the curve. `moved(index)` is called with the pose to which the place is dragged. */
@@ -24,7 +24,7 @@ export class CurveChart {
     this.own = {
       place: points('place', COLOUR.place, { pointRadius: 8, pointStyle: 'circle', borderWidth: 3, backgroundColor: '#ffffff', order: -2 }),
       limits: points('limit points', COLOUR.limit, { pointStyle: 'rectRot', pointRadius: 6, order: -1 }),
-      jumps: line('jumps of a test', COLOUR.jump, { borderDash: [2, 4], borderWidth: 2, pointStyle: 'triangle', pointRadius: [], order: 2 }),
+      jumps: line('jumps of a test', COLOUR.jump, { borderDash: [2, 4], borderWidth: 2, pointRadius: [], order: 2 }),
       stable: line('stable', COLOUR.stable, { borderWidth: 3, order: 1 }),
       unstable: line('unstable under displacement control', COLOUR.unstable, { borderWidth: 3, borderDash: [8, 5], order: 1 }),
       kendall: line('Kendall’s force', COLOUR.kendall, { borderWidth: 1.5, borderDash: [12, 4, 2, 4], order: 3 }),
@@ -33,13 +33,13 @@ export class CurveChart {
       type: 'scatter',
       data: { datasets: Object.values(this.own) },
       options: {
-        animation: false, parsing: false, maintainAspectRatio: false,
+        animation: false, maintainAspectRatio: false,
         scales: {
           x: { title: { display: true, text: 'displacement u (nm)' } },
           y: { title: { display: true, text: 'force P (nN)' } },
         },
         plugins: {
-          legend: { position: 'bottom', labels: { usePointStyle: false, boxWidth: 28, filter: (item) => item.text !== 'place' } },
+          legend: { position: 'bottom', labels: { usePointStyle: true, pointStyleWidth: 34, filter: (item) => item.text !== 'place' } },
           tooltip: { filter: ({ dataset }) => dataset.label === 'limit points', callbacks: { label: (item) => item.raw.text } },
         },
       },
@@ -78,18 +78,23 @@ export class CurveChart {
     this.own.kendall.data = fits ? [{ x: 0, y: kendall }, { x: most, y: kendall }] : [];
     this.own.jumps.data = [];
     this.poses = poses.along;
+    this.curve = curve;
     this.canvas.setAttribute('aria-label', this.words(summary, u, p));
     this.chart.update('none');
   }
 
-  /** The jumps of a displacement-controlled test that pulls off. */
+  /** The jumps of a displacement-controlled test from the computed path; a test may go on behind its end. */
   showJumps(observed) {
     const radius = [];
-    this.own.jumps.data = (observed?.jumps ?? []).filter(({ way }) => way !== 'returning').flatMap(({ before, after }) => {
+    const { displacement_nm: u } = this.curve;
+    const farthest = u.reduce((a, b) => Math.max(a, b), 0);
+    this.own.jumps.data = (observed?.jumps ?? []).filter(({ way, before }) => way === 'retreat' && before.displacement_nm <= farthest).flatMap(({ before, after }) => {
       radius.push(0, 7, 0);
       return [{ x: before.displacement_nm, y: before.force_nN }, { x: after.displacement_nm, y: after.force_nN }, { x: NaN, y: NaN }];
     });
     this.own.jumps.pointRadius = radius;
+    this.own.jumps.pointStyle = this.own.jumps.data.length > 0 ? 'triangle' : 'line';
+    this.own.jumps.rotation = 180;
     this.chart.update('none');
   }
 

@@ -9,7 +9,7 @@ import * as link from './link.js';
 import * as results from './results.js';
 
 /** An answer that takes longer, ms, is given up for a newer request. */
-const PATIENCE = 150;
+const PATIENCE = 400;
 /** After so long without a change, ms, the test, the link and the sweep are computed. */
 const REST = 300;
 /** Of the test that is played, ms for a place of the path. */
@@ -17,7 +17,7 @@ const FRAME = 60;
 
 const part = (id) => document.getElementById(id);
 const latest = new Latest(PATIENCE);
-const state = { scene: null, set: new Map(), answer: null, observed: null, toml: '', kept: [], resting: null, times: [] };
+const state = { scene: null, set: new Map(), answer: null, observed: null, toml: '', kept: [], resting: null, times: [], asked: 0, rested: 0 };
 // what a test of the page looks at
 window.peel = state;
 
@@ -33,6 +33,7 @@ const asked = () => ({ name: state.scene.name, scene: state.scene.text, set: [..
 
 /** Asks for the curve of the scene as it is now. */
 function compute(parts = []) {
+  state.asked += 1;
   clearTimeout(state.resting);
   sweep.stop();
   state.afterwards?.abort();
@@ -95,7 +96,9 @@ function moveTo(index) {
 
 /** Nothing has changed for a while: the sentence for who listens, the test, the link, the sweep. */
 async function rest() {
-  part('sentence').textContent = results.sentence(state.answer.summary);
+  const { summary } = state.answer;
+  const number = state.asked;
+  part('sentence').textContent = results.sentence(summary);
   const abort = new AbortController();
   state.afterwards = abort;
   try {
@@ -105,8 +108,9 @@ async function rest() {
     chart.showJumps(state.observed);
     part('text').value = state.toml;
     history.replaceState(null, '', link.written({ name: state.scene.name, title: answer.summary.title, text: state.toml }));
-    const key = Object.keys(answer.summary.parameters).filter((table) => answer.summary.parameters[table]?.bending_stiffness_factor)[0];
-    if (key) await sweep.fill(asked(), `${key}.bending_stiffness_factor`, answer.summary.parameters[key].bending_stiffness_factor, state.answer.summary);
+    state.rested = number;
+    const body = Object.entries(summary.parameters).find(([, keys]) => keys?.bending_stiffness_factor);
+    if (body) await sweep.fill(asked(), `${body[0]}.bending_stiffness_factor`, body[1].bending_stiffness_factor, summary);
   } catch (error) {
     tell(error);
   }
@@ -139,7 +143,7 @@ function open(scene) {
 /** Where a displacement-controlled test goes: along the stable path, and by jumps. */
 function testPlaces() {
   const { along } = state.answer.poses;
-  const jumps = (state.observed?.jumps ?? []).filter(({ way }) => way !== 'returning').map(({ after }) => after);
+  const jumps = (state.observed?.jumps ?? []).filter(({ way }) => way === 'retreat').map(({ after }) => after);
   const largest = Math.max(...along.map((pose) => Math.abs(pose.force_nN)), Number.MIN_VALUE);
   const places = [];
   for (let k = 0; k < along.length; k += 1) {

@@ -30,12 +30,13 @@ export function rows(summary) {
   const row = (name, at) => at && { name, u: at.displacement_nm, p: at.force_nN, du: at.error_nm, dp: at.error_nN };
   return [
     row('Initiation peak', summary.initiation_peak),
-    row('Peak', summary.peak),
+    // the same point under its other name would be read twice
+    summary.peak?.displacement_nm !== summary.initiation_peak?.displacement_nm && row('Peak', summary.peak),
     row('Largest computed force', summary.largest_computed_force),
     row('Plateau', summary.plateau),
     row('First jump', summary.first_jump),
-    row('Pad detachment', summary.pad_detachment),
-    row('Detachment', summary.detachment),
+    summary.pad_detachment?.displacement_nm !== summary.first_jump?.displacement_nm && row('Pad detachment', summary.pad_detachment),
+    summary.detachment?.displacement_nm !== summary.first_jump?.displacement_nm && row('Detachment', summary.detachment),
   ].filter(Boolean);
 }
 

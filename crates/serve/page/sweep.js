@@ -24,12 +24,12 @@ export class Sweep {
       type: 'scatter',
       data: { datasets: Object.values(this.series) },
       options: {
-        animation: false, parsing: false, maintainAspectRatio: false,
+        animation: false, maintainAspectRatio: false,
         scales: {
           x: { type: 'logarithmic', min: LEAST, max: 1 / LEAST, title: { display: true, text: 'factor of the bending stiffness EI' }, ticks: { callback: (value) => (Number.isInteger(Math.log10(value)) ? value.toExponential(0) : '') } },
           y: { title: { display: true, text: 'force P (nN)' }, beginAtZero: true },
         },
-        plugins: { legend: { position: 'bottom', labels: { usePointStyle: true } } },
+        plugins: { legend: { position: 'bottom', labels: { usePointStyle: true, pointStyleWidth: 24 } } },
       },
     });
   }

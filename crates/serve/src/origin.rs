@@ -10,17 +10,17 @@ pub(crate) fn check(method: &Method, headers: &HeaderMap) -> Result<(), Refusal>
     let text = |name: header::HeaderName| headers.get(name).and_then(|value| value.to_str().ok());
     let host = text(header::HOST).unwrap_or_default();
     if !is_number_or_localhost(host) {
-        return Err(Refusal::Foreign(format!("the host `{}` is not this one", shown(host))));
+        return Err(Refusal::OtherHost(shown(host)));
     }
     if let Some(origin) = headers.get(header::ORIGIN) {
         let origin = origin.to_str().unwrap_or_default();
         if origin.split_once("://").map(|(_, authority)| authority) != Some(host) {
-            return Err(Refusal::Foreign(format!("a page of `{}` has sent the request", shown(origin))));
+            return Err(Refusal::OtherSite(shown(origin)));
         }
     }
     let site = headers.get("sec-fetch-site").and_then(|site| site.to_str().ok());
     if method == Method::POST && !matches!(site, None | Some("same-origin" | "none")) {
-        return Err(Refusal::Foreign("a page of another site has sent the request".into()));
+        return Err(Refusal::OtherSite(site.map(shown).unwrap_or_default()));
     }
     let is_json = text(header::CONTENT_TYPE).is_some_and(|media| media.split(';').next() == Some("application/json"));
     if method == Method::POST && !is_json {
@@ -53,7 +53,9 @@ mod tests {
         for host in ["localhost", "LOCALHOST:80", "127.0.0.1:7878", "[::1]:7878", "192.168.0.2", "[::1]"] {
             assert!(is_number_or_localhost(host), "{host}");
         }
-        for host in ["", "evil.example", "evil.example:7878", "127.0.0.1.evil.example", "localhost.evil.example:1", ":1"] {
+        for host in
+            ["", "evil.example", "evil.example:7878", "127.0.0.1.evil.example", "localhost.evil.example:1", ":1"]
+        {
             assert!(!is_number_or_localhost(host), "{host}");
         }
     }

@@ -7,9 +7,9 @@ use serde::Serialize;
 /// Parts of the largest extent to which a place of an outline is rounded.
 const FINE: f64 = 2e4;
 /// Points of the surface that are drawn where it is not flat.
-const DRAWN: usize = 240;
+const DRAWN: usize = 600;
 /// Of the surface beside the beam, over the extent of that.
-const BESIDE: f64 = 0.4;
+const BESIDE: f64 = 2.0;
 
 /// The beam along the path.
 #[derive(Debug, Serialize)]

@@ -8,27 +8,40 @@ use serde::Serialize;
 use std::time::Duration;
 
 /// Why a request has no answer.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 pub(crate) enum Refusal {
     /// The scene cannot be read or computed.
+    #[error("{found}")]
     Scene { found: String, remedy: String },
     /// The request is none that the page sends.
+    #[error("the request is none that the page sends: {0}")]
     Request(String),
     /// It has more bytes than this.
+    #[error("the request is larger than {0} bytes")]
     TooLarge(usize),
     /// It did not arrive within this time.
+    #[error("the request did not arrive within {} s", .0.as_secs_f64())]
     TooSlow(Duration),
     /// It is no JSON by its own account.
+    #[error("the request is not of the content type application/json")]
     NotJson,
-    /// It comes from a page of another origin, or asks for a host that this is not.
-    Foreign(String),
+    /// It asks for a host of this name.
+    #[error("the host `{0}` is not this one")]
+    OtherHost(String),
+    /// A page of this origin has sent it.
+    #[error("the request was sent by a page of another site: {0}")]
+    OtherSite(String),
     /// So many runs wait already.
+    #[error("{0} runs wait already for one to end")]
     Busy(usize),
     /// The server is ending.
+    #[error("the server is ending")]
     Ending,
     /// The run ended without a result.
+    #[error("the run ended without a result: {0}")]
     Broken(String),
     /// There is no such page.
+    #[error("there is nothing at this address")]
     NotFound,
 }
 
@@ -46,26 +59,10 @@ impl Refusal {
             Self::TooLarge(_) => StatusCode::PAYLOAD_TOO_LARGE,
             Self::TooSlow(_) => StatusCode::REQUEST_TIMEOUT,
             Self::NotJson => StatusCode::UNSUPPORTED_MEDIA_TYPE,
-            Self::Foreign(_) => StatusCode::FORBIDDEN,
+            Self::OtherHost(_) | Self::OtherSite(_) => StatusCode::FORBIDDEN,
             Self::Busy(_) | Self::Ending => StatusCode::SERVICE_UNAVAILABLE,
             Self::Broken(_) => StatusCode::INTERNAL_SERVER_ERROR,
             Self::NotFound => StatusCode::NOT_FOUND,
-        }
-    }
-
-    /// What was found.
-    fn found(&self) -> String {
-        match self {
-            Self::Scene { found, .. } => found.clone(),
-            Self::Request(found) => format!("the request is none that the page sends: {found}"),
-            Self::TooLarge(most) => format!("the request is larger than {most} bytes"),
-            Self::TooSlow(time) => format!("the request did not arrive within {} s", time.as_secs_f64()),
-            Self::NotJson => "the request is not of the content type application/json".into(),
-            Self::Foreign(found) => found.clone(),
-            Self::Busy(waiting) => format!("{waiting} runs wait already for one to end"),
-            Self::Ending => "the server is ending".into(),
-            Self::Broken(found) => format!("the run ended without a result: {found}"),
-            Self::NotFound => "there is nothing at this address".into(),
         }
     }
 
@@ -76,7 +73,7 @@ impl Refusal {
             Self::Request(_) | Self::NotJson => "Load the page again: it may be that of another version.",
             Self::TooLarge(_) => "Give a shorter scene.",
             Self::TooSlow(_) => "Send it again.",
-            Self::Foreign(_) => "Open the page at the address that peel serve prints.",
+            Self::OtherHost(_) | Self::OtherSite(_) => "Open the page at the address that peel serve prints.",
             Self::Busy(_) => "Wait a moment, or close other windows with this page.",
             Self::Ending => "Start peel serve again.",
             Self::Broken(_) => "Change the scene a little; the server goes on.",
@@ -87,9 +84,8 @@ impl Refusal {
 
 impl IntoResponse for Refusal {
     fn into_response(self) -> Response {
-        let body = serde_json::to_vec(&Body { error: &self.found(), remedy: self.remedy() }).unwrap_or_default();
-        let mut response =
-            (self.status(), [(header::CONTENT_TYPE, "application/json")], body).into_response();
+        let body = serde_json::to_vec(&Body { error: &self.to_string(), remedy: self.remedy() }).unwrap_or_default();
+        let mut response = (self.status(), [(header::CONTENT_TYPE, "application/json")], body).into_response();
         if matches!(self, Self::Busy(_)) {
             response.headers_mut().insert(header::RETRY_AFTER, HeaderValue::from_static("1"));
         }

@@ -95,6 +95,10 @@ async fn run_file(State(shared): State<Shared>, request: Request) -> Result<Resp
 
 /// The body of a request, when it is there.
 async fn arrived(Shared { limits, .. }: &Shared, request: Request) -> Result<Bytes, Refusal> {
+    let announced = request.headers().get(header::CONTENT_LENGTH).and_then(|length| length.to_str().ok()?.parse().ok());
+    if announced.is_some_and(|length: u64| length > limits.body as u64) {
+        return Err(Refusal::TooLarge(limits.body));
+    }
     match tokio::time::timeout(limits.arrival, Bytes::from_request(request, &())).await {
         Err(_) => Err(Refusal::TooSlow(limits.arrival)),
         Ok(Err(rejection)) if rejection.status() == StatusCode::PAYLOAD_TOO_LARGE => {

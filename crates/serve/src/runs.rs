@@ -71,12 +71,7 @@ impl Drop for Waiting {
 
 impl Runs {
     pub fn new(limits: Limits) -> Self {
-        Self {
-            places: Arc::new(Semaphore::new(limits.runs)),
-            waiting: Arc::default(),
-            ending: Arc::default(),
-            limits,
-        }
+        Self { places: Arc::new(Semaphore::new(limits.runs)), waiting: Arc::default(), ending: Arc::default(), limits }
     }
 
     /// Ends all runs, and begins no other.
@@ -88,10 +83,7 @@ impl Runs {
     /// Does work on a thread of its own as soon as there is a place. Where this is dropped before, the work is not begun or is told to end.
     ///
     /// Fails where too many wait, where the server is ending, and where the work panics.
-    pub async fn run<T: Send + 'static>(
-        &self,
-        work: impl FnOnce(&RunEnd) -> T + Send + 'static,
-    ) -> Result<T, Refusal> {
+    pub async fn run<T: Send + 'static>(&self, work: impl FnOnce(&RunEnd) -> T + Send + 'static) -> Result<T, Refusal> {
         let place = {
             let counted = Waiting(Arc::clone(&self.waiting));
             let before = self.waiting.fetch_add(1, Ordering::Relaxed);
