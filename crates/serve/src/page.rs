@@ -54,7 +54,7 @@ impl StartScene {
 /// Name, title.
 macro_rules! scenes {
     ($($name:literal $title:literal),* $(,)?) => {
-        &[$(($name, $title, include_str!(concat!("../../../scenes/", $name)))),*]
+        &[$(($name, $title, include_str!(concat!("../scenes/", $name)))),*]
     };
 }
 
