@@ -8,7 +8,7 @@ use crate::output::say;
 use crate::stop::Stop;
 use clap::Args;
 use peelkit_serve::{Limits, Server, StartScene};
-use std::net::{IpAddr, Ipv4Addr};
+use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::path::{Path, PathBuf};
 
 /// Serves a page with sliders: the peel is computed again while one drags
@@ -42,12 +42,24 @@ pub fn serve(args: &Serve) -> Result<(), Stop> {
     })?;
     let stopper = server.stopper();
     let _interrupt = Interrupt::listen(move || stopper.stop());
-    let warning = match args.address.is_loopback() {
-        true => "",
-        false => "Warning: whoever reaches this address can let this machine compute; there is no password.\n",
-    };
-    say(&format!("The page is at http://{}/\n{warning}Ctrl-C ends it.\n", server.address()))?;
+    say(&format!("{}Ctrl-C ends it.\n", whereabouts(server.address())))?;
     server.run().map_err(|error| Stop::other(format!("the page ended: {error}")))
+}
+
+/// Where the page is, and who can reach it.
+fn whereabouts(address: SocketAddr) -> String {
+    const OPEN: &str = "Warning: whoever reaches this address can let this machine compute; there is no password.\n";
+    let ip = address.ip();
+    if ip.is_loopback() {
+        return format!("The page is at http://{address}/\n");
+    }
+    if ip.is_unspecified() {
+        let port = address.port();
+        return format!(
+            "The page is at http://localhost:{port}/, and at every address of this machine in numbers, port {port}\n{OPEN}"
+        );
+    }
+    format!("The page is at http://{address}/\n{OPEN}")
 }
 
 /// The scene of the user, its tables in its text.
