@@ -14,6 +14,19 @@ export function textSize() {
 const line = (label, borderColor, more) => ({ label, data: [], borderColor, backgroundColor: borderColor, showLine: true, pointStyle: 'line', pointRadius: 0, pointHitRadius: 0, ...more });
 const points = (label, colour, more) => ({ label, data: [], borderColor: colour, backgroundColor: colour, showLine: false, pointRadius: 5, ...more });
 
+/** Puts the text of the page, its size and its colour, into the charts that are drawn from now on. */
+export function takeText() {
+  Chart.defaults.color = COLOUR.limit;
+  Chart.defaults.font.size = textSize() * 0.85;
+}
+
+/** The labels of a legend; lines in it are dashed as they are in the chart. */
+export function dashedLabels(chart) {
+  const dash = ({ pointStyle, borderDash }) => (pointStyle === 'line' && borderDash) || [];
+  const labels = Chart.defaults.plugins.legend.labels.generateLabels(chart);
+  return labels.map((label) => ({ ...label, lineDash: dash(chart.data.datasets[label.datasetIndex]) }));
+}
+
 /** The chart of the curve. `moved(index)` is called with the pose to which the place is dragged. */
 export class CurveChart {
   constructor(canvas, moved) {
@@ -29,6 +42,7 @@ export class CurveChart {
       unstable: line('unstable under displacement control', COLOUR.unstable, { borderWidth: 3, borderDash: [8, 5], order: 1 }),
       kendall: line('Kendall’s force', COLOUR.kendall, { borderWidth: 1.5, borderDash: [12, 4, 2, 4], order: 3 }),
     };
+    takeText();
     this.chart = new Chart(canvas, {
       type: 'scatter',
       data: { datasets: Object.values(this.own) },
@@ -39,18 +53,16 @@ export class CurveChart {
           y: { title: { display: true, text: 'force P (nN)' } },
         },
         plugins: {
-          legend: { position: 'bottom', labels: { usePointStyle: true, pointStyleWidth: 34, filter: (item) => item.text !== 'place' } },
+          legend: { position: 'bottom', labels: { usePointStyle: true, pointStyleWidth: 30, generateLabels: dashedLabels, filter: (item) => item.text !== 'place' } },
           tooltip: { filter: ({ dataset }) => dataset.label === 'limit points', callbacks: { label: (item) => item.raw.text } },
         },
       },
     });
-    this.resize();
     this.listen();
   }
 
   resize() {
-    Chart.defaults.color = '#1a1a1a';
-    Chart.defaults.font.size = textSize() * 0.85;
+    takeText();
     this.chart.update('none');
     this.chart.resize();
   }
@@ -98,9 +110,10 @@ export class CurveChart {
     this.chart.update('none');
   }
 
-  /** Curves that are kept: label, colour, points. */
+  /** Curves that are kept: label, colour, points, and whether each is unstable. */
   showKept(kept) {
-    const one = ({ label, colour, data }) => line(label, colour, { data, borderWidth: 2, order: 4 });
+    const dash = (unstable) => ({ p1DataIndex: index }) => (unstable[index] ? [8, 5] : undefined);
+    const one = ({ label, colour, data, unstable }) => line(label, colour, { data, borderWidth: 2, order: 4, segment: { borderDash: dash(unstable) } });
     this.chart.data.datasets = [...Object.values(this.own), ...kept.map(one)];
     this.chart.update('none');
   }

@@ -183,11 +183,11 @@ function stopPlaying() {
 function keep() {
   if (!state.answer) return;
   if (state.kept.length === KEPT.length) return tell(new Refusal(`${KEPT.length} curves are kept already.`, 'Remove one of them.'));
-  const { displacement_nm: u, force_nN: p } = state.answer.curve;
+  const { displacement_nm: u, force_nN: p, unstable } = state.answer.curve;
   const colour = KEPT.find((colour) => !state.kept.some((one) => one.colour === colour));
   const changes = [...state.set].map(([key, text]) => `${key.split('.')[1]} ${text}`).join(', ');
   const label = changes || state.answer.summary.title;
-  state.kept.push({ label, colour, data: u.map((x, k) => ({ x, y: p[k] })) });
+  state.kept.push({ label, colour, data: u.map((x, k) => ({ x, y: p[k] })), unstable });
   showKept();
 }
 

@@ -2,7 +2,7 @@
 
 import { ask } from './server.js';
 import { shown } from './results.js';
-import { textSize } from './curve.js';
+import { dashedLabels, takeText } from './curve.js';
 
 /** Factors of the bending stiffness, from here to its inverse. */
 const LEAST = 1e-4;
@@ -29,13 +29,13 @@ export class Sweep {
           x: { type: 'logarithmic', min: LEAST, max: 1 / LEAST, title: { display: true, text: 'factor of the bending stiffness EI' }, ticks: { callback: (value) => (Number.isInteger(Math.log10(value)) ? value.toExponential(0) : '') } },
           y: { title: { display: true, text: 'force P (nN)' }, beginAtZero: true },
         },
-        plugins: { legend: { position: 'bottom', labels: { usePointStyle: true, pointStyleWidth: 24 } } },
+        plugins: { legend: { position: 'bottom', labels: { usePointStyle: true, pointStyleWidth: 24, generateLabels: dashedLabels } } },
       },
     });
   }
 
   resize() {
-    Chart.defaults.font.size = textSize() * 0.85;
+    takeText();
     this.chart.update('none');
     this.chart.resize();
   }
