@@ -27,7 +27,7 @@ pub struct Serve {
     #[arg(long, value_name = "PORT", default_value_t = 7878)]
     port: u16,
 
-    /// Address that the page listens at; any but the default is open to others
+    /// Address to listen at; any other is open to others
     #[arg(long, value_name = "ADDRESS", default_value_t = IpAddr::V4(Ipv4Addr::LOCALHOST))]
     address: IpAddr,
 }
