@@ -42,7 +42,7 @@ impl RunEnd {
             Stage::Path => self.time,
             Stage::Results => 2 * self.time,
         };
-        (self.started.elapsed() > most).then(|| StopReason::Time { seconds: self.time.as_secs_f64() })
+        (self.started.elapsed() > most).then_some(StopReason::Time { seconds: self.time.as_secs_f64() })
     }
 
     /// Whether nobody waits for it any more.
