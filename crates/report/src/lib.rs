@@ -25,7 +25,10 @@ mod tables;
 mod timing;
 
 pub use animation::write_animation;
-pub use checkpoint::{PartialOptimisation, PartialRun, PartialSweep, PartialUncertainty};
+pub use checkpoint::{
+    DividedSweep, Part, PartAxis, PartHeader, PartialCollection, PartialOptimisation, PartialRun, PartialSweep,
+    PartialUncertainty, SweepPart,
+};
 pub use error::ReportError;
 pub use file::write_whole;
 pub use fit_report::FitReport;
