@@ -12,9 +12,9 @@ Examples:
   peel collect out/strip-sweep-strip.length-part-*
   peel collect p1 p2 p3 p4 p5 p6 p7 p8 --out whole
 
-Files: sweep.csv, sweep.svg, sweep.png and parameters.toml, the same bit for bit as the undivided sweep writes, but for the
-times. The command in parameters.toml is that of the undivided sweep. Without --out the folder is that of the undivided
-sweep as well.
+Files: sweep.csv, sweep.svg, sweep.png and parameters.toml, the same bit for bit as the undivided sweep writes, but for
+the times. The command in parameters.toml is that of the undivided sweep. Without --out the folder is that of the
+undivided sweep as well.
 
 Missing parts: what is there is written, the message names what is missing, and the exit status is 3. The folder then
 holds collect.partial.json besides. Give the command again with the late parts: it needs no --force, and removes that
