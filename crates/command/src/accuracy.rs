@@ -31,7 +31,7 @@ pub struct Accuracy {
 const FOLDER: &str = "Folder for the outputs [default: out/accuracy, named after what is asked]";
 
 /// The scene where none is given.
-const PLAIN: &str = include_str!("../../../scenes/strip-100nm.toml");
+const PLAIN: &str = include_str!("../scenes/strip-100nm.toml");
 
 pub fn accuracy(args: &Accuracy) -> Result<(), Stop> {
     let overrides = args.overrides.clone();

@@ -7,7 +7,7 @@ use peelkit_scene::Scene;
 /// Name, text, ending.
 macro_rules! scenes {
     ($($name:literal $ending:ident),* $(,)?) => {
-        &[$(($name, include_str!(concat!("../../../scenes/hard/", $name, ".toml")), Ending::$ending)),*]
+        &[$(($name, include_str!(concat!("../scenes/hard/", $name, ".toml")), Ending::$ending)),*]
     };
 }
 

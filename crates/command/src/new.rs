@@ -35,7 +35,7 @@ struct Template {
 /// Kind, meaning.
 macro_rules! templates {
     ($($kind:literal $about:literal),* $(,)?) => {
-        &[$(Template { kind: $kind, about: $about, text: include_str!(concat!("../../../scenes/", $kind, ".toml")) }),*]
+        &[$(Template { kind: $kind, about: $about, text: include_str!(concat!("../scenes/", $kind, ".toml")) }),*]
     };
 }
 

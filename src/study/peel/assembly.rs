@@ -2,7 +2,7 @@
 
 use super::equilibrium_path::Followed;
 use super::special_points::{name_special_points, peak_of, pushes_behind_a_fold};
-use super::work::{WorkErrors, work_near, works};
+use super::work::{WorkErrors, work_at, work_near};
 use super::{BranchPoint, Effort, Failure, LargestComputedForce, LimitPoint, PathEnd, PathPoint, Peak, Peel};
 use crate::beam::FRONT;
 use crate::model::{BeamProblem, PeelModel};
@@ -32,7 +32,6 @@ pub(super) fn differences(followed: &Followed, problem: &BeamProblem) -> Vec<f64
 /// What is reported of a path.
 pub(super) fn report(model: &PeelModel, problem: &BeamProblem, followed: &Followed, relative: f64) -> Peel {
     let mut ws = followed.workspace();
-    let works = works(problem, &followed.points, &mut ws);
     let largest = followed.points.iter().map(|s| s.observables.force.abs()).fold(0.0, f64::max);
     let section = model.section();
     // strains are known to the machine's epsilon, and a stiff beam makes large forces of them
@@ -44,11 +43,11 @@ pub(super) fn report(model: &PeelModel, problem: &BeamProblem, followed: &Follow
     } else {
         ROUND_OFF
     };
-    let points = followed.points.iter().zip(&works).map(|(s, &work)| PathPoint {
+    let points = followed.points.iter().map(|s| PathPoint {
         displacement: s.observables.displacement,
         force: s.observables.force,
         end_rotation: s.observables.recorded,
-        work,
+        work: work_at(problem, &followed.points[0], s),
         negative_eigenvalues: s.negative,
         negative_eigenvalues_load: s.negative_load,
         front: problem.beam.front_place(s.observables.monitors[FRONT]),
@@ -86,7 +85,7 @@ pub(super) fn report(model: &PeelModel, problem: &BeamProblem, followed: &Follow
                 displacement: located.observables.displacement,
                 force: located.observables.force,
                 end_rotation: located.observables.recorded,
-                work: work_near(problem, &followed.points, &works, *after, located, &mut ws),
+                work: work_near(problem, &followed.points[0], located),
                 displacement_error: displacement_error.max(further),
                 force_error: force_error(*kind, located).max(lower),
                 work_error: work_errors

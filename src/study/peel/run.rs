@@ -152,6 +152,10 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Opt
             confirmed
         });
     }
+    if let Some(best) = &mut best {
+        let late = best.peel.integrate_works(limits.should_stop());
+        best.trouble = best.trouble.take().or(late);
+    }
     let mut peel = best.map_or_else(|| empty(model), Attempt::into_peel);
     (peel.steps, peel.relaxed_start) = (steps, relaxed);
     peel.effort.newton_iterations = iterations;

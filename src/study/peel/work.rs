@@ -1,38 +1,29 @@
 //! The work of the grip along a path, of its force, and of its moment where it turns: the energy it changed, or, where the load has no
 //! potential, ∫ P du.
 
-use super::Peel;
+use super::solution_history::SolutionHistory;
 use super::step_curve::StepCurve;
+use super::{PathFailure, Peel};
 use crate::model::BeamProblem;
-use crate::solve::{LimitPointKind, Located, Observables, PathSegment, Solution, Workspace, on_more_elements};
+use crate::solve::{
+    LimitPointKind, Located, Observables, PathSegment, ShouldStop, Solution, Workspace, on_more_elements,
+};
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, bound_floor};
 use std::sync::Arc;
 
-/// Work from rest to each point, aJ.
-pub(super) fn works(problem: &BeamProblem, points: &[Arc<Solution>], ws: &mut Workspace) -> Vec<f64> {
-    if !problem.system.is_conservative() {
-        return works_of_force(problem, points, ws);
-    }
-    points.iter().map(|s| energy(problem, s) - energy(problem, &points[0])).collect()
+/// Work from rest to a point, aJ; 0 where the load has no potential, until [`Peel::integrate_works`].
+pub(super) fn work_at(problem: &BeamProblem, first: &Solution, s: &Solution) -> f64 {
+    if problem.system.is_conservative() { energy(problem, s) - energy(problem, first) } else { 0.0 }
 }
 
-/// Work at a located point, aJ; `works` as above.
-pub(super) fn work_near(
-    problem: &BeamProblem,
-    points: &[Arc<Solution>],
-    works: &[f64],
-    after: usize,
-    located: &Located,
-    ws: &mut Workspace,
-) -> f64 {
-    let s = &located.solution;
-    if problem.system.is_conservative() {
-        let ahead = power(problem, s) * (located.observables.displacement - s.observables.displacement);
-        return energy(problem, s) - energy(problem, &points[0]) + ahead;
+/// The same at a located point.
+pub(super) fn work_near(problem: &BeamProblem, first: &Solution, located: &Located) -> f64 {
+    if !problem.system.is_conservative() {
+        return 0.0;
     }
-    let mut segment = PathSegment::around(problem, points, after);
-    let label = segment.insert(s.clone());
-    works[after] + StepCurve::until(problem, &segment, label, s, ws).work()
+    let s = &located.solution;
+    let ahead = power(problem, s) * (located.observables.displacement - s.observables.displacement);
+    work_at(problem, first, s) + ahead
 }
 
 /// What more elements change of the works of a path.
@@ -107,6 +98,27 @@ pub(super) fn energy(problem: &BeamProblem, s: &Solution) -> f64 {
 }
 
 impl Peel {
+    /// Where the load has no potential: ∫ P du of every point and limit point. It takes solutions inside every step, longer than the path,
+    /// and so is done once, of the path that is reported. What came out too late may be of interpolants.
+    pub(super) fn integrate_works(&mut self, should_stop: Option<ShouldStop>) -> Option<PathFailure> {
+        let SolutionHistory { problem, points, limit_points: located, .. } = self.trace.as_ref()?;
+        if problem.system.is_conservative() {
+            return None;
+        }
+        let ws = &mut Workspace::until(should_stop);
+        let works = works_of_force(problem, points, ws);
+        for (point, work) in self.points.iter_mut().zip(&works) {
+            point.work = *work;
+        }
+        for (turn, solution) in self.limit_points.iter_mut().zip(located) {
+            let mut segment = PathSegment::around(problem, points, turn.after);
+            let label = segment.insert(solution.clone());
+            turn.work = works[turn.after] + StepCurve::until(problem, &segment, label, solution, ws).work();
+        }
+        self.tell_bounds();
+        ws.is_stopped().then_some(PathFailure::OutOfTime)
+    }
+
     /// ∫ P du from rest to `points[index]`, by quadrature, which knows nothing of energies, and the change of stored and adhesion
     /// energy on that way, both aJ; nothing where the path was not kept. They are equal where the load has a potential and the
     /// grip does not turn.

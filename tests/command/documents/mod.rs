@@ -8,6 +8,7 @@
 mod commands;
 #[cfg(unix)]
 mod console;
+mod dependencies;
 mod examples;
 mod links;
 mod messages;

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 pub(super) const TOPIC: Topic =
     Topic { name: "bounds", about: "error bounds against true errors on 200 randomly sampled scenes", checks };
 
-const TABLE: &str = include_str!("../../../../verification/bound_scenes.csv");
+const TABLE: &str = include_str!("../../verification/bound_scenes.csv");
 /// The scenes' accuracy: the default.
 const RELATIVE: f64 = 1e-6;
 const SOURCE: &str = "verification/bound_scenes.py: Chebyshev collocation of the strong form";

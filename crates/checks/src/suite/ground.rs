@@ -16,9 +16,9 @@ pub(super) const TOPIC: Topic = Topic {
     checks,
 };
 
-const TABLE: &str = include_str!("../../../../verification/rough.csv");
+const TABLE: &str = include_str!("../../verification/rough.csv");
 const SOURCE: &str = "verification/rough.py: scipy's solve_bvp on the strong form";
-const SPATULAE: &str = include_str!("../../../../verification/rough_spatula.csv");
+const SPATULAE: &str = include_str!("../../verification/rough_spatula.csv");
 const SPATULAE_SOURCE: &str = "verification/rough_spatula.py: scipy's solve_bvp on the strong form";
 /// The path of a strip as far as its first peak.
 const BOUNDS: StopCriteria = StopCriteria { points: 20_000, displacement: Some(5.0), should_stop: None };

@@ -82,7 +82,7 @@ pub fn read(table: &str) -> Vec<Row> {
 
 /// A number of verification/published.csv; NaN, which fails, where it is not there.
 pub fn published(quantity: &str) -> f64 {
-    let rows = read(include_str!("../../../../verification/published.csv"));
+    let rows = read(include_str!("../../verification/published.csv"));
     let row = rows.iter().find(|row| row.text("quantity") == Some(quantity));
     row.and_then(|row| row.number("value")).unwrap_or(f64::NAN)
 }

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 pub(super) const TOPIC: Topic =
     Topic { name: "space", about: "strips in space, and what a grip does before the pull: collocation", checks };
 
-const PEELS: &str = include_str!("../../../../verification/space_peels.csv");
+const PEELS: &str = include_str!("../../verification/space_peels.csv");
 const COLLOCATION: &str = "verification/space_peels.py: Gauss collocation";
 const ASKED: f64 = 1e-6;
 /// The first folds lie before that point.

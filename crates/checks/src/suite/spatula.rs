@@ -16,27 +16,27 @@ pub(super) const TOPIC: Topic = Topic {
     checks,
 };
 
-const TABLE: &str = include_str!("../../../../verification/spatula.csv");
-const PROFILES: &str = include_str!("../../../../verification/profile.csv");
+const TABLE: &str = include_str!("../../verification/spatula.csv");
+const PROFILES: &str = include_str!("../../verification/profile.csv");
 /// The tables of those beams, by name.
 const TABLES: [(&str, &str); 3] = [
-    ("taper", include_str!("../../../../verification/profiles/taper.csv")),
-    ("curved", include_str!("../../../../verification/profiles/curved.csv")),
-    ("spatula", include_str!("../../../../verification/profiles/spatula.csv")),
+    ("taper", include_str!("../../verification/profiles/taper.csv")),
+    ("curved", include_str!("../../verification/profiles/curved.csv")),
+    ("spatula", include_str!("../../verification/profiles/spatula.csv")),
 ];
-const PIECE_BEAMS: &str = include_str!("../../../../verification/piece_beams.csv");
+const PIECE_BEAMS: &str = include_str!("../../verification/piece_beams.csv");
 /// The lists of pieces of those, by name; of the last one, a spatula, the numbers stand with the spatulae.
 const LISTS: [(&str, &str); 5] = [
-    ("stepped", include_str!("../../../../verification/profiles/stepped.csv")),
-    ("raised", include_str!("../../../../verification/profiles/raised.csv")),
-    ("wedge", include_str!("../../../../verification/profiles/wedge.csv")),
-    ("lobe", include_str!("../../../../verification/profiles/lobe.csv")),
-    (NECK, include_str!("../../../../verification/profiles/neck.csv")),
+    ("stepped", include_str!("../../verification/profiles/stepped.csv")),
+    ("raised", include_str!("../../verification/profiles/raised.csv")),
+    ("wedge", include_str!("../../verification/profiles/wedge.csv")),
+    ("lobe", include_str!("../../verification/profiles/lobe.csv")),
+    (NECK, include_str!("../../verification/profiles/neck.csv")),
 ];
 const NECK: &str = "neck";
 /// The spatula that bends where its neck is, so that three pieces are the same.
 const NECK_CASE: &str = "neck_length=50";
-const CURVE: &str = include_str!("../../../../verification/spatula_curve.csv");
+const CURVE: &str = include_str!("../../verification/spatula_curve.csv");
 const SOURCE: &str = "verification/spatula.py: collocation of the strong form";
 /// The accuracy of the table's spatulae: the default.
 const RELATIVE: f64 = 1e-6;

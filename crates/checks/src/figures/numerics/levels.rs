@@ -117,7 +117,7 @@ fn measured(resolution: f64, level: &Level) -> Measured {
 
 /// Force and moment of the independent table; NaN where it has no such row.
 fn truth() -> (f64, f64) {
-    let rows = reference::read(include_str!("../../../../../verification/pieces.csv"));
+    let rows = reference::read(include_str!("../../../verification/pieces.csv"));
     let row = rows
         .iter()
         .find(|row| row.number("tilt_deg") == Some(DEGREES) && row.number("corner_gap_nm") == Some(PIECE.gap));

@@ -21,7 +21,7 @@ pub(in crate::figures) const PEELS: usize = 13 + 15;
 /// A time is the least of so many.
 const REPEATS: usize = 7;
 
-const OTHERS: &str = include_str!("../../../../../verification/solve_bvp.csv");
+const OTHERS: &str = include_str!("../../../verification/solve_bvp.csv");
 /// AUTO-07p, the whole path: error and CPU time in s, measured apart on a machine of this kind.
 const AUTO: [(f64, f64); 2] = [(7e-8, 0.19), (2e-10, 0.47)];
 

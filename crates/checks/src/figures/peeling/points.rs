@@ -11,7 +11,7 @@ use peelkit_report::pictures::sweep::{
 use peelkit_report::{ReportError, SweepRow};
 use std::path::Path;
 
-const POINTS: &str = include_str!("../../../../../verification/strip_points.csv");
+const POINTS: &str = include_str!("../../../verification/strip_points.csv");
 
 /// A line load: its name in the table, its name in the legend, colour and width of its curves, the sweep behind them.
 struct Load<'a> {

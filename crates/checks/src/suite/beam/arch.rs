@@ -9,8 +9,8 @@ use peelkit::solve::{LimitPointKind, PathOptions, Solution, controlled};
 use peelkit::study::{RodLimitPoint, RodPath, follow_rod};
 
 /// Limit points, and points of the paths.
-const TURNS: &str = include_str!("../../../../../verification/arch_turns.csv");
-pub(crate) const CURVE: &str = include_str!("../../../../../verification/arch_curve.csv");
+const TURNS: &str = include_str!("../../../verification/arch_turns.csv");
+pub(crate) const CURVE: &str = include_str!("../../../verification/arch_curve.csv");
 
 /// Where a path ends: beyond the last point of the table.
 const FAR: f64 = 2.3;

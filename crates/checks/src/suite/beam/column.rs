@@ -78,7 +78,7 @@ type Observed = (&'static str, &'static str, fn(&Solution) -> f64);
 
 /// The inextensible column on two hinges beyond its Euler load.
 fn elastica() -> Vec<Check> {
-    let rows = reference::read(include_str!("../../../../../verification/elastica_column.csv"));
+    let rows = reference::read(include_str!("../../../verification/elastica_column.csv"));
     let degrees: Vec<f64> = rows.iter().filter_map(|row| row.number("end_rotation_degrees")).collect();
     let found = buckled_columns(&degrees);
     let observed: [Observed; 3] = [

@@ -18,7 +18,7 @@ pub(super) fn checks() -> Vec<Check> {
 
 /// Under P L²/EI up to 16 against elliptic integrals.
 fn inextensible() -> Vec<Check> {
-    let rows = reference::read(include_str!("../../../../../verification/elastica_cantilever.csv"));
+    let rows = reference::read(include_str!("../../../verification/elastica_cantilever.csv"));
     let loads: Vec<f64> = rows.iter().filter_map(|row| row.number("load")).collect();
     let found = under_control(&cantilever(STIFF, STIFF, Drive::Y), 7, 6, FORCE, &loads);
     let mut checks = Vec::new();
@@ -51,7 +51,7 @@ pub(super) fn cantilever_of(row: &Row) -> (RodModel, f64) {
 
 /// The table made by shooting.
 pub(super) fn table() -> Vec<Row> {
-    reference::read(include_str!("../../../../../verification/cantilever.csv"))
+    reference::read(include_str!("../../../verification/cantilever.csv"))
 }
 
 /// Rods that stretch, shear and are curved at rest.

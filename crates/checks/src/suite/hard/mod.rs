@@ -19,7 +19,7 @@ use rayon::prelude::*;
 /// The name under which the checks are reported.
 const NAME: &str = "hard";
 
-const TABLE: &str = include_str!("../../../../../verification/hard_scenes.csv");
+const TABLE: &str = include_str!("../../../verification/hard_scenes.csv");
 const SOURCE: &str = "verification/hard_scenes.py: Chebyshev collocation of the strong form";
 /// Two numbers of a scene are the same within this.
 const SAME: f64 = 1e-12;

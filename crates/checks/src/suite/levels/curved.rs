@@ -9,13 +9,13 @@ const SOURCE: &str = "verification/curved_bodies.py: eq. (1) over the body";
 
 pub(super) fn checks() -> Vec<Check> {
     let mut checks = Vec::new();
-    for row in read(include_str!("../../../../../verification/curved_bodies.csv")) {
+    for row in read(include_str!("../../../verification/curved_bodies.csv")) {
         let (radius, gap) = (cell(&row, "radius_nm"), cell(&row, "gap_nm"));
         if [1.0, 8.0, 100.0].contains(&radius) && [0.4, 1.0].contains(&gap) {
             checks.extend(forces(&row));
         }
     }
-    read(include_str!("../../../../../verification/curved_radius.csv")).iter().for_each(|row| checks.push(needed(row)));
+    read(include_str!("../../../verification/curved_radius.csv")).iter().for_each(|row| checks.push(needed(row)));
     checks
 }
 

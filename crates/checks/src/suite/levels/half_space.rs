@@ -11,13 +11,9 @@ const CUBES: &str = "verification/pair_to_half_space.py";
 
 pub(super) fn checks() -> Vec<Check> {
     let mut checks = hamaker();
-    read(include_str!("../../../../../verification/half_space.csv"))
-        .iter()
-        .for_each(|row| checks.extend(half_space(row)));
-    read(include_str!("../../../../../verification/body_force_range.csv"))
-        .iter()
-        .for_each(|row| checks.push(range(row)));
-    read(include_str!("../../../../../verification/cubes.csv")).iter().for_each(|row| checks.extend(cubes(row)));
+    read(include_str!("../../../verification/half_space.csv")).iter().for_each(|row| checks.extend(half_space(row)));
+    read(include_str!("../../../verification/body_force_range.csv")).iter().for_each(|row| checks.push(range(row)));
+    read(include_str!("../../../verification/cubes.csv")).iter().for_each(|row| checks.extend(cubes(row)));
     checks
 }
 

@@ -14,17 +14,17 @@ const CUTOFF: f64 = 40.0;
 
 pub(super) fn checks() -> Vec<Check> {
     let mut checks = Vec::new();
-    for row in read(include_str!("../../../../../verification/lattice_half_space.csv")) {
+    for row in read(include_str!("../../../verification/lattice_half_space.csv")) {
         if [0.64, 1.0, 2.0].contains(&cell(&row, "gap_over_spacing")) {
             checks.extend(endless(&row));
         }
     }
-    for row in read(include_str!("../../../../../verification/lattice_contact.csv")) {
+    for row in read(include_str!("../../../verification/lattice_contact.csv")) {
         if cell(&row, "spacing_over_r0") == 0.25 {
             checks.extend(contact(&row));
         }
     }
-    for row in read(include_str!("../../../../../verification/piece_of_atoms.csv")) {
+    for row in read(include_str!("../../../verification/piece_of_atoms.csv")) {
         if cell(&row, "spacing_nm") >= 0.2 && cell(&row, "tilt_deg") != 70.0 {
             checks.extend(piece(&row));
         }

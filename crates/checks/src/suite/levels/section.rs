@@ -11,12 +11,12 @@ const HEIGHT: f64 = 10.0;
 
 pub(super) fn checks() -> Vec<Check> {
     let mut checks = Vec::new();
-    for row in read(include_str!("../../../../../verification/sections.csv")) {
+    for row in read(include_str!("../../../verification/sections.csv")) {
         if cell(&row, "lowest_gap_nm") == 0.4 {
             checks.extend(section(&row));
         }
     }
-    for row in read(include_str!("../../../../../verification/pieces.csv")) {
+    for row in read(include_str!("../../../verification/pieces.csv")) {
         if cell(&row, "corner_gap_nm") == 0.4 && [5.0, 20.0].contains(&cell(&row, "tilt_deg")) {
             checks.extend(piece(&row));
         }

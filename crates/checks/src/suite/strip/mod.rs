@@ -15,7 +15,7 @@ pub(super) const TOPIC: Topic = Topic {
     checks,
 };
 
-const POINTS: &str = include_str!("../../../../../verification/strip_points.csv");
+const POINTS: &str = include_str!("../../../verification/strip_points.csv");
 
 fn checks() -> Vec<Check> {
     let whole = Case::all(POINTS, |_| None);

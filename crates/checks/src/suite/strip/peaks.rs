@@ -6,7 +6,7 @@ use crate::suite::reference::{self, Row, published};
 use peelkit::adhesion::LineLoad;
 use peelkit::study::power_law;
 
-const PEAKS: &str = include_str!("../../../../../verification/strip_peaks.csv");
+const PEAKS: &str = include_str!("../../../verification/strip_peaks.csv");
 
 /// EI/EI0 between which a shear-rigid strip of 1000 nm follows EI^(1/4): above, it feels its other end; below, the moment
 /// of the adhesion.

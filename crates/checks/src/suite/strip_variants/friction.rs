@@ -7,7 +7,7 @@ pub(in crate::suite) const TOPIC: Topic =
     Topic { name: "friction", about: "strips with friction along the substrate: collocation", checks };
 
 const TABLE: Turns = Turns {
-    table: include_str!("../../../../../verification/friction.csv"),
+    table: include_str!("../../../verification/friction.csv"),
     source: "verification/friction.py: collocation",
     named: &[
         ("tau0_GPa", "τ0 = ", " GPa"),

@@ -16,7 +16,7 @@ pub(in crate::suite) const TOPIC: Topic = Topic {
 };
 
 const TABLE: Turns = Turns {
-    table: include_str!("../../../../../verification/laws.csv"),
+    table: include_str!("../../../verification/laws.csv"),
     source: "verification/laws.py: collocation",
     named: &[
         ("law", "", ""),

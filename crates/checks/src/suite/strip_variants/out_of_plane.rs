@@ -12,7 +12,7 @@ pub(in crate::suite) const TOPIC: Topic = Topic {
     checks,
 };
 
-const LOSSES: &str = include_str!("../../../../../verification/out_of_plane.csv");
+const LOSSES: &str = include_str!("../../../verification/out_of_plane.csv");
 const SHOOTING: &str = "verification/out_of_plane.py: shooting";
 const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 /// Asked for, and allowed.

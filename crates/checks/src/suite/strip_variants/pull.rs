@@ -15,7 +15,7 @@ pub(in crate::suite) const TOPIC: Topic = Topic {
 };
 
 const TABLE: Turns = Turns {
-    table: include_str!("../../../../../verification/pull_angle.csv"),
+    table: include_str!("../../../verification/pull_angle.csv"),
     source: "verification/pull_angle.py: collocation",
     named: &[
         ("pull_angle_deg", "", " degrees"),
@@ -28,7 +28,7 @@ const TABLE: Turns = Turns {
 };
 const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 const STRETCHED: Turns = Turns {
-    table: include_str!("../../../../../verification/pretension.csv"),
+    table: include_str!("../../../verification/pretension.csv"),
     source: "verification/pretension.py: collocation",
     named: &[
         ("pretension_nN", "pretension ", " nN"),
@@ -40,7 +40,7 @@ const STRETCHED: Turns = Turns {
     ],
 };
 const TURNED: Turns = Turns {
-    table: include_str!("../../../../../verification/turned_grip.csv"),
+    table: include_str!("../../../verification/turned_grip.csv"),
     source: "verification/turned_grip.py: collocation",
     named: &[
         ("grip_turned_deg", "grip rotated by ", " degrees"),
