@@ -6,6 +6,7 @@ lengths in nm, forces in nN, works in aJ, rotations in rad.
 """
 
 from ._native import SCHEMA, VERSION as __version__
+from ._sweep import read_sweep, sweep
 from .curve import Curve
 from .errors import ComputationError, ComputationWarning, PeelkitError, SceneError
 from .peel import Peel
@@ -25,4 +26,6 @@ __all__ = [
     "Scene",
     "SceneError",
     "__version__",
+    "read_sweep",
+    "sweep",
 ]
