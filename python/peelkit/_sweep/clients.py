@@ -93,9 +93,9 @@ def _result(future: Future[Table]) -> Table:
 
 def _on_dask(client: Client, work: Work, batches: Iterator[Batch]) -> Iterator[tuple[Batch, Table]]:
     """Batches of a worker that is lost are computed by another one: dask sees to that."""
-    from distributed import as_completed
+    from distributed import KilledWorker, as_completed
 
-    running: dict[Any, Batch] = {}
+    running: dict[Any, tuple[Batch, Any]] = {}
     done = as_completed(with_results=True)
     window, looked = 0, float("-inf")
     try:
@@ -109,7 +109,13 @@ def _on_dask(client: Client, work: Work, batches: Iterator[Batch]) -> Iterator[t
                 done.add(future)
             if not running:
                 return
-            future, found = next(done)
+            try:
+                future, found = next(done)
+            except KilledWorker as error:
+                raise PeelkitError(
+                    f"the cluster has lost every worker that began a batch: {error}",
+                    "Look into the logs of the workers: memory, most likely. With store=... the sweep goes on where it stopped.",
+                ) from error
             batch, _ = running.pop(future.key)
             future.release()
             yield batch, found

@@ -91,15 +91,16 @@ COLUMNS: tuple[Column, ...] = _columns()
 
 def row_of(peel: Peel) -> Row:
     """The row of a peel; of one that failed the numbers that it has not are NaN."""
-    summary = peel.summary()
+    # not the copy that `summary()` makes
+    summary = peel._summary
     row = _empty(peel.end)
     for key, name, _ in _PLACES:
         found = summary[key]
         if found is not None:
             _fill(row, name, found)
-    work = None if summary["snap_off"] is None else summary["snap_off"]
-    if work is not None:
-        row["work"], row["work_error"], row["work_to"] = _number(work, "work_aJ"), _number(work, "error_aJ"), "first jump"
+    jump = summary["snap_off"]
+    if jump is not None:
+        row["work"], row["work_error"], row["work_to"] = _number(jump, "work_aJ"), _number(jump, "error_aJ"), "first jump"
     elif len(peel.curve.work):
         row["work"], row["work_to"] = float(peel.curve.work[-1]), "end of path"
     if summary["largest_computed_force"] is not None:

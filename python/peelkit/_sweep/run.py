@@ -29,7 +29,7 @@ __all__ = ["read_sweep", "sweep"]
 #: What a batch should take, s: a hundred times what it costs to hand it to a worker and to keep it.
 BATCH_SECONDS = 1.0
 #: Batches for each core at least, so that all end at about the same time.
-BATCHES_PER_CORE = 4
+BATCHES_PER_CORE = 16
 
 
 def sweep(
