@@ -139,7 +139,7 @@ class Scene:
         return self._native.title
 
     def to_toml(self) -> str:
-        """Return every key with its value, defaults among them, as a text that reads as the same scene to the last bit."""
+        """Return every key with its value as a text that reads as the same scene, to the last bit."""
         return self._native.to_toml()
 
     def run(self) -> Peel:

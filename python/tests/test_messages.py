@@ -1,7 +1,7 @@
 """What is wrong with a scene is an exception with the key, the value and what would be right.
 
-Reference: the messages of the command. Expected: the same words, the place where a file was read, and the parts of the
-message as attributes, also behind a pickle.
+Reference: the messages of the command. Expected: the same words, the place where a file was read, and the
+parts of the message as attributes, also behind a pickle.
 """
 
 import pickle
