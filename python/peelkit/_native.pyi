@@ -2,10 +2,36 @@
 
 from typing import final
 
+__all__ = [
+    "SCHEMA",
+    "VERSION",
+    "Path",
+    "Peel",
+    "Scene",
+    "State",
+    "Test",
+    "fit",
+    "keys",
+    "optimise",
+    "path",
+    "sensitivities",
+    "takes",
+    "test",
+    "uncertainty",
+]
+
 VERSION: str
 SCHEMA: int
 
 def keys() -> list[tuple[str, str]]: ...
+def takes(path: str, text: str) -> bool: ...
+def test(scene: Scene) -> Test: ...
+def sensitivities(peel: Peel) -> tuple[list[tuple[str, str, float, float]], list[tuple[str, str]]]: ...
+def path(scene: Scene, elements: int, step_tolerance: float) -> Path: ...
+def optimise(scene: Scene) -> tuple[str, str | None]: ...
+def fit(scene: Scene, file: str, points: list[tuple[float, float, float | None]] | None) -> tuple[str, str]: ...
+def uncertainty(scene: Scene) -> tuple[str, int]: ...
+
 @final
 class Scene:
     def __new__(cls, name: str, text: str, overrides: list[tuple[str, str]]) -> Scene: ...
@@ -17,12 +43,39 @@ class Scene:
     def title(self) -> str: ...
     def to_toml(self) -> str: ...
     def run(self) -> Peel: ...
+
 @final
 class Peel:
     def __new__(cls, scene: Scene, kept: bytes) -> Peel: ...
     def kept(self) -> bytes: ...
     @property
     def scene(self) -> Scene: ...
+    @property
+    def end(self) -> str: ...
+    @property
+    def reason(self) -> str | None: ...
     def summary(self) -> str: ...
     def curve(self) -> tuple[dict[str, bytearray], dict[str, bytearray]]: ...
     def dense_curve(self, per_step: int) -> list[bytearray]: ...
+    def states(self, count: int) -> list[State]: ...
+    def svg(self) -> str: ...
+
+@final
+class State:
+    displacement: float
+    force: float
+    limit_point: str | None
+    path_position: float
+    fields: dict[str, bytearray]
+
+@final
+class Test:
+    summary: str
+    numbers: dict[str, bytearray]
+    jump: bytearray
+    branch: list[str]
+    adheres: list[str]
+
+@final
+class Path:
+    def advance(self) -> tuple[float, float, float, int, int, int] | None: ...

@@ -34,6 +34,11 @@ def value_text(key: str, value: Any) -> str:
         A bare number of a key with a unit is in the unit that ``peel keys`` lists.
     """
     unit = units().get(key, "")
+    if _is_quantity(value):
+        written = _written(value)
+        # the unit of the quantity itself rounds nothing
+        if unit and _native.takes(key, written):
+            return _quoted(written)
     number = _number(key, value, unit)
     if number is None:
         return _nested(key, value)
@@ -56,7 +61,7 @@ def table_text(tables: Mapping[str, Any]) -> str:
 
 def _number(key: str, value: Any, unit: str) -> bool | int | float | None:
     """The number that a value is, in the unit of its key; None where it is no number."""
-    if hasattr(value, "magnitude") and hasattr(value, "units"):
+    if _is_quantity(value):
         return _in_unit(key, value, unit)
     if type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0:
         value = value.item()
@@ -67,10 +72,18 @@ def _number(key: str, value: Any, unit: str) -> bool | int | float | None:
     return None
 
 
+def _is_quantity(value: Any) -> bool:
+    """Whether it is a quantity of pint."""
+    return hasattr(value, "magnitude") and hasattr(value, "units")
+
+
+def _written(quantity: Any) -> str:
+    """A quantity in its own unit."""
+    return f"{float(quantity.magnitude)!r} {quantity.units:~P}"
+
+
 def _in_unit(key: str, quantity: Any, unit: str) -> float:
     """The magnitude of a quantity of pint in the unit of a key."""
-    if quantity.units == quantity._REGISTRY.Unit(unit):
-        return float(quantity.magnitude)
     try:
         return float(quantity.to(unit).magnitude)
     except Exception as error:
@@ -103,8 +116,8 @@ def _nested(key: str, value: Any) -> str:
 
 def _item(key: str, value: Any) -> str:
     """A value inside a list or a table: what it measures stands in its text."""
-    if hasattr(value, "magnitude") and hasattr(value, "units"):
-        return _quoted(f"{float(value.magnitude)!r} {value.units:~P}")
+    if _is_quantity(value):
+        return _quoted(_written(value))
     number = _number(key, value, "")
     return _nested(key, value) if number is None else _plain(key, number)
 

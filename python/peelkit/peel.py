@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from . import _native, curve
 from .curve import Curve
-from .errors import ComputationError
+from .errors import ComputationError, PeelkitError
 from .points import LimitPoint, Peak, Plateau
+from .sensitivity import Sensitivity, of_peel
+from .state import State
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -52,14 +54,12 @@ class Peel:
     @property
     def end(self) -> str:
         """How the path ends: ``"detached"``, ``"pivoting"``, ``"turned-back"``, ``"bound"``, ``"failed"``, ..."""
-        end: str = self._summary["end"]
-        return end
+        return self._native.end
 
     @property
     def reason(self) -> str | None:
         """Why it ends, of the ends ``"bound"`` and ``"failed"``."""
-        reason: str | None = self._summary["reason"]
-        return reason
+        return self._native.reason
 
     def raise_for_failure(self) -> None:
         """Raise where the computation stopped short.
@@ -121,6 +121,36 @@ class Peel:
         """Where the model is not to be trusted, in words; `summary()` has the codes and numbers."""
         return [warning["meaning"] for warning in self._summary["warnings"]]
 
+    def states(self, count: int = 0) -> list[State]:
+        """Return the fields along the beam at every limit point and at places evenly along the path.
+
+        Parameters
+        ----------
+        count : int, optional
+            How many places, the two ends of the path among them.
+
+        Returns
+        -------
+        list of State
+            In the order of the path: what ``peel run --states`` writes. A result that was pickled runs its scene again
+            for it, once.
+        """
+        if not 0 <= count <= 1000:
+            raise PeelkitError(f"`count` is {count}, which is out of range", "Give 0 to 1000 places.")
+        return [State._of(state) for state in self._native.states(count)]
+
+    def sensitivities(self) -> list[Sensitivity]:
+        """Return by which power of each number of the scene the results change, as ``peel run --sensitivities`` does.
+
+        Raises
+        ------
+        SceneError
+            Where there are none: with friction, and where terms were left out.
+        ComputationError
+            Where they could not be computed.
+        """
+        return of_peel(self._native)
+
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
         """Plot the force against the displacement; what is unstable under displacement control is dashed.
 
@@ -139,6 +169,10 @@ class Peel:
         from . import plotting
 
         return plotting.curve(self, ax, style)
+
+    def _repr_svg_(self) -> str | None:
+        """The picture of a notebook: the curve with its limit points, as ``peel run`` draws it."""
+        return self._native.svg() if len(self.curve.displacement) > 1 else None
 
     def __reduce__(self) -> tuple[Any, ...]:
         """The scene and every bit of the result."""

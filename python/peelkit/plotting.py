@@ -9,20 +9,39 @@ import numpy as np
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from .observed import Test
     from .peel import Peel
 
-__all__ = ["curve"]
+__all__ = ["curve", "test"]
 
 # intervals between two path points
 _INTERVALS = 8
 
 
-def curve(peel: Peel, ax: Axes | None, style: dict[str, Any]) -> Axes:
-    """The force against the displacement, stable parts solid and unstable ones dashed, with the peak."""
+def _axes(ax: Axes | None) -> Axes:
     if ax is None:
         import matplotlib.pyplot as plt
 
         ax = plt.gca()
+    return ax
+
+
+def test(test: Test, ax: Axes | None, style: dict[str, Any]) -> Axes:
+    """The force against the displacement of the machine."""
+    ax = _axes(ax)
+    style = dict(style)
+    for branch, dash in [("retreat", "-"), ("approach", ":")]:
+        on = test.branch == branch
+        (line,) = ax.plot(test.machine_displacement[on], test.force[on], **{"linestyle": dash, **style})
+        style = {**style, "color": line.get_color(), "label": "_nolegend_"}
+    ax.set_xlabel("displacement of the machine (nm)")
+    ax.set_ylabel("force P (nN)")
+    return ax
+
+
+def curve(peel: Peel, ax: Axes | None, style: dict[str, Any]) -> Axes:
+    """The force against the displacement, stable parts solid and unstable ones dashed."""
+    ax = _axes(ax)
     displacement, force, negative = peel._native.dense_curve(_INTERVALS)
     u, p = np.frombuffer(displacement), np.frombuffer(force)
     unstable = np.frombuffer(negative, dtype=np.int64) > 0

@@ -9,9 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from . import _native
+from ._native import Scene as NativeScene
 from ._toml import table_text, value_text
 from .errors import ComputationWarning, SceneError
+from .observed import Test
+from .path import Path as EquilibriumPath
 from .peel import Peel
+from .sensitivity import Sensitivity
 
 __all__ = ["Scene"]
 
@@ -46,7 +50,7 @@ class Scene:
 
     __slots__ = ("_native",)
 
-    _native: _native.Scene
+    _native: NativeScene
 
     def __init__(self, **tables: Any) -> None:
         text = table_text(tables)
@@ -57,7 +61,7 @@ class Scene:
             raise SceneError(error.found, error.remedy, error.key, error.value) from None
 
     @classmethod
-    def _of(cls, native: _native.Scene) -> Scene:
+    def _of(cls, native: NativeScene) -> Scene:
         scene = cls.__new__(cls)
         scene._native = native
         return scene
@@ -135,7 +139,7 @@ class Scene:
         return self._native.title
 
     def to_toml(self) -> str:
-        """Return every key with its value, defaults among them, as a text that reads as the same scene to the last bit."""
+        """Return every key with its value as a text that reads as the same scene, to the last bit."""
         return self._native.to_toml()
 
     def run(self) -> Peel:
@@ -157,6 +161,64 @@ class Scene:
         if peel.end == "failed":
             warnings.warn(f"the computation stopped short: {peel.reason}", ComputationWarning, stacklevel=2)
         return peel
+
+    def test(self) -> Test:
+        """Compute what a machine that holds the displacement would record, as ``peel run --observed`` does.
+
+        Raises
+        ------
+        SceneError
+            Where the scene has no such test: with friction, say.
+
+        Warns
+        -----
+        ComputationWarning
+            Where it stopped short.
+        """
+        test = Test._of(_native.test(self._native))
+        if test.end == "failed":
+            reason = test.summary()["reason"]
+            warnings.warn(f"the test stopped short: {reason}", ComputationWarning, stacklevel=2)
+        return test
+
+    def sensitivities(self) -> list[Sensitivity]:
+        """Run the scene, and return by which power of each of its numbers the results change.
+
+        The same as ``scene.run().sensitivities()``.
+        """
+        return self.run().sensitivities()
+
+    def path(self, elements: int = 16, step_tolerance: float = 1.2e-2) -> EquilibriumPath:
+        """Return the path of equilibria as an iterator that computes a point when it is asked for one.
+
+        Parameters
+        ----------
+        elements : int, optional
+            Of the mesh.
+        step_tolerance : float, optional
+            Error wanted of the prediction of a step, over the equilibrium gap: the smaller, the shorter the steps.
+
+        Returns
+        -------
+        Path
+            Without end: leave the loop where enough is known.
+
+        Examples
+        --------
+        >>> import itertools, peelkit
+        >>> scene = peelkit.Scene(
+        ...     strip=dict(length="100 nm", height="10 nm", youngs_modulus="2 GPa"),
+        ...     adhesion=dict(hamaker_constant="1e-19 J", equilibrium_distance="0.4 nm"),
+        ... )
+        >>> lifted = itertools.takewhile(lambda at: at.displacement < 1.0, scene.path())
+        >>> max(at.force for at in lifted) > 0.3
+        True
+        """
+        if not 1 <= elements <= 100_000:
+            raise SceneError(f"`elements` is {elements}, which is out of range", "Give 1 to 100000 elements.")
+        if not 0.0 < step_tolerance <= 1.0:
+            raise SceneError(f"`step_tolerance` is {step_tolerance}, which is out of range", "Give above 0 to 1.")
+        return EquilibriumPath(_native.path(self._native, elements, step_tolerance))
 
     def __eq__(self, other: object) -> bool:
         """Whether every value is the same, wherever the two were read from."""

@@ -12,6 +12,16 @@ pub fn scene_error(py: Python, error: &SceneError) -> PyErr {
     raised(py, "SceneError", (error.problem(), error.remedy(), error.key(), error.value(), error.place()))
 }
 
+/// What cannot be computed of a scene that can be read, as `peelkit.SceneError` without a key.
+pub fn refused(py: Python, found: String, remedy: &str) -> PyErr {
+    raised(py, "SceneError", (found, remedy))
+}
+
+/// A computation that stopped short, as `peelkit.ComputationError`.
+pub fn computation_error(py: Python, reason: String) -> PyErr {
+    raised(py, "ComputationError", (format!("the computation stopped short: {reason}"),))
+}
+
 /// Anything else, as `peelkit.PeelkitError`.
 pub fn other(py: Python, found: String, remedy: &str) -> PyErr {
     raised(py, "PeelkitError", (found, remedy))

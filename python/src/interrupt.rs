@@ -3,6 +3,7 @@
 use peelkit::study::{StopCriteria, StopReason};
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
@@ -39,14 +40,48 @@ impl Watch {
     pub fn interrupted(&self) -> bool {
         let seen = &*self.0;
         if thread::current().id() == seen.caller && seen.is_time() {
-            // an interpreter that ends has nobody who would hear
-            let raised = Python::try_attach(|py| py.check_signals()).and_then(Result::err);
-            if let Some(error) = raised {
-                *seen.raised.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
-                seen.interrupted.store(true, Ordering::Relaxed);
-            }
+            self.look();
         }
         seen.interrupted.load(Ordering::Relaxed)
+    }
+
+    /// Waits for a message of another thread, which this one is to be told of; looks at the signals meanwhile. Nothing where a
+    /// signal handler has raised something, and where the other thread has ended.
+    pub fn wait<T>(&self, receiver: &Receiver<T>) -> Option<T> {
+        loop {
+            match receiver.recv_timeout(INTERVAL) {
+                Ok(found) => return Some(found),
+                Err(RecvTimeoutError::Disconnected) => return None,
+                Err(RecvTimeoutError::Timeout) => self.look(),
+            }
+            if self.0.interrupted.load(Ordering::Relaxed) {
+                return None;
+            }
+        }
+    }
+
+    /// What `work` finds, which computes in threads of its own and asks this watch whether to go on.
+    pub fn over<T: Send>(&self, work: impl FnOnce() -> T + Send) -> thread::Result<T> {
+        thread::scope(|scope| {
+            let (ended, end) = channel::<()>();
+            let worker = scope.spawn(move || {
+                let _ended = ended;
+                work()
+            });
+            // what it sends is its end alone; once interrupted it ends by itself
+            let _ = self.wait(&end);
+            worker.join()
+        })
+    }
+
+    /// Looks at the signals.
+    fn look(&self) {
+        // an interpreter that ends has nobody who would hear
+        let raised = Python::try_attach(|py| py.check_signals()).and_then(Result::err);
+        if let Some(error) = raised {
+            *self.0.raised.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
+            self.0.interrupted.store(true, Ordering::Relaxed);
+        }
     }
 
     /// Raises what a signal handler has raised.

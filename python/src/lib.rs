@@ -4,22 +4,37 @@
 
 #![warn(missing_docs)]
 
+mod analyses;
 mod columns;
 mod errors;
 mod interrupt;
 mod keys;
+mod path;
 mod peel;
 mod scene;
+mod sensitivities;
+mod states;
+mod test;
 
 /// The native module of the package.
 #[pyo3::pymodule(name = "_native")]
 mod native {
     #[pymodule_export]
-    use crate::keys::keys;
+    use crate::analyses::{fit, optimise, uncertainty};
+    #[pymodule_export]
+    use crate::keys::{keys, takes};
+    #[pymodule_export]
+    use crate::path::{NativePath, path};
     #[pymodule_export]
     use crate::peel::NativePeel;
     #[pymodule_export]
     use crate::scene::NativeScene;
+    #[pymodule_export]
+    use crate::sensitivities::sensitivities;
+    #[pymodule_export]
+    use crate::states::NativeState;
+    #[pymodule_export]
+    use crate::test::{NativeTest, test};
 
     /// Version of the program.
     #[pymodule_export]

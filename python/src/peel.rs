@@ -2,12 +2,17 @@
 
 use crate::columns::{COUNTS, IN_SPACE, NUMBERS, counts, floats};
 use crate::errors::other;
+use crate::interrupt::Watch;
 use crate::scene::{NativeScene, Source};
-use peelkit::study::Peel;
-use peelkit_report::{PeelSummary, VERSION};
+use crate::states::{self, NativeState};
+use peelkit::study::{self, PathEnd, Peel};
+use peelkit_report::pictures::peel::{captioned, curve, numbered_points};
+use peelkit_report::{PeelSummary, VERSION, end_reason, end_word};
+use peelkit_scene::BoundsTable;
 use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyBytes, PyDict};
 use serde::{Deserialize, Serialize};
+use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 /// The whole path of a scene with what was located on it.
@@ -18,6 +23,15 @@ pub struct NativePeel {
     solve_s: f64,
     /// summary.json, once it was asked for
     summary: OnceLock<String>,
+    solutions: Solutions,
+}
+
+/// The solutions behind the points of a path.
+enum Solutions {
+    /// Of the run itself
+    Computed,
+    /// Not kept: computed again where they are asked for
+    Dropped(OnceLock<Box<Peel>>),
 }
 
 /// What is kept of a result but its scene. The solutions behind the points are not: they follow from the scene.
@@ -32,7 +46,43 @@ struct Kept<P> {
 impl NativePeel {
     /// Of a run that took so many seconds.
     pub fn new(source: Arc<Source>, peel: Peel, solve_s: f64) -> Self {
-        Self { source, peel, solve_s, summary: OnceLock::new() }
+        Self { source, peel, solve_s, summary: OnceLock::new(), solutions: Solutions::Computed }
+    }
+
+    /// The scene that was run.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// The peel with the solutions behind its points: one that was stored is run again, which gives every bit of it.
+    pub fn with_solutions(&self, py: Python) -> PyResult<&Peel> {
+        let again = match &self.solutions {
+            Solutions::Computed => return Ok(&self.peel),
+            Solutions::Dropped(again) => again,
+        };
+        if let Some(peel) = again.get() {
+            return Ok(peel);
+        }
+        let peel = self.run_again(py)?;
+        Ok(again.get_or_init(|| Box::new(peel)))
+    }
+
+    fn run_again(&self, py: Python) -> PyResult<Peel> {
+        let (watch, scene) = (Watch::begin(), &self.source.scene);
+        // the points follow from the scene: time has only said where the path is left
+        let points = match self.peel.end {
+            PathEnd::Bound(study::Bound::Time { .. }) => self.peel.points.len(),
+            _ => scene.bounds.points,
+        };
+        let bounds = BoundsTable { points, time_s: None, ..scene.bounds };
+        let stop = watch.on(bounds.from_now());
+        let peel = py.detach(|| study::peel(&scene.model, &scene.accuracy, &stop));
+        watch.end()?;
+        if peel.points != self.peel.points {
+            let found = "the solutions behind a stored result are not known: its run was stopped, and another one goes elsewhere";
+            return Err(other(py, found.into(), "Run the scene again, with a larger `bounds.time`."));
+        }
+        Ok(peel)
     }
 
     fn summary_text(&self, py: Python) -> PyResult<&str> {
@@ -61,7 +111,8 @@ impl NativePeel {
         }
         let Kept { peel, solve_s, summary, .. } =
             postcard::from_bytes::<Kept<Peel>>(kept).map_err(|error| unreadable(error.to_string()))?;
-        Ok(Self { source: scene.source.clone(), peel, solve_s, summary: summary.into() })
+        let solutions = Solutions::Dropped(OnceLock::new());
+        Ok(Self { source: scene.source.clone(), peel, solve_s, summary: summary.into(), solutions })
     }
 
     /// The result as bytes, every bit of its numbers.
@@ -78,6 +129,18 @@ impl NativePeel {
     #[getter]
     fn scene(&self) -> NativeScene {
         NativeScene { source: self.source.clone() }
+    }
+
+    /// How the path ends, in a word.
+    #[getter]
+    fn end(&self) -> &'static str {
+        end_word(&self.peel.end)
+    }
+
+    /// Why it ends, of the ends `bound` and `failed`.
+    #[getter]
+    fn reason(&self) -> Option<String> {
+        end_reason(&self.peel.end)
     }
 
     /// The object of summary.json as text.
@@ -100,9 +163,26 @@ impl NativePeel {
         Ok((numbers, whole))
     }
 
+    /// The beam at every limit point and at `count` places evenly along the path.
+    fn states(&self, py: Python, count: usize) -> PyResult<Vec<NativeState>> {
+        let peel = self.with_solutions(py)?;
+        let states = py.detach(|| peel.states(count));
+        states.iter().map(|state| states::handed(py, state)).collect()
+    }
+
+    /// The picture of the curve as SVG.
+    fn svg(&self, py: Python) -> PyResult<String> {
+        let peel = self.with_solutions(py)?;
+        let title = captioned(peel, &self.source.scene.title);
+        let drawn = curve(peel, &numbered_points(peel), &title, Path::new("the curve"))
+            .map_err(|error| error.to_string())
+            .and_then(|picture| picture.svg().map_err(|error| error.to_string()));
+        drawn.map_err(|error| other(py, error, "Look at `end` and `reason` of the result."))
+    }
+
     /// Displacement, force and negative eigenvalues with intervals between the path points, for a picture.
     fn dense_curve<'py>(&self, py: Python<'py>, per_step: usize) -> PyResult<[Bound<'py, PyByteArray>; 3]> {
-        let curve = self.peel.dense_curve(per_step.max(1));
+        let curve = self.with_solutions(py)?.dense_curve(per_step.max(1));
         let (displacement, force) = (curve.iter().map(|at| at.0), curve.iter().map(|at| at.1));
         Ok([floats(py, displacement)?, floats(py, force)?, counts(py, curve.iter().map(|at| at.2))?])
     }
