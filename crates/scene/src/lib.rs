@@ -32,6 +32,7 @@ pub use fit::{FitTable, FittedKey};
 pub use key::{Key, Kind, Need, Setting};
 pub use keys::{KEYS, find_key, tables};
 pub use optimisation::{FreeKey, FreeProfile, OptimisationTable, VolumeRule};
+pub use parameters::Parameters;
 pub use peelkit::model::Range;
 pub use scene::{Scene, TableTexts};
 pub use uncertainty::{CorrelatedKeys, UncertainKey, UncertaintyTable};
