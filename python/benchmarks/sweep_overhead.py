@@ -62,7 +62,7 @@ def client(name):
     else:
         import distributed
 
-        options = dict(n_workers=WORKERS, threads_per_worker=1, processes=True, dashboard_address=None)
+        options = {"n_workers": WORKERS, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
         with distributed.LocalCluster(**options) as cluster, distributed.Client(cluster) as dask:
             yield dask
 
@@ -90,7 +90,9 @@ def batches(scene, name, client, count):
         wall, cpu = time.perf_counter(), time.process_time()
         assert sum(1 for _ in computed(client, nothing, many)) == number
         wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
-    print(f"a batch    {name:24} {1e3 * wall / number:9.3f} ms wall {1e3 * cpu / number:9.3f} ms CPU of the coordinator")
+    print(
+        f"a batch    {name:24} {1e3 * wall / number:9.3f} ms wall {1e3 * cpu / number:9.3f} ms CPU of the coordinator"
+    )
 
 
 def stores(scene, count):
@@ -99,13 +101,18 @@ def stores(scene, count):
     results = table([refused_row()] * CASES)
     for suffix in ("zarr", "parquet"):
         with tempfile.TemporaryDirectory() as folder:
-            store = open_store(Path(folder) / f"a.{suffix}", Plan("", "a", Grid.of(scene, {"strip.length": lengths[:1], "strip.height": lengths}), CASES))
+            store = open_store(
+                Path(folder) / f"a.{suffix}",
+                Plan("", "a", Grid.of(scene, {"strip.length": lengths[:1], "strip.height": lengths}), CASES),
+            )
             wall, cpu = time.perf_counter(), time.process_time()
             for index in range(count):
                 store.keep(index, results)
             wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
             size = sum(file.stat().st_size for file in Path(folder).rglob("*") if file.is_file()) / count / CASES
-        print(f"a batch    {suffix:24} {1e3 * wall / count:9.3f} ms wall {1e3 * cpu / count:9.3f} ms CPU, {size:.0f} bytes a case")
+        print(
+            f"a batch    {suffix:24} {1e3 * wall / count:9.3f} ms wall {1e3 * cpu / count:9.3f} ms CPU, {size:.0f} bytes a case"
+        )
 
 
 def cpu_seconds():

@@ -76,7 +76,7 @@ def test_every_message_is_in_the_chapter_on_trouble(root: Path) -> None:
         return re.sub(r"\s+", " ", text.replace("`", ""))
 
     chapter = plain((root / "docs/troubleshooting.md").read_text(encoding="utf-8"))
-    code = [path.read_text(encoding="utf-8") for path in sorted((root / "python/peelkit").glob("*.py"))]
+    code = [path.read_text(encoding="utf-8") for path in sorted((root / "python/peelkit").rglob("*.py"))]
     all_messages = [message for text in code for message in messages(text)]
     assert len(all_messages) > 12
     # what follows a colon or a semicolon explains

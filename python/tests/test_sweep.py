@@ -89,7 +89,15 @@ def test_the_table_of_the_command_is_the_same(scene, tmp_path):
     if peel is None:
         pytest.skip("the command peel is not there: name it in the variable PEEL")
     lengths = ["90", "100", "110.5"]
-    command = [peel, "sweep", SCENES / "strip-100nm.toml", "--vary", "strip.length", "--values", ",".join(lengths) + " nm"]
+    command = [
+        peel,
+        "sweep",
+        SCENES / "strip-100nm.toml",
+        "--vary",
+        "strip.length",
+        "--values",
+        ",".join(lengths) + " nm",
+    ]
     subprocess.run([*command, "--set", "accuracy.relative=1e-3", "--out", "out"], cwd=tmp_path, check=True)
     with open(tmp_path / "out/sweep.csv", newline="") as file:
         rows = list(csv.DictReader(file))
@@ -240,10 +248,10 @@ def test_a_cluster_loses_a_worker_and_gains_one(scene, tmp_path):
     varied = {"strip.length": np.linspace(90, 110, 150), "drive.angle": [80.0, 90.0]}
     reference = peelkit.sweep(scene, varied, ThreadPoolExecutor(1))
     store = tmp_path / "sweep.parquet"
-    options = dict(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None)
+    options = {"n_workers": 2, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
     with distributed.LocalCluster(**options) as cluster, distributed.Client(cluster) as client:
         first = set(client.scheduler_info(n_workers=-1)["workers"])
-        killed = [list(cluster.workers.values())[0].pid]
+        killed = [next(iter(cluster.workers.values())).pid]
 
         def disturb():
             _kill_when(store, 10, lambda: killed)

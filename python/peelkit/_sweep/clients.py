@@ -47,9 +47,11 @@ def computed(client: Executor | Client | None, work: Work, batches: Iterator[Bat
 
 def workers(client: Executor | Client | None) -> int:
     """How many batches are computed at a time."""
-    if client is not None and _is_dask(client):
-        return max(1, sum(client.ncores().values()))
-    return getattr(client, "_max_workers", None) or os.cpu_count() or 1
+    if client is not None and not isinstance(client, Executor) and _is_dask(client):
+        cores: dict[str, int] = client.ncores()
+        return max(1, sum(cores.values()))
+    known: int | None = getattr(client, "_max_workers", None)
+    return known or os.cpu_count() or 1
 
 
 def _is_dask(client: Any) -> bool:

@@ -100,7 +100,11 @@ def row_of(peel: Peel) -> Row:
             _fill(row, name, found)
     jump = summary["snap_off"]
     if jump is not None:
-        row["work"], row["work_error"], row["work_to"] = _number(jump, "work_aJ"), _number(jump, "error_aJ"), "first jump"
+        row["work"], row["work_error"], row["work_to"] = (
+            _number(jump, "work_aJ"),
+            _number(jump, "error_aJ"),
+            "first jump",
+        )
     elif len(peel.curve.work):
         row["work"], row["work_to"] = float(peel.curve.work[-1]), "end of path"
     if summary["largest_computed_force"] is not None:

@@ -121,12 +121,10 @@ def _value(key: str, value: Any, unit: str) -> Any:
             key,
             str(value),
         ) from None
-    return float(text_number(value_text(key, pint.get_application_registry()(text)), unit))
-
-
-def text_number(text: str, unit: str) -> float:
-    """The number of ``"5.0 nm"`` in quotes."""
-    return float(text.strip('"').removesuffix(unit))
+    # pint says nothing of its types here
+    units_of_pint: Any = pint
+    registry = units_of_pint.get_application_registry()
+    return float(value_text(key, registry(text)).strip('"').removesuffix(unit))
 
 
 def _parts(text: str) -> tuple[float | None, str]:

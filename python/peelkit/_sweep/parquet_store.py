@@ -55,7 +55,10 @@ class ParquetStore:
         start, stop = self.plan.span(index)
         columns = {"case": np.arange(start, stop), **self.plan.grid.columns(start, stop), **results}
         sink = pyarrow.BufferOutputStream()
-        arrays = {name: pyarrow.array(values.tolist() if values.dtype.kind == "U" else values) for name, values in columns.items()}
+        arrays = {
+            name: pyarrow.array(values.tolist() if values.dtype.kind == "U" else values)
+            for name, values in columns.items()
+        }
         pyarrow.parquet.write_table(pyarrow.table(arrays), sink)
         _write(self._file(index), sink.getvalue().to_pybytes())
 
