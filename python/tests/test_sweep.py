@@ -23,9 +23,11 @@ import signal
 import subprocess
 import threading
 import time
+from collections.abc import Callable
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -46,15 +48,15 @@ def scene() -> peelkit.Scene:
 
 
 @pytest.fixture(scope="module")
-def serial(scene):
+def serial(scene: peelkit.Scene) -> Any:
     return peelkit.sweep(scene, VARIED, ThreadPoolExecutor(1), batch=1)
 
 
-def assert_same(found, reference):
+def assert_same(found: Any, reference: Any) -> None:
     xarray.testing.assert_identical(found.drop_vars("solve_time"), reference.drop_vars("solve_time"))
 
 
-def test_every_case_is_the_run_of_its_scene(scene, serial):
+def test_every_case_is_the_run_of_its_scene(scene: peelkit.Scene, serial: Any) -> None:
     for modulus in MODULI:
         for angle in ANGLES:
             peel = scene.with_({"strip.youngs_modulus": modulus, "drive.angle": angle}).run()
@@ -68,7 +70,7 @@ def test_every_case_is_the_run_of_its_scene(scene, serial):
             assert row.end == peel.end
 
 
-def test_variables_have_units_and_error_bounds(serial):
+def test_variables_have_units_and_error_bounds(serial: Any) -> None:
     assert serial.peak_force.dims == ("strip.youngs_modulus", "drive.angle")
     assert serial.peak_force.attrs == {"units": "nN", "long_name": "force at the peak"}
     assert serial["strip.youngs_modulus"].attrs["units"] == "GPa"
@@ -77,27 +79,20 @@ def test_variables_have_units_and_error_bounds(serial):
     assert bool((serial.peak_force_error < 1e-3 * serial.peak_force).all())
 
 
-def test_threads_and_processes_give_the_same(scene, serial):
+def test_threads_and_processes_give_the_same(scene: peelkit.Scene, serial: Any) -> None:
     assert_same(peelkit.sweep(scene, VARIED), serial)
     assert_same(peelkit.sweep(scene, VARIED, ThreadPoolExecutor(3), batch=5), serial)
     with ProcessPoolExecutor(2, get_context("spawn")) as processes:
         assert_same(peelkit.sweep(scene, VARIED, processes, batch=4), serial)
 
 
-def test_the_table_of_the_command_is_the_same(scene, tmp_path):
-    peel = os.environ.get("PEEL", shutil.which("peel"))
+def test_the_table_of_the_command_is_the_same(scene: peelkit.Scene, tmp_path: Path) -> None:
+    peel = os.environ.get("PEELKIT_COMMAND", shutil.which("peel"))
     if peel is None:
-        pytest.skip("the command peel is not there: name it in the variable PEEL")
+        pytest.skip("the command peel is not there: name it in the variable PEELKIT_COMMAND")
     lengths = ["90", "100", "110.5"]
-    command = [
-        peel,
-        "sweep",
-        SCENES / "strip-100nm.toml",
-        "--vary",
-        "strip.length",
-        "--values",
-        ",".join(lengths) + " nm",
-    ]
+    scene_file, values = str(SCENES / "strip-100nm.toml"), ",".join(lengths) + " nm"
+    command = [str(Path(peel).resolve()), "sweep", scene_file, "--vary", "strip.length", "--values", values]
     subprocess.run([*command, "--set", "accuracy.relative=1e-3", "--out", "out"], cwd=tmp_path, check=True)
     with open(tmp_path / "out/sweep.csv", newline="") as file:
         rows = list(csv.DictReader(file))
@@ -117,7 +112,7 @@ def test_the_table_of_the_command_is_the_same(scene, tmp_path):
     assert list(found.end.values) == [row["end"] for row in rows]
 
 
-def test_values_are_numbers_texts_or_quantities(scene):
+def test_values_are_numbers_texts_or_quantities(scene: peelkit.Scene) -> None:
     heights = peelkit.sweep(scene, {"strip.height": ["9 nm", 10.0]})
     assert list(heights["strip.height"].values) == [9.0, 10.0]
     words = peelkit.sweep(scene, {"grip.rotation": ["free", "fixed"]})
@@ -127,8 +122,8 @@ def test_values_are_numbers_texts_or_quantities(scene):
     assert_same(peelkit.sweep(scene, {"strip.height": quantities}), heights)
 
 
-def test_what_is_no_sweep_is_refused(scene, tmp_path):
-    def refused(part, varied, **options):
+def test_what_is_no_sweep_is_refused(scene: peelkit.Scene, tmp_path: Path) -> None:
+    def refused(part: str, varied: dict[str, Any], **options: Any) -> None:
         with pytest.raises(peelkit.PeelkitError, match=part):
             peelkit.sweep(scene, varied, **options)
 
@@ -143,7 +138,7 @@ def test_what_is_no_sweep_is_refused(scene, tmp_path):
         peelkit.read_sweep(tmp_path / "none.zarr")
 
 
-def test_what_cannot_be_computed_is_a_row_with_its_end(scene):
+def test_what_cannot_be_computed_is_a_row_with_its_end(scene: peelkit.Scene) -> None:
     cut = peelkit.sweep(scene.with_("bounds.points", 5), {"strip.length": [100.0]})
     assert cut.end.item() == "bound" and np.isnan(cut.snap_off_force) and cut.work_to.item() == "end of path"
     # of two keys one value may be right only beside another
@@ -153,7 +148,7 @@ def test_what_cannot_be_computed_is_a_row_with_its_end(scene):
 
 
 @pytest.mark.parametrize("suffix", ["zarr", "parquet"])
-def test_a_store_gives_back_what_was_computed(scene, serial, tmp_path, suffix):
+def test_a_store_gives_back_what_was_computed(scene: peelkit.Scene, serial: Any, tmp_path: Path, suffix: str) -> None:
     store = tmp_path / f"sweep.{suffix}"
     found = peelkit.sweep(scene, VARIED, store=store, batch=4)
     assert_same(found, serial)
@@ -174,11 +169,12 @@ def test_a_store_gives_back_what_was_computed(scene, serial, tmp_path, suffix):
 class Interrupting(Executor):
     """Computes at once, and counts; interrupts as Ctrl-C does."""
 
-    def __init__(self, at=None):
-        self.at, self.starts = at, []
+    def __init__(self, at: int | None = None) -> None:
+        self.at = at
+        self.starts: list[int] = []
         self.inner = ThreadPoolExecutor(1)
 
-    def submit(self, work, batch):
+    def submit(self, work: Any, batch: Any) -> Any:  # type: ignore[override]
         if len(self.starts) == self.at:
             raise KeyboardInterrupt
         self.starts.append(batch.start)
@@ -188,7 +184,9 @@ class Interrupting(Executor):
 
 
 @pytest.mark.parametrize("suffix", ["zarr", "parquet"])
-def test_an_interrupted_sweep_computes_what_is_missing(scene, serial, tmp_path, suffix, monkeypatch):
+def test_an_interrupted_sweep_computes_what_is_missing(
+    scene: peelkit.Scene, serial: Any, tmp_path: Path, suffix: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(os, "cpu_count", lambda: 1)
     store = tmp_path / f"sweep.{suffix}"
     first, second = Interrupting(at=6), Interrupting()
@@ -201,12 +199,12 @@ def test_an_interrupted_sweep_computes_what_is_missing(scene, serial, tmp_path, 
 
 
 @pytest.mark.parametrize("suffix", ["zarr", "parquet"])
-def test_the_store_of_another_sweep_is_refused(scene, tmp_path, suffix):
+def test_the_store_of_another_sweep_is_refused(scene: peelkit.Scene, tmp_path: Path, suffix: str) -> None:
     store = tmp_path / f"sweep.{suffix}"
     few = {"strip.length": [90.0, 100.0]}
     peelkit.sweep(scene, few, store=store)
 
-    def refused(part, scene, varied):
+    def refused(part: str, scene: peelkit.Scene, varied: dict[str, Any]) -> None:
         with pytest.raises(peelkit.PeelkitError, match=part):
             peelkit.sweep(scene, varied, store=store)
 
@@ -221,11 +219,11 @@ def test_the_store_of_another_sweep_is_refused(scene, tmp_path, suffix):
     assert (tmp_path / f"mine.{suffix}" / "notes.txt").read_text() == "mine"
 
 
-def test_a_lost_process_is_said_and_what_was_done_is_kept(scene, tmp_path):
+def test_a_lost_process_is_said_and_what_was_done_is_kept(scene: peelkit.Scene, tmp_path: Path) -> None:
     store = tmp_path / "sweep.parquet"
     with ProcessPoolExecutor(1, get_context("spawn")) as processes:
         processes.submit(os.getpid).result()
-        killer = threading.Thread(target=_kill_when, args=(store, 3, lambda: list(processes._processes)))
+        killer = threading.Thread(target=_kill_when, args=(store, 3, lambda: list(processes._processes or {})))
         killer.start()
         with pytest.raises(peelkit.PeelkitError, match="lost a worker"):
             peelkit.sweep(scene, {"strip.length": np.linspace(90, 110, 200)}, processes, store=store, batch=2)
@@ -233,7 +231,7 @@ def test_a_lost_process_is_said_and_what_was_done_is_kept(scene, tmp_path):
     assert 6 <= (peelkit.read_sweep(store).end != "").sum() < 200
 
 
-def _kill_when(store, batches, pids):
+def _kill_when(store: Path, batches: int, pids: Callable[[], list[int]]) -> None:
     """Kills processes as soon as so many batches are in the store."""
     deadline = time.monotonic() + 120
     while len(list(store.glob("batch-*"))) < batches and time.monotonic() < deadline:
@@ -243,7 +241,7 @@ def _kill_when(store, batches, pids):
 
 
 @pytest.mark.filterwarnings("default")
-def test_a_cluster_loses_a_worker_and_gains_one(scene, tmp_path):
+def test_a_cluster_loses_a_worker_and_gains_one(scene: peelkit.Scene, tmp_path: Path) -> None:
     distributed = pytest.importorskip("distributed")
     varied = {"strip.length": np.linspace(90, 110, 150), "drive.angle": [80.0, 90.0]}
     reference = peelkit.sweep(scene, varied, ThreadPoolExecutor(1))
@@ -253,7 +251,7 @@ def test_a_cluster_loses_a_worker_and_gains_one(scene, tmp_path):
         first = set(client.scheduler_info(n_workers=-1)["workers"])
         killed = [next(iter(cluster.workers.values())).pid]
 
-        def disturb():
+        def disturb() -> None:
             _kill_when(store, 10, lambda: killed)
             cluster.scale(3)
 
