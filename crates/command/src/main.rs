@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod accuracy;
+mod collect;
 mod command_line;
 mod figures;
 mod fit;
@@ -40,6 +41,7 @@ struct Cli {
 enum Command {
     Run(run::Run),
     Sweep(sweep::Sweep),
+    Collect(collect::Collect),
     Optimise(optimise::Optimise),
     Fit(fit::Fit),
     Uncertainty(uncertainty::Uncertainty),
@@ -62,6 +64,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::Collect(args) => collect::collect(&args),
         Command::Optimise(args) => optimise::optimise(&args),
         Command::Fit(args) => fit::fit(&args),
         Command::Uncertainty(args) => uncertainty::uncertainty(&args),

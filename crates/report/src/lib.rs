@@ -25,12 +25,15 @@ mod tables;
 mod timing;
 
 pub use animation::{Pose, poses, write_animation};
-pub use checkpoint::{PartialOptimisation, PartialRun, PartialSweep, PartialUncertainty};
+pub use checkpoint::{
+    DividedSweep, Part, PartAxis, PartHeader, PartialCollection, PartialOptimisation, PartialRun, PartialSweep,
+    PartialUncertainty, SweepPart,
+};
 pub use error::ReportError;
 pub use file::write_whole;
 pub use fit_report::FitReport;
 pub use folder::{Existing, OutputFolder};
-pub use names::{end_reason, end_word, form_word, jump_word, test_end_reason, test_end_word};
+pub use names::{end_reason, end_word, form_word, jump_word, limit_point_kind_word, test_end_reason, test_end_word};
 pub use number::{Finite, to_json};
 pub use parameters_file::write_parameters;
 pub use pictures::{
@@ -39,8 +42,8 @@ pub use pictures::{
 };
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
 pub use summary::{
-    FitSummary, OptimisationSummary, PeelSummary, SCHEMA, SweepSummary, UncertaintySummary, VERSION, ground_warning,
-    left_out, why_kept,
+    FitSummary, ObservedSummary, OptimisationSummary, PeelSummary, SCHEMA, SweepSummary, UncertaintySummary, VERSION,
+    ground_warning, left_out, why_kept,
 };
 pub use sweep_row::SweepRow;
 pub use swept_keys::SweptKeys;

@@ -13,7 +13,10 @@ pub struct SceneError(Box<Message>);
 #[error("{message}")]
 struct Message {
     message: String,
-    statement: String,
+    /// What it is about: "`strip.length`", "[strip]", "the scene"
+    subject: String,
+    /// What stands at its place in the text
+    at: String,
     #[source_code]
     source_code: NamedSource<String>,
     #[label("{label}")]
@@ -29,9 +32,28 @@ impl SceneError {
         &self.0.remedy
     }
 
-    /// The message without its place: "`strip.length` is ...".
-    pub fn statement(&self) -> &str {
-        &self.0.statement
+    /// What is wrong, without where it stands: "`strip.length` is -1 nm, which is out of range".
+    pub fn problem(&self) -> String {
+        format!("{} {}", self.0.subject, self.0.label)
+    }
+
+    /// The file and the line where it stands: "strip.toml, line 4". Nothing of a `--set`.
+    pub fn place(&self) -> Option<&str> {
+        let before = self.0.message.strip_suffix(&self.problem())?.strip_suffix(": ")?;
+        (!before.starts_with("--set ")).then_some(before)
+    }
+
+    /// The key that it is about, or the table: `strip.length`, `strip`. Nothing where it is about the text as a whole.
+    pub fn key(&self) -> Option<&str> {
+        let named = |open, close| self.0.subject.strip_prefix(open)?.strip_suffix(close);
+        named('`', '`').or_else(|| named('[', ']'))
+    }
+
+    /// The value of that key as it was written, without its quotes. Nothing where it has none, as where the key itself is unknown.
+    pub fn value(&self) -> Option<&str> {
+        let key = self.key()?;
+        let is_name = key == self.0.at || key.rsplit('.').next() == Some(&self.0.at);
+        (!self.0.at.is_empty() && !is_name).then(|| self.0.at.trim_matches(['"', '\'']))
     }
 }
 
@@ -78,10 +100,12 @@ impl Origin<'_> {
             }
             Self::Override { text } => (format!("--set {}: {subject} {found}", one_line(text)), "--set", *text),
         };
+        let at = text.get(span.clone()).unwrap_or_default().trim().to_owned();
         let (excerpt, span) = excerpt(text, span);
         SceneError(Box::new(Message {
             message,
-            statement: format!("{subject} {found}"),
+            subject: subject.to_owned(),
+            at,
             source_code: NamedSource::new(name, excerpt),
             span: span.into(),
             label: found,

@@ -98,7 +98,7 @@ impl From<SceneError> for Refusal {
     fn from(error: SceneError) -> Self {
         let (message, remedy) = (error.to_string(), error.remedy().to_owned());
         // a control of the page has no line of a file
-        let found = if message.starts_with("--set ") { error.statement().to_owned() } else { message };
+        let found = if message.starts_with("--set ") { error.problem() } else { message };
         Self::Scene { found, remedy }
     }
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 const PATH: &str = "docs/troubleshooting.md";
 
 /// What a message begins behind.
-const MARKS: [&str; 7] = [
+const MARKS: [&str; 10] = [
     "#[error(",
     "ValueError::new(",
     "bad_input(",
@@ -14,12 +14,15 @@ const MARKS: [&str; 7] = [
     "Stop::other(",
     "OverlayError::new(path,",
     "OverlayError::new(&table,",
+    "refused(py,",
+    "computation_error(py,",
+    "other(py,",
 ];
 
 /// The files of the code, without those of tests.
 fn sources() -> Vec<PathBuf> {
     let mut folders: Vec<PathBuf> =
-        ["src", "crates/scene/src", "crates/report/src", "crates/serve/src", "crates/command/src"]
+        ["src", "crates/scene/src", "crates/report/src", "crates/serve/src", "crates/command/src", "python/src"]
             .map(super::place)
             .to_vec();
     let mut files = Vec::new();

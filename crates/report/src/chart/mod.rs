@@ -16,6 +16,7 @@ mod symbol;
 
 pub use axis::{Axis, significant};
 pub use canvas::{Dash, Stroke};
+pub use drawn::DrawError;
 pub use face::{Face, Rim};
 pub use output::save;
 pub use panel::{Band, Line, Mark, Note, Panel, Shape};

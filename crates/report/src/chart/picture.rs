@@ -1,7 +1,7 @@
 //! A picture: panels on a sheet under a title.
 
 use super::canvas::{Align, Canvas, length};
-use super::drawn::Drawn;
+use super::drawn::{DrawError, Drawn};
 use super::font;
 use super::panel::Panel;
 use super::style::{WIDTH, colour, size};
@@ -19,7 +19,10 @@ pub struct Picture {
 
 impl Picture {
     /// The picture as SVG text.
-    pub(crate) fn svg(&self) -> Drawn<String> {
+    ///
+    /// # Errors
+    /// A drawing that the backend refuses, and no font.
+    pub fn svg(&self) -> Result<String, DrawError> {
         font::register()?;
         let caption = self.caption()?;
         let height = self.height + (LEADING * caption.len() as f64).ceil() as u32;

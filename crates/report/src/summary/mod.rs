@@ -22,6 +22,7 @@ mod uncertainty;
 pub use accuracy::left_out;
 pub use fit::FitSummary;
 pub use ground::ground_warning;
+pub use observed::ObservedSummary;
 pub use optimisation::OptimisationSummary;
 pub use origin::{SCHEMA, VERSION};
 pub(crate) use parameters::Parameters;

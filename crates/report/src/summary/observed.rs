@@ -8,7 +8,7 @@ use serde::Serialize;
 
 /// The object `observed` of summary.json; `None` where a thing does not occur or was not reached.
 #[derive(Debug, Serialize)]
-pub(super) struct ObservedSummary {
+pub struct ObservedSummary {
     end: &'static str,
     /// Of every end but `closed`.
     reason: Option<String>,

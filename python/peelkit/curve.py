@@ -1,0 +1,105 @@
+"""The points of a path as arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["Curve"]
+
+# the order of curve.csv, with the units there
+UNITS = {
+    "displacement": "nm",
+    "force": "nN",
+    "end_rotation": "rad",
+    "work": "aJ",
+    "negative_eigenvalues": "",
+    "negative_eigenvalues_load": "",
+    "front": "nm",
+    "newton_iterations": "",
+    "torque": "nN_nm",
+    "roll": "deg",
+    "yaw": "deg",
+    "reaction_across": "nN",
+    "reaction_lateral": "nN",
+}
+
+
+class Curve(Mapping[str, NDArray[Any]]):
+    """The columns of ``curve.csv``: an array a column, an item a path point.
+
+    A column is an attribute as well: ``curve.force`` is ``curve["force"]``.
+
+    Attributes
+    ----------
+    displacement : ndarray of float64
+        u of the grip, nm.
+    force : ndarray of float64
+        P, nN.
+    end_rotation : ndarray of float64
+        θ(L), rad.
+    work : ndarray of float64
+        ∫ P du from where the path begins, aJ.
+    negative_eigenvalues, negative_eigenvalues_load : ndarray of int64
+        Of the tangent with the displacement and with the force held: zero where the point is stable.
+    front : ndarray of float64
+        S of the peeling front, nm.
+    newton_iterations : ndarray of int64
+        What the point took.
+    torque, roll, yaw, reaction_across, reaction_lateral : ndarray of float64
+        Of the grip in space: nN nm, degrees, degrees, nN, nN. Absent in the plane.
+    """
+
+    displacement: NDArray[np.float64]
+    force: NDArray[np.float64]
+    end_rotation: NDArray[np.float64]
+    work: NDArray[np.float64]
+    negative_eigenvalues: NDArray[np.int64]
+    negative_eigenvalues_load: NDArray[np.int64]
+    front: NDArray[np.float64]
+    newton_iterations: NDArray[np.int64]
+    torque: NDArray[np.float64]
+    roll: NDArray[np.float64]
+    yaw: NDArray[np.float64]
+    reaction_across: NDArray[np.float64]
+    reaction_lateral: NDArray[np.float64]
+
+    def __init__(self, columns: Mapping[str, NDArray[Any]]) -> None:
+        self._columns = dict(columns)
+        self.__dict__.update(self._columns)
+
+    def __getitem__(self, column: str) -> NDArray[Any]:
+        """A column by its name."""
+        return self._columns[column]
+
+    def __iter__(self) -> Iterator[str]:
+        """The names of the columns, in the order of ``curve.csv``."""
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        """How many columns."""
+        return len(self._columns)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a table with the columns of ``curve.csv``, units in their names; pandas has to be installed."""
+        import pandas
+
+        named = {f"{name}_{UNITS[name]}" if UNITS[name] else name: column for name, column in self.items()}
+        return pandas.DataFrame(named)
+
+    def __repr__(self) -> str:
+        """Columns and length."""
+        return f"<Curve of {len(self.displacement)} points: {', '.join(self)}>"
+
+
+def of_memory(numbers: Mapping[str, bytearray], counts: Mapping[str, bytearray]) -> Curve:
+    """The curve whose columns are these memories, which become those of the arrays."""
+    columns: dict[str, NDArray[Any]] = {name: np.frombuffer(memory) for name, memory in numbers.items()}
+    columns |= {name: np.frombuffer(memory, dtype=np.int64) for name, memory in counts.items()}
+    return Curve({name: columns[name] for name in UNITS if name in columns})

@@ -1,0 +1,45 @@
+//! The native module of the Python package `peelkit`: scenes, runs and their results, as `python/peelkit/` hands them on.
+//!
+//! What a user of the package reads is documented there. Units are those of the mechanics: nm, nN, aJ, rad.
+
+#![warn(missing_docs)]
+
+mod analyses;
+mod columns;
+mod errors;
+mod interrupt;
+mod keys;
+mod path;
+mod peel;
+mod scene;
+mod sensitivities;
+mod states;
+mod test;
+
+/// The native module of the package.
+#[pyo3::pymodule(name = "_native")]
+mod native {
+    #[pymodule_export]
+    use crate::analyses::{fit, optimise, uncertainty};
+    #[pymodule_export]
+    use crate::keys::{keys, takes};
+    #[pymodule_export]
+    use crate::path::{NativePath, path};
+    #[pymodule_export]
+    use crate::peel::NativePeel;
+    #[pymodule_export]
+    use crate::scene::NativeScene;
+    #[pymodule_export]
+    use crate::sensitivities::sensitivities;
+    #[pymodule_export]
+    use crate::states::NativeState;
+    #[pymodule_export]
+    use crate::test::{NativeTest, test};
+
+    /// Version of the program.
+    #[pymodule_export]
+    const VERSION: &str = peelkit_report::VERSION;
+    /// Of the keys of a summary.
+    #[pymodule_export]
+    const SCHEMA: u32 = peelkit_report::SCHEMA;
+}

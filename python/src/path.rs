@@ -1,0 +1,99 @@
+//! A path of equilibria driven point by point. It is followed in a thread of its own, which computes a point when it is asked for one.
+
+use crate::errors::{computation_error, refused};
+use crate::interrupt::Watch;
+use crate::scene::NativeScene;
+use peelkit::model::{Discretisation, PeelModel};
+use peelkit::solve::{Path, PathOptions, ShouldStop, Solution};
+use peelkit::study::{FOLLOWED_ORDER, prepared};
+use pyo3::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+
+/// A path that is being followed: an iterator over its points.
+#[pyclass(name = "Path", module = "peelkit._native", frozen)]
+pub struct NativePath {
+    line: Mutex<Line>,
+    /// Whether nobody waits for the point that is being computed
+    left: Arc<AtomicBool>,
+}
+
+/// What connects to the thread that follows the path.
+struct Line {
+    requests: Sender<()>,
+    points: Receiver<Result<Point, String>>,
+}
+
+/// Displacement, force, energy, negative eigenvalues with the displacement and with the force held, Newton iterations.
+type Point = (f64, f64, f64, usize, usize, usize);
+
+/// Begins a path on so many elements, its steps so long that a prediction is wrong by the step tolerance.
+#[pyfunction]
+pub fn path(py: Python, scene: &NativeScene, elements: usize, step_tolerance: f64) -> PyResult<NativePath> {
+    let options = PathOptions { elements, step_tolerance, ..PathOptions::default() };
+    let scene = &scene.source.scene;
+    scene.check().map_err(|error| refused(py, format!("`{}` {}", error.key(), error.found()), &error.remedy()))?;
+    let model = scene.model.in_the_plane().unwrap_or_else(|| scene.model.clone());
+    let choice = scene.accuracy.choice;
+    let how = Discretisation { form: choice.form, order: FOLLOWED_ORDER, mesh: choice.mesh };
+    let left = Arc::new(AtomicBool::new(false));
+    let ((requests, asked), (found, points)) = (channel(), channel());
+    let stop: ShouldStop = {
+        let left = Arc::clone(&left);
+        Arc::new(move || left.load(Ordering::Relaxed))
+    };
+    thread::spawn(move || follow(&model, (how, options), &stop, &asked, &found));
+    Ok(NativePath { line: Mutex::new(Line { requests, points }), left })
+}
+
+/// Follows the path as long as somebody asks for points.
+fn follow(
+    model: &PeelModel,
+    (how, options): (Discretisation, PathOptions),
+    stop: &ShouldStop,
+    asked: &Receiver<()>,
+    found: &Sender<Result<Point, String>>,
+) {
+    if asked.recv().is_err() {
+        return;
+    }
+    let start = match prepared(model, how, Some(Arc::clone(stop))) {
+        Ok(start) => start,
+        // nobody may wait for it any more
+        Err(error) => return drop(found.send(Err(error.why.to_string()))),
+    };
+    for point in Path::new(&start.problem, options).until(Some(Arc::clone(stop))) {
+        let over = point.is_err();
+        let sent = found.send(point.map(|point| handed(&point)).map_err(|error| error.to_string()));
+        if over || sent.is_err() || asked.recv().is_err() {
+            return;
+        }
+    }
+}
+
+fn handed(point: &Solution) -> Point {
+    let at = &point.observables;
+    (at.displacement, at.force, point.energy, point.negative, point.negative_load, point.iterations)
+}
+
+#[pymethods]
+impl NativePath {
+    /// The next point, computed without the interpreter; none behind one that could not be computed.
+    fn advance(&self, py: Python) -> PyResult<Option<Point>> {
+        let watch = Watch::begin();
+        let found = py.detach(|| {
+            let line = self.line.lock().unwrap_or_else(PoisonError::into_inner);
+            line.requests.send(()).ok().and_then(|()| watch.wait(&line.points))
+        });
+        watch.end().inspect_err(|_| self.left.store(true, Ordering::Relaxed))?;
+        found.transpose().map_err(|reason| computation_error(py, reason))
+    }
+}
+
+impl Drop for NativePath {
+    fn drop(&mut self) {
+        self.left.store(true, Ordering::Relaxed);
+    }
+}

@@ -1,0 +1,189 @@
+//! The result of a run.
+
+use crate::columns::{COUNTS, IN_SPACE, NUMBERS, counts, floats};
+use crate::errors::other;
+use crate::interrupt::Watch;
+use crate::scene::{NativeScene, Source};
+use crate::states::{self, NativeState};
+use peelkit::study::{self, PathEnd, Peel};
+use peelkit_report::pictures::peel::{captioned, curve, numbered_points};
+use peelkit_report::{PeelSummary, VERSION, end_reason, end_word};
+use peelkit_scene::BoundsTable;
+use pyo3::prelude::*;
+use pyo3::types::{PyByteArray, PyBytes, PyDict};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use std::sync::{Arc, OnceLock};
+
+/// The whole path of a scene with what was located on it.
+#[pyclass(name = "Peel", module = "peelkit._native", frozen)]
+pub struct NativePeel {
+    source: Arc<Source>,
+    peel: Peel,
+    solve_s: f64,
+    /// summary.json, once it was asked for
+    summary: OnceLock<String>,
+    solutions: Solutions,
+}
+
+/// The solutions behind the points of a path.
+enum Solutions {
+    /// Of the run itself
+    Computed,
+    /// Not kept: computed again where they are asked for
+    Dropped(OnceLock<Box<Peel>>),
+}
+
+/// What is kept of a result but its scene. The solutions behind the points are not: they follow from the scene.
+#[derive(Serialize, Deserialize)]
+struct Kept<P> {
+    version: String,
+    peel: P,
+    solve_s: f64,
+    summary: String,
+}
+
+impl NativePeel {
+    /// Of a run that took so many seconds.
+    pub fn new(source: Arc<Source>, peel: Peel, solve_s: f64) -> Self {
+        Self { source, peel, solve_s, summary: OnceLock::new(), solutions: Solutions::Computed }
+    }
+
+    /// The scene that was run.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// The peel with the solutions behind its points: one that was stored is run again, which gives every bit of it.
+    pub fn with_solutions(&self, py: Python) -> PyResult<&Peel> {
+        let again = match &self.solutions {
+            Solutions::Computed => return Ok(&self.peel),
+            Solutions::Dropped(again) => again,
+        };
+        if let Some(peel) = again.get() {
+            return Ok(peel);
+        }
+        let peel = self.run_again(py)?;
+        Ok(again.get_or_init(|| Box::new(peel)))
+    }
+
+    fn run_again(&self, py: Python) -> PyResult<Peel> {
+        let (watch, scene) = (Watch::begin(), &self.source.scene);
+        // the points follow from the scene: time has only said where the path is left
+        let points = match self.peel.end {
+            PathEnd::Bound(study::Bound::Time { .. }) => self.peel.points.len(),
+            _ => scene.bounds.points,
+        };
+        let bounds = BoundsTable { points, time_s: None, ..scene.bounds };
+        let stop = watch.on(bounds.from_now());
+        let peel = py.detach(|| study::peel(&scene.model, &scene.accuracy, &stop));
+        watch.end()?;
+        if peel.points != self.peel.points {
+            let found = "the solutions behind a stored result are not known: its run was stopped, and another one goes elsewhere";
+            return Err(other(py, found.into(), "Run the scene again, with a larger `bounds.time`."));
+        }
+        Ok(peel)
+    }
+
+    fn summary_text(&self, py: Python) -> PyResult<&str> {
+        if let Some(text) = self.summary.get() {
+            return Ok(text);
+        }
+        let made = PeelSummary::new(&self.source.scene, &self.peel, self.solve_s).to_json();
+        let text = made.map_err(|error| {
+            let remedy = "The scene is at the limit of what can be computed: look at `curve`, and try other values.";
+            other(py, format!("the summary of the run cannot be written: {error}"), remedy)
+        })?;
+        Ok(self.summary.get_or_init(|| text))
+    }
+}
+
+#[pymethods]
+impl NativePeel {
+    /// A result from what `kept` has returned, with the scene of it.
+    #[new]
+    fn restored(py: Python, scene: &NativeScene, kept: &[u8]) -> PyResult<Self> {
+        let remedy = "Run the scene again: a result is read by the version that has written it.";
+        let unreadable = |why: String| other(py, format!("the stored result of a run cannot be read: {why}"), remedy);
+        let (version, _) = postcard::take_from_bytes::<String>(kept).map_err(|error| unreadable(error.to_string()))?;
+        if version != VERSION {
+            return Err(unreadable(format!("it is of peelkit {version}, and this is {VERSION}")));
+        }
+        let Kept { peel, solve_s, summary, .. } =
+            postcard::from_bytes::<Kept<Peel>>(kept).map_err(|error| unreadable(error.to_string()))?;
+        let solutions = Solutions::Dropped(OnceLock::new());
+        Ok(Self { source: scene.source.clone(), peel, solve_s, summary: summary.into(), solutions })
+    }
+
+    /// The result as bytes, every bit of its numbers.
+    fn kept<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        let summary = self.summary_text(py)?.to_owned();
+        let kept = Kept { version: VERSION.to_owned(), peel: &self.peel, solve_s: self.solve_s, summary };
+        let bytes = postcard::to_stdvec(&kept).map_err(|error| {
+            other(py, format!("the result cannot be stored: {error}"), "Keep `summary()` and `curve` in its place.")
+        })?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// The scene that was run.
+    #[getter]
+    fn scene(&self) -> NativeScene {
+        NativeScene { source: self.source.clone() }
+    }
+
+    /// How the path ends, in a word.
+    #[getter]
+    fn end(&self) -> &'static str {
+        end_word(&self.peel.end)
+    }
+
+    /// Why it ends, of the ends `bound` and `failed`.
+    #[getter]
+    fn reason(&self) -> Option<String> {
+        end_reason(&self.peel.end)
+    }
+
+    /// The object of summary.json as text.
+    fn summary(&self, py: Python) -> PyResult<&str> {
+        self.summary_text(py)
+    }
+
+    /// The columns of curve.csv by their names without units, each the memory of its array: of numbers, and of counts.
+    fn curve<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
+        let points = &self.peel.points;
+        let (numbers, whole) = (PyDict::new(py), PyDict::new(py));
+        let in_space = points.iter().any(|point| point.in_space.is_some());
+        let of_space = if in_space { IN_SPACE } else { &[] };
+        for column in NUMBERS.iter().chain(of_space) {
+            numbers.set_item(column.name, floats(py, points.iter().map(column.value))?)?;
+        }
+        for column in COUNTS {
+            whole.set_item(column.name, counts(py, points.iter().map(column.value))?)?;
+        }
+        Ok((numbers, whole))
+    }
+
+    /// The beam at every limit point and at `count` places evenly along the path.
+    fn states(&self, py: Python, count: usize) -> PyResult<Vec<NativeState>> {
+        let peel = self.with_solutions(py)?;
+        let states = py.detach(|| peel.states(count));
+        states.iter().map(|state| states::handed(py, state)).collect()
+    }
+
+    /// The picture of the curve as SVG.
+    fn svg(&self, py: Python) -> PyResult<String> {
+        let peel = self.with_solutions(py)?;
+        let title = captioned(peel, &self.source.scene.title);
+        let drawn = curve(peel, &numbered_points(peel), &title, Path::new("the curve"))
+            .map_err(|error| error.to_string())
+            .and_then(|picture| picture.svg().map_err(|error| error.to_string()));
+        drawn.map_err(|error| other(py, error, "Look at `end` and `reason` of the result."))
+    }
+
+    /// Displacement, force and negative eigenvalues with intervals between the path points, for a picture.
+    fn dense_curve<'py>(&self, py: Python<'py>, per_step: usize) -> PyResult<[Bound<'py, PyByteArray>; 3]> {
+        let curve = self.with_solutions(py)?.dense_curve(per_step.max(1));
+        let (displacement, force) = (curve.iter().map(|at| at.0), curve.iter().map(|at| at.1));
+        Ok([floats(py, displacement)?, floats(py, force)?, counts(py, curve.iter().map(|at| at.2))?])
+    }
+}

@@ -1,0 +1,105 @@
+"""What a result holds: arrays of numpy, located points, states, pictures.
+
+Reference: `summary()`, which is that of the command. Expected: attributes are its numbers, None where it has
+null; arrays own no copy of their memory; pictures stand on axes that are given.
+"""
+
+import matplotlib
+import numpy as np
+import pytest
+
+import peelkit
+
+matplotlib.use("Agg")
+
+
+def test_points_are_those_of_the_summary(peel: peelkit.Peel) -> None:
+    summary = peel.summary()
+    peak, first = peel.peak, peel.initiation_peak
+    assert peak is not None and first is not None
+    assert (peak.force, peak.error, peak.force_error) == (summary["peak"]["force_nN"],) + 2 * (
+        summary["peak"]["error_nN"],
+    )
+    assert peak.displacement == summary["peak"]["displacement_nm"]
+    assert peel.end == summary["end"] and peel.reason is None
+    assert [at.force for at in peel.limit_points] == [at["force_nN"] for at in summary["limit_points"]]
+    assert [at.kind for at in peel.limit_points] == [at["kind"] for at in summary["limit_points"]]
+    jump = peel.first_jump
+    assert jump is not None and jump.work == summary["first_jump"]["work_aJ"]
+    assert (peel.plateau is None) == (summary["plateau"] is None)
+    # it is the caller's
+    summary["peak"] = None
+    assert peel.peak == peak
+
+
+def test_what_does_not_occur_is_none(strip: peelkit.Scene) -> None:
+    peel = strip.with_("bounds.points", 3).run()
+    assert peel.peak is None and peel.first_jump is None and peel.detachment is None
+    assert "no peak" in repr(peel)
+
+
+def test_columns_are_arrays(peel: peelkit.Peel) -> None:
+    curve = peel.curve
+    assert curve.force.dtype == np.float64 and curve.negative_eigenvalues.dtype == np.int64
+    assert not curve.force.flags.owndata and curve.force.flags.writeable
+    assert curve is peel.curve and curve["force"] is curve.force and "torque" not in curve
+    assert len(curve.force) == peel.summary()["path"]["points"]
+    assert list(curve.to_pandas())[:2] == ["displacement_nm", "force_nN"]
+
+
+def test_states_are_in_equilibrium(peel: peelkit.Peel) -> None:
+    """The adhesion of a free strip carries the force of the grip: the integral of the line force is P."""
+    states = peel.states(4)
+    assert sum(state.limit_point is not None for state in states) == len(peel.limit_points)
+    assert (states[0].path_position, states[-1].path_position) == (0.0, 1.0)
+    for state in states:
+        held = float(np.sum(state["weight_nm"] * state["line_force_nN_per_nm"]))
+        assert held == pytest.approx(state.force, abs=1e-6)
+        assert state.x.shape == state.y.shape
+    assert len(peel.states()) == len(peel.limit_points)
+    with pytest.raises(peelkit.PeelkitError, match="out of range"):
+        peel.states(-1)
+
+
+def test_a_test_jumps_at_the_first_displacement_limit_point(strip: peelkit.Scene, peel: peelkit.Peel) -> None:
+    test, jump = strip.test(), peel.first_jump
+    assert jump is not None and test.jumps
+    before = test.jumps[0]["before"]
+    assert before["displacement_nm"] == pytest.approx(jump.displacement, rel=1e-6)
+    assert test.pull_off_force is not None and test.jump.dtype == np.bool_
+    assert set(test.branch.tolist()) == {"retreat", "approach"}
+    assert test.hysteresis is None or test.hysteresis > 0.0
+
+
+def test_a_picture_takes_axes(peel: peelkit.Peel, strip: peelkit.Scene) -> None:
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(1, 2)
+    assert peel.plot(axes[0], color="C3", label="strip") is axes[0]
+    lines = axes[0].get_lines()
+    assert {line.get_color() for line in lines} == {"C3"}
+    assert {line.get_linestyle() for line in lines} == {"-", "--"}
+    assert [text.get_text() for text in axes[0].legend().get_texts()] == ["strip"]
+    assert strip.test().plot(axes[1]) is axes[1]
+    plt.close(figure)
+    figure = plt.figure()
+    assert peel.plot() is figure.gca()
+    plt.close(figure)
+    svg = peel._repr_svg_()
+    assert svg is not None and svg.startswith("<svg") and "Strip" in svg
+
+
+def test_a_path_is_driven_point_by_point(strip: peelkit.Scene) -> None:
+    forces = []
+    for point in strip.path(step_tolerance=5e-3):
+        forces.append(point.force)
+        if point.negative_eigenvalues_load > 0:
+            break
+    peak = strip.run().initiation_peak
+    assert peak is not None
+    # the peak is behind the last stable point
+    assert len(forces) > 3 and max(forces) <= peak.force * (1.0 + 1e-6)
+    path = strip.path()
+    first = next(path)
+    assert (iter(path) is path) and first.negative_eigenvalues == 0
+    assert next(path).displacement > first.displacement
