@@ -1,6 +1,6 @@
 """How long Ctrl-C takes to end a computation: from the signal to the KeyboardInterrupt, in ms.
 
-    python python/benchmarks/interrupt.py
+python python/benchmarks/interrupt.py
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@
 
     python python/benchmarks/overhead.py
 
-The computation itself is timed inside, where the interpreter is released. The smallest of many differences is what the call
-costs on an idle machine; the median is what it costs on this one.
+The computation itself is timed inside, where the interpreter is released. The smallest of many differences is
+what the call costs on an idle machine; the median is what it costs on this one.
 """
 
 from __future__ import annotations

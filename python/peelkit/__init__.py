@@ -6,6 +6,7 @@ lengths in nm, forces in nN, works in aJ, rotations in rad.
 """
 
 from ._native import SCHEMA, VERSION as __version__
+from ._sweep import read_sweep, sweep
 from .analyses import Fit, Optimum, Uncertainty, fit, optimise, uncertainty
 from .curve import Curve
 from .errors import ComputationError, ComputationWarning, PeelkitError, SceneError
@@ -40,5 +41,7 @@ __all__ = [
     "__version__",
     "fit",
     "optimise",
+    "read_sweep",
+    "sweep",
     "uncertainty",
 ]

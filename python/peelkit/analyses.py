@@ -138,7 +138,12 @@ def optimise(scene: Scene) -> Optimum:
     return Optimum(json.loads(summary), None if best is None else Scene.from_toml(best, scene.name))
 
 
-def fit(scene: Scene, data: str | os.PathLike[str] | ArrayLike, force: ArrayLike | None = None, error: ArrayLike | None = None) -> Fit:
+def fit(
+    scene: Scene,
+    data: str | os.PathLike[str] | ArrayLike,
+    force: ArrayLike | None = None,
+    error: ArrayLike | None = None,
+) -> Fit:
     """Determine parameters of a scene from a measured curve, as ``peel fit`` does.
 
     Parameters
@@ -170,7 +175,9 @@ def fit(scene: Scene, data: str | os.PathLike[str] | ArrayLike, force: ArrayLike
     """
     if isinstance(data, (str, os.PathLike)):
         if force is not None or error is not None:
-            raise TypeError("`force` and `error` are columns of the file; give arrays in place of the file, or the file alone")
+            raise TypeError(
+                "`force` and `error` are columns of the file; give arrays in place of the file, or the file alone"
+            )
         summary, fitted = _native.fit(scene._native, os.fspath(data), None)
     else:
         if force is None:
@@ -183,15 +190,21 @@ def fit(scene: Scene, data: str | os.PathLike[str] | ArrayLike, force: ArrayLike
     return found
 
 
-def _points(displacement: ArrayLike, force: ArrayLike, error: ArrayLike | None) -> list[tuple[float, float, float | None]]:
+def _points(
+    displacement: ArrayLike, force: ArrayLike, error: ArrayLike | None
+) -> list[tuple[float, float, float | None]]:
     u, p = _column("data", displacement), _column("force", force)
     if len(u) != len(p):
-        raise SceneError(f"{len(u)} displacements and {len(p)} forces were given", "Give a force for each displacement.")
+        raise SceneError(
+            f"{len(u)} displacements and {len(p)} forces were given", "Give a force for each displacement."
+        )
     if error is None:
         return [(a, b, None) for a, b in zip(u.tolist(), p.tolist())]
     sigma = np.broadcast_to(np.asarray(error, dtype=np.float64), p.shape)
     if not (sigma > 0).all():
-        raise SceneError("a standard error of the forces is not above zero", "Give standard errors above zero, or none.")
+        raise SceneError(
+            "a standard error of the forces is not above zero", "Give standard errors above zero, or none."
+        )
     return list(zip(u.tolist(), p.tolist(), sigma.tolist()))
 
 

@@ -53,7 +53,7 @@ class Peel:
 
     @property
     def end(self) -> str:
-        """How the path ends: ``"detached"``, ``"pivoting"``, ``"turned-back"``, ``"bound"``, ``"failed"``, ..."""
+        """How the path ends: ``"detached"``, ``"pivoting"``, ``"bound"``, ``"failed"`` and others, as `summary()` has it."""
         return self._native.end
 
     @property
@@ -69,7 +69,7 @@ class Peel:
         ComputationError
             With the reason, and what to try.
         """
-        if self.end == "failed":
+        if self.end in ("failed", "refused"):
             raise ComputationError(f"the computation stopped short: {self.reason}")
 
     def _peak(self, name: str) -> Peak | None:

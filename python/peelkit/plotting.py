@@ -45,6 +45,10 @@ def curve(peel: Peel, ax: Axes | None, style: dict[str, Any]) -> Axes:
     displacement, force, negative = peel._native.dense_curve(_INTERVALS)
     u, p = np.frombuffer(displacement), np.frombuffer(force)
     unstable = np.frombuffer(negative, dtype=np.int64) > 0
+    ax.set_xlabel("displacement u (nm)")
+    ax.set_ylabel("force P (nN)")
+    if not len(u):
+        return ax
     # a part ends at the point where the next one begins
     ends = np.flatnonzero(np.diff(unstable)) + 1
     begins = np.concatenate(([0], ends))
@@ -54,6 +58,4 @@ def curve(peel: Peel, ax: Axes | None, style: dict[str, Any]) -> Axes:
         (line,) = ax.plot(u[begin:end], p[begin:end], **{"linestyle": dash, **style})
         # one colour and one entry of the legend
         style = {**style, "color": line.get_color(), "label": "_nolegend_"}
-    ax.set_xlabel("displacement u (nm)")
-    ax.set_ylabel("force P (nN)")
     return ax

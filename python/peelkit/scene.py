@@ -139,7 +139,7 @@ class Scene:
         return self._native.title
 
     def to_toml(self) -> str:
-        """Return every key with its value, defaults among them, as a text that reads as the same scene to the last bit."""
+        """Return every key with its value as a text that reads as the same scene, to the last bit."""
         return self._native.to_toml()
 
     def run(self) -> Peel:
@@ -150,7 +150,8 @@ class Scene:
         Returns
         -------
         Peel
-            What was reached, also where the computation stopped short: then its `end` is ``"failed"``.
+            What was reached, also where the computation stopped short: then its `end` is ``"failed"``, and where the model
+            has no stable state at rest ``"refused"``.
 
         Warns
         -----
@@ -158,7 +159,7 @@ class Scene:
             Where it stopped short.
         """
         peel = Peel(self._native.run(), self)
-        if peel.end == "failed":
+        if peel.end in ("failed", "refused"):
             warnings.warn(f"the computation stopped short: {peel.reason}", ComputationWarning, stacklevel=2)
         return peel
 

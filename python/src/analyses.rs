@@ -66,8 +66,8 @@ pub fn fit(py: Python, scene: &NativeScene, file: &str, points: Option<Points>) 
         Some(points) => points.into_iter().map(measured_point).collect(),
         None => read_force_curve(Path::new(file)).map_err(|error| refused(py, error.to_string(), &error.remedy))?,
     };
-    let measured = MeasuredCurve::new(measured, table.jump)
-        .map_err(|why| refused(py, format!("{file} {why}"), &why.remedy().to_string()))?;
+    let measured =
+        MeasuredCurve::new(measured, table.jump).map_err(|why| refused(py, format!("{file} {why}"), why.remedy()))?;
     let stop = || watch.on(scene.bounds.from_now());
     let work = || fitted(&problem, &measured, &table.options, &scene.accuracy, &stop);
     let (found, solve_s) = timed(|| py.detach(|| watch.over(work)));

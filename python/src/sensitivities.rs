@@ -3,7 +3,7 @@
 use crate::errors::{computation_error, refused};
 use crate::peel::NativePeel;
 use peelkit::study::{self, NoSensitivities, Peel, PeelQuantity, Terms};
-use peelkit_scene::Scene;
+use peelkit_scene::{Parameters, Scene};
 use pyo3::prelude::*;
 
 /// Result, key, d ln Q/d ln p and the bound on its error.
@@ -28,10 +28,10 @@ pub fn sensitivities(py: Python, peel: &NativePeel) -> PyResult<(Vec<Line>, Vec<
 }
 
 fn found(scene: &Scene, peel: &Peel) -> Result<(Vec<Line>, Vec<Refused>), NoSensitivities> {
-    let variations = scene.variations();
+    let Parameters { variations, fixed } = scene.parameters();
     let found = study::sensitivities(peel, &PeelQuantity::ALL, &variations)?;
     let key = |index: usize| variations[index].key.clone();
     let lines = found.exponents(peel).into_iter();
-    let refused = found.refused.iter().map(|(index, why)| (key(*index), why.to_string())).collect();
+    let refused = found.refused.iter().map(|(index, why)| (key(*index), why.to_string())).chain(fixed).collect();
     Ok((lines.map(|one| (one.of.name(), key(one.variation), one.value, one.error)).collect(), refused))
 }

@@ -1,6 +1,7 @@
 """Optimisation, fit and uncertainty are those of the command, bit for bit.
 
-Reference: the command of the same build. Parameters: small settings of each analysis. Expected: equal summaries but for times.
+Reference: the command of the same build. Parameters: small settings of each analysis. Expected: equal
+summaries but for times.
 """
 
 from pathlib import Path
@@ -50,7 +51,9 @@ def test_a_fit(in_root: None, command: Command, tmp_path: Path) -> None:
     curve = given.run().curve
     stable = slice(1, int(np.argmax(curve.negative_eigenvalues > 0)))
     u, p = curve.displacement[stable], curve.force[stable]
-    scene = given.with_({"strip.youngs_modulus": "1.7 GPa", "fit.parameters": ["strip.youngs_modulus from 1 GPa to 5 GPa"]})
+    scene = given.with_(
+        {"strip.youngs_modulus": "1.7 GPa", "fit.parameters": ["strip.youngs_modulus from 1 GPa to 5 GPa"]}
+    )
     data = tmp_path / "curve.csv"
     rows = "".join(f"{a!r},{b!r},0.001\n" for a, b in zip(u.tolist(), p.tolist()))
     data.write_text(f"displacement_nm,force_nN,force_error_nN\n{rows}", encoding="utf-8")
@@ -66,7 +69,9 @@ def test_a_fit(in_root: None, command: Command, tmp_path: Path) -> None:
 
 def test_an_uncertainty(in_root: None, command: Command, tmp_path: Path) -> None:
     inputs = [dict(key="strip.height", distribution="normal", deviation="0.5 nm")]
-    scene = peelkit.Scene.read(STRIP).with_({"uncertainty.inputs": inputs, "uncertainty.samples": 120, "accuracy.relative": 1e-4})
+    scene = peelkit.Scene.read(STRIP).with_(
+        {"uncertainty.inputs": inputs, "uncertainty.samples": 120, "accuracy.relative": 1e-4}
+    )
     path = written(tmp_path, scene)
     found = peelkit.uncertainty(peelkit.Scene.read(path))
     assert comparable(found.summary()) == comparable(command("uncertainty", path, "--json"))

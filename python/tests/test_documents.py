@@ -33,7 +33,9 @@ def test_the_chapter_prints_what_it_shows(root: Path, monkeypatch: pytest.Monkey
     assert failures.failed == 0, "".join(printed)
 
 
-@pytest.mark.parametrize("module", ["", *(f".{name}" for _, name, _ in pkgutil.iter_modules(peelkit.__path__) if name != "_native")])
+@pytest.mark.parametrize(
+    "module", ["", *(f".{name}" for _, name, _ in pkgutil.iter_modules(peelkit.__path__) if name != "_native")]
+)
 def test_docstrings_print_what_they_show(module: str) -> None:
     assert doctest.testmod(importlib.import_module(f"peelkit{module}")).failed == 0
 
@@ -43,7 +45,11 @@ def test_what_is_public_is_documented() -> None:
         item = getattr(peelkit, name)
         if callable(item):
             assert item.__doc__, name
-            members = (member for key, member in vars(item).items() if not key.startswith("_")) if isinstance(item, type) else ()
+            members = (
+                (member for key, member in vars(item).items() if not key.startswith("_"))
+                if isinstance(item, type)
+                else ()
+            )
             for member in members:
                 documented = getattr(member, "__doc__", None) or not (callable(member) or isinstance(member, property))
                 assert documented, (name, member)
@@ -70,7 +76,7 @@ def test_every_message_is_in_the_chapter_on_trouble(root: Path) -> None:
         return re.sub(r"\s+", " ", text.replace("`", ""))
 
     chapter = plain((root / "docs/troubleshooting.md").read_text(encoding="utf-8"))
-    code = [path.read_text(encoding="utf-8") for path in sorted((root / "python/peelkit").glob("*.py"))]
+    code = [path.read_text(encoding="utf-8") for path in sorted((root / "python/peelkit").rglob("*.py"))]
     all_messages = [message for text in code for message in messages(text)]
     assert len(all_messages) > 12
     # what follows a colon or a semicolon explains

@@ -1,8 +1,8 @@
 """Results are those of the command `peel`, bit for bit.
 
-Reference: the command of the same build. JSON and CSV write every number with all of its digits, so equal texts are equal bits.
-Parameters: a strip, one with another grip, a spatula and a strip in space. Expected: equal summaries but for times and the
-command line, equal columns of curve.csv, states.csv and observed.csv.
+Reference: the command of the same build. JSON and CSV write every number with all of its digits, so equal
+texts are equal bits. Parameters: a strip, one with another grip, a spatula and a strip in space. Expected:
+equal summaries but for times and the command line, equal columns of curve.csv, states.csv and observed.csv.
 """
 
 import csv
@@ -25,7 +25,9 @@ def columns(path: Path) -> dict[str, list[str]]:
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_a_summary_is_that_of_the_command(name: str, root: Path, command: Command, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_summary_is_that_of_the_command(
+    name: str, root: Path, command: Command, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(root)
     path = f"scenes/{name}"
     summary = peelkit.Scene.read(path).run().summary()
@@ -82,9 +84,7 @@ def test_a_strip_in_space_has_the_columns_of_its_grip(
     assert table["roll_deg"].tolist() == [float(cell) for cell in written["roll_deg"]]
 
 
-def test_sensitivities_are_those_of_the_command(
-    root: Path, command: Command, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_sensitivities_are_those_of_the_command(root: Path, command: Command, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(root)
     expected: list[dict[str, Any]] = command("run", "scenes/strip.toml", "--sensitivities", "--json")["sensitivities"]
     found = peelkit.Scene.read("scenes/strip.toml").sensitivities()

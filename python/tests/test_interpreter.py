@@ -1,7 +1,7 @@
 """A computation leaves the interpreter to others: threads run beside it, and Ctrl-C stops it.
 
-Reference: a scene that takes minutes. Expected: another thread counts meanwhile; a signal ends the run with KeyboardInterrupt;
-threads find the same as one alone.
+Reference: a scene that takes minutes. Expected: another thread counts meanwhile; a signal ends the run with
+KeyboardInterrupt; threads find the same as one alone.
 """
 
 import signal
@@ -57,7 +57,7 @@ def test_ctrl_c_stops_a_computation(call: str) -> None:
 
 
 def test_other_threads_run_meanwhile(strip: peelkit.Scene) -> None:
-    """A thread of Python goes on while another one computes: it counts in between, which it could not if the lock were held."""
+    """A thread of Python counts while another one computes, which it could not if the lock were held."""
     computing, counted = threading.Event(), []
     done = threading.Event()
 

@@ -1,7 +1,7 @@
 """What is wrong with a scene is an exception with the key, the value and what would be right.
 
-Reference: the messages of the command. Expected: the same words, the place where a file was read, and the parts of the
-message as attributes, also behind a pickle.
+Reference: the messages of the command. Expected: the same words, the place where a file was read, and the
+parts of the message as attributes, also behind a pickle.
 """
 
 import pickle
@@ -9,6 +9,7 @@ import warnings
 from pathlib import Path
 
 import pytest
+from matplotlib.figure import Figure
 
 import peelkit
 
@@ -56,7 +57,19 @@ def test_a_value_that_is_none(strip: peelkit.Scene, value: object) -> None:
 
 
 def test_what_stopped_short_is_returned_with_a_warning(strip: peelkit.Scene) -> None:
-    # so few elements that the error bounds are missed
+    """A strip that is too soft for its adhesion has no stable state at rest: there is nothing to peel."""
+    with pytest.warns(peelkit.ComputationWarning, match="stopped short: .*1.7620 times"):
+        peel = strip.with_("strip.youngs_modulus", "5 MPa").run()
+    assert (peel.end, peel.peak, len(peel.curve.force)) == ("refused", None, 0)
+    assert peel._repr_svg_() is None and peel.states(3) == []
+    assert not peel.plot(Figure().subplots()).get_lines()
+    again = pickle.loads(pickle.dumps(peel))
+    assert again.end == "refused" and again.states(3) == []
+    with pytest.raises(peelkit.ComputationError, match="1.7620 times"):
+        peel.raise_for_failure()
+
+
+def test_a_bound_of_the_scene_is_no_failure(strip: peelkit.Scene) -> None:
     poor = strip.with_({"bounds.points": 5})
     with warnings.catch_warnings():
         warnings.simplefilter("error")

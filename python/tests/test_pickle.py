@@ -1,7 +1,7 @@
 """Scenes and results travel to other processes and come back the same.
 
-Reference: the object that was sent. Expected: every bit of its numbers, also in a process of its own; states of a result that
-was sent are computed again, and are the same.
+Reference: the object that was sent. Expected: every bit of its numbers, also in a process of its own; states
+of a result that was sent are computed again, and are the same.
 """
 
 import pickle

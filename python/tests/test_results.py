@@ -1,7 +1,7 @@
 """What a result holds: arrays of numpy, located points, states, pictures.
 
-Reference: `summary()`, which is that of the command. Expected: attributes are its numbers, None where it has null; arrays own
-no copy of their memory; pictures stand on axes that are given.
+Reference: `summary()`, which is that of the command. Expected: attributes are its numbers, None where it has
+null; arrays own no copy of their memory; pictures stand on axes that are given.
 """
 
 import matplotlib
@@ -17,7 +17,9 @@ def test_points_are_those_of_the_summary(peel: peelkit.Peel) -> None:
     summary = peel.summary()
     peak, first = peel.peak, peel.initiation_peak
     assert peak is not None and first is not None
-    assert (peak.force, peak.error, peak.force_error) == (summary["peak"]["force_nN"],) + 2 * (summary["peak"]["error_nN"],)
+    assert (peak.force, peak.error, peak.force_error) == (summary["peak"]["force_nN"],) + 2 * (
+        summary["peak"]["error_nN"],
+    )
     assert peak.displacement == summary["peak"]["displacement_nm"]
     assert peel.end == summary["end"] and peel.reason is None
     assert [at.force for at in peel.limit_points] == [at["force_nN"] for at in summary["limit_points"]]

@@ -1,7 +1,7 @@
 """Values of a scene: texts, numbers of Python and numpy, quantities of pint.
 
-Reference: the same value as a text with its unit. Expected: equal scenes, because a number is in the unit that the
-documentation names, and pint converts others to it.
+Reference: the same value as a text with its unit. Expected: equal scenes, because a number is in the unit
+that the documentation names, and pint converts others to it.
 """
 
 from pathlib import Path
@@ -68,7 +68,9 @@ def test_lists_and_nested_tables_are_written(strip: peelkit.Scene) -> None:
     fit = strip.with_("fit.parameters", ["strip.youngs_modulus from 1 GPa to 5 GPa"])
     assert "from 1 GPa to 5 GPa" in fit.to_toml()
     height = {"key": "strip.height", "from": 5.0 * units.nm, "to": "12 nm"}
-    free = strip.with_({"optimise.objective": "peak.force_nN", "optimise.parameters": [height], "optimise.starts": np.int64(3)})
+    free = strip.with_(
+        {"optimise.objective": "peak.force_nN", "optimise.parameters": [height], "optimise.starts": np.int64(3)}
+    )
     assert "starts = 3" in free.to_toml() and "12 nm" in free.to_toml()
     quoted = strip.with_("title", 'A "title"\nwith \\ and \x7f')
     assert quoted.title == 'A "title"\nwith \\ and \x7f'

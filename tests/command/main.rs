@@ -1,5 +1,6 @@
 //! The command `peel`, run as a user runs it.
 
+mod collect;
 mod documents;
 mod fit;
 mod friction;
@@ -13,6 +14,7 @@ mod pull;
 #[cfg(unix)]
 mod resume;
 mod sensitivities;
+mod serve;
 mod space;
 mod statuses;
 mod steps;

@@ -41,6 +41,7 @@ Examples:
   peel new --list                names the kinds of scenes
   peel optimise strip.toml       finds the best of what a table [optimise] of the scene leaves free
   peel uncertainty strip.toml    samples what a table [uncertainty] of the scene calls uncertain
+  peel serve strip.toml          a page with sliders, on this machine
   peel accuracy                  computing time against error: a table and a picture
   peel verify                    compares the program with published and independent values
 
@@ -142,6 +143,7 @@ Examples:
   peel sweep strip.toml --vary strip.height --from \"2 nm\" --to \"20 nm\" --points 10 --json
   peel sweep strip.toml --vary strip.bending_stiffness_factor --from 1e-4 --to 1e4 --points 1000 --log --peak-only
   peel sweep strip.toml --vary strip.height --values 5,10,20nm --vary strip.youngs_modulus --values 1,2,4GPa
+  peel sweep strip.toml --vary strip.height --from \"2 nm\" --to \"20 nm\" --points 1000 --part 3/8
 
 Files:
   sweep.csv          one row for each value: peak force, plateau, snap-off, work, time, how the path ended. `value` is
@@ -151,20 +153,24 @@ Files:
   sweep.svg, .png    these results against the varied value; of two keys, maps of peak force and work over their plane
   parameters.toml    the scene before the sweep, with what --set has changed, and the command
   sweep.partial.jsonl  checkpoint while the sweep runs: each finished value, written at once
+  sweep.part.jsonl   with --part, in place of the pictures: what peel collect puts together
 
 Interrupting a sweep: after Ctrl-C the values being computed are finished. The finished values are written to sweep.csv
 and the pictures (exit status 3). A second Ctrl-C stops the program at once (130).
 
 Resuming a sweep: give the same command again, also after the sweep was killed. The values in sweep.partial.jsonl are
 used again; the rest is computed. The results are the same except for solve_s. The range and the number of values may be
-changed. A folder with an unfinished sweep needs no --force. The checkpoint of another scene, key or version is refused.
---fresh discards the checkpoint, of this sweep or another, and nothing else. Sweeps that write no files (--json without
---out) keep no checkpoint; neither do those with --follow or --peak-only, which take milliseconds.
+changed. A folder with an unfinished sweep needs no --force. The checkpoint of another scene, key, part or version is
+refused. --fresh discards the checkpoint, of this sweep or another, and nothing else. Sweeps that write no files (--json
+without --out) keep no checkpoint; neither do those with --follow or --peak-only, which take milliseconds.
 
 {OUTPUTS}
 
 Two keys: with --vary twice, the options behind each belong to it, and every value of the second is taken with each of
 the first: one row for each pair, with the columns value and value_2.
+
+A part of a sweep: with --part I/N the values I, I + N, I + 2 N, ... are computed, on a machine of its own, say. The
+folder is named after the part as well. peel collect puts the parts together to the files of the undivided sweep.
 
 Continuation of one point: with --follow peak (or --peak-only) or --follow snap-off no whole path is computed for each
 value. The limit point is solved for directly, from an extrapolation of the previous values. Here peak means the

@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod accuracy;
+mod collect;
 mod command_line;
 mod figures;
 mod fit;
@@ -17,6 +18,7 @@ mod optimise;
 mod output;
 mod plot;
 mod run;
+mod serve;
 mod stop;
 mod sweep;
 mod text_summary;
@@ -39,6 +41,7 @@ struct Cli {
 enum Command {
     Run(run::Run),
     Sweep(sweep::Sweep),
+    Collect(collect::Collect),
     Optimise(optimise::Optimise),
     Fit(fit::Fit),
     Uncertainty(uncertainty::Uncertainty),
@@ -47,6 +50,7 @@ enum Command {
     New(new::New),
     Keys(keys::Keys),
     Plot(plot::Plot),
+    Serve(serve::Serve),
     Figures(figures::Figures),
 }
 
@@ -60,6 +64,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::Collect(args) => collect::collect(&args),
         Command::Optimise(args) => optimise::optimise(&args),
         Command::Fit(args) => fit::fit(&args),
         Command::Uncertainty(args) => uncertainty::uncertainty(&args),
@@ -68,6 +73,7 @@ fn main() -> ExitCode {
         Command::New(args) => new::new(&args),
         Command::Keys(args) => keys::keys(&args),
         Command::Plot(args) => plot::plot(&args),
+        Command::Serve(args) => serve::serve(&args),
         Command::Figures(args) => figures::figures(&args),
     };
     match done {

@@ -65,6 +65,9 @@ impl From<ReportError> for Stop {
                 &error,
                 "Finish that sweep with its own command, or give another folder with --out DIR, or --fresh to discard its values.",
             ),
+            ReportError::NoPart { .. } => {
+                Self::bad_input(&error, "Compute this part again with peel sweep --part, or omit its folder.")
+            }
             ReportError::OtherSample { .. } => Self::bad_input(
                 &error,
                 "Finish that sample with its own command, or give another folder with --out DIR, or --fresh to discard its samples.",

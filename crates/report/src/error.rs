@@ -20,7 +20,7 @@ pub enum ReportError {
         path: PathBuf,
     },
     /// The rows of another sweep would be lost.
-    #[error("{path} is the checkpoint of an interrupted sweep of another scene, key or version")]
+    #[error("{path} is the checkpoint of an interrupted sweep of another scene, key, part or version")]
     OtherSweep {
         /// The checkpoint.
         path: PathBuf,
@@ -42,6 +42,14 @@ pub enum ReportError {
     OtherRun {
         /// The checkpoint.
         path: PathBuf,
+    },
+    /// A file that should be a part of a sweep.
+    #[error("{path} is not a part of a sweep that this version of peel can read: {reason}")]
+    NoPart {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with its first line.
+        reason: String,
     },
     /// What an earlier run has left cannot be read.
     #[error("cannot read {path}: {source}")]
@@ -70,6 +78,7 @@ impl ReportError {
         | Self::OtherSample { path }
         | Self::OtherOptimisation { path }
         | Self::OtherRun { path }
+        | Self::NoPart { path, .. }
         | Self::Read { path, .. }
         | Self::Draw { path, .. }) = &mut self;
         *path = other(path);

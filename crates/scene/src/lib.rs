@@ -24,6 +24,7 @@ mod space;
 mod to_toml;
 mod uncertainty;
 mod value;
+mod without_files;
 
 pub use bodies::{BODIES, body_of};
 pub use bounds::BoundsTable;

@@ -75,7 +75,7 @@ fn failure(mut words: Vec<String>, folder: &Path) -> Option<String> {
             words.extend(["--set", "bounds.points=6"].map(str::to_owned));
         }
         // pictures take longer than so few points; what writes files of its own writes them anew
-        if has(&words, "--states") || has(&words, "--animate") {
+        if ["--states", "--animate", "--part"].iter().any(|flag| has(&words, flag)) {
             words.push("--force".into());
         } else if !has(&words, "--json") {
             words.push("--json".into());
@@ -129,5 +129,5 @@ fn other_programs_that_documents_name_are_there() {
 }
 
 fn manifests() -> Vec<String> {
-    ["checks", "command", "report", "scene"].map(|name| format!("crates/{name}/Cargo.toml")).to_vec()
+    ["checks", "command", "report", "scene", "serve"].map(|name| format!("crates/{name}/Cargo.toml")).to_vec()
 }

@@ -3,10 +3,12 @@
 use crate::help;
 use crate::input::SceneArgs;
 use crate::output::OutArgs;
+use crate::sweep::part::parse_part;
 use crate::sweep::varied::Varied;
 use crate::text_summary::UnitsArgs;
 use clap::{Args, ValueEnum};
 use peelkit::study::PointKind;
+use peelkit_report::Part;
 use std::path::PathBuf;
 
 /// Varies a number of a scene, or two: peak force, plateau, snap-off and work against the values
@@ -30,6 +32,12 @@ pub struct Sweep {
     /// That is the first local maximum of the force.
     #[arg(long)]
     peak_only: bool,
+
+    /// Computes one part of N: 3/8; peel collect joins the parts
+    ///
+    /// The values of the sweep are dealt out in turn: part I takes the values I, I + N, I + 2 N, ...
+    #[arg(long, value_name = "I/N", value_parser = parse_part)]
+    pub part: Option<Part>,
 
     #[command(flatten)]
     pub out: OutArgs,
@@ -75,11 +83,21 @@ impl Sweep {
         parts.map(str::to_owned).collect()
     }
 
+    fn default_folder(&self, part: Option<Part>) -> PathBuf {
+        let part = part.map(|part| format!("part-{}-of-{}", part.index, part.of));
+        self.scene.default_folder(&self.folder_parts().into_iter().chain(part).collect::<Vec<_>>())
+    }
+
+    /// Where all parts go together, if the user names no folder.
+    pub fn folder_of_all(&self) -> PathBuf {
+        self.default_folder(None)
+    }
+
     /// Where files go, if they are written.
     pub fn folder(&self) -> Option<PathBuf> {
         match &self.out.out {
             None if self.json => None,
-            None => Some(self.scene.default_folder(&self.folder_parts())),
+            None => Some(self.default_folder(self.part)),
             given => given.clone(),
         }
     }

@@ -1,5 +1,10 @@
 //! What is said of values whose computation stopped short.
 
+use crate::text_summary;
+use peelkit::study::PathEnd;
+use peelkit_report::{SweepRow, SweptKeys};
+use peelkit_scene::Key;
+
 /// The values whose computation stopped short, of so many, each with its reason; nothing where there are none.
 pub fn failed(reasons: &[String], values: usize) -> Option<String> {
     const SHOWN: usize = 10;
@@ -11,4 +16,20 @@ pub fn failed(reasons: &[String], values: usize) -> Option<String> {
         text += &format!("\nand {} more: see the column `end`", reasons.len() - SHOWN);
     }
     (!reasons.is_empty()).then_some(text)
+}
+
+/// The same of rows of whole paths.
+pub fn failed_rows(keys: SweptKeys, rows: &[SweepRow]) -> Option<String> {
+    let reasons = rows.iter().filter_map(|row| match &row.found.end {
+        PathEnd::Failed(reason) => Some(format!("at {}: {reason}", place(keys, row.value, row.second))),
+        _ => None,
+    });
+    failed(&reasons.collect::<Vec<_>>(), rows.len())
+}
+
+/// Where in the sweep these values are: `strip.length = 80 nm`.
+pub fn place(keys: SweptKeys, value: f64, second: Option<f64>) -> String {
+    let one = |key: &Key, value: f64| format!("{} = {value}{}", key.path(), text_summary::spaced(key.unit()));
+    let second = keys.second.zip(second).map(|(key, value)| format!(", {}", one(key, value)));
+    format!("{}{}", one(keys.first, value), second.unwrap_or_default())
 }

@@ -1,25 +1,36 @@
 //! `peel sweep`: one number of a scene varied, or two; each value peeled from rest to its end, or one point of the peel followed.
 
 mod args;
-mod cases;
-mod failed;
+pub mod axes;
+pub mod cases;
+pub mod failed;
+pub mod files;
 mod follow;
-mod no_effect;
+pub mod no_effect;
+mod part;
 mod peels;
 mod varied;
 
 pub use args::Sweep;
 
 use crate::stop::Stop;
+use axes::Axis;
 use cases::Cases;
 
 pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let scene = args.scene.load()?;
     let wanted = args.units.wanted()?;
-    let cases = Cases::of(&scene, &args.varied.parameters()?)?;
+    let parameters = args.varied.parameters()?;
+    let axes = parameters.iter().map(|parameter| Axis::of(&scene, parameter));
+    let axes = axes.collect::<Result<Vec<_>, Stop>>()?;
+    args.part.map_or(Ok(()), |part| part::check(args, part, &axes))?;
+    let cases = Cases::along(&scene, &axes, args.part)?;
     no_effect::refuse(&args.scene.overrides, &scene, &cases)?;
     match args.followed() {
         Some(kind) => follow::follow(args, kind, &scene, &cases, wanted),
-        None => peels::peel_each(args, &scene, &cases, wanted),
+        None => {
+            let part = args.part.map(|part| part::header(args, &scene, &axes, part));
+            peels::peel_each(args, &scene, &cases, part.as_ref(), wanted)
+        }
     }
 }

@@ -3,24 +3,30 @@
 
 use super::args::Sweep;
 use super::cases::{Case, Cases};
-use super::failed::failed;
-use super::no_effect;
+use super::failed::failed_rows;
+use super::{files, no_effect};
 use crate::command_line::command_line;
 use crate::interrupt::Interrupt;
 use crate::output::{list_files, progress_bar, say};
 use crate::stop::Stop;
 use crate::text_summary::{self, WantedUnits};
 use indicatif::ProgressBar;
-use peelkit::study::{self, PathEnd};
+use peelkit::study;
 use peelkit_report::{
-    self as report, Existing, OutputFolder, PartialSweep, ReportError, SweepRow, SweepSummary, SweptKeys,
+    Existing, OutputFolder, PartHeader, PartialSweep, ReportError, SweepRow, SweepSummary, SweptKeys,
 };
-use peelkit_scene::{Key, Scene};
+use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-/// Peels every value.
-pub fn peel_each(args: &Sweep, scene: &Scene, cases: &Cases, wanted: WantedUnits) -> Result<(), Stop> {
+/// Peels every value; of a divided sweep those of the part.
+pub fn peel_each(
+    args: &Sweep,
+    scene: &Scene,
+    cases: &Cases,
+    part: Option<&PartHeader>,
+    wanted: WantedUnits,
+) -> Result<(), Stop> {
     let (keys, all) = (cases.keys, cases.all.as_slice());
     let command = command_line();
     let (rows, mut remarks, files) = match args.folder() {
@@ -33,7 +39,7 @@ pub fn peel_each(args: &Sweep, scene: &Scene, cases: &Cases, wanted: WantedUnits
             let (partial, output) = open(args, &folder, scene, keys)?;
             let kept = Kept { partial, bar, interrupt };
             let (rows, remarks) = kept.peel(all)?;
-            let files = write(&output, scene, &command, cases, &rows);
+            let files = write(&output, scene, &command, cases, &rows, part);
             if files.is_ok() && rows.len() == all.len() {
                 PartialSweep::discard(&folder)?;
             }
@@ -90,7 +96,7 @@ fn open(
     } else if args.fresh {
         PartialSweep::discard(folder)?;
     }
-    let partial = PartialSweep::open(folder, scene, keys)?;
+    let partial = PartialSweep::open(folder, scene, keys, args.part)?;
     Ok((partial, OutputFolder::claim(folder, Existing::Replace)?))
 }
 
@@ -146,20 +152,14 @@ fn write(
     command: &str,
     cases: &Cases,
     rows: &[SweepRow],
+    part: Option<&PartHeader>,
 ) -> Result<Vec<PathBuf>, ReportError> {
     if rows.is_empty() {
         return Ok(Vec::new());
     }
-    let Cases { keys, log, .. } = cases;
-    output.write(|dir| {
-        let mut files = vec![report::write_sweep(dir, *keys, rows)?, report::write_parameters(dir, scene, command)?];
-        if rows.iter().any(|row| row.found.peak.is_some()) {
-            files.extend(match keys.second {
-                None => report::draw_sweep(rows, &keys.first.path(), &scene.title, log[0], dir)?,
-                Some(_) => report::draw_plane(rows, *keys, &scene.title, *log, dir)?,
-            });
-        }
-        Ok(files)
+    output.write(|dir| match part {
+        None => files::write_all(dir, scene, command, cases, rows),
+        Some(header) => files::write_part(dir, scene, command, cases, rows, header),
     })
 }
 
@@ -171,15 +171,6 @@ fn stopped_short(keys: SweptKeys, rows: &[SweepRow], values: usize) -> Result<()
             "interrupted, {done} of {values} values are done; the same command resumes from there, --fresh starts anew"
         )
     });
-    let at = |row: &SweepRow| {
-        let one = |key: &Key, value: f64| format!("{} = {value}{}", key.path(), text_summary::spaced(key.unit()));
-        let second = keys.second.zip(row.second).map(|(key, value)| format!(", {}", one(key, value)));
-        format!("at {}{}", one(keys.first, row.value), second.unwrap_or_default())
-    };
-    let reasons = rows.iter().filter_map(|row| match &row.found.end {
-        PathEnd::Failed(reason) => Some(format!("{}: {reason}", at(row))),
-        _ => None,
-    });
-    let parts: Vec<String> = interrupted.into_iter().chain(failed(&reasons.collect::<Vec<_>>(), rows.len())).collect();
+    let parts: Vec<String> = interrupted.into_iter().chain(failed_rows(keys, rows)).collect();
     if parts.is_empty() { Ok(()) } else { Err(Stop::cut_short(parts.join("\nand "))) }
 }

@@ -70,6 +70,6 @@ pub(super) fn text_line<T: Serialize>(line: &T) -> io::Result<Vec<u8>> {
 }
 
 /// The lines that can be read: one that was torn when its run was killed is left out.
-fn read_lines<T: DeserializeOwned>(text: &[u8]) -> Vec<T> {
+pub(super) fn read_lines<T: DeserializeOwned>(text: &[u8]) -> Vec<T> {
     text.split(|&byte| byte == b'\n').filter_map(|line| serde_json::from_slice(line).ok()).collect()
 }

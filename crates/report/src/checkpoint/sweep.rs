@@ -2,6 +2,7 @@
 //! them, and the next run of the same sweep takes them up.
 
 use super::lines::Lines;
+use super::part::Part;
 use crate::error::ReportError;
 use crate::file::remove;
 use crate::summary::Parameters;
@@ -21,39 +22,60 @@ pub struct PartialSweep {
     taken: HashMap<(u64, Option<u64>), Line>,
 }
 
-/// The first line. Two sweeps are the same where these lines are: one program, one scene with its defaults, one key.
+/// The first line. Two sweeps are the same where these lines are: one program, one scene with its defaults, one key,
+/// and of a divided sweep one part.
 #[derive(Serialize)]
 struct Header {
     peelkit: &'static str,
     vary: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    part: Option<Part>,
     scene: Parameters,
 }
 
 /// A finished value.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Line {
+pub(super) struct Line {
     value: f64,
     /// Of the second key, where two are varied.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     second: Option<f64>,
-    found: PeelResult,
-    solve_s: f64,
+    pub found: PeelResult,
+    pub solve_s: f64,
+}
+
+impl Line {
+    /// By which it is found.
+    pub fn place(&self) -> (u64, Option<u64>) {
+        place(self.value, self.second)
+    }
+}
+
+impl From<&SweepRow> for Line {
+    fn from(row: &SweepRow) -> Self {
+        Self { value: row.value, second: row.second, found: row.found.clone(), solve_s: row.solve_s }
+    }
 }
 
 impl PartialSweep {
     /// Its name in the folder of the outputs.
     pub const NAME: &str = "sweep.partial.jsonl";
 
-    /// Opens the file in `dir`, or begins it, and takes up what it holds of this sweep: the scene in which these keys are varied.
-    /// The file of another sweep is refused.
+    /// Opens the file in `dir`, or begins it, and takes up what it holds of this sweep: the scene in which these keys are varied,
+    /// and the part of it where it is divided. The file of another sweep is refused.
     ///
     /// Fails with [`ReportError::OtherSweep`], [`ReportError::Read`] or [`ReportError::Write`].
-    pub fn open<'k>(dir: &Path, scene: &Scene, keys: impl Into<SweptKeys<'k>>) -> Result<Self, ReportError> {
-        let header =
-            Header { peelkit: env!("CARGO_PKG_VERSION"), vary: keys.into().names(), scene: Parameters(scene.clone()) };
+    pub fn open<'k>(
+        dir: &Path,
+        scene: &Scene,
+        keys: impl Into<SweptKeys<'k>>,
+        part: Option<Part>,
+    ) -> Result<Self, ReportError> {
+        let (vary, scene) = (keys.into().names(), Parameters(scene.clone()));
+        let header = Header { peelkit: env!("CARGO_PKG_VERSION"), vary, part, scene };
         let other = |path| ReportError::OtherSweep { path };
         let (lines, kept) = Lines::<Line>::open(&dir.join(Self::NAME), &header, other)?;
-        let taken = kept.into_iter().map(|line| (place(line.value, line.second), line)).collect();
+        let taken = kept.into_iter().map(|line| (line.place(), line)).collect();
         Ok(Self { lines, taken })
     }
 
@@ -78,12 +100,11 @@ impl PartialSweep {
     ///
     /// Fails with [`ReportError::Write`].
     pub fn keep(&self, row: &SweepRow) -> Result<(), ReportError> {
-        let line = Line { value: row.value, second: row.second, found: row.found.clone(), solve_s: row.solve_s };
-        self.lines.keep(&line)
+        self.lines.keep(&Line::from(row))
     }
 }
 
-fn place(value: f64, second: Option<f64>) -> (u64, Option<u64>) {
+pub(super) fn place(value: f64, second: Option<f64>) -> (u64, Option<u64>) {
     (value.to_bits(), second.map(f64::to_bits))
 }
 
@@ -157,7 +178,7 @@ mod tests {
     }
 
     fn open(dir: &Path, scene: &Scene) -> PartialSweep {
-        PartialSweep::open(dir, scene, find_key("strip.length").unwrap()).unwrap()
+        PartialSweep::open(dir, scene, find_key("strip.length").unwrap(), None).unwrap()
     }
 
     #[test]
@@ -180,12 +201,12 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let keys =
             SweptKeys { first: find_key("strip.length").unwrap(), second: Some(find_key("strip.height").unwrap()) };
-        let open = || PartialSweep::open(dir.path(), &scene(), keys).unwrap();
+        let open = || PartialSweep::open(dir.path(), &scene(), keys, None).unwrap();
         open().keep(&SweepRow { second: Some(2.0), ..row(1.0) }).unwrap();
         let partial = open();
         assert!(partial.found(1.0, Some(2.0)).is_some());
         assert!(partial.found(1.0, None).is_none() && partial.found(1.0, Some(3.0)).is_none());
-        let one = PartialSweep::open(dir.path(), &scene(), keys.first);
+        let one = PartialSweep::open(dir.path(), &scene(), keys.first, None);
         assert!(matches!(one, Err(ReportError::OtherSweep { .. })));
     }
 
@@ -229,7 +250,7 @@ mod tests {
         let path = dir.path().join(PartialSweep::NAME);
         let refused = |scene: &Scene, key: &str| {
             let before = fs::read(&path).unwrap();
-            let error = PartialSweep::open(dir.path(), scene, find_key(key).unwrap()).unwrap_err();
+            let error = PartialSweep::open(dir.path(), scene, find_key(key).unwrap(), None).unwrap_err();
             assert!(matches!(error, ReportError::OtherSweep { .. }) && error.to_string().contains(PartialSweep::NAME));
             assert_eq!(fs::read(&path).unwrap(), before);
         };

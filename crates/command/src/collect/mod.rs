@@ -1,0 +1,113 @@
+//! `peel collect`: the parts of a divided sweep put together into what the undivided sweep writes.
+
+mod differences;
+mod help;
+mod merge;
+mod parts;
+
+use crate::command_line::joined;
+use crate::output::{OutArgs, list_files, say};
+use crate::stop::Stop;
+use crate::sweep::cases::Cases;
+use crate::sweep::failed::failed_rows;
+use crate::sweep::{files, no_effect};
+use crate::text_summary::{self, UnitsArgs};
+use clap::Args;
+use merge::Merged;
+use parts::Parts;
+use peelkit_report::{Existing, OutputFolder, PartHeader, PartialCollection, ReportError, SweepSummary};
+use peelkit_scene::Scene;
+use std::path::{Path, PathBuf};
+
+/// Puts together the parts that peel sweep --part has computed
+#[derive(Args)]
+#[command(after_help = help::SHORT, after_long_help = help::LONG)]
+pub struct Collect {
+    /// Folders of the parts, in any order
+    #[arg(value_name = "FOLDER", required = true)]
+    folders: Vec<PathBuf>,
+
+    #[command(flatten)]
+    out: OutArgs,
+
+    #[command(flatten)]
+    units: UnitsArgs,
+
+    /// Prints one JSON object only; writes files only if --out is given
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn collect(args: &Collect) -> Result<(), Stop> {
+    let wanted = args.units.wanted()?;
+    let parts = Parts::read(&args.folders)?;
+    let header = parts.header();
+    let scene = Scene::parse(&header.name, &header.sweep.scene, &[])?;
+    let cases = Cases::along(&scene, &parts.axes()?, None)?;
+    let merged = Merged::of(&parts, &cases)?;
+    let (keys, rows) = (cases.keys, merged.rows.as_slice());
+    let command = command(args, header);
+    let files = match folder(args, header) {
+        Some(folder) => {
+            write(args, &folder, header, &merged, |dir| files::write_all(dir, &scene, &command, &cases, rows))?
+        }
+        None => Vec::new(),
+    };
+    let mut remarks = merged.remarks.clone();
+    remarks.extend(no_effect::seen(keys, rows));
+    if args.json {
+        let summary = SweepSummary::new(&scene, keys, rows, &remarks).with_command(&command);
+        say(&summary.to_json().map_err(Stop::other)?)?;
+    } else {
+        let text = text_summary::sweep(&scene, keys, rows, &remarks, wanted);
+        say(&format!("{text}\n{}", list_files(&Ok(files))))?;
+    }
+    let short: Vec<String> = merged.missing_text().into_iter().chain(failed_rows(keys, rows)).collect();
+    if short.is_empty() { Ok(()) } else { Err(Stop::cut_short(short.join("\nand "))) }
+}
+
+/// The command line of the undivided sweep that would write the same.
+fn command(args: &Collect, header: &PartHeader) -> String {
+    let mut words = header.command.clone();
+    if let Some(out) = &args.out.out {
+        words.extend(["--out".to_owned(), out.display().to_string()]);
+    }
+    joined(&words)
+}
+
+/// Where files go, if they are written.
+fn folder(args: &Collect, header: &PartHeader) -> Option<PathBuf> {
+    match &args.out.out {
+        None if args.json => None,
+        None => Some(header.folder.clone()),
+        given => given.clone(),
+    }
+}
+
+/// A folder of the same sweep in which parts were missing is one to go on with; any other that holds something is refused.
+fn write(
+    args: &Collect,
+    folder: &Path,
+    header: &PartHeader,
+    merged: &Merged,
+    write: impl FnOnce(&Path) -> Result<Vec<PathBuf>, ReportError>,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let output = if PartialCollection::is_in(folder, &header.sweep) {
+        OutputFolder::claim(folder, Existing::Replace)?
+    } else {
+        args.out.claim(folder)?
+    };
+    let missing = merged.missing_parts();
+    let is_whole = missing.is_empty();
+    let files = output.write(|dir| {
+        let mut files = write(dir)?;
+        if !is_whole {
+            files.push(PartialCollection { sweep: header.sweep.clone(), missing }.write(dir)?);
+        }
+        Ok(files)
+    })?;
+    if is_whole {
+        PartialCollection::discard(folder)?;
+    }
+    Ok(files)
+}

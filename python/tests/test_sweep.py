@@ -1,0 +1,270 @@
+"""A sweep is the same whoever computes it, whatever happens meanwhile, and wherever it is kept.
+
+::
+
+    cases     0 1 | 2 3 | 4 5 | ...            a batch: neighbouring cases, all values of the last key first
+    clients   a plain loop = threads = processes = a cluster of dask
+    cluster   worker 1  #### x                 killed in the middle: its batches go to others
+              worker 2  ################
+              worker 3        ##########       joins later
+    stores    .zarr = .parquet = memory        each batch whole, once, and only what is missing after an interruption
+
+Parameters: the strip of 100 nm at a tolerance of 1e-3, its modulus and the angle of the pull. The reference is a plain
+loop over the scenes, and the table of the command ``peel sweep``. Expected: the same bits everywhere but for
+`solve_time`. Why: what a cluster has computed should not be doubted because a machine of it was lost.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+import shutil
+import signal
+import subprocess
+import threading
+import time
+from collections.abc import Callable
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import peelkit
+
+xarray = pytest.importorskip("xarray")
+
+SCENES = Path(__file__).parents[2] / "scenes"
+MODULI = [1.0, 1.5, 2.0, 2.5, 3.0, 3.5]
+ANGLES = [60, 75, 90]
+VARIED = {"strip.youngs_modulus": MODULI, "drive.angle": ANGLES}
+
+
+@pytest.fixture(scope="module")
+def scene() -> peelkit.Scene:
+    return peelkit.Scene.read(SCENES / "strip-100nm.toml").with_("accuracy.relative", 1e-3)
+
+
+@pytest.fixture(scope="module")
+def serial(scene: peelkit.Scene) -> Any:
+    return peelkit.sweep(scene, VARIED, ThreadPoolExecutor(1), batch=1)
+
+
+def assert_same(found: Any, reference: Any) -> None:
+    xarray.testing.assert_identical(found.drop_vars("solve_time"), reference.drop_vars("solve_time"))
+
+
+def test_every_case_is_the_run_of_its_scene(scene: peelkit.Scene, serial: Any) -> None:
+    for modulus in MODULI:
+        for angle in ANGLES:
+            peel = scene.with_({"strip.youngs_modulus": modulus, "drive.angle": angle}).run()
+            row = serial.sel({"strip.youngs_modulus": modulus, "drive.angle": angle})
+            summary = peel.summary()
+            assert row.peak_force == summary["peak"]["force_nN"]
+            assert row.peak_force_error == summary["peak"]["error_nN"]
+            assert row.snap_off_displacement == summary["snap_off"]["displacement_nm"]
+            assert row.work == summary["snap_off"]["work_aJ"]
+            assert row.work_to == "first jump"
+            assert row.end == peel.end
+
+
+def test_variables_have_units_and_error_bounds(serial: Any) -> None:
+    assert serial.peak_force.dims == ("strip.youngs_modulus", "drive.angle")
+    assert serial.peak_force.attrs == {"units": "nN", "long_name": "force at the peak"}
+    assert serial["strip.youngs_modulus"].attrs["units"] == "GPa"
+    assert serial["drive.angle"].attrs["units"] == "deg"
+    assert all("units" in serial[name].attrs for name in serial.variables)
+    assert bool((serial.peak_force_error < 1e-3 * serial.peak_force).all())
+
+
+def test_threads_and_processes_give_the_same(scene: peelkit.Scene, serial: Any) -> None:
+    assert_same(peelkit.sweep(scene, VARIED), serial)
+    assert_same(peelkit.sweep(scene, VARIED, ThreadPoolExecutor(3), batch=5), serial)
+    with ProcessPoolExecutor(2, get_context("spawn")) as processes:
+        assert_same(peelkit.sweep(scene, VARIED, processes, batch=4), serial)
+
+
+def test_the_table_of_the_command_is_the_same(scene: peelkit.Scene, tmp_path: Path) -> None:
+    peel = os.environ.get("PEELKIT_COMMAND", shutil.which("peel"))
+    if peel is None:
+        pytest.skip("the command peel is not there: name it in the variable PEELKIT_COMMAND")
+    lengths = ["90", "100", "110.5"]
+    scene_file, values = str(SCENES / "strip-100nm.toml"), ",".join(lengths) + " nm"
+    command = [str(Path(peel).resolve()), "sweep", scene_file, "--vary", "strip.length", "--values", values]
+    subprocess.run([*command, "--set", "accuracy.relative=1e-3", "--out", "out"], cwd=tmp_path, check=True)
+    with open(tmp_path / "out/sweep.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    found = peelkit.sweep(scene, {"strip.length": [f"{length} nm" for length in lengths]})
+    columns = {
+        "peak_force": "peak_force_nN",
+        "peak_force_error": "peak_error_nN",
+        "snap_off_displacement_error": "snap_off_error_nm",
+        "work": "work_aJ",
+        "work_error": "work_error_aJ",
+        "pad_detachment_work": "pad_detachment_work_aJ",
+        "accuracy_reached": "accuracy_reached",
+        "newton_iterations": "newton_iterations",
+    }
+    for name, column in columns.items():
+        np.testing.assert_array_equal(found[name], [float(row[column]) for row in rows], column)
+    assert list(found.end.values) == [row["end"] for row in rows]
+
+
+def test_values_are_numbers_texts_or_quantities(scene: peelkit.Scene) -> None:
+    heights = peelkit.sweep(scene, {"strip.height": ["9 nm", 10.0]})
+    assert list(heights["strip.height"].values) == [9.0, 10.0]
+    words = peelkit.sweep(scene, {"grip.rotation": ["free", "fixed"]})
+    assert words.peak_force.sel({"grip.rotation": "free"}) != words.peak_force.sel({"grip.rotation": "fixed"})
+    pint = pytest.importorskip("pint")
+    quantities = pint.UnitRegistry().Quantity([9.0, 10.0], "nm")
+    assert_same(peelkit.sweep(scene, {"strip.height": quantities}), heights)
+
+
+def test_what_is_no_sweep_is_refused(scene: peelkit.Scene, tmp_path: Path) -> None:
+    def refused(part: str, varied: dict[str, Any], **options: Any) -> None:
+        with pytest.raises(peelkit.PeelkitError, match=part):
+            peelkit.sweep(scene, varied, **options)
+
+    refused("varies no key", {})
+    refused("strip.lenght", {"strip.lenght": [1.0]})
+    refused("no list of values", {"strip.length": "100 nm"})
+    refused("no value", {"strip.length": []})
+    refused("strip.height", {"strip.height": [10.0, -1.0]})
+    refused("neither Zarr nor Parquet", {"strip.length": [100.0]}, store=tmp_path / "a.csv")
+    refused("which runs no batches", {"strip.length": [100.0]}, client="here")
+    with pytest.raises(peelkit.PeelkitError, match="no store of a sweep"):
+        peelkit.read_sweep(tmp_path / "none.zarr")
+
+
+def test_what_cannot_be_computed_is_a_row_with_its_end(scene: peelkit.Scene) -> None:
+    cut = peelkit.sweep(scene.with_("bounds.points", 5), {"strip.length": [100.0]})
+    assert cut.end.item() == "bound" and np.isnan(cut.snap_off_force) and cut.work_to.item() == "end of path"
+    # of two keys one value may be right only beside another
+    pairs = peelkit.sweep(scene, {"strip.height": [10.0, -1.0], "strip.length": [100.0]})
+    assert list(pairs.end.values.ravel()) == ["pivoting", "refused"]
+    assert np.isnan(pairs.peak_force.values[1, 0])
+
+
+@pytest.mark.parametrize("suffix", ["zarr", "parquet"])
+def test_a_store_gives_back_what_was_computed(scene: peelkit.Scene, serial: Any, tmp_path: Path, suffix: str) -> None:
+    store = tmp_path / f"sweep.{suffix}"
+    found = peelkit.sweep(scene, VARIED, store=store, batch=4)
+    assert_same(found, serial)
+    xarray.testing.assert_identical(peelkit.read_sweep(store), found)
+    # nothing is computed again
+    xarray.testing.assert_identical(peelkit.sweep(scene, VARIED, store=store), found)
+    if suffix == "zarr":
+        with xarray.open_zarr(store, chunks=None) as table:
+            np.testing.assert_array_equal(table.peak_force, serial.peak_force.values.ravel())
+            np.testing.assert_array_equal(table["drive.angle"], np.tile(ANGLES, len(MODULI)))
+            assert table.peak_force.attrs["units"] == "nN"
+    else:
+        table = pytest.importorskip("pandas").read_parquet(store)
+        np.testing.assert_array_equal(table.peak_force, serial.peak_force.values.ravel())
+        np.testing.assert_array_equal(table.case, np.arange(len(table)))
+
+
+class Interrupting(Executor):
+    """Computes at once, and counts; interrupts as Ctrl-C does."""
+
+    def __init__(self, at: int | None = None) -> None:
+        self.at = at
+        self.starts: list[int] = []
+        self.inner = ThreadPoolExecutor(1)
+
+    def submit(self, work: Any, batch: Any) -> Any:  # type: ignore[override]
+        if len(self.starts) == self.at:
+            raise KeyboardInterrupt
+        self.starts.append(batch.start)
+        future = self.inner.submit(work, batch)
+        future.exception()
+        return future
+
+
+@pytest.mark.parametrize("suffix", ["zarr", "parquet"])
+def test_an_interrupted_sweep_computes_what_is_missing(
+    scene: peelkit.Scene, serial: Any, tmp_path: Path, suffix: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(os, "cpu_count", lambda: 1)
+    store = tmp_path / f"sweep.{suffix}"
+    first, second = Interrupting(at=6), Interrupting()
+    with pytest.raises(KeyboardInterrupt):
+        peelkit.sweep(scene, VARIED, first, store=store, batch=2)
+    there = peelkit.read_sweep(store).end.values.ravel() != ""
+    assert 0 < there.sum() < there.size
+    assert_same(peelkit.sweep(scene, VARIED, second, store=store), serial)
+    assert sorted(second.starts) == [start for start in range(0, there.size, 2) if not there[start]]
+
+
+@pytest.mark.parametrize("suffix", ["zarr", "parquet"])
+def test_the_store_of_another_sweep_is_refused(scene: peelkit.Scene, tmp_path: Path, suffix: str) -> None:
+    store = tmp_path / f"sweep.{suffix}"
+    few = {"strip.length": [90.0, 100.0]}
+    peelkit.sweep(scene, few, store=store)
+
+    def refused(part: str, scene: peelkit.Scene, varied: dict[str, Any]) -> None:
+        with pytest.raises(peelkit.PeelkitError, match=part):
+            peelkit.sweep(scene, varied, store=store)
+
+    refused("value 2 100.0 in it, and 101.0", scene, {"strip.length": [90.0, 101.0]})
+    refused("2 values in it, and 3", scene, {"strip.length": [90.0, 100.0, 101.0]})
+    refused("varies strip.length", scene, {"strip.height": [9.0, 10.0]})
+    refused("angle", scene.with_("drive.angle", 80), few)
+    (tmp_path / f"mine.{suffix}").mkdir()
+    (tmp_path / f"mine.{suffix}" / "notes.txt").write_text("mine")
+    with pytest.raises(peelkit.PeelkitError, match="no store of a sweep"):
+        peelkit.sweep(scene, few, store=tmp_path / f"mine.{suffix}")
+    assert (tmp_path / f"mine.{suffix}" / "notes.txt").read_text() == "mine"
+
+
+def test_a_lost_process_is_said_and_what_was_done_is_kept(scene: peelkit.Scene, tmp_path: Path) -> None:
+    store = tmp_path / "sweep.parquet"
+    with ProcessPoolExecutor(1, get_context("spawn")) as processes:
+        processes.submit(os.getpid).result()
+        killer = threading.Thread(target=_kill_when, args=(store, 3, lambda: list(processes._processes or {})))
+        killer.start()
+        with pytest.raises(peelkit.PeelkitError, match="lost a worker"):
+            peelkit.sweep(scene, {"strip.length": np.linspace(90, 110, 200)}, processes, store=store, batch=2)
+        killer.join()
+    assert 6 <= (peelkit.read_sweep(store).end != "").sum() < 200
+
+
+def _kill_when(store: Path, batches: int, pids: Callable[[], list[int]]) -> None:
+    """Kills processes as soon as so many batches are in the store."""
+    deadline = time.monotonic() + 120
+    while len(list(store.glob("batch-*"))) < batches and time.monotonic() < deadline:
+        time.sleep(0.005)
+    for pid in pids():
+        os.kill(pid, signal.SIGKILL)
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_cluster_loses_a_worker_and_gains_one(scene: peelkit.Scene, tmp_path: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    varied = {"strip.length": np.linspace(90, 110, 150), "drive.angle": [80.0, 90.0]}
+    reference = peelkit.sweep(scene, varied, ThreadPoolExecutor(1))
+    store = tmp_path / "sweep.parquet"
+    options = {"n_workers": 2, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
+    with distributed.LocalCluster(**options) as cluster, distributed.Client(cluster) as client:
+        first = set(client.scheduler_info(n_workers=-1)["workers"])
+        killed = [next(iter(cluster.workers.values())).pid]
+
+        def disturb() -> None:
+            _kill_when(store, 10, lambda: killed)
+            cluster.scale(3)
+
+        disturbance = threading.Thread(target=disturb)
+        disturbance.start()
+        found = peelkit.sweep(scene, varied, client, store=store, batch=3)
+        disturbance.join()
+        assert len(list(store.glob("batch-*"))) == 100
+        assert not Path(f"/proc/{killed[0]}/stat").exists() or killed[0] not in [
+            nanny.pid for nanny in cluster.workers.values()
+        ]
+        client.wait_for_workers(3, timeout=60)
+        assert set(client.scheduler_info(n_workers=-1)["workers"]) - first
+    assert_same(found, reference)
+    cases = pytest.importorskip("pandas").read_parquet(store).case
+    np.testing.assert_array_equal(np.sort(cases), np.arange(300))
