@@ -7,7 +7,7 @@ from nbformat import NotebookNode
 INTRODUCTION = """\
 # Notebooks
 
-Seven notebooks for a course, each with a short story, an equation, pictures, sliders that compute a peel while they move, and exercises with hints. They use the [Python package](../python/notebooks/README.md);
+Seven notebooks for a course, each with a short story, an equation, pictures, sliders that compute a peel while they move, and exercises with hints. They use the [Python package](python.md); [how to start them](../python/notebooks/README.md);
 nobody has to know Rust. The last cell of each asserts what its text says, and all of them run with the checks of the project.
 
 ```sh
