@@ -8,7 +8,7 @@
 
 use super::setup::four_tips;
 use approx::assert_abs_diff_eq;
-use peelkit::beam::{BeamTree, BranchingBeam, EndRotation, JointCondition};
+use peelkit::beam::{BeamTree, BranchingBeam, JointCondition};
 use peelkit::solve::{
     EndConditions, INTERFACE, InitialState, NewtonOptions, Observables, PathConstraint, PathMeasure, Problem, State,
     System, Workspace, solve,
@@ -33,42 +33,54 @@ fn rows() -> Vec<Row> {
     table.lines().skip(1).map(row).collect()
 }
 
-/// The equilibrium under loads of the tips, joints 3 to 6, which grow in steps.
-fn equilibrium(order: usize, elements: usize, loads: &[Row]) -> (Arc<BeamTree>, State) {
-    let steps = 10;
-    let mut known: Option<State> = None;
-    let mut last = None;
-    for step in 1..=steps {
-        let share = f64::from(step) / f64::from(steps);
-        let mut root = JointCondition::free(0);
-        root.rotation = EndRotation::Angles;
-        let mut conditions = vec![root];
-        for (tip, row) in loads.iter().enumerate() {
-            let [force, moment] = row.load.map(|part| part.map(|x| share * x));
-            conditions.push(JointCondition::loaded(3 + tip, force, moment));
-        }
-        let beam = BranchingBeam { conditions, scale: [1e-3, 1e-3], ..four_tips(order, elements) };
-        let tree = Arc::new(beam.build().unwrap());
-        let problem = Problem {
-            grip: EndConditions {
-                held: [true, true, false, true, true, true],
-                origin: tree.interface_at_rest(),
-                scale: [1.0; INTERFACE],
-                ..EndConditions::drive(2)
-            },
-            system: tree.clone(),
-            measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true },
-            start: InitialState::StressFree,
-        };
-        let start = known.take().unwrap_or_else(|| tree.stress_free(0));
-        let clamped = PathConstraint { weights: Observables::DISPLACEMENT, target: 0.0 };
-        let options =
-            NewtonOptions { tolerance: 1e-7, largest_update: f64::INFINITY, most_iterations: 40, exact_slope: false };
-        let found = solve(&problem, start, &clamped, &options, &mut Workspace::default()).unwrap();
-        known = Some(found.at.clone());
-        last = Some((tree, found.at));
+/// The tree under a share of the loads of its tips, joints 3 to 6, with its root clamped.
+fn loaded(order: usize, elements: usize, loads: &[Row], share: f64) -> (Arc<BeamTree>, Problem) {
+    let mut conditions = Vec::new();
+    for (tip, row) in loads.iter().enumerate() {
+        let [force, moment] = row.load.map(|part| part.map(|x| share * x));
+        conditions.push(JointCondition::loaded(3 + tip, force, moment));
     }
-    last.unwrap()
+    let beam = BranchingBeam { conditions, scale: [1e-3, 1e-3], ..four_tips(order, elements) };
+    let tree = Arc::new(beam.build().unwrap());
+    let problem = Problem {
+        grip: EndConditions {
+            held: [true, true, false, true, true, true],
+            origin: tree.interface_at_rest(),
+            scale: [1.0; INTERFACE],
+            ..EndConditions::drive(2)
+        },
+        system: tree.clone(),
+        measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true },
+        start: InitialState::StressFree,
+    };
+    (tree, problem)
+}
+
+/// The equilibrium under the loads, which grow in steps that are as long as Newton's method bears, from the secant on.
+fn equilibrium(order: usize, elements: usize, loads: &[Row]) -> (Arc<BeamTree>, State) {
+    let clamped = PathConstraint { weights: Observables::DISPLACEMENT, target: 0.0 };
+    let options =
+        NewtonOptions { tolerance: 1e-7, largest_update: f64::INFINITY, most_iterations: 12, exact_slope: false };
+    let mut at = loaded(order, elements, loads, 0.0).0.stress_free(0);
+    let (mut done, mut step) = (0.0, 0.02);
+    let mut before = (at.clone(), -step);
+    while done < 1.0 {
+        let next = f64::min(done + step, 1.0);
+        let (tree, problem) = loaded(order, elements, loads, next);
+        let ahead = (next - done) / (done - before.1);
+        let values = tree.combine(&[&at.values, &before.0.values], &[1.0 + ahead, -ahead]);
+        match solve(&problem, State { values, ..at.clone() }, &clamped, &options, &mut Workspace::default()) {
+            Ok(solution) => {
+                before = (std::mem::replace(&mut at, solution.at), done);
+                (done, step) = (next, 1.5 * step);
+            }
+            Err(error) => {
+                step *= 0.4;
+                assert!(step > 1e-6, "{error} at {done}");
+            }
+        }
+    }
+    (loaded(order, elements, loads, 1.0).0, at)
 }
 
 #[test]
