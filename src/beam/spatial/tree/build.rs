@@ -207,7 +207,7 @@ impl BranchingBeam {
 fn check_axes(own: &JointCondition) -> Result<(), TreeError> {
     let axes = Matrix3::from_fn(|i, j| own.axes[i][j]);
     let skew = (axes.transpose() * axes - Matrix3::identity()).abs().max();
-    let problem = if !(skew < SKEW) {
+    let problem = if skew.is_nan() || skew >= SKEW {
         "its axes have to be of length one and at right angles"
     } else if own.rotation == EndRotation::Free && own.held[3..].iter().any(Option::is_some) {
         "its rotation is counted freely and cannot be held: give it angles"
