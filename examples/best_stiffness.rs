@@ -14,7 +14,8 @@
 //! writes out/examples/best_stiffness.svg and .png.
 
 use peelkit::prelude::*;
-use peelkit::study::{BeamState, LimitPointKind, SectionFields, StateSections, sweep};
+use peelkit::study::optimisation::{DesignProblem, DesignVariable, Goal, Objective, OptimisationOptions, optimise};
+use peelkit::study::{BeamState, LimitPointKind, PeelQuantity, SectionFields, StateSections, sweep};
 use peelkit_report::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, colour, save};
 use std::{error::Error, path::Path};
 
@@ -29,19 +30,14 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Draws the picture in a folder, and gives the text to print.
 pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
     let all: Vec<AtJump> = at_jump((0..=24).map(|k| -3.0 + 0.2 * f64::from(k)));
-    let best = (0..all.len()).max_by(|&a, &b| all[a].work.total_cmp(&all[b].work)).ok_or("no strip jumps")?;
-    // the vertex of the parabola through three works around the largest one
-    let (middle, step) = (all[best].decade, 0.1);
-    let [left, centre, right] = at_jump([middle - step, middle, middle + step])[..] else { Err("no strip jumps")? };
-    let bend = left.work - 2.0 * centre.work + right.work;
-    let vertex = at_jump([middle + 0.5 * step * (left.work - right.work) / bend]);
-    let top = vertex.first().ok_or("the best strip does not jump")?;
+    let best = all.iter().max_by(|a, b| a.work.total_cmp(&b.work)).ok_or("no strip jumps")?;
+    let top = at_jump([best_decade(best)?]).pop().ok_or("the best strip does not jump")?;
 
     // w b L: what a tape without stiffness takes
     let tape = -LENGTH * StripModel::of_the_paper(LENGTH, 1.0).line_law().rest_energy();
     let mut text = format!("energies at the jump over w b L = {tape:.5} aJ\n");
     text += &format!("{:>10} {:>8} {:>9} {:>8}\n", "EI/EI0", "work", "adhesion", "elastic");
-    for at in all.iter().step_by(5).chain([top]) {
+    for at in all.iter().step_by(5).chain([&top]) {
         let [work, adhesion, elastic] = [at.work, at.adhesion, at.elastic].map(|energy| energy / tape);
         text += &format!("{:>10.4} {work:>8.4} {adhesion:>9.4} {elastic:>8.4}\n", at.factor());
     }
@@ -61,6 +57,20 @@ pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
     let panel = Panel::of_lines(Frame::across(), x, Axis::linear("energy / (w b L)", 0.0, 1.4), lines);
     save(&Picture::of("The best stiffness", vec![Panel { marks, ..panel }]), folder, "best_stiffness")?;
     Ok(text)
+}
+
+/// Where the work is largest: the search begins at a strip that is near to that.
+fn best_decade(near: &AtJump) -> Result<f64, Box<dyn Error>> {
+    let problem = DesignProblem {
+        objective: Objective::Quantity(PeelQuantity::FirstJumpWork),
+        goal: Goal::Maximise,
+        variables: vec![DesignVariable::new("bending stiffness", 0.2 * near.factor(), 5.0 * near.factor())],
+        constraints: Vec::new(),
+        model: Box::new(|values| Some(StripModel::of_the_paper(LENGTH, values[0]).into())),
+        start: vec![near.factor()],
+    };
+    let options = OptimisationOptions { starts: 1, neighbours: 0, ..OptimisationOptions::to(Accuracy::to(1e-6)) };
+    Ok(optimise(&problem, &options)?.after.values[0].log10())
 }
 
 /// Energies at the first turning point of the displacement, aJ, of a strip with 10^`decade` times the bending stiffness.

@@ -2,11 +2,11 @@
 
 use super::chain::{three_field, two_field};
 use super::stress_free_placement::StressFreePlacement;
-use super::{Beam, BeamProblem, Body, Form, Hold, PeelModel, Profile, Spatula, friction};
+use super::{Beam, BeamProblem, Form, Hold, PeelModel, friction};
 use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
 use crate::beam::{
     self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, Reach, ReducedBeam,
-    ReferenceConfiguration, ReissnerBeam, UprightCorner, UprightPole, Variation, Varying,
+    ReferenceConfiguration, ReissnerBeam, UprightCorner, UprightPole, Varying,
 };
 use crate::solve::{EndConditions, History, INTERFACE, InitialState, PathMeasure};
 use serde::{Deserialize, Serialize};
@@ -37,9 +37,6 @@ pub struct NoSuchOrder {
     /// What was asked for
     pub order: usize,
 }
-
-/// The parameters of a model that move none of its reference configuration.
-const VARIABLE: &[&str] = &["youngs_modulus", "shear_correction", "bending_stiffness_factor", "hamaker_constant"];
 
 /// Length of the focus at the front, over that of the process zone, for a law with corners, and its weight.
 ///
@@ -95,14 +92,6 @@ impl PeelModel {
         let profile = self.profile();
         let substrate = self.ground.substrate.clone();
         let friction = self.friction_law();
-        let (varied, varied_substrate) = (self.clone(), substrate.clone());
-        let variation = Variation {
-            parameters: VARIABLE,
-            chain: Box::new(move |parameter, factor| {
-                let model = varied.scaled(parameter, factor);
-                chain(model.profile(), model.line_law(), (&varied_substrate, friction), form, along, how.order)
-            }),
-        };
         let sticking = self.sticking_length().map(|short| friction::FLOOR * short);
         let floors = [self.ground.floor(process_length), sticking];
         fixed_foci.extend(floors.into_iter().flatten().map(|floor| Focus::everywhere(length, floor)));
@@ -135,7 +124,6 @@ impl PeelModel {
             height,
             sees_tilt: law.line_load != LineLoad::AxisGap,
             conservative: law.has_potential() && friction.is_none(),
-            variation: Some(variation),
             limits: self.limits(),
             substrate,
         };
@@ -174,21 +162,6 @@ impl PeelModel {
             None => beam::Profile::uniform(self.section(), width, height),
             Some(contour) => beam::Profile::Varying(Varying::new(contour, self.material())),
         }
-    }
-
-    /// With one of the [`VARIABLE`] parameters times a factor.
-    fn scaled(&self, parameter: usize, factor: f64) -> Self {
-        let mut model = self.clone();
-        let (modulus, shear, bending) = match &mut model.body {
-            Body::Strip(strip) => {
-                (&mut strip.youngs_modulus, &mut strip.shear_correction, &mut strip.bending_stiffness_factor)
-            }
-            Body::Spatula(Spatula { material, .. }) | Body::Profile(Profile { material, .. }) => {
-                (&mut material.youngs_modulus, &mut material.shear_correction, &mut material.bending_stiffness_factor)
-            }
-        };
-        *[modulus, shear, bending, &mut model.adhesion.hamaker_constant][parameter] *= factor;
-        model
     }
 
     /// What the grip of a pull drives and holds.

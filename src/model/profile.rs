@@ -84,22 +84,31 @@ impl Geometry for Profile {
 pub struct ProfileTable {
     /// S, nm
     places: Vec<f64>,
-    /// Width (nm), height (nm), direction of the underside (rad) and roundness, each with its slopes at the places.
-    columns: [Column; 4],
+    /// Width (nm), height (nm), direction of the underside (rad) and roundness at the places.
+    columns: [Vec<f64>; 4],
+    /// Between two places each of them as a polynomial of the distance from the first: computed once, since every quadrature point asks for them.
+    cubics: Vec<[Cubic; 4]>,
 }
 
-/// Values and slopes at the places.
-#[derive(Clone, Debug, PartialEq)]
-struct Column {
-    values: Vec<f64>,
-    slopes: Vec<f64>,
+/// Coefficients of a polynomial of the third degree, the constant first.
+type Cubic = [f64; 4];
+
+/// The monotone cubics through values at places.
+fn monotone_cubics(places: &[f64], values: &[f64]) -> Vec<Cubic> {
+    let slopes = monotone_slopes(places, values);
+    let between = |after: usize| {
+        let step = places[after] - places[after - 1];
+        let (y0, y1) = (values[after - 1], values[after]);
+        let (m0, m1) = (step * slopes[after - 1], step * slopes[after]);
+        let (square, cube) = (3.0 * (y1 - y0) - 2.0 * m0 - m1, 2.0 * (y0 - y1) + m0 + m1);
+        [y0, slopes[after - 1], square / (step * step), cube / (step * step * step)]
+    };
+    (1..places.len()).map(between).collect()
 }
 
-impl Column {
-    /// The monotone cubic through values at places.
-    fn through(places: &[f64], values: Vec<f64>) -> Self {
-        Self { slopes: monotone_slopes(places, &values), values }
-    }
+/// A polynomial with its first two derivatives.
+fn polynomial([c0, c1, c2, c3]: &Cubic, s: f64) -> [f64; 3] {
+    [c0 + s * (c1 + s * (c2 + s * c3)), c1 + s * (2.0 * c2 + 3.0 * s * c3), 2.0 * c2 + 6.0 * s * c3]
 }
 
 /// The columns of a table, a number a row; the last two may be left empty and are zero all along then.
@@ -129,7 +138,7 @@ struct Columns {
 
 impl From<ProfileTable> for Columns {
     fn from(table: ProfileTable) -> Self {
-        let [widths, heights, angles_rad, roundness] = table.columns.map(|column| column.values);
+        let [widths, heights, angles_rad, roundness] = table.columns;
         Self { places: table.places, widths, heights, angles_rad, roundness }
     }
 }
@@ -140,11 +149,12 @@ impl TryFrom<Columns> for ProfileTable {
     fn try_from(written: Columns) -> Result<Self, TableError> {
         let Columns { places, widths, heights, angles_rad, roundness } = written;
         let angles = angles_rad.iter().map(|angle| angle.to_degrees()).collect();
-        let mut table = Self::new(ProfileColumns { places, widths, heights, angles, roundness })?;
-        if !angles_rad.is_empty() {
-            table.columns[2] = Column::through(&table.places, angles_rad);
+        let checked = Self::new(ProfileColumns { places, widths, heights, angles, roundness })?;
+        if angles_rad.is_empty() {
+            return Ok(checked);
         }
-        Ok(table)
+        let [widths, heights, _, roundness] = checked.columns;
+        Ok(Self::through(checked.places, [widths, heights, angles_rad, roundness]))
     }
 }
 
@@ -168,8 +178,7 @@ const LARGEST: f64 = 1e12;
 impl Default for ProfileTable {
     /// A beam of unit length, width and height.
     fn default() -> Self {
-        let column = |value: f64| Column { values: vec![value; 2], slopes: vec![0.0; 2] };
-        Self { places: vec![0.0, 1.0], columns: [1.0, 1.0, 0.0, 0.0].map(column) }
+        Self::through(vec![0.0, 1.0], [1.0, 1.0, 0.0, 0.0].map(|value| vec![value; 2]))
     }
 }
 
@@ -181,7 +190,7 @@ impl ProfileTable {
 
     /// Its columns, as it was made of them.
     pub fn columns(&self) -> ProfileColumns {
-        let [widths, heights, angles, roundness] = self.columns.each_ref().map(|column| column.values.clone());
+        let [widths, heights, angles, roundness] = self.columns.clone();
         let angles = angles.into_iter().map(f64::to_degrees).collect();
         ProfileColumns { places: self.places.clone(), widths, heights, angles, roundness }
     }
@@ -230,9 +239,14 @@ impl ProfileTable {
         }
         let [places, widths, heights, angles, roundness] = cells;
         let angles = angles.into_iter().map(f64::to_radians).collect();
-        let columns = [widths, heights, angles, roundness];
-        let columns = columns.map(|values| Column::through(&places, values));
-        Ok(Self { places, columns })
+        Ok(Self::through(places, [widths, heights, angles, roundness]))
+    }
+
+    /// Of columns that are right.
+    fn through(places: Vec<f64>, columns: [Vec<f64>; 4]) -> Self {
+        let of = columns.each_ref().map(|values| monotone_cubics(&places, values));
+        let cubics = (0..places.len() - 1).map(|interval| of.each_ref().map(|cubics| cubics[interval])).collect();
+        Self { places, columns, cubics }
     }
 }
 
@@ -292,21 +306,10 @@ impl BeamGeometry for ProfileTable {
     }
 
     fn at(&self, place: f64) -> SectionGeometry {
-        let after = self.places.partition_point(|&row| row <= place).clamp(1, self.places.len() - 1);
-        let (from, step) = (self.places[after - 1], self.places[after] - self.places[after - 1]);
-        let t = (place - from) / step;
-        // value and derivatives of the cubic from value and slope at its ends
-        let cubic = |column: &Column| {
-            let (y0, y1) = (column.values[after - 1], column.values[after]);
-            let (m0, m1) = (step * column.slopes[after - 1], step * column.slopes[after]);
-            let (square, cube) = (3.0 * (y1 - y0) - 2.0 * m0 - m1, 2.0 * (y0 - y1) + m0 + m1);
-            [
-                y0 + t * (m0 + t * (square + t * cube)),
-                (m0 + t * (2.0 * square + 3.0 * t * cube)) / step,
-                (2.0 * square + 6.0 * t * cube) / (step * step),
-            ]
-        };
-        let [width, height, underside, roundness] = self.columns.each_ref().map(cubic);
+        let inner = &self.places[1..self.places.len() - 1];
+        let interval = inner.partition_point(|&row| row <= place);
+        let s = place - self.places[interval];
+        let [width, height, underside, roundness] = self.cubics[interval].each_ref().map(|cubic| polynomial(cubic, s));
         SectionGeometry { width: width[0], height, roundness: roundness[0], underside: [underside[0], underside[1]] }
     }
 }

@@ -118,7 +118,6 @@ impl RodModel {
             substrate: Substrate::Flat,
             history: None,
             conservative: true,
-            variation: None,
             limits: ModelLimits::default(),
         };
         let (mut held, mut scales) = ([false; INTERFACE], [1.0; INTERFACE]);

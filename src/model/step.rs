@@ -88,6 +88,21 @@ impl Step {
         }
     }
 
+    /// The same with its amount times a factor.
+    pub fn scaled(self, factor: f64) -> Self {
+        match self {
+            Self::Press(amount) => Self::Press(amount * factor),
+            Self::Lift(amount) => Self::Lift(amount * factor),
+            Self::Drag(amount) => Self::Drag(amount * factor),
+            Self::Push(amount) => Self::Push(amount * factor),
+            Self::Shift(amount) => Self::Shift(amount * factor),
+            Self::Turn(angle) => Self::Turn(angle * factor),
+            Self::Roll(angle) => Self::Roll(angle * factor),
+            Self::Yaw(angle) => Self::Yaw(angle * factor),
+            Self::Release | Self::Hold => self,
+        }
+    }
+
     /// Whether it is one: a finite amount, above zero of a length with a word of its own for the way back, else not zero.
     pub fn check(self) -> Result<(), StepError> {
         let wrong = match self {

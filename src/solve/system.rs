@@ -193,17 +193,6 @@ pub trait System: Send + Sync {
     /// R of the free structure, without its grip: ∂Π/∂q where there is Π, one number an unknown.
     fn residual(&self, at: &State) -> Vec<f64>;
 
-    /// Parameters of the model that the residual can be differentiated by.
-    fn parameters(&self) -> &[&'static str] {
-        &[]
-    }
-
-    /// ∂R/∂ln p of the parameter with this index at a state that stays, one number an unknown.
-    fn residual_by_parameter(&self, parameter: usize, at: &State) -> Vec<f64> {
-        let _ = parameter;
-        vec![0.0; self.unknowns(at)]
-    }
-
     /// Goes on from a state by `factor` times a direction.
     fn retract(&self, at: &mut State, direction: &[f64], factor: f64) {
         for (value, change) in at.values.iter_mut().zip(direction) {

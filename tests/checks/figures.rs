@@ -21,6 +21,7 @@ fn the_figures_come_with_their_data_and_captions() {
         "fig10-three-ways",
         "peeling-work",
         "directions",
+        "spatula-directions",
         "cost-against-error",
         "cost",
         "against-others",

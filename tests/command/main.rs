@@ -13,6 +13,7 @@ mod pull;
 #[cfg(unix)]
 mod resume;
 mod sensitivities;
+mod serve;
 mod space;
 mod statuses;
 mod steps;

@@ -2,11 +2,13 @@
 
 mod any_text;
 mod conflicts;
+mod fit;
 mod friction;
 mod ground;
 mod laws;
 mod messages;
 mod overrides;
+mod parameters;
 mod pull;
 mod reading;
 mod ready_scenes;

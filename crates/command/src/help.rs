@@ -41,6 +41,7 @@ Examples:
   peel new --list                names the kinds of scenes
   peel optimise strip.toml       finds the best of what a table [optimise] of the scene leaves free
   peel uncertainty strip.toml    samples what a table [uncertainty] of the scene calls uncertain
+  peel serve strip.toml          a page with sliders, on this machine
   peel accuracy                  computing time against error: a table and a picture
   peel verify                    compares the program with published and independent values
 

@@ -4,7 +4,7 @@ use crate::folder_name::default_folder;
 use crate::stop::Stop;
 use clap::Args;
 use peelkit_scene::Scene;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 pub struct SceneArgs {
@@ -20,28 +20,33 @@ pub struct SceneArgs {
 impl SceneArgs {
     /// Reads the scene.
     pub fn load(&self) -> Result<Scene, Stop> {
-        let name = self.path.display().to_string();
-        let bytes = std::fs::read(&self.path).map_err(|error| {
-            Stop::bad_input(
-                format!("cannot read the scene {name}: {error}"),
-                "Give the path of a scene file; `peel new` writes a template.",
-            )
-        })?;
-        let text = String::from_utf8(bytes).map_err(|error| {
-            let valid = error.utf8_error().valid_up_to();
-            let line = 1 + error.as_bytes()[..valid].iter().filter(|&&byte| byte == b'\n').count();
-            Stop::bad_input(
-                format!("{name}, line {line}: this is not text in UTF-8"),
-                "A scene is a TOML file, saved as UTF-8; `peel new` writes a template.",
-            )
-        })?;
-        Ok(Scene::parse(&name, &text, &self.overrides)?)
+        read_scene(&self.path, &self.overrides)
     }
 
     /// Where the outputs go when the user does not say; `parts` are what a command adds to the name.
     pub fn default_folder(&self, parts: &[String]) -> PathBuf {
         default_folder(&self.path, parts, &self.overrides)
     }
+}
+
+/// Reads a scene.
+pub fn read_scene(path: &Path, overrides: &[(String, String)]) -> Result<Scene, Stop> {
+    let name = path.display().to_string();
+    let bytes = std::fs::read(path).map_err(|error| {
+        Stop::bad_input(
+            format!("cannot read the scene {name}: {error}"),
+            "Give the path of a scene file; `peel new` writes a template.",
+        )
+    })?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let valid = error.utf8_error().valid_up_to();
+        let line = 1 + error.as_bytes()[..valid].iter().filter(|&&byte| byte == b'\n').count();
+        Stop::bad_input(
+            format!("{name}, line {line}: this is not text in UTF-8"),
+            "A scene is a TOML file, saved as UTF-8; `peel new` writes a template.",
+        )
+    })?;
+    Ok(Scene::parse(&name, &text, overrides)?)
 }
 
 pub fn parse_override(text: &str) -> Result<(String, String), String> {

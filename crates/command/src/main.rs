@@ -17,6 +17,7 @@ mod optimise;
 mod output;
 mod plot;
 mod run;
+mod serve;
 mod stop;
 mod sweep;
 mod text_summary;
@@ -47,6 +48,7 @@ enum Command {
     New(new::New),
     Keys(keys::Keys),
     Plot(plot::Plot),
+    Serve(serve::Serve),
     Figures(figures::Figures),
 }
 
@@ -68,6 +70,7 @@ fn main() -> ExitCode {
         Command::New(args) => new::new(&args),
         Command::Keys(args) => keys::keys(&args),
         Command::Plot(args) => plot::plot(&args),
+        Command::Serve(args) => serve::serve(&args),
         Command::Figures(args) => figures::figures(&args),
     };
     match done {

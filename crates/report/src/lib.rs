@@ -24,7 +24,7 @@ mod swept_keys;
 mod tables;
 mod timing;
 
-pub use animation::write_animation;
+pub use animation::{Pose, poses, write_animation};
 pub use checkpoint::{PartialOptimisation, PartialRun, PartialSweep, PartialUncertainty};
 pub use error::ReportError;
 pub use file::write_whole;
@@ -34,7 +34,7 @@ pub use names::{end_reason, end_word, form_word, jump_word, test_end_reason, tes
 pub use number::{Finite, to_json};
 pub use parameters_file::write_parameters;
 pub use pictures::{
-    draw_fit, draw_followed, draw_observed, draw_optimum, draw_peel, draw_peel_with_branch, draw_plane,
+    curve_svg, draw_fit, draw_followed, draw_observed, draw_optimum, draw_peel, draw_peel_with_branch, draw_plane,
     draw_sensitivities, draw_sweep, draw_uncertainty,
 };
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
@@ -45,7 +45,7 @@ pub use summary::{
 pub use sweep_row::SweepRow;
 pub use swept_keys::SweptKeys;
 pub use tables::{
-    SweepLine, work_to, write_branch, write_curve, write_fit, write_followed, write_history, write_limit_points,
-    write_observed, write_samples, write_sweep, write_table, write_uncertainty,
+    SweepLine, curve_csv, work_to, write_branch, write_curve, write_fit, write_followed, write_history,
+    write_limit_points, write_observed, write_samples, write_sweep, write_table, write_uncertainty,
 };
 pub use timing::timed;

@@ -265,7 +265,7 @@ fn in_order<'a, 'i>(table: &'a DeTable<'i>) -> Vec<(&'a Spanned<toml::de::DeStri
     entries
 }
 
-fn name_of<'a>(key: &'a Spanned<toml::de::DeString>) -> &'a str {
+pub(crate) fn name_of<'a>(key: &'a Spanned<toml::de::DeString>) -> &'a str {
     key.get_ref()
 }
 
@@ -348,7 +348,7 @@ fn end_of(text: &str) -> Range<usize> {
     end..end
 }
 
-fn not_toml(file: &Origin, text: &str, error: &toml::de::Error) -> SceneError {
+pub(crate) fn not_toml(file: &Origin, text: &str, error: &toml::de::Error) -> SceneError {
     let span = error.span().unwrap_or_else(|| end_of(text));
     let reason = error.message().lines().collect::<Vec<_>>().join("; ");
     let general = "A scene is a TOML file: [table] on a line of its own, below it key = value; \

@@ -13,6 +13,7 @@ pub struct SceneError(Box<Message>);
 #[error("{message}")]
 struct Message {
     message: String,
+    statement: String,
     #[source_code]
     source_code: NamedSource<String>,
     #[label("{label}")]
@@ -26,6 +27,11 @@ impl SceneError {
     /// What would be right.
     pub fn remedy(&self) -> &str {
         &self.0.remedy
+    }
+
+    /// The message without its place: "`strip.length` is ...".
+    pub fn statement(&self) -> &str {
+        &self.0.statement
     }
 }
 
@@ -75,6 +81,7 @@ impl Origin<'_> {
         let (excerpt, span) = excerpt(text, span);
         SceneError(Box::new(Message {
             message,
+            statement: format!("{subject} {found}"),
             source_code: NamedSource::new(name, excerpt),
             span: span.into(),
             label: found,

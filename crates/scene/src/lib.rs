@@ -24,6 +24,7 @@ mod space;
 mod to_toml;
 mod uncertainty;
 mod value;
+mod without_files;
 
 pub use bodies::{BODIES, body_of};
 pub use bounds::BoundsTable;
@@ -32,6 +33,7 @@ pub use fit::{FitTable, FittedKey};
 pub use key::{Key, Kind, Need, Setting};
 pub use keys::{KEYS, find_key, tables};
 pub use optimisation::{FreeKey, FreeProfile, OptimisationTable, VolumeRule};
+pub use parameters::Parameters;
 pub use peelkit::model::Range;
 pub use scene::{Scene, TableTexts};
 pub use uncertainty::{CorrelatedKeys, UncertainKey, UncertaintyTable};

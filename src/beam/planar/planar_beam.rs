@@ -57,19 +57,8 @@ pub struct PlanarBeam {
     pub history: Option<Arc<History>>,
     /// Whether the load has a potential.
     pub conservative: bool,
-    /// How the chain changes with parameters of its model.
-    pub variation: Option<Variation>,
     /// Where its model ends.
     pub limits: ModelLimits,
-}
-
-/// The parameters of a model that a beam can be differentiated by at a state that stays: those that do not move its reference
-/// configuration.
-pub struct Variation {
-    /// As a scene calls them.
-    pub parameters: &'static [&'static str],
-    /// The chain with the parameter of this index times a factor.
-    pub chain: Box<dyn Fn(usize, f64) -> Box<dyn Chain> + Send + Sync>,
 }
 
 /// Unknowns behind the nodes: H and the place of the right end.

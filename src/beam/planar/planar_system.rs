@@ -1,6 +1,6 @@
 //! The planar beam as a [`System`]: what a solver asks of it. Its interface is the right end.
 
-use super::{ChainFactors, ConstraintGradient, FRONT, PlanarBeam, TIP_ROTATION, Variation};
+use super::{ChainFactors, ConstraintGradient, FRONT, PlanarBeam, TIP_ROTATION};
 use crate::adhesion::Substrate;
 use crate::beam::{MeshKind, ReferenceConfiguration};
 use crate::solve::{
@@ -23,8 +23,6 @@ const LOOSE: f64 = 0.1;
 const NEARER: f64 = 0.6;
 /// The mesh is renewed when the front has moved by this share of the process zone.
 const MOVED: f64 = 0.3;
-/// Step of the logarithm of a parameter over which residuals are differenced: its fourth power is the error, relative.
-const VARIED: f64 = 1e-3;
 
 impl System for PlanarBeam {
     fn interface(&self) -> &[Unknown] {
@@ -162,23 +160,6 @@ impl System for PlanarBeam {
             residual.extend([by_force + self.span() + end, force]);
         }
         residual
-    }
-
-    fn parameters(&self) -> &[&'static str] {
-        self.variation.as_ref().map_or(&[], |variation| variation.parameters)
-    }
-
-    /// By a central difference of the fourth order.
-    fn residual_by_parameter(&self, parameter: usize, at: &State) -> Vec<f64> {
-        let mut derivative = vec![0.0; at.values.len()];
-        let Some(Variation { chain, .. }) = &self.variation else { return derivative };
-        for (step, weight) in [(1.0, 8.0), (-1.0, -8.0), (2.0, -1.0), (-2.0, 1.0)] {
-            let (nodes, by_force) = chain(parameter, (step * VARIED).exp()).residual(self.configuration(at));
-            let behind = if self.chain.has_border() { Some(by_force) } else { None };
-            let weight = weight / (12.0 * VARIED);
-            derivative.iter_mut().zip(nodes.into_iter().chain(behind)).for_each(|(d, r)| *d += weight * r);
-        }
-        derivative
     }
 
     fn size(&self, direction: &[f64], values: &[f64]) -> f64 {

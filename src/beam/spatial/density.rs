@@ -18,7 +18,9 @@
 pub use super::kinematics::SPATIAL_FIELDS;
 use super::kinematics::{Kinematics, turned_twice};
 use super::local_adhesion::LocalAdhesion;
-use super::rotation::{Matrix3, apply, cross, dot, multiply, multiply_by_transposed, multiply_transposed, skew};
+use super::rotation::{
+    Matrix3, apply, congruent, cross, dot, multiply, multiply_by_transposed, multiply_transposed, skew,
+};
 use super::spatial_profile::SpatialProfile;
 use crate::adhesion::SpatialSection;
 use crate::beam::{Coupling, Integrand, Point, PointEnergy, PointGradient, PointResponse};
@@ -61,14 +63,14 @@ struct LocalTangent<T> {
     stretch_stretch: [[T; 3]; 3],
     /// By γ and (α, ω)
     stretch_value: [[T; 4]; 3],
-    /// By γ and (β, ξ)
-    stretch_slope: [[T; 4]; 3],
+    /// By γ and ξ; by β it is zero.
+    stretch_slope: Matrix3<T>,
     /// By (α, ω) twice
     value_value: [[T; 4]; 4],
     /// By (α, ω) and (β, ξ)
     value_slope: [[T; 4]; 4],
-    /// By (β, ξ) twice
-    slope_slope: [[T; 4]; 4],
+    /// By ξ twice
+    slope_slope: Matrix3<T>,
 }
 
 impl<T: Real> LocalTangent<T> {
@@ -109,8 +111,8 @@ impl<T: Real> LocalTangent<T> {
         let moment = add(multiply_transposed(&gk, &stretch), multiply(&kk, &turn));
         let mut value_value = multiply_transposed(&stretch, &force);
         let by_turn = multiply_transposed(&turn, &moment);
-        let (mut stretch_value, mut stretch_slope) = (force, [[zero; 4]; 3]);
-        let (mut value_slope, mut slope_slope) = ([[zero; 4]; 4], [[zero; 4]; 4]);
+        let (mut stretch_value, mut stretch_slope) = (force, [[zero; 3]; 3]);
+        let (mut value_slope, mut slope_slope) = ([[zero; 4]; 4], [[zero; 3]; 3]);
         let (force_skew, moment_skew) = (skew(n), skew(m));
         for i in 0..4 {
             for j in 0..4 {
@@ -123,9 +125,9 @@ impl<T: Real> LocalTangent<T> {
         for i in 0..3 {
             for j in 0..3 {
                 stretch_value[i][j + 1] = stretch_value[i][j + 1] - force_skew[i][j] * 2.0;
-                stretch_slope[i][j + 1] = gk[i][j] * 2.0;
+                stretch_slope[i][j] = gk[i][j] * 2.0;
                 value_slope[i + 1][j + 1] = value_slope[i + 1][j + 1] + moment_skew[i][j] * 2.0;
-                slope_slope[i + 1][j + 1] = kk[i][j] * 4.0;
+                slope_slope[i][j] = kk[i][j] * 4.0;
             }
         }
         turned_twice(n, at.stretch, &mut value_value);
@@ -207,14 +209,16 @@ impl SpatialDensity {
             out.value_value[3 + i][1] = mixed[i];
             out.coverage_by_value[3 + i] = covered[i];
         }
+        // what belongs to (β, ξ) where β does not count
+        let turns = to_field.map(|[_, x, y, z]| [x, y, z]);
         let (by_quaternion, by_its_slope) = (apply(&to_field, &value_gradient), apply(&to_field, &on_slope));
         let by_place = apply(&at.frame, &on_stretch);
-        let place_place = multiply_by_transposed(&multiply(&at.frame, &tangent.stretch_stretch), &at.frame);
+        let place_place = congruent(&at.frame, &tangent.stretch_stretch);
         let place_value = multiply_by_transposed(&multiply(&at.frame, &tangent.stretch_value), &to_field);
-        let place_slope = multiply_by_transposed(&multiply(&at.frame, &tangent.stretch_slope), &to_field);
-        let value_value = multiply_by_transposed(&multiply(&to_field, &value_value), &to_field);
+        let place_slope = multiply_by_transposed(&multiply(&at.frame, &tangent.stretch_slope), &turns);
+        let value_value = congruent(&to_field, &value_value);
         let value_slope = multiply_by_transposed(&multiply(&to_field, &tangent.value_slope), &to_field);
-        let slope_slope = multiply_by_transposed(&multiply(&to_field, &tangent.slope_slope), &to_field);
+        let slope_slope = congruent(&turns, &tangent.slope_slope);
         for i in 0..3 {
             out.by_slope[i] = by_place[i];
             for j in 0..3 {

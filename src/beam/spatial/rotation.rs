@@ -175,3 +175,20 @@ pub fn multiply_by_transposed<T: Real, const L: usize, const M: usize, const N: 
     }
     out
 }
+
+/// B S Bᵀ of a symmetric S
+#[inline(always)]
+pub fn congruent<T: Real, const L: usize, const M: usize>(b: &[[T; M]; L], s: &[[T; M]; M]) -> [[T; L]; L] {
+    let half = multiply(b, s);
+    let mut out = [[T::splat(0.0); L]; L];
+    for i in 0..L {
+        for j in i..L {
+            let mut sum = half[i][0] * b[j][0];
+            for k in 1..M {
+                sum = sum + half[i][k] * b[j][k];
+            }
+            (out[i][j], out[j][i]) = (sum, sum);
+        }
+    }
+    out
+}

@@ -7,6 +7,7 @@ mod failure;
 mod options;
 mod problem;
 mod profile;
+mod projected_gradient;
 mod quasi_newton;
 mod refine;
 mod result;
@@ -15,7 +16,7 @@ mod search;
 mod search_path;
 mod sequential_quadratic;
 mod starts;
-pub use certificate::{ActiveConstraint, Certificate, DerivativeFreeCheck, Neighbours};
+pub use certificate::{Certificate, DerivativeFreeCheck, Neighbours};
 pub use evaluation::Evaluation;
 pub use failure::NoOptimum;
 pub use options::{OptimisationOptions, SearchMethod};
@@ -23,6 +24,7 @@ pub use problem::{
     ConstraintKind, DesignConstraint, DesignFunction, DesignModel, DesignProblem, DesignVariable, Goal, Objective,
 };
 pub use profile::{ProfileColumn, ProfileDesign, volume};
+pub use projected_gradient::ActiveConstraint;
 pub use result::{Design, Optimum};
 pub use run::optimise;
 pub use search::{SearchEnd, SearchResult};

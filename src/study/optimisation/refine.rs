@@ -1,9 +1,9 @@
 //! Newton's method at the end of a search over few variables: with gradients to the accuracy asked for and the curvature by differences of
 //! gradients. How far its last step goes is the error of the values.
 
-use super::certificate::projected_gradient;
 use super::evaluation::{Evaluator, Precise};
 use super::problem::DesignProblem;
+use super::projected_gradient::projected_gradient;
 use nalgebra::{DMatrix, DVector};
 
 /// Most variables, whose gradients are differenced.

@@ -1,10 +1,11 @@
 //! The whole optimisation: searches from several starts at once, the best of them refined and certified.
 
-use super::certificate::{Certificate, DerivativeFreeCheck, neighbours, projected_gradient};
+use super::certificate::{Certificate, DerivativeFreeCheck, neighbours};
 use super::evaluation::{Evaluator, derivatives};
 use super::failure::{NoOptimum, end_text};
 use super::options::{OptimisationOptions, SearchMethod};
 use super::problem::{DesignProblem, Factor};
+use super::projected_gradient::projected_gradient;
 use super::refine::refined;
 use super::result::{Design, Optimum};
 use super::search::{FEASIBLE, Search, SearchEnd, SearchResult};

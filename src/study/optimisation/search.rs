@@ -3,12 +3,15 @@
 use super::evaluation::{Evaluation, Evaluator};
 use super::options::{OptimisationOptions, SearchMethod};
 use super::problem::DesignProblem;
+use super::projected_gradient::projected_gradient;
 use super::{derivative_free, quasi_newton, sequential_quadratic};
 use std::cell::{Cell, RefCell};
 
 /// A constraint that is violated by less holds.
 pub(super) const FEASIBLE: f64 = 1e-7;
-/// A search with gradients ends where so many designs bring no more than the tolerance.
+/// A search with gradients ends where the projected gradient of a feasible design is no more than this: ln Q then misses about its square.
+const STATIONARY: f64 = 1e-7;
+/// It also ends where so many designs bring no more than the tolerance.
 const STALLED: usize = 8;
 /// What a bad point has beside the worst good one, in ln Q: a search turns back from it.
 const WORSE: f64 = 1.0;
@@ -24,6 +27,8 @@ pub(super) struct Search<'p> {
     stopped: Cell<bool>,
     /// Whether it ends where nothing more is gained
     gives_up: Cell<bool>,
+    /// Whether the newest design fulfils the first-order conditions of an optimum
+    is_stationary: Cell<bool>,
 }
 
 /// What one search has found.
@@ -77,6 +82,7 @@ impl<'p> Search<'p> {
             seen: RefCell::default(),
             stopped: Cell::new(false),
             gives_up: Cell::new(false),
+            is_stationary: Cell::new(false),
         }
     }
 
@@ -100,7 +106,7 @@ impl<'p> Search<'p> {
     fn into_result(self, end: SearchEnd) -> SearchResult {
         let end = match end {
             _ if self.stopped.get() => SearchEnd::Interrupted,
-            _ if self.is_stalled() => SearchEnd::Converged,
+            _ if self.has_converged() => SearchEnd::Converged,
             end => end,
         };
         let best = self.best();
@@ -112,7 +118,26 @@ impl<'p> Search<'p> {
         if !(self.options.go_on)() {
             self.stopped.set(true);
         }
-        self.stopped.get() || self.seen.borrow().len() >= self.options.evaluations || self.is_stalled()
+        self.stopped.get() || self.seen.borrow().len() >= self.options.evaluations || self.has_converged()
+    }
+
+    fn has_converged(&self) -> bool {
+        self.is_stationary.get() || self.is_stalled()
+    }
+
+    /// Whether a design fulfils the first-order conditions of an optimum, and is no worse than those before.
+    fn fulfils(&self, found: &Evaluation) -> bool {
+        let sign = self.problem.goal.sign();
+        let is_best = || {
+            let value = found.log_value.map_or(f64::INFINITY, |value| sign * value);
+            self.least().is_none_or(|(least, _)| value <= least + self.options.tolerance)
+        };
+        let minimised: Vec<f64> = found.gradient.iter().map(|slope| sign * slope).collect();
+        self.gives_up.get()
+            && !minimised.is_empty()
+            && self.problem.violation(&found.coordinates) <= FEASIBLE
+            && is_best()
+            && projected_gradient(self.problem, &found.coordinates, &minimised).largest() <= STATIONARY
     }
 
     /// Whether the newest designs have brought nothing.
@@ -153,6 +178,7 @@ impl<'p> Search<'p> {
             (self.options.keep)(self.number, &found);
             found
         });
+        self.is_stationary.set(self.fulfils(&found));
         self.seen.borrow_mut().push(found.clone());
         Some(found)
     }

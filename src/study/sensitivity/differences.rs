@@ -12,6 +12,8 @@ pub(super) struct Estimate {
 pub(super) const STEP: f64 = 5e-4;
 /// Where a parameter is taken, in steps.
 pub(super) const STEPS: [f64; 4] = [1.0, -1.0, 2.0, -2.0];
+/// Farthest that a parameter is changed for a derivative, in its coordinate.
+pub const MOST_CHANGED: f64 = 2.0 * STEP;
 /// Multiplies the square of what the second order misses, relative, which is the size of what the fourth order does.
 const NEXT_ORDER: f64 = 4.0;
 /// Round-off of a function value, relative.

@@ -24,6 +24,7 @@ mod quantity;
 mod residual_change;
 mod run;
 
+pub use differences::MOST_CHANGED;
 pub use error::NoSensitivities;
 pub use force::force_derivatives;
 pub(super) use force::{ForceOnBranch, forces_on_branch};

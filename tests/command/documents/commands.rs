@@ -129,5 +129,5 @@ fn other_programs_that_documents_name_are_there() {
 }
 
 fn manifests() -> Vec<String> {
-    ["checks", "command", "report", "scene"].map(|name| format!("crates/{name}/Cargo.toml")).to_vec()
+    ["checks", "command", "report", "scene", "serve"].map(|name| format!("crates/{name}/Cargo.toml")).to_vec()
 }

@@ -1,11 +1,12 @@
 //! What the command is built from: every crate with its licence, as `docs/dependencies.md` lists them, each licence one that
-//! `deny.toml` allows; and one version for all that is published.
+//! `deny.toml` allows; one version for all that is published; and packages that hold every file that their source includes.
 //!
 //! The crates are those that cargo itself names for a build of `peel` on Linux, without what tests and builds alone need.
 
 use super::{hold, place, row, text, with_part};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 fn metadata() -> Value {
@@ -119,4 +120,38 @@ fn what_is_published_has_one_version() {
         names.push(name);
     }
     assert!(names.len() >= 5, "{names:?}");
+}
+
+/// A file that the source of a crate includes must be in its package: within the folder of the crate, as the path is written, and
+/// not below `..` from there.
+#[test]
+fn no_crate_includes_a_file_from_outside() {
+    let mut included = 0;
+    for (manifest, sources) in
+        [("", "src"), ("crates/scene", "crates/scene/src"), ("crates/report", "crates/report/src")]
+            .into_iter()
+            .chain([("crates/checks", "crates/checks/src"), ("crates/command", "crates/command/src")])
+            .chain([("crates/serve", "crates/serve/src")])
+    {
+        let depth = place(manifest).components().count();
+        for path in sources_in(&place(sources)) {
+            // documents are included where the tests compile them, and nowhere else
+            let source = std::fs::read_to_string(&path).unwrap().replace("#[doc = include_str!", "");
+            for (_, rest) in source.match_indices("include_").map(|(at, _)| source.split_at(at)) {
+                let Some((_, file)) = rest.lines().next().and_then(|line| line.split_once('"')) else { continue };
+                let up = file.matches("../").count();
+                let inside = path.parent().unwrap().components().count() - depth;
+                assert!(up <= inside, "{}: {}", path.display(), rest.lines().next().unwrap());
+                included += 1;
+            }
+        }
+    }
+    assert!(included > 20, "{included}");
+}
+
+/// The Rust files of a folder and of those in it.
+fn sources_in(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let found = entries.flat_map(|path| if path.is_dir() { sources_in(&path) } else { vec![path] });
+    found.filter(|path| path.extension().is_some_and(|ending| ending == "rs")).collect()
 }

@@ -19,7 +19,9 @@ const MARKS: [&str; 7] = [
 /// The files of the code, without those of tests.
 fn sources() -> Vec<PathBuf> {
     let mut folders: Vec<PathBuf> =
-        ["src", "crates/scene/src", "crates/report/src", "crates/command/src"].map(super::place).to_vec();
+        ["src", "crates/scene/src", "crates/report/src", "crates/serve/src", "crates/command/src"]
+            .map(super::place)
+            .to_vec();
     let mut files = Vec::new();
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).unwrap() {

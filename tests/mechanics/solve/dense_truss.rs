@@ -41,6 +41,11 @@ impl Truss {
         Problem { system: Arc::new(self), grip, measure, start: InitialState::StressFree }
     }
 
+    /// ∂R/∂ln EA of a bar.
+    pub fn residual_by_stiffness(&self, bar: usize, at: &State) -> Vec<f64> {
+        Self { bars: vec![self.bars[bar]], follower: 0.0, ..self.clone() }.residual(at)
+    }
+
     fn inside(&self) -> Vec<usize> {
         (0..2 * self.free).filter(|unknown| !self.interface.contains(unknown)).collect()
     }
@@ -205,15 +210,6 @@ impl System for Truss {
 
     fn residual(&self, at: &State) -> Vec<f64> {
         self.assembled(&at.values).1.as_slice().to_vec()
-    }
-
-    /// The stiffness of each bar.
-    fn parameters(&self) -> &[&'static str] {
-        &["EA of bar 0", "EA of bar 1", "EA of bar 2"]
-    }
-
-    fn residual_by_parameter(&self, parameter: usize, at: &State) -> Vec<f64> {
-        Self { bars: vec![self.bars[parameter]], follower: 0.0, ..self.clone() }.residual(at)
     }
 
     fn size(&self, direction: &[f64], _: &[f64]) -> f64 {

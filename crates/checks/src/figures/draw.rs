@@ -3,7 +3,8 @@
 use super::figure::Figure;
 use super::numerics::{beam, levels, round_off, speed, verification};
 use super::peeling::{
-    directions, friction, laws, out_of_plane, points, pull, rough, rough_spatula, spatula, stiffness, strip, work,
+    directions, friction, laws, out_of_plane, points, pull, rough, rough_spatula, spatula, spatula_directions,
+    stiffness, strip, work,
 };
 use super::runner::Runner;
 use peelkit_report::{ReportError, write_whole};
@@ -34,6 +35,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
         + laws::PEELS
         + out_of_plane::PEELS
         + directions::PEELS
+        + spatula_directions::PEELS
         + stiffness::PEELS
         + work::PEELS
         + speed::PEELS;
@@ -47,6 +49,7 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
     figures.extend(laws::figures(&runner, dir)?);
     figures.push(out_of_plane::figure(&runner, dir)?);
     figures.push(directions::figure(&runner, dir)?);
+    figures.push(spatula_directions::figure(&runner, dir)?);
     let stiffness = stiffness::Sweeps::compute(&runner);
     figures.extend(stiffness::figures(&stiffness, dir)?);
     figures.push(points::figure(&stiffness, dir)?);

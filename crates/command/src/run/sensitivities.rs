@@ -4,7 +4,7 @@ use super::RunProgress;
 use crate::stop::Stop;
 use crate::text_summary;
 use peelkit::study::{Exponent, NoSensitivities, Peel, PeelQuantity, Terms, sensitivities};
-use peelkit_scene::Scene;
+use peelkit_scene::{Parameters, Scene};
 
 /// What was found, by parameters with these keys.
 pub struct Exponents {
@@ -36,9 +36,9 @@ impl Exponents {
     /// Of a peel of this scene.
     pub fn of(scene: &Scene, peel: &Peel, progress: &RunProgress) -> Result<Self, NoSensitivities> {
         progress.stage("sensitivities");
-        let variations = scene.variations();
+        let Parameters { variations, fixed } = scene.parameters();
         let found = sensitivities(peel, &PeelQuantity::ALL, &variations)?;
-        let refused = found.refused.iter().map(|(k, why)| (variations[*k].key.clone(), why.to_string()));
+        let refused = found.refused.iter().map(|(k, why)| (variations[*k].key.clone(), why.to_string())).chain(fixed);
         Ok(Self {
             found: found.exponents(peel),
             refused: refused.collect(),

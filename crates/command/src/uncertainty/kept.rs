@@ -4,6 +4,7 @@ use super::Uncertainty;
 use crate::interrupt::Interrupt;
 use crate::output::progress_bar;
 use indicatif::ProgressBar;
+use peelkit::study::StopCriteria;
 use peelkit::study::uncertainty::{Design, Outcome, SamplePlace, SampledPeel, sample};
 use peelkit_report::{Existing, OutputFolder, PartialUncertainty, ReportError};
 use peelkit_scene::Scene;
@@ -40,6 +41,11 @@ impl Sampler {
         let answer = "stopping when the samples being computed are done; Ctrl-C again stops at once";
         let interrupt = Interrupt::listen(move || above.println(answer));
         Ok(Self { output, kept, bar, interrupt, taken: AtomicUsize::new(0) })
+    }
+
+    /// Criteria that also end a path where the user has asked to stop.
+    pub fn ends(&self, stop: StopCriteria) -> StopCriteria {
+        self.interrupt.ends(stop)
     }
 
     /// The outcomes in the order of the samples, those of an earlier run among them. After Ctrl-C some are missing.

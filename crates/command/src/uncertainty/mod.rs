@@ -86,8 +86,11 @@ fn analysis(
         |values: &[f64]| table.model(scene, values).map_err(|error| format!("{}. {}", error.found, error.remedy));
     let stop = || scene.bounds.from_now();
     let peel = SampledPeel { model: &model, of: &table.quantities, accuracy: &scene.accuracy, stop: &stop };
-    let taylors = taylor_polynomials(design.plan(), &peel);
-    let alone = one_at_a_time(design.plan(), ALONE_AT, &peel);
+    // a sample is computed to its end, because it is kept; what is beside the samples is not
+    let interruptible = || sampler.ends(scene.bounds.from_now());
+    let beside = SampledPeel { stop: &interruptible, ..peel };
+    let taylors = taylor_polynomials(design.plan(), &beside);
+    let alone = one_at_a_time(design.plan(), ALONE_AT, &beside);
     let outcomes: Vec<Option<Outcome>> = sampler.sample(&design, &peel)?;
     Ok(Analysis::new(design, &table.quantities, outcomes, taylors, alone))
 }

@@ -1,14 +1,15 @@
 //! The beam at points of the path, all with the same number of points around it.
 
-use peelkit::study::{DeformedShape, LimitPoint, LimitPointKind, Peel};
+use peelkit::study::{DeformedShape, LimitPoint, Peel};
 
-/// Most frames of an animation.
+/// Places of a path at which the beam is shown, its limit points aside.
 const MOST: usize = 90;
 /// Points along the beam.
 const ALONG: usize = 56;
 
 /// The beam at one point of the path.
-pub(super) struct Pose {
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pose {
     /// u, nm
     pub displacement: f64,
     /// P, nN
@@ -27,8 +28,9 @@ enum Place<'a> {
     Limit(&'a LimitPoint),
 }
 
-/// The frames, in path order: of the points of the path and its displacement limit points, by even distances along the curve.
-pub(super) fn frames(peel: &Peel) -> Vec<Pose> {
+/// The beam along the path, in its order: at about 90 points of the path, by even distances along the curve, and at every limit point. Each is
+/// an equilibrium that was computed, and none lies between two. Empty where the solutions behind the path are not known.
+pub fn poses(peel: &Peel) -> Vec<Pose> {
     let mut places = Vec::new();
     for index in 0..peel.points.len() {
         places.push(Place::Point(index));
@@ -59,9 +61,8 @@ pub(super) fn frames(peel: &Peel) -> Vec<Pose> {
             (0..places.len()).min_by(|&a, &b| (lengths[a] - wanted).abs().total_cmp(&(lengths[b] - wanted).abs()))
         })
         .collect();
-    let is_turn =
-        |index: &usize| matches!(places[*index], Place::Limit(LimitPoint { kind: LimitPointKind::Displacement, .. }));
-    chosen.extend((0..places.len()).filter(is_turn));
+    let is_limit_point = |index: &usize| matches!(places[*index], Place::Limit(_));
+    chosen.extend((0..places.len()).filter(is_limit_point));
     chosen.sort_unstable();
     chosen.dedup();
     let pose = |index: usize| {

@@ -7,9 +7,10 @@ mod page;
 use crate::error::ReportError;
 use crate::file::write_whole;
 use crate::pictures::peel::captioned;
-use frames::frames;
 use peelkit::study::Peel;
 use std::path::{Path, PathBuf};
+
+pub use frames::{Pose, poses};
 
 /// Writes `animation.html` into `dir`.
 ///
@@ -17,7 +18,7 @@ use std::path::{Path, PathBuf};
 /// ([`ReportError::Write`]).
 pub fn write_animation(dir: &Path, peel: &Peel, title: &str) -> Result<PathBuf, ReportError> {
     let path = dir.join("animation.html");
-    let frames = frames(peel);
+    let frames = poses(peel);
     if frames.len() < 2 {
         let reason = format!("the path has {} points with a shape", frames.len());
         return Err(ReportError::Draw { path, reason });

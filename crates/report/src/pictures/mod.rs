@@ -19,7 +19,7 @@ pub use fit::draw_fit;
 pub use followed::draw_followed;
 pub use observed::draw_observed;
 pub use optimisation::draw_optimum;
-pub use peel::{draw_peel, draw_peel_with_branch};
+pub use peel::{curve_svg, draw_peel, draw_peel_with_branch};
 pub use plane::draw_plane;
 pub use sensitivities::{bars, draw_sensitivities};
 pub use sweep::draw_sweep;

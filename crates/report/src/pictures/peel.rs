@@ -54,6 +54,15 @@ pub fn draw_peel_with_branch(
     Ok(files)
 }
 
+/// The text of curve.svg, without the numbers of deformed shapes and without a stability out of the plane.
+///
+/// Fails where there is nothing to draw ([`ReportError::Draw`]).
+pub fn curve_svg(peel: &Peel, title: &str) -> Result<String, ReportError> {
+    let path = Path::new("curve.svg");
+    let picture = curve(peel, &[], &captioned(peel, title), path)?;
+    picture.svg().map_err(|error| ReportError::Draw { path: path.to_path_buf(), reason: error.to_string() })
+}
+
 /// The title with a caption: how the computation ended where it stopped short, and what of the model is not to be trusted in what the
 /// picture shows.
 pub fn captioned(peel: &Peel, title: &str) -> String {

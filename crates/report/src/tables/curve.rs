@@ -1,11 +1,12 @@
 //! The tables of one peel: curve.csv, limit_points.csv, branch.csv, observed.csv. Units stand in the names of the columns.
 
-use super::table::{write_table, write_table_with_grip};
+use super::table::{table_with_grip, write_table, write_table_with_grip};
 use crate::error::ReportError;
 use crate::names::limit_point_kind_word;
 use crate::number::Finite;
 use peelkit::study::{LimitPoint, Observed, OutOfPlane, OutOfPlaneBranch, PathPoint, Peel};
 use serde::Serialize;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// A point of a path, in the plane or in space.
@@ -52,6 +53,13 @@ pub fn write_curve(dir: &Path, peel: &Peel, out_of_plane: Option<&OutOfPlane>) -
     };
     let lines = peel.points.iter().enumerate().map(|at| (line(at), at.1.in_space));
     write_table_with_grip(dir, "curve.csv", lines)
+}
+
+/// The text of curve.csv without a stability out of the plane.
+///
+/// Fails where a number is not finite.
+pub fn curve_csv(peel: &Peel) -> io::Result<Vec<u8>> {
+    table_with_grip(peel.points.iter().map(|point| (PointColumns::from(point), point.in_space)))
 }
 
 /// Writes branch.csv: one row a point of the branch that leaves the plane, with the columns of curve.csv in space.

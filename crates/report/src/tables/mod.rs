@@ -7,7 +7,7 @@ mod sweep;
 mod table;
 mod uncertainty;
 
-pub use curve::{write_branch, write_curve, write_limit_points, write_observed};
+pub use curve::{curve_csv, write_branch, write_curve, write_limit_points, write_observed};
 pub use fit::write_fit;
 pub use optimisation::write_history;
 pub use sweep::{SweepLine, work_to, write_followed, write_sweep};

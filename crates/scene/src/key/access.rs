@@ -104,7 +104,7 @@ impl Key {
     }
 
     /// What its number may be.
-    pub(crate) fn range(&self) -> Range {
+    pub fn range(&self) -> Range {
         match self.kind {
             Kind::Number(range, _) | Kind::Share(range, _) | Kind::Measure(_, range, _) => range,
             Kind::Count(_) => Range::From(1.0, 1e9),

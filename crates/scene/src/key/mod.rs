@@ -139,6 +139,11 @@ impl Key {
         self.is_count() || matches!(self.kind, Kind::Setting(_)) && number.fract() == 0.0
     }
 
+    /// Whether its value may be the name of a file.
+    pub(crate) fn reads_a_file(&self) -> bool {
+        matches!(self.kind, Kind::Table(_) | Kind::Heights(_))
+    }
+
     /// Whether its values are TOML strings.
     pub(crate) fn is_text(&self) -> bool {
         let plain = matches!(self.kind, Kind::Number(..) | Kind::Share(..) | Kind::Flag(_) | Kind::InSpace);

@@ -1,7 +1,9 @@
 //! An element: its shape functions and Gauss points, the integrand there, and the frontal matrix into which it is assembled.
 mod basis;
+mod block;
 mod frontal_matrix;
 mod integrand;
+mod pairwise;
 mod piecewise;
 mod planar_element;
 pub use basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, PerNode, slot};

@@ -1,5 +1,6 @@
 //! The element: integrates a density into its front, the matrix that elimination works on.
 
+use super::block::Block;
 use super::integrand::{Integrand, Point};
 use super::piecewise::PiecePoint;
 use crate::beam::{Basis, Coupling, FrontalMatrix, MOST_NODES, Nodes, PerNode, PointResponse};
@@ -67,13 +68,13 @@ impl<T: Real, const F: usize> Element<T, F> {
 
     /// Factor of a derivative with respect to S over one with respect to the local coordinate.
     #[inline(always)]
-    fn stretch(&self) -> T {
+    pub(super) fn stretch(&self) -> T {
         self.length.recip() * 2.0
     }
 
     /// Weight of Gauss point `q`.
     #[inline(always)]
-    fn weight(&self, basis: &Basis, q: usize) -> T {
+    pub(super) fn weight(&self, basis: &Basis, q: usize) -> T {
         self.length * (0.5 * basis.weights[q])
     }
 }
@@ -83,7 +84,7 @@ impl<T: Real, const F: usize> Element<T, F> {
 #[derive(Clone, Debug)]
 pub struct Responses<const F: usize> {
     points: [Point<F64x4, F>; MOST_NODES],
-    responses: [PointResponse<F64x4, F>; MOST_NODES],
+    pub(super) responses: [PointResponse<F64x4, F>; MOST_NODES],
     weighted: Weighted,
 }
 
@@ -112,11 +113,25 @@ impl<const F: usize> Element<F64x4, F> {
         room: &mut Responses<F>,
         front: &mut FrontalMatrix<F64x4, F>,
     ) -> (F64x4, F64x4) {
+        let energies = self.integrate_gradient::<BORDER>(by, path_weight, room, front);
+        let Responses { responses, weighted, .. } = room;
+        self.assemble(by, responses, weighted, front);
+        energies
+    }
+
+    /// The same but for the tangent: asks the density at all points, and integrates gradient, border and path.
+    #[inline(always)]
+    pub(super) fn integrate_gradient<const BORDER: bool>(
+        &self,
+        by: &Integration<impl Nodes, F>,
+        path_weight: f64,
+        Responses { points, responses, .. }: &mut Responses<F>,
+        front: &mut FrontalMatrix<F64x4, F>,
+    ) -> (F64x4, F64x4) {
         let &Integration { nodes, basis, density, .. } = by;
         let zero = F64x4::splat(0.0);
         let stretch = self.stretch();
         let (mut energy, mut coverage) = (zero, zero);
-        let Responses { points, responses, weighted } = room;
         for q in 0..nodes.count() - 1 {
             points[q] = self.point(nodes, basis, q);
         }
@@ -130,7 +145,6 @@ impl<const F: usize> Element<F64x4, F> {
             coverage = coverage + r.coverage * once;
             front.add_gradient::<BORDER>(nodes, r, basis, q, (once, twice), path_weight);
         }
-        self.assemble(by, responses, weighted, front);
         (energy, coverage)
     }
 
@@ -272,93 +286,4 @@ fn at_point<T: Real, const F: usize>(nodes: impl Nodes, values: &[[T; F]; MOST_N
         }
     }
     sum
-}
-
-/// At each Gauss point, shape function `a` times one weight and its slope times another, as far as there are any.
-#[inline(always)]
-fn mixed(
-    nodes: impl Nodes,
-    basis: &Basis,
-    a: usize,
-    by_value: Option<&[F64x4; MOST_NODES]>,
-    by_slope: Option<&[F64x4; MOST_NODES]>,
-) -> [F64x4; MOST_NODES] {
-    let mut sum = [F64x4::splat(0.0); MOST_NODES];
-    let (points, value, slope) = (nodes.count() - 1, &basis.four_values_of[a], &basis.four_slopes_of[a]);
-    // loops and not closures: these are not compiled for the vector units that the rest is compiled for
-    match (by_value, by_slope) {
-        (Some(v), Some(s)) => {
-            for q in 0..points {
-                sum[q] = v[q] * value[q] + s[q] * slope[q];
-            }
-        }
-        (Some(v), None) => {
-            for q in 0..points {
-                sum[q] = v[q] * value[q];
-            }
-        }
-        (None, Some(s)) => {
-            for q in 0..points {
-                sum[q] = s[q] * slope[q];
-            }
-        }
-        (None, None) => {}
-    }
-    sum
-}
-
-/// What is weighted of the second derivatives by two fields, as far as there are any.
-struct Block<'a> {
-    value_value: Option<&'a [F64x4; MOST_NODES]>,
-    value_slope: Option<&'a [F64x4; MOST_NODES]>,
-    slope_value: Option<&'a [F64x4; MOST_NODES]>,
-    slope_slope: Option<&'a [F64x4; MOST_NODES]>,
-}
-
-impl Block<'_> {
-    /// Writes the columns of field `g` into the rows of field `f`.
-    #[inline(always)]
-    fn assemble<const F: usize>(
-        &self,
-        by: &Integration<impl Nodes, F>,
-        fields: (usize, usize),
-        front: &mut FrontalMatrix<F64x4, F>,
-    ) {
-        let on_value = self.value_value.is_some() || self.slope_value.is_some();
-        let on_slope = self.value_slope.is_some() || self.slope_slope.is_some();
-        match (on_value, on_slope) {
-            (true, true) => self.rows::<true, true, F>(by, fields, front),
-            (true, false) => self.rows::<true, false, F>(by, fields, front),
-            (false, true) => self.rows::<false, true, F>(by, fields, front),
-            (false, false) => self.rows::<false, false, F>(by, fields, front),
-        }
-    }
-
-    #[inline(always)]
-    fn rows<const ON_VALUE: bool, const ON_SLOPE: bool, const F: usize>(
-        &self,
-        by: &Integration<impl Nodes, F>,
-        (f, g): (usize, usize),
-        front: &mut FrontalMatrix<F64x4, F>,
-    ) {
-        let &Integration { nodes, basis, symmetric, .. } = by;
-        for a in 0..nodes.count() {
-            // what row a puts on the unknown's values and on its slopes
-            let on_value = mixed(nodes, basis, a, self.value_value, self.slope_value);
-            let on_slope = mixed(nodes, basis, a, self.value_slope, self.slope_slope);
-            for b in if symmetric { a } else { 0 }..nodes.count() {
-                // two sums, so that one need not wait for the other
-                let (mut by_value, mut by_slope) = (F64x4::splat(0.0), F64x4::splat(0.0));
-                for q in 0..nodes.count() - 1 {
-                    if ON_VALUE {
-                        by_value = by_value + on_value[q] * basis.four_values_of[b][q];
-                    }
-                    if ON_SLOPE {
-                        by_slope = by_slope + on_slope[q] * basis.four_slopes_of[b][q];
-                    }
-                }
-                front.rows[a][f].fields[b][g] = by_value + by_slope;
-            }
-        }
-    }
 }

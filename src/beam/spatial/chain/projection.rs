@@ -3,7 +3,7 @@
 //! With ∂q/∂φ = T and ∂²q/∂φ² = -q I/4, the gradient g and the tangent H by the fields become Tᵀg and TᵀHT - (g·q) I/4.
 
 use crate::beam::spatial::density::SPATIAL_FIELDS;
-use crate::beam::spatial::rotation::{Matrix3, apply_transposed, inner};
+use crate::beam::spatial::rotation::{Matrix3, inner};
 use crate::beam::{FrontalMatrix, MOST_NODES, Nodes};
 use crate::number::{F64x4, Real};
 
@@ -21,6 +21,16 @@ pub fn turn_to_quaternion<T: Real>([w, x, y, z]: [T; 4]) -> [[T; 3]; 4] {
     [[-x, -y, -z], [w, -z, y], [z, w, -x], [-y, x, w]]
 }
 
+/// Tᵀ r, of half a quaternion of length one: without the matrix.
+#[inline(always)]
+fn on_turn<T: Real>([w, x, y, z]: [T; 4], r: [T; 4]) -> [T; 3] {
+    [
+        w * r[1] - x * r[0] + z * r[2] - y * r[3],
+        w * r[2] - (y * r[0] + z * r[1]) + x * r[3],
+        y * r[1] - z * r[0] - x * r[2] + w * r[3],
+    ]
+}
+
 /// The quaternion of the fields of a node.
 #[inline(always)]
 fn quaternion_of<T: Real>(fields: &[T; SPATIAL_FIELDS]) -> [T; 4] {
@@ -36,38 +46,29 @@ pub(in crate::beam::spatial) fn project(
     values: &[[F64x4; SPATIAL_FIELDS]; MOST_NODES],
     front: &mut SpatialFront,
 ) {
-    let mut turns = [[[F64x4::splat(0.0); 3]; 4]; MOST_NODES];
+    let half_of = |node: usize| quaternion_of(&values[node]).map(|entry| entry * 0.5);
     for a in 0..nodes.count() {
-        turns[a] = turn_to_quaternion(quaternion_of(&values[a]));
-    }
-    for a in 0..nodes.count() {
-        let (rows, turned) = (&fields.rows[a], &turns[a]);
+        let (rows, own) = (&fields.rows[a], half_of(a));
         let by_quaternion = [rows[3].residual, rows[4].residual, rows[5].residual, rows[6].residual];
-        let on_turn = apply_transposed(turned, &by_quaternion);
+        let turning = on_turn(own, by_quaternion);
         for f in 0..3 {
             front.rows[a][f].residual = rows[f].residual;
-            front.rows[a][3 + f].residual = on_turn[f];
+            front.rows[a][3 + f].residual = turning[f];
         }
         for b in a..nodes.count() {
             // the columns of node b, then the rows of node a
-            let next = &turns[b];
+            let next = half_of(b);
             for i in 0..3 {
                 front.rows[a][i].fields[b] = projected(&rows[i].fields[b], next);
             }
-            let mut half = [[F64x4::splat(0.0); 3]; 4];
+            let mut half = [[F64x4::splat(0.0); SPATIAL_UNKNOWNS]; 4];
             for k in 0..4 {
-                half[k] = apply_transposed(next, &quaternion_of(&rows[3 + k].fields[b]));
+                half[k] = projected(&rows[3 + k].fields[b], next);
             }
-            for g in 0..3 {
-                let mut of_place = [F64x4::splat(0.0); 4];
-                let mut of_turn = of_place;
-                for k in 0..4 {
-                    (of_place[k], of_turn[k]) = (rows[3 + k].fields[b][g], half[k][g]);
-                }
-                let (of_place, of_turn) = (apply_transposed(turned, &of_place), apply_transposed(turned, &of_turn));
+            for g in 0..SPATIAL_UNKNOWNS {
+                let column = on_turn(own, [half[0][g], half[1][g], half[2][g], half[3][g]]);
                 for i in 0..3 {
-                    (front.rows[a][3 + i].fields[b][g], front.rows[a][3 + i].fields[b][3 + g]) =
-                        (of_place[i], of_turn[i]);
+                    front.rows[a][3 + i].fields[b][g] = column[i];
                 }
             }
         }
@@ -75,18 +76,18 @@ pub(in crate::beam::spatial) fn project(
         for f in 3..SPATIAL_UNKNOWNS {
             front.rows[a][f].fields[a][f] = front.rows[a][f].fields[a][f] - bent;
         }
-        front.path.fields[a] = projected(&fields.path.fields[a], turned);
+        front.path.fields[a] = projected(&fields.path.fields[a], own);
     }
     front.path.residual = fields.path.residual;
 }
 
-/// A row of a node's fields in its unknowns.
+/// A row of a node's fields in its unknowns, with half its quaternion.
 #[inline(always)]
 pub(in crate::beam::spatial) fn projected<T: Real>(
     row: &[T; SPATIAL_FIELDS],
-    turned: &[[T; 3]; 4],
+    half: [T; 4],
 ) -> [T; SPATIAL_UNKNOWNS] {
-    let own = apply_transposed(turned, &quaternion_of(row));
+    let own = on_turn(half, quaternion_of(row));
     [row[0], row[1], row[2], own[0], own[1], own[2]]
 }
 

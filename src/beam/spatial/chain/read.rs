@@ -52,7 +52,7 @@ impl SpatialChain {
     fn by_unknowns(&self, at: SpatialConfiguration, by_fields: &[f64]) -> Vec<f64> {
         let mut out = Vec::with_capacity(by_fields.len() / N * F);
         for (node, by) in at.fields.chunks_exact(N).zip(by_fields.as_chunks::<N>().0) {
-            out.extend(projected(by, &turn_to_quaternion(quaternion_of(node))));
+            out.extend(projected(by, quaternion_of(node).map(|entry| 0.5 * entry)));
         }
         let last = out.len() - F;
         for (end, from) in [(0, 0), (1, last)] {
@@ -107,7 +107,7 @@ impl SpatialChain {
             let forces = element.forces(&by);
             let at_node = |rank: usize| {
                 let node = slot(order + 1, rank);
-                projected(&forces[node], &turn_to_quaternion(quaternion_of(&element.values[node])))
+                projected(&forces[node], quaternion_of(&element.values[node]).map(|entry| 0.5 * entry))
             };
             if e == elements.start {
                 ends.push(at_node(0).map(|force| -force));

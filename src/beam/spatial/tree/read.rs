@@ -1,7 +1,7 @@
 //! What is read off a tree: its energy, its residual, its tangent entry by entry, and its branches as they lie.
 
 use super::beam_tree::{BeamTree, TreeBranch};
-use crate::beam::spatial::chain::projection::{FieldFront, SpatialFront, project, projected, turn_to_quaternion};
+use crate::beam::spatial::chain::projection::{FieldFront, SpatialFront, project, projected};
 use crate::beam::spatial::chain::read::normalise;
 use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, no_values, quaternion_of};
 use crate::beam::spatial::density::SPATIAL_FIELDS;
@@ -89,7 +89,7 @@ impl BeamTree {
         let forces = element.forces(&by);
         let mut out = [[0.0; F]; MOST_NODES];
         for a in 0..=self.order() {
-            out[a] = projected(&forces[a], &turn_to_quaternion(quaternion_of(&element.values[a])));
+            out[a] = projected(&forces[a], quaternion_of(&element.values[a]).map(|entry| 0.5 * entry));
         }
         out
     }
@@ -129,7 +129,7 @@ impl BeamTree {
                 let elements: [usize; BUNDLE] =
                     std::array::from_fn(|l| branch.inwards((first + l).min(branch.elements - 1)));
                 self.gather(values, branch, first, &mut bundle);
-                bundle.integrate::<false>(&by, 0.0, &mut room, &mut fields);
+                bundle.integrate_pairwise(&by, 0.0, &mut room, &mut fields);
                 project(nodes, &fields, &bundle.values, &mut front);
                 self.take_ends(nodes, values, (branch, &elements), &mut front);
                 for (l, &e) in elements.iter().enumerate().take(branch.elements - first) {

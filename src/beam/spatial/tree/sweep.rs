@@ -103,7 +103,7 @@ impl BeamTree {
             let elements: [usize; BUNDLE] =
                 std::array::from_fn(|l| branch.inwards((first + l).min(branch.elements - 1)));
             self.gather(values, branch, first, &mut bundle);
-            let (energy, _) = bundle.integrate::<false>(&by, 0.0, room, field_front);
+            let (energy, _) = bundle.integrate_pairwise(&by, 0.0, room, field_front);
             project(nodes, field_front, &bundle.values, front);
             self.take_ends(nodes, values, (branch, &elements), front);
             if damping != [0.0; 2] {

@@ -39,16 +39,16 @@ pub(in crate::figures) const PEELS: usize = INCLINED.len() * (AZIMUTHS + 2) + RO
 
 /// How the grip is pulled, degrees.
 #[derive(Clone, Copy)]
-struct Case {
-    elevation: f64,
-    azimuth: f64,
+pub(super) struct Case {
+    pub elevation: f64,
+    pub azimuth: f64,
     /// At which it is held; none where it is free to roll
-    roll: Option<f64>,
+    pub roll: Option<f64>,
 }
 
 /// A first peak, and where the path has lost its stability before it, (u, P).
-struct Found {
-    case: Case,
+pub(super) struct Found {
+    pub case: Case,
     /// Whether the case is that of the branch which leaves the plane
     branch: bool,
     peak: Option<LimitPoint>,
@@ -60,7 +60,7 @@ struct Found {
 
 impl Found {
     /// Of a path in space, all of whose branch points are known.
-    fn in_space(case: Case, peel: &Peel, branch: bool) -> Self {
+    pub fn in_space(case: Case, peel: &Peel, branch: bool) -> Self {
         let peak = first_peak(peel);
         let before = |after: usize| peak.is_some_and(|peak| after <= peak.after);
         let lost = peel.branch_points.iter().find(|at| before(at.after)).map(|at| (at.displacement, at.force));
@@ -144,10 +144,10 @@ fn in_the_plane(case: Case, peel: &Peel) -> Vec<Found> {
 }
 
 /// A curve: what is varied, and what was found there.
-struct Series<'a> {
-    name: String,
-    colour: RGBColor,
-    points: Vec<(f64, &'a Found)>,
+pub(super) struct Series<'a> {
+    pub name: String,
+    pub colour: RGBColor,
+    pub points: Vec<(f64, &'a Found)>,
 }
 
 fn picture(found: &[Found]) -> Picture {
@@ -185,7 +185,7 @@ fn picture(found: &[Found]) -> Picture {
 
 /// Stable peaks as curves with gaps, the least of each marked and the least of all named; those behind a branch point
 /// as diamonds.
-fn draw(panel: &mut Panel, all: &[Series<'_>]) {
+pub(super) fn draw(panel: &mut Panel, all: &[Series<'_>]) {
     let leasts: Vec<Option<(f64, f64)>> = all.iter().map(|series| least(series, &panel.x)).collect();
     let of_all = leasts.iter().flatten().map(|at| at.1).fold(f64::INFINITY, f64::min);
     for (Series { name, colour, points }, least) in all.iter().zip(leasts) {
@@ -217,7 +217,7 @@ fn least(series: &Series<'_>, axis: &Axis) -> Option<(f64, f64)> {
     stable.min_by(|a, b| a.1.total_cmp(&b.1).then(from_middle(a.0).total_cmp(&from_middle(b.0))))
 }
 
-fn table(found: &[Found]) -> Table {
+pub(super) fn table(found: &[Found]) -> Table {
     let mut table = Table::new(&[
         "varied",
         "path",

@@ -54,12 +54,14 @@ fn first_peak(peel: &Peel) -> Option<f64> {
 }
 
 pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportError> {
-    let of = |strength| {
-        let models: Vec<PeelModel> = angles().map(|angle| strip(angle, strength)).collect();
-        runner.peel_all(&models, &ACCURACY, &BOUNDS)
-    };
-    let free = of(None);
-    let held = STRENGTHS.map(|(strength, ..)| of(Some(strength)));
+    let strengths = [None].into_iter().chain(STRENGTHS.map(|(strength, ..)| Some(strength)));
+    let models: Vec<PeelModel> =
+        strengths.flat_map(|strength| angles().map(move |angle| strip(angle, strength))).collect();
+    // all at once: some take as long as all others of their strength
+    let mut peels = runner.peel_all(&models, &ACCURACY, &BOUNDS).into_iter();
+    let mut next = || peels.by_ref().take(ANGLES).collect::<Vec<Peel>>();
+    let free = next();
+    let held = STRENGTHS.map(|_| next());
     let picture = picture(&free, &held);
     let caption = format!(
         "Above: the initiation peak of a strip of {LENGTH} nm (h = 10 nm, E = 2 GPa) against the angle at which it is pulled, the force along \

@@ -9,6 +9,7 @@ pub(super) mod pull;
 pub(super) mod rough;
 pub(super) mod rough_spatula;
 pub(super) mod spatula;
+pub(super) mod spatula_directions;
 pub(super) mod stiffness;
 pub(super) mod strip;
 pub(super) mod work;

@@ -1,0 +1,127 @@
+// The keys of a scene as sliders, numbers and lists of words. Ranges come from the server, which has them from its list of keys.
+
+/** The keys that stand first, where the scene has them. */
+const FIRST = [
+  'strip.length', 'strip.height', 'strip.youngs_modulus', 'strip.bending_stiffness_factor',
+  'spatula.pad_length', 'spatula.pad_thickness', 'spatula.shaft_angle', 'spatula.youngs_modulus', 'spatula.bending_stiffness_factor',
+  'adhesion.hamaker_constant', 'adhesion.equilibrium_distance', 'adhesion.work', 'adhesion.strength', 'adhesion.law', 'adhesion.line_load',
+  'drive.angle', 'grip.rotation',
+  'substrate.shape', 'substrate.height', 'substrate.wavelength', 'substrate.radius', 'substrate.offset',
+];
+/** Positions of a slider. */
+const STEPS = 1000;
+const DIGITS = 4;
+
+function short(number) {
+  return String(Number(number.toPrecision(DIGITS)));
+}
+
+function toPosition({ low, high, logarithmic }, value) {
+  const share = logarithmic ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
+  return Math.round(STEPS * Math.min(1, Math.max(0, share)));
+}
+
+function toValue({ low, high, logarithmic }, position) {
+  const share = position / STEPS;
+  return logarithmic ? low * (high / low) ** share : low + share * (high - low);
+}
+
+/** The controls of the page. `changed(key, text, isWord)` is called with the text of a value as a scene has it. */
+export class Controls {
+  constructor(first, others, changed) {
+    Object.assign(this, { first, others, changed });
+    this.ranges = new Map();
+  }
+
+  /** Forgets the ranges: another scene has others. */
+  forget() {
+    this.ranges.clear();
+  }
+
+  /** Shows these controls; what has the focus keeps it. */
+  show(list) {
+    const focused = document.activeElement?.id;
+    const isFirst = ({ key, value }) => FIRST.includes(key) && value !== null;
+    const order = ({ key }) => FIRST.indexOf(key);
+    const first = list.filter(isFirst).sort((a, b) => order(a) - order(b));
+    this.first.replaceChildren(...first.map((control) => this.one(control)));
+    const others = [];
+    let table = '';
+    for (const control of list.filter((control) => !isFirst(control))) {
+      const of = control.key.split('.')[0];
+      if (of !== table) {
+        table = of;
+        const heading = document.createElement('h3');
+        heading.textContent = of;
+        others.push(heading);
+      }
+      others.push(this.one(control));
+    }
+    this.others.replaceChildren(...others);
+    if (focused) document.getElementById(focused)?.focus();
+  }
+
+  one(control) {
+    const box = document.createElement('div');
+    box.className = 'control';
+    const label = document.createElement('label');
+    const small = document.createElement('small');
+    small.textContent = control.key;
+    label.append(control.about, small);
+    label.htmlFor = `key-${control.key}`;
+    box.append(label, ...(control.kind === 'choice' ? this.words(control) : this.number(control, box)));
+    return box;
+  }
+
+  words({ key, value, words }) {
+    const select = document.createElement('select');
+    select.id = `key-${key}`;
+    for (const word of words) select.add(new Option(word, word, false, word === value));
+    select.addEventListener('change', () => this.changed(key, select.value, true));
+    return [select];
+  }
+
+  number({ key, about, unit, value, slider, default: byDefault, range }, box) {
+    const withUnit = (text) => (unit ? `${text} ${unit}` : text);
+    const field = document.createElement('input');
+    Object.assign(field, { type: 'text', inputMode: 'decimal', autocomplete: 'off' });
+    field.value = value === null ? '' : short(value);
+    field.placeholder = value === null ? byDefault : '';
+    field.title = `${range}; default: ${byDefault}`;
+    const sign = document.createElement('span');
+    sign.textContent = unit;
+    const range_ = this.range(key, value, slider);
+    field.addEventListener('change', () => {
+      const text = field.value.trim();
+      if (text === '') return;
+      const number = Number(text);
+      if (range_ && Number.isFinite(number)) ruler.value = toPosition(range_, number);
+      // one with a unit of its own is sent as it stands
+      this.changed(key, /[a-zµ]/i.test(text.replace(/e[+-]?\d/i, '')) ? text : withUnit(text), value === null);
+    });
+    if (!range_) {
+      field.id = `key-${key}`;
+      box.classList.add('plain');
+      return [field, sign];
+    }
+    field.setAttribute('aria-label', `${about}, as a number${unit ? ` in ${unit}` : ''}`);
+    const ruler = document.createElement('input');
+    Object.assign(ruler, { type: 'range', min: 0, max: STEPS, step: 1, id: `key-${key}` });
+    ruler.value = toPosition(range_, value);
+    ruler.setAttribute('aria-valuetext', withUnit(field.value));
+    ruler.addEventListener('input', () => {
+      field.value = short(toValue(range_, Number(ruler.value)));
+      ruler.setAttribute('aria-valuetext', withUnit(field.value));
+      this.changed(key, withUnit(field.value), false);
+    });
+    return [ruler, field, sign];
+  }
+
+  /** The range of a slider, which stays where it was as long as the value is in it. */
+  range(key, value, slider) {
+    const known = this.ranges.get(key);
+    if (!slider || (known && value >= known.low && value <= known.high)) return slider && known;
+    this.ranges.set(key, slider);
+    return slider;
+  }
+}
