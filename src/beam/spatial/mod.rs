@@ -14,6 +14,7 @@ mod spatial_grip;
 mod spatial_profile;
 mod spatial_system;
 mod stiffness;
+mod tree;
 pub use chain::{SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional};
 pub use density::{SPATIAL_FIELDS, SpatialDensity};
 pub use end_rotation::{EndRotation, angles, turned};
@@ -24,3 +25,7 @@ pub use spatial_beam::SpatialBeam;
 pub use spatial_grip::{GripReactions, SpatialSectionPlace};
 pub use spatial_profile::{SpatialProfile, Station};
 pub use stiffness::SpatialStiffness;
+pub use tree::{
+    BeamTree, Branch, BranchSection, BranchingBeam, CondensedTree, EndEnergy, EndResponse, JointCondition,
+    JointUnknown, TreeError, TreeFactors,
+};

@@ -6,3 +6,4 @@ mod forms;
 mod rods;
 mod spatial;
 mod tangents;
+mod trees;

@@ -4,20 +4,20 @@ use super::projection::{SPATIAL_UNKNOWNS, SpatialFront};
 use crate::beam::Nodes;
 
 /// Both ends, and the residual or the path.
-pub(super) const EDGE: usize = 2 * SPATIAL_UNKNOWNS + 1;
+pub(in crate::beam::spatial) const EDGE: usize = 2 * SPATIAL_UNKNOWNS + 1;
 /// The right end, and the residual or the path.
-pub(super) const ROOT: usize = SPATIAL_UNKNOWNS + 1;
+pub(in crate::beam::spatial) const ROOT: usize = SPATIAL_UNKNOWNS + 1;
 const KNOWN: usize = 2 * SPATIAL_UNKNOWNS;
 
 /// An equation of the block.
-pub(super) type EndRow = [f64; EDGE];
+pub(in crate::beam::spatial) type EndRow = [f64; EDGE];
 /// What stands below the pivots of the left end in the rows of the right.
-pub(super) type BelowEnd = [[f64; SPATIAL_UNKNOWNS]; SPATIAL_UNKNOWNS];
+pub(in crate::beam::spatial) type BelowEnd = [[f64; SPATIAL_UNKNOWNS]; SPATIAL_UNKNOWNS];
 /// What is left on the right end.
-pub(super) type Carry = [[f64; ROOT]; ROOT];
+pub(in crate::beam::spatial) type Carry = [[f64; ROOT]; ROOT];
 
 /// The block itself.
-pub(super) struct EndBlock(pub [EndRow; EDGE]);
+pub(in crate::beam::spatial) struct EndBlock(pub [EndRow; EDGE]);
 
 impl EndBlock {
     /// What condensation left of element `l` of a front, which is symmetric.

@@ -5,11 +5,11 @@
 //! eigenvalue, so the sweep counts the negative ones.
 
 mod back;
-mod end_block;
+pub(super) mod end_block;
 mod factors;
-mod projection;
+pub(super) mod projection;
 pub mod read;
-mod sweep;
+pub(super) mod sweep;
 
 pub use projection::{EndMap, SPATIAL_UNKNOWNS};
 
@@ -180,8 +180,8 @@ pub fn quaternion_of(node: &[f64]) -> Quaternion {
 }
 
 /// Nodes whose number is known, for the usual order.
-type Usual = Fixed<{ USUAL_ORDER + 1 }>;
+pub(super) type Usual = Fixed<{ USUAL_ORDER + 1 }>;
 
-fn no_values<const F: usize>() -> [[F64x4; F]; MOST_NODES] {
+pub(super) fn no_values<const F: usize>() -> [[F64x4; F]; MOST_NODES] {
     [[F64x4::splat(0.0); F]; MOST_NODES]
 }

@@ -30,7 +30,7 @@ fn quaternion_of<T: Real>(fields: &[T; SPATIAL_FIELDS]) -> [T; 4] {
 /// Writes the front of the fields of four elements, whose nodes have the `values`, as that of their unknowns. No node below the diagonal is
 /// read or written.
 #[inline(always)]
-pub(super) fn project(
+pub(in crate::beam::spatial) fn project(
     nodes: impl Nodes,
     fields: &FieldFront,
     values: &[[F64x4; SPATIAL_FIELDS]; MOST_NODES],
@@ -82,7 +82,10 @@ pub(super) fn project(
 
 /// A row of a node's fields in its unknowns.
 #[inline(always)]
-pub(super) fn projected<T: Real>(row: &[T; SPATIAL_FIELDS], turned: &[[T; 3]; 4]) -> [T; SPATIAL_UNKNOWNS] {
+pub(in crate::beam::spatial) fn projected<T: Real>(
+    row: &[T; SPATIAL_FIELDS],
+    turned: &[[T; 3]; 4],
+) -> [T; SPATIAL_UNKNOWNS] {
     let own = apply_transposed(turned, &quaternion_of(row));
     [row[0], row[1], row[2], own[0], own[1], own[2]]
 }
@@ -113,7 +116,14 @@ impl EndMap {
     }
 
     /// Takes element `l` of a front from the unknowns of node `at` to those of the end; `bent` is added to the block of its turn.
-    pub(super) fn apply(&self, nodes: impl Nodes, at: usize, l: usize, bent: &Matrix3, front: &mut SpatialFront) {
+    pub(in crate::beam::spatial) fn apply(
+        &self,
+        nodes: impl Nodes,
+        at: usize,
+        l: usize,
+        bent: &Matrix3,
+        front: &mut SpatialFront,
+    ) {
         for a in 0..=at {
             for f in 0..SPATIAL_UNKNOWNS {
                 let row = &mut front.rows[a][f].fields[at];

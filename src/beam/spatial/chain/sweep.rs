@@ -12,7 +12,7 @@ use crate::beam::{AnyNumber, BUNDLE, Element, ElementEnergy, FrontalMatrix, Node
 use crate::solve::{Place, Quantity, SolveError};
 
 /// Pivots below this are zero to rounding.
-const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
+pub(in crate::beam::spatial) const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
 
 /// What is left of the chain when all but its right end is eliminated.
 pub struct CondensedSpatialChain {

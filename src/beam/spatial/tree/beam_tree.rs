@@ -1,0 +1,217 @@
+//! A tree of beams that can be eliminated: its branches, its nodes, and how a state lays them out.
+
+use super::branching_beam::JointUnknown;
+use super::end_energy::EndEnergy;
+use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, SpatialEnd, quaternion_of};
+use crate::beam::spatial::density::{SPATIAL_FIELDS, SpatialDensity};
+use crate::beam::spatial::end_rotation::EndRotation;
+use crate::beam::spatial::rest_curve::SpatialRestCurve;
+use crate::beam::spatial::rotation::{Quaternion, product};
+use crate::beam::{AnyNumber, BUNDLE, Basis, Element, Integrand, Integration, Nodes, slot};
+use crate::number::F64x4;
+use crate::solve::{MONITORS, State};
+use std::sync::Arc;
+
+/// Angles of an end in a state.
+pub(super) const ANGLES: usize = 3;
+
+/// A tree of beams as a [`crate::solve::System`]; [`super::BranchingBeam::build`] makes one.
+///
+/// Values of a state: x, y, z and the quaternion of each node, the joints first and then the nodes of each branch from S = 0 on; then three
+/// angles of the root and of each joint with a condition (zeros where it turns freely). A direction has six numbers a node: of its place, and
+/// of its turn in the axes of its directors; of a joint with a condition along the axes and by the angles of that. The interface is the root.
+/// The mesh is fixed: the number of elements of each branch is its own, whatever a path asks for.
+#[derive(Clone, Debug)]
+pub struct BeamTree {
+    pub(super) basis: Basis,
+    pub(super) branches: Vec<TreeBranch>,
+    /// Each branch behind the one that leads to it
+    pub(super) outward: Vec<usize>,
+    /// The root, then the joints with conditions
+    pub(super) ends: Vec<TreeEnd>,
+    /// Of each joint, its place among the ends
+    pub(super) end_of: Vec<Option<usize>>,
+    /// Of each joint
+    pub(super) at_rest: Vec<([f64; 3], Quaternion)>,
+    pub(super) nodes: usize,
+    pub(super) elements: usize,
+    /// Numbers that the elimination of an element's interior leaves
+    pub(super) inside: usize,
+    pub(super) monitors: [Option<JointUnknown>; MONITORS],
+    pub(super) scale: [f64; 2],
+}
+
+/// A branch of it.
+#[derive(Clone, Debug)]
+pub(super) struct TreeBranch {
+    pub density: SpatialDensity,
+    /// At S = 0 and at S = L
+    pub joints: [usize; 2],
+    /// Which of these is nearer to the root
+    pub near: usize,
+    /// From the directors of a joint to those of the branch; none where they are the same.
+    pub offsets: [Option<Quaternion>; 2],
+    pub length: f64,
+    pub elements: usize,
+    /// Number of its first node that is no joint
+    pub first_node: usize,
+    pub first_element: usize,
+    pub rest: SpatialRestCurve,
+}
+
+/// A joint with a condition, or the root.
+#[derive(Clone, Debug)]
+pub(super) struct TreeEnd {
+    pub joint: usize,
+    pub own: SpatialEnd,
+    pub held: [Option<f64>; SPATIAL_UNKNOWNS],
+    pub energy: Option<Arc<dyn EndEnergy>>,
+}
+
+impl TreeBranch {
+    /// The joint that is farther from the root.
+    pub fn far_joint(&self) -> usize {
+        self.joints[1 - self.near]
+    }
+
+    /// The joint that is nearer to the root.
+    pub fn near_joint(&self) -> usize {
+        self.joints[self.near]
+    }
+
+    /// The k-th of its elements, counted from the far joint on.
+    pub fn inwards(&self, k: usize) -> usize {
+        if self.near == 1 { k } else { self.elements - 1 - k }
+    }
+
+    /// S of the end of an element, nm.
+    pub fn boundary(&self, k: usize) -> f64 {
+        self.length * k as f64 / self.elements as f64
+    }
+
+    /// Number of a node of an element: of a rank from 0 to p.
+    pub fn node(&self, order: usize, element: usize, rank: usize) -> usize {
+        match element * order + rank {
+            0 => self.joints[0],
+            k if k == self.elements * order => self.joints[1],
+            k => self.first_node + k - 1,
+        }
+    }
+
+    /// Which joint a node of an element is, as an end of the branch.
+    pub fn end_at(&self, order: usize, element: usize, rank: usize) -> Option<usize> {
+        match element * order + rank {
+            0 => Some(0),
+            k if k == self.elements * order => Some(1),
+            _ => None,
+        }
+    }
+}
+
+impl BeamTree {
+    /// Order p of its elements.
+    pub fn order(&self) -> usize {
+        self.basis.order
+    }
+
+    /// Elements of all branches.
+    pub fn elements(&self) -> usize {
+        self.elements
+    }
+
+    /// Joints: one more than branches.
+    pub fn joints(&self) -> usize {
+        self.end_of.len()
+    }
+
+    /// Number of the joint whose unknowns are the interface.
+    pub fn root(&self) -> usize {
+        self.ends[0].joint
+    }
+
+    /// Where a joint is, and its directors: those of the branch that leads to the root, at the root those of its first branch.
+    pub fn joint(&self, at: &State, joint: usize) -> ([f64; 3], Quaternion) {
+        let node = &at.values[joint * SPATIAL_FIELDS..][..SPATIAL_FIELDS];
+        ([node[0], node[1], node[2]], quaternion_of(node))
+    }
+
+    /// Fields of a node of a branch, in the directors of the branch.
+    pub(super) fn fields(
+        &self,
+        values: &[f64],
+        branch: &TreeBranch,
+        element: usize,
+        rank: usize,
+    ) -> [f64; SPATIAL_FIELDS] {
+        let from = branch.node(self.order(), element, rank) * SPATIAL_FIELDS;
+        let mut own = [0.0; SPATIAL_FIELDS];
+        own.copy_from_slice(&values[from..from + SPATIAL_FIELDS]);
+        if let Some(offset) = branch.end_at(self.order(), element, rank).and_then(|end| branch.offsets[end]) {
+            let turned = product(quaternion_of(&own), offset);
+            own[3..].copy_from_slice(&turned);
+        }
+        own
+    }
+
+    /// Four elements of a branch from the k-th on, counted from the far joint; behind the last one it is repeated.
+    pub(super) fn gather(
+        &self,
+        values: &[f64],
+        branch: &TreeBranch,
+        first: usize,
+        bundle: &mut Element<F64x4, SPATIAL_FIELDS>,
+    ) {
+        let count = self.order() + 1;
+        for l in 0..BUNDLE {
+            let e = branch.inwards((first + l).min(branch.elements - 1));
+            let (from, to) = (branch.boundary(e), branch.boundary(e + 1));
+            (bundle.from.0[l], bundle.length.0[l]) = (from, to - from);
+            for rank in 0..count {
+                let own = self.fields(values, branch, e, rank);
+                (0..SPATIAL_FIELDS).for_each(|f| bundle.values[slot(count, rank)][f].0[l] = own[f]);
+            }
+        }
+    }
+
+    /// One element of a branch.
+    pub(super) fn element(&self, values: &[f64], branch: &TreeBranch, e: usize) -> Element<f64, SPATIAL_FIELDS> {
+        let (count, mut element) = (self.order() + 1, Element::zero());
+        element.from = branch.boundary(e);
+        element.length = branch.boundary(e + 1) - element.from;
+        for rank in 0..count {
+            element.values[slot(count, rank)] = self.fields(values, branch, e, rank);
+        }
+        element
+    }
+
+    pub(super) fn integration<'a, N: Nodes>(
+        &'a self,
+        nodes: N,
+        branch: &'a TreeBranch,
+    ) -> Integration<'a, N, SPATIAL_FIELDS> {
+        let density: &dyn Integrand<SPATIAL_FIELDS> = &branch.density;
+        Integration { nodes, basis: &self.basis, density, coupling: density.coupling(), symmetric: true }
+    }
+
+    pub(super) fn count(&self) -> AnyNumber {
+        AnyNumber::of_order(self.order())
+    }
+
+    /// The three angles of an end.
+    pub(super) fn angles(&self, values: &[f64], end: usize) -> [f64; ANGLES] {
+        let from = self.nodes * SPATIAL_FIELDS + end * ANGLES;
+        [values[from], values[from + 1], values[from + 2]]
+    }
+
+    /// Where an end with a condition is along its axes, and its angles.
+    pub(super) fn end_values(&self, values: &[f64], end: usize) -> [f64; SPATIAL_UNKNOWNS] {
+        let TreeEnd { joint, own, .. } = &self.ends[end];
+        let node = &values[joint * SPATIAL_FIELDS..];
+        let angles = self.angles(values, end);
+        std::array::from_fn(|f| match f {
+            0..3 => (0..3).map(|i| own.axes[i][f] * node[i]).sum(),
+            _ if own.rotation == EndRotation::Angles => angles[f - 3],
+            _ => 0.0,
+        })
+    }
+}

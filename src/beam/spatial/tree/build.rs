@@ -1,0 +1,250 @@
+//! From a tree as plain data to one that can be eliminated, and what of it cannot be computed.
+
+use super::beam_tree::{BeamTree, TreeBranch, TreeEnd};
+use super::branching_beam::{Branch, BranchingBeam, JointCondition, JointUnknown};
+use super::inside::inside_length;
+use super::topology::Topology;
+use crate::beam::spatial::chain::SpatialEnd;
+use crate::beam::spatial::density::SpatialDensity;
+use crate::beam::spatial::end_rotation::EndRotation;
+use crate::beam::spatial::rotation::{Quaternion, conjugate, product};
+use crate::beam::spatial::spatial_profile::{SpatialProfile, Station};
+use crate::beam::{Basis, MOST_ORDER};
+use nalgebra::{Matrix3, Matrix6};
+
+/// Ends of branches may miss one another by this share of the branch's length.
+const APART: f64 = 1e-9;
+/// Axes of a joint may miss length one and a right angle by this much.
+const SKEW: f64 = 1e-9;
+
+/// Why a tree of beams cannot be computed. Branches and joints are counted from 0.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the message of each names its numbers
+pub enum TreeError {
+    /// There is no branch.
+    #[error("a tree of beams without a branch: give at least one")]
+    Empty,
+    /// Elements of this order do not exist.
+    #[error("elements of order {order}: orders are 1 to 8")]
+    Order { order: usize },
+    /// A length or a number of elements of a branch.
+    #[error("branch {branch} is {length} nm long and has {elements} elements: both have to be positive")]
+    Length { branch: usize, length: f64, elements: usize },
+    /// A stiffness that is not positive definite, or a number that is not finite.
+    #[error(
+        "branch {branch}: the stiffness is not symmetric and positive definite, or a number of its rest curve is not finite: all of EA, GA, GJ and EI have to be positive"
+    )]
+    Stiffness { branch: usize },
+    /// A branch from a joint to itself.
+    #[error("branch {branch} begins and ends at joint {joint}: a ring is no tree; give it two joints")]
+    Ring { branch: usize, joint: usize },
+    /// A joint with a number that is too large.
+    #[error("branch {branch} meets joint {joint}: a tree of {branches} branches has the joints 0 to {branches}")]
+    Number { branch: usize, joint: usize, branches: usize },
+    /// The root is at no branch.
+    #[error("the root is joint {root}, where no branch begins or ends: choose a joint of a branch")]
+    Root { root: usize },
+    /// Two ways to a joint.
+    #[error(
+        "branches {first} and {second} close a loop at joint {joint}: a tree has one way from every joint to the root; take one of the two away"
+    )]
+    Loop { first: usize, second: usize, joint: usize },
+    /// A part that hangs on nothing.
+    #[error("branch {branch} between joints {first} and {last} does not hang together with the root, joint {root}")]
+    Apart { branch: usize, first: usize, last: usize, root: usize },
+    /// Branches that do not meet where they are joined.
+    #[error(
+        "branches {first} and {second} are joined at joint {joint} and lie {distance:.3e} nm apart there: let their rest curves meet"
+    )]
+    Gap { first: usize, second: usize, joint: usize, distance: f64 },
+    /// A condition on a joint that is not there, or a second one.
+    #[error("joint {joint} has {count} conditions, of joints 0 to {last}: a joint that is there has at most one")]
+    Condition { joint: usize, count: usize, last: usize },
+    /// What is held of a joint that is no tip.
+    #[error(
+        "joint {joint}, where {branches} branches meet, is held: only tips can be held by a condition; what is held of the root, the grip says"
+    )]
+    Held { joint: usize, branches: usize },
+    /// A rotation that is held and has no angles, or axes that are none.
+    #[error("joint {joint}: {problem}")]
+    Axes { joint: usize, problem: &'static str },
+    /// A monitor of what is not there.
+    #[error(
+        "the monitor of unknown {slot} of joint {joint}: unknowns are 0 to 5, the last three of a joint with angles"
+    )]
+    Monitor { joint: usize, slot: usize },
+    /// A scale that is not positive.
+    #[error("the scales of an error are {place} nm and {turn} rad: both have to be positive")]
+    Scale { place: f64, turn: f64 },
+}
+
+impl BranchingBeam {
+    /// The tree as a system.
+    ///
+    /// # Errors
+    /// What of it cannot be computed, with its numbers.
+    pub fn build(&self) -> Result<BeamTree, TreeError> {
+        self.check_numbers()?;
+        let topology = Topology::new(&self.branches, self.root)?;
+        let joints = topology.inward.len();
+        let at_rest: Vec<([f64; 3], Quaternion)> = (0..joints).map(|joint| self.at_rest(&topology, joint)).collect();
+        self.check_meeting(&topology, &at_rest)?;
+        self.check_conditions(&topology)?;
+        let (mut nodes, mut elements) = (joints, 0);
+        let mut branches = Vec::with_capacity(self.branches.len());
+        for (b, own) in self.branches.iter().enumerate() {
+            branches.push(TreeBranch {
+                density: density(own),
+                joints: own.joints,
+                near: topology.near[b],
+                offsets: std::array::from_fn(|end| offset(at_rest[own.joints[end]].1, end_of(own, end).1)),
+                length: own.length,
+                elements: own.elements,
+                first_node: nodes,
+                first_element: elements,
+                rest: own.rest,
+            });
+            nodes += own.elements * self.order - 1;
+            elements += own.elements;
+        }
+        let free = JointCondition::free(self.root);
+        let root = self.conditions.iter().find(|condition| condition.joint == self.root).unwrap_or(&free);
+        let others = self.conditions.iter().filter(|condition| condition.joint != self.root);
+        let ends: Vec<TreeEnd> =
+            std::iter::once(root).chain(others).map(|own| end(own, at_rest[own.joint].1)).collect();
+        let mut end_of = vec![None; joints];
+        ends.iter().enumerate().for_each(|(k, end)| end_of[end.joint] = Some(k));
+        Ok(BeamTree {
+            basis: Basis::new(self.order),
+            branches,
+            outward: topology.outward,
+            ends,
+            end_of,
+            at_rest,
+            nodes,
+            elements,
+            inside: inside_length(self.order),
+            monitors: self.monitors,
+            scale: self.scale,
+        })
+    }
+
+    /// Place and directors of a joint at rest: those of the branch that leads to the root, at the root those of the first branch.
+    fn at_rest(&self, topology: &Topology, joint: usize) -> ([f64; 3], Quaternion) {
+        let b = topology.inward[joint].unwrap_or(topology.meeting[joint][0]);
+        let own = &self.branches[b];
+        end_of(own, usize::from(own.joints[1] == joint))
+    }
+
+    fn check_numbers(&self) -> Result<(), TreeError> {
+        if self.branches.is_empty() {
+            return Err(TreeError::Empty);
+        }
+        if !(1..=MOST_ORDER).contains(&self.order) {
+            return Err(TreeError::Order { order: self.order });
+        }
+        for (branch, own) in self.branches.iter().enumerate() {
+            let (length, elements) = (own.length, own.elements);
+            if !(length > 0.0 && length.is_finite() && elements > 0) {
+                return Err(TreeError::Length { branch, length, elements });
+            }
+            let stiffness = Matrix6::from_fn(|i, j| own.stiffness.0[i][j]);
+            let curve = own.rest.start.iter().chain(&own.rest.directors).chain(&own.rest.curvature);
+            let is_finite = curve.into_iter().all(|number| number.is_finite());
+            if stiffness != stiffness.transpose() || stiffness.cholesky().is_none() || !is_finite {
+                return Err(TreeError::Stiffness { branch });
+            }
+        }
+        let [place, turn] = self.scale;
+        if !(place > 0.0 && turn > 0.0 && place.is_finite() && turn.is_finite()) {
+            return Err(TreeError::Scale { place, turn });
+        }
+        Ok(())
+    }
+
+    fn check_meeting(&self, topology: &Topology, at_rest: &[([f64; 3], Quaternion)]) -> Result<(), TreeError> {
+        for (second, own) in self.branches.iter().enumerate() {
+            for (end, joint) in own.joints.into_iter().enumerate() {
+                let (place, other) = (end_of(own, end).0, at_rest[joint].0);
+                let distance = (0..3).map(|i| (place[i] - other[i]).powi(2)).sum::<f64>().sqrt();
+                let first = topology.inward[joint].unwrap_or(topology.meeting[joint][0]);
+                let longest = own.length.max(self.branches[first].length);
+                if distance > APART * longest {
+                    return Err(TreeError::Gap { first, second, joint, distance });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn check_conditions(&self, topology: &Topology) -> Result<(), TreeError> {
+        let last = topology.inward.len() - 1;
+        let mut counts = vec![0; last + 1];
+        for own in &self.conditions {
+            let joint = own.joint;
+            let count = counts.get_mut(joint).ok_or(TreeError::Condition { joint, count: 1, last })?;
+            *count += 1;
+            if *count > 1 {
+                return Err(TreeError::Condition { joint, count: *count, last });
+            }
+            let branches = topology.meeting[joint].len();
+            if own.held.iter().any(Option::is_some) && (branches > 1 || joint == self.root) {
+                return Err(TreeError::Held { joint, branches });
+            }
+            check_axes(own)?;
+        }
+        for JointUnknown { joint, slot } in self.monitors.into_iter().flatten() {
+            let condition = self.conditions.iter().find(|own| own.joint == joint);
+            let angles = condition.map_or(joint == self.root, |own| own.rotation == EndRotation::Angles);
+            if joint > last || slot > 5 || (slot > 2 && !angles) {
+                return Err(TreeError::Monitor { joint, slot });
+            }
+        }
+        Ok(())
+    }
+}
+
+fn check_axes(own: &JointCondition) -> Result<(), TreeError> {
+    let axes = Matrix3::from_fn(|i, j| own.axes[i][j]);
+    let skew = (axes.transpose() * axes - Matrix3::identity()).abs().max();
+    let problem = if skew.is_nan() || skew >= SKEW {
+        "its axes have to be of length one and at right angles"
+    } else if own.rotation == EndRotation::Free && own.held[3..].iter().any(Option::is_some) {
+        "its rotation is counted freely and cannot be held: give it angles"
+    } else if own.held.iter().flatten().chain(own.dead_load.as_flattened()).any(|number| !number.is_finite()) {
+        "a number of what is held or of the load is not finite"
+    } else {
+        return Ok(());
+    };
+    Err(TreeError::Axes { joint: own.joint, problem })
+}
+
+/// Place and directors of an end of a branch at rest.
+fn end_of(branch: &Branch, end: usize) -> ([f64; 3], Quaternion) {
+    branch.rest.at(if end == 0 { 0.0 } else { branch.length })
+}
+
+/// From the directors of a joint to those of a branch; none where they are the same.
+fn offset(joint: Quaternion, branch: Quaternion) -> Option<Quaternion> {
+    (joint != branch).then(|| product(conjugate(joint), branch))
+}
+
+fn density(branch: &Branch) -> SpatialDensity {
+    let station = Station {
+        stiffness: branch.stiffness.0,
+        rest_curvature: branch.rest.curvature,
+        // nothing adheres along it
+        width: 0.0,
+        height: 0.0,
+    };
+    SpatialDensity { profile: SpatialProfile::Uniform(Box::new(station)), adhesion: None }
+}
+
+fn end(own: &JointCondition, rest: Quaternion) -> TreeEnd {
+    TreeEnd {
+        joint: own.joint,
+        own: SpatialEnd { axes: own.axes, rotation: own.rotation, rest, dead_load: own.dead_load },
+        held: own.held,
+        energy: own.energy.clone(),
+    }
+}

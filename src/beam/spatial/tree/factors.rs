@@ -1,0 +1,133 @@
+//! The factors of a tree, and any number of right-hand sides through them: K = Lᵀ D L, but for the rows of what is held of tips, which were
+//! replaced behind the elimination of the interior of their element.
+
+use super::beam_tree::{BeamTree, TreeBranch};
+use super::inside::{Ends, MOST};
+use crate::beam::Responses;
+use crate::beam::slot;
+use crate::beam::spatial::chain::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::chain::end_block::{BelowEnd, Carry, EDGE, EndRow};
+use crate::beam::spatial::chain::projection::{FieldFront, SpatialFront};
+use crate::beam::spatial::density::SPATIAL_FIELDS;
+
+const F: usize = SPATIAL_UNKNOWNS;
+
+/// What an elimination leaves for the way back, element by element, and room for it.
+pub struct TreeFactors {
+    pub(super) inside: Vec<f64>,
+    pub(super) ends: Vec<[EndRow; F]>,
+    pub(super) below: Vec<BelowEnd>,
+    pub(super) carries: Vec<Carry>,
+    pub(super) front: Box<SpatialFront>,
+    pub(super) field_front: Box<FieldFront>,
+    pub(super) room: Box<Responses<SPATIAL_FIELDS>>,
+}
+
+impl Default for TreeFactors {
+    fn default() -> Self {
+        Self {
+            inside: Vec::new(),
+            ends: Vec::new(),
+            below: Vec::new(),
+            carries: Vec::new(),
+            front: Box::new(SpatialFront::zero()),
+            field_front: Box::new(FieldFront::zero()),
+            room: Box::default(),
+        }
+    }
+}
+
+impl TreeFactors {
+    pub(super) fn resize(&mut self, elements: usize, inside: usize) {
+        self.inside.resize(elements * inside, 0.0);
+        self.ends.resize(elements, [[0.0; EDGE]; F]);
+        self.below.resize(elements, [[0.0; F]; F]);
+    }
+}
+
+impl BeamTree {
+    /// Takes a right-hand side down to the root.
+    pub fn reduce(&self, factors: &TreeFactors, right: &mut [f64], transposed: bool) -> [f64; F] {
+        for &b in self.outward.iter().rev() {
+            let branch = &self.branches[b];
+            for k in 0..branch.elements {
+                let e = branch.inwards(k);
+                // plain, the equations of what is held do not take part
+                let mut x = self.local(branch, e, right);
+                self.inside(factors, branch, e).forward(&mut x, &self.taking_part(branch, k, !transposed));
+                self.put(branch, e, &x, right);
+                self.end_forward(factors, branch, e, right, transposed);
+            }
+        }
+        let root = self.root() * F;
+        std::array::from_fn(|f| right[root + f])
+    }
+
+    /// From a reduced right-hand side and the solution at the root to the whole.
+    pub fn substitute(&self, factors: &TreeFactors, root: &[f64; F], right: &mut [f64], transposed: bool) {
+        right[self.root() * F..][..F].copy_from_slice(root);
+        for &b in &self.outward {
+            let branch = &self.branches[b];
+            for k in (0..branch.elements).rev() {
+                let e = branch.inwards(k);
+                self.end_backward(factors, branch, e, right, transposed);
+                // transposed, what is held does not act on the interior
+                let mut x = self.local(branch, e, right);
+                self.inside(factors, branch, e).backward(&mut x, &self.taking_part(branch, k, transposed));
+                self.put_inside(branch, e, &x, right);
+            }
+        }
+    }
+
+    /// Which unknowns of the ends of an element, the k-th from the far joint on, take part: all, or all `but_held`.
+    fn taking_part(&self, branch: &TreeBranch, k: usize, but_held: bool) -> Ends {
+        let mut ends = Ends([true; 2 * F]);
+        if let (true, 0, Some(end)) = (but_held, k, self.end_of[branch.far_joint()]) {
+            let from = if branch.near == 1 { 0 } else { F };
+            (0..F).for_each(|f| ends.0[from + f] = self.ends[end].held[f].is_none());
+        }
+        ends
+    }
+
+    /// Writes the unknowns of an element.
+    fn put(&self, branch: &TreeBranch, e: usize, own: &[f64; MOST], all: &mut [f64]) {
+        let order = self.order();
+        for rank in 0..=order {
+            let (from, to) = (slot(order + 1, rank) * F, branch.node(order, e, rank) * F);
+            all[to..to + F].copy_from_slice(&own[from..from + F]);
+        }
+    }
+
+    fn end_forward(&self, factors: &TreeFactors, branch: &TreeBranch, e: usize, right: &mut [f64], transposed: bool) {
+        let id = branch.first_element + e;
+        let (rows, below, [far, near]) = (&factors.ends[id], &factors.below[id], self.end_places(branch, e));
+        for k in 0..F {
+            let share = right[far + k] * rows[k][k];
+            if transposed {
+                right[far + k] = share;
+                (k + 1..F).for_each(|i| right[far + i] -= rows[k][i] * share);
+                (0..F).for_each(|i| right[near + i] -= rows[k][F + i] * share);
+            } else {
+                (k + 1..F).for_each(|i| right[far + i] -= rows[i][k] * share);
+                (0..F).for_each(|i| right[near + i] -= below[i][k] * share);
+            }
+        }
+    }
+
+    fn end_backward(&self, factors: &TreeFactors, branch: &TreeBranch, e: usize, right: &mut [f64], transposed: bool) {
+        let id = branch.first_element + e;
+        let (rows, below, [far, near]) = (&factors.ends[id], &factors.below[id], self.end_places(branch, e));
+        for k in (0..F).rev() {
+            let mut taken = 0.0;
+            if transposed {
+                (k + 1..F).for_each(|i| taken += rows[i][k] * right[far + i]);
+                (0..F).for_each(|i| taken += below[i][k] * right[near + i]);
+                right[far + k] -= taken * rows[k][k];
+            } else {
+                (k + 1..F).for_each(|i| taken += rows[k][i] * right[far + i]);
+                (0..F).for_each(|i| taken += rows[k][F + i] * right[near + i]);
+                right[far + k] = (right[far + k] - taken) * rows[k][k];
+            }
+        }
+    }
+}

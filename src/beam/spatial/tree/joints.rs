@@ -1,0 +1,119 @@
+//! What a joint adds of its own, and how the ends of branches move with it.
+
+use super::beam_tree::{BeamTree, TreeBranch, TreeEnd};
+use crate::beam::Nodes;
+use crate::beam::slot;
+use crate::beam::spatial::chain::projection::{EndMap, SpatialFront};
+use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, quaternion_of};
+use crate::beam::spatial::density::SPATIAL_FIELDS;
+use crate::beam::spatial::rotation::{Matrix3, Quaternion, apply, apply_transposed, dot, matrix, multiply_transposed};
+
+const F: usize = SPATIAL_UNKNOWNS;
+const N: usize = SPATIAL_FIELDS;
+const SAME: Matrix3 = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// Energy, gradient and second derivatives by the unknowns of a joint of what is done to it; a moment of a dead load has no energy.
+#[derive(Default)]
+pub(super) struct Own {
+    pub energy: f64,
+    pub gradient: [f64; F],
+    pub tangent: [[f64; F]; F],
+}
+
+impl BeamTree {
+    /// From the unknowns of a joint to those of the end of a branch whose directors are turned by `offset`, and what bends them, for the
+    /// gradient by the turn of that end. None where they are the same.
+    pub(super) fn end_map(
+        &self,
+        values: &[f64],
+        joint: usize,
+        offset: Option<Quaternion>,
+        gradient: [f64; 3],
+    ) -> Option<(EndMap, Matrix3)> {
+        let angle = offset.map(matrix);
+        let gradient = angle.map_or(gradient, |angle| apply(&angle, &gradient));
+        let mapped = self.end_of[joint].map(|end| {
+            let own = &self.ends[end].own;
+            own.rotation.map(own.axes, self.angles(values, end), quaternion_of(&values[joint * N..]), gradient)
+        });
+        let (map, bent) = match (mapped, angle) {
+            (None, None) => return None,
+            (mapped, _) => mapped.unwrap_or((EndMap { place: SAME, turn: SAME }, [[0.0; 3]; 3])),
+        };
+        let turn = angle.map_or(map.turn, |angle| multiply_transposed(&angle, &map.turn));
+        Some((EndMap { turn, ..map }, bent))
+    }
+
+    /// From the unknowns of the last nodes of a branch to those of its joints, where they are among four elements of it.
+    pub(super) fn take_ends(
+        &self,
+        nodes: impl Nodes,
+        values: &[f64],
+        (branch, elements): (&TreeBranch, &[usize]),
+        front: &mut SpatialFront,
+    ) {
+        let count = nodes.count();
+        for (l, &e) in elements.iter().enumerate() {
+            for rank in [0, count - 1] {
+                let Some(end) = branch.end_at(count - 1, e, rank) else { continue };
+                let node = slot(count, rank);
+                let gradient = std::array::from_fn(|f| front.rows[node][3 + f].residual.0[l]);
+                if let Some((map, bent)) = self.end_map(values, branch.joints[end], branch.offsets[end], gradient) {
+                    map.apply(nodes, node, l, &bent, front);
+                }
+            }
+        }
+    }
+
+    /// What is done to the joint of an end, by its unknowns.
+    pub(super) fn own(&self, values: &[f64], end: usize) -> Own {
+        let TreeEnd { joint, own: condition, energy, .. } = &self.ends[end];
+        let node = &values[joint * N..(joint + 1) * N];
+        let (place, q) = ([node[0], node[1], node[2]], quaternion_of(node));
+        let angles = self.angles(values, end);
+        let map = |gradient| condition.rotation.map(condition.axes, angles, q, gradient);
+        let mut out = Own::default();
+        if let Some(energy) = energy {
+            let response = energy.response(place, q);
+            let [x, y, z, a, b, c] = response.gradient;
+            let (map, bent) = map([a, b, c]);
+            out.energy = response.energy;
+            out.gradient = map.back(&[x, y, z, a, b, c]);
+            let half = response.hessian.map(|row| map.back(&row));
+            for j in 0..F {
+                let column = map.back(&half.map(|row| row[j]));
+                (0..F).for_each(|i| out.tangent[i][j] = column[i]);
+            }
+            add_turns(&mut out.tangent, &bent, 1.0);
+        }
+        let [force, moment] = condition.dead_load;
+        if condition.dead_load != [[0.0; 3]; 2] {
+            let along = apply_transposed(&matrix(q), &moment);
+            let (map, _) = map([0.0; 3]);
+            let load = map.back(&[force[0], force[1], force[2], along[0], along[1], along[2]]);
+            out.energy -= dot(force, place);
+            (0..F).for_each(|f| out.gradient[f] -= load[f]);
+            add_turns(&mut out.tangent, &condition.rotation.moment_change(&map.turn, along), -1.0);
+        }
+        out
+    }
+
+    /// By how much what is held of an end is off.
+    pub(super) fn off(&self, values: &[f64], end: usize) -> [Option<f64>; F] {
+        let here = self.end_values(values, end);
+        std::array::from_fn(|f| self.ends[end].held[f].map(|held| here[f] - held))
+    }
+
+    /// By how much what is held of a joint is off.
+    pub(super) fn joint_off(&self, values: &[f64], joint: usize) -> [Option<f64>; F] {
+        self.end_of[joint].map_or([None; F], |end| self.off(values, end))
+    }
+}
+
+fn add_turns(tangent: &mut [[f64; F]; F], block: &Matrix3, factor: f64) {
+    for i in 0..3 {
+        for j in 0..3 {
+            tangent[3 + i][3 + j] += factor * block[i][j];
+        }
+    }
+}

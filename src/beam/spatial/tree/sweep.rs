@@ -1,0 +1,175 @@
+//! The elimination, from the tips to the root.
+
+use super::beam_tree::{BeamTree, TreeBranch};
+use super::factors::TreeFactors;
+use super::inside::pack;
+use crate::beam::spatial::chain::end_block::{Carry, EDGE, EndBlock, ROOT};
+use crate::beam::spatial::chain::projection::{SpatialFront, project};
+use crate::beam::spatial::chain::sweep::LEAST_PIVOT;
+use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, USUAL_ORDER, Usual};
+use crate::beam::{AnyNumber, BUNDLE, Element, Nodes};
+use crate::solve::{MONITORS, Place, Quantity, SolveError};
+
+const F: usize = SPATIAL_UNKNOWNS;
+
+/// What is left of a tree when all but its root is eliminated.
+pub struct CondensedTree {
+    /// The unknowns of the root, then the residual column and the path row
+    pub matrix: Carry,
+    /// Negative eigenvalues with the root held
+    pub negative: usize,
+    /// The smallest pivot without its sign
+    pub least_pivot: f64,
+    /// Before the update, aJ
+    pub energy: f64,
+}
+
+/// What an elimination counts on its way.
+struct Count {
+    energy: f64,
+    negative: usize,
+    least: f64,
+}
+
+impl BeamTree {
+    /// Eliminates all but the root. `weights` are those of the monitors; `damping` is added to the diagonal, of places and of turns, per length.
+    ///
+    /// # Errors
+    /// A pivot that is zero to rounding, a number that is not finite.
+    pub fn eliminate(
+        &self,
+        values: &[f64],
+        weights: [f64; MONITORS],
+        damping: [f64; 2],
+        factors: &mut TreeFactors,
+    ) -> Result<CondensedTree, SolveError> {
+        factors.resize(self.elements, self.inside);
+        let mut carries = std::mem::take(&mut factors.carries);
+        let mut count =
+            Count { energy: self.load_joints(values, weights, &mut carries), negative: 0, least: f64::INFINITY };
+        for &b in self.outward.iter().rev() {
+            let branch = &self.branches[b];
+            let carry = carries[branch.far_joint()];
+            let left = if self.order() == USUAL_ORDER {
+                sweep::<Usual>(self, values, (branch, damping), carry, factors, &mut count)
+            } else {
+                sweep::<AnyNumber>(self, values, (branch, damping), carry, factors, &mut count)
+            }?;
+            let near = &mut carries[branch.near_joint()];
+            for (sum, part) in near.as_flattened_mut().iter_mut().zip(left.as_flattened()) {
+                *sum += part;
+            }
+        }
+        let matrix = carries[self.root()];
+        factors.carries = carries;
+        Ok(CondensedTree { matrix, negative: count.negative, least_pivot: count.least, energy: count.energy })
+    }
+
+    /// What joints have of their own; their energy.
+    fn load_joints(&self, values: &[f64], weights: [f64; MONITORS], carries: &mut Vec<Carry>) -> f64 {
+        carries.clear();
+        carries.resize(self.joints(), [[0.0; ROOT]; ROOT]);
+        let mut energy = 0.0;
+        for (end, condition) in self.ends.iter().enumerate() {
+            let (own, carry) = (self.own(values, end), &mut carries[condition.joint]);
+            energy += own.energy;
+            for i in 0..F {
+                carry[i][..F].copy_from_slice(&own.tangent[i]);
+                carry[i][F] = own.gradient[i];
+            }
+        }
+        for (monitor, weight) in self.monitors.iter().zip(weights) {
+            if let Some(unknown) = monitor {
+                carries[unknown.joint][F][unknown.slot] += weight;
+            }
+        }
+        energy
+    }
+
+    /// A branch from its far joint, with what that carries, to its near one.
+    #[inline(always)]
+    fn sweep_branch(
+        &self,
+        nodes: impl Nodes,
+        values: &[f64],
+        (branch, damping): (&TreeBranch, [f64; 2]),
+        mut carry: Carry,
+        TreeFactors { inside, ends, below, front, field_front, room, .. }: &mut TreeFactors,
+        count: &mut Count,
+    ) -> Result<Carry, SolveError> {
+        let order = nodes.count() - 1;
+        let (by, mut bundle) = (self.integration(nodes, branch), Element::zero());
+        for first in (0..branch.elements).step_by(BUNDLE) {
+            let elements: [usize; BUNDLE] =
+                std::array::from_fn(|l| branch.inwards((first + l).min(branch.elements - 1)));
+            self.gather(values, branch, first, &mut bundle);
+            let (energy, _) = bundle.integrate::<false>(&by, 0.0, room, field_front);
+            project(nodes, field_front, &bundle.values, front);
+            self.take_ends(nodes, values, (branch, &elements), front);
+            if damping != [0.0; 2] {
+                damp(nodes, front, damping, bundle.length.0);
+            }
+            let pivots = front.condense_by_nodes(nodes);
+            for (l, &e) in elements.iter().enumerate().take(branch.elements - first) {
+                let id = branch.first_element + e;
+                pack(order, front, l, &mut inside[id * self.inside..][..self.inside]);
+                let mut block = EndBlock::of(nodes, front, l);
+                if branch.near == 0 {
+                    block = turned_round(&block);
+                }
+                block.unload(&carry);
+                if first + l == 0 {
+                    block.start(&[0.0; F], &self.joint_off(values, branch.far_joint()));
+                }
+                let (negative, least) = block.eliminate();
+                count.energy += energy.0[l];
+                count.negative += pivots.negative.0[l] as usize + negative;
+                let smallest = least.min(pivots.least.0[l]);
+                let place = Place { element: id, position: branch.boundary(e) };
+                if smallest < LEAST_PIVOT {
+                    return Err(SolveError::Singular { pivot: smallest, place });
+                }
+                count.least = count.least.min(smallest);
+                ends[id] = std::array::from_fn(|k| block.0[k]);
+                below[id] = block.below();
+                carry = block.load();
+                if !(carry[0][0].is_finite() && count.energy.is_finite()) {
+                    return Err(SolveError::NotFinite { quantity: Quantity::Tangent, place });
+                }
+            }
+        }
+        Ok(carry)
+    }
+}
+
+/// [`BeamTree::sweep_branch`] compiled for the vector units that the machine may have, chosen when it runs.
+#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+fn sweep<N: Nodes>(
+    tree: &BeamTree,
+    values: &[f64],
+    branch: (&TreeBranch, [f64; 2]),
+    carry: Carry,
+    factors: &mut TreeFactors,
+    count: &mut Count,
+) -> Result<Carry, SolveError> {
+    tree.sweep_branch(N::of_order(tree.basis.order), values, branch, carry, factors, count)
+}
+
+/// The block with its two ends exchanged.
+fn turned_round(EndBlock(block): &EndBlock) -> EndBlock {
+    let place = |i: usize| if i < 2 * F { (i + F) % (2 * F) } else { i };
+    EndBlock(std::array::from_fn::<_, EDGE, _>(|i| std::array::from_fn(|j| block[place(i)][place(j)])))
+}
+
+/// Adds to the diagonals of four elements their part of a matrix that is `damping` times the length of each node.
+fn damp(nodes: impl Nodes, front: &mut SpatialFront, damping: [f64; 2], lengths: [f64; BUNDLE]) {
+    let (count, inner) = (nodes.count(), nodes.count() - 2);
+    for a in 0..count {
+        let share = if a < inner { 1.0 } else { 0.5 } / (count - 1) as f64;
+        for f in 0..F {
+            for l in 0..BUNDLE {
+                front.rows[a][f].fields[a][f].0[l] += share * damping[f / 3] * lengths[l];
+            }
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! Trees of beams in space.
+
+mod as_chain;
+mod column;
+mod refusals;
+mod setup;
+mod tangents;
+mod two_levels;
