@@ -72,13 +72,7 @@ fn one_branch_is_a_chain_bit_for_bit() {
         let last = n - 6;
         let largest = of_chain.iter().fold(0.0f64, |most, entry| most.max(entry.abs()));
         for (k, wanted) in of_chain.iter().enumerate() {
-            let place = if k < 6 {
-                k + 6
-            } else if k < last {
-                k + 6
-            } else {
-                k - last
-            };
+            let place = if k < last { k + 6 } else { k - last };
             assert_abs_diff_eq!(direction[place], *wanted, epsilon = 1e-12 * largest);
         }
     }
