@@ -34,7 +34,7 @@ class ZarrStore:
         if path.exists() and any(path.iterdir()):
             try:
                 group = zarr.open_group(str(path), mode="r+")
-                kept = Plan.from_json(group.attrs["plan"])
+                kept = Plan.from_json(str(group.attrs["plan"]))
             except (FileNotFoundError, KeyError, ValueError) as error:
                 remedy = "Give a store that peelkit.sweep has begun, or remove one that was killed as it began."
                 raise PeelkitError(f"{path} is no store of a sweep: {error!r}", remedy) from None
