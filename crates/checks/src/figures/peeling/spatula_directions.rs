@@ -37,8 +37,8 @@ pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figu
          free to roll and yaw. Left: against the azimuth of the pull, 0 along the spatula and away from its tip, 180 degrees towards \
          it, at two elevations, from {BESIDE} to {} degrees. Right: pulled straight up by a grip that has been rolled, let go of its \
          height and is held at that roll and without yaw. Red: the least force of each curve. At 60 degrees an early peak ends between \
-         azimuth 40 and 50, where it meets the minimum behind it: from there on the first peak is a later one. Behind the first peak \
-         the force may rise above it again while the pad twists: these forces are not shown. A peak that is not found, or not known to be stable, is a \
+         azimuth 40 and 50: from there on the first peak is a later one. Behind the first peak \
+         the force may rise above it again: these forces are not shown. A peak that is not found, or not known to be stable, is a \
          gap. The data have the error bounds.",
         180.0 - BESIDE
     );
