@@ -9,6 +9,7 @@ mod rest;
 mod rest_curve;
 pub mod rotation;
 mod section_state;
+mod shared_system;
 mod spatial_beam;
 mod spatial_grip;
 mod spatial_profile;

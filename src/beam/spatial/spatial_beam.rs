@@ -4,7 +4,7 @@ use super::chain::{SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, read::n
 use super::density::SPATIAL_FIELDS;
 use super::end_rotation::{EndRotation, turned};
 use super::rest::SpatialRest;
-use super::rotation::{apply, apply_transposed, matrix};
+use super::rotation::{apply_transposed, matrix};
 use crate::adhesion::SectionShape;
 use crate::beam::{MeshKind, MeshPolicy};
 use crate::solve::{INTERFACE, Mesh, State};
@@ -175,10 +175,5 @@ impl SpatialBeam {
         let ([_, _, _, rotation, yaw, roll], (place, _)) = (self.rest_angles(), self.rest.at(self.length));
         let [along, across, sideways] = apply_transposed(&self.chain.ends[1].axes, &place);
         [along, across, sideways, rotation, yaw, roll]
-    }
-
-    /// The place of an end moved along its axes, nm.
-    pub(super) fn moved(&self, end: usize, along: [f64; 3]) -> [f64; 3] {
-        apply(&self.chain.ends[end].axes, &along)
     }
 }

@@ -2,8 +2,9 @@
 
 use super::chain::{SPATIAL_UNKNOWNS, SpatialFactors, SpatialFunctional, quaternion_of};
 use super::density::SPATIAL_FIELDS;
-use super::end_rotation::{EndRotation, turn_on, turned};
-use super::rotation::{apply, apply_transposed, conjugate, cross, logarithm, matrix, product};
+use super::end_rotation::EndRotation;
+use super::rotation::{apply, apply_transposed, cross, matrix};
+use super::shared_system::{condensed, node_difference, step_node, weighted_sum};
 use super::spatial_beam::{ANGLES, SpatialBeam};
 use crate::beam::mesh::nodal_lengths;
 use crate::beam::{ElementEnergy, FRONT, MeshKind, TIP_ROTATION};
@@ -107,21 +108,7 @@ impl System for SpatialBeam {
         row.left[3] = weights[TIP_ROTATION];
         let diagonal = self.diagonal(at, coefficients);
         let root = self.chain.eliminate(self.configuration(at), &row, &diagonal, ws.factors::<SpatialFactors>())?;
-        let mut condensed = CondensedSystem {
-            matrix: [[0.0; INTERFACE]; INTERFACE],
-            residual: [0.0; INTERFACE],
-            gradient: [0.0; INTERFACE],
-            gradient_residual: root.matrix[F][F],
-            negative: root.negative,
-            least_pivot: root.least_pivot,
-            evaluation: self.evaluation(at, root.energy),
-        };
-        for i in 0..F {
-            condensed.matrix[i].copy_from_slice(&root.matrix[i][..F]);
-            condensed.residual[i] = root.matrix[i][F];
-            condensed.gradient[i] = root.matrix[F][i];
-        }
-        Ok(condensed)
+        Ok(condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, root.energy)))
     }
 
     fn recover(&self, ws: &Workspace, interface: &[f64; INTERFACE], scale: f64, direction: &mut [f64]) {
@@ -167,19 +154,7 @@ impl System for SpatialBeam {
         for (k, (node, step)) in fields.chunks_exact_mut(N).zip(direction.chunks_exact(F)).enumerate() {
             let step: [f64; F] = std::array::from_fn(|f| factor * step[f]);
             let end = if k == 0 { Some(0) } else { (k + 1 == nodes).then_some(1) };
-            let along = [step[0], step[1], step[2]];
-            let turn = [step[3], step[4], step[5]];
-            let moved = end.map_or(along, |end| self.moved(end, along));
-            (0..3).for_each(|i| node[i] += moved[i]);
-            let q = match end.map(|end| (end, &self.chain.ends[end])) {
-                Some((end, own)) if own.rotation == EndRotation::Angles => {
-                    let own_angles = &mut known[3 * end..3 * end + 3];
-                    (0..3).for_each(|i| own_angles[i] += turn[i]);
-                    turned([own_angles[0], own_angles[1], own_angles[2]], own.rest)
-                }
-                _ => turn_on(quaternion_of(node), turn),
-            };
-            node[3..].copy_from_slice(&q);
+            step_node(node, step, end.map(|end| (&self.chain.ends[end], &mut known[3 * end..3 * end + 3])));
         }
     }
 
@@ -187,8 +162,7 @@ impl System for SpatialBeam {
         let nodes = self.nodes(from);
         let mut direction = Vec::with_capacity(nodes * F);
         for (a, b) in from[..nodes * N].chunks_exact(N).zip(to[..nodes * N].chunks_exact(N)) {
-            direction.extend((0..3).map(|i| b[i] - a[i]));
-            direction.extend(logarithm(product(conjugate(quaternion_of(a)), quaternion_of(b))));
+            direction.extend(node_difference(a, b));
         }
         let last = direction.len() - F;
         for (end, at) in [(0, 0), (1, last)] {
@@ -205,10 +179,7 @@ impl System for SpatialBeam {
 
     /// Places and angles are combined; quaternions too, and made ones of length one: that commutes with any turn of the whole.
     fn combine(&self, states: &[&[f64]], weights: &[f64]) -> Vec<f64> {
-        let mut sum = vec![0.0; states.first().map_or(0, |state| state.len())];
-        for (state, weight) in states.iter().zip(weights) {
-            sum.iter_mut().zip(*state).for_each(|(sum, value)| *sum += weight * value);
-        }
+        let mut sum = weighted_sum(states, weights);
         self.settle_rotations(&mut sum);
         sum
     }

@@ -2,10 +2,11 @@
 
 use super::beam_tree::{ANGLES, BeamTree};
 use super::factors::TreeFactors;
-use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, quaternion_of, read::normalise};
+use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, read::normalise};
 use crate::beam::spatial::density::SPATIAL_FIELDS;
-use crate::beam::spatial::end_rotation::{EndRotation, turn_on, turned};
-use crate::beam::spatial::rotation::{apply, apply_transposed, conjugate, logarithm, product};
+use crate::beam::spatial::end_rotation::{EndRotation, turned};
+use crate::beam::spatial::rotation::apply_transposed;
+use crate::beam::spatial::shared_system::{condensed, node_difference, step_node, weighted_sum};
 use crate::solve::{
     Coefficients, CondensedSystem, Evaluation, INTERFACE, MONITORS, Mesh, Rates, SolveError, State, System, Unknown,
     Workspace,
@@ -111,21 +112,7 @@ impl System for BeamTree {
     ) -> Result<CondensedSystem, SolveError> {
         let damping = self.damping(coefficients);
         let root = self.eliminate(&at.values, weights, damping, ws.factors::<TreeFactors>())?;
-        let mut condensed = CondensedSystem {
-            matrix: [[0.0; INTERFACE]; INTERFACE],
-            residual: [0.0; INTERFACE],
-            gradient: [0.0; INTERFACE],
-            gradient_residual: root.matrix[F][F],
-            negative: root.negative,
-            least_pivot: root.least_pivot,
-            evaluation: self.evaluation(at, root.energy),
-        };
-        for i in 0..F {
-            condensed.matrix[i].copy_from_slice(&root.matrix[i][..F]);
-            condensed.residual[i] = root.matrix[i][F];
-            condensed.gradient[i] = root.matrix[F][i];
-        }
-        Ok(condensed)
+        Ok(condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, root.energy)))
     }
 
     fn recover(&self, ws: &Workspace, interface: &[f64; INTERFACE], scale: f64, direction: &mut [f64]) {
@@ -164,19 +151,9 @@ impl System for BeamTree {
         let (fields, angles) = at.values.split_at_mut(self.nodes * N);
         for (k, (node, step)) in fields.chunks_exact_mut(N).zip(direction.chunks_exact(F)).enumerate() {
             let step: [f64; F] = std::array::from_fn(|f| factor * step[f]);
-            let (along, turn) = ([step[0], step[1], step[2]], [step[3], step[4], step[5]]);
             let end = self.end_of.get(k).copied().flatten();
-            let moved = end.map_or(along, |end| apply(&self.ends[end].own.axes, &along));
-            (0..3).for_each(|i| node[i] += moved[i]);
-            let q = match end.map(|end| (end, &self.ends[end].own)) {
-                Some((end, own)) if own.rotation == EndRotation::Angles => {
-                    let own_angles = &mut angles[ANGLES * end..ANGLES * (end + 1)];
-                    (0..3).for_each(|i| own_angles[i] += turn[i]);
-                    turned([own_angles[0], own_angles[1], own_angles[2]], own.rest)
-                }
-                _ => turn_on(quaternion_of(node), turn),
-            };
-            node[3..].copy_from_slice(&q);
+            let own = end.map(|end| (&self.ends[end].own, &mut angles[ANGLES * end..ANGLES * (end + 1)]));
+            step_node(node, step, own);
         }
     }
 
@@ -184,8 +161,7 @@ impl System for BeamTree {
         let last = self.nodes * N;
         let mut direction = Vec::with_capacity(self.nodes * F);
         for (a, b) in from[..last].chunks_exact(N).zip(to[..last].chunks_exact(N)) {
-            direction.extend((0..3).map(|i| b[i] - a[i]));
-            direction.extend(logarithm(product(conjugate(quaternion_of(a)), quaternion_of(b))));
+            direction.extend(node_difference(a, b));
         }
         for (end, own) in self.ends.iter().enumerate() {
             let place = &mut direction[own.joint * F..(own.joint + 1) * F];
@@ -201,10 +177,7 @@ impl System for BeamTree {
 
     /// Places and angles are combined; quaternions too, and made ones of length one: that commutes with any turn of the whole.
     fn combine(&self, states: &[&[f64]], weights: &[f64]) -> Vec<f64> {
-        let mut sum = vec![0.0; states.first().map_or(0, |state| state.len())];
-        for (state, weight) in states.iter().zip(weights) {
-            sum.iter_mut().zip(*state).for_each(|(sum, value)| *sum += weight * value);
-        }
+        let mut sum = weighted_sum(states, weights);
         self.settle_rotations(&mut sum);
         sum
     }

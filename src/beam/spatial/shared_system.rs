@@ -1,0 +1,59 @@
+//! What a chain and a tree of beams in space answer alike as a [`System`](crate::solve::System).
+
+use super::chain::end_block::{Carry, ROOT};
+use super::chain::{SPATIAL_UNKNOWNS, SpatialEnd, quaternion_of};
+use super::end_rotation::{EndRotation, turn_on, turned};
+use super::rotation::{apply, conjugate, logarithm, product};
+use crate::solve::{CondensedSystem, Evaluation, INTERFACE};
+
+const F: usize = SPATIAL_UNKNOWNS;
+
+/// The system on its interface, from the block that is left of an elimination: the unknowns of the interface, then the residual column and the
+/// path row; with the number of negative eigenvalues and the smallest pivot of what was eliminated.
+pub fn condensed(matrix: &Carry, (negative, least_pivot): (usize, f64), evaluation: Evaluation) -> CondensedSystem {
+    let mut condensed = CondensedSystem {
+        matrix: [[0.0; INTERFACE]; INTERFACE],
+        residual: [0.0; INTERFACE],
+        gradient: [0.0; INTERFACE],
+        gradient_residual: matrix[F][F],
+        negative,
+        least_pivot,
+        evaluation,
+    };
+    for i in 0..ROOT - 1 {
+        condensed.matrix[i].copy_from_slice(&matrix[i][..F]);
+        condensed.residual[i] = matrix[i][F];
+        condensed.gradient[i] = matrix[F][i];
+    }
+    condensed
+}
+
+/// Moves and turns a node by a step of its unknowns; of an end these are along its axes, and its angles, where it has some, are moved with it.
+pub fn step_node(node: &mut [f64], step: [f64; F], end: Option<(&SpatialEnd, &mut [f64])>) {
+    let (along, turn) = ([step[0], step[1], step[2]], [step[3], step[4], step[5]]);
+    let moved = end.as_ref().map_or(along, |(own, _)| apply(&own.axes, &along));
+    (0..3).for_each(|i| node[i] += moved[i]);
+    let q = match end {
+        Some((own, angles)) if own.rotation == EndRotation::Angles => {
+            (0..3).for_each(|i| angles[i] += turn[i]);
+            turned([angles[0], angles[1], angles[2]], own.rest)
+        }
+        _ => turn_on(quaternion_of(node), turn),
+    };
+    node[3..].copy_from_slice(&q);
+}
+
+/// From one node to another: the way, and the turn as a vector.
+pub fn node_difference(from: &[f64], to: &[f64]) -> [f64; F] {
+    let turn = logarithm(product(conjugate(quaternion_of(from)), quaternion_of(to)));
+    std::array::from_fn(|i| if i < 3 { to[i] - from[i] } else { turn[i - 3] })
+}
+
+/// Σ wᵢ xᵢ of the numbers of states; quaternions are not of length one then.
+pub fn weighted_sum(states: &[&[f64]], weights: &[f64]) -> Vec<f64> {
+    let mut sum = vec![0.0; states.first().map_or(0, |state| state.len())];
+    for (state, weight) in states.iter().zip(weights) {
+        sum.iter_mut().zip(*state).for_each(|(sum, value)| *sum += weight * value);
+    }
+    sum
+}
