@@ -33,6 +33,7 @@ import numpy as np
 import pytest
 
 import peelkit
+from peelkit._sweep.columns import COLUMNS
 
 xarray = pytest.importorskip("xarray")
 
@@ -97,19 +98,10 @@ def test_the_table_of_the_command_is_the_same(scene: peelkit.Scene, tmp_path: Pa
     with open(tmp_path / "out/sweep.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     found = peelkit.sweep(scene, {"strip.length": [f"{length} nm" for length in lengths]})
-    columns = {
-        "peak_force": "peak_force_nN",
-        "peak_force_error": "peak_error_nN",
-        "snap_off_displacement_error": "snap_off_error_nm",
-        "work": "work_aJ",
-        "work_error": "work_error_aJ",
-        "pad_detachment_work": "pad_detachment_work_aJ",
-        "accuracy_reached": "accuracy_reached",
-        "newton_iterations": "newton_iterations",
-    }
-    for name, column in columns.items():
-        np.testing.assert_array_equal(found[name], [float(row[column]) for row in rows], column)
-    assert list(found.end.values) == [row["end"] for row in rows]
+    for column in COLUMNS:
+        if column.name != "solve_time":
+            expected = [row[column.source] if column.is_text else float(row[column.source] or "nan") for row in rows]
+            np.testing.assert_array_equal(found[column.name], expected, column.name)
 
 
 def test_values_are_numbers_texts_or_quantities(scene: peelkit.Scene) -> None:
