@@ -65,7 +65,8 @@ impl NearBranch {
         match (changed, crosses || short) {
             (true, true) => StepSeen::OnPath,
             (true, false) => StepSeen::Elsewhere { across: false },
-            (false, _) if crosses || next.iterations > CERTAIN || !turns_on(problem, [before, newest, next]) => {
+            // a step across that has not passed the branch point is one up to it
+            (false, _) if next.iterations > CERTAIN || !turns_on(problem, [before, newest, next]) => {
                 StepSeen::Elsewhere { across: short && !crosses }
             }
             (false, _) => StepSeen::OnPath,
