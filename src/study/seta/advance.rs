@@ -115,6 +115,8 @@ fn judged(
     let from = Knot::new(here.observables.displacement, here.clone(), here.slope.displacement);
     let knot = Knot::new(solution.observables.displacement, solution, 1.0);
     let (work, imbalance) = from.imbalance_to(&knot, options.balance);
+    // a seta without a tip that adheres has one equilibrium, and no force but round-off
+    let imbalance = if standing.attached() == 0 { 0.0 } else { imbalance };
     if imbalance > 1.0 && shares.is_empty() {
         let factor = (SAFETY * imbalance.powf(-ORDER)).clamp(0.1, 0.7);
         return Advance::Shorter { ahead: factor * ahead, why: Refusal::Unbalanced(imbalance) };
