@@ -1,0 +1,89 @@
+//! The parameters of a seta, as plain data.
+//!
+//! ```text
+//!   root ●  held, moved by the loading
+//!         \         shaft
+//!          \
+//!           ●       fork 1: the two branches part in x, at fork 2 in z, and so on in turn
+//!          / \
+//!         ●   ●
+//!        /|   |\
+//!       ●●●   ●●●   tips, on a square grid; y = 0 is the ground, y its normal
+//! ```
+//!
+//! A choice within the ranges of the literature, as neither the paper nor the papers that it cites give the geometry.
+
+use super::{SetaMesh, TipLaw};
+use crate::beam::Material;
+use serde::{Deserialize, Serialize};
+use std::f64::consts::{FRAC_PI_3, FRAC_PI_4};
+use std::sync::Arc;
+
+/// Geometry and material of a seta. Lengths in nm, angles in rad.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Seta {
+    /// n: how often a way from the root to a tip forks, 0 to 12; there are 2ⁿ tips.
+    pub forks: usize,
+    /// Distance of a tip from the next one on their square grid
+    pub tip_pitch: f64,
+    /// Of the part between the root and the first fork
+    pub shaft_length: f64,
+    /// Between the shaft and the normal of the ground; it leans towards +x as it goes up.
+    pub shaft_angle: f64,
+    /// Height H of the first fork above the plane of the tips
+    pub brush_height: f64,
+    /// Between the axis of the brush and the normal of the ground, towards +x
+    pub brush_angle: f64,
+    /// q: forks k = 0, 1, … stand at H (qᵏ - qⁿ)/(1 - qⁿ), and the tips at k = n.
+    pub height_ratio: f64,
+    /// Diameter d of the shaft
+    pub shaft_diameter: f64,
+    /// Diameter of a branch over that of the branch that carries it
+    pub diameter_ratio: f64,
+    /// a: tip i stands a (2 frac(0.618034 i) - 1) too high.
+    pub height_scatter: f64,
+    /// Of all branches, whose sections are circles
+    pub material: Material,
+}
+
+impl Default for Seta {
+    /// 256 tips, 112 µm from the root to a tip, 4 µm thick.
+    fn default() -> Self {
+        Self {
+            forks: 8,
+            tip_pitch: 1000.0,
+            shaft_length: 70_000.0,
+            shaft_angle: FRAC_PI_3,
+            brush_height: 28_000.0,
+            brush_angle: FRAC_PI_4,
+            height_ratio: 0.6,
+            shaft_diameter: 4000.0,
+            diameter_ratio: 0.625,
+            height_scatter: 100.0,
+            material: Material {
+                youngs_modulus: 2.0,
+                poissons_ratio: 0.2,
+                shear_correction: 0.9,
+                bending_stiffness_factor: 1.0,
+            },
+        }
+    }
+}
+
+/// A seta with its elements and with what adheres its tips: what a pull-off is computed of.
+#[derive(Clone, Debug)]
+pub struct SetaModel {
+    /// Geometry and material
+    pub seta: Seta,
+    /// Elements of the branches
+    pub mesh: SetaMesh,
+    /// Of every tip
+    pub law: Arc<dyn TipLaw>,
+}
+
+impl SetaModel {
+    /// On the default mesh.
+    pub fn new(seta: Seta, law: Arc<dyn TipLaw>) -> Self {
+        Self { mesh: SetaMesh::usual(seta.forks), seta, law }
+    }
+}

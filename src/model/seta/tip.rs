@@ -1,0 +1,35 @@
+//! A tip on a branch of its law, as an energy of a joint.
+
+use super::{TipBranch, TipLaw};
+use crate::beam::rotation::Quaternion;
+use crate::beam::{EndEnergy, EndResponse};
+use std::sync::Arc;
+
+/// A tip on a branch of its law.
+#[derive(Clone, Debug)]
+pub struct AdheringTip {
+    /// Its law
+    pub law: Arc<dyn TipLaw>,
+    /// The branch that it is on
+    pub on: TipBranch,
+    /// Its place of adhesion, nm: where its end is when nothing pulls it
+    pub foot: [f64; 3],
+}
+
+impl AdheringTip {
+    /// Place of its end from its place of adhesion, nm.
+    fn from_foot(&self, place: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| place[i] - self.foot[i])
+    }
+
+    /// The branch that it goes on by with its end at a place, nm.
+    pub fn branch(&self, place: [f64; 3], directors: Quaternion) -> TipBranch {
+        self.law.branch(self.on, self.from_foot(place), directors)
+    }
+}
+
+impl EndEnergy for AdheringTip {
+    fn response(&self, place: [f64; 3], directors: Quaternion) -> EndResponse {
+        self.law.response(self.on, self.from_foot(place), directors)
+    }
+}

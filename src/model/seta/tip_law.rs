@@ -1,0 +1,38 @@
+//! What adheres a tip of a seta: an energy of the place and the rotation of its end, on branches that it leaves by jumps.
+//!
+//! While it adheres, the spatula at a tip follows one branch of its equilibria, with an energy E(r, q); at the end of that branch it snaps off.
+//! A tip that is detached adheres again when it comes back into contact. So the law has a memory, the branch, and on each branch an energy.
+
+use crate::beam::EndResponse;
+use crate::beam::rotation::Quaternion;
+use serde::{Deserialize, Serialize};
+use std::fmt::Debug;
+
+/// Where on its law a tip is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum TipBranch {
+    /// It adheres, and its force grows as it is pulled.
+    Attached,
+    /// It adheres, and its force falls as it is pulled on: stable as long as what pulls it is stiffer. The same branch of the law.
+    Detaching,
+    /// It does not adhere.
+    Detached,
+}
+
+impl TipBranch {
+    /// Whether it adheres.
+    pub fn adheres(self) -> bool {
+        self != Self::Detached
+    }
+}
+
+/// A law of the adhesion of tips. Places are counted from the place of adhesion of the tip, nm: y is the height of its end above that, x and z
+/// how far it has been taken along the ground.
+pub trait TipLaw: Send + Sync + Debug {
+    /// Energy and derivatives on a branch; attached and detaching are one branch of the energy. Twice differentiable by place and rotation
+    /// everywhere, also a little beyond the end of the branch. A tip that is free and far away has the energy zero.
+    fn response(&self, on: TipBranch, place: [f64; 3], directors: Quaternion) -> EndResponse;
+
+    /// The branch on which a tip is that has been on `before`: at the end of that it leaves it.
+    fn branch(&self, before: TipBranch, place: [f64; 3], directors: Quaternion) -> TipBranch;
+}

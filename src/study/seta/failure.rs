@@ -1,0 +1,31 @@
+//! Why a pull-off of a seta stopped short.
+
+use crate::solve::SolveError;
+use serde::{Deserialize, Serialize};
+
+/// Why a pull-off of a seta stopped short.
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
+pub enum SetaFailure {
+    /// No equilibrium at the start.
+    #[error("the seta does not come to rest at the start: {cause}; try a smaller scatter of its tips")]
+    NoStart { cause: SolveError },
+    /// The branch cannot be followed.
+    #[error(
+        "in step {step} the seta cannot be followed beyond {displacement:.6} nm with {attached} tips attached: {cause}; try more elements"
+    )]
+    Lost { step: usize, displacement: f64, attached: usize, cause: SolveError },
+    /// An event has no end.
+    #[error(
+        "in step {step} at {displacement:.6} nm the seta does not come to rest behind an event, after {changes} changes of tips: {cause}; try more elements"
+    )]
+    Restless { step: usize, displacement: f64, changes: usize, cause: SolveError },
+    /// A preload that is not reached.
+    #[error("in step {step} the preload of {preload} nN is not reached within {displacement:.3} nm: ask for less")]
+    NoPreload { step: usize, preload: f64, displacement: f64 },
+    /// Work and energy differ.
+    #[error(
+        "in step {step} at {displacement:.6} nm work and energy differ by {imbalance:.3e} of the larger: the seta may have gone over to another branch; try shorter steps"
+    )]
+    Unbalanced { step: usize, displacement: f64, imbalance: f64 },
+}

@@ -1,0 +1,138 @@
+//! What a pull-off of a seta gives.
+
+use super::failure::SetaFailure;
+use crate::beam::rotation::Quaternion;
+use crate::model::TipBranch;
+use crate::study::Bound;
+use serde::{Deserialize, Serialize};
+
+/// A stable equilibrium of a seta.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SetaPoint {
+    /// Number of the step
+    pub step: usize,
+    /// How far the root has moved in the step, nm
+    pub displacement: f64,
+    /// Where the root is from where it was when the plane of the tips is the ground, nm
+    pub root: [f64; 3],
+    /// On the root along x, y and z, nN: what holds it
+    pub force: [f64; 3],
+    /// Of this, along the direction of the step: positive where the root is pulled
+    pub force_along: f64,
+    /// On the root about x, y and z, nN·nm
+    pub moment: [f64; 3],
+    /// Tips that adhere
+    pub attached: usize,
+    /// Stored and of adhesion; zero of a detached stress-free seta, aJ
+    pub energy: f64,
+    /// Of the root from the start, aJ: the integral of the force between events
+    pub work: f64,
+    /// At events from the start, aJ
+    pub released: f64,
+}
+
+/// What one tip does in an event.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TipChange {
+    /// Number of the tip
+    pub tip: usize,
+    /// What it goes over to
+    pub to: TipBranch,
+    /// Force of the ground on it before the event, nN: negative along y where the ground pulls it down
+    pub load: [f64; 3],
+}
+
+/// Tips that detach or adhere again at a root that stands still: one of them loses its hold, and others may follow.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SetaEvent {
+    /// The equilibrium that loses its stability
+    pub before: SetaPoint,
+    /// The one in which the seta comes to rest
+    pub after: SetaPoint,
+    /// In the order in which they go
+    pub tips: Vec<TipChange>,
+    /// Energy released, aJ
+    pub released: f64,
+}
+
+/// Where a joint is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JointPlace {
+    /// nm
+    pub place: [f64; 3],
+    /// Of the branch that leads to the root
+    pub directors: Quaternion,
+}
+
+/// A tip in a state.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TipState {
+    /// The branch of its law that it is on
+    pub on: TipBranch,
+    /// Its place of adhesion, nm
+    pub foot: [f64; 3],
+    /// Force of the ground on it, nN: negative along y where the ground pulls it down
+    pub load: [f64; 3],
+}
+
+/// A seta in an equilibrium.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SetaState {
+    /// Its numbers
+    pub point: SetaPoint,
+    /// Joint by joint, as [`crate::model::Seta::joint_place`] counts them
+    pub joints: Vec<JointPlace>,
+    /// Tip by tip
+    pub tips: Vec<TipState>,
+}
+
+/// How a pull-off ended.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum SetaEnd {
+    /// All steps were taken.
+    Completed,
+    /// A stop criterion was met.
+    Bound(Bound),
+    /// The computation stopped short.
+    Failed(SetaFailure),
+}
+
+/// What it took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct SetaEffort {
+    /// Newton iterations of the equilibria that were found, each with one factorisation
+    pub newton_iterations: usize,
+    /// Elements of the tree
+    pub elements: usize,
+}
+
+/// The pull-off of a seta.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SetaPullOff {
+    /// The stable branches, point by point; those at both sides of an event are among them
+    pub points: Vec<SetaPoint>,
+    /// In their order
+    pub events: Vec<SetaEvent>,
+    /// Just before the first detachment of the last step
+    pub first_detachment: Option<SetaState>,
+    /// At the largest force along the direction of the last step
+    pub peak: Option<SetaState>,
+    /// Just before the last event at which a tip detaches in the last step
+    pub last_detachment: Option<SetaState>,
+    /// At the end
+    pub last: Option<SetaState>,
+    /// How it ended
+    pub end: SetaEnd,
+    /// What it took
+    pub effort: SetaEffort,
+}
+
+impl SetaPullOff {
+    /// What of the work of the root is neither stored nor released, over the largest of the three, without its sign.
+    pub fn imbalance(&self) -> f64 {
+        let (Some(first), Some(last)) = (self.points.first(), self.points.last()) else { return 0.0 };
+        let stored = last.energy - first.energy;
+        let largest = last.work.abs().max(stored.abs()).max(last.released.abs()).max(f64::MIN_POSITIVE);
+        ((last.work - stored - last.released) / largest).abs()
+    }
+}
