@@ -23,6 +23,7 @@ mod sweep_row;
 mod swept_keys;
 mod tables;
 mod timing;
+mod tree;
 
 pub use animation::{Pose, poses, write_animation};
 pub use checkpoint::{
@@ -52,3 +53,4 @@ pub use tables::{
     write_limit_points, write_observed, write_samples, write_sweep, write_table, write_uncertainty,
 };
 pub use timing::timed;
+pub use tree::{BranchShape, TREE_FIELDS, TreeField, TreeState, write_tree_states};

@@ -8,7 +8,10 @@ use peelkit::study;
 impl Scene {
     /// Whether values fit one another that are right by themselves: else the key that does not, and why.
     pub fn check(&self) -> Result<(), ModelError> {
-        study::checked(&self.model, &self.accuracy)
+        match self.seta {
+            None => study::checked(&self.model, &self.accuracy),
+            Some(_) => study::checked(&self.tip_model(), &self.accuracy),
+        }
     }
 }
 

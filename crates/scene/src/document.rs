@@ -9,6 +9,7 @@ use super::keys::{KEYS, find_key, tables};
 use super::near::nearest;
 use super::optimisation;
 use super::scene::Scene;
+use super::seta;
 use super::space;
 use super::uncertainty;
 use super::value::Value;
@@ -89,6 +90,9 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
     }
     set_shape(scene, &file, document)?;
     set_space(scene, &file, document)?;
+    if document.iter().any(|(table, _)| name_of(table) == seta::TABLE) {
+        seta::begin(scene, bodies.is_empty());
+    }
     if document.iter().any(|(table, _)| name_of(table) == optimisation::TABLE) {
         optimisation::of(scene);
     }
@@ -124,9 +128,12 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
                 return Err(file.error(value.span(), &format!("`{table}`"), problem));
             }
             _ => {
-                let key = lookup(&file, "", key)?;
-                store(scene, &file, key, value)?;
-                given.insert(key.path());
+                let (found, place) = (lookup(&file, "", key)?, key.span());
+                if !found.belongs_to(scene) {
+                    return Err(file.error(place, &format!("`{}`", found.path()), found.foreign(scene)));
+                }
+                store(scene, &file, found, value)?;
+                given.insert(found.path());
             }
         }
     }

@@ -3,6 +3,7 @@
 
 mod frames;
 mod page;
+mod panel;
 
 use crate::error::ReportError;
 use crate::file::write_whole;
