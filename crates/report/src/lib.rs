@@ -17,13 +17,13 @@ pub mod overlay;
 mod parameters_file;
 pub mod pictures;
 pub mod reference;
+mod seta;
 mod states;
 mod summary;
 mod sweep_row;
 mod swept_keys;
 mod tables;
 mod timing;
-mod tree;
 
 pub use animation::{Pose, poses, write_animation};
 pub use checkpoint::{
@@ -41,6 +41,10 @@ pub use pictures::{
     curve_svg, draw_fit, draw_followed, draw_observed, draw_optimum, draw_peel, draw_peel_with_branch, draw_plane,
     draw_sensitivities, draw_sweep, draw_uncertainty,
 };
+pub use seta::{
+    SETA_STATE_FIELDS, SetaPose, SetaStateField, SetaSummary, draw_pull_off, seta_end_reason, seta_end_word,
+    write_seta_animation, write_seta_curve, write_seta_events, write_seta_states, write_tip_curve, write_tips,
+};
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
 pub use summary::{
     FitSummary, ObservedSummary, OptimisationSummary, PeelSummary, SCHEMA, SweepSummary, UncertaintySummary, VERSION,
@@ -53,4 +57,3 @@ pub use tables::{
     write_limit_points, write_observed, write_samples, write_sweep, write_table, write_uncertainty,
 };
 pub use timing::timed;
-pub use tree::{BranchShape, TREE_FIELDS, TreeField, TreeState, write_tree_states};

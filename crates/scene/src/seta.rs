@@ -4,7 +4,13 @@ use super::bodies::set_body;
 use super::error::ValueError;
 use super::key::Key;
 use super::scene::Scene;
-use peelkit::model::{Grip, Hold, ModelError, ModelErrorKind, PeelModel, Seta, SetaError, Space, Step};
+use peelkit::model::{
+    Grip, Hold, ModelError, ModelErrorKind, Moved, NormalPull, PeelModel, PullCurve, Seta, SetaError, Sideways, Space,
+    Step, TipLaw,
+};
+use peelkit::solve::Direction;
+use peelkit::study::{SetaLoading, SetaStart, SetaStep, StepEnd};
+use std::sync::Arc;
 
 /// The table of a scene.
 pub(super) const TABLE: &str = "seta";
@@ -26,8 +32,31 @@ const OTHERS: [(&str, &[&str]); 8] = [
 pub struct SetaTable {
     /// Geometry and material
     pub seta: Seta,
-    /// Of attached tips, along the ground
-    pub lateral: Hold,
+    /// Of what holds a tip along the ground to the place where it began to adhere, nN/nm; none: tips slide freely
+    pub lateral_stiffness: Option<f64>,
+    /// Height above its place at rest at which a detached tip adheres again, nm
+    pub contact_height: f64,
+    /// Force with which the seta is pressed on before all steps, nN; none: every tip adheres at the start
+    pub preload: Option<f64>,
+}
+
+/// How high a seta that is pressed on starts above the height at which its highest tip would adhere, nm.
+const CLEARANCE: f64 = 1.0;
+
+impl SetaTable {
+    /// The law of its tips, of which each follows this curve.
+    pub fn law(&self, curve: PullCurve) -> Arc<dyn TipLaw> {
+        let sideways = self.lateral_stiffness.map_or(Sideways::Free, Sideways::Held);
+        Arc::new(NormalPull { curve, sideways, contact_height: self.contact_height })
+    }
+
+    /// How it starts: adhering, or above the ground where it is pressed on first.
+    fn start(&self) -> SetaStart {
+        match self.preload {
+            None => SetaStart::Adhering,
+            Some(_) => SetaStart::Above(2.0 * self.seta.height_scatter + self.contact_height + CLEARANCE),
+        }
+    }
 }
 
 /// The seta of a scene, which becomes one with a seta.
@@ -75,6 +104,39 @@ impl Scene {
     }
 }
 
+impl Scene {
+    /// What is done to the root of the seta: the preload, the steps of [drive], and the pull at its angle and azimuth until no tip adheres or,
+    /// at the latest, until the root has moved as far as the seta is high.
+    pub fn seta_loading(&self, table: &SetaTable) -> SetaLoading {
+        let preload = table.preload.map(|force| SetaStep { direction: DOWN, until: StepEnd::Preload(force) });
+        let before = self.model.steps.iter().filter_map(|&step| moved(step));
+        let travel = |(direction, length)| SetaStep { direction, until: StepEnd::Travel(length) };
+        let azimuth = self.model.space.unwrap_or_default().azimuth;
+        let Direction { along, up } = self.model.pull.direction();
+        let pull = SetaStep {
+            direction: [along * azimuth.cos(), up, along * azimuth.sin()],
+            until: StepEnd::Detached(table.seta.shaft_length + table.seta.brush_height),
+        };
+        let steps = preload.into_iter().chain(before.map(travel)).chain([pull]).collect();
+        SetaLoading { start: table.start(), steps }
+    }
+}
+
+/// Towards the ground.
+const DOWN: [f64; 3] = [0.0, -1.0, 0.0];
+
+/// Where a step of the root goes, and how far, nm; nothing of one that moves nothing.
+fn moved(step: Step) -> Option<([f64; 3], f64)> {
+    let (what, amount) = step.motion()?;
+    let sign = amount.signum();
+    match what {
+        Moved::Place => Some(([sign, 0.0, 0.0], amount.abs())),
+        Moved::Height => Some(([0.0, sign, 0.0], amount.abs())),
+        Moved::Side => Some(([0.0, 0.0, sign], amount.abs())),
+        Moved::Rotation | Moved::Roll | Moved::Yaw => None,
+    }
+}
+
 /// Whether a step is one of the root of a seta, whose rotation is held and whose place is prescribed.
 fn moves_the_root(step: Step) -> bool {
     match step {
@@ -90,7 +152,7 @@ pub(super) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
         let key = match &error {
             SetaError::OutOfRange { key, .. } => key,
             SetaError::Scatter { .. } => "height_scatter",
-            SetaError::Generations { .. } | SetaError::Elements { .. } | SetaError::Tree(_) => "forks",
+            _ => "forks",
         };
         let remedy = "The keys of [seta] with their ranges are listed by `peel keys seta`.";
         return Some((format!("{TABLE}.{key}"), ValueError::new(format!("cannot be computed: {error}"), remedy)));

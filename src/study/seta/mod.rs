@@ -5,6 +5,8 @@
 mod failure;
 mod loading;
 mod result;
+mod sections;
 pub use failure::SetaFailure;
 pub use loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
 pub use result::{JointPlace, SetaEffort, SetaEnd, SetaEvent, SetaPoint, SetaPullOff, SetaState, TipChange, TipState};
+pub use sections::SetaBranch;

@@ -3,7 +3,7 @@
 
 mod frames;
 mod page;
-mod panel;
+pub(crate) mod panel;
 
 use crate::error::ReportError;
 use crate::file::write_whole;

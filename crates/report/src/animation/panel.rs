@@ -4,12 +4,12 @@ use crate::chart::{Axis, Frame};
 use std::fmt::Write;
 
 /// A text as it stands in XML.
-pub(super) fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// A frame with two axes.
-pub(super) struct Panel {
+pub(crate) struct Panel {
     pub frame: Frame,
     pub x: Axis,
     pub y: Axis,
@@ -73,6 +73,6 @@ impl Panel {
 }
 
 /// Points as they stand in a polyline.
-pub(super) fn joined(panel: &Panel, points: &[(f64, f64)]) -> String {
+pub(crate) fn joined(panel: &Panel, points: &[(f64, f64)]) -> String {
     panel.around(points).map(|value| value.to_string()).collect::<Vec<_>>().join(" ")
 }

@@ -1,11 +1,15 @@
-//! The pull-off of a tree of beams as a page that a browser plays: the tree and its brush seen from the side, the force, and the load of each
-//! tip.
+//! The pull-off of a seta as a page that a browser plays: the seta and its brush seen from the side, the force, and the load of each tip. The
+//! page is one file that needs no other, and well-formed XML.
 
-use super::panel::{Panel, escaped, joined};
+use super::pose::SetaPose;
+use super::route::travels;
+use super::side_view::{MICRO, Window};
+use crate::animation::panel::{Panel, escaped, joined};
 use crate::chart::{Axis, Frame, signed_shade};
 use crate::error::ReportError;
 use crate::file::write_whole;
-use crate::tree::TreeState;
+use peelkit::model::Seta;
+use peelkit::study::{SetaPoint, SetaPullOff, SetaState};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -16,8 +20,6 @@ const CURVE: Frame = Frame { left: 72.0, top: 462.0, right: 600.0, bottom: 700.0
 const TIPS: Frame = Frame { left: 688.0, top: 462.0, right: 926.0, bottom: 700.0 };
 /// Colours of the loads, from the largest push to the largest pull.
 const SHADES: usize = 32;
-/// Nanometres in a micrometre.
-const MICRO: f64 = 1e3;
 /// The coordinates of the tree in the page are whole numbers of so many nm.
 const GRAIN: f64 = 10.0;
 /// The thinnest line, pixels.
@@ -90,39 +92,70 @@ show();
 requestAnimationFrame(step);
 "#;
 
-/// Where the tips of a tree are, and how the force has gone.
-pub struct TreePlayback<'a> {
-    /// The moments that are shown, in order
-    pub states: &'a [TreeState],
-    /// Places of the tips on the ground, nm, in the order of their loads
-    pub tips: &'a [(f64, f64)],
+/// Most states that are shown.
+const MOST: usize = 80;
+
+/// What is shown of a pull-off.
+struct Playback<'a> {
+    poses: Vec<SetaPose>,
+    /// How far the root has moved at each of them, nm
+    travels: Vec<f64>,
+    /// How far the root has moved (nm) and the force on it (nN), all along
+    curve: Vec<(f64, f64)>,
+    /// Places of the tips on the ground, nm
+    tips: Vec<(f64, f64)>,
     /// From one tip to the next, nm
-    pub pitch: f64,
-    /// Displacement (nm) and force (nN) of the root, all along
-    pub curve: &'a [(f64, f64)],
-    /// The heading, and what stands small below
-    pub title: &'a str,
+    pitch: f64,
+    title: &'a str,
 }
 
-/// Writes `animation.html` into `dir`: one file that needs no other, and well-formed XML.
+/// Writes `animation.html` into `dir`, of states in the order of the pull-off, or of evenly chosen ones where they are many.
 ///
-/// Fails where there are fewer than two moments ([`ReportError::Draw`]) or the file cannot be written ([`ReportError::Write`]).
-pub fn write_tree_animation(dir: &Path, playback: &TreePlayback<'_>) -> Result<PathBuf, ReportError> {
+/// Fails where there are fewer than two states ([`ReportError::Draw`]) or the file cannot be written ([`ReportError::Write`]).
+pub fn write_seta_animation(
+    dir: &Path,
+    pull_off: &SetaPullOff,
+    states: &[SetaState],
+    seta: &Seta,
+    title: &str,
+) -> Result<PathBuf, ReportError> {
     let path = dir.join("animation.html");
-    if playback.states.len() < 2 {
-        let reason = format!("the pull-off has {} states", playback.states.len());
+    if states.len() < 2 {
+        let reason = format!("the pull-off has {} states", states.len());
         return Err(ReportError::Draw { path, reason });
     }
-    write_whole(&path, page(playback).as_bytes())?;
+    let travels = travels(&pull_off.points);
+    let number = |k: usize| k * (states.len() - 1) / (MOST.min(states.len()) - 1);
+    let chosen: Vec<&SetaState> = (0..MOST.min(states.len())).map(|k| &states[number(k)]).collect();
+    let travel = |state: &&SetaState| {
+        let same = |point: &SetaPoint| point.step == state.point.step;
+        let first = pull_off.points.iter().position(same).unwrap_or_default();
+        let before = travels.get(first).zip(pull_off.points.get(first)).map_or(0.0, |(at, point)| at - point.displacement);
+        before + state.point.displacement
+    };
+    let playback = Playback {
+        travels: chosen.iter().map(travel).collect(),
+        poses: chosen.iter().map(|state| SetaPose::of(state, seta)).collect(),
+        curve: travels.iter().copied().zip(pull_off.points.iter().map(|point| point.force_along)).collect(),
+        tips: (0..seta.tips()).map(|tip| seta.joint_place(seta.tip_joint(tip))).map(|[x, _, z]| (x, z)).collect(),
+        pitch: seta.tip_pitch,
+        title,
+    };
+    write_whole(&path, page(&playback).as_bytes())?;
     Ok(path)
 }
 
-fn page(playback: &TreePlayback<'_>) -> String {
+fn page(playback: &Playback<'_>) -> String {
     let mut lines = playback.title.lines();
     let heading = escaped(lines.next().unwrap_or_default());
     let remarks: String = lines.map(|line| format!("<p class=\"small\">{}</p>\n", escaped(line))).collect();
-    let panels = [side_panel(WHOLE, playback.states, f64::INFINITY), brush_panel(playback.states)];
-    let curve = curve_panel(playback.curve);
+    let all = playback.poses.iter().flat_map(|pose| &pose.branches);
+    let panels =
+        [(WHOLE, Window::around(all)), (BRUSH, Window::of_brush(playback.poses.iter()))].map(|(frame, window)| {
+            let [x, y] = window.axes(&frame);
+            Panel { frame, x, y }
+        });
+    let curve = curve_panel(&playback.curve);
     let tips = tips_panel(playback);
     let mut svg = format!(
         "<svg viewBox=\"0 0 {WIDTH} {}\" role=\"img\">\n<title>{heading}</title>\n<defs>",
@@ -138,15 +171,15 @@ fn page(playback: &TreePlayback<'_>) -> String {
     }
     svg += "</defs>\n";
     for (k, panel) in panels.iter().enumerate() {
-        svg += &tree(k, panel, playback.states);
+        svg += &side_view(k, panel, &playback.poses);
     }
-    svg += &curve.axes("displacement of the root u (µm)", "force on the root P (µN)");
+    svg += &curve.axes("distance that the root has moved (µm)", "force on the root P (µN)");
     let points: Vec<(f64, f64)> = playback.curve.iter().map(|&(u, p)| (u / MICRO, p / MICRO)).collect();
     let _ = writeln!(svg, "<polyline class=\"curve\" points=\"{}\"/>", joined(&curve, &points));
     svg += &tips.axes("x of the tip (µm)", "z (µm)");
     svg += &cells(playback, &tips);
     svg += "<circle id=\"dot\" r=\"6\" fill=\"#0072b2\"/>\n</svg>\n";
-    let largest = largest_load(playback.states);
+    let largest = largest_load(&playback.poses);
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"/><title>{heading}</title><style>{STYLE}</style></head>\n\
          <body>\n<h1 style=\"font-size:18px\">{heading}</h1>\n{svg}\
@@ -161,33 +194,6 @@ fn page(playback: &TreePlayback<'_>) -> String {
     )
 }
 
-/// All places of sections at all moments, µm, no higher than this.
-fn places(states: &[TreeState], highest: f64) -> impl Iterator<Item = (f64, f64)> {
-    let sections = states.iter().flat_map(|state| &state.branches).flat_map(|branch| &branch.sections);
-    sections.map(|at| (at.place[0] / MICRO, at.place[1] / MICRO)).filter(move |at| at.1 <= highest)
-}
-
-/// A view from the side with axes of equal scale, around all that lies no higher than this, µm.
-fn side_panel(frame: Frame, states: &[TreeState], highest: f64) -> Panel {
-    let [low, high] = [f64::min, f64::max]
-        .map(|pick| places(states, highest).reduce(|a, b| (pick(a.0, b.0), pick(a.1, b.1))).unwrap_or_default());
-    let low = (low.0, low.1.min(0.0));
-    let scale = ((high.0 - low.0) / frame.width()).max((high.1 - low.1) / frame.height()).max(f64::MIN_POSITIVE) * 1.1;
-    let (wide, tall) = (scale * frame.width(), scale * frame.height());
-    let (middle, below) = (0.5 * (low.0 + high.0), low.1 - 0.04 * tall);
-    let x = Axis::linear("", middle - 0.5 * wide, middle + 0.5 * wide);
-    Panel { frame, x, y: Axis::linear("", below, below + tall) }
-}
-
-/// The same of the branches that carry no others but tips, which end near the ground.
-fn brush_panel(states: &[TreeState]) -> Panel {
-    let last = states.iter().flat_map(|state| &state.branches).map(|branch| branch.generation).max().unwrap_or(0);
-    let near = last.saturating_sub(2);
-    let ends = states.iter().flat_map(|state| &state.branches).filter(|branch| branch.generation >= near);
-    let highest = ends.flat_map(|branch| &branch.sections).map(|at| at.place[1] / MICRO).fold(0.0, f64::max);
-    side_panel(BRUSH, states, highest)
-}
-
 fn curve_panel(curve: &[(f64, f64)]) -> Panel {
     let x = Axis::around("", curve.iter().map(|at| at.0 / MICRO), false);
     let y = Axis::around("", curve.iter().map(|at| at.1 / MICRO).chain([0.0]), false);
@@ -195,7 +201,7 @@ fn curve_panel(curve: &[(f64, f64)]) -> Panel {
 }
 
 /// The grid of tips, with axes of equal scale.
-fn tips_panel(playback: &TreePlayback<'_>) -> Panel {
+fn tips_panel(playback: &Playback<'_>) -> Panel {
     let tips = || playback.tips.iter().map(|at| (at.0 / MICRO, at.1 / MICRO));
     let [low, high] = [f64::min, f64::max]
         .map(|pick| tips().reduce(|a, b| (pick(a.0, b.0), pick(a.1, b.1))).unwrap_or_default());
@@ -204,8 +210,8 @@ fn tips_panel(playback: &TreePlayback<'_>) -> Panel {
     Panel { frame: TIPS, x: axis(low.0, high.0), y: axis(low.1, high.1) }
 }
 
-/// The axes of a view of the tree, the ground, and a path for each generation of branches.
-fn tree(k: usize, panel: &Panel, states: &[TreeState]) -> String {
+/// The axes of a view of the seta, the ground, and a path for each generation of branches.
+fn side_view(k: usize, panel: &Panel, poses: &[SetaPose]) -> String {
     let Frame { left, right, bottom, .. } = panel.frame;
     let (_, ground) = panel.pixel((0.0, 0.0));
     let mut svg = format!(
@@ -216,8 +222,8 @@ fn tree(k: usize, panel: &Panel, states: &[TreeState]) -> String {
     svg += &panel.axes("x (µm)", "y (µm)");
     let pixels = panel.frame.width() / (panel.x.to - panel.x.from);
     let _ = write!(svg, "<g clip-path=\"url(#clip{k})\">");
-    for generation in 0..=last_generation(&states[0]) {
-        let radius = states[0].branches.iter().find(|branch| branch.generation == generation).map_or(0.0, |b| b.radius);
+    for generation in 0..=last_generation(&poses[0]) {
+        let radius = poses[0].branches.iter().find(|branch| branch.generation == generation).map_or(0.0, |b| b.radius);
         let width = (2.0 * radius / MICRO * pixels).max(THINNEST);
         let _ = write!(svg, "<path class=\"branch p{k}\" stroke-width=\"{width:.2}\"/>");
     }
@@ -225,15 +231,15 @@ fn tree(k: usize, panel: &Panel, states: &[TreeState]) -> String {
     svg
 }
 
-fn last_generation(state: &TreeState) -> usize {
-    state.branches.iter().map(|branch| branch.generation).max().unwrap_or(0)
+fn last_generation(pose: &SetaPose) -> usize {
+    pose.branches.iter().map(|branch| branch.generation).max().unwrap_or(0)
 }
 
 /// A square for each tip.
-fn cells(playback: &TreePlayback<'_>, panel: &Panel) -> String {
+fn cells(playback: &Playback<'_>, panel: &Panel) -> String {
     let side = 0.86 * playback.pitch / MICRO * panel.frame.width() / (panel.x.to - panel.x.from);
     let mut svg = String::new();
-    for tip in playback.tips {
+    for tip in &playback.tips {
         let (x, y) = panel.pixel((tip.0 / MICRO, tip.1 / MICRO));
         let (left, top) = (x - 0.5 * side, y - 0.5 * side);
         let _ = write!(svg, "<rect class=\"tip\" x=\"{left:.1}\" y=\"{top:.1}\" width=\"{side:.1}\" height=\"{side:.1}\"/>");
@@ -242,8 +248,8 @@ fn cells(playback: &TreePlayback<'_>, panel: &Panel) -> String {
 }
 
 /// The largest load of a tip in either direction, nN.
-fn largest_load(states: &[TreeState]) -> f64 {
-    let loads = states.iter().flat_map(|state| state.tip_loads.iter().flatten());
+fn largest_load(poses: &[SetaPose]) -> f64 {
+    let loads = poses.iter().flat_map(|pose| pose.tip_loads.iter().flatten());
     loads.fold(f64::MIN_POSITIVE, |largest, load| largest.max(load.abs()))
 }
 
@@ -252,47 +258,49 @@ fn shade_of(load: f64, largest: f64) -> usize {
     (0.5 * (1.0 + load / largest) * SHADES as f64).round().clamp(0.0, SHADES as f64) as usize
 }
 
-fn data(playback: &TreePlayback<'_>, panels: &[Panel; 2], curve: &Panel) -> String {
-    let states = playback.states;
-    let largest = largest_load(states);
+fn data(playback: &Playback<'_>, panels: &[Panel; 2], curve: &Panel) -> String {
+    let poses = &playback.poses;
+    let largest = largest_load(poses);
     let shades = (0..=SHADES).map(|k| {
         let colour = signed_shade(2.0 * k as f64 / SHADES as f64 - 1.0);
         format!("\"#{:02x}{:02x}{:02x}\"", colour.0, colour.1, colour.2)
     });
-    let branches = states[0].branches.iter().map(|branch| format!("[{},{}]", branch.sections.len(), branch.generation));
+    let branches = poses[0].branches.iter().map(|branch| format!("[{},{}]", branch.sections.len(), branch.generation));
     let maps = panels.iter().map(|panel| {
         let (from, to) = (panel.pixel((0.0, 0.0)), panel.pixel((GRAIN / MICRO, GRAIN / MICRO)));
         format!("[{:.3},{:.6},{:.3},{:.6}]", from.0, to.0 - from.0, from.1, to.1 - from.1)
     });
-    let times = times(states);
-    let frames = states.iter().zip(times).enumerate().map(|(k, (state, time))| {
-        let (x, y) = curve.pixel((state.displacement / MICRO, state.force / MICRO));
-        // from one moment to the next a tip lets go or takes hold
-        let jump = k > 0 && (0..state.tip_loads.len()).any(|i| {
-            states[k - 1].tip_loads.get(i).is_some_and(|before| before.is_some() != state.tip_loads[i].is_some())
-        });
-        let coordinates = state.branches.iter().flat_map(|branch| &branch.sections);
-        let coordinates = coordinates.flat_map(|at| [at.place[0], at.place[1]].map(|v| (v / GRAIN).round() as i64));
-        let loads = state.tip_loads.iter().map(|load| match load {
-            Some(load) => shade_of(*load, largest).to_string(),
-            None => "null".to_owned(),
-        });
-        format!(
-            "{{\"t\":{time:.5},\"u\":{:.6e},\"p\":{:.6e},\"n\":{},\"x\":{x:.2},\"y\":{y:.2},\"j\":{jump},\"f\":[{}],\"l\":[{}]}}",
-            state.displacement / MICRO,
-            state.force / MICRO,
-            state.tips_attached(),
-            words(loads),
-            words(coordinates)
-        )
-    });
+    let times = times(playback);
+    let frames = (0..poses.len()).map(|k| frame(playback, k, times[k], (curve, largest)));
     format!(
         "{{\"shades\":[{}],\"branches\":[{}],\"panels\":[{}],\"tips\":[{}],\"frames\":[{}]}}",
         words(shades),
         words(branches),
         words(maps),
-        words(tip_points(&states[0]).into_iter()),
+        words(tip_points(&poses[0]).into_iter()),
         frames.collect::<Vec<_>>().join(",\n")
+    )
+}
+
+/// A state as JSON: its place in time and on the curve, whether a tip jumps on the way to it, loads as shades, and sections in grains.
+fn frame(playback: &Playback<'_>, k: usize, time: f64, (curve, largest): (&Panel, f64)) -> String {
+    let (pose, travel) = (&playback.poses[k], playback.travels[k]);
+    let (x, y) = curve.pixel((travel / MICRO, pose.point.force_along / MICRO));
+    let before = &playback.poses[k.saturating_sub(1)].tip_loads;
+    let jump = before.iter().zip(&pose.tip_loads).any(|(before, load)| before.is_some() != load.is_some());
+    let sections = pose.branches.iter().flat_map(|branch| &branch.sections);
+    let coordinates = sections.flat_map(|at| [at.place[0], at.place[1]].map(|v| (v / GRAIN).round() as i64));
+    let loads = pose.tip_loads.iter().map(|load| match load {
+        Some(load) => shade_of(*load, largest).to_string(),
+        None => "null".to_owned(),
+    });
+    format!(
+        "{{\"t\":{time:.5},\"u\":{:.6e},\"p\":{:.6e},\"n\":{},\"x\":{x:.2},\"y\":{y:.2},\"j\":{jump},\"f\":[{}],\"l\":[{}]}}",
+        travel / MICRO,
+        pose.point.force_along / MICRO,
+        pose.point.attached,
+        words(loads),
+        words(coordinates)
     )
 }
 
@@ -300,30 +308,31 @@ fn words(items: impl Iterator<Item = impl ToString>) -> String {
     items.map(|item| item.to_string()).collect::<Vec<_>>().join(",")
 }
 
-/// Numbers of the points at which tips are: the far ends of the branches of the last generation, in their order.
-fn tip_points(state: &TreeState) -> Vec<usize> {
-    let last = last_generation(state);
+/// Of each tip the number of its section among all sections.
+fn tip_points(pose: &SetaPose) -> Vec<usize> {
     let mut before = 0;
-    let mut ends = Vec::new();
-    for branch in &state.branches {
+    let mut ends = vec![0; pose.tip_loads.len()];
+    for branch in &pose.branches {
         before += branch.sections.len();
-        if branch.generation == last {
-            ends.push(before - 1);
+        if let Some(end) = branch.tip.and_then(|tip| ends.get_mut(tip)) {
+            *end = before - 1;
         }
     }
     ends
 }
 
-/// How far along the curve each moment is, from 0 to 1.
-fn times(states: &[TreeState]) -> Vec<f64> {
-    let range = |of: fn(&TreeState) -> f64| {
-        let (low, high) = states.iter().map(of).fold((0.0f64, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
+/// How far along the curve each state is, from 0 to 1.
+fn times(playback: &Playback<'_>) -> Vec<f64> {
+    let places: Vec<(f64, f64)> =
+        playback.travels.iter().copied().zip(playback.poses.iter().map(|pose| pose.point.force_along)).collect();
+    let range = |of: fn(&(f64, f64)) -> f64| {
+        let (low, high) = places.iter().map(of).fold((0.0f64, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
         (high - low).max(f64::MIN_POSITIVE)
     };
-    let (wide, high) = (range(|state| state.displacement), range(|state| state.force));
+    let (wide, high) = (range(|at| at.0), range(|at| at.1));
     let mut lengths = vec![0.0];
-    for pair in states.windows(2) {
-        let step = ((pair[1].displacement - pair[0].displacement) / wide).hypot((pair[1].force - pair[0].force) / high);
+    for pair in places.windows(2) {
+        let step = ((pair[1].0 - pair[0].0) / wide).hypot((pair[1].1 - pair[0].1) / high);
         lengths.push(lengths[lengths.len() - 1] + step);
     }
     let whole = lengths.last().copied().unwrap_or_default().max(f64::MIN_POSITIVE);
