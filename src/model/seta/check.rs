@@ -29,6 +29,17 @@ pub enum SetaError {
         "elements of order {order} in {elements:?} per generation of the seta: orders are 1 to 8, and every generation needs at least one"
     )]
     Elements { order: usize, elements: Vec<usize> },
+    /// A loading without a step.
+    #[error("the loading of the seta has no step: give at least one")]
+    NoSteps,
+    /// A step that is none.
+    #[error(
+        "step {step} of the loading of the seta goes along {direction:?} to {amount}: the direction needs a length, and nm or nN have to be positive"
+    )]
+    Step { step: usize, direction: [f64; 3], amount: f64 },
+    /// A start below the ground.
+    #[error("the seta starts {height} nm above the ground: give zero or more")]
+    Above { height: f64 },
     /// The tree of its beams.
     #[error("the beams of the seta: {0}")]
     Tree(#[from] TreeError),

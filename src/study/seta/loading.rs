@@ -1,5 +1,6 @@
 //! What is done to the root of a seta, as plain data.
 
+use crate::model::SetaError;
 use serde::{Deserialize, Serialize};
 
 /// How a seta is loaded: from a start, one step after the other. The root never turns, and moves along each step's direction alone.
@@ -43,6 +44,29 @@ pub enum StepEnd {
 }
 
 impl SetaLoading {
+    /// That it can be done.
+    ///
+    /// # Errors
+    /// No step, a direction that is none, or an amount that is not positive.
+    pub fn check(&self) -> Result<(), SetaError> {
+        if let SetaStart::Above(height) = self.start
+            && !(height >= 0.0 && height.is_finite())
+        {
+            return Err(SetaError::Above { height });
+        }
+        if self.steps.is_empty() {
+            return Err(SetaError::NoSteps);
+        }
+        for (step, own) in self.steps.iter().enumerate() {
+            let length = own.direction.iter().map(|x| x * x).sum::<f64>();
+            let (StepEnd::Travel(amount) | StepEnd::Preload(amount) | StepEnd::Detached(amount)) = own.until;
+            if !(length > 0.0 && length.is_finite() && amount > 0.0 && amount.is_finite()) {
+                return Err(SetaError::Step { step, direction: own.direction, amount });
+            }
+        }
+        Ok(())
+    }
+
     /// Of a seta that adheres at the start: pulled along a direction until no tip adheres, at most `most` nm.
     pub fn pull(direction: [f64; 3], most: f64) -> Self {
         Self { start: SetaStart::Adhering, steps: vec![SetaStep { direction, until: StepEnd::Detached(most) }] }

@@ -2,11 +2,24 @@
 //!
 //! Quasi-static: the root moves so slowly that the seta is in equilibrium but for the moments at which its equilibrium loses its stability.
 //! Between events the work of the root is the change of the energy; at an event energy is released at a root that stands still.
+mod advance;
 mod failure;
+mod knot;
 mod loading;
+mod loss;
+mod options;
+mod progress;
+mod rest;
 mod result;
+mod run;
 mod sections;
+mod spatula_curve;
+mod standing;
 pub use failure::SetaFailure;
 pub use loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
+pub use options::SetaOptions;
+pub use progress::SetaProgress;
 pub use result::{JointPlace, SetaEffort, SetaEnd, SetaEvent, SetaPoint, SetaPullOff, SetaState, TipChange, TipState};
+pub use run::{pull_off, pull_off_from};
 pub use sections::SetaBranch;
+pub use spatula_curve::{SpatulaCurveError, tip_curve};

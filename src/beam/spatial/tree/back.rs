@@ -12,7 +12,7 @@ impl BeamTree {
     /// The direction that solves K q = `scale` R with the root known.
     pub fn recover(&self, factors: &TreeFactors, root: &[f64; F], scale: f64, out: &mut [f64]) {
         out[self.root() * F..][..F].copy_from_slice(root);
-        for &b in &self.outward {
+        for &b in self.outward.iter() {
             let branch = &self.branches[b];
             for k in (0..branch.elements).rev() {
                 let e = branch.inwards(k);

@@ -24,15 +24,15 @@ pub(super) const ANGLES: usize = 3;
 #[derive(Clone, Debug)]
 pub struct BeamTree {
     pub(super) basis: Basis,
-    pub(super) branches: Vec<TreeBranch>,
+    pub(super) branches: Arc<[TreeBranch]>,
     /// Each branch behind the one that leads to it
-    pub(super) outward: Vec<usize>,
+    pub(super) outward: Arc<[usize]>,
     /// The root, then the joints with conditions
     pub(super) ends: Vec<TreeEnd>,
     /// Of each joint, its place among the ends
-    pub(super) end_of: Vec<Option<usize>>,
+    pub(super) end_of: Arc<[Option<usize>]>,
     /// Of each joint
-    pub(super) at_rest: Vec<([f64; 3], Quaternion)>,
+    pub(super) at_rest: Arc<[([f64; 3], Quaternion)]>,
     pub(super) nodes: usize,
     pub(super) elements: usize,
     /// Numbers that the elimination of an element's interior leaves

@@ -116,11 +116,11 @@ impl BranchingBeam {
         ends.iter().enumerate().for_each(|(k, end)| end_of[end.joint] = Some(k));
         Ok(BeamTree {
             basis: Basis::new(self.order),
-            branches,
-            outward: topology.outward,
+            branches: branches.into(),
+            outward: topology.outward.into(),
             ends,
-            end_of,
-            at_rest,
+            end_of: end_of.into(),
+            at_rest: at_rest.into(),
             nodes,
             elements,
             inside: inside_length(self.order),

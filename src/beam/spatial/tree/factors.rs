@@ -66,7 +66,7 @@ impl BeamTree {
     /// From a reduced right-hand side and the solution at the root to the whole.
     pub fn substitute(&self, factors: &TreeFactors, root: &[f64; F], right: &mut [f64], transposed: bool) {
         right[self.root() * F..][..F].copy_from_slice(root);
-        for &b in &self.outward {
+        for &b in self.outward.iter() {
             let branch = &self.branches[b];
             for k in (0..branch.elements).rev() {
                 let e = branch.inwards(k);

@@ -12,6 +12,7 @@ mod back;
 mod beam_tree;
 mod branching_beam;
 mod build;
+mod changed;
 mod end_energy;
 mod factors;
 mod inside;

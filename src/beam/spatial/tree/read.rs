@@ -31,7 +31,7 @@ impl BeamTree {
     pub fn energy(&self, values: &[f64]) -> f64 {
         let (nodes, mut bundle) = (self.count(), Element::<F64x4, N>::zero());
         let mut energy: f64 = (0..self.ends.len()).map(|end| self.own(values, end).energy).sum();
-        for branch in &self.branches {
+        for branch in self.branches.iter() {
             let by = self.integration(nodes, branch);
             for first in (0..branch.elements).step_by(BUNDLE) {
                 self.gather(values, branch, first, &mut bundle);
@@ -62,7 +62,7 @@ impl BeamTree {
 
     fn forces(&self, values: &[f64]) -> Vec<f64> {
         let (order, mut out) = (self.order(), vec![0.0; self.nodes * F]);
-        for branch in &self.branches {
+        for branch in self.branches.iter() {
             for e in 0..branch.elements {
                 let own = self.element_forces(values, branch, e);
                 for rank in 0..=order {
@@ -123,7 +123,7 @@ impl BeamTree {
                 entries.push((row, column, value));
             }
         };
-        for branch in &self.branches {
+        for branch in self.branches.iter() {
             let by = self.integration(nodes, branch);
             for first in (0..branch.elements).step_by(BUNDLE) {
                 let elements: [usize; BUNDLE] =

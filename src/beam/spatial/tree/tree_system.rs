@@ -60,7 +60,7 @@ impl BeamTree {
         };
         (0..self.joints()).for_each(|joint| put(joint, self.at_rest[joint]));
         let (order, last) = (self.order(), self.order() + 1);
-        for branch in &self.branches {
+        for branch in self.branches.iter() {
             for e in 0..branch.elements {
                 for rank in (0..last).filter(|&rank| branch.end_at(order, e, rank).is_none()) {
                     let share = 0.5 * (1.0 + self.basis.nodes[crate::beam::slot(last, rank)]);

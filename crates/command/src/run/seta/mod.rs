@@ -9,8 +9,10 @@ use crate::interrupt::Interrupt;
 use crate::output::{list_files, say};
 use crate::stop::Stop;
 use crate::text_summary;
-use peelkit::model::{PullCurve, SetaModel};
-use peelkit::study::{self, SetaEnd, SetaPullOff, SetaState};
+use peelkit::model::{PullCurve, SetaError, SetaModel};
+use peelkit::study::{
+    self, Bound, SetaEnd, SetaLoading, SetaOptions, SetaProgress, SetaPullOff, SetaState, StopCriteria,
+};
 use peelkit_report::{self as report, ReportError, SetaSummary, timed};
 use peelkit_scene::{Scene, SetaTable};
 use sampler::Sampler;
@@ -19,6 +21,10 @@ use std::path::{Path, PathBuf};
 
 /// What a first Ctrl-C does.
 const ANSWER: &str = "stopping at the next equilibrium of the seta; Ctrl-C again stops at once";
+/// By how much the curve of a tip begins with it pressed, nm.
+const PRESSED: f64 = 50.0;
+/// Points from one state that is seen to the next.
+const PIECE: usize = 2;
 /// States of an animation.
 const FRAMES: usize = 60;
 
@@ -49,19 +55,18 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
     let interrupt = Interrupt::listen(move || above.above(|| drop(writeln!(io::stderr(), "{ANSWER}"))));
     let stop = progress.watch(interrupt.ends(scene.bounds.from_now()));
     progress.stage("law of the tips");
-    let (tip, tip_s) = timed(|| study::tip_curve(&scene.tip_model(), &scene.accuracy, &stop));
+    let (tip, tip_s) = timed(|| study::tip_curve(&scene.tip_model(), &scene.accuracy, PRESSED));
     let tip = tip.map_err(Stop::cut_short)?;
     let model = SetaModel::new(table.seta, table.law(tip.clone()));
-    let loading = scene.seta_loading(table);
-    let states = args.states.unwrap_or(0) as usize;
-    let mut sampler = Sampler::new(states.max(if args.animate { FRAMES } else { 0 }));
-    let (pull_off, solve_s) = timed(|| {
-        study::pull_off(&model, &loading, &stop, &mut |state: &SetaState| {
-            progress.seta(&state.point);
-            sampler.see(state);
-        })
-    });
-    let pull_off = pull_off.map_err(|error| Stop::bad_input(error, "peel keys seta lists the keys with their ranges."))?;
+    let states = (args.states.unwrap_or(0) as usize).max(if args.animate { FRAMES } else { 0 });
+    let mut sampler = Sampler::new(states);
+    let mut see = |state: &SetaState| {
+        progress.seta(&state.point);
+        sampler.see(state);
+    };
+    let followed = timed(|| follow(&model, &scene.seta_loading(table), &stop, states > 0, &mut see));
+    let (pull_off, solve_s) = followed;
+    let pull_off = pull_off.map_err(|error| Stop::bad_input(error, "`peel keys seta` lists the keys with their ranges."))?;
     progress.finish();
     let command = command_line();
     let found = Found { scene, model: &model, tip: &tip, pull_off: &pull_off, command: &command };
@@ -83,6 +88,31 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
         SetaEnd::Failed(failure) => Err(Stop::cut_short(failure)),
         SetaEnd::Bound(_) if interrupt.asked() => Err(Stop::cut_short("interrupted")),
         SetaEnd::Completed | SetaEnd::Bound(_) => Ok(()),
+    }
+}
+
+/// The whole pull-off. It is followed piece by piece where states are seen: the same to the last bit.
+fn follow(
+    model: &SetaModel,
+    loading: &SetaLoading,
+    stop: &StopCriteria,
+    sees: bool,
+    see: &mut dyn FnMut(&SetaState),
+) -> Result<SetaPullOff, SetaError> {
+    let options = SetaOptions::default();
+    let mut reached = None;
+    loop {
+        let before = reached.as_ref().map_or(0, |progress: &SetaProgress| progress.result.points.len());
+        let piece = if sees { before + PIECE } else { stop.points };
+        let until = StopCriteria { points: piece.min(stop.points), ..stop.clone() };
+        let (pull_off, progress) = study::pull_off_from(model, loading, &options, &until, reached)?;
+        if let Some(last) = &pull_off.last {
+            see(last);
+        }
+        match (&pull_off.end, progress) {
+            (SetaEnd::Bound(Bound::Points(most)), Some(progress)) if *most < stop.points => reached = Some(progress),
+            _ => return Ok(pull_off),
+        }
     }
 }
 

@@ -1,0 +1,92 @@
+//! The pull-off of a seta with 256 tips that follow the curve of their spatula.
+//!
+//!     cargo run --release --example seta_pull_off [free | held] [normal | lateral | inclined] [upright] [mesh] [balance]
+
+use peelkit::model::{NormalPull, Seta, SetaMesh, SetaModel, Sideways, Spatula};
+use peelkit::study::{Accuracy, SetaLoading, SetaOptions, StopCriteria, pull_off, tip_curve};
+use std::error::Error;
+use std::sync::Arc;
+use std::time::Instant;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let is = |word: &str| words.iter().any(|own| own == word);
+    let begun = Instant::now();
+    let curve = tip_curve(&Spatula::default().model(), &Accuracy::to(1e-6), 50.0)?;
+    println!(
+        "curve: {} points, {:.4} s, E at rest {:.4} aJ",
+        curve.points().len(),
+        begun.elapsed().as_secs_f64(),
+        curve.energy_at_rest()
+    );
+    for u in [-50.0, -20.0, 0.0, 25.0, 50.0, 100.0, 150.0, 200.0, 250.0, 300.0, 350.0, 361.243, 363.0, curve.snap_off()]
+    {
+        println!("{u:10.4} {:12.8} {:12.8} {:12.6}", curve.force(u).0, curve.force(u).1, curve.energy(u));
+    }
+    let sideways = if is("held") { Sideways::Held(1.0) } else { Sideways::Free };
+    let law = Arc::new(NormalPull { curve, sideways, contact_height: 0.0 });
+    let mut seta = Seta::default();
+    if is("upright") {
+        (seta.shaft_angle, seta.brush_angle) = (0.0, 0.0);
+    }
+    let mut model = SetaModel::new(seta, law);
+    let number = |key: &str| words.iter().find_map(|own| own.strip_prefix(key)?.strip_prefix('=')?.parse::<f64>().ok());
+    if is("paper") {
+        model.mesh = SetaMesh::of_the_paper(seta.forks);
+    }
+    if let Some(order) = number("order") {
+        model.mesh.order = order as usize;
+    }
+    if let Some(by) = number("divided") {
+        model.mesh = model.mesh.divided(by as usize);
+    }
+    let options = SetaOptions { balance: number("balance").unwrap_or(1e-8), ..SetaOptions::default() };
+    let direction = if is("lateral") {
+        [1.0, 0.0, 0.0]
+    } else if is("inclined") {
+        [1.0, 1.0, 0.0]
+    } else {
+        [0.0, 1.0, 0.0]
+    };
+    let begun = Instant::now();
+    let pulled = pull_off(&model, &SetaLoading::pull(direction, 60_000.0), &options, &StopCriteria::default())?;
+    let seconds = begun.elapsed().as_secs_f64();
+    if is("curve") {
+        for point in &pulled.points {
+            println!(
+                "{:12.5} {:12.6} {:12.6} {:12.6} {:4} {:16.6} {:16.6} {:16.6}",
+                point.displacement,
+                point.force[0],
+                point.force[1],
+                point.force_along,
+                point.attached,
+                point.energy,
+                point.work,
+                point.released
+            );
+        }
+    }
+    println!(
+        "{} elements of order {}, {} points, {} events, {} Newton iterations, {seconds:.3} s",
+        pulled.effort.elements,
+        model.mesh.order,
+        pulled.points.len(),
+        pulled.events.len(),
+        pulled.effort.newton_iterations
+    );
+    println!("end {:?}, imbalance {:.2e}", pulled.end, pulled.imbalance());
+    for (name, state) in
+        [("first", &pulled.first_detachment), ("peak", &pulled.peak), ("last", &pulled.last_detachment)]
+    {
+        if let Some(state) = state {
+            let p = state.point;
+            println!(
+                "{name}: u {:.6} nm, force {:.8} nN, attached {}, work {:.6}",
+                p.displacement, p.force_along, p.attached, p.work
+            );
+        }
+    }
+    let most = pulled.events.iter().map(|event| event.tips.len()).max();
+    println!("largest event: {most:?} tips");
+    Ok(())
+}

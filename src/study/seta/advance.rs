@@ -1,0 +1,159 @@
+//! One step of the root: along the branch, to a contact, or to a loss of stability.
+
+use super::knot::Knot;
+use super::loss::{Loss, locate, rate};
+use super::options::SetaOptions;
+use super::rest::share_of_change;
+use super::standing::{RootDrive, Standing, TipTangent};
+use crate::beam::EndEnergy;
+use crate::solve::{NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, Workspace, solve};
+
+/// Error of the displacement at which a tip comes to the end of its branch, nm.
+const LOCATED: f64 = 1e-6;
+/// What is left of a step that was refused.
+const SHORTER: f64 = 0.4;
+/// Most growth of a step.
+const GROWTH: f64 = 2.0;
+/// Steps are as long as the error of their work allows, less this factor of safety; the error goes with the fifth power.
+const SAFETY: f64 = 0.8;
+const ORDER: f64 = 0.2;
+/// A force is met to this share.
+const MET: f64 = 1e-9;
+/// The softest tip is said to lose its hold where it has gone this far on the way to where the last one did.
+const WARY: f64 = 0.7;
+
+/// What a step comes to.
+pub(super) enum Advance {
+    /// An equilibrium of the same branch with the work to it (aJ), and how far to go next, nm
+    Taken { taken: (Solution, f64), next: f64 },
+    /// The same, where tips come to the end of their branch
+    Contact { taken: (Solution, f64), tips: Vec<usize> },
+    /// Stability is lost
+    Lost(Loss),
+    /// Try so far, nm
+    Shorter { ahead: f64, cause: SolveError },
+}
+
+/// A step of so far from an equilibrium; to a force where one is wanted. With it the Newton iterations. `softest` is the ∂²E/∂y² of a tip at
+/// which stability was lost before.
+pub(super) fn advance(
+    standing: &Standing,
+    drive: &RootDrive,
+    (here, ahead): (&Solution, f64),
+    (softest, preload): (Option<f64>, Option<f64>),
+    options: &SetaOptions,
+    ws: &mut Workspace,
+) -> (Advance, usize) {
+    let problem = standing.problem(drive, None, TipTangent::Own);
+    let softening = softest_ahead(standing, &problem, here, ahead);
+    let near = |(_, h): &(usize, f64)| softest.is_some_and(|softest| *h < WARY * softest);
+    let mut iterations = 0;
+    if let Some((tip, _)) = softening.filter(near)
+        && let Ok(loss) = locate(standing, drive, here, tip, softest, options, ws)
+    {
+        iterations += loss.iterations;
+        return (Advance::Lost(loss), iterations);
+    }
+    let from = here.observables.displacement;
+    let held = PathConstraint { weights: Observables::DISPLACEMENT, target: from + ahead };
+    let newton =
+        NewtonOptions { tolerance: options.tolerance, largest_update: 3.0, most_iterations: 9, exact_slope: false };
+    let solved = solve(&problem, here.moved(&problem, ahead), &held, &newton, ws);
+    let shorter = |cause| Advance::Shorter { ahead: SHORTER * ahead, cause };
+    let solution = match solved {
+        Ok(solution) if solution.negative == 0 => solution,
+        Err(SolveError::Stopped) => return (Advance::Shorter { ahead: 0.0, cause: SolveError::Stopped }, iterations),
+        other => {
+            let cause = other.err().unwrap_or(SolveError::LimitPointNotConfirmed);
+            let Some((tip, h)) = softening else { return (shorter(cause), iterations) };
+            if h >= 0.0 {
+                return (shorter(cause), iterations);
+            }
+            return match locate(standing, drive, here, tip, softest, options, ws) {
+                Ok(loss) => {
+                    iterations += loss.iterations;
+                    (Advance::Lost(loss), iterations)
+                }
+                Err(cause) => (shorter(cause), iterations),
+            };
+        }
+    };
+    iterations += solution.iterations;
+    (judged(standing, (here, ahead), solution, preload, options), iterations)
+}
+
+/// What a stable equilibrium ahead is good for.
+fn judged(
+    standing: &Standing,
+    (here, ahead): (&Solution, f64),
+    solution: Solution,
+    preload: Option<f64>,
+    options: &SetaOptions,
+) -> Advance {
+    let changing = standing.changing(&solution.at);
+    let shares: Vec<(f64, usize)> =
+        changing.iter().map(|&tip| (share_of_change(standing, &here.at, &solution.at, tip), tip)).collect();
+    let least = shares.iter().map(|share| share.0).fold(f64::INFINITY, f64::min);
+    let late = |share: f64| (1.0 - share) * ahead <= LOCATED;
+    if !shares.is_empty() && !late(least) {
+        let cause = SolveError::LimitPointNotConfirmed;
+        return Advance::Shorter { ahead: least * ahead + 0.3 * LOCATED, cause };
+    }
+    let from = Knot::new(here.observables.displacement, here.clone(), 1.0);
+    let knot = Knot::new(solution.observables.displacement, solution, 1.0);
+    let (work, imbalance) = from.imbalance_to(&knot, options.balance);
+    if imbalance > 1.0 && shares.is_empty() {
+        let factor = (SAFETY * imbalance.powf(-ORDER)).clamp(0.1, 0.7);
+        return Advance::Shorter { ahead: factor * ahead, cause: SolveError::LimitPointNotConfirmed };
+    }
+    if !shares.is_empty() {
+        return Advance::Contact { taken: (knot.solution, work), tips: changing };
+    }
+    if let Some(shorter) = before_maximum(&from, &knot, preload) {
+        return Advance::Shorter { ahead: shorter, cause: SolveError::LimitPointNotConfirmed };
+    }
+    let growth = (SAFETY * imbalance.max(1e-12).powf(-ORDER)).clamp(0.3, GROWTH);
+    Advance::Taken { taken: (knot.solution, work), next: ahead * growth }
+}
+
+/// The step to where the force has its maximum, or reaches what is wanted, if that lies within the step and not at its end.
+fn before_maximum(from: &Knot, to: &Knot, preload: Option<f64>) -> Option<f64> {
+    let length = to.parameter - from.parameter;
+    let at = |t: f64| from.force_at(to, t);
+    let root = |is_beyond: &dyn Fn(f64) -> bool| {
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if is_beyond(middle) { high = middle } else { low = middle }
+        }
+        high * length
+    };
+    if let Some(preload) = preload {
+        let is_beyond = to.values[1] > preload * (1.0 + MET);
+        return is_beyond.then(|| root(&|t| at(t).0 >= preload));
+    }
+    let turns = from.slopes[1] > 0.0 && to.slopes[1] < -MET * from.slopes[1];
+    let place = root(&|t| at(t).1 <= 0.0);
+    (turns && place < (1.0 - 1e-3) * length && place > 1e-3 * length).then_some(place)
+}
+
+/// The tip that is softest a step ahead, as far as the tangent says, and its ∂²E/∂y²; none where none adheres.
+fn softest_ahead(standing: &Standing, problem: &Problem, here: &Solution, ahead: f64) -> Option<(usize, f64)> {
+    let at = here.moved(problem, ahead);
+    let mut softest: Option<(usize, f64)> = None;
+    for (tip, own) in standing.tips.iter().enumerate().filter(|(_, own)| own.on.adheres()) {
+        if rate(standing, here, tip) <= 0.0 {
+            continue;
+        }
+        let (place, directors) = standing.place(&at, tip);
+        let h = if own.branch(place, directors).adheres() {
+            own.response(place, directors).hessian[1][1]
+        } else {
+            f64::NEG_INFINITY
+        };
+        if softest.is_none_or(|(_, least)| h < least) {
+            softest = Some((tip, h));
+        }
+    }
+    softest
+}

@@ -1,0 +1,62 @@
+//! The work of the root between two equilibria of one branch, from force, displacement and their slopes at both.
+
+use crate::solve::Solution;
+
+/// Places and weights of Gauss's rule with four points on [0, 1].
+const GAUSS: [(f64, f64); 4] = [
+    (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
+    (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
+    (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
+    (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
+];
+
+/// An equilibrium on a branch with a parameter η.
+#[derive(Clone, Debug)]
+pub(super) struct Knot {
+    /// η
+    pub parameter: f64,
+    /// u (nm) and P (nN)
+    pub values: [f64; 2],
+    /// Their change with η
+    pub slopes: [f64; 2],
+    pub solution: Solution,
+}
+
+impl Knot {
+    /// Of a solution whose slopes are per unit of the parameter times `rate`.
+    pub fn new(parameter: f64, solution: Solution, rate: f64) -> Self {
+        let (o, slope) = (&solution.observables, &solution.slope);
+        let (values, slopes) = ([o.displacement, o.force], [slope.displacement / rate, slope.force / rate]);
+        Self { parameter, values, slopes, solution }
+    }
+
+    /// P and dP/dt at a share t of the way to another one, with a cubic of η.
+    pub fn force_at(&self, other: &Self, t: f64) -> (f64, f64) {
+        self.cubic(other, 1, t)
+    }
+
+    /// Displacement (0) or force (1) and its derivative at a share t of the way to another one.
+    fn cubic(&self, other: &Self, k: usize, t: f64) -> (f64, f64) {
+        let length = other.parameter - self.parameter;
+        let (from, rise) = (self.values[k], other.values[k] - self.values[k]);
+        let (a, b) = (length * self.slopes[k], length * other.slopes[k]);
+        let (c2, c3) = (3.0 * rise - 2.0 * a - b, a + b - 2.0 * rise);
+        (from + t * (a + t * (c2 + t * c3)), a + t * (2.0 * c2 + t * 3.0 * c3))
+    }
+
+    /// ∫ P du to another one, aJ, with cubics of η for both.
+    pub fn work_to(&self, other: &Self) -> f64 {
+        let cubic = |k, t| self.cubic(other, k, t);
+        GAUSS.into_iter().map(|(t, weight)| weight * cubic(1, t).0 * cubic(0, t).1).sum()
+    }
+
+    /// By how much the work to another one and the change of energy differ, over what is allowed.
+    pub fn imbalance_to(&self, other: &Self, balance: f64) -> (f64, f64) {
+        let (work, gained) = (self.work_to(other), other.solution.energy - self.solution.energy);
+        let round_off = ROUND_OFF * (self.solution.energy.abs() + self.values[1].abs());
+        (work, (work - gained).abs() / (balance * gained.abs().max(work.abs()) + round_off))
+    }
+}
+
+/// Of an energy that is the sum of the elements', over itself.
+const ROUND_OFF: f64 = 1e-13;

@@ -1,0 +1,332 @@
+//! The run behind [`pull_off`]: step after step of the loading, branch after branch, event after event.
+
+use super::advance::{Advance, advance};
+use super::failure::SetaFailure;
+use super::loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
+use super::options::SetaOptions;
+use super::progress::SetaProgress;
+use super::rest::{Rested, come_to_rest};
+use super::result::{JointPlace, SetaEnd, SetaEvent, SetaPoint, SetaPullOff, SetaState};
+use super::standing::{RootDrive, Standing, TipTangent};
+use crate::model::{SetaError, SetaModel, TipBranch};
+use crate::solve::{NewtonOptions, Observables, PathConstraint, Solution, SolveError, State, System, Workspace, solve};
+use crate::study::{Bound, Stage, StopCriteria};
+
+/// Shortest step of the root, nm.
+const SHORTEST: f64 = 1e-6;
+/// A preload is met to this share.
+const PRELOADED: f64 = 1e-9;
+/// Numbers of a node in a state
+const NODE: usize = 7;
+
+/// Pulls a seta off as the loading says, from its start.
+///
+/// # Errors
+/// What of the seta cannot be computed. Where the computation stops short, the result says so and has what was reached.
+pub fn pull_off(
+    model: &SetaModel,
+    loading: &SetaLoading,
+    options: &SetaOptions,
+    stop: &StopCriteria,
+) -> Result<SetaPullOff, SetaError> {
+    Ok(pull_off_from(model, loading, options, stop, None)?.0)
+}
+
+/// The same from what an earlier run of the same model, loading and options has reached, to where this one ends. What it has reached is none
+/// where it found no start.
+///
+/// # Errors
+/// As of [`pull_off`].
+pub fn pull_off_from(
+    model: &SetaModel,
+    loading: &SetaLoading,
+    options: &SetaOptions,
+    stop: &StopCriteria,
+    reached: Option<SetaProgress>,
+) -> Result<(SetaPullOff, Option<SetaProgress>), SetaError> {
+    loading.check()?;
+    let mut run = match Run::new(model, loading, options, stop, reached)? {
+        Ok(run) => run,
+        Err(failed) => return Ok((*failed, None)),
+    };
+    let end = run.go();
+    let mut result = run.progress.result.clone();
+    result.end = end;
+    result.last = Some(run.state(&run.progress.here));
+    run.progress.tips = run.standing.tips.iter().map(|tip| (tip.on, tip.foot)).collect();
+    Ok((result, Some(run.progress)))
+}
+
+struct Run<'a> {
+    standing: Standing,
+    loading: &'a SetaLoading,
+    options: &'a SetaOptions,
+    stop: &'a StopCriteria,
+    ws: Workspace,
+    /// The root at rest, nm
+    rest: [f64; 3],
+    progress: SetaProgress,
+}
+
+impl<'a> Run<'a> {
+    /// Where it starts, or what there is of a run that has no start.
+    fn new(
+        model: &SetaModel,
+        loading: &'a SetaLoading,
+        options: &'a SetaOptions,
+        stop: &'a StopCriteria,
+        reached: Option<SetaProgress>,
+    ) -> Result<Result<Self, Box<SetaPullOff>>, SetaError> {
+        let on = if loading.start == SetaStart::Adhering { TipBranch::Attached } else { TipBranch::Detached };
+        let mut standing = Standing::new(model, on)?;
+        let mut ws = Workspace::until(stop.for_solves());
+        let rest = model.seta.joint_place(0);
+        let with = |standing, ws, progress| Self { standing, loading, options, stop, ws, rest, progress };
+        if let Some(progress) = reached {
+            for (tip, (on, foot)) in standing.tips.iter_mut().zip(&progress.tips) {
+                (tip.on, tip.foot) = (*on, *foot);
+            }
+            return Ok(Ok(with(standing, ws, progress)));
+        }
+        let mut result = SetaPullOff::empty(standing.tree.elements());
+        let mut from = rest;
+        let mut at = standing.tree.stress_free(0);
+        if let SetaStart::Above(height) = loading.start {
+            from[1] += height;
+            let unknowns = standing.tree.unknowns(&at);
+            raise(&mut at, unknowns, height);
+        }
+        let drive = RootDrive::new(loading.steps[0].direction, from);
+        match come_to_rest(&mut standing, &drive, (at, 0.0), &[], options.tolerance, &mut ws) {
+            Ok(Rested { solution, iterations, .. }) => {
+                result.effort.newton_iterations = iterations;
+                let (step, ahead) = (0, options.first_step);
+                let progress =
+                    SetaProgress { result, here: solution, tips: Vec::new(), step, from, ahead, softest: None };
+                let mut run = with(standing, ws, progress);
+                let first = run.point(&drive, &run.progress.here, SetaPoint::default());
+                run.progress.result.points.push(first);
+                Ok(Ok(run))
+            }
+            Err((cause, _)) => {
+                result.end = SetaEnd::Failed(SetaFailure::NoStart { cause });
+                Ok(Err(Box::new(result)))
+            }
+        }
+    }
+
+    fn go(&mut self) -> SetaEnd {
+        while let Some(step) = self.loading.steps.get(self.progress.step) {
+            let drive = RootDrive::new(step.direction, self.progress.from);
+            if let Err(end) = self.go_step(step, &drive) {
+                return end;
+            }
+            let displacement = self.progress.here.observables.displacement;
+            self.progress.from = drive.root(displacement);
+            self.progress.step += 1;
+            if let Some(next) = self.loading.steps.get(self.progress.step)
+                && let Err(end) = self.turn_to(next)
+            {
+                return end;
+            }
+        }
+        SetaEnd::Completed
+    }
+
+    /// The same equilibrium, with displacements that count along the direction of the next step.
+    fn turn_to(&mut self, next: &SetaStep) -> Result<(), SetaEnd> {
+        let drive = RootDrive::new(next.direction, self.progress.from);
+        let problem = self.standing.problem(&drive, None, TipTangent::Own);
+        let held = PathConstraint { weights: Observables::DISPLACEMENT, target: 0.0 };
+        let newton = self.newton();
+        let solved = solve(&problem, self.progress.here.at.clone(), &held, &newton, &mut self.ws);
+        self.progress.here = solved.map_err(|cause| self.lost(cause))?;
+        self.progress.ahead = self.options.first_step;
+        let before = self.last();
+        let point = self.point(&drive, &self.progress.here, before);
+        self.progress.result.points.push(point);
+        Ok(())
+    }
+
+    fn go_step(&mut self, step: &SetaStep, drive: &RootDrive) -> Result<(), SetaEnd> {
+        loop {
+            let here = self.progress.here.observables;
+            let left = match step.until {
+                StepEnd::Travel(length) => length - here.displacement,
+                StepEnd::Detached(_) if self.standing.attached() == 0 => return Ok(()),
+                StepEnd::Detached(most) => most - here.displacement,
+                StepEnd::Preload(preload) if here.force >= preload * (1.0 - PRELOADED) => return Ok(()),
+                StepEnd::Preload(preload) => {
+                    let displacement = self.deepest();
+                    if here.displacement >= displacement {
+                        let step = self.progress.step;
+                        return Err(SetaEnd::Failed(SetaFailure::NoPreload { step, preload, displacement }));
+                    }
+                    displacement - here.displacement
+                }
+            };
+            if left <= 0.0 {
+                return Ok(());
+            }
+            if let Some(bound) = self.bound() {
+                return Err(SetaEnd::Bound(bound));
+            }
+            self.advance(step, drive, left)?;
+        }
+    }
+
+    /// One step of the root, or what keeps it from going on.
+    fn advance(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<(), SetaEnd> {
+        let ahead = self.progress.ahead.min(self.options.longest_step).min(left);
+        let preload = if let StepEnd::Preload(preload) = step.until { Some(preload) } else { None };
+        let SetaProgress { here, softest, .. } = &self.progress;
+        let (took, iterations) =
+            advance(&self.standing, drive, (here, ahead), (*softest, preload), self.options, &mut self.ws);
+        self.progress.result.effort.newton_iterations += iterations;
+        match took {
+            Advance::Shorter { ahead, cause } => {
+                if ahead < SHORTEST {
+                    return Err(self.lost(cause));
+                }
+                self.progress.ahead = ahead;
+                Ok(())
+            }
+            Advance::Taken { taken, next } => {
+                self.progress.ahead = next;
+                self.take(drive, taken);
+                Ok(())
+            }
+            Advance::Contact { taken, tips } => {
+                self.take(drive, taken);
+                self.event(drive, &tips)
+            }
+            Advance::Lost(loss) => {
+                self.progress.softest = Some(loss.slope);
+                let displacement = self.progress.here.observables.displacement;
+                for taken in loss.taken {
+                    if taken.0.observables.displacement > displacement + left {
+                        self.progress.ahead = 0.5 * (displacement + left - self.progress.here.observables.displacement);
+                        return Ok(());
+                    }
+                    self.take(drive, taken);
+                }
+                self.event(drive, &loss.critical)
+            }
+        }
+    }
+
+    /// Goes on to an equilibrium of the same branch, with the work to it.
+    fn take(&mut self, drive: &RootDrive, (solution, work): (Solution, f64)) {
+        let mut point = self.point(drive, &solution, self.last());
+        point.work += work;
+        self.standing.note(&solution.at);
+        self.progress.here = solution;
+        self.progress.result.points.push(point);
+        self.keep_peak(point);
+    }
+
+    fn keep_peak(&mut self, point: SetaPoint) {
+        let is_last = point.step + 1 == self.loading.steps.len();
+        let known = self.progress.result.peak.as_ref().map(|peak| peak.point);
+        if is_last && known.is_none_or(|known| point.force_along > known.force_along) {
+            self.progress.result.peak = Some(self.state(&self.progress.here));
+        }
+    }
+
+    /// Tips change, and the seta comes to rest with its root held.
+    fn event(&mut self, drive: &RootDrive, tips: &[usize]) -> Result<(), SetaEnd> {
+        let (before, here) = (self.last(), self.progress.here.clone());
+        let state = self.state(&here);
+        let displacement = here.observables.displacement;
+        let tolerance = self.options.tolerance;
+        let rested = come_to_rest(&mut self.standing, drive, (here.at, displacement), tips, tolerance, &mut self.ws);
+        let Rested { solution, changes, iterations } = rested.map_err(|(cause, changes)| {
+            let step = self.progress.step;
+            SetaEnd::Failed(SetaFailure::Restless { step, displacement, changes, cause })
+        })?;
+        self.progress.result.effort.newton_iterations += iterations;
+        let released = before.energy - solution.energy;
+        let mut after = self.point(drive, &solution, before);
+        after.released += released;
+        self.progress.here = solution;
+        let detaches = changes.iter().any(|change| !change.to.adheres());
+        if detaches && before.step + 1 == self.loading.steps.len() {
+            self.progress.result.first_detachment.get_or_insert_with(|| state.clone());
+            self.progress.result.last_detachment = Some(state);
+        }
+        self.progress.result.points.push(after);
+        self.progress.result.events.push(SetaEvent { before, after, tips: changes, released });
+        self.keep_peak(after);
+        Ok(())
+    }
+
+    /// The numbers of an equilibrium, with work and energy released as before.
+    fn point(&self, drive: &RootDrive, solution: &Solution, before: SetaPoint) -> SetaPoint {
+        let displacement = solution.observables.displacement;
+        let (root, section) = (drive.root(displacement), self.standing.tree.section(&solution.at, 0, 0));
+        SetaPoint {
+            step: self.progress.step,
+            displacement,
+            root: std::array::from_fn(|i| root[i] - self.rest[i]),
+            force: section.force.map(|force| -force),
+            force_along: solution.observables.force,
+            moment: section.moment.map(|moment| -moment),
+            attached: self.standing.attached(),
+            energy: solution.energy,
+            ..before
+        }
+    }
+
+    fn state(&self, solution: &Solution) -> SetaState {
+        let tree = &self.standing.tree;
+        let joint = |joint| {
+            let (place, directors) = tree.joint(&solution.at, joint);
+            JointPlace { place, directors }
+        };
+        SetaState {
+            point: self.last(),
+            joints: (0..tree.joints()).map(joint).collect(),
+            tips: self.standing.tip_states(&solution.at),
+        }
+    }
+
+    fn last(&self) -> SetaPoint {
+        self.progress.result.points.last().copied().unwrap_or_default()
+    }
+
+    fn newton(&self) -> NewtonOptions {
+        NewtonOptions {
+            tolerance: self.options.tolerance,
+            largest_update: 3.0,
+            most_iterations: 10,
+            exact_slope: false,
+        }
+    }
+
+    /// How deep the root can be pressed, nm.
+    fn deepest(&self) -> f64 {
+        let above = if let SetaStart::Above(height) = self.loading.start { height } else { 0.0 };
+        above + self.standing.model.seta.brush_height
+    }
+
+    fn bound(&self) -> Option<Bound> {
+        let most = self.stop.points;
+        let points = self.progress.result.points.len() >= most;
+        points.then_some(Bound::Points(most)).or_else(|| self.stop.reached_bound(Stage::Path))
+    }
+
+    fn lost(&self, cause: SolveError) -> SetaEnd {
+        if cause == SolveError::Stopped {
+            return SetaEnd::Bound(self.stop.reached_bound(Stage::Results).unwrap_or(Bound::Interrupted));
+        }
+        let SetaProgress { step, here, .. } = &self.progress;
+        let displacement = here.observables.displacement;
+        SetaEnd::Failed(SetaFailure::Lost { step: *step, displacement, attached: self.standing.attached(), cause })
+    }
+}
+
+/// Moves all nodes up, nm.
+fn raise(at: &mut State, unknowns: usize, height: f64) {
+    let nodes = unknowns / crate::beam::SPATIAL_UNKNOWNS;
+    at.values[..nodes * NODE].chunks_exact_mut(NODE).for_each(|node| node[1] += height);
+}

@@ -1,0 +1,185 @@
+//! A seta as it stands: its tree of beams, each tip on a branch of its law, and the direction in which its root is moved.
+
+use super::result::TipState;
+use crate::beam::rotation::{Matrix3, Quaternion};
+use crate::beam::{BeamTree, EndEnergy, EndResponse, JointCondition, JointUnknown};
+use crate::model::{AdheringTip, SetaError, SetaModel, TipBranch};
+use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure, Problem, State};
+use nalgebra::{Matrix6, Vector3};
+use std::sync::Arc;
+
+/// y of a joint's place
+const HEIGHT: usize = 1;
+
+/// A seta and its tips.
+#[derive(Clone, Debug)]
+pub(super) struct Standing {
+    pub model: SetaModel,
+    pub tree: BeamTree,
+    pub tips: Vec<AdheringTip>,
+}
+
+/// Along what the root is moved, and from where.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RootDrive {
+    /// Columns; the first one is the direction
+    pub axes: Matrix3,
+    /// The root at the beginning, nm
+    pub from: [f64; 3],
+}
+
+impl RootDrive {
+    pub fn new(direction: [f64; 3], from: [f64; 3]) -> Self {
+        let first = Vector3::from(direction).normalize();
+        // the axis of space that is farthest from the direction
+        let other = Vector3::ith(first.iamin(), 1.0);
+        let second = first.cross(&other).normalize();
+        let third = first.cross(&second);
+        Self { axes: std::array::from_fn(|i| [first[i], second[i], third[i]]), from }
+    }
+
+    pub fn direction(&self) -> [f64; 3] {
+        self.axes.map(|row| row[0])
+    }
+
+    /// Where the root is after so far, nm.
+    pub fn root(&self, displacement: f64) -> [f64; 3] {
+        let direction = self.direction();
+        std::array::from_fn(|i| self.from[i] + displacement * direction[i])
+    }
+}
+
+/// Which tangent of its energy a tip shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum TipTangent {
+    Own,
+    /// Without the directions in which its force falls as it is pulled
+    Convex,
+}
+
+/// The energy of a tip without what softens it: the tangent has no negative eigenvalue.
+#[derive(Debug)]
+struct ConvexTip(AdheringTip);
+
+impl EndEnergy for ConvexTip {
+    fn response(&self, place: [f64; 3], directors: Quaternion) -> EndResponse {
+        let own = self.0.response(place, directors);
+        let hessian = Matrix6::from_fn(|i, j| own.hessian[i][j]);
+        if hessian == Matrix6::zeros() {
+            return own;
+        }
+        let mut eigen = hessian.symmetric_eigen();
+        eigen.eigenvalues.apply(|value| *value = value.max(0.0));
+        let convex = eigen.recompose();
+        EndResponse { hessian: std::array::from_fn(|i| std::array::from_fn(|j| convex[(i, j)])), ..own }
+    }
+}
+
+impl Standing {
+    pub fn new(model: &SetaModel, on: TipBranch) -> Result<Self, SetaError> {
+        let seta = &model.seta;
+        let mut beam = seta.tree(&model.mesh)?;
+        beam.conditions = vec![JointCondition::free(0)];
+        let mut tips = Vec::with_capacity(seta.tips());
+        for tip in 0..seta.tips() {
+            let [x, _, z] = seta.joint_place(seta.tip_joint(tip));
+            let own = AdheringTip { law: model.law.clone(), on, foot: [x, 0.0, z] };
+            beam.conditions.push(JointCondition::with_energy(seta.tip_joint(tip), Arc::new(own.clone())));
+            tips.push(own);
+        }
+        Ok(Self { model: model.clone(), tree: beam.build()?, tips })
+    }
+
+    /// What is solved while the root is moved; `watched` is the tip whose height is the first monitor.
+    pub fn problem(&self, drive: &RootDrive, watched: Option<usize>, tangent: TipTangent) -> Problem {
+        let seta = &self.model.seta;
+        let energy = |(tip, own): (usize, &AdheringTip)| {
+            let energy: Option<Arc<dyn EndEnergy>> = match tangent {
+                _ if !own.on.adheres() => Some(Arc::new(own.clone())),
+                TipTangent::Own => Some(Arc::new(own.clone())),
+                TipTangent::Convex => Some(Arc::new(ConvexTip(own.clone()))),
+            };
+            (seta.tip_joint(tip), energy)
+        };
+        let monitor = watched.map(|tip| JointUnknown { joint: seta.tip_joint(tip), slot: HEIGHT });
+        let tree = self.tree.with_energies(self.tips.iter().enumerate().map(energy));
+        let tree = tree.with_root_axes(drive.axes).with_monitors([monitor, None]);
+        let mut origin = [0.0; INTERFACE];
+        for k in 0..3 {
+            origin[k] = (0..3).map(|i| drive.axes[i][k] * drive.from[i]).sum();
+        }
+        let mut held = [true; INTERFACE];
+        held[0] = false;
+        Problem {
+            grip: EndConditions { held, origin, ..EndConditions::drive(0) },
+            system: Arc::new(tree),
+            measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true },
+            start: InitialState::StressFree,
+        }
+    }
+
+    /// Place and directors of a tip in a state.
+    pub fn place(&self, at: &State, tip: usize) -> ([f64; 3], Quaternion) {
+        self.tree.joint(at, self.model.seta.tip_joint(tip))
+    }
+
+    /// The branch that a tip goes over to in a state; its own where it stays.
+    pub fn branch(&self, at: &State, tip: usize) -> TipBranch {
+        let (place, directors) = self.place(at, tip);
+        self.tips[tip].branch(place, directors)
+    }
+
+    /// Which tips would change between adhering and being detached in a state.
+    pub fn changing(&self, at: &State) -> Vec<usize> {
+        let changes = |&tip: &usize| self.branch(at, tip).adheres() != self.tips[tip].on.adheres();
+        (0..self.tips.len()).filter(changes).collect()
+    }
+
+    /// Lets a tip go over to the other branch where it is.
+    pub fn change(&mut self, at: &State, tip: usize) -> TipBranch {
+        let ([x, _, z], _) = self.place(at, tip);
+        let own = &mut self.tips[tip];
+        own.on = if own.on.adheres() {
+            TipBranch::Detached
+        } else {
+            own.foot = [x, 0.0, z];
+            TipBranch::Attached
+        };
+        own.on
+    }
+
+    /// Takes note of where on its branch each tip is.
+    pub fn note(&mut self, at: &State) {
+        for tip in 0..self.tips.len() {
+            let on = self.branch(at, tip);
+            if on.adheres() == self.tips[tip].on.adheres() {
+                self.tips[tip].on = on;
+            }
+        }
+    }
+
+    /// Energy of a tip with its derivatives in a state.
+    pub fn response(&self, at: &State, tip: usize) -> EndResponse {
+        let (place, directors) = self.place(at, tip);
+        self.tips[tip].response(place, directors)
+    }
+
+    /// Force of the ground on a tip, nN.
+    pub fn load(&self, at: &State, tip: usize) -> [f64; 3] {
+        let gradient = self.response(at, tip).gradient;
+        std::array::from_fn(|i| -gradient[i])
+    }
+
+    pub fn tip_states(&self, at: &State) -> Vec<TipState> {
+        let state = |(tip, own): (usize, &AdheringTip)| TipState {
+            on: self.branch(at, tip),
+            foot: own.foot,
+            load: self.load(at, tip),
+        };
+        self.tips.iter().enumerate().map(state).collect()
+    }
+
+    pub fn attached(&self) -> usize {
+        self.tips.iter().filter(|tip| tip.on.adheres()).count()
+    }
+}
