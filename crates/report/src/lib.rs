@@ -42,7 +42,7 @@ pub use pictures::{
     draw_sensitivities, draw_sweep, draw_uncertainty,
 };
 pub use seta::{
-    SETA_STATE_FIELDS, SetaPose, SetaStateField, SetaSummary, draw_pull_off, seta_end_reason, seta_end_word,
+    SETA_STATE_FIELDS, SetaPose, SetaStateField, SetaSummary, draw_pull_off, seta_end_reason, seta_end_word, tip_peak,
     write_seta_animation, write_seta_curve, write_seta_events, write_seta_states, write_tip_curve, write_tips,
 };
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};

@@ -220,7 +220,7 @@ fn peel(args: &Run, scene: &Scene) -> Result<(), Stop> {
             };
             let mut files = write(dir, scene, &found, (&summary, &command), args.states)?;
             if args.animate && peel.points.len() > 1 {
-                files.push(report::write_animation(dir, &peel, scene.title)?);
+                files.push(report::write_animation(dir, &peel, &scene.title)?);
             }
             Ok(files)
         })

@@ -4,7 +4,7 @@ use super::layout::in_columns;
 use super::units::{Units, WantedUnits};
 use peelkit::model::{PullCurve, SetaModel};
 use peelkit::study::{SetaPullOff, SetaState};
-use peelkit_report::{seta_end_reason, seta_end_word};
+use peelkit_report::{seta_end_reason, seta_end_word, tip_peak};
 use peelkit_scene::Scene;
 
 /// The summary of a pull-off, which took so many seconds with the law of its tips.
@@ -33,7 +33,7 @@ pub fn seta(
         ),
         None => "none".to_owned(),
     };
-    let of_tip = tip.points().iter().map(|point| point.force).fold(0.0, f64::max);
+    let of_tip = tip_peak(tip);
     let changes = || pull_off.events.iter().flat_map(|event| &event.tips);
     let adhered = changes().filter(|change| change.to.adheres()).count();
     let at_once = pull_off.events.iter().map(|event| event.tips.len()).max().unwrap_or(0);
@@ -65,9 +65,10 @@ pub fn seta(
     let reason = seta_end_reason(&pull_off.end).map(|reason| format!(": {reason}")).unwrap_or_default();
     lines.push(("end", format!("{}{reason}", seta_end_word(pull_off))));
     let effort = format!(
-        "{} equilibria, {} Newton iterations, {solve_s:.2} s",
+        "{} equilibria, {} Newton iterations, {:.0} ms",
         pull_off.points.len(),
-        pull_off.effort.newton_iterations
+        pull_off.effort.newton_iterations,
+        1e3 * solve_s
     );
     lines.push(("computed", effort));
     in_columns(&scene.title, &lines)

@@ -92,9 +92,6 @@ show();
 requestAnimationFrame(step);
 "#;
 
-/// Most states that are shown.
-const MOST: usize = 80;
-
 /// What is shown of a pull-off.
 struct Playback<'a> {
     poses: Vec<SetaPose>,
@@ -109,7 +106,7 @@ struct Playback<'a> {
     title: &'a str,
 }
 
-/// Writes `animation.html` into `dir`, of states in the order of the pull-off, or of evenly chosen ones where they are many.
+/// Writes `animation.html` into `dir`, of states in the order of the pull-off.
 ///
 /// Fails where there are fewer than two states ([`ReportError::Draw`]) or the file cannot be written ([`ReportError::Write`]).
 pub fn write_seta_animation(
@@ -125,17 +122,16 @@ pub fn write_seta_animation(
         return Err(ReportError::Draw { path, reason });
     }
     let travels = travels(&pull_off.points);
-    let number = |k: usize| k * (states.len() - 1) / (MOST.min(states.len()) - 1);
-    let chosen: Vec<&SetaState> = (0..MOST.min(states.len())).map(|k| &states[number(k)]).collect();
-    let travel = |state: &&SetaState| {
+    let travel = |state: &SetaState| {
         let same = |point: &SetaPoint| point.step == state.point.step;
         let first = pull_off.points.iter().position(same).unwrap_or_default();
-        let before = travels.get(first).zip(pull_off.points.get(first)).map_or(0.0, |(at, point)| at - point.displacement);
+        let before =
+            travels.get(first).zip(pull_off.points.get(first)).map_or(0.0, |(at, point)| at - point.displacement);
         before + state.point.displacement
     };
     let playback = Playback {
-        travels: chosen.iter().map(travel).collect(),
-        poses: chosen.iter().map(|state| SetaPose::of(state, seta)).collect(),
+        travels: states.iter().map(travel).collect(),
+        poses: states.iter().map(|state| SetaPose::of(state, seta)).collect(),
         curve: travels.iter().copied().zip(pull_off.points.iter().map(|point| point.force_along)).collect(),
         tips: (0..seta.tips()).map(|tip| seta.joint_place(seta.tip_joint(tip))).map(|[x, _, z]| (x, z)).collect(),
         pitch: seta.tip_pitch,
@@ -157,10 +153,8 @@ fn page(playback: &Playback<'_>) -> String {
         });
     let curve = curve_panel(&playback.curve);
     let tips = tips_panel(playback);
-    let mut svg = format!(
-        "<svg viewBox=\"0 0 {WIDTH} {}\" role=\"img\">\n<title>{heading}</title>\n<defs>",
-        CURVE.bottom + 48.0
-    );
+    let mut svg =
+        format!("<svg viewBox=\"0 0 {WIDTH} {}\" role=\"img\">\n<title>{heading}</title>\n<defs>", CURVE.bottom + 48.0);
     for (k, panel) in panels.iter().enumerate() {
         let Frame { left, top, .. } = panel.frame;
         let (wide, tall) = (panel.frame.width(), panel.frame.height());
@@ -203,8 +197,8 @@ fn curve_panel(curve: &[(f64, f64)]) -> Panel {
 /// The grid of tips, with axes of equal scale.
 fn tips_panel(playback: &Playback<'_>) -> Panel {
     let tips = || playback.tips.iter().map(|at| (at.0 / MICRO, at.1 / MICRO));
-    let [low, high] = [f64::min, f64::max]
-        .map(|pick| tips().reduce(|a, b| (pick(a.0, b.0), pick(a.1, b.1))).unwrap_or_default());
+    let [low, high] =
+        [f64::min, f64::max].map(|pick| tips().reduce(|a, b| (pick(a.0, b.0), pick(a.1, b.1))).unwrap_or_default());
     let half = 0.5 * (high.0 - low.0).max(high.1 - low.1) + playback.pitch / MICRO;
     let axis = |low: f64, high: f64| Axis::linear("", 0.5 * (low + high) - half, 0.5 * (low + high) + half);
     Panel { frame: TIPS, x: axis(low.0, high.0), y: axis(low.1, high.1) }
@@ -242,7 +236,10 @@ fn cells(playback: &Playback<'_>, panel: &Panel) -> String {
     for tip in &playback.tips {
         let (x, y) = panel.pixel((tip.0 / MICRO, tip.1 / MICRO));
         let (left, top) = (x - 0.5 * side, y - 0.5 * side);
-        let _ = write!(svg, "<rect class=\"tip\" x=\"{left:.1}\" y=\"{top:.1}\" width=\"{side:.1}\" height=\"{side:.1}\"/>");
+        let _ = write!(
+            svg,
+            "<rect class=\"tip\" x=\"{left:.1}\" y=\"{top:.1}\" width=\"{side:.1}\" height=\"{side:.1}\"/>"
+        );
     }
     svg + "\n"
 }

@@ -10,7 +10,7 @@ const OVERLAP: f64 = 1.0e-3;
 const TOP: f64 = 62.0;
 /// To the left of the first map, between two maps and for the colour bar with its texts, pixels.
 const LEFT: f64 = 66.0;
-const BETWEEN: f64 = 16.0;
+const BETWEEN: f64 = 42.0;
 const BAR: f64 = 112.0;
 /// Of each side of a cell, the share that a tip fills.
 const FILLED: f64 = 0.9;

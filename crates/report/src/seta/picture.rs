@@ -76,7 +76,8 @@ fn side_views(state: &SetaState, seta: &Seta, title: &str) -> Picture {
     let mut whole = panel(frame(70.0, middle - 14.0), window, "the whole seta");
     add_branches(&mut whole, &rest, colour::ORANGE, "stress-free");
     add_branches(&mut whole, &pose.branches, colour::CAPTION, "pulled");
-    let mut brush = panel(frame(middle + 56.0, f64::from(WIDTH) - 14.0), Window::of_brush([&pose].into_iter()), "its tips");
+    let mut brush =
+        panel(frame(middle + 56.0, f64::from(WIDTH) - 14.0), Window::of_brush([&pose].into_iter()), "its tips");
     add_branches(&mut brush, &pose.branches, colour::CAPTION, "");
     brush.lines.iter_mut().for_each(|line| line.name = None);
     add_tips(&mut brush, &pose);

@@ -18,10 +18,6 @@ impl SetaPose {
     /// Of a state of a seta.
     pub fn of(state: &SetaState, seta: &Seta) -> Self {
         let load = |tip: &peelkit::study::TipState| tip.on.adheres().then_some(-tip.load[1]);
-        Self {
-            point: state.point,
-            tip_loads: state.tips.iter().map(load).collect(),
-            branches: state.branches(seta),
-        }
+        Self { point: state.point, tip_loads: state.tips.iter().map(load).collect(), branches: state.branches(seta) }
     }
 }

@@ -5,7 +5,7 @@ use crate::error::ReportError;
 use crate::file::write_whole;
 use crate::number::{Finite, to_json};
 use crate::summary::{Parameters, SCHEMA, VERSION};
-use peelkit::model::{PullCurve, Seta};
+use peelkit::model::{CurvePoint, PullCurve, Seta};
 use peelkit::study::{SetaPullOff, SetaState};
 use peelkit_scene::Scene;
 use std::io;
@@ -112,9 +112,28 @@ struct Timing {
     solve_s: Finite,
 }
 
+/// Points of the curve of a tip between two of its own at which its largest force is looked for.
+const BETWEEN: usize = 100;
+
+/// The largest force of the curve of a tip, nN.
+pub fn tip_peak(tip: &PullCurve) -> f64 {
+    let between = |pair: &[CurvePoint]| {
+        let (from, to) = (pair[0].displacement, pair[1].displacement);
+        let force = |k: usize| tip.force(from + (to - from) * k as f64 / BETWEEN as f64).0;
+        (0..=BETWEEN).map(force).fold(0.0, f64::max)
+    };
+    tip.points().windows(2).map(between).fold(0.0, f64::max)
+}
+
 impl SetaSummary {
     /// The summary of the pull-off of this scene, whose tips follow this curve: the curve took `tip_s` seconds and the pull-off `solve_s`.
-    pub fn new(scene: &Scene, seta: &Seta, tip: &PullCurve, pull_off: &SetaPullOff, [tip_s, solve_s]: [f64; 2]) -> Self {
+    pub fn new(
+        scene: &Scene,
+        seta: &Seta,
+        tip: &PullCurve,
+        pull_off: &SetaPullOff,
+        [tip_s, solve_s]: [f64; 2],
+    ) -> Self {
         let (first, last) = (pull_off.points.first(), pull_off.points.last());
         let energy = first.zip(last).map_or(0.0, |(first, last)| last.energy - first.energy);
         let changes = || pull_off.events.iter().flat_map(|event| &event.tips);
@@ -143,7 +162,7 @@ impl SetaSummary {
                 imbalance: Finite(pull_off.imbalance()),
             },
             tip: Tip {
-                peak: Finite(tip.points().iter().map(|point| point.force).fold(0.0, f64::max)),
+                peak: Finite(tip_peak(tip)),
                 snap_off_displacement_nm: Finite(tip.snap_off()),
                 energy_at_rest: Finite(tip.energy_at_rest()),
             },

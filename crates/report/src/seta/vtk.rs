@@ -36,7 +36,9 @@ pub const SETA_STATE_FIELDS: &[SetaStateField] = &[
     number("attached", "1 where a tip behind the branch adheres, else 0", |branch, _| {
         [f64::from(u8::from(branch.attached)), 0.0, 0.0]
     }),
-    vector("force_nN", "section force along x, y and z: of the ground on all tips behind the section", |_, at| at.force),
+    vector("force_nN", "section force along x, y and z: of the ground on all tips behind the section", |_, at| {
+        at.force
+    }),
     vector("moment_nN_nm", "section moment about x, y and z: of these forces about the section", |_, at| at.moment),
 ];
 

@@ -66,17 +66,13 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
     };
     let followed = timed(|| follow(&model, &scene.seta_loading(table), &stop, states > 0, &mut see));
     let (pull_off, solve_s) = followed;
-    let pull_off = pull_off.map_err(|error| Stop::bad_input(error, "`peel keys seta` lists the keys with their ranges."))?;
+    let pull_off =
+        pull_off.map_err(|error| Stop::bad_input(error, "`peel keys seta` lists the keys with their ranges."))?;
     progress.finish();
     let command = command_line();
     let found = Found { scene, model: &model, tip: &tip, pull_off: &pull_off, command: &command };
-    let summary =
-        SetaSummary::new(scene, &table.seta, &tip, &pull_off, [tip_s, solve_s]).with_command(&command);
-    let moments = moments(&pull_off).into_iter().map(|(_, state)| state.clone());
-    let seen = sampler.with(moments);
-    let files = output.map_or(Ok(Vec::new()), |output| {
-        output.write(|dir| found.write(dir, &summary, &seen, (args.states.is_some(), args.animate)))
-    });
+    let summary = SetaSummary::new(scene, &table.seta, &tip, &pull_off, [tip_s, solve_s]).with_command(&command);
+    let files = output.map_or(Ok(Vec::new()), |output| output.write(|dir| found.write(dir, &summary, &sampler, args)));
     if args.json {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
@@ -141,8 +137,8 @@ impl Found<'_> {
         &self,
         dir: &Path,
         summary: &SetaSummary,
-        seen: &[SetaState],
-        (states, animate): (bool, bool),
+        sampler: &Sampler,
+        args: &Run,
     ) -> Result<Vec<PathBuf>, ReportError> {
         let Self { scene, model, pull_off, .. } = *self;
         let seta = &model.seta;
@@ -157,12 +153,14 @@ impl Found<'_> {
         if pull_off.points.len() > 1 {
             files.extend(report::draw_pull_off(dir, pull_off, seta, &scene.title)?);
         }
-        if states {
-            let poses: Vec<_> = seen.iter().map(|state| report::SetaPose::of(state, seta)).collect();
+        let seen = |count| sampler.evenly(count, moments(pull_off).into_iter().map(|(_, state)| state.clone()));
+        if let Some(count) = args.states {
+            let poses: Vec<_> = seen(count as usize).iter().map(|state| report::SetaPose::of(state, seta)).collect();
             files.extend(report::write_seta_states(dir, &poses)?);
         }
-        if animate && seen.len() > 1 {
-            files.push(report::write_seta_animation(dir, pull_off, seen, seta, &scene.title)?);
+        let frames = if args.animate { seen(FRAMES) } else { Vec::new() };
+        if frames.len() > 1 {
+            files.push(report::write_seta_animation(dir, pull_off, &frames, seta, &scene.title)?);
         }
         Ok(files)
     }

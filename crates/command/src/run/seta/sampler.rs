@@ -31,20 +31,21 @@ impl Sampler {
         }
     }
 
-    /// What was kept, with these among it, in the order of the pull-off.
-    pub fn with(mut self, others: impl IntoIterator<Item = SetaState>) -> Vec<SetaState> {
-        self.states.extend(others);
-        // work and released energy never fall together: an equilibrium before an event comes before the one behind it
-        let place = |state: &SetaState| (state.point.step, state.point.displacement, state.point.released);
-        self.states.sort_by(|a, b| {
-            let ((a, b), (u, v), (r, s)) = {
-                let (p, q) = (place(a), place(b));
-                ((p.0, q.0), (p.1, q.1), (p.2, q.2))
-            };
-            a.cmp(&b).then(u.total_cmp(&v)).then(r.total_cmp(&s))
+    /// So many of what was kept, evenly, with these among it, in the order of the pull-off.
+    pub fn evenly(&self, count: usize, others: impl IntoIterator<Item = SetaState>) -> Vec<SetaState> {
+        let last = self.states.len().saturating_sub(1);
+        let count = count.min(self.states.len());
+        let number = |k: usize| if count > 1 { k * last / (count - 1) } else { last };
+        let mut states: Vec<SetaState> = (0..count).map(|k| self.states[number(k)].clone()).collect();
+        states.extend(others);
+        // released energy never falls: an equilibrium before an event comes before the one behind it
+        states.sort_by(|a, b| {
+            let (a, b) = (&a.point, &b.point);
+            let way = a.displacement.total_cmp(&b.displacement);
+            a.step.cmp(&b.step).then(way).then(a.released.total_cmp(&b.released))
         });
-        self.states.dedup();
-        self.states
+        states.dedup();
+        states
     }
 }
 
@@ -62,10 +63,14 @@ mod tests {
     fn few_are_kept_evenly_and_those_that_matter_among_them() {
         let mut sampler = Sampler::new(10);
         (0..1000).for_each(|k| sampler.see(&state(f64::from(k))));
-        let found: Vec<f64> =
-            sampler.with([state(3.5), state(0.0)]).iter().map(|state| state.point.displacement).collect();
-        assert!((11..=22).contains(&found.len()), "{found:?}");
-        assert_eq!(found[..3], [0.0, 3.5, 64.0]);
-        assert!(Sampler::new(0).with([]).is_empty());
+        let of = |count: usize| -> Vec<f64> {
+            let states = sampler.evenly(count, [state(3.5), state(0.0)]);
+            states.iter().map(|state| state.point.displacement).collect()
+        };
+        assert_eq!(of(3), [0.0, 3.5, 448.0, 960.0]);
+        let all = of(100);
+        assert!((11..=22).contains(&all.len()), "{all:?}");
+        assert_eq!(all[..3], [0.0, 3.5, 64.0]);
+        assert!(Sampler::new(0).evenly(10, []).is_empty());
     }
 }
