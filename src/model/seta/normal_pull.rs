@@ -119,7 +119,8 @@ impl PullCurve {
 
     fn at(&self, u: f64) -> Pulled {
         let last = self.points.len() - 1;
-        if u < self.points[0].displacement {
+        // and what is no number stays none
+        if !(u >= self.points[0].displacement) {
             return self.straight(0, u);
         }
         if u >= self.points[last].displacement {

@@ -6,7 +6,9 @@ use super::options::SetaOptions;
 use super::rest::share_of_change;
 use super::standing::{RootDrive, Standing, TipTangent};
 use crate::beam::EndEnergy;
-use crate::solve::{NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, Workspace, solve};
+use crate::solve::{
+    NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve,
+};
 
 /// Error of the displacement at which a tip comes to the end of its branch, nm.
 const LOCATED: f64 = 1e-6;
@@ -58,7 +60,7 @@ pub(super) fn advance(
     let held = PathConstraint { weights: Observables::DISPLACEMENT, target: from + ahead };
     let newton =
         NewtonOptions { tolerance: options.tolerance, largest_update: 3.0, most_iterations: 9, exact_slope: false };
-    let solved = solve(&problem, here.moved(&problem, ahead), &held, &newton, ws);
+    let solved = solve(&problem, moved(here, &problem, ahead), &held, &newton, ws);
     let shorter = |cause| Advance::Shorter { ahead: SHORTER * ahead, cause };
     let solution = match solved {
         Ok(solution) if solution.negative == 0 => solution,
@@ -99,7 +101,7 @@ fn judged(
         let cause = SolveError::LimitPointNotConfirmed;
         return Advance::Shorter { ahead: least * ahead + 0.3 * LOCATED, cause };
     }
-    let from = Knot::new(here.observables.displacement, here.clone(), 1.0);
+    let from = Knot::new(here.observables.displacement, here.clone(), here.slope.displacement);
     let knot = Knot::new(solution.observables.displacement, solution, 1.0);
     let (work, imbalance) = from.imbalance_to(&knot, options.balance);
     if imbalance > 1.0 && shares.is_empty() {
@@ -139,10 +141,10 @@ fn before_maximum(from: &Knot, to: &Knot, preload: Option<f64>) -> Option<f64> {
 
 /// The tip that is softest a step ahead, as far as the tangent says, and its ∂²E/∂y²; none where none adheres.
 fn softest_ahead(standing: &Standing, problem: &Problem, here: &Solution, ahead: f64) -> Option<(usize, f64)> {
-    let at = here.moved(problem, ahead);
+    let at = moved(here, problem, ahead);
     let mut softest: Option<(usize, f64)> = None;
     for (tip, own) in standing.tips.iter().enumerate().filter(|(_, own)| own.on.adheres()) {
-        if rate(standing, here, tip) <= 0.0 {
+        if rate(standing, here, tip) * here.slope.displacement <= 0.0 {
             continue;
         }
         let (place, directors) = standing.place(&at, tip);
@@ -156,4 +158,9 @@ fn softest_ahead(standing: &Standing, problem: &Problem, here: &Solution, ahead:
         }
     }
     softest
+}
+
+/// Where the tangent leads when the root goes so far, nm.
+fn moved(here: &Solution, problem: &Problem, ahead: f64) -> State {
+    here.moved(problem, ahead / here.slope.displacement)
 }

@@ -184,7 +184,8 @@ pub(super) fn locate(
                 let inside = estimate > a && estimate < b && turns;
                 if inside { estimate } else { 0.5 * (a + b) }
             }
-            None => estimate.clamp(from.parameter + 0.1 * longest.min(FIRST), from.parameter + longest),
+            None if estimate > from.parameter => estimate.min(from.parameter + longest),
+            None => from.parameter + longest.min(2.0 * FIRST),
         };
     }
     Err(SolveError::LimitPointNotConfirmed)

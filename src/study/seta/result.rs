@@ -100,7 +100,7 @@ pub enum SetaEnd {
 /// What it took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SetaEffort {
-    /// Newton iterations, each with one factorisation
+    /// Newton iterations of the equilibria that were found, each with one factorisation
     pub newton_iterations: usize,
     /// Elements of the tree
     pub elements: usize,

@@ -2,6 +2,7 @@
 
 use super::branching_beam::JointUnknown;
 use super::end_energy::EndEnergy;
+use super::schedule::TreeBundle;
 use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, SpatialEnd, quaternion_of};
 use crate::beam::spatial::density::{SPATIAL_FIELDS, SpatialDensity};
 use crate::beam::spatial::end_rotation::EndRotation;
@@ -27,6 +28,8 @@ pub struct BeamTree {
     pub(super) branches: Arc<[TreeBranch]>,
     /// Each branch behind the one that leads to it
     pub(super) outward: Arc<[usize]>,
+    /// Its elements, four at a time, those that are carried first
+    pub(super) bundles: Arc<[TreeBundle]>,
     /// The root, then the joints with conditions
     pub(super) ends: Vec<TreeEnd>,
     /// Of each joint, its place among the ends
@@ -154,16 +157,27 @@ impl BeamTree {
     }
 
     /// Four elements of a branch from the k-th on, counted from the far joint; behind the last one it is repeated.
+    pub(super) fn lanes_of<'a>(&self, branch: &'a TreeBranch, first: usize) -> [(&'a TreeBranch, usize); BUNDLE] {
+        std::array::from_fn(|l| (branch, branch.inwards((first + l).min(branch.elements - 1))))
+    }
+
+    /// The four elements of a bundle.
+    pub(super) fn lanes(&self, bundle: &TreeBundle) -> [(&TreeBranch, usize); BUNDLE] {
+        bundle.lanes.map(|(branch, k)| {
+            let branch = &self.branches[branch];
+            (branch, branch.inwards(k))
+        })
+    }
+
+    /// The values of four elements.
     pub(super) fn gather(
         &self,
         values: &[f64],
-        branch: &TreeBranch,
-        first: usize,
+        lanes: &[(&TreeBranch, usize); BUNDLE],
         bundle: &mut Element<F64x4, SPATIAL_FIELDS>,
     ) {
         let count = self.order() + 1;
-        for l in 0..BUNDLE {
-            let e = branch.inwards((first + l).min(branch.elements - 1));
+        for (l, &(branch, e)) in lanes.iter().enumerate() {
             let (from, to) = (branch.boundary(e), branch.boundary(e + 1));
             (bundle.from.0[l], bundle.length.0[l]) = (from, to - from);
             for rank in 0..count {

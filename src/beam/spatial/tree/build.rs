@@ -3,6 +3,7 @@
 use super::beam_tree::{BeamTree, TreeBranch, TreeEnd};
 use super::branching_beam::{Branch, BranchingBeam, JointCondition, JointUnknown};
 use super::inside::inside_length;
+use super::schedule::schedule;
 use super::topology::Topology;
 use crate::beam::spatial::chain::SpatialEnd;
 use crate::beam::spatial::density::SpatialDensity;
@@ -114,7 +115,9 @@ impl BranchingBeam {
             std::iter::once(root).chain(others).map(|own| end(own, at_rest[own.joint].1)).collect();
         let mut end_of = vec![None; joints];
         ends.iter().enumerate().for_each(|(k, end)| end_of[end.joint] = Some(k));
+        let bundles = schedule(&self.branches, &topology);
         Ok(BeamTree {
+            bundles: bundles.into(),
             basis: Basis::new(self.order),
             branches: branches.into(),
             outward: topology.outward.into(),

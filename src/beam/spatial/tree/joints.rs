@@ -44,16 +44,16 @@ impl BeamTree {
         Some((EndMap { turn, ..map }, bent))
     }
 
-    /// From the unknowns of the last nodes of a branch to those of its joints, where they are among four elements of it.
+    /// From the unknowns of the last nodes of branches to those of their joints, where they are among four elements.
     pub(super) fn take_ends(
         &self,
         nodes: impl Nodes,
         values: &[f64],
-        (branch, elements): (&TreeBranch, &[usize]),
+        lanes: &[(&TreeBranch, usize)],
         front: &mut SpatialFront,
     ) {
         let count = nodes.count();
-        for (l, &e) in elements.iter().enumerate() {
+        for (l, &(branch, e)) in lanes.iter().enumerate() {
             for rank in [0, count - 1] {
                 let Some(end) = branch.end_at(count - 1, e, rank) else { continue };
                 let node = slot(count, rank);

@@ -18,6 +18,7 @@ mod factors;
 mod inside;
 mod joints;
 mod read;
+mod schedule;
 mod sweep;
 mod topology;
 mod tree_system;

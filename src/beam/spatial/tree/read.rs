@@ -31,13 +31,11 @@ impl BeamTree {
     pub fn energy(&self, values: &[f64]) -> f64 {
         let (nodes, mut bundle) = (self.count(), Element::<F64x4, N>::zero());
         let mut energy: f64 = (0..self.ends.len()).map(|end| self.own(values, end).energy).sum();
-        for branch in self.branches.iter() {
-            let by = self.integration(nodes, branch);
-            for first in (0..branch.elements).step_by(BUNDLE) {
-                self.gather(values, branch, first, &mut bundle);
-                let [total, ..] = bundle.energy(&by, &no_values::<N>());
-                energy += total.0[..BUNDLE.min(branch.elements - first)].iter().sum::<f64>();
-            }
+        for own in self.bundles.iter() {
+            let lanes = self.lanes(own);
+            self.gather(values, &lanes, &mut bundle);
+            let [total, ..] = bundle.energy(&self.integration(nodes, lanes[0].0), &no_values::<N>());
+            energy += total.0[..own.count].iter().sum::<f64>();
         }
         energy
     }
@@ -126,13 +124,12 @@ impl BeamTree {
         for branch in self.branches.iter() {
             let by = self.integration(nodes, branch);
             for first in (0..branch.elements).step_by(BUNDLE) {
-                let elements: [usize; BUNDLE] =
-                    std::array::from_fn(|l| branch.inwards((first + l).min(branch.elements - 1)));
-                self.gather(values, branch, first, &mut bundle);
+                let lanes = self.lanes_of(branch, first);
+                self.gather(values, &lanes, &mut bundle);
                 bundle.integrate::<false>(&by, 0.0, &mut room, &mut fields);
                 project(nodes, &fields, &bundle.values, &mut front);
-                self.take_ends(nodes, values, (branch, &elements), &mut front);
-                for (l, &e) in elements.iter().enumerate().take(branch.elements - first) {
+                self.take_ends(nodes, values, &lanes, &mut front);
+                for (l, &(_, e)) in lanes.iter().enumerate().take(branch.elements - first) {
                     let mut places = [0; MOST_NODES];
                     (0..=order).for_each(|rank| places[slot(order + 1, rank)] = branch.node(order, e, rank) * F);
                     for i in 0..(order + 1) * F {

@@ -1,6 +1,6 @@
 //! The elimination, from the tips to the root.
 
-use super::beam_tree::{BeamTree, TreeBranch};
+use super::beam_tree::BeamTree;
 use super::factors::TreeFactors;
 use super::inside::pack;
 use crate::beam::spatial::chain::end_block::{Carry, EDGE, EndBlock, ROOT};
@@ -47,19 +47,11 @@ impl BeamTree {
         let mut carries = std::mem::take(&mut factors.carries);
         let mut count =
             Count { energy: self.load_joints(values, weights, &mut carries), negative: 0, least: f64::INFINITY };
-        for &b in self.outward.iter().rev() {
-            let branch = &self.branches[b];
-            let carry = carries[branch.far_joint()];
-            let left = if self.order() == USUAL_ORDER {
-                sweep::<Usual>(self, values, (branch, damping), carry, factors, &mut count)
-            } else {
-                sweep::<AnyNumber>(self, values, (branch, damping), carry, factors, &mut count)
-            }?;
-            let near = &mut carries[branch.near_joint()];
-            for (sum, part) in near.as_flattened_mut().iter_mut().zip(left.as_flattened()) {
-                *sum += part;
-            }
-        }
+        if self.order() == USUAL_ORDER {
+            sweep::<Usual>(self, values, damping, &mut carries, factors, &mut count)
+        } else {
+            sweep::<AnyNumber>(self, values, damping, &mut carries, factors, &mut count)
+        }?;
         let matrix = carries[self.root()];
         factors.carries = carries;
         Ok(CondensedTree { matrix, negative: count.negative, least_pivot: count.least, energy: count.energy })
@@ -86,39 +78,38 @@ impl BeamTree {
         energy
     }
 
-    /// A branch from its far joint, with what that carries, to its near one.
+    /// All bundles in their order. A branch's far joint carries what is behind the elements of it that are eliminated.
     #[inline(always)]
-    fn sweep_branch(
+    fn sweep_bundles(
         &self,
         nodes: impl Nodes,
         values: &[f64],
-        (branch, damping): (&TreeBranch, [f64; 2]),
-        mut carry: Carry,
+        damping: [f64; 2],
+        carries: &mut [Carry],
         TreeFactors { inside, ends, below, front, field_front, room, .. }: &mut TreeFactors,
         count: &mut Count,
-    ) -> Result<Carry, SolveError> {
-        let order = nodes.count() - 1;
-        let (by, mut bundle) = (self.integration(nodes, branch), Element::zero());
-        for first in (0..branch.elements).step_by(BUNDLE) {
-            let elements: [usize; BUNDLE] =
-                std::array::from_fn(|l| branch.inwards((first + l).min(branch.elements - 1)));
-            self.gather(values, branch, first, &mut bundle);
+    ) -> Result<(), SolveError> {
+        let (order, mut bundle) = (nodes.count() - 1, Element::zero());
+        for own in self.bundles.iter() {
+            let lanes = self.lanes(own);
+            self.gather(values, &lanes, &mut bundle);
+            let by = self.integration(nodes, lanes[0].0);
             let (energy, _) = bundle.integrate::<false>(&by, 0.0, room, field_front);
             project(nodes, field_front, &bundle.values, front);
-            self.take_ends(nodes, values, (branch, &elements), front);
+            self.take_ends(nodes, values, &lanes, front);
             if damping != [0.0; 2] {
                 damp(nodes, front, damping, bundle.length.0);
             }
             let pivots = front.condense_by_nodes(nodes);
-            for (l, &e) in elements.iter().enumerate().take(branch.elements - first) {
-                let id = branch.first_element + e;
+            for (l, &(branch, e)) in lanes.iter().enumerate().take(own.count) {
+                let (id, k) = (branch.first_element + e, own.lanes[l].1);
                 pack(order, front, l, &mut inside[id * self.inside..][..self.inside]);
                 let mut block = EndBlock::of(nodes, front, l);
                 if branch.near == 0 {
                     block = turned_round(&block);
                 }
-                block.unload(&carry);
-                if first + l == 0 {
+                block.unload(&carries[branch.far_joint()]);
+                if k == 0 {
                     block.start(&[0.0; F], &self.joint_off(values, branch.far_joint()));
                 }
                 let (negative, least) = block.eliminate();
@@ -132,27 +123,35 @@ impl BeamTree {
                 count.least = count.least.min(smallest);
                 ends[id] = std::array::from_fn(|k| block.0[k]);
                 below[id] = block.below();
-                carry = block.load();
+                let carry = block.load();
                 if !(carry[0][0].is_finite() && count.energy.is_finite()) {
                     return Err(SolveError::NotFinite { quantity: Quantity::Tangent, place });
                 }
+                if k + 1 < branch.elements {
+                    carries[branch.far_joint()] = carry;
+                } else {
+                    let near = &mut carries[branch.near_joint()];
+                    for (sum, part) in near.as_flattened_mut().iter_mut().zip(carry.as_flattened()) {
+                        *sum += part;
+                    }
+                }
             }
         }
-        Ok(carry)
+        Ok(())
     }
 }
 
-/// [`BeamTree::sweep_branch`] compiled for the vector units that the machine may have, chosen when it runs.
+/// [`BeamTree::sweep_bundles`] compiled for the vector units that the machine may have, chosen when it runs.
 #[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
 fn sweep<N: Nodes>(
     tree: &BeamTree,
     values: &[f64],
-    branch: (&TreeBranch, [f64; 2]),
-    carry: Carry,
+    damping: [f64; 2],
+    carries: &mut [Carry],
     factors: &mut TreeFactors,
     count: &mut Count,
-) -> Result<Carry, SolveError> {
-    tree.sweep_branch(N::of_order(tree.basis.order), values, branch, carry, factors, count)
+) -> Result<(), SolveError> {
+    tree.sweep_bundles(N::of_order(tree.basis.order), values, damping, carries, factors, count)
 }
 
 /// The block with its two ends exchanged.
