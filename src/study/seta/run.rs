@@ -79,7 +79,7 @@ impl<'a> Run<'a> {
     ) -> Result<Result<Self, Box<SetaPullOff>>, SetaError> {
         let on = if loading.start == SetaStart::Adhering { TipBranch::Attached } else { TipBranch::Detached };
         let mut standing = Standing::new(model, on)?;
-        let mut ws = Workspace::until(stop.for_solves());
+        let mut ws = Workspace::until(stop.for_solves(Stage::Results));
         let rest = model.seta.joint_place(0);
         let with = |standing, ws, progress| Self { standing, loading, options, stop, ws, rest, progress };
         if let Some(progress) = reached {
