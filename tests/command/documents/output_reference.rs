@@ -261,8 +261,7 @@ fn every_key_and_column_of_an_uncertain_peel_is_described() {
 fn every_key_and_column_of_a_seta_is_described() {
     let folder = tempfile::tempdir().unwrap();
     let scene = format!("{}/scenes/seta.toml", super::ROOT);
-    let few = ["--set", "seta.forks=2"];
-    peel(&[&["run", &scene, "--out", "out"], ROUGHLY, &few].concat(), folder.path());
+    peel(&[&["run", &scene, "--out", "out"], &crate::seta::SMALL[..]].concat(), folder.path());
     let file = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
     let mut found = BTreeSet::new();
     keys_of(&serde_json::from_str(&file("summary.json")).unwrap(), "", &mut found);
