@@ -7,6 +7,7 @@ mod beam;
 mod body;
 mod common;
 mod model;
+mod seta;
 mod solve;
 mod study;
 mod uncertainty;

@@ -33,7 +33,17 @@ pub(super) enum Advance {
     /// Stability is lost
     Lost(Loss),
     /// Try so far, nm
-    Shorter { ahead: f64, cause: SolveError },
+    Shorter { ahead: f64, why: Refusal },
+}
+
+/// Why a step is to be shorter.
+pub(super) enum Refusal {
+    /// No equilibrium was found there, or none of the branch.
+    Unsolved(SolveError),
+    /// Work and energy differ by so many times what is allowed.
+    Unbalanced(f64),
+    /// What is looked for lies before its end.
+    TooFar,
 }
 
 /// A step of so far from an equilibrium; to a force where one is wanted. With it the Newton iterations. `softest` is the ∂²E/∂y² of a tip at
@@ -61,10 +71,12 @@ pub(super) fn advance(
     let newton =
         NewtonOptions { tolerance: options.tolerance, largest_update: 3.0, most_iterations: 9, exact_slope: false };
     let solved = solve(&problem, moved(here, &problem, ahead), &held, &newton, ws);
-    let shorter = |cause| Advance::Shorter { ahead: SHORTER * ahead, cause };
+    let shorter = |cause| Advance::Shorter { ahead: SHORTER * ahead, why: Refusal::Unsolved(cause) };
     let solution = match solved {
         Ok(solution) if solution.negative == 0 => solution,
-        Err(SolveError::Stopped) => return (Advance::Shorter { ahead: 0.0, cause: SolveError::Stopped }, iterations),
+        Err(SolveError::Stopped) => {
+            return (Advance::Shorter { ahead: 0.0, why: Refusal::Unsolved(SolveError::Stopped) }, iterations);
+        }
         other => {
             let cause = other.err().unwrap_or(SolveError::LimitPointNotConfirmed);
             let Some((tip, h)) = softening else { return (shorter(cause), iterations) };
@@ -98,21 +110,20 @@ fn judged(
     let least = shares.iter().map(|share| share.0).fold(f64::INFINITY, f64::min);
     let late = |share: f64| (1.0 - share) * ahead <= LOCATED;
     if !shares.is_empty() && !late(least) {
-        let cause = SolveError::LimitPointNotConfirmed;
-        return Advance::Shorter { ahead: least * ahead + 0.3 * LOCATED, cause };
+        return Advance::Shorter { ahead: least * ahead + 0.3 * LOCATED, why: Refusal::TooFar };
     }
     let from = Knot::new(here.observables.displacement, here.clone(), here.slope.displacement);
     let knot = Knot::new(solution.observables.displacement, solution, 1.0);
     let (work, imbalance) = from.imbalance_to(&knot, options.balance);
     if imbalance > 1.0 && shares.is_empty() {
         let factor = (SAFETY * imbalance.powf(-ORDER)).clamp(0.1, 0.7);
-        return Advance::Shorter { ahead: factor * ahead, cause: SolveError::LimitPointNotConfirmed };
+        return Advance::Shorter { ahead: factor * ahead, why: Refusal::Unbalanced(imbalance) };
     }
     if !shares.is_empty() {
         return Advance::Contact { taken: (knot.solution, work), tips: changing };
     }
     if let Some(shorter) = before_maximum(&from, &knot, preload) {
-        return Advance::Shorter { ahead: shorter, cause: SolveError::LimitPointNotConfirmed };
+        return Advance::Shorter { ahead: shorter, why: Refusal::TooFar };
     }
     let growth = (SAFETY * imbalance.max(1e-12).powf(-ORDER)).clamp(0.3, GROWTH);
     Advance::Taken { taken: (knot.solution, work), next: ahead * growth }

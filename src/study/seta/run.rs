@@ -1,6 +1,6 @@
 //! The run behind [`pull_off`]: step after step of the loading, branch after branch, event after event.
 
-use super::advance::{Advance, advance};
+use super::advance::{Advance, Refusal, advance};
 use super::failure::SetaFailure;
 use super::loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
 use super::options::SetaOptions;
@@ -184,9 +184,9 @@ impl<'a> Run<'a> {
             advance(&self.standing, drive, (here, ahead), (*softest, preload), self.options, &mut self.ws);
         self.progress.result.effort.newton_iterations += iterations;
         match took {
-            Advance::Shorter { ahead, cause } => {
+            Advance::Shorter { ahead, why } => {
                 if ahead < SHORTEST {
-                    return Err(self.lost(cause));
+                    return Err(self.refused(why));
                 }
                 self.progress.ahead = ahead;
                 Ok(())
@@ -313,6 +313,19 @@ impl<'a> Run<'a> {
         let most = self.stop.points;
         let points = self.progress.result.points.len() >= most;
         points.then_some(Bound::Points(most)).or_else(|| self.stop.reached_bound(Stage::Path))
+    }
+
+    /// Why no step is short enough.
+    fn refused(&self, why: Refusal) -> SetaEnd {
+        match why {
+            Refusal::Unsolved(cause) => self.lost(cause),
+            Refusal::TooFar => self.lost(SolveError::LimitPointNotConfirmed),
+            Refusal::Unbalanced(times) => {
+                let SetaProgress { step, here, .. } = &self.progress;
+                let (displacement, imbalance) = (here.observables.displacement, times * self.options.balance);
+                SetaEnd::Failed(SetaFailure::Unbalanced { step: *step, displacement, imbalance })
+            }
+        }
     }
 
     fn lost(&self, cause: SolveError) -> SetaEnd {

@@ -1,16 +1,22 @@
 //! The curve of a tip from the peel of its spatula: from where it is pressed to its first displacement limit point, where it snaps off.
 //!
-//! The points are those of the path, with its slopes. At the limit point u = u_s - s², so that P = P_s + a s + b s²: from the last point of the
+//! The points are those of polynomials through solutions on each step of the path. At the limit point u = u_s - s², so that P = P_s + a s + b s²: from the last point of the
 //! path on, P follows that with the force and the slope of that point, up to a slope as steep as the branch of a seta never is.
 
-use crate::model::{CurvePoint, Discretisation, PeelModel, PullCurve, PullCurveError, Step};
-use crate::solve::{LimitPointKind, Path, PathEvent, PathTracer, TraceError, TraceOptions};
+use crate::model::{BeamProblem, CurvePoint, Discretisation, PeelModel, PullCurve, PullCurveError, Step};
+use crate::solve::{
+    LimitPointKind, Path, PathEvent, PathSegment, PathTracer, Solution, TraceError, TraceOptions, Workspace,
+};
 use crate::study::Accuracy;
 use crate::study::accuracy::Resolution;
 use crate::study::initial::{NoEquilibrium, prepared};
+use crate::study::peel::StepCurve;
+use std::sync::Arc;
 
 /// Most points up to the limit point.
 const MOST_POINTS: usize = 2000;
+/// Points of the curve on a piece of a step of the path.
+const INSIDE: usize = 4;
 /// s of the points behind the last one of the path, over that.
 const SHARES: [f64; 7] = [0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08];
 
@@ -63,23 +69,31 @@ pub fn tip_curve(spatula: &PeelModel, accuracy: &Accuracy, pressed: f64) -> Resu
         }
     };
     let (after, limit) = limit;
-    let (mut curve, mut energies): (Vec<CurvePoint>, Vec<f64>) = (Vec::new(), Vec::new());
-    for point in &tracer.path().points()[..=after] {
-        curve.push(CurvePoint {
-            displacement: point.observables.displacement - pressed,
-            force: point.observables.force,
-            slope: point.slope.force / point.slope.displacement,
-        });
-        energies.push(point.energy);
-    }
+    let points = &tracer.path().points()[..=after];
+    let mut curve = sampled(&problem, points, pressed);
     close(&mut curve, limit.displacement - pressed, limit.force);
-    let first = PullCurve::new(curve.clone(), -1.0)?;
-    // of the point that is nearest to rest, less the work from there
-    let at_rest =
-        (0..energies.len()).min_by(|&a, &b| curve[a].displacement.abs().total_cmp(&curve[b].displacement.abs()));
-    let at_rest = at_rest.unwrap_or(0);
-    let work = first.energy(curve[at_rest].displacement) - first.energy(0.0);
-    Ok(PullCurve::new(curve, energies[at_rest] - work)?)
+    let works = PullCurve::new(curve.clone(), -1.0)?;
+    // the energy of the point that is nearest to rest, less the work from there
+    let displacement = |point: &Solution| point.observables.displacement - pressed;
+    let nearest = points.iter().min_by(|a, b| displacement(a).abs().total_cmp(&displacement(b).abs()));
+    let energy = nearest.map_or(0.0, |at| at.energy - works.energy(displacement(at)) + works.energy(0.0));
+    Ok(PullCurve::new(curve, energy)?)
+}
+
+/// The path up to its last point: values and slopes of polynomials through solutions on each step, as the slopes of the points belong to the
+/// mesh of each.
+fn sampled(problem: &BeamProblem, points: &[Arc<Solution>], pressed: f64) -> Vec<CurvePoint> {
+    let (mut curve, mut ws) = (Vec::new(), Workspace::default());
+    for index in 0..points.len() - 1 {
+        let segment = PathSegment::around(problem, points, index);
+        for piece in StepCurve::pieces(problem, &segment, segment.end(), &points[index + 1], &mut ws) {
+            for k in usize::from(!curve.is_empty())..=INSIDE {
+                let (u, du, force, df) = piece.at(2.0 * k as f64 / INSIDE as f64 - 1.0);
+                curve.push(CurvePoint { displacement: u - pressed, force, slope: df / du });
+            }
+        }
+    }
+    curve
 }
 
 /// From the last point to the limit point.
