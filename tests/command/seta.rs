@@ -40,7 +40,8 @@ fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
 #[test]
 fn a_small_seta_is_pulled_off_and_written() {
     let dir = tempfile::tempdir().unwrap();
-    let arguments = [&["run", &scene(), "--out", "out", "--states", "3", "--animate"], &SMALL[..]].concat();
+    let scene = scene();
+    let arguments = [&["run", &scene, "--out", "out", "--states", "3", "--animate"], &SMALL[..]].concat();
     let (status, text, trouble) = run(dir.path(), &arguments);
     assert_eq!(status, Some(0), "{trouble}");
     assert!(text.contains("4 tips") && text.contains("detached"), "{text}");
@@ -65,7 +66,8 @@ fn a_small_seta_is_pulled_off_and_written() {
     // four tips cannot hold more than four times what one holds
     let peak = summary["peak"]["force_nN"].as_f64().unwrap();
     assert!(peak > 6.0 && peak < 4.0 * summary["tip"]["peak_force_nN"].as_f64().unwrap(), "{peak}");
-    let largest = file("curve.csv").lines().skip(1).map(|line| line.split(',').nth(3).unwrap().parse::<f64>().unwrap());
+    let curve = file("curve.csv");
+    let largest = curve.lines().skip(1).map(|line| line.split(',').nth(3).unwrap().parse::<f64>().unwrap());
     assert_eq!(largest.reduce(f64::max), Some(peak));
     // what was computed is computed again
     let (status, json, trouble) = run(dir.path(), &["run", "out/parameters.toml", "--json"]);
@@ -76,7 +78,8 @@ fn a_small_seta_is_pulled_off_and_written() {
 #[test]
 fn a_seta_that_is_cut_short_is_written_as_far_as_it_goes() {
     let dir = tempfile::tempdir().unwrap();
-    let arguments = [&["run", &scene(), "--json", "--set", "bounds.points=5"], &SMALL[..]].concat();
+    let scene = scene();
+    let arguments = [&["run", &scene, "--json", "--set", "bounds.points=5"], &SMALL[..]].concat();
     let (status, json, trouble) = run(dir.path(), &arguments);
     assert_eq!(status, Some(0), "{trouble}");
     let summary: Value = serde_json::from_str(&json).unwrap();
