@@ -205,6 +205,7 @@ proptest! {
     #[test]
     fn a_key_that_is_missing_doubled_or_elsewhere_is_named(index in 0..KEYS.len(), other in 0..KEYS.len()) {
         let (key, other) = (&KEYS[index], &KEYS[other]);
+        prop_assume!(key.table != "seta" && other.table != "seta");
         let text = with_value(key, key.example());
         let line = format!("{} = {}\n", key.path(), key.example());
         let doubled = complaint(&format!("{text}{line}"));
