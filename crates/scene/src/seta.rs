@@ -28,7 +28,7 @@ const OTHERS: [(&str, &[&str]); 8] = [
 ];
 
 /// A seta as a scene gives it.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SetaTable {
     /// Geometry and material
     pub seta: Seta,
@@ -42,6 +42,14 @@ pub struct SetaTable {
 
 /// How high a seta that is pressed on starts above the height at which its highest tip would adhere, nm.
 const CLEARANCE: f64 = 1.0;
+
+impl Default for SetaTable {
+    /// The default seta; its angle is that of the text "60 deg", to the last bit.
+    fn default() -> Self {
+        let seta = Seta { shaft_angle: 60.0 * 1f64.to_radians(), ..Seta::default() };
+        Self { seta, lateral_stiffness: None, contact_height: 0.0, preload: None }
+    }
+}
 
 impl SetaTable {
     /// The law of its tips, of which each follows this curve.
