@@ -6,10 +6,10 @@ The strong form is that of tree.py, with circular sections. A tip at r, whose pl
 
 P the curve of the tip, cubics between its points; no force on it once it is detached, and never a moment. The root is moved by u along y and does
 not turn. Unknowns are the moment at the root, at each fork that of its first branch, and the forces of the tips; at the loss of stability u as well, with
-the height η of the tip given that is pulled farthest: stability is lost where du/dη = 0, found by the secant method. Then that tip is detached with u held.
+the height η of the tip given that is pulled farthest: stability is lost where du/dη = 0, found by the secant method, or at the end of its curve where that comes first. Then that tip is detached with u held.
 Newton's method; derivatives from complex steps of 1e-40.
 
-    python verification/seta.py             # writes seta.csv: half a minute of CPU
+    python verification/seta.py             # writes seta.csv: two minutes of CPU
     python verification/seta.py --check     # against the table, to 1e-8; exit 1 on a mismatch
 """
 
@@ -199,19 +199,28 @@ def rows():
             watched = int(np.argmax(ends[:, 1]))
             unknown, ends, _ = solve(unknown, sideways, everyone, watched, ends[watched, 1] + 25.0)
         watched = int(np.argmax(ends[:, 1]))
-        heights, slopes = [362.0, 363.0], []
-        for height in heights:
-            unknown, ends, slope = solve(unknown, sideways, everyone, watched, height)
-            slopes.append(slope)
-        while abs(heights[-1] - heights[-2]) > 1e-7 and abs(slopes[-1]) > 1e-12:
-            ahead = -slopes[-1] * (heights[-1] - heights[-2]) / (slopes[-1] - slopes[-2])
-            heights.append(heights[-1] + ahead)
-            unknown, ends, slope = solve(unknown, sideways, everyone, watched, heights[-1])
-            slopes.append(slope)
+        end, known = CURVE[-1, 0], unknown
+        unknown, ends, slope = solve(known, sideways, everyone, watched, end)
+        if slope <= 0.0:
+            unknown, ends = turn(known, sideways, watched)
         yield from row(name + " loss", unknown, ends)
         rest = [tip for tip in everyone if tip != watched]
         unknown, ends, _ = solve(unknown, sideways, rest, None, unknown[24])
         yield from row(name + " after", unknown, ends)
+
+
+def turn(unknown, sideways, watched):
+    """Where du/dη = 0."""
+    heights, slopes = [362.0, 363.0], []
+    for height in heights:
+        unknown, ends, slope = solve(unknown, sideways, range(TIPS), watched, height)
+        slopes.append(slope)
+    while abs(heights[-1] - heights[-2]) > 1e-7 and abs(slopes[-1]) > 1e-12:
+        ahead = -slopes[-1] * (heights[-1] - heights[-2]) / (slopes[-1] - slopes[-2])
+        heights.append(heights[-1] + ahead)
+        unknown, ends, slope = solve(unknown, sideways, range(TIPS), watched, heights[-1])
+        slopes.append(slope)
+    return unknown, ends
 
 
 def row(case, unknown, ends):

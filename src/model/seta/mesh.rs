@@ -15,14 +15,14 @@ pub struct SetaMesh {
 const OF_THE_PAPER: [usize; 9] = [12, 8, 6, 6, 4, 4, 4, 3, 3];
 
 impl SetaMesh {
-    /// Of order 3: four elements along the shaft, two along a branch behind the first two forks, one along each other.
+    /// Of order 2: four elements along the shaft, two along a branch behind the first two forks, one along each other.
     pub fn usual(forks: usize) -> Self {
         let along = |generation| match generation {
             0 => 4,
             1 | 2 => 2,
             _ => 1,
         };
-        Self { order: 3, elements: (0..=forks).map(along).collect() }
+        Self { order: 2, elements: (0..=forks).map(along).collect() }
     }
 
     /// Of order 1, as many as the paper has for 8 forks; more forks as its last.

@@ -114,7 +114,9 @@ fn judged(
     }
     let from = Knot::new(here.observables.displacement, here.clone(), here.slope.displacement);
     let knot = Knot::new(solution.observables.displacement, solution, 1.0);
-    let (work, imbalance) = from.imbalance_to(&knot, options.balance);
+    let (work, imbalance) = from.imbalance_to(&knot, options.balance, largest_load(standing, here));
+    // a seta without a tip that adheres has one equilibrium, and no force but round-off
+    let imbalance = if standing.attached() == 0 { 0.0 } else { imbalance };
     if imbalance > 1.0 && shares.is_empty() {
         let factor = (SAFETY * imbalance.powf(-ORDER)).clamp(0.1, 0.7);
         return Advance::Shorter { ahead: factor * ahead, why: Refusal::Unbalanced(imbalance) };
@@ -127,6 +129,12 @@ fn judged(
     }
     let growth = (SAFETY * imbalance.max(1e-12).powf(-ORDER)).clamp(0.3, GROWTH);
     Advance::Taken { taken: (knot.solution, work), next: ahead * growth }
+}
+
+/// Of all tips, nN: a seta that slides carries no force, and is balanced all the same.
+fn largest_load(standing: &Standing, here: &Solution) -> f64 {
+    let load = |tip: usize| standing.load(&here.at, tip).iter().fold(0.0f64, |most, f| most.max(f.abs()));
+    (0..standing.tips.len()).map(load).fold(0.0, f64::max)
 }
 
 /// The step to where the force has its maximum, or reaches what is wanted, if that lies within the step and not at its end.

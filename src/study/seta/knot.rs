@@ -50,11 +50,13 @@ impl Knot {
         GAUSS.into_iter().map(|(t, weight)| weight * cubic(1, t).0 * cubic(0, t).1).sum()
     }
 
-    /// By how much the work to another one and the change of energy differ, over what is allowed.
-    pub fn imbalance_to(&self, other: &Self, balance: f64) -> (f64, f64) {
+    /// The work to another one, and by how much it and the change of energy differ, over what is allowed: that share of the larger, or of the work
+    /// of a force `least` (nN) over the way.
+    pub fn imbalance_to(&self, other: &Self, balance: f64, least: f64) -> (f64, f64) {
         let (work, gained) = (self.work_to(other), other.solution.energy - self.solution.energy);
+        let least = least * (other.values[0] - self.values[0]).abs();
         let round_off = ROUND_OFF * (self.solution.energy.abs() + self.values[1].abs());
-        (work, (work - gained).abs() / (balance * gained.abs().max(work.abs()) + round_off))
+        (work, (work - gained).abs() / (balance * gained.abs().max(work.abs()).max(least) + round_off))
     }
 }
 

@@ -106,7 +106,7 @@ impl Along<'_> {
         ws: &mut Workspace,
         out: &mut Vec<Knot>,
     ) -> Result<(), SolveError> {
-        if depth < DEEPEST && from.imbalance_to(&to, self.options.balance).1 > 1.0 {
+        if depth < DEEPEST && from.imbalance_to(&to, self.options.balance, 0.0).1 > 1.0 {
             let middle = self.solve(from, 0.5 * (from.parameter + to.parameter), ws)?;
             self.refined(from, middle.clone(), depth + 1, ws, out)?;
             return self.refined(&middle, to, depth + 1, ws, out);

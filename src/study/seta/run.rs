@@ -12,8 +12,8 @@ use crate::model::{SetaError, SetaModel, TipBranch};
 use crate::solve::{NewtonOptions, Observables, PathConstraint, Solution, SolveError, State, System, Workspace, solve};
 use crate::study::{Bound, Stage, StopCriteria};
 
-/// Shortest step of the root, nm.
-const SHORTEST: f64 = 1e-6;
+/// Shortest step of the root, nm: below the error with which contacts are located.
+const SHORTEST: f64 = 1e-7;
 /// A preload is met to this share.
 const PRELOADED: f64 = 1e-9;
 /// Numbers of a node in a state
