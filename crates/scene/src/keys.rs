@@ -73,7 +73,7 @@ pub static KEYS: &[Key] = &[
     key("seta", "height_ratio", Optional, Kind::Number(Range::Between(0.0, 1.0), |s| &mut seta::of(s).seta.height_ratio), "q: fork k stands at H (q^k - q^n)/(1 - q^n)"),
     key("seta", "diameter_ratio", Optional, Kind::Number(Range::Between(0.0, 1.0), |s| &mut seta::of(s).seta.diameter_ratio), "diameter of a branch over that of its parent"),
     key("seta", "height_scatter", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut seta::of(s).seta.height_scatter), "half the range of the heights of the tips"),
-    key("seta", "lateral_stiffness", Optional, Kind::Bound(Stiffness, |s| &mut seta::of(s).lateral_stiffness), "stiffness that holds attached tips; none: they slide"),
+    key("seta", "lateral_stiffness", Optional, Kind::Bound(Stiffness, |s| &mut seta::of(s).lateral_stiffness), "stiffness that holds tips; none: they slide"),
     key("seta", "contact_height", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut seta::of(s).contact_height), "height at which a detached tip adheres again"),
     key("seta", "preload", Optional, Kind::Bound(Force, |s| &mut seta::of(s).preload), "presses the seta on first; none: it adheres"),
     key("seta", "youngs_modulus", Optional, Kind::Quantity(Pressure, |s| &mut seta::of(s).seta.material.youngs_modulus), "Young's modulus E of all branches"),
