@@ -15,6 +15,7 @@ mod pull;
 mod resume;
 mod sensitivities;
 mod serve;
+mod seta;
 mod space;
 mod statuses;
 mod steps;

@@ -7,6 +7,7 @@ mod outputs;
 mod overlay;
 mod pictures;
 mod resume;
+mod seta;
 #[path = "../shared/pictures.rs"]
 mod shared_pictures;
 mod sketch;

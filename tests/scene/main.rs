@@ -12,6 +12,7 @@ mod parameters;
 mod pull;
 mod reading;
 mod ready_scenes;
+mod seta;
 mod space;
 mod steps;
 #[path = "../shared/strip.rs"]

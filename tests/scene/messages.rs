@@ -220,7 +220,7 @@ fn every_mistake_in_a_choice_or_another_table_is_named() {
             "[spring]",
             "rotation = 1",
             "[spring] is not a table",
-            "[strip], [spatula], [profile], [adhesion], [substrate], [friction], [grip]",
+            "[strip], [spatula], [profile], [seta], [adhesion], [substrate], [friction], [grip]",
         ),
         ("[[strip]]", "length = 1", "`strip` is a list", "write [strip]"),
     ];

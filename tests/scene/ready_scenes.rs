@@ -1,6 +1,6 @@
 //! The scenes that come with the program, and the examples that its messages give.
 
-use crate::text::{MINIMAL, PIECES, PROFILE, SPATULA, set};
+use crate::text::{MINIMAL, PIECES, PROFILE, SETA, SPATULA, set};
 use peelkit::model::Spatula;
 use peelkit_scene::{KEYS, Key, Need, Scene};
 
@@ -30,6 +30,7 @@ fn every_example_that_messages_give_is_right() {
             "profile" => PROFILE.to_owned(),
             "substrate" => on_ground(key.shapes()[0]),
             "optimise" => MINIMAL.replace("height = \"10 nm\"", "height = \"5 nm\"\nwidth = \"10 nm\"") + OPTIMISED,
+            "seta" => SETA.to_owned(),
             "friction" => format!("{MINIMAL}[friction]\nstrength = \"50 MPa\"\n"),
             _ if ["work", "strength"].contains(&key.name) => {
                 MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")
@@ -44,7 +45,7 @@ fn every_example_that_messages_give_is_right() {
             }
             _ => MINIMAL.to_owned(),
         };
-        Scene::parse("a.toml", &text, &set(&key.path(), key.example())).unwrap();
+        Scene::parse_with_seta("a.toml", &text, &set(&key.path(), key.example())).unwrap();
     }
 }
 
@@ -57,7 +58,9 @@ fn the_ready_scenes_are_right() {
             let path = file.unwrap().path();
             if path.extension().is_some_and(|extension| extension == "toml") {
                 let text = std::fs::read_to_string(&path).unwrap();
-                Scene::parse(path.to_str().unwrap(), &text, &[]).unwrap();
+                let name = path.to_str().unwrap();
+                let scene = Scene::parse_with_seta(name, &text, &[]).unwrap();
+                assert_eq!(Scene::parse(name, &text, &[]).is_err(), scene.seta.is_some());
                 read += 1;
             }
         }

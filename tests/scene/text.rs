@@ -13,6 +13,14 @@ hamaker_constant = "1e-19 J"
 equilibrium_distance = "0.4 nm"
 "#;
 
+/// A seta with the default spatulae.
+pub const SETA: &str = r#"
+[seta]
+[adhesion]
+hamaker_constant = "1e-19 J"
+equilibrium_distance = "0.4 nm"
+"#;
+
 /// A beam in a table.
 pub const PROFILE: &str = r#"
 [profile]

@@ -89,6 +89,8 @@ Files:
   observed.csv, .svg, .png   with --observed: the displacement-controlled test, one row for each point, pulling off and
                      returning; force against the displacement U of the machine
   animation.html     with --animate: the beam over the substrate beside the curve, one file that a browser plays
+  events.csv, tips.csv, tip.csv, tips.svg, seta.svg   of a scene with a [seta]: its events, the state and load of each
+                     tip, the law of a tip, a map of the loads, the seta at its peak
   run.partial        checkpoint of a run of more than a second: the points of its path, written every second
 
 The folder is named after the scene, what is asked besides, and the keys that --set changes, those of [bounds] left

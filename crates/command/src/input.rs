@@ -3,7 +3,7 @@
 use crate::folder_name::default_folder;
 use crate::stop::Stop;
 use clap::Args;
-use peelkit_scene::Scene;
+use peelkit_scene::{Scene, SceneError};
 use std::path::{Path, PathBuf};
 
 #[derive(Args)]
@@ -18,9 +18,14 @@ pub struct SceneArgs {
 }
 
 impl SceneArgs {
-    /// Reads the scene.
+    /// Reads the scene of a peel: one with a seta is refused.
     pub fn load(&self) -> Result<Scene, Stop> {
         read_scene(&self.path, &self.overrides)
+    }
+
+    /// Reads the scene, which may have a seta.
+    pub fn load_with_seta(&self) -> Result<Scene, Stop> {
+        read(&self.path, |name, text| Scene::parse_with_seta(name, text, &self.overrides))
     }
 
     /// Where the outputs go when the user does not say; `parts` are what a command adds to the name.
@@ -29,8 +34,12 @@ impl SceneArgs {
     }
 }
 
-/// Reads a scene.
+/// Reads a scene of a peel.
 pub fn read_scene(path: &Path, overrides: &[(String, String)]) -> Result<Scene, Stop> {
+    read(path, |name, text| Scene::parse(name, text, overrides))
+}
+
+fn read(path: &Path, parse: impl FnOnce(&str, &str) -> Result<Scene, SceneError>) -> Result<Scene, Stop> {
     let name = path.display().to_string();
     let bytes = std::fs::read(path).map_err(|error| {
         Stop::bad_input(
@@ -46,7 +55,7 @@ pub fn read_scene(path: &Path, overrides: &[(String, String)]) -> Result<Scene, 
             "A scene is a TOML file, saved as UTF-8; `peel new` writes a template.",
         )
     })?;
-    Ok(Scene::parse(&name, &text, overrides)?)
+    Ok(parse(&name, &text)?)
 }
 
 pub fn parse_override(text: &str) -> Result<(String, String), String> {

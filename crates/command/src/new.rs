@@ -44,6 +44,7 @@ const TEMPLATES: &[Template] = templates![
     "strip" "a uniform strip on a flat substrate, with every key and its default",
     "spatula" "a gecko's spatula: a flat pad on a round, bent shaft",
     "profile" "a beam of any outline, given piece by piece",
+    "seta" "a gecko's seta: a shaft that forks into 256 spatulae",
     "strip-100nm" "the short strip of the examples",
     "strip-soft" "a very flexible strip, which re-adheres",
     "strip-rough" "a strip on wavy ground",

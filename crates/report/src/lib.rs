@@ -17,6 +17,7 @@ pub mod overlay;
 mod parameters_file;
 pub mod pictures;
 pub mod reference;
+mod seta;
 mod states;
 mod summary;
 mod sweep_row;
@@ -39,6 +40,10 @@ pub use parameters_file::write_parameters;
 pub use pictures::{
     curve_svg, draw_fit, draw_followed, draw_observed, draw_optimum, draw_peel, draw_peel_with_branch, draw_plane,
     draw_sensitivities, draw_sweep, draw_uncertainty,
+};
+pub use seta::{
+    SETA_STATE_FIELDS, SetaPose, SetaStateField, SetaSummary, draw_pull_off, seta_end_reason, seta_end_word, tip_peak,
+    write_seta_animation, write_seta_curve, write_seta_events, write_seta_states, write_tip_curve, write_tips,
 };
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
 pub use summary::{

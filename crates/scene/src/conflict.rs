@@ -6,6 +6,7 @@ use super::key::{Key, Kind, Need};
 use super::keys::KEYS;
 use super::optimisation;
 use super::scene::Scene;
+use super::seta;
 use super::uncertainty;
 use std::collections::HashSet;
 
@@ -38,6 +39,9 @@ impl Conflict {
         let needed = |key: &&Key| key.need == Need::Required && key.belongs_to(scene);
         if let Some(key) = KEYS.iter().filter(needed).find(|key| !is_given(key)) {
             return Some(Self::missing(key, given, scene));
+        }
+        if let Some((key, problem)) = seta::problem(scene) {
+            return Some(Self { key, problem, missing: None });
         }
         let Err(error) = scene.check() else {
             let of_fit = fit::conflict(scene).map(|problem| ("fit.parameters".to_owned(), problem));

@@ -9,6 +9,7 @@ use super::keys::{KEYS, find_key, tables};
 use super::near::nearest;
 use super::optimisation;
 use super::scene::Scene;
+use super::seta;
 use super::space;
 use super::uncertainty;
 use super::value::Value;
@@ -45,6 +46,15 @@ impl Scene {
     /// # Ok::<(), peelkit_scene::SceneError>(())
     /// ```
     pub fn parse(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
+        let scene = Self::parse_with_seta(name, text, overrides)?;
+        match scene.seta {
+            None => Ok(scene),
+            Some(_) => Err(seta_refused(&Origin::File { name, text }, text)),
+        }
+    }
+
+    /// The same, of a scene that may have a seta, where [`Scene::parse`] refuses it: who reads this has to look at [`Scene::seta`].
+    pub fn parse_with_seta(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
         let file = Origin::File { name, text };
         let document = DeTable::parse(text).map_err(|error| not_toml(&file, text, &error))?;
         let document = document.get_ref();
@@ -57,6 +67,20 @@ impl Scene {
             }),
         }
     }
+}
+
+/// That a scene is one of a seta, where a single beam is peeled.
+fn seta_refused(file: &Origin, text: &str) -> SceneError {
+    let document = DeTable::parse(text).ok();
+    let header = document.as_ref().and_then(|document| {
+        let mut tables = document.get_ref().iter();
+        tables.find(|(table, _)| name_of(table) == seta::TABLE).map(|(table, _)| table.span())
+    });
+    let problem = ValueError::new(
+        "is a table of a scene that `peel run` alone computes; here a single beam is peeled",
+        "Give the scene to `peel run`, or remove [seta] to peel one of its tips.",
+    );
+    file.error(header.unwrap_or_else(|| end_of(text)), &format!("[{}]", seta::TABLE), problem)
 }
 
 /// The scene of the text and the overrides, and what of it does not fit the rest.
@@ -89,6 +113,9 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
     }
     set_shape(scene, &file, document)?;
     set_space(scene, &file, document)?;
+    if document.iter().any(|(table, _)| name_of(table) == seta::TABLE) {
+        seta::begin(scene, bodies.is_empty());
+    }
     if document.iter().any(|(table, _)| name_of(table) == optimisation::TABLE) {
         optimisation::of(scene);
     }
@@ -124,9 +151,12 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
                 return Err(file.error(value.span(), &format!("`{table}`"), problem));
             }
             _ => {
-                let key = lookup(&file, "", key)?;
-                store(scene, &file, key, value)?;
-                given.insert(key.path());
+                let (found, place) = (lookup(&file, "", key)?, key.span());
+                if !found.belongs_to(scene) {
+                    return Err(file.error(place, &format!("`{}`", found.path()), found.foreign(scene)));
+                }
+                store(scene, &file, found, value)?;
+                given.insert(found.path());
             }
         }
     }

@@ -7,6 +7,7 @@ use super::key::{Key, Kind, Need};
 use super::near::nearest;
 use super::optimisation as opt;
 use super::scene::Scene;
+use super::seta;
 use super::shape;
 use super::space;
 use super::uncertainty;
@@ -16,7 +17,7 @@ use super::value::quantity::Dimension::{
 };
 use Need::{Optional, Required};
 use peelkit::adhesion::Substrate;
-use peelkit::model::{Discretisation, Range};
+use peelkit::model::{Discretisation, MOST_FORKS, Range};
 use peelkit::study::{Accuracy, Choice};
 
 const fn key(table: &'static str, name: &'static str, need: Need, kind: Kind, about: &'static str) -> Key {
@@ -62,6 +63,24 @@ pub static KEYS: &[Key] = &[
     key("profile", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut profile(s).material.shear_correction), "shear correction factor of the section"),
     key("profile", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut profile(s).material.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
 
+    key("seta", "forks", Optional, Kind::Count(MOST_FORKS, |s| &mut seta::of(s).seta.forks), "forks from root to tip: 2^forks tips"),
+    key("seta", "tip_pitch", Optional, Kind::Quantity(Length, |s| &mut seta::of(s).seta.tip_pitch), "distance of neighbouring tips on their grid"),
+    key("seta", "shaft_length", Optional, Kind::Quantity(Length, |s| &mut seta::of(s).seta.shaft_length), "length from the root to the first fork"),
+    key("seta", "shaft_angle", Optional, Kind::Measure(Angle, Range::SETA_ANGLE, |s| &mut seta::of(s).seta.shaft_angle), "angle of the shaft to the normal of the ground"),
+    key("seta", "shaft_diameter", Optional, Kind::Quantity(Length, |s| &mut seta::of(s).seta.shaft_diameter), "diameter of the shaft"),
+    key("seta", "brush_height", Optional, Kind::Quantity(Length, |s| &mut seta::of(s).seta.brush_height), "height of the first fork above the tips"),
+    key("seta", "brush_angle", Optional, Kind::Measure(Angle, Range::SETA_ANGLE, |s| &mut seta::of(s).seta.brush_angle), "angle of the brush to the normal of the ground"),
+    key("seta", "height_ratio", Optional, Kind::Number(Range::Between(0.0, 1.0), |s| &mut seta::of(s).seta.height_ratio), "q: fork k stands at H (q^k - q^n)/(1 - q^n)"),
+    key("seta", "diameter_ratio", Optional, Kind::Number(Range::Between(0.0, 1.0), |s| &mut seta::of(s).seta.diameter_ratio), "diameter of a branch over that of its parent"),
+    key("seta", "height_scatter", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut seta::of(s).seta.height_scatter), "half the range of the heights of the tips"),
+    key("seta", "lateral_stiffness", Optional, Kind::Bound(Stiffness, |s| &mut seta::of(s).lateral_stiffness), "stiffness that holds tips; none: they slide"),
+    key("seta", "contact_height", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut seta::of(s).contact_height), "height at which a detached tip adheres again"),
+    key("seta", "preload", Optional, Kind::Bound(Force, |s| &mut seta::of(s).preload), "presses the seta on first; none: it adheres"),
+    key("seta", "youngs_modulus", Optional, Kind::Quantity(Pressure, |s| &mut seta::of(s).seta.material.youngs_modulus), "Young's modulus E of all branches"),
+    key("seta", "poissons_ratio", Optional, Kind::Number(Range::POISSONS_RATIO, |s| &mut seta::of(s).seta.material.poissons_ratio), "Poisson's ratio"),
+    key("seta", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut seta::of(s).seta.material.shear_correction), "shear correction factor of the section"),
+    key("seta", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut seta::of(s).seta.material.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
+
     key("adhesion", "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H; none beside work and strength"),
     key("adhesion", "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "equilibrium distance r0 of a pair of molecules"),
     key("adhesion", "law", Optional, Kind::Attraction(|s| &mut s.model.adhesion.attraction), "adhesion model: law of the half space, or a cohesive law"),
@@ -100,7 +119,7 @@ pub static KEYS: &[Key] = &[
     key("accuracy", "elements", Optional, Kind::Fixed(2000, |s| &mut s.accuracy.choice.elements), "number of elements, never raised"),
     key("accuracy", "step", Optional, Kind::Share(Choice::STEP, |s| &mut s.accuracy.choice.step), "predictor tolerance over the equilibrium gap"),
 
-    key("bounds", "points", Optional, Kind::Count(|s| &mut s.bounds.points), "largest number of points of a path"),
+    key("bounds", "points", Optional, Kind::Count(1_000_000_000, |s| &mut s.bounds.points), "largest number of points of a path"),
     key("bounds", "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "longest time for a path"),
     key("bounds", "displacement", Optional, Kind::Bound(Length, |s| &mut s.bounds.displacement), "largest displacement of the grip"),
 

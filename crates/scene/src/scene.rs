@@ -3,6 +3,7 @@
 use crate::bounds::BoundsTable;
 use crate::fit::FitTable;
 use crate::optimisation::OptimisationTable;
+use crate::seta::SetaTable;
 use crate::uncertainty::UncertaintyTable;
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
 use peelkit::study::Accuracy;
@@ -15,8 +16,11 @@ pub struct Scene {
     pub name: String,
     /// What it is called; the stem of `name` where the text gives no title.
     pub title: String,
-    /// The body, its adhesion, its grip and how that is moved.
+    /// The body, its adhesion, its grip and how that is moved; of a scene with a seta the body at each tip with its adhesion
+    /// ([`Scene::tip_model`]), and how the root is moved.
     pub model: PeelModel,
+    /// The seta, where the scene has one; `peel run` alone computes it.
+    pub seta: Option<SetaTable>,
     /// What the user asks of the numbers.
     pub accuracy: Accuracy,
     /// Where the path may be stopped although it goes on.
@@ -45,6 +49,7 @@ impl Scene {
     /// The same with every table that a scene may hold.
     pub(crate) fn of_defaults() -> Self {
         Self {
+            seta: Some(SetaTable::default()),
             fit: Some(FitTable::default()),
             optimisation: Some(OptimisationTable::default()),
             uncertainty: Some(UncertaintyTable::default()),
@@ -62,6 +67,7 @@ impl Scene {
             model: PeelModel::of(Body::Strip(UNKNOWN_STRIP), adhesion, Grip::FREE),
             accuracy: Accuracy::to(1e-6),
             bounds: BoundsTable { points: 20_000, time_s: Some(60.0), displacement: None },
+            seta: None,
             fit: None,
             optimisation: None,
             uncertainty: None,

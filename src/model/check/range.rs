@@ -32,6 +32,8 @@ impl Range {
     pub const PULL_ANGLE: Self = Self::From(0.0, HALF_TURN);
     /// Of the direction of the pull along the substrate, rad.
     pub const AZIMUTH: Self = Self::From(-HALF_TURN, HALF_TURN);
+    /// Of the angle of a seta's shaft and of its brush to the normal of the ground, rad: up to 89 degrees.
+    pub const SETA_ANGLE: Self = Self::From(-1.5533, 1.5533);
     /// Of how the grip turns as it goes, rad/nm.
     pub const PULL_TURN: Self = Self::From(-1e4, 1e4);
 

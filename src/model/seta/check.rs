@@ -2,11 +2,10 @@
 
 use super::{Seta, SetaMesh};
 use crate::beam::{MOST_ORDER, TreeError};
+use crate::model::Range;
 
 /// Most forks: 4096 tips.
-const MOST_FORKS: usize = 12;
-/// Largest angle between a branch and the normal of the ground, rad: 89 degrees.
-const MOST_ANGLE: f64 = 1.5533;
+pub const MOST_FORKS: usize = 12;
 
 /// Why a seta cannot be computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -69,7 +68,7 @@ impl Seta {
             within(key, value, value > 0.0 && value < 1.0, "a number between 0 and 1")?;
         }
         for (key, value) in [("shaft_angle", self.shaft_angle), ("brush_angle", self.brush_angle)] {
-            within(key, value, value.abs() <= MOST_ANGLE, "an angle between -89 and 89 degrees")?;
+            within(key, value, Range::SETA_ANGLE.contains(value), "an angle between -89 and 89 degrees")?;
         }
         let nu = material.poissons_ratio;
         within("poissons_ratio", nu, nu > -1.0 && nu < 0.5, "a number above -1 and below 0.5")?;

@@ -4,6 +4,7 @@
 //! joints 2ᵏ to 2ᵏ⁺¹ - 1 are those behind k forks, and the last of these joints are the tips.
 
 use super::{Seta, SetaError, SetaMesh};
+use crate::beam::rotation::Quaternion;
 use crate::beam::{Branch, BranchingBeam, SpatialStiffness};
 use std::f64::consts::PI;
 
@@ -65,11 +66,28 @@ impl Seta {
         place
     }
 
+    /// Diameter of a branch behind so many forks, nm.
+    pub fn diameter(&self, generation: usize) -> f64 {
+        self.shaft_diameter * self.diameter_ratio.powi(generation as i32)
+    }
+
     /// Of a branch behind so many forks.
     fn stiffness(&self, generation: usize) -> SpatialStiffness {
-        let diameter = self.shaft_diameter * self.diameter_ratio.powi(generation as i32);
+        let diameter = self.diameter(generation);
         let (area, second) = (PI * diameter.powi(2) / 4.0, PI * diameter.powi(4) / 64.0);
         SpatialStiffness::isotropic(&self.material, area, [second; 2], 2.0 * second)
+    }
+
+    /// The branch that ends at a joint, stress-free, with elements by its generation.
+    fn branch(&self, joint: usize, elements: &[usize]) -> Branch {
+        let (parent, generation) = (joint / 2, joint.ilog2() as usize);
+        let ends = [parent, joint].map(|end| self.joint_place(end));
+        Branch::straight([parent, joint], ends, SIDEWAYS, self.stiffness(generation), elements[generation])
+    }
+
+    /// Directors of the branch that ends at a joint, in the stress-free configuration; of the root those of the shaft.
+    pub fn directors(&self, joint: usize) -> Quaternion {
+        self.branch(joint.max(1), &vec![1; self.forks + 1]).rest.directors
     }
 
     /// The tree of beams, with the root at joint 0 and without conditions at its tips. Branch b ends at joint b + 1.
@@ -79,12 +97,7 @@ impl Seta {
     pub fn tree(&self, mesh: &SetaMesh) -> Result<BranchingBeam, SetaError> {
         self.check()?;
         self.check_mesh(mesh)?;
-        let branch = |joint: usize| {
-            let (parent, generation) = (joint / 2, joint.ilog2() as usize);
-            let ends = [parent, joint].map(|end| self.joint_place(end));
-            Branch::straight([parent, joint], ends, SIDEWAYS, self.stiffness(generation), mesh.elements[generation])
-        };
-        let branches = (1..2 * self.tips()).map(branch).collect();
+        let branches = (1..2 * self.tips()).map(|joint| self.branch(joint, &mesh.elements)).collect();
         Ok(BranchingBeam { order: mesh.order, scale: SCALE, ..BranchingBeam::new(branches, 0) })
     }
 }

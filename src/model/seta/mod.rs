@@ -6,7 +6,7 @@ mod normal_pull;
 mod parameters;
 mod tip;
 mod tip_law;
-pub use check::SetaError;
+pub use check::{MOST_FORKS, SetaError};
 pub use mesh::SetaMesh;
 pub use normal_pull::{CurvePoint, NormalPull, PullCurve, PullCurveError, Sideways};
 pub use parameters::{Seta, SetaModel};

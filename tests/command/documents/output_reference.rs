@@ -4,10 +4,11 @@
 use super::{hold, row, text, with_part};
 use peelkit_report::reference::{
     CURVE_COLUMNS, FIT_COLUMNS, FIT_SUMMARY, HISTORY_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS,
-    OPTIMISATION_SUMMARY, OutputKey, PEEL_SUMMARY, PROFILE_COLUMNS, SAMPLE_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS,
+    OPTIMISATION_SUMMARY, OutputKey, PEEL_SUMMARY, PROFILE_COLUMNS, SAMPLE_COLUMNS, SETA_CURVE_COLUMNS,
+    SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS,
     SWEEP_SUMMARY, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY, paths,
 };
-use peelkit_report::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
+use peelkit_report::{SETA_STATE_FIELDS, SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -35,6 +36,12 @@ fn the_output_reference_is_that_of_the_lists() {
         ("summary.json of peel uncertainty", UNCERTAINTY_SUMMARY, "key"),
         ("statistics.csv and indices.csv", UNCERTAINTY_COLUMNS, "column"),
         ("samples.csv", SAMPLE_COLUMNS, "column"),
+        ("summary.json of a seta", SETA_SUMMARY, "key"),
+        ("curve.csv of a seta", SETA_CURVE_COLUMNS, "column"),
+        ("events.csv", SETA_EVENT_COLUMNS, "column"),
+        ("tips.csv", SETA_TIP_COLUMNS, "column"),
+        ("tip.csv", SETA_TIP_CURVE_COLUMNS, "column"),
+        ("states.pvd of a seta", &seta_arrays(), "array"),
     ] {
         let mut part = row(&[first, "unit", "meaning"]) + "|---|---|---|\n";
         for key in keys {
@@ -50,6 +57,11 @@ fn the_output_reference_is_that_of_the_lists() {
 fn state_columns<S>(fields: &[StateField<S>]) -> Vec<OutputKey> {
     let fields = fields.iter().map(|field| OutputKey { path: field.name, about: field.about, like: None });
     STATE_COLUMNS.iter().copied().chain(fields).collect()
+}
+
+/// The arrays of a grid of a seta.
+fn seta_arrays() -> Vec<OutputKey> {
+    SETA_STATE_FIELDS.iter().map(|field| OutputKey { path: field.name, about: field.about, like: None }).collect()
 }
 
 const ROUGHLY: &[&str] = &["--set", "accuracy.relative=1e-3"];
@@ -242,4 +254,25 @@ fn every_key_and_column_of_an_uncertain_peel_is_described() {
     assert_described(&both, UNCERTAINTY_COLUMNS, "statistics.csv and indices.csv");
     let own = |column: &String| !column.contains('.');
     assert_described(&columns("samples.csv").into_iter().filter(own).collect(), SAMPLE_COLUMNS, "samples.csv");
+}
+
+/// A small seta, whose tips all detach.
+#[test]
+fn every_key_and_column_of_a_seta_is_described() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = format!("{}/scenes/seta.toml", super::ROOT);
+    peel(&[&["run", &scene, "--out", "out"], &crate::seta::SMALL[..]].concat(), folder.path());
+    let file = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    let mut found = BTreeSet::new();
+    keys_of(&serde_json::from_str(&file("summary.json")).unwrap(), "", &mut found);
+    assert_described(&found, SETA_SUMMARY, "summary.json of a seta");
+    for (name, keys) in [
+        ("curve.csv", SETA_CURVE_COLUMNS),
+        ("events.csv", SETA_EVENT_COLUMNS),
+        ("tips.csv", SETA_TIP_COLUMNS),
+        ("tip.csv", SETA_TIP_CURVE_COLUMNS),
+    ] {
+        let columns = file(name).lines().next().unwrap().split(',').map(str::to_owned).collect();
+        assert_described(&columns, keys, name);
+    }
 }

@@ -35,8 +35,8 @@ fn takes(key: &Key) -> [String; 2] {
         Kind::Number(range, _) | Kind::Share(range, _) => ["a number".into(), short(&range.to_string())],
         Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => [name(dimension), "above zero".into()],
         Kind::Measure(dimension, range, _) => [name(dimension), measure(key, &range.to_string())],
-        Kind::Count(_) => ["a whole number".into(), "1 to 1e9".into()],
-        Kind::Fixed(most, _) => ["a whole number".into(), format!("1 to {most}")],
+        Kind::Count(1_000_000_000, _) => ["a whole number".into(), "1 to 1e9".into()],
+        Kind::Count(most, _) | Kind::Fixed(most, _) => ["a whole number".into(), format!("1 to {most}")],
         Kind::Flag(_) | Kind::InSpace => ["`true` or `false`".into(), String::new()],
         Kind::Table(_) | Kind::Heights(_) => {
             ["a CSV in quotes, or the name of a file beside the scene".into(), String::new()]

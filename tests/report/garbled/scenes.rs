@@ -15,6 +15,11 @@ use proptest::prelude::*;
 /// Tables of what is asked of a scene besides its peel.
 const QUESTIONS: [&str; 3] = ["uncertainty", "fit", "optimise"];
 
+/// The keys of a scene of one beam; those of a seta stand in tests/scene/seta.rs.
+fn keys() -> impl Iterator<Item = &'static Key> {
+    KEYS.iter().filter(|key| key.table != "seta")
+}
+
 /// A scene with every key that may stand beside one of them, whose value is replaced.
 fn with_value(key: &Key, value: &str) -> String {
     let body = if BODIES.contains(&key.table) { key.table } else { BODIES[0] };
@@ -50,7 +55,7 @@ fn with_value(key: &Key, value: &str) -> String {
         Some(shape) if other.name == "shape" => format!("{} = \"{shape}\"\n", other.path()),
         _ => format!("{} = {}\n", other.path(), other.example()),
     };
-    KEYS.iter().filter(fits).map(line).collect()
+    keys().filter(fits).map(line).collect()
 }
 
 fn complaint(text: &str) -> String {
@@ -67,7 +72,7 @@ fn holds(text: &str) {
 
 #[test]
 fn every_odd_value_of_every_key_is_taken_as_it_stands_or_refused() {
-    for key in KEYS {
+    for key in keys() {
         for value in ODD_VALUES {
             holds(&with_value(key, value));
         }
@@ -77,7 +82,7 @@ fn every_odd_value_of_every_key_is_taken_as_it_stands_or_refused() {
 /// Below, at and above the ends of what each key takes.
 #[test]
 fn what_is_out_of_range_is_refused_with_the_range() {
-    for key in KEYS {
+    for key in keys() {
         let (right, wrong): (&[&str], &[&str]) = match key.kind {
             Kind::Number(Range::Positive, _) => {
                 (&["1e-300", "1e300"], &["0", "-0.0", "-1e-300", "inf", "nan", "1e400"])
@@ -86,7 +91,7 @@ fn what_is_out_of_range_is_refused_with_the_range() {
             Kind::Number(Range::From(0.0, _), _) => (&["0", "1000"], &["-1e-300", "1000.1", "nan"]),
             Kind::Number(Range::From(..), _) => (&["1e-11", "1e-2"], &["0.99e-11", "1.01e-2", "0", "-1e-6", "nan"]),
             Kind::Share(..) => (&["1e-6", "0.5"], &["0.99e-6", "0.51", "0", "-0.1", "inf"]),
-            Kind::Count(_) => (&["1", "1000000000"], &["0", "-1", "1000000001", "1.5", "1e10", "nan"]),
+            Kind::Count(..) => (&["1", "12"], &["0", "-1", "1000000001", "1.5", "1e10", "nan"]),
             Kind::Fixed(8, _) => (&["1", "8"], &["0", "9", "-1", "1.5"]),
             Kind::Fixed(..) => (&["1", "2000"], &["0", "2001", "-1", "1.5"]),
             Kind::Quantity(..) | Kind::Bound(..) => {
@@ -186,6 +191,7 @@ proptest! {
     #[test]
     fn a_misspelt_key_is_named(index in 0..KEYS.len(), bytes in prop::collection::vec(any::<u8>(), 8)) {
         let key = &KEYS[index];
+        prop_assume!(key.table != "seta");
         let mut name = key.name.to_owned();
         misspell(&mut name, &mut Dice::new(&bytes));
         let wrong = if key.table.is_empty() { name } else { format!("{}.{name}", key.table) };
@@ -199,6 +205,7 @@ proptest! {
     #[test]
     fn a_key_that_is_missing_doubled_or_elsewhere_is_named(index in 0..KEYS.len(), other in 0..KEYS.len()) {
         let (key, other) = (&KEYS[index], &KEYS[other]);
+        prop_assume!(key.table != "seta" && other.table != "seta");
         let text = with_value(key, key.example());
         let line = format!("{} = {}\n", key.path(), key.example());
         let doubled = complaint(&format!("{text}{line}"));
@@ -235,7 +242,7 @@ proptest! {
                 Kind::Number(Range::Between(low, high) | Range::From(low, high), _) | Kind::Share(Range::From(low, high), _) => {
                     low + (high - low) * unit_interval
                 }
-                Kind::Count(_) => 1.0 + (1e9 * unit_interval).floor(),
+                Kind::Count(most, _) => 1.0 + (most as f64 * unit_interval).floor(),
                 Kind::Fixed(most, _) => 1.0 + (most as f64 * unit_interval).floor(),
                 _ => number.abs(),
             };

@@ -3,6 +3,7 @@
 mod kept;
 mod progress;
 mod sensitivities;
+mod seta;
 
 use crate::command_line::command_line;
 use crate::help;
@@ -145,20 +146,28 @@ impl Run {
 }
 
 pub fn run(args: &Run) -> Result<(), Stop> {
-    let scene = args.scene.load()?;
+    let scene = args.scene.load_with_seta()?;
     args.refuse_states_without_files()?;
-    args.refuse_out_of_plane(&scene)?;
-    args.refuse_branch(&scene)?;
+    match &scene.seta {
+        Some(table) => seta::run(args, &scene, table),
+        None => peel(args, &scene),
+    }
+}
+
+/// The peel of a scene.
+fn peel(args: &Run, scene: &Scene) -> Result<(), Stop> {
+    args.refuse_out_of_plane(scene)?;
+    args.refuse_branch(scene)?;
     if args.sensitivities {
-        sensitivities::refuse(&scene)?;
+        sensitivities::refuse(scene)?;
     }
     let wanted = args.units.wanted()?;
     let progress = RunProgress::begin();
-    let open = |folder: PathBuf| KeptRun::open(&args.out, args.fresh, &folder, &scene, &progress);
+    let open = |folder: PathBuf| KeptRun::open(&args.out, args.fresh, &folder, scene, &progress);
     let mut kept = args.folder().map(open).transpose()?;
     let (peel, peel_s) = timed(|| match &mut kept {
-        Some(kept) => kept.peel(&scene, &progress),
-        None => unkept(&scene, &progress),
+        Some(kept) => kept.peel(scene, &progress),
+        None => unkept(scene, &progress),
     });
     let interrupted = kept.as_ref().is_some_and(|kept| kept.interrupted);
     let looked_at = args.looks_out_of_plane() && !peel.points.is_empty();
@@ -168,21 +177,21 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         Err(why) => (None, Some(why)),
     };
     let follows = args.branch && !interrupted && stability.is_some();
-    let (branch, branch_s) = timed(|| follows.then(|| branch(&scene, &peel, &progress)).transpose());
+    let (branch, branch_s) = timed(|| follows.then(|| branch(scene, &peel, &progress)).transpose());
     let (branch, not_followed) = match branch {
         Ok(branch) => (branch, None),
         Err(why) => (None, Some(why)),
     };
     let differentiated = args.sensitivities && !interrupted && peel.points.len() > 1;
-    let (exponents, no_exponents) = match differentiated.then(|| Exponents::of(&scene, &peel, &progress)).transpose() {
+    let (exponents, no_exponents) = match differentiated.then(|| Exponents::of(scene, &peel, &progress)).transpose() {
         Ok(exponents) => (exponents, None),
         Err(why) => (None, Some(why)),
     };
-    let (test, test_s) = timed(|| (args.observed && !interrupted).then(|| observed(&scene, &progress)));
+    let (test, test_s) = timed(|| (args.observed && !interrupted).then(|| observed(scene, &progress)));
     progress.finish();
     let test = test.transpose()?;
     let command = command_line();
-    let summary = PeelSummary::new(&scene, &peel, peel_s).with_command(&command);
+    let summary = PeelSummary::new(scene, &peel, peel_s).with_command(&command);
     let summary = match &test {
         Some(test) => summary.with_observed(test, test_s),
         None => summary,
@@ -209,7 +218,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
                 test: test.as_ref(),
                 exponents: exponents.as_ref(),
             };
-            let mut files = write(dir, &scene, &found, (&summary, &command), args.states)?;
+            let mut files = write(dir, scene, &found, (&summary, &command), args.states)?;
             if args.animate && peel.points.len() > 1 {
                 files.push(report::write_animation(dir, &peel, &scene.title)?);
             }
@@ -227,7 +236,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
         say(&format!(
             "{}{recorded}{exponents}{taken}\n{}{left}",
-            text_summary::peel(&scene, &peel, (stability.as_ref(), branch.as_ref()), peel_s, wanted),
+            text_summary::peel(scene, &peel, (stability.as_ref(), branch.as_ref()), peel_s, wanted),
             list_files(&files)
         ))?;
     }

@@ -2,7 +2,7 @@
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use peelkit::solve::{PathOptions, Waypoint};
-use peelkit::study::StopCriteria;
+use peelkit::study::{SetaPoint, StopCriteria};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
@@ -45,6 +45,19 @@ impl RunProgress {
         self.bar.set_message(format!(
             "{count} path points computed; at u = {:.4} nm, P = {:.4} nN on {} elements",
             at.displacement, at.force, options.elements
+        ));
+        self.look();
+    }
+
+    /// An equilibrium of a seta has been computed.
+    pub fn seta(&self, point: &SetaPoint) {
+        let count = self.points.fetch_add(1, Ordering::Relaxed) + 1;
+        self.bar.set_message(format!(
+            "{count} equilibria computed; in step {} at {:.1} nm, force {:.3} nN, {} tips attached",
+            point.step + 1,
+            point.displacement,
+            point.force_along,
+            point.attached
         ));
         self.look();
     }

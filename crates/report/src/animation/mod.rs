@@ -3,6 +3,7 @@
 
 mod frames;
 mod page;
+pub(crate) mod panel;
 
 use crate::error::ReportError;
 use crate::file::write_whole;

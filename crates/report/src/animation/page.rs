@@ -1,6 +1,7 @@
 //! The page: two panels in SVG, their data, and the script that plays them.
 
 use super::frames::Pose;
+use super::panel::{Panel, escaped, joined};
 use crate::chart::{Axis, Frame};
 use peelkit::study::Peel;
 use std::fmt::Write;
@@ -88,75 +89,6 @@ pub(super) fn page(peel: &Peel, frames: &[Pose], title: &str) -> String {
     )
 }
 
-/// A text as it stands in XML.
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
-}
-
-/// A frame with two axes.
-struct Panel {
-    frame: Frame,
-    x: Axis,
-    y: Axis,
-}
-
-impl Panel {
-    fn pixel(&self, (x, y): (f64, f64)) -> (f64, f64) {
-        let Frame { left, bottom, .. } = self.frame;
-        (left + self.x.place(x) * self.frame.width(), bottom - self.y.place(y) * self.frame.height())
-    }
-
-    /// Coordinates of an outline, tenths of pixels.
-    fn around(&self, outline: &[(f64, f64)]) -> impl Iterator<Item = f64> {
-        let tenth = |value: f64| (10.0 * value).round() / 10.0;
-        let pixels: Vec<f64> =
-            outline.iter().map(|&at| self.pixel(at)).flat_map(|(x, y)| [tenth(x), tenth(y)]).collect();
-        pixels.into_iter()
-    }
-
-    /// Its rim, ticks and titles.
-    fn axes(&self, x: &str, y: &str) -> String {
-        let Frame { left, top, right, bottom } = self.frame;
-        let mut svg = String::new();
-        for tick in self.x.ticks(5) {
-            let (at, _) = self.pixel((tick.value, self.y.from));
-            let text = tick.text.unwrap_or_default();
-            let _ = write!(
-                svg,
-                "<path class=\"grid\" d=\"M{at:.1} {top}V{bottom}\"/><text x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{text}</text>",
-                bottom + 17.0
-            );
-        }
-        for tick in self.y.ticks(6) {
-            let (_, at) = self.pixel((self.x.from, tick.value));
-            let text = tick.text.unwrap_or_default();
-            let _ = write!(
-                svg,
-                "<path class=\"grid\" d=\"M{left} {at:.1}H{right}\"/><text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{text}</text>",
-                left - 6.0,
-                at + 4.0
-            );
-        }
-        let (middle, half) = (0.5 * (left + right), 0.5 * (top + bottom));
-        let (x, y) = (self.with_decades(&self.x, x), self.with_decades(&self.y, y));
-        let _ = writeln!(
-            svg,
-            "<rect class=\"frame\" x=\"{left}\" y=\"{top}\" width=\"{}\" height=\"{}\"/>\n<text x=\"{middle}\" y=\"{}\" text-anchor=\"middle\">{x}</text>\
-             <text transform=\"translate({} {half}) rotate(-90)\" text-anchor=\"middle\">{y}</text>",
-            right - left,
-            bottom - top,
-            bottom + 38.0,
-            left - 52.0 + 12.0
-        );
-        svg
-    }
-
-    /// A title with the power of ten that the ticks of its axis leave out.
-    fn with_decades(&self, axis: &Axis, label: &str) -> String {
-        escaped(&Axis { label: label.to_owned(), ..axis.clone() }.title())
-    }
-}
-
 /// The panel of the beam, its axes of equal scale and around every frame.
 fn beam_panel(frames: &[Pose]) -> Panel {
     let all = || frames.iter().flat_map(|pose| &pose.outline);
@@ -201,10 +133,6 @@ fn lines_of(peel: &Peel, panel: &Panel) -> String {
         start = end;
     }
     svg
-}
-
-fn joined(panel: &Panel, points: &[(f64, f64)]) -> String {
-    panel.around(points).map(|value| value.to_string()).collect::<Vec<_>>().join(" ")
 }
 
 /// The frames as JSON: t from 0 to 1, u, P, whether it is stable, the point on the curve and the outline, pixels.

@@ -23,5 +23,5 @@ pub use panel::{Band, Line, Mark, Note, Panel, Shape};
 pub use picture::Picture;
 pub use place::Frame;
 pub use plotters::style::RGBColor;
-pub use style::{WIDTH, colour, order_shade};
+pub use style::{WIDTH, colour, order_shade, signed_shade};
 pub use symbol::Symbol;

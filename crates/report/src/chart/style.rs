@@ -47,3 +47,16 @@ pub fn order_shade(index: usize, count: usize) -> RGBColor {
     let mix = |p: f64, q: f64| (p + t * (q - p)).round() as u8;
     RGBColor(mix(a.0, b.0), mix(a.1, b.1), mix(a.2, b.2))
 }
+
+/// Colours for a number with a sign, from -1 to 1: blue below zero, white at zero, vermillion above, each darker towards its end. Readers
+/// who are colour-blind tell the two apart.
+pub fn signed_shade(value: f64) -> RGBColor {
+    const BELOW: [(f64, f64, f64); 3] = [(255.0, 255.0, 255.0), (86.0, 170.0, 220.0), (0.0, 60.0, 120.0)];
+    const ABOVE: [(f64, f64, f64); 3] = [(255.0, 255.0, 255.0), (240.0, 160.0, 90.0), (140.0, 45.0, 0.0)];
+    let knots = if value < 0.0 { BELOW } else { ABOVE };
+    let along = 2.0 * value.abs().min(1.0);
+    let i = (along as usize).min(1);
+    let (a, b, t) = (knots[i], knots[i + 1], along - i as f64);
+    let mix = |p: f64, q: f64| (p + t * (q - p)).round() as u8;
+    RGBColor(mix(a.0, b.0), mix(a.1, b.1), mix(a.2, b.2))
+}

@@ -3,12 +3,14 @@
 
 mod fit;
 mod optimisation;
+mod seta;
 mod summary;
 mod tables;
 mod uncertainty;
 
 pub use fit::{FIT_COLUMNS, FIT_SUMMARY, PROFILE_COLUMNS};
 pub use optimisation::{HISTORY_COLUMNS, OPTIMISATION_SUMMARY};
+pub use seta::{SETA_CURVE_COLUMNS, SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS};
 pub use summary::{PEEL_SUMMARY, SWEEP_SUMMARY};
 pub use tables::{CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS};
 pub use uncertainty::{SAMPLE_COLUMNS, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY};
@@ -75,7 +77,12 @@ pub fn paths(keys: &[OutputKey]) -> Vec<String> {
 mod tests {
     use super::*;
 
-    const ALL: [&[OutputKey]; 15] = [
+    const ALL: [&[OutputKey]; 20] = [
+        SETA_SUMMARY,
+        SETA_CURVE_COLUMNS,
+        SETA_EVENT_COLUMNS,
+        SETA_TIP_COLUMNS,
+        SETA_TIP_CURVE_COLUMNS,
         OPTIMISATION_SUMMARY,
         HISTORY_COLUMNS,
         FIT_SUMMARY,

@@ -3,11 +3,10 @@
 //! <https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html>
 
 use super::table::written;
-use peelkit::study::BeamState;
 use std::io;
 
 /// Points with cells between them and numbers at them.
-pub(super) struct Grid {
+pub(crate) struct Grid {
     /// x, y, z, nm
     pub points: Vec<[f64; 3]>,
     /// Numbers of their corners: two of a line, three of a triangle, four of a quadrilateral
@@ -17,7 +16,7 @@ pub(super) struct Grid {
 }
 
 /// One array of a grid: so many numbers a point.
-pub(super) struct PointData {
+pub(crate) struct PointData {
     pub name: &'static str,
     pub components: usize,
     pub values: Vec<f64>,
@@ -33,12 +32,10 @@ fn cell_type(corners: usize) -> usize {
 }
 
 impl Grid {
-    /// The grid of a state, with u and P as field data. Fails where a number is not finite.
-    pub fn of_state(&self, state: &BeamState) -> io::Result<String> {
+    /// The grid of a state, with numbers of the whole state as field data. Fails where a number is not finite.
+    pub fn of_state(&self, fields_of_state: &[(&str, f64)]) -> io::Result<String> {
         let mut of_state = String::new();
-        for (name, value) in
-            [("displacement_nm", state.displacement), ("force_nN", state.force), ("path_position", state.path_position)]
-        {
+        for &(name, value) in fields_of_state {
             let value = written(name, value)?;
             of_state += &array("Float64", &format!("Name=\"{name}\" NumberOfTuples=\"1\""), &value);
         }
@@ -68,7 +65,7 @@ impl Grid {
 }
 
 /// The list of the files of a time series; the time of a file is its number.
-pub(super) fn collection(files: impl Iterator<Item = String>) -> String {
+pub(crate) fn collection(files: impl Iterator<Item = String>) -> String {
     let line = |(time, file): (usize, String)| {
         format!("    <DataSet timestep=\"{time}\" group=\"\" part=\"0\" file=\"{file}\"/>\n")
     };

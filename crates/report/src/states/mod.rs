@@ -8,6 +8,7 @@ mod table;
 mod vtk;
 
 pub use fields::{STATE_FIELDS, StateField};
+pub(crate) use grid::{Grid, PointData, collection};
 pub use spatial_fields::SPATIAL_STATE_FIELDS;
 pub(crate) use surface::outline;
 pub use table::write_states;

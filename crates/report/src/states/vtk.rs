@@ -48,7 +48,12 @@ fn write_series(
     for (number, state) in states.iter().enumerate() {
         let Some(grid) = grid(state) else { continue };
         let path = dir.join(name(number));
-        let text = grid.of_state(state).map_err(|source| ReportError::Write { path: path.clone(), source })?;
+        let of_state = [
+            ("displacement_nm", state.displacement),
+            ("force_nN", state.force),
+            ("path_position", state.path_position),
+        ];
+        let text = grid.of_state(&of_state).map_err(|source| ReportError::Write { path: path.clone(), source })?;
         write_whole(&path, text.as_bytes())?;
         files.push(path);
     }

@@ -12,7 +12,10 @@ impl Serialize for Parameters {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut tables = serializer.serialize_map(None)?;
         // the title has a place of its own
-        for key in KEYS.iter().filter(|key| key.table.is_empty() && !matches!(key.kind, Kind::Text(_))) {
+        for key in KEYS
+            .iter()
+            .filter(|key| key.table.is_empty() && !matches!(key.kind, Kind::Text(_)) && key.belongs_to(&self.0))
+        {
             if let Some(value) = key.value(&self.0) {
                 tables.serialize_entry(key.name, &Given(&value))?;
             }

@@ -66,7 +66,7 @@ impl Key {
                 let number = parse_quantity(text, *dimension).map_err(|e| self.no_quantity(text, *dimension, e))?;
                 self.store_number(scene, number)?;
             }
-            (Kind::Number(..) | Kind::Share(..) | Kind::Count(_) | Kind::Fixed(..), &Value::Number(number)) => {
+            (Kind::Number(..) | Kind::Share(..) | Kind::Count(..) | Kind::Fixed(..), &Value::Number(number)) => {
                 self.store_number(scene, number)?;
             }
             (_, value) => return Err(self.wrong_type(value)),
@@ -93,10 +93,10 @@ impl Key {
         })?;
         match self.kind {
             _ if self.put_number(scene, number) => {}
-            Kind::Count(_) | Kind::Fixed(..) if number.fract() != 0.0 => {
+            Kind::Count(..) | Kind::Fixed(..) if number.fract() != 0.0 => {
                 return Err(ValueError::new(format!("is {found}, which is not whole"), self.remedy()));
             }
-            Kind::Count(place) => *place(scene) = number as usize,
+            Kind::Count(_, place) => *place(scene) = number as usize,
             Kind::Fixed(_, place) => *place(scene) = Some(number as usize),
             _ => return Err(ValueError::new("is not a number", self.remedy())),
         }
@@ -107,8 +107,7 @@ impl Key {
     pub fn range(&self) -> Range {
         match self.kind {
             Kind::Number(range, _) | Kind::Share(range, _) | Kind::Measure(_, range, _) => range,
-            Kind::Count(_) => Range::From(1.0, 1e9),
-            Kind::Fixed(most, _) => Range::From(1.0, most as f64),
+            Kind::Count(most, _) | Kind::Fixed(most, _) => Range::From(1.0, most as f64),
             _ => Range::Positive,
         }
     }
@@ -152,7 +151,7 @@ impl Key {
             }
             Kind::Bound(_, place) | Kind::Share(_, place) => Value::Number((*place(&mut scene))?),
             Kind::Fixed(_, place) => Value::Number((*place(&mut scene))? as f64),
-            Kind::Count(place) => Value::Number(*place(&mut scene) as f64),
+            Kind::Count(_, place) => Value::Number(*place(&mut scene) as f64),
             Kind::Flag(place) => Value::Flag(*place(&mut scene)),
             Kind::InSpace => Value::Flag(scene.model.space.is_some()),
             Kind::Table(place) => match place(&mut scene) {

@@ -44,8 +44,8 @@ pub enum Kind {
     Quantity(Dimension, fn(&mut Scene) -> &mut f64),
     /// The same, or nothing.
     Bound(Dimension, fn(&mut Scene) -> &mut Option<f64>),
-    /// A whole number from 1.
-    Count(fn(&mut Scene) -> &mut usize),
+    /// A whole number from 1 to this.
+    Count(usize, fn(&mut Scene) -> &mut usize),
     /// A whole number from 1 to this, or nothing.
     Fixed(usize, fn(&mut Scene) -> &mut Option<usize>),
     /// A number without a unit, or nothing.

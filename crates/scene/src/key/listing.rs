@@ -60,8 +60,7 @@ impl Key {
             }
             Kind::Measure(_, range, _) => numbers(range),
             Kind::Quantity(..) | Kind::Bound(..) => numbers(Range::Positive),
-            Kind::Count(_) => "1 to 1e9, whole".into(),
-            Kind::Fixed(most, _) => format!("1 to {most}, whole"),
+            Kind::Count(most, _) | Kind::Fixed(most, _) => format!("1 to {}, whole", show(most as f64)),
             Kind::Flag(_) | Kind::InSpace => "true, false".into(),
             Kind::Table(_) | Kind::Heights(_) => "CSV, or its file".into(),
             Kind::Pieces(_) => "list of tables".into(),

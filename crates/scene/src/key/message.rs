@@ -24,8 +24,7 @@ impl Key {
                 let units = dimension.units().join(", ");
                 format!("{dimension} with its unit in quotes ({units}), {}", in_usual_unit(range, dimension))
             }
-            Kind::Count(_) => "a whole number from 1 to 1e9".into(),
-            Kind::Fixed(most, _) => format!("a whole number from 1 to {most}"),
+            Kind::Count(most, _) | Kind::Fixed(most, _) => format!("a whole number from 1 to {}", show(most as f64)),
             Kind::Flag(_) | Kind::InSpace => "true or false".into(),
             Kind::Table(_) => {
                 "a CSV in quotes, or the name of a file beside the scene: one row for each position, with the columns s_nm, \
@@ -62,6 +61,9 @@ impl Key {
             ("shear_correction", _) => "0.8333333333333334",
             ("presliding", _) => "\"0.01 nm\"",
             ("coefficient", _) => "0.3",
+            ("height_ratio" | "diameter_ratio", _) => "0.6",
+            ("tip_pitch", _) => "\"1 um\"",
+            ("shaft_length" | "brush_height", _) => "\"30 um\"",
             ("relative", _) => "1e-6",
             ("order", _) => "7",
             (_, Kind::Text(_)) => "\"Peeling of a strip\"",
@@ -81,7 +83,8 @@ impl Key {
             (_, Kind::Quantity(Dimension::Stiffness, _) | Kind::Bound(Dimension::Stiffness, _)) => "\"0.5 N/m\"",
             (_, Kind::Quantity(Dimension::Work, _) | Kind::Bound(Dimension::Work, _)) => "\"0.03 J/m2\"",
             (_, Kind::Quantity(Dimension::Force, _) | Kind::Bound(Dimension::Force, _)) => "\"1 nN\"",
-            (_, Kind::Count(_)) => "20000",
+            ("forks", _) => "8",
+            (_, Kind::Count(..)) => "20000",
             (_, Kind::Fixed(..)) => "20",
             (_, Kind::Share(..)) => "0.01",
             (_, Kind::Flag(_) | Kind::InSpace) => "true",
@@ -165,12 +168,12 @@ impl Key {
                 Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _),
                 Value::Number(number),
             ) => self.no_unit(&show(*number), &show(*number), *dimension),
-            (Kind::Number(..) | Kind::Share(..) | Kind::Count(_) | Kind::Fixed(..), Value::Text(text))
+            (Kind::Number(..) | Kind::Share(..) | Kind::Count(..) | Kind::Fixed(..), Value::Text(text))
                 if let Some(comma) = Comma::find(text) =>
             {
                 self.with_comma(text, &comma)
             }
-            (Kind::Number(..) | Kind::Share(..) | Kind::Count(_) | Kind::Fixed(..), Value::Text(text))
+            (Kind::Number(..) | Kind::Share(..) | Kind::Count(..) | Kind::Fixed(..), Value::Text(text))
                 if text.trim().parse::<f64>().is_ok() =>
             {
                 ValueError::new(

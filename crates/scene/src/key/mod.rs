@@ -14,6 +14,7 @@ use crate::error::ValueError;
 use crate::fit;
 use crate::optimisation;
 use crate::scene::Scene;
+use crate::seta;
 use crate::shape;
 use crate::space;
 use crate::uncertainty;
@@ -43,7 +44,11 @@ impl Key {
     /// Whether it may stand in this scene: one of a body that the scene does not peel may not, nor one of a substrate of another
     /// shape, nor one of space in the plane.
     pub fn belongs_to(&self, scene: &Scene) -> bool {
+        if scene.seta.is_some() && !seta::has(self.table, self.name) {
+            return false;
+        }
         match self.table {
+            seta::TABLE => scene.seta.is_some(),
             fit::TABLE => scene.fit.is_some(),
             optimisation::TABLE => scene.optimisation.is_some(),
             uncertainty::TABLE => scene.uncertainty.is_some(),
@@ -84,6 +89,9 @@ impl Key {
 
     /// That it may not.
     pub fn foreign(&self, scene: &Scene) -> ValueError {
+        if self.table == seta::TABLE || scene.seta.is_some() && !seta::has(self.table, self.name) {
+            return seta::foreign(scene, self);
+        }
         if self.table == shape::TABLE {
             return shape::foreign(&scene.model.ground.substrate, self.name);
         }
@@ -131,7 +139,7 @@ impl Key {
 
     /// Whether it takes a whole number.
     pub fn is_count(&self) -> bool {
-        matches!(self.kind, Kind::Count(_) | Kind::Fixed(..))
+        matches!(self.kind, Kind::Count(..) | Kind::Fixed(..))
     }
 
     /// Whether its number is written without a decimal point.

@@ -1,0 +1,167 @@
+//! `peel run` of a scene with a seta: its pull-off.
+
+mod sampler;
+
+use super::Run;
+use super::progress::RunProgress;
+use crate::command_line::command_line;
+use crate::interrupt::Interrupt;
+use crate::output::{list_files, say};
+use crate::stop::Stop;
+use crate::text_summary;
+use peelkit::model::{PullCurve, SetaError, SetaModel};
+use peelkit::study::{
+    self, Bound, SetaEnd, SetaLoading, SetaOptions, SetaProgress, SetaPullOff, SetaState, StopCriteria,
+};
+use peelkit_report::{self as report, ReportError, SetaSummary, timed};
+use peelkit_scene::{Scene, SetaTable};
+use sampler::Sampler;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// What a first Ctrl-C does.
+const ANSWER: &str = "stopping at the next equilibrium of the seta; Ctrl-C again stops at once";
+/// By how much the curve of a tip begins with it pressed, nm.
+const PRESSED: f64 = 50.0;
+/// Points from one state that is seen to the next.
+const PIECE: usize = 2;
+/// States of an animation.
+const FRAMES: usize = 60;
+
+/// What of `peel run` has no meaning for a seta.
+fn refuse(args: &Run) -> Result<(), Stop> {
+    let asked = [
+        (args.observed, "--observed", "its pull-off is displacement-controlled, with every jump as an event"),
+        (args.out_of_plane, "--out-of-plane", "it is in space, and its stability is that in space"),
+        (args.branch, "--branch", "it is in space, and follows stable branches alone"),
+        (args.sensitivities, "--sensitivities", "the derivatives of its results are not computed"),
+    ];
+    match asked.into_iter().find(|(is, ..)| *is) {
+        Some((_, option, why)) => Err(Stop::bad_input(
+            format!("{option} has no meaning for a seta: {why}"),
+            format!("Omit {option}; curve.csv and events.csv hold the pull-off with its jumps."),
+        )),
+        None => Ok(()),
+    }
+}
+
+/// The pull-off of the seta of a scene.
+pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
+    refuse(args)?;
+    let wanted = args.units.wanted()?;
+    let output = args.folder().map(|folder| args.out.claim(&folder)).transpose()?;
+    let progress = RunProgress::begin();
+    let above = progress.clone();
+    let interrupt = Interrupt::listen(move || above.above(|| drop(writeln!(io::stderr(), "{ANSWER}"))));
+    let stop = progress.watch(interrupt.ends(scene.bounds.from_now()));
+    progress.stage("law of the tips");
+    let (tip, tip_s) = timed(|| study::tip_curve(&scene.tip_model(), &scene.accuracy, PRESSED));
+    let tip = tip.map_err(Stop::cut_short)?;
+    let model = SetaModel::new(table.seta, table.law(tip.clone()));
+    let states = (args.states.unwrap_or(0) as usize).max(if args.animate { FRAMES } else { 0 });
+    let mut sampler = Sampler::new(states);
+    let mut see = |state: &SetaState| {
+        progress.seta(&state.point);
+        sampler.see(state);
+    };
+    let followed = timed(|| follow(&model, &scene.seta_loading(table), &stop, states > 0, &mut see));
+    let (pull_off, solve_s) = followed;
+    let pull_off =
+        pull_off.map_err(|error| Stop::bad_input(error, "`peel keys seta` lists the keys with their ranges."))?;
+    progress.finish();
+    let command = command_line();
+    let found = Found { scene, model: &model, tip: &tip, pull_off: &pull_off, command: &command };
+    let summary = SetaSummary::new(scene, &table.seta, &tip, &pull_off, [tip_s, solve_s]).with_command(&command);
+    let files = output.map_or(Ok(Vec::new()), |output| output.write(|dir| found.write(dir, &summary, &sampler, args)));
+    if args.json {
+        say(&summary.to_json().map_err(Stop::other)?)?;
+    } else {
+        let text = text_summary::seta(scene, &model, &tip, &pull_off, tip_s + solve_s, wanted);
+        say(&format!("{text}\n{}", list_files(&files)))?;
+    }
+    files?;
+    match &pull_off.end {
+        SetaEnd::Failed(failure) => Err(Stop::cut_short(failure)),
+        SetaEnd::Bound(_) if interrupt.asked() => Err(Stop::cut_short("interrupted")),
+        SetaEnd::Completed | SetaEnd::Bound(_) => Ok(()),
+    }
+}
+
+/// The whole pull-off. It is followed piece by piece where states are seen: the same to the last bit.
+fn follow(
+    model: &SetaModel,
+    loading: &SetaLoading,
+    stop: &StopCriteria,
+    sees: bool,
+    see: &mut dyn FnMut(&SetaState),
+) -> Result<SetaPullOff, SetaError> {
+    let options = SetaOptions::default();
+    let mut reached = None;
+    loop {
+        let before = reached.as_ref().map_or(0, |progress: &SetaProgress| progress.result.points.len());
+        let piece = if sees { before + PIECE } else { stop.points };
+        let until = StopCriteria { points: piece.min(stop.points), ..stop.clone() };
+        let (pull_off, progress) = study::pull_off_from(model, loading, &options, &until, reached)?;
+        if let Some(last) = &pull_off.last {
+            see(last);
+        }
+        match (&pull_off.end, progress) {
+            (SetaEnd::Bound(Bound::Points(most)), Some(progress)) if *most < stop.points => reached = Some(progress),
+            _ => return Ok(pull_off),
+        }
+    }
+}
+
+/// The states that have names.
+fn moments(pull_off: &SetaPullOff) -> Vec<(&'static str, &SetaState)> {
+    let all = [
+        ("first-detachment", &pull_off.first_detachment),
+        ("peak", &pull_off.peak),
+        ("last-detachment", &pull_off.last_detachment),
+        ("end", &pull_off.last),
+    ];
+    all.into_iter().filter_map(|(name, state)| Some((name, state.as_ref()?))).collect()
+}
+
+/// What a run found.
+struct Found<'f> {
+    scene: &'f Scene,
+    model: &'f SetaModel,
+    tip: &'f PullCurve,
+    pull_off: &'f SetaPullOff,
+    command: &'f str,
+}
+
+impl Found<'_> {
+    fn write(
+        &self,
+        dir: &Path,
+        summary: &SetaSummary,
+        sampler: &Sampler,
+        args: &Run,
+    ) -> Result<Vec<PathBuf>, ReportError> {
+        let Self { scene, model, pull_off, .. } = *self;
+        let seta = &model.seta;
+        let mut files = vec![
+            summary.write(dir)?,
+            report::write_seta_curve(dir, pull_off)?,
+            report::write_seta_events(dir, pull_off, seta)?,
+            report::write_tips(dir, seta, &moments(pull_off))?,
+            report::write_tip_curve(dir, self.tip)?,
+            report::write_parameters(dir, scene, self.command)?,
+        ];
+        if pull_off.points.len() > 1 {
+            files.extend(report::draw_pull_off(dir, pull_off, seta, &scene.title)?);
+        }
+        let seen = |count| sampler.evenly(count, moments(pull_off).into_iter().map(|(_, state)| state.clone()));
+        if let Some(count) = args.states {
+            let poses: Vec<_> = seen(count as usize).iter().map(|state| report::SetaPose::of(state, seta)).collect();
+            files.extend(report::write_seta_states(dir, &poses)?);
+        }
+        let frames = if args.animate { seen(FRAMES) } else { Vec::new() };
+        if frames.len() > 1 {
+            files.push(report::write_seta_animation(dir, pull_off, &frames, seta, &scene.title)?);
+        }
+        Ok(files)
+    }
+}

@@ -1,0 +1,75 @@
+//! The summary of the pull-off of a seta.
+
+use super::layout::in_columns;
+use super::units::{Units, WantedUnits};
+use peelkit::model::{PullCurve, SetaModel};
+use peelkit::study::{SetaPullOff, SetaState};
+use peelkit_report::{seta_end_reason, seta_end_word, tip_peak};
+use peelkit_scene::Scene;
+
+/// The summary of a pull-off, which took so many seconds with the law of its tips.
+pub fn seta(
+    scene: &Scene,
+    model: &SetaModel,
+    tip: &PullCurve,
+    pull_off: &SetaPullOff,
+    solve_s: f64,
+    wanted: WantedUnits,
+) -> String {
+    let largest = |of: fn(&peelkit::study::SetaPoint) -> f64| pull_off.points.iter().map(of).fold(0.0, f64::max);
+    let sizes = [
+        largest(|point| point.force_along.abs()),
+        largest(|point| point.displacement),
+        largest(|point| point.work.abs()),
+    ];
+    let Units { force, length, work } = Units::fitting(wanted, sizes);
+    let tips = model.seta.tips();
+    let at = |state: &Option<SetaState>| match state {
+        Some(SetaState { point, .. }) => format!(
+            "{} at u = {}, {} of {tips} tips attached",
+            force.short(point.force_along),
+            length.short(point.displacement),
+            point.attached
+        ),
+        None => "none".to_owned(),
+    };
+    let of_tip = tip_peak(tip);
+    let changes = || pull_off.events.iter().flat_map(|event| &event.tips);
+    let adhered = changes().filter(|change| change.to.adheres()).count();
+    let at_once = pull_off.events.iter().map(|event| event.tips.len()).max().unwrap_or(0);
+    let mut lines = vec![
+        ("seta", format!("{tips} tips, {} elements of order {}", model.mesh.total(), model.mesh.order)),
+        ("law of a tip", format!("peak {of_tip:.6} nN, snaps off at {:.4} nm", tip.snap_off())),
+        ("peak force", at(&pull_off.peak)),
+        ("first detachment", at(&pull_off.first_detachment)),
+        ("last detachment", at(&pull_off.last_detachment)),
+        (
+            "events",
+            format!(
+                "{}: {} tips detach, {adhered} adhere again, at most {at_once} at once",
+                pull_off.events.len(),
+                changes().count() - adhered
+            ),
+        ),
+    ];
+    if let (Some(first), Some(last)) = (pull_off.points.first(), pull_off.points.last()) {
+        let text = format!(
+            "work {} = energy {} + released {}, to {:.0e}",
+            work.short(last.work),
+            work.short(last.energy - first.energy),
+            work.short(last.released),
+            pull_off.imbalance()
+        );
+        lines.push(("energy", text));
+    }
+    let reason = seta_end_reason(&pull_off.end).map(|reason| format!(": {reason}")).unwrap_or_default();
+    lines.push(("end", format!("{}{reason}", seta_end_word(pull_off))));
+    let effort = format!(
+        "{} equilibria, {} Newton iterations, {:.0} ms",
+        pull_off.points.len(),
+        pull_off.effort.newton_iterations,
+        1e3 * solve_s
+    );
+    lines.push(("computed", effort));
+    in_columns(&scene.title, &lines)
+}

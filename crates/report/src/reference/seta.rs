@@ -1,0 +1,109 @@
+//! The keys of the summary of a pull-off of a seta, and the columns of its tables.
+
+use super::{OutputKey, key, like};
+
+/// Of `peel run` of a scene with a seta.
+#[rustfmt::skip]
+pub const SETA_SUMMARY: &[OutputKey] = &[
+    key("version", "of the program"),
+    key("schema", "number of this set of keys and columns, as of a peel"),
+    key("command", "the command line; null where a program of another kind has written the summary"),
+    key("scene", "the scene as it was named on the command line"),
+    key("title", "its title"),
+    key("end", "`detached`; `still-attached` where tips adhere when the root has moved as far as the seta is high; `bound`: a limit of `[bounds]` was reached; `failed`: the computation stopped short"),
+    key("reason", "why, with numbers; null where the end says it"),
+    key("tips", "number of tips"),
+    key("peak", "the equilibrium of the pull with the largest force along the pull; null where the pull was not begun"),
+    key("peak.force_nN", "force on the root along the pull"),
+    key("peak.displacement_nm", "how far the root has moved in the pull"),
+    key("peak.tips_attached", "number of tips that adhere"),
+    key("peak.largest_tip_load_nN", "of all tips the largest force away from the ground"),
+    key("peak.largest_tip_push_nN", "of all tips the largest force towards the ground; 0 where none is pressed"),
+    key("peak.tip_loads_sum_nN", "sum of the forces of the tips away from the ground: the force on the root along the normal"),
+    like("first_detachment", "peak", "just before the first detachment of a tip in the pull, else null"),
+    like("last_detachment", "peak", "just before the last one, else null"),
+    key("events", "where tips detach or adhere again, the root held"),
+    key("events.count", "how many"),
+    key("events.tips_detached", "tips that detached in all of them"),
+    key("events.tips_adhered", "tips that adhered again in all of them"),
+    key("events.most_tips_at_once", "changes of tips in the largest event"),
+    key("balance", "what became of the work of the root, over all steps"),
+    key("balance.work_aJ", "the work"),
+    key("balance.released_aJ", "energy released in events"),
+    key("balance.energy_change_aJ", "change of the stored energy and of that of adhesion"),
+    key("balance.imbalance", "the difference, over the largest of the three"),
+    key("tip", "the law of each tip"),
+    key("tip.peak_force_nN", "largest force of its curve"),
+    key("tip.snap_off_displacement_nm", "displacement at which the tip alone snaps off"),
+    key("tip.energy_at_rest_aJ", "energy of the adhering tip at rest against a detached one"),
+    key("path", "computational cost"),
+    key("path.points", "equilibria of the pull-off"),
+    key("path.newton_iterations", "Newton iterations"),
+    key("path.elements", "elements of the tree"),
+    key("timing", "wall clock"),
+    key("timing.tip_s", "of the law of the tips"),
+    key("timing.solve_s", "of the pull-off"),
+    key("parameters", "the scene as it was computed, with its defaults: its tables as objects, units in the names"),
+];
+
+/// Of curve.csv of a seta.
+#[rustfmt::skip]
+pub const SETA_CURVE_COLUMNS: &[OutputKey] = &[
+    key("step", "number of the step of the loading, from 1; the pull is the last one"),
+    key("displacement_nm", "how far the root has moved in the step"),
+    key("travel_nm", "how far it has moved in all steps"),
+    key("force_nN", "force on the root along the direction of the step, positive where it is pulled"),
+    key("tips_attached", "number of tips that adhere"),
+    key("root_x_nm", "place of the root from where it is when the plane of the tips is the ground"),
+    key("root_y_nm", "the same along the normal of the ground"),
+    key("root_z_nm", "the same along z"),
+    key("force_x_nN", "force on the root along x"),
+    key("force_y_nN", "along the normal of the ground"),
+    key("force_z_nN", "along z"),
+    key("moment_x_nN_nm", "moment on the root about x"),
+    key("moment_y_nN_nm", "about the normal of the ground"),
+    key("moment_z_nN_nm", "about z"),
+    key("energy_aJ", "stored energy and that of adhesion, against a detached stress-free seta"),
+    key("work_aJ", "work of the root from the start"),
+    key("released_aJ", "energy released in events from the start"),
+];
+
+/// Of events.csv of a seta.
+#[rustfmt::skip]
+pub const SETA_EVENT_COLUMNS: &[OutputKey] = &[
+    key("event", "number of the event, from 1: the tips that change while the root is held"),
+    key("step", "number of the step of the loading, from 1"),
+    key("displacement_nm", "how far the root has moved in the step"),
+    key("tip", "number of the tip, from 0"),
+    key("tip_x_nm", "place of the tip in the stress-free configuration, along x"),
+    key("tip_z_nm", "the same along z"),
+    key("change", "`detaches` or `adheres`"),
+    key("tip_load_nN", "force of the tip away from the ground before the event"),
+    key("force_before_nN", "force on the root along the direction of the step before the event"),
+    key("force_after_nN", "the same behind it"),
+    key("tips_attached", "number of tips that adhere behind the event"),
+    key("released_aJ", "energy released in the event, with all of its tips"),
+];
+
+/// Of tips.csv of a seta.
+#[rustfmt::skip]
+pub const SETA_TIP_COLUMNS: &[OutputKey] = &[
+    key("moment", "`first-detachment`, `peak` or `last-detachment` of the pull, or `end`"),
+    key("tip", "number of the tip, from 0"),
+    key("tip_x_nm", "place of the tip in the stress-free configuration, along x"),
+    key("tip_z_nm", "the same along z"),
+    key("state", "`attached`: its force grows as it is pulled; `detaching`: it falls; `detached`"),
+    key("height_nm", "height of the tip above its place of adhesion"),
+    key("load_x_nN", "force that the tip exerts on the ground along x"),
+    key("load_y_nN", "along the normal: positive where it pulls the ground upwards"),
+    key("load_z_nN", "along z"),
+];
+
+/// Of tip.csv of a seta.
+#[rustfmt::skip]
+pub const SETA_TIP_CURVE_COLUMNS: &[OutputKey] = &[
+    key("displacement_nm", "height of the tip above its place of adhesion; below zero where it is pressed"),
+    key("force_nN", "force along the normal"),
+    key("slope_nN_per_nm", "its derivative by the displacement"),
+    key("energy_aJ", "energy of the tip against a detached one"),
+];

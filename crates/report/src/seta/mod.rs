@@ -1,0 +1,21 @@
+//! The pull-off of a seta: its tables, its summary, its pictures, its animation and its files for ParaView.
+
+mod animation;
+mod curve;
+mod load_map;
+mod names;
+mod picture;
+mod pose;
+mod route;
+mod side_view;
+mod summary;
+mod tables;
+mod vtk;
+
+pub use animation::write_seta_animation;
+pub use names::{seta_end_reason, seta_end_word};
+pub use picture::draw_pull_off;
+pub use pose::SetaPose;
+pub use summary::{SetaSummary, tip_peak};
+pub use tables::{write_seta_curve, write_seta_events, write_tip_curve, write_tips};
+pub use vtk::{SETA_STATE_FIELDS, SetaStateField, write_seta_states};

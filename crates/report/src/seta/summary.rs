@@ -1,0 +1,198 @@
+//! The pull-off of a seta as one JSON object: summary.json, and what `--json` prints.
+
+use super::names::{seta_end_reason, seta_end_word};
+use crate::error::ReportError;
+use crate::file::write_whole;
+use crate::number::{Finite, to_json};
+use crate::summary::{Parameters, SCHEMA, VERSION};
+use peelkit::model::{CurvePoint, PullCurve, Seta};
+use peelkit::study::{SetaPullOff, SetaState};
+use peelkit_scene::Scene;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Everything of a pull-off but its curve and its events. Forces in nN, lengths in nm, works in aJ; `None` where a thing does not occur.
+#[derive(Debug, serde::Serialize)]
+pub struct SetaSummary {
+    /// Of the program.
+    version: &'static str,
+    /// Of these keys.
+    schema: u32,
+    /// The command line; `None` where a program of another kind has written this.
+    command: Option<String>,
+    scene: String,
+    title: String,
+    end: &'static str,
+    /// Of the ends `bound` and `failed`.
+    reason: Option<String>,
+    /// How many tips the seta has.
+    tips: usize,
+    peak: Option<Moment>,
+    first_detachment: Option<Moment>,
+    last_detachment: Option<Moment>,
+    events: Events,
+    balance: Balance,
+    tip: Tip,
+    path: Effort,
+    timing: Timing,
+    parameters: Parameters,
+}
+
+/// A state of the last step.
+#[derive(Debug, serde::Serialize)]
+struct Moment {
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    #[serde(rename = "displacement_nm")]
+    displacement: Finite,
+    tips_attached: usize,
+    #[serde(rename = "largest_tip_load_nN")]
+    largest_load: Finite,
+    #[serde(rename = "largest_tip_push_nN")]
+    largest_push: Finite,
+    #[serde(rename = "tip_loads_sum_nN")]
+    sum: Finite,
+}
+
+impl From<&SetaState> for Moment {
+    fn from(state: &SetaState) -> Self {
+        let loads = || state.tips.iter().map(|tip| 0.0 - tip.load[1]);
+        Self {
+            force: Finite(state.point.force_along),
+            displacement: Finite(state.point.displacement),
+            tips_attached: state.point.attached,
+            largest_load: Finite(loads().fold(0.0, f64::max)),
+            largest_push: Finite(loads().fold(0.0, |most, load| f64::max(most, -load))),
+            sum: Finite(loads().sum()),
+        }
+    }
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Events {
+    count: usize,
+    tips_detached: usize,
+    tips_adhered: usize,
+    most_tips_at_once: usize,
+}
+
+/// What becomes of the work of the root.
+#[derive(Debug, serde::Serialize)]
+struct Balance {
+    #[serde(rename = "work_aJ")]
+    work: Finite,
+    #[serde(rename = "released_aJ")]
+    released: Finite,
+    #[serde(rename = "energy_change_aJ")]
+    energy: Finite,
+    imbalance: Finite,
+}
+
+/// The law of each tip.
+#[derive(Debug, serde::Serialize)]
+struct Tip {
+    #[serde(rename = "peak_force_nN")]
+    peak: Finite,
+    snap_off_displacement_nm: Finite,
+    #[serde(rename = "energy_at_rest_aJ")]
+    energy_at_rest: Finite,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Effort {
+    points: usize,
+    newton_iterations: usize,
+    elements: usize,
+}
+
+/// Seconds of the law of the tips and of the pull-off.
+#[derive(Debug, serde::Serialize)]
+struct Timing {
+    tip_s: Finite,
+    solve_s: Finite,
+}
+
+/// Points of the curve of a tip between two of its own at which its largest force is looked for.
+const BETWEEN: usize = 100;
+
+/// The largest force of the curve of a tip, nN.
+pub fn tip_peak(tip: &PullCurve) -> f64 {
+    let between = |pair: &[CurvePoint]| {
+        let (from, to) = (pair[0].displacement, pair[1].displacement);
+        let force = |k: usize| tip.force(from + (to - from) * k as f64 / BETWEEN as f64).0;
+        (0..=BETWEEN).map(force).fold(0.0, f64::max)
+    };
+    tip.points().windows(2).map(between).fold(0.0, f64::max)
+}
+
+impl SetaSummary {
+    /// The summary of the pull-off of this scene, whose tips follow this curve: the curve took `tip_s` seconds and the pull-off `solve_s`.
+    pub fn new(
+        scene: &Scene,
+        seta: &Seta,
+        tip: &PullCurve,
+        pull_off: &SetaPullOff,
+        [tip_s, solve_s]: [f64; 2],
+    ) -> Self {
+        let (first, last) = (pull_off.points.first(), pull_off.points.last());
+        let energy = first.zip(last).map_or(0.0, |(first, last)| last.energy - first.energy);
+        let changes = || pull_off.events.iter().flat_map(|event| &event.tips);
+        Self {
+            version: VERSION,
+            schema: SCHEMA,
+            command: None,
+            scene: scene.name.clone(),
+            title: scene.title.clone(),
+            end: seta_end_word(pull_off),
+            reason: seta_end_reason(&pull_off.end),
+            tips: seta.tips(),
+            peak: pull_off.peak.as_ref().map(Moment::from),
+            first_detachment: pull_off.first_detachment.as_ref().map(Moment::from),
+            last_detachment: pull_off.last_detachment.as_ref().map(Moment::from),
+            events: Events {
+                count: pull_off.events.len(),
+                tips_detached: changes().filter(|change| !change.to.adheres()).count(),
+                tips_adhered: changes().filter(|change| change.to.adheres()).count(),
+                most_tips_at_once: pull_off.events.iter().map(|event| event.tips.len()).max().unwrap_or(0),
+            },
+            balance: Balance {
+                work: Finite(last.map_or(0.0, |last| last.work)),
+                released: Finite(last.map_or(0.0, |last| last.released)),
+                energy: Finite(energy),
+                imbalance: Finite(pull_off.imbalance()),
+            },
+            tip: Tip {
+                peak: Finite(tip_peak(tip)),
+                snap_off_displacement_nm: Finite(tip.snap_off()),
+                energy_at_rest: Finite(tip.energy_at_rest()),
+            },
+            path: Effort {
+                points: pull_off.points.len(),
+                newton_iterations: pull_off.effort.newton_iterations,
+                elements: pull_off.effort.elements,
+            },
+            timing: Timing { tip_s: Finite(tip_s), solve_s: Finite(solve_s) },
+            parameters: Parameters(scene.clone()),
+        }
+    }
+
+    /// The same with the command line that it comes from.
+    pub fn with_command(self, command: &str) -> Self {
+        Self { command: Some(command.to_owned()), ..self }
+    }
+
+    /// The object as text; a number that is not finite is an error that names its key.
+    pub fn to_json(&self) -> io::Result<String> {
+        to_json(self)
+    }
+
+    /// Writes summary.json.
+    ///
+    /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
+    pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
+        let path = dir.join("summary.json");
+        let json = self.to_json().map_err(|source| ReportError::Write { path: path.clone(), source })?;
+        write_whole(&path, json.as_bytes())?;
+        Ok(path)
+    }
+}

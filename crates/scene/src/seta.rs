@@ -1,0 +1,180 @@
+//! A seta: its table, which keys a scene with one has, and what it says of the tips.
+
+use super::bodies::set_body;
+use super::error::ValueError;
+use super::key::Key;
+use super::scene::Scene;
+use peelkit::model::{
+    Grip, Hold, ModelError, ModelErrorKind, Moved, NormalPull, PeelModel, PullCurve, Seta, SetaError, Sideways, Space,
+    Step, TipLaw,
+};
+use peelkit::solve::Direction;
+use peelkit::study::{SetaLoading, SetaStart, SetaStep, StepEnd};
+use std::sync::Arc;
+
+/// The table of a scene.
+pub(super) const TABLE: &str = "seta";
+
+/// The other tables and keys of a scene with a seta. The tables of a body and of adhesion describe its tips.
+const OTHERS: [(&str, &[&str]); 8] = [
+    ("", &["title"]),
+    ("strip", &[]),
+    ("spatula", &[]),
+    ("profile", &[]),
+    ("adhesion", &[]),
+    ("drive", &["angle", "azimuth", "steps"]),
+    ("accuracy", &["relative"]),
+    ("bounds", &[]),
+];
+
+/// A seta as a scene gives it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SetaTable {
+    /// Geometry and material
+    pub seta: Seta,
+    /// Of what holds a tip along the ground to the place where it began to adhere, nN/nm; none: tips slide freely
+    pub lateral_stiffness: Option<f64>,
+    /// Height above its place at rest at which a detached tip adheres again, nm
+    pub contact_height: f64,
+    /// Force with which the seta is pressed on before all steps, nN; none: every tip adheres at the start
+    pub preload: Option<f64>,
+}
+
+/// How high a seta that is pressed on starts above the height at which its highest tip would adhere, nm.
+const CLEARANCE: f64 = 1.0;
+
+impl Default for SetaTable {
+    /// The default seta; its angle is that of the text "60 deg", to the last bit.
+    fn default() -> Self {
+        let seta = Seta { shaft_angle: 60.0 * 1f64.to_radians(), ..Seta::default() };
+        Self { seta, lateral_stiffness: None, contact_height: 0.0, preload: None }
+    }
+}
+
+impl SetaTable {
+    /// The law of its tips, of which each follows this curve.
+    pub fn law(&self, curve: PullCurve) -> Arc<dyn TipLaw> {
+        let sideways = self.lateral_stiffness.map_or(Sideways::Free, Sideways::Held);
+        Arc::new(NormalPull { curve, sideways, contact_height: self.contact_height })
+    }
+
+    /// How it starts: adhering, or above the ground where it is pressed on first.
+    fn start(&self) -> SetaStart {
+        match self.preload {
+            None => SetaStart::Adhering,
+            Some(_) => SetaStart::Above(2.0 * self.seta.height_scatter + self.contact_height + CLEARANCE),
+        }
+    }
+}
+
+/// The seta of a scene, which becomes one with a seta.
+pub(super) fn of(scene: &mut Scene) -> &mut SetaTable {
+    scene.seta.get_or_insert_default()
+}
+
+/// Makes the scene one with a seta, whose root is moved in space; its tips are spatulae where it names no body.
+pub(super) fn begin(scene: &mut Scene, without_body: bool) {
+    of(scene);
+    scene.model.space = Some(Space::default());
+    if without_body {
+        set_body(scene, "spatula");
+    }
+}
+
+/// Whether a scene with a seta has this key.
+pub(super) fn has(table: &str, name: &str) -> bool {
+    table == TABLE || OTHERS.iter().any(|(of, names)| *of == table && (names.is_empty() || names.contains(&name)))
+}
+
+/// That a scene without one has no such key, or that a scene with one has not.
+pub(super) fn foreign(scene: &Scene, key: &Key) -> ValueError {
+    match &scene.seta {
+        None => ValueError::new(
+            "is a key of [seta], a table that the scene does not have",
+            "Add the table [seta] to the scene; scenes/seta.toml is one with a seta.",
+        ),
+        Some(_) => ValueError::new(
+            "is given, and the scene has a [seta], which has no such key",
+            format!(
+                "Remove `{}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` of [accuracy], and [bounds].",
+                key.name
+            ),
+        ),
+    }
+}
+
+impl Scene {
+    /// The body at a tip of a seta with its adhesion, its end held against rotation, on flat ground without friction: what the law of the
+    /// tips is computed of.
+    pub fn tip_model(&self) -> PeelModel {
+        let grip = Grip { rotation: Hold::Fixed, ..Grip::FREE };
+        PeelModel::of(self.model.body.clone(), self.model.adhesion, grip)
+    }
+}
+
+impl Scene {
+    /// What is done to the root of the seta: the preload, the steps of [drive], and the pull at its angle and azimuth until no tip adheres or,
+    /// at the latest, until the root has moved as far as the seta is high.
+    pub fn seta_loading(&self, table: &SetaTable) -> SetaLoading {
+        let preload = table.preload.map(|force| SetaStep { direction: DOWN, until: StepEnd::Preload(force) });
+        let before = self.model.steps.iter().filter_map(|&step| moved(step));
+        let travel = |(direction, length)| SetaStep { direction, until: StepEnd::Travel(length) };
+        let azimuth = self.model.space.unwrap_or_default().azimuth;
+        let Direction { along, up } = self.model.pull.direction();
+        let pull = SetaStep {
+            direction: [along * azimuth.cos(), up, along * azimuth.sin()],
+            until: StepEnd::Detached(table.seta.shaft_length + table.seta.brush_height),
+        };
+        let steps = preload.into_iter().chain(before.map(travel)).chain([pull]).collect();
+        SetaLoading { start: table.start(), steps }
+    }
+}
+
+/// Towards the ground.
+const DOWN: [f64; 3] = [0.0, -1.0, 0.0];
+
+/// Where a step of the root goes, and how far, nm; nothing of one that moves nothing.
+fn moved(step: Step) -> Option<([f64; 3], f64)> {
+    let (what, amount) = step.motion()?;
+    let sign = amount.signum();
+    match what {
+        Moved::Place => Some(([sign, 0.0, 0.0], amount.abs())),
+        Moved::Height => Some(([0.0, sign, 0.0], amount.abs())),
+        Moved::Side => Some(([0.0, 0.0, sign], amount.abs())),
+        Moved::Rotation | Moved::Roll | Moved::Yaw => None,
+    }
+}
+
+/// Whether a step is one of the root of a seta, whose rotation is held and whose place is prescribed.
+fn moves_the_root(step: Step) -> bool {
+    match step {
+        Step::Press(_) | Step::Lift(_) | Step::Drag(_) | Step::Push(_) | Step::Shift(_) | Step::Hold => true,
+        Step::Turn(_) | Step::Roll(_) | Step::Yaw(_) | Step::Release => false,
+    }
+}
+
+/// What of the seta of a scene is wrong: by the key of the scene.
+pub(super) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
+    let SetaTable { seta, .. } = scene.seta.as_ref()?;
+    if let Err(error) = seta.check() {
+        let key = match &error {
+            SetaError::OutOfRange { key, .. } => key,
+            SetaError::Scatter { .. } => "height_scatter",
+            _ => "forks",
+        };
+        let remedy = "The keys of [seta] with their ranges are listed by `peel keys seta`.";
+        return Some((format!("{TABLE}.{key}"), ValueError::new(format!("cannot be computed: {error}"), remedy)));
+    }
+    let of_step = |(index, &step): (usize, &Step)| match step.check() {
+        Err(wrong) => {
+            let kind = ModelErrorKind::Step { number: index + 1, step, wrong };
+            Some(ValueError::from(ModelError::new("drive.steps", kind)))
+        }
+        Ok(()) if moves_the_root(step) => None,
+        Ok(()) => Some(ValueError::new(
+            format!("has the step \"{step}\", and the root of a seta does not rotate and is never released"),
+            "The steps of a seta are press, lift, drag, push, shift and hold.",
+        )),
+    };
+    scene.model.steps.iter().enumerate().find_map(of_step).map(|problem| ("drive.steps".to_owned(), problem))
+}

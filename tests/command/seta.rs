@@ -1,0 +1,106 @@
+//! `peel run` of a scene with a seta.
+//!
+//! Reference: what the command writes in one file against what it writes in another: the last row of curve.csv, the events, summary.json.
+//!
+//! Expected: the pull-off of a small seta writes all of its files, its tips all detach and each stands in events.csv once; work is energy and
+//! what was released; an option without a meaning is refused, and every command but `run` refuses the scene with its line. Why: a scene of a
+//! seta that some command takes for that of one spatula would give a number that means something else.
+
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// Four tips on branches of 0.09 µm.
+pub const SMALL: [&str; 12] = [
+    "--set",
+    "seta.forks=2",
+    "--set",
+    "seta.shaft_length=7 um",
+    "--set",
+    "seta.brush_height=3 um",
+    "--set",
+    "seta.shaft_diameter=240 nm",
+    "--set",
+    "seta.height_scatter=20 nm",
+    "--set",
+    "accuracy.relative=1e-4",
+];
+
+fn scene() -> String {
+    format!("{}/../../scenes/seta.toml", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(folder).args(arguments).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (output.status.code(), text(output.stdout), text(output.stderr))
+}
+
+#[test]
+fn a_small_seta_is_pulled_off_and_written() {
+    let dir = tempfile::tempdir().unwrap();
+    let scene = scene();
+    let arguments = [&["run", &scene, "--out", "out", "--states", "3", "--animate"], &SMALL[..]].concat();
+    let (status, text, trouble) = run(dir.path(), &arguments);
+    assert_eq!(status, Some(0), "{trouble}");
+    assert!(text.contains("4 tips") && text.contains("detached"), "{text}");
+    let file = |name: &str| fs::read_to_string(dir.path().join("out").join(name)).unwrap();
+    for name in
+        ["tip.csv", "tips.csv", "parameters.toml", "curve.svg", "tips.svg", "seta.svg", "states.pvd", "animation.html"]
+    {
+        assert!(!file(name).is_empty(), "{name}");
+    }
+    let summary: Value = serde_json::from_str(&file("summary.json")).unwrap();
+    assert_eq!(summary["end"], "detached");
+    assert_eq!((&summary["tips"], &summary["events"]["tips_detached"]), (&4.into(), &4.into()));
+    let balance = |key: &str| summary["balance"][key].as_f64().unwrap();
+    let off = balance("work_aJ") - balance("released_aJ") - balance("energy_change_aJ");
+    assert!(off.abs() <= 1e-7 * balance("work_aJ"), "{off}");
+    // each tip once, and the last state has none
+    let events = file("events.csv");
+    let mut tips: Vec<&str> = events.lines().skip(1).map(|line| line.split(',').nth(3).unwrap()).collect();
+    tips.sort_unstable();
+    assert_eq!(tips, ["0", "1", "2", "3"]);
+    assert_eq!(events.lines().last().unwrap().split(',').nth(10), Some("0"));
+    // four tips cannot hold more than four times what one holds
+    let peak = summary["peak"]["force_nN"].as_f64().unwrap();
+    assert!(peak > 6.0 && peak < 4.0 * summary["tip"]["peak_force_nN"].as_f64().unwrap(), "{peak}");
+    let curve = file("curve.csv");
+    let largest = curve.lines().skip(1).map(|line| line.split(',').nth(3).unwrap().parse::<f64>().unwrap());
+    assert_eq!(largest.reduce(f64::max), Some(peak));
+    // what was computed is computed again
+    let (status, json, trouble) = run(dir.path(), &["run", "out/parameters.toml", "--json"]);
+    assert_eq!(status, Some(0), "{trouble}");
+    assert_eq!(serde_json::from_str::<Value>(&json).unwrap()["peak"], summary["peak"]);
+}
+
+#[test]
+fn a_seta_that_is_cut_short_is_written_as_far_as_it_goes() {
+    let dir = tempfile::tempdir().unwrap();
+    let scene = scene();
+    let arguments = [&["run", &scene, "--json", "--set", "bounds.points=5"], &SMALL[..]].concat();
+    let (status, json, trouble) = run(dir.path(), &arguments);
+    assert_eq!(status, Some(0), "{trouble}");
+    let summary: Value = serde_json::from_str(&json).unwrap();
+    assert_eq!((&summary["end"], &summary["path"]["points"]), (&"bound".into(), &5.into()));
+    assert!(!dir.path().join("out").exists());
+}
+
+#[test]
+fn what_has_no_meaning_is_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    for option in ["--observed", "--out-of-plane", "--branch", "--sensitivities"] {
+        let (status, _, trouble) = run(dir.path(), &["run", &scene(), option]);
+        assert_eq!(status, Some(2), "{trouble}");
+        assert!(trouble.contains(&format!("{option} has no meaning for a seta")), "{trouble}");
+    }
+    for command in
+        [&["sweep", "--vary", "seta.forks", "--values", "1, 2"][..], &["uncertainty"], &["optimise"], &["accuracy"]]
+    {
+        let (status, _, trouble) = run(dir.path(), &[&[command[0], &scene()], &command[1..]].concat());
+        assert_eq!(status, Some(2), "{command:?}: {trouble}");
+        assert!(trouble.contains("is a table of a scene that `peel run` alone computes"), "{command:?}: {trouble}");
+    }
+    assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
+}

@@ -1,0 +1,124 @@
+//! The table of a seta, what stands beside it, and what its root is told to do.
+//!
+//! Reference: the defaults of the model, written out by hand below; directions from the angles by sine and cosine.
+//!
+//! Expected: a scene with [seta] has the default spatula at its tips where it names no body, comes back to the last bit when it is written, and
+//! every key without a meaning for a seta is refused with its place. Why: a seta that is silently computed as one of its spatulae, or the other
+//! way round, would be a wrong number without a message.
+
+use crate::text::{MINIMAL, SETA, set};
+use peelkit::model::{Body, Seta, Spatula};
+use peelkit::study::{SetaLoading, SetaStart, SetaStep, StepEnd};
+use peelkit_scene::{KEYS, Scene};
+
+fn parse(text: &str) -> Scene {
+    Scene::parse_with_seta("seta.toml", text, &[]).unwrap()
+}
+
+#[track_caller]
+fn refused(text: &str, overrides: &[(String, String)], message: &str) {
+    let error = Scene::parse_with_seta("seta.toml", text, overrides).unwrap_err();
+    let whole = format!("{error}: {}", error.remedy());
+    assert!(whole.contains(message), "{whole}");
+}
+
+#[test]
+fn a_seta_has_the_defaults_of_the_model() {
+    let scene = parse(SETA);
+    let table = scene.seta.clone().unwrap();
+    // "60 deg" is no multiple of π to the last bit
+    approx::assert_relative_eq!(table.seta.shaft_angle, Seta::default().shaft_angle, max_relative = 1e-15);
+    assert_eq!(Seta { shaft_angle: table.seta.shaft_angle, ..Seta::default() }, table.seta);
+    assert_eq!((table.lateral_stiffness, table.preload, table.contact_height), (None, None, 0.0));
+    assert_eq!(scene.tip_model(), Spatula::default().model());
+    let strip = "[strip]\nlength = \"100 nm\"\nheight = \"10 nm\"\nyoungs_modulus = \"2 GPa\"\n";
+    assert!(matches!(parse(&format!("{SETA}{strip}")).tip_model().body, Body::Strip(_)));
+}
+
+#[test]
+fn the_ready_seta_shows_every_key_with_its_default() {
+    let text = include_str!("../../scenes/seta.toml");
+    let plain = parse(text);
+    assert_eq!(plain.seta, parse(SETA).seta);
+    let shows = |line: &str| line.starts_with("# ") && line.contains(" = ") && !line.contains("unless given");
+    let uncommented: Vec<&str> = text.lines().map(|line| if shows(line) { &line[2..] } else { line }).collect();
+    assert_eq!(parse(&uncommented.join("\n")), plain);
+    for key in KEYS.iter().filter(|key| key.table == "seta") {
+        assert!(text.contains(&format!("{} = ", key.name)), "{} is not shown", key.path());
+    }
+}
+
+#[test]
+fn the_root_goes_where_the_scene_says() {
+    let text = format!(
+        "{SETA}[drive]\nangle = \"30 deg\"\nazimuth = \"90 deg\"\nsteps = [\"press 300 nm\", \"hold\", \"push 2 um\", \"shift -1 um\"]\n"
+    );
+    let scene = parse(&text.replace("[seta]", "[seta]\npreload = \"2 uN\"\ncontact_height = \"3 nm\""));
+    let SetaLoading { start, steps } = scene.seta_loading(scene.seta.as_ref().unwrap());
+    assert_eq!(start, SetaStart::Above(204.0));
+    let step = |direction, until| SetaStep { direction, until };
+    assert_eq!(
+        steps[..4],
+        [
+            step([0.0, -1.0, 0.0], StepEnd::Preload(2000.0)),
+            step([0.0, -1.0, 0.0], StepEnd::Travel(300.0)),
+            step([-1.0, 0.0, 0.0], StepEnd::Travel(2000.0)),
+            step([0.0, 0.0, -1.0], StepEnd::Travel(1000.0)),
+        ]
+    );
+    let pull = steps[4];
+    assert_eq!(pull.until, StepEnd::Detached(98_000.0));
+    for (found, expected) in pull.direction.into_iter().zip([0.0, 0.5, 0.75f64.sqrt()]) {
+        approx::assert_abs_diff_eq!(found, expected, epsilon = 1e-15);
+    }
+    let plain = parse(SETA);
+    let loading = plain.seta_loading(plain.seta.as_ref().unwrap());
+    assert_eq!(loading, SetaLoading::pull([0.0, 1.0, 0.0], 98_000.0));
+}
+
+#[test]
+fn what_has_no_meaning_for_a_seta_is_refused() {
+    for (line, key) in [
+        ("[grip]\nrotation = \"fixed\"", "`grip.rotation`"),
+        ("[friction]\nstrength = \"50 MPa\"", "`friction.strength`"),
+        ("[substrate]\nshape = \"sphere\"\nradius = \"1 um\"", "`substrate.shape`"),
+        ("[drive]\nturn = \"1 deg/nm\"", "`drive.turn`"),
+        ("[accuracy]\norder = 3", "`accuracy.order`"),
+        ("[fit]\nparameters = [\"spatula.youngs_modulus\"]", "`fit.parameters`"),
+    ] {
+        refused(&format!("{SETA}{line}\n"), &[], &format!("{key} is given, and the scene has a [seta]"));
+    }
+    refused(&format!("space = true\n{SETA}"), &[], "`space` is given, and the scene has a [seta]");
+    refused(MINIMAL, &set("seta.forks", "4"), "is a key of [seta], a table that the scene does not have");
+    refused(SETA, &set("grip.rotation", "fixed"), "`grip.rotation` is given, and the scene has a [seta]");
+    let steps = |steps: &str| format!("{SETA}[drive]\nsteps = [\"{steps}\"]\n");
+    refused(&steps("turn 3 deg"), &[], "the root of a seta does not rotate and is never released");
+    refused(&steps("release"), &[], "The steps of a seta are press, lift, drag, push, shift and hold");
+    refused(&steps("press 0 nm"), &[], "has as step 1");
+}
+
+#[test]
+fn numbers_out_of_range_and_near_misses_are_named() {
+    let with = |line: &str| SETA.replace("[seta]", &format!("[seta]\n{line}"));
+    refused(&with("forks = 13"), &[], "`forks` takes a whole number from 1 to 12");
+    refused(&with("shaft_angle = \"90 deg\""), &[], "is 90 deg, which is out of range");
+    refused(&with("diameter_ratio = 1.0"), &[], "is 1, which is out of range");
+    refused(&with("shaft_lenght = \"70 um\""), &[], "Did you mean `shaft_length`?");
+    refused(&with("height_scatter = \"900 nm\""), &[], "`seta.height_scatter` cannot be computed");
+    refused("[setae]\n", &[], "Did you mean [seta]?");
+    let error = Scene::parse("seta.toml", SETA, &[]).unwrap_err();
+    assert_eq!((error.place(), error.key()), (Some("seta.toml, line 2"), Some("seta")));
+    assert!(error.problem().contains("is a table of a scene that `peel run` alone computes"), "{error}");
+}
+
+/// The ranges of the keys are those of the model.
+#[test]
+fn the_model_takes_what_the_scene_takes() {
+    let number = |key: &str| SETA.replace("[seta]", &format!("[seta]\n{key}"));
+    for line in
+        ["shaft_angle = \"-88 deg\"", "brush_angle = \"88 deg\"", "height_ratio = 0.01", "forks = 1", "forks = 12"]
+    {
+        let text = number(line).replace("[seta]\n", "[seta]\nheight_scatter = \"0 nm\"\n");
+        parse(&text).seta.unwrap().seta.check().unwrap();
+    }
+}
