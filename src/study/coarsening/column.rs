@@ -54,6 +54,11 @@ impl Column {
             return Err(HeldError::Level { at: start.place });
         }
         let limit_error = located.difference.displacement.abs();
+        let grows = |pair: &[Arc<Solution>]| weights.dot(&pair[1].observables) > weights.dot(&pair[0].observables);
+        if let Some(pair) = points.windows(2).find(|pair| !grows(pair)) {
+            let normal = pair[0].observables.displacement;
+            return Err(HeldError::Folded { at: TipPlace { normal, ..start.place } });
+        }
         let origin = weights.dot(first);
         Ok(Self { start: start.place, limit_error, problem, points, weights, origin })
     }

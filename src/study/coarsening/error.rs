@@ -33,6 +33,10 @@ pub enum HeldError {
     Unstable { from: TipPlace, last: f64 },
     #[error("the branch from {at} to its limit point has no length")]
     Level { at: TipPlace },
+    #[error(
+        "at {at} the pad presses on the substrate so that less of it adheres: what the table goes along turns back there. Press less"
+    )]
+    Folded { at: TipPlace },
     #[error("the equilibrium at the share {share:.6} of the branch that begins at {at} was not found: {cause}")]
     NoNode { at: TipPlace, share: f64, cause: SolveError },
     #[error(

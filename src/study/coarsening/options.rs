@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 /// Which places of its end a table holds.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TipRange {
-    /// How far below the height without a normal force it begins, nm, above zero
+    /// How far below the height without a normal force it begins, nm, zero or above
     pub press: f64,
     /// v, from and to, nm; of no use where the pad slides
     pub lateral: [f64; 2],
@@ -61,7 +61,7 @@ impl CoarseningOptions {
         if !(least..=most).contains(&self.tolerance) {
             return Err(OptionsError::Tolerance { tolerance: self.tolerance, least, most });
         }
-        if !(press.is_finite() && press > 0.0) {
+        if !(press.is_finite() && press >= 0.0) {
             return Err(OptionsError::Press { press });
         }
         let ranges = [("lateral", lateral, "nm"), ("rotation", rotation, "rad")];
@@ -81,7 +81,7 @@ impl CoarseningOptions {
 pub enum OptionsError {
     #[error("the tolerance {tolerance} is out of range: give {least} to {most}")]
     Tolerance { tolerance: f64, least: f64, most: f64 },
-    #[error("the spatula is pressed by {press} nm: give a length above zero")]
+    #[error("the spatula is pressed by {press} nm: give a length of zero or above")]
     Press { press: f64 },
     #[error("the {name} range from {from} to {to} {unit} does not hold zero with room about it: give it as from,to")]
     Range { name: &'static str, from: f64, to: f64, unit: &'static str },

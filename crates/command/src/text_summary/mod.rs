@@ -10,6 +10,7 @@ mod peel;
 mod sensitivities;
 mod stability;
 mod sweep;
+mod tip;
 mod uncertainty;
 mod units;
 
@@ -20,5 +21,6 @@ pub use optimisation::optimum;
 pub use peel::{peel, taken};
 pub use sensitivities::sensitivities;
 pub use sweep::{followed, sweep};
+pub use tip::tip;
 pub use uncertainty::uncertainty;
 pub use units::{UnitsArgs, WantedUnits};

@@ -5,12 +5,14 @@ mod fit;
 mod optimisation;
 mod summary;
 mod tables;
+mod tip;
 mod uncertainty;
 
 pub use fit::{FIT_COLUMNS, FIT_SUMMARY, PROFILE_COLUMNS};
 pub use optimisation::{HISTORY_COLUMNS, OPTIMISATION_SUMMARY};
 pub use summary::{PEEL_SUMMARY, SWEEP_SUMMARY};
 pub use tables::{CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS};
+pub use tip::{TIP_LAW_COLUMNS, TIP_LIMIT_COLUMNS, TIP_SUMMARY};
 pub use uncertainty::{SAMPLE_COLUMNS, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY};
 
 /// A key of a JSON object or a column of a table.
@@ -75,7 +77,10 @@ pub fn paths(keys: &[OutputKey]) -> Vec<String> {
 mod tests {
     use super::*;
 
-    const ALL: [&[OutputKey]; 15] = [
+    const ALL: [&[OutputKey]; 18] = [
+        TIP_SUMMARY,
+        TIP_LAW_COLUMNS,
+        TIP_LIMIT_COLUMNS,
         OPTIMISATION_SUMMARY,
         HISTORY_COLUMNS,
         FIT_SUMMARY,
