@@ -26,6 +26,6 @@ pub use options::{CoarseningOptions, OptionsError, TipRange};
 pub use place::{PadEnd, TipPlace, TipResponse};
 pub use refine::{SheetErrors, TipScales};
 pub use run::{Coarsening, coarsen};
-pub use sheet::{Sheet, SheetNode, SheetTable};
+pub use sheet::{Sheet, SheetLimit, SheetNode, SheetTable};
 pub use table::TipTable;
 pub use tip_in_space::{OutOfPlane, SpatulaTip};

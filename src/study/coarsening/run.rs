@@ -28,6 +28,8 @@ pub struct Coarsening {
 
 /// The force at which the detached branch begins, over the tolerance times the largest force.
 const NEGLECTED: f64 = 0.25;
+/// The most that it is, over the force with which that branch ends.
+const OF_LIMIT: f64 = 0.25;
 /// A pad that adheres over more than this share of what it does at rest has not come off.
 const STILL_ADHERES: f64 = 0.5;
 /// How far away the detached branch is begun, over the length of the spatula, beside what its rotation takes.
@@ -102,11 +104,15 @@ impl Coarsening {
         })
     }
 
-    /// Where the detached branch begins, from far away.
-    fn far_away(&self, force: f64) -> Result<Columns, HeldError> {
+    /// Where the detached branch begins, from far away: with this force, or less where that is more than a part of what it ends with.
+    fn far_away(&self, most: f64) -> Result<Columns, HeldError> {
         let spatula = HeldSpatula::new(&self.model, PadEnd::Sliding, self.options.tolerance)?;
         let [from, to] = self.options.range.rotation;
         let far = spatula.lifted((AWAY + from.abs().max(to.abs())) * self.model.length())?;
+        let mut force = most;
+        for rotation in [from, 0.0, to] {
+            force = force.min(OF_LIMIT * BranchStart::force_at_limit(&spatula, &far, rotation)?);
+        }
         Ok(Columns::new(BranchStart::Detached { spatula, far, force }))
     }
 

@@ -9,7 +9,7 @@
 //!   S_u = 1/U_s,  S_i = -U_i/U_s,
 //!   E_ij = Φ_ss S_i S_j + Φ_si S_j + Φ_sj S_i + Φ_ij,  Φ = Ê - P U with P held.
 //!
-//! Next to the limit point, s > s_c = 0.995, and beyond it, κ (s - s_c)³ is added to U and as many times the mean force there to Ê: then the branch has an
+//! Next to the limit point, s > s_c = 0.9998, and beyond it, κ (s - s_c)³ is added to U and as many times the mean force there to Ê: then the branch has an
 //! energy a little beyond its end as well, with a force near to that at the limit.
 
 use super::place::{TipPlace, TipResponse};
@@ -63,6 +63,17 @@ impl SheetTable {
     }
 }
 
+/// Where a branch ends, at one v and θ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SheetLimit {
+    /// u, nm
+    pub normal: f64,
+    /// E, aJ
+    pub energy: f64,
+    /// ∂E/∂(u, v, θ), nN, nN and nN·nm
+    pub force: [f64; 3],
+}
+
 /// A value with its derivatives by s, v and θ.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Jet {
@@ -84,7 +95,9 @@ pub struct Sheet {
 }
 
 /// s from which the branch is continued beyond its limit.
-const CONTINUED: f64 = 0.995;
+const CONTINUED: f64 = 0.9998;
+/// At the limit point P = Ê_s/U_s is 0/0: it is taken so little before it.
+const BEFORE_LIMIT: f64 = 1e-6;
 /// s between which it is known or continued.
 const FIRST: f64 = -0.1;
 const LAST: f64 = 1.2;
@@ -132,6 +145,13 @@ impl Sheet {
             let basis = self.axes[0].basis(s);
             (0..basis.count).map(|i| basis.derivatives[0][i] * displacement[basis.first + i]).sum()
         })
+    }
+
+    /// The limit point at v and θ: u, energy and forces.
+    pub fn limit(&self, place: TipPlace) -> SheetLimit {
+        let inside = self.clamped(place);
+        let TipResponse { energy, force, .. } = self.interpolated_at(1.0, inside);
+        SheetLimit { normal: self.displacement_at(1.0, inside), energy, force }
     }
 
     /// Whether u, v and θ are within the table, before the limit point.
@@ -276,7 +296,7 @@ impl Sheet {
 
     /// The response at s, v and θ without what continues the branch beyond its limit.
     pub(super) fn interpolated_at(&self, s: f64, place: TipPlace) -> TipResponse {
-        response(&self.jets(s, &place))
+        response(&self.jets(s.min(1.0 - BEFORE_LIMIT), &place))
     }
 
     /// The response at s, v and θ.

@@ -83,7 +83,8 @@ impl TipTable {
 
     /// Energy that is released where an attached tip snaps off, at the limit point of v and θ, aJ.
     pub fn released(&self, place: TipPlace) -> f64 {
-        let at = TipPlace { normal: self.attached.ends(place)[1], ..place };
-        self.attached.response(at).energy - self.response(TipSheet::Detached, at).energy
+        let limit = self.attached.limit(place);
+        let at = TipPlace { normal: limit.normal, ..place };
+        limit.energy - self.response(TipSheet::Detached, at).energy
     }
 }

@@ -37,6 +37,6 @@ fn a_pull_along_a_straight_line_is_one_line_of_the_table() {
         let [begin, end] = table.attached.ends(at(0.0, lateral, rotation));
         let place = at(begin + 0.98 * share(0.5497005) * (end - begin), lateral, rotation);
         let [force, stiffness] = differences(&table.attached, place);
-        assert!(force < 1e-5 && stiffness < 1e-3, "{place}: {force:.1e} {stiffness:.1e}");
+        assert!(force < 1e-4 && stiffness < 1e-3, "{place}: {force:.1e} {stiffness:.1e}");
     }
 }

@@ -48,10 +48,11 @@ fn the_curve_at_a_fixed_rotation_is_that_of_a_pull() {
     }
     let peak = table.response(TipSheet::Attached, at(361.24302, 0.0, 0.0));
     assert!((peak.force[2] + 1521.33711).abs() < bound[2], "{}", peak.force[2]);
-    let [_, limit] = table.attached.ends(at(0.0, 0.0, 0.0));
-    assert!((limit - 364.418953).abs() < 1e-6 + table.attached_errors.limit, "{limit}");
-    let end = table.attached.response(at(limit, 0.0, 0.0));
-    assert!((end.force[0] - 6.4704105).abs() < 1e-3 * 6.67, "{}", end.force[0]);
+    let limit = table.attached.limit(at(0.0, 0.0, 0.0));
+    assert!((limit.normal - 364.418953).abs() < 1e-6 + table.attached_errors.limit, "{limit:?}");
+    assert!((limit.force[0] - 6.4704105).abs() < bound[0], "{limit:?}");
+    let there = table.attached.response(at(limit.normal, 0.0, 0.0));
+    assert!((there.force[0] - limit.force[0]).abs() < 1e-3 * 6.67, "{there:?}");
 }
 
 #[test]

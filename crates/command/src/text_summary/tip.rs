@@ -1,6 +1,6 @@
 //! The law of a tip, laid out for a person.
 
-use peelkit::study::coarsening::{PadEnd, TipPlace, TipSheet, TipTable};
+use peelkit::study::coarsening::{PadEnd, SheetLimit, TipPlace, TipSheet, TipTable};
 
 /// What the table holds, its limits and its errors.
 pub fn tip(title: &str, table: &TipTable, solve_s: f64) -> String {
@@ -20,8 +20,7 @@ pub fn tip(title: &str, table: &TipTable, solve_s: f64) -> String {
         [(TipSheet::Attached, "attached", "snaps off"), (TipSheet::Detached, "detached", "snaps on")]
     {
         let (sheet, errors) = (table.sheet(on), table.errors(on));
-        let [_, limit] = sheet.ends(TipPlace::default());
-        let force = sheet.response(TipPlace { normal: limit, ..TipPlace::default() }).force[0];
+        let SheetLimit { normal: limit, force: [force, ..], .. } = sheet.limit(TipPlace::default());
         let nodes = sheet.table();
         text += &format!(
             "{name:<15}{what} at u = {limit:.6} nm (v = 0, θ = 0), with {force:.6} nN\n{:15}errors below {:.1e} nN, {:.1e} nN along the substrate, {:.1e} nN nm, limit {:.1e} nm\n{:15}{} x {} x {} nodes along the branch, of v and of θ; checked at {} places between\n",

@@ -67,18 +67,21 @@ struct Branch {
 impl Branch {
     fn new(table: &TipTable, on: TipSheet) -> Self {
         let (sheet, errors): (&Sheet, &SheetErrors) = (table.sheet(on), table.errors(on));
-        let [_, limit] = sheet.ends(TipPlace::default());
-        let place = TipPlace { normal: limit, ..TipPlace::default() };
-        let [own, other] = [TipSheet::Attached, TipSheet::Detached].map(|on| table.response(on, place));
-        let released = if on == TipSheet::Attached { own.energy - other.energy } else { other.energy - own.energy };
+        let limit = sheet.limit(TipPlace::default());
+        let place = TipPlace { normal: limit.normal, ..TipPlace::default() };
+        let other = match on {
+            TipSheet::Attached => TipSheet::Detached,
+            TipSheet::Detached => TipSheet::Attached,
+        };
+        let released = limit.energy - table.response(other, place).energy;
         let nodes = sheet.table();
         let [normal_force_error, lateral_force_error, moment_error] = errors.force.map(Finite);
         Self {
             path_nodes: nodes.path.len(),
             lateral_nodes: nodes.lateral.len(),
             rotation_nodes: nodes.rotation.len(),
-            limit_nm: Finite(limit),
-            limit_force: Finite(sheet.response(place).force[0]),
+            limit_nm: Finite(limit.normal),
+            limit_force: Finite(limit.force[0]),
             released: Finite(released),
             normal_force_error,
             lateral_force_error,
