@@ -140,7 +140,7 @@ impl Sheet {
 
     /// u where the branch begins and where it ends, at v and θ, nm.
     pub fn ends(&self, place: TipPlace) -> [f64; 2] {
-        let (displacement, _) = self.along(&self.clamped(place));
+        let displacement = self.along(&self.clamped(place));
         [0.0, 1.0].map(|s| {
             let basis = self.axes[0].basis(s);
             (0..basis.count).map(|i| basis.derivatives[0][i] * displacement[basis.first + i]).sum()
@@ -198,27 +198,25 @@ impl Sheet {
         }
     }
 
-    /// The coefficients along s of U and Ê at v and θ.
-    fn along(&self, place: &TipPlace) -> (Vec<f64>, Vec<f64>) {
+    /// The coefficients along s of U at v and θ.
+    fn along(&self, place: &TipPlace) -> Vec<f64> {
         let [v, t] = [self.axes[1].basis(place.lateral), self.axes[2].basis(place.rotation)];
         let (length, rotations) = (self.axes[0].len(), self.axes[2].len());
-        let (mut displacement, mut energy) = (vec![0.0; length], vec![0.0; length]);
+        let mut displacement = vec![0.0; length];
         for i in 0..v.count {
             for j in 0..t.count {
                 let weight = v.derivatives[0][i] * t.derivatives[0][j];
                 let from = ((v.first + i) * rotations + t.first + j) * length;
-                for k in 0..length {
-                    displacement[k] += weight * self.displacement[from + k];
-                    energy[k] += weight * self.energy[from + k];
-                }
+                let own = &self.displacement[from..from + length];
+                displacement.iter_mut().zip(own).for_each(|(sum, coefficient)| *sum += weight * coefficient);
             }
         }
-        (displacement, energy)
+        displacement
     }
 
     /// S(u, v, θ): by Newton's method in a bracket.
     fn path_at(&self, place: TipPlace) -> f64 {
-        let (displacement, _) = self.along(&place);
+        let displacement = self.along(&place);
         let at = |s: f64| {
             let basis = self.axes[0].basis(s);
             let sum = |d: usize| -> f64 {
