@@ -5,10 +5,10 @@ use peelkit_scene::{Dimension, parse_quantity};
 
 /// A number with a unit, in the library's unit.
 pub fn number(option: &str, text: &str, dimension: Dimension) -> Result<f64, Stop> {
-    parse_quantity(text, dimension).map_err(|why| {
-        let unit = if dimension == Dimension::Angle { "deg" } else { "nm" };
+    parse_quantity(text, dimension).map_err(|_| {
+        let (what, unit) = if dimension == Dimension::Angle { ("an angle", "deg") } else { ("a length", "nm") };
         Stop::bad_input(
-            format!("{option} has \"{text}\": {why}"),
+            format!("{option} has \"{text}\", which is not {what} with its unit"),
             format!("Write a number and a unit, such as \"10 {unit}\"."),
         )
     })
