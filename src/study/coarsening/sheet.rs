@@ -90,6 +90,8 @@ pub struct Sheet {
     /// Coefficients of U and Ê, by v, then θ, then s.
     displacement: Vec<f64>,
     energy: Vec<f64>,
+    /// Coefficients of the forces at the limit point, by v, then θ.
+    limit_forces: [Vec<f64>; 3],
     /// κ, nm, and the mean force at the limit, nN.
     beyond: [f64; 2],
 }
@@ -117,7 +119,12 @@ impl Sheet {
         let numbers = |of: fn(&SheetNode) -> [f64; 2]| nodes.iter().flat_map(of).collect::<Vec<_>>();
         let displacement = coefficients(&axes, numbers(|node| [node.normal, node.slope]));
         let energy = coefficients(&axes, numbers(|node| [node.energy, node.force[0] * node.slope]));
-        let mut sheet = Self { axes, displacement, energy, beyond: [0.0; 2], table };
+        let last = path.len() - 1;
+        let limit_forces = std::array::from_fn(|i| {
+            let numbers = nodes.chunks_exact(last + 1).map(|column| column[last].force[i]).collect();
+            tensor_coefficients(&axes[1], &axes[2], numbers)
+        });
+        let mut sheet = Self { axes, displacement, energy, limit_forces, beyond: [0.0; 2], table };
         sheet.beyond = sheet.continuation();
         Some(sheet)
     }
@@ -150,8 +157,15 @@ impl Sheet {
     /// The limit point at v and θ: u, energy and forces.
     pub fn limit(&self, place: TipPlace) -> SheetLimit {
         let inside = self.clamped(place);
-        let TipResponse { energy, force, .. } = self.interpolated_at(1.0, inside);
-        SheetLimit { normal: self.displacement_at(1.0, inside), energy, force }
+        let [v, t] = [self.axes[1].basis(inside.lateral), self.axes[2].basis(inside.rotation)];
+        let rotations = self.axes[2].len();
+        let force = |i: usize| -> f64 {
+            let own = |a: usize, b: usize| self.limit_forces[i][(v.first + a) * rotations + t.first + b];
+            let places = (0..v.count).flat_map(|a| (0..t.count).map(move |b| (a, b)));
+            places.map(|(a, b)| v.derivatives[0][a] * t.derivatives[0][b] * own(a, b)).sum()
+        };
+        let [normal, energy] = self.jets(1.0, &inside).map(|jet| jet.value);
+        SheetLimit { normal, energy, force: std::array::from_fn(force) }
     }
 
     /// Whether u, v and θ are within the table, before the limit point.
@@ -329,6 +343,15 @@ fn response([u, e]: &[Jet; 2]) -> TipResponse {
             })
         }),
     }
+}
+
+/// Coefficients over v and θ of numbers by v, then θ.
+fn tensor_coefficients(lateral: &SplineAxis, rotation: &SplineAxis, numbers: Vec<f64>) -> Vec<f64> {
+    let [v, t] = [lateral.len(), rotation.len()];
+    let rows: Vec<f64> = numbers.chunks_exact(t).flat_map(|row| rotation.coefficients(row)).collect();
+    let columns: Vec<Vec<f64>> =
+        (0..t).map(|k| lateral.coefficients(&(0..v).map(|i| rows[i * t + k]).collect::<Vec<_>>())).collect();
+    (0..v).flat_map(|i| columns.iter().map(move |column| column[i])).collect()
 }
 
 /// Coefficients of the tensor product, one coordinate after the other.

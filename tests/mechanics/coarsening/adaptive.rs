@@ -44,7 +44,9 @@ fn it_solves_the_spatula_where_the_table_ends_and_grows() {
 fn where_less_error_is_allowed_every_tip_is_solved() {
     let coarsening = Coarsening::new(&spatula(), &options()).unwrap();
     let mut adaptive = AdaptiveTable::new(coarsening, 1e-6).unwrap();
-    for (on, normal) in [(TipSheet::Attached, 120.0), (TipSheet::Attached, 330.0), (TipSheet::Detached, 34.0)] {
+    let [begin, end] = adaptive.table().detached.ends(at(0.0, 0.0, -0.01));
+    let near = 0.5 * (begin + end);
+    for (on, normal) in [(TipSheet::Attached, 120.0), (TipSheet::Attached, 330.0), (TipSheet::Detached, near)] {
         let place = at(normal, 0.0, -0.01);
         let solved = adaptive.response(on, place).unwrap();
         let table = adaptive.table();

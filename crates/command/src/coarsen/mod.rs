@@ -12,7 +12,7 @@ use clap::Args;
 use indicatif::ProgressBar;
 use peelkit::model::Hold;
 use peelkit::study::Terms;
-use peelkit::study::coarsening::{self, CoarseningError, CoarseningOptions, PadEnd, TipTable};
+use peelkit::study::coarsening::{Coarsening, CoarseningError, CoarseningOptions, PadEnd, TipTable};
 use peelkit_report::{self as report, ReportError, TipSummary, timed};
 use peelkit_scene::{Dimension, Scene};
 use std::path::{Path, PathBuf};
@@ -93,10 +93,11 @@ pub fn coarsen(args: &Coarsen) -> Result<(), Stop> {
             "Give --set terms=all.",
         ));
     }
+    let mut coarsening = Coarsening::new(&scene.model, &options).map_err(|why| refused(&args.scene.path, &why))?;
     let folder = args.folder().map(|folder| args.out.claim(&folder)).transpose()?;
     let bar = ProgressBar::new_spinner().with_message("solving the spatula");
     bar.enable_steady_tick(Duration::from_millis(200));
-    let (found, solve_s) = timed(|| coarsening::coarsen(&scene.model, &options));
+    let (found, solve_s) = timed(|| coarsening.table());
     bar.finish_and_clear();
     let table = found.map_err(|why| refused(&args.scene.path, &why))?;
     let command = command_line();
