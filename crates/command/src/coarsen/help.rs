@@ -12,9 +12,9 @@ Examples:
   peel coarsen spatula.toml --rotation '-20 deg,20 deg' --press '100 nm' --tolerance 1e-4
   peel coarsen spatula.toml --set grip.horizontal=fixed --lateral '-20 nm,10 nm'
 
-The end of the spatula is held at a height u, at a place v along the substrate and at a rotation θ, all from where it is in
-the stress-free configuration. Computed is its energy E(u, v, θ); forces and moment are its gradient. The pull of the scene
-plays no part, nor whether its grip turns freely. grip.horizontal says what the pad does:
+The end of the spatula is held at a height u, at a place v along the substrate and at a rotation θ, all from where
+it is in the stress-free configuration. Computed is its energy E(u, v, θ); forces and moment are its gradient. The
+pull of the scene plays no part, nor whether its grip turns freely. grip.horizontal says what the pad does:
   free    it slides without friction; v changes nothing, and there is no force along the substrate
   fixed   its free end stays where it adheres; v counts, and its range is small: the spatula is stiff along its shaft
 

@@ -25,21 +25,21 @@ pub struct Coarsen {
     #[command(flatten)]
     scene: SceneArgs,
 
-    /// Error wanted of forces and moment, over the largest of each
+    /// Error wanted of forces and moment, relative to the largest
     #[arg(long, value_name = "X", default_value_t = 1e-3)]
     tolerance: f64,
 
-    /// How far below the height without a normal force the table begins [default: 50 nm; 5 nm]
+    /// How far the tip is pressed [default: 50 nm; 5 nm if the pad is held]
     ///
-    /// The second default is that of a spatula whose pad is held, here and below.
+    /// The table begins so far below the height without a normal force.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     press: Option<String>,
 
-    /// Range of v, where the pad is held: '-20 nm,10 nm' [default: -10 nm,10 nm]
+    /// Range of v, if the pad is held [default: -10 nm,10 nm]
     #[arg(long, value_name = "FROM,TO", allow_hyphen_values = true)]
     lateral: Option<String>,
 
-    /// Range of θ: '-20 deg,20 deg' [default: -0.4 rad,0.4 rad; -0.1 rad,0.1 rad]
+    /// Range of θ [default: -0.4 rad,0.4 rad; -0.1 rad,0.1 rad if the pad is held]
     #[arg(long, value_name = "FROM,TO", allow_hyphen_values = true)]
     rotation: Option<String>,
 
