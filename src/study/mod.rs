@@ -1,6 +1,7 @@
 //! Analyses: the whole peel of a model, sweeps over a parameter, tests, limit points followed, the path of a rod.
 mod accuracy;
 mod checkpoint;
+pub mod coarsening;
 mod displacement_controlled_test;
 mod error_bounds;
 mod fit;

@@ -1,5 +1,6 @@
 //! The command `peel`, run as a user runs it.
 
+mod coarsen;
 mod collect;
 mod documents;
 mod fit;

@@ -5,6 +5,7 @@
 mod adhesion;
 mod beam;
 mod body;
+mod coarsening;
 mod common;
 mod model;
 mod seta;

@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod accuracy;
+mod coarsen;
 mod collect;
 mod command_line;
 mod figures;
@@ -45,6 +46,7 @@ enum Command {
     Optimise(optimise::Optimise),
     Fit(fit::Fit),
     Uncertainty(uncertainty::Uncertainty),
+    Coarsen(coarsen::Coarsen),
     Accuracy(accuracy::Accuracy),
     Verify(verify::Verify),
     New(new::New),
@@ -68,6 +70,7 @@ fn main() -> ExitCode {
         Command::Optimise(args) => optimise::optimise(&args),
         Command::Fit(args) => fit::fit(&args),
         Command::Uncertainty(args) => uncertainty::uncertainty(&args),
+        Command::Coarsen(args) => coarsen::coarsen(&args),
         Command::Accuracy(args) => accuracy::accuracy(&args),
         Command::Verify(args) => verify::verify(&args),
         Command::New(args) => new::new(&args),

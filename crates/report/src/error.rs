@@ -51,6 +51,14 @@ pub enum ReportError {
         /// What is wrong with its first line.
         reason: String,
     },
+    /// A folder that should hold the law of a tip.
+    #[error("{path} is not a part of the law of a tip that this version of peel can read: {reason}")]
+    NoTipLaw {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
     /// What an earlier run has left cannot be read.
     #[error("cannot read {path}: {source}")]
     Read {
@@ -79,6 +87,7 @@ impl ReportError {
         | Self::OtherOptimisation { path }
         | Self::OtherRun { path }
         | Self::NoPart { path, .. }
+        | Self::NoTipLaw { path, .. }
         | Self::Read { path, .. }
         | Self::Draw { path, .. }) = &mut self;
         *path = other(path);

@@ -24,6 +24,7 @@ mod sweep_row;
 mod swept_keys;
 mod tables;
 mod timing;
+mod tip_law;
 
 pub use animation::{Pose, poses, write_animation};
 pub use checkpoint::{
@@ -39,7 +40,7 @@ pub use number::{Finite, to_json};
 pub use parameters_file::write_parameters;
 pub use pictures::{
     curve_svg, draw_fit, draw_followed, draw_observed, draw_optimum, draw_peel, draw_peel_with_branch, draw_plane,
-    draw_sensitivities, draw_sweep, draw_uncertainty,
+    draw_sensitivities, draw_sweep, draw_tip_law, draw_uncertainty,
 };
 pub use seta::{
     SETA_STATE_FIELDS, SetaPose, SetaStateField, SetaSummary, draw_pull_off, seta_end_reason, seta_end_word, tip_peak,
@@ -47,13 +48,14 @@ pub use seta::{
 };
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
 pub use summary::{
-    FitSummary, ObservedSummary, OptimisationSummary, PeelSummary, SCHEMA, SweepSummary, UncertaintySummary, VERSION,
-    ground_warning, left_out, why_kept,
+    FitSummary, ObservedSummary, OptimisationSummary, PeelSummary, SCHEMA, SweepSummary, TipSummary,
+    UncertaintySummary, VERSION, ground_warning, left_out, why_kept,
 };
 pub use sweep_row::SweepRow;
 pub use swept_keys::SweptKeys;
 pub use tables::{
     SweepLine, curve_csv, work_to, write_branch, write_curve, write_fit, write_followed, write_history,
-    write_limit_points, write_observed, write_samples, write_sweep, write_table, write_uncertainty,
+    write_limit_points, write_observed, write_samples, write_sweep, write_table, write_tip_law, write_uncertainty,
 };
 pub use timing::timed;
+pub use tip_law::read_tip_law;

@@ -6,7 +6,7 @@ use peelkit_report::reference::{
     CURVE_COLUMNS, FIT_COLUMNS, FIT_SUMMARY, HISTORY_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS,
     OPTIMISATION_SUMMARY, OutputKey, PEEL_SUMMARY, PROFILE_COLUMNS, SAMPLE_COLUMNS, SETA_CURVE_COLUMNS,
     SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS,
-    SWEEP_SUMMARY, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY, paths,
+    SWEEP_SUMMARY, TIP_LAW_COLUMNS, TIP_LIMIT_COLUMNS, TIP_SUMMARY, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY, paths,
 };
 use peelkit_report::{SETA_STATE_FIELDS, SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
 use serde_json::Value;
@@ -42,6 +42,9 @@ fn the_output_reference_is_that_of_the_lists() {
         ("tips.csv", SETA_TIP_COLUMNS, "column"),
         ("tip.csv", SETA_TIP_CURVE_COLUMNS, "column"),
         ("states.pvd of a seta", &seta_arrays(), "array"),
+        ("peel coarsen", TIP_SUMMARY, "key"),
+        ("tip_law.csv", TIP_LAW_COLUMNS, "column"),
+        ("tip_limits.csv", TIP_LIMIT_COLUMNS, "column"),
     ] {
         let mut part = row(&[first, "unit", "meaning"]) + "|---|---|---|\n";
         for key in keys {
@@ -201,6 +204,22 @@ fn every_output_of_a_fit_is_described() {
     assert_described(&found, FIT_SUMMARY, "peel fit");
     for (file, keys) in [("fit.csv", FIT_COLUMNS), ("profiles.csv", PROFILE_COLUMNS)] {
         let table = std::fs::read_to_string(folder.path().join("fit").join(file)).unwrap();
+        assert_described(&table.lines().next().unwrap().split(',').map(str::to_owned).collect(), keys, file);
+    }
+}
+
+#[test]
+fn every_output_of_a_coarsening_is_described() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = format!("{}/scenes/spatula.toml", super::ROOT);
+    let few = ["--tolerance", "0.05", "--press", "1 nm", "--rotation", "-1 deg,1 deg", "--lateral", "-1 nm,1 nm"];
+    peel(&[&["coarsen", &scene, "--out", "tip", "--set", "grip.horizontal=fixed"], &few[..]].concat(), folder.path());
+    let json = std::fs::read(folder.path().join("tip/summary.json")).unwrap();
+    let mut found = BTreeSet::new();
+    keys_of(&serde_json::from_slice(&json).unwrap(), "", &mut found);
+    assert_described(&found, TIP_SUMMARY, "peel coarsen");
+    for (file, keys) in [("tip_law.csv", TIP_LAW_COLUMNS), ("tip_limits.csv", TIP_LIMIT_COLUMNS)] {
+        let table = std::fs::read_to_string(folder.path().join("tip").join(file)).unwrap();
         assert_described(&table.lines().next().unwrap().split(',').map(str::to_owned).collect(), keys, file);
     }
 }

@@ -11,6 +11,7 @@ mod sensitivities;
 mod seta;
 mod stability;
 mod sweep;
+mod tip;
 mod uncertainty;
 mod units;
 
@@ -22,5 +23,6 @@ pub use peel::{peel, taken};
 pub use sensitivities::sensitivities;
 pub use seta::seta;
 pub use sweep::{followed, sweep};
+pub use tip::tip;
 pub use uncertainty::uncertainty;
 pub use units::{UnitsArgs, WantedUnits};

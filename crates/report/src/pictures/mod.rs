@@ -13,6 +13,7 @@ mod projection;
 mod sensitivities;
 mod shapes;
 pub mod sweep;
+mod tip;
 mod uncertainty;
 
 pub use fit::draw_fit;
@@ -23,4 +24,5 @@ pub use peel::{curve_svg, draw_peel, draw_peel_with_branch};
 pub use plane::draw_plane;
 pub use sensitivities::{bars, draw_sensitivities};
 pub use sweep::draw_sweep;
+pub use tip::draw_tip_law;
 pub use uncertainty::draw_uncertainty;

@@ -6,6 +6,7 @@ mod optimisation;
 mod seta;
 mod summary;
 mod tables;
+mod tip;
 mod uncertainty;
 
 pub use fit::{FIT_COLUMNS, FIT_SUMMARY, PROFILE_COLUMNS};
@@ -13,6 +14,7 @@ pub use optimisation::{HISTORY_COLUMNS, OPTIMISATION_SUMMARY};
 pub use seta::{SETA_CURVE_COLUMNS, SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS};
 pub use summary::{PEEL_SUMMARY, SWEEP_SUMMARY};
 pub use tables::{CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS};
+pub use tip::{TIP_LAW_COLUMNS, TIP_LIMIT_COLUMNS, TIP_SUMMARY};
 pub use uncertainty::{SAMPLE_COLUMNS, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY};
 
 /// A key of a JSON object or a column of a table.
@@ -77,12 +79,15 @@ pub fn paths(keys: &[OutputKey]) -> Vec<String> {
 mod tests {
     use super::*;
 
-    const ALL: [&[OutputKey]; 20] = [
+    const ALL: [&[OutputKey]; 23] = [
         SETA_SUMMARY,
         SETA_CURVE_COLUMNS,
         SETA_EVENT_COLUMNS,
         SETA_TIP_COLUMNS,
         SETA_TIP_CURVE_COLUMNS,
+        TIP_SUMMARY,
+        TIP_LAW_COLUMNS,
+        TIP_LIMIT_COLUMNS,
         OPTIMISATION_SUMMARY,
         HISTORY_COLUMNS,
         FIT_SUMMARY,

@@ -17,6 +17,7 @@ mod sensitivities;
 mod sliding;
 mod sweep;
 mod term_summary;
+mod tip;
 mod uncertainty;
 
 pub use accuracy::left_out;
@@ -29,4 +30,6 @@ pub(crate) use parameters::Parameters;
 pub use peel::PeelSummary;
 pub use sweep::SweepSummary;
 pub use term_summary::why_kept;
+pub use tip::TipSummary;
+pub(crate) use tip::pad_end_word;
 pub use uncertainty::UncertaintySummary;

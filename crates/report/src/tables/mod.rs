@@ -5,6 +5,7 @@ mod fit;
 mod optimisation;
 mod sweep;
 mod table;
+mod tip;
 mod uncertainty;
 
 pub use curve::{curve_csv, write_branch, write_curve, write_limit_points, write_observed};
@@ -12,4 +13,6 @@ pub use fit::write_fit;
 pub use optimisation::write_history;
 pub use sweep::{SweepLine, work_to, write_followed, write_sweep};
 pub use table::write_table;
+pub(crate) use tip::sheet_word;
+pub use tip::write_tip_law;
 pub use uncertainty::{write_samples, write_uncertainty};

@@ -1,0 +1,32 @@
+//! The help of `peel coarsen`.
+
+/// Of `peel coarsen -h`.
+pub const SHORT: &str = "\
+Example: peel coarsen spatula.toml
+More: peel coarsen --help, on the ranges and the files";
+
+/// Of `peel coarsen --help`.
+pub const LONG: &str = "\
+Examples:
+  peel coarsen spatula.toml
+  peel coarsen spatula.toml --rotation '-20 deg,20 deg' --press '100 nm' --tolerance 1e-4
+  peel coarsen spatula.toml --set grip.horizontal=fixed --lateral '-20 nm,10 nm'
+
+The end of the spatula is held at a height u, at a place v along the substrate and at a rotation θ, all from where
+it is in the stress-free configuration. Computed is its energy E(u, v, θ); forces and moment are its gradient. The
+pull of the scene plays no part, nor whether its grip turns freely. grip.horizontal says what the pad does:
+  free    it slides without friction; v changes nothing, and there is no force along the substrate
+  fixed   its free end stays where it adheres; v counts, and its range is small: the spatula is stiff along its shaft
+
+The table has two branches. On one the pad adheres, from where the tip is pressed to the limit point at which it snaps
+off; on the other it does not, from far away to the limit point at which it snaps on. Between the two there is no stable
+equilibrium: a tip jumps. The table is refined, with the spatula solved between its nodes, until twice the largest
+error found is within the tolerance.
+
+Files:
+  summary.json        ranges, limits, error bounds and the scene
+  tip_law.csv         one row for each node: u, v, θ, energy, forces, moment
+  tip_limits.csv      one row for each limit point: where the tip snaps off or on, and the energy released there
+  tip_law.svg, .png   normal force against displacement, for several θ and v
+
+Exit status 3: the tolerance was not met; the table is written all the same, with its errors.";

@@ -1,0 +1,71 @@
+//! The picture of the law of a tip: the normal force over the displacement, with the limits.
+
+use crate::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, colour, order_shade, save, significant};
+use crate::error::ReportError;
+use peelkit::study::coarsening::{PadEnd, Sheet, TipPlace, TipSheet, TipTable};
+use std::path::{Path, PathBuf};
+
+/// Curves in a panel, and points of each.
+const CURVES: usize = 5;
+const POINTS: usize = 240;
+
+/// Draws `tip_law.svg` and `tip_law.png` into `dir`: the normal force at several rotations, and beside it at several v, or the moment where the pad slides.
+///
+/// Fails where a file cannot be written ([`ReportError::Write`]).
+pub fn draw_tip_law(table: &TipTable, title: &str, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    let range = &table.options.range;
+    let rotations: Vec<(TipPlace, String)> = spread(range.rotation)
+        .map(|rotation| (TipPlace { rotation, ..TipPlace::default() }, format!("θ = {} rad", significant(rotation, 2))))
+        .collect();
+    let force = |index: usize, places: &[(TipPlace, String)]| panel(table, index, places, 0, "normal force P (nN)");
+    let second = match table.options.pad_end {
+        PadEnd::Sliding => panel(table, 1, &rotations, 2, "moment M (nN nm)"),
+        PadEnd::Held => {
+            let lateral = spread(range.lateral).map(|lateral| {
+                (TipPlace { lateral, ..TipPlace::default() }, format!("v = {} nm", significant(lateral, 2)))
+            });
+            force(1, &lateral.collect::<Vec<_>>())
+        }
+    };
+    save(&Picture::of(title, vec![force(0, &rotations), second]), dir, "tip_law")
+}
+
+/// Evenly over a range.
+fn spread([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+    (0..CURVES).map(move |k| from + (to - from) * k as f64 / (CURVES - 1) as f64)
+}
+
+fn panel(table: &TipTable, index: usize, places: &[(TipPlace, String)], component: usize, label: &str) -> Panel {
+    let mut lines = Vec::new();
+    let mut marks = Vec::new();
+    for (k, (place, name)) in places.iter().enumerate() {
+        let shade = order_shade(k, places.len());
+        let attached = curve(&table.attached, *place, component);
+        marks.extend(attached.last().map(|&at| Mark {
+            at,
+            symbol: Symbol::Diamond,
+            colour: colour::VERMILLION,
+            name: Some("snaps off".to_owned()),
+            note: None,
+        }));
+        lines.push(Line { points: attached, stroke: Stroke::solid(shade, 1.8), name: Some(name.clone()) });
+        let detached = curve(table.sheet(TipSheet::Detached), *place, component);
+        lines.push(Line::plain(detached, Stroke::dotted(shade, 1.6)));
+    }
+    let all = || lines.iter().flat_map(|line| line.points.iter());
+    let x = Axis::around("displacement u (nm)", all().map(|at| at.0), false);
+    let y = Axis::around(label, all().map(|at| at.1), false);
+    Panel { lines, marks, ..Panel::new(Frame::column(index, 2), x, y) }
+}
+
+/// A component of the forces along a branch.
+fn curve(sheet: &Sheet, place: TipPlace, component: usize) -> Vec<(f64, f64)> {
+    let [begin, end] = sheet.ends(place);
+    let at = |k: usize| {
+        // finer towards the limit, where the force has a vertical tangent
+        let left = 1.0 - k as f64 / POINTS as f64;
+        let normal = end - (end - begin) * left * left;
+        (normal, sheet.response(TipPlace { normal, ..place }).force[component])
+    };
+    (0..=POINTS).map(at).collect()
+}

@@ -1,0 +1,31 @@
+//! The force of a spatula on what holds its end, as a table: the law of a tip of a seta.
+//!
+//! Coarse-graining, Section 7 of the paper: [`coarsen`] follows the spatula with its end held over ranges of height u, place along the substrate v
+//! and rotation θ, and [`TipTable`] interpolates its energy, so that forces are its gradient. [`Coarsening`] solves the spatula itself where
+//! a table is not enough, and [`SpatulaTip`] puts it into space.
+mod adaptive;
+mod branch;
+mod column;
+mod columns;
+mod error;
+mod held_spatula;
+mod options;
+mod place;
+mod refine;
+mod refused;
+mod run;
+mod sheet;
+mod spline;
+mod table;
+mod tip_in_space;
+
+pub use adaptive::{AdaptiveTable, ResolvedTips};
+pub use branch::TipSheet;
+pub use error::{CoarseningError, HeldError};
+pub use options::{CoarseningOptions, OptionsError, TipRange};
+pub use place::{PadEnd, TipPlace, TipResponse};
+pub use refine::{SheetErrors, TipScales};
+pub use run::{Coarsening, coarsen};
+pub use sheet::{Sheet, SheetLimit, SheetNode, SheetTable};
+pub use table::TipTable;
+pub use tip_in_space::{OutOfPlane, SpatulaTip};

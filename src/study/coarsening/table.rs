@@ -1,0 +1,116 @@
+//! The table of a tip: both branches of a spatula, with their errors and where they come from.
+
+use super::branch::TipSheet;
+use super::options::CoarseningOptions;
+use super::place::{PadEnd, TipPlace, TipResponse};
+use super::refine::{SheetErrors, TipScales};
+use super::sheet::Sheet;
+use nalgebra::{Matrix3, Vector3};
+
+/// Steps to where nothing holds the end, the longest of them, nm, and the last.
+const MOST_STEPS: usize = 100;
+const LONGEST: f64 = 5.0;
+const UNLOADED: f64 = 1e-9;
+
+/// The table of a tip.
+#[derive(Clone, Debug)]
+pub struct TipTable {
+    /// How it was made
+    pub options: CoarseningOptions,
+    /// The branch on which the pad adheres
+    pub attached: Sheet,
+    /// The branch on which it does not
+    pub detached: Sheet,
+    /// How wrong the attached branch is
+    pub attached_errors: SheetErrors,
+    /// How wrong the detached branch is
+    pub detached_errors: SheetErrors,
+    /// What errors are measured by
+    pub scales: TipScales,
+    /// The normal force at which the detached branch begins, nN: farther away it is taken to be zero
+    pub neglected_force: f64,
+    /// E where the attached branch has no normal force at v = 0 and θ = 0, aJ
+    pub rest_energy: f64,
+    /// Columns that were followed, those that check among them
+    pub columns: usize,
+    /// Equilibria of nodes and between them
+    pub equilibria: usize,
+}
+
+impl TipTable {
+    /// Whether both branches are as accurate as was asked.
+    pub fn is_met(&self) -> bool {
+        [self.attached_errors, self.detached_errors].iter().all(|errors| errors.relative <= self.options.tolerance)
+    }
+
+    /// A branch.
+    pub fn sheet(&self, on: TipSheet) -> &Sheet {
+        match on {
+            TipSheet::Attached => &self.attached,
+            TipSheet::Detached => &self.detached,
+        }
+    }
+
+    /// How wrong a branch is.
+    pub fn errors(&self, on: TipSheet) -> &SheetErrors {
+        match on {
+            TipSheet::Attached => &self.attached_errors,
+            TipSheet::Detached => &self.detached_errors,
+        }
+    }
+
+    /// Whether a detached tip is so far away that its force is taken to be zero.
+    pub fn is_far(&self, place: TipPlace) -> bool {
+        place.normal > self.detached.ends(place)[0]
+    }
+
+    /// Whether the table holds a place, on a branch.
+    pub fn contains(&self, on: TipSheet, place: TipPlace) -> bool {
+        self.sheet(on).contains(place) || (on == TipSheet::Detached && self.is_far(place))
+    }
+
+    /// Energy, forces and stiffness on a branch, which goes on a little beyond its limit point. Outside of the table, see
+    /// [`TipTable::contains`], it is an extrapolation.
+    pub fn response(&self, on: TipSheet, place: TipPlace) -> TipResponse {
+        if on == TipSheet::Detached && self.is_far(place) {
+            return TipResponse::default();
+        }
+        self.sheet(on).response(place)
+    }
+
+    /// The branch on which a tip is that has been on `before`: at its limit point it snaps over to the other.
+    pub fn branch(&self, before: TipSheet, place: TipPlace) -> TipSheet {
+        match before {
+            TipSheet::Attached if self.attached.is_beyond(place) => TipSheet::Detached,
+            TipSheet::Detached if self.detached.is_beyond(place) => TipSheet::Attached,
+            same => same,
+        }
+    }
+
+    /// Where the attached tip has neither force nor moment, if that is in the table: where its end is when nothing holds it.
+    pub fn unloaded(&self) -> Option<TipPlace> {
+        let mut place = TipPlace::default();
+        for _ in 0..MOST_STEPS {
+            let TipResponse { force, mut stiffness, .. } = self.attached.response(place);
+            if self.options.pad_end == PadEnd::Sliding {
+                stiffness[1][1] = 1.0;
+            }
+            let step = Matrix3::from_fn(|i, j| stiffness[i][j]).lu().solve(&Vector3::from(force))?;
+            let part = (LONGEST / step[0].abs().max(step[1].abs())).min(1.0);
+            place.normal -= part * step[0];
+            place.lateral -= part * step[1];
+            place.rotation -= part * step[2];
+            if part * step.amax() < UNLOADED {
+                return self.attached.contains(place).then_some(place);
+            }
+        }
+        None
+    }
+
+    /// Energy that is released where an attached tip snaps off, at the limit point of v and θ, aJ.
+    pub fn released(&self, place: TipPlace) -> f64 {
+        let limit = self.attached.limit(place);
+        let at = TipPlace { normal: limit.normal, ..place };
+        limit.energy - self.response(TipSheet::Detached, at).energy
+    }
+}
