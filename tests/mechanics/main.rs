@@ -9,4 +9,5 @@ mod common;
 mod model;
 mod solve;
 mod study;
+mod time;
 mod uncertainty;
