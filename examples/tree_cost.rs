@@ -14,7 +14,7 @@ const PER_BRANCH: usize = 4;
 const REPEATS: usize = 3;
 
 /// A binary tree of so many generations.
-fn binary(generations: u32) -> BranchingBeam {
+pub fn binary(generations: u32) -> BranchingBeam {
     let stiffness = |level: i32| {
         let factor = 0.5f64.powi(level);
         SpatialStiffness::diagonal(1e4 * factor, [4e3 * factor; 2], 100.0 * factor, [120.0 * factor; 2])
@@ -47,7 +47,7 @@ fn binary(generations: u32) -> BranchingBeam {
 }
 
 /// A state that is no equilibrium: every number of a node moved a little.
-fn moved(tree: &BeamTree) -> State {
+pub fn moved(tree: &BeamTree) -> State {
     let mut at = tree.stress_free(0);
     let direction: Vec<f64> =
         (1..=tree.unknowns(&at)).map(|k| (0.618_033_988_749_895 * k as f64).fract() - 0.5).collect();

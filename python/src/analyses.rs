@@ -29,15 +29,9 @@ pub fn optimise(py: Python, scene: &NativeScene) -> PyResult<(String, Option<Str
         return Err(refused(py, "nothing is free in this scene: it lacks the table [optimise]".into(), remedy));
     };
     let options = OptimisationOptions {
-        method: table.method,
-        starts: table.starts,
-        evaluations: table.evaluations,
-        neighbours: table.neighbours,
-        seed: table.seed,
-        check: table.check,
         stop: &|| watch.on(scene.bounds.from_now()),
         go_on: &|| !watch.interrupted(),
-        ..OptimisationOptions::to(scene.accuracy)
+        ..table.options(scene.accuracy)
     };
     let (found, solve_s) = timed(|| py.detach(|| watch.over(|| find(&problem, &options))));
     watch.end()?;

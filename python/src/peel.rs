@@ -5,13 +5,14 @@ use crate::errors::other;
 use crate::interrupt::Watch;
 use crate::scene::{NativeScene, Source};
 use crate::states::{self, NativeState};
-use peelkit::study::{self, PathEnd, Peel};
+use peelkit::study::{self, PathEnd, Peel, PeelResult};
 use peelkit_report::pictures::peel::{captioned, curve, numbered_points};
-use peelkit_report::{PeelSummary, VERSION, end_reason, end_word};
+use peelkit_report::{PeelSummary, SweepLine, VERSION, end_reason, end_word, to_json};
 use peelkit_scene::BoundsTable;
 use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyBytes, PyDict};
 use serde::{Deserialize, Serialize};
+use std::io;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
@@ -90,12 +91,15 @@ impl NativePeel {
             return Ok(text);
         }
         let made = PeelSummary::new(&self.source.scene, &self.peel, self.solve_s).to_json();
-        let text = made.map_err(|error| {
-            let remedy = "The scene is at the limit of what can be computed: look at `curve`, and try other values.";
-            other(py, format!("the summary of the run cannot be written: {error}"), remedy)
-        })?;
+        let text = made.map_err(|error| unwritten(py, "summary", error))?;
         Ok(self.summary.get_or_init(|| text))
     }
+}
+
+/// What `summary` or `row` of a run is, was not made: a number is not finite.
+fn unwritten(py: Python, what: &str, error: io::Error) -> PyErr {
+    let remedy = "The scene is at the limit of what can be computed: look at `curve`, and try other values.";
+    other(py, format!("the {what} of the run cannot be written: {error}"), remedy)
 }
 
 #[pymethods]
@@ -146,6 +150,12 @@ impl NativePeel {
     /// The object of summary.json as text.
     fn summary(&self, py: Python) -> PyResult<&str> {
         self.summary_text(py)
+    }
+
+    /// The row of sweep.csv as the text of an object, but for the value of the sweep.
+    fn row(&self, py: Python) -> PyResult<String> {
+        let line = SweepLine::new(0.0, None, &PeelResult::from(&self.peel), self.solve_s);
+        to_json(&line).map_err(|error| unwritten(py, "row", error))
     }
 
     /// The columns of curve.csv by their names without units, each the memory of its array: of numbers, and of counts.

@@ -21,6 +21,7 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -33,6 +34,7 @@ import numpy as np
 import pytest
 
 import peelkit
+from peelkit._sweep.columns import COLUMNS
 
 xarray = pytest.importorskip("xarray")
 
@@ -97,19 +99,10 @@ def test_the_table_of_the_command_is_the_same(scene: peelkit.Scene, tmp_path: Pa
     with open(tmp_path / "out/sweep.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     found = peelkit.sweep(scene, {"strip.length": [f"{length} nm" for length in lengths]})
-    columns = {
-        "peak_force": "peak_force_nN",
-        "peak_force_error": "peak_error_nN",
-        "snap_off_displacement_error": "snap_off_error_nm",
-        "work": "work_aJ",
-        "work_error": "work_error_aJ",
-        "pad_detachment_work": "pad_detachment_work_aJ",
-        "accuracy_reached": "accuracy_reached",
-        "newton_iterations": "newton_iterations",
-    }
-    for name, column in columns.items():
-        np.testing.assert_array_equal(found[name], [float(row[column]) for row in rows], column)
-    assert list(found.end.values) == [row["end"] for row in rows]
+    for column in COLUMNS:
+        if column.name != "solve_time":
+            expected = [row[column.source] if column.is_text else float(row[column.source] or "nan") for row in rows]
+            np.testing.assert_array_equal(found[column.name], expected, column.name)
 
 
 def test_values_are_numbers_texts_or_quantities(scene: peelkit.Scene) -> None:
@@ -196,6 +189,31 @@ def test_an_interrupted_sweep_computes_what_is_missing(
     assert 0 < there.sum() < there.size
     assert_same(peelkit.sweep(scene, VARIED, second, store=store), serial)
     assert sorted(second.starts) == [start for start in range(0, there.size, 2) if not there[start]]
+
+
+SWEPT = """
+import sys, numpy, peelkit
+scene = peelkit.Scene.read(sys.argv[1]).with_("accuracy.relative", 1e-3)
+peelkit.sweep(scene, {"strip.length": numpy.linspace(90, 110, 200)}, store=sys.argv[2], batch=2)
+"""
+
+
+@pytest.mark.parametrize("suffix", ["zarr", "parquet"])
+def test_a_killed_sweep_goes_on(scene: peelkit.Scene, tmp_path: Path, suffix: str) -> None:
+    """Killed at once, wherever it is, as often as it takes: what is there is whole, and what is missing is computed."""
+    store, kills = tmp_path / f"sweep.{suffix}", 0
+    started = "batch-*" if suffix == "parquet" else "peak_force/*"
+    for _ in range(3):
+        before = len(list(store.glob(started)))
+        with subprocess.Popen([sys.executable, "-c", SWEPT, SCENES / "strip-100nm.toml", store]) as child:
+            while len(list(store.glob(started))) < before + 5 and child.poll() is None:
+                time.sleep(0.001)
+            kills += child.poll() is None
+            child.kill()
+    ends = peelkit.read_sweep(store).end.values
+    assert kills > 0 and 0 < (ends != "").sum() < 200
+    varied = {"strip.length": np.linspace(90, 110, 200)}
+    assert_same(peelkit.sweep(scene, varied, store=store), peelkit.sweep(scene, varied))
 
 
 @pytest.mark.parametrize("suffix", ["zarr", "parquet"])

@@ -12,6 +12,8 @@ const MOST_SOLVES: usize = 80;
 /// It is located when it lies between displacements that differ by this share, and no better: round-off is an imperfection that
 /// turns the path to one of its branches before or behind it, by a power 2/3 of its size.
 const CLOSE: f64 = 1e-7;
+/// Where solutions next to it are lost in round-off, it lies between the nearest that are found, if they differ by no more than this share.
+const CLOSE_ENOUGH: f64 = 1e-5;
 /// Farther apart, relative as in [`crate::solve::System::size`], solutions on both sides of a branching point lie on two branches that do not meet.
 const GAP: f64 = 1e-3;
 /// Error of a solution, relative as in [`crate::solve::System::size`].
@@ -25,24 +27,37 @@ pub fn locate_branching(
     to: f64,
     ws: &mut Workspace,
 ) -> Result<Located, SolveError> {
-    let (coarse, iterations) = bisected(problem, from.at.clone(), to, ws)?;
-    let (fine, more) = bisected(problem, refined(problem, &from.at), to, ws)?;
-    let mut difference = fine.observables.since(&coarse.observables);
-    difference.displacement = difference.displacement.abs() + CLOSE * coarse.observables.displacement.abs();
-    difference.force = difference.force.abs() + CLOSE * coarse.observables.force.abs();
+    let coarse = bisected(problem, from.at.clone(), to, ws)?;
+    let fine = bisected(problem, refined(problem, &from.at), to, ws)?;
+    let width = coarse.width.max(fine.width);
+    let (o, slope) = (coarse.far.observables, coarse.far.slope);
+    let mut difference = fine.far.observables.since(&o);
+    difference.displacement = difference.displacement.abs() + width;
+    difference.force =
+        difference.force.abs() + CLOSE * o.force.abs() + (slope.force / slope.displacement).abs() * width;
     Ok(Located {
-        observables: coarse.observables,
-        solution: Arc::new(coarse),
+        observables: o,
+        solution: Arc::new(coarse.far),
         difference,
         force_curvature: 0.0,
         flat: false,
         left_out: 0.0,
-        iterations: iterations + more,
+        iterations: coarse.iterations + fine.iterations,
     })
 }
 
-/// The far end of the bracket, on the mesh of `from`, and Newton iterations.
-fn bisected(problem: &Problem, from: State, to: f64, ws: &mut Workspace) -> Result<(Solution, usize), SolveError> {
+/// Where a branching point was found on one mesh.
+struct Bracket {
+    /// Its far end
+    far: Solution,
+    /// Between the displacements of its ends, nm
+    width: f64,
+    /// Of Newton's method
+    iterations: usize,
+}
+
+/// The bracket on the mesh of `from`.
+fn bisected(problem: &Problem, from: State, to: f64, ws: &mut Workspace) -> Result<Bracket, SolveError> {
     let options = NewtonOptions { tolerance: TOLERANCE, largest_update: 0.5, most_iterations: 12, exact_slope: true };
     let mut solved = |start: State, target: f64| {
         solve(problem, start, &PathConstraint { weights: Observables::DISPLACEMENT, target }, &options, ws)
@@ -54,7 +69,8 @@ fn bisected(problem: &Problem, from: State, to: f64, ws: &mut Workspace) -> Resu
     let mut trouble = SolveError::LimitPointNotConfirmed;
     for _ in 0..MOST_SOLVES {
         let here = near.observables.displacement;
-        if (high - here).abs() <= CLOSE * here.abs() {
+        let is_within = |share: f64| (high - here).abs() <= share * here.abs();
+        if is_within(CLOSE) {
             break;
         }
         let ahead = 0.5 * (high - here);
@@ -69,6 +85,7 @@ fn bisected(problem: &Problem, from: State, to: f64, ws: &mut Workspace) -> Resu
                     far = Some(next);
                 }
             }
+            Err(_) if far.is_some() && is_within(CLOSE_ENOUGH) => break,
             Err(error) => {
                 longest = 0.5 * ahead.abs();
                 trouble = error;
@@ -79,7 +96,7 @@ fn bisected(problem: &Problem, from: State, to: f64, ws: &mut Workspace) -> Resu
     if gap(problem, &near.at, &far.at) > GAP {
         return Err(SolveError::LimitPointNotConfirmed);
     }
-    Ok((far, iterations))
+    Ok(Bracket { width: (high - near.observables.displacement).abs(), far, iterations })
 }
 
 /// How far two states on one mesh are apart, relative as in [`crate::solve::System::size`].

@@ -89,6 +89,9 @@ pub enum RelaxError {
     /// There were too many.
     #[error("{steps} relaxation steps did not lead to an equilibrium; the energy is {energy:.9e} aJ")]
     Endless { steps: usize, energy: f64 },
+    /// The caller has stopped it.
+    #[error("stopped after {steps} relaxation steps, at the energy {energy:.9e} aJ")]
+    Stopped { steps: usize, energy: f64 },
 }
 
 /// First Δt; times grow from there.
@@ -137,6 +140,9 @@ pub fn relax(
     let (mut time, mut steps, mut eliminations) = (FIRST, 0, 0);
     while steps < options.most_steps && eliminations < TRIES * options.most_steps {
         let energy = energies[energies.len() - 1];
+        if ws.is_stopped() {
+            return Err(RelaxError::Stopped { steps, energy });
+        }
         if let Some(solution) = landed(problem, &at, energy, held, ws, &mut eliminations) {
             return Ok(Relaxed { solution, energies, steps, eliminations });
         }

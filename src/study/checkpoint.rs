@@ -33,6 +33,6 @@ impl Limits<'_> {
 
     /// Says when limit points and work are no longer to be computed.
     pub fn should_stop(&self) -> Option<ShouldStop> {
-        self.stop.for_solves()
+        self.stop.for_solves(Stage::Results)
     }
 }

@@ -102,10 +102,10 @@ impl StopCriteria {
         self.should_stop.as_ref().and_then(|should_stop| should_stop(stage)).map(Bound::from)
     }
 
-    /// What tells solves to stop: the caller, at [`Stage::Results`].
-    pub(super) fn for_solves(&self) -> Option<solve::ShouldStop> {
+    /// What tells solves to stop: the caller, at this stage.
+    pub(super) fn for_solves(&self, stage: Stage) -> Option<solve::ShouldStop> {
         let should_stop = self.should_stop.clone()?;
-        Some(Arc::new(move || should_stop(Stage::Results).is_some()))
+        Some(Arc::new(move || should_stop(stage).is_some()))
     }
 }
 

@@ -1,5 +1,6 @@
 //! The table [fit]: what it holds, how it is written, and what is refused, by key and with what would be right.
 
+use crate::text::assert_refused;
 use peelkit::study::{FitParameter, Loss, ParameterOf, ProfileChoice};
 use peelkit_scene::{Scene, SceneError};
 
@@ -73,11 +74,7 @@ fn the_table_can_be_set_on_the_command_line() {
 
 #[track_caller]
 fn refused(table: &str, parts: &[&str]) {
-    let error = with(table).unwrap_err();
-    let text = format!("{error} {}", error.remedy());
-    for part in parts {
-        assert!(text.contains(part), "{part:?} is not in\n{text}");
-    }
+    assert_refused(with(table), parts);
 }
 
 #[track_caller]

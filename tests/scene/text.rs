@@ -1,6 +1,6 @@
 //! Scenes and questions to them that several tests share.
 
-use peelkit_scene::Scene;
+use peelkit_scene::{Scene, SceneError};
 
 /// The least that a strip needs.
 pub use crate::strip::STRIP_SCENE as MINIMAL;
@@ -69,5 +69,15 @@ pub fn complaint(text: &str) -> String {
 pub fn assert_says(complaint: &str, parts: &[&str]) {
     for part in parts {
         assert!(complaint.contains(part), "{part:?} is not in {complaint:?}");
+    }
+}
+
+/// A scene is refused, and message and remedy together have these parts.
+#[track_caller]
+pub fn assert_refused(found: Result<Scene, SceneError>, parts: &[&str]) {
+    let error = found.unwrap_err();
+    let text = format!("{error} {}", error.remedy());
+    for part in parts {
+        assert!(text.contains(part), "{part:?} is not in\n{text}");
     }
 }

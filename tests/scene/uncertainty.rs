@@ -1,5 +1,6 @@
 //! The table [uncertainty]: what it holds, how it is written, and what is refused, by key and with what would be right.
 
+use crate::text::assert_refused;
 use peelkit::study::PeelQuantity;
 use peelkit::study::uncertainty::{Correlation, Distribution, Indices};
 use peelkit_scene::Scene;
@@ -84,11 +85,7 @@ fn the_table_can_be_set_on_the_command_line() {
 
 #[track_caller]
 fn refused(table: &str, parts: &[&str]) {
-    let error = with(table).unwrap_err();
-    let text = format!("{error} {}", error.remedy());
-    for part in parts {
-        assert!(text.contains(part), "{part:?} is not in\n{text}");
-    }
+    assert_refused(with(table), parts);
 }
 
 #[test]

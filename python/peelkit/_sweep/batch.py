@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import SceneError
-from ..peel import Peel
 from ..scene import Scene
 from .columns import COLUMNS, Row, refused_row, row_of
 
@@ -57,7 +56,7 @@ def compute_case(scene: Scene, keys: tuple[str, ...], values: tuple[Any, ...]) -
     except SceneError:
         return refused_row()
     # what stopped short says so in its row, and not in a warning as of `run()`
-    return row_of(Peel(case._native.run(), case))
+    return row_of(case._native.run())
 
 
 def table(rows: list[Row]) -> Table:

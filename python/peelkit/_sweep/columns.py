@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import json
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from ..peel import Peel
+from .. import _native
 
 __all__ = ["COLUMNS", "TEXT", "Column", "Row", "refused_row", "row_of"]
 
@@ -29,6 +28,8 @@ class Column:
         ``"nN"``; empty for a plain number, a count or a text.
     long_name : str
         What it is, in words.
+    source : str
+        The column of sweep.csv: ``"peak_force_nN"``.
     is_text : bool
         Whether it holds texts.
     """
@@ -36,6 +37,7 @@ class Column:
     name: str
     units: str
     long_name: str
+    source: str
     is_text: bool = False
 
     @property
@@ -49,92 +51,60 @@ class Column:
         return "" if self.is_text else float("nan")
 
 
-#: Places on the path: the key of the summary, the name of the columns, and what it is.
+#: Places on the path: the name of the columns, what it is, and its force in sweep.csv.
 _PLACES = (
-    ("peak", "peak", "peak"),
-    ("initiation_peak", "initiation_peak", "initiation peak"),
-    ("plateau", "plateau", "plateau"),
-    ("snap_off", "snap_off", "snap-off"),
-    ("pad_detachment", "pad_detachment", "detachment of the pad"),
-    ("detachment", "detachment", "detachment"),
+    ("peak", "peak", "peak_force_nN"),
+    ("initiation_peak", "initiation peak", "initiation_peak_nN"),
+    ("plateau", "plateau", "plateau_force_nN"),
+    ("snap_off", "snap-off", "snap_off_force_nN"),
+    ("pad_detachment", "detachment of the pad", "pad_detachment_force_nN"),
+    ("detachment", "detachment", "detachment_force_nN"),
 )
-_MEASURES = (("force", "nN", "force"), ("displacement", "nm", "displacement"))
 #: Places whose work is a column of its own.
 _WITH_WORK = ("pad_detachment", "detachment")
 
 
+def _with_error(name: str, units: str, what: str, source: str, error: str) -> tuple[Column, Column]:
+    bound = Column(f"{name}_error", units, f"error bound of the {what}", error)
+    return Column(name, units, what, source), bound
+
+
 def _columns() -> tuple[Column, ...]:
-    columns = []
-    for _, name, words in _PLACES:
-        measures = _MEASURES + ((("work", "aJ", "work"),) if name in _WITH_WORK else ())
-        for measure, units, what in measures:
-            columns.append(Column(f"{name}_{measure}", units, f"{what} at the {words}"))
-            columns.append(Column(f"{name}_{measure}_error", units, f"error bound of the {what} at the {words}"))
+    columns: list[Column] = []
+    for name, words, force in _PLACES:
+        columns += _with_error(f"{name}_force", "nN", f"force at the {words}", force, f"{name}_error_nN")
+        displacement = f"{name}_displacement"
+        what = f"displacement at the {words}"
+        columns += _with_error(displacement, "nm", what, f"{displacement}_nm", f"{name}_error_nm")
+        if name in _WITH_WORK:
+            work = f"{name}_work"
+            columns += _with_error(work, "aJ", f"work at the {words}", f"{work}_aJ", f"{work}_error_aJ")
+    largest = "largest force of a path without a peak; no error bound"
     return (
         *columns,
-        Column("work", "aJ", "work up to the snap-off, or to the end of a path without one"),
-        Column("work_error", "aJ", "error bound of the work up to the snap-off"),
-        Column("work_to", "", "up to where the work goes", is_text=True),
-        Column("largest_computed_force", "nN", "largest force of a path without a peak; no error bound"),
-        Column("end", "", "how the path ends", is_text=True),
-        Column("accuracy_reached", "", "largest relative error bound"),
-        Column("points", "", "path points"),
-        Column("newton_iterations", "", "Newton iterations"),
-        Column("elements", "", "elements"),
-        Column("order", "", "order of the elements"),
-        Column("solve_time", "s", "wall clock of the computation"),
+        Column("work", "aJ", "work up to the snap-off, or to the end of a path without one", "work_aJ"),
+        Column("work_error", "aJ", "error bound of the work up to the snap-off", "work_error_aJ"),
+        Column("work_to", "", "up to where the work goes", "work_to", is_text=True),
+        Column("largest_computed_force", "nN", largest, "largest_computed_force_nN"),
+        Column("end", "", "how the path ends", "end", is_text=True),
+        Column("accuracy_reached", "", "largest relative error bound", "accuracy_reached"),
+        Column("points", "", "path points", "points"),
+        Column("newton_iterations", "", "Newton iterations", "newton_iterations"),
+        Column("elements", "", "elements", "elements"),
+        Column("order", "", "order of the elements", "order"),
+        Column("solve_time", "s", "wall clock of the computation", "solve_s"),
     )
 
 
 COLUMNS: tuple[Column, ...] = _columns()
 
 
-def row_of(peel: Peel) -> Row:
+def row_of(peel: _native.Peel) -> Row:
     """The row of a peel; of one that failed the numbers that it has not are NaN."""
-    # not the copy that `summary()` makes
-    summary = peel._summary
-    row = _empty(peel.end)
-    for key, name, _ in _PLACES:
-        found = summary[key]
-        if found is not None:
-            _fill(row, name, found)
-    jump = summary["snap_off"]
-    if jump is not None:
-        row["work"], row["work_error"], row["work_to"] = (
-            _number(jump, "work_aJ"),
-            _number(jump, "error_aJ"),
-            "first jump",
-        )
-    elif len(peel.curve.work):
-        row["work"], row["work_to"] = float(peel.curve.work[-1]), "end of path"
-    if summary["largest_computed_force"] is not None:
-        row["largest_computed_force"] = _number(summary["largest_computed_force"], "force_nN")
-    row["accuracy_reached"] = _number(summary["accuracy"], "reached")
-    for count in ("points", "newton_iterations", "elements", "order"):
-        row[count] = _number(summary["path"], count)
-    row["solve_time"] = _number(summary["timing"], "solve_s")
-    return row
+    found = json.loads(peel.row())
+    return {column.name: column.missing if found[column.source] is None else found[column.source] for column in COLUMNS}
 
 
 def refused_row() -> Row:
     """The row of values that make no scene together."""
-    return _empty("refused")
-
-
-def _empty(end: str) -> Row:
-    row: Row = {column.name: column.missing for column in COLUMNS}
-    row["end"] = end
-    return row
-
-
-def _fill(row: Row, name: str, found: Mapping[str, Any]) -> None:
-    """The columns of a place from its object in the summary."""
-    for measure, units in (("force", "nN"), ("displacement", "nm"), ("work", "aJ")):
-        if f"{name}_{measure}" in row:
-            row[f"{name}_{measure}"] = _number(found, f"{measure}_{units}")
-            row[f"{name}_{measure}_error"] = _number(found, f"error_{units}")
-
-
-def _number(found: Mapping[str, Any], key: str) -> float:
-    value = found.get(key)
-    return float("nan") if value is None else float(value)
+    return {column.name: "refused" if column.name == "end" else column.missing for column in COLUMNS}

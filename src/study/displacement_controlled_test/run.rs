@@ -176,7 +176,10 @@ impl Test {
                 BranchEnd::Limit(located) => (located, Loss::LimitPoint),
                 BranchEnd::Branching(located) => (located, Loss::Branching),
             };
-            let landed = Arc::new(self.lost(machine, &located, loss, way)?);
+            let landed = match self.lost(machine, &located, loss, way) {
+                Ok(landed) => Arc::new(landed),
+                Err(why) => return machine.stopped_by(&why).map(|bound| (last, Some(bound))).ok_or(why),
+            };
             if way == LoadingDirection::Retreat {
                 self.notice_stand(machine, &landed, self.pull_off);
             }
@@ -267,16 +270,17 @@ impl Test {
         way: LoadingDirection,
     ) -> Result<Solution, TestError> {
         let problem = machine.problem;
-        let (mut ws, machine_nm) = (Workspace::default(), limit.observables.displacement);
+        let machine_nm = limit.observables.displacement;
+        let mut relaxing = Workspace::until(machine.stop.for_solves(Stage::Path));
         let options = RelaxOptions::by(RELAXING);
         let start = match loss {
             Loss::LimitPoint => disturbed(problem, &limit.solution),
             Loss::Branching => disturbed_anyhow(problem, &limit.solution.at),
         };
-        let relaxed = relax(problem, start, Held::Displacement(machine_nm), &options, &mut ws)
+        let relaxed = relax(problem, start, Held::Displacement(machine_nm), &options, &mut relaxing)
             .map_err(|cause| TestError::Relax { machine_nm, cause })?;
         self.effort.relaxation_steps += relaxed.steps;
-        let jump = jump::described(machine, limit, &relaxed, way, &mut ws)
+        let jump = jump::described(machine, limit, &relaxed, way, &mut Workspace::default())
             .map_err(|cause| TestError::NoBound { machine_nm, cause })?;
         // a loss that releases nothing was round-off's, or the strip has stayed on its branch
         if jump.released.abs() <= jump.released_error {

@@ -1,10 +1,10 @@
 //! One stable piece of a test: from an equilibrium on until it is lost or the machine has arrived.
 
-use super::failure::BranchError;
+use super::failure::{BranchError, TestError};
 use crate::model::{Beam, BeamProblem};
 use crate::solve::{
     LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathEvent, PathOptions, PathSegment,
-    PathTracer, Solution, State, TraceOptions, Workspace, locate, solve,
+    PathTracer, RelaxError, Solution, State, TraceOptions, Workspace, locate, solve,
 };
 use crate::study::peel::{Adhering, StepCurve, is_clear};
 use crate::study::{Bound, Stage, StopCriteria};
@@ -121,6 +121,14 @@ impl Machine<'_> {
         }
         let beyond = || self.stop.displacement.filter(|&most| rising && u > most).map(Bound::Displacement);
         self.stop.reached_bound(Stage::Path).or_else(beyond)
+    }
+
+    /// The criterion that has ended a relaxation, if one has.
+    pub fn stopped_by(&self, why: &TestError) -> Option<Bound> {
+        match why {
+            TestError::Relax { cause: RelaxError::Stopped { .. }, .. } => self.stop.reached_bound(Stage::Path),
+            _ => None,
+        }
     }
 
     /// The largest force of a piece, if it is a maximum within.

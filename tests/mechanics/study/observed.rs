@@ -29,6 +29,7 @@ use peelkit::study::{
     observed, peel,
 };
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
@@ -353,4 +354,31 @@ fn a_bound_may_come_at_any_point() {
         assert!(!matches!(test.end, TestEnd::Failed(_)), "bounds.points = {points}: {:?}", test.end);
         assert!(!test.points.is_empty());
     }
+}
+
+/// Whenever a caller stops it, also in the middle of a jump: what was found before is kept.
+#[test]
+fn a_test_may_be_stopped_anywhere() {
+    let model = guided(1.0);
+    let asked = Arc::new(AtomicUsize::new(0));
+    let stopped_after = |most: usize| {
+        asked.store(0, Ordering::Relaxed);
+        let asked = asked.clone();
+        let stop = BOUNDS.or_when(move |stage| {
+            let late = stage == Stage::Path && asked.fetch_add(1, Ordering::Relaxed) >= most;
+            late.then_some(StopReason::Interrupted)
+        });
+        observed(&model, &Accuracy::to(1e-4), &stop).unwrap()
+    };
+    let whole = stopped_after(usize::MAX);
+    let all = asked.load(Ordering::Relaxed);
+    let ends = (0..40).map(|part| stopped_after(part * all / 40));
+    let found: Vec<_> = ends.map(|test| (test.end, test.points.len(), test.jumps.len())).collect();
+    for (end, points, _) in &found {
+        assert_eq!(*end, TestEnd::Bound(Bound::Interrupted));
+        assert!((1..=whole.points.len()).contains(points));
+    }
+    // with a jump ahead of it most of the time goes into relaxing: no points come meanwhile
+    let standing = found.windows(2).filter(|pair| pair[0].1 == pair[1].1).count();
+    assert!(standing >= 5 && found.iter().any(|&(_, _, jumps)| jumps > 0), "{found:?}");
 }

@@ -82,17 +82,11 @@ fn without_table(scene: &Scene) -> Stop {
 /// The search, with what is kept of it.
 fn found(scene: &Scene, table: &OptimisationTable, problem: &DesignProblem, keeper: &Keeper) -> Result<Optimum, Stop> {
     let options = OptimisationOptions {
-        method: table.method,
-        starts: table.starts,
-        evaluations: table.evaluations,
-        neighbours: table.neighbours,
-        seed: table.seed,
-        check: table.check,
         stop: &|| scene.bounds.from_now(),
         go_on: &|| keeper.goes_on(),
         known: &|coordinates| keeper.known(coordinates),
         keep: &|_, design| keeper.keep(design),
-        ..OptimisationOptions::to(scene.accuracy)
+        ..table.options(scene.accuracy)
     };
     let result = find(problem, &options);
     keeper.finish()?;

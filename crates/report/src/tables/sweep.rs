@@ -132,6 +132,53 @@ pub struct SweepLine {
 }
 
 impl SweepLine {
+    /// What a peel found at a value, or a pair of them, in so many seconds.
+    pub fn new(value: f64, second: Option<f64>, found: &PeelResult, solve_s: f64) -> Self {
+        Self {
+            value: Finite(value),
+            second: second.map(Finite),
+            peak_force: found.peak.map(|at| Finite(at.force)),
+            peak_error: found.peak.map(|at| Finite(at.force_error)),
+            initiation_peak: found.initiation_peak.map(|at| Finite(at.force)),
+            plateau_force: found.plateau.map(|at| Finite(at.force)),
+            snap_off_displacement_nm: found.snap_off.map(|at| Finite(at.displacement)),
+            work: found.work.map(Finite),
+            solve_s: Finite(solve_s),
+            end: Some(end_word(&found.end)),
+            points: Some(found.effort.points),
+            newton_iterations: found.effort.newton_iterations,
+            elements: Some(found.effort.elements),
+            order: Some(found.effort.order),
+            initiation_peak_error: found.initiation_peak.map(|at| Finite(at.force_error)),
+            initiation_peak_displacement_nm: found.initiation_peak.map(|at| Finite(at.displacement)),
+            initiation_peak_error_nm: found.initiation_peak.map(|at| Finite(at.displacement_error)),
+            plateau_displacement_nm: found.plateau.map(|at| Finite(at.displacement)),
+            plateau_error_nm: found.plateau.and_then(|at| at.displacement_error).map(Finite),
+            snap_off_error_nm: found.snap_off.map(|at| Finite(at.displacement_error)),
+            largest_computed_force: found.largest_computed_force.map(|at| Finite(at.force)),
+            peak_displacement_nm: found.peak.map(|at| Finite(at.displacement)),
+            peak_error_nm: found.peak.map(|at| Finite(at.displacement_error)),
+            plateau_error: found.plateau.and_then(|at| at.force_error).map(Finite),
+            snap_off_force: found.snap_off.map(|at| Finite(at.force)),
+            snap_off_force_error: found.snap_off.map(|at| Finite(at.force_error)),
+            work_to: work_to(found),
+            work_error: found.snap_off.and_then(|at| at.work_error).map(Finite),
+            pad_detachment_displacement_nm: found.pad_detachment.map(|at| Finite(at.displacement)),
+            pad_detachment_error_nm: found.pad_detachment.map(|at| Finite(at.displacement_error)),
+            pad_detachment_force: found.pad_detachment.map(|at| Finite(at.force)),
+            pad_detachment_force_error: found.pad_detachment.map(|at| Finite(at.force_error)),
+            pad_detachment_work: found.pad_detachment.map(|at| Finite(at.work)),
+            pad_detachment_work_error: found.pad_detachment.and_then(|at| at.work_error).map(Finite),
+            detachment_displacement_nm: found.detachment.map(|at| Finite(at.displacement)),
+            detachment_error_nm: found.detachment.map(|at| Finite(at.displacement_error)),
+            detachment_force: found.detachment.map(|at| Finite(at.force)),
+            detachment_force_error: found.detachment.map(|at| Finite(at.force_error)),
+            detachment_work: found.detachment.map(|at| Finite(at.work)),
+            detachment_work_error: found.detachment.and_then(|at| at.work_error).map(Finite),
+            accuracy_reached: found.reached.map(Finite),
+        }
+    }
+
     /// The values of a sweep that followed one point, each in so many seconds.
     pub fn followed(sweep: &FollowedSweep, solve_s: &[f64]) -> Vec<Self> {
         let line = |(row, &solve_s): (&FollowedRow, &f64)| {
@@ -176,49 +223,6 @@ pub fn work_to(found: &PeelResult) -> Option<&'static str> {
 
 impl From<&SweepRow> for SweepLine {
     fn from(row: &SweepRow) -> Self {
-        let found = &row.found;
-        Self {
-            value: Finite(row.value),
-            second: row.second.map(Finite),
-            peak_force: found.peak.map(|at| Finite(at.force)),
-            peak_error: found.peak.map(|at| Finite(at.force_error)),
-            initiation_peak: found.initiation_peak.map(|at| Finite(at.force)),
-            plateau_force: found.plateau.map(|at| Finite(at.force)),
-            snap_off_displacement_nm: found.snap_off.map(|at| Finite(at.displacement)),
-            work: found.work.map(Finite),
-            solve_s: Finite(row.solve_s),
-            end: Some(end_word(&found.end)),
-            points: Some(found.effort.points),
-            newton_iterations: found.effort.newton_iterations,
-            elements: Some(found.effort.elements),
-            order: Some(found.effort.order),
-            initiation_peak_error: found.initiation_peak.map(|at| Finite(at.force_error)),
-            initiation_peak_displacement_nm: found.initiation_peak.map(|at| Finite(at.displacement)),
-            initiation_peak_error_nm: found.initiation_peak.map(|at| Finite(at.displacement_error)),
-            plateau_displacement_nm: found.plateau.map(|at| Finite(at.displacement)),
-            plateau_error_nm: found.plateau.and_then(|at| at.displacement_error).map(Finite),
-            snap_off_error_nm: found.snap_off.map(|at| Finite(at.displacement_error)),
-            largest_computed_force: found.largest_computed_force.map(|at| Finite(at.force)),
-            peak_displacement_nm: found.peak.map(|at| Finite(at.displacement)),
-            peak_error_nm: found.peak.map(|at| Finite(at.displacement_error)),
-            plateau_error: found.plateau.and_then(|at| at.force_error).map(Finite),
-            snap_off_force: found.snap_off.map(|at| Finite(at.force)),
-            snap_off_force_error: found.snap_off.map(|at| Finite(at.force_error)),
-            work_to: work_to(found),
-            work_error: found.snap_off.and_then(|at| at.work_error).map(Finite),
-            pad_detachment_displacement_nm: found.pad_detachment.map(|at| Finite(at.displacement)),
-            pad_detachment_error_nm: found.pad_detachment.map(|at| Finite(at.displacement_error)),
-            pad_detachment_force: found.pad_detachment.map(|at| Finite(at.force)),
-            pad_detachment_force_error: found.pad_detachment.map(|at| Finite(at.force_error)),
-            pad_detachment_work: found.pad_detachment.map(|at| Finite(at.work)),
-            pad_detachment_work_error: found.pad_detachment.and_then(|at| at.work_error).map(Finite),
-            detachment_displacement_nm: found.detachment.map(|at| Finite(at.displacement)),
-            detachment_error_nm: found.detachment.map(|at| Finite(at.displacement_error)),
-            detachment_force: found.detachment.map(|at| Finite(at.force)),
-            detachment_force_error: found.detachment.map(|at| Finite(at.force_error)),
-            detachment_work: found.detachment.map(|at| Finite(at.work)),
-            detachment_work_error: found.detachment.and_then(|at| at.work_error).map(Finite),
-            accuracy_reached: found.reached.map(Finite),
-        }
+        Self::new(row.value, row.second, &row.found, row.solve_s)
     }
 }

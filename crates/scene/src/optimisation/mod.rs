@@ -9,8 +9,8 @@ pub(crate) use check::problem;
 pub(crate) use settings::*;
 
 use crate::scene::Scene;
-use peelkit::study::PeelQuantity;
-use peelkit::study::optimisation::{Goal, SearchMethod};
+use peelkit::study::optimisation::{Goal, OptimisationOptions, SearchMethod};
+use peelkit::study::{Accuracy, PeelQuantity};
 
 /// Its name.
 pub(crate) const TABLE: &str = "optimise";
@@ -48,6 +48,21 @@ pub struct OptimisationTable {
     pub seed: u64,
     /// Whether a search without gradients goes on from the optimum
     pub check: bool,
+}
+
+impl OptimisationTable {
+    /// What the table says of the search, with the peels of its ends to this accuracy; when to stop and what to keep is left to the caller.
+    pub fn options(&self, accuracy: Accuracy) -> OptimisationOptions<'static> {
+        OptimisationOptions {
+            method: self.method,
+            starts: self.starts,
+            evaluations: self.evaluations,
+            neighbours: self.neighbours,
+            seed: self.seed,
+            check: self.check,
+            ..OptimisationOptions::to(accuracy)
+        }
+    }
 }
 
 /// A key that is free between two values, in the unit of the library.

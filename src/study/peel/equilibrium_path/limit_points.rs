@@ -184,8 +184,8 @@ impl Followed {
             }
             let alone = turns == 0 && conservative;
             let start = &self.points[clear_of_branching(&self.points, after)];
-            let located =
-                alone.then(|| locate_branching(problem, start, behind.observables.displacement, &mut ws)).transpose();
+            let limit = clear_behind_branching(&self.points, after);
+            let located = alone.then(|| locate_branching(problem, start, limit, &mut ws)).transpose();
             match located {
                 Ok(Some(located)) => {
                     self.iterations += located.iterations;
@@ -215,6 +215,21 @@ fn clear_of_branching(points: &[Arc<Solution>], after: usize) -> usize {
         .take_while(|&index| too_near(index) && leads_here(index - 1))
         .last()
         .map_or(after, |index| index - 1)
+}
+
+/// The displacement up to which to look for it: a point next to it may lie before it on another mesh.
+fn clear_behind_branching(points: &[Arc<Solution>], after: usize) -> f64 {
+    let (place, negative) = (|index: usize| points[index].observables.displacement, points[after + 1].negative);
+    let behind = place(after + 1);
+    let forward = (behind - place(after)).signum();
+    let most = behind + forward * CLEAR * behind.abs();
+    let goes_on = |index: &usize| {
+        points[index + 1].negative == negative
+            && (place(index + 1) - place(*index)) * forward > 0.0
+            && (most - place(*index)) * forward > 0.0
+    };
+    let last = (after + 1..points.len() - 1).take_while(goes_on).last().map_or(after + 1, |index| index + 1);
+    if (most - place(last)) * forward > 0.0 { place(last) } else { most }
 }
 
 fn pick_at(solution: &Solution, turn: LimitPointKind) -> f64 {
