@@ -15,9 +15,11 @@ const ELEMENT: f64 = 2.0;
 const BESIDES: usize = 12;
 /// Accuracy of the equilibrium at the start.
 const AT_START: f64 = 1e-12;
+/// Way on which the grip accelerates, over that which moves a section by r0.
+const ACCELERATES: f64 = 0.1;
 /// The first step over the time of acceleration, the longest over the time of the whole pull, and Newton's tolerance over that of a step.
 const FIRST: f64 = 1e-2;
-const LONGEST: f64 = 0.02;
+const LONGEST: f64 = 0.005;
 const NEWTON: f64 = 1e-6;
 
 /// A beam in equilibrium, from which any number of pulls may start.
@@ -29,6 +31,8 @@ pub struct PullStart {
     pub at: State,
     /// Its displacement, nm
     pub displacement: f64,
+    /// On how much of the way the grip accelerates where nothing else is said, nm
+    pub accelerates: f64,
 }
 
 /// Pulls a strip or a spatula at a rate, from equilibrium on.
@@ -76,7 +80,7 @@ pub fn pull_start(
         let found = controlled(&beam.statics, rest.at, Observables::DISPLACEMENT, &[displacement], AT_START);
         found.map_err(no_start)?.swap_remove(0).at
     };
-    Ok(PullStart { beam, at, displacement })
+    Ok(PullStart { beam, at, displacement, accelerates: ACCELERATES * model.first_way() })
 }
 
 /// Pulls from an equilibrium that is known; it need not be the one at `pull.from`, which is taken from there.
@@ -90,8 +94,10 @@ pub fn pull_in_time_from(
     should_stop: Option<ShouldStop>,
 ) -> Result<PullInTime, InTimeFailure> {
     let pull = &PullRate { from: start.displacement, ..*pull };
-    check(pull, accuracy).map_err(|why| InTimeFailure { why, reached: None })?;
-    let (ramp, problem) = (pull.ramp(), &start.beam.dynamics);
+    check(pull, accuracy, pull.accelerates.unwrap_or(start.accelerates))
+        .map_err(|why| InTimeFailure { why, reached: None })?;
+    let accelerates = pull.accelerates.unwrap_or(start.accelerates);
+    let (ramp, problem) = (pull.ramp(accelerates), &start.beam.dynamics);
     let end = ramp.end() + if let Until::Held(time) = pull.until { time } else { 0.0 };
     let still = vec![0.0; problem.system.unknowns(&start.at)];
     let memory = problem.system.relaxed_memory(&start.at);
@@ -152,11 +158,11 @@ fn point(integrator: &TimeIntegrator) -> InTimePoint {
     }
 }
 
-fn check(pull: &PullRate, accuracy: &TimeAccuracy) -> Result<(), InTimeFailureKind> {
+fn check(pull: &PullRate, accuracy: &TimeAccuracy, accelerates: f64) -> Result<(), InTimeFailureKind> {
     let numbers = [
         ("the rate of the pull in nm/ns", pull.rate, pull.rate > 0.0, "positive"),
         ("the end of the pull in nm", pull.to, pull.to != pull.from, "another displacement than its beginning"),
-        ("the share of the way on which the grip accelerates", pull.smooth, pull.smooth > 0.0, "positive"),
+        ("the way on which the grip accelerates in nm", accelerates, accelerates > 0.0, "positive"),
         ("the tolerance of a step in time", accuracy.tolerance, accuracy.tolerance > 0.0, "positive"),
         (
             "the spectral radius",

@@ -1,5 +1,7 @@
 //! How a grip is pulled in time, and how accurately that is followed.
 
+#[cfg(doc)]
+use crate::model::PeelModel;
 use crate::solve::time::Ramp;
 
 /// Where a pull in time ends.
@@ -21,21 +23,23 @@ pub struct PullRate {
     pub to: f64,
     /// nm/ns = m/s
     pub rate: f64,
-    /// Over which share of the way's duration the grip accelerates, and over which it comes to rest: a jump in velocity makes a force of its own
-    pub smooth: f64,
+    /// On how much of the way the grip accelerates, and on how much it comes to rest, nm; none: a tenth of [`PeelModel::first_way`]. A jump in
+    /// velocity makes a force of its own.
+    pub accelerates: Option<f64>,
     /// Where it ends
     pub until: Until,
 }
 
 impl PullRate {
-    /// From the displacement zero on until nothing adheres, with accelerations over a tenth of the way.
+    /// From the displacement zero on until nothing adheres.
     pub const fn new(to: f64, rate: f64) -> Self {
-        Self { from: 0.0, to, rate, smooth: 0.1, until: Until::ContactLost }
+        Self { from: 0.0, to, rate, accelerates: None, until: Until::ContactLost }
     }
 
-    /// Displacement in time.
-    pub fn ramp(&self) -> Ramp {
-        Ramp::new(self.from, self.to, self.rate, self.smooth)
+    /// Displacement in time, with accelerations on so much of the way, at most a quarter of it.
+    pub(super) fn ramp(&self, accelerates: f64) -> Ramp {
+        let way = (self.to - self.from).abs();
+        Ramp::new(self.from, self.to, self.rate, 2.0 * accelerates / way)
     }
 }
 

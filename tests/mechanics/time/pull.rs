@@ -81,7 +81,7 @@ fn the_balance_closes() {
     }
 }
 
-/// A smaller error of the steps changes the peak by no more than that error.
+/// At the default tolerance of the steps the peak is good to 1e-4, at fifty times as much to 1e-3.
 #[test]
 fn steps_do_not_matter() {
     let peak = |tolerance: f64| {
@@ -89,8 +89,8 @@ fn steps_do_not_matter() {
         pull_in_time(&strip(), &viscous(1e3), &first_peak(1e-3), &accuracy, None).unwrap().largest_force()
     };
     let [coarse, fine, finer] = [1e-4, 2e-6, 2e-7].map(peak);
-    assert_relative_eq!(fine, finer, max_relative = 1e-5);
-    assert_relative_eq!(coarse, finer, max_relative = 2e-4);
+    assert_relative_eq!(fine, finer, max_relative = 1e-4);
+    assert_relative_eq!(coarse, finer, max_relative = 1e-3);
 }
 
 /// Pulled slowly over the displacement at which the test with held displacement jumps, the strip snaps off in time, and dissipates what the jump
@@ -103,7 +103,7 @@ fn a_snap_off_dissipates_what_the_jump_releases() {
         from: jump.machine - 0.2,
         to: jump.machine + 0.02,
         rate: 1e-3,
-        smooth: 0.3,
+        accelerates: None,
         until: Until::Held(3e4),
     };
     let snapped = pulled(&viscous(100.0), &pull);
