@@ -133,6 +133,7 @@ impl PeelModel {
             monitors: [beam.process_length, beam.scale[beam.rotation]],
             force: rest_adhesion.abs(),
             by_force: false,
+            noticed: PathMeasure::NOTICED,
         };
         let grip = self.end_conditions(&beam);
         Ok(BeamProblem::new(Beam::Planar(Arc::new(beam)), grip, measure, start))

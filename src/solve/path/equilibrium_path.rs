@@ -200,7 +200,7 @@ impl<'p> Path<'p> {
         let (mut points, mut labels) = self.labelled(&weights);
         let outset = self.points.len() <= 2;
         let (mut count, mut step) = if outset { (1, self.first_step(&labels)) } else { self.choose(&labels) };
-        let (mut cause, mut crosses) = (SolveError::SingularGrip, false);
+        let (mut cause, mut crosses, mut tried_across) = (SolveError::SingularGrip, false, false);
         for tries in 0..MOST_TRIES {
             if tries == DOUBTFUL
                 && let Ok(exact) = self.again(&newest, &weights)
@@ -227,10 +227,13 @@ impl<'p> Path<'p> {
                     let turned = points.len() > 1 && self.turns_sharply(&slope, &next);
                     let refused = SolveError::NotConverged { update: next.correction, iterations: next.iterations };
                     let seen = self.seen(&newest, &next, crosses);
+                    // what a step across has not passed, shorter ones may go up to
+                    crosses = false;
                     if let StepSeen::Elsewhere { across } = seen {
                         (cause, step) = (refused, step * near_branch::SHORTER);
-                        if let (true, Some(near)) = (across, &self.branch) {
+                        if let (true, Some(near)) = (across && !tried_across, &self.branch) {
                             (crosses, step) = (true, near.step_across(self.problem, &weights, &slope));
+                            tried_across = true;
                         }
                     } else if turned || next.correction > REFUSE * self.step_tolerance() && points.len() > 1 {
                         (cause, step) = (refused, step * 0.4);
@@ -247,9 +250,11 @@ impl<'p> Path<'p> {
                     cause = error;
                     step *= 0.25;
                     // next to a branch point no equilibrium is certain, beyond it there is one
-                    let near = self.branch.filter(|_| !crosses);
+                    let near = self.branch.filter(|_| !tried_across);
+                    crosses = false;
                     if let Some(near) = near.filter(|near| near.is_short(self.problem, &weights, &slope, step)) {
                         (crosses, step) = (true, near.step_across(self.problem, &weights, &slope));
+                        tried_across = true;
                     }
                 }
             }
