@@ -226,11 +226,7 @@ fn made_up<const F: usize, const BORDER: bool>(pinned: [Option<f64>; F]) {
                 } else {
                     vec![]
                 };
-                agrees::<F, BORDER>(
-                    &chain,
-                    &Place { ends, state, damping, history: None, strains: None },
-                    &mut numbers,
-                );
+                agrees::<F, BORDER>(&chain, &Place { ends, state, damping, history: None }, &mut numbers);
             }
         }
     }
