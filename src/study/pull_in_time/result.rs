@@ -116,5 +116,5 @@ pub struct InTimeFailure {
     /// Why
     pub why: InTimeFailureKind,
     /// Up to there
-    pub reached: Option<PullInTime>,
+    pub reached: Option<Box<PullInTime>>,
 }

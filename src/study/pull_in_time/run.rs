@@ -143,7 +143,7 @@ pub fn pull_in_time_from(
     pulled.find_peak();
     match went {
         Ok(()) => Ok(pulled),
-        Err(why) => Err(InTimeFailure { why, reached: Some(pulled) }),
+        Err(why) => Err(InTimeFailure { why, reached: Some(Box::new(pulled)) }),
     }
 }
 
