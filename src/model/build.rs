@@ -125,6 +125,7 @@ impl PeelModel {
             sees_tilt: law.line_load != LineLoad::AxisGap,
             conservative: law.has_potential() && friction.is_none(),
             limits: self.limits(),
+            inertia: None,
             substrate,
         };
         adjust(&mut beam);
@@ -157,7 +158,7 @@ impl PeelModel {
     }
 
     /// Its sections along S.
-    fn profile(&self) -> beam::Profile {
+    pub(super) fn profile(&self) -> beam::Profile {
         let (width, height) = self.free_end();
         match self.contour() {
             None => beam::Profile::uniform(self.section(), width, height),

@@ -84,16 +84,29 @@ pub enum RodError {
 impl RodModel {
     /// What the solver is given, with elements of order 1 to 8, equally long.
     pub fn problem(&self, order: usize) -> Result<BeamProblem, RodError> {
+        self.discretised(order, |_| {})
+    }
+
+    /// What its left end holds.
+    pub(super) fn pinned_left(&self) -> [Option<f64>; MOST_FIELDS] {
+        let (start, left) = (self.rest.at(0.0), self.left.held());
+        std::array::from_fn(|f| left[f].then_some(start[f]))
+    }
+
+    /// The same, with a beam that `adjust` may change before it is shared.
+    pub(super) fn discretised(
+        &self,
+        order: usize,
+        adjust: impl FnOnce(&mut PlanarBeam),
+    ) -> Result<BeamProblem, RodError> {
         self.check(order)?;
         let Self { length, section, rest, .. } = *self;
         let start = rest.at(0.0);
-        let left = self.left.held();
-        let pinned_left = std::array::from_fn(|f| left[f].then_some(start[f]));
         // a force by the moment that bends the rod by a radian
         let moment = section.bending / length;
         let scale: [f64; MOST_FIELDS] = std::array::from_fn(|f| if f == 2 { 1.0 } else { length });
-        let beam = PlanarBeam {
-            chain: three_field(ReissnerRod { section, rest }, order, pinned_left),
+        let mut beam = PlanarBeam {
+            chain: three_field(ReissnerRod { section, rest }, order, self.pinned_left()),
             length,
             rest: ReferenceConfiguration::Curve(rest),
             rest_gap: start[1],
@@ -119,7 +132,9 @@ impl RodModel {
             history: None,
             conservative: true,
             limits: ModelLimits::default(),
+            inertia: None,
         };
+        adjust(&mut beam);
         let (mut held, mut scales) = ([false; INTERFACE], [1.0; INTERFACE]);
         held[..MOST_FIELDS].copy_from_slice(&self.right.held());
         scales[..MOST_FIELDS].copy_from_slice(&scale);

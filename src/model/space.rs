@@ -169,6 +169,7 @@ impl PeelModel {
             rest_adhesion: at_rest.energy,
             process_length,
             mesh: MeshPolicy { kind: how.mesh, front_foci, edge_foci, fixed_foci, pieces },
+            inertia: None,
         };
         let measure = PathMeasure {
             monitors: [beam.process_length, beam.scale[1]],

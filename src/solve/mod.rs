@@ -13,6 +13,7 @@ mod problem;
 mod relax;
 mod state;
 mod system;
+pub mod time;
 pub use branching::locate_branching;
 pub use control::controlled;
 pub use end_conditions::{Direction, EndConditions};
@@ -25,4 +26,6 @@ pub use path::*;
 pub use problem::{InitialState, PathMeasure, Problem};
 pub use relax::{Held, RelaxError, RelaxOptions, Relaxed, disturbed, disturbed_anyhow, relax};
 pub use state::{History, Mesh, State};
-pub use system::{Coefficients, CondensedSystem, Evaluation, INTERFACE, Rates, ShouldStop, System, Unknown, Workspace};
+pub use system::{
+    Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, ShouldStop, System, Unknown, Workspace,
+};

@@ -39,6 +39,27 @@ impl Coefficients {
     pub const STATIC: Self = Self { per_damping: f64::INFINITY, per_mass: f64::INFINITY };
 }
 
+/// What is added to the equations of single unknowns, a number each in the order of a direction; nothing where empty.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NodalTerms<'a> {
+    /// To the diagonal of the tangent
+    pub stiffness: &'a [f64],
+    /// To the residual
+    pub force: &'a [f64],
+}
+
+impl NodalTerms<'_> {
+    /// Nothing.
+    pub const NONE: Self = Self { stiffness: &[], force: &[] };
+
+    /// Both of one unknown.
+    #[inline(always)]
+    pub fn at(&self, unknown: usize) -> (f64, f64) {
+        let of = |terms: &[f64]| terms.get(unknown).copied().unwrap_or(0.0);
+        (of(self.stiffness), of(self.force))
+    }
+}
+
 /// What is left of a system when all unknowns but those of the interface are eliminated. Slots are those of the interface.
 #[derive(Clone, Copy, Debug)]
 pub struct CondensedSystem {

@@ -11,4 +11,5 @@ mod model;
 mod seta;
 mod solve;
 mod study;
+mod time;
 mod uncertainty;

@@ -1,7 +1,7 @@
 //! What the solver asks of a chain of elements: to be eliminated down to its last node, and to go back from there.
 
 use super::{ElementEnergy, SectionState};
-use crate::solve::{History, SolveError};
+use crate::solve::{History, NodalTerms, SolveError};
 use std::any::Any;
 use std::ops::Range;
 
@@ -21,6 +21,17 @@ pub struct Configuration<'a> {
     pub axial_multiplier: f64,
     /// What its material points remember, where there is friction.
     pub history: Option<&'a History>,
+    /// What strains they had before a step in time, where the material is viscous.
+    pub strains: Option<KnownStrains<'a>>,
+}
+
+/// What a viscous material remembers before a step in time.
+#[derive(Clone, Copy, Debug)]
+pub struct KnownStrains<'a> {
+    /// What its elastic stiffness is multiplied with, without a unit
+    pub factor: f64,
+    /// Γ1, Γ2 and θ' (1/nm) from which the step strains, Gauss point by Gauss point and element by element.
+    pub strains: &'a [[f64; 3]],
 }
 
 /// What the path condition wants of the chain: a linear functional of the coverage and of the left end's fields.
@@ -105,6 +116,8 @@ pub trait Chain: Send + Sync {
     fn order(&self) -> usize;
     /// Place of the node of rank `rank` (0 to p) within its element, as a fraction of its length.
     fn node_fraction(&self, rank: usize) -> f64;
+    /// Weight of the node of rank `rank` in the Gauss-Lobatto rule of its element, as a fraction of its length.
+    fn node_weight(&self, rank: usize) -> f64;
     /// Whether one unknown is shared by the whole chain.
     fn has_border(&self) -> bool;
     /// Integrates and eliminates; what is needed to go back stays in `eliminated`.
@@ -114,14 +127,14 @@ pub trait Chain: Send + Sync {
         path: &ConstraintGradient,
         eliminated: &mut ChainFactors,
     ) -> Result<CondensedChain, SolveError> {
-        self.eliminate_damped(at, path, &[], eliminated)
+        self.eliminate_with(at, path, NodalTerms::NONE, eliminated)
     }
-    /// The same with `damping` added to the diagonal of the tangent, a number an unknown; nothing where it is empty.
-    fn eliminate_damped(
+    /// The same with terms of the nodes added.
+    fn eliminate_with(
         &self,
         at: Configuration,
         path: &ConstraintGradient,
-        damping: &[f64],
+        added: NodalTerms,
         eliminated: &mut ChainFactors,
     ) -> Result<CondensedChain, SolveError>;
     /// Goes back from the root's solution `root` (last node's fields, border): x = scale × residual part - U⁻¹ root part.

@@ -1,6 +1,6 @@
 //! A planar beam: a chain of elements on a substrate or on its own, in its reference configuration.
 
-use super::{Chain, Configuration, ElementEnergy, FrontPosition, MOST_FIELDS, MeshPolicy, ModelLimits};
+use super::{BeamInertia, Chain, Configuration, ElementEnergy, FrontPosition, MOST_FIELDS, MeshPolicy, ModelLimits};
 use crate::adhesion::Substrate;
 use crate::beam::ReferenceConfiguration;
 use crate::beam::mesh::nodal_lengths;
@@ -59,6 +59,8 @@ pub struct PlanarBeam {
     pub conservative: bool,
     /// Where its model ends.
     pub limits: ModelLimits,
+    /// Its mass and how its material flows, where it moves in time.
+    pub inertia: Option<Arc<BeamInertia>>,
 }
 
 /// Unknowns behind the nodes: H and the place of the right end.
@@ -127,6 +129,7 @@ impl PlanarBeam {
             state: self.nodes(&at.values),
             axial_multiplier: self.axial(&at.values).0,
             history: at.history.as_deref(),
+            strains: None,
         }
     }
 
@@ -253,7 +256,7 @@ impl PlanarBeam {
 
     /// The diagonal that coefficients add to the tangent of the chain, a number an unknown of a node; empty where they are zero.
     ///
-    /// C: the length that belongs to a node times the adhesion's own stiffness, w/scale². The beam has no mass yet: M is zero.
+    /// C: the length that belongs to a node times the adhesion's own stiffness, w/scale². Masses count in steps in time alone.
     pub(super) fn diagonal(&self, at: &State, coefficients: Coefficients) -> Vec<f64> {
         let Coefficients { per_damping: time, per_mass: _ } = coefficients;
         if time.is_infinite() {

@@ -1,11 +1,11 @@
 //! The planar beam as a [`System`]: what a solver asks of it. Its interface is the right end.
 
-use super::{ChainFactors, ConstraintGradient, FRONT, PlanarBeam, TIP_ROTATION};
+use super::{ChainFactors, Configuration, ConstraintGradient, FRONT, PlanarBeam, TIP_ROTATION};
 use crate::adhesion::Substrate;
 use crate::beam::{MeshKind, ReferenceConfiguration};
 use crate::solve::{
-    Coefficients, CondensedSystem, Evaluation, History, INTERFACE, MONITORS, Mesh, Rates, SolveError, State, System,
-    Unknown, Workspace,
+    Coefficients, CondensedSystem, Evaluation, History, INTERFACE, MONITORS, Mesh, NodalTerms, Rates, SolveError,
+    State, System, Unknown, Workspace,
 };
 use std::sync::Arc;
 
@@ -74,36 +74,9 @@ impl System for PlanarBeam {
         weights: [f64; MONITORS],
         ws: &mut Workspace,
     ) -> Result<CondensedSystem, SolveError> {
-        let mut row = ConstraintGradient { coverage: self.front(weights[FRONT]), ..ConstraintGradient::default() };
-        row.left[self.rotation] = weights[TIP_ROTATION];
         let diagonal = self.diagonal(at, coefficients);
-        let factors = ws.factors::<ChainFactors>();
-        let root = self.chain.eliminate_damped(self.configuration(at), &row, &diagonal, factors)?;
-        let known = self.fields() + self.multipliers();
-        let mut condensed = CondensedSystem {
-            matrix: [[0.0; INTERFACE]; INTERFACE],
-            residual: [0.0; INTERFACE],
-            gradient: [0.0; INTERFACE],
-            gradient_residual: root.matrix[known][known],
-            negative: root.negative,
-            least_pivot: root.least_pivot.size,
-            evaluation: self.evaluation(at, root.energy),
-        };
-        for i in 0..known {
-            condensed.matrix[i][..known].copy_from_slice(&root.matrix[i][..known]);
-            condensed.residual[i] = root.matrix[i][known];
-            condensed.gradient[i] = root.matrix[known][i];
-        }
-        if self.chain.has_border() {
-            // ∂Π/∂H is the distance of the ends less what the chain spans, ∂Π/∂x(L) is H
-            let (multiplier, place) = (known - 1, known);
-            let (force, end) = self.axial(&at.values);
-            condensed.matrix[place][multiplier] = 1.0;
-            condensed.matrix[multiplier][place] = 1.0;
-            condensed.residual[place] = force;
-            condensed.residual[multiplier] += self.span() + end;
-        }
-        Ok(condensed)
+        let added = NodalTerms { stiffness: &diagonal, force: &[] };
+        self.condensed(at, self.configuration(at), added, weights, ws)
     }
 
     fn step(&self, at: &mut State, update: &[f64]) {
@@ -264,7 +237,48 @@ impl System for PlanarBeam {
     }
 
     fn is_admissible(&self, at: &State) -> bool {
-        self.is_above(at)
+        !self.adheres() || self.is_above(at)
+    }
+}
+
+impl PlanarBeam {
+    /// The chain eliminated down to its right end, with terms of the nodes added and Σ weights·monitors carried along.
+    pub(super) fn condensed(
+        &self,
+        at: &State,
+        configuration: Configuration,
+        added: NodalTerms,
+        weights: [f64; MONITORS],
+        ws: &mut Workspace,
+    ) -> Result<CondensedSystem, SolveError> {
+        let mut row = ConstraintGradient { coverage: self.front(weights[FRONT]), ..ConstraintGradient::default() };
+        row.left[self.rotation] = weights[TIP_ROTATION];
+        let root = self.chain.eliminate_with(configuration, &row, added, ws.factors::<ChainFactors>())?;
+        let known = self.fields() + self.multipliers();
+        let mut condensed = CondensedSystem {
+            matrix: [[0.0; INTERFACE]; INTERFACE],
+            residual: [0.0; INTERFACE],
+            gradient: [0.0; INTERFACE],
+            gradient_residual: root.matrix[known][known],
+            negative: root.negative,
+            least_pivot: root.least_pivot.size,
+            evaluation: self.evaluation(at, root.energy),
+        };
+        for i in 0..known {
+            condensed.matrix[i][..known].copy_from_slice(&root.matrix[i][..known]);
+            condensed.residual[i] = root.matrix[i][known];
+            condensed.gradient[i] = root.matrix[known][i];
+        }
+        if self.chain.has_border() {
+            // ∂Π/∂H is the distance of the ends less what the chain spans, ∂Π/∂x(L) is H
+            let (multiplier, place) = (known - 1, known);
+            let (force, end) = self.axial(&at.values);
+            condensed.matrix[place][multiplier] = 1.0;
+            condensed.matrix[multiplier][place] = 1.0;
+            condensed.residual[place] = force;
+            condensed.residual[multiplier] += self.span() + end;
+        }
+        Ok(condensed)
     }
 }
 

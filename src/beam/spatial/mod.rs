@@ -12,6 +12,7 @@ mod section_state;
 mod shared_system;
 mod spatial_beam;
 mod spatial_grip;
+mod spatial_motion;
 mod spatial_profile;
 mod spatial_system;
 mod stiffness;
@@ -24,6 +25,7 @@ pub use rest_curve::{ALONG_X, SpatialRestCurve};
 pub use section_state::{SpatialIntegrals, SpatialSectionState};
 pub use spatial_beam::SpatialBeam;
 pub use spatial_grip::{GripReactions, SpatialSectionPlace};
+pub use spatial_motion::SpatialInertia;
 pub use spatial_profile::{SpatialProfile, Station};
 pub use stiffness::SpatialStiffness;
 pub use tree::{

@@ -5,6 +5,7 @@ use super::density::SPATIAL_FIELDS;
 use super::end_rotation::{EndRotation, turned};
 use super::rest::SpatialRest;
 use super::rotation::{apply_transposed, matrix};
+use super::spatial_motion::SpatialInertia;
 use crate::adhesion::SectionShape;
 use crate::beam::{MeshKind, MeshPolicy};
 use crate::solve::{INTERFACE, Mesh, State};
@@ -35,6 +36,8 @@ pub struct SpatialBeam {
     pub process_length: f64,
     /// Where its elements end
     pub mesh: MeshPolicy,
+    /// Its mass, where it moves in time
+    pub inertia: Option<SpatialInertia>,
 }
 
 impl SpatialBeam {

@@ -9,8 +9,8 @@ use super::spatial_beam::{ANGLES, SpatialBeam};
 use crate::beam::mesh::nodal_lengths;
 use crate::beam::{ElementEnergy, FRONT, MeshKind, TIP_ROTATION};
 use crate::solve::{
-    Coefficients, CondensedSystem, Evaluation, INTERFACE, MONITORS, Mesh, Rates, SolveError, State, System, Unknown,
-    Workspace,
+    Coefficients, CondensedSystem, Evaluation, INTERFACE, MONITORS, Mesh, NodalTerms, Rates, SolveError, State, System,
+    Unknown, Workspace,
 };
 
 const F: usize = SPATIAL_UNKNOWNS;
@@ -62,6 +62,20 @@ impl SpatialBeam {
         lengths.iter().flat_map(|&length| (0..F).map(move |f| damping(length, f))).collect()
     }
 
+    /// The chain eliminated down to its right end, with terms of single unknowns added and Σ weights·monitors carried along.
+    pub(super) fn condensed_with(
+        &self,
+        at: &State,
+        added: NodalTerms,
+        weights: [f64; MONITORS],
+        ws: &mut Workspace,
+    ) -> Result<CondensedSystem, SolveError> {
+        let mut row = SpatialFunctional { coverage: self.front(weights[FRONT]), left: [0.0; F] };
+        row.left[3] = weights[TIP_ROTATION];
+        let root = self.chain.eliminate(self.configuration(at), &row, added, ws.factors::<SpatialFactors>())?;
+        Ok(condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, root.energy)))
+    }
+
     /// What places of a node are measured by, nm.
     fn place_unit(&self, node: &[f64]) -> f64 {
         self.scale[0] + self.rest.lift(node[1])
@@ -104,11 +118,8 @@ impl System for SpatialBeam {
         weights: [f64; MONITORS],
         ws: &mut Workspace,
     ) -> Result<CondensedSystem, SolveError> {
-        let mut row = SpatialFunctional { coverage: self.front(weights[FRONT]), left: [0.0; F] };
-        row.left[3] = weights[TIP_ROTATION];
         let diagonal = self.diagonal(at, coefficients);
-        let root = self.chain.eliminate(self.configuration(at), &row, &diagonal, ws.factors::<SpatialFactors>())?;
-        Ok(condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, root.energy)))
+        self.condensed_with(at, NodalTerms { stiffness: &diagonal, force: &[] }, weights, ws)
     }
 
     fn recover(&self, ws: &Workspace, interface: &[f64; INTERFACE], scale: f64, direction: &mut [f64]) {

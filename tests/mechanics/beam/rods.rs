@@ -100,7 +100,8 @@ fn an_element_agrees_with_central_differences_of_its_energy() {
         *s += change;
     }
     let energy = |state: &[f64]| {
-        let configuration = Configuration { ends: &at.mesh.boundaries, state, axial_multiplier: 0.0, history: None };
+        let configuration =
+            Configuration { ends: &at.mesh.boundaries, state, axial_multiplier: 0.0, history: None, strains: None };
         problem.beam.planar().unwrap().chain.energy(configuration, state).0.total
     };
     let (row, mut factors) = (ConstraintGradient::default(), ChainFactors::default());

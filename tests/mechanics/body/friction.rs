@@ -15,7 +15,7 @@
 use crate::common::{paper_law, paper_strip};
 use approx::assert_relative_eq;
 use peelkit::adhesion::{FrictionLaw, GroundLaw, LineLoad, Substrate};
-use peelkit::beam::{BeamOnGround, EnergyDensity, PointResponse, Profile};
+use peelkit::beam::{BeamOnGround, EnergyDensity, Point, PointResponse, Profile};
 use peelkit::model::{BeamProblem, Form, Friction, Hold, PeelModel, Pull, Step};
 use peelkit::solve::{Observables, Path, PathOptions, Solution, controlled};
 use peelkit::study::{Accuracy, Choice, PathEnd, StopCriteria, peel};
@@ -44,7 +44,8 @@ fn the_tangent_is_the_derivative() {
     };
     let respond = |value: [f64; 3], slip: [f64; 2]| {
         let mut response = PointResponse::<f64, 3>::zero();
-        beam.add_friction(40.0, value, slip, &mut response);
+        let point = Point { place: 40.0, value, memory: [slip[0], slip[1], 0.0, 0.0], ..Point::zero() };
+        beam.add_remembered(&point, &mut response);
         response
     };
     for (value, slip) in [

@@ -1,6 +1,7 @@
 //! What an element integrates: an energy density along the axis and its first and second derivatives.
 
 use crate::adhesion::{FrictionState, LineResponse};
+use crate::beam::Point;
 use crate::number::Real;
 
 /// Response at one point of the axis to F fields, their slopes along S and one number that is the same along the whole
@@ -156,12 +157,11 @@ pub trait EnergyDensity<const F: usize>: Send + Sync {
     /// The density and its derivatives, at one point or at several side by side.
     fn response<T: Real>(&self, place: T, value: [T; F], slope: [T; F], axial_multiplier: f64) -> PointResponse<T, F>;
 
-    /// Whether a tangential traction may take part that remembers how the face has slid.
+    /// Whether something may take part that remembers what was before the step: friction, or a viscous material.
     const HAS_HISTORY: bool = false;
 
-    /// Adds that traction to a response of the same place. `slip`: where the face was at the end of the last step, nm, and what share of
-    /// its limit it carried there.
-    fn add_friction<T: Real>(&self, _place: T, _value: [T; F], _slip: [T; 2], _response: &mut PointResponse<T, F>) {}
+    /// Adds that to a response at the same point.
+    fn add_remembered<T: Real>(&self, _point: &Point<T, F>, _response: &mut PointResponse<T, F>) {}
 
     /// What a material point remembers behind a step that ended with these fields, and what was dissipated there, nN per length.
     fn remembered(&self, _place: f64, _value: [f64; F], before: FrictionState) -> (FrictionState, f64) {

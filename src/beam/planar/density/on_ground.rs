@@ -2,7 +2,7 @@
 
 use super::reissner::stored;
 use crate::adhesion::{FrictionLaw, FrictionState, GroundLaw};
-use crate::beam::{Coupling, EnergyDensity, PointResponse, Profile, SectionState};
+use crate::beam::{Coupling, EnergyDensity, Point, PointResponse, Profile, SectionState};
 use crate::number::Real;
 
 /// The planar Reissner beam on ground that is not flat, with the adhesion bΨ of [`GroundLaw`]. Fields: x (nm), y - h/2 of the
@@ -64,13 +64,8 @@ impl EnergyDensity<3> for BeamOnGround {
 
     /// The virtual work of friction is b t δx_b, of a traction t(x_b, d).
     #[inline(always)]
-    fn add_friction<T: Real>(
-        &self,
-        place: T,
-        value: [T; 3],
-        [from, mobilisation]: [T; 2],
-        response: &mut PointResponse<T, 3>,
-    ) {
+    fn add_remembered<T: Real>(&self, point: &Point<T, 3>, response: &mut PointResponse<T, 3>) {
+        let &Point { place, value, memory: [from, mobilisation, ..], .. } = point;
         let Some(friction) = &self.friction else { return };
         let station = self.profile.at(place);
         let ([x, gap], [sine, cosine]) = self.face(station.height, value);

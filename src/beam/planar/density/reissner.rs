@@ -28,17 +28,29 @@ pub(super) const COUPLING: Coupling<3> = Coupling {
 /// The stored energy at one point and its derivatives, for a rotation θ, the slopes x', y', θ' and the rest curvature κ0.
 #[inline(always)]
 pub(super) fn stored<T: Real>(
+    section: &Section<T>,
+    rotation: T,
+    slopes: [T; 3],
+    rest_curvature: T,
+) -> PointResponse<T, 3> {
+    stored_from(section, rotation, slopes, [T::splat(0.0), T::splat(0.0), rest_curvature])
+}
+
+/// The same of strains that count from known ones, Γ1, Γ2 and θ'.
+#[inline(always)]
+pub(super) fn stored_from<T: Real>(
     &Section { axial, shear, bending }: &Section<T>,
     rotation: T,
     [dx, dy, turn]: [T; 3],
-    rest_curvature: T,
+    [known_stretch, known_slide, known_turn]: [T; 3],
 ) -> PointResponse<T, 3> {
     let (sin, cos) = rotation.sin_cos();
-    let curvature = turn - rest_curvature;
-    let (stretch, slide) = (dx * cos + dy * sin - 1.0, dy * cos - dx * sin);
-    let (n, q) = (stretch * axial, slide * shear);
+    let curvature = turn - known_turn;
+    let (whole_stretch, slide_t) = (dx * cos + dy * sin - 1.0, -(dx * cos + dy * sin));
     // ∂Γ1/∂θ = Γ2 and ∂Γ2/∂θ = -(1 + Γ1)
-    let (stretch_t, slide_t) = (slide, -(stretch + 1.0));
+    let stretch_t = dy * cos - dx * sin;
+    let (stretch, slide) = (whole_stretch - known_stretch, stretch_t - known_slide);
+    let (n, q) = (stretch * axial, slide * shear);
     let (horizontal, vertical) = (n * cos - q * sin, n * sin + q * cos);
     let horizontal_t = stretch_t * cos * axial - slide_t * sin * shear - vertical;
     let vertical_t = stretch_t * sin * axial + slide_t * cos * shear + horizontal;

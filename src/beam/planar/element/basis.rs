@@ -181,6 +181,11 @@ impl Basis {
         slopes
     }
 
+    /// Weight of node `a` in the Gauss-Lobatto rule of the nodes, over the length of the element: ½ ∫ Nₐ dξ.
+    pub fn lobatto_weight(&self, a: usize) -> f64 {
+        0.5 * (0..self.order).map(|q| self.weights[q] * self.value[q][a]).sum::<f64>()
+    }
+
     /// Values and slopes of all shape functions at the local coordinate `at`.
     pub fn sample(&self, at: f64) -> (PerNode, PerNode) {
         let nodes = &self.nodes[..self.order + 1];

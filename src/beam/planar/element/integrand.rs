@@ -7,6 +7,9 @@ use crate::adhesion::FrictionState;
 use crate::beam::{Coupling, EnergyDensity, PointResponse, SectionState};
 use crate::number::{F64x4, Real};
 
+/// Numbers that a density may remember at a point.
+pub const MEMORY: usize = 4;
+
 /// What is known at a point of the axis, or at four side by side.
 #[derive(Clone, Copy, Debug)]
 pub struct Point<T, const F: usize> {
@@ -16,9 +19,9 @@ pub struct Point<T, const F: usize> {
     pub value: [T; F],
     /// Their derivatives with respect to S.
     pub slope: [T; F],
-    /// Where the face was (nm) and what share of its limit it carried at the end of the last step, of a density that
-    /// remembers.
-    pub slip: [T; 2],
+    /// Of a density that remembers. With friction: where the face was (nm) and what share of its limit it carried at the end of the last
+    /// step. Of a viscous material: Γ1, Γ2 and θ' from which the step strains, and the factor of its stiffness.
+    pub memory: [T; MEMORY],
 }
 
 impl<T: Real, const F: usize> Point<T, F> {
@@ -26,7 +29,7 @@ impl<T: Real, const F: usize> Point<T, F> {
     #[inline(always)]
     pub fn zero() -> Self {
         let zero = T::splat(0.0);
-        Self { place: zero, value: [zero; F], slope: [zero; F], slip: [zero; 2] }
+        Self { place: zero, value: [zero; F], slope: [zero; F], memory: [zero; MEMORY] }
     }
 }
 
@@ -62,11 +65,11 @@ pub trait Integrand<const F: usize>: Send + Sync {
     fn has_border(&self) -> bool;
     /// [`EnergyDensity::is_symmetric`]
     fn is_symmetric(&self) -> bool;
-    /// The responses at some points, with the traction that remembers; as many of them as there are points.
+    /// The responses at some points, with what remembers; as many of them as there are points.
     fn respond(&self, points: &[Point<F64x4, F>], axial_multiplier: f64, responses: &mut [PointResponse<F64x4, F>]);
     /// The energies alone, at one point.
     fn energy_at(&self, point: &Point<F64x4, F>, axial_multiplier: f64) -> PointEnergy<F64x4, F>;
-    /// The first derivatives at one point, with the traction that remembers.
+    /// The first derivatives at one point, with what remembers.
     fn gradient_at(&self, point: &Point<f64, F>, axial_multiplier: f64) -> PointGradient<F>;
     /// [`EnergyDensity::FOLLOWS_FORCE`]; otherwise the next is not asked.
     fn follows_force(&self) -> bool {
@@ -197,7 +200,7 @@ impl<D: EnergyDensity<F>, const F: usize> PlanarIntegrand<F> for D {
     }
 }
 
-/// The response at a point, with the traction that remembers.
+/// The response at a point, with what remembers.
 #[inline(always)]
 fn response<T: Real, D: EnergyDensity<F>, const F: usize>(
     density: &D,
@@ -206,7 +209,7 @@ fn response<T: Real, D: EnergyDensity<F>, const F: usize>(
 ) -> PointResponse<T, F> {
     let mut response = density.response(point.place, point.value, point.slope, axial_multiplier);
     if D::HAS_HISTORY {
-        density.add_friction(point.place, point.value, point.slip, &mut response);
+        density.add_remembered(point, &mut response);
     }
     response
 }

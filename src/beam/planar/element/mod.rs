@@ -6,6 +6,6 @@ mod piecewise;
 mod planar_element;
 pub use basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, PerNode, slot};
 pub use frontal_matrix::{FrontalMatrix, FrontalRow, Pivots};
-pub use integrand::{Integrand, PlanarIntegrand, Point, PointEnergy, PointGradient};
+pub use integrand::{Integrand, MEMORY, PlanarIntegrand, Point, PointEnergy, PointGradient};
 pub use piecewise::PiecePoint;
 pub use planar_element::{Element, ElementEnergy, Integration, Responses};

@@ -1,6 +1,6 @@
 //! The element: integrates a density into its front, the matrix that elimination works on.
 
-use super::integrand::{Integrand, Point};
+use super::integrand::{Integrand, MEMORY, Point};
 use super::piecewise::PiecePoint;
 use crate::beam::{Basis, Coupling, FrontalMatrix, MOST_NODES, Nodes, PerNode, PointResponse};
 use crate::number::{F64x4, Real};
@@ -24,9 +24,8 @@ pub struct Element<T, const F: usize> {
     pub from: T,
     /// Reference length, nm
     pub length: T,
-    /// Where the face was (nm) and what share of its limit it carried at the end of the last step, at each Gauss point, of a
-    /// density that remembers.
-    pub slips: [[T; 2]; MOST_NODES],
+    /// [`Point::memory`] at each Gauss point.
+    pub memories: [[T; MEMORY]; MOST_NODES],
     /// The number that the whole chain shares.
     pub axial_multiplier: f64,
 }
@@ -49,8 +48,8 @@ impl<T: Real, const F: usize> Element<T, F> {
     /// All zero.
     pub fn zero() -> Self {
         let zero = T::splat(0.0);
-        let (values, slips) = ([[zero; F]; MOST_NODES], [[zero; 2]; MOST_NODES]);
-        Self { values, from: zero, length: zero, slips, axial_multiplier: 0.0 }
+        let (values, memories) = ([[zero; F]; MOST_NODES], [[zero; MEMORY]; MOST_NODES]);
+        Self { values, from: zero, length: zero, memories, axial_multiplier: 0.0 }
     }
 
     /// What its density is asked at Gauss point `q`.
@@ -61,7 +60,7 @@ impl<T: Real, const F: usize> Element<T, F> {
             place: self.from + self.length * (0.5 * (1.0 + basis.points[q])),
             value: at_point(nodes, &self.values, &basis.value[q]),
             slope: at_point(nodes, &self.values, &basis.slope[q]).map(|s| s * stretch),
-            slip: self.slips[q],
+            memory: self.memories[q],
         }
     }
 

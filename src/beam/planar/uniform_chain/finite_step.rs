@@ -40,7 +40,7 @@ impl<const F: usize> UniformChain<F> {
         // what is added to the end that two bundles share, and what it was before
         let (mut lifted, mut shared) = (0.0, state[up]);
         for first in (0..elements).step_by(BUNDLE) {
-            let at = Configuration { ends, state, axial_multiplier: axial[0], history: None };
+            let at = Configuration { ends, state, axial_multiplier: axial[0], history: None, strains: None };
             self.gather_bundle(nodes, at, first, &mut bundle);
             bundle.values[left_end][up].0[0] = shared;
             (changes.from, changes.length) = (bundle.from, bundle.length);
@@ -77,7 +77,7 @@ mod tests {
 
     /// V at every Gauss point.
     fn forces(chain: &UniformChain<2>, state: &[f64], axial_multiplier: f64) -> Vec<f64> {
-        let at = Configuration { ends: &PLACES, state, axial_multiplier, history: None };
+        let at = Configuration { ends: &PLACES, state, axial_multiplier, history: None, strains: None };
         let points = &chain.basis.points[..chain.basis.order];
         let of = |e: usize| points.iter().map(move |&local| chain.sample(at, e, local).1.vertical_force);
         (0..PLACES.len() - 1).flat_map(of).collect()

@@ -19,11 +19,11 @@ mod tests;
 
 use super::{
     AnyNumber, Basis, Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, Element, ElementEnergy,
-    Fixed, FrontalMatrix, Integration, MOST_FIELDS, MOST_NODES, MOST_ORDER, NodeState, Nodes, PlanarIntegrand,
+    Fixed, FrontalMatrix, Integration, MEMORY, MOST_FIELDS, MOST_NODES, MOST_ORDER, NodeState, Nodes, PlanarIntegrand,
     Responses, RootVector, SectionState, slot,
 };
 use crate::number::F64x4;
-use crate::solve::{History, SolveError};
+use crate::solve::{History, NodalTerms, SolveError};
 use std::ops::Range;
 
 /// Elements that are treated side by side.
@@ -48,7 +48,7 @@ type Sweep<const F: usize> = fn(
     &UniformChain<F>,
     Configuration,
     &ConstraintGradient,
-    &[f64],
+    NodalTerms,
     &mut ChainFactors,
 ) -> Result<CondensedChain, SolveError>;
 
@@ -137,17 +137,17 @@ impl<const F: usize> UniformChain<F> {
     #[inline(always)]
     fn element(&self, nodes: impl Nodes, at: Configuration, e: usize) -> Element<f64, F> {
         let (from, to) = (at.ends[e], at.ends[e + 1]);
-        let mut slips = [[0.0; 2]; MOST_NODES];
-        if let (true, Some(known)) = (self.density.remembers(), at.history) {
-            for (slip, point) in slips.iter_mut().zip(self.basis.points) {
-                *slip = known.at(from + 0.5 * (1.0 + point) * (to - from));
+        let mut memories = [[0.0; MEMORY]; MOST_NODES];
+        if self.density.remembers() {
+            for q in 0..nodes.count() - 1 {
+                memories[q] = self.memory(at, e, q);
             }
         }
         Element {
             values: self.gather(nodes, at.state, e),
             from,
             length: to - from,
-            slips,
+            memories,
             axial_multiplier: at.axial_multiplier,
         }
     }
@@ -163,14 +163,29 @@ impl<const F: usize> UniformChain<F> {
             self.gather_lane(nodes, at.state, e, l, &mut bundle.values);
         }
         bundle.axial_multiplier = at.axial_multiplier;
-        if let (true, Some(known)) = (self.density.remembers(), at.history) {
+        if self.density.remembers() {
             for q in 0..nodes.count() - 1 {
-                let (slip, share) = (&mut bundle.slips[q], 0.5 * (1.0 + self.basis.points[q]));
                 for l in 0..BUNDLE {
-                    let [place, carried] = known.at(bundle.from.0[l] + share * bundle.length.0[l]);
-                    (slip[0].0[l], slip[1].0[l]) = (place, carried);
+                    let memory = self.memory(at, (first + l).min(elements - 1), q);
+                    (0..MEMORY).for_each(|k| bundle.memories[q][k].0[l] = memory[k]);
                 }
             }
+        }
+    }
+
+    /// What the material remembers at Gauss point `q` of element `e`.
+    fn memory(&self, at: Configuration, e: usize, q: usize) -> [f64; MEMORY] {
+        match (at.history, at.strains) {
+            (Some(known), _) => {
+                let [place, carried] =
+                    known.at(at.ends[e] + 0.5 * (1.0 + self.basis.points[q]) * (at.ends[e + 1] - at.ends[e]));
+                [place, carried, 0.0, 0.0]
+            }
+            (None, Some(known)) => {
+                let [stretch, slide, turn] = known.strains[e * self.basis.order + q];
+                [stretch, slide, turn, known.factor]
+            }
+            (None, None) => [0.0; MEMORY],
         }
     }
 
@@ -220,14 +235,18 @@ impl<const F: usize> Chain for UniformChain<F> {
         self.density.has_border()
     }
 
-    fn eliminate_damped(
+    fn node_weight(&self, rank: usize) -> f64 {
+        self.basis.lobatto_weight(slot(self.basis.order + 1, rank))
+    }
+
+    fn eliminate_with(
         &self,
         at: Configuration,
         path: &ConstraintGradient,
-        damping: &[f64],
+        added: NodalTerms,
         eliminated: &mut ChainFactors,
     ) -> Result<CondensedChain, SolveError> {
-        (self.kernels.sweep)(self, at, path, damping, eliminated)
+        (self.kernels.sweep)(self, at, path, added, eliminated)
     }
 
     fn recover(&self, eliminated: &ChainFactors, root: &[f64], scale: f64, out: &mut [f64]) {

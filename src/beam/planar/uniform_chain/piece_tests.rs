@@ -52,7 +52,7 @@ fn agree<const F: usize>(density: impl EnergyDensity<F> + Clone + 'static, order
         state.extend_from_slice(&[s, fields(s)[0], fields(s)[1]][3 - F..]);
     }
     let along = direction(state.len());
-    let at = |state| Configuration { ends: &ENDS, state, axial_multiplier: 0.0, history: None };
+    let at = |state| Configuration { ends: &ENDS, state, axial_multiplier: 0.0, history: None, strains: None };
     let moved = |by: f64| -> Vec<f64> { state.iter().zip(&along).map(|(value, d)| value + by * STEP * d).collect() };
     let ahead = [moved(1.0), moved(-1.0)];
     let energies = ahead.each_ref().map(|state| chain.energy(at(state), &along).0);

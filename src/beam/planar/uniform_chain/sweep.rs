@@ -8,7 +8,7 @@ use crate::beam::{
     MOST_FIELDS, Nodes, ROOT,
 };
 use crate::number::F64x4;
-use crate::solve::{Place, Quantity, SolveError};
+use crate::solve::{NodalTerms, Place, Quantity, SolveError};
 
 /// Pivots below this are zero to rounding.
 const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
@@ -19,10 +19,10 @@ pub(super) fn sweep<N: Nodes, const F: usize, const BORDER: bool>(
     chain: &UniformChain<F>,
     at: Configuration,
     path: &ConstraintGradient,
-    damping: &[f64],
+    added: NodalTerms,
     eliminated: &mut ChainFactors,
 ) -> Result<CondensedChain, SolveError> {
-    chain.sweep_with::<BORDER>(N::of_order(chain.basis.order), at, path, damping, eliminated)
+    chain.sweep_with::<BORDER>(N::of_order(chain.basis.order), at, path, added, eliminated)
 }
 
 impl<const F: usize> UniformChain<F> {
@@ -32,19 +32,13 @@ impl<const F: usize> UniformChain<F> {
         nodes: impl Nodes,
         at: Configuration,
         path: &ConstraintGradient,
-        damping: &[f64],
+        added: NodalTerms,
         eliminated: &mut ChainFactors,
     ) -> Result<CondensedChain, SolveError> {
         // what the last time left, if it was a chain of this kind
         let mut kept: Box<Kept<F>> = eliminated.fronts.take().and_then(|last| last.downcast().ok()).unwrap_or_default();
-        let root = self.sweep_into::<BORDER>(
-            nodes,
-            at,
-            path,
-            damping,
-            &mut kept,
-            (&mut eliminated.ends, &mut eliminated.below),
-        );
+        let root =
+            self.sweep_into::<BORDER>(nodes, at, path, added, &mut kept, (&mut eliminated.ends, &mut eliminated.below));
         eliminated.fronts = Some(kept);
         root
     }
@@ -55,7 +49,7 @@ impl<const F: usize> UniformChain<F> {
         nodes: impl Nodes,
         at: Configuration,
         path: &ConstraintGradient,
-        damping: &[f64],
+        added: NodalTerms,
         Kept { fronts, bundle, room }: &mut Kept<F>,
         (ends, below): (&mut Vec<EndRow>, &mut Vec<BelowEnd>),
     ) -> Result<CondensedChain, SolveError> {
@@ -72,17 +66,17 @@ impl<const F: usize> UniformChain<F> {
             self.gather_bundle(nodes, at, first, bundle);
             let (total, coverage) = bundle.integrate::<BORDER>(&by, path.coverage, room, front);
             let pieces = self.add_pieces(nodes, at, first, path.coverage, front);
-            if !damping.is_empty() {
-                self.damp_inside(nodes, front, damping, first, elements);
-            }
+            self.add_inside(nodes, front, added, first, elements);
             let pivots = front.condense::<BORDER>(nodes, self.symmetric);
             for e in first..elements.min(first + BUNDLE) {
                 let l = e - first;
                 energy.total += total.0[l] + pieces[l].total;
                 energy.coverage += coverage.0[l] + pieces[l].coverage;
                 let mut block = Ends::<F, BORDER>::block(nodes, front, self.symmetric, l);
-                if !damping.is_empty() {
-                    (0..F).for_each(|f| block[f][f] += damping[e * order * F + f]);
+                for f in 0..F {
+                    let (stiffness, force) = added.at(e * order * F + f);
+                    block[f][f] += stiffness;
+                    block[f][2 * F + usize::from(BORDER)] += force;
                 }
                 if e == 0 {
                     Ends::<F, BORDER>::start(&mut block, path, &self.pinned_left, &at.state[..F]);
@@ -110,8 +104,10 @@ impl<const F: usize> UniformChain<F> {
                 }
             }
         }
-        if !damping.is_empty() {
-            (0..F).for_each(|f| carry[f][f] += damping[elements * order * F + f]);
+        for f in 0..F {
+            let (stiffness, force) = added.at(elements * order * F + f);
+            carry[f][f] += stiffness;
+            carry[f][F + usize::from(BORDER)] += force;
         }
         Ok(CondensedChain { matrix: carry, negative, energy, least_pivot })
     }
@@ -141,19 +137,30 @@ impl<const F: usize> UniformChain<F> {
         energies
     }
 
-    /// Adds to the diagonal of the interior nodes of a bundle; the ends of its elements are left to the chain.
-    fn damp_inside(
+    /// Adds to the interior nodes of a bundle; the ends of its elements are left to the chain.
+    #[inline(always)]
+    fn add_inside(
         &self,
         nodes: impl Nodes,
         front: &mut FrontalMatrix<F64x4, F>,
-        damping: &[f64],
+        added: NodalTerms,
         first: usize,
         elements: usize,
     ) {
-        let damping = self.gather_values(nodes, damping, first, elements);
-        for (slot, rows) in front.rows[..nodes.count() - 2].iter_mut().enumerate() {
-            for f in 0..F {
-                rows[f].fields[slot][f] = rows[f].fields[slot][f] + damping[slot][f];
+        if !added.stiffness.is_empty() {
+            let stiffness = self.gather_values(nodes, added.stiffness, first, elements);
+            for (slot, rows) in front.rows[..nodes.count() - 2].iter_mut().enumerate() {
+                for f in 0..F {
+                    rows[f].fields[slot][f] = rows[f].fields[slot][f] + stiffness[slot][f];
+                }
+            }
+        }
+        if !added.force.is_empty() {
+            let force = self.gather_values(nodes, added.force, first, elements);
+            for (slot, rows) in front.rows[..nodes.count() - 2].iter_mut().enumerate() {
+                for f in 0..F {
+                    rows[f].residual = rows[f].residual + force[slot][f];
+                }
             }
         }
     }

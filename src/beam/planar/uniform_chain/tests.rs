@@ -16,6 +16,7 @@ use crate::beam::{
 };
 use crate::number::Real;
 use crate::solve::History;
+use crate::solve::NodalTerms;
 use nalgebra::{DMatrix, DVector};
 
 /// Numbers between -1 and 1, the same on every run.
@@ -171,9 +172,10 @@ fn agrees<const F: usize, const BORDER: bool>(
     Place { ends, state, damping, history }: &Place,
     numbers: &mut Numbers,
 ) {
-    let at = Configuration { ends, state, axial_multiplier: 0.2, history: history.as_ref() };
+    let at = Configuration { ends, state, axial_multiplier: 0.2, history: history.as_ref(), strains: None };
     let mut eliminated = ChainFactors::default();
-    let root = chain.eliminate_damped(at, &ConstraintGradient::default(), damping, &mut eliminated).unwrap();
+    let added = NodalTerms { stiffness: damping, force: &[] };
+    let root = chain.eliminate_with(at, &ConstraintGradient::default(), added, &mut eliminated).unwrap();
     let (matrix, residual) = dense::<F, BORDER>(chain, at, damping);
     let right = numbers.several(matrix.nrows());
     let close = |found: &DVector<f64>, wanted: &DVector<f64>| {

@@ -113,6 +113,11 @@ impl SpatialChain {
         0.5 * (1.0 + self.basis.nodes[slot(self.basis.order + 1, rank)])
     }
 
+    /// Weight of the node of a rank in the Gauss-Lobatto rule of its element, as a fraction of its length.
+    pub fn node_weight(&self, rank: usize) -> f64 {
+        self.basis.lobatto_weight(slot(self.basis.order + 1, rank))
+    }
+
     fn integration<N: Nodes>(&self, nodes: N) -> Integration<'_, N, SPATIAL_FIELDS> {
         let (density, coupling): (&dyn Integrand<SPATIAL_FIELDS>, _) = (&self.density, self.density.coupling());
         Integration { nodes, basis: &self.basis, density, coupling, symmetric: true }

@@ -9,7 +9,7 @@ use super::{
 use crate::beam::spatial::density::SPATIAL_FIELDS;
 use crate::beam::spatial::rotation::{Matrix3, apply_transposed, matrix};
 use crate::beam::{AnyNumber, BUNDLE, Element, ElementEnergy, FrontalMatrix, Nodes};
-use crate::solve::{Place, Quantity, SolveError};
+use crate::solve::{NodalTerms, Place, Quantity, SolveError};
 
 /// Pivots below this are zero to rounding.
 pub(in crate::beam::spatial) const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
@@ -27,7 +27,7 @@ pub struct CondensedSpatialChain {
 }
 
 impl SpatialChain {
-    /// Eliminates all but the right end. `damping` is added to the diagonal, a number an unknown; it may be empty.
+    /// Eliminates all but the right end, with terms of single unknowns added.
     ///
     /// # Errors
     /// A pivot that is zero to rounding, a number that is not finite.
@@ -35,13 +35,13 @@ impl SpatialChain {
         &self,
         at: SpatialConfiguration,
         path: &SpatialFunctional,
-        damping: &[f64],
+        added: NodalTerms,
         factors: &mut SpatialFactors,
     ) -> Result<CondensedSpatialChain, SolveError> {
         if self.basis.order == USUAL_ORDER {
-            sweep::<Usual>(self, at, path, damping, factors)
+            sweep::<Usual>(self, at, path, added, factors)
         } else {
-            sweep::<AnyNumber>(self, at, path, damping, factors)
+            sweep::<AnyNumber>(self, at, path, added, factors)
         }
     }
 
@@ -51,7 +51,7 @@ impl SpatialChain {
         nodes: impl Nodes,
         at: SpatialConfiguration,
         path: &SpatialFunctional,
-        damping: &[f64],
+        added: NodalTerms,
         SpatialFactors { fronts, ends, below, field_front, room }: &mut SpatialFactors,
     ) -> Result<CondensedSpatialChain, SolveError> {
         const F: usize = SPATIAL_UNKNOWNS;
@@ -67,17 +67,17 @@ impl SpatialChain {
             let (total, coverage) = bundle.integrate::<false>(&by, path.coverage, room, field_front);
             project(nodes, field_front, &bundle.values, front);
             self.take_ends(nodes, at, (first, elements), front);
-            if !damping.is_empty() {
-                damp_inside(nodes, front, damping, (first, elements));
-            }
+            add_inside(nodes, front, added, (first, elements));
             let pivots = front.condense_by_nodes(nodes);
             for e in first..elements.min(first + BUNDLE) {
                 let l = e - first;
                 energy.total += total.0[l];
                 energy.coverage += coverage.0[l];
                 let mut block = EndBlock::of(nodes, front, l);
-                if !damping.is_empty() {
-                    (0..F).for_each(|f| block.0[f][f] += damping[e * order * F + f]);
+                for f in 0..F {
+                    let (stiffness, force) = added.at(e * order * F + f);
+                    block.0[f][f] += stiffness;
+                    block.0[f][2 * F] += force;
                 }
                 if e == 0 {
                     block.start(&path.left, &self.off(at));
@@ -100,8 +100,10 @@ impl SpatialChain {
                 }
             }
         }
-        if !damping.is_empty() {
-            (0..F).for_each(|f| carry[f][f] += damping[elements * order * F + f]);
+        for f in 0..F {
+            let (stiffness, force) = added.at(elements * order * F + f);
+            carry[f][f] += stiffness;
+            carry[f][F] += force;
         }
         self.load_right(at, &mut carry);
         Ok(CondensedSpatialChain { matrix: carry, negative, least_pivot: least, energy })
@@ -146,7 +148,7 @@ impl SpatialChain {
     }
 
     /// From the unknowns of an end to those of its node.
-    pub(super) fn end_map(&self, at: SpatialConfiguration, end: usize) -> EndMap {
+    pub(in crate::beam::spatial) fn end_map(&self, at: SpatialConfiguration, end: usize) -> EndMap {
         let SpatialEnd { axes, rotation, .. } = self.ends[end];
         rotation.map(axes, at.angles[end], quaternion_of(self.end_node(at, end)), [0.0; 3]).0
     }
@@ -183,19 +185,30 @@ fn sweep<N: Nodes>(
     chain: &SpatialChain,
     at: SpatialConfiguration,
     path: &SpatialFunctional,
-    damping: &[f64],
+    added: NodalTerms,
     factors: &mut SpatialFactors,
 ) -> Result<CondensedSpatialChain, SolveError> {
-    chain.sweep_with(N::of_order(chain.basis.order), at, path, damping, factors)
+    chain.sweep_with(N::of_order(chain.basis.order), at, path, added, factors)
 }
 
-/// Adds to the diagonal of the interior nodes of four elements; the ends of elements are left to the chain.
-fn damp_inside(nodes: impl Nodes, front: &mut SpatialFront, damping: &[f64], elements: (usize, usize)) {
+/// Adds to the interior nodes of four elements; the ends of elements are left to the chain.
+#[inline(always)]
+fn add_inside(nodes: impl Nodes, front: &mut SpatialFront, added: NodalTerms, elements: (usize, usize)) {
     let mut own = no_values::<SPATIAL_UNKNOWNS>();
-    gather_nodes(nodes, damping, elements, &mut own);
-    for (node, rows) in front.rows[..nodes.count() - 2].iter_mut().enumerate() {
-        for f in 0..SPATIAL_UNKNOWNS {
-            rows[f].fields[node][f] = rows[f].fields[node][f] + own[node][f];
+    if !added.stiffness.is_empty() {
+        gather_nodes(nodes, added.stiffness, elements, &mut own);
+        for (node, rows) in front.rows[..nodes.count() - 2].iter_mut().enumerate() {
+            for f in 0..SPATIAL_UNKNOWNS {
+                rows[f].fields[node][f] = rows[f].fields[node][f] + own[node][f];
+            }
+        }
+    }
+    if !added.force.is_empty() {
+        gather_nodes(nodes, added.force, elements, &mut own);
+        for (node, rows) in front.rows[..nodes.count() - 2].iter_mut().enumerate() {
+            for f in 0..SPATIAL_UNKNOWNS {
+                rows[f].residual = rows[f].residual + own[node][f];
+            }
         }
     }
 }

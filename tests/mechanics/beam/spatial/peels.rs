@@ -101,6 +101,7 @@ impl Strip {
                 fixed_foci: vec![Focus { center: 0.0, length: 0.1, weight: 0.8, reach: Reach::Far }],
                 pieces: MeshIntervals::whole(LENGTH),
             },
+            inertia: None,
         }
     }
 }

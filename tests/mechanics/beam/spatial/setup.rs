@@ -73,6 +73,7 @@ impl Rod {
                 fixed_foci: vec![],
                 pieces: MeshIntervals::whole(self.length),
             },
+            inertia: None,
         }
     }
 

@@ -15,7 +15,7 @@ use peelkit::beam::{
     Branch, BranchingBeam, EndRotation, JointCondition, SpatialChain, SpatialConfiguration, SpatialDensity, SpatialEnd,
     SpatialFactors, SpatialFunctional, SpatialProfile, TreeFactors,
 };
-use peelkit::solve::{State, System};
+use peelkit::solve::{NodalTerms, State, System};
 
 const ELEMENTS: usize = 9;
 const LENGTH: f64 = 9.0;
@@ -60,7 +60,7 @@ fn one_branch_is_a_chain_bit_for_bit() {
         let seen = SpatialConfiguration { boundaries: &boundaries, fields: &fields, angles };
         let (mut own, mut other) = (TreeFactors::default(), SpatialFactors::default());
         let found = tree.eliminate(&at.values, [0.0; 2], [0.0; 2], &mut own).unwrap();
-        let wanted = chain.eliminate(seen, &SpatialFunctional::default(), &[], &mut other).unwrap();
+        let wanted = chain.eliminate(seen, &SpatialFunctional::default(), NodalTerms::NONE, &mut other).unwrap();
         assert_eq!(found.matrix, wanted.matrix, "order {order}");
         assert_eq!((found.negative, found.least_pivot), (wanted.negative, wanted.least_pivot));
         assert_relative_eq!(found.energy, wanted.energy.total, max_relative = 1e-15);

@@ -49,15 +49,19 @@ fn planar(problem: &BeamProblem) -> &PlanarBeam {
 fn energy(problem: &BeamProblem, state: &[f64]) -> f64 {
     let beam = planar(problem);
     let ends = beam.ends(0.0, ELEMENTS);
-    beam.chain.energy(Configuration { ends: &ends, state, axial_multiplier: 0.0, history: None }, state).0.total
+    beam.chain
+        .energy(Configuration { ends: &ends, state, axial_multiplier: 0.0, history: None, strains: None }, state)
+        .0
+        .total
 }
 
 fn largest_force(problem: &BeamProblem, state: &[f64]) -> f64 {
     let beam = planar(problem);
     let ends = beam.ends(0.0, ELEMENTS);
-    let states = beam
-        .chain
-        .node_states(Configuration { ends: &ends, state, axial_multiplier: 0.0, history: None }, 0..ends.len() - 1);
+    let states = beam.chain.node_states(
+        Configuration { ends: &ends, state, axial_multiplier: 0.0, history: None, strains: None },
+        0..ends.len() - 1,
+    );
     states.iter().map(|s| s.section.horizontal_force.abs().max(s.section.vertical_force.abs())).fold(0.0, f64::max)
 }
 

@@ -1,0 +1,15 @@
+//! Motion in time of any [`DynamicSystem`]: the generalised-α rule, steps by their error, by stability and by events.
+mod drive;
+mod dynamic_system;
+mod energy;
+mod extrapolation;
+mod integrator;
+mod motion;
+mod rule;
+mod step;
+pub use drive::{Drive, DriveRates, Ramp};
+pub use dynamic_system::{DynamicProblem, DynamicSystem, MaterialRate, StepTerms, ViscousPower};
+pub use energy::EnergyBalance;
+pub use integrator::{Crossing, StepControl, TimeError, TimeIntegrator, TimeOptions};
+pub use motion::Motion;
+pub use rule::GeneralisedAlpha;

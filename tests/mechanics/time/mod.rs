@@ -1,0 +1,5 @@
+//! Motion in time: rods that spin, vibrate and fly, strips that are pulled at a rate.
+mod flight;
+mod pull;
+mod rods;
+mod spin_up;
