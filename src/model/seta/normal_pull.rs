@@ -120,7 +120,7 @@ impl PullCurve {
     fn at(&self, u: f64) -> Pulled {
         let last = self.points.len() - 1;
         // and what is no number stays none
-        if !(u >= self.points[0].displacement) {
+        if u.is_nan() || u < self.points[0].displacement {
             return self.straight(0, u);
         }
         if u >= self.points[last].displacement {

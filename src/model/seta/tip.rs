@@ -18,18 +18,18 @@ pub struct AdheringTip {
 
 impl AdheringTip {
     /// Place of its end from its place of adhesion, nm.
-    fn from_foot(&self, place: [f64; 3]) -> [f64; 3] {
+    fn offset(&self, place: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|i| place[i] - self.foot[i])
     }
 
     /// The branch that it goes on by with its end at a place, nm.
     pub fn branch(&self, place: [f64; 3], directors: Quaternion) -> TipBranch {
-        self.law.branch(self.on, self.from_foot(place), directors)
+        self.law.branch(self.on, self.offset(place), directors)
     }
 }
 
 impl EndEnergy for AdheringTip {
     fn response(&self, place: [f64; 3], directors: Quaternion) -> EndResponse {
-        self.law.response(self.on, self.from_foot(place), directors)
+        self.law.response(self.on, self.offset(place), directors)
     }
 }

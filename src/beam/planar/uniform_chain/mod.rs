@@ -52,6 +52,9 @@ type Sweep<const F: usize> = fn(
     &mut ChainFactors,
 ) -> Result<CondensedChain, SolveError>;
 
+/// As [`finite_step::follow_force`].
+type FollowForce<const F: usize> = fn(&UniformChain<F>, &[f64], &mut [f64], &[f64], [f64; 2]);
+
 /// The loops that take time, compiled for a number of nodes that is known then or for any.
 struct Kernels<const F: usize> {
     sweep: Sweep<F>,
@@ -59,7 +62,7 @@ struct Kernels<const F: usize> {
     energy: fn(&UniformChain<F>, Configuration, &[f64]) -> (ElementEnergy, f64),
     node_states: fn(&UniformChain<F>, Configuration, Range<usize>) -> Vec<NodeState>,
     shifted: fn(&UniformChain<F>, Configuration, &[f64]) -> Vec<f64>,
-    follow_force: fn(&UniformChain<F>, &[f64], &mut [f64], &[f64], [f64; 2]),
+    follow_force: FollowForce<F>,
 }
 
 impl<const F: usize> Kernels<F> {
