@@ -208,14 +208,6 @@ impl BeamProblem {
             && [YAW, ROLL].iter().all(|&slot| !grip.held[slot] || is_zero(grip.origin[slot]))
     }
 
-    /// The same problem with a path parameter that takes no notice of small changes. Where nearly everything stays and one observable creeps, the
-    /// parameter is that observable alone, and cannot pass a place where it turns.
-    pub fn measured_coarsely(&self) -> Self {
-        let mut coarse = self.clone();
-        coarse.measure.noticed = PathMeasure::COARSE;
-        coarse
-    }
-
     /// The same problem under other end conditions.
     pub fn with_grip(&self, grip: EndConditions) -> Self {
         Self { problem: Problem { grip, ..self.problem.clone() }, beam: self.beam.clone() }

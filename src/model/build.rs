@@ -133,7 +133,6 @@ impl PeelModel {
             monitors: [beam.process_length, beam.scale[beam.rotation]],
             force: rest_adhesion.abs(),
             by_force: false,
-            noticed: PathMeasure::NOTICED,
         };
         let grip = self.end_conditions(&beam);
         Ok(BeamProblem::new(Beam::Planar(Arc::new(beam)), grip, measure, start))

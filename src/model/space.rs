@@ -175,7 +175,6 @@ impl PeelModel {
             monitors: [beam.process_length, beam.scale[1]],
             force: beam.rest_adhesion.abs(),
             by_force: false,
-            noticed: PathMeasure::NOTICED,
         };
         let grip = self.spatial_grip(space, &beam);
         Ok(BeamProblem::new(Beam::Spatial(beam.into()), grip, measure, start))

@@ -120,7 +120,7 @@ pub fn solve(
         if size > options.largest_update || (stalls && size > stagnant.max(STALLED * options.tolerance)) {
             return Err(SolveError::NotConverged { update: size, iterations });
         }
-        system.step(&mut at, &update);
+        system.retract(&mut at, &update, 1.0);
         at.force += step.force;
         correction += size;
         // quadratic convergence: what the next update would be, as far as round-off lets it fall

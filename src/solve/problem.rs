@@ -25,16 +25,9 @@ pub struct PathMeasure {
     pub force: f64,
     /// Whether the force measures the path: of a system whose monitors do not go forward along it.
     pub by_force: bool,
-    /// Changes of an observable below this share of its scale do not measure a path.
-    pub noticed: f64,
 }
 
 impl PathMeasure {
-    /// What is noticed on a path at first.
-    pub const NOTICED: f64 = 1e-3;
-    /// The same of a path that could not be followed like that.
-    pub const COARSE: f64 = 1e-2;
-
     /// How far the monitors of one point are from those of another: the largest of them, each in units of its scale.
     pub(super) fn apart(&self, one: &Observables, other: &Observables) -> f64 {
         let change = other.since(one).monitors;

@@ -48,8 +48,8 @@ fn pulled() -> SetaPullOff {
 
 /// Three numbers at each point, or one.
 fn array(grid: &roxmltree::Document, name: &str) -> Vec<f64> {
-    let arrays = grid.descendants().filter(|node| node.has_tag_name("DataArray"));
-    let found = arrays.filter(|node| node.attribute("Name") == Some(name)).last().unwrap();
+    let mut arrays = grid.descendants().filter(|node| node.has_tag_name("DataArray"));
+    let found = arrays.rfind(|node| node.attribute("Name") == Some(name)).unwrap();
     found.text().unwrap_or_default().split_whitespace().map(|word| word.parse().unwrap()).collect()
 }
 

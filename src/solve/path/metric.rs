@@ -2,6 +2,9 @@
 
 use crate::solve::{MONITORS, Observables, Problem};
 
+/// Changes of an observable below this share of its scale do not measure a path.
+const NOTICED: f64 = 1e-3;
+
 /// Units of the observables that measure the path, from how they change along a segment of it. What does not measure it has an
 /// infinite unit.
 #[derive(Clone, Copy, Debug)]
@@ -16,9 +19,9 @@ impl Metric {
     pub fn of<'a>(problem: &Problem, segment: impl Iterator<Item = &'a Observables>) -> Self {
         let measure = &problem.measure;
         let mut metric = Self {
-            monitors: measure.monitors.map(|scale| measure.noticed * scale),
-            force: if measure.by_force { measure.noticed * measure.force } else { f64::INFINITY },
-            displacement: measure.noticed * problem.grip.displacement_scale(),
+            monitors: measure.monitors.map(|scale| NOTICED * scale),
+            force: if measure.by_force { NOTICED * measure.force } else { f64::INFINITY },
+            displacement: NOTICED * problem.grip.displacement_scale(),
         };
         let mut before: Option<&Observables> = None;
         for here in segment {

@@ -113,19 +113,16 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Opt
     let far = model.line_law().cutoff_distance();
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
     let (mut iterations, mut unfinished, mut finest, mut failed) = (0, false, 0, 0);
-    let (coarse, mut lost) = (Arc::new(problem.measured_coarsely()), false);
     let mut best =
         refined(first, most_elements(model), Attempt::is_better_than, |resolution, best: Option<&Attempt>| {
-            let problem = if lost { &coarse } else { &problem };
             let mut options = resolution.path_options(model, accuracy.relative);
             if let Some(known) = start {
                 options.first_displacement = known.first_displacement;
                 options.step_tolerance *= FROM_BRANCH_POINT;
             }
-            let followed = follow(problem, options, far, accuracy.relative, limits);
+            let followed = follow(&problem, options, far, accuracy.relative, limits);
             iterations += followed.iterations;
-            let attempt = Attempt::new(model, problem, followed, resolution, accuracy);
-            lost |= attempt.trouble.is_some() && model.space.is_none();
+            let attempt = Attempt::new(model, &problem, followed, resolution, accuracy);
             let enough = accuracy.choice.elements.is_some()
                 || attempt.is_enough()
                 || best.is_some_and(|best| attempt.is_stuck_behind(best));

@@ -117,7 +117,6 @@ impl Standing {
                 monitors: [f64::INFINITY; 2],
                 force: 1.0,
                 by_force: true,
-                noticed: PathMeasure::NOTICED,
             },
             start: InitialState::StressFree,
         }

@@ -5,7 +5,6 @@ mod curve;
 mod ends;
 mod error_bounds;
 mod fit;
-mod long_strips;
 mod observed;
 mod observed_in_space;
 mod optimisation;

@@ -134,12 +134,7 @@ pub fn problem(beam: SpatialBeam, driven: usize, held: &[usize]) -> (Problem, Ar
         true => ([beam.process_length, beam.scale[1]], false),
         false => ([f64::INFINITY; 2], true),
     };
-    let measure = PathMeasure {
-        monitors,
-        force: if by_force { 1.0 } else { beam.rest_adhesion.abs() },
-        by_force,
-        noticed: PathMeasure::NOTICED,
-    };
+    let measure = PathMeasure { monitors, force: if by_force { 1.0 } else { beam.rest_adhesion.abs() }, by_force };
     (Problem { system: beam.clone(), grip, measure, start: InitialState::StressFree }, beam)
 }
 
