@@ -124,7 +124,7 @@ fn judged(
     if !shares.is_empty() {
         return Advance::Contact { taken: (knot.solution, work), tips: changing };
     }
-    if let Some(shorter) = before_maximum(&from, &knot, preload) {
+    if let Some(shorter) = before_maximum(&from, &knot, preload, MET * largest_load(standing, here)) {
         return Advance::Shorter { ahead: shorter, why: Refusal::TooFar };
     }
     let growth = (SAFETY * imbalance.max(1e-12).powf(-ORDER)).clamp(0.3, GROWTH);
@@ -137,8 +137,9 @@ fn largest_load(standing: &Standing, here: &Solution) -> f64 {
     (0..standing.tips.len()).map(load).fold(0.0, f64::max)
 }
 
-/// The step to where the force has its maximum, or reaches what is wanted, if that lies within the step and not at its end.
-fn before_maximum(from: &Knot, to: &Knot, preload: Option<f64>) -> Option<f64> {
+/// The step to where the force has its maximum, or reaches what is wanted, if that lies within the step and not at its end. A force below
+/// `round_off`, nN, has none.
+fn before_maximum(from: &Knot, to: &Knot, preload: Option<f64>, round_off: f64) -> Option<f64> {
     let length = to.parameter - from.parameter;
     let at = |t: f64| from.force_at(to, t);
     let root = |is_beyond: &dyn Fn(f64) -> bool| {
@@ -153,7 +154,8 @@ fn before_maximum(from: &Knot, to: &Knot, preload: Option<f64>) -> Option<f64> {
         let is_beyond = to.values[1] > preload * (1.0 + MET);
         return is_beyond.then(|| root(&|t| at(t).0 >= preload));
     }
-    let turns = from.slopes[1] > 0.0 && to.slopes[1] < -MET * from.slopes[1];
+    let carries = from.values[1].abs().max(to.values[1].abs()) > round_off;
+    let turns = carries && from.slopes[1] > 0.0 && to.slopes[1] < -MET * from.slopes[1];
     let place = root(&|t| at(t).1 <= 0.0);
     (turns && place < (1.0 - 1e-3) * length && place > 1e-3 * length).then_some(place)
 }

@@ -113,11 +113,7 @@ impl Standing {
         Problem {
             grip: EndConditions { held, origin, ..EndConditions::drive(0) },
             system: Arc::new(tree),
-            measure: PathMeasure {
-                monitors: [f64::INFINITY; 2],
-                force: 1.0,
-                by_force: true,
-            },
+            measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true },
             start: InitialState::StressFree,
         }
     }
