@@ -64,7 +64,9 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
         progress.seta(&state.point);
         sampler.see(state);
     };
-    let followed = timed(|| follow(&model, &scene.seta_loading(table), &stop, states > 0, &mut see));
+    let loading = scene.seta_loading(table);
+    let options = SetaOptions { balance: scene.accuracy.relative, ..SetaOptions::default() };
+    let followed = timed(|| follow(&model, (&loading, &options), &stop, states > 0, &mut see));
     let (pull_off, solve_s) = followed;
     let pull_off =
         pull_off.map_err(|error| Stop::bad_input(error, "`peel keys seta` lists the keys with their ranges."))?;
@@ -90,18 +92,17 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
 /// The whole pull-off. It is followed piece by piece where states are seen: the same to the last bit.
 fn follow(
     model: &SetaModel,
-    loading: &SetaLoading,
+    (loading, options): (&SetaLoading, &SetaOptions),
     stop: &StopCriteria,
     sees: bool,
     see: &mut dyn FnMut(&SetaState),
 ) -> Result<SetaPullOff, SetaError> {
-    let options = SetaOptions::default();
     let mut reached = None;
     loop {
         let before = reached.as_ref().map_or(0, |progress: &SetaProgress| progress.result.points.len());
         let piece = if sees { before + PIECE } else { stop.points };
         let until = StopCriteria { points: piece.min(stop.points), ..stop.clone() };
-        let (pull_off, progress) = study::pull_off_from(model, loading, &options, &until, reached)?;
+        let (pull_off, progress) = study::pull_off_from(model, loading, options, &until, reached)?;
         if let Some(last) = &pull_off.last {
             see(last);
         }
