@@ -42,6 +42,7 @@ ANALYSES = {
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")
+@pytest.mark.skipif(signal.getsignal(signal.SIGINT) is signal.SIG_IGN, reason="Ctrl-C is ignored, as by nohup")
 @pytest.mark.parametrize("call", ANALYSES.values(), ids=ANALYSES)
 def test_ctrl_c_stops_a_computation(call: str) -> None:
     program = LONG.format(call=call)

@@ -99,7 +99,7 @@ fn signal(child: &Child, name: &str) {
 
 /// Whether these tests were started with a signal ignored, by nohup or in the background of a script: the command
 /// leaves that as it is, and there is nothing to test.
-fn signals_are_ignored() -> bool {
+pub fn signals_are_ignored() -> bool {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
     let ignored = ignored.map_or(0, |mask| u64::from_str_radix(mask.trim(), 16).unwrap());
