@@ -113,7 +113,7 @@ impl Scene {
 }
 
 impl Scene {
-    /// What is done to the root of the seta: the preload, the steps of [drive], and the pull at its angle and azimuth until no tip adheres or,
+    /// What is done to the root of the seta: the preload, the steps of `drive`, and the pull at its angle and azimuth until no tip adheres or,
     /// at the latest, until the root has moved as far as the seta is high.
     pub fn seta_loading(&self, table: &SetaTable) -> SetaLoading {
         let preload = table.preload.map(|force| SetaStep { direction: DOWN, until: StepEnd::Preload(force) });
