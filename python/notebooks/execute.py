@@ -26,8 +26,8 @@ from nbformat import NotebookNode
 
 HERE = Path(__file__).resolve().parent
 DOCS = HERE.parents[1] / "docs"
-# as many as cores that every machine has
-AT_ONCE = 2
+# of two at once, one has waited for minutes for a reply of its kernel that had come
+AT_ONCE = 1
 # s; they take a few on an idle machine
 LONGEST_CELL = 300
 # of a picture in the book, bytes
