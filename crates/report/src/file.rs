@@ -2,7 +2,7 @@
 
 use crate::error::ReportError;
 use std::fs;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// Writes a file beside its place and then renames it; makes the folder where it is missing.
@@ -19,6 +19,16 @@ pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
         let _ = fs::remove_file(&part);
         ReportError::Write { path: path.to_path_buf(), source }
     })
+}
+
+/// Writes summary.json of this text, and says where it stands.
+///
+/// Fails with [`ReportError::Write`] where there is no text, because a number is not finite, or the file cannot be written.
+pub fn write_summary(dir: &Path, text: io::Result<String>) -> Result<PathBuf, ReportError> {
+    let path = dir.join("summary.json");
+    let text = text.map_err(|source| ReportError::Write { path: path.clone(), source })?;
+    write_whole(&path, text.as_bytes())?;
+    Ok(path)
 }
 
 /// Removes a file, if it is there.

@@ -32,7 +32,7 @@ pub use checkpoint::{
     PartialUncertainty, SweepPart,
 };
 pub use error::ReportError;
-pub use file::write_whole;
+pub use file::{write_summary, write_whole};
 pub use fit_report::FitReport;
 pub use folder::{Existing, OutputFolder};
 pub use names::{end_reason, end_word, form_word, jump_word, limit_point_kind_word, test_end_reason, test_end_word};

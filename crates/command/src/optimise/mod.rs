@@ -107,9 +107,7 @@ fn write(
     summary: &OptimisationSummary,
 ) -> Result<Vec<PathBuf>, ReportError> {
     output.write(|dir| {
-        let json = dir.join("summary.json");
-        let text = summary.to_json().map_err(|source| ReportError::Write { path: json.clone(), source })?;
-        report::write_whole(&json, text.as_bytes())?;
+        let json = report::write_summary(dir, summary.to_json())?;
         let mut files = vec![json, report::write_history(dir, problem, optimum)?];
         files.extend(optimum_scene(dir, scene, optimum)?);
         files.push(report::write_parameters(dir, scene, command)?);

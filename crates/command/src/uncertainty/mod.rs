@@ -103,9 +103,7 @@ fn write(
     summary: &UncertaintySummary,
 ) -> Result<Vec<PathBuf>, ReportError> {
     output.write(|dir| {
-        let json = dir.join("summary.json");
-        let text = summary.to_json().map_err(|source| ReportError::Write { path: json.clone(), source })?;
-        report::write_whole(&json, text.as_bytes())?;
+        let json = report::write_summary(dir, summary.to_json())?;
         let mut files = vec![json];
         files.extend(report::write_uncertainty(dir, analysis)?);
         files.push(report::write_samples(dir, analysis)?);

@@ -2,7 +2,7 @@
 
 use super::names::{seta_end_reason, seta_end_word};
 use crate::error::ReportError;
-use crate::file::write_whole;
+use crate::file::write_summary;
 use crate::number::{Finite, to_json};
 use crate::summary::{Parameters, SCHEMA, VERSION};
 use peelkit::model::{CurvePoint, PullCurve, Seta};
@@ -190,9 +190,6 @@ impl SetaSummary {
     ///
     /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
     pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
-        let path = dir.join("summary.json");
-        let json = self.to_json().map_err(|source| ReportError::Write { path: path.clone(), source })?;
-        write_whole(&path, json.as_bytes())?;
-        Ok(path)
+        write_summary(dir, self.to_json())
     }
 }

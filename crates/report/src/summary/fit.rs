@@ -3,7 +3,7 @@
 use super::origin::{SCHEMA, VERSION};
 use super::parameters::Parameters;
 use crate::error::ReportError;
-use crate::file::write_whole;
+use crate::file::write_summary;
 use crate::fit_report::FitReport;
 use crate::number::{Finite, to_json};
 use peelkit::study::{FitEnd, PairDetermined, PointPlace};
@@ -178,9 +178,6 @@ impl FitSummary {
     ///
     /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
     pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
-        let path = dir.join("summary.json");
-        let text = self.to_json().map_err(|source| ReportError::Write { path: path.clone(), source })?;
-        write_whole(&path, text.as_bytes())?;
-        Ok(path)
+        write_summary(dir, self.to_json())
     }
 }

@@ -12,7 +12,7 @@ use super::sensitivities::SensitivitySummary;
 use super::sliding::SlidingSummary;
 use super::term_summary::TermDecisionsSummary;
 use crate::error::ReportError;
-use crate::file::write_whole;
+use crate::file::write_summary;
 use crate::grip_in_space::GripInSpace;
 use crate::names::{end_reason, end_word, limit_point_kind_word};
 use crate::number::{Finite, to_json};
@@ -317,10 +317,7 @@ impl PeelSummary {
     ///
     /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
     pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
-        let path = dir.join("summary.json");
-        let json = self.to_json().map_err(|source| ReportError::Write { path: path.clone(), source })?;
-        write_whole(&path, json.as_bytes())?;
-        Ok(path)
+        write_summary(dir, self.to_json())
     }
 }
 
