@@ -1,6 +1,6 @@
 //! The pull-off of a seta with 256 tips that follow the curve of their spatula.
 //!
-//!     cargo run --release --example seta_pull_off [free | held] [normal | lateral | inclined] [upright] [mesh] [balance]
+//!     cargo run --release --example seta_pull_off [free | held] [normal | lateral | inclined] [upright] [preload=nN] [order=p] [divided=n] [paper] [balance=b]
 
 use peelkit::model::{NormalPull, Seta, SetaMesh, SetaModel, Sideways, Spatula};
 use peelkit::study::{Accuracy, SetaLoading, SetaOptions, StopCriteria, pull_off, tip_curve};
@@ -48,8 +48,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     } else {
         [0.0, 1.0, 0.0]
     };
+    let loading = match number("preload") {
+        None => SetaLoading::pull(direction, 60_000.0),
+        Some(preload) => SetaLoading::pressed_and_dragged(2.0 * seta.height_scatter + 1.0, preload, 0.0, 60_000.0),
+    };
     let begun = Instant::now();
-    let pulled = pull_off(&model, &SetaLoading::pull(direction, 60_000.0), &options, &StopCriteria::default())?;
+    let pulled = pull_off(&model, &loading, &options, &StopCriteria::default())?;
     let seconds = begun.elapsed().as_secs_f64();
     if is("curve") {
         for point in &pulled.points {

@@ -1,10 +1,11 @@
 //! One step of the root: along the branch, to a contact, or to a loss of stability.
 
-use super::knot::Knot;
-use super::loss::{Loss, locate, rate};
+use super::knot::{Allowed, Knot};
+use super::loss::{Loss, locate};
 use super::options::SetaOptions;
 use super::rest::share_of_change;
 use super::standing::{RootDrive, Standing, TipTangent};
+use super::watched::{HEIGHT, Watched};
 use crate::beam::EndEnergy;
 use crate::solve::{
     NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve,
@@ -23,6 +24,8 @@ const ORDER: f64 = 0.2;
 const MET: f64 = 1e-9;
 /// The softest tip is said to lose its hold where it has gone this far on the way to where the last one did.
 const WARY: f64 = 0.7;
+/// Where a place of a joint goes on this many times as fast as the root, the displacement may be about to turn.
+const FAST: f64 = 4.0;
 
 /// What a step comes to.
 pub(super) enum Advance {
@@ -30,7 +33,7 @@ pub(super) enum Advance {
     Taken { taken: (Solution, f64), next: f64 },
     /// The same, where tips come to the end of their branch
     Contact { taken: (Solution, f64), tips: Vec<usize> },
-    /// Stability is lost
+    /// Stability is lost, or nearly
     Lost(Loss),
     /// Try so far, nm
     Shorter { ahead: f64, why: Refusal },
@@ -38,8 +41,10 @@ pub(super) enum Advance {
 
 /// Why a step is to be shorter.
 pub(super) enum Refusal {
-    /// No equilibrium was found there, or none of the branch.
+    /// No equilibrium was found there.
     Unsolved(SolveError),
+    /// The equilibrium there is not stable.
+    Unstable,
     /// Work and energy differ by so many times what is allowed.
     Unbalanced(f64),
     /// What is looked for lies before its end.
@@ -61,7 +66,7 @@ pub(super) fn advance(
     let near = |(_, h): &(usize, f64)| softest.is_some_and(|softest| *h < WARY * softest);
     let mut iterations = 0;
     if let Some((tip, _)) = softening.filter(near)
-        && let Ok(loss) = locate(standing, drive, here, tip, softest, options, ws)
+        && let Ok(loss) = locate(standing, drive, here, Watched::tip(standing, tip), softest, options, ws)
     {
         iterations += loss.iterations;
         return (Advance::Lost(loss), iterations);
@@ -70,30 +75,37 @@ pub(super) fn advance(
     let held = PathConstraint { weights: Observables::DISPLACEMENT, target: from + ahead };
     let newton =
         NewtonOptions { tolerance: options.tolerance, largest_update: 3.0, most_iterations: 9, exact_slope: false };
-    let solved = solve(&problem, moved(here, &problem, ahead), &held, &newton, ws);
-    let shorter = |cause| Advance::Shorter { ahead: SHORTER * ahead, why: Refusal::Unsolved(cause) };
-    let solution = match solved {
-        Ok(solution) if solution.negative == 0 => solution,
-        Err(SolveError::Stopped) => {
-            return (Advance::Shorter { ahead: 0.0, why: Refusal::Unsolved(SolveError::Stopped) }, iterations);
-        }
-        other => {
-            let cause = other.err().unwrap_or(SolveError::LimitPointNotConfirmed);
-            let Some((tip, h)) = softening else { return (shorter(cause), iterations) };
-            if h >= 0.0 {
-                return (shorter(cause), iterations);
+    let refused = match solve(&problem, moved(here, &problem, ahead), &held, &newton, ws) {
+        Ok(solution) if solution.negative == 0 => {
+            iterations += solution.iterations;
+            match judged(standing, (here, ahead), solution, preload, options) {
+                refused @ Advance::Shorter { why: Refusal::Unbalanced(_), .. } => refused,
+                other => return (other, iterations),
             }
-            return match locate(standing, drive, here, tip, softest, options, ws) {
-                Ok(loss) => {
-                    iterations += loss.iterations;
-                    (Advance::Lost(loss), iterations)
-                }
-                Err(cause) => (shorter(cause), iterations),
-            };
         }
+        Err(SolveError::Stopped) => {
+            let stopped = Refusal::Unsolved(SolveError::Stopped);
+            return (Advance::Shorter { ahead: 0.0, why: stopped }, iterations);
+        }
+        Ok(_) => Advance::Shorter { ahead: SHORTER * ahead, why: Refusal::Unstable },
+        Err(cause) => Advance::Shorter { ahead: SHORTER * ahead, why: Refusal::Unsolved(cause) },
     };
-    iterations += solution.iterations;
-    (judged(standing, (here, ahead), solution, preload, options), iterations)
+    let Advance::Shorter { why, .. } = &refused else { return (refused, iterations) };
+    // what may lie ahead: a tip that loses its hold, a turn of the displacement, another shape
+    let mut followed = Vec::new();
+    let is_unbalanced = matches!(why, Refusal::Unbalanced(_));
+    followed.extend(softening.filter(|own| own.1 < 0.0 && !is_unbalanced).map(|own| Watched::tip(standing, own.0)));
+    let (fastest, rate) = Watched::fastest(standing, here, ahead);
+    if rate > FAST || (matches!(why, Refusal::Unstable) && followed.is_empty()) {
+        followed.push(fastest);
+    }
+    for watched in followed {
+        if let Ok(loss) = locate(standing, drive, here, watched, softest, options, ws) {
+            iterations += loss.iterations;
+            return (Advance::Lost(loss), iterations);
+        }
+    }
+    (refused, iterations)
 }
 
 /// What a stable equilibrium ahead is good for.
@@ -114,7 +126,7 @@ fn judged(
     }
     let from = Knot::new(here.observables.displacement, here.clone(), here.slope.displacement);
     let knot = Knot::new(solution.observables.displacement, solution, 1.0);
-    let (work, imbalance) = from.imbalance_to(&knot, options.balance, largest_load(standing, here));
+    let (work, imbalance) = from.imbalance_to(&knot, &Allowed::new(standing, here, options.balance));
     // a seta without a tip that adheres has one equilibrium, and no force but round-off
     let imbalance = if standing.attached() == 0 { 0.0 } else { imbalance };
     if imbalance > 1.0 && shares.is_empty() {
@@ -160,25 +172,28 @@ fn before_maximum(from: &Knot, to: &Knot, preload: Option<f64>, round_off: f64) 
     (turns && place < (1.0 - 1e-3) * length && place > 1e-3 * length).then_some(place)
 }
 
-/// The tip that is softest a step ahead, as far as the tangent says, and its ∂²E/∂y²; none where none adheres.
+/// The tip whose softening counts the most a step ahead, as far as the tangent says, and its ∂²E/∂y² = h; none where none adheres. The stiffness
+/// along the branch is that of all with h v² of every tip, v its part in the tangent: the softest tip counts little where it is not moved.
 fn softest_ahead(standing: &Standing, problem: &Problem, here: &Solution, ahead: f64) -> Option<(usize, f64)> {
     let at = moved(here, problem, ahead);
-    let mut softest: Option<(usize, f64)> = None;
+    let mut softest: Option<(usize, f64, f64)> = None;
     for (tip, own) in standing.tips.iter().enumerate().filter(|(_, own)| own.on.adheres()) {
-        if rate(standing, here, tip) * here.slope.displacement <= 0.0 {
+        let rate = Watched::tip(standing, tip).rate(here) / here.slope.displacement;
+        if rate <= 0.0 {
             continue;
         }
         let (place, directors) = standing.place(&at, tip);
         let h = if own.branch(place, directors).adheres() {
-            own.response(place, directors).hessian[1][1]
+            own.response(place, directors).hessian[HEIGHT][HEIGHT]
         } else {
             f64::NEG_INFINITY
         };
-        if softest.is_none_or(|(_, least)| h < least) {
-            softest = Some((tip, h));
+        let counts = h * rate * rate;
+        if softest.is_none_or(|(.., least)| counts < least) {
+            softest = Some((tip, h, counts));
         }
     }
-    softest
+    softest.map(|(tip, h, _)| (tip, h))
 }
 
 /// Where the tangent leads when the root goes so far, nm.

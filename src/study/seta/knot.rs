@@ -1,5 +1,6 @@
 //! The work of the root between two equilibria of one branch, from force, displacement and their slopes at both.
 
+use super::standing::Standing;
 use crate::solve::Solution;
 
 /// Places and weights of Gauss's rule with four points on [0, 1].
@@ -50,15 +51,39 @@ impl Knot {
         GAUSS.into_iter().map(|(t, weight)| weight * cubic(1, t).0 * cubic(0, t).1).sum()
     }
 
-    /// The work to another one, and by how much it and the change of energy differ, over what is allowed: that share of the larger, or of the work
-    /// of a force `least` (nN) over the way.
-    pub fn imbalance_to(&self, other: &Self, balance: f64, least: f64) -> (f64, f64) {
+    /// The work to another one, and by how much it and the change of energy differ, over what is allowed.
+    pub fn imbalance_to(&self, other: &Self, allowed: &Allowed) -> (f64, f64) {
         let (work, gained) = (self.work_to(other), other.solution.energy - self.solution.energy);
-        let least = least * (other.values[0] - self.values[0]).abs();
-        let round_off = ROUND_OFF * (self.solution.energy.abs() + self.values[1].abs());
-        (work, (work - gained).abs() / (balance * gained.abs().max(work.abs()).max(least) + round_off))
+        let least = allowed.least * (other.values[0] - self.values[0]).abs();
+        let most = allowed.balance * gained.abs().max(work.abs()).max(least) + allowed.round_off;
+        (work, (work - gained).abs() / most)
     }
 }
 
-/// Of an energy that is the sum of the elements', over itself.
-const ROUND_OFF: f64 = 1e-13;
+/// By how much the work of a step and the change of its energy may differ.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Allowed {
+    /// Over the larger of the two, or over the work of `least`
+    balance: f64,
+    /// A force that counts however small that on the root is, nN
+    least: f64,
+    /// Error of an energy, aJ
+    round_off: f64,
+}
+
+/// Error of a number over itself, after all that is done with it.
+const ROUND_OFF: f64 = 2e-15;
+
+impl Allowed {
+    /// From an equilibrium. A place x of the root's distance from the ground and a rotation are known to round-off, against which the section
+    /// force N and moment M of the shaft work: N x ε and M ε, beside ε of the energies that are summed.
+    pub fn new(standing: &Standing, here: &Solution, balance: f64) -> Self {
+        let energies: f64 = (0..standing.tips.len()).map(|tip| standing.response(&here.at, tip).energy.abs()).sum();
+        let root = standing.tree.section(&here.at, 0, 0);
+        let size = |v: [f64; 3]| v.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+        let summed = 2.0 * energies + here.energy.abs() + size(root.force) * size(root.place) + size(root.moment);
+        let load = |tip: usize| size(standing.load(&here.at, tip));
+        let least = (0..standing.tips.len()).map(load).fold(0.0, f64::max);
+        Self { balance, least, round_off: ROUND_OFF * summed }
+    }
+}

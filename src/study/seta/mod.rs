@@ -3,6 +3,7 @@
 //! Quasi-static: the root moves so slowly that the seta is in equilibrium but for the moments at which its equilibrium loses its stability.
 //! Between events the work of the root is the change of the energy; at an event energy is released at a root that stands still.
 mod advance;
+mod critical;
 mod failure;
 mod knot;
 mod loading;
@@ -15,6 +16,7 @@ mod run;
 mod sections;
 mod spatula_curve;
 mod standing;
+mod watched;
 pub use failure::SetaFailure;
 pub use loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
 pub use options::SetaOptions;

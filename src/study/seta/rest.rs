@@ -5,12 +5,13 @@
 //! seta yields to it; then the forces follow. A step ends where the first tip comes to the end of its branch; that tip goes over to the other
 //! branch there. Where no tip changes any more and the step is small, Newton's own method finds the equilibrium, which has to be stable.
 
+use super::critical::{critical_direction, disturbed};
 use super::result::TipChange;
 use super::standing::{RootDrive, Standing, TipTangent};
 use crate::model::TipBranch;
 use crate::solve::{
-    Coefficients, NewtonOptions, Observables, PathConstraint, Solution, SolveError, State, Workspace, damped_step,
-    solve,
+    Coefficients, NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace,
+    damped_step, solve,
 };
 
 /// Steps, of which each may change a tip.
@@ -21,6 +22,16 @@ const MOST_MOVED: f64 = 10.0;
 const NEAR: f64 = 0.5;
 /// Halvings of a step until the place is found at which a tip changes.
 const HALVINGS: usize = 40;
+/// A step this small that ends in an unstable equilibrium has come to a saddle.
+const SADDLE: f64 = 1e-4;
+/// Pseudo-times of damping: the longest and the shortest, what is left of one with which the energy does not fall, and the growth of one with
+/// which it does.
+const LONGEST_TIME: f64 = 1e6;
+const SHORTEST_TIME: f64 = 1e-9;
+const LESS_TIME: f64 = 0.1;
+const MORE_TIME: f64 = 2.0;
+/// Longest damped step, in units of the scales of the tree.
+const MOST_DAMPED: f64 = 5.0;
 /// Tips whose shares of a step differ by less change at once: they do so by symmetry.
 const AT_ONCE: f64 = 1e-7;
 
@@ -42,14 +53,13 @@ pub(super) fn come_to_rest(
 ) -> Result<Rested, (SolveError, usize)> {
     let held = PathConstraint { weights: Observables::DISPLACEMENT, target: displacement };
     let mut changes: Vec<TipChange> = first.iter().map(|&tip| changed(standing, &at, tip)).collect();
-    let mut iterations = 0;
+    let (mut iterations, mut time) = (0, f64::INFINITY);
     for _ in 0..MOST_STEPS {
         let problem = standing.problem(drive, None, TipTangent::Convex);
-        let mut next = at.clone();
-        iterations += 1;
-        let (size, _) = damped_step(&problem, &mut next, &held, Coefficients::STATIC, f64::INFINITY, ws)
-            .map_err(|cause| (cause, changes.len()))?;
+        let (mut next, size) =
+            downhill(&problem, &at, &held, &mut time, &mut iterations, ws).map_err(|cause| (cause, changes.len()))?;
         let share = largest_share(standing, &at, &next);
+        let share = if time.is_finite() { share.min(MOST_DAMPED / size) } else { share };
         let step = (problem.system.difference(&at.values, &next.values), next.force - at.force);
         let shortened = |share: f64| {
             let mut part = at.clone();
@@ -59,6 +69,10 @@ pub(super) fn come_to_rest(
         };
         if share < 1.0 {
             next = shortened(share);
+        }
+        if time.is_finite() && energy(&problem, &next) > energy(&problem, &at) {
+            time *= LESS_TIME;
+            continue;
         }
         let changing = standing.changing(&next);
         if changing.is_empty() {
@@ -75,6 +89,11 @@ pub(super) fn come_to_rest(
                 standing.note(&solution.at);
                 return Ok(Rested { solution, changes, iterations });
             }
+            if size < SADDLE && solution.negative > 0 {
+                // by symmetry downhill leads to a saddle
+                let mode = critical_direction(&own, &solution, ws).map_err(|cause| (cause, changes.len()))?;
+                at = disturbed(&own, &solution.at, &mode);
+            }
             continue;
         }
         let mut shares: Vec<(f64, usize)> =
@@ -89,6 +108,38 @@ pub(super) fn come_to_rest(
     }
     let cause = SolveError::NotConverged { update: f64::NAN, iterations: MOST_STEPS };
     Err((cause, changes.len()))
+}
+
+/// A step downhill, and its size. Where K⁺ is not positive, as where beams buckle, with damping: K⁺ + C/Δt with a pseudo-time Δt so short that
+/// it is.
+fn downhill(
+    problem: &Problem,
+    at: &State,
+    held: &PathConstraint,
+    time: &mut f64,
+    iterations: &mut usize,
+    ws: &mut Workspace,
+) -> Result<(State, f64), SolveError> {
+    loop {
+        let mut next = at.clone();
+        *iterations += 1;
+        let damping = Coefficients { per_damping: *time, ..Coefficients::STATIC };
+        let (size, (negative, _)) = damped_step(problem, &mut next, held, damping, f64::INFINITY, ws)?;
+        if negative == 0 {
+            *time = if *time > LONGEST_TIME { f64::INFINITY } else { MORE_TIME * *time };
+            return Ok((next, size));
+        }
+        *time = (LESS_TIME * *time).min(LONGEST_TIME);
+        if *time < SHORTEST_TIME {
+            return Err(SolveError::NotConverged { update: size, iterations: *iterations });
+        }
+    }
+}
+
+/// Of a state that need not be in equilibrium, aJ.
+fn energy(problem: &Problem, at: &State) -> f64 {
+    let still = vec![0.0; problem.system.unknowns(at)];
+    problem.system.evaluate(at, &still).0.energy
 }
 
 fn changed(standing: &mut Standing, at: &State, tip: usize) -> TipChange {

@@ -1,8 +1,10 @@
 //! The run behind [`pull_off`]: step after step of the loading, branch after branch, event after event.
 
 use super::advance::{Advance, Refusal, advance};
+use super::critical::Critical;
 use super::failure::SetaFailure;
 use super::loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
+use super::loss::Loss;
 use super::options::SetaOptions;
 use super::progress::SetaProgress;
 use super::rest::{Rested, come_to_rest};
@@ -198,19 +200,31 @@ impl<'a> Run<'a> {
             }
             Advance::Contact { taken, tips } => {
                 self.take(drive, taken);
-                self.event(drive, &tips)
+                // the step to the contact says nothing of how long the next one may be
+                self.progress.ahead = self.progress.ahead.max(self.options.first_step);
+                let here = self.progress.here.at.clone();
+                self.event(drive, here, &tips)
             }
-            Advance::Lost(loss) => {
-                self.progress.softest = Some(loss.slope);
-                let displacement = self.progress.here.observables.displacement;
-                for taken in loss.taken {
-                    if taken.0.observables.displacement > displacement + left {
-                        self.progress.ahead = 0.5 * (displacement + left - self.progress.here.observables.displacement);
+            Advance::Lost(Loss { taken, critical, slope, .. }) => {
+                self.progress.softest = slope.or(self.progress.softest);
+                let end = self.progress.here.observables.displacement + left;
+                for taken in taken {
+                    let Observables { displacement, force, .. } = taken.0.observables;
+                    if displacement > end || preload.is_some_and(|preload| force > preload * (1.0 + PRELOADED)) {
+                        let before = displacement.min(end) - self.progress.here.observables.displacement;
+                        self.progress.ahead = 0.5 * self.progress.ahead.min(before);
                         return Ok(());
                     }
                     self.take(drive, taken);
                 }
-                self.event(drive, &loss.critical)
+                match critical {
+                    Critical::Tips(tips) => {
+                        let here = self.progress.here.at.clone();
+                        self.event(drive, here, &tips)
+                    }
+                    Critical::Shape(start) => self.event(drive, *start, &[]),
+                    Critical::Passed => Ok(()),
+                }
             }
         }
     }
@@ -233,13 +247,13 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Tips change, and the seta comes to rest with its root held.
-    fn event(&mut self, drive: &RootDrive, tips: &[usize]) -> Result<(), SetaEnd> {
+    /// Tips change, or the seta leaves its shape, and comes to rest with its root held.
+    fn event(&mut self, drive: &RootDrive, start: State, tips: &[usize]) -> Result<(), SetaEnd> {
         let (before, here) = (self.last(), self.progress.here.clone());
         let state = self.state(&here);
         let displacement = here.observables.displacement;
         let tolerance = self.options.tolerance;
-        let rested = come_to_rest(&mut self.standing, drive, (here.at, displacement), tips, tolerance, &mut self.ws);
+        let rested = come_to_rest(&mut self.standing, drive, (start, displacement), tips, tolerance, &mut self.ws);
         let Rested { solution, changes, iterations } = rested.map_err(|(cause, changes)| {
             let step = self.progress.step;
             SetaEnd::Failed(SetaFailure::Restless { step, displacement, changes, cause })
@@ -319,7 +333,7 @@ impl<'a> Run<'a> {
     fn refused(&self, why: Refusal) -> SetaEnd {
         match why {
             Refusal::Unsolved(cause) => self.lost(cause),
-            Refusal::TooFar => self.lost(SolveError::LimitPointNotConfirmed),
+            Refusal::TooFar | Refusal::Unstable => self.lost(SolveError::LimitPointNotConfirmed),
             Refusal::Unbalanced(times) => {
                 let SetaProgress { step, here, .. } = &self.progress;
                 let (displacement, imbalance) = (here.observables.displacement, times * self.options.balance);

@@ -8,9 +8,6 @@ use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure, Problem,
 use nalgebra::{Matrix6, Vector3};
 use std::sync::Arc;
 
-/// y of a joint's place
-const HEIGHT: usize = 1;
-
 /// A seta and its tips.
 #[derive(Clone, Debug)]
 pub(super) struct Standing {
@@ -90,8 +87,8 @@ impl Standing {
         Ok(Self { model: model.clone(), tree: beam.build()?, tips })
     }
 
-    /// What is solved while the root is moved; `watched` is the tip whose height is the first monitor.
-    pub fn problem(&self, drive: &RootDrive, watched: Option<usize>, tangent: TipTangent) -> Problem {
+    /// What is solved while the root is moved; `watched` is the first monitor.
+    pub fn problem(&self, drive: &RootDrive, watched: Option<JointUnknown>, tangent: TipTangent) -> Problem {
         let seta = &self.model.seta;
         let energy = |(tip, own): (usize, &AdheringTip)| {
             let energy: Option<Arc<dyn EndEnergy>> = match tangent {
@@ -101,9 +98,8 @@ impl Standing {
             };
             (seta.tip_joint(tip), energy)
         };
-        let monitor = watched.map(|tip| JointUnknown { joint: seta.tip_joint(tip), slot: HEIGHT });
         let tree = self.tree.with_energies(self.tips.iter().enumerate().map(energy));
-        let tree = tree.with_root_axes(drive.axes).with_monitors([monitor, None]);
+        let tree = tree.with_root_axes(drive.axes).with_monitors([watched, None]);
         let mut origin = [0.0; INTERFACE];
         for k in 0..3 {
             origin[k] = (0..3).map(|i| drive.axes[i][k] * drive.from[i]).sum();
