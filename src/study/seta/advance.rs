@@ -22,6 +22,8 @@ const SAFETY: f64 = 0.8;
 const ORDER: f64 = 0.2;
 /// A force is met to this share.
 const MET: f64 = 1e-9;
+/// A maximum of the force is one where the force grows by more than this share up to it.
+const GAINED: f64 = 1e-12;
 /// The softest tip is said to lose its hold where it has gone this far on the way to where the last one did.
 const WARY: f64 = 0.7;
 /// Where a place of a joint goes on this many times as fast as the root, the displacement may be about to turn.
@@ -169,7 +171,9 @@ fn before_maximum(from: &Knot, to: &Knot, preload: Option<f64>, round_off: f64) 
     let carries = from.values[1].abs().max(to.values[1].abs()) > round_off;
     let turns = carries && from.slopes[1] > 0.0 && to.slopes[1] < -MET * from.slopes[1];
     let place = root(&|t| at(t).1 <= 0.0);
-    (turns && place < (1.0 - 1e-3) * length && place > 1e-3 * length).then_some(place)
+    // nearer to the maximum than round-off of the force lets tell
+    let gains = at(place / length).0 - from.values[1] > GAINED * to.values[1].abs();
+    (turns && gains && place < (1.0 - 1e-3) * length && place > 1e-3 * length).then_some(place)
 }
 
 /// The tip whose softening counts the most a step ahead, as far as the tangent says, and its ∂²E/∂y² = h; none where none adheres. The stiffness

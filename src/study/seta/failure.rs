@@ -1,4 +1,4 @@
-//! Why a pull-off of a seta stopped short.
+//! Why a pull-off of a seta stopped short. Steps are counted from 0 in the data and from 1 in the messages.
 
 use crate::solve::SolveError;
 use serde::{Deserialize, Serialize};
@@ -12,20 +12,20 @@ pub enum SetaFailure {
     NoStart { cause: SolveError },
     /// The branch cannot be followed.
     #[error(
-        "in step {step} the seta cannot be followed beyond {displacement:.6} nm with {attached} tips attached: {cause}; try more elements"
+        "in step {} the seta cannot be followed beyond {displacement:.6} nm with {attached} tips attached: {cause}; try more elements", .step + 1
     )]
     Lost { step: usize, displacement: f64, attached: usize, cause: SolveError },
     /// An event has no end.
     #[error(
-        "in step {step} at {displacement:.6} nm the seta does not come to rest behind an event, after {changes} changes of tips: {cause}; try more elements"
+        "in step {} at {displacement:.6} nm the seta does not come to rest behind an event, after {changes} changes of tips: {cause}; try more elements", .step + 1
     )]
     Restless { step: usize, displacement: f64, changes: usize, cause: SolveError },
     /// A preload that is not reached.
-    #[error("in step {step} the preload of {preload} nN is not reached within {displacement:.3} nm: ask for less")]
+    #[error("in step {} the preload of {preload} nN is not reached within {displacement:.3} nm: ask for less", .step + 1)]
     NoPreload { step: usize, preload: f64, displacement: f64 },
     /// Work and energy differ.
     #[error(
-        "in step {step} at {displacement:.6} nm work and energy differ by {imbalance:.3e} of the larger: the seta may have gone over to another branch; try shorter steps"
+        "in step {} at {displacement:.6} nm work and energy differ by {imbalance:.3e} of the larger: the seta may have gone over to another branch; try shorter steps", .step + 1
     )]
     Unbalanced { step: usize, displacement: f64, imbalance: f64 },
 }

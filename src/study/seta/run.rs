@@ -173,7 +173,7 @@ impl<'a> Run<'a> {
             if let Some(bound) = self.bound() {
                 return Err(SetaEnd::Bound(bound));
             }
-            self.advance(step, drive, left)?;
+            self.advance(step, drive, left.min(self.bounded() - here.displacement))?;
         }
     }
 
@@ -326,7 +326,18 @@ impl<'a> Run<'a> {
     fn bound(&self) -> Option<Bound> {
         let most = self.stop.points;
         let points = self.progress.result.points.len() >= most;
-        points.then_some(Bound::Points(most)).or_else(|| self.stop.reached_bound(Stage::Path))
+        let bounded = self.bounded();
+        let displacement = self.progress.here.observables.displacement >= bounded;
+        points
+            .then_some(Bound::Points(most))
+            .or(displacement.then_some(Bound::Displacement(bounded)))
+            .or_else(|| self.stop.reached_bound(Stage::Path))
+    }
+
+    /// The displacement at which the last step is left, nm.
+    fn bounded(&self) -> f64 {
+        let is_last = self.progress.step + 1 == self.loading.steps.len();
+        self.stop.displacement.filter(|_| is_last).unwrap_or(f64::INFINITY)
     }
 
     /// Why no step is short enough.
