@@ -34,7 +34,7 @@ pub enum SetaError {
     NoSteps,
     /// A step that is none.
     #[error(
-        "step {step} of the loading of the seta goes along {direction:?} to {amount}: the direction needs a length, and nm or nN have to be positive"
+        "step {} of the loading of the seta goes along {direction:?} to {amount}: the direction needs a length, and nm or nN have to be positive", .step + 1
     )]
     Step { step: usize, direction: [f64; 3], amount: f64 },
     /// A start below the ground.

@@ -1,7 +1,8 @@
 //! What a pull-off has reached: with it the rest follows bit for bit as if it had not been interrupted.
 
-use super::result::{SetaEffort, SetaEnd, SetaPullOff};
-use crate::model::TipBranch;
+use super::result::{SetaEffort, SetaEnd, SetaPullOff, SetaState};
+use super::standing::Standing;
+use crate::model::{AdheringTip, TipBranch};
 use crate::solve::Solution;
 use serde::{Deserialize, Serialize};
 
@@ -22,6 +23,45 @@ pub struct SetaProgress {
     pub(super) ahead: f64,
     /// ∂²E/∂y² of a tip at the last loss of stability, nN/nm
     pub(super) softest: Option<f64>,
+}
+
+/// Where a run is between two steps of its root: a step that is stopped on its way is taken back.
+pub(super) struct Mark {
+    points: usize,
+    events: usize,
+    effort: SetaEffort,
+    /// First detachment, peak, last detachment
+    states: [Option<SetaState>; 3],
+    here: Solution,
+    tips: Vec<AdheringTip>,
+    ahead: f64,
+    softest: Option<f64>,
+}
+
+impl Mark {
+    pub fn of(progress: &SetaProgress, standing: &Standing) -> Self {
+        let SetaProgress { result, here, ahead, softest, .. } = progress;
+        Self {
+            points: result.points.len(),
+            events: result.events.len(),
+            effort: result.effort,
+            states: [&result.first_detachment, &result.peak, &result.last_detachment].map(Clone::clone),
+            here: here.clone(),
+            tips: standing.tips.clone(),
+            ahead: *ahead,
+            softest: *softest,
+        }
+    }
+
+    pub fn restore(self, progress: &mut SetaProgress, standing: &mut Standing) {
+        let SetaProgress { result, here, ahead, softest, .. } = progress;
+        result.points.truncate(self.points);
+        result.events.truncate(self.events);
+        result.effort = self.effort;
+        [result.first_detachment, result.peak, result.last_detachment] = self.states;
+        (*here, *ahead, *softest) = (self.here, self.ahead, self.softest);
+        standing.tips = self.tips;
+    }
 }
 
 impl SetaPullOff {

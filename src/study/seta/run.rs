@@ -6,7 +6,7 @@ use super::failure::SetaFailure;
 use super::loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
 use super::loss::Loss;
 use super::options::SetaOptions;
-use super::progress::SetaProgress;
+use super::progress::{Mark, SetaProgress};
 use super::rest::{Rested, come_to_rest};
 use super::result::{JointPlace, SetaEnd, SetaEvent, SetaPoint, SetaPullOff, SetaState};
 use super::standing::{RootDrive, Standing, TipTangent};
@@ -123,12 +123,15 @@ impl<'a> Run<'a> {
             if let Err(end) = self.go_step(step, &drive) {
                 return end;
             }
-            let displacement = self.progress.here.observables.displacement;
-            self.progress.from = drive.root(displacement);
+            let before = self.progress.from;
+            self.progress.from = drive.root(self.progress.here.observables.displacement);
             self.progress.step += 1;
             if let Some(next) = self.loading.steps.get(self.progress.step)
                 && let Err(end) = self.turn_to(next)
             {
+                // what is resumed begins with the turn
+                self.progress.from = before;
+                self.progress.step -= 1;
                 return end;
             }
         }
@@ -177,8 +180,18 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// One step of the root, or what keeps it from going on.
+    /// One step of the root, or what keeps it from going on. One that is stopped on its way is as if it had not been begun.
     fn advance(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<(), SetaEnd> {
+        let before = Mark::of(&self.progress, &self.standing);
+        let took = self.take_step(step, drive, left);
+        if self.ws.is_stopped() {
+            before.restore(&mut self.progress, &mut self.standing);
+            return Err(self.lost(SolveError::Stopped));
+        }
+        took
+    }
+
+    fn take_step(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<(), SetaEnd> {
         let ahead = self.progress.ahead.min(self.options.longest_step).min(left);
         let preload = if let StepEnd::Preload(preload) = step.until { Some(preload) } else { None };
         let SetaProgress { here, softest, .. } = &self.progress;
@@ -253,9 +266,11 @@ impl<'a> Run<'a> {
         let state = self.state(&here);
         let displacement = here.observables.displacement;
         let tolerance = self.options.tolerance;
+        let standing = self.standing.tips.clone();
         let rested = come_to_rest(&mut self.standing, drive, (start, displacement), tips, tolerance, &mut self.ws);
         let Rested { solution, changes, iterations } = rested.map_err(|(cause, changes)| {
             let step = self.progress.step;
+            self.standing.tips = standing;
             SetaEnd::Failed(SetaFailure::Restless { step, displacement, changes, cause })
         })?;
         self.progress.result.effort.newton_iterations += iterations;
