@@ -28,8 +28,8 @@ mod tip_law;
 
 pub use animation::{Pose, poses, write_animation};
 pub use checkpoint::{
-    DividedSweep, Part, PartAxis, PartHeader, PartialCollection, PartialOptimisation, PartialRun, PartialSweep,
-    PartialUncertainty, SweepPart,
+    DividedSweep, Part, PartAxis, PartHeader, PartialCollection, PartialOptimisation, PartialRun, PartialSeta,
+    PartialSweep, PartialUncertainty, SetaCheckpoint, SweepPart,
 };
 pub use error::ReportError;
 pub use file::{write_summary, write_whole};

@@ -21,7 +21,7 @@ pub use observed::observed;
 pub use optimisation::optimum;
 pub use peel::{peel, taken};
 pub use sensitivities::sensitivities;
-pub use seta::seta;
+pub use seta::{equilibria_taken, seta};
 pub use sweep::{followed, sweep};
 pub use tip::tip;
 pub use uncertainty::uncertainty;

@@ -73,3 +73,8 @@ pub fn seta(
     lines.push(("computed", effort));
     in_columns(&scene.title, &lines)
 }
+
+/// How many equilibria are those of an earlier run.
+pub fn equilibria_taken(count: usize) -> String {
+    if count == 0 { String::new() } else { format!("\n{count} equilibria taken from an earlier, unfinished run\n") }
+}

@@ -5,6 +5,7 @@ mod lines;
 mod optimisation;
 mod part;
 mod run;
+mod seta;
 mod sweep;
 mod uncertainty;
 
@@ -12,5 +13,6 @@ pub use collection::PartialCollection;
 pub use optimisation::PartialOptimisation;
 pub use part::{DividedSweep, Part, PartAxis, PartHeader, SweepPart};
 pub use run::PartialRun;
+pub use seta::{PartialSeta, SetaCheckpoint};
 pub use sweep::PartialSweep;
 pub use uncertainty::PartialUncertainty;

@@ -1,6 +1,7 @@
 //! The path points of a run that is not finished yet, kept in a file as they come: a run that was interrupted loses none
 //! but the last of them, and the next run of the same scene takes them up.
 
+use super::lines::text_line;
 use crate::error::ReportError;
 use crate::file::remove;
 use crate::summary::Parameters;
@@ -72,14 +73,7 @@ impl PartialRun {
 
     fn with_interval(dir: &Path, scene: &Scene, interval: Duration) -> Result<Self, ReportError> {
         let path = dir.join(Self::NAME);
-        let bounds = BoundsTable { points: 0, time_s: None, displacement: None };
-        let scene = Scene { bounds, ..scene.clone() };
-        let header = Header { peelkit: env!("CARGO_PKG_VERSION"), scene: Parameters(scene) };
-        let header = serde_json::to_vec(&header).map(|mut line| {
-            line.push(b'\n');
-            line
-        });
-        let header = header.map_err(|error| ReportError::Write { path: path.clone(), source: error.into() })?;
+        let header = header_of(&path, scene)?;
         let (records, length) = match read(&path, &header) {
             Err(error) if error.kind() == ErrorKind::NotFound => (Vec::new(), None),
             Err(error) if error.kind() == ErrorKind::InvalidData => return Err(ReportError::OtherRun { path }),
@@ -172,6 +166,14 @@ impl PartialRun {
         writing.length = Some(length + text.len() as u64);
         Ok(())
     }
+}
+
+/// The first line of the file of a scene.
+pub(super) fn header_of(path: &Path, scene: &Scene) -> Result<Vec<u8>, ReportError> {
+    let bounds = BoundsTable { points: 0, time_s: None, displacement: None };
+    let scene = Scene { bounds, ..scene.clone() };
+    let header = Header { peelkit: env!("CARGO_PKG_VERSION"), scene: Parameters(scene) };
+    text_line(&header).map_err(|source| ReportError::Write { path: path.to_path_buf(), source })
 }
 
 /// The records of a file that begins with `header`, up to the first that is torn, and how many bytes they end at.

@@ -1,18 +1,18 @@
 //! `peel run` of a scene with a seta: its pull-off.
 
+mod kept;
 mod sampler;
 
-use super::Run;
 use super::progress::RunProgress;
+use super::{GOES_ON, Run};
 use crate::command_line::command_line;
 use crate::interrupt::Interrupt;
 use crate::output::{list_files, say};
 use crate::stop::Stop;
 use crate::text_summary;
-use peelkit::model::{PullCurve, SetaError, SetaModel};
-use peelkit::study::{
-    self, Bound, SetaEnd, SetaLoading, SetaOptions, SetaProgress, SetaPullOff, SetaState, StopCriteria,
-};
+use kept::{Followed, KeptSeta, follow};
+use peelkit::model::{PullCurve, SetaModel};
+use peelkit::study::{self, Bound, SetaEnd, SetaOptions, SetaPoint, SetaPullOff, SetaState};
 use peelkit_report::{self as report, ReportError, SetaSummary, timed};
 use peelkit_scene::{Scene, SetaTable};
 use sampler::Sampler;
@@ -23,8 +23,6 @@ use std::path::{Path, PathBuf};
 const ANSWER: &str = "stopping at the next equilibrium of the seta; Ctrl-C again stops at once";
 /// By how much the curve of a tip begins with it pressed, nm.
 const PRESSED: f64 = 50.0;
-/// Points from one state that is seen to the next.
-const PIECE: usize = 2;
 /// States of an animation.
 const FRAMES: usize = 60;
 
@@ -49,7 +47,10 @@ fn refuse(args: &Run) -> Result<(), Stop> {
 pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
     refuse(args)?;
     let wanted = args.units.wanted()?;
-    let output = args.folder().map(|folder| args.out.claim(&folder)).transpose()?;
+    let states = (args.states.unwrap_or(0) as usize).max(if args.animate { FRAMES } else { 0 });
+    let sampler = Sampler::new(states);
+    let open = |folder: PathBuf| KeptSeta::open(&args.out, args.fresh, &folder, scene, &sampler);
+    let mut kept = args.folder().map(open).transpose()?;
     let progress = RunProgress::begin();
     let above = progress.clone();
     let interrupt = Interrupt::listen(move || above.above(|| drop(writeln!(io::stderr(), "{ANSWER}"))));
@@ -58,58 +59,38 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
     let (tip, tip_s) = timed(|| study::tip_curve(&scene.tip_model(), &scene.accuracy, PRESSED));
     let tip = tip.map_err(Stop::cut_short)?;
     let model = SetaModel::new(table.seta, table.law(tip.clone()));
-    let states = (args.states.unwrap_or(0) as usize).max(if args.animate { FRAMES } else { 0 });
-    let mut sampler = Sampler::new(states);
-    let mut see = |state: &SetaState| {
-        progress.seta(&state.point);
-        sampler.see(state);
-    };
     let loading = scene.seta_loading(table);
     let options = SetaOptions { balance: scene.accuracy.relative, ..SetaOptions::default() };
-    let followed = timed(|| follow(&model, (&loading, &options), &stop, states > 0, &mut see));
-    let (pull_off, solve_s) = followed;
-    let pull_off =
-        pull_off.map_err(|error| Stop::bad_input(error, "`peel keys seta` lists the keys with their ranges."))?;
+    let mut see = |point: &SetaPoint| progress.seta(point);
+    let (followed, solve_s) = timed(|| follow(&model, (&loading, &options), &stop, sampler, kept.as_mut(), &mut see));
+    let followed =
+        followed.map_err(|error| Stop::bad_input(error, "`peel keys seta` lists the keys with their ranges."))?;
+    let Followed { pull_off, sampler, .. } = &followed;
+    // nothing of what comes behind the pull-off is kept
+    let interrupted = interrupt.quit_next() && matches!(pull_off.end, SetaEnd::Bound(Bound::Interrupted));
     progress.finish();
     let command = command_line();
-    let found = Found { scene, model: &model, tip: &tip, pull_off: &pull_off, command: &command };
-    let summary = SetaSummary::new(scene, &table.seta, &tip, &pull_off, [tip_s, solve_s]).with_command(&command);
-    let files = output.map_or(Ok(Vec::new()), |output| output.write(|dir| found.write(dir, &summary, &sampler, args)));
+    let found = Found { scene, model: &model, tip: &tip, pull_off, command: &command };
+    let summary = SetaSummary::new(scene, &table.seta, &tip, pull_off, [tip_s, solve_s]).with_command(&command);
+    let (files, left) = kept
+        .as_mut()
+        .map_or((Ok(Vec::new()), None), |kept| kept.write(&followed, |dir| found.write(dir, &summary, sampler, args)));
     if args.json {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
-        let text = text_summary::seta(scene, &model, &tip, &pull_off, tip_s + solve_s, wanted);
-        say(&format!("{text}\n{}", list_files(&files)))?;
+        let text = text_summary::seta(scene, &model, &tip, pull_off, tip_s + solve_s, wanted);
+        let taken = text_summary::equilibria_taken(kept.as_ref().map_or(0, KeptSeta::taken));
+        let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
+        say(&format!("{text}{taken}\n{}{left}", list_files(&files)))?;
     }
     files?;
     match &pull_off.end {
         SetaEnd::Failed(failure) => Err(Stop::cut_short(failure)),
-        SetaEnd::Bound(_) if interrupt.asked() => Err(Stop::cut_short("interrupted")),
+        SetaEnd::Bound(_) if interrupted => match left {
+            Some(left) => Err(Stop::cut_short(format!("interrupted; {left}: {GOES_ON}"))),
+            None => Err(Stop::cut_short("interrupted")),
+        },
         SetaEnd::Completed | SetaEnd::Bound(_) => Ok(()),
-    }
-}
-
-/// The whole pull-off. It is followed piece by piece where states are seen: the same to the last bit.
-fn follow(
-    model: &SetaModel,
-    (loading, options): (&SetaLoading, &SetaOptions),
-    stop: &StopCriteria,
-    sees: bool,
-    see: &mut dyn FnMut(&SetaState),
-) -> Result<SetaPullOff, SetaError> {
-    let mut reached = None;
-    loop {
-        let before = reached.as_ref().map_or(0, |progress: &SetaProgress| progress.result.points.len());
-        let piece = if sees { before + PIECE } else { stop.points };
-        let until = StopCriteria { points: piece.min(stop.points), ..stop.clone() };
-        let (pull_off, progress) = study::pull_off_from(model, loading, options, &until, reached)?;
-        if let Some(last) = &pull_off.last {
-            see(last);
-        }
-        match (&pull_off.end, progress) {
-            (SetaEnd::Bound(Bound::Points(most)), Some(progress)) if *most < stop.points => reached = Some(progress),
-            _ => return Ok(pull_off),
-        }
     }
 }
 

@@ -1,8 +1,10 @@
 //! States of a pull-off, evenly chosen while it is computed: how many there will be is not known before.
 
 use peelkit::study::SetaState;
+use serde::{Deserialize, Serialize};
 
 /// Keeps up to twice `most` states: every one at first, and every second one of these whenever there are too many.
+#[derive(Debug, Serialize, Deserialize)]
 pub struct Sampler {
     most: usize,
     every: usize,
@@ -13,6 +15,16 @@ pub struct Sampler {
 impl Sampler {
     pub fn new(most: usize) -> Self {
         Self { most, every: 1, seen: 0, states: Vec::new() }
+    }
+
+    /// Whether it keeps any.
+    pub fn sees(&self) -> bool {
+        self.most > 0
+    }
+
+    /// Whether another one keeps the same states.
+    pub fn is_like(&self, other: &Self) -> bool {
+        self.most == other.most
     }
 
     /// Looks at the next state.
