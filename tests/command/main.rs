@@ -17,6 +17,8 @@ mod resume;
 mod sensitivities;
 mod serve;
 mod seta;
+#[cfg(unix)]
+mod seta_resume;
 mod space;
 mod statuses;
 mod steps;

@@ -1,6 +1,7 @@
 //! Setae: the curve of a tip, a small tree on the ground against shooting, events, balance of work and energy, resumption.
 
 mod four_tips;
+mod hard;
 mod hysteresis;
 mod setup;
 mod symmetry;
