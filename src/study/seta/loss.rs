@@ -13,8 +13,8 @@ use super::standing::{RootDrive, Standing, TipTangent};
 use super::watched::{HEIGHT, Watched};
 use crate::solve::{NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, Workspace, solve};
 
-/// Error of the displacement at a loss, nm.
-const LOCATED: f64 = 1e-6;
+/// Error of the displacement at a loss, nm: that of the force there goes with its root.
+const LOCATED: f64 = 1e-8;
 /// The same where it is found by the number of negative eigenvalues.
 const BRACKETED: f64 = 1e-4;
 /// First step in looking for the height at which a tip is as soft as wanted, nm.
