@@ -116,7 +116,9 @@ pub fn follow(
             Some(_) => keeping(until, last, Arc::clone(&due)),
         };
         let (pull_off, progress) = study::pull_off_from(model, loading, options, &until, reached)?;
-        pull_off.points.last().iter().for_each(|point| see(point));
+        if let Some(point) = pull_off.points.last() {
+            see(point);
+        }
         let is_seen =
             matches!(pull_off.end, SetaEnd::Bound(Bound::Points(_)) | SetaEnd::Completed | SetaEnd::Failed(_));
         if let Some(state) = pull_off.last.as_ref().filter(|_| is_seen) {
