@@ -12,5 +12,5 @@ pub use collection::PartialCollection;
 pub use optimisation::PartialOptimisation;
 pub use part::{DividedSweep, Part, PartAxis, PartHeader, SweepPart};
 pub use run::PartialRun;
-pub use sweep::PartialSweep;
+pub use sweep::{PartialSweep, Storable};
 pub use uncertainty::PartialUncertainty;
