@@ -19,7 +19,8 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from scipy.integrate import solve_ivp
+
+from branches import Branch, frame
 
 RELATIVE, ABSOLUTE = 1e-12, 1e-11
 TINY = 1e-40
@@ -81,45 +82,10 @@ def places():
     return root, fork, forks, tips
 
 
-def frame(axis):
-    first = axis / np.linalg.norm(axis)
-    third = np.cross(first, [0.0, 0.0, 1.0])
-    third /= np.linalg.norm(third)
-    return np.column_stack([first, np.cross(third, first), third])
-
-
-def cross(a, b):
-    return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
-
-
-class Branch:
-    def __init__(self, ends, generation, children=(), tip=None):
-        axis = ends[1] - ends[0]
-        self.start, self.length, self.stiffness = frame(axis), np.linalg.norm(axis), stiffness(generation)
-        self.children, self.tip = children, tip
-
-    def tips(self):
-        return [self.tip] if self.tip is not None else [tip for child in self.children for tip in child.tips()]
-
-    def go(self, place, directors, force, moment):
-        count = moment.shape[-1]
-
-        def slopes(_, flat):
-            state = flat.reshape(15, count)
-            r, m = state[3:12].reshape(3, 3, count), state[12:]
-            own, turn = np.einsum("ijc,ic->jc", r, force), np.einsum("ijc,ic->jc", r, m)
-            along = own / self.stiffness[:3, None]
-            along[0] += 1.0
-            forward = np.einsum("ijc,jc->ic", r, along)
-            k = turn / self.stiffness[3:, None]
-            d1, d2, d3 = r[:, 0], r[:, 1], r[:, 2]
-            turning = np.stack([k[2] * d2 - k[1] * d3, k[0] * d3 - k[2] * d1, k[1] * d1 - k[0] * d2], axis=1)
-            return np.concatenate([forward, turning.reshape(9, count), -cross(forward, force)]).ravel()
-
-        start = np.concatenate([place, directors.reshape(9, count), moment]).astype(complex)
-        found = solve_ivp(slopes, (0.0, self.length), start.ravel(), method="DOP853", rtol=RELATIVE, atol=ABSOLUTE)
-        end = found.y[:, -1].reshape(15, count)
-        return end[:3], end[3:12].reshape(3, 3, count), end[12:]
+def branch(ends, generation, children=(), tip=None):
+    axis = ends[1] - ends[0]
+    start = frame(axis, [0.0, 0.0, 1.0])
+    return Branch(start, np.linalg.norm(axis), stiffness(generation), (children, tip), None, (RELATIVE, ABSOLUTE))
 
 
 ROOT, FORK, FORKS, TIP_PLACES = places()
@@ -127,9 +93,9 @@ FEET = [np.array([place[0], 0.0, place[2]]) for place in TIP_PLACES]
 
 
 def seta():
-    twigs = [Branch((FORKS[tip // 2], TIP_PLACES[tip]), 2, tip=tip) for tip in range(TIPS)]
-    limbs = [Branch((FORK, FORKS[k]), 1, twigs[2 * k : 2 * k + 2]) for k in range(2)]
-    return Branch((ROOT, FORK), 0, limbs)
+    twigs = [branch((FORKS[tip // 2], TIP_PLACES[tip]), 2, tip=tip) for tip in range(TIPS)]
+    limbs = [branch((FORK, FORKS[k]), 1, twigs[2 * k : 2 * k + 2]) for k in range(2)]
+    return branch((ROOT, FORK), 0, limbs)
 
 
 TREE = seta()

@@ -21,7 +21,8 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from scipy.integrate import solve_ivp
+
+from branches import Branch, frame
 
 RELATIVE, ABSOLUTE = 1e-13, 1e-14
 TINY = 1e-40
@@ -61,61 +62,21 @@ CASES = {
 }
 
 
-def frame(axis):
-    """Directors of a straight branch along an axis, as columns."""
-    first = axis / np.linalg.norm(axis)
-    third = np.cross(first, WIDTH)
-    third /= np.linalg.norm(third)
-    return np.column_stack([first, np.cross(third, first), third])
-
-
-def cross(a, b):
-    return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
-
-
-class Branch:
-    """A branch: stress-free directors where it begins, length, stiffnesses, K0, what it carries."""
-
-    def __init__(self, axis, length, level, children=(), tip=None, bent=None):
-        self.start, self.length, self.stiffness = frame(np.array(axis, dtype=float)), length, LEVELS[level]
-        self.bent = np.zeros(3) if bent is None else bent
-        self.children, self.tip = children, tip
-
-    def tips(self):
-        return [self.tip] if self.tip is not None else [tip for child in self.children for tip in child.tips()]
-
-    def go(self, place, directors, force, moment):
-        """Place, directors and moment at the far end, of as many solutions side by side as the last axis has."""
-        count = moment.shape[-1]
-
-        def slopes(_, flat):
-            state = flat.reshape(15, count)
-            r, m = state[3:12].reshape(3, 3, count), state[12:]
-            own, turn = np.einsum("ijc,i->jc", r, force), np.einsum("ijc,ic->jc", r, m)
-            along = own / self.stiffness[:3, None]
-            along[0] += 1.0
-            forward = np.einsum("ijc,jc->ic", r, along)
-            k = self.bent[:, None] + turn / self.stiffness[3:, None]
-            d1, d2, d3 = r[:, 0], r[:, 1], r[:, 2]
-            turning = np.stack([k[2] * d2 - k[1] * d3, k[0] * d3 - k[2] * d1, k[1] * d1 - k[0] * d2], axis=1)
-            return np.concatenate([forward, turning.reshape(9, count), -cross(forward, force)]).ravel()
-
-        start = np.concatenate([place, directors.reshape(9, count), moment]).astype(complex)
-        found = solve_ivp(slopes, (0.0, self.length), start.ravel(), method="DOP853", rtol=RELATIVE, atol=ABSOLUTE)
-        end = found.y[:, -1].reshape(15, count)
-        return end[:3], end[3:12].reshape(3, 3, count), end[12:]
+def branch(axis, length, level, children=(), tip=None, bent=None):
+    start = frame(np.array(axis, dtype=float), WIDTH)
+    return Branch(start, length, LEVELS[level], (children, tip), bent, (RELATIVE, ABSOLUTE))
 
 
 def tree():
     sin, cos = np.sin(np.radians(40.0)), np.cos(np.radians(40.0))
     twigs = [
-        Branch([-0.5, -0.6, 1.0], 4.0, 2, tip=0),
-        Branch([-0.3, 0.6, 1.0], 4.0, 2, tip=1),
-        Branch([0.3, -0.6, 1.0], 4.0, 2, tip=2),
-        Branch([0.5, 0.6, 1.0], 4.0, 2, tip=3, bent=BENT),
+        branch([-0.5, -0.6, 1.0], 4.0, 2, tip=0),
+        branch([-0.3, 0.6, 1.0], 4.0, 2, tip=1),
+        branch([0.3, -0.6, 1.0], 4.0, 2, tip=2),
+        branch([0.5, 0.6, 1.0], 4.0, 2, tip=3, bent=BENT),
     ]
-    limbs = [Branch([-sin, 0.0, cos], 6.0, 1, twigs[:2]), Branch([sin, 0.0, cos], 6.0, 1, twigs[2:])]
-    return Branch([0.0, 0.0, 1.0], 10.0, 0, limbs)
+    limbs = [branch([-sin, 0.0, cos], 6.0, 1, twigs[:2]), branch([sin, 0.0, cos], 6.0, 1, twigs[2:])]
+    return branch([0.0, 0.0, 1.0], 10.0, 0, limbs)
 
 
 def shoot(root, loads, unknown):
@@ -126,7 +87,7 @@ def shoot(root, loads, unknown):
 
     def follow(branch, place, directors, moment):
         force = sum(np.array(loads[tip][0]) for tip in branch.tips())
-        place, directors, moment = branch.go(place, directors, force, moment)
+        place, directors, moment = branch.go(place, directors, np.repeat(force[:, None], count, axis=1), moment)
         if branch.tip is not None:
             places[branch.tip], misses[branch.tip] = place, moment - np.array(loads[branch.tip][1])[:, None]
             return

@@ -3,7 +3,7 @@
 //! Reference: what the command writes in one file against what it writes in another: the last row of curve.csv, the events, summary.json.
 //!
 //! Expected: the pull-off of a small seta writes all of its files, its tips all detach and each stands in events.csv once; work is energy and
-//! what was released; an option without a meaning is refused, and every command but `run` refuses the scene with its line. Why: a scene of a
+//! what was released; an option without a meaning is refused, every command that computes single beams refuses the scene with its line; a row of a sweep and a sample are what `peel run` gives. Why: a scene of a
 //! seta that some command takes for that of one spatula would give a number that means something else.
 
 use serde_json::Value;
@@ -26,6 +26,9 @@ pub const SMALL: [&str; 12] = [
     "--set",
     "accuracy.relative=1e-6",
 ];
+
+/// With which most of them are pulled off to their end.
+const UPRIGHT: [&str; 2] = ["--set", "seta.shaft_angle=30 deg"];
 
 fn scene() -> String {
     format!("{}/../../scenes/seta.toml", env!("CARGO_MANIFEST_DIR"))
@@ -87,6 +90,68 @@ fn a_seta_that_is_cut_short_is_written_as_far_as_it_goes() {
     assert!(!dir.path().join("out").exists());
 }
 
+/// A sweep over values, one of them that of the scene, and over a plane.
+#[test]
+fn setae_are_swept() {
+    let dir = tempfile::tempdir().unwrap();
+    let scene = scene();
+    let (status, json, trouble) = run(dir.path(), &[&["run", &scene, "--json"], &SMALL[..]].concat());
+    assert_eq!(status, Some(0), "{trouble}");
+    let alone: Value = serde_json::from_str(&json).unwrap();
+    let vary = ["--vary", "seta.shaft_angle", "--values", "30 deg, 60 deg"];
+    let sweep = [&["sweep", &scene], &SMALL[..], &vary[..]].concat();
+    let (status, json, trouble) = run(dir.path(), &[&sweep[..], &["--json"]].concat());
+    assert_eq!(status, Some(0), "{trouble}");
+    let rows = serde_json::from_str::<Value>(&json).unwrap()["rows"].clone();
+    assert_eq!((&rows[1]["peak_force_nN"], &rows[1]["end"]), (&alone["peak"]["force_nN"], &"detached".into()));
+    assert_eq!(rows[1]["events"], alone["events"]["count"]);
+    assert_eq!(rows[1]["work_aJ"], alone["balance"]["work_aJ"]);
+    assert_ne!(rows[0]["peak_force_nN"], rows[1]["peak_force_nN"]);
+
+    let vary =
+        ["--vary", "seta.shaft_angle", "--values", "30 deg", "--vary", "seta.tip_pitch", "--values", "0.9 um, 1 um"];
+    let out = [&["sweep", &scene], &SMALL[..], &vary[..], &["--out", "out"]].concat();
+    let (status, text, trouble) = run(dir.path(), &out);
+    assert_eq!(status, Some(0), "{trouble}");
+    assert!(text.contains("first event"), "{text}");
+    let table = || fs::read_to_string(dir.path().join("out/sweep.csv")).unwrap();
+    assert_eq!(table().lines().count(), 3);
+    assert!(table().starts_with("value,value_2,seta.shaft_angle_rad,seta.tip_pitch_nm,peak_force_nN"), "{}", table());
+    assert!(!dir.path().join("out/sweep.partial.jsonl").exists() && dir.path().join("out/sweep.svg").exists());
+}
+
+/// Few samples: their number, and that each is that of the scene with its values.
+#[test]
+fn an_uncertain_seta_is_sampled() {
+    let dir = tempfile::tempdir().unwrap();
+    let uncertain = |quantities: &str| {
+        let inputs = "[{ key = \"seta.youngs_modulus\", distribution = \"lognormal\", log_deviation = 0.2 }]";
+        let table = format!("\n[uncertainty]\ninputs = {inputs}\nsamples = 40\nindices = false\n{quantities}");
+        let text = fs::read_to_string(scene()).unwrap() + &table;
+        fs::write(dir.path().join("seta.toml"), text).unwrap();
+        run(dir.path(), &[&["uncertainty", "seta.toml", "--out", "out", "--force"], &SMALL[..], &UPRIGHT].concat())
+    };
+    // some pull-offs may stop short, the first one does not
+    let (status, _, trouble) = uncertain("");
+    assert!(matches!(status, Some(0 | 3)), "{trouble}");
+    let summary: Value = serde_json::from_slice(&fs::read(dir.path().join("out/summary.json")).unwrap()).unwrap();
+    assert_eq!(summary["derivatives_by"], "differences");
+    let samples = fs::read_to_string(dir.path().join("out/samples.csv")).unwrap();
+    let column = |name: &str| samples.lines().next().unwrap().split(',').position(|found| found == name).unwrap();
+    let (modulus, peak) = (column("seta.youngs_modulus_GPa"), column("peak.force_nN"));
+    let first: Vec<&str> = samples.lines().nth(1).unwrap().split(',').collect();
+    let set = format!("seta.youngs_modulus={} GPa", first[modulus]);
+    let (status, json, trouble) =
+        run(dir.path(), &[&["run", &scene(), "--json", "--set", &set], &SMALL[..], &UPRIGHT].concat());
+    assert_eq!(status, Some(0), "{trouble}");
+    let alone: Value = serde_json::from_str(&json).unwrap();
+    let (sampled, alone) = (first[peak].parse::<f64>().unwrap(), alone["peak"]["force_nN"].as_f64().unwrap());
+    assert!((sampled / alone - 1.0).abs() < 1e-9, "{sampled} {alone}");
+    let (status, _, trouble) = uncertain("quantities = [\"first_jump.work_aJ\"]");
+    assert_eq!(status, Some(2), "{trouble}");
+    assert!(trouble.contains("which the pull-off of a seta does not have"), "{trouble}");
+}
+
 #[test]
 fn what_has_no_meaning_is_refused() {
     let dir = tempfile::tempdir().unwrap();
@@ -95,12 +160,23 @@ fn what_has_no_meaning_is_refused() {
         assert_eq!(status, Some(2), "{trouble}");
         assert!(trouble.contains(&format!("{option} has no meaning for a seta")), "{trouble}");
     }
-    for command in
-        [&["sweep", "--vary", "seta.forks", "--values", "1, 2"][..], &["uncertainty"], &["optimise"], &["accuracy"]]
-    {
+    let vary = ["--vary", "seta.forks", "--values", "1, 2"];
+    for (option, told) in [
+        (&["--peak-only"][..], "have no meaning for a seta"),
+        (&["--part", "1/2"], "--part divides sweeps of single beams"),
+    ] {
+        let (status, _, trouble) = run(dir.path(), &[&["sweep", &scene()], &vary[..], option].concat());
+        assert_eq!(status, Some(2), "{trouble}");
+        assert!(trouble.contains(told), "{trouble}");
+    }
+    for command in [&["optimise"][..], &["accuracy"]] {
         let (status, _, trouble) = run(dir.path(), &[&[command[0], &scene()], &command[1..]].concat());
         assert_eq!(status, Some(2), "{command:?}: {trouble}");
-        assert!(trouble.contains("is a table of a scene that `peel run` alone computes"), "{command:?}: {trouble}");
+        assert!(
+            trouble
+                .contains("is a table of a scene that `peel run`, `peel sweep` and `peel uncertainty` alone compute"),
+            "{command:?}: {trouble}"
+        );
     }
     assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
 }

@@ -108,7 +108,12 @@ fn numbers_out_of_range_and_near_misses_are_named() {
     refused("[setae]\n", &[], "Did you mean [seta]?");
     let error = Scene::parse("seta.toml", SETA, &[]).unwrap_err();
     assert_eq!((error.place(), error.key()), (Some("seta.toml, line 2"), Some("seta")));
-    assert!(error.problem().contains("is a table of a scene that `peel run` alone computes"), "{error}");
+    assert!(
+        error
+            .problem()
+            .contains("is a table of a scene that `peel run`, `peel sweep` and `peel uncertainty` alone compute"),
+        "{error}"
+    );
 }
 
 /// The ranges of the keys are those of the model.

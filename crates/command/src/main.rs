@@ -20,6 +20,7 @@ mod output;
 mod plot;
 mod run;
 mod serve;
+mod seta;
 mod stop;
 mod sweep;
 mod text_summary;

@@ -29,7 +29,7 @@ mod tip_law;
 pub use animation::{Pose, poses, write_animation};
 pub use checkpoint::{
     DividedSweep, Part, PartAxis, PartHeader, PartialCollection, PartialOptimisation, PartialRun, PartialSeta,
-    PartialSweep, PartialUncertainty, SetaCheckpoint, SweepPart,
+    PartialSweep, PartialUncertainty, SetaCheckpoint, Storable, SweepPart,
 };
 pub use error::ReportError;
 pub use file::{write_summary, write_whole};
@@ -43,8 +43,9 @@ pub use pictures::{
     draw_sensitivities, draw_sweep, draw_tip_law, draw_uncertainty,
 };
 pub use seta::{
-    SETA_STATE_FIELDS, SetaPose, SetaStateField, SetaSummary, draw_pull_off, seta_end_reason, seta_end_word, tip_peak,
-    write_seta_animation, write_seta_curve, write_seta_events, write_seta_states, write_tip_curve, write_tips,
+    SETA_STATE_FIELDS, SetaLine, SetaPose, SetaRow, SetaStateField, SetaSummary, draw_pull_off, draw_swept_setae,
+    seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve, write_seta_events,
+    write_seta_states, write_swept_setae, write_tip_curve, write_tips,
 };
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
 pub use summary::{

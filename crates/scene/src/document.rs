@@ -49,7 +49,7 @@ impl Scene {
         let scene = Self::parse_with_seta(name, text, overrides)?;
         match scene.seta {
             None => Ok(scene),
-            Some(_) => Err(seta_refused(&Origin::File { name, text }, text)),
+            Some(_) => Err(seta::refused(&Origin::File { name, text }, header_of(text, seta::TABLE))),
         }
     }
 
@@ -69,18 +69,11 @@ impl Scene {
     }
 }
 
-/// That a scene is one of a seta, where a single beam is peeled.
-fn seta_refused(file: &Origin, text: &str) -> SceneError {
+/// Where the name of a table stands in a text, or its end.
+fn header_of(text: &str, table: &str) -> Range<usize> {
     let document = DeTable::parse(text).ok();
-    let header = document.as_ref().and_then(|document| {
-        let mut tables = document.get_ref().iter();
-        tables.find(|(table, _)| name_of(table) == seta::TABLE).map(|(table, _)| table.span())
-    });
-    let problem = ValueError::new(
-        "is a table of a scene that `peel run` alone computes; here a single beam is peeled",
-        "Give the scene to `peel run`, or remove [seta] to peel one of its tips.",
-    );
-    file.error(header.unwrap_or_else(|| end_of(text)), &format!("[{}]", seta::TABLE), problem)
+    let found = document.as_ref().and_then(|all| all.get_ref().iter().find(|(name, _)| name_of(name) == table));
+    found.map_or_else(|| end_of(text), |(name, _)| name.span())
 }
 
 /// The scene of the text and the overrides, and what of it does not fit the rest.
@@ -116,15 +109,7 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
     if document.iter().any(|(table, _)| name_of(table) == seta::TABLE) {
         seta::begin(scene, bodies.is_empty());
     }
-    if document.iter().any(|(table, _)| name_of(table) == optimisation::TABLE) {
-        optimisation::of(scene);
-    }
-    if document.iter().any(|(table, _)| name_of(table) == fit::TABLE) {
-        fit::of(scene);
-    }
-    if document.iter().any(|(table, _)| name_of(table) == uncertainty::TABLE) {
-        uncertainty::of(scene);
-    }
+    document.iter().for_each(|(table, _)| begin(scene, name_of(table)));
     for (key, value) in in_order(document) {
         match value.get_ref() {
             DeValue::Table(table) if tables().contains(&name_of(key)) => {
@@ -161,6 +146,16 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
         }
     }
     Ok(given)
+}
+
+/// Gives the scene a table of a study, if this is the name of one.
+fn begin(scene: &mut Scene, table: &str) {
+    match table {
+        optimisation::TABLE => _ = optimisation::of(scene),
+        fit::TABLE => _ = fit::of(scene),
+        uncertainty::TABLE => _ = uncertainty::of(scene),
+        _ => {}
+    }
 }
 
 /// Refuses a body without keys beside another one, which would be ignored.
@@ -257,15 +252,7 @@ fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, Scene
     if key.is_of_space() {
         space::set(scene, true);
     }
-    if key.table == optimisation::TABLE {
-        optimisation::of(scene);
-    }
-    if key.table == fit::TABLE {
-        fit::of(scene);
-    }
-    if key.table == uncertainty::TABLE {
-        uncertainty::of(scene);
-    }
+    begin(scene, key.table);
     if !key.belongs_to(scene) {
         return Err(origin.error(0..path.len(), &format!("`{}`", key.path()), key.foreign(scene)));
     }

@@ -19,7 +19,7 @@ pub struct Scene {
     /// The body, its adhesion, its grip and how that is moved; of a scene with a seta the body at each tip with its adhesion
     /// ([`Scene::tip_model`]), and how the root is moved.
     pub model: PeelModel,
-    /// The seta, where the scene has one; `peel run` alone computes it.
+    /// The seta, where the scene has one; `peel run`, `peel sweep` and `peel uncertainty` compute it.
     pub seta: Option<SetaTable>,
     /// What the user asks of the numbers.
     pub accuracy: Accuracy,

@@ -1,7 +1,7 @@
 //! A seta: its table, which keys a scene with one has, and what it says of the tips.
 
 use super::bodies::set_body;
-use super::error::ValueError;
+use super::error::{Origin, SceneError, ValueError};
 use super::key::Key;
 use super::scene::Scene;
 use peelkit::model::{
@@ -10,13 +10,14 @@ use peelkit::model::{
 };
 use peelkit::solve::Direction;
 use peelkit::study::{SetaLoading, SetaStart, SetaStep, StepEnd};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The table of a scene.
 pub(super) const TABLE: &str = "seta";
 
 /// The other tables and keys of a scene with a seta. The tables of a body and of adhesion describe its tips.
-const OTHERS: [(&str, &[&str]); 8] = [
+const OTHERS: [(&str, &[&str]); 9] = [
     ("", &["title"]),
     ("strip", &[]),
     ("spatula", &[]),
@@ -25,6 +26,7 @@ const OTHERS: [(&str, &[&str]); 8] = [
     ("drive", &["angle", "azimuth", "steps"]),
     ("accuracy", &["relative"]),
     ("bounds", &[]),
+    ("uncertainty", &[]),
 ];
 
 /// A seta as a scene gives it.
@@ -67,6 +69,15 @@ impl SetaTable {
     }
 }
 
+/// That a scene is one of a seta, where a single beam is peeled.
+pub(super) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
+    let problem = ValueError::new(
+        "is a table of a scene that `peel run`, `peel sweep` and `peel uncertainty` alone compute; here a single beam is peeled",
+        "Give the scene to one of them, or remove [seta] to peel one of its tips.",
+    );
+    file.error(header, &format!("[{TABLE}]"), problem)
+}
+
 /// The seta of a scene, which becomes one with a seta.
 pub(super) fn of(scene: &mut Scene) -> &mut SetaTable {
     scene.seta.get_or_insert_default()
@@ -96,7 +107,7 @@ pub(super) fn foreign(scene: &Scene, key: &Key) -> ValueError {
         Some(_) => ValueError::new(
             "is given, and the scene has a [seta], which has no such key",
             format!(
-                "Remove `{}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` of [accuracy], and [bounds].",
+                "Remove `{}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` of [accuracy], [bounds] and [uncertainty].",
                 key.name
             ),
         ),

@@ -97,6 +97,18 @@ pub enum SetaEnd {
     Failed(SetaFailure),
 }
 
+impl SetaEnd {
+    /// Whether the computation stopped short.
+    pub fn is_failure(&self) -> bool {
+        matches!(self, Self::Failed(_))
+    }
+
+    /// Whether not all steps were taken.
+    pub fn is_cut_short(&self) -> bool {
+        !matches!(self, Self::Completed)
+    }
+}
+
 /// What it took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SetaEffort {

@@ -2,7 +2,7 @@
 
 use super::outcome::Outcome;
 use super::plan::Plan;
-use super::sampled_peel::SampledPeel;
+use super::sampled_peel::{Sampled, SampledPeel};
 use super::taylor::Taylor;
 use crate::study::{Variation, peel, sensitivities};
 use nalgebra::DMatrix;
@@ -104,7 +104,7 @@ fn first_order(plan: &Plan, of: &SampledPeel, inputs: &[f64]) -> Option<Vec<Opti
 const BESIDE: f64 = 2e-3;
 
 /// The same by differences of numbers at inputs half a standard deviation away; none where one of them is missing.
-pub fn taylor_by_differences(plan: &Plan, of: &SampledPeel) -> Vec<Option<Taylor>> {
+pub fn taylor_by_differences(plan: &Plan, of: &dyn Sampled) -> Vec<Option<Taylor>> {
     let (center, steps) = (means(plan), steps(plan, BETWEEN_NUMBERS));
     let count = center.len();
     let signs = [1.0, -1.0];
@@ -122,7 +122,7 @@ pub fn taylor_by_differences(plan: &Plan, of: &SampledPeel) -> Vec<Option<Taylor
         let values = found.iter().map(|outcome| outcome.values[number]).collect::<Option<Vec<f64>>>()?;
         Some(fitted(&center, &steps, &values))
     };
-    (0..of.of.len()).map(polynomial).collect()
+    (0..of.numbers()).map(polynomial).collect()
 }
 
 /// From the values at the center, at both sides of each input, and at two corners of each pair of inputs.
@@ -154,7 +154,7 @@ pub struct OneAtATime {
 }
 
 /// For each input what the numbers are where it is at its quantiles of `probability` and 1 - `probability`, and all others at their means.
-pub fn one_at_a_time(plan: &Plan, probability: f64, of: &SampledPeel) -> Vec<OneAtATime> {
+pub fn one_at_a_time(plan: &Plan, probability: f64, of: &dyn Sampled) -> Vec<OneAtATime> {
     let center = means(plan);
     let one = |index: usize| {
         let distribution = plan.inputs[index].distribution;

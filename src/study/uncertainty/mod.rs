@@ -42,7 +42,7 @@ pub use design::{Design, SamplePlace};
 pub use distribution::{Distribution, NoDistribution};
 pub use outcome::{Outcome, peel_numbers};
 pub use plan::{Correlation, Indices, Input, NoDesign, Plan};
-pub use sampled_peel::{SampledPeel, sample};
+pub use sampled_peel::{Sampled, SampledPeel, sample};
 pub use sobol_indices::{SobolIndex, sobol_indices};
 pub use spread::{CONFIDENCE, Estimate};
 pub use statistics::{Quantile, Statistics};

@@ -5,6 +5,25 @@ use super::outcome::{Outcome, peel_numbers};
 use crate::model::PeelModel;
 use crate::study::{Accuracy, PeelQuantity, StopCriteria, sweep};
 
+/// Numbers as a function of uncertain inputs, of a peel or of something else. Its functions are called from any thread.
+pub trait Sampled: Sync {
+    /// How many numbers there are
+    fn numbers(&self) -> usize;
+
+    /// The numbers with these inputs, in the order and units of the plan.
+    fn outcome(&self, inputs: &[f64]) -> Outcome;
+}
+
+impl Sampled for SampledPeel<'_> {
+    fn numbers(&self) -> usize {
+        self.of.len()
+    }
+
+    fn outcome(&self, inputs: &[f64]) -> Outcome {
+        SampledPeel::outcome(self, inputs)
+    }
+}
+
 /// A peel as a function of its uncertain inputs. All of its functions are called from any thread.
 #[derive(Clone, Copy)]
 pub struct SampledPeel<'p> {

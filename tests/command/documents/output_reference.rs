@@ -5,8 +5,9 @@ use super::{hold, row, text, with_part};
 use peelkit_report::reference::{
     CURVE_COLUMNS, FIT_COLUMNS, FIT_SUMMARY, HISTORY_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS,
     OPTIMISATION_SUMMARY, OutputKey, PEEL_SUMMARY, PROFILE_COLUMNS, SAMPLE_COLUMNS, SETA_CURVE_COLUMNS,
-    SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS,
-    SWEEP_SUMMARY, TIP_LAW_COLUMNS, TIP_LIMIT_COLUMNS, TIP_SUMMARY, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY, paths,
+    SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_SWEEP_COLUMNS, SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS, STATE_COLUMNS,
+    SWEEP_COLUMNS, SWEEP_SUMMARY, TIP_LAW_COLUMNS, TIP_LIMIT_COLUMNS, TIP_SUMMARY, UNCERTAINTY_COLUMNS,
+    UNCERTAINTY_SUMMARY, paths,
 };
 use peelkit_report::{SETA_STATE_FIELDS, SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
 use serde_json::Value;
@@ -36,6 +37,7 @@ fn the_output_reference_is_that_of_the_lists() {
         ("summary.json of peel uncertainty", UNCERTAINTY_SUMMARY, "key"),
         ("statistics.csv and indices.csv", UNCERTAINTY_COLUMNS, "column"),
         ("samples.csv", SAMPLE_COLUMNS, "column"),
+        ("sweep.csv of setae", SETA_SWEEP_COLUMNS, "column"),
         ("summary.json of a seta", SETA_SUMMARY, "key"),
         ("curve.csv of a seta", SETA_CURVE_COLUMNS, "column"),
         ("events.csv", SETA_EVENT_COLUMNS, "column"),
@@ -294,4 +296,11 @@ fn every_key_and_column_of_a_seta_is_described() {
         let columns = file(name).lines().next().unwrap().split(',').map(str::to_owned).collect();
         assert_described(&columns, keys, name);
     }
+    let twice = ["--vary", "seta.tip_pitch", "--values", "1 um", "--vary", "seta.shaft_length", "--values", "7 um"];
+    let four = ["seta.forks=2", "seta.brush_height=3 um", "seta.shaft_diameter=240 nm", "seta.height_scatter=20 nm"];
+    let four = four.iter().flat_map(|set| ["--set", set]).collect::<Vec<_>>();
+    peel(&[&["sweep", &scene, "--out", "sweep"], &twice[..], &four].concat(), folder.path());
+    let table = std::fs::read_to_string(folder.path().join("sweep/sweep.csv")).unwrap();
+    let columns = table.lines().next().unwrap().split(',').filter(|column| !column.starts_with("seta."));
+    assert_described(&columns.map(str::to_owned).collect(), SETA_SWEEP_COLUMNS, "sweep.csv of setae");
 }

@@ -4,6 +4,7 @@ mod kept;
 mod progress;
 mod sensitivities;
 mod seta;
+pub use seta::PRESSED;
 
 use crate::command_line::command_line;
 use crate::help;

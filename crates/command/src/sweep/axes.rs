@@ -56,7 +56,7 @@ fn values(scene: &Scene, key: &Key, parameter: &Parameter) -> Result<Vec<f64>, S
         Ok(value)
     };
     // one of space puts every case there
-    if !key.is_of_space() && !key.belongs_to(scene) {
+    if (scene.seta.is_some() || !key.is_of_space()) && !key.belongs_to(scene) {
         return Err(Stop::bad_argument(format!("--vary {}", key.path()), &key.foreign(scene)));
     }
     match &parameter.values {

@@ -1,5 +1,6 @@
 //! What is said of values whose computation stopped short.
 
+use crate::stop::Stop;
 use crate::text_summary;
 use peelkit::study::PathEnd;
 use peelkit_report::{SweepRow, SweptKeys};
@@ -32,4 +33,15 @@ pub fn place(keys: SweptKeys, value: f64, second: Option<f64>) -> String {
     let one = |key: &Key, value: f64| format!("{} = {value}{}", key.path(), text_summary::spaced(key.unit()));
     let second = keys.second.zip(second).map(|(key, value)| format!(", {}", one(key, value)));
     format!("{}{}", one(keys.first, value), second.unwrap_or_default())
+}
+
+/// Ends with what is missing of so many values where so many are done, and with what is said of those that stopped short.
+pub fn stopped_short([done, values]: [usize; 2], failed: Option<String>) -> Result<(), Stop> {
+    let interrupted = (done < values).then(|| {
+        format!(
+            "interrupted, {done} of {values} values are done; the same command resumes from there, --fresh starts anew"
+        )
+    });
+    let parts: Vec<String> = interrupted.into_iter().chain(failed).collect();
+    if parts.is_empty() { Ok(()) } else { Err(Stop::cut_short(parts.join("\nand "))) }
 }

@@ -6,9 +6,11 @@ pub mod cases;
 pub mod failed;
 pub mod files;
 mod follow;
+mod kept;
 pub mod no_effect;
 mod part;
 mod peels;
+mod setae;
 mod varied;
 
 pub use args::Sweep;
@@ -18,7 +20,10 @@ use axes::Axis;
 use cases::Cases;
 
 pub fn sweep(args: &Sweep) -> Result<(), Stop> {
-    let scene = args.scene.load()?;
+    let scene = args.scene.load_with_seta()?;
+    if scene.seta.is_some() {
+        setae::refuse(args)?;
+    }
     let wanted = args.units.wanted()?;
     let parameters = args.varied.parameters()?;
     let axes = parameters.iter().map(|parameter| Axis::of(&scene, parameter));
@@ -26,6 +31,9 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     args.part.map_or(Ok(()), |part| part::check(args, part, &axes))?;
     let cases = Cases::along(&scene, &axes, args.part)?;
     no_effect::refuse(&args.scene.overrides, &scene, &cases)?;
+    if scene.seta.is_some() {
+        return setae::pull_off_each(args, &scene, &cases, wanted);
+    }
     match args.followed() {
         Some(kind) => follow::follow(args, kind, &scene, &cases, wanted),
         None => {

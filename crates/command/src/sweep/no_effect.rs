@@ -59,12 +59,13 @@ fn is_blunt(spatula: &Spatula) -> bool {
 pub fn seen(keys: SweptKeys, rows: &[SweepRow]) -> Option<String> {
     let (first, others) = rows.split_first()?;
     let alike = |row: &SweepRow| row.found.work.is_some() && row.found == first.found;
+    of_alike(keys, rows.len(), !others.is_empty() && others.iter().all(alike))
+}
+
+/// That so many values gave the same results, if they did.
+pub fn of_alike(keys: SweptKeys, values: usize, alike: bool) -> Option<String> {
     let have = if keys.second.is_some() { "have" } else { "has" };
-    (!others.is_empty() && others.iter().all(alike)).then(|| {
-        format!(
-            "{} {have} no effect here: all {} values give the same results, to the last digit",
-            keys.names(),
-            rows.len()
-        )
+    alike.then(|| {
+        format!("{} {have} no effect here: all {values} values give the same results, to the last digit", keys.names())
     })
 }

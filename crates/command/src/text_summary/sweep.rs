@@ -101,12 +101,12 @@ pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep, solve_s: &[f64]
 }
 
 /// The head of a column of numbers in a unit.
-fn headed(name: &str, unit: Unit) -> String {
+pub(super) fn headed(name: &str, unit: Unit) -> String {
     format!("{name} {}", unit.name)
 }
 
 /// The cell of a thing that does not occur.
-fn none() -> String {
+pub(super) fn none() -> String {
     "-".to_owned()
 }
 
@@ -118,12 +118,12 @@ fn sizes(rows: &[SweepRow]) -> [f64; 3] {
     }))
 }
 
-fn largest(sizes: impl Iterator<Item = [f64; 3]>) -> [f64; 3] {
+pub(super) fn largest(sizes: impl Iterator<Item = [f64; 3]>) -> [f64; 3] {
     sizes.fold([0.0; 3], |all, one| std::array::from_fn(|k| all[k].max(one[k].abs())))
 }
 
 /// Remarks below a table.
-fn listed<T: Display>(remarks: &[T]) -> String {
+pub(super) fn listed<T: Display>(remarks: &[T]) -> String {
     let lines: String = remarks.iter().map(|remark| format!("  remark: {remark}\n")).collect();
     if lines.is_empty() { lines } else { format!("\n{lines}") }
 }

@@ -5,7 +5,7 @@ use crate::interrupt::Interrupt;
 use crate::output::progress_bar;
 use indicatif::ProgressBar;
 use peelkit::study::StopCriteria;
-use peelkit::study::uncertainty::{Design, Outcome, SamplePlace, SampledPeel, sample};
+use peelkit::study::uncertainty::{Design, Outcome, SamplePlace, Sampled, sample};
 use peelkit_report::{Existing, OutputFolder, PartialUncertainty, ReportError};
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
@@ -51,7 +51,7 @@ impl Sampler {
     /// The outcomes in the order of the samples, those of an earlier run among them. After Ctrl-C some are missing.
     ///
     /// Fails where one cannot be kept.
-    pub fn sample(&self, design: &Design, peel: &SampledPeel) -> Result<Vec<Option<Outcome>>, ReportError> {
+    pub fn sample(&self, design: &Design, of: &dyn Sampled) -> Result<Vec<Option<Outcome>>, ReportError> {
         let trouble = OnceLock::new();
         let partial = self.kept.as_ref().map(|(_, partial)| partial);
         let run = |at: SamplePlace| {
@@ -62,7 +62,7 @@ impl Sampler {
                 self.bar.reset_eta();
                 return found.clone();
             }
-            let outcome = peel.outcome(&design.inputs(at));
+            let outcome = of.outcome(&design.inputs(at));
             if let Some(Err(error)) = partial.map(|partial| partial.keep(at, &outcome)) {
                 // only the first one is reported
                 let _ = trouble.set(error);

@@ -1,20 +1,24 @@
 //! `peel uncertainty`: keys of a scene that have distributions, sampled and propagated.
 
 mod kept;
+mod setae;
 
 use crate::command_line::command_line;
 use crate::help;
 use crate::input::SceneArgs;
 use crate::output::{OutArgs, list_files, say};
+use crate::seta::Setae;
 use crate::stop::Stop;
 use crate::text_summary;
 use clap::Args;
 use kept::Sampler;
 use peelkit::study::uncertainty::{
-    ALONE_AT, Analysis, Design, Outcome, SampledPeel, one_at_a_time, taylor_polynomials,
+    ALONE_AT, Analysis, DerivativesBy, Design, Outcome, SampledPeel, one_at_a_time, taylor_by_differences,
+    taylor_polynomials,
 };
 use peelkit_report::{self as report, OutputFolder, ReportError, UncertaintySummary};
 use peelkit_scene::{Scene, UncertaintyTable};
+use setae::SampledSeta;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -38,14 +42,17 @@ pub struct Uncertainty {
 }
 
 pub fn uncertainty(args: &Uncertainty) -> Result<(), Stop> {
-    let scene = args.scene.load()?;
+    let scene = args.scene.load_with_seta()?;
     let table = scene.uncertainty.clone().ok_or_else(|| without_table(&scene))?;
     let design =
         Design::new(table.plan(&scene)).map_err(|error| Stop::bad_input(error, "See peel keys uncertainty."))?;
     let command = command_line();
     let started = Instant::now();
     let sampler = Sampler::open(args, &scene, design.samples())?;
-    let analysis = analysis(&scene, &table, design, &sampler)?;
+    let analysis = match &scene.seta {
+        None => analysis(&scene, &table, design, &sampler)?,
+        Some(_) => analysis_of_setae(&scene, &table, design, &sampler)?,
+    };
     let solve_s = started.elapsed().as_secs_f64();
     let summary = UncertaintySummary::new(&scene, &analysis, solve_s).with_command(&command);
     let files = match (&sampler.output, analysis.computed()) {
@@ -92,6 +99,25 @@ fn analysis(
     let taylors = taylor_polynomials(design.plan(), &beside);
     let alone = one_at_a_time(design.plan(), ALONE_AT, &beside);
     let outcomes: Vec<Option<Outcome>> = sampler.sample(&design, &peel)?;
+    Ok(Analysis::new(design, &table.quantities, outcomes, taylors, alone))
+}
+
+/// The same of setae, whose derivatives are differences of pull-offs.
+fn analysis_of_setae(
+    scene: &Scene,
+    table: &UncertaintyTable,
+    design: Design,
+    sampler: &Sampler,
+) -> Result<Analysis, ReportError> {
+    let setae = Setae::like(scene);
+    let stop = || scene.bounds.from_now();
+    let pull_off = SampledSeta { scene, table, setae: &setae, stop: &stop };
+    // as of peels
+    let interruptible = || sampler.ends(scene.bounds.from_now());
+    let beside = SampledSeta { stop: &interruptible, ..pull_off };
+    let taylors = (taylor_by_differences(design.plan(), &beside), DerivativesBy::Differences);
+    let alone = one_at_a_time(design.plan(), ALONE_AT, &beside);
+    let outcomes = sampler.sample(&design, &pull_off)?;
     Ok(Analysis::new(design, &table.quantities, outcomes, taylors, alone))
 }
 

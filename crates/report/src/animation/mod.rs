@@ -4,6 +4,7 @@
 mod frames;
 mod page;
 pub(crate) mod panel;
+pub(crate) mod player;
 
 use crate::error::ReportError;
 use crate::file::write_whole;

@@ -2,6 +2,7 @@
 
 use super::frames::Pose;
 use super::panel::{Panel, escaped, joined};
+use super::player::{PLAYER, controls};
 use crate::chart::{Axis, Frame};
 use peelkit::study::Peel;
 use std::fmt::Write;
@@ -25,35 +26,18 @@ div.controls{display:flex;gap:1em;align-items:center}input{flex:1}output{min-wid
 /// No sign of it is one that XML reads: neither a left angle bracket nor an ampersand.
 const SCRIPT: &str = r#"
 const data = JSON.parse(document.getElementById('data').textContent);
-const beam = document.getElementById('beam'), dot = document.getElementById('dot');
-const slider = document.getElementById('time'), play = document.getElementById('play'), says = document.getElementById('says');
+const beam = document.getElementById('beam');
 const seconds = 12;
-let playing = true, before = null, at = 0;
 function show() {
-  let to = data.findIndex(frame => frame.t >= at);
-  if (1 > to) to = 1;
-  const a = data[to - 1], b = data[to], part = b.t > a.t ? Math.min(1, Math.max(0, (at - a.t) / (b.t - a.t))) : 1;
+  const [a, b, part] = around(data);
   const mix = (p, q) => p + part * (q - p), near = part > 0.5 ? b : a;
   beam.setAttribute('points', a.o.map((value, i) => mix(value, b.o[i]).toFixed(1)).join(' '));
   dot.setAttribute('cx', mix(a.x, b.x)); dot.setAttribute('cy', mix(a.y, b.y));
   const colour = near.s ? '#0072b2' : '#d55e00';
   for (const one of [beam, dot]) { one.setAttribute('fill', colour); one.setAttribute('stroke', colour); }
   says.textContent = 'u = ' + mix(a.u, b.u).toPrecision(4) + ' nm, P = ' + mix(a.p, b.p).toPrecision(4) + ' nN, ' + (near.s ? 'stable' : 'unstable');
-  slider.value = at;
 }
-function step(now) {
-  if (playing) {
-    if (before !== null) at += (now - before) / 1000 / seconds;
-    if (at > 1.06) at = 0;
-    show();
-  }
-  before = now;
-  requestAnimationFrame(step);
-}
-play.onclick = () => { playing = !playing; play.textContent = playing ? 'Pause' : 'Play'; };
-slider.oninput = () => { playing = false; play.textContent = 'Play'; at = Number(slider.value); show(); };
-show();
-requestAnimationFrame(step);
+start();
 "#;
 
 /// The page of these frames; the lines of the title behind the first stand small below.
@@ -79,12 +63,11 @@ pub(super) fn page(peel: &Peel, frames: &[Pose], title: &str) -> String {
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"/><title>{heading}</title><style>{STYLE}</style></head>\n\
          <body>\n<h1 style=\"font-size:18px\">{heading}</h1>\n{svg}\
-         <div class=\"controls\"><button id=\"play\">Pause</button>\
-         <input id=\"time\" type=\"range\" min=\"0\" max=\"1\" step=\"0.001\" value=\"0\" aria-label=\"place on the path\"/>\
-         <output id=\"says\"></output></div>\n\
+         {}\
          <p class=\"small\">The beam to scale over the substrate, and the force on its grip, along the equilibrium path. Dashed and \
          vermillion: unstable under displacement control.</p>\n{remarks}\
-         <script type=\"application/json\" id=\"data\">{}</script>\n<script>{SCRIPT}</script>\n</body>\n</html>\n",
+         <script type=\"application/json\" id=\"data\">{}</script>\n<script>{PLAYER}{SCRIPT}</script>\n</body>\n</html>\n",
+        controls("place on the path"),
         data(frames, &beam, &curve)
     )
 }

@@ -14,5 +14,5 @@ pub use optimisation::PartialOptimisation;
 pub use part::{DividedSweep, Part, PartAxis, PartHeader, SweepPart};
 pub use run::PartialRun;
 pub use seta::{PartialSeta, SetaCheckpoint};
-pub use sweep::PartialSweep;
+pub use sweep::{PartialSweep, Storable};
 pub use uncertainty::PartialUncertainty;

@@ -10,16 +10,18 @@ use crate::sweep_row::SweepRow;
 use crate::swept_keys::SweptKeys;
 use peelkit::study::PeelResult;
 use peelkit_scene::Scene;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::path::Path;
 
-/// The file of an unfinished sweep: a line that identifies the sweep, then a line a finished value, in no order.
+/// The file of an unfinished sweep: a line that identifies the sweep, then a line a finished value, in no order. Of each value it has what was found:
+/// of a peel, or of something else that a scene describes.
 #[derive(Debug)]
-pub struct PartialSweep {
-    lines: Lines<Line>,
+pub struct PartialSweep<F = PeelResult> {
+    lines: Lines<Line<F>>,
     /// By the bits of the values.
-    taken: HashMap<(u64, Option<u64>), Line>,
+    taken: HashMap<(u64, Option<u64>), Line<F>>,
 }
 
 /// The first line. Two sweeps are the same where these lines are: one program, one scene with its defaults, one key,
@@ -35,16 +37,16 @@ struct Header {
 
 /// A finished value.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Line {
+pub(super) struct Line<F = PeelResult> {
     value: f64,
     /// Of the second key, where two are varied.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     second: Option<f64>,
-    pub found: PeelResult,
+    pub found: F,
     pub solve_s: f64,
 }
 
-impl Line {
+impl<F> Line<F> {
     /// By which it is found.
     pub fn place(&self) -> (u64, Option<u64>) {
         place(self.value, self.second)
@@ -61,6 +63,25 @@ impl PartialSweep {
     /// Its name in the folder of the outputs.
     pub const NAME: &str = "sweep.partial.jsonl";
 
+    /// Whether `dir` holds the file of a sweep that is not finished.
+    pub fn is_in(dir: &Path) -> bool {
+        dir.join(Self::NAME).is_file()
+    }
+
+    /// Removes the file in `dir`, if there is one.
+    ///
+    /// Fails with [`ReportError::Write`] where it cannot be removed.
+    pub fn discard(dir: &Path) -> Result<(), ReportError> {
+        remove(dir.join(Self::NAME))
+    }
+}
+
+/// What a file keeps and gives back as it was.
+pub trait Storable: Clone + PartialEq + Serialize + DeserializeOwned {}
+
+impl<F: Clone + PartialEq + Serialize + DeserializeOwned> Storable for F {}
+
+impl<F: Storable> PartialSweep<F> {
     /// Opens the file in `dir`, or begins it, and takes up what it holds of this sweep: the scene in which these keys are varied,
     /// and the part of it where it is divided. The file of another sweep is refused.
     ///
@@ -74,33 +95,28 @@ impl PartialSweep {
         let (vary, scene) = (keys.into().names(), Parameters(scene.clone()));
         let header = Header { peelkit: env!("CARGO_PKG_VERSION"), vary, part, scene };
         let other = |path| ReportError::OtherSweep { path };
-        let (lines, kept) = Lines::<Line>::open(&dir.join(Self::NAME), &header, other)?;
+        let (lines, kept) = Lines::<Line<F>>::open(&dir.join(PartialSweep::NAME), &header, other)?;
         let taken = kept.into_iter().map(|line| (line.place(), line)).collect();
         Ok(Self { lines, taken })
     }
 
-    /// Whether `dir` holds the file of a sweep that is not finished.
-    pub fn is_in(dir: &Path) -> bool {
-        dir.join(Self::NAME).is_file()
-    }
-
-    /// Removes the file in `dir`, if there is one.
-    ///
-    /// Fails with [`ReportError::Write`] where it cannot be removed.
-    pub fn discard(dir: &Path) -> Result<(), ReportError> {
-        remove(dir.join(Self::NAME))
-    }
-
     /// What an earlier run found at this value, or these two, and the seconds that it took.
-    pub fn found(&self, value: f64, second: Option<f64>) -> Option<(&PeelResult, f64)> {
+    pub fn found(&self, value: f64, second: Option<f64>) -> Option<(&F, f64)> {
         self.taken.get(&place(value, second)).map(|line| (&line.found, line.solve_s))
     }
 
-    /// Appends a finished value, at once and from any thread.
+    /// Appends what was found at a value, or a pair of them, in so many seconds: at once and from any thread.
     ///
     /// Fails with [`ReportError::Write`].
-    pub fn keep(&self, row: &SweepRow) -> Result<(), ReportError> {
-        self.lines.keep(&Line::from(row))
+    pub fn keep_found(&self, (value, second): (f64, Option<f64>), found: &F, solve_s: f64) -> Result<(), ReportError> {
+        self.lines.keep(&Line { value, second, found: found.clone(), solve_s })
+    }
+}
+
+#[cfg(test)]
+impl PartialSweep {
+    fn keep(&self, row: &SweepRow) -> Result<(), ReportError> {
+        self.keep_found((row.value, row.second), &row.found, row.solve_s)
     }
 }
 

@@ -32,28 +32,40 @@ pub fn draw_plane(
     log: [bool; 2],
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
+    let places: Vec<_> = rows.iter().map(|row| (row.value, row.second)).collect();
+    let forces = rows.iter().map(|row| row.found.peak.map(|at| at.force)).collect();
+    let works = rows.iter().map(|row| row.found.snap_off.map(|at| at.work)).collect();
+    draw_maps(&places, &[("peak force P (nN)", forces), ("work to snap-off W (aJ)", works)], keys, title, log, dir)
+}
+
+/// Draws `sweep.svg` and `sweep.png` into `dir`: a map of each of these quantities, with its label, over the values of two keys. The first one has to
+/// have a value.
+///
+/// Fails as [`draw_plane`].
+pub(crate) fn draw_maps(
+    places: &[(f64, Option<f64>)],
+    quantities: &[(&str, Vec<Option<f64>>)],
+    keys: SweptKeys,
+    title: &str,
+    log: [bool; 2],
+    dir: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
     let refuse = |reason: String| ReportError::Draw { path: dir.join("sweep.svg"), reason };
     let Some(second) = keys.second else { return Err(refuse("a map needs two keys that are varied".into())) };
-    let values =
-        [rows.iter().map(|row| Some(row.value)).collect::<Vec<_>>(), rows.iter().map(|row| row.second).collect()];
+    let values = [places.iter().map(|at| Some(at.0)).collect::<Vec<_>>(), places.iter().map(|at| at.1).collect()];
     for (values, (key, log)) in values.iter().zip([(keys.first, log[0]), (second, log[1])]) {
         super::sweep::check_axis(values.iter().flatten().copied(), &key.path(), log).map_err(refuse)?;
     }
-    if rows.iter().all(|row| row.found.peak.is_none()) {
-        return Err(refuse(format!("none of the {} pairs of {} has a peak force", rows.len(), keys.names())));
+    if quantities.first().is_none_or(|(_, values)| values.iter().all(Option::is_none)) {
+        return Err(refuse(format!("none of the {} pairs of {} has a peak force", places.len(), keys.names())));
     }
     let [across, up] = values.map(|values| distinct(values.into_iter().flatten()));
     let axes =
         [(keys.first.axis_title_in_library_unit(), across, log[0]), (second.axis_title_in_library_unit(), up, log[1])]
             .map(|(label, values, log)| Grid::new(label, values, log));
     let mut panels = Vec::new();
-    type Quantity = (&'static str, fn(&SweepRow) -> Option<f64>);
-    let quantities: [Quantity; 2] = [
-        ("peak force P (nN)", |row| row.found.peak.map(|at| at.force)),
-        ("work to snap-off W (aJ)", |row| row.found.snap_off.map(|at| at.work)),
-    ];
-    for (label, quantity) in quantities {
-        let map = Map::new(&axes, rows, quantity);
+    for (label, values) in quantities {
+        let map = Map::new(&axes, places, values);
         if map.values.iter().flatten().next().is_some() {
             let top = panels.last().map_or(TOP, |below: &Panel| below.frame.bottom + 74.0);
             panels.extend(map.panels(&axes, label, top));
@@ -124,13 +136,12 @@ struct Map {
 }
 
 impl Map {
-    fn new(axes: &[Grid; 2], rows: &[SweepRow], quantity: fn(&SweepRow) -> Option<f64>) -> Self {
+    fn new(axes: &[Grid; 2], places: &[(f64, Option<f64>)], of_places: &[Option<f64>]) -> Self {
         let columns = axes[0].values.len();
         let mut values = vec![None; columns * axes[1].values.len()];
-        for row in rows {
-            if let (Some(i), Some(j)) = (axes[0].index(row.value), row.second.and_then(|second| axes[1].index(second)))
-            {
-                values[j * columns + i] = quantity(row).filter(|value| value.is_finite());
+        for (&(value, second), of_place) in places.iter().zip(of_places) {
+            if let (Some(i), Some(j)) = (axes[0].index(value), second.and_then(|second| axes[1].index(second))) {
+                values[j * columns + i] = of_place.filter(|value| value.is_finite());
             }
         }
         Self { values, columns }

@@ -43,7 +43,7 @@ pub fn draw_sweep(
 }
 
 /// Whether all values of `key` have a place on the axis; else the first that has none.
-pub(super) fn check_axis(mut values: impl Iterator<Item = f64>, key: &str, log: bool) -> Result<(), String> {
+pub(crate) fn check_axis(mut values: impl Iterator<Item = f64>, key: &str, log: bool) -> Result<(), String> {
     match values.find(|&value| log && value <= 0.0) {
         Some(value) => Err(format!("{key} = {value} has no place on a logarithmic axis")),
         None => Ok(()),
@@ -78,7 +78,7 @@ fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Pictur
 }
 
 /// The title of the axis of a key, and by what its values are multiplied there: angles are in degrees.
-pub(super) fn axis_of(key: &str) -> (String, f64) {
+pub(crate) fn axis_of(key: &str) -> (String, f64) {
     match find_key(key) {
         _ if key == STIFFNESS => (STIFFNESS_LABEL.to_owned(), 1.0),
         Ok(key) => (key.axis_title(), key.per_usual_unit()),

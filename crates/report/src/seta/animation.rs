@@ -5,6 +5,7 @@ use super::pose::SetaPose;
 use super::route::travels;
 use super::side_view::{MICRO, Window};
 use crate::animation::panel::{Panel, escaped, joined};
+use crate::animation::player::{PLAYER, controls};
 use crate::chart::{Axis, Frame, signed_shade};
 use crate::error::ReportError;
 use crate::file::write_whole;
@@ -36,13 +37,11 @@ output{min-width:24em;font-size:14px}";
 /// No sign of it is one that XML reads: neither a left angle bracket nor an ampersand.
 const SCRIPT: &str = r#"
 const data = JSON.parse(document.getElementById('data').textContent), frames = data.frames;
-const slider = document.getElementById('time'), play = document.getElementById('play'), says = document.getElementById('says');
-const dot = document.getElementById('dot'), cells = Array.from(document.querySelectorAll('.tip'));
+const cells = Array.from(document.querySelectorAll('.tip'));
 const panels = data.panels.map((panel, k) => ({
   map: panel, paths: Array.from(document.querySelectorAll('.p' + k)),
   on: document.getElementById('on' + k), off: document.getElementById('off' + k) }));
 const seconds = 14;
-let playing = true, before = null, at = 0;
 function draw(panel, xy, loads) {
   const [x0, sx, y0, sy] = panel.map, ds = panel.paths.map(() => '');
   const place = i => (x0 + sx * xy[2 * i]).toFixed(1) + ' ' + (y0 + sy * xy[2 * i + 1]).toFixed(1);
@@ -58,11 +57,7 @@ function draw(panel, xy, loads) {
   panel.on.setAttribute('d', on); panel.off.setAttribute('d', off);
 }
 function show() {
-  let to = frames.findIndex(frame => frame.t >= at);
-  if (0 > to) to = frames.length - 1;
-  if (1 > to) to = 1;
-  const a = frames[to - 1], b = frames[to];
-  const share = b.t > a.t ? Math.min(1, Math.max(0, (at - a.t) / (b.t - a.t))) : 1;
+  const [a, b, share] = around(frames);
   const part = b.j ? (share >= 1 ? 1 : 0) : share, near = part > 0.5 ? b : a;
   const mix = (p, q) => p + part * (q - p);
   const xy = a.l.map((value, i) => mix(value, b.l[i]));
@@ -75,21 +70,8 @@ function show() {
   dot.setAttribute('cx', mix(a.x, b.x)); dot.setAttribute('cy', mix(a.y, b.y));
   says.textContent = 'u = ' + mix(a.u, b.u).toPrecision(4) + ' µm, P = ' + mix(a.p, b.p).toPrecision(4) + ' µN, '
     + near.n + ' of ' + data.tips.length + ' tips attached';
-  slider.value = at;
 }
-function step(now) {
-  if (playing) {
-    if (before !== null) at += (now - before) / 1000 / seconds;
-    if (at > 1.06) at = 0;
-    show();
-  }
-  before = now;
-  requestAnimationFrame(step);
-}
-play.onclick = () => { playing = !playing; play.textContent = playing ? 'Pause' : 'Play'; };
-slider.oninput = () => { playing = false; play.textContent = 'Play'; at = Number(slider.value); show(); };
-show();
-requestAnimationFrame(step);
+start();
 "#;
 
 /// What is shown of a pull-off.
@@ -177,13 +159,12 @@ fn page(playback: &Playback<'_>) -> String {
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"/><title>{heading}</title><style>{STYLE}</style></head>\n\
          <body>\n<h1 style=\"font-size:18px\">{heading}</h1>\n{svg}\
-         <div class=\"controls\"><button id=\"play\">Pause</button>\
-         <input id=\"time\" type=\"range\" min=\"0\" max=\"1\" step=\"0.001\" value=\"0\" aria-label=\"place on the curve\"/>\
-         <output id=\"says\"></output></div>\n\
+         {}\
          <p class=\"small\">The tree to scale, seen from the side, whole and near the ground; the force on its root; and the load of each tip: \
          vermillion pulled, by up to {largest:.3} nN, blue pushed, framed where it is detached. Blue dots: attached tips, vermillion dots: \
          detached ones. All moments shown are equilibria that were computed; between two of them, where no tip jumps, the picture is interpolated.</p>\n{remarks}\
-         <script type=\"application/json\" id=\"data\">{}</script>\n<script>{SCRIPT}</script>\n</body>\n</html>\n",
+         <script type=\"application/json\" id=\"data\">{}</script>\n<script>{PLAYER}{SCRIPT}</script>\n</body>\n</html>\n",
+        controls("place on the curve"),
         data(playback, &panels, &curve)
     )
 }

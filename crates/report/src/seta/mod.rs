@@ -9,6 +9,9 @@ mod pose;
 mod route;
 mod side_view;
 mod summary;
+mod sweep_picture;
+mod sweep_row;
+mod sweep_table;
 mod tables;
 mod vtk;
 
@@ -17,5 +20,8 @@ pub use names::{seta_end_reason, seta_end_word};
 pub use picture::draw_pull_off;
 pub use pose::SetaPose;
 pub use summary::{SetaSummary, tip_peak};
+pub use sweep_picture::draw_swept_setae;
+pub use sweep_row::SetaRow;
+pub use sweep_table::{SetaLine, write_swept_setae};
 pub use tables::{write_seta_curve, write_seta_events, write_tip_curve, write_tips};
 pub use vtk::{SETA_STATE_FIELDS, SetaStateField, write_seta_states};

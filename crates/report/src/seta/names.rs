@@ -5,8 +5,13 @@ use peelkit::study::{SetaEnd, SetaPullOff};
 
 /// The name of the end of a pull-off in outputs.
 pub fn seta_end_word(pull_off: &SetaPullOff) -> &'static str {
-    match pull_off.end {
-        SetaEnd::Completed if pull_off.points.last().is_some_and(|last| last.attached > 0) => "still-attached",
+    end_word(&pull_off.end, pull_off.points.last().map_or(0, |last| last.attached))
+}
+
+/// The same of an end at which so many tips adhere.
+pub(super) fn end_word(end: &SetaEnd, attached: usize) -> &'static str {
+    match end {
+        SetaEnd::Completed if attached > 0 => "still-attached",
         SetaEnd::Completed => "detached",
         SetaEnd::Bound(_) => "bound",
         SetaEnd::Failed(_) => "failed",

@@ -3,16 +3,18 @@
 use super::origin::{SCHEMA, VERSION};
 use super::parameters::Parameters;
 use crate::number::to_json;
+use crate::seta::{SetaLine, SetaRow};
 use crate::sweep_row::SweepRow;
 use crate::swept_keys::SweptKeys;
 use crate::tables::SweepLine;
 use peelkit::study::FollowedSweep;
 use peelkit_scene::{Key, Scene};
+use serde::Serialize;
 use std::io;
 
 /// A sweep as one object: the key that was varied, its unit, and a row a value.
-#[derive(Debug, serde::Serialize)]
-pub struct SweepSummary {
+#[derive(Debug, Serialize)]
+pub struct SweepSummary<L = SweepLine> {
     /// Of the program.
     version: &'static str,
     /// Of these keys.
@@ -36,7 +38,7 @@ pub struct SweepSummary {
     /// What happened to that point on the way, or where the rows come from.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     remarks: Vec<String>,
-    rows: Vec<SweepLine>,
+    rows: Vec<L>,
     /// The scene before the sweep.
     parameters: Parameters,
 }
@@ -56,8 +58,17 @@ impl SweepSummary {
             ..Self::of(scene, key.into(), SweepLine::followed(sweep, solve_s))
         }
     }
+}
 
-    fn of(scene: &Scene, keys: SweptKeys, rows: Vec<SweepLine>) -> Self {
+impl SweepSummary<SetaLine> {
+    /// The summary of rows of setae.
+    pub fn of_setae(scene: &Scene, keys: SweptKeys, rows: &[SetaRow], remarks: &[String]) -> Self {
+        Self { remarks: remarks.to_vec(), ..Self::of(scene, keys, rows.iter().map(SetaLine::from).collect()) }
+    }
+}
+
+impl<L: Serialize> SweepSummary<L> {
+    fn of(scene: &Scene, keys: SweptKeys, rows: Vec<L>) -> Self {
         Self {
             version: VERSION,
             schema: SCHEMA,

@@ -34,16 +34,27 @@ pub fn write_followed<'k>(
 }
 
 fn write_lines(dir: &Path, keys: SweptKeys, lines: &[SweepLine]) -> Result<PathBuf, ReportError> {
+    let none = SweepLine { second: keys.second.map(|_| Finite(0.0)), ..SweepLine::default() };
+    write_with_named_values(dir, keys, &none, lines)
+}
+
+/// Writes sweep.csv of lines that begin with the values of the keys; `none` has the columns where there are no lines.
+pub(crate) fn write_with_named_values<L: Serialize>(
+    dir: &Path,
+    keys: SweptKeys,
+    none: &L,
+    lines: &[L],
+) -> Result<PathBuf, ReportError> {
     let path = dir.join("sweep.csv");
-    let text = with_named_values(keys, lines).map_err(|source| ReportError::Write { path: path.clone(), source })?;
+    let text =
+        with_named_values(keys, none, lines).map_err(|source| ReportError::Write { path: path.clone(), source })?;
     write_whole(&path, &text)?;
     Ok(path)
 }
 
 /// The table with the columns of the values once more under the names of their keys.
-fn with_named_values(keys: SweptKeys, lines: &[SweepLine]) -> io::Result<Vec<u8>> {
-    let none = SweepLine { second: keys.second.map(|_| Finite(0.0)), ..SweepLine::default() };
-    let plain = table_like(&none, lines.iter())?;
+fn with_named_values<L: Serialize>(keys: SweptKeys, none: &L, lines: &[L]) -> io::Result<Vec<u8>> {
+    let plain = table_like(none, lines.iter())?;
     let mut reader = csv::Reader::from_reader(plain.as_slice());
     let mut writer = csv::Writer::from_writer(Vec::new());
     let names = keys.columns();

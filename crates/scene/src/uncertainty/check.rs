@@ -6,10 +6,14 @@ use crate::key::Key;
 use crate::keys::find_key;
 use crate::scene::Scene;
 use crate::value::{quoted, show};
+use peelkit::study::PeelQuantity;
 use peelkit::study::uncertainty::{Design, Distribution, NoDesign};
 
 /// The largest probability of a value that cannot be computed.
 const MOST_OUTSIDE: f64 = 1e-6;
+
+/// What can be asked of a seta.
+const OF_A_SETA: [PeelQuantity; 2] = [PeelQuantity::PeakForce, PeelQuantity::PeakDisplacement];
 
 /// What is wrong with the table of a scene: its key, and how.
 pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
@@ -18,6 +22,11 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
     let each = (0..table.inputs.len()).find_map(|index| of_input(scene, table, index).err());
     if let Some(problem) = each {
         return Some(at("inputs", problem));
+    }
+    if let Some(other) = table.quantities.iter().find(|of| scene.seta.is_some() && !OF_A_SETA.contains(of)) {
+        let names = OF_A_SETA.map(PeelQuantity::name).join(", ");
+        let found = format!("names \"{}\", which the pull-off of a seta does not have", other.name());
+        return Some(at("quantities", ValueError::new(found, format!("Of a seta there are {names}."))));
     }
     if let Some(path) = table.correlations.iter().flat_map(|of| &of.keys).find(|path| !has(table, path)) {
         let known: Vec<&str> = table.inputs.iter().map(|of| of.path.as_str()).collect();

@@ -68,5 +68,10 @@ impl Default for UncertaintyTable {
 
 /// The table of a scene, which it is given where it has none.
 pub(crate) fn of(scene: &mut Scene) -> &mut UncertaintyTable {
-    scene.uncertainty.get_or_insert_default()
+    let is_seta = scene.seta.is_some();
+    scene.uncertainty.get_or_insert_with(|| match UncertaintyTable::default() {
+        // what is pulled off tip by tip has no initiation peak
+        table if is_seta => UncertaintyTable { quantities: vec![PeelQuantity::PeakForce], ..table },
+        table => table,
+    })
 }

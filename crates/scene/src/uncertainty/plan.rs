@@ -33,13 +33,21 @@ impl UncertaintyTable {
     /// # Errors
     /// Where one of them is out of the range of its key.
     pub fn model(&self, scene: &Scene, values: &[f64]) -> Result<PeelModel, ValueError> {
+        Ok(self.scene(scene, values)?.model)
+    }
+
+    /// The scene with these values, likewise.
+    ///
+    /// # Errors
+    /// As of [`UncertaintyTable::model`].
+    pub fn scene(&self, scene: &Scene, values: &[f64]) -> Result<Scene, ValueError> {
         let mut scene = scene.clone();
         for (input, &value) in self.inputs.iter().zip(values) {
             let key = find_key(&input.path)?;
             let named = |error: ValueError| ValueError::new(format!("`{}` {}", input.path, error.found), error.remedy);
             key.store_number(&mut scene, value).map_err(named)?;
         }
-        Ok(scene.model)
+        Ok(scene)
     }
 }
 

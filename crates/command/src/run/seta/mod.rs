@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 /// What a first Ctrl-C does.
 const ANSWER: &str = "stopping at the next equilibrium of the seta; Ctrl-C again stops at once";
 /// By how much the curve of a tip begins with it pressed, nm.
-const PRESSED: f64 = 50.0;
+pub const PRESSED: f64 = 50.0;
 /// States of an animation.
 const FRAMES: usize = 60;
 

@@ -1,0 +1,36 @@
+//! Setae that differ from the one of a scene in some keys, pulled off one after the other, or side by side.
+
+use crate::run::PRESSED;
+use peelkit::model::{PeelModel, PullCurve, SetaModel};
+use peelkit::study::{self, Accuracy, SetaOptions, SetaResult, StopCriteria};
+use peelkit_scene::Scene;
+use std::sync::OnceLock;
+
+/// What their pull-offs have in common: the law of the tips, which is computed once where the key of the tips does not vary.
+pub struct Setae {
+    tip: PeelModel,
+    accuracy: Accuracy,
+    curve: OnceLock<Result<PullCurve, String>>,
+}
+
+impl Setae {
+    /// Those like the one of this scene.
+    pub fn like(scene: &Scene) -> Self {
+        Self { tip: scene.tip_model(), accuracy: scene.accuracy, curve: OnceLock::new() }
+    }
+
+    /// The pull-off of the seta of a scene, or why there is none. Called from any thread.
+    pub fn pull_off(&self, scene: &Scene, stop: &StopCriteria) -> Result<SetaResult, String> {
+        let Some(table) = &scene.seta else { return Err("the scene has no [seta]".to_owned()) };
+        let model = SetaModel::new(table.seta, table.law(self.curve(scene)?));
+        let options = SetaOptions { balance: scene.accuracy.relative, ..SetaOptions::default() };
+        let pull_off = study::pull_off(&model, &scene.seta_loading(table), &options, stop);
+        pull_off.map(|found| SetaResult::from(&found)).map_err(|error| error.to_string())
+    }
+
+    fn curve(&self, scene: &Scene) -> Result<PullCurve, String> {
+        let tip = scene.tip_model();
+        let of = || study::tip_curve(&tip, &scene.accuracy, PRESSED).map_err(|error| error.to_string());
+        if tip == self.tip && scene.accuracy == self.accuracy { self.curve.get_or_init(of).clone() } else { of() }
+    }
+}

@@ -1,0 +1,67 @@
+//! A sweep of setae as a table.
+
+use super::number::{in_unit, short};
+use super::sweep::{headed, largest, listed, none};
+use super::units::{Unit, Units, WantedUnits};
+use peelkit::study::SetaMoment;
+use peelkit_report::{SetaRow, SweptKeys};
+use peelkit_scene::{Key, Scene};
+use std::fmt::Write;
+
+/// A sweep of setae as a table, with what is to be said of its rows.
+pub fn swept_setae(
+    scene: &Scene,
+    keys: SweptKeys,
+    rows: &[SetaRow],
+    remarks: &[String],
+    wanted: WantedUnits,
+) -> String {
+    let found = || rows.iter().filter_map(|row| row.found.as_ref().ok());
+    let sizes = found().map(|found| {
+        let at = |moment: Option<SetaMoment>| moment.map_or([0.0; 2], |at| [at.force, at.displacement]);
+        let [force, displacement] = at(found.peak);
+        [force, displacement, found.work]
+    });
+    let Units { force, length, work } = Units::fitting(wanted, largest(sizes));
+    let varied = |key: &Key| format!("{} varied{}", key.path(), in_unit(key.unit()));
+    let second = keys.second.map(|key| format!("; {}", varied(key))).unwrap_or_default();
+    let mut text = format!("{}\n{}{second}\n\n", scene.title, varied(keys.first));
+    let pair = |first: &str, second: Option<&str>| match second {
+        None => format!("{first:>14}"),
+        Some(second) => format!("{first:>14} {second:>14}"),
+    };
+    let _ = writeln!(
+        text,
+        "{} {:>14} {:>12} {:>8} {:>16} {:>7} {:>12} {:>9} {:>9}  end",
+        pair("value", keys.second.map(|_| "value 2")),
+        headed("peak", force),
+        headed("at u", length),
+        "attached",
+        headed("first event", length),
+        "events",
+        headed("work", work),
+        "imbalance",
+        "ms"
+    );
+    for row in rows {
+        let cell = |number: Option<f64>, unit: Unit| number.map_or_else(none, |it| format!("{:.6}", unit.of(it)));
+        let count = |number: Option<usize>| number.map_or_else(none, |number| number.to_string());
+        let (found, peak) = (row.found.as_ref().ok(), row.peak());
+        let first = found.and_then(|found| found.first_detachment).map(|at| at.displacement);
+        let _ = writeln!(
+            text,
+            "{} {:>14} {:>12} {:>8} {:>16} {:>7} {:>12} {:>9} {:>9.0}  {}",
+            pair(&short(row.value), row.second.map(short).as_deref()),
+            cell(peak.map(|at| at.force), force),
+            cell(peak.map(|at| at.displacement), length),
+            count(peak.map(|at| at.attached)),
+            cell(first, length),
+            count(found.map(|found| found.events)),
+            cell(found.map(|found| found.work), work),
+            found.map_or_else(none, |found| format!("{:.0e}", found.imbalance)),
+            1e3 * row.solve_s,
+            row.end()
+        );
+    }
+    text + &listed(remarks)
+}

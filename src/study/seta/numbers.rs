@@ -1,0 +1,71 @@
+//! What a pull-off found, without its points and its states: what a row of a sweep has, and a sample.
+
+use super::result::{SetaEffort, SetaEnd, SetaPullOff, SetaState};
+use serde::{Deserialize, Serialize};
+
+/// A moment of the last step.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SetaMoment {
+    /// On the root along the direction of the step, nN
+    pub force: f64,
+    /// How far the root has moved in the step, nm
+    pub displacement: f64,
+    /// Tips that adhere
+    pub attached: usize,
+}
+
+impl From<&SetaState> for SetaMoment {
+    fn from(SetaState { point, .. }: &SetaState) -> Self {
+        Self { force: point.force_along, displacement: point.displacement, attached: point.attached }
+    }
+}
+
+/// The numbers of a pull-off.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SetaResult {
+    /// As of [`SetaPullOff`]
+    pub peak: Option<SetaMoment>,
+    /// As of [`SetaPullOff`]
+    pub first_detachment: Option<SetaMoment>,
+    /// As of [`SetaPullOff`]
+    pub last_detachment: Option<SetaMoment>,
+    /// How many events there are
+    pub events: usize,
+    /// Changes of tips in the largest event
+    pub most_at_once: usize,
+    /// Of the root over all steps, aJ
+    pub work: f64,
+    /// At events, aJ
+    pub released: f64,
+    /// As of [`SetaPullOff::imbalance`]
+    pub imbalance: f64,
+    /// Tips that adhere at the end
+    pub attached: usize,
+    /// As of [`SetaPullOff`]
+    pub end: SetaEnd,
+    /// Equilibria
+    pub points: usize,
+    /// As of [`SetaPullOff`]
+    pub effort: SetaEffort,
+}
+
+impl From<&SetaPullOff> for SetaResult {
+    fn from(pull_off: &SetaPullOff) -> Self {
+        let moment = |state: &Option<SetaState>| state.as_ref().map(SetaMoment::from);
+        let last = pull_off.points.last().copied().unwrap_or_default();
+        Self {
+            peak: moment(&pull_off.peak),
+            first_detachment: moment(&pull_off.first_detachment),
+            last_detachment: moment(&pull_off.last_detachment),
+            events: pull_off.events.len(),
+            most_at_once: pull_off.events.iter().map(|event| event.tips.len()).max().unwrap_or(0),
+            work: last.work,
+            released: last.released,
+            imbalance: pull_off.imbalance(),
+            attached: last.attached,
+            end: pull_off.end.clone(),
+            points: pull_off.points.len(),
+            effort: pull_off.effort,
+        }
+    }
+}
