@@ -4,4 +4,5 @@ mod four_tips;
 mod hysteresis;
 mod setup;
 mod symmetry;
+mod table_law;
 mod tip;
