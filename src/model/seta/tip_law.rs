@@ -7,6 +7,7 @@ use crate::beam::EndResponse;
 use crate::beam::rotation::Quaternion;
 use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
+use std::sync::Arc;
 
 /// Where on its law a tip is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -35,4 +36,9 @@ pub trait TipLaw: Send + Sync + Debug {
 
     /// The branch on which a tip is that has been on `before`: at the end of that it leaves it.
     fn branch(&self, before: TipBranch, place: [f64; 3], directors: Quaternion) -> TipBranch;
+
+    /// The law of a tip that has these directors in the stress-free configuration of the seta; none where rotations are of no account.
+    fn oriented(&self, _rest: Quaternion) -> Option<Arc<dyn TipLaw>> {
+        None
+    }
 }

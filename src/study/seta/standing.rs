@@ -80,7 +80,9 @@ impl Standing {
         let mut tips = Vec::with_capacity(seta.tips());
         for tip in 0..seta.tips() {
             let [x, _, z] = seta.joint_place(seta.tip_joint(tip));
-            let own = AdheringTip { law: model.law.clone(), on, foot: [x, 0.0, z] };
+            let rest = seta.directors(seta.tip_joint(tip));
+            let law = model.law.oriented(rest).unwrap_or_else(|| model.law.clone());
+            let own = AdheringTip { law, on, foot: [x, 0.0, z] };
             beam.conditions.push(JointCondition::with_energy(seta.tip_joint(tip), Arc::new(own.clone())));
             tips.push(own);
         }

@@ -5,4 +5,5 @@ mod hard;
 mod hysteresis;
 mod setup;
 mod symmetry;
+mod table_law;
 mod tip;

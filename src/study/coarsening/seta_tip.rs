@@ -1,0 +1,71 @@
+//! The tips of a seta by the table of their spatula: force and moment follow from height and rotation of a tip.
+//!
+//! Each tip has an orientation of its own. Its rotation θ counts from its directors in the stress-free configuration of the seta, its height u
+//! from the ground, as those of the table do; its pad points away from its azimuth.
+//!
+//!   E = E_table(u, v, θ) + ½ k (x² + z²) while it adheres;   E = E_table on the detached branch otherwise
+
+use super::branch::TipSheet;
+use super::place::TipPlace;
+use super::table::TipTable;
+use super::tip_in_space::{OutOfPlane, SpatulaTip};
+use crate::beam::EndResponse;
+use crate::beam::rotation::Quaternion;
+use crate::model::{Sideways, TipBranch, TipLaw};
+use std::sync::Arc;
+
+/// The law of the tips of a seta by a table.
+#[derive(Clone, Debug)]
+pub struct TableLaw {
+    /// Of one tip
+    pub tip: SpatulaTip,
+    /// What holds it along the ground beside the table
+    pub sideways: Sideways,
+}
+
+impl TableLaw {
+    /// Of tips whose pads point along -x, and which nothing resists out of their planes.
+    pub fn new(table: Arc<TipTable>, sideways: Sideways) -> Self {
+        let out_of_plane = OutOfPlane::default();
+        Self { tip: SpatulaTip { table, azimuth: 0.0, directors: [1.0, 0.0, 0.0, 0.0], out_of_plane }, sideways }
+    }
+
+    /// Where in the table a tip with these directors in the stress-free seta is: `place` from its place of adhesion, nm.
+    pub fn place(&self, rest: Quaternion, place: [f64; 3], directors: Quaternion) -> TipPlace {
+        SpatulaTip { directors: rest, ..self.tip.clone() }.in_plane(place, directors)
+    }
+}
+
+/// Attached and detaching are one branch of the table.
+fn sheet(on: TipBranch) -> TipSheet {
+    if on.adheres() { TipSheet::Attached } else { TipSheet::Detached }
+}
+
+impl TipLaw for TableLaw {
+    fn response(&self, on: TipBranch, place: [f64; 3], directors: Quaternion) -> EndResponse {
+        let mut out = self.tip.response(sheet(on), place, directors);
+        if let (true, Sideways::Held(k)) = (on.adheres(), self.sideways) {
+            for i in [0, 2] {
+                out.energy += 0.5 * k * place[i] * place[i];
+                out.gradient[i] += k * place[i];
+                out.hessian[i][i] += k;
+            }
+        }
+        out
+    }
+
+    fn branch(&self, before: TipBranch, place: [f64; 3], directors: Quaternion) -> TipBranch {
+        let at = self.tip.in_plane(place, directors);
+        match self.tip.table.branch(sheet(before), at) {
+            TipSheet::Detached => TipBranch::Detached,
+            TipSheet::Attached => {
+                let softens = self.tip.table.response(TipSheet::Attached, at).stiffness[0][0] < 0.0;
+                if softens && at.normal > 0.0 { TipBranch::Detaching } else { TipBranch::Attached }
+            }
+        }
+    }
+
+    fn oriented(&self, rest: Quaternion) -> Option<Arc<dyn TipLaw>> {
+        Some(Arc::new(Self { tip: SpatulaTip { directors: rest, ..self.tip.clone() }, ..self.clone() }))
+    }
+}
