@@ -321,6 +321,7 @@ Examples:
   peel verify --hard
   peel verify --sampled 100 --kind strip
   peel verify --sampled 100 --kind law --ways 2
+  peel verify --scenes 72,196 --kind law --ways 1
   peel verify --kind strip --scene 4
 
 Topics:

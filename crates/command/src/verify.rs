@@ -5,7 +5,7 @@ use crate::help;
 use crate::output::{progress_bar, say};
 use crate::stop::Stop;
 use clap::Args;
-use peelkit_checks::sampled::{SampleKind, WAYS, scene_text, survey_sample};
+use peelkit_checks::sampled::{SampleKind, SampledScenes, WAYS, scene_text, survey_sample};
 use peelkit_checks::suite::{Check, TOPICS, Topic, hard};
 use peelkit_checks::{check_line, checks_json};
 
@@ -24,8 +24,13 @@ pub struct Verify {
     /// Peels so many randomly sampled scenes instead
     ///
     /// It prints how their paths end and whether their error bounds hold.
-    #[arg(long, value_name = "N", conflicts_with_all = ["only", "hard"])]
+    #[arg(long, value_name = "N", group = "sample", conflicts_with_all = ["only", "hard"])]
     sampled: Option<u64>,
+
+    /// Peels these scenes of the sample of one kind instead, like 3,17
+    #[arg(long, value_name = "K,..", value_delimiter = ',', group = "sample", requires = "kind")]
+    #[arg(conflicts_with_all = ["only", "hard"])]
+    scenes: Vec<u64>,
 
     /// What is sampled: strip, angle, spatula, law or space; all of them unless given
     #[arg(long, value_name = "KIND")]
@@ -34,11 +39,11 @@ pub struct Verify {
     /// Peels them in so many ways
     ///
     /// They are: to 1e-6, to 1e-9, on elements of order 5, on a mesh that stays.
-    #[arg(long, value_name = "N", default_value_t = WAYS.len(), value_parser = ways, requires = "sampled")]
+    #[arg(long, value_name = "N", default_value_t = WAYS.len(), value_parser = ways, requires = "sample")]
     ways: usize,
 
     /// Prints the text of this scene of the sample and peels nothing
-    #[arg(long, value_name = "K", requires = "kind", conflicts_with = "sampled")]
+    #[arg(long, value_name = "K", requires = "kind", conflicts_with = "sample")]
     scene: Option<u64>,
 
     /// Another seed gives other scenes
@@ -46,7 +51,7 @@ pub struct Verify {
     seed: u64,
 
     /// Prints one JSON object and nothing else
-    #[arg(long, conflicts_with = "sampled")]
+    #[arg(long, conflicts_with = "sample")]
     json: bool,
 }
 
@@ -55,7 +60,10 @@ pub fn verify(args: &Verify) -> Result<(), Stop> {
         return kinds(args)?.into_iter().try_for_each(|kind| say(&scene_text(kind, args.seed, index)));
     }
     if let Some(count) = args.sampled {
-        return sampled(args, count);
+        return sampled(args, &SampledScenes::First(count));
+    }
+    if !args.scenes.is_empty() {
+        return sampled(args, &SampledScenes::Chosen(args.scenes.clone()));
     }
     let suites = chosen(args)?;
     let bar = progress_bar(suites.len());
@@ -95,11 +103,11 @@ fn kinds(args: &Verify) -> Result<Vec<SampleKind>, Stop> {
 }
 
 /// Peels a sample of each kind that is wanted.
-fn sampled(args: &Verify, count: u64) -> Result<(), Stop> {
+fn sampled(args: &Verify, scenes: &SampledScenes) -> Result<(), Stop> {
     let kinds = kinds(args)?;
-    let bar = progress_bar(usize::try_from(count).unwrap_or(usize::MAX).saturating_mul(kinds.len()));
+    let bar = progress_bar(scenes.count().saturating_mul(kinds.len()));
     for kind in kinds {
-        let survey = survey_sample(kind, args.seed, count, args.ways, &|| bar.inc(1)).map_err(Stop::other)?;
+        let survey = survey_sample(kind, args.seed, scenes, args.ways, &|| bar.inc(1)).map_err(Stop::other)?;
         bar.suspend(|| say(&survey.table()))?;
     }
     bar.finish_and_clear();

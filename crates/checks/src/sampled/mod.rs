@@ -6,4 +6,4 @@ mod survey;
 
 pub use run::{Outside, PeelSetting, Run, Sampled, WAYS, sampled};
 pub use scene::{SampleKind, scene_text};
-pub use survey::{SampleSurvey, survey_sample};
+pub use survey::{SampleSurvey, SampledScenes, survey_sample};

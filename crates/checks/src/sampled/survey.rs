@@ -17,14 +17,33 @@ pub struct SampleSurvey {
     pub scenes: Vec<Sampled>,
 }
 
-/// Samples `count` scenes and peels them in the first `ways` of [`WAYS`], on all cores; `done` is called behind each.
+/// Which scenes of a sample are peeled, by their numbers from 0 on.
+#[derive(Clone, Debug)]
+pub enum SampledScenes {
+    /// So many from its beginning.
+    First(u64),
+    /// These.
+    Chosen(Vec<u64>),
+}
+
+impl SampledScenes {
+    /// How many they are, as far as the machine can count.
+    pub fn count(&self) -> usize {
+        match self {
+            Self::First(count) => usize::try_from(*count).unwrap_or(usize::MAX),
+            Self::Chosen(scenes) => scenes.len(),
+        }
+    }
+}
+
+/// Peels these scenes of a sample in the first `ways` of [`WAYS`], on all cores; `done` is called behind each.
 ///
 /// # Errors
 /// A sampled scene that cannot be read, with its text: a fault of the sampler.
 pub fn survey_sample(
     kind: SampleKind,
     seed: u64,
-    count: u64,
+    scenes: &SampledScenes,
     ways: usize,
     done: &(dyn Fn() + Sync),
 ) -> Result<SampleSurvey, String> {
@@ -33,7 +52,10 @@ pub fn survey_sample(
         done();
         scene
     };
-    let scenes: Result<Vec<Sampled>, String> = (0..count).into_par_iter().map(one).collect();
+    let scenes: Result<Vec<Sampled>, String> = match scenes {
+        SampledScenes::First(count) => (0..*count).into_par_iter().map(one).collect(),
+        SampledScenes::Chosen(scenes) => scenes.par_iter().copied().map(one).collect(),
+    };
     Ok(SampleSurvey { kind, seed, scenes: scenes? })
 }
 
