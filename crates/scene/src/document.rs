@@ -8,6 +8,7 @@ use super::key::{Key, Kind};
 use super::keys::{KEYS, find_key, tables};
 use super::near::nearest;
 use super::optimisation;
+use super::rate;
 use super::scene::Scene;
 use super::seta;
 use super::space;
@@ -49,12 +50,21 @@ impl Scene {
         let scene = Self::parse_with_seta(name, text, overrides)?;
         match scene.seta {
             None => Ok(scene),
-            Some(_) => Err(seta_refused(&Origin::File { name, text }, text)),
+            Some(_) => Err(refused(&Origin::File { name, text }, text, seta::TABLE)),
         }
     }
 
     /// The same, of a scene that may have a seta, where [`Scene::parse`] refuses it: who reads this has to look at [`Scene::seta`].
     pub fn parse_with_seta(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
+        let scene = Self::parse_any(name, text, overrides)?;
+        match scene.time {
+            None => Ok(scene),
+            Some(_) => Err(refused(&Origin::File { name, text }, text, rate::TABLE)),
+        }
+    }
+
+    /// The same, of a scene that may be pulled at a rate as well: who reads this has to look at [`Scene::seta`] and [`Scene::time`].
+    pub fn parse_any(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
         let file = Origin::File { name, text };
         let document = DeTable::parse(text).map_err(|error| not_toml(&file, text, &error))?;
         let document = document.get_ref();
@@ -69,18 +79,24 @@ impl Scene {
     }
 }
 
-/// That a scene is one of a seta, where a single beam is peeled.
-fn seta_refused(file: &Origin, text: &str) -> SceneError {
+/// That a scene is one of a seta or pulled at a rate, where equilibria of a single beam are followed.
+fn refused(file: &Origin, text: &str, table: &str) -> SceneError {
     let document = DeTable::parse(text).ok();
     let header = document.as_ref().and_then(|document| {
         let mut tables = document.get_ref().iter();
-        tables.find(|(table, _)| name_of(table) == seta::TABLE).map(|(table, _)| table.span())
+        tables.find(|(found, _)| name_of(found) == table).map(|(found, _)| found.span())
     });
-    let problem = ValueError::new(
-        "is a table of a scene that `peel run` alone computes; here a single beam is peeled",
-        "Give the scene to `peel run`, or remove [seta] to peel one of its tips.",
-    );
-    file.error(header.unwrap_or_else(|| end_of(text)), &format!("[{}]", seta::TABLE), problem)
+    let problem = match table {
+        seta::TABLE => ValueError::new(
+            "is a table of a scene that `peel run` alone computes; here a single beam is peeled",
+            "Give the scene to `peel run`, or remove [seta] to peel one of its tips.",
+        ),
+        _ => ValueError::new(
+            "is a table of a scene that `peel run` alone follows in time; here equilibria are followed",
+            "Give the scene to `peel run`, or remove [time] to follow the equilibria.",
+        ),
+    };
+    file.error(header.unwrap_or_else(|| end_of(text)), &format!("[{table}]"), problem)
 }
 
 /// The scene of the text and the overrides, and what of it does not fit the rest.
@@ -115,6 +131,9 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
     set_space(scene, &file, document)?;
     if document.iter().any(|(table, _)| name_of(table) == seta::TABLE) {
         seta::begin(scene, bodies.is_empty());
+    }
+    if document.iter().any(|(table, _)| name_of(table) == rate::TABLE) {
+        rate::of(scene);
     }
     if document.iter().any(|(table, _)| name_of(table) == optimisation::TABLE) {
         optimisation::of(scene);
@@ -256,6 +275,9 @@ fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, Scene
         find_key(path).map_err(|problem| origin.error(0..path.len(), &format!("`{}`", one_line(path)), problem))?;
     if key.is_of_space() {
         space::set(scene, true);
+    }
+    if key.table == rate::TABLE && scene.seta.is_none() {
+        rate::of(scene);
     }
     if key.table == optimisation::TABLE {
         optimisation::of(scene);
