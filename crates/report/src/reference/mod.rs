@@ -3,6 +3,7 @@
 
 mod fit;
 mod optimisation;
+mod rate;
 mod seta;
 mod summary;
 mod tables;
@@ -11,6 +12,7 @@ mod uncertainty;
 
 pub use fit::{FIT_COLUMNS, FIT_SUMMARY, PROFILE_COLUMNS};
 pub use optimisation::{HISTORY_COLUMNS, OPTIMISATION_SUMMARY};
+pub use rate::{RATE_CURVE_COLUMNS, RATE_SUMMARY};
 pub use seta::{SETA_CURVE_COLUMNS, SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS};
 pub use summary::{PEEL_SUMMARY, SWEEP_SUMMARY};
 pub use tables::{CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS};
@@ -79,7 +81,9 @@ pub fn paths(keys: &[OutputKey]) -> Vec<String> {
 mod tests {
     use super::*;
 
-    const ALL: [&[OutputKey]; 23] = [
+    const ALL: [&[OutputKey]; 25] = [
+        RATE_SUMMARY,
+        RATE_CURVE_COLUMNS,
         SETA_SUMMARY,
         SETA_CURVE_COLUMNS,
         SETA_EVENT_COLUMNS,
