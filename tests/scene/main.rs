@@ -10,6 +10,7 @@ mod messages;
 mod overrides;
 mod parameters;
 mod pull;
+mod rate;
 mod reading;
 mod ready_scenes;
 mod seta;

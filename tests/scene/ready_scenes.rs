@@ -21,6 +21,15 @@ holding_angle = "40 deg"
 release_angle = "100 deg"
 "#;
 
+/// A pull at a rate, of a material that has this key.
+fn timed(key: &str) -> &'static str {
+    match key {
+        "material" => "[time]\nrate = \"1 mm/s\"\ndensity = \"1300 kg/m3\"\n",
+        "retardation_time" => crate::rate::KELVIN_VOIGT,
+        _ => crate::rate::SOLID,
+    }
+}
+
 #[test]
 fn every_example_that_messages_give_is_right() {
     for key in KEYS {
@@ -31,6 +40,7 @@ fn every_example_that_messages_give_is_right() {
             "substrate" => on_ground(key.shapes()[0]),
             "optimise" => MINIMAL.replace("height = \"10 nm\"", "height = \"5 nm\"\nwidth = \"10 nm\"") + OPTIMISED,
             "seta" => SETA.to_owned(),
+            "time" => format!("{MINIMAL}{}", timed(key.name)),
             "friction" => format!("{MINIMAL}[friction]\nstrength = \"50 MPa\"\n"),
             _ if ["work", "strength"].contains(&key.name) => {
                 MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")
@@ -45,7 +55,7 @@ fn every_example_that_messages_give_is_right() {
             }
             _ => MINIMAL.to_owned(),
         };
-        Scene::parse_with_seta("a.toml", &text, &set(&key.path(), key.example())).unwrap();
+        Scene::parse_any("a.toml", &text, &set(&key.path(), key.example())).unwrap();
     }
 }
 
@@ -59,8 +69,8 @@ fn the_ready_scenes_are_right() {
             if path.extension().is_some_and(|extension| extension == "toml") {
                 let text = std::fs::read_to_string(&path).unwrap();
                 let name = path.to_str().unwrap();
-                let scene = Scene::parse_with_seta(name, &text, &[]).unwrap();
-                assert_eq!(Scene::parse(name, &text, &[]).is_err(), scene.seta.is_some());
+                let scene = Scene::parse_any(name, &text, &[]).unwrap();
+                assert_eq!(Scene::parse(name, &text, &[]).is_err(), scene.seta.is_some() || scene.time.is_some());
                 read += 1;
             }
         }

@@ -6,10 +6,10 @@ use std::fs;
 #[track_caller]
 fn same(name: &str, text: &str, overrides: &[(&str, &str)]) -> String {
     let overrides: Vec<_> = overrides.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
-    let scene = Scene::parse_with_seta(name, text, &overrides).unwrap();
+    let scene = Scene::parse_any(name, text, &overrides).unwrap();
     let written = scene.to_toml();
     // beside no other file: tables stand in the text
-    let again = Scene::parse_with_seta("nowhere/parameters.toml", &written, &[]).unwrap();
+    let again = Scene::parse_any("nowhere/parameters.toml", &written, &[]).unwrap();
     assert_eq!(Scene { name: scene.name.clone(), ..again }, scene, "{written}");
     written
 }

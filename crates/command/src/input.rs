@@ -28,6 +28,11 @@ impl SceneArgs {
         read(&self.path, |name, text| Scene::parse_with_seta(name, text, &self.overrides))
     }
 
+    /// Reads the scene, which may have a seta or be pulled at a rate.
+    pub fn load_any(&self) -> Result<Scene, Stop> {
+        read(&self.path, |name, text| Scene::parse_any(name, text, &self.overrides))
+    }
+
     /// Where the outputs go when the user does not say; `parts` are what a command adds to the name.
     pub fn default_folder(&self, parts: &[String]) -> PathBuf {
         default_folder(&self.path, parts, &self.overrides)

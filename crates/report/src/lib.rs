@@ -16,6 +16,7 @@ mod number;
 pub mod overlay;
 mod parameters_file;
 pub mod pictures;
+mod rate;
 pub mod reference;
 mod seta;
 mod states;
@@ -42,6 +43,7 @@ pub use pictures::{
     curve_svg, draw_fit, draw_followed, draw_observed, draw_optimum, draw_peel, draw_peel_with_branch, draw_plane,
     draw_sensitivities, draw_sweep, draw_tip_law, draw_uncertainty,
 };
+pub use rate::{RateSummary, draw_rate, write_equilibria, write_rate_curve};
 pub use seta::{
     SETA_STATE_FIELDS, SetaLine, SetaPose, SetaRow, SetaStateField, SetaSummary, draw_pull_off, draw_swept_setae,
     seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve, write_seta_events,

@@ -5,6 +5,7 @@ use super::fit;
 use super::key::{Key, Kind, Need};
 use super::keys::KEYS;
 use super::optimisation;
+use super::rate;
 use super::scene::Scene;
 use super::seta;
 use super::uncertainty;
@@ -40,7 +41,7 @@ impl Conflict {
         if let Some(key) = KEYS.iter().filter(needed).find(|key| !is_given(key)) {
             return Some(Self::missing(key, given, scene));
         }
-        if let Some((key, problem)) = seta::problem(scene) {
+        if let Some((key, problem)) = seta::problem(scene).or_else(|| rate::problem(scene)) {
             return Some(Self { key, problem, missing: None });
         }
         let Err(error) = scene.check() else {

@@ -8,6 +8,7 @@ use super::key::{Key, Kind};
 use super::keys::{KEYS, find_key, tables};
 use super::near::nearest;
 use super::optimisation;
+use super::rate;
 use super::scene::Scene;
 use super::seta;
 use super::space;
@@ -55,6 +56,15 @@ impl Scene {
 
     /// The same, of a scene that may have a seta, where [`Scene::parse`] refuses it: who reads this has to look at [`Scene::seta`].
     pub fn parse_with_seta(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
+        let scene = Self::parse_any(name, text, overrides)?;
+        match scene.time {
+            None => Ok(scene),
+            Some(_) => Err(rate::refused(&Origin::File { name, text }, header_of(text, rate::TABLE))),
+        }
+    }
+
+    /// The same, of a scene that may be pulled at a rate as well: look at [`Scene::seta`] and [`Scene::time`].
+    pub fn parse_any(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
         let file = Origin::File { name, text };
         let document = DeTable::parse(text).map_err(|error| not_toml(&file, text, &error))?;
         let document = document.get_ref();
@@ -154,6 +164,7 @@ fn begin(scene: &mut Scene, table: &str) {
         optimisation::TABLE => _ = optimisation::of(scene),
         fit::TABLE => _ = fit::of(scene),
         uncertainty::TABLE => _ = uncertainty::of(scene),
+        rate::TABLE if scene.seta.is_none() => _ = rate::of(scene),
         _ => {}
     }
 }

@@ -6,6 +6,7 @@ use super::fit;
 use super::key::{Key, Kind, Need};
 use super::near::nearest;
 use super::optimisation as opt;
+use super::rate;
 use super::scene::Scene;
 use super::seta;
 use super::shape;
@@ -13,7 +14,7 @@ use super::space;
 use super::uncertainty;
 use super::value::Value;
 use super::value::quantity::Dimension::{
-    Angle, AnglePerLength, Energy, Force, Length, Pressure, Stiffness, Time, Work,
+    Angle, AnglePerLength, Density, Energy, Force, Length, Pressure, Stiffness, Time, Velocity, Work,
 };
 use Need::{Optional, Required};
 use peelkit::adhesion::Substrate;
@@ -113,6 +114,17 @@ pub static KEYS: &[Key] = &[
     key("drive", "azimuth", Optional, Kind::Measure(Angle, Range::AZIMUTH, |s| &mut space::of(s).azimuth), "in space: direction of the pull; 90 deg: sideways"),
     key("drive", "turn", Optional, Kind::Measure(AnglePerLength, Range::PULL_TURN, |s| &mut s.model.pull.turn), "rotation of a fixed grip per displacement"),
     key("drive", "steps", Optional, Kind::Steps(|s| &mut s.model.steps), "press, lift, drag, push, turn, release, hold, shift, roll, yaw first"),
+
+    key("time", "rate", Required, Kind::Quantity(Velocity, |s| &mut rate::of(s).rate), "velocity of what moves the grip"),
+    key("time", "density", Required, Kind::Measure(Density, Range::From(0.0, 1e6), |s| &mut rate::of(s).density), "density of the beam; 0: without inertia"),
+    key("time", "material", Optional, Kind::Setting(&rate::MATERIAL), "whether and how the material flows"),
+    key("time", "retardation_time", Optional, Kind::Bound(Time, |s| &mut rate::of(s).retardation_time), "of a Kelvin-Voigt material: viscosity over modulus"),
+    key("time", "relaxation_time", Optional, Kind::Bound(Time, |s| &mut rate::of(s).relaxation_time), "of a standard linear solid: at constant strain"),
+    key("time", "stiffness_ratio", Optional, Kind::Share(Range::Between(1.0, 1e6), |s| &mut rate::of(s).stiffness_ratio), "of a standard linear solid: instantaneous over relaxed modulus"),
+    key("time", "displacement", Optional, Kind::Bound(Length, |s| &mut rate::of(s).displacement), "where the grip comes to rest; none: the length of the body"),
+    key("time", "held", Optional, Kind::Bound(Time, |s| &mut rate::of(s).held), "time at rest behind that; none: ends where nothing adheres"),
+    key("time", "acceleration", Optional, Kind::Bound(Length, |s| &mut rate::of(s).acceleration), "way on which the grip accelerates; none: about 0.1 r0"),
+    key("time", "tolerance", Optional, Kind::Number(Range::Between(0.0, 0.1), |s| &mut rate::of(s).tolerance), "error of a step in time over the equilibrium gap"),
 
     key("accuracy", "relative", Optional, Kind::Number(Accuracy::RELATIVE, |s| &mut s.accuracy.relative), "relative tolerance of every reported force and displacement"),
     key("accuracy", "order", Optional, Kind::Fixed(Discretisation::MOST_ORDER, |s| &mut s.accuracy.choice.order), "order p of the elements"),

@@ -3,6 +3,7 @@
 use crate::bounds::BoundsTable;
 use crate::fit::FitTable;
 use crate::optimisation::OptimisationTable;
+use crate::rate::TimeTable;
 use crate::seta::SetaTable;
 use crate::uncertainty::UncertaintyTable;
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
@@ -21,6 +22,8 @@ pub struct Scene {
     pub model: PeelModel,
     /// The seta, where the scene has one; `peel run`, `peel sweep` and `peel uncertainty` compute it.
     pub seta: Option<SetaTable>,
+    /// The rate of the pull, where the scene has one; `peel run` alone follows it in time.
+    pub time: Option<TimeTable>,
     /// What the user asks of the numbers.
     pub accuracy: Accuracy,
     /// Where the path may be stopped although it goes on.
@@ -50,6 +53,7 @@ impl Scene {
     pub(crate) fn of_defaults() -> Self {
         Self {
             seta: Some(SetaTable::default()),
+            time: Some(TimeTable::default()),
             fit: Some(FitTable::default()),
             optimisation: Some(OptimisationTable::default()),
             uncertainty: Some(UncertaintyTable::default()),
@@ -68,6 +72,7 @@ impl Scene {
             accuracy: Accuracy::to(1e-6),
             bounds: BoundsTable { points: 20_000, time_s: Some(60.0), displacement: None },
             seta: None,
+            time: None,
             fit: None,
             optimisation: None,
             uncertainty: None,

@@ -4,9 +4,9 @@
 use super::{hold, row, text, with_part};
 use peelkit_report::reference::{
     CURVE_COLUMNS, FIT_COLUMNS, FIT_SUMMARY, HISTORY_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS,
-    OPTIMISATION_SUMMARY, OutputKey, PEEL_SUMMARY, PROFILE_COLUMNS, SAMPLE_COLUMNS, SETA_CURVE_COLUMNS,
-    SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_SWEEP_COLUMNS, SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS, STATE_COLUMNS,
-    SWEEP_COLUMNS, SWEEP_SUMMARY, TIP_LAW_COLUMNS, TIP_LIMIT_COLUMNS, TIP_SUMMARY, UNCERTAINTY_COLUMNS,
+    OPTIMISATION_SUMMARY, OutputKey, PEEL_SUMMARY, PROFILE_COLUMNS, RATE_CURVE_COLUMNS, RATE_SUMMARY, SAMPLE_COLUMNS,
+    SETA_CURVE_COLUMNS, SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_SWEEP_COLUMNS, SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS,
+    STATE_COLUMNS, SWEEP_COLUMNS, SWEEP_SUMMARY, TIP_LAW_COLUMNS, TIP_LIMIT_COLUMNS, TIP_SUMMARY, UNCERTAINTY_COLUMNS,
     UNCERTAINTY_SUMMARY, paths,
 };
 use peelkit_report::{SETA_STATE_FIELDS, SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
@@ -44,6 +44,8 @@ fn the_output_reference_is_that_of_the_lists() {
         ("tips.csv", SETA_TIP_COLUMNS, "column"),
         ("tip.csv", SETA_TIP_CURVE_COLUMNS, "column"),
         ("states.pvd of a seta", &seta_arrays(), "array"),
+        ("summary.json of a rate", RATE_SUMMARY, "key"),
+        ("curve.csv of a rate", RATE_CURVE_COLUMNS, "column"),
         ("peel coarsen", TIP_SUMMARY, "key"),
         ("tip_law.csv", TIP_LAW_COLUMNS, "column"),
         ("tip_limits.csv", TIP_LIMIT_COLUMNS, "column"),
@@ -303,4 +305,18 @@ fn every_key_and_column_of_a_seta_is_described() {
     let table = std::fs::read_to_string(folder.path().join("sweep/sweep.csv")).unwrap();
     let columns = table.lines().next().unwrap().split(',').filter(|column| !column.starts_with("seta."));
     assert_described(&columns.map(str::to_owned).collect(), SETA_SWEEP_COLUMNS, "sweep.csv of setae");
+}
+
+/// A strip that is pulled over its peak.
+#[test]
+fn every_key_and_column_of_a_rate_is_described() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = format!("{}/scenes/strip-at-a-rate.toml", super::ROOT);
+    peel(&["run", &scene, "--out", "out", "--set", "time.displacement=1 nm"], folder.path());
+    let file = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    let mut found = BTreeSet::new();
+    keys_of(&serde_json::from_str(&file("summary.json")).unwrap(), "", &mut found);
+    assert_described(&found, RATE_SUMMARY, "summary.json of a rate");
+    let columns = file("curve.csv").lines().next().unwrap().split(',').map(str::to_owned).collect();
+    assert_described(&columns, RATE_CURVE_COLUMNS, "curve.csv of a rate");
 }

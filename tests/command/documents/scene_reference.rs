@@ -93,5 +93,5 @@ fn trimmed(number: f64) -> String {
 
 fn dimensions() -> Vec<Dimension> {
     use Dimension::*;
-    vec![Length, Pressure, Energy, Work, Force, Stiffness, Angle, AnglePerLength, Time]
+    vec![Length, Pressure, Energy, Work, Force, Stiffness, Angle, AnglePerLength, Time, Velocity, Density]
 }

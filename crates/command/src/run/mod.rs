@@ -2,6 +2,7 @@
 
 mod kept;
 mod progress;
+mod rate;
 mod sensitivities;
 mod seta;
 pub use seta::PRESSED;
@@ -147,11 +148,12 @@ impl Run {
 }
 
 pub fn run(args: &Run) -> Result<(), Stop> {
-    let scene = args.scene.load_with_seta()?;
+    let scene = args.scene.load_any()?;
     args.refuse_states_without_files()?;
-    match &scene.seta {
-        Some(table) => seta::run(args, &scene, table),
-        None => peel(args, &scene),
+    match (&scene.seta, &scene.time) {
+        (Some(table), _) => seta::run(args, &scene, table),
+        (None, Some(table)) => rate::run(args, &scene, table),
+        (None, None) => peel(args, &scene),
     }
 }
 

@@ -13,6 +13,7 @@ use crate::bodies::{BODIES, body_of};
 use crate::error::ValueError;
 use crate::fit;
 use crate::optimisation;
+use crate::rate;
 use crate::scene::Scene;
 use crate::seta;
 use crate::shape;
@@ -49,6 +50,7 @@ impl Key {
         }
         match self.table {
             seta::TABLE => scene.seta.is_some(),
+            rate::TABLE => scene.time.is_some(),
             fit::TABLE => scene.fit.is_some(),
             optimisation::TABLE => scene.optimisation.is_some(),
             uncertainty::TABLE => scene.uncertainty.is_some(),
@@ -99,6 +101,12 @@ impl Key {
             return ValueError::new(
                 "is a key of [fit], a table that the scene does not have",
                 "Add the table [fit] to the scene.",
+            );
+        }
+        if self.table == rate::TABLE {
+            return ValueError::new(
+                "is a key of [time], a table that the scene does not have",
+                "Add the table [time] to the scene.",
             );
         }
         let body = body_of(scene);

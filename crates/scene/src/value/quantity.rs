@@ -24,10 +24,14 @@ pub enum Dimension {
     Force,
     /// rad/nm
     AnglePerLength,
+    /// m/s
+    Velocity,
+    /// kg/m³
+    Density,
 }
 
 impl Dimension {
-    const ALL: [Self; 9] = [
+    const ALL: [Self; 11] = [
         Self::Length,
         Self::Pressure,
         Self::Energy,
@@ -37,6 +41,8 @@ impl Dimension {
         Self::Work,
         Self::Force,
         Self::AnglePerLength,
+        Self::Velocity,
+        Self::Density,
     ];
 
     /// The unit inside the library, as it stands in the names of outputs.
@@ -56,6 +62,8 @@ impl Dimension {
             Self::Work => &["J/m2", "mJ/m2", "N/m", "mN/m"],
             Self::Force => &["nN", "uN", "mN", "N", "pN"],
             Self::AnglePerLength => &["rad/nm", "deg/nm", "rad/um", "deg/um"],
+            Self::Velocity => &["m/s", "mm/s", "um/s", "nm/s"],
+            Self::Density => &["kg/m3", "g/cm3"],
         }
     }
 
@@ -79,6 +87,17 @@ impl Dimension {
             Self::Angle => [0, 0, 0, 1],
             Self::Force => [0, 1, 0, 0],
             Self::AnglePerLength => [-1, 0, 0, 1],
+            Self::Velocity => [1, 0, -1, 0],
+            Self::Density => [-4, 1, 2, 0],
+        }
+    }
+
+    /// The power of ten of its unit in products of nm, nN, s and rad: of most one.
+    const fn decades(self) -> i32 {
+        match self {
+            Self::Velocity => 9,
+            Self::Density => -27,
+            _ => 0,
         }
     }
 
@@ -102,6 +121,8 @@ impl fmt::Display for Dimension {
             Self::Work => "a work per area",
             Self::Force => "a force",
             Self::AnglePerLength => "an angle per length",
+            Self::Velocity => "a velocity",
+            Self::Density => "a density",
         })
     }
 }
@@ -182,7 +203,7 @@ pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityE
         return Err(QuantityError::NoUnit);
     }
     match Unit::read(written) {
-        Some(unit) if unit.powers == dimension.powers() => Ok(unit.inside(value)),
+        Some(unit) if unit.powers == dimension.powers() => Ok(unit.moved(-dimension.decades()).inside(value)),
         Some(unit) => Err(QuantityError::WrongDimension {
             unit: written.to_owned(),
             measures: Dimension::measured_by(unit.powers),
@@ -240,6 +261,11 @@ mod tests {
             ("4 Å", Dimension::Length, 0.4),
             ("0.2 uN", Dimension::Force, 200.0),
             ("60 s", Dimension::Time, 60.0),
+            ("0.1 mm/s", Dimension::Velocity, 1e-4),
+            ("0.001 m/s", Dimension::Velocity, 0.001),
+            ("1.3 g/cm3", Dimension::Density, 1300.0),
+            ("1300 kg/m³", Dimension::Density, 1300.0),
+            ("1300 N s2/m4", Dimension::Density, 1300.0),
             ("1 min", Dimension::Time, 60.0),
         ] {
             assert_eq!(parse_quantity(text, dimension), Ok(inside), "{text}");

@@ -39,6 +39,7 @@ const UNITS: &[(&str, Prefixed, Unit)] = &[
     ("eV", Prefixed::Yes, unit([1, 1, 0, 0], -1, 1.602_176_634)),
     ("erg", Prefixed::No, unit([1, 1, 0, 0], 11, 1.0)),
     ("s", Prefixed::Yes, unit([0, 0, 1, 0], 0, 1.0)),
+    ("g", Prefixed::Yes, unit([-1, 1, 2, 0], -3, 1.0)),
     ("min", Prefixed::No, unit([0, 0, 1, 0], 0, 60.0)),
     ("h", Prefixed::No, unit([0, 0, 1, 0], 0, 3600.0)),
     ("rad", Prefixed::Yes, unit([0, 0, 0, 1], 0, 1.0)),
@@ -108,6 +109,11 @@ impl Unit {
         let powers = std::array::from_fn(|i| self.powers[i] + power * other.powers[i]);
         let (decades, factor) = (self.decades + power * other.decades, self.factor * other.factor.powi(power));
         unit(powers, decades, factor)
+    }
+
+    /// The unit that is so many powers of ten as large.
+    pub(super) fn moved(self, decades: i32) -> Self {
+        Self { decades: self.decades + decades, ..self }
     }
 
     /// `value` of this unit in those of the library: the decimal point moves, nothing is rounded twice.

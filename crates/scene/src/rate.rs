@@ -1,0 +1,195 @@
+//! A pull at a rate: the table `time`, and what it says of the material, the grip and the steps in time.
+
+use super::error::{Origin, SceneError, ValueError};
+use super::key::Setting;
+use super::scene::Scene;
+use super::value::{Fault, Value, quoted};
+use peelkit::beam::Viscosity;
+use peelkit::model::MovingMaterial;
+use peelkit::study::{PullRate, TimeAccuracy, Until};
+use std::ops::Range;
+
+/// The table of a scene.
+pub(super) const TABLE: &str = "time";
+/// The library counts times in ns, a scene in s.
+const NS_PER_S: f64 = 1e9;
+
+/// How the material of a beam flows; its times and its ratio are keys of their own.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Flow {
+    /// Not at all
+    #[default]
+    Elastic,
+    /// A spring beside a dashpot
+    KelvinVoigt,
+    /// A spring beside a spring and a dashpot in series
+    StandardLinearSolid,
+}
+
+/// The words for it.
+const FLOWS: [(&str, Flow); 3] = [
+    ("elastic", Flow::Elastic),
+    ("kelvin-voigt", Flow::KelvinVoigt),
+    ("standard-linear-solid", Flow::StandardLinearSolid),
+];
+
+/// `material`
+pub(super) static MATERIAL: Setting = Setting {
+    takes: "\"elastic\", \"kelvin-voigt\" or \"standard-linear-solid\"",
+    brief: "one of three words",
+    example: "\"elastic\"",
+    read: |scene, value| {
+        let Value::Text(text) = value else { return Err(Fault::whole(format!("is {value}, no word"))) };
+        let found = FLOWS.iter().find(|(word, _)| word == text);
+        let none = || Fault::whole(format!("is {}, which is none of its values", quoted(text)));
+        of(scene).material = found.ok_or_else(none)?.1;
+        Ok(())
+    },
+    write: |scene| Some(Value::Text(word(scene.time.as_ref()?.material).to_owned())),
+};
+
+fn word(flow: Flow) -> &'static str {
+    FLOWS.iter().find(|(_, own)| *own == flow).map_or("", |(word, _)| word)
+}
+
+/// That a scene is pulled at a rate, where equilibria are followed.
+pub(super) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
+    let problem = ValueError::new(
+        "is a table of a scene that `peel run` alone follows in time; here equilibria are followed",
+        "Give the scene to `peel run`, or remove [time] to follow the equilibria.",
+    );
+    file.error(header, &format!("[{TABLE}]"), problem)
+}
+
+/// A pull at a rate as a scene gives it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TimeTable {
+    /// Velocity of what moves the grip, m/s
+    pub rate: f64,
+    /// ρ, kg/m³
+    pub density: f64,
+    /// How the material flows
+    pub material: Flow,
+    /// τ of Kelvin and Voigt's material, s
+    pub retardation_time: Option<f64>,
+    /// τ of a standard linear solid, s
+    pub relaxation_time: Option<f64>,
+    /// E₀/E∞ of a standard linear solid
+    pub stiffness_ratio: Option<f64>,
+    /// Where the grip comes to rest, nm; none: as far away as the body is long
+    pub displacement: Option<f64>,
+    /// How long it is followed at rest, s; none: it ends where nothing adheres, or where the grip comes to rest
+    pub held: Option<f64>,
+    /// On how much of its way the grip accelerates, nm; none: a tenth of what moves a section by r0
+    pub acceleration: Option<f64>,
+    /// Error of a step in time over the gap at rest
+    pub tolerance: f64,
+}
+
+impl Default for TimeTable {
+    /// An elastic material; rate and density are NaN until a text gives them.
+    fn default() -> Self {
+        Self {
+            rate: f64::NAN,
+            density: f64::NAN,
+            material: Flow::Elastic,
+            retardation_time: None,
+            relaxation_time: None,
+            stiffness_ratio: None,
+            displacement: None,
+            held: None,
+            acceleration: None,
+            tolerance: TimeAccuracy::default().tolerance,
+        }
+    }
+}
+
+impl TimeTable {
+    /// The keys of a material with what they hold, and whose they are.
+    fn of_materials(&self) -> [(&'static str, Option<f64>, Flow); 3] {
+        [
+            ("retardation_time", self.retardation_time, Flow::KelvinVoigt),
+            ("relaxation_time", self.relaxation_time, Flow::StandardLinearSolid),
+            ("stiffness_ratio", self.stiffness_ratio, Flow::StandardLinearSolid),
+        ]
+    }
+
+    /// The material as it moves. What it lacks is NaN, which a scene that was read does not.
+    pub fn moving_material(&self) -> MovingMaterial {
+        let ns = |time: Option<f64>| NS_PER_S * time.unwrap_or(f64::NAN);
+        let viscosity = match self.material {
+            Flow::Elastic => Viscosity::Elastic,
+            Flow::KelvinVoigt => Viscosity::KelvinVoigt { retardation_time: ns(self.retardation_time) },
+            Flow::StandardLinearSolid => Viscosity::StandardLinearSolid {
+                relaxation_time: ns(self.relaxation_time),
+                stiffness_ratio: self.stiffness_ratio.unwrap_or(f64::NAN),
+            },
+        };
+        MovingMaterial { density: self.density, viscosity }
+    }
+}
+
+/// The table of a scene, which has one from now on.
+pub(super) fn of(scene: &mut Scene) -> &mut TimeTable {
+    scene.time.get_or_insert_default()
+}
+
+impl Scene {
+    /// How the grip is pulled at the rate of a table.
+    pub fn pull_rate(&self, table: &TimeTable) -> PullRate {
+        let until = table.held.map_or(Until::ContactLost, |time| Until::Held(NS_PER_S * time));
+        let to = table.displacement.unwrap_or(self.model.length());
+        PullRate { accelerates: table.acceleration, until, ..PullRate::new(to, table.rate) }
+    }
+
+    /// How accurately that is followed: with the elements and their order, and the largest number of points, that the scene names.
+    pub fn time_accuracy(&self, table: &TimeTable) -> TimeAccuracy {
+        let (choice, usual) = (&self.accuracy.choice, TimeAccuracy::default());
+        TimeAccuracy {
+            elements: choice.elements,
+            order: choice.order.unwrap_or(usual.order),
+            tolerance: table.tolerance,
+            most_steps: self.bounds.points,
+            ..usual
+        }
+    }
+}
+
+/// What of a pull at a rate is wrong: by the key of the scene.
+pub(super) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
+    let table = scene.time.as_ref()?;
+    let own = word(table.material);
+    for (key, value, flow) in table.of_materials() {
+        match (value, flow == table.material) {
+            (Some(_), false) => {
+                let problem = ValueError::new(
+                    format!("is given, and the material of the pull at a rate is \"{own}\""),
+                    format!("Remove `{key}`, or write material = \"{}\" in [time].", word(flow)),
+                );
+                return Some((format!("{TABLE}.{key}"), problem));
+            }
+            (None, true) => {
+                let example = if key == "stiffness_ratio" { "2.0" } else { "\"1 us\"" };
+                let problem = ValueError::new(
+                    format!("is \"{own}\", a material with a `{key}`, which is not given"),
+                    format!("Add for example {key} = {example} to [time]."),
+                );
+                return Some((format!("{TABLE}.material"), problem));
+            }
+            _ => {}
+        }
+    }
+    let model = &scene.model;
+    let not_covered = [
+        (model.space.is_some(), "is in space"),
+        (!model.ground.substrate.is_flat(), "has ground that is not flat"),
+        (model.friction_law().is_some(), "has friction"),
+        (!model.steps.is_empty(), "has steps before the pull"),
+    ];
+    let (_, what) = not_covered.into_iter().find(|(is_there, _)| *is_there)?;
+    let problem = ValueError::new(
+        format!("is given, and the scene {what}, which is not followed in time"),
+        "Remove [time] to follow the equilibria, or give a beam in the plane on flat ground without friction and steps.",
+    );
+    Some((format!("{TABLE}.rate"), problem))
+}
