@@ -222,7 +222,7 @@ mod tests {
         let partial = open();
         assert!(partial.found(1.0, Some(2.0)).is_some());
         assert!(partial.found(1.0, None).is_none() && partial.found(1.0, Some(3.0)).is_none());
-        let one = PartialSweep::open(dir.path(), &scene(), keys.first, None);
+        let one = <PartialSweep>::open(dir.path(), &scene(), keys.first, None);
         assert!(matches!(one, Err(ReportError::OtherSweep { .. })));
     }
 
@@ -266,7 +266,7 @@ mod tests {
         let path = dir.path().join(PartialSweep::NAME);
         let refused = |scene: &Scene, key: &str| {
             let before = fs::read(&path).unwrap();
-            let error = PartialSweep::open(dir.path(), scene, find_key(key).unwrap(), None).unwrap_err();
+            let error = <PartialSweep>::open(dir.path(), scene, find_key(key).unwrap(), None).unwrap_err();
             assert!(matches!(error, ReportError::OtherSweep { .. }) && error.to_string().contains(PartialSweep::NAME));
             assert_eq!(fs::read(&path).unwrap(), before);
         };
