@@ -28,7 +28,7 @@ fn scenes_of_the_documents_are_read() {
     let mut read = 0;
     for path in documents() {
         for block in blocks(&text(&path)).iter().filter(|block| block.kind == "toml") {
-            let scene = Scene::parse(name.to_str().unwrap(), &completed(&block.text), &[]);
+            let scene = Scene::parse_any(name.to_str().unwrap(), &completed(&block.text), &[]);
             let error = scene.err().map(|error| format!("{error:?}"));
             assert!(error.is_none(), "{path}, line {}: {}", block.lines.start, error.unwrap_or_default());
             read += 1;
