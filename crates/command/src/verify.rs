@@ -32,7 +32,7 @@ pub struct Verify {
     #[arg(conflicts_with_all = ["only", "hard"])]
     scenes: Vec<u64>,
 
-    /// What is sampled: strip, angle, spatula, law or space; all of them unless given
+    /// What is sampled: strip, angle, spatula, law or space; all unless given
     #[arg(long, value_name = "KIND")]
     kind: Option<String>,
 
