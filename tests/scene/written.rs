@@ -19,7 +19,7 @@ fn the_model_of_every_scene_is_read_as_it_was_written() {
     assert!(paths.len() > 20, "{paths:?}");
     for path in paths {
         let text = fs::read_to_string(&path).unwrap();
-        let scene = Scene::parse_with_seta(path.to_str().unwrap(), &text, &[]).unwrap();
+        let scene = Scene::parse_any(path.to_str().unwrap(), &text, &[]).unwrap();
         let model = if scene.seta.is_some() { scene.tip_model() } else { scene.model };
         let written = serde_json::to_string(&model).unwrap();
         let read: PeelModel = serde_json::from_str(&written).unwrap();
