@@ -130,7 +130,7 @@ impl PeelModel {
         };
         adjust(&mut beam);
         let measure = PathMeasure {
-            monitors: [beam.process_length, beam.scale[beam.rotation]],
+            monitors: [beam.process_length, beam.scale[beam.rotation], f64::INFINITY],
             force: rest_adhesion.abs(),
             by_force: false,
         };

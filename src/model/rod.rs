@@ -145,7 +145,7 @@ impl RodModel {
             ..EndConditions::drive(self.driven())
         };
         let force = if self.drive == Drive::Rotation { moment } else { moment / length };
-        let measure = PathMeasure { monitors: [f64::INFINITY, scale[2]], force, by_force: true };
+        let measure = PathMeasure { monitors: [f64::INFINITY, scale[2], f64::INFINITY], force, by_force: true };
         Ok(BeamProblem::new(Beam::Planar(Arc::new(beam)), grip, measure, InitialState::StressFree))
     }
 

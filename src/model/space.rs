@@ -172,7 +172,7 @@ impl PeelModel {
             inertia: None,
         };
         let measure = PathMeasure {
-            monitors: [beam.process_length, beam.scale[1]],
+            monitors: [beam.process_length, beam.scale[1], beam.scale[1]],
             force: beam.rest_adhesion.abs(),
             by_force: false,
         };

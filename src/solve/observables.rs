@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// How many numbers of its own a system may measure a path by.
-pub const MONITORS: usize = 2;
+pub const MONITORS: usize = 3;
 
 /// The numbers that tell where on the path an equilibrium lies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -38,12 +38,13 @@ impl Observables {
             + self.displacement * other.displacement
             + self.monitors[1] * other.monitors[1]
             + self.force * other.force
+            + self.monitors[2] * other.monitors[2]
     }
 
     /// Whether every component is a finite number.
     pub fn is_finite(&self) -> bool {
-        let Self { monitors: [first, second], displacement, force, recorded } = *self;
-        [first, second, displacement, force, recorded].iter().all(|number| number.is_finite())
+        let Self { monitors: [first, second, third], displacement, force, recorded } = *self;
+        [first, second, third, displacement, force, recorded].iter().all(|number| number.is_finite())
     }
 
     /// Each component times a number.

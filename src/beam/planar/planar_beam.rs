@@ -13,6 +13,9 @@ use std::sync::Arc;
 pub const FRONT: usize = 0;
 /// The monitor that is θ(0), the rotation of the left end, rad. The number for the record is θ(L), that of the grip.
 pub const TIP_ROTATION: usize = 1;
+/// The monitor that is the roll of the grip's end, rad; zero of a planar beam. Where the plane of a symmetric pull loses its stability the others
+/// stay as they are to first order, and none of them tells its branches apart.
+pub const ROLL: usize = 2;
 
 /// A chain with its reference configuration and the scales of its adhesion.
 ///
@@ -187,7 +190,7 @@ impl PlanarBeam {
         let nodes = self.nodes(&at.values);
         Evaluation {
             energy: self.energy_of(at, chain),
-            monitors: [self.front(chain.coverage), nodes[self.rotation]],
+            monitors: [self.front(chain.coverage), nodes[self.rotation], 0.0],
             recorded: nodes[nodes.len() - self.fields() + self.rotation],
         }
     }

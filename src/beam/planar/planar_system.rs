@@ -108,7 +108,7 @@ impl System for PlanarBeam {
         let nodes = self.nodes(direction);
         let (energy, adhesion) = self.chain.energy(self.configuration(at), nodes);
         let rates = Rates {
-            monitors: [self.front(adhesion), nodes[self.rotation]],
+            monitors: [self.front(adhesion), nodes[self.rotation], 0.0],
             recorded: nodes[nodes.len() - self.fields() + self.rotation],
         };
         (self.evaluation(at, energy), rates)

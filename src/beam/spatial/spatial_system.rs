@@ -7,7 +7,7 @@ use super::rotation::{apply, apply_transposed, cross, matrix};
 use super::shared_system::{condensed, node_difference, step_node, weighted_sum};
 use super::spatial_beam::{ANGLES, SpatialBeam};
 use crate::beam::mesh::nodal_lengths;
-use crate::beam::{ElementEnergy, FRONT, MeshKind, TIP_ROTATION};
+use crate::beam::{ElementEnergy, FRONT, MeshKind, ROLL, TIP_ROTATION};
 use crate::solve::{
     Coefficients, CondensedSystem, Evaluation, INTERFACE, MONITORS, Mesh, NodalTerms, Rates, SolveError, State, System,
     Unknown, Workspace,
@@ -41,7 +41,7 @@ impl SpatialBeam {
         let angles = self.configuration(at).angles;
         Evaluation {
             energy: chain.total,
-            monitors: [self.front(chain.coverage), angles[0][0]],
+            monitors: [self.front(chain.coverage), angles[0][0], self.angles_of_grip(at)[2]],
             recorded: self.rotation_of_grip(at),
         }
     }
@@ -73,7 +73,11 @@ impl SpatialBeam {
         let mut row = SpatialFunctional { coverage: self.front(weights[FRONT]), left: [0.0; F] };
         row.left[3] = weights[TIP_ROTATION];
         let root = self.chain.eliminate(self.configuration(at), &row, added, ws.factors::<SpatialFactors>())?;
-        Ok(condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, root.energy)))
+        let mut condensed =
+            condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, root.energy));
+        let by_turns = self.roll_by_turns(at);
+        (0..3).for_each(|k| condensed.gradient[3 + k] += weights[ROLL] * by_turns[k]);
+        Ok(condensed)
     }
 
     /// What places of a node are measured by, nm.
@@ -140,7 +144,9 @@ impl System for SpatialBeam {
             EndRotation::Angles => direction[direction.len() - F + 3],
             EndRotation::Free => self.rotation_rate(at, direction),
         };
-        let rates = Rates { monitors: [self.front(adhesion), direction[3]], recorded };
+        let (by_turns, turns) = (self.roll_by_turns(at), &direction[direction.len() - 3..]);
+        let roll = by_turns.iter().zip(turns).map(|(by, turn)| by * turn).sum();
+        let rates = Rates { monitors: [self.front(adhesion), direction[3], roll], recorded };
         (self.evaluation(at, energy), rates)
     }
 
@@ -152,6 +158,9 @@ impl System for SpatialBeam {
         };
         gradient.iter_mut().for_each(|entry| *entry = weights[FRONT] * self.front(*entry));
         gradient[3] += weights[TIP_ROTATION];
+        let turns = gradient.len() - 3;
+        let by_turns = self.roll_by_turns(at);
+        (0..3).for_each(|k| gradient[turns + k] += weights[ROLL] * by_turns[k]);
         gradient
     }
 
@@ -296,6 +305,20 @@ impl System for SpatialBeam {
 }
 
 impl SpatialBeam {
+    /// How the roll of the right end changes with its three turns.
+    fn roll_by_turns(&self, at: &State) -> [f64; 3] {
+        let end = &self.chain.ends[1];
+        if end.rotation == EndRotation::Angles {
+            return [0.0, 0.0, 1.0];
+        }
+        let rest = matrix(end.rest);
+        let r = matrix(quaternion_of(self.chain.end_node(self.configuration(at), 1)));
+        // what lies along y and z at rest rises above the plane by sine and cosine of the roll, both times the cosine of the yaw
+        let [(sin, by_sin), (cos, by_cos)] = [rest[1], rest[2]].map(|along| (apply(&r, &along)[2], cross(along, r[2])));
+        let square = (sin * sin + cos * cos).max(f64::MIN_POSITIVE);
+        std::array::from_fn(|k| (cos * by_sin[k] - sin * by_cos[k]) / square)
+    }
+
     /// How fast θ of an end that turns freely changes along a direction.
     fn rotation_rate(&self, at: &State, direction: &[f64]) -> f64 {
         let rest = matrix(self.chain.ends[1].rest);

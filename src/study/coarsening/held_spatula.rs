@@ -7,8 +7,8 @@ use super::error::HeldError;
 use super::place::{PadEnd, TipPlace, TipResponse};
 use crate::model::{BeamProblem, Discretisation, Form, Grip, Hold, PeelModel, Pull};
 use crate::solve::{
-    Coefficients, INTERFACE, NewtonOptions, Observables, Path, PathConstraint, PathOptions, Solution, SolveError,
-    State, Workspace, solve,
+    Coefficients, INTERFACE, MONITORS, NewtonOptions, Observables, Path, PathConstraint, PathOptions, Solution,
+    SolveError, State, Workspace, solve,
 };
 use crate::study::Accuracy;
 use crate::study::accuracy::Resolution;
@@ -135,7 +135,7 @@ impl HeldSpatula {
     /// Energy, forces and stiffness of an equilibrium.
     pub fn response(&self, at: &State, ws: &mut Workspace) -> Result<TipResponse, SolveError> {
         let system = &*self.problem.system;
-        let root = system.factorise(at, Coefficients::STATIC, [0.0; 2], ws)?;
+        let root = system.factorise(at, Coefficients::STATIC, [0.0; MONITORS], ws)?;
         let residual = system.residual(at);
         let slots = self.slots();
         let force = slots.map(|slot| slot.map_or(0.0, |slot| residual[system.place_of(slot, at)]));

@@ -103,7 +103,7 @@ impl Standing {
         };
         let monitor = watched.map(|tip| JointUnknown { joint: seta.tip_joint(tip), slot: HEIGHT });
         let tree = self.tree.with_energies(self.tips.iter().enumerate().map(energy));
-        let tree = tree.with_root_axes(drive.axes).with_monitors([monitor, None]);
+        let tree = tree.with_root_axes(drive.axes).with_monitors([monitor, None, None]);
         let mut origin = [0.0; INTERFACE];
         for k in 0..3 {
             origin[k] = (0..3).map(|i| drive.axes[i][k] * drive.from[i]).sum();
@@ -113,7 +113,7 @@ impl Standing {
         Problem {
             grip: EndConditions { held, origin, ..EndConditions::drive(0) },
             system: Arc::new(tree),
-            measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true },
+            measure: PathMeasure { monitors: [f64::INFINITY; 3], force: 1.0, by_force: true },
             start: InitialState::StressFree,
         }
     }

@@ -37,7 +37,7 @@ const NAMES: [Unknown; INTERFACE] = [Unknown { name: "displacement", unit: "nm" 
 
 impl Truss {
     pub fn problem(self, grip: EndConditions) -> Problem {
-        let measure = PathMeasure { monitors: [f64::INFINITY, 1.0], force: 1.0, by_force: true };
+        let measure = PathMeasure { monitors: [f64::INFINITY, 1.0, f64::INFINITY], force: 1.0, by_force: true };
         Problem { system: Arc::new(self), grip, measure, start: InitialState::StressFree }
     }
 

@@ -27,7 +27,7 @@ fn truss() -> Truss {
             (1, 3, 0.7),
         ],
         interface: vec![2, 3, 4, 5],
-        monitors: [0, 3],
+        monitors: [0, 3, 1],
         follower: 0.3,
     }
 }
@@ -47,7 +47,7 @@ fn grip() -> EndConditions {
     }
 }
 
-const WEIGHTS: Observables = Observables { monitors: [0.7, -0.2], displacement: 0.5, force: 0.1, recorded: 0.0 };
+const WEIGHTS: Observables = Observables { monitors: [0.7, -0.2, 0.4], displacement: 0.5, force: 0.1, recorded: 0.0 };
 
 fn state() -> State {
     State { values: vec![0.02, -0.1, 0.05, 0.03, -0.04, 0.06], force: 0.2, ..State::default() }

@@ -32,7 +32,7 @@ fn truss(height: f64) -> Truss {
         free: 1,
         bars: vec![(0, 1, STIFFNESS), (0, 2, STIFFNESS)],
         interface: vec![1],
-        monitors: [0, 1],
+        monitors: [0, 1, 0],
         follower: 0.0,
     }
 }

@@ -21,7 +21,7 @@ use peelkit::beam::rotation::cross;
 use peelkit::beam::{EndRotation, SpatialBeam, SpatialProfile, SpatialRestCurve, SpatialStiffness};
 use peelkit::solve::{Coefficients, State, System, Workspace};
 
-const WEIGHTS: [f64; 2] = [0.7, 0.3];
+const WEIGHTS: [f64; 3] = [0.7, 0.3, 0.4];
 const MOST_OFF: f64 = 1e-9;
 
 /// The derivative at zero of a function of one number.
@@ -110,19 +110,20 @@ fn first_derivatives(beam: &SpatialBeam, at: &State, numbers: &mut Numbers) {
             let evaluation = beam.evaluate(&there, &still).0;
             let from = there.values.len() - 13;
             let work: f64 = (0..3).map(|i| force[i] * there.values[from + i]).sum();
-            vec![evaluation.energy - work, evaluation.monitors[0], evaluation.monitors[1], evaluation.recorded]
+            let [front, tip, roll] = evaluation.monitors;
+            vec![evaluation.energy - work, front, tip, roll, evaluation.recorded]
         });
         let product = |of: &[f64]| of.iter().zip(&along).map(|(a, b)| a * b).sum::<f64>();
         if moment == [0.0; 3] {
             assert_equal(&[product(&residual)], &[rates[0]], "the residual along a direction");
         }
         let (_, told) = beam.evaluate(at, &along);
-        let told = [told.monitors[0], told.monitors[1], told.recorded];
+        let told = [told.monitors[0], told.monitors[1], told.monitors[2], told.recorded];
         let size = largest(&rates[1..]).max(0.1);
         for (told, rate) in told.iter().zip(&rates[1..]) {
             assert!((told - rate).abs() <= MOST_OFF * size, "rates {told} and {rate}");
         }
-        let weighed = WEIGHTS[0] * rates[1] + WEIGHTS[1] * rates[2];
+        let weighed = (0..3).map(|k| WEIGHTS[k] * rates[k + 1]).sum::<f64>();
         assert!((product(&gradient) - weighed).abs() <= MOST_OFF * size, "{} and {weighed}", product(&gradient));
     }
 }

@@ -37,7 +37,7 @@ fn column() -> Problem {
     Problem {
         system: Arc::new(tree),
         grip: EndConditions { origin, scale, ..EndConditions::drive(2) },
-        measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 0.1 * load, by_force: true },
+        measure: PathMeasure { monitors: [f64::INFINITY; 3], force: 0.1 * load, by_force: true },
         start: InitialState::StressFree,
     }
 }

@@ -50,7 +50,7 @@ fn loaded(order: usize, elements: usize, loads: &[Row], share: f64) -> (Arc<Beam
             ..EndConditions::drive(2)
         },
         system: tree.clone(),
-        measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true },
+        measure: PathMeasure { monitors: [f64::INFINITY; 3], force: 1.0, by_force: true },
         start: InitialState::StressFree,
     };
     (tree, problem)
