@@ -60,7 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let at = tree_cost::moved(&tree);
         let residual = tree.residual(&at);
         let (mut ws, mut x) = (Workspace::default(), vec![0.0; tree.unknowns(&at)]);
-        let (factorised, _) = least(|| tree.factorise(&at, Coefficients::STATIC, [0.0; 2], &mut ws).is_ok());
+        let (factorised, _) = least(|| tree.factorise(&at, Coefficients::STATIC, [0.0; 3], &mut ws).is_ok());
         let (solved, ()) = least(|| System::recover(&tree, &ws, &[0.0; 6], 1.0, &mut x));
 
         let (assembled, tangent) = least(|| lower(&tree, &at));

@@ -89,7 +89,7 @@ fn gradients_of_front_and_rotation() {
     for form in [Form::TwoField, Form::ThreeField] {
         let (problem, solution) = solved(&strip, form, None);
         let at = &solution.at;
-        for weights in [[1.0, 0.0], [0.0, 1.0], [0.3, -2.0]] {
+        for weights in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.3, -2.0, 0.0]] {
             let gradient = problem.system.gradient(at, weights);
             let direction: Vec<f64> = (0..gradient.len()).map(|k| (0.7 * k as f64).sin()).collect();
             let rates = problem.system.evaluate(at, &direction).1.monitors;

@@ -131,8 +131,8 @@ pub fn problem(beam: SpatialBeam, driven: usize, held: &[usize]) -> (Problem, Ar
     grip.origin = beam.interface_values(&beam.stress_free(1));
     grip.scale = std::array::from_fn(|slot| beam.scale[slot / 3]);
     let (monitors, by_force) = match beam.adheres() {
-        true => ([beam.process_length, beam.scale[1]], false),
-        false => ([f64::INFINITY; 2], true),
+        true => ([beam.process_length, beam.scale[1], beam.scale[1]], false),
+        false => ([f64::INFINITY; 3], true),
     };
     let measure = PathMeasure { monitors, force: if by_force { 1.0 } else { beam.rest_adhesion.abs() }, by_force };
     (Problem { system: beam.clone(), grip, measure, start: InitialState::StressFree }, beam)

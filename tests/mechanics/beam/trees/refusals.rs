@@ -69,7 +69,7 @@ fn conditions_of_what_is_not_there_are_refused() {
     let mut turned = JointCondition::loaded(3, [0.0; 3], [0.0; 3]);
     turned.held[4] = Some(0.0);
     assert!(matches!(with(vec![turned]), TreeError::Axes { joint: 3, .. }));
-    let monitors = [Some(JointUnknown { joint: 3, slot: 4 }), None];
+    let monitors = [Some(JointUnknown { joint: 3, slot: 4 }), None, None];
     let error = BranchingBeam { monitors, ..four_tips(3, 2) }.build().unwrap_err();
     assert_eq!(error, TreeError::Monitor { joint: 3, slot: 4 });
     assert_eq!(four_tips(9, 2).build().unwrap_err(), TreeError::Order { order: 9 });
