@@ -12,9 +12,12 @@ use crate::study::checkpoint::Limits;
 use crate::study::peel::{Failure, PathEnd, PathFailure};
 use std::sync::Arc;
 
+/// Further path points for each turn of the displacement, in space: paths there go to and fro, along branches that nearly meet.
+const EACH_TURN: usize = 25;
+
 /// Path points after which a mesh is taken to hold the path up: several times what paths take that are resolved.
-fn points_allowed(elements: usize) -> usize {
-    400 + 10 * elements
+fn points_allowed(problem: &BeamProblem, elements: usize, turns: usize) -> usize {
+    400 + 10 * elements + if problem.system.has_near_branches() { EACH_TURN * turns } else { 0 }
 }
 
 /// Follows the path and locates its limit points.
@@ -28,10 +31,11 @@ pub(in crate::study::peel) fn follow(
     let known = (limits.checkpoint.taken)(&options);
     let taken = known.len();
     let mut path = Path::new(problem, options).until(limits.should_stop()).knowing(known);
-    let most = points_allowed(options.elements);
-    let mut cut = false;
+    let (mut turns, mut cut) = (0, false);
     let stopped = loop {
         let points = path.points().len();
+        turns += usize::from(path.points().last_chunk().is_some_and(|[before, newest]| has_turned(before, newest)));
+        let most = points_allowed(problem, options.elements, turns);
         if points >= most && most < limits.stop.points {
             break Err(PathFailure::TooManyPoints { points: most, elements: options.elements });
         }
@@ -110,6 +114,11 @@ pub(in crate::study::peel) fn follow(
     followed.trouble = followed.trouble.take().or(checked.err());
     followed.end_at_unresolved(problem);
     followed
+}
+
+/// Whether the displacement has turned between two points.
+fn has_turned(before: &Solution, newest: &Solution) -> bool {
+    before.slope.displacement * newest.slope.displacement < 0.0
 }
 
 /// Whether the force has turned down on the way.
