@@ -92,8 +92,64 @@ impl Solution {
     }
 }
 
+/// How much Newton's method trusts its updates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Pace {
+    /// They are linear, and fall quadratically.
+    Quick,
+    /// They may alternate between large and small ones; which of them are taken by [`super::System::step`].
+    Wary(Advance),
+}
+
+/// How the unknowns go on by an update.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Advance {
+    Linear,
+    Following,
+}
+
+/// Most iterations of a wary solve.
+const MOST_WARY: usize = 24;
+
 /// Solves from the start `at`.
 pub fn solve(
+    problem: &Problem,
+    at: State,
+    constraint: &PathConstraint,
+    options: &NewtonOptions,
+    ws: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    iterate(Pace::Quick, problem, at, constraint, options, ws)
+}
+
+/// The same where [`solve`] has failed.
+pub fn solve_warily(
+    problem: &Problem,
+    at: State,
+    constraint: &PathConstraint,
+    options: &NewtonOptions,
+    ws: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    let options = NewtonOptions { most_iterations: MOST_WARY, ..*options };
+    let mode = mode();
+    let mut found = Err(SolveError::SingularGrip);
+    if mode & 1 != 0 {
+        found = iterate(Pace::Wary(Advance::Linear), problem, at.clone(), constraint, &options, ws);
+    }
+    if mode & 2 != 0 && found.is_err() {
+        found = iterate(Pace::Wary(Advance::Following), problem, at, constraint, &options, ws);
+    }
+    found
+}
+
+/// X
+pub fn mode() -> usize {
+    static MODE: OnceLock<usize> = OnceLock::new();
+    *MODE.get_or_init(|| std::env::var("MODE").ok().and_then(|m| m.parse().ok()).unwrap_or(0))
+}
+
+fn iterate(
+    pace: Pace,
     problem: &Problem,
     mut at: State,
     constraint: &PathConstraint,
@@ -106,7 +162,7 @@ pub fn solve(
     let system = &*problem.system;
     let mut update = vec![0.0; system.unknowns(&at)];
     let mut correction = 0.0;
-    let mut previous = f64::INFINITY;
+    let (mut previous, mut before) = (f64::INFINITY, f64::INFINITY);
     let stagnant = system.round_off().max(STAGNANT);
     for iterations in 1..=options.most_iterations {
         let (root, grip) = factorised(problem, &at, constraint, Coefficients::STATIC, ws)?;
@@ -116,17 +172,28 @@ pub fn solve(
         if !(size.is_finite() && step.force.is_finite()) {
             return Err(SolveError::NotFiniteUpdate { quantity: Quantity::NewtonUpdate });
         }
-        let stalls = iterations > 2 && size > 0.9 * previous;
+        let stalls = match pace {
+            Pace::Quick => iterations > 2 && size > 0.9 * previous,
+            Pace::Wary(_) => iterations > 4 && size > 0.9 * previous && size > 0.9 * before,
+        };
+        if std::env::var_os("NTRACE").is_some() {
+            eprintln!("   newton {pace:?} {iterations} size {size:.3e} prev {previous:.3e} dP {:.3e}", step.force);
+        }
         if size > options.largest_update || (stalls && size > stagnant.max(STALLED * options.tolerance)) {
             return Err(SolveError::NotConverged { update: size, iterations });
         }
-        system.retract(&mut at, &update, 1.0);
+        match pace {
+            Pace::Wary(Advance::Following) => system.step(&mut at, &update),
+            _ => system.retract(&mut at, &update, 1.0),
+        }
         at.force += step.force;
         correction += size;
         // quadratic convergence: what the next update would be, as far as round-off lets it fall
         let next = if previous.is_finite() { size * (size / previous).powi(2).min(1.0) } else { size };
         let next = next.max(system.round_off());
-        let converged = size <= options.tolerance || (next <= options.tolerance && size <= LAST);
+        let quick = pace == Pace::Quick;
+        let settled = quick || previous <= LAST;
+        let converged = size <= options.tolerance && settled || quick && (next <= options.tolerance && size <= LAST);
         if converged || stalls || (size < stagnant && size > 0.5 * previous) {
             let (root, grip) = if options.exact_slope && size > EXACT {
                 factorised(problem, &at, constraint, Coefficients::STATIC, ws)?
@@ -160,7 +227,7 @@ pub fn solve(
                 at,
             });
         }
-        previous = size;
+        (before, previous) = (previous, size);
     }
     Err(SolveError::NotConverged { update: previous, iterations: options.most_iterations })
 }

@@ -27,6 +27,10 @@ pub struct Verify {
     #[arg(long, value_name = "N", conflicts_with_all = ["only", "hard"])]
     sampled: Option<u64>,
 
+    /// Peels these scenes of a sample instead, like 3,17
+    #[arg(long, value_name = "K,..", value_delimiter = ',', requires = "kind", conflicts_with_all = ["only", "hard", "sampled"])]
+    scenes: Vec<u64>,
+
     /// What is sampled: strip, angle, spatula, law or space; all of them unless given
     #[arg(long, value_name = "KIND")]
     kind: Option<String>,
@@ -34,7 +38,7 @@ pub struct Verify {
     /// Peels them in so many ways
     ///
     /// They are: to 1e-6, to 1e-9, on elements of order 5, on a mesh that stays.
-    #[arg(long, value_name = "N", default_value_t = WAYS.len(), value_parser = ways, requires = "sampled")]
+    #[arg(long, value_name = "N", default_value_t = WAYS.len(), value_parser = ways)]
     ways: usize,
 
     /// Prints the text of this scene of the sample and peels nothing
@@ -55,7 +59,10 @@ pub fn verify(args: &Verify) -> Result<(), Stop> {
         return kinds(args)?.into_iter().try_for_each(|kind| say(&scene_text(kind, args.seed, index)));
     }
     if let Some(count) = args.sampled {
-        return sampled(args, count);
+        return sampled(args, &(0..count).collect::<Vec<_>>());
+    }
+    if !args.scenes.is_empty() {
+        return sampled(args, &args.scenes);
     }
     let suites = chosen(args)?;
     let bar = progress_bar(suites.len());
@@ -95,11 +102,11 @@ fn kinds(args: &Verify) -> Result<Vec<SampleKind>, Stop> {
 }
 
 /// Peels a sample of each kind that is wanted.
-fn sampled(args: &Verify, count: u64) -> Result<(), Stop> {
+fn sampled(args: &Verify, scenes: &[u64]) -> Result<(), Stop> {
     let kinds = kinds(args)?;
-    let bar = progress_bar(usize::try_from(count).unwrap_or(usize::MAX).saturating_mul(kinds.len()));
+    let bar = progress_bar(scenes.len() * kinds.len());
     for kind in kinds {
-        let survey = survey_sample(kind, args.seed, count, args.ways, &|| bar.inc(1)).map_err(Stop::other)?;
+        let survey = survey_sample(kind, args.seed, scenes, args.ways, &|| bar.inc(1)).map_err(Stop::other)?;
         bar.suspend(|| say(&survey.table()))?;
     }
     bar.finish_and_clear();

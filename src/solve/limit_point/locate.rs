@@ -81,9 +81,12 @@ pub fn solve_on(
     let mut trouble = SolveError::SingularGrip;
     for points in [6, 3, 2] {
         let start = segment.near(problem, at).unwrap_or_else(|| segment.start(problem, at, points));
-        match solve(problem, start, &constraint, &options(tolerance, false), ws) {
+        match solve(problem, start.clone(), &constraint, &options(tolerance, false), ws) {
             Ok(solution) => return Ok(Arc::new(solution)),
             Err(error) => trouble = error,
+        }
+        if crate::solve::mode() & 16 != 0 && let Ok(solution) = crate::solve::solve_warily(problem, start, &constraint, &options(tolerance, false), ws) {
+            return Ok(Arc::new(solution));
         }
     }
     Err(trouble)

@@ -10,7 +10,7 @@ use super::options::{PathError, PathOptions};
 use super::predictor::{self, MOST_POINTS};
 use crate::solve::{
     Held, History, NewtonOptions, Observables, PathConstraint, Problem, RelaxOptions, ShouldStop, Solution, SolveError,
-    State, Workspace, relax, settle, solve,
+    State, Workspace, relax, settle, solve, solve_warily,
 };
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -45,6 +45,7 @@ pub struct Path<'p> {
     careful: bool,
     /// Where a step has led to another branch, until that lies behind.
     branch: Option<NearBranch>,
+    wary: bool,
 }
 
 /// Most tries of one step, each shorter.
@@ -90,6 +91,7 @@ impl<'p> Path<'p> {
             iterations: 0,
             history: None,
             careful: false,
+            wary: false,
             branch: None,
         }
     }
@@ -194,7 +196,7 @@ impl<'p> Path<'p> {
     }
 
     fn step(&mut self) -> Result<Solution, PathError> {
-        let newest = self.points[self.points.len() - 1].clone();
+        let mut newest = self.points[self.points.len() - 1].clone();
         let mut slope = newest.slope;
         let mut weights = self.weights(&slope);
         let (mut points, mut labels) = self.labelled(&weights);
@@ -205,7 +207,12 @@ impl<'p> Path<'p> {
             if tries == DOUBTFUL
                 && let Ok(exact) = self.again(&newest, &weights)
             {
-                slope = exact;
+                if crate::solve::mode() & 8 != 0 {
+                    newest = Arc::new(exact.clone());
+                    let last = self.points.len() - 1;
+                    self.points[last] = newest.clone();
+                }
+                slope = exact.slope;
                 weights = self.weights(&slope);
                 (points, labels) = self.labelled(&weights);
                 count = count.min(labels.len());
@@ -221,7 +228,24 @@ impl<'p> Path<'p> {
                 continue;
             }
             let constraint = PathConstraint { weights, target: weights.dot(&newest.observables) + step };
-            match solve(self.problem, start, &constraint, &self.newton(), &mut self.ws) {
+            let mode = crate::solve::mode();
+            let mut solved = if self.wary {
+                solve_warily(self.problem, start.clone(), &constraint, &self.newton(), &mut self.ws)
+            } else {
+                solve(self.problem, start.clone(), &constraint, &self.newton(), &mut self.ws)
+            };
+            if mode & 3 != 0 && tries >= if mode & 32 != 0 { 4 } else { 2 } && !self.wary && matches!(solved, Err(SolveError::NotConverged { .. })) {
+                let again = solve_warily(self.problem, start, &constraint, &self.newton(), &mut self.ws);
+                if again.is_ok() {
+                    self.wary = mode & 4 != 0;
+                    solved = again;
+                }
+            }
+            if std::env::var_os("PTRACE").is_some() {
+                let what = match &solved { Ok(s) => format!("ok it {} corr {:.2e} turned {}", s.iterations, s.correction, points.len() > 1 && self.turns_sharply(&slope, s)), Err(e) => e.to_string() };
+                eprintln!("pt {} u {:.4} P {:.4e} front {:.4} try {tries} count {count} step {step:.3e} slope {:?} w {:?} : {what}", self.points.len(), newest.observables.displacement, newest.observables.force, newest.observables.monitors[0], slope, weights);
+            }
+            match solved {
                 Ok(next) => {
                     self.iterations += next.iterations;
                     let turned = points.len() > 1 && self.turns_sharply(&slope, &next);
@@ -260,12 +284,17 @@ impl<'p> Path<'p> {
 
     /// The slope of the path at a point itself. That of a solution is one update of Newton's method back, and near limit points it may be
     /// wrong by all of itself.
-    fn again(&mut self, point: &Solution, weights: &Observables) -> Result<Observables, SolveError> {
+    fn again(&mut self, point: &Solution, weights: &Observables) -> Result<Solution, SolveError> {
         let constraint = PathConstraint { weights: *weights, target: weights.dot(&point.observables) };
         let exact = NewtonOptions { exact_slope: true, ..self.newton() };
-        let solution = solve(self.problem, point.at.clone(), &constraint, &exact, &mut self.ws)?;
+        let solution = if crate::solve::mode() & 8 != 0 {
+            let start = point.at.clone();
+            solve_warily(self.problem, start, &constraint, &exact, &mut self.ws).or_else(|_| solve(self.problem, point.at.clone(), &constraint, &exact, &mut self.ws))?
+        } else {
+            solve(self.problem, point.at.clone(), &constraint, &exact, &mut self.ws)?
+        };
         self.iterations += solution.iterations;
-        Ok(solution.slope)
+        Ok(solution)
     }
 
     /// Weights of the first steps: the displacement in the path's direction.

@@ -17,14 +17,14 @@ pub struct SampleSurvey {
     pub scenes: Vec<Sampled>,
 }
 
-/// Samples `count` scenes and peels them in the first `ways` of [`WAYS`], on all cores; `done` is called behind each.
+/// Peels these scenes of a sample in the first `ways` of [`WAYS`], on all cores; `done` is called behind each.
 ///
 /// # Errors
 /// A sampled scene that cannot be read, with its text: a fault of the sampler.
 pub fn survey_sample(
     kind: SampleKind,
     seed: u64,
-    count: u64,
+    scenes: &[u64],
     ways: usize,
     done: &(dyn Fn() + Sync),
 ) -> Result<SampleSurvey, String> {
@@ -33,7 +33,7 @@ pub fn survey_sample(
         done();
         scene
     };
-    let scenes: Result<Vec<Sampled>, String> = (0..count).into_par_iter().map(one).collect();
+    let scenes: Result<Vec<Sampled>, String> = scenes.par_iter().copied().map(one).collect();
     Ok(SampleSurvey { kind, seed, scenes: scenes? })
 }
 
