@@ -173,3 +173,137 @@ pub(super) fn share_of_change(standing: &Standing, from: &State, to: &State, tip
     }
     high
 }
+
+/// Events of small setae against gradient flow: K + C/Δt with the tips as they are, in steps of at most 0.2 nm, from the loss of stability disturbed
+/// along the branch. Nothing is said to it of which tip goes first. Expected: the same tips detach, and energy and force are the same to 1e-6.
+#[cfg(test)]
+mod tests {
+    use super::super::advance::{Advance, advance};
+    use super::super::critical::Critical;
+    use super::super::options::SetaOptions;
+    use super::*;
+    use crate::model::{CurvePoint, NormalPull, PullCurve, Seta, SetaMesh, SetaModel, Sideways};
+    use crate::solve::System;
+    use std::sync::Arc;
+
+    const CURVE: [(f64, f64, f64); 7] = [
+        (-50.0, -0.4, 0.009),
+        (0.0, 0.1, 0.012),
+        (100.0, 2.1, 0.035),
+        (200.0, 4.7, 0.007),
+        (300.0, 5.8, 0.013),
+        (361.0, 6.67, 0.0),
+        (364.0, 6.5, -0.2),
+    ];
+    /// Longest step, in units of 10 nm and 0.01 rad
+    const STEP: f64 = 0.02;
+
+    fn model(sideways: Sideways, degrees: f64, scatter: f64, diameter: f64) -> SetaModel {
+        let seta = Seta {
+            forks: 2,
+            tip_pitch: 600.0,
+            shaft_length: 4000.0,
+            shaft_angle: degrees.to_radians(),
+            brush_height: 1500.0,
+            brush_angle: (0.7 * degrees).to_radians(),
+            shaft_diameter: diameter,
+            height_scatter: scatter,
+            ..Seta::default()
+        };
+        let point = |&(displacement, force, slope): &(f64, f64, f64)| CurvePoint { displacement, force, slope };
+        let curve = PullCurve::new(CURVE.iter().map(point).collect(), -900.0).unwrap();
+        let law = NormalPull { curve, sideways, contact_height: 0.0 };
+        SetaModel { mesh: SetaMesh { order: 3, elements: vec![1; 3] }, ..SetaModel::new(seta, Arc::new(law)) }
+    }
+
+    /// Where gradient flow leads to, and the steps that it takes.
+    fn flow(standing: &mut Standing, drive: &RootDrive, from: &Solution, ws: &mut Workspace) -> (Solution, usize) {
+        let displacement = from.observables.displacement;
+        let held = PathConstraint { weights: Observables::DISPLACEMENT, target: displacement };
+        let problem = standing.problem(drive, None, TipTangent::Own);
+        let ahead = STEP / problem.system.size(&from.tangent.direction, &from.at.values);
+        let (mut at, mut time) = (from.moved(&problem, ahead), 1.0);
+        for step in 0..200_000 {
+            let problem = standing.problem(drive, None, TipTangent::Own);
+            let newton = NewtonOptions { tolerance: 1e-9, largest_update: 0.1, most_iterations: 9, exact_slope: true };
+            if step % 20 == 19
+                && let Ok(solution) = solve(&problem, at.clone(), &held, &newton, ws)
+                && solution.negative == 0
+                && solution.correction < 0.1
+            {
+                return (solution, step);
+            }
+            let damping = Coefficients { per_damping: time, ..Coefficients::STATIC };
+            let mut next = at.clone();
+            let (size, (negative, _)) = damped_step(&problem, &mut next, &held, damping, f64::INFINITY, ws).unwrap();
+            if negative > 0 || size > STEP || (step > 0 && energy(&problem, &next) > energy(&problem, &at) + 1e-9) {
+                time *= 0.3;
+                continue;
+            }
+            time *= if size < 0.3 * STEP { 2.0 } else { 1.0 };
+            for tip in standing.changing(&next) {
+                standing.change(&next, tip);
+            }
+            at = next;
+        }
+        panic!("it does not come to rest");
+    }
+
+    #[test]
+    fn tips_that_let_go_lead_where_gradient_flow_leads() {
+        let options = SetaOptions { balance: 1e-6, ..SetaOptions::default() };
+        let mut compared = 0;
+        for (sideways, degrees, scatter, diameter) in [
+            (Sideways::Free, 30.0, 20.0, 250.0),
+            (Sideways::Held(0.5), 30.0, 20.0, 250.0),
+            (Sideways::Free, 0.0, 5.0, 250.0),
+            (Sideways::Free, 0.0, 40.0, 600.0),
+            (Sideways::Held(0.5), 10.0, 2.0, 350.0),
+            (Sideways::Held(2.0), 50.0, 10.0, 400.0),
+        ] {
+            let model = model(sideways, degrees, scatter, diameter);
+            let mut standing = Standing::new(&model, TipBranch::Attached).unwrap();
+            let drive = RootDrive::new([0.0, 1.0, 0.0], model.seta.joint_place(0));
+            let (mut ws, at) = (Workspace::default(), standing.tree.stress_free(0));
+            let rested = come_to_rest(&mut standing, &drive, (at, 0.0), &[], 1e-9, &mut ws);
+            let (mut here, mut ahead, mut softest) = (rested.ok().unwrap().solution, 5.0, None);
+            while standing.attached() > 0 {
+                match advance(&standing, &drive, (&here, ahead), (softest, None), &options, &mut ws).0 {
+                    Advance::Shorter { ahead: shorter, .. } => ahead = shorter,
+                    Advance::Taken { taken, next } => {
+                        standing.note(&taken.0.at);
+                        (here, ahead) = (taken.0, next.min(50.0));
+                    }
+                    Advance::Contact { .. } => panic!("a tip comes to the end of its branch in a stable equilibrium"),
+                    Advance::Lost(loss) => {
+                        softest = loss.slope.or(softest);
+                        let (last, _) = loss.taken.last().unwrap().clone();
+                        standing.note(&last.at);
+                        let Critical::Tips(tips) = loss.critical else { panic!("no tip lets go") };
+                        let (displacement, mut flowing) = (last.observables.displacement, standing.clone());
+                        let by_flow = flow(&mut flowing, &drive, &last, &mut ws);
+                        let start = (last.at.clone(), displacement);
+                        let rested = come_to_rest(&mut standing, &drive, start, &tips, 1e-9, &mut ws).ok().unwrap();
+                        let on = |standing: &Standing| standing.tips.iter().map(|tip| tip.on).collect::<Vec<_>>();
+                        println!(
+                            "{sideways:?} {degrees} {scatter} {diameter}: at {displacement:.3} nm {tips:?} first, {:?}; flow {:?} in {} steps, force {:.8} and {:.8} nN",
+                            rested.changes.iter().map(|change| change.tip).collect::<Vec<_>>(),
+                            on(&flowing),
+                            by_flow.1,
+                            rested.solution.observables.force,
+                            by_flow.0.observables.force
+                        );
+                        let adheres = |on: &TipBranch| on.adheres();
+                        assert!(on(&standing).iter().map(adheres).eq(on(&flowing).iter().map(adheres)));
+                        let (one, other) = (&rested.solution, &by_flow.0);
+                        assert!((one.energy - other.energy).abs() < 1e-6 * (1.0 + other.energy.abs()));
+                        assert!((one.observables.force - other.observables.force).abs() < 1e-6);
+                        (here, compared) = (rested.solution, compared + 1);
+                    }
+                }
+            }
+        }
+        println!("{compared} events");
+        assert!(compared >= 6);
+    }
+}
