@@ -3,14 +3,15 @@
 //!
 //! Behind the peak of its law the force of a tip falls as it is pulled on. That is stable until it falls faster than the seta yields: there the
 //! displacement u of the root turns as the tip's height η goes on, du/dη = 0. With everything else linear du/dη = a + b h(η), h = ∂²E/∂y² of
-//! the tip, which says where to look; of another joint the zero of du/dη follows from two of its values. Where another direction than that of the branch becomes unstable first, du/dη does not turn, and the
-//! number of negative eigenvalues alone shows it.
+//! the tip, which says where to look; of another joint the zero of du/dη follows from two of its values. Where another direction than that of
+//! the branch becomes unstable first, du/dη does not turn, and the number of negative eigenvalues alone shows it.
 
 use super::critical::{Critical, at_branching, at_fold};
 use super::knot::{Allowed, Knot};
 use super::options::SetaOptions;
 use super::standing::{RootDrive, Standing, TipTangent};
 use super::watched::{HEIGHT, Watched};
+use crate::beam::EndEnergy;
 use crate::solve::{NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, Workspace, solve};
 
 /// Error of the displacement at a loss, nm: that of the force there goes with its root.
@@ -72,7 +73,7 @@ impl Along<'_> {
         place[HEIGHT] += height - at.parameter;
         let own = &self.standing.tips[tip];
         let adheres = own.branch(place, directors).adheres();
-        adheres.then(|| crate::beam::EndEnergy::response(own, place, directors).hessian[HEIGHT][HEIGHT])
+        adheres.then(|| own.response(place, directors).hessian[HEIGHT][HEIGHT])
     }
 
     /// The height ahead at which h falls to this, or the end of the branch.
