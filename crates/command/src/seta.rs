@@ -1,10 +1,22 @@
-//! Setae that differ from the one of a scene in some keys, pulled off one after the other, or side by side.
+//! What pull-offs of setae have in common, and setae that differ from the one of a scene in some keys, pulled off one after the other, or side by side.
 
-use crate::run::PRESSED;
 use peelkit::model::{PeelModel, PullCurve, SetaModel};
-use peelkit::study::{self, Accuracy, SetaOptions, SetaResult, StopCriteria};
+use peelkit::study::{self, Accuracy, SetaOptions, SetaResult, SpatulaCurveError, StopCriteria};
 use peelkit_scene::Scene;
 use std::sync::OnceLock;
+
+/// By how much the curve of a tip begins with it pressed, nm.
+const PRESSED: f64 = 50.0;
+
+/// The curve that the tips of a scene follow.
+pub fn tip_curve(scene: &Scene) -> Result<PullCurve, SpatulaCurveError> {
+    study::tip_curve(&scene.tip_model(), &scene.accuracy, PRESSED)
+}
+
+/// How the pull-off of a scene is computed.
+pub fn options(scene: &Scene) -> SetaOptions {
+    SetaOptions { balance: scene.accuracy.relative, ..SetaOptions::default() }
+}
 
 /// What their pull-offs have in common: the law of the tips, which is computed once where the key of the tips does not vary.
 pub struct Setae {
@@ -23,14 +35,16 @@ impl Setae {
     pub fn pull_off(&self, scene: &Scene, stop: &StopCriteria) -> Result<SetaResult, String> {
         let Some(table) = &scene.seta else { return Err("the scene has no [seta]".to_owned()) };
         let model = SetaModel::new(table.seta, table.law(self.curve(scene)?));
-        let options = SetaOptions { balance: scene.accuracy.relative, ..SetaOptions::default() };
-        let pull_off = study::pull_off(&model, &scene.seta_loading(table), &options, stop);
+        let pull_off = study::pull_off(&model, &scene.seta_loading(table), &options(scene), stop);
         pull_off.map(|found| SetaResult::from(&found)).map_err(|error| error.to_string())
     }
 
     fn curve(&self, scene: &Scene) -> Result<PullCurve, String> {
-        let tip = scene.tip_model();
-        let of = || study::tip_curve(&tip, &scene.accuracy, PRESSED).map_err(|error| error.to_string());
-        if tip == self.tip && scene.accuracy == self.accuracy { self.curve.get_or_init(of).clone() } else { of() }
+        let of = || tip_curve(scene).map_err(|error| error.to_string());
+        if scene.tip_model() == self.tip && scene.accuracy == self.accuracy {
+            self.curve.get_or_init(of).clone()
+        } else {
+            of()
+        }
     }
 }

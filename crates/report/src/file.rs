@@ -24,7 +24,7 @@ pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
 /// Writes summary.json of this text, and says where it stands.
 ///
 /// Fails with [`ReportError::Write`] where there is no text, because a number is not finite, or the file cannot be written.
-pub fn write_summary(dir: &Path, text: io::Result<String>) -> Result<PathBuf, ReportError> {
+pub(crate) fn write_summary(dir: &Path, text: io::Result<String>) -> Result<PathBuf, ReportError> {
     let path = dir.join("summary.json");
     let text = text.map_err(|source| ReportError::Write { path: path.clone(), source })?;
     write_whole(&path, text.as_bytes())?;

@@ -33,7 +33,7 @@ pub use checkpoint::{
     PartialSweep, PartialUncertainty, SetaCheckpoint, Storable, SweepPart,
 };
 pub use error::ReportError;
-pub use file::{write_summary, write_whole};
+pub use file::write_whole;
 pub use fit_report::FitReport;
 pub use folder::{Existing, OutputFolder};
 pub use names::{end_reason, end_word, form_word, jump_word, limit_point_kind_word, test_end_reason, test_end_word};
@@ -43,7 +43,7 @@ pub use pictures::{
     curve_svg, draw_fit, draw_followed, draw_observed, draw_optimum, draw_peel, draw_peel_with_branch, draw_plane,
     draw_sensitivities, draw_sweep, draw_tip_law, draw_uncertainty,
 };
-pub use rate::{RateSummary, draw_rate, write_equilibria, write_rate_curve};
+pub use rate::{RateSummary, draw_rate, write_rate_curve};
 pub use seta::{
     SETA_STATE_FIELDS, SetaLine, SetaPose, SetaRow, SetaStateField, SetaSummary, draw_pull_off, draw_swept_setae,
     seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve, write_seta_events,
@@ -57,8 +57,9 @@ pub use summary::{
 pub use sweep_row::SweepRow;
 pub use swept_keys::SweptKeys;
 pub use tables::{
-    SweepLine, curve_csv, work_to, write_branch, write_curve, write_fit, write_followed, write_history,
-    write_limit_points, write_observed, write_samples, write_sweep, write_table, write_tip_law, write_uncertainty,
+    SweepLine, curve_csv, work_to, write_branch, write_curve, write_equilibria, write_fit, write_followed,
+    write_history, write_limit_points, write_observed, write_samples, write_sweep, write_table, write_tip_law,
+    write_uncertainty,
 };
 pub use timing::timed;
 pub use tip_law::read_tip_law;

@@ -107,8 +107,7 @@ fn write(
     summary: &OptimisationSummary,
 ) -> Result<Vec<PathBuf>, ReportError> {
     output.write(|dir| {
-        let json = report::write_summary(dir, summary.to_json())?;
-        let mut files = vec![json, report::write_history(dir, problem, optimum)?];
+        let mut files = vec![summary.write(dir)?, report::write_history(dir, problem, optimum)?];
         files.extend(optimum_scene(dir, scene, optimum)?);
         files.push(report::write_parameters(dir, scene, command)?);
         files.extend(report::draw_optimum(problem, optimum, &scene.title, dir)?);

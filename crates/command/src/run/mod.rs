@@ -5,7 +5,6 @@ mod progress;
 mod rate;
 mod sensitivities;
 mod seta;
-pub use seta::PRESSED;
 
 use crate::command_line::command_line;
 use crate::help;
@@ -144,6 +143,17 @@ impl Run {
             )),
             _ => Ok(()),
         }
+    }
+}
+
+/// Refuses the first of these options that is asked for: it has no meaning for what the scene describes, with the reason, and what to do instead.
+fn refuse_asked(options: &[(bool, &str, &str)], scene_of: &str, instead: &str) -> Result<(), Stop> {
+    match options.iter().find(|(is_asked, ..)| *is_asked) {
+        Some((_, option, why)) => Err(Stop::bad_input(
+            format!("{option} has no meaning for {scene_of}: {why}"),
+            format!("Omit {option}{instead}"),
+        )),
+        None => Ok(()),
     }
 }
 

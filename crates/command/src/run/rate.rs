@@ -1,7 +1,7 @@
 //! `peel run` of a scene with a rate: its pull in time, and the equilibria beside it.
 
-use super::Run;
 use super::progress::RunProgress;
+use super::{Run, refuse_asked};
 use crate::command_line::command_line;
 use crate::interrupt::Interrupt;
 use crate::output::{list_files, say};
@@ -27,13 +27,7 @@ fn refuse(args: &Run) -> Result<(), Stop> {
         (args.states.is_some(), "--states", "the fields along the beam are written of equilibria alone"),
         (args.animate, "--animate", "equilibria alone are animated"),
     ];
-    match asked.into_iter().find(|(is, ..)| *is) {
-        Some((_, option, why)) => Err(Stop::bad_input(
-            format!("{option} has no meaning for a pull at a rate: {why}"),
-            format!("Omit {option}, or remove [time] from the scene to follow the equilibria."),
-        )),
-        None => Ok(()),
-    }
+    refuse_asked(&asked, "a pull at a rate", ", or remove [time] from the scene to follow the equilibria.")
 }
 
 /// The pull at the rate of a scene.

@@ -10,19 +10,13 @@ use std::fmt::{Display, Write};
 /// A sweep as a table, with what is to be said of its rows.
 pub fn sweep(scene: &Scene, keys: SweptKeys, rows: &[SweepRow], remarks: &[String], wanted: WantedUnits) -> String {
     let Units { force, length, work } = Units::fitting(wanted, sizes(rows));
-    let varied = |key: &Key| format!("{} varied{}", key.path(), in_unit(key.unit()));
-    let second = keys.second.map(|key| format!("; {}", varied(key))).unwrap_or_default();
-    let mut text = format!("{}\n{}{second}\n\n", scene.title, varied(keys.first));
+    let mut text = title(scene, keys);
     let missed = rows.iter().filter(|row| row.found.reached.is_some_and(|reached| reached > row.found.asked));
     let missed = missed.count();
     if missed > 0 {
         let _ =
             writeln!(text, "the tolerance was not met at {missed} of {} values: see accuracy_reached\n", rows.len());
     }
-    let pair = |first: &str, second: Option<&str>| match second {
-        None => format!("{first:>14}"),
-        Some(second) => format!("{first:>14} {second:>14}"),
-    };
     let _ = writeln!(
         text,
         "{} {:>14} {:>9} {:>14} {:>14} {:>12} {:>9}  end",
@@ -98,6 +92,21 @@ pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep, solve_s: &[f64]
         );
     }
     text + &listed(&sweep.remarks)
+}
+
+/// The title of a sweep and what is varied in it.
+pub(super) fn title(scene: &Scene, keys: SweptKeys) -> String {
+    let varied = |key: &Key| format!("{} varied{}", key.path(), in_unit(key.unit()));
+    let second = keys.second.map(|key| format!("; {}", varied(key))).unwrap_or_default();
+    format!("{}\n{}{second}\n\n", scene.title, varied(keys.first))
+}
+
+/// The cells of the values of one key or two.
+pub(super) fn pair(first: &str, second: Option<&str>) -> String {
+    match second {
+        None => format!("{first:>14}"),
+        Some(second) => format!("{first:>14} {second:>14}"),
+    }
 }
 
 /// The head of a column of numbers in a unit.

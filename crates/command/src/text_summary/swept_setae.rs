@@ -1,11 +1,11 @@
 //! A sweep of setae as a table.
 
-use super::number::{in_unit, short};
-use super::sweep::{headed, largest, listed, none};
+use super::number::short;
+use super::sweep::{headed, largest, listed, none, pair, title};
 use super::units::{Unit, Units, WantedUnits};
 use peelkit::study::SetaMoment;
 use peelkit_report::{SetaRow, SweptKeys};
-use peelkit_scene::{Key, Scene};
+use peelkit_scene::Scene;
 use std::fmt::Write;
 
 /// A sweep of setae as a table, with what is to be said of its rows.
@@ -23,13 +23,7 @@ pub fn swept_setae(
         [force, displacement, found.work]
     });
     let Units { force, length, work } = Units::fitting(wanted, largest(sizes));
-    let varied = |key: &Key| format!("{} varied{}", key.path(), in_unit(key.unit()));
-    let second = keys.second.map(|key| format!("; {}", varied(key))).unwrap_or_default();
-    let mut text = format!("{}\n{}{second}\n\n", scene.title, varied(keys.first));
-    let pair = |first: &str, second: Option<&str>| match second {
-        None => format!("{first:>14}"),
-        Some(second) => format!("{first:>14} {second:>14}"),
-    };
+    let mut text = title(scene, keys);
     let _ = writeln!(
         text,
         "{} {:>14} {:>12} {:>8} {:>16} {:>7} {:>12} {:>9} {:>9}  end",

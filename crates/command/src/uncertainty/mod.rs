@@ -129,8 +129,7 @@ fn write(
     summary: &UncertaintySummary,
 ) -> Result<Vec<PathBuf>, ReportError> {
     output.write(|dir| {
-        let json = report::write_summary(dir, summary.to_json())?;
-        let mut files = vec![json];
+        let mut files = vec![summary.write(dir)?];
         files.extend(report::write_uncertainty(dir, analysis)?);
         files.push(report::write_samples(dir, analysis)?);
         files.push(report::write_parameters(dir, scene, command)?);

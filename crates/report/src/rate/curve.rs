@@ -1,11 +1,10 @@
-//! The tables of a pull at a rate: curve.csv, and equilibria.csv beside it. Units stand in the names of the columns.
+//! The table of a pull at a rate, curve.csv. Units stand in the names of the columns.
 
 use super::S_PER_NS;
 use crate::error::ReportError;
-use crate::file::write_whole;
 use crate::number::Finite;
-use crate::tables::{curve_csv, write_table};
-use peelkit::study::{InTimePoint, Peel, PullInTime};
+use crate::tables::write_table;
+use peelkit::study::{InTimePoint, PullInTime};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -46,14 +45,4 @@ pub fn write_rate_curve(dir: &Path, pulled: &PullInTime) -> Result<PathBuf, Repo
         dissipated: Finite(point.balance.dissipated),
     };
     write_table(dir, "curve.csv", pulled.points.iter().map(line))
-}
-
-/// Writes equilibria.csv: the quasi-static path, with the columns of curve.csv of a peel.
-///
-/// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
-pub fn write_equilibria(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
-    let path = dir.join("equilibria.csv");
-    let text = curve_csv(peel).map_err(|source| ReportError::Write { path: path.clone(), source })?;
-    write_whole(&path, &text)?;
-    Ok(path)
 }

@@ -4,7 +4,7 @@ mod curve;
 mod picture;
 mod summary;
 
-pub use curve::{write_equilibria, write_rate_curve};
+pub use curve::write_rate_curve;
 pub use picture::draw_rate;
 pub use summary::RateSummary;
 

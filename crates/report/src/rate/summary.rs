@@ -1,14 +1,10 @@
 //! A pull at a rate as one JSON object: summary.json, and what `--json` prints.
 
 use super::S_PER_NS;
-use crate::error::ReportError;
-use crate::file::write_summary;
-use crate::number::{Finite, to_json};
-use crate::summary::{Parameters, SCHEMA, VERSION};
+use crate::number::Finite;
+use crate::summary::{Parameters, SCHEMA, VERSION, written};
 use peelkit::study::{Peak, Peel, PullInTime};
 use peelkit_scene::Scene;
-use std::io;
-use std::path::{Path, PathBuf};
 
 /// Everything of a pull at a rate but its curve.
 #[derive(Debug, serde::Serialize)]
@@ -150,21 +146,6 @@ impl RateSummary {
             parameters: Parameters(scene.clone()),
         }
     }
-
-    /// The same with the command line that it comes from.
-    pub fn with_command(self, command: &str) -> Self {
-        Self { command: Some(command.to_owned()), ..self }
-    }
-
-    /// The object as text; a number that is not finite is an error that names its key.
-    pub fn to_json(&self) -> io::Result<String> {
-        to_json(self)
-    }
-
-    /// Writes summary.json.
-    ///
-    /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
-    pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
-        write_summary(dir, self.to_json())
-    }
 }
+
+written!(RateSummary);

@@ -1,15 +1,11 @@
 //! The pull-off of a seta as one JSON object: summary.json, and what `--json` prints.
 
 use super::names::{seta_end_reason, seta_end_word};
-use crate::error::ReportError;
-use crate::file::write_summary;
-use crate::number::{Finite, to_json};
-use crate::summary::{Parameters, SCHEMA, VERSION};
+use crate::number::Finite;
+use crate::summary::{Parameters, SCHEMA, VERSION, written};
 use peelkit::model::{CurvePoint, PullCurve, Seta};
 use peelkit::study::{SetaPullOff, SetaState};
 use peelkit_scene::Scene;
-use std::io;
-use std::path::{Path, PathBuf};
 
 /// Everything of a pull-off but its curve and its events. Forces in nN, lengths in nm, works in aJ; `None` where a thing does not occur.
 #[derive(Debug, serde::Serialize)]
@@ -175,21 +171,6 @@ impl SetaSummary {
             parameters: Parameters(scene.clone()),
         }
     }
-
-    /// The same with the command line that it comes from.
-    pub fn with_command(self, command: &str) -> Self {
-        Self { command: Some(command.to_owned()), ..self }
-    }
-
-    /// The object as text; a number that is not finite is an error that names its key.
-    pub fn to_json(&self) -> io::Result<String> {
-        to_json(self)
-    }
-
-    /// Writes summary.json.
-    ///
-    /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
-    pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
-        write_summary(dir, self.to_json())
-    }
 }
+
+written!(SetaSummary);

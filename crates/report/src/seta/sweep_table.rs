@@ -1,11 +1,13 @@
-//! The table of a sweep of setae, sweep.csv.
+//! The table of a sweep of setae, sweep.csv, and the same as one object.
 
 use super::sweep_row::SetaRow;
 use crate::error::ReportError;
 use crate::number::Finite;
+use crate::summary::SweepSummary;
 use crate::swept_keys::SweptKeys;
 use crate::tables::write_with_named_values;
 use peelkit::study::{SetaMoment, SetaResult};
+use peelkit_scene::Scene;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -78,4 +80,11 @@ pub fn write_swept_setae(dir: &Path, keys: SweptKeys, rows: &[SetaRow]) -> Resul
     let lines: Vec<SetaLine> = rows.iter().map(SetaLine::from).collect();
     let none = SetaLine { second: keys.second.map(|_| Finite(0.0)), ..SetaLine::default() };
     write_with_named_values(dir, keys, &none, &lines)
+}
+
+impl SweepSummary<SetaLine> {
+    /// The summary of rows of setae.
+    pub fn of_setae(scene: &Scene, keys: SweptKeys, rows: &[SetaRow], remarks: &[String]) -> Self {
+        Self::of(scene, keys, rows.iter().map(SetaLine::from).collect(), remarks.to_vec())
+    }
 }

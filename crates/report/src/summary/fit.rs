@@ -2,13 +2,10 @@
 
 use super::origin::{SCHEMA, VERSION};
 use super::parameters::Parameters;
-use crate::error::ReportError;
-use crate::file::write_summary;
+use super::written::written;
 use crate::fit_report::FitReport;
-use crate::number::{Finite, to_json};
+use crate::number::Finite;
 use peelkit::study::{FitEnd, PairDetermined, PointPlace};
-use std::io;
-use std::path::{Path, PathBuf};
 
 /// A fit as one object. Parameters in the units of their keys, forces in nN, lengths in nm; `None` where a thing does not occur.
 #[derive(Debug, serde::Serialize)]
@@ -163,21 +160,6 @@ impl FitSummary {
             parameters: Parameters(report.fitted_scene()),
         }
     }
-
-    /// The same with the command line that asked for it.
-    pub fn with_command(self, command: &str) -> Self {
-        Self { command: Some(command.to_owned()), ..self }
-    }
-
-    /// The object as text; a number that is not finite is an error that names its key.
-    pub fn to_json(&self) -> io::Result<String> {
-        to_json(self)
-    }
-
-    /// Writes summary.json.
-    ///
-    /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
-    pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
-        write_summary(dir, self.to_json())
-    }
 }
+
+written!(FitSummary);

@@ -19,6 +19,7 @@ mod sweep;
 mod term_summary;
 mod tip;
 mod uncertainty;
+mod written;
 
 pub use accuracy::left_out;
 pub use fit::FitSummary;
@@ -33,3 +34,4 @@ pub use term_summary::why_kept;
 pub use tip::TipSummary;
 pub(crate) use tip::pad_end_word;
 pub use uncertainty::UncertaintySummary;
+pub(crate) use written::written;

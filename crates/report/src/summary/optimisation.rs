@@ -2,13 +2,13 @@
 
 use super::origin::{SCHEMA, VERSION};
 use super::parameters::Parameters;
-use crate::number::{Finite, to_json};
+use super::written::written;
+use crate::number::Finite;
 use peelkit::study::optimisation::{
     ActiveConstraint, Certificate, Design, DesignProblem, Goal, Objective, Optimum, SearchResult, volume,
 };
 use peelkit_scene::{Key, Scene, find_key};
 use serde::Serialize;
-use std::io;
 
 /// An optimisation as one object; `None` where a thing does not occur.
 #[derive(Debug, Serialize)]
@@ -136,17 +136,9 @@ impl OptimisationSummary {
             parameters: Parameters(scene.clone()),
         }
     }
-
-    /// The same with the command line that asked for it.
-    pub fn with_command(self, command: &str) -> Self {
-        Self { command: Some(command.to_owned()), ..self }
-    }
-
-    /// The object as text; a number that is not finite is an error that names its key.
-    pub fn to_json(&self) -> io::Result<String> {
-        to_json(self)
-    }
 }
+
+written!(OptimisationSummary);
 
 fn design(problem: &DesignProblem, design: &Design) -> DesignSummary {
     DesignSummary {

@@ -11,17 +11,14 @@ use super::parameters::Parameters;
 use super::sensitivities::SensitivitySummary;
 use super::sliding::SlidingSummary;
 use super::term_summary::TermDecisionsSummary;
-use crate::error::ReportError;
-use crate::file::write_summary;
+use super::written::written;
 use crate::grip_in_space::GripInSpace;
 use crate::names::{end_reason, end_word, limit_point_kind_word};
-use crate::number::{Finite, to_json};
+use crate::number::Finite;
 use peelkit::beam::GripState;
 use peelkit::model::Step;
 use peelkit::study::{self, Exponent, Observed, OutOfPlane, OutOfPlaneBranch, Peel};
 use peelkit_scene::Scene;
-use std::io;
-use std::path::{Path, PathBuf};
 
 /// Everything of a peel but its curve. Forces in nN, lengths in nm, works in aJ; `None` where a thing does not occur.
 #[derive(Debug, serde::Serialize)]
@@ -302,24 +299,9 @@ impl PeelSummary {
     pub fn with_branch(self, branch: Option<&OutOfPlaneBranch>, solve_s: f64) -> Self {
         Self { out_of_plane: self.out_of_plane.map(|stability| stability.with_branch(branch, solve_s)), ..self }
     }
-
-    /// The same with the command line that asked for it.
-    pub fn with_command(self, command: &str) -> Self {
-        Self { command: Some(command.to_owned()), ..self }
-    }
-
-    /// The object as text; a number that is not finite is an error that names its key.
-    pub fn to_json(&self) -> io::Result<String> {
-        to_json(self)
-    }
-
-    /// Writes summary.json.
-    ///
-    /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
-    pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
-        write_summary(dir, self.to_json())
-    }
 }
+
+written!(PeelSummary);
 
 impl From<(&Step, &GripState)> for StepEnd {
     fn from((step, grip): (&Step, &GripState)) -> Self {

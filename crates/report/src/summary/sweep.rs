@@ -3,7 +3,6 @@
 use super::origin::{SCHEMA, VERSION};
 use super::parameters::Parameters;
 use crate::number::to_json;
-use crate::seta::{SetaLine, SetaRow};
 use crate::sweep_row::SweepRow;
 use crate::swept_keys::SweptKeys;
 use crate::tables::SweepLine;
@@ -46,29 +45,20 @@ pub struct SweepSummary<L = SweepLine> {
 impl SweepSummary {
     /// The summary of these rows, in which keys of the scene were varied, and what is to be said of them besides.
     pub fn new<'k>(scene: &Scene, keys: impl Into<SweptKeys<'k>>, rows: &[SweepRow], remarks: &[String]) -> Self {
-        let lines = rows.iter().map(SweepLine::from).collect();
-        Self { remarks: remarks.to_vec(), ..Self::of(scene, keys.into(), lines) }
+        Self::of(scene, keys.into(), rows.iter().map(SweepLine::from).collect(), remarks.to_vec())
     }
 
     /// The same for a point that was followed while `key` was varied, each value in so many seconds.
     pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep, solve_s: &[f64]) -> Self {
-        Self {
-            followed: Some(sweep.kind.word()),
-            remarks: sweep.remarks.iter().map(ToString::to_string).collect(),
-            ..Self::of(scene, key.into(), SweepLine::followed(sweep, solve_s))
-        }
-    }
-}
-
-impl SweepSummary<SetaLine> {
-    /// The summary of rows of setae.
-    pub fn of_setae(scene: &Scene, keys: SweptKeys, rows: &[SetaRow], remarks: &[String]) -> Self {
-        Self { remarks: remarks.to_vec(), ..Self::of(scene, keys, rows.iter().map(SetaLine::from).collect()) }
+        let remarks = sweep.remarks.iter().map(ToString::to_string).collect();
+        let lines = SweepLine::followed(sweep, solve_s);
+        Self { followed: Some(sweep.kind.word()), ..Self::of(scene, key.into(), lines, remarks) }
     }
 }
 
 impl<L: Serialize> SweepSummary<L> {
-    fn of(scene: &Scene, keys: SweptKeys, rows: Vec<L>) -> Self {
+    /// The summary of these lines.
+    pub(crate) fn of(scene: &Scene, keys: SweptKeys, rows: Vec<L>, remarks: Vec<String>) -> Self {
         Self {
             version: VERSION,
             schema: SCHEMA,
@@ -80,7 +70,7 @@ impl<L: Serialize> SweepSummary<L> {
             vary_2: keys.second.map(Key::path),
             unit_2: keys.second.map(Key::unit).filter(|unit| !unit.is_empty()),
             followed: None,
-            remarks: Vec::new(),
+            remarks,
             rows,
             parameters: Parameters(scene.clone()),
         }

@@ -2,13 +2,10 @@
 
 use super::origin::{SCHEMA, VERSION};
 use super::parameters::Parameters;
-use crate::error::ReportError;
-use crate::file::write_summary;
-use crate::number::{Finite, to_json};
+use super::written::written;
+use crate::number::Finite;
 use peelkit::study::coarsening::{PadEnd, Sheet, SheetErrors, TipPlace, TipSheet, TipTable};
 use peelkit_scene::Scene;
-use std::io;
-use std::path::{Path, PathBuf};
 
 /// A table of a tip as one object. `None` where a thing does not occur.
 #[derive(Debug, serde::Serialize)]
@@ -132,21 +129,6 @@ impl TipSummary {
             parameters: Parameters(scene.clone()),
         }
     }
-
-    /// The same with the command line that asked for it.
-    pub fn with_command(self, command: &str) -> Self {
-        Self { command: Some(command.to_owned()), ..self }
-    }
-
-    /// The object as text; a number that is not finite is an error that names its key.
-    pub fn to_json(&self) -> io::Result<String> {
-        to_json(self)
-    }
-
-    /// Writes summary.json.
-    ///
-    /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
-    pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
-        write_summary(dir, self.to_json())
-    }
 }
+
+written!(TipSummary);

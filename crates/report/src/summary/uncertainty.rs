@@ -2,13 +2,13 @@
 
 use super::origin::{SCHEMA, VERSION};
 use super::parameters::Parameters;
-use crate::number::{Finite, to_json};
+use super::written::written;
+use crate::number::Finite;
 use peelkit::study::uncertainty::{
     Analysis, Correlation, DerivativesBy, Estimate, Input, NumberAnalysis, Order, Propagation, SobolIndex, Statistics,
 };
 use peelkit_scene::{Key, Scene, find_key};
 use serde::Serialize;
-use std::io;
 
 /// An uncertain peel as one object; `None` where a thing does not occur.
 #[derive(Debug, Serialize)]
@@ -177,19 +177,9 @@ impl UncertaintySummary {
             parameters: Parameters(scene.clone()),
         }
     }
-
-    /// The same with the command line that led to it.
-    pub fn with_command(self, command: &str) -> Self {
-        Self { command: Some(command.to_owned()), ..self }
-    }
-
-    /// As text.
-    ///
-    /// Fails where a number is not finite.
-    pub fn to_json(&self) -> io::Result<String> {
-        to_json(self)
-    }
 }
+
+written!(UncertaintySummary);
 
 impl From<&Input> for InputSummary {
     fn from(Input { name, distribution }: &Input) -> Self {

@@ -66,8 +66,18 @@ pub fn curve_csv(peel: &Peel) -> io::Result<Vec<u8>> {
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_branch(dir: &Path, branch: &OutOfPlaneBranch) -> Result<PathBuf, ReportError> {
-    let lines = branch.peel.points.iter().map(|point| (PointColumns::from(point), point.in_space));
-    write_table_with_grip(dir, "branch.csv", lines)
+    write_path(dir, "branch.csv", &branch.peel)
+}
+
+/// Writes equilibria.csv: the equilibria beside a pull at a rate, with the columns of curve.csv.
+///
+/// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
+pub fn write_equilibria(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
+    write_path(dir, "equilibria.csv", peel)
+}
+
+fn write_path(dir: &Path, name: &str, peel: &Peel) -> Result<PathBuf, ReportError> {
+    write_table_with_grip(dir, name, peel.points.iter().map(|point| (PointColumns::from(point), point.in_space)))
 }
 
 /// Writes limit_points.csv: one row a limit point, in path order; in space with the columns of the grip.

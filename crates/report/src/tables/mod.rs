@@ -8,7 +8,7 @@ mod table;
 mod tip;
 mod uncertainty;
 
-pub use curve::{curve_csv, write_branch, write_curve, write_limit_points, write_observed};
+pub use curve::{curve_csv, write_branch, write_curve, write_equilibria, write_limit_points, write_observed};
 pub use fit::write_fit;
 pub use optimisation::write_history;
 pub(crate) use sweep::write_with_named_values;

@@ -4,15 +4,16 @@ mod kept;
 mod sampler;
 
 use super::progress::RunProgress;
-use super::{GOES_ON, Run};
+use super::{GOES_ON, Run, refuse_asked};
 use crate::command_line::command_line;
 use crate::interrupt::Interrupt;
 use crate::output::{list_files, say};
+use crate::seta::{options, tip_curve};
 use crate::stop::Stop;
 use crate::text_summary;
 use kept::{Followed, KeptSeta, follow};
 use peelkit::model::{PullCurve, SetaModel};
-use peelkit::study::{self, Bound, SetaEnd, SetaOptions, SetaPoint, SetaPullOff, SetaState};
+use peelkit::study::{Bound, SetaEnd, SetaPoint, SetaPullOff, SetaState};
 use peelkit_report::{self as report, ReportError, SetaSummary, timed};
 use peelkit_scene::{Scene, SetaTable};
 use sampler::Sampler;
@@ -21,8 +22,6 @@ use std::path::{Path, PathBuf};
 
 /// What a first Ctrl-C does.
 const ANSWER: &str = "stopping at the next equilibrium of the seta; Ctrl-C again stops at once";
-/// By how much the curve of a tip begins with it pressed, nm.
-pub const PRESSED: f64 = 50.0;
 /// States of an animation.
 const FRAMES: usize = 60;
 
@@ -34,13 +33,7 @@ fn refuse(args: &Run) -> Result<(), Stop> {
         (args.branch, "--branch", "it is in space, and follows stable branches alone"),
         (args.sensitivities, "--sensitivities", "the derivatives of its results are not computed"),
     ];
-    match asked.into_iter().find(|(is, ..)| *is) {
-        Some((_, option, why)) => Err(Stop::bad_input(
-            format!("{option} has no meaning for a seta: {why}"),
-            format!("Omit {option}; curve.csv and events.csv hold the pull-off with its jumps."),
-        )),
-        None => Ok(()),
-    }
+    refuse_asked(&asked, "a seta", "; curve.csv and events.csv hold the pull-off with its jumps.")
 }
 
 /// The pull-off of the seta of a scene.
@@ -56,11 +49,11 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
     let interrupt = Interrupt::listen(move || above.above(|| drop(writeln!(io::stderr(), "{ANSWER}"))));
     let stop = progress.watch(interrupt.ends(scene.bounds.from_now()));
     progress.stage("law of the tips");
-    let (tip, tip_s) = timed(|| study::tip_curve(&scene.tip_model(), &scene.accuracy, PRESSED));
+    let (tip, tip_s) = timed(|| tip_curve(scene));
     let tip = tip.map_err(Stop::cut_short)?;
     let model = SetaModel::new(table.seta, table.law(tip.clone()));
     let loading = scene.seta_loading(table);
-    let options = SetaOptions { balance: scene.accuracy.relative, ..SetaOptions::default() };
+    let options = options(scene);
     let mut see = |point: &SetaPoint| progress.seta(point);
     let (followed, solve_s) = timed(|| follow(&model, (&loading, &options), &stop, sampler, kept.as_mut(), &mut see));
     let followed =
