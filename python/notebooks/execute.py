@@ -15,19 +15,17 @@ import base64
 import logging
 import sys
 import time
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import nbformat
 from gallery import page, picture_of
+from kernel import WatchedKernelManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from nbformat import NotebookNode
 
 HERE = Path(__file__).resolve().parent
 DOCS = HERE.parents[1] / "docs"
-# of two at once, one has waited for minutes for a reply of its kernel that had come
-AT_ONCE = 1
 # s; they take a few on an idle machine
 LONGEST_CELL = 300
 # of a picture in the book, bytes
@@ -52,6 +50,7 @@ def execute(path: Path) -> tuple[NotebookNode, str | None, float]:
         notebook,
         timeout=LONGEST_CELL,
         kernel_name="python3",
+        kernel_manager_class=WatchedKernelManager,
         resources={"metadata": {"path": str(path.parent)}},
         # a kernel has nothing to say but what stands in its cells
         extra_arguments=["--log-level=CRITICAL"],
@@ -115,12 +114,12 @@ def main() -> int:
     # streams of a kernel that has ended
     logging.getLogger("tornado").setLevel(logging.ERROR)
     notebooks, wrong = {}, []
-    with ThreadPoolExecutor(AT_ONCE) as pool:
-        for path, (notebook, error, seconds) in zip(paths, pool.map(execute, paths)):
-            print(f"{path.stem:28} {'failed' if error else 'done':7} {seconds:5.1f} s", flush=True)
-            notebooks[path.stem] = notebook
-            if error:
-                wrong.append(f"{path.name}: {error}")
+    for path in paths:
+        notebook, error, seconds = execute(path)
+        print(f"{path.stem:28} {'failed' if error else 'done':7} {seconds:5.1f} s", flush=True)
+        notebooks[path.stem] = notebook
+        if error:
+            wrong.append(f"{path.name}: {error}")
     if asked.gallery and not wrong:
         wrong += write_gallery(asked.gallery, notebooks)
     if asked.check:
