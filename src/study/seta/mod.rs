@@ -5,6 +5,8 @@
 mod advance;
 mod critical;
 mod failure;
+#[cfg(test)]
+mod gradient_flow;
 mod knot;
 mod loading;
 mod loss;
