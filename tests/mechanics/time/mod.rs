@@ -1,5 +1,6 @@
 //! Motion in time: rods that spin, vibrate and fly, strips that are pulled at a rate.
 mod flight;
+mod in_space;
 mod pull;
 mod rods;
 mod spin_up;
