@@ -3,4 +3,5 @@ mod flight;
 mod in_space;
 mod pull;
 mod rods;
+mod seta;
 mod spin_up;
