@@ -7,14 +7,20 @@
 use crate::seta::setup::{along_normal, model, pulled, small};
 use approx::assert_relative_eq;
 use peelkit::beam::Viscosity;
-use peelkit::model::{MovingMaterial, Seta, Sideways};
+use peelkit::model::{MovingMaterial, Seta, SetaMesh, SetaModel, Sideways};
 use peelkit::study::{SetaInTime, SetaPullRate, SetaStart, SetaTimeAccuracy, StepEnd, TipLoss, pull_seta_in_time};
 
 const MOST: f64 = 5000.0;
 
+/// On fewer elements than where it is held against shooting: equilibria and motion have the same.
+fn seta_of(seta: Seta) -> SetaModel {
+    let mesh = SetaMesh { order: 3, elements: vec![2; seta.forks + 1] };
+    SetaModel { mesh, ..model(seta, Sideways::Free) }
+}
+
 fn in_time(viscosity: Viscosity, rate: f64, accuracy: &SetaTimeAccuracy) -> SetaInTime {
     let material = MovingMaterial { density: 0.0, viscosity };
-    let model = model(small(), Sideways::Free);
+    let model = seta_of(small());
     let found = pull_seta_in_time(&model, &material, &SetaPullRate::normal(MOST, rate), accuracy, None);
     let found = found.unwrap_or_else(|failed| panic!("{}", failed.why));
     assert_eq!(found.last().attached, 0);
@@ -33,8 +39,7 @@ fn kelvin_voigt(retardation_time: f64) -> Viscosity {
 fn equilibria(factor: f64) -> f64 {
     let mut seta: Seta = small();
     seta.material.youngs_modulus *= factor;
-    let whole =
-        pulled(&model(seta, Sideways::Free), SetaStart::Adhering, &[along_normal(1.0, StepEnd::Detached(MOST))]);
+    let whole = pulled(&seta_of(seta), SetaStart::Adhering, &[along_normal(1.0, StepEnd::Detached(MOST))]);
     whole.peak.unwrap().point.force_along
 }
 
@@ -67,7 +72,9 @@ fn a_standard_linear_solid_lies_between_slow_and_fast_loading() {
     let solid = Viscosity::StandardLinearSolid { relaxation_time: 1e3, stiffness_ratio: 2.0 };
     let usual = SetaTimeAccuracy::default();
     let forces = [1e-5, 3e-2, 1e2].map(|rate| in_time(solid, rate, &usual).peak().force);
-    assert_relative_eq!(forces[0], slow, max_relative = 2e-3);
+    assert_relative_eq!(forces[0], slow, max_relative = 1e-4);
+    // but for the tips' heights, which the seta at rest has yielded to at the modulus of slow loading
+    assert_relative_eq!(forces[2], fast, max_relative = 5e-3);
     assert!(forces[0] <= forces[1] * (1.0 + 1e-6) && forces[1] <= forces[2] * (1.0 + 1e-6), "{forces:?}");
 }
 
@@ -86,7 +93,7 @@ fn the_force_does_not_depend_on_the_steps() {
 
 #[test]
 fn what_is_not_followed_is_refused_by_name() {
-    let model = model(small(), Sideways::Free);
+    let model = seta_of(small());
     let refused = |density: f64, pull: SetaPullRate| {
         let material = MovingMaterial { density, viscosity: kelvin_voigt(1e3) };
         pull_seta_in_time(&model, &material, &pull, &SetaTimeAccuracy::default(), None).unwrap_err().why.to_string()
