@@ -17,7 +17,7 @@ use std::time::Instant;
 /// τ, ns
 const TIME: f64 = 1e6;
 /// Rate times τ, µm
-const LENGTHS: [f64; 6] = [0.1, 1.0, 3.0, 10.0, 30.0, 100.0];
+const LENGTHS: [f64; 8] = [0.001, 0.01, 0.1, 1.0, 3.0, 10.0, 30.0, 100.0];
 /// Of Kelvin and Voigt, and the standard linear solid with E₀/E∞ = 2
 const MATERIALS: [&str; 2] = ["kelvin-voigt", "solid"];
 /// The root goes no farther, nm.
@@ -64,7 +64,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let peak = pulled.peak();
             let apart = pulled.points.iter().map(|at| (at.force - at.tip_force).abs()).fold(0.0, f64::max);
             println!(
-                "{length:19.1}   {name:12} {:9.4}   {:8.4}   {:6}   {:7.1e}   {apart:7.1e}   {:.2}",
+                "{length:19}   {name:12} {:9.4}   {:8.4}   {:6}   {:7.1e}   {apart:7.1e}   {:.2}",
                 peak.force,
                 peak.force / slow,
                 pulled.tried,

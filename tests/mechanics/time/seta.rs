@@ -4,7 +4,7 @@
 //! a standard linear solid. Expected: the limit of a slow pull; the force depends on rate times time alone; work = stored + adhesion + dissipated
 //! to 1e-4; a force that does not depend on the steps.
 
-use crate::seta::setup::{along_normal, model, pulled, small};
+use crate::seta::setup::{along_normal, curve, model, pulled, small};
 use approx::assert_relative_eq;
 use peelkit::beam::Viscosity;
 use peelkit::model::{MovingMaterial, Seta, SetaMesh, SetaModel, Sideways};
@@ -64,6 +64,22 @@ fn the_force_depends_on_rate_times_time() {
         assert_relative_eq!(a.peak().force, b.peak().force, max_relative = 1e-8);
         assert_eq!(a.events.len(), b.events.len());
     }
+}
+
+/// A tree that has no time to yield: each tip goes up by the displacement from where it is at rest.
+#[test]
+fn a_fast_pull_moves_the_seta_as_a_rigid_body() {
+    let seta = seta_of(small());
+    let rest = pulled(&seta, SetaStart::Adhering, &[along_normal(1.0, StepEnd::Travel(1e-6))]).last.unwrap();
+    let heights: Vec<f64> = (0..4).map(|tip| rest.joints[seta.seta.tip_joint(tip)].place[1]).collect();
+    let curve = curve();
+    let of = |u: f64| {
+        let force = |height: &f64| if u + height < curve.snap_off() { curve.force(u + height).0 } else { 0.0 };
+        heights.iter().map(force).sum::<f64>()
+    };
+    let wanted = (0..8000).map(|k| of(0.05 * f64::from(k))).fold(0.0, f64::max);
+    let found = in_time(kelvin_voigt(1e3), 1e4, &SetaTimeAccuracy::default());
+    assert_relative_eq!(found.peak().force, wanted, max_relative = 1e-3);
 }
 
 #[test]
