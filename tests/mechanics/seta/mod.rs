@@ -3,7 +3,7 @@
 mod four_tips;
 mod hard;
 mod hysteresis;
-mod setup;
+pub mod setup;
 mod symmetry;
 mod table_law;
 mod tip;
