@@ -4,11 +4,13 @@
 //! and rotation θ, and [`TipTable`] interpolates its energy, so that forces are its gradient. [`Coarsening`] solves the spatula itself where
 //! a table is not enough, and [`SpatulaTip`] puts it into space.
 mod adaptive;
+mod before;
 mod branch;
 mod column;
 mod columns;
 mod error;
 mod held_spatula;
+mod jet;
 mod options;
 mod place;
 mod refine;
@@ -16,6 +18,7 @@ mod refused;
 mod run;
 mod seta_tip;
 mod sheet;
+mod sheet_table;
 mod spline;
 mod table;
 mod tip_in_space;
@@ -28,6 +31,7 @@ pub use place::{PadEnd, TipPlace, TipResponse};
 pub use refine::{SheetErrors, TipScales};
 pub use run::{Coarsening, coarsen};
 pub use seta_tip::TableLaw;
-pub use sheet::{Sheet, SheetLimit, SheetNode, SheetTable};
+pub use sheet::{Sheet, SheetLimit};
+pub use sheet_table::{SheetNode, SheetTable};
 pub use table::TipTable;
 pub use tip_in_space::{OutOfPlane, SpatulaTip};
