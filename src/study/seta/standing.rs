@@ -151,13 +151,15 @@ impl Standing {
         own.on
     }
 
-    /// Takes note of where on its branch each tip is.
+    /// Takes note of where on its branch each tip is in equilibrium.
     pub fn note(&mut self, at: &State) {
         for tip in 0..self.tips.len() {
             let on = self.branch(at, tip);
             if on.adheres() == self.tips[tip].on.adheres() {
                 self.tips[tip].on = on;
             }
+            let (place, directors) = self.place(at, tip);
+            self.tips[tip].note(place, directors);
         }
     }
 

@@ -9,7 +9,7 @@
 use peelkit::beam::rotation::{exponential, product};
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Seta, SetaModel, Sideways, Spatula, TipBranch, TipLaw};
 use peelkit::study::coarsening::{
-    CoarseningOptions, PadEnd, TableLaw, TipPlace, TipRange, TipSheet, TipTable, coarsen,
+    Coarsening, CoarseningOptions, PadEnd, TableLaw, TipPlace, TipRange, TipSheet, TipTable, coarsen, pull_off_by_table,
 };
 use peelkit::study::{SetaEnd, SetaLoading, SetaOptions, StopCriteria, pull_off};
 use std::sync::Arc;
@@ -109,6 +109,26 @@ fn forces_are_the_gradient_of_one_energy_within_the_table_and_outside() {
         }
     }
     assert!(outside > 20, "{outside}");
+}
+
+#[test]
+fn a_table_grows_until_no_tip_leaves_it() {
+    let model = PeelModel::of(Body::Spatula(Spatula::default()), Adhesion::default(), Grip::FREE);
+    let range = TipRange { press: 5.0, rotation: [-0.03, 0.03], ..TipRange::SLIDING };
+    let options = CoarseningOptions { range, tolerance: 1e-2, ..CoarseningOptions::of(PadEnd::Sliding) };
+    let mut coarsening = Coarsening::new(&model, &options).unwrap();
+    let seta = Seta { forks: 4, ..Seta::default() };
+    let of = |law: Arc<dyn TipLaw>| SetaModel::new(seta, law);
+    let loading = SetaLoading::pull([0.0, 1.0, 0.0], 60_000.0);
+    let options = SetaOptions { balance: 1e-6, ..SetaOptions::default() };
+    let stop = StopCriteria::default();
+    let found = pull_off_by_table(&mut coarsening, (&of, Sideways::Free), (&loading, &options), &stop).unwrap();
+    println!("{:#?}, changed {:?}", found.rounds, found.changed());
+    assert!(found.rounds.len() > 1 && found.rounds[0].visited.outside > 0 && found.is_inside());
+    assert_eq!(found.pull_off.end, SetaEnd::Completed);
+    let peak = found.pull_off.peak.as_ref().unwrap().point;
+    // as with a table that was wide to begin with
+    assert!((peak.force_along - 87.53).abs() < 0.1, "{peak:?}");
 }
 
 #[test]
