@@ -1,5 +1,7 @@
 //! Numbers that depend on three coordinates, with their first and second derivatives: sums, products and quotients.
 
+#![allow(clippy::suspicious_arithmetic_impl)] // the derivatives of products and quotients are sums
+
 use std::ops::{Add, Div, Mul, Sub};
 
 /// A value with its derivatives by three coordinates.

@@ -149,12 +149,12 @@ impl Coarsening {
         self.options.range.rotation = widened(self.options.range.rotation, place.rotation);
     }
 
-    /// Begins the attached branch of the next table with the tip pressed farther by so much, nm; its columns are followed again.
+    /// Begins the attached branch of the next table with the tip pressed farther by so much and a little more, nm; its columns are followed again.
     pub fn press_farther(&mut self, by: f64) {
         if by > 0.0
             && let BranchStart::Attached { spatula, rest, press } = self.attached.start()
         {
-            let press = press + by;
+            let press = press + ROOM * by;
             let (spatula, rest) = (spatula.clone(), rest.clone());
             self.attached = Columns::new(BranchStart::Attached { spatula, rest, press });
             self.options.range.press = press;
@@ -166,7 +166,7 @@ impl Coarsening {
         for (lateral, rotation) in visited.lateral.into_iter().zip(visited.rotation) {
             self.widen(TipPlace { normal: 0.0, lateral, rotation: ROOM * rotation });
         }
-        self.press_farther(ROOM * visited.pressed);
+        self.press_farther(visited.pressed);
     }
 
     /// Asks another tolerance of the next table.

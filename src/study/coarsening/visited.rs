@@ -1,7 +1,7 @@
 //! Where in a table the tips of a seta have been in equilibrium: what lies outside says how far the table has to grow.
 
 use super::branch::TipSheet;
-use super::place::TipPlace;
+use super::place::{PadEnd, TipPlace};
 use super::table::TipTable;
 use std::sync::{Mutex, PoisonError};
 
@@ -14,7 +14,7 @@ pub struct Visited {
     pub outside: usize,
     /// By how much a tip was pressed farther than where the attached branch begins, at most, nm
     pub pressed: f64,
-    /// The smallest and the largest v outside of the table, nm
+    /// The smallest and the largest v outside of the table, nm; zeros where the pad slides
     pub lateral: [f64; 2],
     /// The smallest and the largest θ outside of the table, rad
     pub rotation: [f64; 2],
@@ -34,7 +34,9 @@ impl Visits {
         }
         visited.outside += 1;
         let widened = |[from, to]: [f64; 2], value: f64| [from.min(value), to.max(value)];
-        visited.lateral = widened(visited.lateral, place.lateral);
+        if table.options.pad_end == PadEnd::Held {
+            visited.lateral = widened(visited.lateral, place.lateral);
+        }
         visited.rotation = widened(visited.rotation, place.rotation);
         if on == TipSheet::Attached {
             visited.pressed = visited.pressed.max(table.attached.ends(place)[0] - place.normal);

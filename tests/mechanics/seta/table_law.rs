@@ -94,8 +94,12 @@ fn forces_are_the_gradient_of_one_energy_within_the_table_and_outside() {
                     }
                     table.response(on, place)
                 };
+                let place = TipPlace { normal, lateral: 0.0, rotation };
+                if table.sheet(on).is_beyond(place) {
+                    continue;
+                }
                 let here = at(0, 0.0);
-                outside += usize::from(!table.contains(on, TipPlace { normal, lateral: 0.0, rotation }));
+                outside += usize::from(!table.contains(on, place));
                 for (i, step) in [(0, 1e-3), (2, 1e-5)] {
                     let (ahead, behind) = (at(i, step), at(i, -step));
                     let slope = (ahead.energy - behind.energy) / (2.0 * step);
@@ -127,8 +131,9 @@ fn a_table_grows_until_no_tip_leaves_it() {
     assert!(found.rounds.len() > 1 && found.rounds[0].visited.outside > 0 && found.is_inside());
     assert_eq!(found.pull_off.end, SetaEnd::Completed);
     let peak = found.pull_off.peak.as_ref().unwrap().point;
-    // as with a table that was wide to begin with
-    assert!((peak.force_along - 87.53).abs() < 0.1, "{peak:?}");
+    // as with a table to 1e-3 that was wide to begin with, within the bound of this one
+    let bound = 16.0 * found.table.attached_errors.force[0];
+    assert!((peak.force_along - 87.53).abs() < bound && bound < 0.5, "{peak:?} {bound}");
 }
 
 #[test]
