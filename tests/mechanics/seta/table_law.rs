@@ -133,7 +133,7 @@ fn a_table_grows_until_no_tip_leaves_it() {
     let peak = found.pull_off.peak.as_ref().unwrap().point;
     // as with a table to 1e-3 that was wide to begin with, within the bound of this one
     let bound = 16.0 * found.table.attached_errors.force[0];
-    assert!((peak.force_along - 87.53).abs() < bound && bound < 0.5, "{peak:?} {bound}");
+    assert!((peak.force_along - 87.53).abs() < bound && bound < 0.6, "{peak:?} {bound}");
 }
 
 #[test]
