@@ -1,9 +1,10 @@
 //! The pull-off of a seta with 256 tips that follow the curve of their spatula.
 //!
-//!     cargo run --release --example seta_pull_off [free | held] [normal | lateral | inclined] [upright] [preload=nN] [order=p] [divided=n] [paper] [balance=b]
-//!         [forks=n] [tip=r]: relative tolerance of the curve of the tips
+//!     cargo run --release --example seta_pull_off [free | held] [table] [forks=n] [normal | lateral | inclined] [upright] [preload=nN] [order=p] [divided=n] [paper] [balance=b]
+//!         [tip=r]: relative tolerance of the curve of the tips
 
-use peelkit::model::{NormalPull, Seta, SetaMesh, SetaModel, Sideways, Spatula};
+use peelkit::model::{NormalPull, Seta, SetaMesh, SetaModel, Sideways, Spatula, TipLaw};
+use peelkit::study::coarsening::{CoarseningOptions, PadEnd, TableLaw, TipRange, coarsen};
 use peelkit::study::{Accuracy, SetaLoading, SetaOptions, StopCriteria, pull_off, tip_curve};
 use std::error::Error;
 use std::sync::Arc;
@@ -26,13 +27,23 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{u:10.4} {:12.8} {:12.8} {:12.6}", curve.force(u).0, curve.force(u).1, curve.energy(u));
     }
     let sideways = if is("held") { Sideways::Held(1.0) } else { Sideways::Free };
-    let law = Arc::new(NormalPull { curve, sideways, contact_height: 0.0 });
+    let number = |key: &str| words.iter().find_map(|own| own.strip_prefix(key)?.strip_prefix('=')?.parse::<f64>().ok());
+    let law: Arc<dyn TipLaw> = if is("table") {
+        let begun = Instant::now();
+        let range = TipRange { press: 100.0, ..TipRange::SLIDING };
+        let options = CoarseningOptions { range, tolerance: 1e-3, ..CoarseningOptions::of(PadEnd::Sliding) };
+        let table = coarsen(&Spatula::default().model(), &options)?;
+        println!("table: {} equilibria, {:.3} s", table.equilibria, begun.elapsed().as_secs_f64());
+        Arc::new(TableLaw::new(Arc::new(table), sideways))
+    } else {
+        Arc::new(NormalPull { curve, sideways, contact_height: 0.0 })
+    };
     let mut seta = Seta::default();
-    if is("upright") {
-        (seta.shaft_angle, seta.brush_angle) = (0.0, 0.0);
-    }
     if let Some(forks) = number("forks") {
         seta.forks = forks as usize;
+    }
+    if is("upright") {
+        (seta.shaft_angle, seta.brush_angle) = (0.0, 0.0);
     }
     let mut model = SetaModel::new(seta, law);
     if is("paper") {

@@ -26,6 +26,11 @@ impl AdheringTip {
     pub fn branch(&self, place: [f64; 3], directors: Quaternion) -> TipBranch {
         self.law.branch(self.on, self.offset(place), directors)
     }
+
+    /// Takes note that it is in equilibrium with its end at a place, nm.
+    pub fn note(&self, place: [f64; 3], directors: Quaternion) {
+        self.law.note(self.on, self.offset(place), directors);
+    }
 }
 
 impl EndEnergy for AdheringTip {

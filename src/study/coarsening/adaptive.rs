@@ -13,7 +13,7 @@ pub struct AdaptiveTable {
     table: TipTable,
     allowed: f64,
     record: ResolvedTips,
-    outside: Vec<TipPlace>,
+    outside: Vec<(TipSheet, TipPlace)>,
 }
 
 /// How often the spatula itself was solved, and what that changed.
@@ -65,7 +65,7 @@ impl AdaptiveTable {
         let changed = &mut self.record.changed;
         (0..3).for_each(|i| changed[i] = changed[i].max((solved.force[i] - from_table.force[i]).abs()));
         if !inside {
-            self.outside.push(place);
+            self.outside.push((on, place));
         }
         Ok(solved)
     }
@@ -75,9 +75,14 @@ impl AdaptiveTable {
     /// # Errors
     /// Those of the table; it stays what it is then.
     pub fn grow(&mut self) -> Result<(), CoarseningError> {
-        for place in self.outside.drain(..) {
+        let mut pressed: f64 = 0.0;
+        for (on, place) in self.outside.drain(..) {
             self.coarsening.widen(place);
+            if on == TipSheet::Attached {
+                pressed = pressed.max(self.table.attached.ends(place)[0] - place.normal);
+            }
         }
+        self.coarsening.press_farther(pressed);
         self.coarsening.refine_to(self.allowed.min(self.table.options.tolerance));
         self.table = self.coarsening.table()?;
         self.record.grown += 1;

@@ -10,7 +10,7 @@
 use super::error::HeldError;
 use super::held_spatula::{HeldSpatula, HeldState, with_own_mesh};
 use super::place::TipPlace;
-use super::sheet::SheetNode;
+use super::sheet_table::SheetNode;
 use crate::beam::FRONT;
 use crate::model::BeamProblem;
 use crate::solve::{

@@ -3,7 +3,7 @@
 use super::branch::BranchStart;
 use super::column::Column;
 use super::error::HeldError;
-use super::sheet::SheetNode;
+use super::sheet_table::SheetNode;
 use crate::solve::Workspace;
 use rayon::prelude::*;
 use std::collections::BTreeMap;

@@ -14,7 +14,8 @@
 use super::columns::Columns;
 use super::error::HeldError;
 use super::place::TipPlace;
-use super::sheet::{Sheet, SheetNode, SheetTable};
+use super::sheet::Sheet;
+use super::sheet_table::{SheetNode, SheetTable};
 use serde::{Deserialize, Serialize};
 
 /// What errors are measured by: the largest force, nN, the largest moment, nN·nm, and K0, nN/nm.

@@ -9,6 +9,7 @@ use super::place::{PadEnd, TipPlace, TipResponse};
 use super::refine::{Grid, Refined, refined};
 use super::refused::refuse;
 use super::table::TipTable;
+use super::visited::Visited;
 use crate::beam::FRONT;
 use crate::model::PeelModel;
 use crate::solve::Workspace;
@@ -34,6 +35,8 @@ const OF_LIMIT: f64 = 0.25;
 const STILL_ADHERES: f64 = 0.5;
 /// How far away the detached branch is begun, over the length of the spatula, beside what its rotation takes.
 const AWAY: f64 = 0.5;
+/// How far a table grows, over what was asked of it.
+const ROOM: f64 = 1.1;
 
 /// Computes the table of a tip.
 ///
@@ -144,6 +147,26 @@ impl Coarsening {
         let widened = |[from, to]: [f64; 2], value: f64| [from.min(value), to.max(value)];
         self.options.range.lateral = widened(self.options.range.lateral, place.lateral);
         self.options.range.rotation = widened(self.options.range.rotation, place.rotation);
+    }
+
+    /// Begins the attached branch of the next table with the tip pressed farther by so much and a little more, nm; its columns are followed again.
+    pub fn press_farther(&mut self, by: f64) {
+        if by > 0.0
+            && let BranchStart::Attached { spatula, rest, press } = self.attached.start()
+        {
+            let press = press + ROOM * by;
+            let (spatula, rest) = (spatula.clone(), rest.clone());
+            self.attached = Columns::new(BranchStart::Attached { spatula, rest, press });
+            self.options.range.press = press;
+        }
+    }
+
+    /// Makes the next table so wide that it holds where tips have been.
+    pub(super) fn grow_to(&mut self, visited: &Visited) {
+        for (lateral, rotation) in visited.lateral.into_iter().zip(visited.rotation) {
+            self.widen(TipPlace { normal: 0.0, lateral, rotation: ROOM * rotation });
+        }
+        self.press_farther(visited.pressed);
     }
 
     /// Asks another tolerance of the next table.

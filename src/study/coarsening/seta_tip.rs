@@ -9,6 +9,7 @@ use super::branch::TipSheet;
 use super::place::TipPlace;
 use super::table::TipTable;
 use super::tip_in_space::{OutOfPlane, SpatulaTip};
+use super::visited::{Visited, Visits};
 use crate::beam::EndResponse;
 use crate::beam::rotation::Quaternion;
 use crate::model::{Sideways, TipBranch, TipLaw};
@@ -21,13 +22,24 @@ pub struct TableLaw {
     pub tip: SpatulaTip,
     /// What holds it along the ground beside the table
     pub sideways: Sideways,
+    /// Where tips with this law, in any orientation, have been in equilibrium
+    visits: Arc<Visits>,
 }
 
 impl TableLaw {
     /// Of tips whose pads point along -x, and which nothing resists out of their planes.
     pub fn new(table: Arc<TipTable>, sideways: Sideways) -> Self {
         let out_of_plane = OutOfPlane::default();
-        Self { tip: SpatulaTip { table, azimuth: 0.0, directors: [1.0, 0.0, 0.0, 0.0], out_of_plane }, sideways }
+        Self {
+            tip: SpatulaTip { table, azimuth: 0.0, directors: [1.0, 0.0, 0.0, 0.0], out_of_plane },
+            sideways,
+            visits: Arc::default(),
+        }
+    }
+
+    /// Where in the table its tips have been in equilibrium so far.
+    pub fn visited(&self) -> Visited {
+        self.visits.get()
     }
 
     /// Where in the table a tip with these directors in the stress-free seta is: `place` from its place of adhesion, nm.
@@ -63,6 +75,10 @@ impl TipLaw for TableLaw {
                 if softens && at.normal > 0.0 { TipBranch::Detaching } else { TipBranch::Attached }
             }
         }
+    }
+
+    fn note(&self, on: TipBranch, place: [f64; 3], directors: Quaternion) {
+        self.visits.note(&self.tip.table, sheet(on), self.tip.in_plane(place, directors));
     }
 
     fn oriented(&self, rest: Quaternion) -> Option<Arc<dyn TipLaw>> {

@@ -9,59 +9,14 @@
 //!   S_u = 1/U_s,  S_i = -U_i/U_s,
 //!   E_ij = Φ_ss S_i S_j + Φ_si S_j + Φ_sj S_i + Φ_ij,  Φ = Ê - P U with P held.
 //!
-//! Next to the limit point, s > s_c = 0.9998, and beyond it, κ (s - s_c)³ is added to U and as many times the mean force there to Ê: then the branch has an
+//! Before s = 0 the branch goes on in another way (before.rs). Next to the limit point, s > s_c = 0.9998, and beyond it, κ (s - s_c)³ is added to U and as many times the mean force there to Ê: then the branch has an
 //! energy a little beyond its end as well, with a force near to that at the limit.
 
+use super::before::{decaying, straight};
+use super::jet::Jet;
 use super::place::{TipPlace, TipResponse};
-use super::spline::{Basis, SplineAxis};
-use serde::{Deserialize, Serialize};
-
-/// A node of a sheet: an equilibrium that was solved.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct SheetNode {
-    /// u, nm
-    pub normal: f64,
-    /// ∂u/∂s, nm
-    pub slope: f64,
-    /// E, aJ
-    pub energy: f64,
-    /// ∂E/∂(u, v, θ), nN, nN and nN·nm
-    pub force: [f64; 3],
-    /// Length of the pad that adheres: energy of adhesion over that of a unit length of its free end at rest, nm
-    pub adhering: f64,
-}
-
-/// The nodes of one branch.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct SheetTable {
-    /// s from 0 to 1, ascending
-    pub path: Vec<f64>,
-    /// v, nm, ascending; one where the pad slides
-    pub lateral: Vec<f64>,
-    /// θ, rad, ascending
-    pub rotation: Vec<f64>,
-    /// By v, then θ, then s
-    pub nodes: Vec<SheetNode>,
-}
-
-impl SheetTable {
-    /// The nodes along s of a column.
-    pub fn column(&self, lateral: usize, rotation: usize) -> &[SheetNode] {
-        let length = self.path.len();
-        &self.nodes[(lateral * self.rotation.len() + rotation) * length..][..length]
-    }
-
-    /// The limit points of its columns, with their places.
-    pub fn limits(&self) -> impl Iterator<Item = (TipPlace, &SheetNode)> + '_ {
-        let last = self.path.len() - 1;
-        (0..self.lateral.len()).flat_map(move |v| {
-            (0..self.rotation.len()).map(move |t| {
-                let node = &self.column(v, t)[last];
-                (TipPlace { normal: node.normal, lateral: self.lateral[v], rotation: self.rotation[t] }, node)
-            })
-        })
-    }
-}
+use super::sheet_table::{SheetNode, SheetTable};
+use super::spline::{Basis, SUPPORT, SplineAxis};
 
 /// Where a branch ends, at one v and θ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,14 +27,6 @@ pub struct SheetLimit {
     pub energy: f64,
     /// ∂E/∂(u, v, θ), nN, nN and nN·nm
     pub force: [f64; 3],
-}
-
-/// A value with its derivatives by s, v and θ.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Jet {
-    pub value: f64,
-    pub gradient: [f64; 3],
-    pub hessian: [[f64; 3]; 3],
 }
 
 /// A branch, interpolated.
@@ -100,12 +47,11 @@ pub struct Sheet {
 const CONTINUED: f64 = 0.9998;
 /// At the limit point P = Ê_s/U_s is 0/0: it is taken so little before it.
 const BEFORE_LIMIT: f64 = 1e-6;
-/// s between which it is known or continued.
-const FIRST: f64 = -0.1;
+/// s up to which it is continued.
 const LAST: f64 = 1.2;
 /// Steps of the search for s.
 const MOST_STEPS: usize = 60;
-/// Its error.
+/// Its error, and that of u, nm.
 const FOUND: f64 = 1e-13;
 
 impl Sheet {
@@ -147,24 +93,24 @@ impl Sheet {
 
     /// u where the branch begins and where it ends, at v and θ, nm.
     pub fn ends(&self, place: TipPlace) -> [f64; 2] {
-        let displacement = self.along(&self.clamped(place));
-        [0.0, 1.0].map(|s| {
-            let basis = self.axes[0].basis(s);
-            (0..basis.count).map(|i| basis.derivatives[0][i] * displacement[basis.first + i]).sum()
-        })
+        self.ends_by(&self.weights(&place))
+    }
+
+    /// The same: at its ends a spline is its first and its last coefficient.
+    fn ends_by(&self, weights: &Weights) -> [f64; 2] {
+        [0, self.axes[0].len() - 1].map(|k| weights.of(&self.displacement, k))
     }
 
     /// The limit point at v and θ: u, energy and forces.
     pub fn limit(&self, place: TipPlace) -> SheetLimit {
-        let inside = self.clamped(place);
-        let [v, t] = [self.axes[1].basis(inside.lateral), self.axes[2].basis(inside.rotation)];
+        let [v, t] = [self.axes[1].basis(place.lateral), self.axes[2].basis(place.rotation)];
         let rotations = self.axes[2].len();
         let force = |i: usize| -> f64 {
             let own = |a: usize, b: usize| self.limit_forces[i][(v.first + a) * rotations + t.first + b];
             let places = (0..v.count).flat_map(|a| (0..t.count).map(move |b| (a, b)));
             places.map(|(a, b)| v.derivatives[0][a] * t.derivatives[0][b] * own(a, b)).sum()
         };
-        let [normal, energy] = self.jets(1.0, &inside).map(|jet| jet.value);
+        let [normal, energy] = self.jets(1.0, &place).map(|jet| jet.value);
         SheetLimit { normal, energy, force: std::array::from_fn(force) }
     }
 
@@ -193,55 +139,62 @@ impl Sheet {
         }
     }
 
-    /// Energy, forces and stiffness at a place. Beyond the ranges of v and θ it is their expansion of second order from there, beyond those of u the
-    /// continuation of the branch.
+    /// Energy, forces and stiffness at a place. Beyond the ranges of v and θ they are those of the expansions of U and Ê of second order from
+    /// there, beyond those of u the continuation of the branch.
     pub fn response(&self, place: TipPlace) -> TipResponse {
-        let inside = self.clamped(place);
-        let s = self.path_at(inside);
-        let near = self.response_at(s, inside);
-        if inside == place {
-            return near;
+        let weights = self.weights(&place);
+        let ends = self.ends_by(&weights);
+        let [begin, end] = ends;
+        if (place.normal - begin) * (end - begin) < 0.0 {
+            return self.before(place, begin < end);
         }
-        let away = [0.0, place.lateral - inside.lateral, place.rotation - inside.rotation];
-        let more: [f64; 3] = std::array::from_fn(|i| (0..3).map(|j| near.stiffness[i][j] * away[j]).sum());
-        let work: f64 = (0..3).map(|i| away[i] * (near.force[i] + 0.5 * more[i])).sum();
-        TipResponse {
-            energy: near.energy + work,
-            force: std::array::from_fn(|i| near.force[i] + more[i]),
-            stiffness: near.stiffness,
-        }
+        self.response_at(self.path_at(place.normal, ends, &weights), place)
     }
 
-    /// The coefficients along s of U at v and θ.
-    fn along(&self, place: &TipPlace) -> Vec<f64> {
+    /// The response before the begin of the branch.
+    fn before(&self, place: TipPlace, rising: bool) -> TipResponse {
+        let bases = [self.axes[0].basis(0.0), self.axes[1].basis(place.lateral), self.axes[2].basis(place.rotation)];
+        let along = |coefficients: &[f64]| {
+            let sums = self.sums(coefficients, &bases);
+            std::array::from_fn(|d| across(&sums[d]))
+        };
+        let (displacement, energy) = (along(&self.displacement), along(&self.energy));
+        let continued = if rising { straight } else { decaying };
+        let Jet { value, gradient, hessian } = continued(displacement, energy, place.normal);
+        TipResponse { energy: value, force: gradient, stiffness: hessian }
+    }
+
+    /// The weights of coefficients at v and θ.
+    fn weights(&self, place: &TipPlace) -> Weights {
         let [v, t] = [self.axes[1].basis(place.lateral), self.axes[2].basis(place.rotation)];
         let (length, rotations) = (self.axes[0].len(), self.axes[2].len());
-        let mut displacement = vec![0.0; length];
+        let mut weights = Weights { count: 0, of: [(0, 0.0); SUPPORT * SUPPORT] };
         for i in 0..v.count {
             for j in 0..t.count {
-                let weight = v.derivatives[0][i] * t.derivatives[0][j];
                 let from = ((v.first + i) * rotations + t.first + j) * length;
-                let own = &self.displacement[from..from + length];
-                displacement.iter_mut().zip(own).for_each(|(sum, coefficient)| *sum += weight * coefficient);
+                weights.of[weights.count] = (from, v.derivatives[0][i] * t.derivatives[0][j]);
+                weights.count += 1;
             }
         }
-        displacement
+        weights
     }
 
     /// S(u, v, θ): by Newton's method in a bracket.
-    fn path_at(&self, place: TipPlace) -> f64 {
-        let displacement = self.along(&place);
+    fn path_at(&self, normal: f64, ends: [f64; 2], weights: &Weights) -> f64 {
         let at = |s: f64| {
             let basis = self.axes[0].basis(s);
-            let sum = |d: usize| -> f64 {
-                (0..basis.count).map(|i| basis.derivatives[d][i] * displacement[basis.first + i]).sum()
-            };
-            let [more, slope, _] = self.added(s);
-            (sum(0) + more - place.normal, sum(1) + slope)
+            let (mut value, mut slope) = (-normal, 0.0);
+            for k in 0..basis.count {
+                let coefficient = weights.of(&self.displacement, basis.first + k);
+                value += basis.derivatives[0][k] * coefficient;
+                slope += basis.derivatives[1][k] * coefficient;
+            }
+            let [more, steeper, _] = self.added(s);
+            (value + more, slope + steeper)
         };
-        let (mut low, mut high) = (FIRST, LAST);
-        let rising = at(high).0 > at(low).0;
-        let mut s = 0.5;
+        let rising = ends[1] > ends[0];
+        let (mut low, mut high) = (0.0, LAST);
+        let mut s = self.first_guess((normal - ends[0]) / (ends[1] - ends[0]));
         for _ in 0..MOST_STEPS {
             let (miss, slope) = at(s);
             if (miss > 0.0) == rising {
@@ -250,14 +203,24 @@ impl Sheet {
                 low = s
             }
             let next = s - miss / slope;
-            let step = if next > low && next < high { next } else { 0.5 * (low + high) };
-            let moved = (step - s).abs();
-            s = step;
-            if moved < FOUND {
+            if miss.abs() < FOUND || (next - s).abs() < FOUND {
                 break;
             }
+            s = if next > low && next < high { next } else { 0.5 * (low + high) };
         }
         s
+    }
+
+    /// s at a share of the way in u, by the nodes in the middle of the table.
+    fn first_guess(&self, share: f64) -> f64 {
+        let SheetTable { path, lateral, rotation, .. } = &self.table;
+        let nodes = self.table.column(lateral.len() / 2, rotation.len() / 2);
+        let (first, whole) = (nodes[0].normal, nodes[nodes.len() - 1].normal - nodes[0].normal);
+        let share_of = |node: &SheetNode| (node.normal - first) / whole;
+        let behind = nodes.partition_point(|node| share_of(node) <= share).clamp(1, nodes.len() - 1);
+        let (a, b) = (share_of(&nodes[behind - 1]), share_of(&nodes[behind]));
+        let part = ((share - a) / (b - a)).clamp(0.0, 1.0);
+        path[behind - 1] + part * (path[behind] - path[behind - 1])
     }
 
     /// What continues U beyond the limit, with its derivatives by s.
@@ -273,7 +236,21 @@ impl Sheet {
         [&self.displacement, &self.energy].map(|coefficients| self.jet(coefficients, &bases))
     }
 
-    fn jet(&self, coefficients: &[f64], [s, v, t]: &[Basis; 3]) -> Jet {
+    fn jet(&self, coefficients: &[f64], bases: &[Basis; 3]) -> Jet {
+        let sums = self.sums(coefficients, bases);
+        Jet {
+            value: sums[0][0][0],
+            gradient: [sums[1][0][0], sums[0][1][0], sums[0][0][1]],
+            hessian: [
+                [sums[2][0][0], sums[1][1][0], sums[1][0][1]],
+                [sums[1][1][0], sums[0][2][0], sums[0][1][1]],
+                [sums[1][0][1], sums[0][1][1], sums[0][0][2]],
+            ],
+        }
+    }
+
+    /// Derivatives by s, v and θ, of each order in s and of up to two in v and θ together.
+    fn sums(&self, coefficients: &[f64], [s, v, t]: &[Basis; 3]) -> [[[f64; 3]; 3]; 3] {
         let (length, rotations) = (self.axes[0].len(), self.axes[2].len());
         let mut sums = [[[0.0; 3]; 3]; 3];
         for i in 0..v.count {
@@ -286,19 +263,11 @@ impl Sheet {
                 }
                 for (a, b) in [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)] {
                     let weight = v.derivatives[a][i] * t.derivatives[b][j];
-                    (0..3 - a - b).for_each(|d| sums[d][a][b] += weight * own[d]);
+                    (0..3).for_each(|d| sums[d][a][b] += weight * own[d]);
                 }
             }
         }
-        Jet {
-            value: sums[0][0][0],
-            gradient: [sums[1][0][0], sums[0][1][0], sums[0][0][1]],
-            hessian: [
-                [sums[2][0][0], sums[1][1][0], sums[1][0][1]],
-                [sums[1][1][0], sums[0][2][0], sums[0][1][1]],
-                [sums[1][0][1], sums[0][1][1], sums[0][0][2]],
-            ],
-        }
+        sums
     }
 
     /// U at s, v and θ.
@@ -323,6 +292,28 @@ impl Sheet {
         u.hessian[0][0] += bend;
         e.hessian[0][0] += mean * bend;
         response(&[u, e])
+    }
+}
+
+/// Coefficients of B-splines of v and θ, by where those along s begin, with their weights.
+struct Weights {
+    count: usize,
+    of: [(usize, f64); SUPPORT * SUPPORT],
+}
+
+impl Weights {
+    /// The coefficient k along s.
+    fn of(&self, coefficients: &[f64], k: usize) -> f64 {
+        self.of[..self.count].iter().map(|(from, weight)| weight * coefficients[from + k]).sum()
+    }
+}
+
+/// A derivative by s, with those of it by v and θ.
+fn across(sums: &[[f64; 3]; 3]) -> Jet {
+    Jet {
+        value: sums[0][0],
+        gradient: [0.0, sums[1][0], sums[0][1]],
+        hessian: [[0.0; 3], [0.0, sums[2][0], sums[1][1]], [0.0, sums[1][1], sums[0][2]]],
     }
 }
 

@@ -59,7 +59,7 @@ impl TipTable {
         }
     }
 
-    /// Whether a detached tip is so far away that its force is taken to be zero.
+    /// Whether a detached tip is so far away that its force is neglected: from there it falls off to zero.
     pub fn is_far(&self, place: TipPlace) -> bool {
         place.normal > self.detached.ends(place)[0]
     }
@@ -72,9 +72,6 @@ impl TipTable {
     /// Energy, forces and stiffness on a branch, which goes on a little beyond its limit point. Outside of the table, see
     /// [`TipTable::contains`], it is an extrapolation.
     pub fn response(&self, on: TipSheet, place: TipPlace) -> TipResponse {
-        if on == TipSheet::Detached && self.is_far(place) {
-            return TipResponse::default();
-        }
         self.sheet(on).response(place)
     }
 

@@ -7,7 +7,7 @@ use super::options::SetaOptions;
 use super::rest::share_of_change;
 use super::result::LocationError;
 use super::standing::{RootDrive, Standing, TipTangent};
-use super::watched::{HEIGHT, Watched};
+use super::watched::Watched;
 use crate::beam::EndEnergy;
 use crate::solve::{
     NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve,
@@ -217,7 +217,7 @@ fn softest_ahead(standing: &Standing, problem: &Problem, here: &Solution, ahead:
         }
         let (place, directors) = standing.place(&at, tip);
         let h = if own.branch(place, directors).adheres() {
-            own.response(place, directors).hessian[HEIGHT][HEIGHT]
+            standing.softening(&own.response(place, directors), tip, &here.tangent.direction)
         } else {
             f64::NEG_INFINITY
         };

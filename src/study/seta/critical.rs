@@ -4,8 +4,7 @@
 //! Where a softening tip has a part in v, vᵀK⁺v = -Σ h v² > 0: the tips let go, and the seta would hold. Where none has, K⁺ itself is singular: the
 //! beams buckle, as under a preload, and the seta leaves its shape along v.
 
-use super::standing::Standing;
-use super::watched::HEIGHT;
+use super::standing::{HEIGHT, Standing};
 use crate::beam::SPATIAL_UNKNOWNS;
 use crate::solve::{Bordered, Observables, PathConstraint, Problem, Solution, SolveError, State, Tangents, Workspace};
 
@@ -43,7 +42,7 @@ pub(super) fn at_branching(
 ) -> Result<Critical, SolveError> {
     let mode = critical_direction(problem, at, ws)?;
     let of = |tip: usize| mode[standing.model.seta.tip_joint(tip) * SPATIAL_UNKNOWNS + HEIGHT];
-    let softening: Vec<usize> = (0..standing.tips.len()).filter(|&tip| softens(standing, &at.at, tip)).collect();
+    let softening: Vec<usize> = (0..standing.tips.len()).filter(|&tip| softens(standing, &at.at, tip, &mode)).collect();
     let most = softening.iter().map(|&tip| of(tip).abs()).fold(0.0, f64::max);
     let first = softening.iter().find(|&&tip| of(tip).abs() >= (1.0 - ALIKE) * most);
     let sign = first.map_or(1.0, |&tip| of(tip).signum());
@@ -78,7 +77,7 @@ fn of_direction(standing: &Standing, problem: &Problem, at: &State, direction: &
     let places = direction[..standing.tree.joints() * SPATIAL_UNKNOWNS].chunks_exact(SPATIAL_UNKNOWNS);
     let largest = places.flat_map(|joint| &joint[..3]).fold(0.0f64, |most, x| most.max(x.abs()));
     let speed = |tip: usize| direction[standing.model.seta.tip_joint(tip) * SPATIAL_UNKNOWNS + HEIGHT];
-    let takes_part = |&tip: &usize| speed(tip) > PART * largest && softens(standing, at, tip);
+    let takes_part = |&tip: &usize| speed(tip) > PART * largest && softens(standing, at, tip, direction);
     let softening: Vec<usize> = (0..standing.tips.len()).filter(takes_part).collect();
     let most = softening.iter().map(|&tip| speed(tip)).fold(f64::NEG_INFINITY, f64::max);
     if softening.is_empty() {
@@ -87,7 +86,7 @@ fn of_direction(standing: &Standing, problem: &Problem, at: &State, direction: &
     Critical::Tips(softening.into_iter().filter(|&tip| speed(tip) >= most - ALIKE * most.abs()).collect())
 }
 
-/// Whether the force of a tip falls as it is pulled on.
-fn softens(standing: &Standing, at: &State, tip: usize) -> bool {
-    standing.tips[tip].on.adheres() && standing.response(at, tip).hessian[HEIGHT][HEIGHT] < 0.0
+/// Whether the force of a tip falls as it goes along a direction.
+fn softens(standing: &Standing, at: &State, tip: usize, direction: &[f64]) -> bool {
+    standing.tips[tip].on.adheres() && standing.softening(&standing.response(at, tip), tip, direction) < 0.0
 }

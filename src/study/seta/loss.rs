@@ -12,8 +12,9 @@ use super::maximum::maximum;
 use super::options::SetaOptions;
 use super::result::LocationError;
 use super::standing::{RootDrive, Standing, TipTangent};
-use super::watched::{HEIGHT, Watched};
-use crate::beam::EndEnergy;
+use super::watched::Watched;
+use crate::beam::rotation::{exponential, product};
+use crate::beam::{EndEnergy, SPATIAL_UNKNOWNS};
 use crate::solve::{NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, Workspace, solve};
 
 /// Error of the displacement at a loss, nm: that of the force there goes with its root.
@@ -77,11 +78,16 @@ impl Along<'_> {
     /// h = ∂²E/∂y² of the tip at another height.
     fn softening(&self, at: &Knot, height: f64) -> Option<f64> {
         let tip = self.watched.tip?;
-        let (mut place, directors) = self.standing.place(&at.solution.at, tip);
-        place[HEIGHT] += height - at.parameter;
+        let (place, directors) = self.standing.place(&at.solution.at, tip);
+        let direction = &at.solution.tangent.direction;
+        let way = (height - at.parameter) / self.watched.rate(&at.solution);
+        let moved: [f64; SPATIAL_UNKNOWNS] =
+            std::array::from_fn(|k| way * direction[self.watched.unknown.joint * SPATIAL_UNKNOWNS + k]);
+        let place = std::array::from_fn(|i| place[i] + moved[i]);
+        let directors = product(directors, exponential([moved[3], moved[4], moved[5]]));
         let own = &self.standing.tips[tip];
         let adheres = own.branch(place, directors).adheres();
-        adheres.then(|| own.response(place, directors).hessian[HEIGHT][HEIGHT])
+        adheres.then(|| self.standing.softening(&own.response(place, directors), tip, direction))
     }
 
     /// The height ahead at which h falls to this, or the end of the branch.

@@ -2,11 +2,16 @@
 
 use super::result::TipState;
 use crate::beam::rotation::{Matrix3, Quaternion};
-use crate::beam::{BeamTree, EndEnergy, EndResponse, JointCondition, JointUnknown};
+use crate::beam::{BeamTree, EndEnergy, EndResponse, JointCondition, JointUnknown, SPATIAL_UNKNOWNS};
 use crate::model::{AdheringTip, SetaError, SetaModel, TipBranch};
 use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure, Problem, State};
 use nalgebra::{Matrix6, Vector3};
 use std::sync::Arc;
+
+/// Height among the unknowns of a joint.
+pub(super) const HEIGHT: usize = 1;
+/// The unknowns of a tip by which its energy softens: height and rotations.
+const SOFTENING: [usize; 4] = [HEIGHT, 3, 4, 5];
 
 /// A seta and its tips.
 #[derive(Clone, Debug)]
@@ -155,13 +160,15 @@ impl Standing {
         own.on
     }
 
-    /// Takes note of where on its branch each tip is.
+    /// Takes note of where on its branch each tip is in equilibrium.
     pub fn note(&mut self, at: &State) {
         for tip in 0..self.tips.len() {
             let on = self.branch(at, tip);
             if on.adheres() == self.tips[tip].on.adheres() {
                 self.tips[tip].on = on;
             }
+            let (place, directors) = self.place(at, tip);
+            self.tips[tip].note(place, directors);
         }
     }
 
@@ -169,6 +176,17 @@ impl Standing {
     pub fn response(&self, at: &State, tip: usize) -> EndResponse {
         let (place, directors) = self.place(at, tip);
         self.tips[tip].response(place, directors)
+    }
+
+    /// ∂²E/∂y² of a tip that moves along a direction of the seta: h = (∂²E along the height and the rotations of its end) over the square of its
+    /// height, nN/nm. A tip whose energy does not depend on its rotation has its own ∂²E/∂y². What holds it along the ground does not count.
+    pub fn softening(&self, response: &EndResponse, tip: usize, direction: &[f64]) -> f64 {
+        let own = &direction[self.model.seta.tip_joint(tip) * SPATIAL_UNKNOWNS..][..SPATIAL_UNKNOWNS];
+        let rate = |i: usize| own[i] / own[HEIGHT];
+        let term = |i: usize, j: usize| {
+            if response.hessian[i][j] == 0.0 { 0.0 } else { response.hessian[i][j] * rate(i) * rate(j) }
+        };
+        SOFTENING.iter().map(|&i| SOFTENING.iter().map(|&j| term(i, j)).sum::<f64>()).sum()
     }
 
     /// Force of the ground on a tip, nN.

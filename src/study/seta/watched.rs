@@ -1,11 +1,8 @@
 //! What a branch is followed by where the displacement of the root turns: the place of a joint that goes on.
 
-use super::standing::Standing;
+use super::standing::{HEIGHT, Standing};
 use crate::beam::{JointUnknown, SPATIAL_UNKNOWNS};
 use crate::solve::{Solution, State};
-
-/// Height among the unknowns of a joint
-pub(super) const HEIGHT: usize = 1;
 
 /// A place of a joint along x, y or z that grows or falls along a branch.
 #[derive(Clone, Copy, Debug)]

@@ -41,6 +41,21 @@ fn it_solves_the_spatula_where_the_table_ends_and_grows() {
 }
 
 #[test]
+fn it_grows_where_a_tip_is_pressed_farther() {
+    let mut adaptive = AdaptiveTable::new(Coarsening::new(&spatula(), &options()).unwrap(), 1e-2).unwrap();
+    let pressed = at(-60.0, 0.0, 0.01);
+    assert!(!adaptive.table().contains(TipSheet::Attached, pressed));
+    adaptive.response(TipSheet::Attached, pressed).unwrap();
+    adaptive.grow().unwrap();
+    assert!(adaptive.table().contains(TipSheet::Attached, pressed));
+    let wide = TipRange { press: 100.0, ..options().range };
+    let wide = coarsen(&spatula(), &CoarseningOptions { range: wide, ..options() }).unwrap();
+    let [grown, made] = [adaptive.table(), &wide].map(|table| table.response(TipSheet::Attached, pressed));
+    let bound = adaptive.table().attached_errors.force[0] + wide.attached_errors.force[0];
+    assert!((grown.force[0] - made.force[0]).abs() <= bound, "{grown:?} {made:?}");
+}
+
+#[test]
 fn where_less_error_is_allowed_every_tip_is_solved() {
     let coarsening = Coarsening::new(&spatula(), &options()).unwrap();
     let mut adaptive = AdaptiveTable::new(coarsening, 1e-6).unwrap();
