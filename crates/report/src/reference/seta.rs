@@ -16,6 +16,8 @@ pub const SETA_SUMMARY: &[OutputKey] = &[
     key("peak", "the equilibrium of the pull with the largest force along the pull; null where the pull was not begun"),
     key("peak.force_nN", "force on the root along the pull"),
     key("peak.displacement_nm", "how far the root has moved in the pull"),
+    key("peak.mesh_error_nN", "by how much `force_nN` differs from the peak force with elements one order higher; null where the same tips do not lead to a peak there"),
+    key("peak.mesh_error_nm", "the same of `displacement_nm`"),
     key("peak.tips_attached", "number of tips that adhere"),
     key("peak.largest_tip_load_nN", "of all tips the largest force away from the ground"),
     key("peak.largest_tip_push_nN", "of all tips the largest force towards the ground; 0 where none is pressed"),
@@ -43,6 +45,7 @@ pub const SETA_SUMMARY: &[OutputKey] = &[
     key("timing", "wall clock"),
     key("timing.tip_s", "of the law of the tips"),
     key("timing.solve_s", "of the pull-off"),
+    key("timing.mesh_error_s", "of the peak with elements one order higher"),
     key("parameters", "the scene as it was computed, with its defaults: its tables as objects, units in the names"),
 ];
 
