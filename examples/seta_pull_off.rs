@@ -1,6 +1,7 @@
 //! The pull-off of a seta with 256 tips that follow the curve of their spatula.
 //!
 //!     cargo run --release --example seta_pull_off [free | held] [normal | lateral | inclined] [upright] [preload=nN] [order=p] [divided=n] [paper] [balance=b]
+//!         [forks=n] [tip=r]: relative tolerance of the curve of the tips
 
 use peelkit::model::{NormalPull, Seta, SetaMesh, SetaModel, Sideways, Spatula};
 use peelkit::study::{Accuracy, SetaLoading, SetaOptions, StopCriteria, peak_on_finer_mesh, pull_off, tip_curve};
@@ -12,7 +13,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let is = |word: &str| words.iter().any(|own| own == word);
     let begun = Instant::now();
-    let curve = tip_curve(&Spatula::default().model(), &Accuracy::to(1e-6), 50.0)?;
+    let number = |key: &str| words.iter().find_map(|own| own.strip_prefix(key)?.strip_prefix('=')?.parse::<f64>().ok());
+    let curve = tip_curve(&Spatula::default().model(), &Accuracy::to(number("tip").unwrap_or(1e-6)), 50.0)?;
     println!(
         "curve: {} points, {:.4} s, E at rest {:.4} aJ",
         curve.points().len(),
@@ -29,8 +31,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     if is("upright") {
         (seta.shaft_angle, seta.brush_angle) = (0.0, 0.0);
     }
+    if let Some(forks) = number("forks") {
+        seta.forks = forks as usize;
+    }
     let mut model = SetaModel::new(seta, law);
-    let number = |key: &str| words.iter().find_map(|own| own.strip_prefix(key)?.strip_prefix('=')?.parse::<f64>().ok());
     if is("paper") {
         model.mesh = SetaMesh::of_the_paper(seta.forks);
     }
@@ -88,6 +92,9 @@ fn main() -> Result<(), Box<dyn Error>> {
                 "{name}: u {:.6} nm, force {:.8} nN, attached {}, work {:.6}",
                 p.displacement, p.force_along, p.attached, p.work
             );
+            if let Some(error) = state.location {
+                println!("    located to {:.1e} nm, {:.1e} nN", error.displacement, error.force);
+            }
         }
     }
     let begun = Instant::now();

@@ -15,12 +15,14 @@
 //! Expected: force and moment of the root to 1e-6 of the solver's; 1 700 lines of two nodes for 256 tips, the number of the paper; pictures and
 //! page that an XML reader reads. Why: sections come from statics and not from the solver, with signs of their own.
 
-use peelkit::model::{NormalPull, Seta, SetaModel, Sideways, Spatula};
+use peelkit::model::{NormalPull, Seta, SetaModel, Sideways, Spatula, TipBranch};
 use peelkit::study::{
-    Accuracy, SetaLoading, SetaOptions, SetaPullOff, SetaState, StopCriteria, TipState, pull_off, tip_curve,
+    Accuracy, EventCause, SetaEvent, SetaLoading, SetaOptions, SetaPullOff, SetaState, StopCriteria, TipChange,
+    TipState, pull_off, tip_curve,
 };
 use peelkit_report::{
-    SETA_STATE_FIELDS, SetaPose, draw_pull_off, write_seta_animation, write_seta_curve, write_seta_states, write_tips,
+    SETA_STATE_FIELDS, SetaPose, draw_pull_off, write_seta_animation, write_seta_curve, write_seta_events,
+    write_seta_states, write_tips,
 };
 use std::fs;
 use std::path::Path;
@@ -156,4 +158,22 @@ fn pictures_tables_and_the_page_can_be_read() {
     let tips = read(&write_tips(dir.path(), &seta, &[("end", &last)]).unwrap());
     let loads: f64 = tips.lines().skip(1).map(|line| line.split(',').nth(7).unwrap().parse::<f64>().unwrap()).sum();
     approx::assert_relative_eq!(loads, last.point.force[1], max_relative = 1e-6);
+}
+
+/// Beams that buckle at a first event, and a tip that follows them; then a tip that lets go.
+#[test]
+fn an_event_that_no_tip_begins_has_a_row() {
+    let (dir, mut pull_off) = (tempfile::tempdir().unwrap(), pulled());
+    let before = *pull_off.points.last().unwrap();
+    let tip = TipChange { tip: 2, to: TipBranch::Detached, load: [0.0, -3.0, 0.0] };
+    let event = |cause, tips| SetaEvent { before, after: before, cause, tips, released: 1.0 };
+    pull_off.events = vec![event(EventCause::Buckling, vec![tip]), event(EventCause::Tips, vec![tip])];
+    let table = read(&write_seta_events(dir.path(), &pull_off, &small()).unwrap());
+    let rows: Vec<Vec<&str>> = table.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    let cells = |row: usize| [0, 3, 4, 6, 7].map(|column| rows[row][column]);
+    assert_eq!(rows.len(), 3);
+    assert_eq!(cells(0), ["1", "", "", "buckles", ""]);
+    assert_eq!(cells(1)[..2], ["1", "2"]);
+    assert_eq!([cells(1)[3], cells(1)[4]], ["detaches", "3"]);
+    assert_eq!(cells(2)[0], "2");
 }

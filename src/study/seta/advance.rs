@@ -1,9 +1,11 @@
 //! One step of the root: along the branch, to a contact, or to a loss of stability.
 
-use super::knot::{Allowed, Knot};
+use super::knot::{Allowed, Knot, Reached};
 use super::loss::{Loss, locate};
+use super::maximum::maximum;
 use super::options::SetaOptions;
 use super::rest::share_of_change;
+use super::result::LocationError;
 use super::standing::{RootDrive, Standing, TipTangent};
 use super::watched::{HEIGHT, Watched};
 use crate::beam::EndEnergy;
@@ -13,6 +15,11 @@ use crate::solve::{
 
 /// Error of the displacement at which a tip comes to the end of its branch, nm.
 const LOCATED: f64 = 1e-6;
+/// How far behind that a step is aimed, nm, and the error of both together.
+const BEHIND: f64 = 0.3 * LOCATED;
+const LATE: f64 = LOCATED + BEHIND;
+/// A step to a contact that is no longer than this, nm, is taken whatever its work.
+const SHORT: f64 = 1e-3;
 /// What is left of a step that was refused.
 const SHORTER: f64 = 0.4;
 /// Most growth of a step.
@@ -22,8 +29,6 @@ const SAFETY: f64 = 0.8;
 const ORDER: f64 = 0.2;
 /// A force is met to this share.
 const MET: f64 = 1e-9;
-/// A maximum of the force is one where the force grows by more than this share up to it.
-const GAINED: f64 = 1e-12;
 /// The softest tip is said to lose its hold where it has gone this far on the way to where the last one did.
 const WARY: f64 = 0.7;
 /// Where a place of a joint goes on this many times as fast as the root, the displacement may be about to turn.
@@ -31,10 +36,10 @@ const FAST: f64 = 4.0;
 
 /// What a step comes to.
 pub(super) enum Advance {
-    /// An equilibrium of the same branch with the work to it (aJ), and how far to go next, nm
-    Taken { taken: (Solution, f64), next: f64 },
-    /// The same, where tips come to the end of their branch
-    Contact { taken: (Solution, f64), tips: Vec<usize> },
+    /// An equilibrium of the same branch, before it one where the force has a maximum, and how far to go next, nm
+    Taken { taken: Vec<Reached>, next: f64 },
+    /// One where tips come to the end of their branch
+    Contact { taken: Box<Reached>, tips: Vec<usize> },
     /// Stability is lost, or nearly
     Lost(Loss),
     /// Try so far, nm
@@ -75,12 +80,11 @@ pub(super) fn advance(
     }
     let from = here.observables.displacement;
     let held = PathConstraint { weights: Observables::DISPLACEMENT, target: from + ahead };
-    let newton =
-        NewtonOptions { tolerance: options.tolerance, largest_update: 3.0, most_iterations: 9, exact_slope: false };
+    let newton = NewtonOptions { most_iterations: 9, ..options.newton() };
     let refused = match solve(&problem, moved(here, &problem, ahead), &held, &newton, ws) {
         Ok(solution) if solution.negative == 0 => {
             iterations += solution.iterations;
-            match judged(standing, (here, ahead), solution, preload, options) {
+            match judged(standing, &problem, (here, ahead), solution, preload, options, (&mut iterations, ws)) {
                 refused @ Advance::Shorter { why: Refusal::Unbalanced(_), .. } => refused,
                 other => return (other, iterations),
             }
@@ -113,10 +117,12 @@ pub(super) fn advance(
 /// What a stable equilibrium ahead is good for.
 fn judged(
     standing: &Standing,
+    problem: &Problem,
     (here, ahead): (&Solution, f64),
     solution: Solution,
     preload: Option<f64>,
     options: &SetaOptions,
+    (iterations, ws): (&mut usize, &mut Workspace),
 ) -> Advance {
     let changing = standing.changing(&solution.at);
     let shares: Vec<(f64, usize)> =
@@ -124,25 +130,54 @@ fn judged(
     let least = shares.iter().map(|share| share.0).fold(f64::INFINITY, f64::min);
     let late = |share: f64| (1.0 - share) * ahead <= LOCATED;
     if !shares.is_empty() && !late(least) {
-        return Advance::Shorter { ahead: least * ahead + 0.3 * LOCATED, why: Refusal::TooFar };
+        return Advance::Shorter { ahead: least * ahead + BEHIND, why: Refusal::TooFar };
     }
     let from = Knot::new(here.observables.displacement, here.clone(), here.slope.displacement);
     let knot = Knot::new(solution.observables.displacement, solution, 1.0);
     let (work, imbalance) = from.imbalance_to(&knot, &Allowed::new(standing, here, options.balance));
     // a seta without a tip that adheres has one equilibrium, and no force but round-off
     let imbalance = if standing.attached() == 0 { 0.0 } else { imbalance };
-    if imbalance > 1.0 && shares.is_empty() {
+    if imbalance > 1.0 && (shares.is_empty() || ahead > SHORT) {
         let factor = (SAFETY * imbalance.powf(-ORDER)).clamp(0.1, 0.7);
         return Advance::Shorter { ahead: factor * ahead, why: Refusal::Unbalanced(imbalance) };
     }
     if !shares.is_empty() {
-        return Advance::Contact { taken: (knot.solution, work), tips: changing };
+        let location = LocationError { force: (knot.slopes[1] * LATE).abs(), displacement: LATE };
+        return Advance::Contact {
+            taken: Box::new(Reached { solution: knot.solution, work, location: Some(location) }),
+            tips: changing,
+        };
     }
-    if let Some(shorter) = before_maximum(&from, &knot, preload, MET * largest_load(standing, here)) {
+    if let Some(shorter) = preload.and_then(|preload| before_preload(&from, &knot, preload)) {
         return Advance::Shorter { ahead: shorter, why: Refusal::TooFar };
     }
-    let growth = (SAFETY * imbalance.max(1e-12).powf(-ORDER)).clamp(0.3, GROWTH);
-    Advance::Taken { taken: (knot.solution, work), next: ahead * growth }
+    let next = ahead * (SAFETY * imbalance.max(1e-12).powf(-ORDER)).clamp(0.3, GROWTH);
+    let mut taken = Vec::new();
+    let mut last = from;
+    if preload.is_none() && has_maximum(&last, &knot, MET * largest_load(standing, here)) {
+        let newton = NewtonOptions { exact_slope: true, ..options.newton() };
+        let mut solve_at = |near: &Knot, displacement: f64| {
+            let held = PathConstraint { weights: Observables::DISPLACEMENT, target: displacement };
+            let start = moved(&near.solution, problem, displacement - near.parameter);
+            let solution = solve(problem, start, &held, &newton, ws)?;
+            *iterations += solution.iterations;
+            let is_stable = solution.negative == 0 && standing.changing(&solution.at).is_empty();
+            let knot = Knot::new(displacement, solution, 1.0);
+            if is_stable { Ok(knot) } else { Err(SolveError::LimitPointNotConfirmed) }
+        };
+        if let Some((highest, error)) = maximum(&last, &knot, &mut solve_at)
+            && highest.parameter > last.parameter
+        {
+            let work = last.work_to(&highest);
+            taken.push(Reached { solution: highest.solution.clone(), work, location: Some(error) });
+            last = highest;
+        }
+    }
+    if knot.parameter > last.parameter {
+        let work = last.work_to(&knot);
+        taken.push(Reached { solution: knot.solution, work, location: None });
+    }
+    Advance::Taken { taken, next }
 }
 
 /// Of all tips, nN: a seta that slides carries no force, and is balanced all the same.
@@ -151,29 +186,23 @@ fn largest_load(standing: &Standing, here: &Solution) -> f64 {
     (0..standing.tips.len()).map(load).fold(0.0, f64::max)
 }
 
-/// The step to where the force has its maximum, or reaches what is wanted, if that lies within the step and not at its end. A force below
-/// `round_off`, nN, has none.
-fn before_maximum(from: &Knot, to: &Knot, preload: Option<f64>, round_off: f64) -> Option<f64> {
-    let length = to.parameter - from.parameter;
-    let at = |t: f64| from.force_at(to, t);
-    let root = |is_beyond: &dyn Fn(f64) -> bool| {
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if is_beyond(middle) { high = middle } else { low = middle }
-        }
-        high * length
-    };
-    if let Some(preload) = preload {
-        let is_beyond = to.values[1] > preload * (1.0 + MET);
-        return is_beyond.then(|| root(&|t| at(t).0 >= preload));
+/// The step to where the force reaches a preload, if that lies within the step and not at its end.
+fn before_preload(from: &Knot, to: &Knot, preload: f64) -> Option<f64> {
+    if to.values[1] <= preload * (1.0 + MET) {
+        return None;
     }
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if from.force_at(to, middle).0 >= preload { high = middle } else { low = middle }
+    }
+    Some(high * (to.parameter - from.parameter))
+}
+
+/// Whether the force turns from rising to falling, by more than round-off. A force below `round_off`, nN, is none.
+fn has_maximum(from: &Knot, to: &Knot, round_off: f64) -> bool {
     let carries = from.values[1].abs().max(to.values[1].abs()) > round_off;
-    let turns = carries && from.slopes[1] > 0.0 && to.slopes[1] < -MET * from.slopes[1];
-    let place = root(&|t| at(t).1 <= 0.0);
-    // nearer to the maximum than round-off of the force lets tell
-    let gains = at(place / length).0 - from.values[1] > GAINED * to.values[1].abs();
-    (turns && gains && place < (1.0 - 1e-3) * length && place > 1e-3 * length).then_some(place)
+    carries && from.slopes[1] > 0.0 && to.slopes[1] < -MET * from.slopes[1]
 }
 
 /// The tip whose softening counts the most a step ahead, as far as the tangent says, and its ∂²E/∂y² = h; none where none adheres. The stiffness

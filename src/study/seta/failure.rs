@@ -28,4 +28,9 @@ pub enum SetaFailure {
         "in step {} at {displacement:.6} nm work and energy differ by {imbalance:.3e} of the larger: the seta may have gone over to another branch; try shorter steps", .step + 1
     )]
     Unbalanced { step: usize, displacement: f64, imbalance: f64 },
+    /// Work that is nowhere at the end.
+    #[error(
+        "all steps are taken, but {missing:.6} aJ of the {work:.6} aJ that the root has worked are neither stored nor released, {share:.1e} of the work there and back, where steps are held to {balance:.1e}: on the way the seta has gone over to another branch, and neither its peak nor its events can be relied on; try a smaller accuracy.relative"
+    )]
+    Unaccounted { missing: f64, work: f64, share: f64, balance: f64 },
 }

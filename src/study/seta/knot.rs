@@ -1,5 +1,6 @@
 //! The work of the root between two equilibria of one branch, from force, displacement and their slopes at both.
 
+use super::result::LocationError;
 use super::standing::Standing;
 use crate::solve::Solution;
 
@@ -10,6 +11,16 @@ const GAUSS: [(f64, f64); 4] = [
     (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
     (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
 ];
+
+/// An equilibrium that the root was moved to.
+#[derive(Clone, Debug)]
+pub(super) struct Reached {
+    pub solution: Solution,
+    /// Of the root on the way to it, aJ
+    pub work: f64,
+    /// Where it stands for a place on the branch, a maximum of the force or the end of the branch: by how much it misses that
+    pub location: Option<LocationError>,
+}
 
 /// An equilibrium on a branch with a parameter η.
 #[derive(Clone, Debug)]

@@ -7,8 +7,10 @@
 //! the branch becomes unstable first, du/dη does not turn, and the number of negative eigenvalues alone shows it.
 
 use super::critical::{Critical, at_branching, at_fold};
-use super::knot::{Allowed, Knot};
+use super::knot::{Allowed, Knot, Reached};
+use super::maximum::maximum;
 use super::options::SetaOptions;
+use super::result::LocationError;
 use super::standing::{RootDrive, Standing, TipTangent};
 use super::watched::{HEIGHT, Watched};
 use crate::beam::EndEnergy;
@@ -24,6 +26,8 @@ const FIRST: f64 = 1.0;
 const LONGEST: f64 = 20.0;
 /// Shortest one, nm.
 const SHORTEST: f64 = 1e-7;
+/// What is left of a step that led too far.
+const SHORTENED: f64 = 0.3;
 /// Most solutions.
 const MOST_SOLVES: usize = 80;
 /// Most halvings of a step for the sake of its work.
@@ -31,8 +35,8 @@ const DEEPEST: usize = 8;
 
 /// A loss of stability.
 pub(super) struct Loss {
-    /// Equilibria behind the start up to the loss, each with the work to it, aJ
-    pub taken: Vec<(Solution, f64)>,
+    /// Equilibria behind the start up to the loss, where the force has a maximum among them
+    pub taken: Vec<Reached>,
     /// What it leads to
     pub critical: Critical,
     /// ∂²E/∂y² of the tip there, nN/nm
@@ -51,17 +55,21 @@ struct Along<'a> {
 
 impl Along<'_> {
     fn solve(&mut self, from: &Knot, height: f64, ws: &mut Workspace) -> Result<Knot, SolveError> {
+        self.solve_with(from, height, &self.options.newton(), ws)
+    }
+
+    fn solve_with(
+        &mut self,
+        from: &Knot,
+        height: f64,
+        newton: &NewtonOptions,
+        ws: &mut Workspace,
+    ) -> Result<Knot, SolveError> {
         let per_height = self.watched.rate(&from.solution);
         let ahead = (height - from.parameter) / per_height;
         let start = from.solution.moved(&self.problem, ahead);
-        let newton = NewtonOptions {
-            tolerance: self.options.tolerance,
-            largest_update: 3.0,
-            most_iterations: 10,
-            exact_slope: false,
-        };
         let constraint = PathConstraint { weights: Observables::monitor(0), target: self.watched.place(height) };
-        let solution = solve(&self.problem, start, &constraint, &newton, ws)?;
+        let solution = solve(&self.problem, start, &constraint, newton, ws)?;
         self.iterations += solution.iterations;
         Ok(Knot::new(height, solution, self.watched.sign()))
     }
@@ -92,6 +100,13 @@ impl Along<'_> {
         low
     }
 
+    /// The maximum of the force between two knots, as good as [`maximum`] finds it.
+    fn maximum(&mut self, from: &Knot, to: &Knot, ws: &mut Workspace) -> Option<(Knot, LocationError)> {
+        let newton = NewtonOptions { exact_slope: true, ..self.options.newton() };
+        let highest = maximum(from, to, &mut |near, height| self.solve_with(near, height, &newton, ws));
+        highest.filter(|(highest, _)| highest.parameter > from.parameter && highest.parameter < to.parameter)
+    }
+
     /// Work by cubics between two knots as good as asked for: solutions in between.
     fn refined(
         &mut self,
@@ -99,7 +114,7 @@ impl Along<'_> {
         to: Knot,
         depth: usize,
         ws: &mut Workspace,
-        out: &mut Vec<Knot>,
+        out: &mut Vec<(Knot, Option<LocationError>)>,
     ) -> Result<(), SolveError> {
         if depth < DEEPEST
             && from.imbalance_to(&to, &Allowed::new(self.standing, &from.solution, self.options.balance)).1 > 1.0
@@ -108,7 +123,7 @@ impl Along<'_> {
             self.refined(from, middle.clone(), depth + 1, ws, out)?;
             return self.refined(&middle, to, depth + 1, ws, out);
         }
-        out.push(to);
+        out.push((to, None));
         Ok(())
     }
 }
@@ -140,7 +155,7 @@ pub(super) fn locate(
             Ok(knot) if standing.changing(&knot.solution.at).is_empty() => knot,
             // beyond the end of the branch, or too far
             other => {
-                longest = 0.3 * (next - from.parameter);
+                longest = SHORTENED * (next - from.parameter);
                 if longest < SHORTEST {
                     return match other {
                         // stable up to the end of the branch of the tip
@@ -148,7 +163,9 @@ pub(super) fn locate(
                             if low.len() > 1
                                 && let Some(tip) = watched.tip =>
                         {
-                            finished(along, low, Critical::Tips(vec![tip]), ws)
+                            let last = &low[low.len() - 1];
+                            let error = [0, 1].map(|k| (last.slopes[k] * SHORTEST / SHORTENED).abs());
+                            finished(along, low, Critical::Tips(vec![tip]), error, ws)
                         }
                         Ok(_) => Err(SolveError::LimitPointNotConfirmed),
                         Err(cause) => Err(cause),
@@ -161,26 +178,29 @@ pub(super) fn locate(
         let is_stable = found.solution.negative == 0 && found.slopes[0] > 0.0;
         let turns = found.slopes[0] <= 0.0 || is_stable;
         let estimate = model_root(&along, &from, &found);
-        let error = 0.5 * (found.slopes[0] * (estimate - found.parameter)).abs();
+        let missed = [0, 1].map(|k| (found.slopes[k] * (estimate - found.parameter)).abs());
+        let error = 0.5 * missed[0];
         if turns && error < LOCATED {
             let critical = at_fold(standing, &along.problem, &found.solution, watched.sign());
+            let missed = missed.map(|missed| 2.0 * missed);
             low.push(found);
-            return finished(along, low, critical, ws);
+            return finished(along, low, critical, missed, ws);
         }
         if is_stable && watched.passed.is_some_and(|passed| found.slopes[0] > passed) {
             low.push(found);
-            return finished(along, low, Critical::Passed, ws);
+            return finished(along, low, Critical::Passed, [0.0; 2], ws);
         }
         if let Some(high) = &high
             && !turns
             && (high.values[0] - from.values[0]).abs() < BRACKETED
         {
             let critical = at_branching(standing, &along.problem, &found.solution, ws)?;
+            let missed = [0, 1].map(|k| (high.values[k] - from.values[k]).abs());
             if matches!(critical, Critical::Shape(_)) {
                 // the first that is unstable: held there, the seta leaves its shape
                 low.push(found);
             }
-            return finished(along, low, critical, ws);
+            return finished(along, low, critical, missed, ws);
         }
         if is_stable {
             low.push(found)
@@ -217,14 +237,33 @@ fn model_root(along: &Along, one: &Knot, other: &Knot) -> f64 {
     along.where_softening_is(from, wanted)
 }
 
-fn finished(mut along: Along, low: Vec<Knot>, critical: Critical, ws: &mut Workspace) -> Result<Loss, SolveError> {
-    let mut knots = vec![low[0].clone()];
+/// The equilibria up to a loss, the last of which misses it by so much, nm and nN.
+fn finished(
+    mut along: Along,
+    low: Vec<Knot>,
+    critical: Critical,
+    [displacement, force]: [f64; 2],
+    ws: &mut Workspace,
+) -> Result<Loss, SolveError> {
+    let mut knots = vec![(low[0].clone(), None)];
     for pair in low.windows(2) {
-        along.refined(&pair[0], pair[1].clone(), 0, ws, &mut knots)?;
+        let mut from = pair[0].clone();
+        if let Some((highest, error)) = along.maximum(&from, &pair[1], ws) {
+            along.refined(&from, highest.clone(), 0, ws, &mut knots)?;
+            if let Some(last) = knots.last_mut() {
+                last.1 = Some(error);
+            }
+            from = highest;
+        }
+        along.refined(&from, pair[1].clone(), 0, ws, &mut knots)?;
     }
-    let last = &knots[knots.len() - 1];
+    if let Some(last) = knots.last_mut().filter(|_| !matches!(critical, Critical::Passed)) {
+        last.1 = Some(LocationError { force, displacement });
+    }
+    let last = &knots[knots.len() - 1].0;
     let slope = along.softening(last, last.parameter).filter(|_| matches!(critical, Critical::Tips(_)));
-    let works: Vec<f64> = knots.windows(2).map(|pair| pair[0].work_to(&pair[1])).collect();
-    let taken = knots.into_iter().skip(1).map(|knot| knot.solution).zip(works).collect();
+    let works: Vec<f64> = knots.windows(2).map(|pair| pair[0].0.work_to(&pair[1].0)).collect();
+    let reached = knots.into_iter().skip(1).zip(works);
+    let taken = reached.map(|((knot, location), work)| Reached { solution: knot.solution, work, location }).collect();
     Ok(Loss { taken, critical, slope, iterations: along.iterations })
 }

@@ -9,6 +9,7 @@ mod finer_peak;
 mod knot;
 mod loading;
 mod loss;
+mod maximum;
 mod numbers;
 mod options;
 mod progress;
@@ -25,7 +26,10 @@ pub use loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
 pub use numbers::{SetaMoment, SetaResult};
 pub use options::SetaOptions;
 pub use progress::SetaProgress;
-pub use result::{JointPlace, SetaEffort, SetaEnd, SetaEvent, SetaPoint, SetaPullOff, SetaState, TipChange, TipState};
+pub use result::{
+    EventCause, JointPlace, LocationError, SetaEffort, SetaEnd, SetaEvent, SetaPoint, SetaPullOff, SetaState,
+    TipChange, TipState,
+};
 pub use run::{pull_off, pull_off_from};
 pub use sections::SetaBranch;
 pub use spatula_curve::{SpatulaCurveError, tip_curve};

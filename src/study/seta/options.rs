@@ -1,5 +1,6 @@
 //! How a seta is followed.
 
+use crate::solve::NewtonOptions;
 use serde::{Deserialize, Serialize};
 
 /// How a seta is followed. Points and events follow from this, the model and the loading alone.
@@ -19,5 +20,12 @@ impl Default for SetaOptions {
     /// Work and energy to 1e-8.
     fn default() -> Self {
         Self { balance: 1e-8, tolerance: 1e-8, first_step: 5.0, longest_step: 500.0 }
+    }
+}
+
+impl SetaOptions {
+    /// Newton's method from an equilibrium nearby.
+    pub(super) fn newton(&self) -> NewtonOptions {
+        NewtonOptions { tolerance: self.tolerance, largest_update: 3.0, most_iterations: 10, exact_slope: false }
     }
 }

@@ -30,8 +30,6 @@ pub(super) struct Mark {
     points: usize,
     events: usize,
     effort: SetaEffort,
-    /// First detachment, peak, last detachment
-    states: [Option<SetaState>; 3],
     here: Solution,
     tips: Vec<AdheringTip>,
     ahead: f64,
@@ -45,7 +43,6 @@ impl Mark {
             points: result.points.len(),
             events: result.events.len(),
             effort: result.effort,
-            states: [&result.first_detachment, &result.peak, &result.last_detachment].map(Clone::clone),
             here: here.clone(),
             tips: standing.tips.clone(),
             ahead: *ahead,
@@ -58,9 +55,26 @@ impl Mark {
         result.points.truncate(self.points);
         result.events.truncate(self.events);
         result.effort = self.effort;
-        [result.first_detachment, result.peak, result.last_detachment] = self.states;
         (*here, *ahead, *softest) = (self.here, self.ahead, self.softest);
         standing.tips = self.tips;
+    }
+}
+
+/// A state of the last step that has a name.
+#[derive(Clone, Copy)]
+pub(super) enum Named {
+    FirstDetachment,
+    Peak,
+    LastDetachment,
+}
+
+impl SetaPullOff {
+    pub(super) fn named(&mut self, name: Named) -> &mut Option<SetaState> {
+        match name {
+            Named::FirstDetachment => &mut self.first_detachment,
+            Named::Peak => &mut self.peak,
+            Named::LastDetachment => &mut self.last_detachment,
+        }
     }
 }
 

@@ -137,7 +137,7 @@ fn downhill(
 }
 
 /// Of a state that need not be in equilibrium, aJ.
-fn energy(problem: &Problem, at: &State) -> f64 {
+pub(super) fn energy(problem: &Problem, at: &State) -> f64 {
     let still = vec![0.0; problem.system.unknowns(at)];
     problem.system.evaluate(at, &still).0.energy
 }

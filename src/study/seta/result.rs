@@ -42,14 +42,26 @@ pub struct TipChange {
     pub load: [f64; 3],
 }
 
-/// Tips that detach or adhere again at a root that stands still: one of them loses its hold, and others may follow.
+/// What an event begins with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum EventCause {
+    /// Tips lose their hold, or come into contact
+    Tips,
+    /// Beams buckle: a loss of stability in which no tip takes part. Tips may follow.
+    Buckling,
+}
+
+/// Tips that detach or adhere again, or beams that buckle, at a root that stands still; others may follow.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SetaEvent {
     /// The equilibrium that loses its stability
     pub before: SetaPoint,
     /// The one in which the seta comes to rest
     pub after: SetaPoint,
-    /// In the order in which they go
+    /// What it begins with
+    pub cause: EventCause,
+    /// Those that change, in the order in which they go; none where beams buckle and no tip follows
     pub tips: Vec<TipChange>,
     /// Energy released, aJ
     pub released: f64,
@@ -75,11 +87,23 @@ pub struct TipState {
     pub load: [f64; 3],
 }
 
+/// How far an equilibrium that was looked for may lie from the one that was found: where the force has a maximum, or just before an event. It is
+/// an error of that search alone, with the mesh and the law of the tips as they are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct LocationError {
+    /// Of the force along the direction of the step, nN
+    pub force: f64,
+    /// Of the displacement, nm
+    pub displacement: f64,
+}
+
 /// A seta in an equilibrium.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SetaState {
     /// Its numbers
     pub point: SetaPoint,
+    /// Where it was looked for: its error
+    pub location: Option<LocationError>,
     /// Joint by joint, as [`crate::model::Seta::joint_place`] counts them
     pub joints: Vec<JointPlace>,
     /// Tip by tip
@@ -127,7 +151,8 @@ pub struct SetaPullOff {
     pub events: Vec<SetaEvent>,
     /// Just before the first detachment of the last step
     pub first_detachment: Option<SetaState>,
-    /// At the largest force along the direction of the last step
+    /// At the largest force along the direction of the last step: a maximum, or just before an event or behind it. Where the force still rises at
+    /// the end it is that there, and has no error.
     pub peak: Option<SetaState>,
     /// Just before the last event at which a tip detaches in the last step
     pub last_detachment: Option<SetaState>,
@@ -145,6 +170,17 @@ impl SetaPullOff {
         let (Some(first), Some(last)) = (self.points.first(), self.points.last()) else { return 0.0 };
         let stored = last.energy - first.energy;
         let largest = last.work.abs().max(stored.abs()).max(last.released.abs()).max(f64::MIN_POSITIVE);
-        ((last.work - stored - last.released) / largest).abs()
+        (self.unaccounted() / largest).abs()
+    }
+
+    /// What of the work of the root is neither stored nor released, aJ.
+    pub(super) fn unaccounted(&self) -> f64 {
+        let (Some(first), Some(last)) = (self.points.first(), self.points.last()) else { return 0.0 };
+        last.work - (last.energy - first.energy) - last.released
+    }
+
+    /// Works of the root from point to point without their signs, aJ: a way there and back counts twice.
+    pub(super) fn turnover(&self) -> f64 {
+        self.points.windows(2).map(|pair| (pair[1].work - pair[0].work).abs()).sum()
     }
 }

@@ -1,18 +1,21 @@
 //! The run behind [`pull_off`]: step after step of the loading, branch after branch, event after event.
 
-use super::advance::{Advance, Refusal, advance};
+mod ends;
+
+use super::advance::{Advance, advance};
 use super::critical::Critical;
 use super::failure::SetaFailure;
+use super::knot::Reached;
 use super::loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
 use super::loss::Loss;
 use super::options::SetaOptions;
-use super::progress::{Mark, SetaProgress};
+use super::progress::{Mark, Named, SetaProgress};
 use super::rest::{Rested, come_to_rest};
-use super::result::{JointPlace, SetaEnd, SetaEvent, SetaPoint, SetaPullOff, SetaState};
+use super::result::{EventCause, JointPlace, LocationError, SetaEnd, SetaEvent, SetaPoint, SetaPullOff, SetaState};
 use super::standing::{RootDrive, Standing, TipTangent};
 use crate::model::{SetaError, SetaModel, TipBranch};
-use crate::solve::{NewtonOptions, Observables, PathConstraint, Solution, SolveError, State, System, Workspace, solve};
-use crate::study::{Bound, Stage, StopCriteria};
+use crate::solve::{Observables, PathConstraint, Solution, SolveError, State, System, Workspace, solve};
+use crate::study::{Stage, StopCriteria};
 
 /// Shortest step of the root, nm: below the error with which contacts are located.
 const SHORTEST: f64 = 1e-7;
@@ -54,7 +57,7 @@ pub fn pull_off_from(
     let end = run.go();
     let mut result = run.progress.result.clone();
     result.end = end;
-    result.last = Some(run.state(&run.progress.here));
+    result.last = Some(run.state(&run.progress.here, None));
     run.progress.tips = run.standing.tips.iter().map(|tip| (tip.on, tip.foot)).collect();
     Ok((result, Some(run.progress)))
 }
@@ -68,6 +71,8 @@ pub(super) struct Run<'a> {
     /// The root at rest, nm
     rest: [f64; 3],
     pub progress: SetaProgress,
+    /// What the step under way has replaced of the states that have names, the oldest first
+    replaced: Vec<(Named, Option<SetaState>)>,
 }
 
 impl<'a> Run<'a> {
@@ -83,7 +88,16 @@ impl<'a> Run<'a> {
         let mut standing = Standing::new(model, on)?;
         let mut ws = Workspace::until(stop.for_solves(Stage::Results));
         let rest = model.seta.joint_place(0);
-        let with = |standing, ws, progress| Self { standing, loading, options, stop, ws, rest, progress };
+        let with = |standing, ws, progress| Self {
+            standing,
+            loading,
+            options,
+            stop,
+            ws,
+            rest,
+            progress,
+            replaced: Vec::new(),
+        };
         if let Some(progress) = reached {
             for (tip, (on, foot)) in standing.tips.iter_mut().zip(&progress.tips) {
                 (tip.on, tip.foot) = (*on, *foot);
@@ -135,7 +149,7 @@ impl<'a> Run<'a> {
                 return end;
             }
         }
-        SetaEnd::Completed
+        self.finished()
     }
 
     /// The same equilibrium, with displacements that count along the direction of the next step.
@@ -143,7 +157,7 @@ impl<'a> Run<'a> {
         let drive = RootDrive::new(next.direction, self.progress.from);
         let problem = self.standing.problem(&drive, None, TipTangent::Own);
         let held = PathConstraint { weights: Observables::DISPLACEMENT, target: 0.0 };
-        let newton = self.newton();
+        let newton = self.options.newton();
         let solved = solve(&problem, self.progress.here.at.clone(), &held, &newton, &mut self.ws);
         self.progress.here = solved.map_err(|cause| self.lost(cause))?;
         self.progress.ahead = self.options.first_step;
@@ -183,9 +197,13 @@ impl<'a> Run<'a> {
     /// One step of the root, or what keeps it from going on. One that is stopped on its way is as if it had not been begun.
     pub fn advance(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<(), SetaEnd> {
         let before = Mark::of(&self.progress, &self.standing);
+        self.replaced.clear();
         let took = self.take_step(step, drive, left);
         if self.ws.is_stopped() {
             before.restore(&mut self.progress, &mut self.standing);
+            for (name, state) in self.replaced.drain(..).rev() {
+                *self.progress.result.named(name) = state;
+            }
             return Err(self.lost(SolveError::Stopped));
         }
         took
@@ -208,21 +226,23 @@ impl<'a> Run<'a> {
             }
             Advance::Taken { taken, next } => {
                 self.progress.ahead = next;
-                self.take(drive, taken);
+                taken.into_iter().for_each(|reached| self.take(drive, reached));
                 Ok(())
             }
             Advance::Contact { taken, tips } => {
-                self.take(drive, taken);
+                let location = taken.location;
+                self.take(drive, *taken);
                 // the step to the contact says nothing of how long the next one may be
                 self.progress.ahead = self.progress.ahead.max(self.options.first_step);
                 let here = self.progress.here.at.clone();
-                self.event(drive, here, &tips)
+                self.event(drive, here, &tips, location)
             }
             Advance::Lost(Loss { taken, critical, slope, .. }) => {
                 self.progress.softest = slope.or(self.progress.softest);
                 let end = self.progress.here.observables.displacement + left;
+                let location = taken.last().and_then(|last| last.location);
                 for taken in taken {
-                    let Observables { displacement, force, .. } = taken.0.observables;
+                    let Observables { displacement, force, .. } = taken.solution.observables;
                     if displacement > end || preload.is_some_and(|preload| force > preload * (1.0 + PRELOADED)) {
                         let before = displacement.min(end) - self.progress.here.observables.displacement;
                         self.progress.ahead = 0.5 * self.progress.ahead.min(before);
@@ -233,37 +253,50 @@ impl<'a> Run<'a> {
                 match critical {
                     Critical::Tips(tips) => {
                         let here = self.progress.here.at.clone();
-                        self.event(drive, here, &tips)
+                        self.event(drive, here, &tips, location)
                     }
-                    Critical::Shape(start) => self.event(drive, *start, &[]),
+                    Critical::Shape(start) => self.event(drive, *start, &[], location),
                     Critical::Passed => Ok(()),
                 }
             }
         }
     }
 
-    /// Goes on to an equilibrium of the same branch, with the work to it.
-    fn take(&mut self, drive: &RootDrive, (solution, work): (Solution, f64)) {
+    /// Goes on to an equilibrium of the same branch.
+    fn take(&mut self, drive: &RootDrive, Reached { solution, work, location }: Reached) {
         let mut point = self.point(drive, &solution, self.last());
         point.work += work;
         self.standing.note(&solution.at);
         self.progress.here = solution;
         self.progress.result.points.push(point);
-        self.keep_peak(point);
+        self.keep_peak(point, location);
     }
 
-    fn keep_peak(&mut self, point: SetaPoint) {
+    fn keep_peak(&mut self, point: SetaPoint, location: Option<LocationError>) {
         let is_last = point.step + 1 == self.loading.steps.len();
         let known = self.progress.result.peak.as_ref().map(|peak| peak.point);
         if is_last && known.is_none_or(|known| point.force_along > known.force_along) {
-            self.progress.result.peak = Some(self.state(&self.progress.here));
+            let state = self.state(&self.progress.here, location);
+            self.keep(Named::Peak, state);
         }
     }
 
+    fn keep(&mut self, name: Named, state: SetaState) {
+        let before = self.progress.result.named(name).replace(state);
+        self.replaced.push((name, before));
+    }
+
     /// Tips change, or the seta leaves its shape, and comes to rest with its root held.
-    fn event(&mut self, drive: &RootDrive, start: State, tips: &[usize]) -> Result<(), SetaEnd> {
+    fn event(
+        &mut self,
+        drive: &RootDrive,
+        start: State,
+        tips: &[usize],
+        location: Option<LocationError>,
+    ) -> Result<(), SetaEnd> {
+        let cause = if tips.is_empty() { EventCause::Buckling } else { EventCause::Tips };
         let (before, here) = (self.last(), self.progress.here.clone());
-        let state = self.state(&here);
+        let state = self.state(&here, location);
         let displacement = here.observables.displacement;
         let tolerance = self.options.tolerance;
         let standing = self.standing.tips.clone();
@@ -277,15 +310,20 @@ impl<'a> Run<'a> {
         let released = before.energy - solution.energy;
         let mut after = self.point(drive, &solution, before);
         after.released += released;
+        let stiffness = solution.slope.force / solution.slope.displacement;
+        let late = location.map_or(0.0, |location| location.displacement);
+        let location = LocationError { force: (stiffness * late).abs(), displacement: late };
         self.progress.here = solution;
         let detaches = changes.iter().any(|change| !change.to.adheres());
         if detaches && before.step + 1 == self.loading.steps.len() {
-            self.progress.result.first_detachment.get_or_insert_with(|| state.clone());
-            self.progress.result.last_detachment = Some(state);
+            if self.progress.result.first_detachment.is_none() {
+                self.keep(Named::FirstDetachment, state.clone());
+            }
+            self.keep(Named::LastDetachment, state);
         }
         self.progress.result.points.push(after);
-        self.progress.result.events.push(SetaEvent { before, after, tips: changes, released });
-        self.keep_peak(after);
+        self.progress.result.events.push(SetaEvent { before, after, cause, tips: changes, released });
+        self.keep_peak(after, Some(location));
         Ok(())
     }
 
@@ -306,7 +344,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn state(&self, solution: &Solution) -> SetaState {
+    fn state(&self, solution: &Solution, location: Option<LocationError>) -> SetaState {
         let tree = &self.standing.tree;
         let joint = |joint| {
             let (place, directors) = tree.joint(&solution.at, joint);
@@ -314,6 +352,7 @@ impl<'a> Run<'a> {
         };
         SetaState {
             point: self.last(),
+            location,
             joints: (0..tree.joints()).map(joint).collect(),
             tips: self.standing.tip_states(&solution.at),
         }
@@ -321,60 +360,6 @@ impl<'a> Run<'a> {
 
     fn last(&self) -> SetaPoint {
         self.progress.result.points.last().copied().unwrap_or_default()
-    }
-
-    fn newton(&self) -> NewtonOptions {
-        NewtonOptions {
-            tolerance: self.options.tolerance,
-            largest_update: 3.0,
-            most_iterations: 10,
-            exact_slope: false,
-        }
-    }
-
-    /// How deep the root can be pressed, nm.
-    fn deepest(&self) -> f64 {
-        let above = if let SetaStart::Above(height) = self.loading.start { height } else { 0.0 };
-        above + self.standing.model.seta.brush_height
-    }
-
-    fn bound(&self) -> Option<Bound> {
-        let most = self.stop.points;
-        let points = self.progress.result.points.len() >= most;
-        let bounded = self.bounded();
-        let displacement = self.progress.here.observables.displacement >= bounded;
-        points
-            .then_some(Bound::Points(most))
-            .or(displacement.then_some(Bound::Displacement(bounded)))
-            .or_else(|| self.stop.reached_bound(Stage::Path))
-    }
-
-    /// The displacement at which the last step is left, nm.
-    fn bounded(&self) -> f64 {
-        let is_last = self.progress.step + 1 == self.loading.steps.len();
-        self.stop.displacement.filter(|_| is_last).unwrap_or(f64::INFINITY)
-    }
-
-    /// Why no step is short enough.
-    fn refused(&self, why: Refusal) -> SetaEnd {
-        match why {
-            Refusal::Unsolved(cause) => self.lost(cause),
-            Refusal::TooFar | Refusal::Unstable => self.lost(SolveError::LimitPointNotConfirmed),
-            Refusal::Unbalanced(times) => {
-                let SetaProgress { step, here, .. } = &self.progress;
-                let (displacement, imbalance) = (here.observables.displacement, times * self.options.balance);
-                SetaEnd::Failed(SetaFailure::Unbalanced { step: *step, displacement, imbalance })
-            }
-        }
-    }
-
-    fn lost(&self, cause: SolveError) -> SetaEnd {
-        if cause == SolveError::Stopped {
-            return SetaEnd::Bound(self.stop.reached_bound(Stage::Results).unwrap_or(Bound::Interrupted));
-        }
-        let SetaProgress { step, here, .. } = &self.progress;
-        let displacement = here.observables.displacement;
-        SetaEnd::Failed(SetaFailure::Lost { step: *step, displacement, attached: self.standing.attached(), cause })
     }
 }
 

@@ -39,6 +39,7 @@ impl SetaState {
         };
         Self {
             point: SetaPoint::default(),
+            location: None,
             joints: (0..2 * seta.tips()).map(joint).collect(),
             tips: (0..seta.tips()).map(tip).collect(),
         }

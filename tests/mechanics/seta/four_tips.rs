@@ -8,7 +8,9 @@
 use super::setup::{along_normal, model, pulled, small};
 use approx::assert_abs_diff_eq;
 use peelkit::model::Sideways;
-use peelkit::study::{SetaEnd, SetaPoint, SetaStart, SetaState, StepEnd};
+use peelkit::study::{
+    SetaEnd, SetaLoading, SetaOptions, SetaPoint, SetaStart, SetaState, StepEnd, StopCriteria, pull_off,
+};
 
 /// A row of the table: of a tip.
 struct Row {
@@ -79,5 +81,29 @@ fn the_work_of_the_root_is_stored_or_released() {
         assert_abs_diff_eq!(last.energy, 0.0, epsilon = 1e-9);
         let largest = whole.points.iter().map(|point| point.force_along).fold(0.0, f64::max);
         assert_eq!(whole.peak.unwrap().point.force_along, largest);
+    }
+}
+
+/// Peak and first detachment of a pull-off whose steps are short and long.
+///
+/// Reference: the run whose steps are held to 1e-9. Expected: the same force and displacement, to what each run says of its errors and 1e-8 besides.
+#[test]
+fn the_peak_does_not_depend_on_the_steps() {
+    let model = model(small(), Sideways::Free);
+    let loading = SetaLoading { start: SetaStart::Adhering, steps: vec![along_normal(1.0, StepEnd::Detached(5000.0))] };
+    let found = |balance| {
+        let options = SetaOptions { balance, ..SetaOptions::default() };
+        let run = pull_off(&model, &loading, &options, &StopCriteria::default()).unwrap();
+        [run.peak.unwrap(), run.first_detachment.unwrap()].map(|state| (state.point, state.location.unwrap()))
+    };
+    let exact = found(1e-9);
+    for balance in [1e-3, 1e-4, 1e-6] {
+        for ((point, error), (known, own)) in found(balance).into_iter().zip(&exact) {
+            let force = (point.force_along - known.force_along).abs();
+            let displacement = (point.displacement - known.displacement).abs();
+            println!("{balance}: {} nN, {force:.1e} {displacement:.1e} off, said {error:?}", point.force_along);
+            assert!(force <= error.force + own.force + 1e-8 * known.force_along);
+            assert!(displacement <= error.displacement + own.displacement + 1e-8 * known.displacement);
+        }
     }
 }

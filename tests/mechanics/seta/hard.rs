@@ -7,8 +7,8 @@ use super::setup::{along_normal, model, pulled, small};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use peelkit::model::{Seta, Sideways, TipBranch};
 use peelkit::study::{
-    Bound, SetaEnd, SetaLoading, SetaOptions, SetaProgress, SetaPullOff, SetaStart, SetaStep, Stage, StepEnd,
-    StopCriteria, StopReason, pull_off, pull_off_from,
+    Bound, EventCause, SetaEnd, SetaLoading, SetaOptions, SetaProgress, SetaPullOff, SetaStart, SetaStep, Stage,
+    StepEnd, StopCriteria, StopReason, pull_off, pull_off_from,
 };
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -146,7 +146,7 @@ fn a_shaft_that_is_pressed_on_buckles() {
         );
     }
     assert_eq!(run.end, SetaEnd::Completed);
-    let buckled = run.events.iter().find(|event| event.tips.is_empty()).unwrap();
+    let buckled = run.events.iter().find(|event| event.cause == EventCause::Buckling).unwrap();
     assert!(buckled.before.force_along > 0.25 * euler && buckled.before.force_along < 4.0 * euler);
     assert!(run.imbalance() < 1e-8, "{:.2e}", run.imbalance());
 }

@@ -8,7 +8,7 @@
 use peelkit::beam::rotation::{exponential, product};
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Seta, SetaModel, Sideways, Spatula, TipBranch, TipLaw};
 use peelkit::study::coarsening::{CoarseningOptions, PadEnd, TableLaw, TipRange, TipTable, coarsen};
-use peelkit::study::{SetaEnd, SetaLoading, SetaOptions, StopCriteria, pull_off};
+use peelkit::study::{SetaEnd, SetaFailure, SetaLoading, SetaOptions, StopCriteria, pull_off};
 use std::sync::Arc;
 
 const PEAK: f64 = 6.670;
@@ -73,4 +73,36 @@ fn sixteen_tips_that_turn_hold_what_they_do_by_their_normal_pull() {
     assert!((peak.force_along - 87.585).abs() < 0.05, "{peak:?}");
     assert!((peak.displacement - 1350.07).abs() < 1.0, "{peak:?}");
     assert!(pulled.end == SetaEnd::Completed && pulled.events.len() == 1 && pulled.imbalance() < 1e-6);
+}
+
+/// Work and energy held against each other loosely.
+///
+/// Reference: the peak with steps held to 1e-6, as above. Expected: the peak is looked for whatever the steps are, and the same to 1e-8 and to the error
+/// that is said of it; a run whose work is missing fails and says how much.
+#[test]
+fn with_loose_steps_the_peak_is_not_stepped_over() {
+    let table = table(0.05);
+    let mut seta = Seta { forks: 1, shaft_angle: 0.0, brush_angle: 0.0, height_scatter: 0.0, ..Seta::default() };
+    seta.material.youngs_modulus = 1e6;
+    let model = SetaModel::new(seta, Arc::new(TableLaw::new(table.clone(), Sideways::Free)));
+    let loading = SetaLoading::pull([0.0, 1.0, 0.0], 60_000.0);
+    let run = |balance| {
+        let options = SetaOptions { balance, ..SetaOptions::default() };
+        pull_off(&model, &loading, &options, &StopCriteria::default()).unwrap()
+    };
+    let reference = run(1e-6).peak.unwrap().point.force_along;
+    for balance in [0.5, 1e-1, 1e-2, 1e-3, 1e-4] {
+        let pulled = run(balance);
+        let peak = pulled.peak.as_ref().unwrap();
+        let (force, error) = (peak.point.force_along, peak.location.unwrap());
+        println!("{balance}: {:?} {force} {error:?} {:.1e}", pulled.end, pulled.imbalance());
+        match &pulled.end {
+            SetaEnd::Failed(SetaFailure::Unaccounted { share, .. }) => assert!(*share > 1e-6 && balance > 1e-3),
+            end => {
+                assert_eq!(*end, SetaEnd::Completed);
+                assert!(pulled.imbalance() < 10.0 * balance, "{}", pulled.imbalance());
+                assert!((force - reference).abs() <= error.force + 1e-8 * reference, "{force} {reference}");
+            }
+        }
+    }
 }

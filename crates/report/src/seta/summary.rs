@@ -4,7 +4,7 @@ use super::names::{seta_end_reason, seta_end_word};
 use crate::number::Finite;
 use crate::summary::{Parameters, SCHEMA, VERSION, written};
 use peelkit::model::{CurvePoint, PullCurve, Seta};
-use peelkit::study::{SetaMoment, SetaPullOff, SetaState};
+use peelkit::study::{EventCause, SetaMoment, SetaPullOff, SetaState};
 use peelkit_scene::Scene;
 
 /// Everything of a pull-off but its curve and its events. Forces in nN, lengths in nm, works in aJ; `None` where a thing does not occur.
@@ -41,6 +41,11 @@ struct Moment {
     force: Finite,
     #[serde(rename = "displacement_nm")]
     displacement: Finite,
+    /// How far the place that was looked for may lie from here; `None` where none was
+    #[serde(rename = "location_error_nN")]
+    force_error: Option<Finite>,
+    #[serde(rename = "location_error_nm")]
+    displacement_error: Option<Finite>,
     tips_attached: usize,
     #[serde(rename = "largest_tip_load_nN")]
     largest_load: Finite,
@@ -56,6 +61,8 @@ impl From<&SetaState> for Moment {
         Self {
             force: Finite(state.point.force_along),
             displacement: Finite(state.point.displacement),
+            force_error: state.location.map(|error| Finite(error.force)),
+            displacement_error: state.location.map(|error| Finite(error.displacement)),
             tips_attached: state.point.attached,
             largest_load: Finite(loads().fold(0.0, f64::max)),
             largest_push: Finite(loads().fold(0.0, |most, load| f64::max(most, -load))),
@@ -92,6 +99,7 @@ struct Events {
     tips_detached: usize,
     tips_adhered: usize,
     most_tips_at_once: usize,
+    buckled: usize,
 }
 
 /// What becomes of the work of the root.
@@ -175,6 +183,7 @@ impl SetaSummary {
                 tips_detached: changes().filter(|change| !change.to.adheres()).count(),
                 tips_adhered: changes().filter(|change| change.to.adheres()).count(),
                 most_tips_at_once: pull_off.events.iter().map(|event| event.tips.len()).max().unwrap_or(0),
+                buckled: pull_off.events.iter().filter(|event| event.cause == EventCause::Buckling).count(),
             },
             balance: Balance {
                 work: Finite(last.map_or(0.0, |last| last.work)),

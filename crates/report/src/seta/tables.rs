@@ -6,7 +6,7 @@ use crate::error::ReportError;
 use crate::number::Finite;
 use crate::tables::write_table;
 use peelkit::model::{CurvePoint, PullCurve, Seta};
-use peelkit::study::{SetaEvent, SetaPoint, SetaPullOff, SetaState};
+use peelkit::study::{EventCause, SetaEvent, SetaPoint, SetaPullOff, SetaState, TipChange};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -93,7 +93,8 @@ pub fn write_tip_curve(dir: &Path, curve: &PullCurve) -> Result<PathBuf, ReportE
     write_table(dir, "tip.csv", curve.points().iter().map(line))
 }
 
-/// Writes events.csv: one row a tip that detaches or adheres again, in order.
+/// Writes events.csv: one row a tip that detaches or adheres again, in order; before them one without a tip where an event begins with beams that
+/// buckle.
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_seta_events(dir: &Path, pull_off: &SetaPullOff, seta: &Seta) -> Result<PathBuf, ReportError> {
@@ -102,12 +103,12 @@ pub fn write_seta_events(dir: &Path, pull_off: &SetaPullOff, seta: &Seta) -> Res
         event: usize,
         step: usize,
         displacement_nm: Finite,
-        tip: usize,
-        tip_x_nm: Finite,
-        tip_z_nm: Finite,
+        tip: Option<usize>,
+        tip_x_nm: Option<Finite>,
+        tip_z_nm: Option<Finite>,
         change: &'static str,
         #[serde(rename = "tip_load_nN")]
-        load: Finite,
+        load: Option<Finite>,
         #[serde(rename = "force_before_nN")]
         before: Finite,
         #[serde(rename = "force_after_nN")]
@@ -117,25 +118,31 @@ pub fn write_seta_events(dir: &Path, pull_off: &SetaPullOff, seta: &Seta) -> Res
         released: Finite,
     }
     let lines = |(number, event): (usize, &SetaEvent)| {
-        let SetaEvent { before, after, released, .. } = *event;
-        let line = move |change: &peelkit::study::TipChange| {
+        let SetaEvent { before, after, cause, released, .. } = *event;
+        let own = move || Line {
+            event: number + 1,
+            step: before.step + 1,
+            displacement_nm: Finite(before.displacement),
+            change: "buckles",
+            before: Finite(before.force_along),
+            after: Finite(after.force_along),
+            tips_attached: after.attached,
+            released: Finite(released),
+            ..Line::default()
+        };
+        let of_tip = move |change: &TipChange| {
             let [x, _, z] = seta.joint_place(seta.tip_joint(change.tip));
             Line {
-                event: number + 1,
-                step: before.step + 1,
-                displacement_nm: Finite(before.displacement),
-                tip: change.tip,
-                tip_x_nm: Finite(x),
-                tip_z_nm: Finite(z),
+                tip: Some(change.tip),
+                tip_x_nm: Some(Finite(x)),
+                tip_z_nm: Some(Finite(z)),
                 change: if change.to.adheres() { "adheres" } else { "detaches" },
-                load: Finite(0.0 - change.load[1]),
-                before: Finite(before.force_along),
-                after: Finite(after.force_along),
-                tips_attached: after.attached,
-                released: Finite(released),
+                load: Some(Finite(0.0 - change.load[1])),
+                ..own()
             }
         };
-        event.tips.iter().map(line).collect::<Vec<_>>()
+        let buckling = (cause == EventCause::Buckling).then(own);
+        buckling.into_iter().chain(event.tips.iter().map(of_tip)).collect::<Vec<_>>()
     };
     write_table(dir, "events.csv", pull_off.events.iter().enumerate().flat_map(lines))
 }

@@ -56,7 +56,7 @@ impl Sampler {
             let way = a.displacement.total_cmp(&b.displacement);
             a.step.cmp(&b.step).then(way).then(a.released.total_cmp(&b.released))
         });
-        states.dedup();
+        states.dedup_by(|a, b| a.point == b.point);
         states
     }
 }
@@ -68,7 +68,7 @@ mod tests {
 
     fn state(displacement: f64) -> SetaState {
         let point = SetaPoint { displacement, ..SetaPoint::default() };
-        SetaState { point, joints: Vec::new(), tips: Vec::new() }
+        SetaState { point, location: None, joints: Vec::new(), tips: Vec::new() }
     }
 
     #[test]
