@@ -8,7 +8,7 @@ use super::loading::SetaLoading;
 use super::numbers::SetaMoment;
 use super::options::SetaOptions;
 use super::progress::SetaProgress;
-use super::result::{SetaPullOff, SetaState};
+use super::result::{SetaPoint, SetaPullOff, SetaState};
 use super::run::Run;
 use super::standing::{RootDrive, Standing, TipTangent};
 use crate::model::{Seta, SetaError, SetaModel, TipBranch};
@@ -44,7 +44,7 @@ pub fn peak_on_finer_mesh(
         let before = share * options.first_step;
         let Some(progress) = begin(&finer, loading, options, (peak, before), stop)? else { continue };
         let Ok(mut run) = Run::new(&finer, loading, options, stop, Some(progress))? else { continue };
-        return Ok(pulled_on(&mut run, peak.point.step));
+        return Ok(pulled_on(&mut run, &peak.point, before));
     }
     Ok(None)
 }
@@ -101,16 +101,18 @@ fn laid_along(standing: &Standing, seta: &Seta, state: &SetaState) -> State {
     standing.tree.laid_along(joint, section)
 }
 
-/// The largest force before the next event, or where the force has fallen again.
-fn pulled_on(run: &mut Run, step: usize) -> Option<SetaMoment> {
-    let drive = RootDrive::new(run.loading.steps[step].direction, run.progress.from);
+/// The largest force before the next event, or where the force falls again as far behind the peak of the coarser mesh as the run began before it.
+fn pulled_on(run: &mut Run, peak: &SetaPoint, before: f64) -> Option<SetaMoment> {
+    let step = &run.loading.steps[peak.step];
+    let drive = RootDrive::new(step.direction, run.progress.from);
     for _ in 0..MOST_POINTS {
-        run.advance(&run.loading.steps[step], &drive, run.options.longest_step).ok()?;
-        let force = run.progress.here.observables.force;
-        if let Some(largest) = &run.progress.result.peak
-            && (force < largest.point.force_along || !run.progress.result.events.is_empty())
-        {
-            return Some(SetaMoment::from(largest));
+        run.advance(step, &drive, run.options.longest_step).ok()?;
+        let Observables { displacement, force, .. } = run.progress.here.observables;
+        if let Some(largest) = &run.progress.result.peak {
+            let is_passed = displacement > peak.displacement + before && force < largest.point.force_along;
+            if is_passed || !run.progress.result.events.is_empty() {
+                return Some(SetaMoment::from(largest));
+            }
         }
     }
     None
