@@ -92,6 +92,8 @@ impl PeelModel {
             (!self.ground.substrate.is_flat(), "ground that is not flat"),
             (self.friction_law().is_some(), "friction"),
             (!self.steps.is_empty(), "a step before the pull"),
+            (self.pull.turn != 0.0, "a grip that turns as it goes"),
+            (self.grip.pretension.is_some(), "a pretension"),
         ];
         if let Some((_, what)) = not_covered.into_iter().find(|(is_there, _)| *is_there) {
             return Err(NotInTime::NotCovered { what });

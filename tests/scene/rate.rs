@@ -76,6 +76,9 @@ fn what_does_not_fit_is_refused_with_its_place() {
     refused(&elastic, &set("time.density", "-1 kg/m3"), &["out of range"]);
     refused(&elastic, &set("drive.steps", "[\"press 0.1 nm\"]"), &["steps before the pull", "not followed in time"]);
     refused(&elastic, &set("friction.strength", "50 MPa"), &["has friction", "not followed in time"]);
+    refused(&elastic, &set("drive.turn", "0.1 deg/nm"), &["drive.turn", "not followed in time"]);
+    refused(&elastic, &set("grip.pretension", "1 nN"), &["grip.pretension", "not followed in time"]);
+    refused(&elastic, &set("terms", "auto"), &["terms = \"auto\"", "not followed in time"]);
     refused(&elastic, &set("space", "true"), &["is in space", "not followed in time"]);
     refused(&format!("{SETA}{SOLID}"), &[], &["`time.rate` is given", "[seta]"]);
     let error = Scene::parse("strip.toml", &elastic, &[]).unwrap_err();

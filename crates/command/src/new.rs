@@ -54,6 +54,7 @@ const TEMPLATES: &[Template] = templates![
     "strip-rolled" "a strip in space whose grip is rolled before the pull",
     "tape" "an adhesive tape of some millimetres, under a cohesive law",
     "rubber" "a soft film under a cohesive law",
+    "strip-at-a-rate" "a viscous strip pulled at a rate, with inertia",
     "strip-auto" "a strip whose model is reduced to the terms that matter",
 ];
 

@@ -43,7 +43,9 @@ pub use pictures::{
     curve_svg, draw_fit, draw_followed, draw_observed, draw_optimum, draw_peel, draw_peel_with_branch, draw_plane,
     draw_sensitivities, draw_sweep, draw_tip_law, draw_uncertainty,
 };
-pub use rate::{RateSummary, draw_rate, write_rate_curve};
+pub use rate::{
+    RateLine, RateResult, RateRow, RateSummary, draw_rate, draw_swept_rates, write_rate_curve, write_swept_rates,
+};
 pub use seta::{
     SETA_STATE_FIELDS, SetaLine, SetaPose, SetaRow, SetaStateField, SetaSummary, draw_pull_off, draw_swept_setae,
     seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve, write_seta_events,

@@ -6,7 +6,7 @@ use super::scene::Scene;
 use super::value::{Fault, Value, quoted};
 use peelkit::beam::Viscosity;
 use peelkit::model::MovingMaterial;
-use peelkit::study::{PullRate, TimeAccuracy, Until};
+use peelkit::study::{PullRate, Terms, TimeAccuracy, Until};
 use std::ops::Range;
 
 /// The table of a scene.
@@ -55,8 +55,8 @@ fn word(flow: Flow) -> &'static str {
 /// That a scene is pulled at a rate, where equilibria are followed.
 pub(super) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
     let problem = ValueError::new(
-        "is a table of a scene that `peel run` alone follows in time; here equilibria are followed",
-        "Give the scene to `peel run`, or remove [time] to follow the equilibria.",
+        "is a table of a scene that `peel run` and `peel sweep` alone follow in time; here equilibria are followed",
+        "Give the scene to one of them, or remove [time] to follow the equilibria.",
     );
     file.error(header, &format!("[{TABLE}]"), problem)
 }
@@ -185,11 +185,14 @@ pub(super) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
         (!model.ground.substrate.is_flat(), "has ground that is not flat"),
         (model.friction_law().is_some(), "has friction"),
         (!model.steps.is_empty(), "has steps before the pull"),
+        (model.pull.turn != 0.0, "turns its grip by `drive.turn`"),
+        (model.grip.pretension.is_some(), "has a `grip.pretension`"),
+        (scene.accuracy.terms == Terms::Auto, "has terms = \"auto\""),
     ];
     let (_, what) = not_covered.into_iter().find(|(is_there, _)| *is_there)?;
     let problem = ValueError::new(
         format!("is given, and the scene {what}, which is not followed in time"),
-        "Remove [time] to follow the equilibria, or give a beam in the plane on flat ground without friction and steps.",
+        "Remove [time] to follow the equilibria, or give a beam in the plane on flat ground with all terms, without friction, steps, pretension and a grip that turns.",
     );
     Some((format!("{TABLE}.rate"), problem))
 }

@@ -22,7 +22,7 @@ pub struct Scene {
     pub model: PeelModel,
     /// The seta, where the scene has one; `peel run`, `peel sweep` and `peel uncertainty` compute it.
     pub seta: Option<SetaTable>,
-    /// The rate of the pull, where the scene has one; `peel run` alone follows it in time.
+    /// The rate of the pull, where the scene has one; `peel run` and `peel sweep` alone follow it in time.
     pub time: Option<TimeTable>,
     /// What the user asks of the numbers.
     pub accuracy: Accuracy,

@@ -6,6 +6,8 @@ mod advance;
 mod critical;
 mod failure;
 mod finer_peak;
+#[cfg(test)]
+mod gradient_flow;
 mod knot;
 mod loading;
 mod loss;

@@ -4,10 +4,10 @@
 use super::{hold, row, text, with_part};
 use peelkit_report::reference::{
     CURVE_COLUMNS, FIT_COLUMNS, FIT_SUMMARY, HISTORY_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS,
-    OPTIMISATION_SUMMARY, OutputKey, PEEL_SUMMARY, PROFILE_COLUMNS, RATE_CURVE_COLUMNS, RATE_SUMMARY, SAMPLE_COLUMNS,
-    SETA_CURVE_COLUMNS, SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_SWEEP_COLUMNS, SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS,
-    STATE_COLUMNS, SWEEP_COLUMNS, SWEEP_SUMMARY, TIP_LAW_COLUMNS, TIP_LIMIT_COLUMNS, TIP_SUMMARY, UNCERTAINTY_COLUMNS,
-    UNCERTAINTY_SUMMARY, paths,
+    OPTIMISATION_SUMMARY, OutputKey, PEEL_SUMMARY, PROFILE_COLUMNS, RATE_CURVE_COLUMNS, RATE_SUMMARY,
+    RATE_SWEEP_COLUMNS, SAMPLE_COLUMNS, SETA_CURVE_COLUMNS, SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_SWEEP_COLUMNS,
+    SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS, SWEEP_SUMMARY, TIP_LAW_COLUMNS,
+    TIP_LIMIT_COLUMNS, TIP_SUMMARY, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY, paths,
 };
 use peelkit_report::{SETA_STATE_FIELDS, SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
 use serde_json::Value;
@@ -46,6 +46,7 @@ fn the_output_reference_is_that_of_the_lists() {
         ("states.pvd of a seta", &seta_arrays(), "array"),
         ("summary.json of a rate", RATE_SUMMARY, "key"),
         ("curve.csv of a rate", RATE_CURVE_COLUMNS, "column"),
+        ("sweep.csv of rates", RATE_SWEEP_COLUMNS, "column"),
         ("peel coarsen", TIP_SUMMARY, "key"),
         ("tip_law.csv", TIP_LAW_COLUMNS, "column"),
         ("tip_limits.csv", TIP_LIMIT_COLUMNS, "column"),
@@ -319,4 +320,9 @@ fn every_key_and_column_of_a_rate_is_described() {
     assert_described(&found, RATE_SUMMARY, "summary.json of a rate");
     let columns = file("curve.csv").lines().next().unwrap().split(',').map(str::to_owned).collect();
     assert_described(&columns, RATE_CURVE_COLUMNS, "curve.csv of a rate");
+    let twice = ["--vary", "time.rate", "--values", "1 mm/s", "--vary", "time.displacement", "--values", "1 nm"];
+    peel(&[&["sweep", &scene, "--out", "sweep"], &twice[..]].concat(), folder.path());
+    let table = std::fs::read_to_string(folder.path().join("sweep/sweep.csv")).unwrap();
+    let columns = table.lines().next().unwrap().split(',').filter(|column| !column.starts_with("time."));
+    assert_described(&columns.map(str::to_owned).collect(), RATE_SWEEP_COLUMNS, "sweep.csv of rates");
 }

@@ -80,7 +80,7 @@ fn default(key: &Key) -> String {
         }
         (Need::Required, ..) => key.alternative().map_or("required".into(), |other| format!("required, or `{other}`")),
         (_, Some(default), _) => default,
-        (_, None, Kind::Fixed(..) | Kind::Share(..)) => "from `relative`".into(),
+        (_, None, Kind::Fixed(..) | Kind::Share(..)) if key.table == "accuracy" => "from `relative`".into(),
         (_, None, Kind::Text(_)) => "name of the file".into(),
         _ => "none".into(),
     }

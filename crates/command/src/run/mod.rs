@@ -2,7 +2,7 @@
 
 mod kept;
 mod progress;
-mod rate;
+pub mod rate;
 mod sensitivities;
 mod seta;
 

@@ -8,7 +8,7 @@ use crate::output::{list_files, say};
 use crate::stop::Stop;
 use crate::text_summary;
 use peelkit::solve::ShouldStop;
-use peelkit::study::{self, PullInTime, Stage, StopCriteria};
+use peelkit::study::{self, InTimeFailureKind, PullInTime, Stage, StopCriteria};
 use peelkit_report::{self as report, RateSummary, timed};
 use peelkit_scene::{Scene, TimeTable};
 use std::io::{self, Write};
@@ -51,7 +51,7 @@ pub fn run(args: &Run, scene: &Scene, table: &TimeTable) -> Result<(), Stop> {
         Ok(pulled) => (pulled, None),
         Err(failure) => match failure.reached {
             Some(reached) => (*reached, Some(failure.why.to_string())),
-            None => return Err(Stop::cut_short(failure.why)),
+            None => return Err(not_begun(&failure.why)),
         },
     };
     let command = command_line();
@@ -85,8 +85,18 @@ pub fn run(args: &Run, scene: &Scene, table: &TimeTable) -> Result<(), Stop> {
     }
 }
 
+/// Why there is no pull: what of the scene is wrong, or no equilibrium at its start.
+fn not_begun(why: &InTimeFailureKind) -> Stop {
+    match why {
+        InTimeFailureKind::Model(_) | InTimeFailureKind::OutOfRange { .. } => {
+            Stop::bad_input(why, "`peel keys time` lists the keys with their ranges.")
+        }
+        _ => Stop::cut_short(why),
+    }
+}
+
 /// What stops a step in time.
-fn should_stop(stop: &StopCriteria) -> Option<ShouldStop> {
+pub fn should_stop(stop: &StopCriteria) -> Option<ShouldStop> {
     let check = stop.should_stop.clone()?;
     Some(Arc::new(move || check(Stage::Path).is_some()))
 }

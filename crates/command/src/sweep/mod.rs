@@ -10,6 +10,7 @@ mod kept;
 pub mod no_effect;
 mod part;
 mod peels;
+mod rates;
 mod setae;
 mod varied;
 
@@ -20,9 +21,11 @@ use axes::Axis;
 use cases::Cases;
 
 pub fn sweep(args: &Sweep) -> Result<(), Stop> {
-    let scene = args.scene.load_with_seta()?;
+    let scene = args.scene.load_any()?;
     if scene.seta.is_some() {
         setae::refuse(args)?;
+    } else if scene.time.is_some() {
+        rates::refuse(args)?;
     }
     let wanted = args.units.wanted()?;
     let parameters = args.varied.parameters()?;
@@ -33,6 +36,9 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     no_effect::refuse(&args.scene.overrides, &scene, &cases)?;
     if scene.seta.is_some() {
         return setae::pull_off_each(args, &scene, &cases, wanted);
+    }
+    if scene.time.is_some() {
+        return rates::pull_each(args, &scene, &cases, wanted);
     }
     match args.followed() {
         Some(kind) => follow::follow(args, kind, &scene, &cases, wanted),

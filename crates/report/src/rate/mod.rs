@@ -1,12 +1,18 @@
-//! What a user gets of a pull at a rate: the curve, the summary, the picture.
+//! What a user gets of a pull at a rate: the curve, the summary, the picture; of a sweep of them the table and its picture.
 
 mod curve;
 mod picture;
 mod summary;
+mod sweep_picture;
+mod sweep_row;
+mod sweep_table;
 
 pub use curve::write_rate_curve;
 pub use picture::draw_rate;
 pub use summary::RateSummary;
+pub use sweep_picture::draw_swept_rates;
+pub use sweep_row::{RateResult, RateRow};
+pub use sweep_table::{RateLine, write_swept_rates};
 
 /// The library counts times in ns.
 const S_PER_NS: f64 = 1e-9;

@@ -12,7 +12,7 @@ mod uncertainty;
 
 pub use fit::{FIT_COLUMNS, FIT_SUMMARY, PROFILE_COLUMNS};
 pub use optimisation::{HISTORY_COLUMNS, OPTIMISATION_SUMMARY};
-pub use rate::{RATE_CURVE_COLUMNS, RATE_SUMMARY};
+pub use rate::{RATE_CURVE_COLUMNS, RATE_SUMMARY, RATE_SWEEP_COLUMNS};
 pub use seta::{
     SETA_CURVE_COLUMNS, SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_SWEEP_COLUMNS, SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS,
 };
@@ -83,9 +83,10 @@ pub fn paths(keys: &[OutputKey]) -> Vec<String> {
 mod tests {
     use super::*;
 
-    const ALL: [&[OutputKey]; 25] = [
+    const ALL: [&[OutputKey]; 26] = [
         RATE_SUMMARY,
         RATE_CURVE_COLUMNS,
+        RATE_SWEEP_COLUMNS,
         SETA_SUMMARY,
         SETA_CURVE_COLUMNS,
         SETA_EVENT_COLUMNS,

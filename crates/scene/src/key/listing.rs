@@ -29,7 +29,7 @@ impl Key {
         }
         match (&self.kind, self.value(&Scene::of_defaults())) {
             (Kind::Text(_), _) => "file name".into(),
-            (Kind::Fixed(..) | Kind::Share(..), _) => "automatic".into(),
+            (Kind::Fixed(..) | Kind::Share(..), _) if self.table == "accuracy" => "automatic".into(),
             (Kind::Bound(..), None) => "none".into(),
             (Kind::Steps(_), _) => "[]".into(),
             (Kind::Setting(_), Some(Value::List(items))) if items.is_empty() => "[]".into(),
