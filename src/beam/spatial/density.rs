@@ -21,8 +21,11 @@ use super::local_adhesion::LocalAdhesion;
 use super::rotation::{Matrix3, apply, cross, dot, multiply, multiply_by_transposed, multiply_transposed, skew};
 use super::spatial_profile::SpatialProfile;
 use crate::adhesion::SpatialSection;
-use crate::beam::{Coupling, Integrand, Point, PointEnergy, PointGradient, PointResponse};
+use crate::beam::{Coupling, Integrand, MEMORY, Point, PointEnergy, PointGradient, PointResponse};
 use crate::number::{F64x4, Real};
+
+/// Where the factor of a viscous material stands in [`Point::memory`], behind the six strains.
+pub(super) const FACTOR: usize = 6;
 
 /// The density, with sections from place to place.
 #[derive(Clone, Debug)]
@@ -40,6 +43,20 @@ fn forces<T: Real>(stiffness: &[[T; 6]; 6], strains: &[T; 6]) -> ([T; 3], [T; 3]
     let (n, m) = ([n0, n1, n2], [m0, m1, m2]);
     let [g0, g1, g2, k0, k1, k2] = *strains;
     (n, m, (dot(n, [g0, g1, g2]) + dot(m, [k0, k1, k2])) * 0.5)
+}
+
+/// The same of a viscous material with the memory of a point, C ε + f C (ε - ε_k); the stiffness becomes (1 + f) C.
+#[inline(always)]
+fn viscous_forces<T: Real>(stiffness: &mut [[T; 6]; 6], strains: &[T; 6], memory: &[T; MEMORY]) -> ([T; 3], [T; 3], T) {
+    let factor = memory[FACTOR];
+    let since: [T; 6] = std::array::from_fn(|k| strains[k] - memory[k]);
+    let (n, m, stored) = forces(stiffness, strains);
+    let (more_n, more_m, more) = forces(stiffness, &since);
+    for row in stiffness.iter_mut() {
+        *row = row.map(|entry| entry + entry * factor);
+    }
+    let sum = |a: [T; 3], b: [T; 3]| std::array::from_fn(|k| a[k] + b[k] * factor);
+    (sum(n, more_n), sum(m, more_m), stored + more * factor)
 }
 
 /// First derivatives of the stored energy in local changes: by γ, by (α, ω), by (β, ξ).
@@ -144,6 +161,13 @@ impl<T: Real> LocalTangent<T> {
 }
 
 impl SpatialDensity {
+    /// Γ and K - K0, and the energy ½ ε · C ε that is stored with them, nN.
+    pub(super) fn strains(&self, point: &Point<f64, SPATIAL_FIELDS>) -> ([f64; 6], f64) {
+        let station = self.profile.at(point.place);
+        let strains = Kinematics::new(&point.value, &point.slope).strains(&station.rest_curvature);
+        (strains, forces(&station.stiffness, &strains).2)
+    }
+
     /// Section forces and moments along and about the directors.
     pub fn section_forces(
         &self,
@@ -166,7 +190,20 @@ impl SpatialDensity {
         slope: &[T; SPATIAL_FIELDS],
     ) -> PointResponse<T, SPATIAL_FIELDS> {
         let mut out = PointResponse::zero();
-        self.respond_into(place, value, slope, &mut out);
+        self.respond_into(place, value, slope, None, &mut out);
+        out
+    }
+
+    /// The same with what a viscous material remembers there.
+    #[inline(always)]
+    fn remembering<T: Real>(
+        &self,
+        point: &Point<T, SPATIAL_FIELDS>,
+        is_viscous: bool,
+    ) -> PointResponse<T, SPATIAL_FIELDS> {
+        let mut out = PointResponse::zero();
+        let memory = is_viscous.then_some(&point.memory);
+        self.respond_into(point.place, &point.value, &point.slope, memory, &mut out);
         out
     }
 
@@ -177,11 +214,16 @@ impl SpatialDensity {
         place: T,
         value: &[T; SPATIAL_FIELDS],
         slope: &[T; SPATIAL_FIELDS],
+        memory: Option<&[T; MEMORY]>,
         out: &mut PointResponse<T, SPATIAL_FIELDS>,
     ) {
-        let station = self.profile.at(place);
+        let mut station = self.profile.at(place);
         let at = Kinematics::new(value, slope);
-        let (n, m, stored) = forces(&station.stiffness, &at.strains(&station.rest_curvature));
+        let strains = at.strains(&station.rest_curvature);
+        let (n, m, stored) = match memory {
+            None => forces(&station.stiffness, &strains),
+            Some(memory) => viscous_forces(&mut station.stiffness, &strains, memory),
+        };
         let (on_stretch, on_value, on_slope) = local_gradient(&at, n, m);
         let tangent = LocalTangent::new(&at, &station.stiffness, n, m);
         let (mut value_gradient, mut value_value) = (on_value, tangent.value_value);
@@ -285,9 +327,15 @@ impl Integrand<SPATIAL_FIELDS> for SpatialDensity {
 
     fn gradient_at(&self, point: &Point<f64, SPATIAL_FIELDS>, _: f64) -> PointGradient<SPATIAL_FIELDS> {
         let PointResponse { by_value, by_slope, coverage_by_value, by_border, .. } =
-            self.response(point.place, &point.value, &point.slope);
+            self.remembering(point, point.memory[FACTOR] != 0.0);
         PointGradient { by_value, by_slope, coverage_by_value, by_border }
     }
+}
+
+/// Whether points side by side remember strains: they are of one material and of one step.
+#[inline(always)]
+fn is_viscous(point: &Point<F64x4, SPATIAL_FIELDS>) -> bool {
+    point.memory[FACTOR].0[0] != 0.0
 }
 
 /// The responses compiled for the vector units that the machine may have, chosen when it runs.
@@ -298,14 +346,14 @@ fn respond(
     responses: &mut [PointResponse<F64x4, SPATIAL_FIELDS>],
 ) {
     for (point, out) in points.iter().zip(responses) {
-        density.respond_into(point.place, &point.value, &point.slope, out);
+        let memory = is_viscous(point).then_some(&point.memory);
+        density.respond_into(point.place, &point.value, &point.slope, memory, out);
     }
 }
 
 /// The energies, likewise.
 #[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
 fn energy_at(density: &SpatialDensity, point: &Point<F64x4, SPATIAL_FIELDS>) -> PointEnergy<F64x4, SPATIAL_FIELDS> {
-    let PointResponse { energy, coverage, coverage_by_value, .. } =
-        density.response(point.place, &point.value, &point.slope);
+    let PointResponse { energy, coverage, coverage_by_value, .. } = density.remembering(point, is_viscous(point));
     PointEnergy { energy, coverage, coverage_by_value }
 }

@@ -16,6 +16,7 @@ mod spatial_motion;
 mod spatial_profile;
 mod spatial_system;
 mod stiffness;
+mod strain_memory;
 mod tree;
 pub use chain::{SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional};
 pub use density::{SPATIAL_FIELDS, SpatialDensity};
@@ -28,6 +29,7 @@ pub use spatial_grip::{GripReactions, SpatialSectionPlace};
 pub use spatial_motion::SpatialInertia;
 pub use spatial_profile::{SpatialProfile, Station};
 pub use stiffness::SpatialStiffness;
+pub use strain_memory::SpatialKnownStrains;
 pub use tree::{
     BeamTree, Branch, BranchSection, BranchingBeam, CondensedTree, EndEnergy, EndResponse, JointCondition,
     JointUnknown, TreeError, TreeFactors,

@@ -59,7 +59,7 @@ impl SpatialBeam {
     pub(super) fn seen<'a>(&self, values: &'a [f64], boundaries: &'a [f64]) -> SpatialConfiguration<'a> {
         let (fields, angles) = values.split_at(values.len() - ANGLES);
         let of = |end: usize| [angles[3 * end], angles[3 * end + 1], angles[3 * end + 2]];
-        SpatialConfiguration { boundaries, fields, angles: [of(0), of(1)] }
+        SpatialConfiguration { boundaries, fields, angles: [of(0), of(1)], known: None }
     }
 
     /// Makes the quaternions of a state's values ones of length one, those of ends with angles the ones that these say.

@@ -1,4 +1,4 @@
-//! The beam in space as a [`DynamicSystem`]: masses and inertia of sections, lumped in its nodes.
+//! The beam in space as a [`DynamicSystem`]: masses and inertia of sections, lumped in its nodes; viscous strains at its Gauss points.
 //!
 //! Of a node with the velocity v of its place and the angular velocity Ω in the axes of its directors the forces of inertia are m dv/dt and
 //! J dΩ/dt + Ω × JΩ, J = diag(J1, J2, J3). The unknowns of an end are others, with c for its angles: Ω = A dc/dt, where the columns of A are the axes
@@ -6,16 +6,16 @@
 //!
 //! Source: J. C. Simo, L. Vu-Quoc, On the dynamics in space of rods undergoing large motions, Comput. Methods Appl. Mech. Eng. 66 (1988).
 
-use super::chain::{EndMap, SPATIAL_UNKNOWNS, quaternion_of};
+use super::chain::{EndMap, SPATIAL_UNKNOWNS, SpatialConfiguration, quaternion_of};
 use super::density::SPATIAL_FIELDS;
 use super::end_rotation::EndRotation;
 use super::rotation::{apply, cross, dot, matrix};
 use super::spatial_beam::{ANGLES, SpatialBeam};
-use crate::number::gauss::gauss_legendre;
-use crate::solve::time::{DynamicSystem, StepTerms};
-use crate::solve::{CondensedSystem, MONITORS, SolveError, State, Workspace};
+use super::strain_memory::SpatialKnownStrains;
+use crate::beam::Viscosity;
+use crate::solve::time::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
+use crate::solve::{CondensedSystem, MONITORS, SolveError, State, System, Workspace};
 use std::fmt;
-use std::num::NonZeroUsize;
 use std::sync::Arc;
 
 const F: usize = SPATIAL_UNKNOWNS;
@@ -26,18 +26,23 @@ const N: usize = SPATIAL_FIELDS;
 pub struct SpatialInertia {
     /// At S: ρA, then ρJ1 about the axis, ρJ2 about the width and ρJ3 about the height
     pub section: Arc<dyn Fn(f64) -> [f64; 4] + Send + Sync>,
+    /// How its material flows
+    pub viscosity: Viscosity,
 }
 
 impl SpatialInertia {
     /// The same everywhere: mass per length, and rotary inertia per length about the three directors.
-    pub fn uniform(per_length: f64, rotary: [f64; 3]) -> Self {
-        Self { section: Arc::new(move |_| [per_length, rotary[0], rotary[1], rotary[2]]) }
+    pub fn uniform(per_length: f64, rotary: [f64; 3], viscosity: Viscosity) -> Self {
+        Self { section: Arc::new(move |_| [per_length, rotary[0], rotary[1], rotary[2]]), viscosity }
     }
 }
 
 impl fmt::Debug for SpatialInertia {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.debug_struct("SpatialInertia").field("at the left end", &(self.section)(0.0)).finish()
+        f.debug_struct("SpatialInertia")
+            .field("at the left end", &(self.section)(0.0))
+            .field("viscosity", &self.viscosity)
+            .finish()
     }
 }
 
@@ -48,6 +53,17 @@ struct NodeRates {
 }
 
 impl SpatialBeam {
+    fn viscosity(&self) -> Viscosity {
+        self.inertia.as_ref().map_or(Viscosity::Elastic, |inertia| inertia.viscosity)
+    }
+
+    /// A state as its chain sees it in a step in time.
+    fn in_step<'a>(&self, at: &'a State, rate: &'a MaterialRate) -> SpatialConfiguration<'a> {
+        let factor = self.viscosity().factor(rate.per_time);
+        let known = SpatialKnownStrains { factor, strains: rate.known.as_chunks().0 };
+        SpatialConfiguration { known: (!rate.known.is_empty()).then_some(known), ..self.configuration(at) }
+    }
+
     /// Mass and the three moments of inertia of each node.
     fn nodal_inertia(&self, at: &State) -> Vec<[f64; 4]> {
         let (order, ends) = (self.chain.order(), &at.mesh.boundaries);
@@ -173,16 +189,34 @@ impl DynamicSystem for SpatialBeam {
     }
 
     fn stored_energy(&self, at: &State) -> f64 {
-        let points = NonZeroUsize::new(self.chain.order()).map_or_else(Vec::new, gauss_legendre);
-        let of = |(element, pair): (usize, &[f64])| {
-            let stored =
-                |&(local, weight): &(f64, f64)| weight * self.state_at(at, element, 0.5 * (1.0 + local)).stored;
-            0.5 * (pair[1] - pair[0]) * points.iter().map(stored).sum::<f64>()
-        };
-        at.mesh.boundaries.windows(2).enumerate().map(of).sum()
+        self.chain.strains(self.configuration(at)).iter().map(|point| point.stored).sum()
     }
 
     fn factorise_step(&self, at: &State, terms: &StepTerms, ws: &mut Workspace) -> Result<CondensedSystem, SolveError> {
-        self.condensed_with(at, terms.nodal, [0.0; MONITORS], ws)
+        self.condensed_with(at, self.in_step(at, terms.rate), terms.nodal, [0.0; MONITORS], ws)
+    }
+
+    fn relaxed_memory(&self, at: &State) -> Vec<f64> {
+        if !self.viscosity().is_viscous() {
+            return Vec::new();
+        }
+        self.chain.strains(self.configuration(at)).into_iter().flat_map(|point| point.strains).collect()
+    }
+
+    fn memory(&self, at: &State, rate: &MaterialRate) -> Vec<f64> {
+        let viscosity = self.viscosity();
+        let now = self.relaxed_memory(at);
+        now.iter().zip(&rate.known).map(|(now, known)| viscosity.remembered(*now, *known, rate.per_time)).collect()
+    }
+
+    fn viscous_power(&self, at: &State, rate: &MaterialRate) -> ViscousPower {
+        let viscosity = self.viscosity();
+        if !viscosity.is_viscous() {
+            return ViscousPower::default();
+        }
+        let still = vec![0.0; self.unknowns(at)];
+        let energy = |configuration: SpatialConfiguration| self.chain.energy(configuration, &still).0.total;
+        let viscous = energy(self.in_step(at, rate)) - energy(self.configuration(at));
+        viscosity.power(viscous, rate.per_time)
     }
 }

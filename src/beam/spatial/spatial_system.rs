@@ -1,6 +1,6 @@
 //! The beam in space as a [`System`]: what a solver asks of it. Its interface is the right end.
 
-use super::chain::{SPATIAL_UNKNOWNS, SpatialFactors, SpatialFunctional, quaternion_of};
+use super::chain::{SPATIAL_UNKNOWNS, SpatialConfiguration, SpatialFactors, SpatialFunctional, quaternion_of};
 use super::density::SPATIAL_FIELDS;
 use super::end_rotation::EndRotation;
 use super::rotation::{apply, apply_transposed, cross, matrix};
@@ -62,17 +62,18 @@ impl SpatialBeam {
         lengths.iter().flat_map(|&length| (0..F).map(move |f| damping(length, f))).collect()
     }
 
-    /// The chain eliminated down to its right end, with terms of single unknowns added and Σ weights·monitors carried along.
+    /// The chain eliminated down to its right end, as it is `seen` in a step, with terms of single unknowns added and Σ weights·monitors carried along.
     pub(super) fn condensed_with(
         &self,
         at: &State,
+        seen: SpatialConfiguration,
         added: NodalTerms,
         weights: [f64; MONITORS],
         ws: &mut Workspace,
     ) -> Result<CondensedSystem, SolveError> {
         let mut row = SpatialFunctional { coverage: self.front(weights[FRONT]), left: [0.0; F] };
         row.left[3] = weights[TIP_ROTATION];
-        let root = self.chain.eliminate(self.configuration(at), &row, added, ws.factors::<SpatialFactors>())?;
+        let root = self.chain.eliminate(seen, &row, added, ws.factors::<SpatialFactors>())?;
         Ok(condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, root.energy)))
     }
 
@@ -119,7 +120,7 @@ impl System for SpatialBeam {
         ws: &mut Workspace,
     ) -> Result<CondensedSystem, SolveError> {
         let diagonal = self.diagonal(at, coefficients);
-        self.condensed_with(at, NodalTerms { stiffness: &diagonal, force: &[] }, weights, ws)
+        self.condensed_with(at, self.configuration(at), NodalTerms { stiffness: &diagonal, force: &[] }, weights, ws)
     }
 
     fn recover(&self, ws: &Workspace, interface: &[f64; INTERFACE], scale: f64, direction: &mut [f64]) {

@@ -33,6 +33,9 @@ pub struct Crossing {
     pub within: f64,
 }
 
+/// Says at which share of a step between two states an event lies; none where there is no event in it, or where it lies near enough to its end.
+pub type StepEvent<'e> = &'e dyn Fn(&State, &State) -> Option<f64>;
+
 /// How motion is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeOptions {
@@ -198,12 +201,21 @@ impl<'a> TimeIntegrator<'a> {
     /// # Errors
     /// No step is short enough, or, with fixed steps, one failed.
     pub fn advance(&mut self, until: f64) -> Result<(), TimeError> {
+        self.advance_to_event(until, &|_, _| None)
+    }
+
+    /// Takes a step, no farther than to the time `until`, nor farther than `event` allows: that is asked about the states before and behind a
+    /// step and answers at which share of the step an event lies, if it is not near enough to its end.
+    ///
+    /// # Errors
+    /// As of [`Self::advance`].
+    pub fn advance_to_event(&mut self, until: f64, event: StepEvent) -> Result<(), TimeError> {
         let time = self.motion().time;
         let left = until - time;
         let mut h = if left <= self.next * (1.0 + ROUNDED) { left } else { self.next };
         loop {
             let refused = match self.attempt(h) {
-                Ok((taken, error, rate)) => match self.judge(&taken, h, error) {
+                Ok((taken, error, rate)) => match self.judge(&taken, h, error, event) {
                     Verdict::Take(growth) => {
                         self.lengthen(h, growth, left);
                         self.accept(taken, h, &rate);
@@ -300,7 +312,7 @@ impl<'a> TimeIntegrator<'a> {
     }
 
     /// Whether a step is taken.
-    fn judge(&self, taken: &Taken, h: f64, error: f64) -> Verdict {
+    fn judge(&self, taken: &Taken, h: f64, error: f64, event: StepEvent) -> Verdict {
         let time = self.motion().time;
         if taken.negative > 0 {
             return Verdict::Refuse(TimeError::NotUnique { time, step: h, negative: taken.negative });
@@ -311,6 +323,9 @@ impl<'a> TimeIntegrator<'a> {
         let StepControl::Adaptive { tolerance, .. } = self.options.steps else { return Verdict::Take(1.0) };
         if error > tolerance {
             return Verdict::Refuse(TimeError::Inaccurate { time, step: h, error, tolerance });
+        }
+        if let Some(share) = event(&self.motion().at, &taken.motion.at) {
+            return Verdict::Cut(share.clamp(0.0, 1.0 - ROUNDED));
         }
         if let Some(Crossing { monitor, level, within }) = self.options.crossing.filter(|_| self.crossed.is_none()) {
             let (from, to) = (self.monitors()[monitor] - level, self.monitors_of(&taken.motion)[monitor] - level);

@@ -10,6 +10,6 @@ mod step;
 pub use drive::{Drive, DriveRates, Ramp};
 pub use dynamic_system::{DynamicProblem, DynamicSystem, MaterialRate, StepTerms, ViscousPower};
 pub use energy::EnergyBalance;
-pub use integrator::{Crossing, StepControl, TimeError, TimeIntegrator, TimeOptions};
+pub use integrator::{Crossing, StepControl, StepEvent, TimeError, TimeIntegrator, TimeOptions};
 pub use motion::Motion;
 pub use rule::GeneralisedAlpha;

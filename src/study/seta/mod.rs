@@ -28,6 +28,7 @@ pub use loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
 pub use numbers::{SetaMoment, SetaResult};
 pub use options::SetaOptions;
 pub use progress::SetaProgress;
+pub(super) use rest::{Rested, come_to_rest, share_of_change};
 pub use result::{
     EventCause, JointPlace, LocationError, SetaEffort, SetaEnd, SetaEvent, SetaPoint, SetaPullOff, SetaState,
     TipChange, TipState,
@@ -35,3 +36,4 @@ pub use result::{
 pub use run::{pull_off, pull_off_from};
 pub use sections::SetaBranch;
 pub use spatula_curve::{SpatulaCurveError, tip_curve};
+pub(super) use standing::{RootDrive, Standing, TipTangent};

@@ -36,14 +36,14 @@ const MOST_DAMPED: f64 = 5.0;
 const AT_ONCE: f64 = 1e-7;
 
 /// A stable equilibrium, and how it was reached.
-pub(super) struct Rested {
+pub(in crate::study) struct Rested {
     pub solution: Solution,
     pub changes: Vec<TipChange>,
     pub iterations: usize,
 }
 
 /// Lets tips change, and all that follows from that; the displacement is held.
-pub(super) fn come_to_rest(
+pub(in crate::study) fn come_to_rest(
     standing: &mut Standing,
     drive: &RootDrive,
     (mut at, displacement): (State, f64),
@@ -159,7 +159,7 @@ fn largest_share(standing: &Standing, from: &State, to: &State) -> f64 {
 }
 
 /// The part of a step at which a tip changes, its place taken along a straight line.
-pub(super) fn share_of_change(standing: &Standing, from: &State, to: &State, tip: usize) -> f64 {
+pub(in crate::study) fn share_of_change(standing: &Standing, from: &State, to: &State, tip: usize) -> f64 {
     let ((a, directors), (b, _)) = (standing.place(from, tip), standing.place(to, tip));
     let own = &standing.tips[tip];
     let changes = |share: f64| {

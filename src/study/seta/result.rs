@@ -151,8 +151,8 @@ pub struct SetaPullOff {
     pub events: Vec<SetaEvent>,
     /// Just before the first detachment of the last step
     pub first_detachment: Option<SetaState>,
-    /// At the largest force along the direction of the last step: a maximum, or just before an event or behind it. Where the force still rises at
-    /// the end it is that there, and has no error.
+    /// At the largest force along the direction of the last step: a maximum, or just before an event or behind it. Where nothing was located it is
+    /// the largest one of the equilibria, and has no error.
     pub peak: Option<SetaState>,
     /// Just before the last event at which a tip detaches in the last step
     pub last_detachment: Option<SetaState>,

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 /// A seta and its tips.
 #[derive(Clone, Debug)]
-pub(super) struct Standing {
+pub(in crate::study) struct Standing {
     pub model: SetaModel,
     pub tree: BeamTree,
     pub tips: Vec<AdheringTip>,
@@ -18,7 +18,7 @@ pub(super) struct Standing {
 
 /// Along what the root is moved, and from where.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RootDrive {
+pub(in crate::study) struct RootDrive {
     /// Columns; the first one is the direction
     pub axes: Matrix3,
     /// The root at the beginning, nm
@@ -48,7 +48,7 @@ impl RootDrive {
 
 /// Which tangent of its energy a tip shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum TipTangent {
+pub(in crate::study) enum TipTangent {
     Own,
     /// Without the directions in which its force falls as it is pulled
     Convex,
@@ -91,6 +91,11 @@ impl Standing {
 
     /// What is solved while the root is moved; `watched` is the first monitor.
     pub fn problem(&self, drive: &RootDrive, watched: Option<JointUnknown>, tangent: TipTangent) -> Problem {
+        self.problem_of(Arc::new(self.adhering_tree(drive, watched, tangent)), drive)
+    }
+
+    /// The tree with its tips as they are.
+    pub fn adhering_tree(&self, drive: &RootDrive, watched: Option<JointUnknown>, tangent: TipTangent) -> BeamTree {
         let seta = &self.model.seta;
         let energy = |(tip, own): (usize, &AdheringTip)| {
             let energy: Option<Arc<dyn EndEnergy>> = match tangent {
@@ -101,7 +106,11 @@ impl Standing {
             (seta.tip_joint(tip), energy)
         };
         let tree = self.tree.with_energies(self.tips.iter().enumerate().map(energy));
-        let tree = tree.with_root_axes(drive.axes).with_monitors([watched, None]);
+        tree.with_root_axes(drive.axes).with_monitors([watched, None])
+    }
+
+    /// A tree in the grip that moves its root.
+    pub fn problem_of(&self, tree: Arc<BeamTree>, drive: &RootDrive) -> Problem {
         let mut origin = [0.0; INTERFACE];
         for k in 0..3 {
             origin[k] = (0..3).map(|i| drive.axes[i][k] * drive.from[i]).sum();
@@ -110,7 +119,7 @@ impl Standing {
         held[0] = false;
         Problem {
             grip: EndConditions { held, origin, ..EndConditions::drive(0) },
-            system: Arc::new(tree),
+            system: tree,
             measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true },
             start: InitialState::StressFree,
         }

@@ -44,7 +44,7 @@ fn the_tangent_is_the_derivative() {
     };
     let respond = |value: [f64; 3], slip: [f64; 2]| {
         let mut response = PointResponse::<f64, 3>::zero();
-        let point = Point { place: 40.0, value, memory: [slip[0], slip[1], 0.0, 0.0], ..Point::zero() };
+        let point = Point { place: 40.0, value, memory: [slip[0], slip[1], 0.0, 0.0, 0.0, 0.0, 0.0], ..Point::zero() };
         beam.add_remembered(&point, &mut response);
         response
     };

@@ -4,7 +4,7 @@ mod finer_peak;
 mod four_tips;
 mod hard;
 mod hysteresis;
-mod setup;
+pub mod setup;
 mod symmetry;
 mod table_law;
 mod tip;

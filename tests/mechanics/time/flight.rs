@@ -6,7 +6,7 @@
 
 use peelkit::beam::{
     EndRotation, MeshIntervals, MeshKind, MeshPolicy, SpatialBeam, SpatialChain, SpatialDensity, SpatialEnd,
-    SpatialInertia, SpatialProfile, SpatialRestCurve, SpatialStiffness,
+    SpatialInertia, SpatialProfile, SpatialRestCurve, SpatialStiffness, Viscosity,
 };
 use peelkit::solve::time::{Drive, DynamicProblem, DynamicSystem, Motion, StepControl, TimeIntegrator, TimeOptions};
 use peelkit::solve::{EndConditions, InitialState, PathMeasure, Problem, State, System, Workspace};
@@ -37,7 +37,7 @@ fn beam() -> SpatialBeam {
             fixed_foci: vec![],
             pieces: MeshIntervals::whole(LENGTH),
         },
-        inertia: Some(SpatialInertia::uniform(1.0, [20.0, 10.0, 8.0])),
+        inertia: Some(SpatialInertia::uniform(1.0, [20.0, 10.0, 8.0], Viscosity::Elastic)),
     }
 }
 

@@ -16,7 +16,7 @@ pub const SETA_SUMMARY: &[OutputKey] = &[
     key("peak", "the equilibrium of the pull with the largest force along the pull: a maximum, or just before an event or behind it; null where the pull was not begun"),
     key("peak.force_nN", "force on the root along the pull"),
     key("peak.displacement_nm", "how far the root has moved in the pull"),
-    key("peak.location_error_nN", "how far the force of the maximum, or of the event, that was looked for may lie from `force_nN`, with mesh and law of the tips as they are; null where the force rises to the end of the pull"),
+    key("peak.location_error_nN", "how far the force of the maximum, or of the event, that was looked for may lie from `force_nN`, with mesh and law of the tips as they are; null where nothing was located, so that the peak is the largest force of the equilibria that were computed"),
     key("peak.location_error_nm", "the same of `displacement_nm`"),
     key("peak.mesh_error_nN", "by how much `force_nN` differs from the peak force with elements one order higher; null where the same tips do not lead to a peak there"),
     key("peak.mesh_error_nm", "the same of `displacement_nm`"),

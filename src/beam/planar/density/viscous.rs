@@ -61,7 +61,7 @@ impl<D: ElasticSections> EnergyDensity<3> for Viscous<D> {
 
     #[inline(always)]
     fn add_remembered<T: Real>(&self, point: &Point<T, 3>, response: &mut PointResponse<T, 3>) {
-        let &Point { place, value, slope: [dx, dy, turn], memory: [stretch, slide, bend, factor] } = point;
+        let &Point { place, value, slope: [dx, dy, turn], memory: [stretch, slide, bend, factor, ..] } = point;
         let (Section { axial, shear, bending }, rise) = self.0.stiffness_at(place);
         let section = Section { axial: axial * factor, shear: shear * factor, bending: bending * factor };
         let viscous = stored_from(&section, value[2], [dx, dy + rise, turn], [stretch, slide, bend]);

@@ -8,7 +8,7 @@ use crate::beam::{Coupling, EnergyDensity, PointResponse, SectionState};
 use crate::number::{F64x4, Real};
 
 /// Numbers that a density may remember at a point.
-pub const MEMORY: usize = 4;
+pub const MEMORY: usize = 7;
 
 /// What is known at a point of the axis, or at four side by side.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +20,7 @@ pub struct Point<T, const F: usize> {
     /// Their derivatives with respect to S.
     pub slope: [T; F],
     /// Of a density that remembers. With friction: where the face was (nm) and what share of its limit it carried at the end of the last
-    /// step. Of a viscous material: Γ1, Γ2 and θ' from which the step strains, and the factor of its stiffness.
+    /// step. Of a viscous material: the strains from which the step strains, three in the plane and six in space, and the factor of its stiffness.
     pub memory: [T; MEMORY],
 }
 

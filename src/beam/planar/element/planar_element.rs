@@ -202,6 +202,11 @@ impl<const F: usize> Element<F64x4, F> {
 }
 
 impl<const F: usize> Element<f64, F> {
+    /// What its density is asked at each Gauss point, and the length that this stands for, nm.
+    pub fn points(&self, nodes: impl Nodes, basis: &Basis) -> impl Iterator<Item = (Point<f64, F>, f64)> {
+        (0..nodes.count() - 1).map(move |q| (self.point(nodes, basis, q), self.weight(basis, q)))
+    }
+
     /// The gradient of the energy, node by node: the forces that hold the element in place.
     #[inline(always)]
     pub fn forces(&self, by: &Integration<impl Nodes, F>) -> [[f64; F]; MOST_NODES] {

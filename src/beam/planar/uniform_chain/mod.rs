@@ -172,7 +172,7 @@ impl<const F: usize> UniformChain<F> {
 
     /// What the material remembers at Gauss point `q` of element `e`.
     fn memory(&self, at: Configuration, e: usize, q: usize) -> [f64; MEMORY] {
-        match (at.history, at.strains) {
+        let [a, b, c, d] = match (at.history, at.strains) {
             (Some(known), _) => {
                 let [place, carried] =
                     known.at(at.ends[e] + 0.5 * (1.0 + self.basis.points[q]) * (at.ends[e + 1] - at.ends[e]));
@@ -182,8 +182,9 @@ impl<const F: usize> UniformChain<F> {
                 let [stretch, slide, turn] = known.strains[e * self.basis.order + q];
                 [stretch, slide, turn, known.factor]
             }
-            (None, None) => [0.0; MEMORY],
-        }
+            (None, None) => [0.0; 4],
+        };
+        [a, b, c, d, 0.0, 0.0, 0.0]
     }
 
     /// The same of one number a node and field.

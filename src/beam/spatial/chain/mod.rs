@@ -16,6 +16,7 @@ pub use projection::{EndMap, SPATIAL_UNKNOWNS};
 use super::density::{SPATIAL_FIELDS, SpatialDensity};
 use super::end_rotation::EndRotation;
 use super::rotation::{Matrix3, Quaternion};
+use super::strain_memory::{SpatialKnownStrains, StrainAt, strains_of};
 use crate::beam::{
     AnyNumber, BUNDLE, Basis, Element, Fixed, Integrand, Integration, MOST_NODES, MOST_ORDER, Nodes, Responses, slot,
 };
@@ -60,6 +61,8 @@ pub struct SpatialConfiguration<'a> {
     pub fields: &'a [f64],
     /// Angles of the two ends; of a free end zeros.
     pub angles: [[f64; 3]; 2],
+    /// What strains they had before a step in time, where the material is viscous
+    pub known: Option<SpatialKnownStrains<'a>>,
 }
 
 /// What the path condition wants of the chain: a linear functional of the coverage and of the unknowns of the left end.
@@ -123,6 +126,15 @@ impl SpatialChain {
         Integration { nodes, basis: &self.basis, density, coupling, symmetric: true }
     }
 
+    /// Strains at all Gauss points, element by element.
+    pub(in crate::beam::spatial) fn strains(&self, at: SpatialConfiguration) -> Vec<StrainAt> {
+        let mut all = Vec::with_capacity((at.boundaries.len() - 1) * self.basis.order);
+        for e in 0..at.boundaries.len() - 1 {
+            all.extend(strains_of(&self.density, &self.element(at, e), self.nodes(), &self.basis));
+        }
+        all
+    }
+
     fn nodes(&self) -> AnyNumber {
         AnyNumber::of_order(self.basis.order)
     }
@@ -141,6 +153,9 @@ impl SpatialChain {
             let e = (first + l).min(elements - 1);
             bundle.from.0[l] = at.boundaries[e];
             bundle.length.0[l] = at.boundaries[e + 1] - at.boundaries[e];
+            if let Some(known) = &at.known {
+                known.put_lane(self.basis.order, e, l, &mut bundle.memories);
+            }
         }
         gather_nodes(nodes, at.fields, (first, elements), &mut bundle.values);
     }
@@ -154,6 +169,9 @@ impl SpatialChain {
         for rank in 0..count {
             let from = (e * self.basis.order + rank) * SPATIAL_FIELDS;
             element.values[slot(count, rank)].copy_from_slice(&at.fields[from..from + SPATIAL_FIELDS]);
+        }
+        if let Some(known) = &at.known {
+            known.put(self.basis.order, e, &mut element.memories);
         }
         element
     }

@@ -3,11 +3,13 @@
 use super::branching_beam::JointUnknown;
 use super::end_energy::EndEnergy;
 use super::schedule::TreeBundle;
+use crate::beam::Viscosity;
 use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, SpatialEnd, quaternion_of};
 use crate::beam::spatial::density::{SPATIAL_FIELDS, SpatialDensity};
 use crate::beam::spatial::end_rotation::EndRotation;
 use crate::beam::spatial::rest_curve::SpatialRestCurve;
 use crate::beam::spatial::rotation::{Quaternion, product};
+use crate::beam::spatial::strain_memory::{SpatialKnownStrains, StrainAt, strains_of};
 use crate::beam::{AnyNumber, BUNDLE, Basis, Element, Integrand, Integration, Nodes, slot};
 use crate::number::F64x4;
 use crate::solve::{MONITORS, State};
@@ -42,6 +44,17 @@ pub struct BeamTree {
     pub(super) inside: usize,
     pub(super) monitors: [Option<JointUnknown>; MONITORS],
     pub(super) scale: [f64; 2],
+    /// How the material of all branches flows
+    pub(super) viscosity: Viscosity,
+    /// What it remembers, in a step in time
+    pub(super) remembered: Option<RememberedStrains>,
+}
+
+/// What a viscous material remembers, with what its stiffness is multiplied with.
+#[derive(Clone, Debug)]
+pub(super) struct RememberedStrains {
+    pub factor: f64,
+    pub strains: Arc<[f64]>,
 }
 
 /// A branch of it.
@@ -156,6 +169,24 @@ impl BeamTree {
         own
     }
 
+    /// What its material remembers in a step in time, laid out by [`TreeBranch::first_element`].
+    fn known(&self) -> Option<SpatialKnownStrains<'_>> {
+        let RememberedStrains { factor, strains } = self.remembered.as_ref()?;
+        Some(SpatialKnownStrains { factor: *factor, strains: strains.as_chunks().0 })
+    }
+
+    /// Strains at all Gauss points, element by element, with what they store.
+    pub(super) fn strains(&self, values: &[f64]) -> Vec<StrainAt> {
+        let mut all = Vec::with_capacity(self.elements * self.order());
+        for branch in self.branches.iter() {
+            for e in 0..branch.elements {
+                let element = self.element(values, branch, e);
+                all.extend(strains_of(&branch.density, &element, self.count(), &self.basis));
+            }
+        }
+        all
+    }
+
     /// Four elements of a branch from the k-th on, counted from the far joint; behind the last one it is repeated.
     pub(super) fn lanes_of<'a>(&self, branch: &'a TreeBranch, first: usize) -> [(&'a TreeBranch, usize); BUNDLE] {
         std::array::from_fn(|l| (branch, branch.inwards((first + l).min(branch.elements - 1))))
@@ -180,6 +211,9 @@ impl BeamTree {
         for (l, &(branch, e)) in lanes.iter().enumerate() {
             let (from, to) = (branch.boundary(e), branch.boundary(e + 1));
             (bundle.from.0[l], bundle.length.0[l]) = (from, to - from);
+            if let Some(known) = self.known() {
+                known.put_lane(self.order(), branch.first_element + e, l, &mut bundle.memories);
+            }
             for rank in 0..count {
                 let own = self.fields(values, branch, e, rank);
                 (0..SPATIAL_FIELDS).for_each(|f| bundle.values[slot(count, rank)][f].0[l] = own[f]);
@@ -194,6 +228,9 @@ impl BeamTree {
         element.length = branch.boundary(e + 1) - element.from;
         for rank in 0..count {
             element.values[slot(count, rank)] = self.fields(values, branch, e, rank);
+        }
+        if let Some(known) = self.known() {
+            known.put(self.order(), branch.first_element + e, &mut element.memories);
         }
         element
     }

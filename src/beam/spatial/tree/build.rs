@@ -10,7 +10,7 @@ use crate::beam::spatial::density::SpatialDensity;
 use crate::beam::spatial::end_rotation::EndRotation;
 use crate::beam::spatial::rotation::{Quaternion, conjugate, product};
 use crate::beam::spatial::spatial_profile::{SpatialProfile, Station};
-use crate::beam::{Basis, MOST_ORDER};
+use crate::beam::{Basis, MOST_ORDER, Viscosity};
 use nalgebra::{Matrix3, Matrix6};
 
 /// Ends of branches may miss one another by this share of the branch's length.
@@ -129,6 +129,8 @@ impl BranchingBeam {
             inside: inside_length(self.order),
             monitors: self.monitors,
             scale: self.scale,
+            viscosity: Viscosity::Elastic,
+            remembered: None,
         })
     }
 

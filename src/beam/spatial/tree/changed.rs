@@ -1,10 +1,12 @@
 //! The same tree with something else done to its joints: beams, mesh and states stay as they are.
 
-use super::beam_tree::BeamTree;
+use super::beam_tree::{BeamTree, RememberedStrains};
 use super::branching_beam::JointUnknown;
 use super::end_energy::EndEnergy;
+use crate::beam::Viscosity;
 use crate::beam::spatial::rotation::Matrix3;
 use crate::solve::MONITORS;
+use crate::solve::time::MaterialRate;
 use std::sync::Arc;
 
 impl BeamTree {
@@ -24,6 +26,30 @@ impl BeamTree {
         let mut tree = self.clone();
         tree.ends[0].own.axes = axes;
         tree
+    }
+
+    /// Of a material that flows in this way, in all its branches.
+    pub fn with_viscosity(&self, viscosity: Viscosity) -> Self {
+        Self { viscosity, ..self.clone() }
+    }
+
+    /// As it is in a step in time with this rule: elastic, with the energy of the step.
+    pub(super) fn in_step(&self, rate: &MaterialRate) -> Self {
+        let factor = self.viscosity.factor(rate.per_time);
+        let remembered = RememberedStrains { factor, strains: rate.known.as_slice().into() };
+        Self { remembered: (!rate.known.is_empty()).then_some(remembered), ..self.clone() }
+    }
+
+    /// As it answers a jump, within which what it remembers stays the same: with the stiffness of fast loading. None where a dashpot stands beside
+    /// every spring: such a material does not jump.
+    pub fn in_jump(&self, memory: &[f64]) -> Option<Self> {
+        let factor = match self.viscosity {
+            Viscosity::Elastic => return Some(self.clone()),
+            Viscosity::KelvinVoigt { .. } => return None,
+            Viscosity::StandardLinearSolid { stiffness_ratio, .. } => stiffness_ratio - 1.0,
+        };
+        let remembered = Some(RememberedStrains { factor, strains: memory.into() });
+        Some(Self { remembered, viscosity: Viscosity::Elastic, ..self.clone() })
     }
 
     /// With other monitors; the last three unknowns of a joint are there with angles alone.

@@ -21,6 +21,7 @@ mod read;
 mod schedule;
 mod sweep;
 mod topology;
+mod tree_motion;
 mod tree_system;
 
 pub use beam_tree::BeamTree;

@@ -57,7 +57,7 @@ fn one_branch_is_a_chain_bit_for_bit() {
         let chain = SpatialChain::new(density, order, [end(tip), end(tip)], tip.held);
         let (fields, angles) = as_chain(&at);
         let boundaries: Vec<f64> = (0..=ELEMENTS).map(|k| LENGTH * k as f64 / ELEMENTS as f64).collect();
-        let seen = SpatialConfiguration { boundaries: &boundaries, fields: &fields, angles };
+        let seen = SpatialConfiguration { boundaries: &boundaries, fields: &fields, angles, known: None };
         let (mut own, mut other) = (TreeFactors::default(), SpatialFactors::default());
         let found = tree.eliminate(&at.values, [0.0; 2], [0.0; 2], &mut own).unwrap();
         let wanted = chain.eliminate(seen, &SpatialFunctional::default(), NodalTerms::NONE, &mut other).unwrap();

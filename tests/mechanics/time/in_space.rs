@@ -1,0 +1,155 @@
+//! A cantilever of viscous material in space, as a chain and as a branch of a tree, and the same one in the plane.
+//!
+//!     /|===============| moved across
+//!
+//! Reference: the planar beam, which is checked against collocation in `spin_up.rs`. Parameters: L = 10, EA = 1e4, GA = 4e3, EI = 100 (of the other
+//! bending 170, of torsion 90), ρA = 1, ρI = 0.3, its end moved by a quarter of its length within 2 units of time and held.
+//! Expected: the same force, place and energies to 1e-10, step by step. Why: strains in the axes of the directors.
+
+use approx::assert_relative_eq;
+use peelkit::beam::{
+    BeamInertia, BeamTree, Branch, BranchingBeam, EndRotation, JointCondition, MeshIntervals, MeshKind, MeshPolicy,
+    ReferenceCurve, Section, SpatialBeam, SpatialChain, SpatialDensity, SpatialEnd, SpatialInertia, SpatialProfile,
+    SpatialRestCurve, SpatialStiffness, Viscosity,
+};
+use peelkit::model::{Drive as Driven, MovingBeam, RodModel, Support};
+use peelkit::solve::time::{
+    Drive, DynamicProblem, DynamicSystem, EnergyBalance, Motion, Ramp, StepControl, TimeIntegrator, TimeOptions,
+};
+use peelkit::solve::{EndConditions, InitialState, PathMeasure, Problem, State, System, Workspace};
+use std::sync::Arc;
+
+const XYZ: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+const LENGTH: f64 = 10.0;
+const SECTION: Section = Section { axial: 1e4, shear: 4e3, bending: 100.0 };
+const ORDER: usize = 7;
+const ELEMENTS: usize = 14;
+
+fn in_space(viscosity: Viscosity) -> SpatialBeam {
+    let rest = SpatialRestCurve { start: [0.0; 3], directors: [1.0, 0.0, 0.0, 0.0], curvature: [0.0; 3] };
+    let Section { axial, shear, bending } = SECTION;
+    let stiffness = SpatialStiffness::diagonal(axial, [shear, 5e3], 90.0, [170.0, bending]);
+    let end = |rotation| SpatialEnd { axes: XYZ, rotation, rest: rest.directors, dead_load: [[0.0; 3]; 2] };
+    let density = SpatialDensity { profile: SpatialProfile::uniform(stiffness, 1.0, 1.0), adhesion: None };
+    let ends = [end(EndRotation::Angles), end(EndRotation::Free)];
+    SpatialBeam {
+        chain: SpatialChain::new(density, ORDER, ends, [Some(0.0); 6]),
+        length: LENGTH,
+        rest: rest.into(),
+        scale: [0.1, 0.01],
+        round_off: 0.0,
+        rest_adhesion: 0.0,
+        process_length: LENGTH,
+        mesh: MeshPolicy {
+            kind: MeshKind::Uniform,
+            front_foci: vec![],
+            edge_foci: vec![],
+            fixed_foci: vec![],
+            pieces: MeshIntervals::whole(LENGTH),
+        },
+        inertia: Some(SpatialInertia::uniform(1.0, [0.4, 0.5, 0.3], viscosity)),
+    }
+}
+
+/// As a branch of a tree, whose root is its right end and whose tip its left one.
+fn as_tree(viscosity: Viscosity) -> BeamTree {
+    let Section { axial, shear, bending } = SECTION;
+    let stiffness = SpatialStiffness::diagonal(axial, [shear, 5e3], 90.0, [170.0, bending]);
+    let branch = Branch::straight([0, 1], [[0.0; 3], [LENGTH, 0.0, 0.0]], [0.0, 1.0, 0.0], stiffness, ELEMENTS);
+    let clamped = JointCondition { rotation: EndRotation::Angles, held: [Some(0.0); 6], ..JointCondition::free(0) };
+    let tree = BranchingBeam {
+        conditions: vec![clamped],
+        order: ORDER,
+        scale: [0.1, 0.01],
+        ..BranchingBeam::new(vec![branch], 1)
+    };
+    tree.build().unwrap().with_viscosity(viscosity)
+}
+
+fn in_grip<S: DynamicSystem + 'static>(system: S) -> DynamicProblem {
+    let (system, grip) = (Arc::new(system), EndConditions::drive(1));
+    let measure = PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true };
+    let problem = Problem { system: system.clone(), grip, measure, start: InitialState::StressFree };
+    DynamicProblem::new(problem, system)
+}
+
+/// Force and energies after each tenth part of 3 units of time, in so many steps.
+fn moved(problem: &DynamicProblem, at: State, steps: usize) -> Vec<(f64, EnergyBalance)> {
+    let still = vec![0.0; problem.system.unknowns(&at)];
+    let memory = problem.system.relaxed_memory(&at);
+    let motion = Motion::new(0.0, at, still.clone(), still, memory);
+    let drive = Drive::ramp(Ramp::new(0.0, 0.25 * LENGTH, 0.25 * LENGTH / 1.5, 0.3));
+    let options = TimeOptions { newton: 1e-13, ..TimeOptions::new(StepControl::Fixed(3.0 / steps as f64)) };
+    let mut run = TimeIntegrator::new(problem, drive, motion, options, Workspace::default());
+    let mut found = Vec::new();
+    for _ in 0..10 {
+        for _ in 0..steps / 10 {
+            run.advance(10.0).unwrap();
+        }
+        found.push((run.motion().at.force, *run.balance()));
+    }
+    found
+}
+
+fn planar(inertia: [f64; 2], viscosity: Viscosity) -> MovingBeam {
+    let rod = RodModel {
+        length: LENGTH,
+        section: SECTION,
+        rest: ReferenceCurve::default(),
+        left: Support::CLAMPED,
+        right: Support::FREE,
+        drive: Driven::Y,
+    };
+    let [per_length, rotary] = inertia;
+    rod.in_time(ORDER, BeamInertia::uniform(per_length, rotary, viscosity)).unwrap()
+}
+
+/// To 1e-10 of the largest force and of the work.
+fn assert_same(found: &[(f64, EnergyBalance)], wanted: &[(f64, EnergyBalance)]) {
+    let force = wanted.iter().map(|at| at.0.abs()).fold(0.0, f64::max);
+    let work = wanted.iter().map(|at| at.1.work.abs()).fold(0.0, f64::max);
+    for (found, wanted) in found.iter().zip(wanted) {
+        assert_relative_eq!(found.0, wanted.0, epsilon = 1e-10 * force);
+        let of = |balance: &EnergyBalance| [balance.work, balance.stored, balance.kinetic, balance.dissipated];
+        for (found, wanted) in of(&found.1).into_iter().zip(of(&wanted.1)) {
+            assert_relative_eq!(found, wanted, epsilon = 1e-10 * work);
+        }
+    }
+}
+
+const MATERIALS: [Viscosity; 3] = [
+    Viscosity::Elastic,
+    Viscosity::KelvinVoigt { retardation_time: 0.3 },
+    Viscosity::StandardLinearSolid { relaxation_time: 0.5, stiffness_ratio: 2.5 },
+];
+
+#[test]
+fn a_viscous_cantilever_in_space_is_the_planar_one() {
+    for viscosity in MATERIALS {
+        let planar = planar([1.0, 0.3], viscosity);
+        let wanted = moved(&planar.dynamics, planar.statics.initial(ELEMENTS), 150);
+        let beam = in_space(viscosity);
+        let at = beam.stress_free(ELEMENTS);
+        assert_same(&moved(&in_grip(beam), at, 150), &wanted);
+        let EnergyBalance { dissipated, work, .. } = wanted.last().unwrap().1;
+        assert_eq!(dissipated > 0.01 * work, viscosity.is_viscous(), "{dissipated} of {work}");
+    }
+}
+
+/// Without mass, and of second order: half the step, a quarter of the error.
+#[test]
+fn a_viscous_tree_of_one_branch_is_the_planar_beam() {
+    for viscosity in MATERIALS {
+        let planar = planar([0.0; 2], viscosity);
+        let wanted = moved(&planar.dynamics, planar.statics.initial(ELEMENTS), 60);
+        let tree = as_tree(viscosity);
+        let at = tree.stress_free(0);
+        let problem = in_grip(tree);
+        assert_same(&moved(&problem, at.clone(), 60), &wanted);
+        if viscosity.is_viscous() {
+            // while the end moves at its full rate
+            let [a, b, c] = [100, 200, 400].map(|steps| moved(&problem, at.clone(), steps)[4].0);
+            assert_relative_eq!((a - b) / (b - c), 4.0, max_relative = 0.1);
+        }
+    }
+}
