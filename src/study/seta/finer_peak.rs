@@ -15,7 +15,7 @@ use crate::model::{Seta, SetaError, SetaModel, TipBranch};
 use crate::solve::{NewtonOptions, Observables, PathConstraint, Solution, State, Workspace, solve};
 use crate::study::{Stage, StopCriteria};
 
-/// How far before the peak the finer mesh begins, over the first step: the nearest at which it comes to rest without a tip that changes.
+/// How far before the peak the finer mesh begins, over the first step: the nearest at which it is stable with the same tips and its force rises.
 const BEFORE: [f64; 4] = [0.02, 0.2, 2.0, 20.0];
 /// Of Newton's method at the first equilibrium: the cubic of a branch is near, but not in equilibrium.
 const LARGEST_UPDATE: f64 = 30.0;
@@ -49,7 +49,7 @@ pub fn peak_on_finer_mesh(
     Ok(None)
 }
 
-/// The finer seta at rest so far (nm) before the peak; none where tips change on the way.
+/// The finer seta so far (nm) before the peak; none where it is not stable there, a tip changes, or its force falls.
 fn begin(
     finer: &SetaModel,
     loading: &SetaLoading,
@@ -75,8 +75,10 @@ fn begin(
         exact_slope: false,
     };
     let solved = solve(&problem, laid_along(&standing, &finer.seta, peak), &held, &newton, &mut ws);
+    // on the finer mesh the peak may lie before that of the coarser one
+    let rises = |solution: &Solution| solution.slope.force * solution.slope.displacement > 0.0;
     let is_alike = |solution: &Solution| solution.negative == 0 && standing.changing(&solution.at).is_empty();
-    let Some(here) = solved.ok().filter(is_alike) else { return Ok(None) };
+    let Some(here) = solved.ok().filter(is_alike).filter(rises) else { return Ok(None) };
     let progress = SetaProgress {
         result: SetaPullOff::empty(standing.tree.elements()),
         here,

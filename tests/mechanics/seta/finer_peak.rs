@@ -2,8 +2,7 @@
 //!
 //! The small seta of `setup.rs`, on elements of order 2, one a branch, with tips that slide and with tips that are held. Reference: the whole
 //! pull-off on elements of order 6, three a branch. Expected: the peak on elements of order 3 that begins where the coarse one is has the force of the
-//! whole pull-off with that mesh, to the error with which peaks are located; its difference is the true error of the coarse mesh to a third of it;
-//! it takes less than a third of the Newton iterations' equilibria of a whole pull-off, as it has a few points alone.
+//! whole pull-off with that mesh, to the error with which peaks are located; its difference is the true error of the coarse mesh to a third of it.
 
 use super::setup::{along_normal, model, small};
 use approx::assert_relative_eq;
