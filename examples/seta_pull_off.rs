@@ -5,7 +5,7 @@
 
 use peelkit::model::{NormalPull, Seta, SetaMesh, SetaModel, Sideways, Spatula, TipLaw};
 use peelkit::study::coarsening::{CoarseningOptions, PadEnd, TableLaw, TipRange, coarsen};
-use peelkit::study::{Accuracy, SetaLoading, SetaOptions, StopCriteria, pull_off, tip_curve};
+use peelkit::study::{Accuracy, SetaLoading, SetaOptions, StopCriteria, peak_on_finer_mesh, pull_off, tip_curve};
 use std::error::Error;
 use std::sync::Arc;
 use std::time::Instant;
@@ -107,6 +107,14 @@ fn main() -> Result<(), Box<dyn Error>> {
                 println!("    located to {:.1e} nm, {:.1e} nN", error.displacement, error.force);
             }
         }
+    }
+    let begun = Instant::now();
+    if let (Some(peak), Some(finer)) =
+        (&pulled.peak, peak_on_finer_mesh(&model, &loading, &options, &pulled, &StopCriteria::default())?)
+    {
+        let error = (peak.point.force_along - finer.force) / finer.force;
+        let seconds = begun.elapsed().as_secs_f64();
+        println!("peak on a finer mesh: {:.8} nN, error {error:.2e}, {seconds:.3} s", finer.force);
     }
     let most = pulled.events.iter().map(|event| event.tips.len()).max();
     println!("largest event: {most:?} tips");

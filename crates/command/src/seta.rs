@@ -1,16 +1,23 @@
 //! What pull-offs of setae have in common, and setae that differ from the one of a scene in some keys, pulled off one after the other, or side by side.
 
 use peelkit::model::{PeelModel, PullCurve, SetaModel};
-use peelkit::study::{self, Accuracy, SetaOptions, SetaResult, SpatulaCurveError, StopCriteria};
-use peelkit_scene::Scene;
+use peelkit::study::{self, Accuracy, Choice, SetaOptions, SetaResult, SpatulaCurveError, StopCriteria};
+use peelkit_scene::{Scene, SetaTable};
 use std::sync::OnceLock;
 
 /// By how much the curve of a tip begins with it pressed, nm.
 const PRESSED: f64 = 50.0;
 
-/// The curve that the tips of a scene follow.
+/// The curve that the tips of a scene follow. A mesh that the scene names is that of the branches, not of the tip.
 pub fn tip_curve(scene: &Scene) -> Result<PullCurve, SpatulaCurveError> {
-    study::tip_curve(&scene.tip_model(), &scene.accuracy, PRESSED)
+    study::tip_curve(&scene.tip_model(), &Accuracy { choice: Choice::default(), ..scene.accuracy }, PRESSED)
+}
+
+/// The seta of a scene, whose tips follow this curve.
+pub fn model(scene: &Scene, table: &SetaTable, curve: PullCurve) -> SetaModel {
+    let mut model = SetaModel::new(table.seta, table.law(curve));
+    model.mesh.order = scene.accuracy.choice.order.unwrap_or(model.mesh.order);
+    model
 }
 
 /// How the pull-off of a scene is computed.
@@ -34,7 +41,7 @@ impl Setae {
     /// The pull-off of the seta of a scene, or why there is none. Called from any thread.
     pub fn pull_off(&self, scene: &Scene, stop: &StopCriteria) -> Result<SetaResult, String> {
         let Some(table) = &scene.seta else { return Err("the scene has no [seta]".to_owned()) };
-        let model = SetaModel::new(table.seta, table.law(self.curve(scene)?));
+        let model = model(scene, table, self.curve(scene)?);
         let pull_off = study::pull_off(&model, &scene.seta_loading(table), &options(scene), stop);
         pull_off.map(|found| SetaResult::from(&found)).map_err(|error| error.to_string())
     }

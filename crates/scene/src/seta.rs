@@ -24,7 +24,7 @@ const OTHERS: [(&str, &[&str]); 9] = [
     ("profile", &[]),
     ("adhesion", &[]),
     ("drive", &["angle", "azimuth", "steps"]),
-    ("accuracy", &["relative"]),
+    ("accuracy", &["relative", "order"]),
     ("bounds", &[]),
     ("uncertainty", &[]),
 ];
@@ -107,7 +107,7 @@ pub(super) fn foreign(scene: &Scene, key: &Key) -> ValueError {
         Some(_) => ValueError::new(
             "is given, and the scene has a [seta], which has no such key",
             format!(
-                "Remove `{}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` of [accuracy], [bounds] and [uncertainty].",
+                "Remove `{}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` and `order` of [accuracy], [bounds] and [uncertainty].",
                 key.name
             ),
         ),

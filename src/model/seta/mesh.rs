@@ -1,5 +1,6 @@
 //! How a seta is divided into elements.
 
+use crate::beam::MOST_ORDER;
 use serde::{Deserialize, Serialize};
 
 /// Elements of the branches of a seta, those of one branch of equal length.
@@ -33,6 +34,11 @@ impl SetaMesh {
     /// The same with each element divided into so many.
     pub fn divided(&self, by: usize) -> Self {
         Self { order: self.order, elements: self.elements.iter().map(|n| n * by).collect() }
+    }
+
+    /// The same with elements one order higher; of the highest order each element divided in two.
+    pub fn finer(&self) -> Self {
+        if self.order < MOST_ORDER { Self { order: self.order + 1, ..self.clone() } } else { self.divided(2) }
     }
 
     /// Elements of all branches: 2ᵏ branches behind fork k.

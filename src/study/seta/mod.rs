@@ -5,6 +5,7 @@
 mod advance;
 mod critical;
 mod failure;
+mod finer_peak;
 #[cfg(test)]
 mod gradient_flow;
 mod knot;
@@ -22,6 +23,7 @@ mod spatula_curve;
 mod standing;
 mod watched;
 pub use failure::SetaFailure;
+pub use finer_peak::peak_on_finer_mesh;
 pub use loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
 pub use numbers::{SetaMoment, SetaResult};
 pub use options::SetaOptions;

@@ -62,22 +62,22 @@ pub fn pull_off_from(
     Ok((result, Some(run.progress)))
 }
 
-struct Run<'a> {
+pub(super) struct Run<'a> {
     standing: Standing,
-    loading: &'a SetaLoading,
-    options: &'a SetaOptions,
+    pub loading: &'a SetaLoading,
+    pub options: &'a SetaOptions,
     stop: &'a StopCriteria,
     ws: Workspace,
     /// The root at rest, nm
     rest: [f64; 3],
-    progress: SetaProgress,
+    pub progress: SetaProgress,
     /// What the step under way has replaced of the states that have names, the oldest first
     replaced: Vec<(Named, Option<SetaState>)>,
 }
 
 impl<'a> Run<'a> {
     /// Where it starts, or what there is of a run that has no start.
-    fn new(
+    pub fn new(
         model: &SetaModel,
         loading: &'a SetaLoading,
         options: &'a SetaOptions,
@@ -195,7 +195,7 @@ impl<'a> Run<'a> {
     }
 
     /// One step of the root, or what keeps it from going on. One that is stopped on its way is as if it had not been begun.
-    fn advance(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<(), SetaEnd> {
+    pub fn advance(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<(), SetaEnd> {
         let before = Mark::of(&self.progress, &self.standing);
         self.replaced.clear();
         let took = self.take_step(step, drive, left);

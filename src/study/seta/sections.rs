@@ -50,17 +50,22 @@ impl SetaState {
         (1..2 * seta.tips()).map(|joint| self.branch(seta, joint)).collect()
     }
 
-    /// The branch that ends at a joint.
-    fn branch(&self, seta: &Seta, joint: usize) -> SetaBranch {
-        let generation = joint.ilog2() as usize;
-        let ahead = seta.forks - generation;
-        let behind = (joint << ahead) - seta.tips()..((joint + 1) << ahead) - seta.tips();
+    /// Of the branch that ends at a joint: its axis, and its length at rest, nm.
+    pub(super) fn axis(&self, seta: &Seta, joint: usize) -> (Cubic, f64) {
         let (near, far) = (self.joints[joint / 2], self.joints[joint]);
         // from the directors of the joint to those of the branch: as they are at rest
         let angle = product(conjugate(seta.directors(joint / 2)), seta.directors(joint));
         let from = product(near.directors, angle);
         let length = (place(seta.joint_place(joint)) - place(seta.joint_place(joint / 2))).norm();
-        let axis = Cubic::new([near.place, far.place], [from, far.directors], length);
+        (Cubic::new([near.place, far.place], [from, far.directors], length), length)
+    }
+
+    /// The branch that ends at a joint.
+    fn branch(&self, seta: &Seta, joint: usize) -> SetaBranch {
+        let generation = joint.ilog2() as usize;
+        let ahead = seta.forks - generation;
+        let behind = (joint << ahead) - seta.tips()..((joint + 1) << ahead) - seta.tips();
+        let (axis, _) = self.axis(seta, joint);
         let count = LINES[generation.min(LINES.len() - 1)];
         let sections = (0..=count).map(|k| {
             let (at, directors) = axis.at(k as f64 / count as f64);
@@ -87,7 +92,7 @@ fn place(at: [f64; 3]) -> Vector3<f64> {
 }
 
 /// The axis between two joints.
-struct Cubic {
+pub(super) struct Cubic {
     places: [Vector3<f64>; 2],
     /// By the share of the length
     slopes: [Vector3<f64>; 2],
@@ -101,7 +106,7 @@ impl Cubic {
     }
 
     /// Place and directors at a share of the length.
-    fn at(&self, t: f64) -> (Vector3<f64>, Quaternion) {
+    pub fn at(&self, t: f64) -> (Vector3<f64>, Quaternion) {
         let ([a, b], [da, db]) = (self.places, self.slopes);
         let u = 1.0 - t;
         let at = a * (u * u * (1.0 + 2.0 * t)) + da * (t * u * u) + b * (t * t * (3.0 - 2.0 * t)) - db * (t * t * u);

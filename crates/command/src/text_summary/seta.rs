@@ -3,16 +3,16 @@
 use super::layout::in_columns;
 use super::units::{Units, WantedUnits};
 use peelkit::model::{PullCurve, SetaModel};
-use peelkit::study::{SetaPullOff, SetaState};
+use peelkit::study::{SetaMoment, SetaPullOff, SetaState};
 use peelkit_report::{seta_end_reason, seta_end_word, tip_peak};
 use peelkit_scene::Scene;
 
-/// The summary of a pull-off, which took so many seconds with the law of its tips.
+/// The summary of a pull-off with the same peak on a finer mesh, which took so many seconds with the law of its tips.
 pub fn seta(
     scene: &Scene,
     model: &SetaModel,
     tip: &PullCurve,
-    pull_off: &SetaPullOff,
+    (pull_off, finer): (&SetaPullOff, Option<SetaMoment>),
     solve_s: f64,
     wanted: WantedUnits,
 ) -> String {
@@ -52,6 +52,16 @@ pub fn seta(
             ),
         ),
     ];
+    if let (Some(SetaState { point, .. }), Some(finer)) = (&pull_off.peak, finer) {
+        let error = (point.force_along - finer.force).abs();
+        let share = error / finer.force.abs();
+        let more = if share > scene.accuracy.relative {
+            format!(", more than accuracy.relative: a larger accuracy.order than {} has less", model.mesh.order)
+        } else {
+            String::new()
+        };
+        lines.push(("error of the mesh", format!("{} of the peak force, {share:.0e}{more}", force.short(error))));
+    }
     if let (Some(first), Some(last)) = (pull_off.points.first(), pull_off.points.last()) {
         let text = format!(
             "work {} = energy {} + released {}, to {:.0e}",

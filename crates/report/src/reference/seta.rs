@@ -18,6 +18,8 @@ pub const SETA_SUMMARY: &[OutputKey] = &[
     key("peak.displacement_nm", "how far the root has moved in the pull"),
     key("peak.location_error_nN", "how far the force of the maximum, or of the event, that was looked for may lie from `force_nN`, with mesh and law of the tips as they are; null where nothing was located, so that the peak is the largest force of the equilibria that were computed"),
     key("peak.location_error_nm", "the same of `displacement_nm`"),
+    key("peak.mesh_error_nN", "by how much `force_nN` differs from the peak force with elements one order higher; null where the same tips do not lead to a peak there"),
+    key("peak.mesh_error_nm", "the same of `displacement_nm`"),
     key("peak.tips_attached", "number of tips that adhere"),
     key("peak.largest_tip_load_nN", "of all tips the largest force away from the ground"),
     key("peak.largest_tip_push_nN", "of all tips the largest force towards the ground; 0 where none is pressed"),
@@ -46,6 +48,7 @@ pub const SETA_SUMMARY: &[OutputKey] = &[
     key("timing", "wall clock"),
     key("timing.tip_s", "of the law of the tips"),
     key("timing.solve_s", "of the pull-off"),
+    key("timing.mesh_error_s", "of the peak with elements one order higher"),
     key("parameters", "the scene as it was computed, with its defaults: its tables as objects, units in the names"),
 ];
 

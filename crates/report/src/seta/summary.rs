@@ -4,7 +4,7 @@ use super::names::{seta_end_reason, seta_end_word};
 use crate::number::Finite;
 use crate::summary::{Parameters, SCHEMA, VERSION, written};
 use peelkit::model::{CurvePoint, PullCurve, Seta};
-use peelkit::study::{EventCause, SetaPullOff, SetaState};
+use peelkit::study::{EventCause, SetaMoment, SetaPullOff, SetaState};
 use peelkit_scene::Scene;
 
 /// Everything of a pull-off but its curve and its events. Forces in nN, lengths in nm, works in aJ; `None` where a thing does not occur.
@@ -23,7 +23,7 @@ pub struct SetaSummary {
     reason: Option<String>,
     /// How many tips the seta has.
     tips: usize,
-    peak: Option<Moment>,
+    peak: Option<Peak>,
     first_detachment: Option<Moment>,
     last_detachment: Option<Moment>,
     events: Events,
@@ -71,6 +71,28 @@ impl From<&SetaState> for Moment {
     }
 }
 
+/// The peak, and by how much it lies elsewhere on a finer mesh; `None` where that was not found.
+#[derive(Debug, serde::Serialize)]
+struct Peak {
+    #[serde(flatten)]
+    moment: Moment,
+    #[serde(rename = "mesh_error_nN")]
+    force_error: Option<Finite>,
+    #[serde(rename = "mesh_error_nm")]
+    displacement_error: Option<Finite>,
+}
+
+impl Peak {
+    fn new(state: &SetaState, finer: Option<SetaMoment>) -> Self {
+        let point = &state.point;
+        Self {
+            moment: Moment::from(state),
+            force_error: finer.map(|finer| Finite((finer.force - point.force_along).abs())),
+            displacement_error: finer.map(|finer| Finite((finer.displacement - point.displacement).abs())),
+        }
+    }
+}
+
 #[derive(Debug, serde::Serialize)]
 struct Events {
     count: usize,
@@ -109,11 +131,12 @@ struct Effort {
     elements: usize,
 }
 
-/// Seconds of the law of the tips and of the pull-off.
+/// Seconds of the law of the tips, of the pull-off, and of the peak on a finer mesh.
 #[derive(Debug, serde::Serialize)]
 struct Timing {
     tip_s: Finite,
     solve_s: Finite,
+    mesh_error_s: Finite,
 }
 
 /// Points of the curve of a tip between two of its own at which its largest force is looked for.
@@ -130,13 +153,15 @@ pub fn tip_peak(tip: &PullCurve) -> f64 {
 }
 
 impl SetaSummary {
-    /// The summary of the pull-off of this scene, whose tips follow this curve: the curve took `tip_s` seconds and the pull-off `solve_s`.
+    /// The summary of the pull-off of this scene, whose tips follow this curve, and whose peak on a finer mesh is `finer`: the three took `tip_s`,
+    /// `solve_s` and `mesh_error_s` seconds.
     pub fn new(
         scene: &Scene,
         seta: &Seta,
         tip: &PullCurve,
         pull_off: &SetaPullOff,
-        [tip_s, solve_s]: [f64; 2],
+        finer: Option<SetaMoment>,
+        [tip_s, solve_s, mesh_error_s]: [f64; 3],
     ) -> Self {
         let (first, last) = (pull_off.points.first(), pull_off.points.last());
         let energy = first.zip(last).map_or(0.0, |(first, last)| last.energy - first.energy);
@@ -150,7 +175,7 @@ impl SetaSummary {
             end: seta_end_word(pull_off),
             reason: seta_end_reason(&pull_off.end),
             tips: seta.tips(),
-            peak: pull_off.peak.as_ref().map(Moment::from),
+            peak: pull_off.peak.as_ref().map(|peak| Peak::new(peak, finer)),
             first_detachment: pull_off.first_detachment.as_ref().map(Moment::from),
             last_detachment: pull_off.last_detachment.as_ref().map(Moment::from),
             events: Events {
@@ -176,7 +201,7 @@ impl SetaSummary {
                 newton_iterations: pull_off.effort.newton_iterations,
                 elements: pull_off.effort.elements,
             },
-            timing: Timing { tip_s: Finite(tip_s), solve_s: Finite(solve_s) },
+            timing: Timing { tip_s: Finite(tip_s), solve_s: Finite(solve_s), mesh_error_s: Finite(mesh_error_s) },
             parameters: Parameters(scene.clone()),
         }
     }

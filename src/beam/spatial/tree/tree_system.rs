@@ -5,7 +5,7 @@ use super::factors::TreeFactors;
 use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, read::normalise};
 use crate::beam::spatial::density::SPATIAL_FIELDS;
 use crate::beam::spatial::end_rotation::{EndRotation, turned};
-use crate::beam::spatial::rotation::apply_transposed;
+use crate::beam::spatial::rotation::{Quaternion, apply_transposed};
 use crate::beam::spatial::shared_system::{condensed, node_difference, step_node, weighted_sum};
 use crate::solve::{
     Coefficients, CondensedSystem, Evaluation, INTERFACE, MONITORS, Mesh, Rates, SolveError, State, System, Unknown,
@@ -53,19 +53,37 @@ impl BeamTree {
 
     /// Values in the stress-free configuration.
     fn rest_values(&self) -> Vec<f64> {
+        self.values_along(|joint| self.at_rest[joint], |branch, s| self.branches[branch].rest.at(s))
+    }
+
+    /// A state whose joints, and sections of branches at S (nm), have these places and directors. Nothing says that it is in equilibrium. Angles
+    /// of ends are zero.
+    pub fn laid_along(
+        &self,
+        joint: impl Fn(usize) -> ([f64; 3], Quaternion),
+        section: impl Fn(usize, f64) -> ([f64; 3], Quaternion),
+    ) -> State {
+        State { values: self.values_along(joint, section), mesh: Mesh::default(), force: 0.0, history: None }
+    }
+
+    fn values_along(
+        &self,
+        joint: impl Fn(usize) -> ([f64; 3], Quaternion),
+        section: impl Fn(usize, f64) -> ([f64; 3], Quaternion),
+    ) -> Vec<f64> {
         let mut values = vec![0.0; self.nodes * N + self.ends.len() * ANGLES];
-        let mut put = |node: usize, (place, q): ([f64; 3], [f64; 4])| {
+        let mut put = |node: usize, (place, q): ([f64; 3], Quaternion)| {
             values[node * N..node * N + 3].copy_from_slice(&place);
             values[node * N + 3..(node + 1) * N].copy_from_slice(&q);
         };
-        (0..self.joints()).for_each(|joint| put(joint, self.at_rest[joint]));
+        (0..self.joints()).for_each(|own| put(own, joint(own)));
         let (order, last) = (self.order(), self.order() + 1);
-        for branch in self.branches.iter() {
+        for (b, branch) in self.branches.iter().enumerate() {
             for e in 0..branch.elements {
                 for rank in (0..last).filter(|&rank| branch.end_at(order, e, rank).is_none()) {
                     let share = 0.5 * (1.0 + self.basis.nodes[crate::beam::slot(last, rank)]);
                     let (from, to) = (branch.boundary(e), branch.boundary(e + 1));
-                    put(branch.node(order, e, rank), branch.rest.at(from + share * (to - from)));
+                    put(branch.node(order, e, rank), section(b, from + share * (to - from)));
                 }
             }
         }

@@ -8,12 +8,12 @@ use super::{GOES_ON, Run, refuse_asked};
 use crate::command_line::command_line;
 use crate::interrupt::Interrupt;
 use crate::output::{list_files, say};
-use crate::seta::{options, tip_curve};
+use crate::seta::{self, options, tip_curve};
 use crate::stop::Stop;
 use crate::text_summary;
 use kept::{Followed, KeptSeta, follow};
 use peelkit::model::{PullCurve, SetaModel};
-use peelkit::study::{Bound, SetaEnd, SetaPoint, SetaPullOff, SetaState};
+use peelkit::study::{self, Bound, SetaEnd, SetaPoint, SetaPullOff, SetaState};
 use peelkit_report::{self as report, ReportError, SetaSummary, timed};
 use peelkit_scene::{Scene, SetaTable};
 use sampler::Sampler;
@@ -51,7 +51,7 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
     progress.stage("law of the tips");
     let (tip, tip_s) = timed(|| tip_curve(scene));
     let tip = tip.map_err(Stop::cut_short)?;
-    let model = SetaModel::new(table.seta, table.law(tip.clone()));
+    let model = seta::model(scene, table, tip.clone());
     let loading = scene.seta_loading(table);
     let options = options(scene);
     let mut see = |point: &SetaPoint| progress.seta(point);
@@ -59,19 +59,23 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
     let followed =
         followed.map_err(|error| Stop::bad_input(error, "`peel keys seta` lists the keys with their ranges."))?;
     let Followed { pull_off, sampler, .. } = &followed;
+    progress.stage("error of the mesh");
+    let (finer, finer_s) = timed(|| study::peak_on_finer_mesh(&model, &loading, &options, pull_off, &stop));
+    let finer = finer.map_err(Stop::other)?;
     // nothing of what comes behind the pull-off is kept
     let interrupted = interrupt.quit_next() && matches!(pull_off.end, SetaEnd::Bound(Bound::Interrupted));
     progress.finish();
     let command = command_line();
     let found = Found { scene, model: &model, tip: &tip, pull_off, command: &command };
-    let summary = SetaSummary::new(scene, &table.seta, &tip, pull_off, [tip_s, solve_s]).with_command(&command);
+    let summary =
+        SetaSummary::new(scene, &table.seta, &tip, pull_off, finer, [tip_s, solve_s, finer_s]).with_command(&command);
     let (files, left) = kept
         .as_mut()
         .map_or((Ok(Vec::new()), None), |kept| kept.write(&followed, |dir| found.write(dir, &summary, sampler, args)));
     if args.json {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
-        let text = text_summary::seta(scene, &model, &tip, pull_off, tip_s + solve_s, wanted);
+        let text = text_summary::seta(scene, &model, &tip, (pull_off, finer), tip_s + solve_s + finer_s, wanted);
         let taken = text_summary::equilibria_taken(kept.as_ref().map_or(0, KeptSeta::taken));
         let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
         say(&format!("{text}{taken}\n{}{left}", list_files(&files)))?;
