@@ -23,7 +23,9 @@ pub struct SetaSummary {
     reason: Option<String>,
     /// How many tips the seta has.
     tips: usize,
-    peak: Option<Peak>,
+    peak: Option<Moment>,
+    /// Of the peak; `None` where it was not found.
+    mesh_error: Option<MeshError>,
     first_detachment: Option<Moment>,
     last_detachment: Option<Moment>,
     events: Events,
@@ -71,24 +73,20 @@ impl From<&SetaState> for Moment {
     }
 }
 
-/// The peak, and by how much it lies elsewhere on a finer mesh; `None` where that was not found.
+/// By how much the peak lies elsewhere on a finer mesh.
 #[derive(Debug, serde::Serialize)]
-struct Peak {
-    #[serde(flatten)]
-    moment: Moment,
-    #[serde(rename = "mesh_error_nN")]
-    force_error: Option<Finite>,
-    #[serde(rename = "mesh_error_nm")]
-    displacement_error: Option<Finite>,
+struct MeshError {
+    #[serde(rename = "force_nN")]
+    force: Finite,
+    #[serde(rename = "displacement_nm")]
+    displacement: Finite,
 }
 
-impl Peak {
-    fn new(state: &SetaState, finer: Option<SetaMoment>) -> Self {
-        let point = &state.point;
+impl MeshError {
+    fn new(SetaState { point, .. }: &SetaState, finer: SetaMoment) -> Self {
         Self {
-            moment: Moment::from(state),
-            force_error: finer.map(|finer| Finite((finer.force - point.force_along).abs())),
-            displacement_error: finer.map(|finer| Finite((finer.displacement - point.displacement).abs())),
+            force: Finite((finer.force - point.force_along).abs()),
+            displacement: Finite((finer.displacement - point.displacement).abs()),
         }
     }
 }
@@ -175,7 +173,8 @@ impl SetaSummary {
             end: seta_end_word(pull_off),
             reason: seta_end_reason(&pull_off.end),
             tips: seta.tips(),
-            peak: pull_off.peak.as_ref().map(|peak| Peak::new(peak, finer)),
+            peak: pull_off.peak.as_ref().map(Moment::from),
+            mesh_error: pull_off.peak.as_ref().zip(finer).map(|(peak, finer)| MeshError::new(peak, finer)),
             first_detachment: pull_off.first_detachment.as_ref().map(Moment::from),
             last_detachment: pull_off.last_detachment.as_ref().map(Moment::from),
             events: Events {
