@@ -25,7 +25,6 @@ pub struct Waypoint {
     iterations: usize,
     careful: bool,
     branch: Option<NearBranch>,
-    by_roll: usize,
 }
 
 /// A path being followed: an iterator over its points, to be driven and stopped at will. All points stay in it.
@@ -46,8 +45,6 @@ pub struct Path<'p> {
     careful: bool,
     /// Where a step has led to another branch, until that lies behind.
     branch: Option<NearBranch>,
-    /// For so many further points the roll measures the path, because it stalled without.
-    by_roll: usize,
 }
 
 /// Most tries of one step, each shorter.
@@ -66,8 +63,6 @@ const OUTSET: usize = 3;
 const OUTSET_GROWTH: f64 = 2.0;
 /// Points over which the path's direction is taken.
 const CHORD: usize = 4;
-/// Points over which the roll measures a path that stalled without.
-const BY_ROLL: usize = 20;
 /// Most that a step of settling down moves, relative as in [`crate::solve::System::size`].
 const SETTLING: f64 = 0.3;
 /// Most meshes on which a structure settles, and by how little, in units of their scales, its monitors move then.
@@ -96,7 +91,6 @@ impl<'p> Path<'p> {
             history: None,
             careful: false,
             branch: None,
-            by_roll: 0,
         }
     }
 
@@ -135,20 +129,20 @@ impl<'p> Path<'p> {
     /// The newest point, for a path that is to go on from there.
     pub fn waypoint(&self) -> Option<Waypoint> {
         let point = self.points.last()?.clone();
-        let Self { iterations, careful, branch, by_roll, .. } = *self;
-        Some(Waypoint { point, errors: self.errors.clone(), iterations, careful, branch, by_roll })
+        let Self { iterations, careful, branch, .. } = *self;
+        Some(Waypoint { point, errors: self.errors.clone(), iterations, careful, branch })
     }
 
     /// Computes the next point, where it is not known.
     pub fn advance(&mut self) -> Result<Arc<Solution>, PathError> {
         let point = match self.known.next() {
-            Some(Waypoint { point, errors, iterations, careful, branch, by_roll }) => {
+            Some(Waypoint { point, errors, iterations, careful, branch }) => {
                 (self.errors, self.iterations) = (errors, iterations);
-                (self.careful, self.branch, self.by_roll) = (careful, branch, by_roll);
+                (self.careful, self.branch) = (careful, branch);
                 point
             }
             None if self.points.is_empty() => Arc::new(self.first()?),
-            None => Arc::new(self.onward()?),
+            None => Arc::new(self.step()?),
         };
         self.history = self.problem.system.commit(&point.at);
         self.points.push(point.clone());
@@ -197,19 +191,6 @@ impl<'p> Path<'p> {
             let relaxed = relax(self.problem, start, Held::Displacement(displacement), &options, &mut self.ws);
             relaxed.map(|relaxed| relaxed.solution).map_err(|_| error)
         })
-    }
-
-    /// The next point; where the path stalls, with the roll among what measures it.
-    fn onward(&mut self) -> Result<Solution, PathError> {
-        let stepped = self.step();
-        let stalls = stepped.as_ref().is_err_and(|error| error.cause != SolveError::Stopped);
-        let rolls = self.problem.system.roll(&self.points[self.points.len() - 1].at).is_some();
-        if stalls && rolls && self.by_roll == 0 {
-            (self.by_roll, self.branch) = (BY_ROLL, None);
-            return self.step();
-        }
-        self.by_roll = self.by_roll.saturating_sub(1);
-        stepped
     }
 
     fn step(&mut self) -> Result<Solution, PathError> {
@@ -331,8 +312,7 @@ impl<'p> Path<'p> {
     /// The metric of the newest points, and of a further one.
     fn metric(&self, next: Option<&Observables>) -> Metric {
         let from = self.points.len().saturating_sub(if next.is_some() { 3 } else { 4 });
-        let newest = self.points[from..].iter().map(|p| &p.observables);
-        Metric::with_roll(self.problem, newest.chain(next), self.by_roll > 0)
+        Metric::of(self.problem, self.points[from..].iter().map(|p| &p.observables).chain(next))
     }
 
     /// The newest points, newest first, and their labels relative to the newest; as many as labels keep their order.
