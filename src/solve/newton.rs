@@ -132,6 +132,21 @@ pub fn solve_warily(
         .or_else(|_| iterate(Pace::Following, problem, at.clone(), constraint, &options, ws))
 }
 
+/// [`solve`], and where that does not converge [`solve_warily`].
+pub fn solve_or_warily(
+    problem: &Problem,
+    at: State,
+    constraint: &PathConstraint,
+    options: &NewtonOptions,
+    ws: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    let first = solve(problem, at.clone(), constraint, options, ws);
+    match first {
+        Err(SolveError::NotConverged { .. }) => solve_warily(problem, &at, constraint, options, ws).or(first),
+        first => first,
+    }
+}
+
 fn iterate(
     pace: Pace,
     problem: &Problem,

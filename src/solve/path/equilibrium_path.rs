@@ -11,7 +11,7 @@ use super::predictor::{self, MOST_POINTS};
 use super::waypoint::Waypoint;
 use crate::solve::{
     Held, History, NewtonOptions, Observables, PathConstraint, Problem, RelaxOptions, ShouldStop, Solution, SolveError,
-    State, Workspace, relax, settle, solve, solve_warily,
+    State, Workspace, relax, settle, solve, solve_or_warily, solve_warily,
 };
 use std::sync::Arc;
 use std::vec;
@@ -221,7 +221,8 @@ impl<'p> Path<'p> {
                 continue;
             }
             let constraint = PathConstraint { weights, target: weights.dot(&newest.observables) + step };
-            match self.solved(start, &constraint, tries >= WARY) {
+            let solver = if tries < WARY { solve } else { solve_or_warily };
+            match solver(self.problem, start, &constraint, &self.newton(), &mut self.ws) {
                 Ok(next) => {
                     self.iterations += next.iterations;
                     let turned = points.len() > 1 && self.turns_sharply(&slope, &next);
@@ -258,40 +259,19 @@ impl<'p> Path<'p> {
         Err(self.stopped(MOST_TRIES, cause))
     }
 
-    /// The equilibrium next to a start, where `wary` with a second attempt.
-    fn solved(&mut self, start: State, constraint: &PathConstraint, wary: bool) -> Result<Solution, SolveError> {
-        let newton = self.newton();
-        if !wary {
-            return solve(self.problem, start, constraint, &newton, &mut self.ws);
-        }
-        let first = solve(self.problem, start.clone(), constraint, &newton, &mut self.ws);
-        match first {
-            Err(SolveError::NotConverged { .. }) => {
-                solve_warily(self.problem, &start, constraint, &newton, &mut self.ws).or(first)
-            }
-            first => first,
-        }
-    }
-
     /// The slope of the path at the newest point itself. That of a solution is one update of Newton's method back, and near limit points it may be
     /// wrong by all of itself. A point that turns out to be no equilibrium is replaced by the one next to it.
     fn again(&mut self, point: &Solution, weights: &Observables) -> Result<Observables, SolveError> {
         let constraint = PathConstraint { weights: *weights, target: weights.dot(&point.observables) };
         let exact = NewtonOptions { exact_slope: true, ..self.newton() };
-        let solved = solve(self.problem, point.at.clone(), &constraint, &exact, &mut self.ws);
-        if solved.as_ref().is_ok_and(|solution| solution.correction <= NO_EQUILIBRIUM) {
-            return solved.map(|solution| {
-                self.iterations += solution.iterations;
-                solution.slope
-            });
+        let mut found = solve(self.problem, point.at.clone(), &constraint, &exact, &mut self.ws);
+        if !found.as_ref().is_ok_and(|solution| solution.correction <= NO_EQUILIBRIUM)
+            && let Ok(mended) = solve_warily(self.problem, &point.at, &constraint, &exact, &mut self.ws)
+        {
+            self.mend(Arc::new(mended.clone()));
+            found = Ok(mended);
         }
-        let solution = match solve_warily(self.problem, &point.at, &constraint, &exact, &mut self.ws) {
-            Ok(mended) => {
-                self.mend(Arc::new(mended.clone()));
-                mended
-            }
-            Err(_) => solved?,
-        };
+        let solution = found?;
         self.iterations += solution.iterations;
         Ok(solution.slope)
     }
