@@ -92,63 +92,8 @@ impl Solution {
     }
 }
 
-/// How Newton's method goes on by its updates, and by what it ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Pace {
-    /// By linear updates that fall quadratically: it ends where the next one would be small.
-    Quick,
-    /// By linear updates, of which large and small ones may take turns: it ends by their own size alone.
-    Wary,
-    /// The same by updates that follow the section force, [`super::System::step`].
-    Following,
-}
-
-/// Most iterations of a solve that is not quick, and those after which it may stand still.
-const MOST_WARY: usize = 24;
-const WANDERS: usize = 4;
-
 /// Solves from the start `at`.
 pub fn solve(
-    problem: &Problem,
-    at: State,
-    constraint: &PathConstraint,
-    options: &NewtonOptions,
-    ws: &mut Workspace,
-) -> Result<Solution, SolveError> {
-    iterate(Pace::Quick, problem, at, constraint, options, ws)
-}
-
-/// The same where [`solve`] has not converged, or has ended at what is no equilibrium: it ends by the size of its updates alone, first with linear
-/// ones, then with those that follow the section force.
-pub fn solve_warily(
-    problem: &Problem,
-    at: &State,
-    constraint: &PathConstraint,
-    options: &NewtonOptions,
-    ws: &mut Workspace,
-) -> Result<Solution, SolveError> {
-    let options = NewtonOptions { most_iterations: MOST_WARY, ..*options };
-    iterate(Pace::Wary, problem, at.clone(), constraint, &options, ws)
-        .or_else(|_| iterate(Pace::Following, problem, at.clone(), constraint, &options, ws))
-}
-
-/// [`solve`], and where that does not converge [`solve_warily`].
-pub fn solve_or_warily(
-    problem: &Problem,
-    at: State,
-    constraint: &PathConstraint,
-    options: &NewtonOptions,
-    ws: &mut Workspace,
-) -> Result<Solution, SolveError> {
-    let first = solve(problem, at.clone(), constraint, options, ws);
-    match first {
-        Err(SolveError::NotConverged { .. }) => solve_warily(problem, &at, constraint, options, ws).or(first),
-        first => first,
-    }
-}
-
-fn iterate(
-    pace: Pace,
     problem: &Problem,
     mut at: State,
     constraint: &PathConstraint,
@@ -161,7 +106,7 @@ fn iterate(
     let system = &*problem.system;
     let mut update = vec![0.0; system.unknowns(&at)];
     let mut correction = 0.0;
-    let (mut previous, mut before) = (f64::INFINITY, f64::INFINITY);
+    let mut previous = f64::INFINITY;
     let stagnant = system.round_off().max(STAGNANT);
     for iterations in 1..=options.most_iterations {
         let (root, grip) = factorised(problem, &at, constraint, Coefficients::STATIC, ws)?;
@@ -171,27 +116,17 @@ fn iterate(
         if !(size.is_finite() && step.force.is_finite()) {
             return Err(SolveError::NotFiniteUpdate { quantity: Quantity::NewtonUpdate });
         }
-        let stalls = match pace {
-            Pace::Quick => iterations > 2 && size > 0.9 * previous,
-            Pace::Wary | Pace::Following => iterations > WANDERS && size > 0.9 * previous.max(before),
-        };
+        let stalls = iterations > 2 && size > 0.9 * previous;
         if size > options.largest_update || (stalls && size > stagnant.max(STALLED * options.tolerance)) {
             return Err(SolveError::NotConverged { update: size, iterations });
         }
-        match pace {
-            Pace::Quick | Pace::Wary => system.retract(&mut at, &update, 1.0),
-            Pace::Following => system.step(&mut at, &update),
-        }
+        system.retract(&mut at, &update, 1.0);
         at.force += step.force;
         correction += size;
         // quadratic convergence: what the next update would be, as far as round-off lets it fall
         let next = if previous.is_finite() { size * (size / previous).powi(2).min(1.0) } else { size };
         let next = next.max(system.round_off());
-        let converged = match pace {
-            Pace::Quick => size <= options.tolerance || (next <= options.tolerance && size <= LAST),
-            // a small one may be the small one of two that take turns
-            Pace::Wary | Pace::Following => size <= options.tolerance && previous <= LAST,
-        };
+        let converged = size <= options.tolerance || (next <= options.tolerance && size <= LAST);
         if converged || stalls || (size < stagnant && size > 0.5 * previous) {
             let (root, grip) = if options.exact_slope && size > EXACT {
                 factorised(problem, &at, constraint, Coefficients::STATIC, ws)?
@@ -225,7 +160,7 @@ fn iterate(
                 at,
             });
         }
-        (before, previous) = (previous, size);
+        previous = size;
     }
     Err(SolveError::NotConverged { update: previous, iterations: options.most_iterations })
 }

@@ -221,11 +221,6 @@ pub trait System: Send + Sync {
         }
     }
 
-    /// Goes on from a state by an update of Newton's method, so that what is stiff is not stretched by more than the update says.
-    fn step(&self, at: &mut State, update: &[f64]) {
-        self.retract(at, update, 1.0);
-    }
-
     /// The direction that leads from one state to another on the same mesh.
     fn difference(&self, from: &[f64], to: &[f64]) -> Vec<f64> {
         to.iter().zip(from).map(|(to, from)| to - from).collect()

@@ -9,7 +9,6 @@
 mod back;
 mod ends;
 mod factors;
-mod finite_step;
 #[cfg(test)]
 mod piece_tests;
 mod read;
@@ -59,7 +58,6 @@ struct Kernels<const F: usize> {
     energy: fn(&UniformChain<F>, Configuration, &[f64]) -> (ElementEnergy, f64),
     node_states: fn(&UniformChain<F>, Configuration, Range<usize>) -> Vec<NodeState>,
     shifted: fn(&UniformChain<F>, Configuration, &[f64]) -> Vec<f64>,
-    follow_force: fn(&UniformChain<F>, &[f64], &mut [f64], &[f64], [f64; 2]),
 }
 
 impl<const F: usize> Kernels<F> {
@@ -70,7 +68,6 @@ impl<const F: usize> Kernels<F> {
             energy: read::energy::<N, F>,
             node_states: read::node_states::<N, F>,
             shifted: read::shifted::<N, F>,
-            follow_force: finite_step::follow_force::<N, F>,
         }
     }
 }
@@ -259,12 +256,6 @@ impl<const F: usize> Chain for UniformChain<F> {
 
     fn substitute(&self, eliminated: &ChainFactors, root: &[f64], right: &mut [f64], transposed: bool) {
         self.substitute_right(eliminated, root, right, transposed);
-    }
-
-    fn follow_force(&self, ends: &[f64], state: &mut [f64], direction: &[f64], axial: [f64; 2]) {
-        if self.density.follows_force() {
-            (self.kernels.follow_force)(self, ends, state, direction, axial);
-        }
     }
 
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64) {
