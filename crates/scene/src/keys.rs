@@ -77,6 +77,7 @@ pub static KEYS: &[Key] = &[
     key("seta", "lateral_stiffness", Optional, Kind::Bound(Stiffness, |s| &mut seta::of(s).lateral_stiffness), "stiffness that holds tips; none: they slide"),
     key("seta", "contact_height", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut seta::of(s).contact_height), "height at which a detached tip adheres again"),
     key("seta", "preload", Optional, Kind::Bound(Force, |s| &mut seta::of(s).preload), "presses the seta on first; none: it adheres"),
+    key("seta", "tip_law", Optional, Kind::Setting(&seta::TIP_LAW), "what tips follow: the curve of their normal pull, or their table"),
     key("seta", "youngs_modulus", Optional, Kind::Quantity(Pressure, |s| &mut seta::of(s).seta.material.youngs_modulus), "Young's modulus E of all branches"),
     key("seta", "poissons_ratio", Optional, Kind::Number(Range::POISSONS_RATIO, |s| &mut seta::of(s).seta.material.poissons_ratio), "Poisson's ratio"),
     key("seta", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut seta::of(s).seta.material.shear_correction), "shear correction factor of the section"),

@@ -39,7 +39,7 @@ pub use parameters::Parameters;
 pub use peelkit::model::Range;
 pub use rate::{Flow, TimeTable};
 pub use scene::{Scene, TableTexts};
-pub use seta::SetaTable;
+pub use seta::{SetaTable, SetaTips};
 pub use uncertainty::{CorrelatedKeys, UncertainKey, UncertaintyTable};
 pub use value::Value;
 pub use value::quantity::{Comma, Dimension, QuantityError, parse_quantity};

@@ -2,8 +2,9 @@
 
 use super::bodies::set_body;
 use super::error::{Origin, SceneError, ValueError};
-use super::key::Key;
+use super::key::{Key, Setting};
 use super::scene::Scene;
+use super::value::{Fault, Value, quoted};
 use peelkit::model::{
     Grip, Hold, ModelError, ModelErrorKind, Moved, NormalPull, PeelModel, PullCurve, Seta, SetaError, Sideways, Space,
     Step, TipLaw,
@@ -40,7 +41,41 @@ pub struct SetaTable {
     pub contact_height: f64,
     /// Force with which the seta is pressed on before all steps, nN; none: every tip adheres at the start
     pub preload: Option<f64>,
+    /// What its tips follow
+    pub tips: SetaTips,
 }
+
+/// What the tips of a seta follow.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SetaTips {
+    /// The curve of their spatula, pulled along the normal: a function of the height alone
+    #[default]
+    NormalPull,
+    /// The table of their spatula: a function of height and rotation
+    Table,
+}
+
+/// The words for it.
+const LAWS: [(&str, SetaTips); 2] = [("normal-pull", SetaTips::NormalPull), ("table", SetaTips::Table)];
+
+/// `tip_law`
+pub(super) static TIP_LAW: Setting = Setting {
+    takes: "\"normal-pull\" or \"table\"",
+    brief: "one of two words",
+    example: "\"table\"",
+    read: |scene, value| {
+        let Value::Text(text) = value else { return Err(Fault::whole(format!("is {value}, no word"))) };
+        let found = LAWS.iter().find(|(word, _)| word == text);
+        let none = || Fault::whole(format!("is {}, which is none of its values", quoted(text)));
+        of(scene).tips = found.ok_or_else(none)?.1;
+        Ok(())
+    },
+    write: |scene| {
+        let tips = scene.seta.as_ref()?.tips;
+        let (word, _) = LAWS.iter().find(|(_, own)| *own == tips)?;
+        Some(Value::Text((*word).to_owned()))
+    },
+};
 
 /// How high a seta that is pressed on starts above the height at which its highest tip would adhere, nm.
 const CLEARANCE: f64 = 1.0;
@@ -49,15 +84,19 @@ impl Default for SetaTable {
     /// The default seta; its angle is that of the text "60 deg", to the last bit.
     fn default() -> Self {
         let seta = Seta { shaft_angle: 60.0 * 1f64.to_radians(), ..Seta::default() };
-        Self { seta, lateral_stiffness: None, contact_height: 0.0, preload: None }
+        Self { seta, lateral_stiffness: None, contact_height: 0.0, preload: None, tips: SetaTips::default() }
     }
 }
 
 impl SetaTable {
     /// The law of its tips, of which each follows this curve.
     pub fn law(&self, curve: PullCurve) -> Arc<dyn TipLaw> {
-        let sideways = self.lateral_stiffness.map_or(Sideways::Free, Sideways::Held);
-        Arc::new(NormalPull { curve, sideways, contact_height: self.contact_height })
+        Arc::new(NormalPull { curve, sideways: self.sideways(), contact_height: self.contact_height })
+    }
+
+    /// What holds its tips along the ground.
+    pub fn sideways(&self) -> Sideways {
+        self.lateral_stiffness.map_or(Sideways::Free, Sideways::Held)
     }
 
     /// How it starts: adhering, or above the ground where it is pressed on first.
