@@ -186,7 +186,7 @@ fn new_names_its_kinds_and_writes_each() {
     for kind in kinds {
         assert_eq!(peel(dir.path(), &["new", "--kind", kind]).status, 0, "{kind}");
         let text = fs::read_to_string(dir.path().join(format!("{kind}.toml"))).unwrap();
-        peelkit_scene::Scene::parse_with_seta(kind, &text, &[]).unwrap();
+        peelkit_scene::Scene::parse_any(kind, &text, &[]).unwrap();
     }
     assert!(!dir.path().join("out").exists());
     assert_eq!(peel(dir.path(), &["new", "other", "--body", "spatula"]).status, 0);
