@@ -174,6 +174,6 @@ fn an_event_that_no_tip_begins_has_a_row() {
     assert_eq!(rows.len(), 3);
     assert_eq!(cells(0), ["1", "", "", "buckles", ""]);
     assert_eq!(cells(1)[..2], ["1", "2"]);
-    assert_eq!([cells(1)[3], cells(1)[4]], ["detaches", "3"]);
+    assert_eq!([cells(1)[3], cells(1)[4]], ["detaches", "3.0"]);
     assert_eq!(cells(2)[0], "2");
 }

@@ -83,7 +83,7 @@ fn what_has_no_meaning_for_a_seta_is_refused() {
         ("[friction]\nstrength = \"50 MPa\"", "`friction.strength`"),
         ("[substrate]\nshape = \"sphere\"\nradius = \"1 um\"", "`substrate.shape`"),
         ("[drive]\nturn = \"1 deg/nm\"", "`drive.turn`"),
-        ("[accuracy]\norder = 3", "`accuracy.order`"),
+        ("[accuracy]\nelements = 30", "`accuracy.elements`"),
         ("[fit]\nparameters = [\"spatula.youngs_modulus\"]", "`fit.parameters`"),
     ] {
         refused(&format!("{SETA}{line}\n"), &[], &format!("{key} is given, and the scene has a [seta]"));
