@@ -8,7 +8,7 @@
 //!
 //! One rule dm/dt = c (m - m_k) for what is remembered, m = ε or m = e, makes of both f C (ε - m_k): f = τ c, or f = g c/(c + 1/τ).
 
-use crate::solve::time::ViscousPower;
+use crate::solve::time::{MaterialRate, ViscousPower};
 use serde::{Deserialize, Serialize};
 
 /// How a material flows. Times are in ns where masses are in nN·ns²/nm.
@@ -56,6 +56,21 @@ impl Viscosity {
                 (strain / relaxation_time + per_time * known) / (per_time + 1.0 / relaxation_time)
             }
         }
+    }
+
+    /// The same of a body, strain by strain.
+    pub fn remembered_by(self, strains: &[f64], rate: &MaterialRate) -> Vec<f64> {
+        let remembered = |(strain, known): (&f64, &f64)| self.remembered(*strain, *known, rate.per_time);
+        strains.iter().zip(&rate.known).map(remembered).collect()
+    }
+
+    /// Energy and power of a body with these energies in the step and at rest, aJ; they are not asked for where nothing flows.
+    pub fn power_in(self, rate: &MaterialRate, energies: impl FnOnce() -> [f64; 2]) -> ViscousPower {
+        if !self.is_viscous() {
+            return ViscousPower::default();
+        }
+        let [in_step, at_rest] = energies();
+        self.power(in_step - at_rest, rate.per_time)
     }
 
     /// Energy and power, from ½ f (ε - m_k)·C (ε - m_k) of the whole body, aJ.

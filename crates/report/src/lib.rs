@@ -16,6 +16,7 @@ mod number;
 pub mod overlay;
 mod parameters_file;
 pub mod pictures;
+mod pull_row;
 mod rate;
 pub mod reference;
 mod seta;
@@ -43,6 +44,7 @@ pub use pictures::{
     curve_svg, draw_fit, draw_followed, draw_observed, draw_optimum, draw_peel, draw_peel_with_branch, draw_plane,
     draw_sensitivities, draw_sweep, draw_tip_law, draw_uncertainty,
 };
+pub use pull_row::PullRow;
 pub use rate::{
     RateLine, RateResult, RateRow, RateSummary, draw_rate, draw_swept_rates, write_rate_curve, write_swept_rates,
 };

@@ -100,18 +100,13 @@ impl DynamicSystem for PlanarBeam {
     }
 
     fn memory(&self, at: &State, rate: &MaterialRate) -> Vec<f64> {
-        let viscosity = self.viscosity();
-        let now = self.relaxed_memory(at);
-        now.iter().zip(&rate.known).map(|(now, known)| viscosity.remembered(*now, *known, rate.per_time)).collect()
+        self.viscosity().remembered_by(&self.relaxed_memory(at), rate)
     }
 
     fn viscous_power(&self, at: &State, rate: &MaterialRate) -> ViscousPower {
-        let viscosity = self.viscosity();
-        if !viscosity.is_viscous() {
-            return ViscousPower::default();
-        }
-        let energy = |configuration: Configuration| self.chain.energy(configuration, self.nodes(&at.values)).0.total;
-        let viscous = energy(self.in_step(at, rate)) - energy(self.configuration(at));
-        viscosity.power(viscous, rate.per_time)
+        self.viscosity().power_in(rate, || {
+            let configurations = [self.in_step(at, rate), self.configuration(at)];
+            configurations.map(|configuration| self.chain.energy(configuration, self.nodes(&at.values)).0.total)
+        })
     }
 }

@@ -204,19 +204,14 @@ impl DynamicSystem for SpatialBeam {
     }
 
     fn memory(&self, at: &State, rate: &MaterialRate) -> Vec<f64> {
-        let viscosity = self.viscosity();
-        let now = self.relaxed_memory(at);
-        now.iter().zip(&rate.known).map(|(now, known)| viscosity.remembered(*now, *known, rate.per_time)).collect()
+        self.viscosity().remembered_by(&self.relaxed_memory(at), rate)
     }
 
     fn viscous_power(&self, at: &State, rate: &MaterialRate) -> ViscousPower {
-        let viscosity = self.viscosity();
-        if !viscosity.is_viscous() {
-            return ViscousPower::default();
-        }
-        let still = vec![0.0; self.unknowns(at)];
-        let energy = |configuration: SpatialConfiguration| self.chain.energy(configuration, &still).0.total;
-        let viscous = energy(self.in_step(at, rate)) - energy(self.configuration(at));
-        viscosity.power(viscous, rate.per_time)
+        self.viscosity().power_in(rate, || {
+            let still = vec![0.0; self.unknowns(at)];
+            let configurations = [self.in_step(at, rate), self.configuration(at)];
+            configurations.map(|configuration| self.chain.energy(configuration, &still).0.total)
+        })
     }
 }

@@ -40,55 +40,62 @@ pub fn peak_on_finer_mesh(
         return Ok(None);
     }
     let finer = SetaModel { mesh: model.mesh.finer(), ..model.clone() };
+    let step = peak.point.step;
+    let (drive, standing) = (drive_of(&finer.seta, loading, &peak.point), standing_in(&finer, peak)?);
+    let laid = laid_along(&standing, &finer.seta, peak);
     for share in BEFORE {
         let before = share * options.first_step;
-        let Some(progress) = begin(&finer, loading, options, (peak, before), stop)? else { continue };
+        let Some(here) = begin(&standing, &drive, laid.clone(), peak.point.displacement - before, options, stop) else {
+            continue;
+        };
+        let progress = SetaProgress {
+            result: SetaPullOff::empty(standing.tree.elements()),
+            here,
+            tips: standing.tips.iter().map(|tip| (tip.on, tip.foot)).collect(),
+            step,
+            from: drive.from,
+            ahead: before,
+            softest: None,
+        };
         let Ok(mut run) = Run::new(&finer, loading, options, stop, Some(progress))? else { continue };
         return Ok(pulled_on(&mut run, &peak.point, before));
     }
     Ok(None)
 }
 
-/// The finer seta so far (nm) before the peak; none where it is not stable there, a tip changes, or its force falls.
-fn begin(
-    finer: &SetaModel,
-    loading: &SetaLoading,
-    options: &SetaOptions,
-    (peak, before): (&SetaState, f64),
-    stop: &StopCriteria,
-) -> Result<Option<SetaProgress>, SetaError> {
-    let mut standing = Standing::new(finer, TipBranch::Attached)?;
-    for (tip, state) in standing.tips.iter_mut().zip(&peak.tips) {
+/// The root moved as in the step of the peak, from where that began.
+fn drive_of(seta: &Seta, loading: &SetaLoading, peak: &SetaPoint) -> RootDrive {
+    let rest = seta.joint_place(0);
+    let along = RootDrive::new(loading.steps[peak.step].direction, rest).direction();
+    RootDrive::new(along, std::array::from_fn(|i| rest[i] + peak.root[i] - peak.displacement * along[i]))
+}
+
+/// The seta with its tips as in a state.
+fn standing_in(model: &SetaModel, state: &SetaState) -> Result<Standing, SetaError> {
+    let mut standing = Standing::new(model, TipBranch::Attached)?;
+    for (tip, state) in standing.tips.iter_mut().zip(&state.tips) {
         (tip.on, tip.foot) = (state.on, state.foot);
     }
-    let (step, rest) = (peak.point.step, finer.seta.joint_place(0));
-    let along = RootDrive::new(loading.steps[step].direction, rest).direction();
-    let from = std::array::from_fn(|i| rest[i] + peak.point.root[i] - peak.point.displacement * along[i]);
-    let drive = RootDrive::new(along, from);
+    Ok(standing)
+}
+
+/// The equilibrium at a displacement, from a state nearby; none where it is not stable there, a tip changes, or its force falls.
+fn begin(
+    standing: &Standing,
+    drive: &RootDrive,
+    near: State,
+    displacement: f64,
+    options: &SetaOptions,
+    stop: &StopCriteria,
+) -> Option<Solution> {
     let mut ws = Workspace::until(stop.for_solves(Stage::Results));
-    let problem = standing.problem(&drive, None, TipTangent::Own);
-    let held = PathConstraint { weights: Observables::DISPLACEMENT, target: peak.point.displacement - before };
-    let newton = NewtonOptions {
-        tolerance: options.tolerance,
-        largest_update: LARGEST_UPDATE,
-        most_iterations: MOST_ITERATIONS,
-        exact_slope: false,
-    };
-    let solved = solve(&problem, laid_along(&standing, &finer.seta, peak), &held, &newton, &mut ws);
+    let problem = standing.problem(drive, None, TipTangent::Own);
+    let held = PathConstraint { weights: Observables::DISPLACEMENT, target: displacement };
+    let newton = NewtonOptions { largest_update: LARGEST_UPDATE, most_iterations: MOST_ITERATIONS, ..options.newton() };
     // on the finer mesh the peak may lie before that of the coarser one
     let rises = |solution: &Solution| solution.slope.force * solution.slope.displacement > 0.0;
     let is_alike = |solution: &Solution| solution.negative == 0 && standing.changing(&solution.at).is_empty();
-    let Some(here) = solved.ok().filter(is_alike).filter(rises) else { return Ok(None) };
-    let progress = SetaProgress {
-        result: SetaPullOff::empty(standing.tree.elements()),
-        here,
-        tips: standing.tips.iter().map(|tip| (tip.on, tip.foot)).collect(),
-        step,
-        from,
-        ahead: before,
-        softest: None,
-    };
-    Ok(Some(progress))
+    solve(&problem, near, &held, &newton, &mut ws).ok().filter(is_alike).filter(rises)
 }
 
 /// The nodes of a tree where the branches of a state lie.

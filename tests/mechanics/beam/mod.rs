@@ -4,6 +4,6 @@ mod convergence;
 mod first_integral;
 mod forms;
 mod rods;
-mod spatial;
+pub mod spatial;
 mod tangents;
 mod trees;

@@ -4,40 +4,29 @@
 //! flying beam of J. C. Simo, L. Vu-Quoc, Comput. Methods Appl. Mech. Eng. 66 (1988), EA = GA = 1e4, GJ = EI = 500 and 400, ρA = 1, ρJ = 20, 10, 8.
 //! Expected: conservation to the error of the steps, which falls with the square of their length. Why: rotations in space, gyroscopic forces.
 
+use crate::beam::spatial::setup::{NO_LOAD, PLAIN, Rod, XYZ};
 use peelkit::beam::{
-    EndRotation, MeshIntervals, MeshKind, MeshPolicy, SpatialBeam, SpatialChain, SpatialDensity, SpatialEnd,
-    SpatialInertia, SpatialProfile, SpatialRestCurve, SpatialStiffness, Viscosity,
+    EndRotation, SpatialBeam, SpatialChain, SpatialDensity, SpatialEnd, SpatialInertia, SpatialProfile,
+    SpatialRestCurve, SpatialStiffness, Viscosity,
 };
 use peelkit::solve::time::{Drive, DynamicProblem, DynamicSystem, Motion, StepControl, TimeIntegrator, TimeOptions};
 use peelkit::solve::{EndConditions, InitialState, PathMeasure, Problem, State, System, Workspace};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-const XYZ: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 const LENGTH: f64 = 10.0;
 const END: f64 = 4.0;
 
+/// Free at both ends.
 fn beam() -> SpatialBeam {
-    let rest = SpatialRestCurve { start: [0.0; 3], directors: [1.0, 0.0, 0.0, 0.0], curvature: [0.0; 3] };
+    let rest = SpatialRestCurve { start: [0.0; 3], directors: PLAIN, curvature: [0.0; 3] };
     let stiffness = SpatialStiffness::diagonal(1e4, [1e4; 2], 500.0, [500.0, 400.0]);
-    let end = || SpatialEnd { axes: XYZ, rotation: EndRotation::Free, rest: rest.directors, dead_load: [[0.0; 3]; 2] };
+    let end = || SpatialEnd { axes: XYZ, rotation: EndRotation::Free, rest: PLAIN, dead_load: NO_LOAD };
     let density = SpatialDensity { profile: SpatialProfile::uniform(stiffness, 1.0, 1.0), adhesion: None };
     SpatialBeam {
         chain: SpatialChain::new(density, 5, [end(), end()], [None; 6]),
-        length: LENGTH,
-        rest: rest.into(),
-        scale: [0.1, 0.01],
-        round_off: 0.0,
-        rest_adhesion: 0.0,
-        process_length: LENGTH,
-        mesh: MeshPolicy {
-            kind: MeshKind::Uniform,
-            front_foci: vec![],
-            edge_foci: vec![],
-            fixed_foci: vec![],
-            pieces: MeshIntervals::whole(LENGTH),
-        },
         inertia: Some(SpatialInertia::uniform(1.0, [20.0, 10.0, 8.0], Viscosity::Elastic)),
+        ..Rod::clamped(stiffness, rest, LENGTH).beam()
     }
 }
 

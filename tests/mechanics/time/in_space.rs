@@ -6,11 +6,11 @@
 //! bending 170, of torsion 90), ρA = 1, ρI = 0.3, its end moved by a quarter of its length within 2 units of time and held.
 //! Expected: the same force, place and energies to 1e-10, step by step. Why: strains in the axes of the directors.
 
+use crate::beam::spatial::setup::{PLAIN, Rod};
 use approx::assert_relative_eq;
 use peelkit::beam::{
-    BeamInertia, BeamTree, Branch, BranchingBeam, EndRotation, JointCondition, MeshIntervals, MeshKind, MeshPolicy,
-    ReferenceCurve, Section, SpatialBeam, SpatialChain, SpatialDensity, SpatialEnd, SpatialInertia, SpatialProfile,
-    SpatialRestCurve, SpatialStiffness, Viscosity,
+    BeamInertia, BeamTree, Branch, BranchingBeam, EndRotation, JointCondition, ReferenceCurve, Section, SpatialBeam,
+    SpatialInertia, SpatialRestCurve, SpatialStiffness, Viscosity,
 };
 use peelkit::model::{Drive as Driven, MovingBeam, RodModel, Support};
 use peelkit::solve::time::{
@@ -19,36 +19,17 @@ use peelkit::solve::time::{
 use peelkit::solve::{EndConditions, InitialState, PathMeasure, Problem, State, System, Workspace};
 use std::sync::Arc;
 
-const XYZ: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 const LENGTH: f64 = 10.0;
 const SECTION: Section = Section { axial: 1e4, shear: 4e3, bending: 100.0 };
 const ORDER: usize = 7;
 const ELEMENTS: usize = 14;
 
 fn in_space(viscosity: Viscosity) -> SpatialBeam {
-    let rest = SpatialRestCurve { start: [0.0; 3], directors: [1.0, 0.0, 0.0, 0.0], curvature: [0.0; 3] };
+    let rest = SpatialRestCurve { start: [0.0; 3], directors: PLAIN, curvature: [0.0; 3] };
     let Section { axial, shear, bending } = SECTION;
     let stiffness = SpatialStiffness::diagonal(axial, [shear, 5e3], 90.0, [170.0, bending]);
-    let end = |rotation| SpatialEnd { axes: XYZ, rotation, rest: rest.directors, dead_load: [[0.0; 3]; 2] };
-    let density = SpatialDensity { profile: SpatialProfile::uniform(stiffness, 1.0, 1.0), adhesion: None };
-    let ends = [end(EndRotation::Angles), end(EndRotation::Free)];
-    SpatialBeam {
-        chain: SpatialChain::new(density, ORDER, ends, [Some(0.0); 6]),
-        length: LENGTH,
-        rest: rest.into(),
-        scale: [0.1, 0.01],
-        round_off: 0.0,
-        rest_adhesion: 0.0,
-        process_length: LENGTH,
-        mesh: MeshPolicy {
-            kind: MeshKind::Uniform,
-            front_foci: vec![],
-            edge_foci: vec![],
-            fixed_foci: vec![],
-            pieces: MeshIntervals::whole(LENGTH),
-        },
-        inertia: Some(SpatialInertia::uniform(1.0, [0.4, 0.5, 0.3], viscosity)),
-    }
+    let rod = Rod { order: ORDER, ..Rod::clamped(stiffness, rest, LENGTH) };
+    SpatialBeam { inertia: Some(SpatialInertia::uniform(1.0, [0.4, 0.5, 0.3], viscosity)), ..rod.beam() }
 }
 
 /// As a branch of a tree, whose root is its right end and whose tip its left one.

@@ -3,6 +3,7 @@
 mod args;
 pub mod axes;
 pub mod cases;
+mod conclusion;
 pub mod failed;
 pub mod files;
 mod follow;
@@ -10,6 +11,7 @@ mod kept;
 pub mod no_effect;
 mod part;
 mod peels;
+mod pulls;
 mod rates;
 mod setae;
 mod varied;

@@ -1,6 +1,6 @@
 //! The picture of a sweep that followed one point: its force, or its displacement, against the varied value.
 
-use super::sweep::{axis_of, check_axis, dotted, panel};
+use super::sweep::{axis_of, broken, check_axis, dotted, panel};
 use crate::chart::{Axis, Frame, Line, Picture, Stroke, WIDTH, colour, save};
 use crate::error::ReportError;
 use peelkit::study::{FollowedPoint, FollowedRow, FollowedSweep, PointKind};
@@ -56,8 +56,5 @@ fn picture(sweep: &FollowedSweep, key: &str, title: &str, log: bool) -> Picture 
 
 /// The values that exist, as lines that break where one is missing.
 fn lines(rows: &[FollowedRow], value: impl Fn(&FollowedPoint) -> Option<f64>, stroke: Stroke) -> Vec<Line> {
-    let points: Vec<Option<(f64, f64)>> =
-        rows.iter().map(|row| Some((row.value, row.point.as_ref().and_then(&value)?))).collect();
-    let pieces = points.split(Option::is_none).filter(|piece| !piece.is_empty());
-    pieces.map(|piece| Line { points: piece.iter().flatten().copied().collect(), stroke, name: None }).collect()
+    broken(rows.iter().map(|row| Some((row.value, row.point.as_ref().and_then(&value)?))), stroke)
 }

@@ -13,6 +13,7 @@ mod projection;
 mod sensitivities;
 mod shapes;
 pub mod sweep;
+mod swept_pulls;
 mod tip;
 mod uncertainty;
 
@@ -25,7 +26,8 @@ pub(crate) use plane::draw_maps;
 pub use plane::draw_plane;
 pub use sensitivities::{bars, draw_sensitivities};
 pub use sweep::draw_sweep;
-pub(crate) use sweep::{axis_of, check_axis};
+pub(crate) use sweep::{axis_of, broken, check_axis};
 pub use sweep::{dotted, panel};
+pub(crate) use swept_pulls::{Quantity, draw_swept_pulls};
 pub use tip::draw_tip_law;
 pub use uncertainty::draw_uncertainty;

@@ -133,11 +133,16 @@ pub fn dotted(mut panel: Panel) -> Panel {
 /// The values that exist, as lines that break where one is missing.
 pub fn series(rows: &[SweepRow], value: impl Fn(&SweepRow) -> Option<f64>, stroke: Stroke, name: &str) -> Vec<Line> {
     let point = |row: &SweepRow| value(row).filter(|v| v.is_finite()).map(|v| (row.value, v));
-    let points: Vec<Option<(f64, f64)>> = rows.iter().map(point).collect();
+    let mut lines = broken(rows.iter().map(point), stroke);
+    if let Some(first) = lines.first_mut() {
+        first.name = Some(name.to_string());
+    }
+    lines
+}
+
+/// The points that exist, as lines without a name that break where one is missing.
+pub(crate) fn broken(points: impl Iterator<Item = Option<(f64, f64)>>, stroke: Stroke) -> Vec<Line> {
+    let points: Vec<Option<(f64, f64)>> = points.collect();
     let pieces = points.split(Option::is_none).filter(|piece| !piece.is_empty());
-    let name = |i: usize| (i == 0).then(|| name.to_string());
-    pieces
-        .enumerate()
-        .map(|(i, piece)| Line { points: piece.iter().flatten().copied().collect(), stroke, name: name(i) })
-        .collect()
+    pieces.map(|piece| Line::plain(piece.iter().flatten().copied().collect(), stroke)).collect()
 }

@@ -1,6 +1,7 @@
 //! One value of a sweep of pulls at a rate.
 
 use super::S_PER_NS;
+use crate::pull_row::PullRow;
 use peelkit::study::PullInTime;
 use serde::{Deserialize, Serialize};
 
@@ -56,18 +57,8 @@ impl RateResult {
     }
 }
 
-/// One value of a sweep and what was found of its pull.
-#[derive(Clone, Debug)]
-pub struct RateRow {
-    /// The value of the varied parameter, in its own unit.
-    pub value: f64,
-    /// The value of the second one, where two are varied.
-    pub second: Option<f64>,
-    /// What was found, or why there is no pull.
-    pub found: Result<RateResult, String>,
-    /// Wall clock that it took, s.
-    pub solve_s: f64,
-}
+/// One value of a sweep of pulls at a rate.
+pub type RateRow = PullRow<RateResult>;
 
 impl RateRow {
     /// The name of its end in outputs.

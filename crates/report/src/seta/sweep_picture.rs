@@ -1,19 +1,36 @@
 //! The picture of a sweep of setae: the peak force, the tips that adhere there, and the work, against the varied value; or maps over two.
 
 use super::sweep_row::SetaRow;
-use crate::chart::Axis;
-use crate::chart::{Frame, Line, Panel, Picture, Stroke, WIDTH, colour, save};
+use crate::chart::colour;
 use crate::error::ReportError;
-use crate::pictures::{axis_of, check_axis, dotted, draw_maps, panel};
+use crate::pictures::{Quantity, draw_swept_pulls};
 use crate::swept_keys::SweptKeys;
+use peelkit::study::SetaResult;
 use std::path::{Path, PathBuf};
 
-/// What is drawn, with its label.
-type Quantity = (&'static str, fn(&SetaRow) -> Option<f64>);
-
-const FORCE: Quantity = ("peak force P (nN)", |row| row.peak().map(|at| at.force));
-const WORK: Quantity = ("work of the root W (aJ)", SetaRow::work);
-const TIPS: Quantity = ("tips attached at the peak", |row| row.peak().map(|at| at.attached as f64));
+const QUANTITIES: [Quantity<SetaResult>; 3] = [
+    Quantity {
+        label: "peak force P (nN)",
+        of: |row| row.peak().map(|at| at.force),
+        colour: colour::BLUE,
+        height: 260.0,
+        has_map: true,
+    },
+    Quantity {
+        label: "tips attached at the peak",
+        of: |row| row.peak().map(|at| at.attached as f64),
+        colour: colour::VERMILLION,
+        height: 160.0,
+        has_map: false,
+    },
+    Quantity {
+        label: "work of the root W (aJ)",
+        of: SetaRow::work,
+        colour: colour::GREEN,
+        height: 160.0,
+        has_map: true,
+    },
+];
 
 /// Draws `sweep.svg` and `sweep.png` into `dir`: of one key the peak force, the tips that adhere there and the work of the root against its values,
 /// of two keys maps of peak force and work, on logarithmic axes where `log` is set.
@@ -27,45 +44,5 @@ pub fn draw_swept_setae(
     title: &str,
     log: [bool; 2],
 ) -> Result<Vec<PathBuf>, ReportError> {
-    if keys.second.is_some() {
-        let places: Vec<_> = rows.iter().map(|row| (row.value, row.second)).collect();
-        let quantities = [FORCE, WORK].map(|(label, of)| (label, rows.iter().map(of).collect()));
-        return draw_maps(&places, &quantities, keys, title, log, dir);
-    }
-    let key = keys.first.path();
-    let refuse = |reason: String| ReportError::Draw { path: dir.join("sweep.svg"), reason };
-    check_axis(rows.iter().map(|row| row.value), &key, log[0]).map_err(refuse)?;
-    if rows.iter().all(|row| row.peak().is_none()) {
-        return Err(refuse(format!("none of the {} values of {key} has a peak force", rows.len())));
-    }
-    save(&picture(rows, &key, title, log[0]), dir, "sweep")
-}
-
-fn picture(rows: &[SetaRow], key: &str, title: &str, log: bool) -> Picture {
-    let (label, scale) = axis_of(key);
-    let x = Axis::around(&label, rows.iter().map(|row| scale * row.value), log);
-    let mut panels: Vec<Panel> = Vec::new();
-    for ((label, of), colour, height) in
-        [(FORCE, colour::BLUE, 260.0), (TIPS, colour::VERMILLION, 160.0), (WORK, colour::GREEN, 160.0)]
-    {
-        let lines = lines(rows, scale, of, Stroke::solid(colour, 2.0));
-        if lines.is_empty() {
-            continue;
-        }
-        let top = panels.last().map_or(40.0, |above| above.frame.bottom + 66.0);
-        let frame = Frame { left: 88.0, top, right: f64::from(WIDTH) - 18.0, bottom: top + height };
-        panels.push(dotted(panel(frame, &x, label, lines)));
-    }
-    let height = panels.last().map_or(0.0, |panel| panel.frame.bottom) + 54.0;
-    Picture { title: title.into(), height: height as u32, panels }
-}
-
-/// The values that exist, as lines that break where one is missing.
-fn lines(rows: &[SetaRow], scale: f64, of: fn(&SetaRow) -> Option<f64>, stroke: Stroke) -> Vec<Line> {
-    let points: Vec<Option<(f64, f64)>> = rows
-        .iter()
-        .map(|row| of(row).filter(|value| value.is_finite()).map(|value| (scale * row.value, value)))
-        .collect();
-    let pieces = points.split(Option::is_none).filter(|piece| !piece.is_empty());
-    pieces.map(|piece| Line::plain(piece.iter().flatten().copied().collect(), stroke)).collect()
+    draw_swept_pulls(dir, keys, rows, (&QUANTITIES, "has a peak force"), title, log)
 }

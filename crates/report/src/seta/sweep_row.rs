@@ -1,20 +1,11 @@
 //! One value of a sweep of setae.
 
 use super::names::end_word;
+use crate::pull_row::PullRow;
 use peelkit::study::{SetaMoment, SetaResult};
 
-/// One value of a sweep and what the pull-off of its seta found.
-#[derive(Clone, Debug)]
-pub struct SetaRow {
-    /// The value of the varied parameter, in its own unit.
-    pub value: f64,
-    /// The value of the second one, where two are varied.
-    pub second: Option<f64>,
-    /// Forces in nN, displacements in nm, works in aJ; or why there is no pull-off.
-    pub found: Result<SetaResult, String>,
-    /// Wall clock that it took, s.
-    pub solve_s: f64,
-}
+/// One value of a sweep of setae: forces in nN, displacements in nm, works in aJ.
+pub type SetaRow = PullRow<SetaResult>;
 
 impl SetaRow {
     /// Its peak, if it was reached.

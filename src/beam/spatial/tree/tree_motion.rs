@@ -26,16 +26,10 @@ impl DynamicSystem for BeamTree {
     }
 
     fn memory(&self, at: &State, rate: &MaterialRate) -> Vec<f64> {
-        let now = self.relaxed_memory(at);
-        let remembered = |(now, known): (&f64, &f64)| self.viscosity.remembered(*now, *known, rate.per_time);
-        now.iter().zip(&rate.known).map(remembered).collect()
+        self.viscosity.remembered_by(&self.relaxed_memory(at), rate)
     }
 
     fn viscous_power(&self, at: &State, rate: &MaterialRate) -> ViscousPower {
-        if !self.viscosity.is_viscous() {
-            return ViscousPower::default();
-        }
-        let viscous = self.in_step(rate).energy(&at.values) - self.energy(&at.values);
-        self.viscosity.power(viscous, rate.per_time)
+        self.viscosity.power_in(rate, || [self.in_step(rate).energy(&at.values), self.energy(&at.values)])
     }
 }

@@ -8,6 +8,6 @@ mod helix;
 mod invariance;
 mod peels;
 mod plane;
-mod setup;
+pub mod setup;
 mod spring;
 mod tangents;
