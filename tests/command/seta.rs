@@ -78,6 +78,29 @@ fn a_small_seta_is_pulled_off_and_written() {
     assert_eq!(serde_json::from_str::<Value>(&json).unwrap()["peak"], summary["peak"]);
 }
 
+/// Two setae of eight tips whose steps are so short, at 1e-8, that an equilibrium of the branch is its maximum to 1e-9: one between two equilibria on
+/// the way of a tip that lets go, one at the start of a step.
+#[test]
+fn a_maximum_at_an_equilibrium_of_the_branch_is_located() {
+    let dir = tempfile::tempdir().unwrap();
+    for (angle, scatter) in [("30 deg", "100 nm"), ("45 deg", "0 nm")] {
+        let sets = [
+            "seta.forks=3".to_owned(),
+            format!("seta.shaft_angle={angle}"),
+            format!("seta.height_scatter={scatter}"),
+            "accuracy.relative=1e-8".to_owned(),
+        ];
+        let sets: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();
+        let (status, json, trouble) = run(dir.path(), &[&["run", &scene(), "--json"], &sets[..]].concat());
+        assert_eq!(status, Some(0), "{trouble}");
+        let peak = serde_json::from_str::<Value>(&json).unwrap()["peak"].clone();
+        let number = |key: &str| peak[key].as_f64();
+        let (force, error) = (number("force_nN").unwrap(), number("location_error_nN"));
+        assert!(error.is_some_and(|error| error <= 1e-9 * force), "{angle} {scatter}: {peak}");
+        assert!(number("location_error_nm").is_some(), "{peak}");
+    }
+}
+
 #[test]
 fn a_seta_that_is_cut_short_is_written_as_far_as_it_goes() {
     let dir = tempfile::tempdir().unwrap();

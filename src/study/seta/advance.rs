@@ -36,8 +36,9 @@ const FAST: f64 = 4.0;
 
 /// What a step comes to.
 pub(super) enum Advance {
-    /// An equilibrium of the same branch, before it one where the force has a maximum, and how far to go next, nm
-    Taken { taken: Vec<Reached>, next: f64 },
+    /// An equilibrium of the same branch, before it one where the force has a maximum, and how far to go next, nm; where the force has that maximum
+    /// at the start of the step, by how much the start misses it
+    Taken { taken: Vec<Reached>, start: Option<LocationError>, next: f64 },
     /// One where tips come to the end of their branch
     Contact { taken: Box<Reached>, tips: Vec<usize> },
     /// Stability is lost, or nearly
@@ -152,7 +153,7 @@ fn judged(
         return Advance::Shorter { ahead: shorter, why: Refusal::TooFar };
     }
     let next = ahead * (SAFETY * imbalance.max(1e-12).powf(-ORDER)).clamp(0.3, GROWTH);
-    let mut taken = Vec::new();
+    let (mut taken, mut start) = (Vec::new(), None);
     let mut last = from;
     if preload.is_none() && has_maximum(&last, &knot, MET * largest_load(standing, here)) {
         let newton = NewtonOptions { exact_slope: true, ..options.newton() };
@@ -165,19 +166,20 @@ fn judged(
             let knot = Knot::new(displacement, solution, 1.0);
             if is_stable { Ok(knot) } else { Err(SolveError::LimitPointNotConfirmed) }
         };
-        if let Some((highest, error)) = maximum(&last, &knot, &mut solve_at)
-            && highest.parameter > last.parameter
-        {
-            let work = last.work_to(&highest);
-            taken.push(Reached { solution: highest.solution.clone(), work, location: Some(error) });
-            last = highest;
+        match maximum(&last, &knot, &mut solve_at) {
+            Some((highest, error)) if highest.parameter > last.parameter => {
+                let work = last.work_to(&highest);
+                taken.push(Reached { solution: highest.solution.clone(), work, location: Some(error) });
+                last = highest;
+            }
+            highest => start = highest.map(|(_, error)| error),
         }
     }
     if knot.parameter > last.parameter {
         let work = last.work_to(&knot);
         taken.push(Reached { solution: knot.solution, work, location: None });
     }
-    Advance::Taken { taken, next }
+    Advance::Taken { taken, start, next }
 }
 
 /// Of all tips, nN: a seta that slides carries no force, and is balanced all the same.

@@ -106,7 +106,7 @@ fn tips_that_let_go_lead_where_gradient_flow_leads() {
                     ahead = shorter;
                     continue;
                 }
-                Advance::Taken { taken, next } => {
+                Advance::Taken { taken, next, .. } => {
                     for reached in taken {
                         standing.note(&reached.solution.at);
                         here = reached.solution;

@@ -38,6 +38,8 @@ const DEEPEST: usize = 8;
 pub(super) struct Loss {
     /// Equilibria behind the start up to the loss, where the force has a maximum among them
     pub taken: Vec<Reached>,
+    /// Where the force has a maximum at the start: by how much that misses it
+    pub start: Option<LocationError>,
     /// What it leads to
     pub critical: Critical,
     /// ∂²E/∂y² of the tip there, nN/nm
@@ -106,11 +108,10 @@ impl Along<'_> {
         low
     }
 
-    /// The maximum of the force between two knots, as good as [`maximum`] finds it.
+    /// The maximum of the force between two knots, as good as [`maximum`] finds it: one of them where that is good enough.
     fn maximum(&mut self, from: &Knot, to: &Knot, ws: &mut Workspace) -> Option<(Knot, LocationError)> {
         let newton = NewtonOptions { exact_slope: true, ..self.options.newton() };
-        let highest = maximum(from, to, &mut |near, height| self.solve_with(near, height, &newton, ws));
-        highest.filter(|(highest, _)| highest.parameter > from.parameter && highest.parameter < to.parameter)
+        maximum(from, to, &mut |near, height| self.solve_with(near, height, &newton, ws))
     }
 
     /// Work by cubics between two knots as good as asked for: solutions in between.
@@ -255,21 +256,26 @@ fn finished(
     for pair in low.windows(2) {
         let mut from = pair[0].clone();
         if let Some((highest, error)) = along.maximum(&from, &pair[1], ws) {
-            along.refined(&from, highest.clone(), 0, ws, &mut knots)?;
+            if highest.parameter > from.parameter {
+                along.refined(&from, highest.clone(), 0, ws, &mut knots)?;
+                from = highest;
+            }
             if let Some(last) = knots.last_mut() {
                 last.1 = Some(error);
             }
-            from = highest;
         }
-        along.refined(&from, pair[1].clone(), 0, ws, &mut knots)?;
+        if pair[1].parameter > from.parameter {
+            along.refined(&from, pair[1].clone(), 0, ws, &mut knots)?;
+        }
     }
     if let Some(last) = knots.last_mut().filter(|_| !matches!(critical, Critical::Passed)) {
         last.1 = Some(LocationError { force, displacement });
     }
     let last = &knots[knots.len() - 1].0;
     let slope = along.softening(last, last.parameter).filter(|_| matches!(critical, Critical::Tips(_)));
+    let start = knots[0].1;
     let works: Vec<f64> = knots.windows(2).map(|pair| pair[0].0.work_to(&pair[1].0)).collect();
     let reached = knots.into_iter().skip(1).zip(works);
     let taken = reached.map(|((knot, location), work)| Reached { solution: knot.solution, work, location }).collect();
-    Ok(Loss { taken, critical, slope, iterations: along.iterations })
+    Ok(Loss { taken, start, critical, slope, iterations: along.iterations })
 }

@@ -224,8 +224,9 @@ impl<'a> Run<'a> {
                 self.progress.ahead = ahead;
                 Ok(())
             }
-            Advance::Taken { taken, next } => {
+            Advance::Taken { taken, start, next } => {
                 self.progress.ahead = next;
+                self.locate_here(start);
                 taken.into_iter().for_each(|reached| self.take(drive, reached));
                 Ok(())
             }
@@ -237,7 +238,8 @@ impl<'a> Run<'a> {
                 let here = self.progress.here.at.clone();
                 self.event(drive, here, &tips, location)
             }
-            Advance::Lost(Loss { taken, critical, slope, .. }) => {
+            Advance::Lost(Loss { taken, start, critical, slope, .. }) => {
+                self.locate_here(start);
                 self.progress.softest = slope.or(self.progress.softest);
                 let end = self.progress.here.observables.displacement + left;
                 let location = taken.last().and_then(|last| last.location);
@@ -270,6 +272,16 @@ impl<'a> Run<'a> {
         self.progress.here = solution;
         self.progress.result.points.push(point);
         self.keep_peak(point, location);
+    }
+
+    /// The force has a maximum where the run stands, as the step behind it says.
+    fn locate_here(&mut self, location: Option<LocationError>) {
+        let here = self.last();
+        let known = self.progress.result.peak.as_ref().filter(|peak| peak.point == here && peak.location.is_none());
+        if let (Some(_), Some(peak)) = (location, known) {
+            let peak = SetaState { location, ..peak.clone() };
+            self.keep(Named::Peak, peak);
+        }
     }
 
     fn keep_peak(&mut self, point: SetaPoint, location: Option<LocationError>) {

@@ -36,10 +36,10 @@ pub enum TipLoss {
 /// Tips that leave the branch of their law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SetaInTimeEvent {
-    /// ns
-    pub time: f64,
-    /// Of the root, nm
-    pub displacement: f64,
+    /// The seta just before
+    pub before: SetaInTimePoint,
+    /// Just behind, at the same time
+    pub after: SetaInTimePoint,
     /// Why
     pub loss: TipLoss,
     /// In their order
@@ -55,6 +55,8 @@ pub struct SetaInTime {
     pub points: Vec<SetaInTimePoint>,
     /// In their order
     pub events: Vec<SetaInTimeEvent>,
+    /// Elements of the tree
+    pub elements: usize,
     /// Newton iterations
     pub iterations: usize,
     /// Steps that were tried, those that were refused among them

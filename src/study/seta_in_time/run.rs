@@ -84,7 +84,7 @@ impl<'a> Run<'a> {
         let at = rest.solution.at;
         let still = vec![0.0; standing.tree.unknowns(&at)];
         let memory = standing.tree.relaxed_memory(&at);
-        let (ramp, before) = (pull.ramp(), at.clone());
+        let (ramp, before, elements) = (pull.ramp(), at.clone(), standing.tree.elements());
         let mut run = Self {
             standing,
             drive,
@@ -96,7 +96,7 @@ impl<'a> Run<'a> {
             step: FIRST * ramp.smooth,
             so_far: EnergyBalance::default(),
             released: 0.0,
-            result: SetaInTime { iterations: rest.iterations, ..SetaInTime::default() },
+            result: SetaInTime { elements, iterations: rest.iterations, ..SetaInTime::default() },
         };
         let balance = run.energies();
         let first = run.point(&run.motion, balance);
@@ -172,6 +172,7 @@ impl<'a> Run<'a> {
             None => self.let_go(tips),
             Some(tree) => self.jump(tree, tips, displacement)?,
         };
+        let before = self.result.last();
         self.released += released;
         let (time, memory) = (self.motion.time, std::mem::take(&mut self.motion.memory));
         let mut at = self.motion.at.clone();
@@ -184,9 +185,9 @@ impl<'a> Run<'a> {
         let (EnergyBalance { work, dissipated, .. }, known) = (self.so_far, self.energies());
         // what springs in series with dashpots store has not changed where the seta has not moved, and has where it jumped
         self.so_far = EnergyBalance { work, dissipated, ..known };
-        let point = self.point(&self.motion, self.so_far);
-        self.result.points.push(point);
-        self.result.events.push(SetaInTimeEvent { time, displacement, loss, tips: changes, released });
+        let after = self.point(&self.motion, self.so_far);
+        self.result.points.push(after);
+        self.result.events.push(SetaInTimeEvent { before, after, loss, tips: changes, released });
         Ok(())
     }
 
