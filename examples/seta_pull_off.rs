@@ -5,7 +5,7 @@
 
 use peelkit::model::{NormalPull, Seta, SetaMesh, SetaModel, Sideways, Spatula, TipLaw};
 use peelkit::study::coarsening::{CoarseningOptions, PadEnd, TableLaw, TipRange, coarsen};
-use peelkit::study::{Accuracy, SetaLoading, SetaOptions, StopCriteria, peak_on_finer_mesh, pull_off, tip_curve};
+use peelkit::study::{Accuracy, SetaLoading, SetaOptions, StopCriteria, converged_peak, pull_off, tip_curve};
 use std::error::Error;
 use std::sync::Arc;
 use std::time::Instant;
@@ -109,12 +109,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     let begun = Instant::now();
-    if let (Some(peak), Some(finer)) =
-        (&pulled.peak, peak_on_finer_mesh(&model, &loading, &options, &pulled, &StopCriteria::default())?)
-    {
-        let error = (peak.point.force_along - finer.force) / finer.force;
+    if let Some(found) = converged_peak(&model, &loading, &options, &pulled, 1e-6, &StopCriteria::default())? {
+        let (force, error, order) = (found.peak.force, found.mesh.force, found.order);
         let seconds = begun.elapsed().as_secs_f64();
-        println!("peak on a finer mesh: {:.8} nN, error {error:.2e}, {seconds:.3} s", finer.force);
+        println!(
+            "peak with elements of order {order}: {force:.8} nN, error of the mesh {error:.1e} nN, {seconds:.3} s"
+        );
     }
     let most = pulled.events.iter().map(|event| event.tips.len()).max();
     println!("largest event: {most:?} tips");

@@ -42,8 +42,12 @@ impl Setae {
     pub fn pull_off(&self, scene: &Scene, stop: &StopCriteria) -> Result<SetaResult, String> {
         let Some(table) = &scene.seta else { return Err("the scene has no [seta]".to_owned()) };
         let model = model(scene, table, self.curve(scene)?);
-        let pull_off = study::pull_off(&model, &scene.seta_loading(table), &options(scene), stop);
-        pull_off.map(|found| SetaResult::from(&found)).map_err(|error| error.to_string())
+        let (loading, options) = (scene.seta_loading(table), options(scene));
+        let found = study::pull_off(&model, &loading, &options, stop).and_then(|pull_off| {
+            let peak = study::converged_peak(&model, &loading, &options, &pull_off, scene.accuracy.relative, stop)?;
+            Ok(SetaResult::new(&pull_off, peak.as_ref()))
+        });
+        found.map_err(|error| error.to_string())
     }
 
     fn curve(&self, scene: &Scene) -> Result<PullCurve, String> {

@@ -3,9 +3,9 @@
 //! Quasi-static: the root moves so slowly that the seta is in equilibrium but for the moments at which its equilibrium loses its stability.
 //! Between events the work of the root is the change of the energy; at an event energy is released at a root that stands still.
 mod advance;
+mod converged_peak;
 mod critical;
 mod failure;
-mod finer_peak;
 #[cfg(test)]
 mod gradient_flow;
 mod knot;
@@ -22,8 +22,8 @@ mod sections;
 mod spatula_curve;
 mod standing;
 mod watched;
+pub use converged_peak::{ConvergedPeak, converged_peak};
 pub use failure::SetaFailure;
-pub use finer_peak::peak_on_finer_mesh;
 pub use loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
 pub use numbers::{SetaMoment, SetaResult};
 pub use options::SetaOptions;

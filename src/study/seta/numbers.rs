@@ -1,5 +1,6 @@
 //! What a pull-off found, without its points and its states: what a row of a sweep has, and a sample.
 
+use super::converged_peak::ConvergedPeak;
 use super::result::{SetaEffort, SetaEnd, SetaPullOff, SetaState};
 use serde::{Deserialize, Serialize};
 
@@ -23,8 +24,10 @@ impl From<&SetaState> for SetaMoment {
 /// The numbers of a pull-off.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SetaResult {
-    /// As of [`SetaPullOff`]
+    /// On the finest mesh, or as of [`SetaPullOff`] where that was not found
     pub peak: Option<SetaMoment>,
+    /// By how much the force of the peak differs from that on the mesh before, nN; none where no finer mesh came to the peak
+    pub mesh_error: Option<f64>,
     /// As of [`SetaPullOff`]
     pub first_detachment: Option<SetaMoment>,
     /// As of [`SetaPullOff`]
@@ -49,12 +52,14 @@ pub struct SetaResult {
     pub effort: SetaEffort,
 }
 
-impl From<&SetaPullOff> for SetaResult {
-    fn from(pull_off: &SetaPullOff) -> Self {
+impl SetaResult {
+    /// Of a pull-off, and of its peak on finer meshes.
+    pub fn new(pull_off: &SetaPullOff, converged: Option<&ConvergedPeak>) -> Self {
         let moment = |state: &Option<SetaState>| state.as_ref().map(SetaMoment::from);
         let last = pull_off.points.last().copied().unwrap_or_default();
         Self {
-            peak: moment(&pull_off.peak),
+            peak: converged.map(|found| found.peak).or_else(|| moment(&pull_off.peak)),
+            mesh_error: converged.map(|found| found.mesh.force),
             first_detachment: moment(&pull_off.first_detachment),
             last_detachment: moment(&pull_off.last_detachment),
             events: pull_off.events.len(),

@@ -67,13 +67,19 @@ pub struct SetaEvent {
     pub released: f64,
 }
 
-/// Where a joint is.
+/// Where a joint is, or a place of a branch.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JointPlace {
     /// nm
     pub place: [f64; 3],
     /// Of the branch that leads to the root
     pub directors: Quaternion,
+}
+
+impl From<([f64; 3], Quaternion)> for JointPlace {
+    fn from((place, directors): ([f64; 3], Quaternion)) -> Self {
+        Self { place, directors }
+    }
 }
 
 /// A tip in a state.
@@ -106,6 +112,8 @@ pub struct SetaState {
     pub location: Option<LocationError>,
     /// Joint by joint, as [`crate::model::Seta::joint_place`] counts them
     pub joints: Vec<JointPlace>,
+    /// Branch by branch between its joints, where its elements meet: evenly
+    pub between: Vec<Vec<JointPlace>>,
     /// Tip by tip
     pub tips: Vec<TipState>,
 }

@@ -358,14 +358,14 @@ impl<'a> Run<'a> {
 
     fn state(&self, solution: &Solution, location: Option<LocationError>) -> SetaState {
         let tree = &self.standing.tree;
-        let joint = |joint| {
-            let (place, directors) = tree.joint(&solution.at, joint);
-            JointPlace { place, directors }
-        };
+        let at = &solution.at;
         SetaState {
             point: self.last(),
             location,
-            joints: (0..tree.joints()).map(joint).collect(),
+            joints: (0..tree.joints()).map(|joint| tree.joint(at, joint).into()).collect(),
+            between: (1..tree.joints())
+                .map(|joint| tree.between_joints(at, joint - 1).into_iter().map(JointPlace::from).collect())
+                .collect(),
             tips: self.standing.tip_states(&solution.at),
         }
     }

@@ -1,8 +1,8 @@
 //! The branches of a seta in an equilibrium, section by section, from its joints and from the forces on its tips alone.
 //!
 //! Nothing loads a branch between its joints, and a tree is statically determinate: the section force of a branch is the sum of the forces on
-//! the tips behind it, and its moment at a place the sum of the moments of these forces about that place. Between two joints the axis is the
-//! cubic with the place and the direction of both, which is exact for a slender branch that turns little.
+//! the tips behind it, and its moment at a place the sum of the moments of these forces about that place. Between two ends of elements the axis
+//! is the cubic with the place and the direction of both, which is exact for a slender element that turns little.
 
 use super::result::{JointPlace, SetaPoint, SetaState, TipState};
 use crate::beam::BranchSection;
@@ -41,6 +41,7 @@ impl SetaState {
             point: SetaPoint::default(),
             location: None,
             joints: (0..2 * seta.tips()).map(joint).collect(),
+            between: vec![Vec::new(); 2 * seta.tips() - 1],
             tips: (0..seta.tips()).map(tip).collect(),
         }
     }
@@ -50,14 +51,17 @@ impl SetaState {
         (1..2 * seta.tips()).map(|joint| self.branch(seta, joint)).collect()
     }
 
-    /// Of the branch that ends at a joint: its axis, and its length at rest, nm.
-    pub(super) fn axis(&self, seta: &Seta, joint: usize) -> (Cubic, f64) {
+    /// Of the branch that ends at a joint: its axis.
+    pub(super) fn axis(&self, seta: &Seta, joint: usize) -> Axis {
         let (near, far) = (self.joints[joint / 2], self.joints[joint]);
         // from the directors of the joint to those of the branch: as they are at rest
         let angle = product(conjugate(seta.directors(joint / 2)), seta.directors(joint));
         let from = product(near.directors, angle);
         let length = (place(seta.joint_place(joint)) - place(seta.joint_place(joint / 2))).norm();
-        (Cubic::new([near.place, far.place], [from, far.directors], length), length)
+        let near = JointPlace { directors: from, ..near };
+        let places: Vec<_> = [near].into_iter().chain(self.between[joint - 1].iter().copied()).chain([far]).collect();
+        let piece = |ends: &[JointPlace]| Cubic::new([ends[0], ends[1]], length / (places.len() - 1) as f64);
+        Axis { pieces: places.windows(2).map(piece).collect(), length }
     }
 
     /// The branch that ends at a joint.
@@ -65,7 +69,7 @@ impl SetaState {
         let generation = joint.ilog2() as usize;
         let ahead = seta.forks - generation;
         let behind = (joint << ahead) - seta.tips()..((joint + 1) << ahead) - seta.tips();
-        let (axis, _) = self.axis(seta, joint);
+        let axis = self.axis(seta, joint);
         let count = LINES[generation.min(LINES.len() - 1)];
         let sections = (0..=count).map(|k| {
             let (at, directors) = axis.at(k as f64 / count as f64);
@@ -91,8 +95,25 @@ fn place(at: [f64; 3]) -> Vector3<f64> {
     Vector3::from(at)
 }
 
-/// The axis between two joints.
-pub(super) struct Cubic {
+/// The axis of a branch.
+pub(super) struct Axis {
+    /// One after the other, of equal length at rest
+    pieces: Vec<Cubic>,
+    /// At rest, nm
+    pub length: f64,
+}
+
+impl Axis {
+    /// Place and directors at a share of the length.
+    pub fn at(&self, share: f64) -> (Vector3<f64>, Quaternion) {
+        let along = share * self.pieces.len() as f64;
+        let piece = (along as usize).min(self.pieces.len() - 1);
+        self.pieces[piece].at(along - piece as f64)
+    }
+}
+
+/// The axis between two ends of elements.
+struct Cubic {
     places: [Vector3<f64>; 2],
     /// By the share of the length
     slopes: [Vector3<f64>; 2],
@@ -100,13 +121,14 @@ pub(super) struct Cubic {
 }
 
 impl Cubic {
-    fn new(places: [[f64; 3]; 2], directors: [Quaternion; 2], length: f64) -> Self {
+    fn new(ends: [JointPlace; 2], length: f64) -> Self {
+        let directors = ends.map(|end| end.directors);
         let slopes = directors.map(|q| length * place(matrix(q).map(|row| row[0])));
-        Self { places: places.map(place), slopes, directors }
+        Self { places: ends.map(|end| place(end.place)), slopes, directors }
     }
 
     /// Place and directors at a share of the length.
-    pub fn at(&self, t: f64) -> (Vector3<f64>, Quaternion) {
+    fn at(&self, t: f64) -> (Vector3<f64>, Quaternion) {
         let ([a, b], [da, db]) = (self.places, self.slopes);
         let u = 1.0 - t;
         let at = a * (u * u * (1.0 + 2.0 * t)) + da * (t * u * u) + b * (t * t * (3.0 - 2.0 * t)) - db * (t * t * u);

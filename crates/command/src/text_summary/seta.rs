@@ -3,16 +3,16 @@
 use super::layout::in_columns;
 use super::units::{Units, WantedUnits};
 use peelkit::model::{PullCurve, SetaModel};
-use peelkit::study::{SetaMoment, SetaPullOff, SetaState};
+use peelkit::study::{ConvergedPeak, SetaMoment, SetaPullOff, SetaState};
 use peelkit_report::{seta_end_reason, seta_end_word, tip_peak};
 use peelkit_scene::Scene;
 
-/// The summary of a pull-off with the same peak on a finer mesh, which took so many seconds with the law of its tips.
+/// The summary of a pull-off with its peak on finer meshes, which took so many seconds with the law of its tips.
 pub fn seta(
     scene: &Scene,
     model: &SetaModel,
     tip: &PullCurve,
-    (pull_off, finer): (&SetaPullOff, Option<SetaMoment>),
+    (pull_off, converged): (&SetaPullOff, Option<&ConvergedPeak>),
     solve_s: f64,
     wanted: WantedUnits,
 ) -> String {
@@ -24,15 +24,16 @@ pub fn seta(
     ];
     let Units { force, length, work } = Units::fitting(wanted, sizes);
     let tips = model.seta.tips();
-    let at = |state: &Option<SetaState>| match state {
-        Some(SetaState { point, .. }) => format!(
+    let at = |moment: Option<SetaMoment>| match moment {
+        Some(at) => format!(
             "{} at u = {}, {} of {tips} tips attached",
-            force.short(point.force_along),
-            length.short(point.displacement),
-            point.attached
+            force.short(at.force),
+            length.short(at.displacement),
+            at.attached
         ),
         None => "none".to_owned(),
     };
+    let of = |state: &Option<SetaState>| state.as_ref().map(SetaMoment::from);
     let of_tip = tip_peak(tip);
     let changes = || pull_off.events.iter().flat_map(|event| &event.tips);
     let adhered = changes().filter(|change| change.to.adheres()).count();
@@ -40,9 +41,9 @@ pub fn seta(
     let mut lines = vec![
         ("seta", format!("{tips} tips, {} elements of order {}", model.mesh.total(), model.mesh.order)),
         ("law of a tip", format!("peak {of_tip:.6} nN, snaps off at {:.4} nm", tip.snap_off())),
-        ("peak force", at(&pull_off.peak)),
-        ("first detachment", at(&pull_off.first_detachment)),
-        ("last detachment", at(&pull_off.last_detachment)),
+        ("peak force", at(converged.map(|found| found.peak).or_else(|| of(&pull_off.peak)))),
+        ("first detachment", at(of(&pull_off.first_detachment))),
+        ("last detachment", at(of(&pull_off.last_detachment))),
         (
             "events",
             format!(
@@ -52,15 +53,8 @@ pub fn seta(
             ),
         ),
     ];
-    if let (Some(SetaState { point, .. }), Some(finer)) = (&pull_off.peak, finer) {
-        let error = (point.force_along - finer.force).abs();
-        let share = error / finer.force.abs();
-        let more = if share > scene.accuracy.relative {
-            format!(", more than accuracy.relative: a larger accuracy.order than {} has less", model.mesh.order)
-        } else {
-            String::new()
-        };
-        lines.push(("error of the mesh", format!("{} of the peak force, {share:.0e}{more}", force.short(error))));
+    if let Some(peak) = &pull_off.peak {
+        lines.push(("error of the mesh", mesh_error(converged, peak, scene.accuracy.relative)));
     }
     if let (Some(first), Some(last)) = (pull_off.points.first(), pull_off.points.last()) {
         let text = format!(
@@ -82,6 +76,16 @@ pub fn seta(
     );
     lines.push(("computed", effort));
     in_columns(&scene.title, &lines)
+}
+
+/// What the mesh does to the peak force, and to the curve.
+fn mesh_error(converged: Option<&ConvergedPeak>, of_curve: &SetaState, wanted: f64) -> String {
+    let Some(ConvergedPeak { peak, mesh, order, .. }) = converged else {
+        return "not known: no finer mesh came to this peak, and a larger accuracy.order may".to_owned();
+    };
+    let [share, curve] = [mesh.force, of_curve.point.force_along - peak.force].map(|off| (off / peak.force).abs());
+    let more = if share > wanted { ", more than accuracy.relative: a larger accuracy.order has less" } else { "" };
+    format!("{share:.0e} of the peak force, of order {order}{more}; {curve:.0e} of that of the curve")
 }
 
 /// How many equilibria are those of an earlier run.

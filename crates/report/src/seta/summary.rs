@@ -4,7 +4,7 @@ use super::names::{seta_end_reason, seta_end_word};
 use crate::number::Finite;
 use crate::summary::{Parameters, SCHEMA, VERSION, written};
 use peelkit::model::{CurvePoint, PullCurve, Seta};
-use peelkit::study::{EventCause, SetaMoment, SetaPullOff, SetaState};
+use peelkit::study::{ConvergedPeak, EventCause, SetaPullOff, SetaState};
 use peelkit_scene::Scene;
 
 /// Everything of a pull-off but its curve and its events. Forces in nN, lengths in nm, works in aJ; `None` where a thing does not occur.
@@ -24,7 +24,7 @@ pub struct SetaSummary {
     /// How many tips the seta has.
     tips: usize,
     peak: Option<Moment>,
-    /// Of the peak; `None` where it was not found.
+    /// Of the peak; `None` where it was not found on a finer mesh: it is then that of the curve.
     mesh_error: Option<MeshError>,
     first_detachment: Option<Moment>,
     last_detachment: Option<Moment>,
@@ -73,20 +73,40 @@ impl From<&SetaState> for Moment {
     }
 }
 
-/// By how much the peak lies elsewhere on a finer mesh.
+impl Moment {
+    /// The peak on the finest mesh; the tips carry what they do on that of the curve.
+    fn converged(self, ConvergedPeak { peak, location, .. }: &ConvergedPeak) -> Self {
+        Self {
+            force: Finite(peak.force),
+            displacement: Finite(peak.displacement),
+            force_error: location.map(|error| Finite(error.force)),
+            displacement_error: location.map(|error| Finite(error.displacement)),
+            ..self
+        }
+    }
+}
+
+/// By how much the peak lies elsewhere on the mesh before the finest.
 #[derive(Debug, serde::Serialize)]
 struct MeshError {
     #[serde(rename = "force_nN")]
     force: Finite,
     #[serde(rename = "displacement_nm")]
     displacement: Finite,
+    /// Of the elements of the finest mesh
+    order: usize,
+    /// By how much the largest force of the curve is off
+    #[serde(rename = "curve_nN")]
+    curve: Finite,
 }
 
 impl MeshError {
-    fn new(SetaState { point, .. }: &SetaState, finer: SetaMoment) -> Self {
+    fn new(state: &SetaState, converged: &ConvergedPeak) -> Self {
         Self {
-            force: Finite((finer.force - point.force_along).abs()),
-            displacement: Finite((finer.displacement - point.displacement).abs()),
+            force: Finite(converged.mesh.force),
+            displacement: Finite(converged.mesh.displacement),
+            order: converged.order,
+            curve: Finite((converged.peak.force - state.point.force_along).abs()),
         }
     }
 }
@@ -129,7 +149,7 @@ struct Effort {
     elements: usize,
 }
 
-/// Seconds of the law of the tips, of the pull-off, and of the peak on a finer mesh.
+/// Seconds of the law of the tips, of the pull-off, and of the peak on finer meshes.
 #[derive(Debug, serde::Serialize)]
 struct Timing {
     tip_s: Finite,
@@ -151,19 +171,19 @@ pub fn tip_peak(tip: &PullCurve) -> f64 {
 }
 
 impl SetaSummary {
-    /// The summary of the pull-off of this scene, whose tips follow this curve, and whose peak on a finer mesh is `finer`: the three took `tip_s`,
-    /// `solve_s` and `mesh_error_s` seconds.
+    /// The summary of the pull-off of this scene, whose tips follow this curve, and of its peak on finer meshes: the three took `tip_s`, `solve_s`
+    /// and `mesh_error_s` seconds.
     pub fn new(
         scene: &Scene,
         seta: &Seta,
         tip: &PullCurve,
-        pull_off: &SetaPullOff,
-        finer: Option<SetaMoment>,
+        (pull_off, converged): (&SetaPullOff, Option<&ConvergedPeak>),
         [tip_s, solve_s, mesh_error_s]: [f64; 3],
     ) -> Self {
         let (first, last) = (pull_off.points.first(), pull_off.points.last());
         let energy = first.zip(last).map_or(0.0, |(first, last)| last.energy - first.energy);
         let changes = || pull_off.events.iter().flat_map(|event| &event.tips);
+        let peak = pull_off.peak.as_ref();
         Self {
             version: VERSION,
             schema: SCHEMA,
@@ -173,8 +193,11 @@ impl SetaSummary {
             end: seta_end_word(pull_off),
             reason: seta_end_reason(&pull_off.end),
             tips: seta.tips(),
-            peak: pull_off.peak.as_ref().map(Moment::from),
-            mesh_error: pull_off.peak.as_ref().zip(finer).map(|(peak, finer)| MeshError::new(peak, finer)),
+            peak: peak.map(Moment::from).map(|peak| match converged {
+                Some(converged) => peak.converged(converged),
+                None => peak,
+            }),
+            mesh_error: peak.zip(converged).map(|(peak, converged)| MeshError::new(peak, converged)),
             first_detachment: pull_off.first_detachment.as_ref().map(Moment::from),
             last_detachment: pull_off.last_detachment.as_ref().map(Moment::from),
             events: Events {

@@ -22,6 +22,8 @@ pub struct SetaLine {
     peak_force: Option<Finite>,
     peak_displacement_nm: Option<Finite>,
     peak_tips_attached: Option<usize>,
+    #[serde(rename = "mesh_error_nN")]
+    mesh_error: Option<Finite>,
     #[serde(rename = "first_detachment_force_nN")]
     first_force: Option<Finite>,
     first_detachment_displacement_nm: Option<Finite>,
@@ -54,6 +56,7 @@ impl From<&SetaRow> for SetaLine {
             peak_force: peak.map(|at| Finite(at.force)),
             peak_displacement_nm: peak.map(|at| Finite(at.displacement)),
             peak_tips_attached: peak.map(|at| at.attached),
+            mesh_error: found.and_then(|found| found.mesh_error).map(Finite),
             first_force: first.map(|at| Finite(at.force)),
             first_detachment_displacement_nm: first.map(|at| Finite(at.displacement)),
             last_force: last.map(|at| Finite(at.force)),

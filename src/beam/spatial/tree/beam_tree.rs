@@ -151,6 +151,16 @@ impl BeamTree {
         ([node[0], node[1], node[2]], quaternion_of(node))
     }
 
+    /// Places and directors of a branch between its joints, where two elements meet.
+    pub fn between_joints(&self, at: &State, branch: usize) -> Vec<([f64; 3], Quaternion)> {
+        let own = &self.branches[branch];
+        let end = |element| {
+            let node = self.fields(&at.values, own, element, self.order());
+            ([node[0], node[1], node[2]], quaternion_of(&node))
+        };
+        (0..own.elements - 1).map(end).collect()
+    }
+
     /// Fields of a node of a branch, in the directors of the branch.
     pub(super) fn fields(
         &self,

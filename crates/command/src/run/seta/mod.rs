@@ -59,23 +59,24 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
     let followed =
         followed.map_err(|error| Stop::bad_input(error, "`peel keys seta` lists the keys with their ranges."))?;
     let Followed { pull_off, sampler, .. } = &followed;
-    progress.stage("error of the mesh");
-    let (finer, finer_s) = timed(|| study::peak_on_finer_mesh(&model, &loading, &options, pull_off, &stop));
-    let finer = finer.map_err(Stop::other)?;
+    progress.stage("peak on finer meshes");
+    let wanted_error = scene.accuracy.relative;
+    let (peak, peak_s) = timed(|| study::converged_peak(&model, &loading, &options, pull_off, wanted_error, &stop));
+    let peak = peak.map_err(Stop::other)?;
     // nothing of what comes behind the pull-off is kept
     let interrupted = interrupt.quit_next() && matches!(pull_off.end, SetaEnd::Bound(Bound::Interrupted));
     progress.finish();
     let command = command_line();
     let found = Found { scene, model: &model, tip: &tip, pull_off, command: &command };
-    let summary =
-        SetaSummary::new(scene, &table.seta, &tip, pull_off, finer, [tip_s, solve_s, finer_s]).with_command(&command);
+    let summary = SetaSummary::new(scene, &table.seta, &tip, (pull_off, peak.as_ref()), [tip_s, solve_s, peak_s])
+        .with_command(&command);
     let (files, left) = kept
         .as_mut()
         .map_or((Ok(Vec::new()), None), |kept| kept.write(&followed, |dir| found.write(dir, &summary, sampler, args)));
     if args.json {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
-        let text = text_summary::seta(scene, &model, &tip, (pull_off, finer), tip_s + solve_s + finer_s, wanted);
+        let text = text_summary::seta(scene, &model, &tip, (pull_off, peak.as_ref()), tip_s + solve_s + peak_s, wanted);
         let taken = text_summary::equilibria_taken(kept.as_ref().map_or(0, KeptSeta::taken));
         let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
         say(&format!("{text}{taken}\n{}{left}", list_files(&files)))?;

@@ -68,7 +68,7 @@ mod tests {
 
     fn state(displacement: f64) -> SetaState {
         let point = SetaPoint { displacement, ..SetaPoint::default() };
-        SetaState { point, location: None, joints: Vec::new(), tips: Vec::new() }
+        SetaState { point, location: None, joints: Vec::new(), between: Vec::new(), tips: Vec::new() }
     }
 
     #[test]

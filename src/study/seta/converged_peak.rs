@@ -1,47 +1,98 @@
-//! The peak of a pull-off on a finer mesh: what the mesh does to its force.
+//! The peak of a pull-off on finer and finer meshes, until the mesh no longer matters.
 //!
-//! The seta is laid along the branches of the peak a little before it, with the same tips on the same branches of their law, comes to rest on the
-//! finer mesh, and is pulled on until its force has passed its largest value. So only a few equilibria are computed again. What is found is the error
-//! of the mesh where the same tips detach before the peak on both meshes.
+//! The seta is laid along the branches of the peak a little before it, with the same tips on the same branches of their law, comes to rest on a
+//! mesh of elements one order higher, and is pulled on until its force has passed its largest value. So only a few equilibria are computed again.
+//! What is found is the peak of a finer mesh where the same tips detach before it as on the coarser one.
 
 use super::loading::SetaLoading;
 use super::numbers::SetaMoment;
 use super::options::SetaOptions;
 use super::progress::SetaProgress;
-use super::result::{SetaPoint, SetaPullOff, SetaState};
+use super::result::{LocationError, SetaPoint, SetaPullOff, SetaState};
 use super::run::Run;
 use super::standing::{RootDrive, Standing, TipTangent};
+use crate::beam::MOST_ORDER;
 use crate::model::{Seta, SetaError, SetaModel, TipBranch};
 use crate::solve::{NewtonOptions, Observables, PathConstraint, Solution, State, Workspace, solve};
 use crate::study::{Stage, StopCriteria};
 
 /// How far before the peak the finer mesh begins, over the first step: the nearest at which it is stable with the same tips and its force rises.
 const BEFORE: [f64; 4] = [0.02, 0.2, 2.0, 20.0];
-/// Of Newton's method at the first equilibrium: the cubic of a branch is near, but not in equilibrium.
+/// Of Newton's method at the first equilibrium: the axis of a branch is near, but not in equilibrium.
 const LARGEST_UPDATE: f64 = 30.0;
 const MOST_ITERATIONS: usize = 20;
 /// Equilibria until the peak has to be passed.
 const MOST_POINTS: usize = 200;
+/// Peaks of two meshes that differ by more than this share of the force are not taken for one: other tips may have let go.
+const LARGEST_ERROR: f64 = 1e-2;
 
-/// The peak of a pull-off on a mesh of elements one order higher. None where there is no peak, where it is that behind an event, or where the
-/// finer mesh does not come to it.
+/// The peak of a pull-off on the finest of its meshes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConvergedPeak {
+    /// Its numbers
+    pub peak: SetaMoment,
+    /// Where it was looked for: its error
+    pub location: Option<LocationError>,
+    /// Order of the elements
+    pub order: usize,
+    /// By how much it differs from the peak on elements one order lower: above its own error as long as each mesh is better than the one before
+    pub mesh: LocationError,
+}
+
+/// The peak of a pull-off on elements of rising order, until that on two meshes differs by no more than this share of the force, or as far as it
+/// goes. None where there is no peak, where it is that behind an event, or where the first finer mesh does not come to it.
 ///
 /// # Errors
 /// What of the seta cannot be computed.
-pub fn peak_on_finer_mesh(
+pub fn converged_peak(
     model: &SetaModel,
     loading: &SetaLoading,
     options: &SetaOptions,
     pull_off: &SetaPullOff,
+    tolerance: f64,
     stop: &StopCriteria,
-) -> Result<Option<SetaMoment>, SetaError> {
+) -> Result<Option<ConvergedPeak>, SetaError> {
     let Some(peak) = &pull_off.peak else { return Ok(None) };
     if pull_off.events.iter().any(|event| event.after == peak.point) {
         return Ok(None);
     }
-    let finer = SetaModel { mesh: model.mesh.finer(), ..model.clone() };
+    let (mut mesh, mut coarser, mut found) = (model.mesh.clone(), peak.clone(), None);
+    while mesh.order < MOST_ORDER {
+        mesh = mesh.finer();
+        let finer = SetaModel { mesh: mesh.clone(), ..model.clone() };
+        let is_near = |peak: &SetaState| {
+            let [force, before] = [peak, &coarser].map(|state| state.point.force_along);
+            (force - before).abs() <= LARGEST_ERROR * before.abs()
+        };
+        let Some(peak) = peak_on(&finer, loading, options, &coarser, stop)?.filter(is_near) else { break };
+        let error = LocationError {
+            force: (peak.point.force_along - coarser.point.force_along).abs(),
+            displacement: (peak.point.displacement - coarser.point.displacement).abs(),
+        };
+        found = Some(ConvergedPeak {
+            peak: SetaMoment::from(&peak),
+            location: peak.location,
+            order: mesh.order,
+            mesh: error,
+        });
+        if error.force <= tolerance * peak.point.force_along.abs() {
+            break;
+        }
+        coarser = peak;
+    }
+    Ok(found)
+}
+
+/// The peak on a mesh, from that on a coarser one.
+fn peak_on(
+    finer: &SetaModel,
+    loading: &SetaLoading,
+    options: &SetaOptions,
+    peak: &SetaState,
+    stop: &StopCriteria,
+) -> Result<Option<SetaState>, SetaError> {
     let step = peak.point.step;
-    let (drive, standing) = (drive_of(&finer.seta, loading, &peak.point), standing_in(&finer, peak)?);
+    let (drive, standing) = (drive_of(&finer.seta, loading, &peak.point), standing_in(finer, peak)?);
     let laid = laid_along(&standing, &finer.seta, peak);
     for share in BEFORE {
         let before = share * options.first_step;
@@ -57,7 +108,7 @@ pub fn peak_on_finer_mesh(
             ahead: before,
             softest: None,
         };
-        let Ok(mut run) = Run::new(&finer, loading, options, stop, Some(progress))? else { continue };
+        let Ok(mut run) = Run::new(finer, loading, options, stop, Some(progress))? else { continue };
         return Ok(pulled_on(&mut run, &peak.point, before));
     }
     Ok(None)
@@ -103,25 +154,23 @@ fn laid_along(standing: &Standing, seta: &Seta, state: &SetaState) -> State {
     let axes: Vec<_> = (1..2 * seta.tips()).map(|joint| state.axis(seta, joint)).collect();
     let joint = |joint: usize| (state.joints[joint].place, state.joints[joint].directors);
     let section = |branch: usize, s: f64| {
-        let (axis, length) = &axes[branch];
-        let (place, directors) = axis.at(s / length);
+        let (place, directors) = axes[branch].at(s / axes[branch].length);
         (place.into(), directors)
     };
     standing.tree.laid_along(joint, section)
 }
 
 /// The largest force before the next event, or where the force falls again as far behind the peak of the coarser mesh as the run began before it.
-fn pulled_on(run: &mut Run, peak: &SetaPoint, before: f64) -> Option<SetaMoment> {
+fn pulled_on(run: &mut Run, peak: &SetaPoint, before: f64) -> Option<SetaState> {
     let step = &run.loading.steps[peak.step];
     let drive = RootDrive::new(step.direction, run.progress.from);
     for _ in 0..MOST_POINTS {
         run.advance(step, &drive, run.options.longest_step).ok()?;
         let Observables { displacement, force, .. } = run.progress.here.observables;
-        if let Some(largest) = &run.progress.result.peak {
-            let is_passed = displacement > peak.displacement + before && force < largest.point.force_along;
-            if is_passed || !run.progress.result.events.is_empty() {
-                return Some(SetaMoment::from(largest));
-            }
+        let result = &mut run.progress.result;
+        let is_below = result.peak.as_ref().is_some_and(|largest| force < largest.point.force_along);
+        if (is_below && displacement > peak.displacement + before) || !result.events.is_empty() {
+            return result.peak.take();
         }
     }
     None
