@@ -41,9 +41,14 @@ impl Setae {
     /// The pull-off of the seta of a scene, or why there is none. Called from any thread.
     pub fn pull_off(&self, scene: &Scene, stop: &StopCriteria) -> Result<SetaResult, String> {
         let Some(table) = &scene.seta else { return Err("the scene has no [seta]".to_owned()) };
-        let model = model(scene, table, self.curve(scene)?);
+        let model = self.model(scene, table)?;
         let pull_off = study::pull_off(&model, &scene.seta_loading(table), &options(scene), stop);
         pull_off.map(|found| SetaResult::from(&found)).map_err(|error| error.to_string())
+    }
+
+    /// The seta of a scene.
+    pub fn model(&self, scene: &Scene, table: &SetaTable) -> Result<SetaModel, String> {
+        Ok(model(scene, table, self.curve(scene)?))
     }
 
     fn curve(&self, scene: &Scene) -> Result<PullCurve, String> {
