@@ -17,6 +17,7 @@ mod resume;
 mod sensitivities;
 mod serve;
 mod seta;
+mod seta_at_a_rate;
 #[cfg(unix)]
 mod seta_resume;
 mod space;

@@ -47,9 +47,28 @@ fn numbers_arrive_in_the_units_of_the_library() {
 }
 
 #[test]
+fn the_root_of_a_seta_is_pulled_at_the_angle_of_the_drive() {
+    let text = format!("{SETA}{}displacement = \"3 um\"\n[drive]\nangle = \"30 deg\"\n", SOLID.replace("1300", "0"));
+    let scene = parse(&text);
+    let (table, seta) = (scene.time.as_ref().unwrap(), scene.seta.as_ref().unwrap());
+    let pull = scene.seta_pull_rate(table, seta);
+    assert_eq!((pull.rate, pull.most, pull.accelerates), (1e-3, 3000.0, 20.0));
+    assert_eq!(pull.direction, scene.seta_loading(seta).steps[0].direction);
+    approx::assert_relative_eq!(pull.direction[1], 0.5, max_relative = 1e-15);
+    assert_eq!(scene.seta_time_accuracy(table).tolerance, 1e-5);
+    let (fine, whole) = (
+        parse(&text.replace("3 um\"", "3 um\"\ntolerance = 1e-6")),
+        parse(&text.replace("displacement = \"3 um\"", "")),
+    );
+    assert_eq!(fine.seta_time_accuracy(fine.time.as_ref().unwrap()).tolerance, 1e-6);
+    assert_eq!(whole.seta_pull_rate(whole.time.as_ref().unwrap(), whole.seta.as_ref().unwrap()).most, 98_000.0);
+}
+
+#[test]
 fn a_rate_is_written_and_read_to_the_last_bit() {
-    for table in [KELVIN_VOIGT, SOLID] {
-        let scene = parse(&format!("{MINIMAL}{table}"));
+    let seta = format!("{SETA}{}", SOLID.replace("1300", "0"));
+    for text in [format!("{MINIMAL}{KELVIN_VOIGT}"), format!("{MINIMAL}{SOLID}"), seta] {
+        let scene = parse(&text);
         assert_eq!(parse(&scene.to_toml()), scene);
     }
     let of_overrides = [set("time.rate", "0.3 mm/s"), set("time.density", "0 kg/m3")].concat();
@@ -80,7 +99,11 @@ fn what_does_not_fit_is_refused_with_its_place() {
     refused(&elastic, &set("grip.pretension", "1 nN"), &["grip.pretension", "not followed in time"]);
     refused(&elastic, &set("terms", "auto"), &["terms = \"auto\"", "not followed in time"]);
     refused(&elastic, &set("space", "true"), &["is in space", "not followed in time"]);
-    refused(&format!("{SETA}{SOLID}"), &[], &["`time.rate` is given", "[seta]"]);
+    let seta = format!("{SETA}{}", SOLID.replace("1300", "0"));
+    refused(&format!("{SETA}{SOLID}"), &[], &["`time.density` is above zero, and the mass of a seta", "0 kg/m3"]);
+    refused(&seta, &set("seta.preload", "1 nN"), &["`seta.preload`", "not followed in time"]);
+    refused(&seta, &set("drive.steps", "[\"drag 1 nm\"]"), &["`drive.steps`", "not followed in time"]);
+    refused(&seta, &set("time.held", "1 ns"), &["`time.held` is given", "[time] without `held`"]);
     let error = Scene::parse("strip.toml", &elastic, &[]).unwrap_err();
     assert_eq!(error.key(), Some("time"));
     assert!(error.to_string().contains("here equilibria are followed"), "{error}");

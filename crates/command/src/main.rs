@@ -18,6 +18,7 @@ mod new;
 mod optimise;
 mod output;
 mod plot;
+mod rate;
 mod run;
 mod serve;
 mod seta;

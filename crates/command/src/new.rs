@@ -55,6 +55,7 @@ const TEMPLATES: &[Template] = templates![
     "tape" "an adhesive tape of some millimetres, under a cohesive law",
     "rubber" "a soft film under a cohesive law",
     "strip-at-a-rate" "a viscous strip pulled at a rate, with inertia",
+    "seta-at-a-rate" "a seta of viscous branches, 16 tips, pulled at a rate",
     "strip-auto" "a strip whose model is reduced to the terms that matter",
 ];
 

@@ -41,13 +41,18 @@ impl Setae {
     /// The pull-off of the seta of a scene, or why there is none. Called from any thread.
     pub fn pull_off(&self, scene: &Scene, stop: &StopCriteria) -> Result<SetaResult, String> {
         let Some(table) = &scene.seta else { return Err("the scene has no [seta]".to_owned()) };
-        let model = model(scene, table, self.curve(scene)?);
+        let model = self.model(scene, table)?;
         let (loading, options) = (scene.seta_loading(table), options(scene));
         let found = study::pull_off(&model, &loading, &options, stop).and_then(|pull_off| {
             let peak = study::converged_peak(&model, &loading, &options, &pull_off, scene.accuracy.relative, stop)?;
             Ok(SetaResult::new(&pull_off, peak.as_ref()))
         });
         found.map_err(|error| error.to_string())
+    }
+
+    /// The seta of a scene.
+    pub fn model(&self, scene: &Scene, table: &SetaTable) -> Result<SetaModel, String> {
+        Ok(model(scene, table, self.curve(scene)?))
     }
 
     fn curve(&self, scene: &Scene) -> Result<PullCurve, String> {

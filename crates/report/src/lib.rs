@@ -46,12 +46,13 @@ pub use pictures::{
 };
 pub use pull_row::PullRow;
 pub use rate::{
-    RateLine, RateResult, RateRow, RateSummary, draw_rate, draw_swept_rates, write_rate_curve, write_swept_rates,
+    Contact, Equilibria, PointAtRate, PulledAtRate, RateLine, RateResult, RateRow, RateSummary, SlowPeak, draw_rate,
+    draw_swept_rates, write_rate_curve, write_swept_rates,
 };
 pub use seta::{
     SETA_STATE_FIELDS, SetaLine, SetaPose, SetaRow, SetaStateField, SetaSummary, draw_pull_off, draw_swept_setae,
-    seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve, write_seta_events,
-    write_seta_states, write_swept_setae, write_tip_curve, write_tips,
+    seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve, write_seta_equilibria,
+    write_seta_events, write_seta_rate_events, write_seta_states, write_swept_setae, write_tip_curve, write_tips,
 };
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
 pub use summary::{

@@ -3,6 +3,9 @@
 use serde::{Serialize, Serializer, ser::Error};
 use std::io;
 
+/// The library counts times in ns.
+pub(crate) const S_PER_NS: f64 = 1e-9;
+
 /// A number that is refused in writing when it is not finite.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Finite(pub f64);

@@ -164,7 +164,7 @@ fn begin(scene: &mut Scene, table: &str) {
         optimisation::TABLE => _ = optimisation::of(scene),
         fit::TABLE => _ = fit::of(scene),
         uncertainty::TABLE => _ = uncertainty::of(scene),
-        rate::TABLE if scene.seta.is_none() => _ = rate::of(scene),
+        rate::TABLE => _ = rate::of(scene),
         _ => {}
     }
 }

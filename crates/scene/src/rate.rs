@@ -3,10 +3,11 @@
 use super::error::{Origin, SceneError, ValueError};
 use super::key::Setting;
 use super::scene::Scene;
+use super::seta::SetaTable;
 use super::value::{Fault, Value, quoted};
 use peelkit::beam::Viscosity;
 use peelkit::model::MovingMaterial;
-use peelkit::study::{PullRate, Terms, TimeAccuracy, Until};
+use peelkit::study::{PullRate, SetaPullRate, SetaTimeAccuracy, Terms, TimeAccuracy, Until};
 use std::ops::Range;
 
 /// The table of a scene.
@@ -76,13 +77,13 @@ pub struct TimeTable {
     pub relaxation_time: Option<f64>,
     /// E₀/E∞ of a standard linear solid
     pub stiffness_ratio: Option<f64>,
-    /// Where the grip comes to rest, nm; none: as far away as the body is long
+    /// Where the grip comes to rest, nm; none: as far away as the body is long, or the seta
     pub displacement: Option<f64>,
     /// How long it is followed at rest, s; none: it ends where nothing adheres, or where the grip comes to rest
     pub held: Option<f64>,
-    /// On how much of its way the grip accelerates, nm; none: a tenth of what moves a section by r0
+    /// On how much of its way the grip accelerates, nm; none: a tenth of what moves a section by r0, of a seta 20 nm
     pub acceleration: Option<f64>,
-    /// Error of a step in time over the gap at rest
+    /// Error of a step in time, over the gap at rest, of a seta over 10 nm and 0.01 rad
     pub tolerance: f64,
 }
 
@@ -129,9 +130,11 @@ impl TimeTable {
     }
 }
 
-/// The table of a scene, which has one from now on.
+/// The table of a scene, which has one from now on. The steps of a seta have a tolerance of their own.
 pub(super) fn of(scene: &mut Scene) -> &mut TimeTable {
-    scene.time.get_or_insert_default()
+    let usual = TimeTable::default();
+    let tolerance = if scene.seta.is_some() { SetaTimeAccuracy::default().tolerance } else { usual.tolerance };
+    scene.time.get_or_insert(TimeTable { tolerance, ..usual })
 }
 
 impl Scene {
@@ -152,6 +155,22 @@ impl Scene {
             most_steps: self.bounds.points,
             ..usual
         }
+    }
+}
+
+impl Scene {
+    /// How the root of a seta is pulled at the rate of a table: along the angle and azimuth of `drive`.
+    pub fn seta_pull_rate(&self, table: &TimeTable, seta: &SetaTable) -> SetaPullRate {
+        let most = table.displacement.unwrap_or(seta.height());
+        let usual = SetaPullRate::normal(most, table.rate);
+        let accelerates = table.acceleration.unwrap_or(usual.accelerates);
+        SetaPullRate { direction: self.root_direction(), accelerates, ..usual }
+    }
+
+    /// How accurately that is followed.
+    pub fn seta_time_accuracy(&self, table: &TimeTable) -> SetaTimeAccuracy {
+        let usual = SetaTimeAccuracy::default();
+        SetaTimeAccuracy { tolerance: table.tolerance, most_steps: self.bounds.points, ..usual }
     }
 }
 
@@ -179,6 +198,14 @@ pub(super) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
             _ => {}
         }
     }
+    match &scene.seta {
+        None => not_covered(scene),
+        Some(seta) => not_covered_of_seta(scene, table, seta),
+    }
+}
+
+/// What of the pull of a beam is not followed in time.
+fn not_covered(scene: &Scene) -> Option<(String, ValueError)> {
     let model = &scene.model;
     let not_covered = [
         (model.space.is_some(), "is in space"),
@@ -195,4 +222,19 @@ pub(super) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
         "Remove [time] to follow the equilibria, or give a beam in the plane on flat ground with all terms, without friction, steps, pretension and a grip that turns.",
     );
     Some((format!("{TABLE}.rate"), problem))
+}
+
+/// What of the pull of a seta is not followed in time.
+fn not_covered_of_seta(scene: &Scene, table: &TimeTable, seta: &SetaTable) -> Option<(String, ValueError)> {
+    let not_covered = [
+        (table.density > 0.0, "density", "is above zero, and the mass of a seta"),
+        (seta.preload.is_some(), "rate", "is given, and the `seta.preload` of the scene"),
+        (!scene.model.steps.is_empty(), "rate", "is given, and what the `drive.steps` of the scene do"),
+    ];
+    let (_, key, what) = not_covered.into_iter().find(|(is_there, ..)| *is_there)?;
+    let problem = ValueError::new(
+        format!("{what} is not followed in time"),
+        "Remove [time] to follow the equilibria, or give density = \"0 kg/m3\" and a seta whose tips adhere at the start, without preload and steps.",
+    );
+    Some((format!("{TABLE}.{key}"), problem))
 }

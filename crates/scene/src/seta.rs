@@ -17,7 +17,7 @@ use std::sync::Arc;
 pub(super) const TABLE: &str = "seta";
 
 /// The other tables and keys of a scene with a seta. The tables of a body and of adhesion describe its tips.
-const OTHERS: [(&str, &[&str]); 9] = [
+const OTHERS: [(&str, &[&str]); 10] = [
     ("", &["title"]),
     ("strip", &[]),
     ("spatula", &[]),
@@ -27,6 +27,20 @@ const OTHERS: [(&str, &[&str]); 9] = [
     ("accuracy", &["relative", "order"]),
     ("bounds", &[]),
     ("uncertainty", &[]),
+    (
+        "time",
+        &[
+            "rate",
+            "density",
+            "material",
+            "retardation_time",
+            "relaxation_time",
+            "stiffness_ratio",
+            "displacement",
+            "acceleration",
+            "tolerance",
+        ],
+    ),
 ];
 
 /// A seta as a scene gives it.
@@ -58,6 +72,11 @@ impl SetaTable {
     pub fn law(&self, curve: PullCurve) -> Arc<dyn TipLaw> {
         let sideways = self.lateral_stiffness.map_or(Sideways::Free, Sideways::Held);
         Arc::new(NormalPull { curve, sideways, contact_height: self.contact_height })
+    }
+
+    /// From its tips to its root, upright, nm: how far the root is moved at most.
+    pub(super) fn height(&self) -> f64 {
+        self.seta.shaft_length + self.seta.brush_height
     }
 
     /// How it starts: adhering, or above the ground where it is pressed on first.
@@ -107,7 +126,7 @@ pub(super) fn foreign(scene: &Scene, key: &Key) -> ValueError {
         Some(_) => ValueError::new(
             "is given, and the scene has a [seta], which has no such key",
             format!(
-                "Remove `{}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` and `order` of [accuracy], [bounds] and [uncertainty].",
+                "Remove `{}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` and `order` of [accuracy], [bounds], [uncertainty], and [time] without `held`.",
                 key.name
             ),
         ),
@@ -130,14 +149,16 @@ impl Scene {
         let preload = table.preload.map(|force| SetaStep { direction: DOWN, until: StepEnd::Preload(force) });
         let before = self.model.steps.iter().filter_map(|&step| moved(step));
         let travel = |(direction, length)| SetaStep { direction, until: StepEnd::Travel(length) };
-        let azimuth = self.model.space.unwrap_or_default().azimuth;
-        let Direction { along, up } = self.model.pull.direction();
-        let pull = SetaStep {
-            direction: [along * azimuth.cos(), up, along * azimuth.sin()],
-            until: StepEnd::Detached(table.seta.shaft_length + table.seta.brush_height),
-        };
+        let pull = SetaStep { direction: self.root_direction(), until: StepEnd::Detached(table.height()) };
         let steps = preload.into_iter().chain(before.map(travel)).chain([pull]).collect();
         SetaLoading { start: table.start(), steps }
+    }
+
+    /// Along which the root of a seta is pulled: `angle` and `azimuth` of `drive`.
+    pub(super) fn root_direction(&self) -> [f64; 3] {
+        let azimuth = self.model.space.unwrap_or_default().azimuth;
+        let Direction { along, up } = self.model.pull.direction();
+        [along * azimuth.cos(), up, along * azimuth.sin()]
     }
 }
 

@@ -299,7 +299,10 @@ fn every_key_and_column_of_a_seta_is_described() {
         ("tips.csv", SETA_TIP_COLUMNS),
         ("tip.csv", SETA_TIP_CURVE_COLUMNS),
     ] {
-        let columns = file(name).lines().next().unwrap().split(',').map(str::to_owned).collect();
+        let mut columns: BTreeSet<String> = file(name).lines().next().unwrap().split(',').map(str::to_owned).collect();
+        if name == "events.csv" {
+            columns.extend(["time_s", "loss"].map(str::to_owned));
+        }
         assert_described(&columns, keys, name);
     }
     let twice = ["--vary", "seta.tip_pitch", "--values", "1 um", "--vary", "seta.shaft_length", "--values", "7 um"];
@@ -311,7 +314,7 @@ fn every_key_and_column_of_a_seta_is_described() {
     assert_described(&columns.map(str::to_owned).collect(), SETA_SWEEP_COLUMNS, "sweep.csv of setae");
 }
 
-/// A strip that is pulled over its peak.
+/// A strip that is pulled over its peak, and a seta of four tips.
 #[test]
 fn every_key_and_column_of_a_rate_is_described() {
     let folder = tempfile::tempdir().unwrap();
@@ -320,9 +323,18 @@ fn every_key_and_column_of_a_rate_is_described() {
     let file = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
     let mut found = BTreeSet::new();
     keys_of(&serde_json::from_str(&file("summary.json")).unwrap(), "", &mut found);
+    let seta = format!("{}/scenes/seta-at-a-rate.toml", super::ROOT);
+    peel(&[&["run", &seta, "--out", "seta"], &crate::seta::SMALL[..]].concat(), folder.path());
+    let of_seta = |name: &str| std::fs::read_to_string(folder.path().join("seta").join(name)).unwrap();
+    keys_of(&serde_json::from_str(&of_seta("summary.json")).unwrap(), "", &mut found);
     assert_described(&found, RATE_SUMMARY, "summary.json of a rate");
-    let columns = file("curve.csv").lines().next().unwrap().split(',').map(str::to_owned).collect();
-    assert_described(&columns, RATE_CURVE_COLUMNS, "curve.csv of a rate");
+    let header =
+        |table: String| -> Vec<String> { table.lines().next().unwrap().split(',').map(str::to_owned).collect() };
+    let both = header(file("curve.csv")).into_iter().chain(header(of_seta("curve.csv"))).collect();
+    assert_described(&both, RATE_CURVE_COLUMNS, "curve.csv of a rate");
+    let events = header(of_seta("events.csv")).into_iter().chain(["step".to_owned()]).collect();
+    assert_described(&events, SETA_EVENT_COLUMNS, "events.csv of a seta at a rate");
+    assert_described(&header(of_seta("equilibria.csv")).into_iter().collect(), SETA_CURVE_COLUMNS, "equilibria.csv");
     let twice = ["--vary", "time.rate", "--values", "1 mm/s", "--vary", "time.displacement", "--values", "1 nm"];
     peel(&[&["sweep", &scene, "--out", "sweep"], &twice[..]].concat(), folder.path());
     let table = std::fs::read_to_string(folder.path().join("sweep/sweep.csv")).unwrap();

@@ -2,7 +2,7 @@
 
 mod kept;
 mod progress;
-pub mod rate;
+mod rate;
 mod sensitivities;
 mod seta;
 
@@ -160,9 +160,9 @@ fn refuse_asked(options: &[(bool, &str, &str)], scene_of: &str, instead: &str) -
 pub fn run(args: &Run) -> Result<(), Stop> {
     let scene = args.scene.load_any()?;
     args.refuse_states_without_files()?;
-    match (&scene.seta, &scene.time) {
-        (Some(table), _) => seta::run(args, &scene, table),
-        (None, Some(table)) => rate::run(args, &scene, table),
+    match (&scene.time, &scene.seta) {
+        (Some(table), _) => rate::run(args, &scene, table),
+        (None, Some(table)) => seta::run(args, &scene, table),
         (None, None) => peel(args, &scene),
     }
 }

@@ -24,10 +24,10 @@ use cases::Cases;
 
 pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let scene = args.scene.load_any()?;
-    if scene.seta.is_some() {
-        setae::refuse(args)?;
-    } else if scene.time.is_some() {
+    if scene.time.is_some() {
         rates::refuse(args)?;
+    } else if scene.seta.is_some() {
+        setae::refuse(args)?;
     }
     let wanted = args.units.wanted()?;
     let parameters = args.varied.parameters()?;
@@ -36,11 +36,11 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     args.part.map_or(Ok(()), |part| part::check(args, part, &axes))?;
     let cases = Cases::along(&scene, &axes, args.part)?;
     no_effect::refuse(&args.scene.overrides, &scene, &cases)?;
-    if scene.seta.is_some() {
-        return setae::pull_off_each(args, &scene, &cases, wanted);
-    }
     if scene.time.is_some() {
         return rates::pull_each(args, &scene, &cases, wanted);
+    }
+    if scene.seta.is_some() {
+        return setae::pull_off_each(args, &scene, &cases, wanted);
     }
     match args.followed() {
         Some(kind) => follow::follow(args, kind, &scene, &cases, wanted),

@@ -3,11 +3,11 @@
 use super::args::Sweep;
 use super::cases::{Case, Cases};
 use super::pulls::{self, Pulled, Swept};
-use crate::run::rate::should_stop;
+use crate::rate::{pull_beam, pull_seta};
+use crate::seta::Setae;
 use crate::stop::Stop;
 use crate::text_summary::{self, WantedUnits};
-use peelkit::study::pull_in_time;
-use peelkit_report::{self as report, RateResult, ReportError, SweepSummary};
+use peelkit_report::{self as report, PulledAtRate, RateResult, ReportError, SweepSummary};
 use peelkit_scene::Scene;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -26,21 +26,27 @@ pub fn refuse(args: &Sweep) -> Result<(), Stop> {
 
 /// Pulls at the rate of every value.
 pub fn pull_each(args: &Sweep, scene: &Scene, cases: &Cases, wanted: WantedUnits) -> Result<(), Stop> {
-    pulls::pull_each(args, scene, cases, wanted, &|case: &Case| pull(&case.scene))
+    let setae = Setae::like(scene);
+    pulls::pull_each(args, scene, cases, wanted, &|case: &Case| pull(&case.scene, &setae))
 }
 
 /// The pull of a scene, or why there is none.
-fn pull(scene: &Scene) -> Result<RateResult, String> {
+fn pull(scene: &Scene, setae: &Setae) -> Result<RateResult, String> {
     let Some(table) = &scene.time else { return Err("the scene has no [time]".to_owned()) };
-    let (pull, accuracy) = (scene.pull_rate(table), scene.time_accuracy(table));
-    let stop = should_stop(&scene.bounds.from_now());
-    match pull_in_time(&scene.model, &table.moving_material(), &pull, &accuracy, stop) {
-        Ok(pulled) => Ok(RateResult::new(&pulled, None)),
-        Err(failure) => match failure.reached {
-            Some(reached) => Ok(RateResult::new(&reached, Some(failure.why.to_string()))),
-            None => Err(failure.why.to_string()),
-        },
-    }
+    let stop = scene.bounds.from_now();
+    let (pulled, failed) = match &scene.seta {
+        None => {
+            let (pulled, failed) = pull_beam(scene, table, &stop).map_err(|why| why.to_string())?;
+            (PulledAtRate::from(&pulled), failed)
+        }
+        Some(seta) => {
+            let model = setae.model(scene, seta)?;
+            let pulled = pull_seta(scene, (table, seta), &model, &stop);
+            let (pulled, failed) = pulled.map_err(|why| why.to_string())?;
+            (PulledAtRate::from(&pulled), failed)
+        }
+    };
+    Ok(RateResult::new(&pulled, failed))
 }
 
 impl Pulled for RateResult {

@@ -23,7 +23,7 @@ pub use number::spaced;
 pub use observed::observed;
 pub use optimisation::optimum;
 pub use peel::{peel, taken};
-pub use rate::rate;
+pub use rate::{LawOfTips, rate};
 pub use sensitivities::sensitivities;
 pub use seta::{equilibria_taken, seta};
 pub use sweep::{followed, sweep};

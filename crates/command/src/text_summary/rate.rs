@@ -2,30 +2,45 @@
 
 use super::layout::in_columns;
 use super::units::{Units, WantedUnits};
-use peelkit::study::{Peel, PullInTime};
+use peelkit::model::PullCurve;
+use peelkit::study::{SetaInTimeEvent, TipLoss};
+use peelkit_report::{Equilibria, PulledAtRate, tip_peak};
 use peelkit_scene::Scene;
 
-/// The summary of a pull with the equilibria beside it, and why it stopped short, if it did; both took so many seconds.
+/// The law of a seta's tips, which took so many seconds, and how they leave it.
+#[derive(Clone, Copy)]
+pub struct LawOfTips<'s> {
+    /// How many there are
+    pub tips: usize,
+    pub curve: &'s PullCurve,
+    pub events: &'s [SetaInTimeEvent],
+    pub seconds: f64,
+}
+
+/// The summary of a pull with the equilibria beside it, of a seta with the law of its tips, and why it stopped short, if it did; all of it took so
+/// many seconds.
 pub fn rate(
     scene: &Scene,
-    pulled: &PullInTime,
-    equilibria: &Peel,
+    (pulled, equilibria): (&PulledAtRate, &Equilibria),
+    law: Option<LawOfTips>,
     (failed, solve_s): (Option<&str>, f64),
     wanted: WantedUnits,
 ) -> String {
-    let last = pulled.last();
-    let Units { force, length, work } =
-        Units::fitting(wanted, [pulled.largest_force().abs(), last.displacement.abs(), last.balance.work.abs()]);
-    let place =
-        pulled.peak.map(|at| format!(" at U = {}, t = {:.4e} s", length.short(at.displacement), 1e-9 * at.time));
-    let slow = equilibria.initiation_peak.as_ref();
-    let ratio =
-        slow.map_or(String::new(), |slow| format!(", {:.6} of it at the rate", pulled.largest_force() / slow.force));
+    let [start, end] = pulled.balances();
+    let largest = pulled.peak.map_or(0.0, |at| at.force);
+    let Units { force, length, work } = Units::fitting(wanted, [largest.abs(), pulled.way(), end.work.abs()]);
+    let attached = pulled.next_to_peak().and_then(|at| at.attached()).zip(law);
+    let attached =
+        attached.map_or(String::new(), |(attached, law)| format!(", {attached} of {} tips attached", law.tips));
+    let peak = pulled.peak.map_or("none".to_owned(), |at| {
+        let place = format!("at U = {}, t = {:.4e} s", length.short(at.displacement), 1e-9 * at.time);
+        format!("{} {place}{attached}", force.short(at.force))
+    });
+    let slow = equilibria.peak.as_ref();
+    let ratio = slow.map_or(String::new(), |slow| format!(", {:.6} of it at the rate", largest / slow.force));
     let equilibria = slow.map_or("none".to_owned(), |slow| {
         format!("{} at u = {}", force.short(slow.force), length.short(slow.displacement))
     });
-    let start = pulled.points.first().copied().unwrap_or_default().balance;
-    let end = &last.balance;
     let energy = format!(
         "work {} = stored {} + adhesion {} + kinetic {} + dissipated {}, to {:.0e}",
         work.short(end.work),
@@ -33,7 +48,7 @@ pub fn rate(
         work.short(end.adhesion - start.adhesion),
         work.short(end.kinetic - start.kinetic),
         work.short(end.dissipated),
-        pulled.balance_error()
+        pulled.imbalance
     );
     let how = match (failed, pulled.contact_lost) {
         (Some(why), _) => format!("failed: {why}"),
@@ -42,18 +57,25 @@ pub fn rate(
     };
     let effort = format!(
         "{} steps of {} tried, {} Newton iterations, {} elements, {:.0} ms",
-        pulled.points.len().saturating_sub(1),
+        pulled.steps(),
         pulled.tried,
         pulled.iterations,
         pulled.elements,
         1e3 * solve_s
     );
-    let lines = [
-        ("largest force", format!("{}{}", force.short(pulled.largest_force()), place.unwrap_or_default())),
-        ("equilibria", format!("peak {equilibria}{ratio}")),
-        ("energy", energy),
-        ("end", how),
-        ("computed", effort),
-    ];
+    let mut lines = vec![("largest force", peak), ("equilibria", format!("peak {equilibria}{ratio}"))];
+    if let Some(LawOfTips { curve, events, .. }) = law {
+        let (of_tip, off) = (tip_peak(curve), curve.snap_off());
+        lines.insert(0, ("law of a tip", format!("peak {of_tip:.6} nN, snaps off at {off:.4} nm")));
+        let changes: usize = events.iter().map(|event| event.tips.len()).sum();
+        let unstable = events.iter().filter(|event| event.loss == TipLoss::Unstable).count();
+        let at_once = events.iter().map(|event| event.tips.len()).max().unwrap_or(0);
+        let text = format!(
+            "{}: {changes} tips leave their branch, at most {at_once} at once; {unstable} are losses of stability",
+            events.len()
+        );
+        lines.push(("events", text));
+    }
+    lines.extend([("energy", energy), ("end", how), ("computed", effort)]);
     in_columns(&scene.title, &lines)
 }

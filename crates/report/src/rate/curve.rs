@@ -1,48 +1,90 @@
 //! The table of a pull at a rate, curve.csv. Units stand in the names of the columns.
 
-use super::S_PER_NS;
+use super::pulled::{Contact, PointAtRate, PulledAtRate};
 use crate::error::ReportError;
-use crate::number::Finite;
+use crate::number::{Finite, S_PER_NS};
 use crate::tables::write_table;
-use peelkit::study::{InTimePoint, PullInTime};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// Writes curve.csv: one row a step in time, from rest on.
+#[derive(Default, Serialize)]
+struct Place {
+    time_s: Finite,
+    displacement_nm: Finite,
+    #[serde(rename = "force_nN")]
+    force: Finite,
+}
+
+#[derive(Default, Serialize)]
+struct Front {
+    front_nm: Finite,
+}
+
+#[derive(Default, Serialize)]
+struct Tips {
+    tips_attached: usize,
+    #[serde(rename = "tip_forces_nN")]
+    force: Finite,
+    #[serde(rename = "released_aJ")]
+    released: Finite,
+}
+
+#[derive(Default, Serialize)]
+struct Energies {
+    #[serde(rename = "work_aJ")]
+    work: Finite,
+    #[serde(rename = "stored_aJ")]
+    stored: Finite,
+    #[serde(rename = "adhesion_aJ")]
+    adhesion: Finite,
+    #[serde(rename = "spring_aJ")]
+    spring: Finite,
+    #[serde(rename = "kinetic_aJ")]
+    kinetic: Finite,
+    #[serde(rename = "dissipated_aJ")]
+    dissipated: Finite,
+}
+
+impl From<&PointAtRate> for Place {
+    fn from(point: &PointAtRate) -> Self {
+        Self {
+            time_s: Finite(S_PER_NS * point.time),
+            displacement_nm: Finite(point.displacement),
+            force: Finite(point.force),
+        }
+    }
+}
+
+impl From<&PointAtRate> for Energies {
+    fn from(PointAtRate { balance, .. }: &PointAtRate) -> Self {
+        Self {
+            work: Finite(balance.work),
+            stored: Finite(balance.stored),
+            adhesion: Finite(balance.adhesion),
+            spring: Finite(balance.spring),
+            kinetic: Finite(balance.kinetic),
+            dissipated: Finite(balance.dissipated),
+        }
+    }
+}
+
+/// Writes curve.csv: one row a step in time, from rest on; of a seta another one behind each event.
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
-pub fn write_rate_curve(dir: &Path, pulled: &PullInTime) -> Result<PathBuf, ReportError> {
-    #[derive(Default, Serialize)]
-    struct Line {
-        time_s: Finite,
-        displacement_nm: Finite,
-        #[serde(rename = "force_nN")]
-        force: Finite,
-        front_nm: Finite,
-        #[serde(rename = "work_aJ")]
-        work: Finite,
-        #[serde(rename = "stored_aJ")]
-        stored: Finite,
-        #[serde(rename = "adhesion_aJ")]
-        adhesion: Finite,
-        #[serde(rename = "spring_aJ")]
-        spring: Finite,
-        #[serde(rename = "kinetic_aJ")]
-        kinetic: Finite,
-        #[serde(rename = "dissipated_aJ")]
-        dissipated: Finite,
+pub fn write_rate_curve(dir: &Path, pulled: &PulledAtRate) -> Result<PathBuf, ReportError> {
+    let fronts = pulled.points.iter().filter_map(|point| match point.contact {
+        Contact::Front(front) => Some((Place::from(point), Front { front_nm: Finite(front) }, Energies::from(point))),
+        Contact::Tips { .. } => None,
+    });
+    let tips = pulled.points.iter().filter_map(|point| match point.contact {
+        Contact::Front(_) => None,
+        Contact::Tips { attached, force, released } => {
+            let own = Tips { tips_attached: attached, force: Finite(force), released: Finite(released) };
+            Some((Place::from(point), own, Energies::from(point)))
+        }
+    });
+    match pulled.points.first().map(|point| point.contact) {
+        Some(Contact::Tips { .. }) => write_table(dir, "curve.csv", tips),
+        _ => write_table(dir, "curve.csv", fronts),
     }
-    let line = |point: &InTimePoint| Line {
-        time_s: Finite(S_PER_NS * point.time),
-        displacement_nm: Finite(point.displacement),
-        force: Finite(point.force),
-        front_nm: Finite(point.front),
-        work: Finite(point.balance.work),
-        stored: Finite(point.balance.stored),
-        adhesion: Finite(point.balance.adhesion),
-        spring: Finite(point.balance.spring),
-        kinetic: Finite(point.balance.kinetic),
-        dissipated: Finite(point.balance.dissipated),
-    };
-    write_table(dir, "curve.csv", pulled.points.iter().map(line))
 }

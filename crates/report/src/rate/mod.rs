@@ -2,6 +2,7 @@
 
 mod curve;
 mod picture;
+mod pulled;
 mod summary;
 mod sweep_picture;
 mod sweep_row;
@@ -9,10 +10,8 @@ mod sweep_table;
 
 pub use curve::write_rate_curve;
 pub use picture::draw_rate;
+pub use pulled::{Contact, Equilibria, PointAtRate, PulledAtRate, SlowPeak};
 pub use summary::RateSummary;
 pub use sweep_picture::draw_swept_rates;
 pub use sweep_row::{RateResult, RateRow};
 pub use sweep_table::{RateLine, write_swept_rates};
-
-/// The library counts times in ns.
-const S_PER_NS: f64 = 1e-9;

@@ -1,9 +1,11 @@
 //! A pull at a rate as one JSON object: summary.json, and what `--json` prints.
 
-use super::S_PER_NS;
-use crate::number::Finite;
+use super::pulled::{Contact, Equilibria, PulledAtRate, SlowPeak};
+use crate::number::{Finite, S_PER_NS};
+use crate::seta::LawOfTips;
 use crate::summary::{Parameters, SCHEMA, VERSION, written};
-use peelkit::study::{Peak, Peel, PullInTime};
+use peelkit::model::PullCurve;
+use peelkit::study::{SetaInTime, TipLoss};
 use peelkit_scene::Scene;
 
 /// Everything of a pull at a rate but its curve.
@@ -16,6 +18,8 @@ pub struct RateSummary {
     title: String,
     end: &'static str,
     reason: Option<String>,
+    #[serde(flatten)]
+    seta: Option<OfSeta>,
     largest_force: Option<Largest>,
     contact_lost_s: Option<Finite>,
     equilibria_peak: Option<Slow>,
@@ -37,21 +41,55 @@ struct Largest {
     kinetic: Finite,
     #[serde(rename = "dissipated_aJ")]
     dissipated: Finite,
+    /// Of a seta
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tips_attached: Option<usize>,
 }
 
-/// The first peak of the equilibria.
+/// What a pull of a seta has besides.
+#[derive(Debug, serde::Serialize)]
+struct OfSeta {
+    tips: usize,
+    events: Events,
+    tip: LawOfTips,
+}
+
+/// Where tips leave the branch of their law.
+#[derive(Debug, serde::Serialize)]
+struct Events {
+    count: usize,
+    tips_detached: usize,
+    tips_adhered: usize,
+    most_tips_at_once: usize,
+    unstable: usize,
+}
+
+impl From<&SetaInTime> for Events {
+    fn from(SetaInTime { events, .. }: &SetaInTime) -> Self {
+        let changes = || events.iter().flat_map(|event| &event.tips);
+        Self {
+            count: events.len(),
+            tips_detached: changes().filter(|change| !change.to.adheres()).count(),
+            tips_adhered: changes().filter(|change| change.to.adheres()).count(),
+            most_tips_at_once: events.iter().map(|event| event.tips.len()).max().unwrap_or(0),
+            unstable: events.iter().filter(|event| event.loss == TipLoss::Unstable).count(),
+        }
+    }
+}
+
+/// The peak of the equilibria.
 #[derive(Debug, serde::Serialize)]
 struct Slow {
     #[serde(rename = "force_nN")]
     force: Finite,
     displacement_nm: Finite,
     #[serde(rename = "error_nN")]
-    force_error: Finite,
+    error: Option<Finite>,
 }
 
-impl From<&Peak> for Slow {
-    fn from(at: &Peak) -> Self {
-        Self { force: Finite(at.force), displacement_nm: Finite(at.displacement), force_error: Finite(at.force_error) }
+impl From<&SlowPeak> for Slow {
+    fn from(at: &SlowPeak) -> Self {
+        Self { force: Finite(at.force), displacement_nm: Finite(at.displacement), error: at.error.map(Finite) }
     }
 }
 
@@ -70,6 +108,9 @@ struct Balance {
     kinetic: Finite,
     #[serde(rename = "dissipated_aJ")]
     dissipated: Finite,
+    /// The part of it at events, of a seta
+    #[serde(rename = "released_aJ", skip_serializing_if = "Option::is_none")]
+    released: Option<Finite>,
     imbalance: Finite,
 }
 
@@ -81,9 +122,11 @@ struct Effort {
     elements: usize,
 }
 
-/// Seconds of the pull and of the equilibria.
+/// Seconds of the law of a seta's tips, of the pull and of the equilibria.
 #[derive(Debug, serde::Serialize)]
 struct Timing {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tip_s: Option<Finite>,
     solve_s: Finite,
     equilibria_s: Finite,
 }
@@ -92,41 +135,38 @@ impl RateSummary {
     /// The summary of the pull of this scene, with the equilibria beside it and why it stopped short, if it did; seconds of both.
     pub fn new(
         scene: &Scene,
-        pulled: &PullInTime,
-        equilibria: &Peel,
+        pulled: &PulledAtRate,
+        equilibria: &Equilibria,
         failed: Option<&str>,
         [solve_s, equilibria_s]: [f64; 2],
     ) -> Self {
-        let slow = equilibria.initiation_peak.as_ref();
-        let largest = pulled.points.iter().max_by(|a, b| a.force.total_cmp(&b.force)).map(|point| {
-            let (time, displacement, force) = pulled
-                .peak
-                .map_or((point.time, point.displacement, point.force), |at| (at.time, at.displacement, at.force));
-            Largest {
-                force: Finite(force),
-                displacement_nm: Finite(displacement),
-                time_s: Finite(S_PER_NS * time),
-                kinetic: Finite(point.balance.kinetic),
-                dissipated: Finite(point.balance.dissipated),
-            }
+        let slow = equilibria.peak.as_ref();
+        let largest = pulled.peak.zip(pulled.next_to_peak()).map(|(at, next)| Largest {
+            force: Finite(at.force),
+            displacement_nm: Finite(at.displacement),
+            time_s: Finite(S_PER_NS * at.time),
+            kinetic: Finite(next.balance.kinetic),
+            dissipated: Finite(next.balance.dissipated),
+            tips_attached: next.attached(),
         });
-        let (first, last) = (pulled.points.first().copied().unwrap_or_default().balance, pulled.last().balance);
+        let [first, last] = pulled.balances();
+        let released = pulled.points.last().and_then(|last| match last.contact {
+            Contact::Tips { released, .. } => Some(Finite(released)),
+            Contact::Front(_) => None,
+        });
         Self {
             version: VERSION,
             schema: SCHEMA,
             command: None,
             scene: scene.name.clone(),
             title: scene.title.clone(),
-            end: match (failed, pulled.contact_lost) {
-                (Some(_), _) => "failed",
-                (None, Some(_)) => "detached",
-                (None, None) => "still-attached",
-            },
+            end: pulled.end(failed.is_some()),
             reason: failed.map(str::to_owned),
+            seta: None,
             largest_force: largest,
             contact_lost_s: pulled.contact_lost.map(|time| Finite(S_PER_NS * time)),
             equilibria_peak: slow.map(Slow::from),
-            force_over_equilibria: slow.map(|slow| Finite(pulled.largest_force() / slow.force)),
+            force_over_equilibria: slow.zip(pulled.peak).map(|(slow, at)| Finite(at.force / slow.force)),
             balance: Balance {
                 work: Finite(last.work),
                 stored: Finite(last.stored - first.stored),
@@ -134,17 +174,24 @@ impl RateSummary {
                 spring: Finite(last.spring - first.spring),
                 kinetic: Finite(last.kinetic - first.kinetic),
                 dissipated: Finite(last.dissipated - first.dissipated),
-                imbalance: Finite(pulled.balance_error()),
+                released,
+                imbalance: Finite(pulled.imbalance),
             },
             path: Effort {
-                steps: pulled.points.len().saturating_sub(1),
+                steps: pulled.steps(),
                 steps_tried: pulled.tried,
                 newton_iterations: pulled.iterations,
                 elements: pulled.elements,
             },
-            timing: Timing { solve_s: Finite(solve_s), equilibria_s: Finite(equilibria_s) },
+            timing: Timing { tip_s: None, solve_s: Finite(solve_s), equilibria_s: Finite(equilibria_s) },
             parameters: Parameters(scene.clone()),
         }
+    }
+
+    /// With what a seta of so many tips has besides, whose law took so many seconds.
+    pub fn with_seta(self, tips: usize, tip: &PullCurve, pulled: &SetaInTime, tip_s: f64) -> Self {
+        let seta = OfSeta { tips, events: Events::from(pulled), tip: LawOfTips::from(tip) };
+        Self { seta: Some(seta), timing: Timing { tip_s: Some(Finite(tip_s)), ..self.timing }, ..self }
     }
 }
 

@@ -1,14 +1,14 @@
 //! One value of a sweep of pulls at a rate.
 
-use super::S_PER_NS;
+use super::pulled::PulledAtRate;
+use crate::number::S_PER_NS;
 use crate::pull_row::PullRow;
-use peelkit::study::PullInTime;
 use serde::{Deserialize, Serialize};
 
 /// The numbers of a pull at a rate. Forces in nN, displacements in nm, energies in aJ, times in s.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RateResult {
-    /// The largest force of the pull, by a parabola through the three steps next to it
+    /// The largest force of the pull: of a beam by a parabola through the three steps next to it
     pub largest_force: f64,
     /// Of what moves the grip, there
     pub displacement: f64,
@@ -36,20 +36,20 @@ pub struct RateResult {
 
 impl RateResult {
     /// Of a pull, and why it stopped short, if it did.
-    pub fn new(pulled: &PullInTime, failed: Option<String>) -> Self {
-        let next = pulled.points.iter().max_by(|a, b| a.force.total_cmp(&b.force)).copied().unwrap_or_default();
+    pub fn new(pulled: &PulledAtRate, failed: Option<String>) -> Self {
+        let next = pulled.next_to_peak().map(|next| next.balance).unwrap_or_default();
         let (time, displacement, largest_force) =
-            pulled.peak.map_or((next.time, next.displacement, next.force), |at| (at.time, at.displacement, at.force));
+            pulled.peak.map_or((0.0, 0.0, 0.0), |at| (at.time, at.displacement, at.force));
         Self {
             largest_force,
             displacement,
             time: S_PER_NS * time,
-            kinetic: next.balance.kinetic,
-            dissipated: next.balance.dissipated,
+            kinetic: next.kinetic,
+            dissipated: next.dissipated,
             contact_lost: pulled.contact_lost.map(|time| S_PER_NS * time),
-            work: pulled.last().balance.work,
-            imbalance: pulled.balance_error(),
-            steps: pulled.points.len().saturating_sub(1),
+            work: pulled.balances()[1].work,
+            imbalance: pulled.imbalance,
+            steps: pulled.steps(),
             newton_iterations: pulled.iterations,
             elements: pulled.elements,
             failed,

@@ -81,8 +81,10 @@ pub const SETA_CURVE_COLUMNS: &[OutputKey] = &[
 #[rustfmt::skip]
 pub const SETA_EVENT_COLUMNS: &[OutputKey] = &[
     key("event", "number of the event, from 1: the tips that change while the root is held. One that begins with beams that buckle has a row of its own before those of its tips"),
-    key("step", "number of the step of the loading, from 1"),
+    key("step", "number of the step of the loading, from 1; not of a pull at a rate"),
+    key("time_s", "of a pull at a rate: since it began"),
     key("displacement_nm", "how far the root has moved in the step"),
+    key("loss", "of a pull at a rate: `end-of-branch` where tips come to the end of the branch of their law, `unstable` where they soften faster than the seta holds them"),
     key("tip", "number of the tip, from 0; like all columns of a tip empty where beams buckle"),
     key("tip_x_nm", "place of the tip in the stress-free configuration, along x"),
     key("tip_z_nm", "the same along z"),

@@ -2,6 +2,7 @@
 
 mod animation;
 mod curve;
+mod event_table;
 mod load_map;
 mod names;
 mod picture;
@@ -16,12 +17,14 @@ mod tables;
 mod vtk;
 
 pub use animation::write_seta_animation;
+pub use event_table::{write_seta_events, write_seta_rate_events};
 pub use names::{seta_end_reason, seta_end_word};
 pub use picture::draw_pull_off;
 pub use pose::SetaPose;
+pub(crate) use summary::LawOfTips;
 pub use summary::{SetaSummary, tip_peak};
 pub use sweep_picture::draw_swept_setae;
 pub use sweep_row::SetaRow;
 pub use sweep_table::{SetaLine, write_swept_setae};
-pub use tables::{write_seta_curve, write_seta_events, write_tip_curve, write_tips};
+pub use tables::{write_seta_curve, write_seta_equilibria, write_tip_curve, write_tips};
 pub use vtk::{SETA_STATE_FIELDS, SetaStateField, write_seta_states};

@@ -30,7 +30,7 @@ pub struct SetaSummary {
     last_detachment: Option<Moment>,
     events: Events,
     balance: Balance,
-    tip: Tip,
+    tip: LawOfTips,
     path: Effort,
     timing: Timing,
     parameters: Parameters,
@@ -134,7 +134,7 @@ struct Balance {
 
 /// The law of each tip.
 #[derive(Debug, serde::Serialize)]
-struct Tip {
+pub struct LawOfTips {
     #[serde(rename = "peak_force_nN")]
     peak: Finite,
     snap_off_displacement_nm: Finite,
@@ -155,6 +155,16 @@ struct Timing {
     tip_s: Finite,
     solve_s: Finite,
     mesh_error_s: Finite,
+}
+
+impl From<&PullCurve> for LawOfTips {
+    fn from(tip: &PullCurve) -> Self {
+        Self {
+            peak: Finite(tip_peak(tip)),
+            snap_off_displacement_nm: Finite(tip.snap_off()),
+            energy_at_rest: Finite(tip.energy_at_rest()),
+        }
+    }
 }
 
 /// Points of the curve of a tip between two of its own at which its largest force is looked for.
@@ -213,11 +223,7 @@ impl SetaSummary {
                 energy: Finite(energy),
                 imbalance: Finite(pull_off.imbalance()),
             },
-            tip: Tip {
-                peak: Finite(tip_peak(tip)),
-                snap_off_displacement_nm: Finite(tip.snap_off()),
-                energy_at_rest: Finite(tip.energy_at_rest()),
-            },
+            tip: LawOfTips::from(tip),
             path: Effort {
                 points: pull_off.points.len(),
                 newton_iterations: pull_off.effort.newton_iterations,

@@ -1,4 +1,4 @@
-//! The tables of a pull-off: curve.csv, events.csv, tips.csv, tip.csv. Units stand in the names of the columns.
+//! The tables of a pull-off: curve.csv, tips.csv, tip.csv. Units stand in the names of the columns.
 
 use super::names::tip_branch_word;
 use super::route::travels;
@@ -6,7 +6,7 @@ use crate::error::ReportError;
 use crate::number::Finite;
 use crate::tables::write_table;
 use peelkit::model::{CurvePoint, PullCurve, Seta};
-use peelkit::study::{EventCause, SetaEvent, SetaPoint, SetaPullOff, SetaState, TipChange};
+use peelkit::study::{SetaPoint, SetaPullOff, SetaState};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -14,6 +14,17 @@ use std::path::{Path, PathBuf};
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_seta_curve(dir: &Path, pull_off: &SetaPullOff) -> Result<PathBuf, ReportError> {
+    write_points(dir, "curve.csv", pull_off)
+}
+
+/// Writes equilibria.csv beside a pull at a rate: with the rows and columns of curve.csv.
+///
+/// Fails as [`write_seta_curve`] does.
+pub fn write_seta_equilibria(dir: &Path, pull_off: &SetaPullOff) -> Result<PathBuf, ReportError> {
+    write_points(dir, "equilibria.csv", pull_off)
+}
+
+fn write_points(dir: &Path, name: &str, pull_off: &SetaPullOff) -> Result<PathBuf, ReportError> {
     #[derive(Default, Serialize)]
     struct Line {
         step: usize,
@@ -67,7 +78,7 @@ pub fn write_seta_curve(dir: &Path, pull_off: &SetaPullOff) -> Result<PathBuf, R
             released: Finite(point.released),
         }
     };
-    write_table(dir, "curve.csv", pull_off.points.iter().zip(travels(&pull_off.points)).map(line))
+    write_table(dir, name, pull_off.points.iter().zip(travels(&pull_off.points)).map(line))
 }
 
 /// Writes tip.csv: the curve that each tip follows, from where it is pressed to where it snaps off.
@@ -91,60 +102,6 @@ pub fn write_tip_curve(dir: &Path, curve: &PullCurve) -> Result<PathBuf, ReportE
         energy: Finite(curve.energy(at.displacement)),
     };
     write_table(dir, "tip.csv", curve.points().iter().map(line))
-}
-
-/// Writes events.csv: one row a tip that detaches or adheres again, in order; before them one without a tip where an event begins with beams that
-/// buckle.
-///
-/// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
-pub fn write_seta_events(dir: &Path, pull_off: &SetaPullOff, seta: &Seta) -> Result<PathBuf, ReportError> {
-    #[derive(Default, Serialize)]
-    struct Line {
-        event: usize,
-        step: usize,
-        displacement_nm: Finite,
-        tip: Option<usize>,
-        tip_x_nm: Option<Finite>,
-        tip_z_nm: Option<Finite>,
-        change: &'static str,
-        #[serde(rename = "tip_load_nN")]
-        load: Option<Finite>,
-        #[serde(rename = "force_before_nN")]
-        before: Finite,
-        #[serde(rename = "force_after_nN")]
-        after: Finite,
-        tips_attached: usize,
-        #[serde(rename = "released_aJ")]
-        released: Finite,
-    }
-    let lines = |(number, event): (usize, &SetaEvent)| {
-        let SetaEvent { before, after, cause, released, .. } = *event;
-        let own = move || Line {
-            event: number + 1,
-            step: before.step + 1,
-            displacement_nm: Finite(before.displacement),
-            change: "buckles",
-            before: Finite(before.force_along),
-            after: Finite(after.force_along),
-            tips_attached: after.attached,
-            released: Finite(released),
-            ..Line::default()
-        };
-        let of_tip = move |change: &TipChange| {
-            let [x, _, z] = seta.joint_place(seta.tip_joint(change.tip));
-            Line {
-                tip: Some(change.tip),
-                tip_x_nm: Some(Finite(x)),
-                tip_z_nm: Some(Finite(z)),
-                change: if change.to.adheres() { "adheres" } else { "detaches" },
-                load: Some(Finite(0.0 - change.load[1])),
-                ..own()
-            }
-        };
-        let buckling = (cause == EventCause::Buckling).then(own);
-        buckling.into_iter().chain(event.tips.iter().map(of_tip)).collect::<Vec<_>>()
-    };
-    write_table(dir, "events.csv", pull_off.events.iter().enumerate().flat_map(lines))
 }
 
 /// Writes tips.csv: one row a tip at each of these moments, which have names.

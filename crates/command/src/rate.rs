@@ -1,0 +1,52 @@
+//! What pulls at a rate have in common: the pull of a beam, or of a seta, as far as it goes.
+
+use peelkit::model::SetaModel;
+use peelkit::solve::ShouldStop;
+use peelkit::study::{
+    InTimeFailureKind, PullInTime, SetaInTime, SetaInTimeFailureKind, Stage, StopCriteria, pull_in_time,
+    pull_seta_in_time,
+};
+use peelkit_scene::{Scene, SetaTable, TimeTable};
+use std::sync::Arc;
+
+/// A pull, and why it stopped short, if it did.
+pub type AsFar<P> = (P, Option<String>);
+
+/// The pull of the beam of a scene, or why there is none.
+pub fn pull_beam(
+    scene: &Scene,
+    table: &TimeTable,
+    stop: &StopCriteria,
+) -> Result<AsFar<PullInTime>, InTimeFailureKind> {
+    let (pull, accuracy) = (scene.pull_rate(table), scene.time_accuracy(table));
+    match pull_in_time(&scene.model, &table.moving_material(), &pull, &accuracy, should_stop(stop)) {
+        Ok(pulled) => Ok((pulled, None)),
+        Err(failure) => match failure.reached {
+            Some(reached) => Ok((*reached, Some(failure.why.to_string()))),
+            None => Err(failure.why),
+        },
+    }
+}
+
+/// The pull of the seta of a scene, or why there is none.
+pub fn pull_seta(
+    scene: &Scene,
+    (table, seta): (&TimeTable, &SetaTable),
+    model: &SetaModel,
+    stop: &StopCriteria,
+) -> Result<AsFar<SetaInTime>, SetaInTimeFailureKind> {
+    let (pull, accuracy) = (scene.seta_pull_rate(table, seta), scene.seta_time_accuracy(table));
+    match pull_seta_in_time(model, &table.moving_material(), &pull, &accuracy, should_stop(stop)) {
+        Ok(pulled) => Ok((pulled, None)),
+        Err(failure) => match failure.reached {
+            Some(reached) => Ok((*reached, Some(failure.why.to_string()))),
+            None => Err(failure.why),
+        },
+    }
+}
+
+/// What stops a step in time.
+fn should_stop(stop: &StopCriteria) -> Option<ShouldStop> {
+    let check = stop.should_stop.clone()?;
+    Some(Arc::new(move || check(Stage::Path).is_some()))
+}

@@ -1,0 +1,187 @@
+//! A pull at a rate as it is reported, of a beam or of a seta, and the equilibria beside it.
+
+use peelkit::solve::time::EnergyBalance;
+use peelkit::study::{InTimePeak, InTimePoint, Peel, PullInTime, SetaInTime, SetaInTimePoint, SetaPullOff};
+
+/// What adheres at one time.
+#[derive(Clone, Copy, Debug)]
+pub enum Contact {
+    /// Of a beam the peeling front, nm
+    Front(f64),
+    /// Of a seta its tips
+    Tips {
+        /// How many adhere
+        attached: usize,
+        /// Sum of the forces with which the ground holds them, along the pull, nN
+        force: f64,
+        /// Energy released at events, aJ: a part of what is dissipated
+        released: f64,
+    },
+}
+
+/// One time.
+#[derive(Clone, Copy, Debug)]
+pub struct PointAtRate {
+    /// ns
+    pub time: f64,
+    /// nm
+    pub displacement: f64,
+    /// nN
+    pub force: f64,
+    /// What adheres
+    pub contact: Contact,
+    /// aJ
+    pub balance: EnergyBalance,
+}
+
+impl From<&InTimePoint> for PointAtRate {
+    fn from(&InTimePoint { time, displacement, force, front, balance }: &InTimePoint) -> Self {
+        Self { time, displacement, force, contact: Contact::Front(front), balance }
+    }
+}
+
+impl From<&SetaInTimePoint> for PointAtRate {
+    fn from(at: &SetaInTimePoint) -> Self {
+        let contact = Contact::Tips { attached: at.attached, force: at.tip_force, released: at.released };
+        Self { time: at.time, displacement: at.displacement, force: at.force, contact, balance: at.balance }
+    }
+}
+
+impl PointAtRate {
+    /// Of a seta how many tips adhere.
+    pub fn attached(&self) -> Option<usize> {
+        match self.contact {
+            Contact::Tips { attached, .. } => Some(attached),
+            Contact::Front(_) => None,
+        }
+    }
+}
+
+/// A pull at a rate.
+#[derive(Clone, Debug)]
+pub struct PulledAtRate {
+    /// Every step, from rest on
+    pub points: Vec<PointAtRate>,
+    /// The largest force: of a beam by a parabola through the three steps next to it, of a seta that of a step
+    pub peak: Option<InTimePeak>,
+    /// When nothing adhered any more for the first time, ns
+    pub contact_lost: Option<f64>,
+    /// The largest defect of the balance of energies, over the largest work
+    pub imbalance: f64,
+    /// Steps that were tried, those that were refused among them
+    pub tried: usize,
+    /// Newton iterations
+    pub iterations: usize,
+    /// Of the mesh
+    pub elements: usize,
+}
+
+impl From<&PullInTime> for PulledAtRate {
+    fn from(pulled: &PullInTime) -> Self {
+        let points: Vec<PointAtRate> = pulled.points.iter().map(PointAtRate::from).collect();
+        Self {
+            peak: pulled.peak.or_else(|| largest(&points)),
+            points,
+            contact_lost: pulled.contact_lost,
+            imbalance: pulled.balance_error(),
+            tried: pulled.tried,
+            iterations: pulled.iterations,
+            elements: pulled.elements,
+        }
+    }
+}
+
+impl From<&SetaInTime> for PulledAtRate {
+    fn from(pulled: &SetaInTime) -> Self {
+        let points: Vec<PointAtRate> = pulled.points.iter().map(PointAtRate::from).collect();
+        let lost = pulled.points.iter().find(|point| point.attached == 0);
+        Self {
+            peak: largest(&points),
+            points,
+            contact_lost: lost.map(|point| point.time),
+            imbalance: pulled.balance_error(),
+            tried: pulled.tried,
+            iterations: pulled.iterations,
+            elements: pulled.elements,
+        }
+    }
+}
+
+/// The step with the largest force.
+fn largest(points: &[PointAtRate]) -> Option<InTimePeak> {
+    let at = points.iter().max_by(|a, b| a.force.total_cmp(&b.force))?;
+    Some(InTimePeak { time: at.time, displacement: at.displacement, force: at.force })
+}
+
+impl PulledAtRate {
+    /// The step next to the largest force.
+    pub fn next_to_peak(&self) -> Option<&PointAtRate> {
+        self.points.iter().max_by(|a, b| a.force.total_cmp(&b.force))
+    }
+
+    /// Energies at rest before the pull, and at its end.
+    pub fn balances(&self) -> [EnergyBalance; 2] {
+        [self.points.first(), self.points.last()].map(|at| at.map_or_else(EnergyBalance::default, |at| at.balance))
+    }
+
+    /// How far the pull went, nm.
+    pub fn way(&self) -> f64 {
+        self.points.iter().map(|point| point.displacement).fold(0.0, f64::max)
+    }
+
+    /// Steps in time, and points behind events.
+    pub fn steps(&self) -> usize {
+        self.points.len().saturating_sub(1)
+    }
+
+    /// The name of its end in outputs.
+    pub fn end(&self, has_failed: bool) -> &'static str {
+        match self.contact_lost {
+            _ if has_failed => "failed",
+            Some(_) => "detached",
+            None => "still-attached",
+        }
+    }
+}
+
+/// The largest force of equilibria.
+#[derive(Clone, Copy, Debug)]
+pub struct SlowPeak {
+    /// nN
+    pub force: f64,
+    /// nm
+    pub displacement: f64,
+    /// Bound of the error of a beam's force; of a seta the error with which the peak is located, where it is. nN
+    pub error: Option<f64>,
+}
+
+/// The equilibria of the scene of a pull at a rate.
+#[derive(Clone, Debug)]
+pub struct Equilibria {
+    /// Displacement (nm) and force (nN)
+    pub points: Vec<(f64, f64)>,
+    /// The first peak of a beam, the largest force of a seta
+    pub peak: Option<SlowPeak>,
+}
+
+impl From<&Peel> for Equilibria {
+    fn from(peel: &Peel) -> Self {
+        let peak = peel.initiation_peak.as_ref().map(|peak| SlowPeak {
+            force: peak.force,
+            displacement: peak.displacement,
+            error: Some(peak.force_error),
+        });
+        Self { points: peel.points.iter().map(|at| (at.displacement, at.force)).collect(), peak }
+    }
+}
+
+impl From<&SetaPullOff> for Equilibria {
+    fn from(pull_off: &SetaPullOff) -> Self {
+        let peak = pull_off.peak.as_ref().map(|peak| SlowPeak {
+            force: peak.point.force_along,
+            displacement: peak.point.displacement,
+            error: peak.location.map(|location| location.force),
+        });
+        Self { points: pull_off.points.iter().map(|at| (at.displacement, at.force_along)).collect(), peak }
+    }
+}
