@@ -4,6 +4,8 @@ use super::accuracy::Resolution;
 
 /// Most meshes tried.
 const MOST_MESHES: usize = 8;
+/// Meshes in space on which a path may be unusable: what three did not cure more do not, and each takes as long as a peel that succeeds.
+pub(super) const MOST_FAILED_IN_SPACE: usize = 4;
 
 /// The best of the computations on one mesh after another, up to `most_elements`. `compute` is given a resolution and the best so far; beside
 /// what it computed it says on which resolution to go on, or that it is enough.

@@ -59,6 +59,7 @@ pub fn test_end_word(end: &TestEnd) -> &'static str {
     match end {
         TestEnd::Closed => "closed",
         TestEnd::Returned(_) => "returned",
+        TestEnd::Off => "off",
         TestEnd::Bound(_) => "bound",
         TestEnd::Failed(_) => "failed",
     }
@@ -67,7 +68,7 @@ pub fn test_end_word(end: &TestEnd) -> &'static str {
 /// Why a test ended where it did, if that was not by itself.
 pub fn test_end_reason(end: &TestEnd) -> Option<String> {
     match end {
-        TestEnd::Closed => None,
+        TestEnd::Closed | TestEnd::Off => None,
         TestEnd::Returned(elsewhere) => Some(elsewhere.to_string()),
         TestEnd::Bound(bound) => Some(bound.to_string()),
         TestEnd::Failed(failure) => Some(failure.to_string()),

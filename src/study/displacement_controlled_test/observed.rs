@@ -1,7 +1,7 @@
 //! The entry: which models have such a test.
 
 use super::result::Observed;
-use super::run::run;
+use super::run::{Course, run};
 use crate::model::{ModelError, PeelModel};
 use crate::study::{Accuracy, StopCriteria, checked};
 
@@ -56,7 +56,28 @@ pub fn observed<'m, M>(model: &'m M, accuracy: &Accuracy, stop: &StopCriteria) -
 where
     PeelModel: From<&'m M>,
 {
-    let model = PeelModel::from(model);
+    let model = tested(model.into(), accuracy)?;
+    if !model.steps.is_empty() {
+        return Err(NoTest::Steps);
+    }
+    Ok(run(&model, Course::ThereAndBack, accuracy, stop))
+}
+
+/// The retreat of [`observed()`] alone: until the beam is off, or stands on the face of its end. What it is for is [`Observed::peeling_force`].
+/// It may begin behind steps of the grip, because it does not return to them.
+///
+/// # Errors
+/// As of [`observed()`].
+pub fn observed_retreat<'m, M>(model: &'m M, accuracy: &Accuracy, stop: &StopCriteria) -> Result<Observed, NoTest>
+where
+    PeelModel: From<&'m M>,
+{
+    let model = tested(model.into(), accuracy)?;
+    Ok(run(&model, Course::There, accuracy, stop))
+}
+
+/// The model that is computed, in the plane where it stays there, if it has a test.
+fn tested(model: PeelModel, accuracy: &Accuracy) -> Result<PeelModel, NoTest> {
     let model = model.in_the_plane().unwrap_or(model);
     checked(&model, accuracy)?;
     if model.friction_law().is_some() {
@@ -65,11 +86,8 @@ where
     if !model.line_law().has_potential() {
         return Err(NoTest::NoPotential);
     }
-    if !model.steps.is_empty() {
-        return Err(NoTest::Steps);
-    }
     if model.pull.turn != 0.0 {
         return Err(NoTest::Turn);
     }
-    Ok(run(&model, accuracy, stop))
+    Ok(model)
 }

@@ -100,6 +100,8 @@ pub enum TestEnd {
     Closed,
     /// The machine is back, the strip came to rest in another equilibrium.
     Returned(Elsewhere),
+    /// The beam is off, or stands on the face of its end, and the machine was not to return ([`crate::study::observed_retreat()`]).
+    Off,
     /// It goes on; a stop criterion was met.
     Bound(Bound),
     /// The computation stopped short; why, with numbers and what to try.
@@ -166,4 +168,11 @@ pub struct Observed {
     pub effort: TestEffort,
     /// Largest bound on the error of a number of a jump, relative to that number.
     pub reached: f64,
+}
+
+impl Observed {
+    /// The largest force of the retreat as long as the beam does not stand on the face of its end.
+    pub fn peeling_force(&self) -> Option<PullOff> {
+        self.before_upright.or(self.pull_off.filter(|largest| largest.adheres != Adhering::EndFace))
+    }
 }

@@ -14,7 +14,7 @@ use crate::solve::{
 use crate::study::accuracy::{Resolution, most_elements};
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
 use crate::study::initial::{NoEquilibrium, prepared};
-use crate::study::refinement::refined;
+use crate::study::refinement::{MOST_FAILED_IN_SPACE, refined};
 use crate::study::{Accuracy, Adhering, Bound, Stage, StopCriteria};
 use std::sync::Arc;
 
@@ -25,13 +25,22 @@ const COMPARABLE: f64 = 10.0;
 /// The balance of work and energy closes to this, or to the accuracy asked for where that is more.
 const BALANCED: f64 = 1e-6;
 
-pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Observed {
+/// What the machine does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Course {
+    /// It pulls the beam off, and returns.
+    ThereAndBack,
+    /// It pulls until the beam is off, or stands on the face of its end.
+    There,
+}
+
+pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: &StopCriteria) -> Observed {
     let accuracy = &accuracy.fitted(model);
     let mut others = Vec::new();
-    let (mut iterations, mut steps) = (0, 0);
+    let (mut iterations, mut steps, mut failures) = (0, 0, 0);
     let first = Resolution::first(model, accuracy);
     let best = refined(first, most_elements(model), Test::is_better_than, |resolution, _| {
-        let mut test = Test::new();
+        let mut test = Test::new(course);
         test.effort.elements = resolution.elements;
         test.effort.order = resolution.order;
         match problem(model, accuracy, resolution.order) {
@@ -51,15 +60,18 @@ pub(super) fn run(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -
         iterations += test.effort.newton_iterations;
         steps += test.effort.relaxation_steps;
         let (failed, worst) = (test.end.is_err(), test.worst() / accuracy.relative);
-        if !failed {
+        if failed {
+            failures += 1;
+        } else {
             others.push((test.worst(), test.jumps.clone()));
         }
+        let hopeless = model.space.is_some() && failures == MOST_FAILED_IN_SPACE;
         let late = stop.reached_bound(Stage::Path).is_some();
-        let enough = (worst <= 1.0 && !failed) || late || accuracy.choice.elements.is_some();
+        let enough = (worst <= 1.0 && !failed) || late || hopeless || accuracy.choice.elements.is_some();
         let finer = if failed { resolution.times(1.5) } else { resolution.finer(worst, 0.0) };
         (test, (!enough).then_some(finer))
     });
-    let mut test = best.unwrap_or_else(Test::new);
+    let mut test = best.unwrap_or_else(|| Test::new(course));
     if test.worst() > accuracy.relative {
         test.widen(&others);
     }
@@ -88,6 +100,7 @@ enum Loss {
 
 /// A test under way.
 struct Test {
+    course: Course,
     points: Vec<TestPoint>,
     jumps: Vec<Jump>,
     pieces: Vec<(LoadingDirection, Vec<(f64, f64)>)>,
@@ -109,8 +122,9 @@ struct Test {
 }
 
 impl Test {
-    fn new() -> Self {
+    fn new(course: Course) -> Self {
         Self {
+            course,
             points: Vec::new(),
             jumps: Vec::new(),
             pieces: Vec::new(),
@@ -140,6 +154,9 @@ impl Test {
             return Ok(TestEnd::Bound(bound));
         }
         self.retreat = Some(self.balance(machine, &far)?);
+        if self.course == Course::There {
+            return Ok(TestEnd::Off);
+        }
         let (back, bound) = self.way(machine, machine.begin_at(&far), LoadingDirection::Approach)?;
         if let Some(bound) = bound {
             return Ok(TestEnd::Bound(bound));
@@ -171,6 +188,7 @@ impl Test {
                 self.take_peak(machine, &leg)?;
             }
             let (located, loss) = match leg.end {
+                _ if self.is_over() => return Ok((last, None)),
                 BranchEnd::Arrived => return Ok((last, None)),
                 BranchEnd::Bound(bound) => return Ok((last, Some(bound))),
                 BranchEnd::Limit(located) => (located, Loss::LimitPoint),
@@ -183,13 +201,19 @@ impl Test {
             if way == LoadingDirection::Retreat {
                 self.notice_stand(machine, &landed, self.pull_off);
             }
-            if way == LoadingDirection::Retreat && machine.problem.beam.is_clear(&landed.at, machine.far) {
+            let off = || way == LoadingDirection::Retreat && machine.problem.beam.is_clear(&landed.at, machine.far);
+            if self.is_over() || off() {
                 self.point(machine, &landed, way, self.work);
                 return Ok((landed, None));
             }
             at = machine.begin_at(&landed);
         }
         Err(TestError::TooManyJumps { way })
+    }
+
+    /// Whether the machine is not to go on because the beam stands on its end.
+    fn is_over(&self) -> bool {
+        self.course == Course::There && self.stood
     }
 
     /// The points of a stable piece.
@@ -323,8 +347,12 @@ impl Test {
             let ends = jump.before.force_error.max(jump.after.force_error) / force;
             place.max(ends).max(jump.released_error / jump.released)
         };
-        let pull_off = self.pull_off.map_or(0.0, |peak| peak.force_error / peak.force.abs());
-        self.jumps.iter().map(relative).fold(pull_off, f64::max)
+        let share = |peak: PullOff| peak.force_error / peak.force.abs();
+        match self.course {
+            Course::ThereAndBack => self.jumps.iter().map(relative).fold(self.pull_off.map_or(0.0, share), f64::max),
+            // of the jumps on the way none is asked for
+            Course::There => self.before_upright.or(self.pull_off).map_or(0.0, share),
+        }
     }
 
     /// Where finer meshes did not bring the errors down to what was asked for, they are round-off: no bound is less than twice

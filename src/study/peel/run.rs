@@ -15,7 +15,7 @@ use crate::study::error_bounds::{
     DIFFERENCE_BOUND_FACTOR, PLAIN_IMPROVEMENT, STRIDE_BOUND_FACTOR, STRIDE_TOLERANCE_FACTOR, counts,
 };
 use crate::study::initial::{NotPrepared, Prepared, prepared};
-use crate::study::refinement::refined;
+use crate::study::refinement::{MOST_FAILED_IN_SPACE, refined};
 use crate::study::{Accuracy, Checkpoint, StopCriteria};
 use std::sync::Arc;
 
@@ -29,8 +29,6 @@ const STAGNATION: f64 = 2e-8;
 /// The same where the error did not fall with this many times as many elements.
 const CERTAIN_STAGNATION: f64 = 1e-6;
 const MANY_MORE: usize = 2;
-/// Meshes in space on which a path may be unusable: what three did not cure more do not, and each takes as long as a peel that succeeds.
-const MOST_FAILED_IN_SPACE: usize = 4;
 /// Length of the steps of a path that confirms another, over those of the other.
 const SHORTER: f64 = 0.5;
 /// Most such paths.

@@ -12,8 +12,12 @@
 //! Expected: the first jump is the fold of the path within the bounds of both; work, energy and energy released balance to 1e-6. Why: the
 //! gradient flow and the branch behind it are in as many directions as the strip can turn, of which the plane knows one.
 
-use peelkit::model::{Body, Hold, PeelModel, Space, StripModel};
-use peelkit::study::{Accuracy, JumpKind, Observed, StopCriteria, TestEnd, observed, peel};
+use peelkit::model::{Body, Hold, PeelModel, Space, Step, StripModel};
+use peelkit::study::{
+    Accuracy, JumpKind, LoadingDirection, NoTest, Observed, PullOff, StopCriteria, TestEnd, observed, observed_retreat,
+    peel,
+};
+use std::f64::consts::FRAC_PI_2;
 
 fn strip(width: f64, [elevation, azimuth]: [f64; 2], space: Space) -> PeelModel {
     let mut model = PeelModel::from(StripModel::of_the_paper(100.0, 1.0));
@@ -84,4 +88,45 @@ fn a_strip_that_is_free_to_turn_comes_back_upright() {
     let test = tested(&strip(10.0, [60.0, 30.0], Space { roll: Hold::Fixed, ..Space::default() }));
     assert!(matches!(test.end, TestEnd::Returned(_)), "{:?}", test.end);
     assert_balanced(&test);
+}
+
+/// The retreat alone ends on the face of the end, on which the strip stands then. What holds it there, 40 nN, is no pull-off force of the pad.
+#[test]
+fn a_retreat_ends_where_the_strip_stands_on_its_end() {
+    let model = strip(40.0, [60.0, 90.0], Space::default());
+    let test = retreat(&model);
+    assert_eq!(test.end, TestEnd::Off);
+    assert!(test.points.iter().all(|point| point.way == LoadingDirection::Retreat));
+    assert!(test.retreat.unwrap().error() <= 1e-6 && test.cycle.is_none());
+    assert_force(&test, 15.28007876413, 1e-10);
+}
+
+/// Rolled by five degrees before: the collocation's peak. The test there and back has to begin at rest.
+#[test]
+fn a_rolled_strip_is_pulled_off() {
+    let held = Space { roll: Hold::Fixed, yaw: Hold::Fixed, azimuth: FRAC_PI_2, ..Space::default() };
+    let mut model = strip(10.0, [90.0, 90.0], held);
+    model.steps = vec![Step::Lift(0.5), Step::Roll(5f64.to_radians()), Step::Release];
+    assert_force(&retreat(&model), 2.61014616, 5e-9);
+    let there_and_back = observed(&model, &Accuracy::to(1e-4), &StopCriteria::after_points(2000));
+    assert_eq!(there_and_back.err(), Some(NoTest::Steps));
+}
+
+/// Straight up a wide strip leaves its plane before its planar peak: the pull-off force is the peak of that branch, by collocation.
+#[test]
+fn a_wide_strip_is_pulled_off_on_the_branch_that_leaves_its_plane() {
+    let test = retreat(&strip(40.0, [90.0, 90.0], Space::default()));
+    assert_eq!(test.end, TestEnd::Off);
+    assert_force(&test, 13.17406487898, 1e-9);
+}
+
+fn retreat(model: &PeelModel) -> Observed {
+    observed_retreat(model, &Accuracy::to(1e-6), &StopCriteria::after_points(2000)).unwrap()
+}
+
+/// Within its bound, and the digits of the reference.
+#[track_caller]
+fn assert_force(test: &Observed, expected: f64, digits: f64) {
+    let PullOff { force, force_error, .. } = test.peeling_force().unwrap();
+    assert!((force - expected).abs() <= force_error + digits, "{force} ± {force_error:.1e}, not {expected}");
 }

@@ -5,6 +5,7 @@
 pub(crate) mod beam;
 pub(crate) mod bounds;
 mod check;
+mod grip_in_space;
 mod ground;
 pub mod hard;
 mod levels;
@@ -30,6 +31,7 @@ pub const TOPICS: &[Topic] = &[
     strip_variants::friction::TOPIC,
     strip_variants::out_of_plane::TOPIC,
     space::TOPIC,
+    grip_in_space::TOPIC,
     ground::TOPIC,
     orders::TOPIC,
     bounds::TOPIC,
