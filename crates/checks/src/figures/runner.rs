@@ -1,7 +1,7 @@
 //! Runs the peels of the figures.
 
 use peelkit::model::{PeelModel, StripModel};
-use peelkit::study::{Accuracy, Peel, StopCriteria, peel, sweep};
+use peelkit::study::{Accuracy, Observed, Peel, StopCriteria, observed_retreat, peel, sweep};
 use peelkit_report::SweepRow;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -46,6 +46,16 @@ impl<'a> Runner<'a> {
             peel
         };
         models.par_iter().map(peel).collect()
+    }
+
+    /// Pull-offs under displacement control; all models must have such a test.
+    pub fn pull_off_all(&self, models: &[PeelModel], accuracy: &Accuracy, bounds: &StopCriteria) -> Vec<Observed> {
+        let test = |model: &PeelModel| {
+            let test = observed_retreat(model, accuracy, bounds).expect("a model of a figure has a test");
+            self.count();
+            test
+        };
+        models.par_iter().map(test).collect()
     }
 
     pub fn sweep<M: Clone + Into<PeelModel>>(&self, cases: &[(f64, M)]) -> Vec<SweepRow> {
