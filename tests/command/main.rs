@@ -19,6 +19,8 @@ mod serve;
 mod seta;
 #[cfg(unix)]
 mod seta_resume;
+#[cfg(unix)]
+mod seta_table;
 mod space;
 mod statuses;
 mod steps;

@@ -1,8 +1,9 @@
 //! The summary of the pull-off of a seta.
 
 use super::layout::in_columns;
-use super::units::{Units, WantedUnits};
+use super::units::{Unit, Units, WantedUnits};
 use peelkit::model::{PullCurve, SetaModel};
+use peelkit::study::coarsening::{GrowingTable, TableRound, TipRange};
 use peelkit::study::{SetaMoment, SetaPullOff, SetaState};
 use peelkit_report::{seta_end_reason, seta_end_word, tip_peak};
 use peelkit_scene::Scene;
@@ -11,7 +12,7 @@ use peelkit_scene::Scene;
 pub fn seta(
     scene: &Scene,
     model: &SetaModel,
-    tip: &PullCurve,
+    (tip, table): (&PullCurve, Option<&GrowingTable>),
     (pull_off, finer): (&SetaPullOff, Option<SetaMoment>),
     solve_s: f64,
     wanted: WantedUnits,
@@ -40,6 +41,9 @@ pub fn seta(
     let mut lines = vec![
         ("seta", format!("{tips} tips, {} elements of order {}", model.mesh.total(), model.mesh.order)),
         ("law of a tip", format!("peak {of_tip:.6} nN, snaps off at {:.4} nm", tip.snap_off())),
+    ];
+    lines.extend(table.into_iter().flat_map(|table| of_table(table, force)));
+    lines.extend([
         ("peak force", at(&pull_off.peak)),
         ("first detachment", at(&pull_off.first_detachment)),
         ("last detachment", at(&pull_off.last_detachment)),
@@ -51,7 +55,7 @@ pub fn seta(
                 changes().count() - adhered
             ),
         ),
-    ];
+    ]);
     if let (Some(SetaState { point, .. }), Some(finer)) = (&pull_off.peak, finer) {
         let error = (point.force_along - finer.force).abs();
         let share = error / finer.force.abs();
@@ -82,6 +86,35 @@ pub fn seta(
     );
     lines.push(("computed", effort));
     in_columns(&scene.title, &lines)
+}
+
+/// The table that the tips follow, and what it came to that they left it.
+fn of_table(growing: &GrowingTable, force: Unit) -> Vec<(&'static str, String)> {
+    let (table, rounds) = (growing.table(), growing.rounds());
+    let TipRange { press, rotation: [from, to], .. } = table.options.range;
+    let mut lines = vec![(
+        "table of the tips",
+        format!(
+            "{} rows, pressed by up to {press:.0} nm, θ from {from:.4} to {to:.4} rad, error below {:.1e} of the largest",
+            table.rows(),
+            table.relative_error()
+        ),
+    )];
+    let outside = |round: &TableRound| round.visited.outside.len();
+    let grown = match (rounds, growing.changed()) {
+        ([only], _) if outside(only) == 0 => "no tip left it".to_owned(),
+        ([first, .., last], Some(change)) => format!(
+            "{} tips left the first table; {} rows added in {} more pull-offs change the peak by {}; {} tips outside of the last one",
+            outside(first),
+            growing.added(),
+            rounds.len() - 1,
+            force.short(change),
+            outside(last)
+        ),
+        _ => format!("{} tips are outside of it, where forces are extrapolated", rounds.last().map_or(0, outside)),
+    };
+    lines.push(("tips outside of it", grown));
+    lines
 }
 
 /// How many equilibria are those of an earlier run.
