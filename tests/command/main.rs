@@ -20,6 +20,8 @@ mod seta;
 mod seta_at_a_rate;
 #[cfg(unix)]
 mod seta_resume;
+#[cfg(unix)]
+mod seta_table;
 mod space;
 mod statuses;
 mod steps;

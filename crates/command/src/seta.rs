@@ -1,21 +1,103 @@
 //! What pull-offs of setae have in common, and setae that differ from the one of a scene in some keys, pulled off one after the other, or side by side.
 
-use peelkit::model::{PeelModel, PullCurve, SetaModel};
+use peelkit::model::{PeelModel, PullCurve, SetaModel, TipLaw};
+use peelkit::study::coarsening::{
+    AfterRound, CoarseningError, CoarseningOptions, GrowingTable, PadEnd, TipRange, TipTable, coarsen,
+    pull_off_by_table,
+};
 use peelkit::study::{self, Accuracy, Choice, SetaOptions, SetaResult, SpatulaCurveError, StopCriteria};
-use peelkit_scene::{Scene, SetaTable};
-use std::sync::OnceLock;
+use peelkit_scene::{Scene, SetaTable, SetaTipLaw};
+use std::hash::{DefaultHasher, Hasher};
+use std::path::Path;
+use std::sync::{Arc, OnceLock};
 
 /// By how much the curve of a tip begins with it pressed, nm.
 const PRESSED: f64 = 50.0;
+/// By how much the first table of a tip begins with it pressed, nm.
+const WIDE: f64 = 100.0;
+/// The range of its rotation, rad.
+const TURNED: [f64; 2] = [-0.4, 0.65];
 
 /// The curve that the tips of a scene follow. A mesh that the scene names is that of the branches, not of the tip.
 pub fn tip_curve(scene: &Scene) -> Result<PullCurve, SpatulaCurveError> {
     study::tip_curve(&scene.tip_model(), &Accuracy { choice: Choice::default(), ..scene.accuracy }, PRESSED)
 }
 
-/// The seta of a scene, whose tips follow this curve.
-pub fn model(scene: &Scene, table: &SetaTable, curve: PullCurve) -> SetaModel {
-    let mut model = SetaModel::new(table.seta, table.law(curve));
+/// What the tips of a scene follow.
+pub enum TipLawOf {
+    /// The curve of their normal pull
+    Curve,
+    /// A table, which grows
+    Table(Box<GrowingTable>),
+}
+
+/// Why there is no table of the tips, and what to do.
+pub struct NoTable {
+    pub found: String,
+    pub remedy: &'static str,
+}
+
+/// How the first table of the tips is made: as wide as the tips of the default seta ask for, pulled along the normal.
+fn table_options(table: &SetaTable) -> CoarseningOptions {
+    let range = TipRange { press: WIDE, rotation: TURNED, ..TipRange::SLIDING };
+    CoarseningOptions { range, tolerance: table.tip_tolerance, ..CoarseningOptions::of(PadEnd::Sliding) }
+}
+
+/// The first table of the tips of a scene: read from the folder that the scene names, beside it, or computed. What is wrong where there is none.
+pub fn first_table(scene: &Scene, table: &SetaTable) -> Result<Arc<TipTable>, NoTable> {
+    let Some(folder) = &table.tip_table else {
+        let made = coarsen(&scene.tip_model(), &table_options(table));
+        return made.map(Arc::new).map_err(|why| NoTable { found: no_table(&why), remedy: why.remedy() });
+    };
+    let folder = Path::new(&scene.name).parent().unwrap_or(Path::new("")).join(folder);
+    let read = peelkit_report::read_tip_law_of(&folder, scene, table.tip_tolerance);
+    let remedy = "`peel coarsen` of a scene with the body and the adhesion of the tips writes it; without seta.tip_table the run computes it.";
+    let mut read = read.map_err(|error| NoTable { found: error.to_string(), remedy })?;
+    // what is added to it is as accurate as is asked
+    read.options.tolerance = table.tip_tolerance;
+    Ok(Arc::new(read))
+}
+
+/// That there is no table of the tips.
+fn no_table(why: &CoarseningError) -> String {
+    format!("the table of the tips of the seta: {why}")
+}
+
+impl TipLawOf {
+    /// Of a scene.
+    pub fn new(scene: &Scene, table: &SetaTable) -> Result<Self, NoTable> {
+        Ok(match table.tip_law {
+            SetaTipLaw::Curve => Self::Curve,
+            SetaTipLaw::Table => {
+                Self::Table(Box::new(GrowingTable::of(&scene.tip_model(), first_table(scene, table)?)))
+            }
+        })
+    }
+
+    /// What tells a table from another one, if there is one.
+    pub fn fingerprint(&self) -> Option<u64> {
+        let table = self.growing()?.table();
+        let mut hasher = DefaultHasher::new();
+        for node in [&table.attached, &table.detached].into_iter().flat_map(|sheet| &sheet.table().nodes) {
+            for number in [node.normal, node.slope, node.energy, node.force[0], node.force[2]] {
+                hasher.write_u64(number.to_bits());
+            }
+        }
+        Some(hasher.finish())
+    }
+
+    /// The table as it is now, if there is one.
+    pub fn growing(&self) -> Option<&GrowingTable> {
+        match self {
+            Self::Curve => None,
+            Self::Table(growing) => Some(growing),
+        }
+    }
+}
+
+/// The seta of a scene, whose tips follow this law.
+pub fn model(scene: &Scene, table: &SetaTable, law: Arc<dyn TipLaw>) -> SetaModel {
+    let mut model = SetaModel::new(table.seta, law);
     model.mesh.order = scene.accuracy.choice.order.unwrap_or(model.mesh.order);
     model
 }
@@ -25,34 +107,79 @@ pub fn options(scene: &Scene) -> SetaOptions {
     SetaOptions { balance: scene.accuracy.relative, ..SetaOptions::default() }
 }
 
+/// That tips are outside of the last table.
+pub fn outside(after: &AfterRound, growing: &GrowingTable) -> String {
+    let tips = growing.rounds().last().map_or(0, |round| round.visited.outside.len());
+    let why = match after {
+        AfterRound::Outside(Some(why)) => format!(", and no wider one can be made: {why}"),
+        _ => String::new(),
+    };
+    format!("{tips} tips were outside of the last of {} tables{why}", growing.rounds().len())
+}
+
 /// What their pull-offs have in common: the law of the tips, which is computed once where the key of the tips does not vary.
 pub struct Setae {
     tip: PeelModel,
     accuracy: Accuracy,
     curve: OnceLock<Result<PullCurve, String>>,
+    table: OnceLock<Result<Arc<TipTable>, String>>,
+    /// What its table is made of
+    of: Option<SetaTable>,
 }
 
 impl Setae {
     /// Those like the one of this scene.
     pub fn like(scene: &Scene) -> Self {
-        Self { tip: scene.tip_model(), accuracy: scene.accuracy, curve: OnceLock::new() }
+        Self {
+            tip: scene.tip_model(),
+            accuracy: scene.accuracy,
+            curve: OnceLock::new(),
+            table: OnceLock::new(),
+            of: scene.seta.clone(),
+        }
     }
 
     /// The pull-off of the seta of a scene, or why there is none. Called from any thread.
     pub fn pull_off(&self, scene: &Scene, stop: &StopCriteria) -> Result<SetaResult, String> {
         let Some(table) = &scene.seta else { return Err("the scene has no [seta]".to_owned()) };
-        let model = self.model(scene, table)?;
         let (loading, options) = (scene.seta_loading(table), options(scene));
-        let found = study::pull_off(&model, &loading, &options, stop).and_then(|pull_off| {
+        let (model, pull_off) = match table.tip_law {
+            SetaTipLaw::Curve => {
+                let model = self.model(scene, table)?;
+                let pull_off = study::pull_off(&model, &loading, &options, stop);
+                (model, pull_off)
+            }
+            SetaTipLaw::Table => {
+                let mut growing = GrowingTable::of(&scene.tip_model(), self.table(scene, table)?);
+                let of = |law: Arc<dyn TipLaw>| model(scene, table, law);
+                let pulled = pull_off_by_table(&mut growing, (&of, table.sideways()), (&loading, &options), stop);
+                let pull_off = match pulled {
+                    Ok((_, after @ AfterRound::Outside(_))) => return Err(outside(&after, &growing)),
+                    other => other.map(|(found, _)| found),
+                };
+                (of(Arc::new(growing.law(table.sideways()))), pull_off)
+            }
+        };
+        let found = pull_off.and_then(|pull_off| {
             let peak = study::converged_peak(&model, &loading, &options, &pull_off, scene.accuracy.relative, stop)?;
             Ok(SetaResult::new(&pull_off, peak.as_ref()))
         });
         found.map_err(|error| error.to_string())
     }
 
-    /// The seta of a scene.
+    /// The seta of a scene, whose tips follow the curve.
     pub fn model(&self, scene: &Scene, table: &SetaTable) -> Result<SetaModel, String> {
-        Ok(model(scene, table, self.curve(scene)?))
+        Ok(model(scene, table, table.law(self.curve(scene)?)))
+    }
+
+    fn table(&self, scene: &Scene, table: &SetaTable) -> Result<Arc<TipTable>, String> {
+        let of = || first_table(scene, table).map_err(|error| format!("{}. {}", error.found, error.remedy));
+        let is_same = |own: &SetaTable| own.tip_table == table.tip_table && own.tip_tolerance == table.tip_tolerance;
+        if scene.tip_model() == self.tip && self.of.as_ref().is_some_and(is_same) {
+            self.table.get_or_init(of).clone()
+        } else {
+            of()
+        }
     }
 
     fn curve(&self, scene: &Scene) -> Result<PullCurve, String> {

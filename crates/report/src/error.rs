@@ -59,6 +59,18 @@ pub enum ReportError {
         /// What is wrong with it.
         reason: String,
     },
+    /// The folder holds the law of another tip.
+    #[error("{path} is the law of another tip: {key} is {found} there, and {wanted} in the scene")]
+    OtherTipLaw {
+        /// The file.
+        path: PathBuf,
+        /// What differs.
+        key: String,
+        /// What it is there.
+        found: String,
+        /// What the scene asks for.
+        wanted: String,
+    },
     /// What an earlier run has left cannot be read.
     #[error("cannot read {path}: {source}")]
     Read {
@@ -88,6 +100,7 @@ impl ReportError {
         | Self::OtherRun { path }
         | Self::NoPart { path, .. }
         | Self::NoTipLaw { path, .. }
+        | Self::OtherTipLaw { path, .. }
         | Self::Read { path, .. }
         | Self::Draw { path, .. }) = &mut self;
         *path = other(path);

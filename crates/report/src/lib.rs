@@ -67,4 +67,4 @@ pub use tables::{
     write_uncertainty,
 };
 pub use timing::timed;
-pub use tip_law::read_tip_law;
+pub use tip_law::{read_tip_law, read_tip_law_of};

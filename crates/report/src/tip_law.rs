@@ -1,11 +1,12 @@
 //! The law of a tip, read back from the folder that `peel coarsen` has written.
 
 use crate::error::ReportError;
-use crate::summary::pad_end_word;
+use crate::summary::{Parameters, pad_end_word};
 use crate::tables::sheet_word;
 use peelkit::study::coarsening::{
     CoarseningOptions, PadEnd, Sheet, SheetErrors, SheetNode, SheetTable, TipRange, TipScales, TipSheet, TipTable,
 };
+use peelkit_scene::{Scene, body_of};
 use serde::Deserialize;
 use serde_json::Value;
 use std::path::Path;
@@ -48,6 +49,43 @@ pub fn read_tip_law(dir: &Path) -> Result<TipTable, ReportError> {
     };
     let summary_is = Summary { value: &value, none: &|key| none(&summary, format!("lacks the number {key}")) };
     summary_is.table(sheet(TipSheet::Attached)?, sheet(TipSheet::Detached)?)
+}
+
+/// The same for the tips of a seta: what the folder says of its spatula has to be what the scene says of its tips.
+///
+/// Fails as [`read_tip_law`], and with [`ReportError::OtherTipLaw`] where body, adhesion or pad are others, or the error of the table is above
+/// `seta.tip_tolerance`.
+pub fn read_tip_law_of(dir: &Path, scene: &Scene, tolerance: f64) -> Result<TipTable, ReportError> {
+    let table = read_tip_law(dir)?;
+    let path = dir.join("summary.json");
+    let none = |reason: String| ReportError::NoTipLaw { path: path.clone(), reason };
+    let text = std::fs::read(&path).map_err(|error| none(error.to_string()))?;
+    let written: Value = serde_json::from_slice(&text).map_err(|error| none(error.to_string()))?;
+    let wanted = serde_json::to_value(Parameters(scene.clone())).map_err(|error| none(error.to_string()))?;
+    let other = |key: String, found: String, wanted: String| {
+        Err(ReportError::OtherTipLaw { path: path.clone(), key, found, wanted })
+    };
+    for name in [body_of(scene), "adhesion"] {
+        let Some(keys) = wanted[name].as_object() else { continue };
+        for (key, value) in keys {
+            let found = &written["parameters"][name][key];
+            if found != value {
+                return other(format!("{name}.{key}"), found.to_string(), value.to_string());
+            }
+        }
+    }
+    if table.options.pad_end != PadEnd::Sliding {
+        return other(
+            "pad_end".to_owned(),
+            pad_end_word(PadEnd::Held).to_owned(),
+            pad_end_word(PadEnd::Sliding).to_owned(),
+        );
+    }
+    let error = table.relative_error();
+    if error > tolerance {
+        return other("the error of the table".to_owned(), format!("{error:.1e}"), format!("at most {tolerance:.1e}"));
+    }
+    Ok(table)
 }
 
 /// The grid of the rows of a branch: by v, then θ, then s.

@@ -11,6 +11,7 @@ use super::scene::Scene;
 use super::seta;
 use super::shape;
 use super::space;
+use super::tips;
 use super::uncertainty;
 use super::value::Value;
 use super::value::quantity::Dimension::{
@@ -19,11 +20,15 @@ use super::value::quantity::Dimension::{
 use Need::{Optional, Required};
 use peelkit::adhesion::Substrate;
 use peelkit::model::{Discretisation, MOST_FORKS, Range};
+use peelkit::study::coarsening::CoarseningOptions;
 use peelkit::study::{Accuracy, Choice};
 
 const fn key(table: &'static str, name: &'static str, need: Need, kind: Kind, about: &'static str) -> Key {
     Key { table, name, need, kind, about }
 }
+
+/// What the tolerance of a table of tips may be.
+const TIP_TOLERANCES: Range = Range::From(CoarseningOptions::TOLERANCES[0], CoarseningOptions::TOLERANCES[1]);
 
 /// Every key that a scene may hold, in the order in which a scene is written.
 #[rustfmt::skip]
@@ -77,6 +82,9 @@ pub static KEYS: &[Key] = &[
     key("seta", "lateral_stiffness", Optional, Kind::Bound(Stiffness, |s| &mut seta::of(s).lateral_stiffness), "stiffness that holds tips; none: they slide"),
     key("seta", "contact_height", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut seta::of(s).contact_height), "height at which a detached tip adheres again"),
     key("seta", "preload", Optional, Kind::Bound(Force, |s| &mut seta::of(s).preload), "presses the seta on first; none: it adheres"),
+    key("seta", "tip_law", Optional, Kind::Setting(&tips::TIP_LAW), "what tips follow: the curve of their pull, or their table"),
+    key("seta", "tip_table", Optional, Kind::Setting(&tips::TIP_TABLE), "folder of peel coarsen with it; none: it is computed"),
+    key("seta", "tip_tolerance", Optional, Kind::Number(TIP_TOLERANCES, |s| &mut seta::of(s).tip_tolerance), "error that it may have, relative to the largest force"),
     key("seta", "youngs_modulus", Optional, Kind::Quantity(Pressure, |s| &mut seta::of(s).seta.material.youngs_modulus), "Young's modulus E of all branches"),
     key("seta", "poissons_ratio", Optional, Kind::Number(Range::POISSONS_RATIO, |s| &mut seta::of(s).seta.material.poissons_ratio), "Poisson's ratio"),
     key("seta", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut seta::of(s).seta.material.shear_correction), "shear correction factor of the section"),

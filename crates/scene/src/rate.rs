@@ -4,6 +4,7 @@ use super::error::{Origin, SceneError, ValueError};
 use super::key::Setting;
 use super::scene::Scene;
 use super::seta::SetaTable;
+use super::tips::SetaTipLaw;
 use super::value::{Fault, Value, quoted};
 use peelkit::beam::Viscosity;
 use peelkit::model::MovingMaterial;
@@ -230,11 +231,12 @@ fn not_covered_of_seta(scene: &Scene, table: &TimeTable, seta: &SetaTable) -> Op
         (table.density > 0.0, "density", "is above zero, and the mass of a seta"),
         (seta.preload.is_some(), "rate", "is given, and the `seta.preload` of the scene"),
         (!scene.model.steps.is_empty(), "rate", "is given, and what the `drive.steps` of the scene do"),
+        (seta.tip_law == SetaTipLaw::Table, "rate", "is given, and a seta whose tips follow a table"),
     ];
     let (_, key, what) = not_covered.into_iter().find(|(is_there, ..)| *is_there)?;
     let problem = ValueError::new(
         format!("{what} is not followed in time"),
-        "Remove [time] to follow the equilibria, or give density = \"0 kg/m3\" and a seta whose tips adhere at the start, without preload and steps.",
+        "Remove [time] to follow the equilibria, or give density = \"0 kg/m3\" and a seta whose tips adhere at the start and follow their curve, without preload and steps.",
     );
     Some((format!("{TABLE}.{key}"), problem))
 }

@@ -4,6 +4,7 @@ use super::bodies::set_body;
 use super::error::{Origin, SceneError, ValueError};
 use super::key::Key;
 use super::scene::Scene;
+use super::tips::{self, SetaTipLaw};
 use peelkit::model::{
     Grip, Hold, ModelError, ModelErrorKind, Moved, NormalPull, PeelModel, PullCurve, Seta, SetaError, Sideways, Space,
     Step, TipLaw,
@@ -43,6 +44,9 @@ const OTHERS: [(&str, &[&str]); 10] = [
     ),
 ];
 
+/// The error that a table of tips may have where the scene does not say it.
+const TIP_TOLERANCE: f64 = 1e-3;
+
 /// A seta as a scene gives it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SetaTable {
@@ -54,24 +58,44 @@ pub struct SetaTable {
     pub contact_height: f64,
     /// Force with which the seta is pressed on before all steps, nN; none: every tip adheres at the start
     pub preload: Option<f64>,
+    /// What its tips follow
+    pub tip_law: SetaTipLaw,
+    /// Folder of `peel coarsen` with their table, as the scene names it; none: the table is computed
+    pub tip_table: Option<String>,
+    /// Error that the table may have, over the largest force and the largest moment
+    pub tip_tolerance: f64,
 }
 
 /// How high a seta that is pressed on starts above the height at which its highest tip would adhere, nm.
 const CLEARANCE: f64 = 1.0;
+/// The same of tips that follow their table, whose attraction says itself where they adhere.
+const OUT_OF_REACH: f64 = 100.0;
 
 impl Default for SetaTable {
     /// The default seta; its angle is that of the text "60 deg", to the last bit.
     fn default() -> Self {
         let seta = Seta { shaft_angle: 60.0 * 1f64.to_radians(), ..Seta::default() };
-        Self { seta, lateral_stiffness: None, contact_height: 0.0, preload: None }
+        Self {
+            seta,
+            lateral_stiffness: None,
+            contact_height: 0.0,
+            preload: None,
+            tip_law: SetaTipLaw::default(),
+            tip_table: None,
+            tip_tolerance: TIP_TOLERANCE,
+        }
     }
 }
 
 impl SetaTable {
     /// The law of its tips, of which each follows this curve.
     pub fn law(&self, curve: PullCurve) -> Arc<dyn TipLaw> {
-        let sideways = self.lateral_stiffness.map_or(Sideways::Free, Sideways::Held);
-        Arc::new(NormalPull { curve, sideways, contact_height: self.contact_height })
+        Arc::new(NormalPull { curve, sideways: self.sideways(), contact_height: self.contact_height })
+    }
+
+    /// What holds its tips along the ground.
+    pub fn sideways(&self) -> Sideways {
+        self.lateral_stiffness.map_or(Sideways::Free, Sideways::Held)
     }
 
     /// From its tips to its root, upright, nm: how far the root is moved at most.
@@ -81,9 +105,13 @@ impl SetaTable {
 
     /// How it starts: adhering, or above the ground where it is pressed on first.
     fn start(&self) -> SetaStart {
+        let clearance = match self.tip_law {
+            SetaTipLaw::Curve => CLEARANCE,
+            SetaTipLaw::Table => OUT_OF_REACH,
+        };
         match self.preload {
             None => SetaStart::Adhering,
-            Some(_) => SetaStart::Above(2.0 * self.seta.height_scatter + self.contact_height + CLEARANCE),
+            Some(_) => SetaStart::Above(2.0 * self.seta.height_scatter + self.contact_height + clearance),
         }
     }
 }
@@ -187,7 +215,8 @@ fn moves_the_root(step: Step) -> bool {
 
 /// What of the seta of a scene is wrong: by the key of the scene.
 pub(super) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
-    let SetaTable { seta, .. } = scene.seta.as_ref()?;
+    let table = scene.seta.as_ref()?;
+    let seta = &table.seta;
     if let Err(error) = seta.check() {
         let key = match &error {
             SetaError::OutOfRange { key, .. } => key,
@@ -196,6 +225,9 @@ pub(super) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
         };
         let remedy = "The keys of [seta] with their ranges are listed by `peel keys seta`.";
         return Some((format!("{TABLE}.{key}"), ValueError::new(format!("cannot be computed: {error}"), remedy)));
+    }
+    if let Some((key, problem)) = tips::problem(table) {
+        return Some((format!("{TABLE}.{key}"), problem));
     }
     let of_step = |(index, &step): (usize, &Step)| match step.check() {
         Err(wrong) => {

@@ -27,9 +27,14 @@ impl AdheringTip {
         self.law.branch(self.on, self.offset(place), directors)
     }
 
-    /// Takes note that it is in equilibrium with its end at a place, nm.
-    pub fn note(&self, place: [f64; 3], directors: Quaternion) {
-        self.law.note(self.on, self.offset(place), directors);
+    /// Whether it goes on adhering, or begins to, with its end at a place, nm.
+    pub fn adheres(&self, place: [f64; 3], directors: Quaternion) -> bool {
+        self.law.adheres(self.on, self.offset(place), directors)
+    }
+
+    /// Takes note that it, the tip of this number, is in equilibrium with its end at a place, nm.
+    pub fn note(&self, tip: usize, place: [f64; 3], directors: Quaternion) {
+        self.law.note(tip, self.on, self.offset(place), directors);
     }
 }
 

@@ -37,8 +37,13 @@ pub trait TipLaw: Send + Sync + Debug {
     /// The branch on which a tip is that has been on `before`: at the end of that it leaves it.
     fn branch(&self, before: TipBranch, place: [f64; 3], directors: Quaternion) -> TipBranch;
 
-    /// Takes note that a tip is in equilibrium there.
-    fn note(&self, _on: TipBranch, _place: [f64; 3], _directors: Quaternion) {}
+    /// Whether a tip that has been on `before` adheres there: what [`TipLaw::branch`] says of that.
+    fn adheres(&self, before: TipBranch, place: [f64; 3], directors: Quaternion) -> bool {
+        self.branch(before, place, directors).adheres()
+    }
+
+    /// Takes note that the tip of this number is in equilibrium there.
+    fn note(&self, _tip: usize, _on: TipBranch, _place: [f64; 3], _directors: Quaternion) {}
 
     /// The law of a tip that has these directors in the stress-free configuration of the seta; none where rotations are of no account.
     fn oriented(&self, _rest: Quaternion) -> Option<Arc<dyn TipLaw>> {

@@ -32,7 +32,7 @@ pub use options::{CoarseningOptions, OptionsError, TipRange};
 pub use place::{PadEnd, TipPlace, TipResponse};
 pub use refine::{SheetErrors, TipScales};
 pub use run::{Coarsening, coarsen};
-pub use seta_by_table::{ByTableError, PullOffByTable, TableRound, pull_off_by_table};
+pub use seta_by_table::{AfterRound, GrowingTable, TableRound, pull_off_by_table};
 pub use seta_tip::TableLaw;
 pub use sheet::{Sheet, SheetLimit};
 pub use sheet_table::{SheetNode, SheetTable};

@@ -9,7 +9,6 @@ use super::place::{PadEnd, TipPlace, TipResponse};
 use super::refine::{Grid, Refined, refined};
 use super::refused::refuse;
 use super::table::TipTable;
-use super::visited::Visited;
 use crate::beam::FRONT;
 use crate::model::PeelModel;
 use crate::solve::Workspace;
@@ -159,14 +158,6 @@ impl Coarsening {
             self.attached = Columns::new(BranchStart::Attached { spatula, rest, press });
             self.options.range.press = press;
         }
-    }
-
-    /// Makes the next table so wide that it holds where tips have been.
-    pub(super) fn grow_to(&mut self, visited: &Visited) {
-        for (lateral, rotation) in visited.lateral.into_iter().zip(visited.rotation) {
-            self.widen(TipPlace { normal: 0.0, lateral, rotation: ROOM * rotation });
-        }
-        self.press_farther(visited.pressed);
     }
 
     /// Asks another tolerance of the next table.

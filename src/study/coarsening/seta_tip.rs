@@ -22,7 +22,7 @@ pub struct TableLaw {
     pub tip: SpatulaTip,
     /// What holds it along the ground beside the table
     pub sideways: Sideways,
-    /// Where tips with this law, in any orientation, have been in equilibrium
+    /// Where outside of the table tips with this law, in any orientation, have been in equilibrium
     visits: Arc<Visits>,
 }
 
@@ -37,7 +37,12 @@ impl TableLaw {
         }
     }
 
-    /// Where in the table its tips have been in equilibrium so far.
+    /// The same where it is known where outside of the table tips have been.
+    pub fn with_visited(self, visited: Visited) -> Self {
+        Self { visits: Arc::new(Visits::new(visited)), ..self }
+    }
+
+    /// Where outside of the table its tips have been in equilibrium so far.
     pub fn visited(&self) -> Visited {
         self.visits.get()
     }
@@ -66,6 +71,10 @@ impl TipLaw for TableLaw {
         out
     }
 
+    fn adheres(&self, before: TipBranch, place: [f64; 3], directors: Quaternion) -> bool {
+        self.tip.branch(sheet(before), place, directors) == TipSheet::Attached
+    }
+
     fn branch(&self, before: TipBranch, place: [f64; 3], directors: Quaternion) -> TipBranch {
         let at = self.tip.in_plane(place, directors);
         match self.tip.table.branch(sheet(before), at) {
@@ -77,8 +86,8 @@ impl TipLaw for TableLaw {
         }
     }
 
-    fn note(&self, on: TipBranch, place: [f64; 3], directors: Quaternion) {
-        self.visits.note(&self.tip.table, sheet(on), self.tip.in_plane(place, directors));
+    fn note(&self, tip: usize, on: TipBranch, place: [f64; 3], directors: Quaternion) {
+        self.visits.note(&self.tip.table, tip, sheet(on), self.tip.in_plane(place, directors));
     }
 
     fn oriented(&self, rest: Quaternion) -> Option<Arc<dyn TipLaw>> {

@@ -16,7 +16,7 @@ use super::before::{decaying, straight};
 use super::jet::Jet;
 use super::place::{TipPlace, TipResponse};
 use super::sheet_table::{SheetNode, SheetTable};
-use super::spline::{Basis, SUPPORT, SplineAxis};
+use super::spline::{Basis, PiecePolynomial, SUPPORT, SplineAxis};
 
 /// Where a branch ends, at one v and θ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +39,8 @@ pub struct Sheet {
     energy: Vec<f64>,
     /// Coefficients of the forces at the limit point, by v, then θ.
     limit_forces: [Vec<f64>; 3],
+    /// Whether u grows along it
+    rises: bool,
     /// κ, nm, and the mean force at the limit, nN.
     beyond: [f64; 2],
 }
@@ -70,7 +72,8 @@ impl Sheet {
             let numbers = nodes.chunks_exact(last + 1).map(|column| column[last].force[i]).collect();
             tensor_coefficients(&axes[1], &axes[2], numbers)
         });
-        let mut sheet = Self { axes, displacement, energy, limit_forces, beyond: [0.0; 2], table };
+        let rises = nodes[last].normal > nodes[0].normal;
+        let mut sheet = Self { axes, displacement, energy, limit_forces, rises, beyond: [0.0; 2], table };
         sheet.beyond = sheet.continuation();
         Some(sheet)
     }
@@ -123,8 +126,9 @@ impl Sheet {
 
     /// Whether u is beyond the limit point in which the branch ends.
     pub fn is_beyond(&self, place: TipPlace) -> bool {
-        let [begin, end] = self.ends(place);
-        (place.normal - end) * (end - begin) > 0.0
+        let weights = self.weights(&place);
+        let end = weights.of(&self.displacement, self.axes[0].len() - 1);
+        if self.rises { place.normal > end } else { place.normal < end }
     }
 
     /// The same with v and θ put within their ranges.
@@ -179,24 +183,26 @@ impl Sheet {
         weights
     }
 
+    /// U at v and θ, on the piece of s.
+    fn along(&self, s: f64, weights: &Weights) -> PiecePolynomial {
+        let piece = self.axes[0].piece(s);
+        piece.polynomial(&std::array::from_fn(|k| weights.of(&self.displacement, piece.first + k)))
+    }
+
     /// S(u, v, θ): by Newton's method in a bracket.
     fn path_at(&self, normal: f64, ends: [f64; 2], weights: &Weights) -> f64 {
-        let at = |s: f64| {
-            let basis = self.axes[0].basis(s);
-            let (mut value, mut slope) = (-normal, 0.0);
-            for k in 0..basis.count {
-                let coefficient = weights.of(&self.displacement, basis.first + k);
-                value += basis.derivatives[0][k] * coefficient;
-                slope += basis.derivatives[1][k] * coefficient;
-            }
-            let [more, steeper, _] = self.added(s);
-            (value + more, slope + steeper)
-        };
         let rising = ends[1] > ends[0];
         let (mut low, mut high) = (0.0, LAST);
         let mut s = self.first_guess((normal - ends[0]) / (ends[1] - ends[0]));
+        let mut along = self.along(s, weights);
         for _ in 0..MOST_STEPS {
-            let (miss, slope) = at(s);
+            if !along.holds(s) {
+                along = self.along(s, weights);
+            }
+            // beyond the limit as in `response_at`
+            let (value, slope) = along.at(s);
+            let [more, steeper, _] = self.added(s);
+            let (miss, slope) = (value + more - normal, slope + steeper);
             if (miss > 0.0) == rising {
                 high = s
             } else {

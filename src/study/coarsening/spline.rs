@@ -16,8 +16,22 @@ pub(super) const SUPPORT: usize = DEGREE + 1;
 pub(super) struct SplineAxis {
     degree: usize,
     knots: Vec<f64>,
+    /// Between knots that differ, ascending
+    pieces: Vec<SplinePiece>,
     /// From the numbers at the nodes to coefficients.
     inverse: DMatrix<f64>,
+}
+
+/// The B-splines that are not zero between two knots, as polynomials of (place - middle)/length.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SplinePiece {
+    /// The first of them
+    pub first: usize,
+    ends: [f64; 2],
+    middle: f64,
+    per_length: f64,
+    /// By power, then B-spline
+    powers: [[f64; SUPPORT]; SUPPORT],
 }
 
 /// The B-splines at a place: the first that is not zero, and of each value, first and second derivative.
@@ -26,6 +40,76 @@ pub(super) struct Basis {
     pub first: usize,
     pub count: usize,
     pub derivatives: [[f64; SUPPORT]; 3],
+}
+
+/// A spline on a piece; beyond that, its expansion of second order at the end.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PiecePolynomial {
+    ends: [f64; 2],
+    middle: f64,
+    per_length: f64,
+    powers: [f64; SUPPORT],
+}
+
+impl PiecePolynomial {
+    /// Whether a place is on the piece.
+    pub fn holds(&self, place: f64) -> bool {
+        (self.ends[0]..=self.ends[1]).contains(&place)
+    }
+
+    /// Value and slope.
+    pub fn at(&self, place: f64) -> (f64, f64) {
+        let inside = place.clamp(self.ends[0], self.ends[1]);
+        let (t, away) = ((inside - self.middle) * self.per_length, (place - inside) * self.per_length);
+        let [mut value, mut slope, mut half_bend] = [0.0; 3];
+        for power in self.powers.iter().rev() {
+            half_bend = half_bend * t + slope;
+            slope = slope * t + value;
+            value = value * t + power;
+        }
+        (value + away * (slope + away * half_bend), (slope + 2.0 * away * half_bend) * self.per_length)
+    }
+}
+
+impl SplinePiece {
+    /// Of B-splines on knots of which the piece is the one behind the knot of this index.
+    fn new(knots: &[f64], degree: usize, index: usize) -> Self {
+        let ends = [knots[index], knots[index + 1]];
+        let (middle, length) = (0.5 * (ends[0] + ends[1]), ends[1] - ends[0]);
+        let mut powers = [[0.0; SUPPORT]; SUPPORT];
+        let mut scale = 1.0;
+        for (order, power) in powers.iter_mut().enumerate().take(degree + 1) {
+            *power = derivatives(knots, degree, index, middle, order).map(|derivative| scale * derivative);
+            scale *= length / (order + 1) as f64;
+        }
+        let per_length = if length > 0.0 { 1.0 / length } else { 0.0 };
+        Self { first: index - degree, ends, middle, per_length, powers }
+    }
+
+    /// The B-splines at a place between its ends.
+    fn basis(&self, place: f64, degree: usize) -> Basis {
+        let t = (place - self.middle) * self.per_length;
+        let [mut values, mut slopes, mut bends] = [[0.0; SUPPORT]; 3];
+        for power in self.powers[..=degree].iter().rev() {
+            for i in 0..SUPPORT {
+                bends[i] = bends[i] * t + slopes[i];
+                slopes[i] = slopes[i] * t + values[i];
+                values[i] = values[i] * t + power[i];
+            }
+        }
+        for i in 0..SUPPORT {
+            slopes[i] *= self.per_length;
+            bends[i] *= 2.0 * self.per_length * self.per_length;
+        }
+        Basis { first: self.first, count: degree + 1, derivatives: [values, slopes, bends] }
+    }
+
+    /// The spline with these coefficients of the B-splines that are not zero here.
+    pub fn polynomial(&self, coefficients: &[f64; SUPPORT]) -> PiecePolynomial {
+        let power = |own: &[f64; SUPPORT]| own.iter().zip(coefficients).map(|(a, b)| a * b).sum();
+        let Self { ends, middle, per_length, .. } = *self;
+        PiecePolynomial { ends, middle, per_length, powers: std::array::from_fn(|k| power(&self.powers[k])) }
+    }
 }
 
 impl SplineAxis {
@@ -50,9 +134,13 @@ impl SplineAxis {
             return None;
         }
         let ends = |place: f64| std::iter::repeat_n(place, degree + 1);
-        let knots = ends(nodes[0]).chain(inner).chain(ends(nodes[nodes.len() - 1])).collect();
+        let knots: Vec<f64> = ends(nodes[0]).chain(inner).chain(ends(nodes[nodes.len() - 1])).collect();
         let count = derivatives * nodes.len();
-        let mut axis = Self { degree, knots, inverse: DMatrix::identity(count, count) };
+        // one node is a constant, which no knots hold between them
+        let own = |index: &usize| nodes.len() == 1 || knots[*index] < knots[*index + 1];
+        let pieces = (degree..=knots.len() - degree - 2).filter(own).map(|k| SplinePiece::new(&knots, degree, k));
+        let pieces = pieces.collect();
+        let mut axis = Self { degree, knots, pieces, inverse: DMatrix::identity(count, count) };
         let mut matrix = DMatrix::zeros(count, count);
         for (k, &node) in nodes.iter().enumerate() {
             let basis = axis.basis(node);
@@ -76,11 +164,17 @@ impl SplineAxis {
         (&self.inverse * nalgebra::DVector::from_column_slice(numbers)).as_slice().to_vec()
     }
 
+    /// The piece that a place is on; the outermost one beyond the ends.
+    pub fn piece(&self, place: f64) -> &SplinePiece {
+        let behind = self.pieces.partition_point(|piece| piece.ends[0] <= place);
+        &self.pieces[behind.saturating_sub(1)]
+    }
+
     /// The B-splines at a place; beyond the ends, their expansions of second order there.
     pub fn basis(&self, place: f64) -> Basis {
         let inside = place.clamp(self.knots[0], self.knots[self.knots.len() - 1]);
         let away = place - inside;
-        let mut basis = self.basis_within(inside);
+        let mut basis = self.piece(inside).basis(inside, self.degree);
         if away != 0.0 {
             let [values, slopes, bends] = &mut basis.derivatives;
             for i in 0..SUPPORT {
@@ -90,44 +184,31 @@ impl SplineAxis {
         }
         basis
     }
+}
 
-    /// The B-splines at a place between the ends.
-    fn basis_within(&self, place: f64) -> Basis {
-        let (degree, knots) = (self.degree, &self.knots);
-        let last = knots.len() - degree - 2;
-        let piece = (knots.partition_point(|&knot| knot <= place).saturating_sub(1)).clamp(degree, last);
-        // values of the degrees up to this one: those of degree q stand from piece - q on
-        let mut values = [[0.0; SUPPORT]; SUPPORT];
-        values[0][0] = 1.0;
-        for q in 1..=degree {
-            for i in 0..=q {
-                let first = piece + i - q;
-                let rising = if i > 0 { (place - knots[first]) / (knots[first + q] - knots[first]) } else { 0.0 };
-                let falling = if i < q {
-                    (knots[first + q + 1] - place) / (knots[first + q + 1] - knots[first + 1])
-                } else {
-                    0.0
-                };
-                values[q][i] = if i > 0 { rising * values[q - 1][i - 1] } else { 0.0 }
-                    + if i < q { falling * values[q - 1][i] } else { 0.0 };
+/// The derivative of an order of the B-splines of a degree at a place behind the knot of an index.
+fn derivatives(knots: &[f64], degree: usize, index: usize, place: f64, order: usize) -> [f64; SUPPORT] {
+    // those of degree q stand from index - q on; the last degrees are those that are differentiated
+    let mut values = [0.0; SUPPORT];
+    values[0] = 1.0;
+    let is_derived = |q: usize| q + order > degree;
+    for q in 1..=degree {
+        let mut next = [0.0; SUPPORT];
+        for i in 0..=q {
+            let first = index + i - q;
+            if i > 0 {
+                let rising = if is_derived(q) { q as f64 } else { place - knots[first] };
+                next[i] += rising / (knots[first + q] - knots[first]) * values[i - 1];
+            }
+            if i < q {
+                let last = knots[first + q + 1];
+                let falling = if is_derived(q) { -(q as f64) } else { last - place };
+                next[i] += falling / (last - knots[first + 1]) * values[i];
             }
         }
-        let differentiated = |lower: &[f64; SUPPORT], q: usize| {
-            let mut slopes = [0.0; SUPPORT];
-            for i in 0..=q {
-                let first = piece + i - q;
-                let before = if i > 0 { lower[i - 1] / (knots[first + q] - knots[first]) } else { 0.0 };
-                let behind = if i < q { lower[i] / (knots[first + q + 1] - knots[first + 1]) } else { 0.0 };
-                slopes[i] = q as f64 * (before - behind);
-            }
-            slopes
-        };
-        let zero = [0.0; SUPPORT];
-        let first = if degree > 0 { differentiated(&values[degree - 1], degree) } else { zero };
-        let second =
-            if degree > 1 { differentiated(&differentiated(&values[degree - 2], degree - 1), degree) } else { zero };
-        Basis { first: piece - degree, count: degree + 1, derivatives: [values[degree], first, second] }
+        values = next;
     }
+    values
 }
 
 #[cfg(test)]

@@ -43,6 +43,16 @@ impl TipTable {
         [self.attached_errors, self.detached_errors].iter().all(|errors| errors.relative <= self.options.tolerance)
     }
 
+    /// The larger of the relative errors of the branches.
+    pub fn relative_error(&self) -> f64 {
+        self.attached_errors.relative.max(self.detached_errors.relative)
+    }
+
+    /// Nodes of both branches: the rows of the table.
+    pub fn rows(&self) -> usize {
+        self.attached.table().nodes.len() + self.detached.table().nodes.len()
+    }
+
     /// A branch.
     pub fn sheet(&self, on: TipSheet) -> &Sheet {
         match on {

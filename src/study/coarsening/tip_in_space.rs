@@ -57,8 +57,11 @@ impl SpatulaTip {
 
     /// Where its end is in its plane: `place` from where it is in the stress-free configuration, nm.
     pub fn in_plane(&self, place: [f64; 3], directors: Quaternion) -> TipPlace {
-        let rotation = self.angle(directors).value;
-        TipPlace { normal: dot(place, UP), lateral: dot(place, self.axis()), rotation }
+        let axis = self.axis();
+        let [now, rest] = [directors, self.directors].map(matrix);
+        let along = apply_transposed(&rest, &axis);
+        let [cos, sin] = [axis, UP].map(|p| dot(apply_transposed(&now, &p), along));
+        TipPlace { normal: dot(place, UP), lateral: dot(place, axis), rotation: sin.atan2(cos) }
     }
 
     /// p·Q d.
@@ -114,12 +117,12 @@ impl SpatulaTip {
         let mut out = EndResponse { energy: table.energy, ..EndResponse::default() };
         for i in 0..3 {
             add(&mut out, &measures[i], table.force[i], 0.0);
-            for j in 0..3 {
-                product(&mut out, &measures[i], &measures[j], table.stiffness[i][j]);
-            }
+            let stiffness = &table.stiffness[i];
+            let gradient = |k: usize| (0..3).map(|j| stiffness[j] * measures[j].gradient[k]).sum();
+            product(&mut out, &measures[i].gradient, &std::array::from_fn(gradient), 1.0);
         }
         let OutOfPlane { displacement, rotation } = self.out_of_plane;
-        if on == TipSheet::Attached {
+        if on == TipSheet::Attached && self.out_of_plane != OutOfPlane::default() {
             let springs = [
                 (along(across), displacement),
                 (self.component(directors, across, axis), rotation),
@@ -127,7 +130,7 @@ impl SpatulaTip {
             ];
             for (measure, stiffness) in springs {
                 add(&mut out, &measure, stiffness * measure.value, 0.5 * stiffness * measure.value * measure.value);
-                product(&mut out, &measure, &measure, stiffness);
+                product(&mut out, &measure.gradient, &measure.gradient, stiffness);
             }
         }
         out
@@ -154,9 +157,9 @@ fn add(out: &mut EndResponse, measure: &Measure, force: f64, energy: f64) {
     }
 }
 
-/// Adds a second derivative by two measures.
-fn product(out: &mut EndResponse, one: &Measure, other: &Measure, stiffness: f64) {
+/// Adds a second derivative by two measures with these gradients.
+fn product(out: &mut EndResponse, one: &[f64; 6], other: &[f64; 6], stiffness: f64) {
     for i in 0..6 {
-        (0..6).for_each(|j| out.hessian[i][j] += stiffness * one.gradient[i] * other.gradient[j]);
+        (0..6).for_each(|j| out.hessian[i][j] += stiffness * one[i] * other[j]);
     }
 }

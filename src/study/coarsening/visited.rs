@@ -1,17 +1,21 @@
-//! Where in a table the tips of a seta have been in equilibrium: what lies outside says how far the table has to grow.
+//! Where outside of a table the tips of a seta have been in equilibrium: it says how far the table has to grow.
 
 use super::branch::TipSheet;
+use super::options::TipRange;
 use super::place::{PadEnd, TipPlace};
 use super::table::TipTable;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
-/// Where in a table tips have been in equilibrium.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// How far a table grows, over what was asked of it.
+const ROOM: f64 = 1.1;
+
+/// Where outside of a table tips have been in equilibrium.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Visited {
-    /// How often a tip was in equilibrium
-    pub tips: usize,
-    /// How often it was outside of the table
-    pub outside: usize,
+    /// The tips that were outside of it, by number
+    pub outside: BTreeSet<usize>,
     /// By how much a tip was pressed farther than where the attached branch begins, at most, nm
     pub pressed: f64,
     /// The smallest and the largest v outside of the table, nm; zeros where the pad slides
@@ -20,19 +24,35 @@ pub struct Visited {
     pub rotation: [f64; 2],
 }
 
+impl Visited {
+    /// A range that holds what another one does and, with some room, where tips have been.
+    pub fn widened(&self, range: &TipRange) -> TipRange {
+        let wider = |[from, to]: [f64; 2], [low, high]: [f64; 2]| [from.min(ROOM * low), to.max(ROOM * high)];
+        TipRange {
+            press: range.press + ROOM * self.pressed,
+            lateral: wider(range.lateral, self.lateral),
+            rotation: wider(range.rotation, self.rotation),
+        }
+    }
+}
+
 /// The same while a seta is pulled off.
 #[derive(Debug, Default)]
 pub(super) struct Visits(Mutex<Visited>);
 
 impl Visits {
+    /// What is known already.
+    pub fn new(visited: Visited) -> Self {
+        Self(Mutex::new(visited))
+    }
+
     /// A tip is in equilibrium at a place of a table.
-    pub fn note(&self, table: &TipTable, on: TipSheet, place: TipPlace) {
-        let mut visited = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        visited.tips += 1;
+    pub fn note(&self, table: &TipTable, tip: usize, on: TipSheet, place: TipPlace) {
         if table.contains(on, place) {
             return;
         }
-        visited.outside += 1;
+        let mut visited = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        visited.outside.insert(tip);
         let widened = |[from, to]: [f64; 2], value: f64| [from.min(value), to.max(value)];
         if table.options.pad_end == PadEnd::Held {
             visited.lateral = widened(visited.lateral, place.lateral);
@@ -45,6 +65,6 @@ impl Visits {
 
     /// What was noted so far.
     pub fn get(&self) -> Visited {
-        *self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 }

@@ -218,7 +218,7 @@ fn softest_ahead(standing: &Standing, problem: &Problem, here: &Solution, ahead:
             continue;
         }
         let (place, directors) = standing.place(&at, tip);
-        let h = if own.branch(place, directors).adheres() {
+        let h = if own.adheres(place, directors) {
             standing.softening(&own.response(place, directors), tip, &here.tangent.direction)
         } else {
             f64::NEG_INFINITY

@@ -164,7 +164,7 @@ pub(in crate::study) fn share_of_change(standing: &Standing, from: &State, to: &
     let own = &standing.tips[tip];
     let changes = |share: f64| {
         let place = std::array::from_fn(|i| a[i] + share * (b[i] - a[i]));
-        own.branch(place, directors).adheres() != own.on.adheres()
+        own.adheres(place, directors) != own.on.adheres()
     };
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..HALVINGS {

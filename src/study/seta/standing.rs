@@ -102,9 +102,9 @@ impl Standing {
     /// The tree with its tips as they are.
     pub fn adhering_tree(&self, drive: &RootDrive, watched: Option<JointUnknown>, tangent: TipTangent) -> BeamTree {
         let seta = &self.model.seta;
+        // a tip that does not adhere softens as well where it is drawn down
         let energy = |(tip, own): (usize, &AdheringTip)| {
             let energy: Option<Arc<dyn EndEnergy>> = match tangent {
-                _ if !own.on.adheres() => Some(Arc::new(own.clone())),
                 TipTangent::Own => Some(Arc::new(own.clone())),
                 TipTangent::Convex => Some(Arc::new(ConvexTip(own.clone()))),
             };
@@ -143,7 +143,10 @@ impl Standing {
 
     /// Which tips would change between adhering and being detached in a state.
     pub fn changing(&self, at: &State) -> Vec<usize> {
-        let changes = |&tip: &usize| self.branch(at, tip).adheres() != self.tips[tip].on.adheres();
+        let changes = |&tip: &usize| {
+            let (own, (place, directors)) = (&self.tips[tip], self.place(at, tip));
+            own.adheres(place, directors) != own.on.adheres()
+        };
         (0..self.tips.len()).filter(changes).collect()
     }
 
@@ -168,7 +171,7 @@ impl Standing {
                 self.tips[tip].on = on;
             }
             let (place, directors) = self.place(at, tip);
-            self.tips[tip].note(place, directors);
+            self.tips[tip].note(tip, place, directors);
         }
     }
 

@@ -29,4 +29,6 @@ Files:
   tip_limits.csv      one row for each limit point: where the tip snaps off or on, and the energy released there
   tip_law.svg, .png   normal force against displacement, for several θ and v
 
+The tips of a seta follow the table with seta.tip_law = \"table\"; seta.tip_table names the folder.
+
 Exit status 3: the tolerance was not met; the table is written all the same, with its errors.";

@@ -114,7 +114,7 @@ pub fn coarsen(args: &Coarsen) -> Result<(), Stop> {
     }
     Err(Stop::cut_short(format!(
         "the table is not as accurate as asked: its relative error is {:.1e}, and {:.1e} was asked for",
-        table.attached_errors.relative.max(table.detached_errors.relative),
+        table.relative_error(),
         options.tolerance
     )))
 }

@@ -126,7 +126,7 @@ fn of_seta(
     progress.stage("law of the tips");
     let (tip, tip_s) = timed(|| seta::tip_curve(scene));
     let tip = tip.map_err(Stop::cut_short)?;
-    let model = seta::model(scene, seta, tip.clone());
+    let model = seta::model(scene, seta, seta.law(tip.clone()));
     progress.stage("equilibria");
     let (pull_off, equilibria_s) =
         timed(|| study::pull_off(&model, &scene.seta_loading(seta), &seta::options(scene), stop));

@@ -1,8 +1,9 @@
 //! The summary of the pull-off of a seta.
 
 use super::layout::in_columns;
-use super::units::{Units, WantedUnits};
+use super::units::{Unit, Units, WantedUnits};
 use peelkit::model::{PullCurve, SetaModel};
+use peelkit::study::coarsening::{GrowingTable, TableRound, TipRange};
 use peelkit::study::{ConvergedPeak, SetaMoment, SetaPullOff, SetaState};
 use peelkit_report::{seta_end_reason, seta_end_word, tip_peak};
 use peelkit_scene::Scene;
@@ -11,7 +12,7 @@ use peelkit_scene::Scene;
 pub fn seta(
     scene: &Scene,
     model: &SetaModel,
-    tip: &PullCurve,
+    (tip, table): (&PullCurve, Option<&GrowingTable>),
     (pull_off, converged): (&SetaPullOff, Option<&ConvergedPeak>),
     solve_s: f64,
     wanted: WantedUnits,
@@ -41,6 +42,9 @@ pub fn seta(
     let mut lines = vec![
         ("seta", format!("{tips} tips, {} elements of order {}", model.mesh.total(), model.mesh.order)),
         ("law of a tip", format!("peak {of_tip:.6} nN, snaps off at {:.4} nm", tip.snap_off())),
+    ];
+    lines.extend(table.into_iter().flat_map(|table| of_table(table, force)));
+    lines.extend([
         ("peak force", at(converged.map(|found| found.peak).or_else(|| of(&pull_off.peak)))),
         ("first detachment", at(of(&pull_off.first_detachment))),
         ("last detachment", at(of(&pull_off.last_detachment))),
@@ -52,7 +56,7 @@ pub fn seta(
                 changes().count() - adhered
             ),
         ),
-    ];
+    ]);
     if let Some(peak) = &pull_off.peak {
         lines.push(("error of the mesh", mesh_error(converged, peak, scene.accuracy.relative)));
     }
@@ -86,6 +90,35 @@ fn mesh_error(converged: Option<&ConvergedPeak>, of_curve: &SetaState, wanted: f
     let [share, curve] = [mesh.force, of_curve.point.force_along - peak.force].map(|off| (off / peak.force).abs());
     let more = if share > wanted { ", more than accuracy.relative: a larger accuracy.order has less" } else { "" };
     format!("{share:.0e} of the peak force, of order {order}{more}; {curve:.0e} of that of the curve")
+}
+
+/// The table that the tips follow, and what it came to that they left it.
+fn of_table(growing: &GrowingTable, force: Unit) -> Vec<(&'static str, String)> {
+    let (table, rounds) = (growing.table(), growing.rounds());
+    let TipRange { press, rotation: [from, to], .. } = table.options.range;
+    let mut lines = vec![(
+        "table of the tips",
+        format!(
+            "{} rows, pressed by up to {press:.0} nm, θ from {from:.4} to {to:.4} rad, error below {:.1e} of the largest",
+            table.rows(),
+            table.relative_error()
+        ),
+    )];
+    let outside = |round: &TableRound| round.visited.outside.len();
+    let grown = match (rounds, growing.changed()) {
+        ([only], _) if outside(only) == 0 => "no tip left it".to_owned(),
+        ([first, .., last], Some(change)) => format!(
+            "{} tips left the first table; {} rows added in {} more pull-offs change the peak by {}; {} tips outside of the last one",
+            outside(first),
+            growing.added(),
+            rounds.len() - 1,
+            force.short(change),
+            outside(last)
+        ),
+        _ => format!("{} tips are outside of it, where forces are extrapolated", rounds.last().map_or(0, outside)),
+    };
+    lines.push(("tips outside of it", grown));
+    lines
 }
 
 /// How many equilibria are those of an earlier run.

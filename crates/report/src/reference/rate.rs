@@ -20,6 +20,7 @@ pub const RATE_SUMMARY: &[OutputKey] = &[
     key("events.most_tips_at_once", "changes of tips in the largest event"),
     key("events.unstable", "events that are losses of stability: the tips soften faster than the seta holds them"),
     key("tip", "of a seta: the law of each tip"),
+    key("tip.law", "what the tips follow: `curve`, the normal pull of their spatula"),
     key("tip.peak_force_nN", "largest force of its curve"),
     key("tip.snap_off_displacement_nm", "displacement at which the tip alone snaps off"),
     key("tip.energy_at_rest_aJ", "energy of the adhering tip at rest against a detached one"),

@@ -4,6 +4,7 @@ use super::names::{seta_end_reason, seta_end_word};
 use crate::number::Finite;
 use crate::summary::{Parameters, SCHEMA, VERSION, written};
 use peelkit::model::{CurvePoint, PullCurve, Seta};
+use peelkit::study::coarsening::{GrowingTable, TableRound, TipSheet};
 use peelkit::study::{ConvergedPeak, EventCause, SetaPullOff, SetaState};
 use peelkit_scene::Scene;
 
@@ -31,6 +32,8 @@ pub struct SetaSummary {
     events: Events,
     balance: Balance,
     tip: LawOfTips,
+    /// `None` where the tips follow the curve of their normal pull.
+    tip_table: Option<TipTableUse>,
     path: Effort,
     timing: Timing,
     parameters: Parameters,
@@ -135,11 +138,60 @@ struct Balance {
 /// The law of each tip.
 #[derive(Debug, serde::Serialize)]
 pub struct LawOfTips {
+    law: &'static str,
     #[serde(rename = "peak_force_nN")]
     peak: Finite,
     snap_off_displacement_nm: Finite,
     #[serde(rename = "energy_at_rest_aJ")]
     energy_at_rest: Finite,
+}
+
+/// The table that tips follow, and what it came to that they left it.
+#[derive(Debug, serde::Serialize)]
+struct TipTableUse {
+    rows: usize,
+    press_nm: Finite,
+    rotation_rad: [Finite; 2],
+    relative_error: Finite,
+    #[serde(rename = "normal_force_error_nN")]
+    force_error: Finite,
+    #[serde(rename = "moment_error_nN_nm")]
+    moment_error: Finite,
+    pull_offs: usize,
+    rows_added: usize,
+    /// Of the first pull-off, and of the last
+    tips_outside_first: usize,
+    tips_outside: usize,
+    #[serde(rename = "first_peak_force_nN")]
+    first_peak: Option<Finite>,
+    #[serde(rename = "peak_force_change_nN")]
+    change: Option<Finite>,
+}
+
+impl From<&GrowingTable> for TipTableUse {
+    fn from(growing: &GrowingTable) -> Self {
+        let (table, rounds) = (growing.table(), growing.rounds());
+        let range = table.options.range;
+        let outside = |round: Option<&TableRound>| round.map_or(0, |round| round.visited.outside.len());
+        let error = |i: usize| {
+            let own = |on: TipSheet| table.errors(on).force[i];
+            Finite(own(TipSheet::Attached).max(own(TipSheet::Detached)))
+        };
+        Self {
+            rows: table.rows(),
+            press_nm: Finite(range.press),
+            rotation_rad: range.rotation.map(Finite),
+            relative_error: Finite(table.relative_error()),
+            force_error: error(0),
+            moment_error: error(2),
+            pull_offs: rounds.len(),
+            rows_added: growing.added(),
+            tips_outside_first: outside(rounds.first()),
+            tips_outside: outside(rounds.last()),
+            first_peak: rounds.first().and_then(|round| round.peak_force).map(Finite),
+            change: growing.changed().map(Finite),
+        }
+    }
 }
 
 #[derive(Debug, serde::Serialize)]
@@ -160,6 +212,7 @@ struct Timing {
 impl From<&PullCurve> for LawOfTips {
     fn from(tip: &PullCurve) -> Self {
         Self {
+            law: "curve",
             peak: Finite(tip_peak(tip)),
             snap_off_displacement_nm: Finite(tip.snap_off()),
             energy_at_rest: Finite(tip.energy_at_rest()),
@@ -224,6 +277,7 @@ impl SetaSummary {
                 imbalance: Finite(pull_off.imbalance()),
             },
             tip: LawOfTips::from(tip),
+            tip_table: None,
             path: Effort {
                 points: pull_off.points.len(),
                 newton_iterations: pull_off.effort.newton_iterations,
@@ -232,6 +286,14 @@ impl SetaSummary {
             timing: Timing { tip_s: Finite(tip_s), solve_s: Finite(solve_s), mesh_error_s: Finite(mesh_error_s) },
             parameters: Parameters(scene.clone()),
         }
+    }
+}
+
+impl SetaSummary {
+    /// The same where the tips follow a table.
+    pub fn with_table(self, table: Option<&GrowingTable>) -> Self {
+        let law = if table.is_some() { "table" } else { self.tip.law };
+        Self { tip: LawOfTips { law, ..self.tip }, tip_table: table.map(TipTableUse::from), ..self }
     }
 }
 

@@ -3,11 +3,13 @@
 use super::sampler::Sampler;
 use crate::output::OutArgs;
 use peelkit::model::{SetaError, SetaModel};
+use peelkit::study::coarsening::{TableLaw, TableRound, Visited};
 use peelkit::study::{
     self, Bound, SetaEnd, SetaLoading, SetaOptions, SetaProgress, SetaPullOff, Stage, StopCriteria, StopReason,
 };
 use peelkit_report::{Existing, OutputFolder, PartialRun, PartialSeta, ReportError, SetaCheckpoint};
 use peelkit_scene::Scene;
+use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -18,12 +20,31 @@ const INTERVAL: Duration = Duration::from_secs(1);
 /// Points from one state that is seen to the next.
 const PIECE: usize = 2;
 
+/// What is kept of a pull-off beside where it stands.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Seen {
+    sampler: Sampler,
+    /// Of tips that follow a table
+    table: Option<SeenByTable>,
+}
+
+/// What pull-offs by a table that grows have come to.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct SeenByTable {
+    /// Of the first table
+    pub fingerprint: Option<u64>,
+    /// Before the one that is under way
+    pub rounds: Vec<TableRound>,
+    /// In that one
+    visited: Visited,
+}
+
 /// Where a pull-off is kept, and from where it goes on.
 pub struct KeptSeta {
     folder: PathBuf,
     output: OutputFolder,
     partial: PartialSeta,
-    reached: Option<SetaCheckpoint<Sampler>>,
+    reached: Option<SetaCheckpoint<Seen>>,
     taken: usize,
     /// Why nothing more is kept
     trouble: Option<ReportError>,
@@ -45,9 +66,9 @@ impl KeptSeta {
         if fresh {
             PartialRun::discard(folder)?;
         }
-        let (partial, reached) = PartialSeta::open::<Sampler>(folder, scene)?;
+        let (partial, reached) = PartialSeta::open::<Seen>(folder, scene)?;
         // the states that another number of them asks for are not among those that were seen
-        let reached = reached.filter(|kept| kept.seen.is_like(sampler));
+        let reached = reached.filter(|kept| kept.seen.sampler.is_like(sampler));
         let taken = reached.as_ref().map_or(0, |kept| kept.progress.result.points.len());
         Ok(Self { folder: folder.to_path_buf(), output, partial, reached, taken, trouble: None })
     }
@@ -57,9 +78,24 @@ impl KeptSeta {
         self.taken
     }
 
-    fn keep(&mut self, progress: &SetaProgress, sampler: &Sampler) {
+    /// What an earlier run has come to by a table; nothing where the table was another one, and the pull-off is begun anew.
+    pub fn by_table(&mut self, fingerprint: Option<u64>) -> Vec<TableRound> {
+        let of = |kept: &SetaCheckpoint<Seen>| kept.seen.table.as_ref().and_then(|table| table.fingerprint);
+        self.reached = self.reached.take().filter(|kept| of(kept) == fingerprint);
+        self.taken = if self.reached.is_some() { self.taken } else { 0 };
+        let table = self.reached.as_ref().and_then(|kept| kept.seen.table.as_ref());
+        table.map(|table| table.rounds.clone()).unwrap_or_default()
+    }
+
+    /// Where the tips have been outside of the table in the pull-off that is gone on with.
+    pub fn visited(&self) -> Visited {
+        let table = self.reached.as_ref().and_then(|kept| kept.seen.table.as_ref());
+        table.map(|table| table.visited.clone()).unwrap_or_default()
+    }
+
+    fn keep(&mut self, progress: &SetaProgress, seen: &Seen) {
         if self.trouble.is_none() {
-            self.trouble = self.partial.write(progress, sampler).err();
+            self.trouble = self.partial.write(progress, seen).err();
         }
     }
 
@@ -74,7 +110,7 @@ impl KeptSeta {
         match followed.progress.as_ref().filter(|_| unfinished) {
             None => (files.and_then(|files| PartialRun::discard(&self.folder).map(|()| files)), None),
             Some(progress) => {
-                self.keep(progress, &followed.sampler);
+                self.keep(progress, &followed.seen);
                 match self.trouble.take() {
                     None => (files, Some(format!("its equilibria are kept in {}", self.partial.path().display()))),
                     Some(error) => (files.and(Err(error)), None),
@@ -88,12 +124,36 @@ impl KeptSeta {
 pub struct Followed {
     pub pull_off: SetaPullOff,
     pub progress: Option<SetaProgress>,
-    pub sampler: Sampler,
+    pub seen: Seen,
+}
+
+impl Followed {
+    /// The states that were seen.
+    pub fn sampler(&self) -> &Sampler {
+        &self.seen.sampler
+    }
+}
+
+/// The law of the tips as far as it changes with what is followed.
+pub struct ByTable<'t> {
+    /// Of the first table
+    pub fingerprint: Option<u64>,
+    /// By the tables before
+    pub rounds: &'t [TableRound],
+    /// By the table as it is
+    pub law: &'t TableLaw,
+}
+
+impl ByTable<'_> {
+    fn seen(&self) -> SeenByTable {
+        let Self { fingerprint, rounds, law } = self;
+        SeenByTable { fingerprint: *fingerprint, rounds: rounds.to_vec(), visited: law.visited() }
+    }
 }
 
 /// The whole pull-off, from what was kept of it. It is followed piece by piece where states are seen or kept: the same to the last bit.
 pub fn follow(
-    model: &SetaModel,
+    (model, by_table): (&SetaModel, Option<&ByTable>),
     (loading, options): (&SetaLoading, &SetaOptions),
     stop: &StopCriteria,
     mut sampler: Sampler,
@@ -102,7 +162,7 @@ pub fn follow(
 ) -> Result<Followed, SetaError> {
     let mut reached = None;
     if let Some(SetaCheckpoint { progress, seen }) = kept.as_mut().and_then(|kept| kept.reached.take()) {
-        (reached, sampler) = (Some(progress), seen);
+        (reached, sampler) = (Some(progress), seen.sampler);
     }
     let mut last = Instant::now();
     loop {
@@ -131,11 +191,16 @@ pub fn follow(
         };
         let progress = match progress {
             Some(progress) if goes_on => progress,
-            progress => return Ok(Followed { pull_off, progress, sampler }),
+            progress => {
+                let seen = Seen { sampler, table: by_table.map(ByTable::seen) };
+                return Ok(Followed { pull_off, progress, seen });
+            }
         };
         if last.elapsed() >= INTERVAL {
             if let Some(kept) = &mut kept {
-                kept.keep(&progress, &sampler);
+                let seen = Seen { sampler, table: by_table.map(ByTable::seen) };
+                kept.keep(&progress, &seen);
+                sampler = seen.sampler;
             }
             last = Instant::now();
         }

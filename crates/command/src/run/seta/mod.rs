@@ -1,5 +1,6 @@
 //! `peel run` of a scene with a seta: its pull-off.
 
+mod by_table;
 mod kept;
 mod sampler;
 
@@ -8,10 +9,11 @@ use super::{GOES_ON, Run, refuse_asked};
 use crate::command_line::command_line;
 use crate::interrupt::Interrupt;
 use crate::output::{list_files, say};
-use crate::seta::{self, options, tip_curve};
+use crate::seta::{TipLawOf, options, tip_curve};
 use crate::stop::Stop;
 use crate::text_summary;
-use kept::{Followed, KeptSeta, follow};
+use by_table::{Pull, Pulled};
+use kept::KeptSeta;
 use peelkit::model::{PullCurve, SetaModel};
 use peelkit::study::{self, Bound, SetaEnd, SetaPoint, SetaPullOff, SetaState};
 use peelkit_report::{self as report, ReportError, SetaSummary, timed};
@@ -51,14 +53,17 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
     progress.stage("law of the tips");
     let (tip, tip_s) = timed(|| tip_curve(scene));
     let tip = tip.map_err(Stop::cut_short)?;
-    let model = seta::model(scene, table, tip.clone());
+    let (law, table_s) = timed(|| TipLawOf::new(scene, table));
+    let law = law.map_err(|wrong| Stop::bad_input(wrong.found, wrong.remedy))?;
+    let tip_s = tip_s + table_s;
     let loading = scene.seta_loading(table);
     let options = options(scene);
     let mut see = |point: &SetaPoint| progress.seta(point);
-    let (followed, solve_s) = timed(|| follow(&model, (&loading, &options), &stop, sampler, kept.as_mut(), &mut see));
-    let followed =
-        followed.map_err(|error| Stop::bad_input(error, "`peel keys seta` lists the keys with their ranges."))?;
-    let Followed { pull_off, sampler, .. } = &followed;
+    let pull = Pull { scene, table, loading: &loading, options: &options, stop: &stop, states };
+    let (pulled, solve_s) = timed(|| pull.pulled(law, &tip, kept.as_mut(), &mut see));
+    let Pulled { model, law, followed, outside } = pulled?;
+    let pull_off = &followed.pull_off;
+    let sampler = followed.sampler();
     progress.stage("peak on finer meshes");
     let wanted_error = scene.accuracy.relative;
     let (peak, peak_s) = timed(|| study::converged_peak(&model, &loading, &options, pull_off, wanted_error, &stop));
@@ -69,14 +74,16 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
     let command = command_line();
     let found = Found { scene, model: &model, tip: &tip, pull_off, command: &command };
     let summary = SetaSummary::new(scene, &table.seta, &tip, (pull_off, peak.as_ref()), [tip_s, solve_s, peak_s])
-        .with_command(&command);
+        .with_command(&command)
+        .with_table(law.growing());
     let (files, left) = kept
         .as_mut()
         .map_or((Ok(Vec::new()), None), |kept| kept.write(&followed, |dir| found.write(dir, &summary, sampler, args)));
     if args.json {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
-        let text = text_summary::seta(scene, &model, &tip, (pull_off, peak.as_ref()), tip_s + solve_s + peak_s, wanted);
+        let (found, seconds) = ((pull_off, peak.as_ref()), tip_s + solve_s + peak_s);
+        let text = text_summary::seta(scene, &model, (&tip, law.growing()), found, seconds, wanted);
         let taken = text_summary::equilibria_taken(kept.as_ref().map_or(0, KeptSeta::taken));
         let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
         say(&format!("{text}{taken}\n{}{left}", list_files(&files)))?;
@@ -88,7 +95,7 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
             Some(left) => Err(Stop::cut_short(format!("interrupted; {left}: {GOES_ON}"))),
             None => Err(Stop::cut_short("interrupted")),
         },
-        SetaEnd::Completed | SetaEnd::Bound(_) => Ok(()),
+        SetaEnd::Completed | SetaEnd::Bound(_) => outside.map_or(Ok(()), |outside| Err(Stop::cut_short(outside))),
     }
 }
 

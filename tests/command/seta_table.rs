@@ -1,0 +1,124 @@
+//! A seta whose tips follow the table of `peel coarsen`.
+//!
+//!     peel coarsen spatula.toml --out tip      the table of a narrow range
+//!     peel run seta.toml                       tips leave it, it grows, the seta is pulled off again
+//!
+//! Parameters: scenes/seta.toml with four tips, and with 64 where it is interrupted; scenes/spatula.toml, whose spatula is that of its tips; a
+//! table to 1e-2. Reference: the seta by the curve of its normal pull, whose tips carry no moment; a table that was wide to begin with; the same run
+//! without an interruption.
+//! Expected: the peak is that of the curve within 2 %, as tips of a slender seta hardly turn, and that of the wide table within the bound of its error; summary.json says how
+//! many tips left the table and what that changed; the table of another spatula, one with too large an error and one of a pad that is held are
+//! refused by name; a run that is stopped and goes on writes the same numbers.
+
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use tempfile::tempdir;
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+fn peel(dir: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(dir).args(arguments).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (output.status.code(), text(output.stdout), text(output.stderr))
+}
+
+fn coarsen(dir: &Path, more: &[&str]) {
+    let scene = format!("{ROOT}/scenes/spatula.toml");
+    let plain = ["coarsen", &scene, "--out", "tip", "--tolerance", "1e-2", "--force"];
+    let (status, _, trouble) = peel(dir, &[&plain, more].concat());
+    assert_eq!(status, Some(0), "{trouble}");
+}
+
+/// `peel run` of the seta beside the folder of the table.
+fn run(dir: &Path, sets: &[&str], more: &[&str]) -> (Option<i32>, String, String) {
+    fs::copy(format!("{ROOT}/scenes/seta.toml"), dir.join("seta.toml")).unwrap();
+    let sets: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();
+    peel(dir, &[&["run", "seta.toml"], &sets[..], more].concat())
+}
+
+#[track_caller]
+fn summary(found: (Option<i32>, String, String)) -> Value {
+    let (status, text, trouble) = found;
+    assert_eq!((status, trouble.as_str()), (Some(0), ""), "{text}");
+    serde_json::from_str(&text).unwrap()
+}
+
+const NARROW: [&str; 4] = ["--rotation", "-0.02 rad,0.02 rad", "--press", "30 nm"];
+const BY_TABLE: [&str; 3] = ["seta.tip_law=table", "seta.tip_tolerance=1e-2", "seta.forks=2"];
+
+#[test]
+fn tips_that_leave_a_table_make_it_grow() {
+    let dir = tempdir().unwrap();
+    coarsen(dir.path(), &NARROW);
+    let read = [&BY_TABLE[..], &["seta.tip_table=tip"]].concat();
+    let grown = summary(run(dir.path(), &read, &["--json"]));
+    let wide = summary(run(dir.path(), &BY_TABLE, &["--json"]));
+    let curve = summary(run(dir.path(), &["seta.forks=2"], &["--json"]));
+    let peak = |of: &Value| of["peak"]["force_nN"].as_f64().unwrap();
+    assert_eq!((&grown["tip"]["law"], &curve["tip"]["law"]), (&"table".into(), &"curve".into()));
+    assert!(curve["tip_table"].is_null());
+    let table = &grown["tip_table"];
+    let number = |key: &str| table[key].as_f64().unwrap();
+    assert!(
+        number("pull_offs") > 1.0 && number("tips_outside_first") > 0.0 && number("tips_outside") == 0.0,
+        "{table}"
+    );
+    assert!(number("relative_error") <= 1e-2 && number("rows") > 100.0, "{table}");
+    let changed = peak(&grown) - number("first_peak_force_nN");
+    assert!((number("peak_force_change_nN") - changed).abs() < 1e-12, "{table}");
+    let bound = 4.0 * (number("normal_force_error_nN") + wide["tip_table"]["normal_force_error_nN"].as_f64().unwrap());
+    assert!((peak(&grown) - peak(&wide)).abs() < bound && bound < 0.5, "{} {} {bound}", peak(&grown), peak(&wide));
+    assert!((peak(&wide) - peak(&curve)).abs() < 0.02 * peak(&curve), "{} {}", peak(&wide), peak(&curve));
+    assert_eq!((&wide["tip_table"]["pull_offs"], &wide["tip_table"]["rows_added"]), (&1.into(), &0.into()));
+    let (_, text, _) = run(dir.path(), &read, &["--out", "out"]);
+    assert!(text.contains("tips left the first table") && text.contains("rows added"), "{text}");
+}
+
+#[test]
+fn the_table_of_another_tip_is_refused_by_name() {
+    let dir = tempdir().unwrap();
+    coarsen(dir.path(), &NARROW);
+    let read = |set: &str| run(dir.path(), &[&BY_TABLE[..], &["seta.tip_table=tip", set]].concat(), &["--json"]);
+    for (set, words) in [
+        ("spatula.pad_length=230 nm", "spatula.pad_length_nm is 240.0 there, and 230.0 in the scene"),
+        ("adhesion.hamaker_constant=2e-19 J", "adhesion.hamaker_constant_aJ is 0.1 there, and 0.2 in the scene"),
+        ("seta.tip_tolerance=1e-5", "the error of the table is "),
+        ("seta.tip_table=none", "none/summary.json is not a part of the law of a tip"),
+    ] {
+        let (status, _, trouble) = read(set);
+        assert!(status == Some(2) && trouble.contains(words) && trouble.contains("peel coarsen"), "{set}: {trouble}");
+    }
+    coarsen(
+        dir.path(),
+        &["--set", "grip.horizontal=fixed", "--lateral", "-1 nm,1 nm", "--rotation", "-0.01 rad,0.01 rad"],
+    );
+    let (status, _, trouble) = read("seta.tip_tolerance=1e-2");
+    assert!(status == Some(2) && trouble.contains("pad_end is held there, and sliding in the scene"), "{trouble}");
+}
+
+/// What is kept is that of the second pull-off: the table has grown before.
+#[test]
+fn a_pull_off_by_a_table_goes_on_where_it_was_stopped() {
+    let dir = tempdir().unwrap();
+    coarsen(dir.path(), &["--rotation", "-0.3 rad,0.05 rad", "--press", "100 nm"]);
+    let sets = ["seta.tip_law=table", "seta.tip_tolerance=1e-2", "seta.tip_table=tip", "seta.forks=6"];
+    let whole = summary(run(dir.path(), &sets, &["--json"]));
+    assert!(whole["tip_table"]["pull_offs"].as_f64().unwrap() > 1.0, "{}", whole["tip_table"]);
+    let mut taken = 0;
+    for time in ["0.3 s", "0.6 s", "1.2 s", "2.4 s", "1000 s"] {
+        let bound = format!("bounds.time={time}");
+        let (status, text, trouble) = run(dir.path(), &[&sets[..], &[&bound]].concat(), &["--out", "out", "--force"]);
+        assert_eq!((status, trouble.as_str()), (Some(0), ""), "{text}");
+        taken += usize::from(text.contains("equilibria taken from an earlier, unfinished run"));
+    }
+    assert!(taken > 0 && !dir.path().join("out/run.partial").exists());
+    let mut found: Value = serde_json::from_slice(&fs::read(dir.path().join("out/summary.json")).unwrap()).unwrap();
+    let mut whole = whole;
+    for summary in [&mut found, &mut whole] {
+        let own = summary.as_object_mut().unwrap();
+        ["timing", "command", "parameters"].map(|key| own.remove(key));
+    }
+    assert_eq!(found, whole);
+}
