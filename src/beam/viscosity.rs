@@ -61,7 +61,7 @@ impl Viscosity {
     /// The same of a body, strain by strain.
     pub fn remembered_by(self, strains: &[f64], rate: &MaterialRate) -> Vec<f64> {
         let remembered = |(strain, known): (&f64, &f64)| self.remembered(*strain, *known, rate.per_time);
-        strains.iter().zip(&rate.known).map(remembered).collect()
+        strains.iter().zip(rate.known.iter()).map(remembered).collect()
     }
 
     /// Energy and power of a body with these energies in the step and at rest, aJ; they are not asked for where nothing flows.

@@ -28,6 +28,7 @@ pub use check::*;
 pub use derived::*;
 pub use friction::*;
 pub use ground::*;
+pub(crate) use motion::KG_PER_CUBIC_METRE;
 pub use motion::{MovingBeam, MovingMaterial, NotInTime};
 pub use peel::*;
 pub use pieces::*;

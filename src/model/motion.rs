@@ -21,7 +21,7 @@ pub struct MovingMaterial {
 }
 
 /// 1 kg/m³ in 1e-18 kg/nm³.
-const KG_PER_CUBIC_METRE: f64 = 1e-9;
+pub(crate) const KG_PER_CUBIC_METRE: f64 = 1e-9;
 
 /// Why a model cannot be followed in time.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]

@@ -125,7 +125,7 @@ fn turning(moments: [f64; 3], turn: [f64; 3], change: [f64; 3]) -> [f64; 3] {
 }
 
 /// dA/dt dc/dt of an end with angles.
-fn axes_change(map: &EndMap, rates: &[f64]) -> [f64; 3] {
+pub(super) fn axes_change(map: &EndMap, rates: &[f64]) -> [f64; 3] {
     let axis = |k: usize| -> [f64; 3] { std::array::from_fn(|i| map.turn[i][k]) };
     let mut sum = [0.0; 3];
     for k in 0..3 {

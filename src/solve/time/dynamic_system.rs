@@ -9,7 +9,7 @@ pub struct MaterialRate {
     /// A rate, 1/time
     pub per_time: f64,
     /// From the memories of the steps before, as the system lays them out; empty of a material that remembers nothing.
-    pub known: Vec<f64>,
+    pub known: Arc<[f64]>,
 }
 
 /// What a step in time adds to residual and tangent.

@@ -1,4 +1,4 @@
-//! A seta whose root is pulled at a rate: branches of viscous material, tips that leave their branch at events. Its mass does not count.
+//! A seta whose root is pulled at a rate: branches of viscous material, tips that leave their branch at events. With mass or without.
 mod events;
 mod result;
 mod run;

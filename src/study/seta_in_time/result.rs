@@ -14,7 +14,7 @@ pub struct SetaInTimePoint {
     pub displacement: f64,
     /// Force of what moves the root, along the pull, nN
     pub force: f64,
-    /// Sum of the forces with which the ground holds the tips, along the pull, nN: the same as `force`, as mass does not count
+    /// Sum of the forces with which the ground holds the tips, along the pull, nN: the same as `force` where mass does not count
     pub tip_force: f64,
     /// Tips that adhere
     pub attached: usize,

@@ -1,14 +1,15 @@
 //! The run behind [`pull_seta_in_time`]: from event to event, each stretch with its tips on branches of their law.
 //!
 //! A tip that comes to the end of its branch leaves it: its force is gone at once, and the energy that it had there is released. Where a dashpot
-//! stands beside every spring the seta stays in its place and moves on from there. Where none does it jumps, with what dashpots remember as it is,
-//! to rest in the equilibrium of fast loading. A jump as well is what a tip comes to that softens faster than the seta holds it: then no step is short enough.
+//! stands beside every spring the seta stays in its place and moves on from there. Where none does it jumps, with what dashpots remember as it is, to
+//! rest in the equilibrium of fast loading. A jump as well is what a tip comes to that softens faster than the seta holds it: then no step is short
+//! enough. A seta with mass never jumps: its joints go on with the velocities that they have, and are accelerated by the force that is gone.
 
 use super::events::{event_within, softest};
 use super::result::{SetaInTime, SetaInTimeEvent, SetaInTimeFailure, SetaInTimeFailureKind, SetaInTimePoint, TipLoss};
 use super::settings::{SetaPullRate, SetaTimeAccuracy, check};
-use crate::beam::BeamTree;
-use crate::model::{MovingMaterial, NotInTime, SetaModel, TipBranch};
+use crate::beam::{BeamTree, SPATIAL_UNKNOWNS};
+use crate::model::{KG_PER_CUBIC_METRE, MovingMaterial, SetaModel, TipBranch};
 use crate::solve::time::{
     Drive, DynamicProblem, DynamicSystem, EnergyBalance, Motion, Ramp, StepControl, TimeError, TimeIntegrator,
     TimeOptions,
@@ -51,6 +52,7 @@ struct Run<'a> {
     accuracy: &'a SetaTimeAccuracy,
     should_stop: Option<ShouldStop>,
     motion: Motion,
+    has_mass: bool,
     /// The state before the last step
     before: State,
     /// Length of the next step, ns
@@ -71,9 +73,6 @@ impl<'a> Run<'a> {
     ) -> Result<Self, SetaInTimeFailureKind> {
         material.check()?;
         check(pull, accuracy)?;
-        if material.density > 0.0 {
-            return Err(NotInTime::NotCovered { what: "the mass of a seta" }.into());
-        }
         let mut standing = Standing::new(model, TipBranch::Attached)?;
         let drive = RootDrive::new(pull.direction, model.seta.joint_place(0));
         let start = (standing.tree.stress_free(0), 0.0);
@@ -81,6 +80,10 @@ impl<'a> Run<'a> {
         let rested = come_to_rest(&mut standing, &drive, start, &[], AT_REST, &mut ws);
         let rest = rested.map_err(|(cause, _)| InTimeFailureKind::NoStart { displacement: 0.0, cause })?;
         standing.tree = standing.tree.with_viscosity(material.viscosity);
+        let density = KG_PER_CUBIC_METRE * material.density;
+        if density > 0.0 {
+            standing.tree = standing.tree.with_inertia(|branch| model.seta.section_inertia(branch, density));
+        }
         let at = rest.solution.at;
         let still = vec![0.0; standing.tree.unknowns(&at)];
         let memory = standing.tree.relaxed_memory(&at);
@@ -92,6 +95,7 @@ impl<'a> Run<'a> {
             accuracy,
             should_stop,
             motion: Motion::new(0.0, at, still.clone(), still, memory),
+            has_mass: density > 0.0,
             before,
             step: FIRST * ramp.smooth,
             so_far: EnergyBalance::default(),
@@ -110,7 +114,7 @@ impl<'a> Run<'a> {
                 Ok(tips) if tips.is_empty() => {}
                 Ok(tips) => self.event(TipLoss::EndOfBranch, &tips)?,
                 Err(SetaInTimeFailureKind::InTime(InTimeFailureKind::Step(why))) => {
-                    let jumps = self.standing.tree.in_jump(&self.motion.memory).is_some();
+                    let jumps = self.jumping().is_some();
                     let tips = softest(&self.standing, &self.before, &self.motion.at);
                     if matches!(why, TimeError::Stopped { .. }) || !jumps || tips.is_empty() {
                         return Err(why.into());
@@ -168,27 +172,49 @@ impl<'a> Run<'a> {
     /// Tips leave the branch that they are on.
     fn event(&mut self, loss: TipLoss, tips: &[usize]) -> Result<(), SetaInTimeFailureKind> {
         let displacement = self.ramp.at(self.motion.time).value;
-        let (changes, released) = match self.standing.tree.in_jump(&self.motion.memory) {
+        let standing = self.standing.clone();
+        let (changes, released) = match self.jumping() {
             None => self.let_go(tips),
             Some(tree) => self.jump(tree, tips, displacement)?,
         };
         let before = self.result.last();
         self.released += released;
-        let (time, memory) = (self.motion.time, std::mem::take(&mut self.motion.memory));
-        let mut at = self.motion.at.clone();
-        // what is without mass is in equilibrium
-        at.force = self.held_by_tips(&at);
-        let still = vec![0.0; self.standing.tree.unknowns(&at)];
-        self.motion = Motion::new(time, at, still.clone(), still, memory);
+        let kinetic = self.so_far.kinetic;
+        self.motion = if self.has_mass { self.accelerated(&standing, tips) } else { self.at_rest() };
         self.step *= BEHIND_EVENT;
         self.so_far.dissipated += released;
         let (EnergyBalance { work, dissipated, .. }, known) = (self.so_far, self.energies());
         // what springs in series with dashpots store has not changed where the seta has not moved, and has where it jumped
-        self.so_far = EnergyBalance { work, dissipated, ..known };
+        self.so_far = EnergyBalance { work, dissipated, kinetic, ..known };
         let after = self.point(&self.motion, self.so_far);
         self.result.points.push(after);
         self.result.events.push(SetaInTimeEvent { before, after, loss, tips: changes, released });
         Ok(())
+    }
+
+    /// The tree as it answers a jump; none where it does not jump, but stays in its place.
+    fn jumping(&self) -> Option<BeamTree> {
+        if self.has_mass { None } else { self.standing.tree.in_jump(&self.motion.memory) }
+    }
+
+    /// Behind an event, without mass: in equilibrium.
+    fn at_rest(&self) -> Motion {
+        let Motion { time, at, memory, .. } = self.motion.clone();
+        let at = State { force: self.held_by_tips(&at), ..at };
+        let still = vec![0.0; self.standing.tree.unknowns(&at)];
+        Motion::new(time, at, still.clone(), still, memory)
+    }
+
+    /// Behind an event, with mass: as fast as before, with the forces of these tips as they are now in place of what they were.
+    fn accelerated(&self, before: &Standing, tips: &[usize]) -> Motion {
+        let Motion { time, at, velocity, mut acceleration, memory, .. } = self.motion.clone();
+        for &tip in tips {
+            let [was, is] = [before, &self.standing].map(|standing| standing.response(&at, tip).gradient);
+            let joint = self.standing.model.seta.tip_joint(tip);
+            let more = self.standing.tree.accelerated(&at, joint, &std::array::from_fn(|k| was[k] - is[k]));
+            (0..SPATIAL_UNKNOWNS).for_each(|k| acceleration[joint * SPATIAL_UNKNOWNS + k] += more[k]);
+        }
+        Motion::new(time, at, velocity, acceleration, memory)
     }
 
     /// The seta stays where it is.

@@ -6,4 +6,4 @@ mod forms;
 mod rods;
 pub mod spatial;
 mod tangents;
-mod trees;
+pub mod trees;

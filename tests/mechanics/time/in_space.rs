@@ -32,22 +32,24 @@ fn in_space(viscosity: Viscosity) -> SpatialBeam {
     SpatialBeam { inertia: Some(SpatialInertia::uniform(1.0, [0.4, 0.5, 0.3], viscosity)), ..rod.beam() }
 }
 
-/// As a branch of a tree, whose root is its right end and whose tip its left one.
-fn as_tree(viscosity: Viscosity) -> BeamTree {
+/// As so many branches of a tree, whose root is its right end and whose tip its left one.
+pub fn as_tree(viscosity: Viscosity, cuts: usize) -> BeamTree {
     let Section { axial, shear, bending } = SECTION;
     let stiffness = SpatialStiffness::diagonal(axial, [shear, 5e3], 90.0, [170.0, bending]);
-    let branch = Branch::straight([0, 1], [[0.0; 3], [LENGTH, 0.0, 0.0]], [0.0, 1.0, 0.0], stiffness, ELEMENTS);
+    let place = |k: usize| [LENGTH * k as f64 / cuts as f64, 0.0, 0.0];
+    let branch =
+        |k: usize| Branch::straight([k, k + 1], [place(k), place(k + 1)], [0.0, 1.0, 0.0], stiffness, ELEMENTS / cuts);
     let clamped = JointCondition { rotation: EndRotation::Angles, held: [Some(0.0); 6], ..JointCondition::free(0) };
     let tree = BranchingBeam {
         conditions: vec![clamped],
         order: ORDER,
         scale: [0.1, 0.01],
-        ..BranchingBeam::new(vec![branch], 1)
+        ..BranchingBeam::new((0..cuts).map(branch).collect(), cuts)
     };
     tree.build().unwrap().with_viscosity(viscosity)
 }
 
-fn in_grip<S: DynamicSystem + 'static>(system: S) -> DynamicProblem {
+pub fn in_grip<S: DynamicSystem + 'static>(system: S) -> DynamicProblem {
     let (system, grip) = (Arc::new(system), EndConditions::drive(1));
     let measure = PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true };
     let problem = Problem { system: system.clone(), grip, measure, start: InitialState::StressFree };
@@ -55,7 +57,7 @@ fn in_grip<S: DynamicSystem + 'static>(system: S) -> DynamicProblem {
 }
 
 /// Force and energies after each tenth part of 3 units of time, in so many steps.
-fn moved(problem: &DynamicProblem, at: State, steps: usize) -> Vec<(f64, EnergyBalance)> {
+pub fn moved(problem: &DynamicProblem, at: State, steps: usize) -> Vec<(f64, EnergyBalance)> {
     let still = vec![0.0; problem.system.unknowns(&at)];
     let memory = problem.system.relaxed_memory(&at);
     let motion = Motion::new(0.0, at, still.clone(), still, memory);
@@ -72,7 +74,7 @@ fn moved(problem: &DynamicProblem, at: State, steps: usize) -> Vec<(f64, EnergyB
     found
 }
 
-fn planar(inertia: [f64; 2], viscosity: Viscosity) -> MovingBeam {
+pub fn planar(inertia: [f64; 2], viscosity: Viscosity) -> MovingBeam {
     let rod = RodModel {
         length: LENGTH,
         section: SECTION,
@@ -86,7 +88,7 @@ fn planar(inertia: [f64; 2], viscosity: Viscosity) -> MovingBeam {
 }
 
 /// To 1e-10 of the largest force and of the work.
-fn assert_same(found: &[(f64, EnergyBalance)], wanted: &[(f64, EnergyBalance)]) {
+pub fn assert_same(found: &[(f64, EnergyBalance)], wanted: &[(f64, EnergyBalance)]) {
     let force = wanted.iter().map(|at| at.0.abs()).fold(0.0, f64::max);
     let work = wanted.iter().map(|at| at.1.work.abs()).fold(0.0, f64::max);
     for (found, wanted) in found.iter().zip(wanted) {
@@ -98,7 +100,7 @@ fn assert_same(found: &[(f64, EnergyBalance)], wanted: &[(f64, EnergyBalance)]) 
     }
 }
 
-const MATERIALS: [Viscosity; 3] = [
+pub const MATERIALS: [Viscosity; 3] = [
     Viscosity::Elastic,
     Viscosity::KelvinVoigt { retardation_time: 0.3 },
     Viscosity::StandardLinearSolid { relaxation_time: 0.5, stiffness_ratio: 2.5 },
@@ -123,7 +125,7 @@ fn a_viscous_tree_of_one_branch_is_the_planar_beam() {
     for viscosity in MATERIALS {
         let planar = planar([0.0; 2], viscosity);
         let wanted = moved(&planar.dynamics, planar.statics.initial(ELEMENTS), 60);
-        let tree = as_tree(viscosity);
+        let tree = as_tree(viscosity, 1);
         let at = tree.stress_free(0);
         let problem = in_grip(tree);
         assert_same(&moved(&problem, at.clone(), 60), &wanted);

@@ -5,3 +5,4 @@ mod pull;
 mod rods;
 mod seta;
 mod spin_up;
+mod trees;

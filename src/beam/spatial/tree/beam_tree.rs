@@ -3,6 +3,7 @@
 use super::branching_beam::JointUnknown;
 use super::end_energy::EndEnergy;
 use super::schedule::TreeBundle;
+use super::tree_inertia::NodeInertia;
 use crate::beam::Viscosity;
 use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, SpatialEnd, quaternion_of};
 use crate::beam::spatial::density::{SPATIAL_FIELDS, SpatialDensity};
@@ -33,7 +34,7 @@ pub struct BeamTree {
     /// Its elements, four at a time, those that are carried first
     pub(super) bundles: Arc<[TreeBundle]>,
     /// The root, then the joints with conditions
-    pub(super) ends: Vec<TreeEnd>,
+    pub(super) ends: Arc<[TreeEnd]>,
     /// Of each joint, its place among the ends
     pub(super) end_of: Arc<[Option<usize>]>,
     /// Of each joint
@@ -44,6 +45,8 @@ pub struct BeamTree {
     pub(super) inside: usize,
     pub(super) monitors: [Option<JointUnknown>; MONITORS],
     pub(super) scale: [f64; 2],
+    /// Of each node; empty where it does not count
+    pub(super) inertia: Arc<[NodeInertia]>,
     /// How the material of all branches flows
     pub(super) viscosity: Viscosity,
     /// What it remembers, in a step in time

@@ -12,6 +12,7 @@ use crate::beam::spatial::rotation::{Quaternion, conjugate, product};
 use crate::beam::spatial::spatial_profile::{SpatialProfile, Station};
 use crate::beam::{Basis, MOST_ORDER, Viscosity};
 use nalgebra::{Matrix3, Matrix6};
+use std::sync::Arc;
 
 /// Ends of branches may miss one another by this share of the branch's length.
 const APART: f64 = 1e-9;
@@ -121,7 +122,7 @@ impl BranchingBeam {
             basis: Basis::new(self.order),
             branches: branches.into(),
             outward: topology.outward.into(),
-            ends,
+            ends: ends.into(),
             end_of: end_of.into(),
             at_rest: at_rest.into(),
             nodes,
@@ -129,6 +130,7 @@ impl BranchingBeam {
             inside: inside_length(self.order),
             monitors: self.monitors,
             scale: self.scale,
+            inertia: Arc::default(),
             viscosity: Viscosity::Elastic,
             remembered: None,
         })

@@ -13,9 +13,10 @@ impl BeamTree {
     /// With other energies at joints that have a condition; of a joint without one nothing changes.
     pub fn with_energies(&self, energies: impl IntoIterator<Item = (usize, Option<Arc<dyn EndEnergy>>)>) -> Self {
         let mut tree = self.clone();
+        let ends = Arc::make_mut(&mut tree.ends);
         for (joint, energy) in energies {
             if let Some(end) = self.end_of[joint] {
-                tree.ends[end].energy = energy;
+                ends[end].energy = energy;
             }
         }
         tree
@@ -24,7 +25,7 @@ impl BeamTree {
     /// With the place of the root counted along other axes, which are the columns, of length one and at right angles.
     pub fn with_root_axes(&self, axes: Matrix3) -> Self {
         let mut tree = self.clone();
-        tree.ends[0].own.axes = axes;
+        Arc::make_mut(&mut tree.ends)[0].own.axes = axes;
         tree
     }
 
@@ -36,7 +37,7 @@ impl BeamTree {
     /// As it is in a step in time with this rule: elastic, with the energy of the step.
     pub(super) fn in_step(&self, rate: &MaterialRate) -> Self {
         let factor = self.viscosity.factor(rate.per_time);
-        let remembered = RememberedStrains { factor, strains: rate.known.as_slice().into() };
+        let remembered = RememberedStrains { factor, strains: Arc::clone(&rate.known) };
         Self { remembered: (!rate.known.is_empty()).then_some(remembered), ..self.clone() }
     }
 

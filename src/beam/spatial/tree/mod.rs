@@ -21,6 +21,7 @@ mod read;
 mod schedule;
 mod sweep;
 mod topology;
+mod tree_inertia;
 mod tree_motion;
 mod tree_system;
 

@@ -1,14 +1,14 @@
 //! The elimination, from the tips to the root.
 
-use super::beam_tree::BeamTree;
+use super::beam_tree::{BeamTree, TreeBranch};
 use super::factors::TreeFactors;
 use super::inside::pack;
 use crate::beam::spatial::chain::end_block::{Carry, EDGE, EndBlock, ROOT};
 use crate::beam::spatial::chain::projection::{SpatialFront, project};
 use crate::beam::spatial::chain::sweep::LEAST_PIVOT;
 use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, USUAL_ORDER, Usual};
-use crate::beam::{AnyNumber, BUNDLE, Element, Nodes};
-use crate::solve::{MONITORS, Place, Quantity, SolveError};
+use crate::beam::{AnyNumber, BUNDLE, Element, Nodes, slot};
+use crate::solve::{MONITORS, NodalTerms, Place, Quantity, SolveError};
 
 const F: usize = SPATIAL_UNKNOWNS;
 
@@ -22,6 +22,15 @@ pub struct CondensedTree {
     pub least_pivot: f64,
     /// Before the update, aJ
     pub energy: f64,
+}
+
+/// What is added to the equations.
+#[derive(Clone, Copy)]
+pub(super) struct Added<'a> {
+    /// To the diagonal, of places and of turns, per length
+    pub damping: [f64; 2],
+    /// Of single unknowns
+    pub nodal: NodalTerms<'a>,
 }
 
 /// What an elimination counts on its way.
@@ -43,14 +52,28 @@ impl BeamTree {
         damping: [f64; 2],
         factors: &mut TreeFactors,
     ) -> Result<CondensedTree, SolveError> {
+        self.eliminate_with(values, weights, Added { damping, nodal: NodalTerms::NONE }, factors)
+    }
+
+    /// The same with whatever is added.
+    pub(super) fn eliminate_with(
+        &self,
+        values: &[f64],
+        weights: [f64; MONITORS],
+        added: Added,
+        factors: &mut TreeFactors,
+    ) -> Result<CondensedTree, SolveError> {
         factors.resize(self.elements, self.inside);
         let mut carries = std::mem::take(&mut factors.carries);
         let mut count =
             Count { energy: self.load_joints(values, weights, &mut carries), negative: 0, least: f64::INFINITY };
+        if !added.nodal.stiffness.is_empty() {
+            self.load_with_inertia(values, added.nodal, &mut carries);
+        }
         if self.order() == USUAL_ORDER {
-            sweep::<Usual>(self, values, damping, &mut carries, factors, &mut count)
+            sweep::<Usual>(self, values, added, &mut carries, factors, &mut count)
         } else {
-            sweep::<AnyNumber>(self, values, damping, &mut carries, factors, &mut count)
+            sweep::<AnyNumber>(self, values, added, &mut carries, factors, &mut count)
         }?;
         let matrix = carries[self.root()];
         factors.carries = carries;
@@ -84,7 +107,7 @@ impl BeamTree {
         &self,
         nodes: impl Nodes,
         values: &[f64],
-        damping: [f64; 2],
+        added: Added,
         carries: &mut [Carry],
         TreeFactors { inside, ends, below, front, field_front, room, .. }: &mut TreeFactors,
         count: &mut Count,
@@ -97,8 +120,11 @@ impl BeamTree {
             let (energy, _) = bundle.integrate::<false>(&by, 0.0, room, field_front);
             project(nodes, field_front, &bundle.values, front);
             self.take_ends(nodes, values, &lanes, front);
-            if damping != [0.0; 2] {
-                damp(nodes, front, damping, bundle.length.0);
+            if added.damping != [0.0; 2] {
+                damp(nodes, front, added.damping, bundle.length.0);
+            }
+            if !added.nodal.stiffness.is_empty() {
+                self.load_inside(nodes, &lanes, added.nodal, front);
             }
             let pivots = front.condense_by_nodes(nodes);
             for (l, &(branch, e)) in lanes.iter().enumerate().take(own.count) {
@@ -107,6 +133,14 @@ impl BeamTree {
                 let mut block = EndBlock::of(nodes, front, l);
                 if branch.near == 0 {
                     block = turned_round(&block);
+                }
+                if k > 0 {
+                    let far = self.end_places(branch, e)[0];
+                    for f in 0..F {
+                        let (stiffness, force) = added.nodal.at(far + f);
+                        block.0[f][f] += stiffness;
+                        block.0[f][2 * F] += force;
+                    }
                 }
                 block.unload(&carries[branch.far_joint()]);
                 if k == 0 {
@@ -139,6 +173,27 @@ impl BeamTree {
         }
         Ok(())
     }
+
+    /// Adds to four elements what is added to the equations of their interior nodes.
+    fn load_inside(
+        &self,
+        nodes: impl Nodes,
+        lanes: &[(&TreeBranch, usize)],
+        nodal: NodalTerms,
+        front: &mut SpatialFront,
+    ) {
+        let order = nodes.count() - 1;
+        for (l, &(branch, e)) in lanes.iter().enumerate() {
+            for rank in 1..order {
+                let (row, node) = (slot(order + 1, rank), branch.node(order, e, rank));
+                for f in 0..F {
+                    let (stiffness, force) = nodal.at(node * F + f);
+                    front.rows[row][f].fields[row][f].0[l] += stiffness;
+                    front.rows[row][f].residual.0[l] += force;
+                }
+            }
+        }
+    }
 }
 
 /// [`BeamTree::sweep_bundles`] compiled for the vector units that the machine may have, chosen when it runs.
@@ -146,12 +201,12 @@ impl BeamTree {
 fn sweep<N: Nodes>(
     tree: &BeamTree,
     values: &[f64],
-    damping: [f64; 2],
+    added: Added,
     carries: &mut [Carry],
     factors: &mut TreeFactors,
     count: &mut Count,
 ) -> Result<(), SolveError> {
-    tree.sweep_bundles(N::of_order(tree.basis.order), values, damping, carries, factors, count)
+    tree.sweep_bundles(N::of_order(tree.basis.order), values, added, carries, factors, count)
 }
 
 /// The block with its two ends exchanged.

@@ -1,13 +1,26 @@
-//! The tree of beams as a [`DynamicSystem`]: viscous strains at its Gauss points. Its mass does not count.
+//! The tree of beams as a [`DynamicSystem`]: masses in its nodes, if it has any, viscous strains at its Gauss points.
 
 use super::beam_tree::BeamTree;
+use super::factors::TreeFactors;
+use super::sweep::Added;
+use crate::beam::spatial::shared_system::condensed;
 use crate::solve::time::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
-use crate::solve::{Coefficients, CondensedSystem, MONITORS, SolveError, State, System, Workspace};
+use crate::solve::{CondensedSystem, MONITORS, NodalTerms, SolveError, State, System, Workspace};
 
 impl DynamicSystem for BeamTree {
-    /// Zeros.
     fn masses(&self, at: &State) -> Vec<f64> {
-        vec![0.0; self.unknowns(at)]
+        if self.inertia.is_empty() { vec![0.0; self.unknowns(at)] } else { self.nodal_masses(&at.values) }
+    }
+
+    fn inertia_forces(&self, at: &State, _: &[f64], velocity: &[f64], acceleration: &[f64]) -> Vec<f64> {
+        match self.inertia.is_empty() {
+            true => vec![0.0; velocity.len()],
+            false => self.forces_of_inertia(&at.values, velocity, acceleration),
+        }
+    }
+
+    fn kinetic_energy(&self, at: &State, _: &[f64], velocity: &[f64]) -> f64 {
+        self.energy_of_motion(&at.values, velocity)
     }
 
     fn stored_energy(&self, at: &State) -> f64 {
@@ -15,7 +28,11 @@ impl DynamicSystem for BeamTree {
     }
 
     fn factorise_step(&self, at: &State, terms: &StepTerms, ws: &mut Workspace) -> Result<CondensedSystem, SolveError> {
-        self.in_step(terms.rate).factorise(at, Coefficients::STATIC, [0.0; MONITORS], ws)
+        let tree = self.in_step(terms.rate);
+        let nodal = if self.inertia.is_empty() { NodalTerms::NONE } else { terms.nodal };
+        let added = Added { damping: [0.0; 2], nodal };
+        let root = tree.eliminate_with(&at.values, [0.0; MONITORS], added, ws.factors::<TreeFactors>())?;
+        Ok(condensed(&root.matrix, (root.negative, root.least_pivot), tree.evaluation(at, root.energy)))
     }
 
     fn relaxed_memory(&self, at: &State) -> Vec<f64> {

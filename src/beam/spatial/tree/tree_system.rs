@@ -2,14 +2,15 @@
 
 use super::beam_tree::{ANGLES, BeamTree};
 use super::factors::TreeFactors;
+use super::sweep::Added;
 use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, read::normalise};
 use crate::beam::spatial::density::SPATIAL_FIELDS;
 use crate::beam::spatial::end_rotation::{EndRotation, turned};
 use crate::beam::spatial::rotation::{Quaternion, apply_transposed};
 use crate::beam::spatial::shared_system::{condensed, node_difference, step_node, weighted_sum};
 use crate::solve::{
-    Coefficients, CondensedSystem, Evaluation, INTERFACE, MONITORS, Mesh, Rates, SolveError, State, System, Unknown,
-    Workspace,
+    Coefficients, CondensedSystem, Evaluation, INTERFACE, MONITORS, Mesh, NodalTerms, Rates, SolveError, State, System,
+    Unknown, Workspace,
 };
 
 const F: usize = SPATIAL_UNKNOWNS;
@@ -25,7 +26,7 @@ const ROOT: [Unknown; 6] = [
 ];
 
 impl BeamTree {
-    fn evaluation(&self, at: &State, energy: f64) -> Evaluation {
+    pub(super) fn evaluation(&self, at: &State, energy: f64) -> Evaluation {
         let value = |unknown: super::JointUnknown| {
             self.end_of[unknown.joint].map_or(at.values[unknown.joint * N + unknown.slot.min(2)], |end| {
                 self.end_values(&at.values, end)[unknown.slot]
@@ -129,7 +130,8 @@ impl System for BeamTree {
         ws: &mut Workspace,
     ) -> Result<CondensedSystem, SolveError> {
         let damping = self.damping(coefficients);
-        let root = self.eliminate(&at.values, weights, damping, ws.factors::<TreeFactors>())?;
+        let added = Added { damping, nodal: NodalTerms::NONE };
+        let root = self.eliminate_with(&at.values, weights, added, ws.factors::<TreeFactors>())?;
         Ok(condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, root.energy)))
     }
 

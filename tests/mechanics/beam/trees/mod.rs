@@ -3,6 +3,6 @@
 mod as_chain;
 mod column;
 mod refusals;
-mod setup;
+pub mod setup;
 mod tangents;
 mod two_levels;
