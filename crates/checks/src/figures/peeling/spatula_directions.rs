@@ -35,7 +35,8 @@ pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figu
          Left: against the azimuth of the pull, 0 along the spatula and away from its tip, 180 degrees towards it, from {BESIDE} to \
          {} degrees, at three elevations; straight up the azimuth does not matter. Right: pulled straight up by a grip that has been \
          rolled, let go of its height and is held at that roll and without yaw. Red: the least force of each curve. {DASHED} A spatula that \
-         is not computed until it is off is a gap. The data have the error bounds.",
+         is not computed until it is off is a gap. The data have the error bounds, and \
+         forces that lie above the picture.",
         180.0 - BESIDE,
     );
     Figure::write(dir, "spatula-directions", caption, &picture(&found), &table(&found))
