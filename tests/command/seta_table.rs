@@ -118,7 +118,9 @@ fn a_pull_off_by_a_table_goes_on_where_it_was_stopped() {
     let mut whole = whole;
     for summary in [&mut found, &mut whole] {
         let own = summary.as_object_mut().unwrap();
-        ["timing", "command", "parameters"].map(|key| own.remove(key));
+        for key in ["timing", "command", "parameters"] {
+            own.remove(key);
+        }
     }
     assert_eq!(found, whole);
 }
