@@ -1,9 +1,9 @@
 //! Where a seta comes to rest behind an event, against gradient flow.
 //!
 //! The rule of `rest.rs` lets the tips that lose their hold go and leads downhill from there. Reference: gradient flow, K + C/Δt with the tips as they
-//! are, in steps of at most 0.2 nm and 0.0002 rad, from the loss of stability disturbed along the branch; nothing is said to it of which tip goes
-//! first. Expected: the same tips detach, and energy and force are the same to 1e-6, but for one event in which
-//! two tips let go almost at once. Six setae with four tips, free and held, leaning and upright.
+//! are, in steps of at most 0.2 nm and 0.0002 rad, from the loss of stability as it is, with the root pulled on by 1e-3 nm; nothing is said to it of which
+//! tip goes first. Expected: the same tips detach, and energy and force are the same to 1e-6. Six setae with four tips, free and held, leaning and
+//! upright. Why: where two tips are nearly alike the one whose height is followed to the loss need not be the one that comes to the end of its branch.
 
 use super::advance::{Advance, advance};
 use super::critical::Critical;
@@ -27,6 +27,8 @@ const CURVE: [(f64, f64, f64); 7] = [
 ];
 /// Longest step, in units of 10 nm and 0.01 rad
 const STEP: f64 = 0.02;
+/// How far the root is pulled on, nm
+const AHEAD: f64 = 1e-3;
 
 fn model(sideways: Sideways, degrees: f64, scatter: f64, diameter: f64) -> SetaModel {
     let seta = Seta {
@@ -46,17 +48,17 @@ fn model(sideways: Sideways, degrees: f64, scatter: f64, diameter: f64) -> SetaM
     SetaModel { mesh: SetaMesh { order: 3, elements: vec![1; 3] }, ..SetaModel::new(seta, Arc::new(law)) }
 }
 
-/// Where gradient flow leads to, and the steps that it takes.
+/// Where gradient flow leads to behind a loss, with the root where that is, and the steps that it takes.
 fn flow(standing: &mut Standing, drive: &RootDrive, from: &Solution, ws: &mut Workspace) -> (Solution, usize) {
     let displacement = from.observables.displacement;
     let held = PathConstraint { weights: Observables::DISPLACEMENT, target: displacement };
-    let problem = standing.problem(drive, None, TipTangent::Own);
-    let ahead = STEP / problem.system.size(&from.tangent.direction, &from.at.values);
-    let (mut at, mut time) = (from.moved(&problem, ahead), 1.0);
+    let pulled = PathConstraint { target: displacement + AHEAD, ..held };
+    let (mut at, mut time, mut changed) = (from.at.clone(), 1.0, false);
     for step in 0..200_000 {
         let problem = standing.problem(drive, None, TipTangent::Own);
         let newton = NewtonOptions { tolerance: 1e-9, largest_update: 0.1, most_iterations: 9, exact_slope: true };
         if step % 20 == 19
+            && changed
             && let Ok(solution) = solve(&problem, at.clone(), &held, &newton, ws)
             && solution.negative == 0
             && solution.correction < 0.1
@@ -65,7 +67,7 @@ fn flow(standing: &mut Standing, drive: &RootDrive, from: &Solution, ws: &mut Wo
         }
         let damping = Coefficients { per_damping: time, ..Coefficients::STATIC };
         let mut next = at.clone();
-        let (size, (negative, _)) = damped_step(&problem, &mut next, &held, damping, f64::INFINITY, ws).unwrap();
+        let (size, (negative, _)) = damped_step(&problem, &mut next, &pulled, damping, f64::INFINITY, ws).unwrap();
         if negative > 0
             || size > STEP
             || (step > 0 && super::rest::energy(&problem, &next) > super::rest::energy(&problem, &at) + 1e-9)
@@ -76,6 +78,7 @@ fn flow(standing: &mut Standing, drive: &RootDrive, from: &Solution, ws: &mut Wo
         time *= if size < 0.3 * STEP { 2.0 } else { 1.0 };
         for tip in standing.changing(&next) {
             standing.change(&next, tip);
+            changed = true;
         }
         at = next;
     }
@@ -152,6 +155,5 @@ fn tips_that_let_go_lead_where_gradient_flow_leads() {
         }
     }
     println!("{same} events lead to the same place, {other_places} do not");
-    // two tips of the upright seta with little scatter: the flow lets one of them go, the rule both
-    assert!(same >= 21 && other_places <= 1);
+    assert_eq!((same, other_places), (23, 0));
 }

@@ -164,14 +164,11 @@ pub(super) fn locate(
                 longest = SHORTENED * (next - from.parameter);
                 if longest < SHORTEST {
                     return match other {
-                        // stable up to the end of the branch of the tip
-                        Ok(_)
-                            if low.len() > 1
-                                && let Some(tip) = watched.tip =>
-                        {
-                            let last = &low[low.len() - 1];
+                        // stable up to where a tip comes to the end of its branch, which need not be the one that is watched
+                        Ok(beyond) if low.len() > 1 => {
+                            let (last, tips) = (&low[low.len() - 1], standing.changing(&beyond.solution.at));
                             let error = [0, 1].map(|k| (last.slopes[k] * SHORTEST / SHORTENED).abs());
-                            finished(along, low, Critical::Tips(vec![tip]), error, ws)
+                            finished(along, low, Critical::Tips(tips), error, ws)
                         }
                         Ok(_) => Err(SolveError::LimitPointNotConfirmed),
                         Err(cause) => Err(cause),
