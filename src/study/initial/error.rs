@@ -132,7 +132,7 @@ pub enum LoadingError {
     #[error("finds no equilibrium to begin with: {0}")]
     Start(PathError),
     /// Its equilibria end on the way.
-    #[error("cannot be followed beyond {at}: {why}")]
+    #[error("cannot be followed beyond {at}: after {} ever shorter steps: {}", .why.tries, .why.cause)]
     Path { at: LoadingProgress, why: Box<PathError> },
     /// What it moves turns back.
     #[error("comes to a limit point at {at}, beyond which the beam jumps")]
