@@ -39,6 +39,7 @@ fn path_alone(c: &mut Criterion) {
         tolerance: 1e-10,
         prediction: MOST_POINTS,
         first_displacement: 0.008,
+        ..PathOptions::default()
     };
     c.bench_function("path alone, 100 nm at 1e-8", |b| {
         b.iter(|| {

@@ -17,6 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         prediction: 8,
         tolerance: 1e-9,
         first_displacement: 0.008,
+        ..PathOptions::default()
     };
     let mut path = Path::new(&problem, options);
 

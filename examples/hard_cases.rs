@@ -69,6 +69,7 @@ fn by_secants(scene: &Scene, own: &Peel) -> String {
         tolerance: 1e-2 * relative,
         prediction: 2,
         first_displacement: 0.02 * scene.model.adhesion.equilibrium_distance.min(scene.model.process_length()),
+        ..PathOptions::default()
     };
     let run = |options: PathOptions| {
         let mut path = Path::new(&problem, options);

@@ -33,6 +33,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         prediction: 8,
         tolerance: 1e-10,
         first_displacement: -0.01 * rise,
+        ..PathOptions::default()
     };
     let problem = arch.problem(7)?;
     let path = follow_rod(&problem, options, 1000, |point| point.observables.displacement < -2.2 * rise)?;

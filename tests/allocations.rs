@@ -32,6 +32,7 @@ fn iterations_allocate_nothing() {
             prediction: 8,
             tolerance: 1e-9,
             first_displacement: 0.008,
+            ..PathOptions::default()
         };
         let points: Vec<_> = Path::new(&problem, options).take(7).collect::<Result<_, _>>().unwrap();
         let (before, after) = (&points[5], &points[6]);

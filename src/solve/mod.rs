@@ -27,5 +27,6 @@ pub use problem::{InitialState, PathMeasure, Problem};
 pub use relax::{Held, RelaxError, RelaxOptions, Relaxed, disturbed, disturbed_anyhow, relax};
 pub use state::{History, Mesh, State};
 pub use system::{
-    Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, ShouldStop, System, Unknown, Workspace,
+    Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, ShouldStop, System, Unknown,
+    Workspace,
 };

@@ -104,6 +104,7 @@ impl Problem {
             displacement: self.displacement(at),
             force: at.force,
             recorded: evaluation.recorded,
+            roll: self.system.roll(at).map_or(0.0, |roll| roll.angle),
         }
     }
 }

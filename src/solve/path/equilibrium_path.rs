@@ -6,7 +6,7 @@
 
 use super::metric::Metric;
 use super::near_branch::{self, NearBranch, StepSeen, changes_branch};
-use super::options::{PathError, PathOptions};
+use super::options::{Following, PathError, PathOptions};
 use super::predictor::{self, MOST_POINTS};
 use crate::solve::{
     Held, History, NewtonOptions, Observables, PathConstraint, Problem, RelaxOptions, ShouldStop, Solution, SolveError,
@@ -25,6 +25,7 @@ pub struct Waypoint {
     iterations: usize,
     careful: bool,
     branch: Option<NearBranch>,
+    by_roll: usize,
 }
 
 /// A path being followed: an iterator over its points, to be driven and stopped at will. All points stay in it.
@@ -45,6 +46,8 @@ pub struct Path<'p> {
     careful: bool,
     /// Where a step has led to another branch, until that lies behind.
     branch: Option<NearBranch>,
+    /// For so many further points the roll measures the path, because it stalled without.
+    by_roll: usize,
 }
 
 /// Most tries of one step, each shorter.
@@ -55,6 +58,8 @@ const DOUBTFUL: usize = 3;
 const REFUSE: f64 = 12.0;
 /// A step is refused when the path turns from its chord by more than the angle of this cosine.
 const LEAST_COSINE: f64 = 0.5;
+/// The same from end to end, where a path is followed by its tangent.
+const GENTLE_COSINE: f64 = 0.82;
 /// Most growth of a step.
 const MOST_GROWTH: f64 = 3.5;
 /// Points at the beginning of a path that are stepped by the displacement alone: the monitors may not move yet.
@@ -63,6 +68,8 @@ const OUTSET: usize = 3;
 const OUTSET_GROWTH: f64 = 2.0;
 /// Points over which the path's direction is taken.
 const CHORD: usize = 4;
+/// Points over which the roll measures a path that stalled without.
+const BY_ROLL: usize = 20;
 /// Most that a step of settling down moves, relative as in [`crate::solve::System::size`].
 const SETTLING: f64 = 0.3;
 /// Most meshes on which a structure settles, and by how little, in units of their scales, its monitors move then.
@@ -91,6 +98,7 @@ impl<'p> Path<'p> {
             history: None,
             careful: false,
             branch: None,
+            by_roll: 0,
         }
     }
 
@@ -129,20 +137,20 @@ impl<'p> Path<'p> {
     /// The newest point, for a path that is to go on from there.
     pub fn waypoint(&self) -> Option<Waypoint> {
         let point = self.points.last()?.clone();
-        let Self { iterations, careful, branch, .. } = *self;
-        Some(Waypoint { point, errors: self.errors.clone(), iterations, careful, branch })
+        let Self { iterations, careful, branch, by_roll, .. } = *self;
+        Some(Waypoint { point, errors: self.errors.clone(), iterations, careful, branch, by_roll })
     }
 
     /// Computes the next point, where it is not known.
     pub fn advance(&mut self) -> Result<Arc<Solution>, PathError> {
         let point = match self.known.next() {
-            Some(Waypoint { point, errors, iterations, careful, branch }) => {
+            Some(Waypoint { point, errors, iterations, careful, branch, by_roll }) => {
                 (self.errors, self.iterations) = (errors, iterations);
-                (self.careful, self.branch) = (careful, branch);
+                (self.careful, self.branch, self.by_roll) = (careful, branch, by_roll);
                 point
             }
             None if self.points.is_empty() => Arc::new(self.first()?),
-            None => Arc::new(self.step()?),
+            None => Arc::new(self.onward()?),
         };
         self.history = self.problem.system.commit(&point.at);
         self.points.push(point.clone());
@@ -191,6 +199,18 @@ impl<'p> Path<'p> {
             let relaxed = relax(self.problem, start, Held::Displacement(displacement), &options, &mut self.ws);
             relaxed.map(|relaxed| relaxed.solution).map_err(|_| error)
         })
+    }
+
+    /// The next point; where the path stalls, with the roll among what measures it.
+    fn onward(&mut self) -> Result<Solution, PathError> {
+        let stepped = self.step();
+        let stalls = stepped.as_ref().is_err_and(|error| error.cause != SolveError::Stopped);
+        if stalls && self.options.following == Following::Roll && self.by_roll == 0 {
+            (self.by_roll, self.branch) = (BY_ROLL, None);
+            return self.step();
+        }
+        self.by_roll = self.by_roll.saturating_sub(1);
+        stepped
     }
 
     fn step(&mut self) -> Result<Solution, PathError> {
@@ -291,7 +311,9 @@ impl<'p> Path<'p> {
         let newest = &self.points[self.points.len() - 1];
         let metric = self.metric(Some(&next.observables));
         let chord = next.observables.since(&newest.observables);
-        metric.cosine(slope, &chord) < LEAST_COSINE || metric.cosine(&next.slope, &chord) < LEAST_COSINE
+        metric.cosine(slope, &chord) < LEAST_COSINE
+            || metric.cosine(&next.slope, &chord) < LEAST_COSINE
+            || self.options.following == Following::Tangent && metric.cosine(slope, &next.slope) < GENTLE_COSINE
     }
 
     /// Error wanted of a prediction.
@@ -312,7 +334,8 @@ impl<'p> Path<'p> {
     /// The metric of the newest points, and of a further one.
     fn metric(&self, next: Option<&Observables>) -> Metric {
         let from = self.points.len().saturating_sub(if next.is_some() { 3 } else { 4 });
-        Metric::of(self.problem, self.points[from..].iter().map(|p| &p.observables).chain(next))
+        let newest = self.points[from..].iter().map(|p| &p.observables);
+        Metric::with_roll(self.problem, newest.chain(next), self.by_roll > 0)
     }
 
     /// The newest points, newest first, and their labels relative to the newest; as many as labels keep their order.

@@ -12,16 +12,23 @@ pub struct Metric {
     monitors: [f64; MONITORS],
     displacement: f64,
     force: f64,
+    roll: f64,
 }
 
 impl Metric {
     /// The largest change of each from point to point.
     pub fn of<'a>(problem: &Problem, segment: impl Iterator<Item = &'a Observables>) -> Self {
+        Self::with_roll(problem, segment, false)
+    }
+
+    /// The same, with the roll of the driven end where `by_roll`.
+    pub fn with_roll<'a>(problem: &Problem, segment: impl Iterator<Item = &'a Observables>, by_roll: bool) -> Self {
         let measure = &problem.measure;
         let mut metric = Self {
             monitors: measure.monitors.map(|scale| NOTICED * scale),
             force: if measure.by_force { NOTICED * measure.force } else { f64::INFINITY },
             displacement: NOTICED * problem.grip.displacement_scale(),
+            roll: if by_roll { NOTICED * measure.monitors[1] } else { f64::INFINITY },
         };
         let mut before: Option<&Observables> = None;
         for here in segment {
@@ -32,6 +39,7 @@ impl Metric {
                 }
                 metric.displacement = metric.displacement.max(change.displacement.abs());
                 metric.force = metric.force.max(change.force.abs());
+                metric.roll = metric.roll.max(change.roll.abs());
             }
             before = Some(here);
         }
@@ -45,6 +53,7 @@ impl Metric {
             displacement: direction.displacement / self.displacement.powi(2),
             force: direction.force / self.force.powi(2),
             recorded: 0.0,
+            roll: direction.roll / self.roll.powi(2),
         };
         dual.times(1.0 / dual.dot(direction).sqrt())
     }

@@ -9,7 +9,7 @@ mod segment;
 mod tracer;
 pub use equilibrium_path::{Path, Waypoint};
 pub use hermite::Hermite;
-pub use options::{PathError, PathOptions};
+pub use options::{Following, PathError, PathOptions};
 pub use predictor::{MOST_POINTS, lagrange_weights, longest_step};
 pub use segment::PathSegment;
 pub use tracer::{PathEvent, PathTracer, TraceError, TraceOptions};

@@ -4,6 +4,19 @@ use super::predictor::MOST_POINTS;
 use crate::solve::SolveError;
 use serde::{Deserialize, Serialize};
 
+/// By what a path is followed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Following {
+    /// What goes forward: the monitors, the displacement, of some systems the force.
+    #[default]
+    Monitors,
+    /// Where it stalls, the roll of the driven end as well, over a number of points: where a symmetric plane loses its stability nothing
+    /// else moves to first order.
+    Roll,
+    /// As by monitors, in steps on which the tangent turns less.
+    Tangent,
+}
+
 /// How a path is stepped. Its points follow from this and the problem alone.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PathOptions {
@@ -17,6 +30,8 @@ pub struct PathOptions {
     pub tolerance: f64,
     /// Most points that a prediction uses: 2 is the secant
     pub prediction: usize,
+    /// By what it is measured
+    pub following: Following,
     /// First displacement, nm (rad where the rotation is driven); its sign is the direction of the path
     pub first_displacement: f64,
 }
@@ -30,6 +45,7 @@ impl Default for PathOptions {
             stride: 1.0,
             tolerance: 1e-8,
             prediction: MOST_POINTS,
+            following: Following::Monitors,
             first_displacement: 8e-3,
         }
     }

@@ -10,8 +10,8 @@ use super::grip_control::{GripControl, LettingGo, NONE};
 use crate::beam::{BUNDLE, FRONT, GripState};
 use crate::model::{BeamProblem, Moved, PeelModel, Step};
 use crate::solve::{
-    LimitPointKind, Located, MOST_POINTS, NewtonOptions, Observables, Path, PathConstraint, PathOptions, PathSegment,
-    ShouldStop, Solution, State, Workspace, locate, settle, solve,
+    Following, LimitPointKind, Located, MOST_POINTS, NewtonOptions, Observables, Path, PathConstraint, PathOptions,
+    PathSegment, ShouldStop, Solution, State, Workspace, locate, settle, solve,
 };
 use std::sync::Arc;
 
@@ -170,6 +170,7 @@ impl LoadingSequence {
             stride: 1.0,
             tolerance: ROUGH,
             prediction: MOST_POINTS,
+            following: Following::default(),
             first_displacement: first,
         }
     }

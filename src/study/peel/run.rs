@@ -8,7 +8,7 @@ use super::solution_history::SolutionHistory;
 use super::special_points::{difference_at_start, error_at_start};
 use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
 use crate::model::{BeamProblem, Discretisation, PeelModel};
-use crate::solve::LimitPointKind;
+use crate::solve::{Following, LimitPointKind};
 use crate::study::accuracy::{Choice, Resolution, aim, most_elements};
 use crate::study::checkpoint::Limits;
 use crate::study::error_bounds::{
@@ -33,6 +33,14 @@ const MANY_MORE: usize = 2;
 const SHORTER: f64 = 0.5;
 /// Most such paths.
 const MOST_SHORTER: i32 = 3;
+/// How a path in space is followed where all these meshes have lost it, one after the other, each on the first mesh.
+const OTHERWISE: [Following; 2] = [Following::Roll, Following::Tangent];
+/// How it is followed after so many meshes that have lost it.
+fn following_after(failed: usize) -> Following {
+    let further = failed.checked_sub(MOST_FAILED_IN_SPACE);
+    further.and_then(|further| OTHERWISE.get(further)).copied().unwrap_or_default()
+}
+
 /// Follows the peel from rest to its end.
 pub(in crate::study) fn run(
     model: &PeelModel,
@@ -118,9 +126,24 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Opt
                 options.first_displacement = known.first_displacement;
                 options.step_tolerance *= FROM_BRANCH_POINT;
             }
+            options.following = following_after(failed);
+            let t0 = std::time::Instant::now();
             let followed = follow(&problem, options, far, accuracy.relative, limits);
             iterations += followed.iterations;
+            let its = followed.iterations;
             let attempt = Attempt::new(model, &problem, followed, resolution, accuracy);
+            if std::env::var("LOGC").is_ok() {
+                eprintln!(
+                    "LOGC {:?} {} el {} its {} pts {} {:?} worst {:e}",
+                    options.following,
+                    t0.elapsed().as_secs_f64(),
+                    resolution.elements,
+                    its,
+                    attempt.peel.points.len(),
+                    attempt.trouble.as_ref().map(|t| t.to_string().chars().take(120).collect::<String>()),
+                    attempt.worst()
+                );
+            }
             let enough = accuracy.choice.elements.is_some()
                 || attempt.is_enough()
                 || best.is_some_and(|best| attempt.is_stuck_behind(best));
@@ -128,13 +151,14 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Opt
             unfinished = over && (attempt.cut || attempt.trouble.is_some() || !enough);
             let hopeless = attempt.trouble.is_some() && model.space.is_some() && {
                 failed += 1;
-                failed == MOST_FAILED_IN_SPACE
+                failed == MOST_FAILED_IN_SPACE + OTHERWISE.len()
             };
+            let next = if attempt.trouble.is_some() && failed >= MOST_FAILED_IN_SPACE { first } else { attempt.next };
             if attempt.trouble.is_none() {
                 finest = finest.max(attempt.peel.effort.elements);
                 others.push(attempt.peel.limit_points.clone());
             }
-            let finer = (!enough && !over && !hopeless).then_some(attempt.next);
+            let finer = (!enough && !over && !hopeless).then_some(next);
             (attempt, finer)
         });
     if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {

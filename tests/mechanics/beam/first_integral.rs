@@ -171,6 +171,7 @@ fn finely(problem: &Problem, stop: fn(&Solution) -> bool) -> Vec<Arc<Solution>> 
         prediction: 8,
         tolerance: 1e-10,
         first_displacement: 0.002,
+        ..PathOptions::default()
     };
     let mut path = Path::new(problem, options);
     let stopped = path.by_ref().take(2000).any(|p| stop(&p.expect("the path goes on")));

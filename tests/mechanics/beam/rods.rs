@@ -204,6 +204,7 @@ fn an_arch_snaps_through_and_a_short_path_says_so() {
         prediction: 8,
         tolerance: 1e-11,
         first_displacement: -0.01 * rise,
+        ..PathOptions::default()
     };
     let path = follow_rod(&problem, options, 500, |p| -p.observables.displacement > 2.0 * rise).unwrap();
     let kinds: Vec<LimitPointKind> = path.turns.iter().map(|turn| turn.kind).collect();

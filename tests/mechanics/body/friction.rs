@@ -81,6 +81,7 @@ fn walk(model: &PeelModel, stride: f64, far: f64) -> (BeamProblem, Vec<Arc<Solut
         prediction: 8,
         tolerance: 1e-9,
         first_displacement: 0.008,
+        ..PathOptions::default()
     };
     let mut path = Path::new(&problem, options);
     while path.points().last().is_none_or(|point| point.observables.displacement < far) {

@@ -224,6 +224,7 @@ fn points(problem: &Problem, until: f64) -> Vec<std::sync::Arc<peelkit::solve::S
         prediction: 8,
         tolerance: 1e-11,
         first_displacement: 0.008,
+        ..PathOptions::default()
     };
     let path = Path::new(problem, options).map(Result::unwrap);
     path.take_while(|point| point.observables.displacement < until && point.slope.displacement > 0.0).collect()

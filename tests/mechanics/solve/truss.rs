@@ -45,6 +45,7 @@ fn options() -> PathOptions {
         tolerance: 1e-12,
         prediction: 8,
         first_displacement: -1e-3,
+        ..PathOptions::default()
     }
 }
 

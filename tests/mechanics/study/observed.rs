@@ -153,6 +153,7 @@ fn path_of(problem: &Problem, elements: usize, most: usize) -> Vec<Arc<Solution>
         tolerance: 1e-9,
         prediction: 8,
         first_displacement: 0.008,
+        ..PathOptions::default()
     };
     Path::new(problem, options).take(most).map_while(Result::ok).collect()
 }

@@ -102,6 +102,7 @@ pub(crate) fn snapped(model: &RodModel, order: usize, elements: usize) -> Result
         prediction: 8,
         tolerance: TOLERANCE,
         first_displacement: -0.01 * rise,
+        ..PathOptions::default()
     };
     let path = follow_rod(&problem, options, 2000, |point| -point.observables.displacement > FAR * rise);
     path.map(|path| (problem, path)).map_err(|error| error.to_string())
