@@ -4,13 +4,14 @@
 //! Expected: gradient and tangent are those of the energy, whatever the orientation of a tip; two tips on a rigid, upright seta hold twice the
 //! peak of one, within the bound of the table; 16 tips that
 //! turn hold the 87.68 nN of tips by the curve of the normal pull within that bound, at a root 10 nm higher; 64 are pulled off to the last. Before the
-//! begin of a branch and beyond the range of θ forces are the gradient of one energy as well.
+//! begin of a branch and beyond the range of θ forces are the gradient of one energy as well. Where 16 tips by the table are at rest, at the first
+//! detachment and at the peak, each spatula solved by itself has the forces and moments of the table within its bound, and together they carry the root.
 
 use peelkit::beam::rotation::{exponential, product};
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Seta, SetaModel, Sideways, Spatula, TipBranch, TipLaw};
 use peelkit::study::coarsening::{
-    AfterRound, CoarseningOptions, GrowingTable, PadEnd, TableLaw, TipPlace, TipRange, TipSheet, TipTable, coarsen,
-    pull_off_by_table,
+    AfterRound, Coarsening, CoarseningOptions, GrowingTable, PadEnd, TableLaw, TipPlace, TipRange, TipSheet, TipTable,
+    coarsen, pull_off_by_table,
 };
 use peelkit::study::{SetaEnd, SetaFailure, SetaLoading, SetaOptions, StopCriteria, pull_off};
 use std::sync::Arc;
@@ -192,4 +193,51 @@ fn sixty_four_tips_are_pulled_off_to_the_last() {
     // 235.18 nN at 3059.2 nm by the curve of the normal pull
     assert!((peak.force_along - 231.6).abs() < 0.5, "{peak:?}");
     assert!((peak.displacement - 3057.5).abs() < 10.0, "{peak:?}");
+}
+
+/// nm
+const NEAR_LIMIT: f64 = 0.5;
+
+#[test]
+fn where_tips_are_at_rest_by_the_table_their_spatulae_solved_alone_have_its_forces() {
+    let model = PeelModel::of(Body::Spatula(Spatula::default()), Adhesion::default(), Grip::FREE);
+    let range = TipRange { press: 5.0, rotation: [-0.1, 0.1], ..TipRange::SLIDING };
+    let options = CoarseningOptions { range, tolerance: 1e-2, ..CoarseningOptions::of(PadEnd::Sliding) };
+    let mut coarsening = Coarsening::new(&model, &options).unwrap();
+    let table = Arc::new(coarsening.table().unwrap());
+    let law = TableLaw::new(table.clone(), Sideways::Free);
+    let seta = Seta { forks: 4, ..Seta::default() };
+    let loading = SetaLoading::pull([0.0, 1.0, 0.0], 60_000.0);
+    let options = SetaOptions { balance: 1e-6, ..SetaOptions::default() };
+    let set = SetaModel::new(seta, Arc::new(law.clone()));
+    let pulled = pull_off(&set, &loading, &options, &StopCriteria::default()).unwrap();
+    let [force_error, _, moment_error] = table.attached_errors.force;
+    let (mut most_turned, mut at_limit): (f64, usize) = (0.0, 0);
+    for state in [pulled.first_detachment.as_ref().unwrap(), pulled.peak.as_ref().unwrap()] {
+        let mut sum = 0.0;
+        for (tip, at) in state.tips.iter().enumerate().filter(|(_, at)| at.on.adheres()) {
+            let joint = seta.tip_joint(tip);
+            let held = &state.joints[joint];
+            let offset = std::array::from_fn(|i| held.place[i] - at.foot[i]);
+            let place = law.place(seta.directors(joint), offset, held.directors);
+            let by_table = table.response(TipSheet::Attached, place);
+            assert!((by_table.force[0] + at.load[1]).abs() < 1e-9, "{tip}: {} {}", by_table.force[0], at.load[1]);
+            most_turned = most_turned.max(place.rotation.abs());
+            if table.attached.limit(place).normal - place.normal < NEAR_LIMIT {
+                // next to its limit point the spatula is not solved by its displacement
+                sum += by_table.force[0];
+                at_limit += 1;
+                continue;
+            }
+            let solved = coarsening.resolve(TipSheet::Attached, place).unwrap();
+            let wrong = [0, 2].map(|i| (solved.force[i] - by_table.force[i]).abs());
+            println!("{tip}: {place}, P = {:.6} nN, table off by {wrong:?}", solved.force[0]);
+            assert!(wrong[0] <= force_error && wrong[1] <= moment_error, "{tip} {place}: {wrong:?}");
+            sum += solved.force[0];
+        }
+        let root = state.point.force_along;
+        println!("{sum:.6} nN by spatulae, {root:.6} nN on the root, {most_turned:.4} rad");
+        assert!((sum - root).abs() < 16.0 * force_error && root > 80.0, "{sum} {root} {force_error}");
+    }
+    assert!(most_turned > 0.02 && at_limit <= 4, "{most_turned} {at_limit}");
 }
