@@ -7,7 +7,7 @@ mod common;
 use common::Setting;
 use criterion::{Criterion, criterion_group, criterion_main};
 use peelkit::model::{Form, StripModel};
-use peelkit::solve::{MOST_POINTS, Path, PathOptions};
+use peelkit::solve::{MOST_POINTS, Pace, Path, PathOptions};
 use peelkit::study::{Accuracy, PeelResult, PointKind, Spacing, StopCriteria, follow_point, peel, sweep};
 use std::hint::black_box;
 
@@ -39,6 +39,7 @@ fn path_alone(c: &mut Criterion) {
         tolerance: 1e-10,
         prediction: MOST_POINTS,
         first_displacement: 0.008,
+        pace: Pace::Quick,
     };
     c.bench_function("path alone, 100 nm at 1e-8", |b| {
         b.iter(|| {

@@ -5,7 +5,7 @@
 //!     cargo run --release --example drive_the_path
 
 use peelkit::model::{Form, StripModel};
-use peelkit::solve::{Path, PathOptions};
+use peelkit::solve::{Pace, Path, PathOptions};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let model = StripModel::of_the_paper(100.0, 1.0);
@@ -17,6 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         prediction: 8,
         tolerance: 1e-9,
         first_displacement: 0.008,
+        pace: Pace::Quick,
     };
     let mut path = Path::new(&problem, options);
 

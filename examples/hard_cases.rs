@@ -6,7 +6,7 @@
 
 use peelkit::beam::{FRONT, MeshKind, TIP_ROTATION};
 use peelkit::model::Form;
-use peelkit::solve::{MOST_POINTS, Observables, Path, PathOptions, controlled};
+use peelkit::solve::{MOST_POINTS, Observables, Pace, Path, PathOptions, controlled};
 use peelkit::study::{Accuracy, Choice, PathEnd, Peel, peel};
 use peelkit_report::end_word;
 use peelkit_scene::{BoundsTable, Scene};
@@ -69,6 +69,7 @@ fn by_secants(scene: &Scene, own: &Peel) -> String {
         tolerance: 1e-2 * relative,
         prediction: 2,
         first_displacement: 0.02 * scene.model.adhesion.equilibrium_distance.min(scene.model.process_length()),
+        pace: Pace::Quick,
     };
     let run = |options: PathOptions| {
         let mut path = Path::new(&problem, options);

@@ -8,7 +8,7 @@
 
 use peelkit::beam::{ReferenceCurve, Section};
 use peelkit::model::{Drive, Hold, RodModel, Support};
-use peelkit::solve::PathOptions;
+use peelkit::solve::{Pace, PathOptions};
 use peelkit::study::follow_rod;
 
 /// Half the opening angle, rad, and half the length of the axis, nm.
@@ -33,6 +33,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         prediction: 8,
         tolerance: 1e-10,
         first_displacement: -0.01 * rise,
+        pace: Pace::Quick,
     };
     let problem = arch.problem(7)?;
     let path = follow_rod(&problem, options, 1000, |point| point.observables.displacement < -2.2 * rise)?;

@@ -12,7 +12,7 @@
 mod strip;
 
 use peelkit::model::Form;
-use peelkit::solve::{NewtonOptions, Observables, Path, PathConstraint, PathOptions, Solution, Workspace, solve};
+use peelkit::solve::{NewtonOptions, Observables, Pace, Path, PathConstraint, PathOptions, Solution, Workspace, solve};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
 use strip::paper_strip;
@@ -32,6 +32,7 @@ fn iterations_allocate_nothing() {
             prediction: 8,
             tolerance: 1e-9,
             first_displacement: 0.008,
+            pace: Pace::Quick,
         };
         let points: Vec<_> = Path::new(&problem, options).take(7).collect::<Result<_, _>>().unwrap();
         let (before, after) = (&points[5], &points[6]);

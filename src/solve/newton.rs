@@ -92,8 +92,66 @@ impl Solution {
     }
 }
 
-/// Solves from the start `at`.
+/// What is tried where Newton's method does not converge.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Pace {
+    /// Nothing more.
+    #[default]
+    Quick,
+    /// It is begun again, and ends by the size of its updates alone: first with linear ones, then with those that follow the section force.
+    Wary,
+}
+
+/// How Newton's method goes on by its updates, and by what it ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Updates {
+    /// Linear ones that fall quadratically: it ends where the next one would be small.
+    Falling,
+    /// Linear ones, of which large and small ones may take turns: it ends by their own size alone.
+    Wandering,
+    /// The same by updates that follow the section force, [`super::System::step`].
+    Following,
+}
+
+/// Most iterations where updates may wander, and those after which it may stand still.
+const MOST_WANDERING: usize = 24;
+const WANDERS: usize = 4;
+
+/// Solves from the start `at`, at the pace of the workspace.
 pub fn solve(
+    problem: &Problem,
+    at: State,
+    constraint: &PathConstraint,
+    options: &NewtonOptions,
+    ws: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    match ws.pace() {
+        Pace::Quick => iterate(Updates::Falling, problem, at, constraint, options, ws),
+        Pace::Wary => {
+            let first = iterate(Updates::Falling, problem, at.clone(), constraint, options, ws);
+            match first {
+                Err(SolveError::NotConverged { .. }) => solve_warily(problem, &at, constraint, options, ws).or(first),
+                first => first,
+            }
+        }
+    }
+}
+
+/// The same where updates may wander: a small one is no sign of an equilibrium if the one before was large.
+pub(super) fn solve_warily(
+    problem: &Problem,
+    at: &State,
+    constraint: &PathConstraint,
+    options: &NewtonOptions,
+    ws: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    let options = NewtonOptions { most_iterations: MOST_WANDERING, ..*options };
+    iterate(Updates::Wandering, problem, at.clone(), constraint, &options, ws)
+        .or_else(|_| iterate(Updates::Following, problem, at.clone(), constraint, &options, ws))
+}
+
+fn iterate(
+    updates: Updates,
     problem: &Problem,
     mut at: State,
     constraint: &PathConstraint,
@@ -106,7 +164,7 @@ pub fn solve(
     let system = &*problem.system;
     let mut update = vec![0.0; system.unknowns(&at)];
     let mut correction = 0.0;
-    let mut previous = f64::INFINITY;
+    let (mut previous, mut before) = (f64::INFINITY, f64::INFINITY);
     let stagnant = system.round_off().max(STAGNANT);
     for iterations in 1..=options.most_iterations {
         let (root, grip) = factorised(problem, &at, constraint, Coefficients::STATIC, ws)?;
@@ -116,17 +174,27 @@ pub fn solve(
         if !(size.is_finite() && step.force.is_finite()) {
             return Err(SolveError::NotFiniteUpdate { quantity: Quantity::NewtonUpdate });
         }
-        let stalls = iterations > 2 && size > 0.9 * previous;
+        let stalls = match updates {
+            Updates::Falling => iterations > 2 && size > 0.9 * previous,
+            Updates::Wandering | Updates::Following => iterations > WANDERS && size > 0.9 * previous.max(before),
+        };
         if size > options.largest_update || (stalls && size > stagnant.max(STALLED * options.tolerance)) {
             return Err(SolveError::NotConverged { update: size, iterations });
         }
-        system.retract(&mut at, &update, 1.0);
+        match updates {
+            Updates::Falling | Updates::Wandering => system.retract(&mut at, &update, 1.0),
+            Updates::Following => system.step(&mut at, &update),
+        }
         at.force += step.force;
         correction += size;
         // quadratic convergence: what the next update would be, as far as round-off lets it fall
         let next = if previous.is_finite() { size * (size / previous).powi(2).min(1.0) } else { size };
         let next = next.max(system.round_off());
-        let converged = size <= options.tolerance || (next <= options.tolerance && size <= LAST);
+        let converged = match updates {
+            Updates::Falling => size <= options.tolerance || (next <= options.tolerance && size <= LAST),
+            // a small one may be the small one of two that take turns
+            Updates::Wandering | Updates::Following => size <= options.tolerance && previous <= LAST,
+        };
         if converged || stalls || (size < stagnant && size > 0.5 * previous) {
             let (root, grip) = if options.exact_slope && size > EXACT {
                 factorised(problem, &at, constraint, Coefficients::STATIC, ws)?
@@ -160,7 +228,7 @@ pub fn solve(
                 at,
             });
         }
-        previous = size;
+        (before, previous) = (previous, size);
     }
     Err(SolveError::NotConverged { update: previous, iterations: options.most_iterations })
 }

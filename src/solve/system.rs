@@ -8,7 +8,7 @@
 //! the solver is left with a small dense block, to which it adds the grip, the force and the path constraint. A call
 //! costs one dynamic dispatch a factorisation.
 
-use super::{History, MONITORS, Mesh, SolveError, State};
+use super::{History, MONITORS, Mesh, Pace, SolveError, State};
 use std::any::Any;
 use std::sync::Arc;
 
@@ -108,12 +108,28 @@ pub struct Workspace {
     /// Of a type that the system alone knows.
     factors: Option<Box<dyn Any + Send + Sync>>,
     should_stop: Option<ShouldStop>,
+    pace: Pace,
 }
 
 impl Workspace {
     /// One in which no solve is begun once `should_stop` says so: it is [`SolveError::Stopped`].
     pub fn until(should_stop: Option<ShouldStop>) -> Self {
-        Self { factors: None, should_stop }
+        Self { factors: None, should_stop, pace: Pace::Quick }
+    }
+
+    /// The same in which solves go at this pace.
+    pub fn at(self, pace: Pace) -> Self {
+        Self { pace, ..self }
+    }
+
+    /// How solves go in it.
+    pub(super) fn pace(&self) -> Pace {
+        self.pace
+    }
+
+    /// Lets the next solves go at this pace.
+    pub(super) fn set_pace(&mut self, pace: Pace) {
+        self.pace = pace;
     }
 
     /// Whether no solve is to be begun.
@@ -219,6 +235,11 @@ pub trait System: Send + Sync {
         for (value, change) in at.values.iter_mut().zip(direction) {
             *value += factor * change;
         }
+    }
+
+    /// Goes on from a state by an update of Newton's method, so that what is stiff is not stretched by more than the update says.
+    fn step(&self, at: &mut State, update: &[f64]) {
+        self.retract(at, update, 1.0);
     }
 
     /// The direction that leads from one state to another on the same mesh.

@@ -4,7 +4,7 @@ use super::error_bounds::CORNER_AIM_FRACTION;
 use super::terms::Terms;
 use crate::beam::{BUNDLE, MeshKind};
 use crate::model::{Discretisation, Form, ModelError, NumberOf, PeelModel, Range};
-use crate::solve::{MOST_POINTS, PathOptions};
+use crate::solve::{MOST_POINTS, Pace, PathOptions};
 use serde::{Deserialize, Serialize};
 
 /// What the user asks of the numbers.
@@ -177,6 +177,7 @@ impl Resolution {
             prediction: MOST_POINTS,
             tolerance: (1e-2 * relative).clamp(1e-12, 1e-6),
             first_displacement: self.stride * FIRST * model.first_way(),
+            pace: Pace::Quick,
         }
     }
 

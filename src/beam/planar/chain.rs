@@ -151,6 +151,9 @@ pub trait Chain: Send + Sync {
     /// Goes back from the root's solution (last node's fields, border): makes x of a right-hand side that [`Chain::reduce`] has gone
     /// through, with the same `eliminated` and `transposed`.
     fn substitute(&self, eliminated: &ChainFactors, root: &[f64], right: &mut [f64], transposed: bool);
+    /// Adds to the heights of the nodes of `state` what a step by `direction`, which is not taken here, leaves out: with it the vertical section
+    /// force of every Gauss point is what its linearisation says. `axial`: the border and its change. The left end stays.
+    fn follow_force(&self, ends: &[f64], state: &mut [f64], direction: &[f64], axial: [f64; 2]);
     /// Energy of a configuration, and how its coverage changes along `direction`, a change of the fields.
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64);
     /// The gradient of the energy by the fields of the nodes, and by the border; for the fields that the left end holds, how far they are

@@ -21,6 +21,8 @@ const WITH_X: [Unknown; 3] = [PLACE, HEIGHT, ROTATION];
 const LOOSE: f64 = 0.1;
 /// One step takes a loose beam no nearer to the substrate than this share of its distance.
 const NEARER: f64 = 0.6;
+/// An update that turns no section by more, rad, is linear to round-off.
+const TURNED: f64 = 1e-7;
 /// The mesh is renewed when the front has moved by this share of the process zone.
 const MOVED: f64 = 0.3;
 
@@ -75,6 +77,16 @@ impl System for PlanarBeam {
         let diagonal = self.diagonal(at, coefficients);
         let added = NodalTerms { stiffness: &diagonal, force: &[] };
         self.condensed(at, self.configuration(at), added, weights, ws)
+    }
+
+    fn step(&self, at: &mut State, update: &[f64]) {
+        let nodes = self.nodes(update).len();
+        let turns = update[..nodes].iter().skip(self.rotation).step_by(self.fields());
+        if turns.fold(0.0, |largest: f64, turn| largest.max(turn.abs())) > TURNED {
+            let axial = [self.axial(&at.values).0, self.axial(update).0];
+            self.chain.follow_force(&at.mesh.boundaries, &mut at.values[..nodes], &update[..nodes], axial);
+        }
+        self.retract(at, update, 1.0);
     }
 
     fn recover(&self, ws: &Workspace, interface: &[f64; INTERFACE], scale: f64, direction: &mut [f64]) {

@@ -3,8 +3,8 @@
 use super::LimitPointKind;
 use super::search::{BendRule, Bends, FINE, LimitPointSearch};
 use crate::solve::{
-    NewtonOptions, Observables, PathConstraint, PathSegment, Problem, Solution, SolveError, State, Workspace, slopes,
-    solve,
+    NewtonOptions, Observables, Pace, PathConstraint, PathSegment, Problem, Solution, SolveError, State, Workspace,
+    slopes, solve,
 };
 use std::sync::Arc;
 
@@ -59,8 +59,9 @@ const CORNER: f64 = 1e-5;
 /// The secant rule starts when it expects to move by no more than this share of the step.
 const NEAR: f64 = 0.05;
 
-/// Error of a solution on the way to a limit point, relative as in [`crate::solve::System::size`].
+/// Error of a solution on the way to a limit point, relative as in [`crate::solve::System::size`], and where a wary search finds no better.
 pub const ROUGH: f64 = 1e-10;
+const WARY: f64 = 1e-8;
 /// Error of a solution next to a singular point, where round-off leaves no better.
 pub(in crate::solve) const SINGULAR: f64 = 1e-5;
 
@@ -86,7 +87,8 @@ pub fn solve_on(
             Err(error) => trouble = error,
         }
     }
-    Err(trouble)
+    let looser = ws.pace() == Pace::Wary && tolerance < WARY;
+    if looser { solve_on(problem, segment, at, WARY, ws).map_err(|_| trouble) } else { Err(trouble) }
 }
 
 /// How often the way to a solution inside a step is halved.
@@ -298,8 +300,7 @@ fn beside(
     }
 }
 
-/// A limit point of the force that could not be located: the solution where an interpolant has it, or an end of its step,
-/// with the step as the error of both numbers.
+/// A limit point of the force that could not be located: the solution where an interpolant has it, or an end of its step, with the step as the error of both numbers.
 pub fn unlocated(problem: &Problem, segment: &PathSegment, ws: &mut Workspace) -> Result<Located, SolveError> {
     let end = segment.end();
     let guess = segment.observable(LimitPointKind::Load.pick(), 0.5 * end).turning_point(0.0, end);
@@ -311,8 +312,7 @@ pub fn unlocated(problem: &Problem, segment: &PathSegment, ws: &mut Workspace) -
     Ok(Located { observables, solution, difference, force_curvature: 0.0, flat: true, left_out: 0.0, iterations: 3 })
 }
 
-/// A limit point of the force in a segment so flat that its place cannot be determined and does not matter: a solution in it,
-/// with the whole step as the error of its displacement and `change` as that of its force.
+/// A limit point of the force in a segment so flat that its place cannot be determined and does not matter: a solution in it, with the whole step as the error of its displacement and `change` as that of its force.
 fn flat(
     problem: &Problem,
     segment: &PathSegment,

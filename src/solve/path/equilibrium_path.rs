@@ -8,24 +8,14 @@ use super::metric::Metric;
 use super::near_branch::{self, NearBranch, StepSeen, changes_branch};
 use super::options::{PathError, PathOptions};
 use super::predictor::{self, MOST_POINTS};
+use super::waypoint::Waypoint;
+use crate::solve::newton::solve_warily;
 use crate::solve::{
-    Held, History, NewtonOptions, Observables, PathConstraint, Problem, RelaxOptions, ShouldStop, Solution, SolveError,
-    State, Workspace, relax, settle, solve,
+    Held, History, NewtonOptions, Observables, Pace, PathConstraint, Problem, RelaxOptions, ShouldStop, Solution,
+    SolveError, State, Workspace, relax, settle, solve,
 };
-use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::vec;
-
-/// A point of a path and what the path has learnt there: with the points before, all that it takes to go on.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Waypoint {
-    /// The equilibrium
-    pub point: Arc<Solution>,
-    errors: Vec<f64>,
-    iterations: usize,
-    careful: bool,
-    branch: Option<NearBranch>,
-}
 
 /// A path being followed: an iterator over its points, to be driven and stopped at will. All points stay in it.
 pub struct Path<'p> {
@@ -45,12 +35,16 @@ pub struct Path<'p> {
     careful: bool,
     /// Where a step has led to another branch, until that lies behind.
     branch: Option<NearBranch>,
+    /// Whether the point before the newest has been replaced on the step to it, because it was no equilibrium.
+    mended: bool,
 }
 
 /// Most tries of one step, each shorter.
 const MOST_TRIES: usize = 14;
 /// The try before which the slope at the newest point is computed anew.
 const DOUBTFUL: usize = 3;
+/// The try from which on solves go at the pace of the path.
+const WARY: usize = 2;
 /// A step is refused when its prediction was wrong by this multiple of the step tolerance.
 const REFUSE: f64 = 12.0;
 /// A step is refused when the path turns from its chord by more than the angle of this cosine.
@@ -91,6 +85,7 @@ impl<'p> Path<'p> {
             history: None,
             careful: false,
             branch: None,
+            mended: false,
         }
     }
 
@@ -130,13 +125,16 @@ impl<'p> Path<'p> {
     pub fn waypoint(&self) -> Option<Waypoint> {
         let point = self.points.last()?.clone();
         let Self { iterations, careful, branch, .. } = *self;
-        Some(Waypoint { point, errors: self.errors.clone(), iterations, careful, branch })
+        let before = self.points.len().checked_sub(2).filter(|_| self.mended).map(|k| self.points[k].clone());
+        Some(Waypoint { point, errors: self.errors.clone(), iterations, careful, branch, before })
     }
 
     /// Computes the next point, where it is not known.
     pub fn advance(&mut self) -> Result<Arc<Solution>, PathError> {
+        self.mended = false;
         let point = match self.known.next() {
-            Some(Waypoint { point, errors, iterations, careful, branch }) => {
+            Some(Waypoint { point, errors, iterations, careful, branch, before }) => {
+                before.into_iter().for_each(|mended| self.mend(mended));
                 (self.errors, self.iterations) = (errors, iterations);
                 (self.careful, self.branch) = (careful, branch);
                 point
@@ -194,7 +192,7 @@ impl<'p> Path<'p> {
     }
 
     fn step(&mut self) -> Result<Solution, PathError> {
-        let newest = self.points[self.points.len() - 1].clone();
+        let mut newest = self.points[self.points.len() - 1].clone();
         let mut slope = newest.slope;
         let mut weights = self.weights(&slope);
         let (mut points, mut labels) = self.labelled(&weights);
@@ -206,6 +204,7 @@ impl<'p> Path<'p> {
                 && let Ok(exact) = self.again(&newest, &weights)
             {
                 slope = exact;
+                newest = self.points[self.points.len() - 1].clone();
                 weights = self.weights(&slope);
                 (points, labels) = self.labelled(&weights);
                 count = count.min(labels.len());
@@ -221,6 +220,7 @@ impl<'p> Path<'p> {
                 continue;
             }
             let constraint = PathConstraint { weights, target: weights.dot(&newest.observables) + step };
+            self.ws.set_pace(if tries >= WARY { self.options.pace } else { Pace::Quick });
             match solve(self.problem, start, &constraint, &self.newton(), &mut self.ws) {
                 Ok(next) => {
                     self.iterations += next.iterations;
@@ -258,14 +258,32 @@ impl<'p> Path<'p> {
         Err(self.stopped(MOST_TRIES, cause))
     }
 
-    /// The slope of the path at a point itself. That of a solution is one update of Newton's method back, and near limit points it may be
-    /// wrong by all of itself.
+    /// The slope of the path at the newest point itself. That of a solution is one update of Newton's method back, and near limit points it may be
+    /// wrong by all of itself. Where the pace is wary the point is replaced by what it is solved to: it may have been no equilibrium.
     fn again(&mut self, point: &Solution, weights: &Observables) -> Result<Observables, SolveError> {
         let constraint = PathConstraint { weights: *weights, target: weights.dot(&point.observables) };
         let exact = NewtonOptions { exact_slope: true, ..self.newton() };
-        let solution = solve(self.problem, point.at.clone(), &constraint, &exact, &mut self.ws)?;
+        self.ws.set_pace(Pace::Quick);
+        let solution = match self.options.pace {
+            Pace::Quick => solve(self.problem, point.at.clone(), &constraint, &exact, &mut self.ws)?,
+            Pace::Wary => {
+                let mended = solve_warily(self.problem, &point.at, &constraint, &exact, &mut self.ws)
+                    .or_else(|_| solve(self.problem, point.at.clone(), &constraint, &exact, &mut self.ws))?;
+                self.mend(Arc::new(mended.clone()));
+                mended
+            }
+        };
         self.iterations += solution.iterations;
         Ok(solution.slope)
+    }
+
+    /// Puts an equilibrium in the place of the newest point.
+    fn mend(&mut self, equilibrium: Arc<Solution>) {
+        self.history = self.problem.system.commit(&equilibrium.at);
+        if let Some(newest) = self.points.last_mut() {
+            *newest = equilibrium;
+        }
+        self.mended = true;
     }
 
     /// Weights of the first steps: the displacement in the path's direction.

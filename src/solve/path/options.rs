@@ -1,7 +1,7 @@
 //! How a path is stepped, and why it stops.
 
 use super::predictor::MOST_POINTS;
-use crate::solve::SolveError;
+use crate::solve::{Pace, SolveError};
 use serde::{Deserialize, Serialize};
 
 /// How a path is stepped. Its points follow from this and the problem alone.
@@ -19,6 +19,8 @@ pub struct PathOptions {
     pub prediction: usize,
     /// First displacement, nm (rad where the rotation is driven); its sign is the direction of the path
     pub first_displacement: f64,
+    /// What is tried where a step is not made
+    pub pace: Pace,
 }
 
 impl Default for PathOptions {
@@ -31,6 +33,7 @@ impl Default for PathOptions {
             tolerance: 1e-8,
             prediction: MOST_POINTS,
             first_displacement: 8e-3,
+            pace: Pace::Quick,
         }
     }
 }

@@ -10,8 +10,8 @@ use super::grip_control::{GripControl, LettingGo, NONE};
 use crate::beam::{BUNDLE, FRONT, GripState};
 use crate::model::{BeamProblem, Moved, PeelModel, Step};
 use crate::solve::{
-    LimitPointKind, Located, MOST_POINTS, NewtonOptions, Observables, Path, PathConstraint, PathOptions, PathSegment,
-    ShouldStop, Solution, State, Workspace, locate, settle, solve,
+    LimitPointKind, Located, MOST_POINTS, NewtonOptions, Observables, Pace, Path, PathConstraint, PathOptions,
+    PathSegment, ShouldStop, Solution, State, Workspace, locate, settle, solve,
 };
 use std::sync::Arc;
 
@@ -171,6 +171,7 @@ impl LoadingSequence {
             tolerance: ROUGH,
             prediction: MOST_POINTS,
             first_displacement: first,
+            pace: Pace::Quick,
         }
     }
 

@@ -12,6 +12,7 @@ mod sliding;
 mod solution_history;
 mod special_points;
 mod step_curve;
+mod widened;
 mod work;
 pub use adhering::Adhering;
 pub(super) use assembly::empty;

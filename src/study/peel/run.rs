@@ -6,9 +6,10 @@ use super::assembly::{differences, empty, report};
 use super::equilibrium_path::{Followed, follow};
 use super::solution_history::SolutionHistory;
 use super::special_points::{difference_at_start, error_at_start};
+use super::widened::widened;
 use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
 use crate::model::{BeamProblem, Discretisation, PeelModel};
-use crate::solve::LimitPointKind;
+use crate::solve::{LimitPointKind, Pace, PathOptions};
 use crate::study::accuracy::{Choice, Resolution, aim, most_elements};
 use crate::study::checkpoint::Limits;
 use crate::study::error_bounds::{
@@ -69,27 +70,6 @@ pub(in crate::study) fn run_from(
     widened(peel, accuracy, least)
 }
 
-/// With no bound below a share of its number, where there is one.
-fn widened(mut peel: Peel, accuracy: &Accuracy, least: Option<f64>) -> Peel {
-    peel.asked = accuracy.relative;
-    let Peel { limit_points, initiation_peak, peak, snap_off, pad_detachment, detachment, plateau, .. } = &mut peel;
-    if let Some(share) = least {
-        for point in limit_points.iter_mut().chain(snap_off).chain(pad_detachment).chain(detachment) {
-            point.force_error = point.force_error.max(share * point.force.abs());
-            point.displacement_error = point.displacement_error.max(share * point.displacement.abs());
-            point.work_error = point.work_error.map(|error| error.max(share * point.work.abs()));
-        }
-        if let Some(plateau) = plateau {
-            plateau.force_error = plateau.force_error.map(|error| error.max(share * plateau.force));
-        }
-        for peak in initiation_peak.iter_mut().chain(peak) {
-            peak.force_error = peak.force_error.max(share * peak.force.abs());
-            peak.displacement_error = peak.displacement_error.max(share * peak.displacement.abs());
-        }
-    }
-    peel
-}
-
 /// The path on one mesh after another, until its bounds are what is wanted.
 fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Option<&KnownStart>) -> Peel {
     let accuracy = &accuracy.fitted(model);
@@ -111,9 +91,9 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Opt
     let far = model.line_law().cutoff_distance();
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
     let (mut iterations, mut unfinished, mut finest, mut failed) = (0, false, 0, 0);
-    let mut best =
+    let mut followed_at = |pace: Pace| {
         refined(first, most_elements(model), Attempt::is_better_than, |resolution, best: Option<&Attempt>| {
-            let mut options = resolution.path_options(model, accuracy.relative);
+            let mut options = PathOptions { pace, ..resolution.path_options(model, accuracy.relative) };
             if let Some(known) = start {
                 options.first_displacement = known.first_displacement;
                 options.step_tolerance *= FROM_BRANCH_POINT;
@@ -136,10 +116,18 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Opt
             }
             let finer = (!enough && !over && !hopeless).then_some(attempt.next);
             (attempt, finer)
-        });
+        })
+        .map(|best| Attempt { finest, ..best })
+    };
+    let mut best = followed_at(Pace::Quick);
+    // in space a path that was lost takes as long as many that are not
+    if model.space.is_none() && best.as_ref().is_some_and(|best| best.failure().is_some()) && limits.reached().is_none()
+    {
+        let wary = followed_at(Pace::Wary);
+        best = best.into_iter().chain(wary).reduce(|one, other| if other.is_better_than(&one) { other } else { one });
+    }
     if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {
         best.widen(&others);
-        best.finest = finest;
     }
     if problem.system.has_history() && accuracy.choice.step.is_none() && !unfinished {
         best = best.map(|best| {
@@ -375,21 +363,26 @@ impl Attempt {
         self.finest >= MANY_MORE * self.peel.effort.elements
     }
 
-    /// The result, as a failure where the path cannot be used.
-    fn into_peel(mut self) -> Peel {
+    /// Why it is a failure, if it is.
+    fn failure(&self) -> Option<PathFailure> {
         // a path that cannot be continued because its model ends has not failed
-        if let Some(end) = self.model_end() {
-            (self.peel.end, self.trouble) = (end, None);
-        }
-        let (fixed, worst) = (self.peel.choice.elements.is_some(), self.worst());
+        let ended = self.model_end().is_some();
+        let trouble = self.trouble.clone().filter(|_| !ended);
+        let worst = if ended { self.difference } else { self.worst() };
         // a path that remembers has been followed again with other steps, whose mesh may be a little worse
         let missed = worst > if self.remembers { STRIDE_TOLERANCE_FACTOR } else { 1.0 }
             && worst * self.peel.asked > if self.is_at_round_off() { CERTAIN_STAGNATION } else { STAGNATION }
-            && !fixed;
+            && self.peel.choice.elements.is_none();
+        let bounded = matches!(self.peel.end, PathEnd::Bound(_)) && !ended;
+        trouble.or((missed && !bounded).then_some(PathFailure::BoundsMissed { factor: worst }))
+    }
+
+    /// The result, as a failure where the path cannot be used.
+    fn into_peel(self) -> Peel {
+        let (failure, model_end) = (self.failure(), self.model_end());
         let mut peel = self.peel;
-        let bounded = matches!(peel.end, PathEnd::Bound(_));
-        let missed = (missed && !bounded).then_some(PathFailure::BoundsMissed { factor: worst });
-        if let Some(cause) = self.trouble.or(missed) {
+        peel.end = model_end.unwrap_or(peel.end);
+        if let Some(cause) = failure {
             if matches!(cause, PathFailure::StepsMatter { .. }) {
                 // which of the limit points are there depends on the steps
                 peel.forget_special_points();

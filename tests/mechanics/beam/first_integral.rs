@@ -19,7 +19,7 @@ use peelkit::adhesion::LineLoad;
 use peelkit::analytic::steady_force;
 use peelkit::beam::{FRONT, TIP_ROTATION};
 use peelkit::model::{Form, Hold, PeelModel, StripModel};
-use peelkit::solve::{Hermite, Observables, Path, PathOptions, Problem, Solution};
+use peelkit::solve::{Hermite, Observables, Pace, Path, PathOptions, Problem, Solution};
 use peelkit::study::Peel;
 use std::sync::Arc;
 
@@ -171,6 +171,7 @@ fn finely(problem: &Problem, stop: fn(&Solution) -> bool) -> Vec<Arc<Solution>> 
         prediction: 8,
         tolerance: 1e-10,
         first_displacement: 0.002,
+        pace: Pace::Quick,
     };
     let mut path = Path::new(problem, options);
     let stopped = path.by_ref().take(2000).any(|p| stop(&p.expect("the path goes on")));

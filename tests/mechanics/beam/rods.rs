@@ -20,7 +20,8 @@ use peelkit::beam::{
 };
 use peelkit::model::{Drive, Hold, RodModel, Support};
 use peelkit::solve::{
-    LimitPointKind, NewtonOptions, Observables, PathConstraint, PathOptions, SolveError, Workspace, controlled, solve,
+    LimitPointKind, NewtonOptions, Observables, Pace, PathConstraint, PathOptions, SolveError, Workspace, controlled,
+    solve,
 };
 use peelkit::study::{RodFailure, follow_rod};
 use proptest::prelude::*;
@@ -204,6 +205,7 @@ fn an_arch_snaps_through_and_a_short_path_says_so() {
         prediction: 8,
         tolerance: 1e-11,
         first_displacement: -0.01 * rise,
+        pace: Pace::Quick,
     };
     let path = follow_rod(&problem, options, 500, |p| -p.observables.displacement > 2.0 * rise).unwrap();
     let kinds: Vec<LimitPointKind> = path.turns.iter().map(|turn| turn.kind).collect();

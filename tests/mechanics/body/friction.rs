@@ -17,7 +17,7 @@ use approx::assert_relative_eq;
 use peelkit::adhesion::{FrictionLaw, GroundLaw, LineLoad, Substrate};
 use peelkit::beam::{BeamOnGround, EnergyDensity, Point, PointResponse, Profile};
 use peelkit::model::{BeamProblem, Form, Friction, Hold, PeelModel, Pull, Step};
-use peelkit::solve::{Observables, Path, PathOptions, Solution, controlled};
+use peelkit::solve::{Observables, Pace, Path, PathOptions, Solution, controlled};
 use peelkit::study::{Accuracy, Choice, PathEnd, StopCriteria, peel};
 use std::sync::Arc;
 
@@ -81,6 +81,7 @@ fn walk(model: &PeelModel, stride: f64, far: f64) -> (BeamProblem, Vec<Arc<Solut
         prediction: 8,
         tolerance: 1e-9,
         first_displacement: 0.008,
+        pace: Pace::Quick,
     };
     let mut path = Path::new(&problem, options);
     while path.points().last().is_none_or(|point| point.observables.displacement < far) {

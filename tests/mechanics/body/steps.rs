@@ -15,7 +15,9 @@
 
 use crate::common::{paper_strip, with_grip};
 use peelkit::model::{BeamProblem, Body, Form, Hold, PeelModel, Pull, Spatula, Step};
-use peelkit::solve::{Observables, Path, PathConstraint, PathOptions, Problem, State, Workspace, controlled, slopes};
+use peelkit::solve::{
+    Observables, Pace, Path, PathConstraint, PathOptions, Problem, State, Workspace, controlled, slopes,
+};
 use peelkit::study::{Accuracy, Choice, Effort, PathEnd, Peel, StopCriteria, peel};
 use std::f64::consts::FRAC_PI_3;
 
@@ -224,6 +226,7 @@ fn points(problem: &Problem, until: f64) -> Vec<std::sync::Arc<peelkit::solve::S
         prediction: 8,
         tolerance: 1e-11,
         first_displacement: 0.008,
+        pace: Pace::Quick,
     };
     let path = Path::new(problem, options).map(Result::unwrap);
     path.take_while(|point| point.observables.displacement < until && point.slope.displacement > 0.0).collect()

@@ -3,3 +3,4 @@ mod dense_truss;
 mod linear;
 mod sensitivity;
 mod truss;
+mod waypoints;

@@ -19,7 +19,7 @@
 
 use super::dense_truss::Truss;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use peelkit::solve::{EndConditions, LimitPointKind, Path, PathOptions, Workspace, locate_branching};
+use peelkit::solve::{EndConditions, LimitPointKind, Pace, Path, PathOptions, Workspace, locate_branching};
 use peelkit::study::follow_rod;
 
 const HALF_SPAN: f64 = 1.0;
@@ -45,6 +45,7 @@ fn options() -> PathOptions {
         tolerance: 1e-12,
         prediction: 8,
         first_displacement: -1e-3,
+        pace: Pace::Quick,
     }
 }
 

@@ -21,8 +21,8 @@ use peelkit::adhesion::LineLoad;
 use peelkit::beam::FRONT;
 use peelkit::model::{Form, Hold, StripModel};
 use peelkit::solve::{
-    EndConditions, Held, LimitPointKind, NewtonOptions, Observables, Path, PathConstraint, PathOptions, PathSegment,
-    Problem, RelaxOptions, Relaxed, Solution, Workspace, brackets, disturbed, locate, relax, solve,
+    EndConditions, Held, LimitPointKind, NewtonOptions, Observables, Pace, Path, PathConstraint, PathOptions,
+    PathSegment, Problem, RelaxOptions, Relaxed, Solution, Workspace, brackets, disturbed, locate, relax, solve,
 };
 use peelkit::study::{
     Accuracy, Bound, Jump, JumpKind, LoadingDirection, NoTest, Observed, Stage, StopCriteria, StopReason, TestEnd,
@@ -153,6 +153,7 @@ fn path_of(problem: &Problem, elements: usize, most: usize) -> Vec<Arc<Solution>
         tolerance: 1e-9,
         prediction: 8,
         first_displacement: 0.008,
+        pace: Pace::Quick,
     };
     Path::new(problem, options).take(most).map_while(Result::ok).collect()
 }

@@ -168,6 +168,15 @@ pub trait EnergyDensity<const F: usize>: Send + Sync {
         (before, 0.0)
     }
 
+    /// Whether [`Self::slope_beyond_step`] says anything.
+    const FOLLOWS_FORCE: bool = false;
+
+    /// What the slope of the height changes by at a finite change of the fields and of the border, beyond its own change, where the vertical
+    /// section force changes by what its derivatives say.
+    fn slope_beyond_step<T: Real>(&self, _place: T, _from: [[T; F]; 2], _change: [[T; F]; 2], _axial: [f64; 2]) -> T {
+        T::splat(0.0)
+    }
+
     /// Whether the second derivatives are symmetric: whether there is such an energy.
     fn is_symmetric(&self) -> bool {
         true

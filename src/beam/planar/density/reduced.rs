@@ -150,6 +150,34 @@ impl<const HELD: bool> EnergyDensity<2> for ReducedBeam<HELD> {
         self.law.has_potential()
     }
 
+    const FOLLOWS_FORCE: bool = true;
+
+    /// y' at θ + δθ and H + δH under the force V + δV, less y' + δy', with δV = (δy' + (g sin 2θ V - cos θ + g cos 2θ H) δθ - D δH)/C.
+    #[inline(always)]
+    fn slope_beyond_step<T: Real>(
+        &self,
+        place: T,
+        [[_, rotation], [gap_slope, _]]: [[T; 2]; 2],
+        [[_, turned], [steeper, _]]: [[T; 2]; 2],
+        [h, more]: [f64; 2],
+    ) -> T {
+        let station = self.profile.at(place);
+        let (sin, cos) = rotation.sin_cos();
+        let g = station.compliance[1] - station.compliance[0];
+        let (g_sin, g_cos) = (sin * cos * (g * 2.0), (cos - sin) * (cos + sin) * g);
+        let c = Compliance::of(&station, sin, cos);
+        let inverse = c.across.recip();
+        let rise = gap_slope + station.rise;
+        let v = if HELD { (rise - sin - c.mixed * h) * inverse } else { (rise - sin) * inverse };
+        let lever = if HELD { cos - g_cos * h } else { cos };
+        let driven = if HELD { steeper - c.mixed * more } else { steeper };
+        let force = v + (driven + (g_sin * v - lever) * turned) * inverse;
+        let (sin, cos) = (rotation + turned).sin_cos();
+        let c = Compliance::of(&station, sin, cos);
+        let along = if HELD { c.mixed * (h + more) } else { T::splat(0.0) };
+        sin + c.across * force + along - (rise + steeper)
+    }
+
     fn section_state(
         &self,
         place: f64,

@@ -92,6 +92,9 @@ pub struct Basis {
     pub four_slopes_of: [[F64x4; MOST_NODES]; MOST_NODES],
     /// `nodal_slope[b][a]`: derivative of shape function a at node b.
     pub nodal_slope: [PerNode; MOST_NODES],
+    /// `primitive[a][q]`: the integral from the left end to node a of the polynomial of degree p - 1 that is one at Gauss point q and zero at
+    /// the others, over the local coordinate.
+    pub primitive: [PerNode; MOST_NODES],
     /// `apart[a][b]`: one over how far node a is behind node b; zero of a node from itself.
     apart: [PerNode; MOST_NODES],
 }
@@ -127,6 +130,7 @@ impl Basis {
             four_values_of,
             four_slopes_of,
             nodal_slope,
+            primitive: zero,
             apart,
         };
         for b in 0..count {
@@ -138,11 +142,25 @@ impl Basis {
             basis.weights[q] = weight;
             (basis.value[q], basis.slope[q]) = basis.sample(point);
         }
+        basis.primitive = std::array::from_fn(|a| std::array::from_fn(|q| basis.integral(a, q)));
         let by_node =
             |table: &[PerNode; MOST_NODES]| std::array::from_fn(|a| std::array::from_fn(|q| F64x4::splat(table[q][a])));
         basis.four_values_of = by_node(&basis.value);
         basis.four_slopes_of = by_node(&basis.slope);
         basis
+    }
+
+    /// An entry of [`Basis::primitive`], by the Gauss rule between the left end and the node.
+    fn integral(&self, node: usize, point: usize) -> f64 {
+        let (points, half) = (&self.points[..self.order], 0.5 * (self.nodes[node] + 1.0));
+        if node > self.order || point >= self.order {
+            return 0.0;
+        }
+        let cardinal = |at: f64| {
+            let others = points.iter().enumerate().filter(|&(q, _)| q != point);
+            others.map(|(_, other)| (at - other) / (points[point] - other)).product::<f64>()
+        };
+        points.iter().zip(self.weights).map(|(at, weight)| half * weight * cardinal(half * (at + 1.0) - 1.0)).sum()
     }
 
     /// Derivatives at the nodes, with respect to the local coordinate, of fields given at the nodes.

@@ -71,6 +71,19 @@ pub trait Integrand<const F: usize>: Send + Sync {
     fn energy_at(&self, point: &Point<F64x4, F>, axial_multiplier: f64) -> PointEnergy<F64x4, F>;
     /// The first derivatives at one point, with what remembers.
     fn gradient_at(&self, point: &Point<f64, F>, axial_multiplier: f64) -> PointGradient<F>;
+    /// [`EnergyDensity::FOLLOWS_FORCE`]; otherwise the next is not asked.
+    fn follows_force(&self) -> bool {
+        false
+    }
+    /// [`EnergyDensity::slope_beyond_step`] at some points, for the changes at them; as many of them as there are points.
+    fn slopes_beyond_step(
+        &self,
+        _points: &[Point<F64x4, F>],
+        _changes: &[Point<F64x4, F>],
+        _axial: [f64; 2],
+        _out: &mut [F64x4],
+    ) {
+    }
     /// [`EnergyDensity::knots`]; without any, neither of the next two is asked.
     fn knots(&self) -> &'static [f64] {
         &[]
@@ -130,6 +143,20 @@ impl<D: EnergyDensity<F>, const F: usize> Integrand<F> for D {
         let PointResponse { by_value, by_slope, coverage_by_value, by_border, .. } =
             response(self, point, axial_multiplier);
         PointGradient { by_value, by_slope, coverage_by_value, by_border }
+    }
+
+    fn follows_force(&self) -> bool {
+        D::FOLLOWS_FORCE
+    }
+
+    fn slopes_beyond_step(
+        &self,
+        points: &[Point<F64x4, F>],
+        changes: &[Point<F64x4, F>],
+        axial: [f64; 2],
+        out: &mut [F64x4],
+    ) {
+        slopes_beyond_step(self, points, changes, axial, out);
     }
 
     fn knots(&self) -> &'static [f64] {
@@ -197,6 +224,21 @@ fn respond<D: EnergyDensity<F>, const F: usize>(
 ) {
     for (point, out) in points.iter().zip(responses) {
         *out = response(density, point, axial_multiplier);
+    }
+}
+
+/// [`Integrand::slopes_beyond_step`], likewise.
+#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+fn slopes_beyond_step<D: EnergyDensity<F>, const F: usize>(
+    density: &D,
+    points: &[Point<F64x4, F>],
+    changes: &[Point<F64x4, F>],
+    axial: [f64; 2],
+    out: &mut [F64x4],
+) {
+    for ((point, change), out) in points.iter().zip(changes).zip(out) {
+        let (from, by) = ([point.value, point.slope], [change.value, change.slope]);
+        *out = density.slope_beyond_step(point.place, from, by, axial);
     }
 }
 

@@ -54,7 +54,7 @@ impl<T: Real, const F: usize> Element<T, F> {
 
     /// What its density is asked at Gauss point `q`.
     #[inline(always)]
-    fn point(&self, nodes: impl Nodes, basis: &Basis, q: usize) -> Point<T, F> {
+    pub fn point(&self, nodes: impl Nodes, basis: &Basis, q: usize) -> Point<T, F> {
         let stretch = self.stretch();
         Point {
             place: self.from + self.length * (0.5 * (1.0 + basis.points[q])),

@@ -9,6 +9,7 @@
 mod back;
 mod ends;
 mod factors;
+mod finite_step;
 #[cfg(test)]
 mod piece_tests;
 mod read;
@@ -50,6 +51,8 @@ type Sweep<const F: usize> = fn(
     NodalTerms,
     &mut ChainFactors,
 ) -> Result<CondensedChain, SolveError>;
+/// What makes the height follow the section force.
+type FollowForce<const F: usize> = fn(&UniformChain<F>, &[f64], &mut [f64], &[f64], [f64; 2]);
 
 /// The loops that take time, compiled for a number of nodes that is known then or for any.
 struct Kernels<const F: usize> {
@@ -58,6 +61,7 @@ struct Kernels<const F: usize> {
     energy: fn(&UniformChain<F>, Configuration, &[f64]) -> (ElementEnergy, f64),
     node_states: fn(&UniformChain<F>, Configuration, Range<usize>) -> Vec<NodeState>,
     shifted: fn(&UniformChain<F>, Configuration, &[f64]) -> Vec<f64>,
+    follow_force: FollowForce<F>,
 }
 
 impl<const F: usize> Kernels<F> {
@@ -68,6 +72,7 @@ impl<const F: usize> Kernels<F> {
             energy: read::energy::<N, F>,
             node_states: read::node_states::<N, F>,
             shifted: read::shifted::<N, F>,
+            follow_force: finite_step::follow_force::<N, F>,
         }
     }
 }
@@ -257,6 +262,12 @@ impl<const F: usize> Chain for UniformChain<F> {
 
     fn substitute(&self, eliminated: &ChainFactors, root: &[f64], right: &mut [f64], transposed: bool) {
         self.substitute_right(eliminated, root, right, transposed);
+    }
+
+    fn follow_force(&self, ends: &[f64], state: &mut [f64], direction: &[f64], axial: [f64; 2]) {
+        if self.density.follows_force() {
+            (self.kernels.follow_force)(self, ends, state, direction, axial);
+        }
     }
 
     fn energy(&self, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64) {

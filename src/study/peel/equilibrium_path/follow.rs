@@ -93,6 +93,7 @@ pub(in crate::study::peel) fn follow(
         upright: false,
         beyond,
         trouble,
+        pace: options.pace,
         should_stop: limits.should_stop(),
     };
     followed.finish(problem, far);

@@ -1,6 +1,6 @@
 //! A path that has been followed.
 
-use crate::solve::{LimitPointKind, Located, ShouldStop, Solution, Workspace};
+use crate::solve::{LimitPointKind, Located, Pace, ShouldStop, Solution, Workspace};
 use crate::study::peel::{PathEnd, PathFailure};
 use std::sync::Arc;
 
@@ -28,6 +28,8 @@ pub(in crate::study::peel) struct Followed {
     pub beyond: Option<PathEnd>,
     /// Why the path cannot be used, if it cannot.
     pub trouble: Option<PathFailure>,
+    /// At which pace it was followed, and is looked around on.
+    pub pace: Pace,
     /// Says when its limit points and its work are no longer to be computed.
     pub(super) should_stop: Option<ShouldStop>,
 }
@@ -35,7 +37,7 @@ pub(in crate::study::peel) struct Followed {
 impl Followed {
     /// What looks around on the path with, until it is late.
     pub(in crate::study::peel) fn workspace(&self) -> Workspace {
-        Workspace::until(self.should_stop.clone())
+        Workspace::until(self.should_stop.clone()).at(self.pace)
     }
 
     /// What came out too late may be a ripple that is a turn, or an interpolant for a solution: to be asked in the end.

@@ -5,7 +5,7 @@ use crate::suite::check::{Check, Measure};
 use crate::suite::reference::{self, Row};
 use peelkit::beam::{ReferenceCurve, TIP_ROTATION};
 use peelkit::model::{BeamProblem, Drive, Hold, RodModel, Support};
-use peelkit::solve::{LimitPointKind, PathOptions, Solution, controlled};
+use peelkit::solve::{LimitPointKind, Pace, PathOptions, Solution, controlled};
 use peelkit::study::{RodLimitPoint, RodPath, follow_rod};
 
 /// Limit points, and points of the paths.
@@ -102,6 +102,7 @@ pub(crate) fn snapped(model: &RodModel, order: usize, elements: usize) -> Result
         prediction: 8,
         tolerance: TOLERANCE,
         first_displacement: -0.01 * rise,
+        pace: Pace::Quick,
     };
     let path = follow_rod(&problem, options, 2000, |point| -point.observables.displacement > FAR * rise);
     path.map(|path| (problem, path)).map_err(|error| error.to_string())
