@@ -49,7 +49,7 @@ fn model(case: Case) -> PeelModel {
 fn picture(found: &[Found]) -> Picture {
     let mut directions: Vec<Series<'_>> = INCLINED.iter().map(|&at| Series::at_elevation(found, at)).collect();
     directions.push(Series::straight_up(found));
-    let mut panels = panels(ROLL_STEP * (ROLLS - 1) as f64, [40.0, 8.0]);
+    let mut panels = panels(ROLL_STEP * (ROLLS - 1) as f64, [48.0, 8.0]);
     draw(&mut panels[0], &directions);
     draw(&mut panels[1], &[Series::rolled(found)]);
     Picture {
