@@ -68,6 +68,7 @@ impl Key {
             ("density", _) => "\"1300 kg/m3\"",
             ("retardation_time" | "relaxation_time" | "held", _) => "\"1 us\"",
             ("stiffness_ratio", _) => "2.0",
+            ("tip_tolerance", _) => "1e-4",
             ("tolerance", _) => "2e-6",
             ("relative", _) => "1e-6",
             ("order", _) => "7",

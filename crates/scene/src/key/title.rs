@@ -35,6 +35,7 @@ const TITLES: &[(&str, &str, &str)] = &[
     ("seta.lateral_stiffness", "stiffness that holds attached tips", "k"),
     ("seta.contact_height", "height at which a detached tip adheres again", ""),
     ("seta.preload", "preload", ""),
+    ("seta.tip_tolerance", "relative error of the table of the tips", ""),
     ("seta.bending_stiffness_factor", "bending stiffness over that of the section", "EI/EI₀"),
     ("youngs_modulus", "Young's modulus", "E"),
     ("poissons_ratio", "Poisson's ratio", "ν"),

@@ -20,16 +20,16 @@ const SQUARE: f64 = 10.0;
 /// Elevations of the pull whose azimuth is varied, degrees, and how they are drawn.
 const INCLINED: [(f64, RGBColor); 2] = [(30.0, colour::BLUE), (60.0, colour::GREEN)];
 /// Azimuths and rolls between the ends of their ranges, degrees.
-const AZIMUTH_STEP: f64 = 5.0;
-const AZIMUTHS: usize = 37;
-const ROLL_STEP: f64 = 0.5;
-const ROLLS: usize = 21;
+const AZIMUTH_STEP: f64 = 10.0;
+const AZIMUTHS: usize = 19;
+const ROLL_STEP: f64 = 1.0;
+const ROLLS: usize = 11;
 /// How far the grip that is to be rolled is lifted before, nm.
 const LIFT: f64 = 0.5;
 const ACCURACY: Accuracy = Accuracy::to(1e-6);
 /// The first peak comes after fewer points, and the beam is off after fewer.
 const FIRST_PEAK: StopCriteria = StopCriteria::after_points(120);
-const OFF: StopCriteria = StopCriteria::after_points(2000);
+const OFF: StopCriteria = StopCriteria::after_points(800);
 
 /// What the caption says of the dashed lines.
 pub(super) const DASHED: &str = "Dashed, where it differs or the pull-off is not known: the first peak of the path (initiation peak), up to which the path is stable.";

@@ -12,15 +12,15 @@ use std::path::Path;
 /// Elevations of the pull whose azimuth is varied, degrees, and how they are drawn.
 const INCLINED: [(f64, RGBColor); 2] = [(30.0, colour::BLUE), (60.0, colour::GREEN)];
 /// Azimuths and rolls between the ends of their ranges, degrees.
-const AZIMUTH_STEP: f64 = 10.0;
-const AZIMUTHS: usize = 19;
-const ROLL_STEP: f64 = 10.0;
-const ROLLS: usize = 7;
+const AZIMUTH_STEP: f64 = 20.0;
+const AZIMUTHS: usize = 10;
+const ROLL_STEP: f64 = 20.0;
+const ROLLS: usize = 4;
 /// Finer meshes for the jumps on the way take four times as long.
 const ACCURACY: Accuracy = Accuracy::to(1e-4);
 /// The first peak comes after fewer points, and the spatula is off after fewer.
 const FIRST_PEAK: StopCriteria = StopCriteria::after_points(240);
-const OFF: StopCriteria = StopCriteria::after_points(3000);
+const OFF: StopCriteria = StopCriteria::after_points(1000);
 
 /// How many peels the figure takes.
 pub(in crate::figures) const PEELS: usize = 2 * (INCLINED.len() * AZIMUTHS + 1 + ROLLS);
