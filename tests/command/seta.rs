@@ -34,7 +34,8 @@ fn scene() -> String {
     format!("{}/../../scenes/seta.toml", env!("CARGO_MANIFEST_DIR"))
 }
 
-fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+/// Exit status, text and trouble of a command in a folder.
+pub fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
     let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(folder).args(arguments).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     (output.status.code(), text(output.stdout), text(output.stderr))

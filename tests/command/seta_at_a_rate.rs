@@ -6,20 +6,12 @@
 //! and comes near to it where the pull is slow; work is stored, of adhesion or dissipated; a row of a sweep is what `peel run` gives; what has
 //! no meaning is refused by name. Why: a rate that is left out silently gives the force of equilibria.
 
-use crate::seta::SMALL;
+use crate::seta::{SMALL, run};
 use serde_json::Value;
 use std::fs;
-use std::path::Path;
-use std::process::Command;
 
 fn scene() -> String {
     format!("{}/../../scenes/seta-at-a-rate.toml", env!("CARGO_MANIFEST_DIR"))
-}
-
-fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(folder).args(arguments).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (output.status.code(), text(output.stdout), text(output.stderr))
 }
 
 fn number(value: &Value, path: &str) -> f64 {

@@ -10,19 +10,13 @@
 //! many tips left the table and what that changed; the table of another spatula, one with too large an error and one of a pad that is held are
 //! refused by name; a run that is stopped and goes on writes the same numbers.
 
+use crate::seta::run as peel;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 use tempfile::tempdir;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-
-fn peel(dir: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(dir).args(arguments).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (output.status.code(), text(output.stdout), text(output.stderr))
-}
 
 fn coarsen(dir: &Path, more: &[&str]) {
     let scene = format!("{ROOT}/scenes/spatula.toml");

@@ -50,9 +50,10 @@ pub use rate::{
     draw_swept_rates, write_rate_curve, write_swept_rates,
 };
 pub use seta::{
-    SETA_STATE_FIELDS, SetaLine, SetaPose, SetaRow, SetaStateField, SetaSummary, draw_pull_off, draw_swept_setae,
-    seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve, write_seta_equilibria,
-    write_seta_events, write_seta_rate_events, write_seta_states, write_swept_setae, write_tip_curve, write_tips,
+    SETA_STATE_FIELDS, SetaLine, SetaPose, SetaRow, SetaStateField, SetaSummary, TipEvents, draw_pull_off,
+    draw_swept_setae, seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve,
+    write_seta_equilibria, write_seta_events, write_seta_rate_events, write_seta_states, write_swept_setae,
+    write_tip_curve, write_tips,
 };
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
 pub use summary::{

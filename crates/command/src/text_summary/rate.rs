@@ -4,7 +4,7 @@ use super::layout::in_columns;
 use super::units::{Units, WantedUnits};
 use peelkit::model::PullCurve;
 use peelkit::study::{SetaInTimeEvent, TipLoss};
-use peelkit_report::{Equilibria, PulledAtRate, tip_peak};
+use peelkit_report::{Equilibria, PulledAtRate, TipEvents, tip_peak};
 use peelkit_scene::Scene;
 
 /// The law of a seta's tips, which took so many seconds, and how they leave it.
@@ -26,9 +26,9 @@ pub fn rate(
     (failed, solve_s): (Option<&str>, f64),
     wanted: WantedUnits,
 ) -> String {
-    let [start, end] = pulled.balances();
+    let change = pulled.change();
     let largest = pulled.peak.map_or(0.0, |at| at.force);
-    let Units { force, length, work } = Units::fitting(wanted, [largest.abs(), pulled.way(), end.work.abs()]);
+    let Units { force, length, work } = Units::fitting(wanted, [largest.abs(), pulled.way(), change.work.abs()]);
     let attached = pulled.next_to_peak().and_then(|at| at.attached()).zip(law);
     let attached =
         attached.map_or(String::new(), |(attached, law)| format!(", {attached} of {} tips attached", law.tips));
@@ -43,11 +43,11 @@ pub fn rate(
     });
     let energy = format!(
         "work {} = stored {} + adhesion {} + kinetic {} + dissipated {}, to {:.0e}",
-        work.short(end.work),
-        work.short(end.stored + end.spring - start.stored - start.spring),
-        work.short(end.adhesion - start.adhesion),
-        work.short(end.kinetic - start.kinetic),
-        work.short(end.dissipated),
+        work.short(change.work),
+        work.short(change.stored + change.spring),
+        work.short(change.adhesion),
+        work.short(change.kinetic),
+        work.short(change.dissipated),
         pulled.imbalance
     );
     let how = match (failed, pulled.contact_lost) {
@@ -67,12 +67,13 @@ pub fn rate(
     if let Some(LawOfTips { curve, events, .. }) = law {
         let (of_tip, off) = (tip_peak(curve), curve.snap_off());
         lines.insert(0, ("law of a tip", format!("peak {of_tip:.6} nN, snaps off at {off:.4} nm")));
-        let changes: usize = events.iter().map(|event| event.tips.len()).sum();
+        let of_tips = TipEvents::of(events.iter().map(|event| &event.tips[..]));
         let unstable = events.iter().filter(|event| event.loss == TipLoss::Unstable).count();
-        let at_once = events.iter().map(|event| event.tips.len()).max().unwrap_or(0);
         let text = format!(
-            "{}: {changes} tips leave their branch, at most {at_once} at once; {unstable} are losses of stability",
-            events.len()
+            "{}: {} tips leave their branch, at most {} at once; {unstable} are losses of stability",
+            of_tips.count,
+            of_tips.tips_detached + of_tips.tips_adhered,
+            of_tips.most_tips_at_once
         );
         lines.push(("events", text));
     }

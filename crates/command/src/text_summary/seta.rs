@@ -5,7 +5,7 @@ use super::units::{Unit, Units, WantedUnits};
 use peelkit::model::{PullCurve, SetaModel};
 use peelkit::study::coarsening::{GrowingTable, TableRound, TipRange};
 use peelkit::study::{ConvergedPeak, SetaMoment, SetaPullOff, SetaState};
-use peelkit_report::{seta_end_reason, seta_end_word, tip_peak};
+use peelkit_report::{TipEvents, seta_end_reason, seta_end_word, tip_peak};
 use peelkit_scene::Scene;
 
 /// The summary of a pull-off with its peak on finer meshes, which took so many seconds with the law of its tips.
@@ -36,9 +36,7 @@ pub fn seta(
     };
     let of = |state: &Option<SetaState>| state.as_ref().map(SetaMoment::from);
     let of_tip = tip_peak(tip);
-    let changes = || pull_off.events.iter().flat_map(|event| &event.tips);
-    let adhered = changes().filter(|change| change.to.adheres()).count();
-    let at_once = pull_off.events.iter().map(|event| event.tips.len()).max().unwrap_or(0);
+    let events = TipEvents::of(pull_off.events.iter().map(|event| &event.tips[..]));
     let mut lines = vec![
         ("seta", format!("{tips} tips, {} elements of order {}", model.mesh.total(), model.mesh.order)),
         ("law of a tip", format!("peak {of_tip:.6} nN, snaps off at {:.4} nm", tip.snap_off())),
@@ -51,9 +49,8 @@ pub fn seta(
         (
             "events",
             format!(
-                "{}: {} tips detach, {adhered} adhere again, at most {at_once} at once",
-                pull_off.events.len(),
-                changes().count() - adhered
+                "{}: {} tips detach, {} adhere again, at most {} at once",
+                events.count, events.tips_detached, events.tips_adhered, events.most_tips_at_once
             ),
         ),
     ]);

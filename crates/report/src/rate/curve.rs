@@ -1,5 +1,6 @@
 //! The table of a pull at a rate, curve.csv. Units stand in the names of the columns.
 
+use super::energies::Energies;
 use super::pulled::{Contact, PointAtRate, PulledAtRate};
 use crate::error::ReportError;
 use crate::number::{Finite, S_PER_NS};
@@ -29,22 +30,6 @@ struct Tips {
     released: Finite,
 }
 
-#[derive(Default, Serialize)]
-struct Energies {
-    #[serde(rename = "work_aJ")]
-    work: Finite,
-    #[serde(rename = "stored_aJ")]
-    stored: Finite,
-    #[serde(rename = "adhesion_aJ")]
-    adhesion: Finite,
-    #[serde(rename = "spring_aJ")]
-    spring: Finite,
-    #[serde(rename = "kinetic_aJ")]
-    kinetic: Finite,
-    #[serde(rename = "dissipated_aJ")]
-    dissipated: Finite,
-}
-
 impl From<&PointAtRate> for Place {
     fn from(point: &PointAtRate) -> Self {
         Self {
@@ -55,32 +40,21 @@ impl From<&PointAtRate> for Place {
     }
 }
 
-impl From<&PointAtRate> for Energies {
-    fn from(PointAtRate { balance, .. }: &PointAtRate) -> Self {
-        Self {
-            work: Finite(balance.work),
-            stored: Finite(balance.stored),
-            adhesion: Finite(balance.adhesion),
-            spring: Finite(balance.spring),
-            kinetic: Finite(balance.kinetic),
-            dissipated: Finite(balance.dissipated),
-        }
-    }
-}
-
 /// Writes curve.csv: one row a step in time, from rest on; of a seta another one behind each event.
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_rate_curve(dir: &Path, pulled: &PulledAtRate) -> Result<PathBuf, ReportError> {
     let fronts = pulled.points.iter().filter_map(|point| match point.contact {
-        Contact::Front(front) => Some((Place::from(point), Front { front_nm: Finite(front) }, Energies::from(point))),
+        Contact::Front(front) => {
+            Some((Place::from(point), Front { front_nm: Finite(front) }, Energies::from(point.balance)))
+        }
         Contact::Tips { .. } => None,
     });
     let tips = pulled.points.iter().filter_map(|point| match point.contact {
         Contact::Front(_) => None,
         Contact::Tips { attached, force, released } => {
             let own = Tips { tips_attached: attached, force: Finite(force), released: Finite(released) };
-            Some((Place::from(point), own, Energies::from(point)))
+            Some((Place::from(point), own, Energies::from(point.balance)))
         }
     });
     match pulled.points.first().map(|point| point.contact) {

@@ -1,6 +1,7 @@
 //! What a user gets of a pull at a rate: the curve, the summary, the picture; of a sweep of them the table and its picture.
 
 mod curve;
+mod energies;
 mod picture;
 mod pulled;
 mod summary;

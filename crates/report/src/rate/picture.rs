@@ -60,7 +60,7 @@ fn picture(pulled: &PulledAtRate, equilibria: &Equilibria, title: &str) -> Pictu
         let text = format!("{} nN", significant(peak.force, 4));
         force.marks = vec![Mark::labelled((peak.displacement, peak.force), colour::INK, &["largest force", &text])];
     }
-    let [start, _] = pulled.balances();
+    let start = pulled.at_rest();
     let energies = [
         ("work", colour::INK, of(&|point| point.balance.work)),
         (

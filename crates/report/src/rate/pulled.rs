@@ -108,20 +108,37 @@ impl From<&SetaInTime> for PulledAtRate {
 }
 
 /// The step with the largest force.
+fn highest(points: &[PointAtRate]) -> Option<&PointAtRate> {
+    points.iter().max_by(|a, b| a.force.total_cmp(&b.force))
+}
+
 fn largest(points: &[PointAtRate]) -> Option<InTimePeak> {
-    let at = points.iter().max_by(|a, b| a.force.total_cmp(&b.force))?;
+    let at = highest(points)?;
     Some(InTimePeak { time: at.time, displacement: at.displacement, force: at.force })
 }
 
 impl PulledAtRate {
     /// The step next to the largest force.
     pub fn next_to_peak(&self) -> Option<&PointAtRate> {
-        self.points.iter().max_by(|a, b| a.force.total_cmp(&b.force))
+        highest(&self.points)
     }
 
-    /// Energies at rest before the pull, and at its end.
-    pub fn balances(&self) -> [EnergyBalance; 2] {
-        [self.points.first(), self.points.last()].map(|at| at.map_or_else(EnergyBalance::default, |at| at.balance))
+    /// Energies at rest before the pull.
+    pub fn at_rest(&self) -> EnergyBalance {
+        self.points.first().map(|at| at.balance).unwrap_or_default()
+    }
+
+    /// Energies at the end against those at rest before the pull.
+    pub fn change(&self) -> EnergyBalance {
+        let [first, last] = [self.at_rest(), self.points.last().map(|at| at.balance).unwrap_or_default()];
+        EnergyBalance {
+            work: last.work - first.work,
+            stored: last.stored - first.stored,
+            adhesion: last.adhesion - first.adhesion,
+            spring: last.spring - first.spring,
+            kinetic: last.kinetic - first.kinetic,
+            dissipated: last.dissipated - first.dissipated,
+        }
     }
 
     /// How far the pull went, nm.

@@ -1,8 +1,9 @@
 //! A pull at a rate as one JSON object: summary.json, and what `--json` prints.
 
+use super::energies::Energies;
 use super::pulled::{Contact, Equilibria, PulledAtRate, SlowPeak};
 use crate::number::{Finite, S_PER_NS};
-use crate::seta::LawOfTips;
+use crate::seta::{LawOfTips, TipEvents};
 use crate::summary::{Parameters, SCHEMA, VERSION, written};
 use peelkit::model::PullCurve;
 use peelkit::study::{SetaInTime, TipLoss};
@@ -57,21 +58,15 @@ struct OfSeta {
 /// Where tips leave the branch of their law.
 #[derive(Debug, serde::Serialize)]
 struct Events {
-    count: usize,
-    tips_detached: usize,
-    tips_adhered: usize,
-    most_tips_at_once: usize,
+    #[serde(flatten)]
+    tips: TipEvents,
     unstable: usize,
 }
 
 impl From<&SetaInTime> for Events {
     fn from(SetaInTime { events, .. }: &SetaInTime) -> Self {
-        let changes = || events.iter().flat_map(|event| &event.tips);
         Self {
-            count: events.len(),
-            tips_detached: changes().filter(|change| !change.to.adheres()).count(),
-            tips_adhered: changes().filter(|change| change.to.adheres()).count(),
-            most_tips_at_once: events.iter().map(|event| event.tips.len()).max().unwrap_or(0),
+            tips: TipEvents::of(events.iter().map(|event| &event.tips[..])),
             unstable: events.iter().filter(|event| event.loss == TipLoss::Unstable).count(),
         }
     }
@@ -96,18 +91,8 @@ impl From<&SlowPeak> for Slow {
 /// What became of the work, from rest to the end.
 #[derive(Debug, serde::Serialize)]
 struct Balance {
-    #[serde(rename = "work_aJ")]
-    work: Finite,
-    #[serde(rename = "stored_aJ")]
-    stored: Finite,
-    #[serde(rename = "adhesion_aJ")]
-    adhesion: Finite,
-    #[serde(rename = "spring_aJ")]
-    spring: Finite,
-    #[serde(rename = "kinetic_aJ")]
-    kinetic: Finite,
-    #[serde(rename = "dissipated_aJ")]
-    dissipated: Finite,
+    #[serde(flatten)]
+    energies: Energies,
     /// The part of it at events, of a seta
     #[serde(rename = "released_aJ", skip_serializing_if = "Option::is_none")]
     released: Option<Finite>,
@@ -149,7 +134,6 @@ impl RateSummary {
             dissipated: Finite(next.balance.dissipated),
             tips_attached: next.attached(),
         });
-        let [first, last] = pulled.balances();
         let released = pulled.points.last().and_then(|last| match last.contact {
             Contact::Tips { released, .. } => Some(Finite(released)),
             Contact::Front(_) => None,
@@ -168,12 +152,7 @@ impl RateSummary {
             equilibria_peak: slow.map(Slow::from),
             force_over_equilibria: slow.zip(pulled.peak).map(|(slow, at)| Finite(at.force / slow.force)),
             balance: Balance {
-                work: Finite(last.work),
-                stored: Finite(last.stored - first.stored),
-                adhesion: Finite(last.adhesion - first.adhesion),
-                spring: Finite(last.spring - first.spring),
-                kinetic: Finite(last.kinetic - first.kinetic),
-                dissipated: Finite(last.dissipated - first.dissipated),
+                energies: Energies::from(pulled.change()),
                 released,
                 imbalance: Finite(pulled.imbalance),
             },

@@ -47,7 +47,7 @@ impl RateResult {
             kinetic: next.kinetic,
             dissipated: next.dissipated,
             contact_lost: pulled.contact_lost.map(|time| S_PER_NS * time),
-            work: pulled.balances()[1].work,
+            work: pulled.change().work,
             imbalance: pulled.imbalance,
             steps: pulled.steps(),
             newton_iterations: pulled.iterations,

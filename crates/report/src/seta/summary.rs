@@ -1,6 +1,7 @@
 //! The pull-off of a seta as one JSON object: summary.json, and what `--json` prints.
 
 use super::names::{seta_end_reason, seta_end_word};
+use super::tip_events::TipEvents;
 use crate::number::Finite;
 use crate::summary::{Parameters, SCHEMA, VERSION, written};
 use peelkit::model::{CurvePoint, PullCurve, Seta};
@@ -116,10 +117,8 @@ impl MeshError {
 
 #[derive(Debug, serde::Serialize)]
 struct Events {
-    count: usize,
-    tips_detached: usize,
-    tips_adhered: usize,
-    most_tips_at_once: usize,
+    #[serde(flatten)]
+    tips: TipEvents,
     buckled: usize,
 }
 
@@ -245,7 +244,6 @@ impl SetaSummary {
     ) -> Self {
         let (first, last) = (pull_off.points.first(), pull_off.points.last());
         let energy = first.zip(last).map_or(0.0, |(first, last)| last.energy - first.energy);
-        let changes = || pull_off.events.iter().flat_map(|event| &event.tips);
         let peak = pull_off.peak.as_ref();
         Self {
             version: VERSION,
@@ -264,10 +262,7 @@ impl SetaSummary {
             first_detachment: pull_off.first_detachment.as_ref().map(Moment::from),
             last_detachment: pull_off.last_detachment.as_ref().map(Moment::from),
             events: Events {
-                count: pull_off.events.len(),
-                tips_detached: changes().filter(|change| !change.to.adheres()).count(),
-                tips_adhered: changes().filter(|change| change.to.adheres()).count(),
-                most_tips_at_once: pull_off.events.iter().map(|event| event.tips.len()).max().unwrap_or(0),
+                tips: TipEvents::of(pull_off.events.iter().map(|event| &event.tips[..])),
                 buckled: pull_off.events.iter().filter(|event| event.cause == EventCause::Buckling).count(),
             },
             balance: Balance {

@@ -1,6 +1,6 @@
 //! The picture of a sweep of setae: the peak force, the tips that adhere there, and the work, against the varied value; or maps over two.
 
-use super::sweep_row::SetaRow;
+use super::row::SetaRow;
 use crate::chart::colour;
 use crate::error::ReportError;
 use crate::pictures::{Quantity, draw_swept_pulls};

@@ -1,6 +1,6 @@
 //! The table of a sweep of setae, sweep.csv, and the same as one object.
 
-use super::sweep_row::SetaRow;
+use super::row::SetaRow;
 use crate::error::ReportError;
 use crate::number::Finite;
 use crate::summary::SweepSummary;

@@ -1,6 +1,6 @@
 //! One value of a sweep of setae.
 
-use super::names::end_word;
+use super::super::names::end_word;
 use crate::pull_row::PullRow;
 use peelkit::study::{SetaMoment, SetaResult};
 
