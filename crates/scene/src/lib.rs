@@ -16,6 +16,7 @@ mod fit;
 mod key;
 mod keys;
 mod near;
+mod not_toml;
 mod optimisation;
 mod parameters;
 mod rate;

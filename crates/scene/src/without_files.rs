@@ -1,8 +1,9 @@
 //! A scene that somebody else wrote, such as a page: it reads no file.
 
-use crate::document::{name_of, not_toml};
+use crate::document::name_of;
 use crate::error::{Origin, SceneError, ValueError};
 use crate::keys::KEYS;
+use crate::not_toml::not_toml;
 use crate::scene::Scene;
 use toml::de::DeTable;
 

@@ -291,14 +291,15 @@ fn section_states_agree_with_the_density() {
 
 /// A configuration with its right end lifted smoothly by `lift`: no equilibrium.
 fn lifted(problem: &BeamProblem, mut at: State, lift: f64) -> State {
-    let (fields, order) = (problem.beam.planar().unwrap().fields(), problem.beam.planar().unwrap().chain.order());
-    let (nodes, ends) = (problem.beam.planar().unwrap().nodes(&at.values).len(), &at.mesh.boundaries);
+    let beam = problem.beam.planar().unwrap();
+    let (fields, order) = (beam.fields(), beam.chain.order());
+    let (nodes, ends) = (beam.nodes(&at.values).len(), &at.mesh.boundaries);
     for (node, values) in at.values[..nodes].chunks_exact_mut(fields).enumerate() {
         let (e, rank) = ((node / order).min(5), node - (node / order).min(5) * order);
-        let s = ends[e] + (ends[e + 1] - ends[e]) * problem.beam.planar().unwrap().chain.node_fraction(rank);
+        let s = ends[e] + (ends[e + 1] - ends[e]) * beam.chain.node_fraction(rank);
         let layer = ((s - problem.beam.length()) / 6.0).exp();
         values[problem.grip.driven] += lift * layer;
-        values[problem.beam.planar().unwrap().rotation] += lift / 6.0 * layer;
+        values[beam.rotation] += lift / 6.0 * layer;
     }
     at
 }
@@ -313,16 +314,10 @@ fn root_of_the_chain_is_symmetric_where_there_is_a_potential() {
                     let problem = model.problem(form, order).unwrap();
                     let at = lifted(&problem, problem.initial(6), 0.2);
                     let row = ConstraintGradient::default();
-                    let configuration = problem.beam.planar().unwrap().configuration(&at);
-                    let root = problem
-                        .beam
-                        .planar()
-                        .unwrap()
-                        .chain
-                        .eliminate(configuration, &row, &mut ChainFactors::default())
-                        .unwrap();
-                    let n = problem.beam.planar().unwrap().fields()
-                        + usize::from(problem.beam.planar().unwrap().chain.has_border());
+                    let beam = problem.beam.planar().unwrap();
+                    let factors = &mut ChainFactors::default();
+                    let root = beam.chain.eliminate(beam.configuration(&at), &row, factors).unwrap();
+                    let n = beam.fields() + usize::from(beam.chain.has_border());
                     let (mut skew, mut size) = (0.0f64, 0.0f64);
                     for i in 0..n {
                         for j in 0..n {
