@@ -1,6 +1,6 @@
 //! The branch on which a strip leaves its plane, as part of a summary.
 
-use super::peel::LimitPoint;
+use super::limit_point::LimitPoint;
 use super::place::Place;
 use crate::names::{end_reason, end_word};
 use crate::number::Finite;

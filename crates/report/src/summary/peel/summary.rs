@@ -4,17 +4,15 @@ use super::accuracy::AccuracySummary;
 use super::branch_point::BranchPoint;
 use super::derived::DerivedSummary;
 use super::ground::GroundSummary;
+use super::limit_point::LimitPoint;
 use super::observed::ObservedSummary;
-use super::origin::{SCHEMA, VERSION};
 use super::out_of_plane::OutOfPlaneSummary;
-use super::parameters::Parameters;
 use super::sensitivities::SensitivitySummary;
 use super::sliding::SlidingSummary;
 use super::term_summary::TermDecisionsSummary;
-use super::written::written;
-use crate::grip_in_space::GripInSpace;
-use crate::names::{end_reason, end_word, limit_point_kind_word};
+use crate::names::{end_reason, end_word};
 use crate::number::Finite;
+use crate::summary::{Parameters, SCHEMA, VERSION, written};
 use peelkit::beam::GripState;
 use peelkit::model::Step;
 use peelkit::study::{self, Exponent, Observed, OutOfPlane, OutOfPlaneBranch, Peel};
@@ -120,30 +118,6 @@ struct Plateau {
     force_error: Option<Finite>,
     #[serde(rename = "error_nm")]
     displacement_error: Option<Finite>,
-}
-
-#[derive(Debug, serde::Serialize)]
-pub(super) struct LimitPoint {
-    kind: &'static str,
-    #[serde(rename = "displacement_nm")]
-    displacement: Finite,
-    #[serde(rename = "force_nN")]
-    force: Finite,
-    #[serde(rename = "end_rotation_rad")]
-    end_rotation: Finite,
-    #[serde(rename = "work_aJ")]
-    work: Finite,
-    #[serde(rename = "error_nm")]
-    displacement_error: Finite,
-    #[serde(rename = "error_nN")]
-    force_error: Finite,
-    #[serde(rename = "error_aJ")]
-    work_error: Option<Finite>,
-    /// Of a load limit point around which the force is so level that its place cannot be determined and does not matter.
-    flat: bool,
-    /// Of a run in space
-    #[serde(flatten)]
-    in_space: Option<GripInSpace>,
 }
 
 #[derive(Debug, serde::Serialize)]
@@ -363,23 +337,6 @@ impl From<study::LimitPoint> for Fold {
             displacement_error: Finite(at.displacement_error),
             force_error: Finite(at.force_error),
             work_error: at.work_error.map(Finite),
-        }
-    }
-}
-
-impl From<&study::LimitPoint> for LimitPoint {
-    fn from(at: &study::LimitPoint) -> Self {
-        Self {
-            kind: limit_point_kind_word(at.kind),
-            displacement: Finite(at.displacement),
-            force: Finite(at.force),
-            end_rotation: Finite(at.end_rotation),
-            work: Finite(at.work),
-            displacement_error: Finite(at.displacement_error),
-            force_error: Finite(at.force_error),
-            work_error: at.work_error.map(Finite),
-            flat: at.flat,
-            in_space: at.in_space.map(GripInSpace::from),
         }
     }
 }
