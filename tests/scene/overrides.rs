@@ -36,7 +36,12 @@ fn a_mistake_in_an_override_names_it() {
     says("strip.length", "100", &["--set strip.length=100: `strip.length` is \"100\", a number without a unit"]);
     says("strip.lenght", "1 nm", &["--set strip.lenght=1 nm", "is not a key", "Did you mean `strip.length`?"]);
     says("length", "1 nm", &["--set length=1 nm", "Did you mean `strip.length`?"]);
-    says("strip", "1 nm", &["--set strip=1 nm", "is not a key"]);
+    says("strip", "1 nm", &["--set strip=1 nm", "is not a key", "A key is written table.key, such as strip.height;"]);
+    says(
+        "strip.colour",
+        "1",
+        &["--set strip.colour=1", "is not a key", "The keys of [strip] are length, height, width"],
+    );
     says("", "1 nm", &["is not a key"]);
     says("grip.rotation", "fix", &["--set grip.rotation=fix", "\"free\" or \"fixed\""]);
     says("strip.poissons_ratio", "many", &["`strip.poissons_ratio` is \"many\"", "a number between"]);

@@ -199,9 +199,22 @@ pub fn find_key(path: &str) -> Result<&'static Key, ValueError> {
     let same_name = KEYS.iter().find(|key| key.name == name).map(Key::path);
     let remedy = match same_name.as_deref().or_else(|| nearest(path, paths.iter().map(String::as_str))) {
         Some(near) => format!("Did you mean `{near}`?"),
-        None => format!("The keys are {}.", paths.join(", ")),
+        None => what_there_is(path.split_once('.').map_or("", |(table, _)| table)),
     };
     Err(ValueError::new("is not a key of a scene", remedy))
+}
+
+/// The keys of this table; the tables where there is none of this name.
+fn what_there_is(table: &str) -> String {
+    let keys: Vec<&str> = KEYS.iter().filter(|key| key.table == table).map(|key| key.name).collect();
+    if table.is_empty() || keys.is_empty() {
+        format!(
+            "A key is written table.key, such as strip.height; `peel keys` lists them. The tables are {}.",
+            tables().join(", ")
+        )
+    } else {
+        format!("The keys of [{table}] are {}.", keys.join(", "))
+    }
 }
 
 impl Key {
