@@ -20,10 +20,10 @@ const SQUARE: f64 = 10.0;
 /// Elevations of the pull whose azimuth is varied, degrees, and how they are drawn.
 const INCLINED: [(f64, RGBColor); 2] = [(30.0, colour::BLUE), (60.0, colour::GREEN)];
 /// Azimuths and rolls between the ends of their ranges, degrees.
-const AZIMUTH_STEP: f64 = 10.0;
-const AZIMUTHS: usize = 19;
-const ROLL_STEP: f64 = 1.0;
-const ROLLS: usize = 11;
+const AZIMUTH_STEP: f64 = 15.0;
+const AZIMUTHS: usize = 13;
+const ROLL_STEP: f64 = 2.5;
+const ROLLS: usize = 5;
 /// How far the grip that is to be rolled is lifted before, nm.
 const LIFT: f64 = 0.5;
 const ACCURACY: Accuracy = Accuracy::to(1e-6);

@@ -24,20 +24,18 @@ const SLIDING: [(f64, RGBColor, &str); 4] = [
     (60.0, colour::INK, "60 degrees"),
     (120.0, colour::VERMILLION, "120 degrees"),
 ];
-/// Angles, degrees.
-const STEP: f64 = 5.0;
-const ANGLES: usize = 34;
+/// Degrees; closer together where the force falls steeply.
+const ANGLES: [f64; 20] = [
+    5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0, 110.0, 120.0, 130.0, 140.0, 150.0,
+    160.0, 170.0,
+];
 /// Up to it the first peak comes, nm.
 const FAR: f64 = 20.0;
 const ACCURACY: Accuracy = Accuracy::to(1e-4);
 const BOUNDS: StopCriteria = StopCriteria { points: 20_000, displacement: Some(FAR), should_stop: None };
 
 /// How many peels the figure takes.
-pub(in crate::figures) const PEELS: usize = (STRENGTHS.len() + 1) * ANGLES;
-
-fn angles() -> impl Iterator<Item = f64> {
-    (1..=ANGLES).map(|k| STEP * k as f64)
-}
+pub(in crate::figures) const PEELS: usize = (STRENGTHS.len() + 1) * ANGLES.len();
 
 fn strip(degrees: f64, strength: Option<f64>) -> PeelModel {
     let friction = Friction { strength, ..Friction::NONE };
@@ -55,11 +53,10 @@ fn first_peak(peel: &Peel) -> Option<f64> {
 
 pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportError> {
     let strengths = [None].into_iter().chain(STRENGTHS.map(|(strength, ..)| Some(strength)));
-    let models: Vec<PeelModel> =
-        strengths.flat_map(|strength| angles().map(move |angle| strip(angle, strength))).collect();
+    let models: Vec<PeelModel> = strengths.flat_map(|strength| ANGLES.map(|angle| strip(angle, strength))).collect();
     // all at once: some take as long as all others of their strength
     let mut peels = runner.peel_all(&models, &ACCURACY, &BOUNDS).into_iter();
-    let mut next = || peels.by_ref().take(ANGLES).collect::<Vec<Peel>>();
+    let mut next = || peels.by_ref().take(ANGLES.len()).collect::<Vec<Peel>>();
     let free = next();
     let held = STRENGTHS.map(|_| next());
     let picture = picture(&free, &held);
@@ -77,7 +74,7 @@ fn picture(free: &[Peel], held: &[Vec<Peel>; STRENGTHS.len()]) -> Picture {
     let frame = |top: f64, bottom: f64| Frame { left: 88.0, top, right: f64::from(WIDTH) - 18.0, bottom };
     let line = |points: Vec<(f64, f64)>, stroke, name: &str| Line { points, stroke, name: Some(name.into()) };
     let curve = |peels: &[Peel]| {
-        angles().zip(peels).filter_map(|(angle, peel)| Some((angle, first_peak(peel)?))).collect::<Vec<_>>()
+        ANGLES.into_iter().zip(peels).filter_map(|(angle, peel)| Some((angle, first_peak(peel)?))).collect::<Vec<_>>()
     };
     let mut above = Panel::new(
         frame(40.0, 330.0),
@@ -89,7 +86,7 @@ fn picture(free: &[Peel], held: &[Vec<Peel>; STRENGTHS.len()]) -> Picture {
     }
     above.lines.push(line(curve(free), Stroke::dashed(colour::INK, 1.6), "without friction"));
     above.lines.push(line(
-        angles().map(|angle| (angle, kendall(angle))).collect(),
+        ANGLES.map(|angle| (angle, kendall(angle))).into(),
         Stroke::dotted(colour::GREY, 2.0),
         "Kendall",
     ));
@@ -99,7 +96,7 @@ fn picture(free: &[Peel], held: &[Vec<Peel>; STRENGTHS.len()]) -> Picture {
         Axis::linear("traction over shear strength", -1.05, 1.05),
     );
     for (degrees, colour, name) in SLIDING {
-        let at = angles().position(|angle| angle == degrees).and_then(|k| held[SHOWN].get(k));
+        let at = ANGLES.iter().position(|&angle| angle == degrees).and_then(|k| held[SHOWN].get(k));
         let Some(Sliding { along, .. }) = at.and_then(Peel::sliding_at_peak) else { continue };
         let limit = |tau: f64| tau > TOUCHING * STRENGTHS[SHOWN].0;
         let points = along.iter().filter(|(.., tau)| limit(*tau)).map(|&(s, share, _)| (s, share)).collect();
@@ -132,7 +129,7 @@ fn table(free: &[Peel], held: &[Vec<Peel>; STRENGTHS.len()]) -> Table {
         "end",
     ]);
     let mut push = |series: &str, strength: Option<f64>, peels: &[Peel]| {
-        for (angle, peel) in angles().zip(peels) {
+        for (angle, peel) in ANGLES.into_iter().zip(peels) {
             let peak = peel.initiation_peak;
             let sliding = peel.sliding_at_peak();
             let numbers = [
