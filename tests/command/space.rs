@@ -176,6 +176,7 @@ fn a_test_in_space_is_recorded() {
 
 #[test]
 fn what_is_not_computed_in_space_is_refused_by_name() {
+    let empty = tempfile::tempdir().unwrap();
     let rolled = SIDEWAYS.replace("sideways", "rolled");
     for (arguments, says) in [
         (vec!["run", &rolled, "--observed"], "drive.steps has steps before the pull; the test has to begin at rest"),
@@ -184,8 +185,9 @@ fn what_is_not_computed_in_space_is_refused_by_name() {
             "--follow computes a limit point from rest only, and drive.steps has steps before the pull",
         ),
     ] {
-        let output = peel(&arguments);
+        let output = Command::new(env!("CARGO_BIN_EXE_peel")).args(&arguments).current_dir(&empty).output().unwrap();
         let told = String::from_utf8_lossy(&output.stderr).split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!((output.status.code(), told.contains(says)), (Some(2), true), "{told}");
+        assert_eq!(std::fs::read_dir(&empty).unwrap().count(), 0, "refused before anything is computed: {arguments:?}");
     }
 }

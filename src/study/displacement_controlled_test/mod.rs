@@ -8,5 +8,5 @@ mod run;
 mod stable_branch;
 pub use balance::*;
 pub use failure::{BranchError, TestError, TestFailure};
-pub use observed::{NoTest, observed, observed_retreat};
+pub use observed::{NoTest, no_test, observed, observed_retreat};
 pub use result::*;

@@ -56,11 +56,16 @@ pub fn observed<'m, M>(model: &'m M, accuracy: &Accuracy, stop: &StopCriteria) -
 where
     PeelModel: From<&'m M>,
 {
-    let model = tested(model.into(), accuracy)?;
-    if !model.steps.is_empty() {
-        return Err(NoTest::Steps);
-    }
+    let model = begun_at_rest(model.into(), accuracy)?;
     Ok(run(&model, Course::ThereAndBack, accuracy, stop))
+}
+
+/// Why [`observed()`] refuses this model, if it does. Nothing is computed.
+pub fn no_test<'m, M>(model: &'m M, accuracy: &Accuracy) -> Option<NoTest>
+where
+    PeelModel: From<&'m M>,
+{
+    begun_at_rest(model.into(), accuracy).err()
 }
 
 /// The retreat of [`observed()`] alone: until the beam is off, or stands on the face of its end. What it is for is [`Observed::peeling_force`].
@@ -74,6 +79,12 @@ where
 {
     let model = tested(model.into(), accuracy)?;
     Ok(run(&model, Course::There, accuracy, stop))
+}
+
+/// As [`tested`], if the test begins at rest.
+fn begun_at_rest(model: PeelModel, accuracy: &Accuracy) -> Result<PeelModel, NoTest> {
+    let model = tested(model, accuracy)?;
+    if model.steps.is_empty() { Ok(model) } else { Err(NoTest::Steps) }
 }
 
 /// The model that is computed, in the plane where it stays there, if it has a test.

@@ -17,7 +17,7 @@ use kept::KeptRun;
 use peelkit::model::PeelModel;
 use peelkit::solve::{PathOptions, Waypoint};
 use peelkit::study::{
-    self, Checkpoint, Failure, NoEquilibrium, NotOutOfPlane, Observed, OutOfPlane, OutOfPlaneBranch,
+    self, Checkpoint, Failure, NoEquilibrium, NoTest, NotOutOfPlane, Observed, OutOfPlane, OutOfPlaneBranch,
     OutOfPlaneBranchError, PathEnd, Peel, TestEnd,
 };
 use peelkit_report::{self as report, PeelSummary, ReportError, timed};
@@ -174,6 +174,9 @@ fn peel(args: &Run, scene: &Scene) -> Result<(), Stop> {
     if args.sensitivities {
         sensitivities::refuse(scene)?;
     }
+    if args.observed {
+        refuse_test(scene)?;
+    }
     let wanted = args.units.wanted()?;
     let progress = RunProgress::begin();
     let open = |folder: PathBuf| KeptRun::open(&args.out, args.fresh, &folder, scene, &progress);
@@ -300,7 +303,19 @@ fn unkept(scene: &Scene, progress: &RunProgress) -> Peel {
 fn observed(scene: &Scene, progress: &RunProgress) -> Result<Observed, Stop> {
     progress.stage("displacement-controlled test");
     study::observed(&scene.model, &scene.accuracy, &progress.watch(scene.bounds.from_now()))
-        .map_err(|none| Stop::bad_input(format!("there is no observed test: {none}"), none.remedy()))
+        .map_err(|none| without_test(&none))
+}
+
+/// Refuses a scene that has no displacement-controlled test before its path is computed. What is wrong with its model is told with its path.
+fn refuse_test(scene: &Scene) -> Result<(), Stop> {
+    match study::no_test(&scene.model, &scene.accuracy) {
+        None | Some(NoTest::Model(_)) => Ok(()),
+        Some(none) => Err(without_test(&none)),
+    }
+}
+
+fn without_test(none: &NoTest) -> Stop {
+    Stop::bad_input(format!("there is no observed test: {none}"), none.remedy())
 }
 
 /// What a run found.
