@@ -6,7 +6,7 @@ use super::maximum::maximum;
 use super::options::SetaOptions;
 use super::rest::share_of_change;
 use super::result::LocationError;
-use super::standing::{RootDrive, Standing, TipTangent};
+use super::standing::{HEIGHT, RootDrive, Standing, TipTangent};
 use super::watched::Watched;
 use crate::beam::EndEnergy;
 use crate::solve::{
@@ -29,6 +29,8 @@ const SAFETY: f64 = 0.8;
 const ORDER: f64 = 0.2;
 /// A force is met to this share.
 const MET: f64 = 1e-9;
+/// A tip that the ground attracts by less than this, nN, is not loaded.
+const UNLOADED: f64 = 1e-6;
 /// The softest tip is said to lose its hold where it has gone this far on the way to where the last one did.
 const WARY: f64 = 0.7;
 /// Where a place of a joint goes on this many times as fast as the root, the displacement may be about to turn.
@@ -70,8 +72,10 @@ pub(super) fn advance(
     ws: &mut Workspace,
 ) -> (Advance, usize) {
     let problem = standing.problem(drive, None, TipTangent::Own);
-    let softening = softest_ahead(standing, &problem, here, ahead);
-    let near = |(_, h): &(usize, f64)| softest.is_some_and(|softest| *h < WARY * softest);
+    let near = |&(_, h): &(usize, f64)| softest.is_some_and(|softest| h < WARY * softest);
+    let own = softest_ahead(standing, &problem, here, ahead);
+    let drawn = || drawn_ahead(standing, &problem, here, ahead).map(|tip| (tip, f64::NEG_INFINITY));
+    let softening = own.filter(near).or_else(drawn).or(own);
     let mut iterations = 0;
     if let Some((tip, _)) = softening.filter(near)
         && let Ok(loss) = locate(standing, drive, here, Watched::tip(standing, tip), softest, options, ws)
@@ -136,8 +140,9 @@ fn judged(
     let from = Knot::new(here.observables.displacement, here.clone(), here.slope.displacement);
     let knot = Knot::new(solution.observables.displacement, solution, 1.0);
     let (work, imbalance) = from.imbalance_to(&knot, &Allowed::new(standing, here, options.balance));
-    // a seta without a tip that adheres has one equilibrium, and no force but round-off
-    let imbalance = if standing.attached() == 0 { 0.0 } else { imbalance };
+    // a seta without a tip that adheres or is attracted has one equilibrium, and no force but round-off
+    let is_loaded = || [here, &knot.solution].into_iter().any(|at| largest_load(standing, at) > UNLOADED);
+    let imbalance = if standing.attached() == 0 && !is_loaded() { 0.0 } else { imbalance };
     if imbalance > 1.0 && (shares.is_empty() || ahead > SHORT) {
         let factor = (SAFETY * imbalance.powf(-ORDER)).clamp(0.1, 0.7);
         return Advance::Shorter { ahead: factor * ahead, why: Refusal::Unbalanced(imbalance) };
@@ -229,6 +234,20 @@ fn softest_ahead(standing: &Standing, problem: &Problem, here: &Solution, ahead:
         }
     }
     softest.map(|(tip, h, _)| (tip, h))
+}
+
+/// The detached tip that the ground draws on to where it snaps on first a step ahead, as far as the tangent says.
+fn drawn_ahead(standing: &Standing, problem: &Problem, here: &Solution, ahead: f64) -> Option<usize> {
+    let at = moved(here, problem, ahead);
+    let direction = &here.tangent.direction;
+    let is_drawn = |&tip: &usize| {
+        standing.place(&at, tip).0[HEIGHT] < standing.place(&here.at, tip).0[HEIGHT]
+            && standing.snaps_on_within(&at, tip, 0.0)
+            && standing.softening(&standing.response(&here.at, tip), tip, direction) < 0.0
+    };
+    let share = |tip: usize| (tip, share_of_change(standing, &here.at, &at, tip));
+    let drawn = (0..standing.tips.len()).filter(is_drawn).map(share);
+    drawn.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(tip, _)| tip)
 }
 
 /// Where the tangent leads when the root goes so far, nm.

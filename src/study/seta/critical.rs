@@ -1,7 +1,7 @@
 //! What happens where a branch loses its stability: tips lose their hold, or the seta goes over to another shape.
 //!
 //! At a loss the tangent K has a direction v with vᵀKv = 0. K is that of beams under load, K⁺, plus what softens tips, h < 0 of their ∂²E/∂y².
-//! Where a softening tip has a part in v, vᵀK⁺v = -Σ h v² > 0: the tips let go, and the seta would hold. Where none has, K⁺ itself is singular: the
+//! Where a softening tip has a part in v, vᵀK⁺v = -Σ h v² > 0: the tips let go, or a detached one snaps on, and the seta would hold. Where none has, K⁺ itself is singular: the
 //! beams buckle, as under a preload, and the seta leaves its shape along v.
 
 use super::standing::{HEIGHT, Standing};
@@ -14,12 +14,15 @@ const ALIKE: f64 = 1e-6;
 const PART: f64 = 1e-2;
 /// How far a shape is left along its critical direction, in units of 10 nm and 0.01 rad.
 const DISTURBED: f64 = 0.1;
+/// A detached tip snaps on in a loss of stability where it is so near to the end of its branch, nm: farther away the seta leaves its shape, and
+/// is led to where the tip snaps on.
+const NEAR_SNAP_ON: f64 = 5.0;
 /// Iterations for a critical direction.
 const ITERATIONS: usize = 6;
 
 /// What a loss of stability leads to.
 pub(super) enum Critical {
-    /// These tips lose their hold
+    /// These tips lose their hold, or are drawn to the ground
     Tips(Vec<usize>),
     /// Beams buckle: disturbed a little along the critical direction
     Shape(Box<State>),
@@ -41,7 +44,7 @@ pub(super) fn at_branching(
     ws: &mut Workspace,
 ) -> Result<Critical, SolveError> {
     let mode = critical_direction(problem, at, ws)?;
-    let of = |tip: usize| mode[standing.model.seta.tip_joint(tip) * SPATIAL_UNKNOWNS + HEIGHT];
+    let of = |tip: usize| standing.way_out(tip) * mode[standing.model.seta.tip_joint(tip) * SPATIAL_UNKNOWNS + HEIGHT];
     let softening: Vec<usize> = (0..standing.tips.len()).filter(|&tip| softens(standing, &at.at, tip, &mode)).collect();
     let most = softening.iter().map(|&tip| of(tip).abs()).fold(0.0, f64::max);
     let first = softening.iter().find(|&&tip| of(tip).abs() >= (1.0 - ALIKE) * most);
@@ -72,11 +75,13 @@ pub(super) fn disturbed(problem: &Problem, at: &State, direction: &[f64]) -> Sta
     next
 }
 
-/// The tips that go up the fastest of those that soften, where equal all of them; where none takes part the shape that is left.
+/// The tips that go the fastest to the end of their branch of those that soften, where equal all of them; where none takes part the shape that is
+/// left.
 fn of_direction(standing: &Standing, problem: &Problem, at: &State, direction: &[f64]) -> Critical {
     let places = direction[..standing.tree.joints() * SPATIAL_UNKNOWNS].chunks_exact(SPATIAL_UNKNOWNS);
     let largest = places.flat_map(|joint| &joint[..3]).fold(0.0f64, |most, x| most.max(x.abs()));
-    let speed = |tip: usize| direction[standing.model.seta.tip_joint(tip) * SPATIAL_UNKNOWNS + HEIGHT];
+    let height = |tip: usize| direction[standing.model.seta.tip_joint(tip) * SPATIAL_UNKNOWNS + HEIGHT];
+    let speed = |tip: usize| standing.way_out(tip) * height(tip);
     let takes_part = |&tip: &usize| speed(tip) > PART * largest && softens(standing, at, tip, direction);
     let softening: Vec<usize> = (0..standing.tips.len()).filter(takes_part).collect();
     let most = softening.iter().map(|&tip| speed(tip)).fold(f64::NEG_INFINITY, f64::max);
@@ -86,7 +91,8 @@ fn of_direction(standing: &Standing, problem: &Problem, at: &State, direction: &
     Critical::Tips(softening.into_iter().filter(|&tip| speed(tip) >= most - ALIKE * most.abs()).collect())
 }
 
-/// Whether the force of a tip falls as it goes along a direction.
+/// Whether a tip that adheres, or one that is about to snap on, softens as it goes along a direction.
 fn softens(standing: &Standing, at: &State, tip: usize, direction: &[f64]) -> bool {
-    standing.tips[tip].on.adheres() && standing.softening(&standing.response(at, tip), tip, direction) < 0.0
+    let may_change = standing.tips[tip].on.adheres() || standing.snaps_on_within(at, tip, NEAR_SNAP_ON);
+    may_change && standing.softening(&standing.response(at, tip), tip, direction) < 0.0
 }

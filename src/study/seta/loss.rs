@@ -88,7 +88,8 @@ impl Along<'_> {
         let place = std::array::from_fn(|i| place[i] + moved[i]);
         let directors = product(directors, exponential([moved[3], moved[4], moved[5]]));
         let own = &self.standing.tips[tip];
-        own.adheres(place, directors).then(|| self.standing.softening(&own.response(place, directors), tip, direction))
+        (own.adheres(place, directors) == own.on.adheres())
+            .then(|| self.standing.softening(&own.response(place, directors), tip, direction))
     }
 
     /// The height ahead at which h falls to this, or the end of the branch.

@@ -54,8 +54,8 @@ pub(in crate::study) fn come_to_rest(
     let held = PathConstraint { weights: Observables::DISPLACEMENT, target: displacement };
     let mut changes: Vec<TipChange> = first.iter().map(|&tip| changed(standing, &at, tip)).collect();
     let (mut iterations, mut time) = (0, f64::INFINITY);
+    let mut problem = standing.problem(drive, None, TipTangent::Convex);
     for _ in 0..MOST_STEPS {
-        let problem = standing.problem(drive, None, TipTangent::Convex);
         let (mut next, size) =
             downhill(&problem, &at, &held, &mut time, &mut iterations, ws).map_err(|cause| (cause, changes.len()))?;
         let share = largest_share(standing, &at, &next);
@@ -104,6 +104,7 @@ pub(in crate::study) fn come_to_rest(
         for (_, tip) in shares.into_iter().take_while(|(share, _)| *share <= least + AT_ONCE) {
             changes.push(changed(standing, &part, tip));
         }
+        problem = standing.problem(drive, None, TipTangent::Convex);
         at = part;
     }
     let cause = SolveError::NotConverged { update: f64::NAN, iterations: MOST_STEPS };

@@ -307,6 +307,9 @@ impl<'a> Run<'a> {
         location: Option<LocationError>,
     ) -> Result<(), SetaEnd> {
         let cause = if tips.is_empty() { EventCause::Buckling } else { EventCause::Tips };
+        if cause == EventCause::Buckling && self.has_buckled_here() {
+            return Err(self.lost(SolveError::LimitPointNotConfirmed));
+        }
         let (before, here) = (self.last(), self.progress.here.clone());
         let state = self.state(&here, location);
         let displacement = here.observables.displacement;
@@ -337,6 +340,16 @@ impl<'a> Run<'a> {
         self.progress.result.events.push(SetaEvent { before, after, cause, tips: changes, released });
         self.keep_peak(after, Some(location));
         Ok(())
+    }
+
+    /// Whether the last event was one here in which beams buckled and no tip followed: it led back to where it began.
+    fn has_buckled_here(&self) -> bool {
+        self.progress.result.events.last().is_some_and(|event| {
+            let SetaPoint { step, displacement, .. } = event.before;
+            let there = self.progress.here.observables.displacement;
+            let is_here = step == self.progress.step && (displacement - there).abs() < SHORTEST;
+            is_here && event.cause == EventCause::Buckling && event.tips.is_empty()
+        })
     }
 
     /// The numbers of an equilibrium, with work and energy released as before.

@@ -66,10 +66,13 @@ struct ConvexTip(AdheringTip);
 impl EndEnergy for ConvexTip {
     fn response(&self, place: [f64; 3], directors: Quaternion) -> EndResponse {
         let own = self.0.response(place, directors);
-        let hessian = Matrix6::from_fn(|i, j| own.hessian[i][j]);
-        if hessian == Matrix6::zeros() {
-            return own;
+        let is_diagonal = (0..6).all(|i| (0..6).all(|j| i == j || own.hessian[i][j] == 0.0));
+        if is_diagonal {
+            let mut hessian = own.hessian;
+            (0..6).for_each(|i| hessian[i][i] = hessian[i][i].max(0.0));
+            return EndResponse { hessian, ..own };
         }
+        let hessian = Matrix6::from_fn(|i, j| own.hessian[i][j]);
         let mut eigen = hessian.symmetric_eigen();
         eigen.eigenvalues.apply(|value| *value = value.max(0.0));
         let convex = eigen.recompose();
@@ -205,6 +208,17 @@ impl Standing {
             load: self.load(at, tip),
         };
         self.tips.iter().enumerate().map(state).collect()
+    }
+
+    /// Which way along the height a tip comes to the end of its branch: 1 up, where it adheres, -1 down, where the ground draws it on.
+    pub fn way_out(&self, tip: usize) -> f64 {
+        if self.tips[tip].on.adheres() { 1.0 } else { -1.0 }
+    }
+
+    /// Whether a detached tip comes to the end of its branch when it goes down by so much, nm.
+    pub fn snaps_on_within(&self, at: &State, tip: usize, distance: f64) -> bool {
+        let ([x, y, z], directors) = self.place(at, tip);
+        !self.tips[tip].on.adheres() && self.tips[tip].adheres([x, y - distance, z], directors)
     }
 
     pub fn attached(&self) -> usize {

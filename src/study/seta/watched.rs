@@ -10,7 +10,7 @@ pub(super) struct Watched {
     pub unknown: JointUnknown,
     /// 1 where it grows, -1 where it falls: the parameter is the place times this
     sign: f64,
-    /// The tip whose height it is, if it is one that adheres and goes up
+    /// The tip whose height it is, if it is one that goes on to the end of its branch: adheres and goes up, or is detached and goes down
     pub tip: Option<usize>,
     /// du over the change of the parameter above which the branch can be followed by the displacement again; none where it is followed up to
     /// its end
@@ -27,10 +27,10 @@ const PASSED: f64 = 2.0;
 const SHARE: f64 = 0.1;
 
 impl Watched {
-    /// The height of a tip that adheres and goes up.
+    /// The height of a tip that adheres and goes up, or of one that is detached and goes down.
     pub fn tip(standing: &Standing, tip: usize) -> Self {
         let unknown = JointUnknown { joint: standing.model.seta.tip_joint(tip), slot: HEIGHT };
-        Self { unknown, sign: 1.0, tip: Some(tip), passed: None, first: FIRST }
+        Self { unknown, sign: standing.way_out(tip), tip: Some(tip), passed: None, first: FIRST }
     }
 
     /// The place that changes the most with the displacement, and by how much of it; `ahead` is the step that was refused, nm.

@@ -5,6 +5,7 @@ mod four_tips;
 mod hard;
 mod hysteresis;
 pub mod setup;
+mod snap_on;
 mod symmetry;
 mod table_law;
 mod tip;

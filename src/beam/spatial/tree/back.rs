@@ -12,12 +12,13 @@ impl BeamTree {
     /// The direction that solves K q = `scale` R with the root known.
     pub fn recover(&self, factors: &TreeFactors, root: &[f64; F], scale: f64, out: &mut [f64]) {
         out[self.root() * F..][..F].copy_from_slice(root);
+        let mut x = [0.0; MOST];
         for &b in self.outward.iter() {
             let branch = &self.branches[b];
             for k in (0..branch.elements).rev() {
                 let e = branch.inwards(k);
                 self.recover_end(factors, branch, e, scale, out);
-                let mut x = self.local(branch, e, out);
+                self.take_local(branch, e, out, &mut x);
                 self.inside(factors, branch, e).recover(scale, &mut x);
                 self.put_inside(branch, e, &x, out);
             }
@@ -52,14 +53,13 @@ impl BeamTree {
         ranks.map(|rank| branch.node(order, e, rank) * F)
     }
 
-    /// The unknowns of an element in elimination order.
-    pub(super) fn local(&self, branch: &TreeBranch, e: usize, all: &[f64]) -> [f64; MOST] {
-        let (order, mut own) = (self.order(), [0.0; MOST]);
+    /// Takes the unknowns of an element, in elimination order.
+    pub(super) fn take_local(&self, branch: &TreeBranch, e: usize, all: &[f64], own: &mut [f64; MOST]) {
+        let order = self.order();
         for rank in 0..=order {
             let from = branch.node(order, e, rank) * F;
             own[slot(order + 1, rank) * F..][..F].copy_from_slice(&all[from..from + F]);
         }
-        own
     }
 
     /// Writes the unknowns of the interior of an element.

@@ -48,12 +48,13 @@ impl TreeFactors {
 impl BeamTree {
     /// Takes a right-hand side down to the root.
     pub fn reduce(&self, factors: &TreeFactors, right: &mut [f64], transposed: bool) -> [f64; F] {
+        let mut x = [0.0; MOST];
         for &b in self.outward.iter().rev() {
             let branch = &self.branches[b];
             for k in 0..branch.elements {
                 let e = branch.inwards(k);
                 // plain, the equations of what is held do not take part
-                let mut x = self.local(branch, e, right);
+                self.take_local(branch, e, right, &mut x);
                 self.inside(factors, branch, e).forward(&mut x, &self.taking_part(branch, k, !transposed));
                 self.put(branch, e, &x, right);
                 self.end_forward(factors, branch, e, right, transposed);
@@ -66,13 +67,14 @@ impl BeamTree {
     /// From a reduced right-hand side and the solution at the root to the whole.
     pub fn substitute(&self, factors: &TreeFactors, root: &[f64; F], right: &mut [f64], transposed: bool) {
         right[self.root() * F..][..F].copy_from_slice(root);
+        let mut x = [0.0; MOST];
         for &b in self.outward.iter() {
             let branch = &self.branches[b];
             for k in (0..branch.elements).rev() {
                 let e = branch.inwards(k);
                 self.end_backward(factors, branch, e, right, transposed);
                 // transposed, what is held does not act on the interior
-                let mut x = self.local(branch, e, right);
+                self.take_local(branch, e, right, &mut x);
                 self.inside(factors, branch, e).backward(&mut x, &self.taking_part(branch, k, transposed));
                 self.put_inside(branch, e, &x, right);
             }
