@@ -4,7 +4,7 @@ use super::space::{ACROSS, ALONG, ROLL, ROTATION, ROUNDED, SIDEWAYS, YAW};
 use crate::adhesion::Substrate;
 use crate::beam::rotation::Matrix3;
 use crate::beam::{GripForces, GripState, PlanarBeam, SpatialBeam};
-use crate::solve::{EndConditions, InitialState, Mesh, PathMeasure, Problem, State, System};
+use crate::solve::{EndConditions, InitialState, MeasuredBeside, Mesh, PathMeasure, Problem, State, System};
 use std::borrow::Cow;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -206,6 +206,12 @@ impl BeamProblem {
         in_plane(ALONG)
             && [ACROSS, SIDEWAYS].iter().all(|&slot| !grip.held[slot] || in_plane(slot) || normal(slot))
             && [YAW, ROLL].iter().all(|&slot| !grip.held[slot] || is_zero(grip.origin[slot]))
+    }
+
+    /// The same problem with its paths measured by this beside the monitors and the displacement.
+    pub fn measured_beside(&self, beside: MeasuredBeside) -> Self {
+        let measure = PathMeasure { beside, ..self.problem.measure };
+        Self { problem: Problem { measure, ..self.problem.clone() }, beam: self.beam.clone() }
     }
 
     /// The same problem under other end conditions.

@@ -8,7 +8,7 @@ use crate::beam::{
     self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, Reach, ReducedBeam,
     ReferenceConfiguration, ReissnerBeam, UprightCorner, UprightPole, Varying,
 };
-use crate::solve::{EndConditions, History, INTERFACE, InitialState, PathMeasure};
+use crate::solve::{EndConditions, History, INTERFACE, InitialState, MeasuredBeside, PathMeasure};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -132,7 +132,7 @@ impl PeelModel {
         let measure = PathMeasure {
             monitors: [beam.process_length, beam.scale[beam.rotation]],
             force: rest_adhesion.abs(),
-            by_force: false,
+            beside: MeasuredBeside::Nothing,
         };
         let grip = self.end_conditions(&beam);
         Ok(BeamProblem::new(Beam::Planar(Arc::new(beam)), grip, measure, start))

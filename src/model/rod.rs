@@ -7,7 +7,7 @@ use crate::beam::{
     FrontPosition, MOST_FIELDS, MeshIntervals, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, ReferenceConfiguration,
     ReferenceCurve, ReissnerRod, Section,
 };
-use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure};
+use crate::solve::{EndConditions, INTERFACE, InitialState, MeasuredBeside, PathMeasure};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -145,7 +145,7 @@ impl RodModel {
             ..EndConditions::drive(self.driven())
         };
         let force = if self.drive == Drive::Rotation { moment } else { moment / length };
-        let measure = PathMeasure { monitors: [f64::INFINITY, scale[2]], force, by_force: true };
+        let measure = PathMeasure { monitors: [f64::INFINITY, scale[2]], force, beside: MeasuredBeside::Force };
         Ok(BeamProblem::new(Beam::Planar(Arc::new(beam)), grip, measure, InitialState::StressFree))
     }
 

@@ -8,7 +8,7 @@ use crate::beam::{
     SpatialChain, SpatialDensity, SpatialEnd, SpatialProfile, SpatialRest, SpatialRestCurve, SpatialStiffness, Varying,
     torsion_constant,
 };
-use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure};
+use crate::solve::{EndConditions, INTERFACE, InitialState, MeasuredBeside, PathMeasure};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -174,7 +174,7 @@ impl PeelModel {
         let measure = PathMeasure {
             monitors: [beam.process_length, beam.scale[1]],
             force: beam.rest_adhesion.abs(),
-            by_force: false,
+            beside: MeasuredBeside::Nothing,
         };
         let grip = self.spatial_grip(space, &beam);
         Ok(BeamProblem::new(Beam::Spatial(beam.into()), grip, measure, start))

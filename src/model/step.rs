@@ -147,6 +147,11 @@ impl fmt::Display for Step {
 
 /// An angle with its unit: in degrees, where a number of at most nine decimals of them is the same to the last digit.
 pub fn angle_text(angle: f64) -> String {
+    whole_degrees(angle).map_or_else(|| format!("{angle} rad"), |degrees| format!("{degrees} deg"))
+}
+
+/// The degrees of an angle, rad, where a number of at most nine decimals of them is the same to the last digit.
+pub(crate) fn whole_degrees(angle: f64) -> Option<f64> {
     let degrees = (1e9 * angle.to_degrees()).round() / 1e9;
-    if degrees * 1f64.to_radians() == angle { format!("{degrees} deg") } else { format!("{angle} rad") }
+    (degrees * 1f64.to_radians() == angle).then_some(degrees)
 }

@@ -50,6 +50,9 @@ impl<'p> GripBlock<'p> {
             residual[i] = root.residual[i];
             matrix[(interface, i)] = root.gradient[i];
         }
+        if let Some(roll) = problem.roll(at) {
+            (0..interface).for_each(|i| matrix[(interface, i)] += constraint.weights.roll * roll.gradient[i]);
+        }
         let mut block = Self { problem, interface, matrix, residual, gearing: RowSVector::zeros() };
         block.turn();
         block.gear();

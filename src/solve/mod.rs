@@ -23,9 +23,10 @@ pub use linear::{Bordered, Tangents};
 pub use newton::*;
 pub use observables::{MONITORS, Observables, PathConstraint};
 pub use path::*;
-pub use problem::{InitialState, PathMeasure, Problem};
+pub use problem::{InitialState, MeasuredBeside, PathMeasure, Problem};
 pub use relax::{Held, RelaxError, RelaxOptions, Relaxed, disturbed, disturbed_anyhow, relax};
 pub use state::{History, Mesh, State};
 pub use system::{
-    Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, ShouldStop, System, Unknown, Workspace,
+    Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, ShouldStop, System, Unknown,
+    Workspace,
 };

@@ -211,6 +211,7 @@ fn iterate(
                 displacement: tangent.displacement,
                 force: tangent.force,
                 recorded: rates.recorded,
+                roll: problem.roll(&at).map_or(0.0, |roll| roll.along(&tangent.interface)),
             };
             if !(observables.is_finite() && slope.is_finite()) {
                 return Err(SolveError::NotFiniteUpdate { quantity: Quantity::PathTangent });

@@ -16,10 +16,12 @@ pub struct Observables {
     pub force: f64,
     /// A further number of the system, for the record; no constraint weighs it.
     pub recorded: f64,
+    /// The roll of the driven end, rad, where it measures the path: see [`super::MeasuredBeside::Roll`]
+    pub roll: f64,
 }
 
 impl Observables {
-    const NOTHING: Self = Self { monitors: [0.0; MONITORS], displacement: 0.0, force: 0.0, recorded: 0.0 };
+    const NOTHING: Self = Self { monitors: [0.0; MONITORS], displacement: 0.0, force: 0.0, recorded: 0.0, roll: 0.0 };
     /// Weights of displacement control.
     pub const DISPLACEMENT: Self = Self { displacement: 1.0, ..Self::NOTHING };
     /// Weights of a held force.
@@ -38,12 +40,13 @@ impl Observables {
             + self.displacement * other.displacement
             + self.monitors[1] * other.monitors[1]
             + self.force * other.force
+            + self.roll * other.roll
     }
 
     /// Whether every component is a finite number.
     pub fn is_finite(&self) -> bool {
-        let Self { monitors: [first, second], displacement, force, recorded } = *self;
-        [first, second, displacement, force, recorded].iter().all(|number| number.is_finite())
+        let Self { monitors: [first, second], displacement, force, recorded, roll } = *self;
+        [first, second, displacement, force, recorded, roll].iter().all(|number| number.is_finite())
     }
 
     /// Each component times a number.
@@ -53,6 +56,7 @@ impl Observables {
             displacement: factor * self.displacement,
             force: factor * self.force,
             recorded: factor * self.recorded,
+            roll: factor * self.roll,
         }
     }
 
@@ -68,6 +72,7 @@ impl Observables {
             displacement: self.displacement - earlier.displacement,
             force: self.force - earlier.force,
             recorded: self.recorded - earlier.recorded,
+            roll: self.roll - earlier.roll,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What is to be solved: a system, what its grip does, what measures a path, and where that starts.
 
-use super::{EndConditions, Evaluation, MONITORS, Observables, State, System};
+use super::{EndConditions, EndRoll, Evaluation, MONITORS, Observables, State, System};
 use std::sync::Arc;
 
 /// A system in a grip, with the start of its path.
@@ -23,11 +23,33 @@ pub struct PathMeasure {
     pub monitors: [f64; MONITORS],
     /// Scale of the force, nN, or nN·nm where the drive is a rotation.
     pub force: f64,
-    /// Whether the force measures the path: of a system whose monitors do not go forward along it.
-    pub by_force: bool,
+    /// What measures the path beside the monitors and the displacement
+    pub beside: MeasuredBeside,
+}
+
+/// What measures a path beside the monitors and the displacement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeasuredBeside {
+    /// Nothing.
+    Nothing,
+    /// The force: of a system whose monitors do not go forward along its path.
+    Force,
+    /// The roll of the driven end, [`System::roll`], in units of the second monitor's scale: where a symmetric plane nearly loses its
+    /// stability nothing else moves to first order.
+    Roll,
 }
 
 impl PathMeasure {
+    /// The scale of the force where it measures the path; infinite where it does not.
+    pub(super) fn force_scale(&self) -> f64 {
+        if self.beside == MeasuredBeside::Force { self.force } else { f64::INFINITY }
+    }
+
+    /// The scale of the roll, rad, likewise.
+    pub(super) fn roll_scale(&self) -> f64 {
+        if self.beside == MeasuredBeside::Roll { self.monitors[1] } else { f64::INFINITY }
+    }
+
     /// How far the monitors of one point are from those of another: the largest of them, each in units of its scale.
     pub(super) fn apart(&self, one: &Observables, other: &Observables) -> f64 {
         let change = other.since(one).monitors;
@@ -92,9 +114,10 @@ impl Problem {
     /// How far two points of the path are apart: the largest change of what measures it, each in units of its scale.
     pub(super) fn apart(&self, one: &Observables, other: &Observables) -> f64 {
         let change = other.since(one);
-        let force = if self.measure.by_force { (change.force / self.measure.force).abs() } else { 0.0 };
+        let force = (change.force / self.measure.force_scale()).abs();
+        let roll = (change.roll / self.measure.roll_scale()).abs();
         let displacement = (change.displacement / self.grip.displacement_scale()).abs();
-        self.measure.apart(one, other).max(displacement).max(force)
+        self.measure.apart(one, other).max(displacement).max(force).max(roll)
     }
 
     /// Where on the path a state lies.
@@ -104,6 +127,12 @@ impl Problem {
             displacement: self.displacement(at),
             force: at.force,
             recorded: evaluation.recorded,
+            roll: self.roll(at).map_or(0.0, |roll| roll.angle),
         }
+    }
+
+    /// The roll of the driven end, where it measures the path.
+    pub(super) fn roll(&self, at: &State) -> Option<EndRoll> {
+        if self.measure.beside == MeasuredBeside::Roll { self.system.roll(at) } else { None }
     }
 }

@@ -157,6 +157,22 @@ impl Workspace {
     }
 }
 
+/// The roll of the driven end of a system in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EndRoll {
+    /// rad
+    pub angle: f64,
+    /// Its derivatives by the unknowns of the interface
+    pub gradient: [f64; INTERFACE],
+}
+
+impl EndRoll {
+    /// How it changes with the interface.
+    pub fn along(&self, interface: &[f64; INTERFACE]) -> f64 {
+        self.gradient.iter().zip(interface).map(|(by, change)| by * change).sum()
+    }
+}
+
 /// A discretised structure.
 ///
 /// A *direction* is a change of the unknowns, one number each in the system's order; a state holds values, which may be more
@@ -188,6 +204,12 @@ pub trait System: Send + Sync {
     /// Whether branches that nearly meet are to be expected on its paths: each step is then looked at for whether it stays on its branch.
     fn has_near_branches(&self) -> bool {
         false
+    }
+
+    /// The roll of the driven end: what tells the branches of a path apart where a symmetric plane loses its stability, while the monitors
+    /// and the displacement stay as they are to first order. None of a system in the plane.
+    fn roll(&self, _at: &State) -> Option<EndRoll> {
+        None
     }
 
     /// Whether material points remember what they went through.

@@ -2,10 +2,10 @@
 
 use super::chain::{quaternion_of, read::normalise};
 use super::end_rotation::{EndRotation, angles};
-use super::rotation::{apply, matrix};
+use super::rotation::{apply, cross, matrix};
 use super::spatial_beam::SpatialBeam;
 use crate::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
-use crate::solve::State;
+use crate::solve::{EndRoll, State};
 
 /// What the grip exerts on the right end of a beam in space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -53,6 +53,24 @@ impl SpatialBeam {
             EndRotation::Angles => configuration.angles[1],
             EndRotation::Free => angles(quaternion_of(self.chain.end_node(configuration, 1)), end.rest),
         }
+    }
+
+    /// The roll of the right end with how it changes with the three turns there.
+    pub(super) fn roll_of_grip(&self, at: &State) -> EndRoll {
+        let end = &self.chain.ends[1];
+        let by_turns = if end.rotation == EndRotation::Angles {
+            [0.0, 0.0, 1.0]
+        } else {
+            let rest = matrix(end.rest);
+            let r = matrix(quaternion_of(self.chain.end_node(self.configuration(at), 1)));
+            // what lies along y and z at rest rises above the plane by sine and cosine of the roll, both times the cosine of the yaw
+            let [(sin, by_sin), (cos, by_cos)] =
+                [rest[1], rest[2]].map(|along| (apply(&r, &along)[2], cross(along, r[2])));
+            let square = (sin * sin + cos * cos).max(f64::MIN_POSITIVE);
+            std::array::from_fn(|k| (cos * by_sin[k] - sin * by_cos[k]) / square)
+        };
+        let gradient = std::array::from_fn(|slot| if slot < 3 { 0.0 } else { by_turns[slot - 3] });
+        EndRoll { angle: self.angles_of_grip(at)[2], gradient }
     }
 
     /// A state whose right end is turned by angles, for this beam, whose right end turns freely.

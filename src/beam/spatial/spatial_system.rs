@@ -9,8 +9,8 @@ use super::spatial_beam::{ANGLES, SpatialBeam};
 use crate::beam::mesh::nodal_lengths;
 use crate::beam::{ElementEnergy, FRONT, MeshKind, TIP_ROTATION};
 use crate::solve::{
-    Coefficients, CondensedSystem, Evaluation, INTERFACE, MONITORS, Mesh, NodalTerms, Rates, SolveError, State, System,
-    Unknown, Workspace,
+    Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, MONITORS, Mesh, NodalTerms, Rates, SolveError,
+    State, System, Unknown, Workspace,
 };
 
 const F: usize = SPATIAL_UNKNOWNS;
@@ -106,6 +106,10 @@ impl System for SpatialBeam {
 
     fn has_near_branches(&self) -> bool {
         true
+    }
+
+    fn roll(&self, at: &State) -> Option<EndRoll> {
+        Some(self.roll_of_grip(at))
     }
 
     fn round_off(&self) -> f64 {

@@ -243,5 +243,6 @@ fn extrapolated(solution: &Solution, ahead: f64, bends: Bends) -> Observables {
         displacement: o.displacement + ahead * (s.displacement + 0.5 * ahead * bends.displacement),
         force: o.force + ahead * (s.force + 0.5 * ahead * bends.force),
         recorded: o.recorded + ahead * s.recorded,
+        roll: o.roll + ahead * s.roll,
     }
 }

@@ -12,6 +12,7 @@ pub struct Metric {
     monitors: [f64; MONITORS],
     displacement: f64,
     force: f64,
+    roll: f64,
 }
 
 impl Metric {
@@ -20,7 +21,8 @@ impl Metric {
         let measure = &problem.measure;
         let mut metric = Self {
             monitors: measure.monitors.map(|scale| NOTICED * scale),
-            force: if measure.by_force { NOTICED * measure.force } else { f64::INFINITY },
+            force: NOTICED * measure.force_scale(),
+            roll: NOTICED * measure.roll_scale(),
             displacement: NOTICED * problem.grip.displacement_scale(),
         };
         let mut before: Option<&Observables> = None;
@@ -32,6 +34,7 @@ impl Metric {
                 }
                 metric.displacement = metric.displacement.max(change.displacement.abs());
                 metric.force = metric.force.max(change.force.abs());
+                metric.roll = metric.roll.max(change.roll.abs());
             }
             before = Some(here);
         }
@@ -45,6 +48,7 @@ impl Metric {
             displacement: direction.displacement / self.displacement.powi(2),
             force: direction.force / self.force.powi(2),
             recorded: 0.0,
+            roll: direction.roll / self.roll.powi(2),
         };
         dual.times(1.0 / dual.dot(direction).sqrt())
     }

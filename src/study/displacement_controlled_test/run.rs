@@ -9,7 +9,8 @@ use super::stable_branch::{BranchEnd, Machine, StableBranch, Until};
 use crate::beam::FRONT;
 use crate::model::{BeamProblem, Discretisation, Form, PeelModel};
 use crate::solve::{
-    EndConditions, Held, Located, RelaxOptions, Solution, State, Workspace, disturbed, disturbed_anyhow, relax,
+    EndConditions, Held, Located, MeasuredBeside, Pace, PathOptions, RelaxOptions, Solution, State, Workspace,
+    disturbed, disturbed_anyhow, relax,
 };
 use crate::study::accuracy::{Resolution, most_elements};
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
@@ -24,6 +25,9 @@ const RELAXING: f64 = 0.1;
 const COMPARABLE: f64 = 10.0;
 /// The balance of work and energy closes to this, or to the accuracy asked for where that is more.
 const BALANCED: f64 = 1e-6;
+
+/// Further meshes on which a test in space may fail, with its paths followed warily and measured by the roll of the grip as well.
+const MOST_FAILED_WARILY: usize = 3;
 
 /// What the machine does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,11 +47,13 @@ pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: 
         let mut test = Test::new(course);
         test.effort.elements = resolution.elements;
         test.effort.order = resolution.order;
-        match problem(model, accuracy, resolution.order) {
+        let lost = failures >= MOST_FAILED_IN_SPACE && model.space.is_some();
+        let pace = if lost { Pace::Wary } else { Pace::Quick };
+        match problem(model, accuracy, resolution.order, pace) {
             Ok(problem) => {
                 let machine = Machine {
                     problem: &problem,
-                    options: resolution.path_options(model, accuracy.relative),
+                    options: PathOptions { pace, ..resolution.path_options(model, accuracy.relative) },
                     stop,
                     relative: accuracy.relative,
                     far: model.line_law().cutoff_distance(),
@@ -65,10 +71,14 @@ pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: 
         } else {
             others.push((test.worst(), test.jumps.clone()));
         }
-        let hopeless = model.space.is_some() && failures == MOST_FAILED_IN_SPACE;
+        let hopeless = model.space.is_some() && failures == MOST_FAILED_IN_SPACE + MOST_FAILED_WARILY;
         let late = stop.reached_bound(Stage::Path).is_some();
         let enough = (worst <= 1.0 && !failed) || late || hopeless || accuracy.choice.elements.is_some();
-        let finer = if failed { resolution.times(1.5) } else { resolution.finer(worst, 0.0) };
+        let finer = match failed {
+            true if failures == MOST_FAILED_IN_SPACE && model.space.is_some() => first,
+            true => resolution.times(1.5),
+            false => resolution.finer(worst, 0.0),
+        };
         (test, (!enough).then_some(finer))
     });
     let mut test = best.unwrap_or_else(|| Test::new(course));
@@ -81,12 +91,16 @@ pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: 
 
 /// The strip behind its spring. Without x its horizontal section force, where it has one, is a multiplier, and the energy no
 /// minimum: such a strip is relaxed with all three unknowns.
-fn problem(model: &PeelModel, accuracy: &Accuracy, order: usize) -> Result<BeamProblem, NoEquilibrium> {
+fn problem(model: &PeelModel, accuracy: &Accuracy, order: usize, pace: Pace) -> Result<BeamProblem, NoEquilibrium> {
     let form = if model.has_horizontal_force() { Form::ThreeField } else { accuracy.choice.form };
     let compliance = model.grip.stiffness.map_or(0.0, f64::recip);
     let how = Discretisation { form, order, mesh: accuracy.choice.mesh };
     let problem = prepared(model, how, None).map_err(|failed| failed.why)?.problem;
-    Ok(problem.with_grip(EndConditions { compliance, ..problem.grip }))
+    let measured = match pace {
+        Pace::Quick => problem,
+        Pace::Wary => problem.measured_beside(MeasuredBeside::Roll),
+    };
+    Ok(measured.with_grip(EndConditions { compliance, ..measured.grip }))
 }
 
 /// How stability is lost.

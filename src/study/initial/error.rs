@@ -1,7 +1,7 @@
 //! Why a path has no start.
 
 use crate::beam::{ForcesInSpace, GripForces, GripState, UprightSection};
-use crate::model::{NoSuchOrder, Step};
+use crate::model::{Moved, NoSuchOrder, Step, whole_degrees};
 use crate::solve::{PathError, RelaxError, SolveError};
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -169,6 +169,28 @@ pub enum LoadingUnit {
     Nanometre,
     /// Of a rotation
     Radian,
+    /// Of a rotation that the scene writes in degrees
+    Degree,
+}
+
+impl LoadingUnit {
+    /// That in which a step moves this amount, nm or rad.
+    pub(super) fn of(moved: Moved, amount: f64) -> Self {
+        match (moved.is_angle(), whole_degrees(amount)) {
+            (false, _) => Self::Nanometre,
+            (true, None) => Self::Radian,
+            (true, Some(_)) => Self::Degree,
+        }
+    }
+
+    /// That what moves has come so far, nm or rad, with what the grip exerts there.
+    pub(super) fn reached(self, forces: GripForces, moved: f64) -> LoadingProgress {
+        let amount = match self {
+            Self::Nanometre | Self::Radian => moved,
+            Self::Degree => moved.to_degrees(),
+        };
+        LoadingProgress { amount, unit: self, forces }
+    }
 }
 
 impl fmt::Display for LoadingUnit {
@@ -176,6 +198,7 @@ impl fmt::Display for LoadingUnit {
         f.write_str(match self {
             Self::Nanometre => "nm",
             Self::Radian => "rad",
+            Self::Degree => "deg",
         })
     }
 }

@@ -129,7 +129,7 @@ impl LoadingSequence {
         let start =
             Path::new(problem, options).until(self.should_stop.clone()).advance().map_err(LoadingError::Start)?;
         let constraint = PathConstraint { weights: Observables::DISPLACEMENT, target: start.observables.displacement };
-        self.lead(problem, &start, &constraint)?;
+        self.lead(problem, (&start, LoadingUnit::Nanometre), &constraint)?;
         self.first = problem.start.known().cloned();
         Ok(())
     }
@@ -179,7 +179,7 @@ impl LoadingSequence {
     fn follow(&self, problem: &mut BeamProblem, goal: Goal) -> Result<(), LoadingError> {
         let end = self.path(problem, goal)?;
         let weights = goal.weights();
-        self.lead(problem, &end, &PathConstraint { weights, target: goal.value })
+        self.lead(problem, (&end, goal.unit), &PathConstraint { weights, target: goal.value })
     }
 
     /// The solution at the goal, on the elements of the path there.
@@ -226,17 +226,19 @@ impl LoadingSequence {
         Err(LoadingError::Long { at: goal.reached(problem, &before), points: MOST_EQUILIBRIA })
     }
 
-    /// Lets the problem begin in a solution, on twice as many elements and a mesh that is fine at its front.
-    fn lead(&self, problem: &mut BeamProblem, end: &Solution, constraint: &PathConstraint) -> Result<(), LoadingError> {
+    /// Lets the problem begin in a solution, whose displacement is told in this unit, on twice as many elements and a mesh that is fine at
+    /// its front.
+    fn lead(
+        &self,
+        problem: &mut BeamProblem,
+        (end, unit): (&Solution, LoadingUnit),
+        constraint: &PathConstraint,
+    ) -> Result<(), LoadingError> {
         let beam = &problem.beam;
         let mesh = beam.mesh_at(end.observables.monitors[FRONT], end.aligned(problem).mesh.edges, 2 * self.elements);
         let finer = beam.resampled(&end.at, mesh);
         let settled = settle(problem, finer, constraint, &newton(FINE), &mut Workspace::default());
-        let at = LoadingProgress {
-            amount: end.observables.displacement,
-            unit: LoadingUnit::Nanometre,
-            forces: problem.beam.grip_forces(&end.at),
-        };
+        let at = unit.reached(problem.beam.grip_forces(&end.at), end.observables.displacement);
         problem.start_at(Arc::new(settled.map_err(|why| LoadingError::End { at, why })?.at));
         Ok(())
     }
@@ -246,8 +248,7 @@ impl Goal {
     /// That what moves has come so far, nm or rad.
     fn moved(problem: &BeamProblem, moved: Moved, amount: f64) -> Self {
         let first = (FIRST * problem.grip.displacement_scale()).min(OF_WAY * amount.abs()).copysign(amount);
-        let unit = if moved.is_angle() { LoadingUnit::Radian } else { LoadingUnit::Nanometre };
-        Self { what: LimitPointKind::Displacement, value: amount, first, unit }
+        Self { what: LimitPointKind::Displacement, value: amount, first, unit: LoadingUnit::of(moved, amount) }
     }
 
     /// That this force on what moves has fallen to zero.
@@ -264,8 +265,7 @@ impl Goal {
     }
 
     fn reached(self, problem: &BeamProblem, solution: &Solution) -> LoadingProgress {
-        let amount = solution.observables.displacement;
-        LoadingProgress { amount, unit: self.unit, forces: problem.beam.grip_forces(&solution.at) }
+        self.unit.reached(problem.beam.grip_forces(&solution.at), solution.observables.displacement)
     }
 }
 
@@ -273,8 +273,8 @@ impl Goal {
 fn lost(problem: &BeamProblem, segment: &PathSegment, goal: Goal, before: &Solution, turned: bool) -> LoadingError {
     let whole = (0.0, segment.end());
     let turn = |at: Located| {
-        let reached = goal.reached(problem, &at.solution);
-        LoadingError::Turns { at: LoadingProgress { amount: at.observables.displacement, ..reached } }
+        let forces = problem.beam.grip_forces(&at.solution.at);
+        LoadingError::Turns { at: goal.unit.reached(forces, at.observables.displacement) }
     };
     let located = turned
         .then(|| locate(problem, segment, LimitPointKind::Displacement, whole, None, &mut Workspace::default()).ok());

@@ -4,7 +4,7 @@ use super::failure::Failure;
 use super::solution_history::SolutionHistory;
 use crate::beam::{BondedLoss, GripState, NodeState, SpatialSectionPlace, SpatialSectionState, UprightSection};
 use crate::model::{PeelModel, SpatialGrip};
-use crate::solve::LimitPointKind;
+use crate::solve::{LimitPointKind, Pace};
 use crate::study::terms::TermDecisions;
 use crate::study::{Bound, Choice, RelaxedStart};
 use serde::{Deserialize, Serialize};
@@ -157,6 +157,8 @@ pub struct Effort {
     pub elements: usize,
     /// Of the elements, 1 to 8
     pub order: usize,
+    /// At which the path was followed: wary where every mesh had lost it
+    pub pace: Pace,
 }
 
 /// The axis of the beam at one equilibrium, sampled: x, y and in space z in nm, the rotation in rad, and the height of the section in nm.

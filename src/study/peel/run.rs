@@ -9,8 +9,8 @@ use super::special_points::{difference_at_start, error_at_start};
 use super::widened::widened;
 use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
 use crate::model::{BeamProblem, Discretisation, PeelModel};
-use crate::solve::{LimitPointKind, Pace, PathOptions};
-use crate::study::accuracy::{Choice, Resolution, aim, most_elements};
+use crate::solve::{LimitPointKind, MeasuredBeside, Pace, PathOptions};
+use crate::study::accuracy::{Resolution, aim, most_elements};
 use crate::study::checkpoint::Limits;
 use crate::study::error_bounds::{
     DIFFERENCE_BOUND_FACTOR, PLAIN_IMPROVEMENT, STRIDE_BOUND_FACTOR, STRIDE_TOLERANCE_FACTOR, counts,
@@ -34,6 +34,8 @@ const MANY_MORE: usize = 2;
 const SHORTER: f64 = 0.5;
 /// Most such paths.
 const MOST_SHORTER: i32 = 3;
+/// Newton iterations after which a path in space is lost that is followed warily, over those of all meshes before.
+const WARILY: usize = 2;
 /// Follows the peel from rest to its end.
 pub(in crate::study) fn run(
     model: &PeelModel,
@@ -73,9 +75,8 @@ pub(in crate::study) fn run_from(
 /// The path on one mesh after another, until its bounds are what is wanted.
 fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Option<&KnownStart>) -> Peel {
     let accuracy = &accuracy.fitted(model);
-    let Choice { mesh, form, .. } = accuracy.choice;
-    let first = Resolution::first(model, accuracy);
-    let how = Discretisation { form, order: first.order, mesh };
+    let (first, choice) = (Resolution::first(model, accuracy), accuracy.choice);
+    let how = Discretisation { form: choice.form, order: first.order, mesh: choice.mesh };
     let prepared = match start {
         Some(known) => Ok((known.problem.clone(), Vec::new(), None)),
         None => prepared(model, how, limits.should_stop())
@@ -90,17 +91,23 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Opt
     };
     let far = model.line_law().cutoff_distance();
     let mut others: Vec<Vec<LimitPoint>> = Vec::new();
-    let (mut iterations, mut unfinished, mut finest, mut failed) = (0, false, 0, 0);
+    let (mut iterations, mut unfinished, mut finest) = (0, false, 0);
     let mut followed_at = |pace: Pace| {
+        // where a strip turns about its axis, or a plane nearly loses its stability, its roll alone goes forward
+        let (problem, most) = match (pace, model.space) {
+            (Pace::Wary, Some(_)) => (&Arc::new(problem.measured_beside(MeasuredBeside::Roll)), WARILY * iterations),
+            _ => (&problem, usize::MAX),
+        };
+        let mut failed = 0;
         refined(first, most_elements(model), Attempt::is_better_than, |resolution, best: Option<&Attempt>| {
             let mut options = PathOptions { pace, ..resolution.path_options(model, accuracy.relative) };
             if let Some(known) = start {
                 options.first_displacement = known.first_displacement;
                 options.step_tolerance *= FROM_BRANCH_POINT;
             }
-            let followed = follow(&problem, options, far, accuracy.relative, limits);
+            let followed = follow(problem, options, far, accuracy.relative, limits);
             iterations += followed.iterations;
-            let attempt = Attempt::new(model, &problem, followed, resolution, accuracy);
+            let attempt = Attempt::new(model, problem, followed, resolution, accuracy);
             let enough = accuracy.choice.elements.is_some()
                 || attempt.is_enough()
                 || best.is_some_and(|best| attempt.is_stuck_behind(best));
@@ -108,7 +115,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Opt
             unfinished = over && (attempt.cut || attempt.trouble.is_some() || !enough);
             let hopeless = attempt.trouble.is_some() && model.space.is_some() && {
                 failed += 1;
-                failed == MOST_FAILED_IN_SPACE
+                failed == MOST_FAILED_IN_SPACE || iterations > most
             };
             if attempt.trouble.is_none() {
                 finest = finest.max(attempt.peel.effort.elements);
@@ -120,9 +127,7 @@ fn on_meshes(model: &PeelModel, accuracy: &Accuracy, limits: &Limits, start: Opt
         .map(|best| Attempt { finest, ..best })
     };
     let mut best = followed_at(Pace::Quick);
-    // in space a path that was lost takes as long as many that are not
-    if model.space.is_none() && best.as_ref().is_some_and(|best| best.failure().is_some()) && limits.reached().is_none()
-    {
+    if best.as_ref().is_some_and(|best| best.failure().is_some()) && limits.reached().is_none() {
         let wary = followed_at(Pace::Wary);
         best = best.into_iter().chain(wary).reduce(|one, other| if other.is_better_than(&one) { other } else { one });
     }
@@ -243,7 +248,7 @@ impl Attempt {
         let trouble = followed.trouble.clone().or_else(|| followed.late());
         peel.asked = relative;
         peel.choice = accuracy.choice;
-        peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order };
+        peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order, pace: followed.pace };
         let (cut, beyond, remembers) = (followed.cut, followed.beyond, problem.system.has_history());
         let first = |place: f64| followed.turns.iter().find(|turn| turn.2.observables.displacement == place);
         let peak = peel.initiation_peak.and_then(|peak| first(peak.displacement)).map(|turn| turn.2.solution.clone());

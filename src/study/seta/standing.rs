@@ -4,7 +4,7 @@ use super::result::TipState;
 use crate::beam::rotation::{Matrix3, Quaternion};
 use crate::beam::{BeamTree, EndEnergy, EndResponse, JointCondition, JointUnknown, SPATIAL_UNKNOWNS};
 use crate::model::{AdheringTip, SetaError, SetaModel, TipBranch};
-use crate::solve::{EndConditions, INTERFACE, InitialState, PathMeasure, Problem, State};
+use crate::solve::{EndConditions, INTERFACE, InitialState, MeasuredBeside, PathMeasure, Problem, State};
 use nalgebra::{Matrix6, Vector3};
 use std::sync::Arc;
 
@@ -128,7 +128,7 @@ impl Standing {
         Problem {
             grip: EndConditions { held, origin, ..EndConditions::drive(0) },
             system: tree,
-            measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true },
+            measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, beside: MeasuredBeside::Force },
             start: InitialState::StressFree,
         }
     }

@@ -214,17 +214,25 @@ fn what_is_free_lets_go() {
     assert_near("what is held", held(last), held(&peel.steps[2]), 1e-12);
 }
 
-/// Rolled as it lies, a corner goes into the ground: the step says where it stops, and what the grip exerts there.
+/// Rolled as it lies, a corner goes into the ground: the step says where it stops, in the unit in which it is written, and what the grip
+/// exerts there.
 #[test]
 fn a_corner_that_meets_the_ground_ends_a_step() {
     let held = Space { yaw: Hold::Fixed, ..ROLLED };
-    let mut model = strip(10.0, [90.0, 0.0], held, &[degrees(Step::Roll, 8.0)]);
-    model.grip.rotation = Hold::Fixed;
-    let PathEnd::Failed(why) = peel(&model, &Accuracy::to(1e-4), &StopCriteria::after_points(100)).end else {
-        panic!("the corner would be below the ground")
-    };
-    let why = why.to_string();
-    for part in ["step 1 of drive.steps, \"roll 8 deg\",", " rad (H = ", "on the roll "] {
-        assert!(why.contains(part), "{part} is not in {why}");
-    }
+    let limits: Vec<f64> = [(degrees(Step::Roll, 8.0), "deg"), (Step::Roll(0.14), "rad")]
+        .map(|(step, unit)| {
+            let mut model = strip(10.0, [90.0, 0.0], held, &[step]);
+            model.grip.rotation = Hold::Fixed;
+            let PathEnd::Failed(why) = peel(&model, &Accuracy::to(1e-4), &StopCriteria::after_points(100)).end else {
+                panic!("the corner would be below the ground")
+            };
+            let why = why.to_string();
+            for part in [&format!("step 1 of drive.steps, \"{step}\","), "on the roll "] {
+                assert!(why.contains(part), "{part} is not in {why}");
+            }
+            let limit = why.split(&format!(" {unit} (H = ")).next().and_then(|before| before.split(' ').next_back());
+            limit.and_then(|limit| limit.parse().ok()).unwrap_or_else(|| panic!("no limit in {unit}: {why}"))
+        })
+        .to_vec();
+    assert_near("the limit", limits[0], limits[1].to_degrees(), 0.2);
 }

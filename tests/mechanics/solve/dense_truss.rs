@@ -5,8 +5,8 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 use peelkit::solve::{
-    Coefficients, CondensedSystem, EndConditions, Evaluation, INTERFACE, InitialState, MONITORS, PathMeasure, Problem,
-    Rates, SolveError, State, System, Unknown, Workspace,
+    Coefficients, CondensedSystem, EndConditions, Evaluation, INTERFACE, InitialState, MONITORS, MeasuredBeside,
+    PathMeasure, Problem, Rates, SolveError, State, System, Unknown, Workspace,
 };
 use std::sync::Arc;
 
@@ -37,7 +37,7 @@ const NAMES: [Unknown; INTERFACE] = [Unknown { name: "displacement", unit: "nm" 
 
 impl Truss {
     pub fn problem(self, grip: EndConditions) -> Problem {
-        let measure = PathMeasure { monitors: [f64::INFINITY, 1.0], force: 1.0, by_force: true };
+        let measure = PathMeasure { monitors: [f64::INFINITY, 1.0], force: 1.0, beside: MeasuredBeside::Force };
         Problem { system: Arc::new(self), grip, measure, start: InitialState::StressFree }
     }
 

@@ -47,7 +47,8 @@ fn grip() -> EndConditions {
     }
 }
 
-const WEIGHTS: Observables = Observables { monitors: [0.7, -0.2], displacement: 0.5, force: 0.1, recorded: 0.0 };
+const WEIGHTS: Observables =
+    Observables { monitors: [0.7, -0.2], displacement: 0.5, force: 0.1, recorded: 0.0, roll: 0.0 };
 
 fn state() -> State {
     State { values: vec![0.02, -0.1, 0.05, 0.03, -0.04, 0.06], force: 0.2, ..State::default() }

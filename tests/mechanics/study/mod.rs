@@ -13,6 +13,7 @@ mod out_of_plane_branch;
 mod peak_only;
 mod sensitivities;
 mod space;
+mod space_by_roll;
 mod space_outlines;
 mod special_points;
 mod stability;

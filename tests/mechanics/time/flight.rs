@@ -10,7 +10,7 @@ use peelkit::beam::{
     SpatialRestCurve, SpatialStiffness, Viscosity,
 };
 use peelkit::solve::time::{Drive, DynamicProblem, DynamicSystem, Motion, StepControl, TimeIntegrator, TimeOptions};
-use peelkit::solve::{EndConditions, InitialState, PathMeasure, Problem, State, System, Workspace};
+use peelkit::solve::{EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem, State, System, Workspace};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -54,7 +54,7 @@ fn let_go(beam: &SpatialBeam) -> (State, Vec<f64>, Vec<f64>) {
 fn errors(h: f64, spectral_radius: f64) -> [f64; 3] {
     let beam = Arc::new(beam());
     let (at, velocity, acceleration) = let_go(&beam);
-    let measure = PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true };
+    let measure = PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, beside: MeasuredBeside::Force };
     let grip = EndConditions::drive(1);
     let problem = Problem { system: beam.clone(), grip, measure, start: InitialState::StressFree };
     let problem = DynamicProblem::new(problem, beam.clone());

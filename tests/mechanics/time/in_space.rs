@@ -16,7 +16,7 @@ use peelkit::model::{Drive as Driven, MovingBeam, RodModel, Support};
 use peelkit::solve::time::{
     Drive, DynamicProblem, DynamicSystem, EnergyBalance, Motion, Ramp, StepControl, TimeIntegrator, TimeOptions,
 };
-use peelkit::solve::{EndConditions, InitialState, PathMeasure, Problem, State, System, Workspace};
+use peelkit::solve::{EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem, State, System, Workspace};
 use std::sync::Arc;
 
 const LENGTH: f64 = 10.0;
@@ -51,7 +51,7 @@ pub fn as_tree(viscosity: Viscosity, cuts: usize) -> BeamTree {
 
 pub fn in_grip<S: DynamicSystem + 'static>(system: S) -> DynamicProblem {
     let (system, grip) = (Arc::new(system), EndConditions::drive(1));
-    let measure = PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true };
+    let measure = PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, beside: MeasuredBeside::Force };
     let problem = Problem { system: system.clone(), grip, measure, start: InitialState::StressFree };
     DynamicProblem::new(problem, system)
 }

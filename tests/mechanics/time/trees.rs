@@ -21,7 +21,7 @@ use nalgebra::{DMatrix, SymmetricEigen};
 use peelkit::beam::rotation::{apply, apply_transposed, cross, matrix};
 use peelkit::beam::{BeamTree, Branch, BranchingBeam, EndRotation, JointCondition, SpatialStiffness};
 use peelkit::solve::time::{Drive, DynamicProblem, DynamicSystem, Motion, StepControl, TimeIntegrator, TimeOptions};
-use peelkit::solve::{EndConditions, InitialState, PathMeasure, Problem, State, System, Workspace};
+use peelkit::solve::{EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem, State, System, Workspace};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -87,7 +87,7 @@ fn accelerated(tree: &BeamTree, at: &State, forces: &[f64]) -> Vec<f64> {
 }
 
 fn free(tree: &Arc<BeamTree>) -> DynamicProblem {
-    let measure = PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true };
+    let measure = PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, beside: MeasuredBeside::Force };
     let problem =
         Problem { system: tree.clone(), grip: EndConditions::drive(1), measure, start: InitialState::StressFree };
     DynamicProblem::new(problem, tree.clone())
@@ -312,7 +312,7 @@ fn the_lowest_frequency_of_a_fork_is_that_of_a_frame() {
     // a period of it in time
     let (period, amplitude) = (2.0 * PI / fine, 1e-4);
     let velocity: Vec<f64> = mode.iter().enumerate().map(|(k, x)| if k < 6 { 0.0 } else { amplitude * x }).collect();
-    let measure = PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true };
+    let measure = PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, beside: MeasuredBeside::Force };
     let grip = EndConditions { held: [true, false, true, true, true, true], ..EndConditions::drive(1) };
     let problem = Problem { system: tree.clone(), grip, measure, start: InitialState::StressFree };
     let problem = DynamicProblem::new(problem, tree.clone());

@@ -7,6 +7,7 @@ use super::stability::{branch_point, out_of_plane};
 use super::units::{Units, WantedUnits};
 use peelkit::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 use peelkit::model::{DerivedQuantities, Step};
+use peelkit::solve::Pace;
 use peelkit::study::{
     Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, NotOutOfPlane, OutOfPlane, OutOfPlaneBranch,
     PathEnd, Peak, Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
@@ -96,12 +97,13 @@ pub fn peel(
     lines.push((
         "computational cost",
         format!(
-            "{} points, {} Newton iterations, {} elements of order {}, {:.1} ms",
+            "{} points, {} Newton iterations, {} elements of order {}, {:.1} ms{}",
             effort.points,
             effort.newton_iterations,
             effort.elements,
             effort.order,
-            1e3 * solve_s
+            1e3 * solve_s,
+            if effort.pace == Pace::Wary { ", followed warily" } else { "" }
         ),
     ));
     in_columns(&scene.title, &lines)
@@ -348,7 +350,7 @@ mod tests {
         made_up.plateau = None;
         made_up.snap_off = Some(snap_off);
         made_up.end = PathEnd::Bound(Bound::Points(20));
-        made_up.effort = Effort { points: 20, newton_iterations: 70, elements: 16, order: 4 };
+        made_up.effort = Effort { points: 20, newton_iterations: 70, elements: 16, order: 4, pace: Pace::Quick };
         let expected = "\
 short
 

@@ -128,7 +128,7 @@ pub(super) fn place(value: f64, second: Option<f64>) -> (u64, Option<u64>) {
 mod tests {
     use super::super::lines::text_line;
     use super::*;
-    use peelkit::solve::{PathError, Place, SolveError};
+    use peelkit::solve::{Pace, PathError, Place, SolveError};
     use peelkit::study::{Effort, Failure, LimitPoint, LimitPointKind, PathEnd, PathFailure, Peak, Plateau};
     use peelkit_scene::find_key;
     use std::fs;
@@ -188,7 +188,7 @@ mod tests {
             reached: Some(1.0 / 3.0),
             asked: 1e-6,
             end: PathEnd::Failed(failure()),
-            effort: Effort { points: 3, newton_iterations: 5, elements: 8, order: 7 },
+            effort: Effort { points: 3, newton_iterations: 5, elements: 8, order: 7, pace: Pace::Wary },
         };
         SweepRow { value, second: None, model: scene().model, found, solve_s: 0.001 }
     }

@@ -7,8 +7,8 @@ use peelkit::beam::{
     SpatialProfile, SpatialRestCurve, SpatialStiffness, Station,
 };
 use peelkit::solve::{
-    EndConditions, INTERFACE, InitialState, NewtonOptions, Observables, PathConstraint, PathMeasure, Problem, State,
-    System, Workspace, solve,
+    EndConditions, INTERFACE, InitialState, MeasuredBeside, NewtonOptions, Observables, PathConstraint, PathMeasure,
+    Problem, State, System, Workspace, solve,
 };
 use std::sync::Arc;
 
@@ -130,11 +130,14 @@ pub fn problem(beam: SpatialBeam, driven: usize, held: &[usize]) -> (Problem, Ar
     held.iter().for_each(|&slot| grip.held[slot] = true);
     grip.origin = beam.interface_values(&beam.stress_free(1));
     grip.scale = std::array::from_fn(|slot| beam.scale[slot / 3]);
-    let (monitors, by_force) = match beam.adheres() {
-        true => ([beam.process_length, beam.scale[1]], false),
-        false => ([f64::INFINITY; 2], true),
+    let measure = match beam.adheres() {
+        true => PathMeasure {
+            monitors: [beam.process_length, beam.scale[1]],
+            force: beam.rest_adhesion.abs(),
+            beside: MeasuredBeside::Nothing,
+        },
+        false => PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, beside: MeasuredBeside::Force },
     };
-    let measure = PathMeasure { monitors, force: if by_force { 1.0 } else { beam.rest_adhesion.abs() }, by_force };
     (Problem { system: beam.clone(), grip, measure, start: InitialState::StressFree }, beam)
 }
 

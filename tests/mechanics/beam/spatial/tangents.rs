@@ -110,14 +110,18 @@ fn first_derivatives(beam: &SpatialBeam, at: &State, numbers: &mut Numbers) {
             let evaluation = beam.evaluate(&there, &still).0;
             let from = there.values.len() - 13;
             let work: f64 = (0..3).map(|i| force[i] * there.values[from + i]).sum();
-            vec![evaluation.energy - work, evaluation.monitors[0], evaluation.monitors[1], evaluation.recorded]
+            let [front, tip] = evaluation.monitors;
+            let roll = beam.roll(&there).map_or(f64::NAN, |roll| roll.angle);
+            vec![evaluation.energy - work, front, tip, evaluation.recorded, roll]
         });
         let product = |of: &[f64]| of.iter().zip(&along).map(|(a, b)| a * b).sum::<f64>();
         if moment == [0.0; 3] {
             assert_equal(&[product(&residual)], &[rates[0]], "the residual along a direction");
         }
         let (_, told) = beam.evaluate(at, &along);
-        let told = [told.monitors[0], told.monitors[1], told.recorded];
+        let at_end = std::array::from_fn(|slot| along[count - 6 + slot]);
+        let roll = beam.roll(at).map_or(f64::NAN, |roll| roll.along(&at_end));
+        let told = [told.monitors[0], told.monitors[1], told.recorded, roll];
         let size = largest(&rates[1..]).max(0.1);
         for (told, rate) in told.iter().zip(&rates[1..]) {
             assert!((told - rate).abs() <= MOST_OFF * size, "rates {told} and {rate}");

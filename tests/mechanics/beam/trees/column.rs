@@ -11,7 +11,7 @@
 
 use approx::assert_relative_eq;
 use peelkit::beam::{Branch, BranchingBeam, JointCondition, SpatialStiffness};
-use peelkit::solve::{EndConditions, INTERFACE, InitialState, Path, PathMeasure, PathOptions, Problem};
+use peelkit::solve::{EndConditions, INTERFACE, InitialState, MeasuredBeside, Path, PathMeasure, PathOptions, Problem};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -37,7 +37,7 @@ fn column() -> Problem {
     Problem {
         system: Arc::new(tree),
         grip: EndConditions { origin, scale, ..EndConditions::drive(2) },
-        measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 0.1 * load, by_force: true },
+        measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 0.1 * load, beside: MeasuredBeside::Force },
         start: InitialState::StressFree,
     }
 }

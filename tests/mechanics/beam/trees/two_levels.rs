@@ -10,8 +10,8 @@ use super::setup::four_tips;
 use approx::assert_abs_diff_eq;
 use peelkit::beam::{BeamTree, BranchingBeam, JointCondition};
 use peelkit::solve::{
-    EndConditions, INTERFACE, InitialState, NewtonOptions, Observables, PathConstraint, PathMeasure, Problem, State,
-    System, Workspace, solve,
+    EndConditions, INTERFACE, InitialState, MeasuredBeside, NewtonOptions, Observables, PathConstraint, PathMeasure,
+    Problem, State, System, Workspace, solve,
 };
 use std::sync::Arc;
 
@@ -50,7 +50,7 @@ fn loaded(order: usize, elements: usize, loads: &[Row], share: f64) -> (Arc<Beam
             ..EndConditions::drive(2)
         },
         system: tree.clone(),
-        measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, by_force: true },
+        measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, beside: MeasuredBeside::Force },
         start: InitialState::StressFree,
     };
     (tree, problem)

@@ -15,6 +15,7 @@ use crate::number::Finite;
 use crate::summary::{Parameters, SCHEMA, VERSION, written};
 use peelkit::beam::GripState;
 use peelkit::model::Step;
+use peelkit::solve::Pace;
 use peelkit::study::{self, Exponent, Observed, OutOfPlane, OutOfPlaneBranch, Peel};
 use peelkit_scene::Scene;
 
@@ -150,6 +151,7 @@ struct Effort {
     newton_iterations: usize,
     elements: usize,
     order: usize,
+    pace: &'static str,
 }
 
 /// The grip after a step, relative to where it took hold.
@@ -241,6 +243,10 @@ impl PeelSummary {
                 newton_iterations: peel.effort.newton_iterations,
                 elements: peel.effort.elements,
                 order: peel.effort.order,
+                pace: match peel.effort.pace {
+                    Pace::Quick => "quick",
+                    Pace::Wary => "wary",
+                },
             },
             timing: Timing { solve_s: Finite(solve_s) },
             steps: peel.model.steps.iter().zip(&peel.steps).map(StepEnd::from).collect(),
