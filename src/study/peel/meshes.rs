@@ -7,6 +7,7 @@ use super::equilibrium_path::{Followed, follow};
 use super::solution_history::SolutionHistory;
 use super::special_points::{difference_at_start, error_at_start};
 use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
+use crate::beam::MeshKind;
 use crate::model::{BeamProblem, Discretisation, PeelModel};
 use crate::solve::{LimitPointKind, Pace, PathOptions};
 use crate::study::Accuracy;
@@ -103,8 +104,9 @@ pub(super) fn on_meshes(
     };
     let mut best: Option<Attempt> = None;
     for &pace in paces {
-        // watched, a path begins on the mesh that came farthest
-        let reached = best.as_ref().filter(|_| pace == Pace::Watchful).map(|best| best.peel.effort.elements);
+        // a mesh that stays and is too coarse is so at any pace: watched, a path begins on the one that came farthest
+        let farthest = best.as_ref().filter(|_| pace == Pace::Watchful && mesh != MeshKind::Moving);
+        let reached = farthest.map(|best| best.peel.effort.elements);
         let again = followed_at(pace, Resolution { elements: reached.unwrap_or(first.elements), ..first });
         best = best.into_iter().chain(again).reduce(|one, other| if other.is_better_than(&one) { other } else { one });
         // in space a path that was lost takes as long as many that are not
