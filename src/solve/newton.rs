@@ -100,6 +100,9 @@ pub enum Pace {
     Quick,
     /// It is begun again, and ends by the size of its updates alone: first with linear ones, then with those that follow the section force.
     Wary,
+    /// The same, with the slopes and the inertia of every solution those at the solution itself, and no step believed whose inertia says that it has led
+    /// to another part of the path.
+    Watchful,
 }
 
 /// How Newton's method goes on by its updates, and by what it ends.
@@ -127,7 +130,7 @@ pub fn solve(
 ) -> Result<Solution, SolveError> {
     match ws.pace() {
         Pace::Quick => iterate(Updates::Falling, problem, at, constraint, options, ws),
-        Pace::Wary => {
+        Pace::Wary | Pace::Watchful => {
             let first = iterate(Updates::Falling, problem, at.clone(), constraint, options, ws);
             match first {
                 Err(SolveError::NotConverged { .. }) => solve_warily(problem, &at, constraint, options, ws).or(first),

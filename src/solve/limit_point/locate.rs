@@ -82,12 +82,12 @@ pub fn solve_on(
     let mut trouble = SolveError::SingularGrip;
     for points in [6, 3, 2] {
         let start = segment.near(problem, at).unwrap_or_else(|| segment.start(problem, at, points));
-        match solve(problem, start, &constraint, &options(tolerance, false), ws) {
+        match solve(problem, start, &constraint, &options(tolerance, ws.pace() == Pace::Watchful), ws) {
             Ok(solution) => return Ok(Arc::new(solution)),
             Err(error) => trouble = error,
         }
     }
-    let looser = ws.pace() == Pace::Wary && tolerance < WARY;
+    let looser = ws.pace() != Pace::Quick && tolerance < WARY;
     if looser { solve_on(problem, segment, at, WARY, ws).map_err(|_| trouble) } else { Err(trouble) }
 }
 

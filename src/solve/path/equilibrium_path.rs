@@ -5,7 +5,7 @@
 //! observable measured by its own recent changes.
 
 use super::metric::Metric;
-use super::near_branch::{self, NearBranch, StepSeen, changes_branch};
+use super::near_branch::{self, NearBranch, StepSeen, leads_elsewhere};
 use super::options::{PathError, PathOptions};
 use super::predictor::{self, MOST_POINTS};
 use super::waypoint::Waypoint;
@@ -69,8 +69,8 @@ impl<'p> Path<'p> {
         Self::from(problem, options, problem.initial(options.elements))
     }
 
-    /// A path that starts at the equilibrium next to `start`, on its elements, with its displacement. A beam that is curved in its
-    /// stress-free configuration bends towards the substrate. It must not have a limit point there.
+    /// A path that starts at the equilibrium next to `start`, on its elements, with its displacement, where it must have no limit point. A beam that is
+    /// curved in its stress-free configuration bends towards the substrate.
     pub fn from(problem: &'p Problem, options: PathOptions, start: State) -> Self {
         let (known, points, errors) = (Vec::new().into_iter(), Vec::new(), Vec::new());
         Self {
@@ -89,8 +89,7 @@ impl<'p> Path<'p> {
         }
     }
 
-    /// The same path where its first points are known, from another run of the same problem with the same options: they
-    /// are not computed again, and all behind them is as if they had been.
+    /// The same path where its first points are known, from another run with the same options: all behind them is as if they had been computed.
     pub fn knowing(self, first: Vec<Waypoint>) -> Self {
         Self { known: first.into_iter(), ..self }
     }
@@ -116,9 +115,10 @@ impl<'p> Path<'p> {
     }
 
     fn newton(&self) -> NewtonOptions {
+        let PathOptions { tolerance, pace, .. } = self.options;
         // next to a branch the tangent turns with the least error
-        let exact_slope = self.branch.is_some();
-        NewtonOptions { tolerance: self.options.tolerance, largest_update: 0.5, most_iterations: 9, exact_slope }
+        let exact_slope = self.branch.is_some() || pace == Pace::Watchful;
+        NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 9, exact_slope }
     }
 
     /// The newest point, for a path that is to go on from there.
@@ -258,16 +258,18 @@ impl<'p> Path<'p> {
         Err(self.stopped(MOST_TRIES, cause))
     }
 
-    /// The slope of the path at the newest point itself. That of a solution is one update of Newton's method back, and near limit points it may be
-    /// wrong by all of itself. Where the pace is wary the point is replaced by what it is solved to: it may have been no equilibrium.
+    /// The slope at the newest point itself. That of a solution is one update of Newton's method back, and near limit points it may be wrong by all
+    /// of itself. Where the pace is not quick the point is replaced by what it is solved to: it may have been no equilibrium.
     fn again(&mut self, point: &Solution, weights: &Observables) -> Result<Observables, SolveError> {
         let constraint = PathConstraint { weights: *weights, target: weights.dot(&point.observables) };
         let exact = NewtonOptions { exact_slope: true, ..self.newton() };
         self.ws.set_pace(Pace::Quick);
         let solution = match self.options.pace {
             Pace::Quick => solve(self.problem, point.at.clone(), &constraint, &exact, &mut self.ws)?,
-            Pace::Wary => {
-                let mended = solve_warily(self.problem, &point.at, &constraint, &exact, &mut self.ws)
+            pace @ (Pace::Wary | Pace::Watchful) => {
+                // the next one lies on the mesh that this one asks for itself
+                let start = if pace == Pace::Watchful { point.aligned(self.problem) } else { &point.at };
+                let mended = solve_warily(self.problem, start, &constraint, &exact, &mut self.ws)
                     .or_else(|_| solve(self.problem, point.at.clone(), &constraint, &exact, &mut self.ws))?;
                 self.mend(Arc::new(mended.clone()));
                 mended
@@ -317,10 +319,10 @@ impl<'p> Path<'p> {
         NearBranch::step_tolerance(self.branch.as_ref(), self.options.step_tolerance)
     }
 
-    /// Where a step has led; a place where branches nearly meet is remembered.
+    /// Where a step has led; where branches nearly meet is remembered.
     fn seen(&mut self, newest: &Solution, next: &Solution, crosses: bool) -> StepSeen {
         let problem = self.problem;
-        if self.branch.is_none() && changes_branch(problem, newest, next) {
+        if self.branch.is_none() && leads_elsewhere(problem, self.options.pace, newest, next) {
             self.branch = Some(NearBranch::ahead(problem, newest, next));
         }
         let before = &self.points[self.points.len().saturating_sub(2)];

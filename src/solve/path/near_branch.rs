@@ -3,7 +3,7 @@
 //! A pull that is not quite symmetric rounds a bifurcation off. The path from rest turns within a short way, and beside it another branch goes on nearly as
 //! before: a step that is too long lands there.
 
-use crate::solve::{Observables, Problem, Solution};
+use crate::solve::{Observables, Pace, Problem, Solution};
 use nalgebra::DVector;
 use serde::{Deserialize, Serialize};
 
@@ -110,14 +110,28 @@ fn unit_tangent(problem: &Problem, point: &Solution) -> DVector<f64> {
     DVector::from_iterator(point.tangent.direction.len(), scaled).normalize()
 }
 
+/// Whether a step has gone to another branch where branches are looked for: in systems that have such, and on paths that are watched.
+pub fn leads_elsewhere(problem: &Problem, pace: Pace, newest: &Solution, next: &Solution) -> bool {
+    let watched = problem.system.has_near_branches() || pace == Pace::Watchful && !is_mirrored(newest, next);
+    watched && changes_branch(problem, newest, next)
+}
+
+/// Whether displacement and force turn on a step and no eigenvalue changes its sign: so does the path of a structure that passes a symmetric state and
+/// goes on as its own mirror image.
+fn is_mirrored(newest: &Solution, next: &Solution) -> bool {
+    let turns = |before: f64, behind: f64| (before < 0.0) != (behind < 0.0);
+    turns(newest.slope.displacement, next.slope.displacement)
+        && turns(newest.slope.force, next.slope.force)
+        && (newest.negative, newest.negative_load) == (next.negative, next.negative_load)
+}
+
 /// Whether a step has gone to another branch. On one branch the number of negative eigenvalues with the displacement held changes by an odd number
 /// where the displacement turns, and with the force held where the force does: slopes and numbers come from the same elimination.
-pub fn changes_branch(problem: &Problem, newest: &Solution, next: &Solution) -> bool {
+fn changes_branch(problem: &Problem, newest: &Solution, next: &Solution) -> bool {
     let turns = |before: f64, behind: f64| (before < 0.0) != (behind < 0.0);
     let odd = |before: usize, behind: usize| before.abs_diff(behind) % 2 == 1;
     let (from, to) = (&newest.slope, &next.slope);
-    problem.system.has_near_branches()
-        && problem.system.is_conservative()
+    problem.system.is_conservative()
         && (odd(newest.negative, next.negative) != turns(from.displacement, to.displacement)
             || odd(newest.negative_load, next.negative_load) != turns(from.force, to.force))
 }

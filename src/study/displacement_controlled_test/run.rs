@@ -98,7 +98,7 @@ fn problem(model: &PeelModel, accuracy: &Accuracy, order: usize, pace: Pace) -> 
     let problem = prepared(model, how, None).map_err(|failed| failed.why)?.problem;
     let measured = match pace {
         Pace::Quick => problem,
-        Pace::Wary => problem.measured_beside(MeasuredBeside::Roll),
+        Pace::Wary | Pace::Watchful => problem.measured_beside(MeasuredBeside::Roll),
     };
     Ok(measured.with_grip(EndConditions { compliance, ..measured.grip }))
 }

@@ -5,6 +5,7 @@ mod contact;
 mod detachment;
 mod equilibrium_path;
 mod failure;
+pub(super) mod meshes;
 mod plateau;
 mod result;
 pub(super) mod run;

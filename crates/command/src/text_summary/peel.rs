@@ -103,7 +103,11 @@ pub fn peel(
             effort.elements,
             effort.order,
             1e3 * solve_s,
-            if effort.pace == Pace::Wary { ", followed warily" } else { "" }
+            match effort.pace {
+                Pace::Quick => "",
+                Pace::Wary => ", followed warily",
+                Pace::Watchful => ", followed watchfully",
+            }
         ),
     ));
     in_columns(&scene.title, &lines)

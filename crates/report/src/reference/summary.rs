@@ -120,7 +120,7 @@ pub const PEEL_SUMMARY: &[OutputKey] = &[
     key("path.newton_iterations", "Newton iterations, on all meshes"),
     key("path.elements", "elements of the final mesh"),
     key("path.order", "their order"),
-    key("path.pace", "`quick`; `wary` where every mesh had lost the path and it was followed once more"),
+    key("path.pace", "`quick`; `wary` where every mesh had lost the path and it was followed once more, in the plane `watchful` where every mesh had lost that too"),
     key("timing", "time"),
     key("timing.solve_s", "time of path, limit points and error bounds, without pictures"),
 

@@ -13,7 +13,8 @@ use crate::study::out_of_plane::first_loss::{Beside, Known, LocatedLoss, StepSea
 use crate::study::out_of_plane::roll_elements::RollStability;
 use crate::study::out_of_plane::roll_reader::RollReader;
 use crate::study::out_of_plane::{NotOutOfPlane, OutOfPlaneError, OutOfPlaneLoss};
-use crate::study::peel::run::{KnownStart, run_from};
+use crate::study::peel::meshes::KnownStart;
+use crate::study::peel::run::run_from;
 use crate::study::peel::{LimitPoint, PathEnd, PathPoint, Peel};
 use crate::study::{Accuracy, StopCriteria, Terms};
 use std::sync::Arc;

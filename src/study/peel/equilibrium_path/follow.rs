@@ -39,7 +39,7 @@ pub(in crate::study::peel) fn follow(
             cut = true;
             break Ok(end);
         }
-        let stepped = step(problem, &mut path, far, relative, limits);
+        let stepped = step(problem, &mut path, options.pace, far, relative, limits);
         if path.points().len() > points.max(taken) {
             path.waypoint().into_iter().for_each(|newest| (limits.checkpoint.keep)(&options, newest));
         }

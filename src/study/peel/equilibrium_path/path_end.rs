@@ -5,8 +5,8 @@ use super::model_end::model_end;
 use crate::beam::{FrictionHistory, TIP_ROTATION};
 use crate::model::BeamProblem;
 use crate::solve::{
-    Direction, NewtonOptions, Observables, Path, PathConstraint, PathError, PathSegment, ROUGH, Solution, Workspace,
-    solve, solve_on,
+    Direction, NewtonOptions, Observables, Pace, Path, PathConstraint, PathError, PathSegment, ROUGH, Solution,
+    Workspace, solve, solve_on,
 };
 use crate::study::Bound;
 use crate::study::checkpoint::Limits;
@@ -18,6 +18,8 @@ use std::sync::Arc;
 const MOST_SECANTS: usize = 20;
 /// A force below this share of its scale is none.
 const PUSH: f64 = 1e-6;
+/// What is farther from the substrate than this many times the distance at rest does not adhere.
+const OFF: f64 = 2.0;
 /// A roll that is none, rad, and what is left of roll and yaw in the plane, over the roll at the beginning.
 const NO_ROLL: f64 = 1e-7;
 const IN_PLANE: f64 = 1e-4;
@@ -28,11 +30,18 @@ const SAME_RATIO: f64 = 0.1;
 /// A section this near to 90 degrees stands upright, rad: there the path meets that of upright strips, and may go on
 /// along it without passing the upright position.
 const UPRIGHT: f64 = 1e-8;
+/// A free end that is as near to 90 degrees has come to the upright position, rad, if what was this many times as far, and no farther than that, shows
+/// that the path is symmetric there: by this share of how force and displacement changed.
+const NEARLY_UPRIGHT: f64 = 1e-2;
+const FARTHER: f64 = 4.0;
+const TOWARDS_UPRIGHT: f64 = 0.3;
+const PROPORTIONAL: f64 = 0.1;
 
 /// Takes one step; the end, if it is reached.
 pub(super) fn step(
     problem: &BeamProblem,
     path: &mut Path,
+    pace: Pace,
     far: f64,
     relative: f64,
     limits: &Limits,
@@ -47,6 +56,9 @@ pub(super) fn step(
         return Ok(None);
     }
     if is_clear(problem, path, far) {
+        return Ok(Some(PathEnd::Detached));
+    }
+    if pace == Pace::Watchful && lets_go(problem, path, relative) {
         return Ok(Some(PathEnd::Detached));
     }
     if slides(problem, path) {
@@ -64,7 +76,7 @@ pub(super) fn step(
     if o.force <= 0.0 && has_pulled(problem, path.points()) && !turns {
         return Ok(Some(PathEnd::Pivoting));
     }
-    if stands_upright(problem, path.points()) {
+    if stands_upright(problem, path.points()) || comes_upright(problem, path.points(), pace) {
         return Ok(Some(PathEnd::Pivoting));
     }
     if is_back_in_plane(problem, path.points()) {
@@ -80,6 +92,15 @@ pub(super) fn step(
 /// Whether no part of the beam is nearer to the substrate than `far`, nm, at the newest point.
 pub(in crate::study) fn is_clear(problem: &BeamProblem, path: &Path, far: f64) -> bool {
     path.points().last().is_none_or(|point| problem.beam.is_clear(&point.at, far))
+}
+
+/// Whether nothing adheres any more, and the force is next to nothing, at the newest point of a path that is watched: what attracts there pulls less
+/// and less, and where no force holds the beam no equilibrium is certain.
+fn lets_go(problem: &BeamProblem, path: &Path, relative: f64) -> bool {
+    let [first, .., newest] = path.points() else { return false };
+    let largest = path.points().iter().map(|point| point.observables.force.abs()).fold(0.0, f64::max);
+    newest.observables.force.abs() <= relative * largest
+        && problem.beam.is_clear(&newest.at, OFF * problem.beam.nearest(&first.at))
 }
 
 /// Friction that is next to nothing, over that of a process zone at rest.
@@ -106,13 +127,55 @@ fn stands_upright(problem: &BeamProblem, points: &[Arc<Solution>]) -> bool {
     let [.., before, newest] = points else { return false };
     // only a strip that is pulled straight up from flat ground has a mirror image
     let Some(beam) = problem.beam.planar() else { return false };
-    if problem.grip.direction != Direction::UP || !beam.substrate.is_flat() {
+    if !has_mirror_image(problem) {
         return false;
     }
-    let tip = |s: &Solution| s.observables.monitors[TIP_ROTATION] - FRAC_PI_2;
     let away = 3.0 * tip(before).abs().max(tip(newest).abs());
     let rotations = beam.nodes(&newest.at.values).iter().skip(beam.rotation).step_by(beam.fields());
     tip(before) < -UPRIGHT && tip(newest) >= -UPRIGHT && rotations.into_iter().all(|r| (r - FRAC_PI_2).abs() <= away)
+}
+
+/// Whether a path that is watched has come to the upright position of its free end, which hangs from its edge, however the rest of the strip is held:
+/// near it displacement and force change with the rotation of the free end in proportion to what is left of that, or both turn on the step that passes
+/// it, where no eigenvalue changes its sign. So what follows is the mirror image of what was.
+fn comes_upright(problem: &BeamProblem, points: &[Arc<Solution>], pace: Pace) -> bool {
+    let [.., last, newest] = points else { return false };
+    let left = tip(newest);
+    if pace != Pace::Watchful || !has_mirror_image(problem) {
+        return false;
+    }
+    let turn = |pick: fn(&Observables) -> f64| pick(&last.slope) * pick(&newest.slope) < 0.0;
+    let stays = (last.negative, last.negative_load) == (newest.negative, newest.negative_load);
+    if passes_upright(points) && stays && turn(|slope| slope.displacement) && turn(|slope| slope.force) {
+        return true;
+    }
+    if left.abs() > NEARLY_UPRIGHT {
+        return false;
+    }
+    let Some(before) = points.iter().rev().find(|point| tip(point).abs() >= FARTHER * left.abs()) else { return false };
+    let is_proportional = |pick: fn(&Observables) -> f64| {
+        let [far, near] = [before, newest].map(|point| pick(&point.slope) / point.slope.monitors[TIP_ROTATION]);
+        (near - far * left / tip(before)).abs() <= PROPORTIONAL * far.abs()
+    };
+    (-TOWARDS_UPRIGHT..0.0).contains(&tip(before))
+        && is_proportional(|o| o.displacement)
+        && is_proportional(|o| o.force)
+}
+
+/// Whether the free end passes the upright position on the last step.
+fn passes_upright(points: &[Arc<Solution>]) -> bool {
+    let [.., before, newest] = points else { return false };
+    tip(before) < 0.0 && tip(newest) >= 0.0
+}
+
+/// Whether what adheres may be mirrored: only a strip that is pulled straight up from flat ground has a mirror image.
+fn has_mirror_image(problem: &BeamProblem) -> bool {
+    problem.grip.direction == Direction::UP && problem.beam.planar().is_some_and(|beam| beam.substrate.is_flat())
+}
+
+/// By how much the free end has turned beyond 90 degrees, rad.
+fn tip(solution: &Solution) -> f64 {
+    solution.observables.monitors[TIP_ROTATION] - FRAC_PI_2
 }
 
 /// Whether a path that begins out of its plane has come back into it, or to its mirror image: its grip had a roll, and has neither roll
@@ -151,7 +214,13 @@ impl Followed {
             return self.finish_detached(problem, far);
         }
         let (weights, target) = match self.end {
-            PathEnd::Pivoting if stands_upright(problem, &self.points) => {
+            // its free end is not upright yet, or is so just now
+            PathEnd::Pivoting if comes_upright(problem, &self.points, self.pace) && !passes_upright(&self.points) => {
+                return;
+            }
+            PathEnd::Pivoting
+                if stands_upright(problem, &self.points) || comes_upright(problem, &self.points, self.pace) =>
+            {
                 (Observables::monitor(TIP_ROTATION), FRAC_PI_2)
             }
             PathEnd::Pivoting => (Observables::FORCE, 0.0),

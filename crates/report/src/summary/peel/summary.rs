@@ -246,6 +246,7 @@ impl PeelSummary {
                 pace: match peel.effort.pace {
                     Pace::Quick => "quick",
                     Pace::Wary => "wary",
+                    Pace::Watchful => "watchful",
                 },
             },
             timing: Timing { solve_s: Finite(solve_s) },
