@@ -2,6 +2,7 @@
 
 mod cusp;
 mod figures;
+mod followed_again;
 mod ground;
 mod levels;
 mod out_of_plane;

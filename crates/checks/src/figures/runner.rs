@@ -38,10 +38,15 @@ impl<'a> Runner<'a> {
         peel
     }
 
-    /// The same of several, on all cores, as far as `bounds` say and as well as `accuracy` says.
-    pub fn peel_all(&self, models: &[PeelModel], accuracy: &Accuracy, bounds: &StopCriteria) -> Vec<Peel> {
+    /// The same of several, on all cores, each as far as `bounds` say and as well as `accuracy` says.
+    pub fn peel_all(
+        &self,
+        models: &[PeelModel],
+        accuracy: &Accuracy,
+        bounds: impl Fn(&PeelModel) -> StopCriteria + Sync,
+    ) -> Vec<Peel> {
         let peel = |model: &PeelModel| {
-            let peel = peel(model, accuracy, bounds);
+            let peel = peel(model, accuracy, &bounds(model));
             self.count();
             peel
         };

@@ -114,7 +114,7 @@ impl Found {
     ) -> Vec<Self> {
         let models: Vec<PeelModel> = cases.iter().map(|&case| model(case)).collect();
         let tests = runner.pull_off_all(&models, &accuracy, off);
-        let peels = runner.peel_all(&models, &accuracy, first_peak);
+        let peels = runner.peel_all(&models, &accuracy, |_| first_peak.clone());
         let both = tests.iter().zip(&peels);
         cases.iter().zip(both).map(|(&case, (test, peel))| Self::new(case, test, peel)).collect()
     }

@@ -29,13 +29,16 @@ const ANGLES: [f64; 20] = [
     5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0, 110.0, 120.0, 130.0, 140.0, 150.0,
     160.0, 170.0,
 ];
-/// Up to it the first peak comes, nm.
-const FAR: f64 = 20.0;
+/// The first peak comes before the grip has gone so far from the substrate, nm.
+const FAR: f64 = 2.2;
 const ACCURACY: Accuracy = Accuracy::to(1e-4);
-const BOUNDS: StopCriteria = StopCriteria { points: 20_000, displacement: Some(FAR), should_stop: None };
 
 /// How many peels the figure takes.
 pub(in crate::figures) const PEELS: usize = (STRENGTHS.len() + 1) * ANGLES.len();
+
+fn up_to_the_first_peak(model: &PeelModel) -> StopCriteria {
+    StopCriteria { points: 20_000, displacement: Some(FAR / model.pull.angle.sin()), should_stop: None }
+}
 
 fn strip(degrees: f64, strength: Option<f64>) -> PeelModel {
     let friction = Friction { strength, ..Friction::NONE };
@@ -55,7 +58,7 @@ pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figu
     let strengths = [None].into_iter().chain(STRENGTHS.map(|(strength, ..)| Some(strength)));
     let models: Vec<PeelModel> = strengths.flat_map(|strength| ANGLES.map(|angle| strip(angle, strength))).collect();
     // all at once: some take as long as all others of their strength
-    let mut peels = runner.peel_all(&models, &ACCURACY, &BOUNDS).into_iter();
+    let mut peels = runner.peel_all(&models, &ACCURACY, up_to_the_first_peak).into_iter();
     let mut next = || peels.by_ref().take(ANGLES.len()).collect::<Vec<Peel>>();
     let free = next();
     let held = STRENGTHS.map(|_| next());

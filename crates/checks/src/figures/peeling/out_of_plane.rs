@@ -53,7 +53,7 @@ fn varied(change: impl FnOnce(&mut StripModel)) -> StripModel {
 
 fn ranges(runner: &Runner<'_>, values: &[f64], model: impl Fn(f64) -> StripModel) -> Vec<Row> {
     let models: Vec<StripModel> = values.iter().map(|&value| model(value)).collect();
-    let peels = runner.peel_all(&models.iter().map(PeelModel::from).collect::<Vec<_>>(), &ACCURACY, &BOUNDS);
+    let peels = runner.peel_all(&models.iter().map(PeelModel::from).collect::<Vec<_>>(), &ACCURACY, |_| BOUNDS);
     let range = |peel: &Peel| peel.planar_widths().ok().flatten();
     let ranges: Vec<Option<WidthRange>> = peels.par_iter().map(range).collect();
     let rows = values.iter().zip(&models).zip(ranges);

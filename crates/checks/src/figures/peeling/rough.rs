@@ -79,12 +79,12 @@ pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figu
     let (rows, mut table) = (rows(), Table::new(&HEADER));
     let models: Vec<PeelModel> =
         DRAWN.iter().map(|&(thickness, _)| Case { thickness, ..PAPER }.model(Start::Crests)).collect();
-    let mut panels = vec![lying(&runner.peel_all(&models, &ACCURACY, &BOUNDS))];
+    let mut panels = vec![lying(&runner.peel_all(&models, &ACCURACY, |_| BOUNDS))];
     for (column, row) in rows.iter().enumerate() {
         let (mut adhered, mut force) = frames(column, row);
         for (start, name, colour) in STARTS {
             let models: Vec<PeelModel> = row.cases.iter().map(|(_, case)| case.model(start)).collect();
-            let peels = runner.peel_all(&models, &ACCURACY, &BOUNDS);
+            let peels = runner.peel_all(&models, &ACCURACY, |_| BOUNDS);
             for ((value, _), peel) in row.cases.iter().zip(&peels) {
                 table.push(&[row.column, name], &numbers(*value, peel), &[end_word(&peel.end)]);
             }

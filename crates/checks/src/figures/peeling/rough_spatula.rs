@@ -28,12 +28,12 @@ const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 pub(in crate::figures) const PEELS: usize = 1 + HEIGHTS.len() + RADII.len();
 
 pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportError> {
-    let flat = runner.peel_all(&[on(Substrate::Flat)], &ACCURACY, &BOUNDS).remove(0);
+    let flat = runner.peel_all(&[on(Substrate::Flat)], &ACCURACY, |_| BOUNDS).remove(0);
     let mut table = Table::new(&HEADER);
     table.push(&["flat"], &numbers(0.0, &flat), &[end_word(&flat.end)]);
     let mut peels = |ground: &str, values: &[f64], substrate: fn(f64) -> Substrate| {
         let models: Vec<PeelModel> = values.iter().map(|&value| on(substrate(value))).collect();
-        let peels = runner.peel_all(&models, &ACCURACY, &BOUNDS);
+        let peels = runner.peel_all(&models, &ACCURACY, |_| BOUNDS);
         for (&value, peel) in values.iter().zip(&peels) {
             table.push(&[ground], &numbers(value, peel), &[end_word(&peel.end)]);
         }

@@ -1,0 +1,42 @@
+//! Paths that every mesh has lost and that are followed once more, at another pace.
+//!
+//! Reference: what a path can end in at all: a strip that hangs from a free end that stands upright is its own mirror image there, and its path comes
+//! back on itself; a strip of which nothing adheres and on which nothing pulls is off. Parameters: scenes of the sample of `peel verify`, each named
+//! by its kind and number. Expected: each ends by a rule with a name, on all of which no mesh came through before.
+//!
+//! Why: such a path is chosen by no user and met by some; a rule that refuses a good path, or takes a bad one, shows here.
+
+use peelkit_checks::sampled::{SampleKind, sampled};
+
+#[track_caller]
+fn ends(kind: SampleKind, scene: u64, end: &str) {
+    let found = sampled(kind, 1, scene, 1).unwrap();
+    let run = &found.runs[0];
+    println!("{} {scene}: {} on {} elements, {:.1} s", kind.name(), run.end, run.elements, run.seconds);
+    assert_eq!(run.end, end, "{} {scene}: {:?}", kind.name(), run.reason);
+}
+
+/// Its free end hangs upright from the grip: behind that its path is the mirror image of the one before.
+#[test]
+fn a_free_end_that_comes_to_hang_upright_ends_the_path() {
+    ends(SampleKind::Law, 313, "pivoting");
+}
+
+/// Next to nothing pulls any more, and nothing is near the substrate.
+#[test]
+fn a_path_without_a_force_and_without_contact_is_detached() {
+    ends(SampleKind::Law, 359, "detached");
+    ends(SampleKind::Angle, 223, "detached");
+}
+
+/// Compressed far from its front, where a mesh that follows the front is coarse: it comes to the end of its model on a mesh that stays.
+#[test]
+fn a_compressed_strip_is_followed_on_meshes_that_stay() {
+    ends(SampleKind::Angle, 176, "bonded-part-unstable");
+}
+
+/// In space a strip that turns about its axis almost freely is measured by the roll of its grip.
+#[test]
+fn a_strip_that_turns_about_its_axis_is_measured_by_its_roll() {
+    ends(SampleKind::Space, 52, "pivoting");
+}
