@@ -43,7 +43,7 @@ fn number(row: &csv::StringRecord, header: &csv::StringRecord, column: &str) -> 
 
 /// Pull-off forces against the direction and the roll. Reference: collocation of the strong form, in space and on the branch that leaves the plane.
 /// Expected: where the path is stable up to its first peak, that is the pull-off force of these cases, both within their bounds; straight up, where
-/// it is not, the pull-off is the peak of the branch. The largest force of a test is nowhere below a stable first peak, and two tests of 32 fail.
+/// it is not, the pull-off is the peak of the branch. The largest force of a test is nowhere below a stable first peak, and one test of 32 fails.
 #[test]
 fn pull_offs_in_all_directions() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../figures/directions.csv");
@@ -79,7 +79,7 @@ fn pull_offs_in_all_directions() {
         }
     }
     let (off, failed): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.iter().any(|cell| cell == "off"));
-    assert!(failed.len() <= 2 && off.len() >= 30, "{} and {}", failed.len(), off.len());
+    assert!(failed.len() <= 1 && off.len() >= 31, "{} and {}", failed.len(), off.len());
     for row in off.into_iter().filter(|row| row.iter().any(|cell| cell == "true")) {
         let [force, error, first] =
             ["pull_off_force_nN", "pull_off_error_nN", "first_peak_force_nN"].map(|column| of(row, column).unwrap());

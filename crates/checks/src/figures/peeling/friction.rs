@@ -4,7 +4,7 @@ use super::super::figure::{Figure, Table};
 use super::super::runner::Runner;
 use peelkit::analytic::kendall_force;
 use peelkit::model::{Friction, PeelModel, Pull, StripModel};
-use peelkit::study::{Accuracy, Peel, Sliding, StopCriteria};
+use peelkit::study::{Accuracy, Choice, PathEnd, Peel, Sliding, StopCriteria};
 use peelkit_report::chart::RGBColor;
 use peelkit_report::chart::{Axis, Frame, Line, Panel, Picture, Stroke, WIDTH, colour};
 use peelkit_report::pictures::sweep::FORCE;
@@ -30,8 +30,10 @@ const ANGLES: [f64; 20] = [
     160.0, 170.0,
 ];
 /// The first peak comes before the grip has gone so far from the substrate, nm.
-const FAR: f64 = 2.2;
+const FAR: f64 = 3.0;
 const ACCURACY: Accuracy = Accuracy::to(1e-4);
+/// Those of the first mesh, on which the paths are that come through; of those that are lost behind their peak finer ones cure none.
+const ELEMENTS: usize = 52;
 
 /// How many peels the figure takes.
 pub(in crate::figures) const PEELS: usize = (STRENGTHS.len() + 1) * ANGLES.len();
@@ -49,16 +51,18 @@ fn strip(degrees: f64, strength: Option<f64>) -> PeelModel {
     }
 }
 
-/// The first largest force, or where there is none because all slides before it, that.
+/// The first largest force, or where there is none because all slides before it, that. A force that still rises at the end is neither.
 fn first_peak(peel: &Peel) -> Option<f64> {
-    peel.initiation_peak.map(|peak| peak.force).or_else(|| peel.largest_force_before_jump())
+    let slides = || peel.largest_force_before_jump().filter(|_| !matches!(peel.end, PathEnd::Bound(_)));
+    peel.initiation_peak.map(|peak| peak.force).or_else(slides)
 }
 
 pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportError> {
     let strengths = [None].into_iter().chain(STRENGTHS.map(|(strength, ..)| Some(strength)));
     let models: Vec<PeelModel> = strengths.flat_map(|strength| ANGLES.map(|angle| strip(angle, strength))).collect();
     // all at once: some take as long as all others of their strength
-    let mut peels = runner.peel_all(&models, &ACCURACY, up_to_the_first_peak).into_iter();
+    let accuracy = ACCURACY.with(Choice { elements: Some(ELEMENTS), ..ACCURACY.choice });
+    let mut peels = runner.peel_all(&models, &accuracy, up_to_the_first_peak).into_iter();
     let mut next = || peels.by_ref().take(ANGLES.len()).collect::<Vec<Peel>>();
     let free = next();
     let held = STRENGTHS.map(|_| next());
