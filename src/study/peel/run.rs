@@ -11,12 +11,17 @@ use crate::study::accuracy::{Choice, aim};
 use crate::study::checkpoint::Limits;
 use crate::study::{Accuracy, Checkpoint, StopCriteria};
 
-/// How a path is followed, one way after another until it can be used. In space a path that was lost takes as long as many that are not, and is not
-/// watched.
+/// How a path is followed, one way after another until it can be used.
 const PACES: [Pace; 3] = [Pace::Quick, Pace::Wary, Pace::Watchful];
 
+/// In space a path that was lost takes as long as many that are not, and is not watched. With friction the other paces take ten times as long and
+/// find next to nothing: what slides depends on the steps there.
 fn paces(model: &PeelModel) -> &'static [Pace] {
-    if model.space.is_some() { &PACES[..2] } else { &PACES }
+    match (model.friction_law(), model.space) {
+        (Some(_), _) => &PACES[..1],
+        (None, Some(_)) => &PACES[..2],
+        (None, None) => &PACES,
+    }
 }
 
 /// Follows the peel from rest to its end.
@@ -30,7 +35,8 @@ pub(in crate::study) fn run(
     let limits = Limits { stop, checkpoint };
     let peel = on_meshes(model, &aimed, &limits, None, paces(model));
     let lost = matches!(peel.end, PathEnd::Failed(Failure::Path { .. }));
-    let follows = model.space.is_none() && aimed.fitted(model).choice.mesh == MeshKind::Moving;
+    let follows =
+        model.space.is_none() && model.friction_law().is_none() && aimed.fitted(model).choice.mesh == MeshKind::Moving;
     let peel =
         if lost && follows && limits.reached().is_none() { on_staying_meshes(peel, model, &aimed, stop) } else { peel };
     widened(peel, accuracy, least)
