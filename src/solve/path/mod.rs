@@ -10,6 +10,7 @@ mod tracer;
 mod waypoint;
 pub use equilibrium_path::Path;
 pub use hermite::Hermite;
+pub(crate) use near_branch::is_mirrored;
 pub use options::{PathError, PathOptions};
 pub use predictor::{MOST_POINTS, lagrange_weights, longest_step};
 pub use segment::PathSegment;

@@ -118,20 +118,22 @@ pub fn leads_elsewhere(problem: &Problem, pace: Pace, newest: &Solution, next: &
 
 /// Whether displacement and force turn on a step and no eigenvalue changes its sign: so does the path of a structure that passes a symmetric state and
 /// goes on as its own mirror image.
-fn is_mirrored(newest: &Solution, next: &Solution) -> bool {
-    let turns = |before: f64, behind: f64| (before < 0.0) != (behind < 0.0);
-    turns(newest.slope.displacement, next.slope.displacement)
-        && turns(newest.slope.force, next.slope.force)
+pub fn is_mirrored(newest: &Solution, next: &Solution) -> bool {
+    turns(newest, next, |slope| slope.displacement)
+        && turns(newest, next, |slope| slope.force)
         && (newest.negative, newest.negative_load) == (next.negative, next.negative_load)
+}
+
+/// Whether this number turns on a step.
+fn turns(newest: &Solution, next: &Solution, number: fn(&Observables) -> f64) -> bool {
+    (number(&newest.slope) < 0.0) != (number(&next.slope) < 0.0)
 }
 
 /// Whether a step has gone to another branch. On one branch the number of negative eigenvalues with the displacement held changes by an odd number
 /// where the displacement turns, and with the force held where the force does: slopes and numbers come from the same elimination.
 fn changes_branch(problem: &Problem, newest: &Solution, next: &Solution) -> bool {
-    let turns = |before: f64, behind: f64| (before < 0.0) != (behind < 0.0);
     let odd = |before: usize, behind: usize| before.abs_diff(behind) % 2 == 1;
-    let (from, to) = (&newest.slope, &next.slope);
     problem.system.is_conservative()
-        && (odd(newest.negative, next.negative) != turns(from.displacement, to.displacement)
-            || odd(newest.negative_load, next.negative_load) != turns(from.force, to.force))
+        && (odd(newest.negative, next.negative) != turns(newest, next, |slope| slope.displacement)
+            || odd(newest.negative_load, next.negative_load) != turns(newest, next, |slope| slope.force))
 }

@@ -33,12 +33,13 @@ pub(in crate::study) fn run(
 ) -> Peel {
     let (aimed, least) = aim(model, accuracy);
     let limits = Limits { stop, checkpoint };
-    let peel = on_meshes(model, &aimed, &limits, None, paces(model));
-    let lost = matches!(peel.end, PathEnd::Failed(Failure::Path { .. }));
-    let follows =
-        model.space.is_none() && model.friction_law().is_none() && aimed.fitted(model).choice.mesh == MeshKind::Moving;
-    let peel =
-        if lost && follows && limits.reached().is_none() { on_staying_meshes(peel, model, &aimed, stop) } else { peel };
+    let paces = paces(model);
+    let mut peel = on_meshes(model, &aimed, &limits, None, paces);
+    let lost = matches!(peel.end, PathEnd::Failed(Failure::Path { .. })) && limits.reached().is_none();
+    let is_watched = paces.contains(&Pace::Watchful);
+    if lost && is_watched && aimed.fitted(model).choice.mesh == MeshKind::Moving {
+        peel = on_staying_meshes(peel, model, &aimed, stop);
+    }
     widened(peel, accuracy, least)
 }
 

@@ -4,7 +4,7 @@ use super::energies::Energies;
 use super::pulled::{Contact, Equilibria, PulledAtRate, SlowPeak};
 use crate::number::{Finite, S_PER_NS};
 use crate::seta::{LawOfTips, TipEvents};
-use crate::summary::{Parameters, SCHEMA, VERSION, written};
+use crate::summary::{Origin, Parameters, written};
 use peelkit::model::PullCurve;
 use peelkit::study::{SetaInTime, TipLoss};
 use peelkit_scene::Scene;
@@ -12,11 +12,8 @@ use peelkit_scene::Scene;
 /// Everything of a pull at a rate but its curve.
 #[derive(Debug, serde::Serialize)]
 pub struct RateSummary {
-    version: &'static str,
-    schema: u32,
-    command: Option<String>,
-    scene: String,
-    title: String,
+    #[serde(flatten)]
+    origin: Origin,
     end: &'static str,
     reason: Option<String>,
     #[serde(flatten)]
@@ -139,11 +136,7 @@ impl RateSummary {
             Contact::Front(_) => None,
         });
         Self {
-            version: VERSION,
-            schema: SCHEMA,
-            command: None,
-            scene: scene.name.clone(),
-            title: scene.title.clone(),
+            origin: Origin::of(scene),
             end: pulled.end(failed.is_some()),
             reason: failed.map(str::to_owned),
             seta: None,

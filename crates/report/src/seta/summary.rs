@@ -3,7 +3,7 @@
 use super::names::{seta_end_reason, seta_end_word};
 use super::tip_events::TipEvents;
 use crate::number::Finite;
-use crate::summary::{Parameters, SCHEMA, VERSION, written};
+use crate::summary::{Origin, Parameters, written};
 use peelkit::model::{CurvePoint, PullCurve, Seta};
 use peelkit::study::coarsening::{GrowingTable, TableRound, TipSheet};
 use peelkit::study::{ConvergedPeak, EventCause, SetaPullOff, SetaState};
@@ -12,14 +12,8 @@ use peelkit_scene::Scene;
 /// Everything of a pull-off but its curve and its events. Forces in nN, lengths in nm, works in aJ; `None` where a thing does not occur.
 #[derive(Debug, serde::Serialize)]
 pub struct SetaSummary {
-    /// Of the program.
-    version: &'static str,
-    /// Of these keys.
-    schema: u32,
-    /// The command line; `None` where a program of another kind has written this.
-    command: Option<String>,
-    scene: String,
-    title: String,
+    #[serde(flatten)]
+    origin: Origin,
     end: &'static str,
     /// Of the ends `bound` and `failed`.
     reason: Option<String>,
@@ -246,11 +240,7 @@ impl SetaSummary {
         let energy = first.zip(last).map_or(0.0, |(first, last)| last.energy - first.energy);
         let peak = pull_off.peak.as_ref();
         Self {
-            version: VERSION,
-            schema: SCHEMA,
-            command: None,
-            scene: scene.name.clone(),
-            title: scene.title.clone(),
+            origin: Origin::of(scene),
             end: seta_end_word(pull_off),
             reason: seta_end_reason(&pull_off.end),
             tips: seta.tips(),

@@ -1,6 +1,6 @@
 //! What a fit found, as one JSON object: summary.json of `peel fit`, and what `--json` prints.
 
-use super::origin::{SCHEMA, VERSION};
+use super::origin::Origin;
 use super::parameters::Parameters;
 use super::written::written;
 use crate::fit_report::FitReport;
@@ -10,11 +10,8 @@ use peelkit::study::{FitEnd, PairDetermined, PointPlace};
 /// A fit as one object. Parameters in the units of their keys, forces in nN, lengths in nm; `None` where a thing does not occur.
 #[derive(Debug, serde::Serialize)]
 pub struct FitSummary {
-    version: &'static str,
-    schema: u32,
-    command: Option<String>,
-    scene: String,
-    title: String,
+    #[serde(flatten)]
+    origin: Origin,
     end: &'static str,
     /// Of the end `stopped`.
     reason: Option<String>,
@@ -129,11 +126,7 @@ impl FitSummary {
         });
         let warnings = fit.warnings();
         Self {
-            version: VERSION,
-            schema: SCHEMA,
-            command: None,
-            scene: scene.name.clone(),
-            title: scene.title.clone(),
+            origin: Origin::of(scene),
             end,
             reason,
             fitted: fit.parameters.iter().enumerate().map(fitted).collect(),

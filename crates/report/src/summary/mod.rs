@@ -12,6 +12,7 @@ mod written;
 
 pub use fit::FitSummary;
 pub use optimisation::OptimisationSummary;
+pub(crate) use origin::Origin;
 pub use origin::{SCHEMA, VERSION};
 pub(crate) use parameters::Parameters;
 pub use peel::{ObservedSummary, PeelSummary, ground_warning, left_out, why_kept};

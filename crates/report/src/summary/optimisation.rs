@@ -1,6 +1,6 @@
 //! What an optimisation found, as one JSON object.
 
-use super::origin::{SCHEMA, VERSION};
+use super::origin::Origin;
 use super::parameters::Parameters;
 use super::written::written;
 use crate::number::Finite;
@@ -13,14 +13,8 @@ use serde::Serialize;
 /// An optimisation as one object; `None` where a thing does not occur.
 #[derive(Debug, Serialize)]
 pub struct OptimisationSummary {
-    /// Of the program
-    version: &'static str,
-    /// Of these keys
-    schema: u32,
-    /// The command line; `None` where a program of another kind has written this
-    command: Option<String>,
-    scene: String,
-    title: String,
+    #[serde(flatten)]
+    origin: Origin,
     of: &'static str,
     goal: &'static str,
     /// Of both peels of a ratio
@@ -110,11 +104,7 @@ impl OptimisationSummary {
             Objective::Quantity(_) => (None, None),
         };
         Self {
-            version: VERSION,
-            schema: SCHEMA,
-            command: None,
-            scene: scene.name.clone(),
-            title: scene.title.clone(),
+            origin: Origin::of(scene),
             of: problem.objective.quantity().name(),
             goal: match problem.goal {
                 Goal::Maximise => "maximise",

@@ -1,6 +1,6 @@
 //! What a sweep found, as one JSON object.
 
-use super::origin::{SCHEMA, VERSION};
+use super::origin::Origin;
 use super::parameters::Parameters;
 use crate::number::to_json;
 use crate::sweep_row::SweepRow;
@@ -14,14 +14,8 @@ use std::io;
 /// A sweep as one object: the key that was varied, its unit, and a row a value.
 #[derive(Debug, Serialize)]
 pub struct SweepSummary<L = SweepLine> {
-    /// Of the program.
-    version: &'static str,
-    /// Of these keys.
-    schema: u32,
-    /// The command line; `None` where a program of another kind has written this.
-    command: Option<String>,
-    scene: String,
-    title: String,
+    #[serde(flatten)]
+    origin: Origin,
     vary: String,
     /// Of `value` in the rows; `None` where the key is a plain number.
     unit: Option<&'static str>,
@@ -60,11 +54,7 @@ impl<L: Serialize> SweepSummary<L> {
     /// The summary of these lines.
     pub(crate) fn of(scene: &Scene, keys: SweptKeys, rows: Vec<L>, remarks: Vec<String>) -> Self {
         Self {
-            version: VERSION,
-            schema: SCHEMA,
-            command: None,
-            scene: scene.name.clone(),
-            title: scene.title.clone(),
+            origin: Origin::of(scene),
             vary: keys.first.path(),
             unit: Some(keys.first.unit()).filter(|unit| !unit.is_empty()),
             vary_2: keys.second.map(Key::path),
@@ -78,7 +68,7 @@ impl<L: Serialize> SweepSummary<L> {
 
     /// The same with the command line that asked for it.
     pub fn with_command(self, command: &str) -> Self {
-        Self { command: Some(command.to_owned()), ..self }
+        Self { origin: self.origin.by(command), ..self }
     }
 
     /// The object as text; a number that is not finite is an error that names its key.

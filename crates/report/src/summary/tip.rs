@@ -1,6 +1,6 @@
 //! The law of a tip as one JSON object: summary.json of `peel coarsen`, and what `--json` prints.
 
-use super::origin::{SCHEMA, VERSION};
+use super::origin::Origin;
 use super::parameters::Parameters;
 use super::written::written;
 use crate::number::Finite;
@@ -10,11 +10,8 @@ use peelkit_scene::Scene;
 /// A table of a tip as one object. `None` where a thing does not occur.
 #[derive(Debug, serde::Serialize)]
 pub struct TipSummary {
-    version: &'static str,
-    schema: u32,
-    command: Option<String>,
-    scene: String,
-    title: String,
+    #[serde(flatten)]
+    origin: Origin,
     end: &'static str,
     pad_end: &'static str,
     tolerance: Finite,
@@ -105,11 +102,7 @@ impl TipSummary {
         let (options, scales) = (&table.options, &table.scales);
         let held = options.pad_end == PadEnd::Held;
         Self {
-            version: VERSION,
-            schema: SCHEMA,
-            command: None,
-            scene: scene.name.clone(),
-            title: scene.title.clone(),
+            origin: Origin::of(scene),
             end: if table.is_met() { "converged" } else { "tolerance-not-met" },
             pad_end: pad_end_word(options.pad_end),
             tolerance: Finite(options.tolerance),

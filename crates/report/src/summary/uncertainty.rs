@@ -1,6 +1,6 @@
 //! What an uncertain peel gives, as one JSON object.
 
-use super::origin::{SCHEMA, VERSION};
+use super::origin::Origin;
 use super::parameters::Parameters;
 use super::written::written;
 use crate::number::Finite;
@@ -13,14 +13,8 @@ use serde::Serialize;
 /// An uncertain peel as one object; `None` where a thing does not occur.
 #[derive(Debug, Serialize)]
 pub struct UncertaintySummary {
-    /// Of the program
-    version: &'static str,
-    /// Of these keys
-    schema: u32,
-    /// The command line; `None` where a program of another kind has written this
-    command: Option<String>,
-    scene: String,
-    title: String,
+    #[serde(flatten)]
+    origin: Origin,
     inputs: Vec<InputSummary>,
     correlations: Vec<CorrelationSummary>,
     sample: SampleSummary,
@@ -148,11 +142,7 @@ impl UncertaintySummary {
             coefficient: Finite(of.coefficient),
         };
         Self {
-            version: VERSION,
-            schema: SCHEMA,
-            command: None,
-            scene: scene.name.clone(),
-            title: scene.title.clone(),
+            origin: Origin::of(scene),
             inputs: plan.inputs.iter().map(InputSummary::from).collect(),
             correlations: plan.correlations.iter().map(correlation).collect(),
             sample: SampleSummary {

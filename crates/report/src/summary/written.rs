@@ -1,12 +1,12 @@
 //! What every summary of a run can do once it is made: name its command, become text, and be written.
 
-/// The functions of a summary that has a `command`.
+/// The functions of a summary that has an `origin`.
 macro_rules! written {
     ($summary:ident) => {
         impl $summary {
             /// The same with the command line that it comes from.
             pub fn with_command(self, command: &str) -> Self {
-                Self { command: Some(command.to_owned()), ..self }
+                Self { origin: self.origin.by(command), ..self }
             }
 
             /// The object as text; a number that is not finite is an error that names its key.

@@ -6,7 +6,7 @@ use crate::beam::{FrictionHistory, TIP_ROTATION};
 use crate::model::BeamProblem;
 use crate::solve::{
     Direction, NewtonOptions, Observables, Pace, Path, PathConstraint, PathError, PathSegment, ROUGH, Solution,
-    Workspace, solve, solve_on,
+    Workspace, is_mirrored, solve, solve_on,
 };
 use crate::study::Bound;
 use crate::study::checkpoint::Limits;
@@ -125,7 +125,6 @@ fn has_pulled(problem: &BeamProblem, points: &[Arc<Solution>]) -> bool {
 /// that, on a flat substrate, the path is the mirror image of itself.
 fn stands_upright(problem: &BeamProblem, points: &[Arc<Solution>]) -> bool {
     let [.., before, newest] = points else { return false };
-    // only a strip that is pulled straight up from flat ground has a mirror image
     let Some(beam) = problem.beam.planar() else { return false };
     if !has_mirror_image(problem) {
         return false;
@@ -144,9 +143,7 @@ fn comes_upright(problem: &BeamProblem, points: &[Arc<Solution>], pace: Pace) ->
     if pace != Pace::Watchful || !has_mirror_image(problem) {
         return false;
     }
-    let turn = |pick: fn(&Observables) -> f64| pick(&last.slope) * pick(&newest.slope) < 0.0;
-    let stays = (last.negative, last.negative_load) == (newest.negative, newest.negative_load);
-    if passes_upright(points) && stays && turn(|slope| slope.displacement) && turn(|slope| slope.force) {
+    if passes_upright(points) && is_mirrored(last, newest) {
         return true;
     }
     if left.abs() > NEARLY_UPRIGHT {
@@ -214,16 +211,14 @@ impl Followed {
             return self.finish_detached(problem, far);
         }
         let (weights, target) = match self.end {
-            // its free end is not upright yet, or is so just now
-            PathEnd::Pivoting if comes_upright(problem, &self.points, self.pace) && !passes_upright(&self.points) => {
-                return;
-            }
-            PathEnd::Pivoting
-                if stands_upright(problem, &self.points) || comes_upright(problem, &self.points, self.pace) =>
-            {
-                (Observables::monitor(TIP_ROTATION), FRAC_PI_2)
-            }
-            PathEnd::Pivoting => (Observables::FORCE, 0.0),
+            PathEnd::Pivoting => match comes_upright(problem, &self.points, self.pace) {
+                // its free end is not upright yet, or is so just now
+                true if !passes_upright(&self.points) => return,
+                comes if comes || stands_upright(problem, &self.points) => {
+                    (Observables::monitor(TIP_ROTATION), FRAC_PI_2)
+                }
+                _ => (Observables::FORCE, 0.0),
+            },
             PathEnd::TurnedBack => (Observables::DISPLACEMENT, 0.0),
             // beyond its model the point says nothing; in the plane it is one of the planar path
             PathEnd::BondedPartUnstable(_) | PathEnd::BackInPlane => {

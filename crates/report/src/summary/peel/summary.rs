@@ -12,7 +12,7 @@ use super::sliding::SlidingSummary;
 use super::term_summary::TermDecisionsSummary;
 use crate::names::{end_reason, end_word};
 use crate::number::Finite;
-use crate::summary::{Parameters, SCHEMA, VERSION, written};
+use crate::summary::{Origin, Parameters, written};
 use peelkit::beam::GripState;
 use peelkit::model::Step;
 use peelkit::solve::Pace;
@@ -22,14 +22,8 @@ use peelkit_scene::Scene;
 /// Everything of a peel but its curve. Forces in nN, lengths in nm, works in aJ; `None` where a thing does not occur.
 #[derive(Debug, serde::Serialize)]
 pub struct PeelSummary {
-    /// Of the program.
-    version: &'static str,
-    /// Of these keys.
-    schema: u32,
-    /// The command line; `None` where a program of another kind has written this.
-    command: Option<String>,
-    scene: String,
-    title: String,
+    #[serde(flatten)]
+    origin: Origin,
     /// Of a scene in space: whether its solution stays in the plane, where it was computed then.
     solved_in_plane: Option<bool>,
     end: &'static str,
@@ -206,11 +200,7 @@ impl PeelSummary {
     /// The summary of the peel of this scene, which took so many seconds.
     pub fn new(scene: &Scene, peel: &Peel, solve_s: f64) -> Self {
         Self {
-            version: VERSION,
-            schema: SCHEMA,
-            command: None,
-            scene: scene.name.clone(),
-            title: scene.title.clone(),
+            origin: Origin::of(scene),
             solved_in_plane: scene.model.space.map(|_| peel.model.space.is_none()),
             end: end_word(&peel.end),
             reason: end_reason(&peel.end),
