@@ -1,14 +1,14 @@
 //! Keys of a scene that do not fit one another, or that are missing.
 
 use super::error::{Origin, SceneError, ValueError};
-use super::fit;
 use super::key::{Key, Kind, Need};
 use super::keys::KEYS;
-use super::optimisation;
-use super::rate;
 use super::scene::Scene;
-use super::seta;
-use super::uncertainty;
+use super::tables::fit;
+use super::tables::optimisation;
+use super::tables::rate;
+use super::tables::seta;
+use super::tables::uncertainty;
 use std::collections::HashSet;
 
 /// What is wrong with a scene of which every value is right by itself.

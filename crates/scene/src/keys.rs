@@ -2,17 +2,17 @@
 
 use super::bodies::{profile, spatula, strip};
 use super::error::ValueError;
-use super::fit;
 use super::key::{Key, Kind, Need};
 use super::near::nearest;
-use super::optimisation as opt;
-use super::rate;
 use super::scene::Scene;
-use super::seta;
 use super::shape;
 use super::space;
-use super::tips;
-use super::uncertainty;
+use super::tables::fit;
+use super::tables::optimisation as opt;
+use super::tables::rate;
+use super::tables::seta;
+use super::tables::tips;
+use super::tables::uncertainty;
 use super::value::Value;
 use super::value::quantity::Dimension::{
     Angle, AnglePerLength, Density, Energy, Force, Length, Pressure, Stiffness, Time, Velocity, Work,

@@ -1,11 +1,11 @@
 //! A scene as data.
 
-use crate::bounds::BoundsTable;
-use crate::fit::FitTable;
-use crate::optimisation::OptimisationTable;
-use crate::rate::TimeTable;
-use crate::seta::SetaTable;
-use crate::uncertainty::UncertaintyTable;
+use crate::tables::bounds::BoundsTable;
+use crate::tables::fit::FitTable;
+use crate::tables::optimisation::OptimisationTable;
+use crate::tables::rate::TimeTable;
+use crate::tables::seta::SetaTable;
+use crate::tables::uncertainty::UncertaintyTable;
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
 use peelkit::study::Accuracy;
 use std::path::Path;

@@ -11,14 +11,14 @@ pub use kind::{Kind, Need, Setting};
 
 use crate::bodies::{BODIES, body_of};
 use crate::error::ValueError;
-use crate::fit;
-use crate::optimisation;
-use crate::rate;
 use crate::scene::Scene;
-use crate::seta;
 use crate::shape;
 use crate::space;
-use crate::uncertainty;
+use crate::tables::fit;
+use crate::tables::optimisation;
+use crate::tables::rate;
+use crate::tables::seta;
+use crate::tables::uncertainty;
 use peelkit::model::{Body, ProfileForm};
 
 /// A key of a scene.

@@ -5,8 +5,9 @@
 //! w + (1 - w)(1 - (1 - t)⁴) with t = S/rounding; the section goes from a rectangle to a circle with q, and the underside turns up
 //! by the shaft's angle times s5((S - pad)/bend). A choice within the ranges of the literature: the paper gives no dimensions.
 
-use super::{Adhesion, Body, Geometry, Grip, Hold, PeelModel, Transition};
+use super::{Body, Geometry, Transition};
 use crate::beam::{BeamGeometry, Material, SectionGeometry};
+use crate::model::{Adhesion, Grip, Hold, PeelModel};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

@@ -1,10 +1,10 @@
 //! A seta: its table, which keys a scene with one has, and what it says of the tips.
 
-use super::bodies::set_body;
-use super::error::{Origin, SceneError, ValueError};
-use super::key::Key;
-use super::scene::Scene;
 use super::tips::{self, SetaTipLaw};
+use crate::bodies::set_body;
+use crate::error::{Origin, SceneError, ValueError};
+use crate::key::Key;
+use crate::scene::Scene;
 use peelkit::model::{
     Grip, Hold, ModelError, ModelErrorKind, Moved, NormalPull, PeelModel, PullCurve, Seta, SetaError, Sideways, Space,
     Step, TipLaw,
@@ -15,7 +15,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 /// The table of a scene.
-pub(super) const TABLE: &str = "seta";
+pub(crate) const TABLE: &str = "seta";
 
 /// The other tables and keys of a scene with a seta. The tables of a body and of adhesion describe its tips.
 const OTHERS: [(&str, &[&str]); 10] = [
@@ -99,7 +99,7 @@ impl SetaTable {
     }
 
     /// From its tips to its root, upright, nm: how far the root is moved at most.
-    pub(super) fn height(&self) -> f64 {
+    pub(crate) fn height(&self) -> f64 {
         self.seta.shaft_length + self.seta.brush_height
     }
 
@@ -117,7 +117,7 @@ impl SetaTable {
 }
 
 /// That a scene is one of a seta, where a single beam is peeled.
-pub(super) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
+pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
     let problem = ValueError::new(
         "is a table of a scene that `peel run`, `peel sweep` and `peel uncertainty` alone compute; here a single beam is peeled",
         "Give the scene to one of them, or remove [seta] to peel one of its tips.",
@@ -126,12 +126,12 @@ pub(super) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
 }
 
 /// The seta of a scene, which becomes one with a seta.
-pub(super) fn of(scene: &mut Scene) -> &mut SetaTable {
+pub(crate) fn of(scene: &mut Scene) -> &mut SetaTable {
     scene.seta.get_or_insert_default()
 }
 
 /// Makes the scene one with a seta, whose root is moved in space; its tips are spatulae where it names no body.
-pub(super) fn begin(scene: &mut Scene, without_body: bool) {
+pub(crate) fn begin(scene: &mut Scene, without_body: bool) {
     of(scene);
     scene.model.space = Some(Space::default());
     if without_body {
@@ -140,12 +140,12 @@ pub(super) fn begin(scene: &mut Scene, without_body: bool) {
 }
 
 /// Whether a scene with a seta has this key.
-pub(super) fn has(table: &str, name: &str) -> bool {
+pub(crate) fn has(table: &str, name: &str) -> bool {
     table == TABLE || OTHERS.iter().any(|(of, names)| *of == table && (names.is_empty() || names.contains(&name)))
 }
 
 /// That a scene without one has no such key, or that a scene with one has not.
-pub(super) fn foreign(scene: &Scene, key: &Key) -> ValueError {
+pub(crate) fn foreign(scene: &Scene, key: &Key) -> ValueError {
     match &scene.seta {
         None => ValueError::new(
             "is a key of [seta], a table that the scene does not have",
@@ -183,7 +183,7 @@ impl Scene {
     }
 
     /// Along which the root of a seta is pulled: `angle` and `azimuth` of `drive`.
-    pub(super) fn root_direction(&self) -> [f64; 3] {
+    pub(crate) fn root_direction(&self) -> [f64; 3] {
         let azimuth = self.model.space.unwrap_or_default().azimuth;
         let Direction { along, up } = self.model.pull.direction();
         [along * azimuth.cos(), up, along * azimuth.sin()]
@@ -214,7 +214,7 @@ fn moves_the_root(step: Step) -> bool {
 }
 
 /// What of the seta of a scene is wrong: by the key of the scene.
-pub(super) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
+pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
     let table = scene.seta.as_ref()?;
     let seta = &table.seta;
     if let Err(error) = seta.check() {

@@ -1,18 +1,18 @@
 //! A pull at a rate: the table `time`, and what it says of the material, the grip and the steps in time.
 
-use super::error::{Origin, SceneError, ValueError};
-use super::key::Setting;
-use super::scene::Scene;
 use super::seta::SetaTable;
 use super::tips::SetaTipLaw;
-use super::value::{Fault, Value, quoted};
+use crate::error::{Origin, SceneError, ValueError};
+use crate::key::Setting;
+use crate::scene::Scene;
+use crate::value::{Fault, Value, quoted};
 use peelkit::beam::Viscosity;
 use peelkit::model::MovingMaterial;
 use peelkit::study::{PullRate, SetaPullRate, SetaTimeAccuracy, Terms, TimeAccuracy, Until};
 use std::ops::Range;
 
 /// The table of a scene.
-pub(super) const TABLE: &str = "time";
+pub(crate) const TABLE: &str = "time";
 /// The library counts times in ns, a scene in s.
 const NS_PER_S: f64 = 1e9;
 
@@ -36,7 +36,7 @@ const FLOWS: [(&str, Flow); 3] = [
 ];
 
 /// `material`
-pub(super) static MATERIAL: Setting = Setting {
+pub(crate) static MATERIAL: Setting = Setting {
     takes: "\"elastic\", \"kelvin-voigt\" or \"standard-linear-solid\"",
     brief: "one of three words",
     example: "\"elastic\"",
@@ -55,7 +55,7 @@ fn word(flow: Flow) -> &'static str {
 }
 
 /// That a scene is pulled at a rate, where equilibria are followed.
-pub(super) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
+pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
     let problem = ValueError::new(
         "is a table of a scene that `peel run` and `peel sweep` alone follow in time; here equilibria are followed",
         "Give the scene to one of them, or remove [time] to follow the equilibria.",
@@ -132,7 +132,7 @@ impl TimeTable {
 }
 
 /// The table of a scene, which has one from now on. The steps of a seta have a tolerance of their own.
-pub(super) fn of(scene: &mut Scene) -> &mut TimeTable {
+pub(crate) fn of(scene: &mut Scene) -> &mut TimeTable {
     let usual = TimeTable::default();
     let tolerance = if scene.seta.is_some() { SetaTimeAccuracy::default().tolerance } else { usual.tolerance };
     scene.time.get_or_insert(TimeTable { tolerance, ..usual })
@@ -176,7 +176,7 @@ impl Scene {
 }
 
 /// What of a pull at a rate is wrong: by the key of the scene.
-pub(super) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
+pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
     let table = scene.time.as_ref()?;
     let own = word(table.material);
     for (key, value, flow) in table.of_materials() {

@@ -1,8 +1,9 @@
 //! A uniform strip of rectangular section.
 
-use super::{Adhesion, BeamProblem, Body, Form, Geometry, Grip, NoSuchOrder, PeelModel, Pull};
+use super::{Body, Geometry};
 use crate::adhesion::LineLaw;
 use crate::beam::{BeamGeometry, Material, Section, SectionGeometry};
+use crate::model::{Adhesion, BeamProblem, Form, Grip, NoSuchOrder, PeelModel, Pull};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

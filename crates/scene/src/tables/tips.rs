@@ -1,9 +1,9 @@
 //! What the tips of a seta follow: the keys of it, and which of them go together.
 
-use super::error::ValueError;
-use super::key::Setting;
 use super::seta::{SetaTable, of};
-use super::value::{Fault, Value, quoted};
+use crate::error::ValueError;
+use crate::key::Setting;
+use crate::value::{Fault, Value, quoted};
 
 /// What the tips of a seta follow.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -25,7 +25,7 @@ fn text(value: &Value) -> Result<&str, Fault> {
 }
 
 /// `tip_law`
-pub(super) static TIP_LAW: Setting = Setting {
+pub(crate) static TIP_LAW: Setting = Setting {
     takes: "\"curve\", the normal pull of their spatula, or \"table\", its force and moment at any height and rotation",
     brief: "curve, table",
     example: "\"table\"",
@@ -43,7 +43,7 @@ pub(super) static TIP_LAW: Setting = Setting {
 };
 
 /// `tip_table`
-pub(super) static TIP_TABLE: Setting = Setting {
+pub(crate) static TIP_TABLE: Setting = Setting {
     takes: "the name of a folder in quotes that `peel coarsen` has written, beside the scene; without it the run computes the table",
     brief: "a folder",
     example: "\"out/spatula-tip\"",
@@ -59,7 +59,7 @@ pub(super) static TIP_TABLE: Setting = Setting {
 };
 
 /// What of it does not fit the rest: by the key of the table.
-pub(super) fn problem(table: &SetaTable) -> Option<(&'static str, ValueError)> {
+pub(crate) fn problem(table: &SetaTable) -> Option<(&'static str, ValueError)> {
     let default = SetaTable::default();
     match table.tip_law {
         SetaTipLaw::Curve if table.tip_table.is_some() => Some((

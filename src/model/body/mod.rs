@@ -1,6 +1,17 @@
 //! What is peeled.
 
-use super::{Profile, Spatula, Strip};
+mod pieces;
+mod profile;
+mod spatula;
+mod strip;
+mod transition;
+
+pub use pieces::*;
+pub use profile::*;
+pub use spatula::*;
+pub use strip::*;
+pub use transition::*;
+
 use crate::beam::{BeamGeometry, Material};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
