@@ -24,7 +24,9 @@ pub fn save(picture: &Picture, dir: &Path, stem: &str) -> Result<Vec<PathBuf>, R
 
 fn png(svg: &str) -> Result<Vec<u8>, String> {
     let options = usvg::Options { fontdb: font::database(), ..Default::default() };
-    let tree = usvg::Tree::from_str(svg, &options).map_err(|e| e.to_string())?;
+    // polygons are filled and have no outline: the same to the eye, and no layer of their own, which took half of the time
+    let svg = svg.replace("<polygon opacity=", "<polygon fill-opacity=");
+    let tree = usvg::Tree::from_str(&svg, &options).map_err(|e| e.to_string())?;
     let size = tree.size().to_int_size();
     let (width, height) = (size.width() * PNG_SCALE, size.height() * PNG_SCALE);
     let mut pixels =
