@@ -67,7 +67,7 @@ const EXACT: f64 = 1e-12;
 /// The last update of any solution: the curve between points is interpolated with their slopes, which are one update back.
 const LAST: f64 = 1e-5;
 
-/// Change of a configuration along the path on a mesh that stays.
+/// Change of a configuration along the path on a fixed mesh.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Tangent {
     /// Of the unknowns

@@ -47,7 +47,7 @@ impl Accuracy {
         Self { choice, ..self }
     }
 
-    /// The same as far as it can be had: on ground that is not flat with x at every node and a mesh that stays.
+    /// The same as far as it can be had: on ground that is not flat with x at every node and a fixed mesh.
     pub(super) fn fitted(&self, model: &PeelModel) -> Self {
         let Choice { mesh, form, .. } = self.choice;
         let mesh = if model.ground.substrate.is_flat() { mesh } else { MeshKind::Graded };

@@ -29,7 +29,7 @@ fn a_path_without_a_force_and_without_contact_is_detached() {
     ends(SampleKind::Angle, 223, "detached");
 }
 
-/// Compressed far from its front, where a mesh that follows the front is coarse: it comes to the end of its model on a mesh that stays.
+/// Compressed far from its front, where a mesh that follows the front is coarse: it comes to the end of its model on a fixed mesh.
 #[test]
 fn a_compressed_strip_is_followed_on_meshes_that_stay() {
     ends(SampleKind::Angle, 176, "bonded-part-unstable");

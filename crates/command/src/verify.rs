@@ -38,7 +38,7 @@ pub struct Verify {
 
     /// Peels them in so many ways
     ///
-    /// They are: to 1e-6, to 1e-9, on elements of order 5, on a mesh that stays.
+    /// They are: to 1e-6, to 1e-9, on elements of order 5, on a fixed mesh.
     #[arg(long, value_name = "N", default_value_t = WAYS.len(), value_parser = ways, requires = "sample")]
     ways: usize,
 

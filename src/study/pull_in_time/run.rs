@@ -51,7 +51,7 @@ pub fn pull_in_time(
     pull_in_time_from(&start, pull, accuracy, should_stop)
 }
 
-/// The equilibrium at a displacement, on a mesh that stays.
+/// The equilibrium at a displacement, on a fixed mesh.
 ///
 /// # Errors
 /// What the model cannot be followed with, no equilibrium there.

@@ -46,7 +46,7 @@ impl PullRate {
 /// How accurately a pull in time is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeAccuracy {
-    /// Elements, of a mesh that stays; none: as many as make them two process lengths long, and a dozen more
+    /// Elements, of a fixed mesh; none: as many as make them two process lengths long, and a dozen more
     pub elements: Option<usize>,
     /// Order of the elements, 1 to 8
     pub order: usize,

@@ -1,4 +1,4 @@
-//! What a user may fix of the discretisation: order, elements, steps, the mesh that stays, the form with three fields.
+//! What a user may fix of the discretisation: order, elements, steps, the fixed mesh, the form with three fields.
 //!
 //! Reference: verification/strip.csv, the 100 nm strip, collocation without finite elements.
 //!
