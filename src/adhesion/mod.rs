@@ -17,7 +17,8 @@ pub use levels::{
     cubic_block, double_integral, pair_sum,
 };
 pub use section::{
-    Attraction, Cohesive, CohesiveShape, Law, LineLaw, LineLoad, LineResponse, OwnLaw, SectionLaw, TiltedSection,
+    Attraction, Cohesive, CohesiveShape, Law, LineLaw, LineLoad, LineResponse, OwnLaw, SectionLaw, TiltCount,
+    TiltedSection,
 };
 pub use spatial_section::{SectionShape, SpatialSection, SpatialSectionError, SpatialSectionResponse};
 pub use substrate::*;

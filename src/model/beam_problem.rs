@@ -214,6 +214,11 @@ impl BeamProblem {
         Self { problem: Problem { measure, ..self.problem.clone() }, beam: self.beam.clone() }
     }
 
+    /// The same problem of another beam.
+    pub(super) fn with_beam(&self, beam: Beam) -> Self {
+        Self { problem: Problem { system: beam.system(), ..self.problem.clone() }, beam }
+    }
+
     /// The same problem under other end conditions.
     pub fn with_grip(&self, grip: EndConditions) -> Self {
         Self { problem: Problem { grip, ..self.problem.clone() }, beam: self.beam.clone() }

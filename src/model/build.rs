@@ -3,7 +3,7 @@
 use super::chain::{three_field, two_field};
 use super::stress_free_placement::StressFreePlacement;
 use super::{Beam, BeamProblem, Form, Hold, PeelModel, friction};
-use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
+use crate::adhesion::{FrictionLaw, GroundLaw, Law, LineLaw, LineLoad, Substrate, TiltCount};
 use crate::beam::{
     self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, Reach, ReducedBeam,
     ReferenceConfiguration, ReissnerBeam, UprightCorner, UprightPole, Varying,
@@ -101,7 +101,7 @@ impl PeelModel {
         };
         let mut beam = PlanarBeam {
             history: friction.map(|law| Arc::new(self.not_slid(&placement.rest, &law))),
-            chain: chain(profile, law, (&substrate, friction), form, along, how.order),
+            chain: chain(profile, (law, TiltCount::Coarse), (&substrate, friction), form, along, how.order),
             length,
             rest: placement.rest,
             rest_gap: law.rest_gap(),
@@ -136,6 +136,22 @@ impl PeelModel {
         };
         let grip = self.end_conditions(&beam);
         Ok(BeamProblem::new(Beam::Planar(Arc::new(beam)), grip, measure, start))
+    }
+
+    /// The same problem, discretised as `how` says, with tilted sections counted finely, where that is another count: a mesh follows the front by it.
+    pub fn counted_finely(&self, problem: &BeamProblem, how: Discretisation) -> Option<BeamProblem> {
+        let (law, substrate) = (self.line_law(), &self.ground.substrate);
+        let counts = matches!(law.law, Law::BodyForce) && law.line_load != LineLoad::AxisGap;
+        if !counts || self.space.is_some() || !substrate.is_flat() || self.friction_law().is_some() {
+            return None;
+        }
+        let (form, along) = (self.form(how.form), self.has_horizontal_force());
+        let counted = (law, TiltCount::Fine);
+        let fine = |beam: &mut PlanarBeam| {
+            beam.chain = chain(self.profile(), counted, (substrate, None), form, along, how.order);
+        };
+        let fine = self.discretised(how, fine).ok()?;
+        Some(problem.with_beam(fine.beam))
     }
 
     /// Where its model ends on the way.
@@ -232,7 +248,7 @@ impl PeelModel {
 /// The chain of a profile under a line load, with a horizontal section force or without.
 fn chain(
     profile: beam::Profile,
-    law: LineLaw,
+    (law, count): (LineLaw, TiltCount),
     (substrate, friction): (&Substrate, Option<FrictionLaw>),
     form: Form,
     pulled_along: bool,
@@ -244,9 +260,9 @@ fn chain(
         return three_field(BeamOnGround { profile, ground, friction }, order, [end, None, None]);
     }
     match (form, pulled_along) {
-        (Form::TwoField, false) => two_field(ReducedBeam::<false> { profile, law }, order),
-        (Form::TwoField, true) => two_field(ReducedBeam::<true> { profile, law }, order),
+        (Form::TwoField, false) => two_field(ReducedBeam::<false> { profile, law, count }, order),
+        (Form::TwoField, true) => two_field(ReducedBeam::<true> { profile, law, count }, order),
         // held at x(0) = 0, which without a horizontal section force carries none
-        (Form::ThreeField, _) => three_field(ReissnerBeam { profile, law }, order, [Some(0.0), None, None]),
+        (Form::ThreeField, _) => three_field(ReissnerBeam { profile, law, count }, order, [Some(0.0), None, None]),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::chain::three_field;
 use super::{BeamProblem, Discretisation, Form, NoSuchOrder, PeelModel, RodError, RodModel};
+use crate::adhesion::TiltCount;
 use crate::beam::{
     BeamInertia, Chain, Focus, MeshKind, PlanarBeam, Reach, ReissnerBeam, ReissnerRod, Viscosity, Viscous,
 };
@@ -111,7 +112,8 @@ impl PeelModel {
             beam.mesh.fixed_foci.push(self.touching(beam));
             beam.inertia = Some(Arc::new(inertia));
             if material.viscosity.is_viscous() {
-                let density = Viscous(ReissnerBeam { profile: self.profile(), law: self.line_law() });
+                let density =
+                    Viscous(ReissnerBeam { profile: self.profile(), law: self.line_law(), count: TiltCount::Coarse });
                 beam.chain = three_field(density, order, [Some(0.0), None, None]);
             }
         })?;

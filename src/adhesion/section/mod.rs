@@ -13,6 +13,7 @@ mod response;
 mod surface_traction;
 mod written;
 pub use cohesive::{Cohesive, CohesiveShape};
+pub use coverage::TiltCount;
 pub use law::{Attraction, Law};
 pub use line_load::{LineLaw, LineLoad};
 pub use own::{OwnLaw, SectionLaw, TiltedSection};

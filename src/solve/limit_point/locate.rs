@@ -33,8 +33,7 @@ impl Located {
         self.observables.is_finite() && self.difference.is_finite()
     }
 
-    /// Whether its place is less certain than the accuracy `relative`, but the force does not change by a share of it over
-    /// that error: then the place matters as little.
+    /// Whether its place is less certain than the accuracy `relative`, but the force does not change by a share of it over that error.
     pub fn is_flat(&self, relative: f64) -> bool {
         let (o, d) = (&self.observables, &self.difference);
         let change = 0.5 * self.force_curvature * d.displacement.powi(2);
@@ -69,8 +68,7 @@ fn options(tolerance: f64, exact_slope: bool) -> NewtonOptions {
     NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 10, exact_slope }
 }
 
-/// A further solution on a segment, at the label `at`, with an error of `tolerance`; from fewer points where more extrapolate
-/// badly.
+/// A further solution on a segment, at the label `at`, with an error of `tolerance`; from fewer points where more extrapolate badly.
 pub fn solve_on(
     problem: &Problem,
     segment: &PathSegment,
@@ -224,7 +222,9 @@ pub fn locate(
     if relative.is_some_and(|r| change.abs() < r * middle.observables.force.abs()) {
         return flat(problem, &segment, furthest(&segment, middle), change, iterations, ws);
     }
-    let level = low.1.abs().max(high.1.abs()) <= LEVEL * turn.pick()(&first).abs().max(turn.pick()(&second).abs());
+    // where a path is watched all others have lost it: slopes may be round-off
+    let falls = low.1.abs().max(high.1.abs()) <= LEVEL * turn.pick()(&first).abs().max(turn.pick()(&second).abs());
+    let level = falls || ws.pace() == Pace::Watchful;
     if level && turn == LimitPointKind::Displacement && on_more_elements(problem, &middle, segment.weights, ws).is_ok()
     {
         let spanned = spanned(&segment, turn, &middle, [low, high]);

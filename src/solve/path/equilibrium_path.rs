@@ -4,15 +4,16 @@
 //! and of a system whose monitors do not go forward the force. Its weights are renewed at every step from the tangent, each
 //! observable measured by its own recent changes.
 
-use super::metric::Metric;
+use super::metric::{Metric, Notice};
 use super::near_branch::{self, NearBranch, StepSeen, leads_elsewhere};
 use super::options::{PathError, PathOptions};
 use super::predictor::{self, MOST_POINTS};
+use super::settling::settled;
 use super::waypoint::Waypoint;
 use crate::solve::newton::solve_warily;
 use crate::solve::{
-    Held, History, NewtonOptions, Observables, Pace, PathConstraint, Problem, RelaxOptions, ShouldStop, Solution,
-    SolveError, State, Workspace, relax, settle, solve,
+    History, NewtonOptions, Observables, Pace, PathConstraint, Problem, ShouldStop, Solution, SolveError, State,
+    Workspace, solve,
 };
 use std::sync::Arc;
 use std::vec;
@@ -35,6 +36,8 @@ pub struct Path<'p> {
     careful: bool,
     /// Where a step has led to another branch, until that lies behind.
     branch: Option<NearBranch>,
+    /// What the path is measured by.
+    notice: Notice,
     /// Whether the point before the newest has been replaced on the step to it, because it was no equilibrium.
     mended: bool,
 }
@@ -57,11 +60,6 @@ const OUTSET: usize = 3;
 const OUTSET_GROWTH: f64 = 2.0;
 /// Points over which the path's direction is taken.
 const CHORD: usize = 4;
-/// Most that a step of settling down moves, relative as in [`crate::solve::System::size`].
-const SETTLING: f64 = 0.3;
-/// Most meshes on which a structure settles, and by how little, in units of their scales, its monitors move then.
-const MOST_REFOCUSED: usize = 8;
-const SETTLED: f64 = 0.1;
 
 impl<'p> Path<'p> {
     /// A path that starts at rest.
@@ -85,6 +83,7 @@ impl<'p> Path<'p> {
             history: None,
             careful: false,
             branch: None,
+            notice: Notice::default(),
             mended: false,
         }
     }
@@ -124,19 +123,19 @@ impl<'p> Path<'p> {
     /// The newest point, for a path that is to go on from there.
     pub fn waypoint(&self) -> Option<Waypoint> {
         let point = self.points.last()?.clone();
-        let Self { iterations, careful, branch, .. } = *self;
+        let Self { iterations, careful, branch, notice, .. } = *self;
         let before = self.points.len().checked_sub(2).filter(|_| self.mended).map(|k| self.points[k].clone());
-        Some(Waypoint { point, errors: self.errors.clone(), iterations, careful, branch, before })
+        Some(Waypoint { point, errors: self.errors.clone(), iterations, careful, branch, notice, before })
     }
 
     /// Computes the next point, where it is not known.
     pub fn advance(&mut self) -> Result<Arc<Solution>, PathError> {
         self.mended = false;
         let point = match self.known.next() {
-            Some(Waypoint { point, errors, iterations, careful, branch, before }) => {
+            Some(Waypoint { point, errors, iterations, careful, branch, notice, before }) => {
                 before.into_iter().for_each(|mended| self.mend(mended));
                 (self.errors, self.iterations) = (errors, iterations);
-                (self.careful, self.branch) = (careful, branch);
+                (self.careful, self.branch, self.notice) = (careful, branch, notice);
                 point
             }
             None if self.points.is_empty() => Arc::new(self.first()?),
@@ -153,45 +152,25 @@ impl<'p> Path<'p> {
         let target = weights.displacement * self.problem.displacement(&start);
         let constraint = PathConstraint { weights, target };
         let solved = if self.problem.start.settles() {
-            self.settled(start, &constraint)
+            settled(self.problem, start, &constraint, &self.newton(), &mut self.ws)
         } else {
             solve(self.problem, start, &constraint, &self.newton(), &mut self.ws)
         };
         solved.inspect(|s| self.iterations += s.iterations).map_err(|cause| self.stopped(1, cause))
     }
 
-    /// The equilibrium next to a start that is none, on the mesh that its own monitors ask for.
-    fn settled(&mut self, start: State, constraint: &PathConstraint) -> Result<Solution, SolveError> {
-        let mut found = self.settled_near(start, constraint)?;
-        for _ in 0..MOST_REFOCUSED {
-            let at = self.problem.system.refocused(&found.at, found.observables.monitors);
-            let next = self.settled_near(at, constraint)?;
-            let moved = self.problem.measure.apart(&found.observables, &next.observables);
-            found = next;
-            if moved < SETTLED {
-                break;
-            }
-        }
-        Ok(found)
-    }
-
-    /// The same on the mesh of the start: by Newton's method, or, where that wanders, down the gradient of the energy.
-    fn settled_near(&mut self, start: State, constraint: &PathConstraint) -> Result<Solution, SolveError> {
-        let displacement = self.problem.displacement(&start);
-        let settled = settle(self.problem, start.clone(), constraint, &self.newton(), &mut self.ws);
-        // long steps may have gone through an obstacle
-        let above = settled.and_then(|solution| {
-            let inside = SolveError::NotConverged { update: solution.correction, iterations: solution.iterations };
-            if self.problem.system.is_admissible(&solution.at) { Ok(solution) } else { Err(inside) }
-        });
-        above.or_else(|error| {
-            let options = RelaxOptions::by(SETTLING);
-            let relaxed = relax(self.problem, start, Held::Displacement(displacement), &options, &mut self.ws);
-            relaxed.map(|relaxed| relaxed.solution).map_err(|_| error)
-        })
-    }
-
+    /// The next point; a path that is watched and cannot be continued goes on by what is left of its observables.
     fn step(&mut self) -> Result<Solution, PathError> {
+        let branch = self.branch;
+        let stepped = self.step_noticing();
+        if stepped.is_ok() || self.options.pace != Pace::Watchful || self.notice == Notice::OfRest {
+            return stepped;
+        }
+        (self.notice, self.branch) = (Notice::OfRest, branch);
+        self.step_noticing().or(stepped)
+    }
+
+    fn step_noticing(&mut self) -> Result<Solution, PathError> {
         let mut newest = self.points[self.points.len() - 1].clone();
         let mut slope = newest.slope;
         let mut weights = self.weights(&slope);
@@ -332,7 +311,8 @@ impl<'p> Path<'p> {
     /// The metric of the newest points, and of a further one.
     fn metric(&self, next: Option<&Observables>) -> Metric {
         let from = self.points.len().saturating_sub(if next.is_some() { 3 } else { 4 });
-        Metric::of(self.problem, self.points[from..].iter().map(|p| &p.observables).chain(next))
+        let newest = &self.points[self.points.len() - 1].observables;
+        Metric::of(self.problem, self.notice, newest, self.points[from..].iter().map(|p| &p.observables).chain(next))
     }
 
     /// The newest points, newest first, and their labels relative to the newest; as many as labels keep their order.

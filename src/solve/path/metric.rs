@@ -1,9 +1,33 @@
 //! What a path is measured by: units of its observables.
 
 use crate::solve::{MONITORS, Observables, Problem};
+use serde::{Deserialize, Serialize};
 
 /// Changes of an observable below this share of its scale do not measure a path.
 const NOTICED: f64 = 1e-3;
+/// The least value that measures one by what is left of it, over its scale.
+const LEAST: f64 = 1e-9;
+
+/// What changes of an observable are noticed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Notice {
+    /// Those that are no smaller than a share of its scale.
+    #[default]
+    OfScale,
+    /// The same of its value, where that is less than its scale: where next to nothing adheres any more, the front still changes by all that is
+    /// left of it, and the displacement turns with it.
+    OfRest,
+}
+
+impl Notice {
+    /// The least change that is noticed of an observable of this value and scale.
+    fn least(self, value: f64, scale: f64) -> f64 {
+        match self {
+            Self::OfScale => NOTICED * scale,
+            Self::OfRest => NOTICED * value.abs().clamp(LEAST * scale, scale),
+        }
+    }
+}
 
 /// Units of the observables that measure the path, from how they change along a segment of it. What does not measure it has an
 /// infinite unit.
@@ -16,11 +40,16 @@ pub struct Metric {
 }
 
 impl Metric {
-    /// The largest change of each from point to point.
-    pub fn of<'a>(problem: &Problem, segment: impl Iterator<Item = &'a Observables>) -> Self {
+    /// The largest change of each from point to point, with the least ones those that are noticed at `newest`.
+    pub fn of<'a>(
+        problem: &Problem,
+        notice: Notice,
+        newest: &Observables,
+        segment: impl Iterator<Item = &'a Observables>,
+    ) -> Self {
         let measure = &problem.measure;
         let mut metric = Self {
-            monitors: measure.monitors.map(|scale| NOTICED * scale),
+            monitors: std::array::from_fn(|k| notice.least(newest.monitors[k], measure.monitors[k])),
             force: NOTICED * measure.force_scale(),
             roll: NOTICED * measure.roll_scale(),
             displacement: NOTICED * problem.grip.displacement_scale(),
@@ -39,6 +68,11 @@ impl Metric {
             before = Some(here);
         }
         metric
+    }
+
+    /// Whether no monitor has changed by as much as is noticed.
+    pub fn notices_displacement_alone(&self, problem: &Problem) -> bool {
+        self.monitors.iter().zip(problem.measure.monitors).all(|(unit, scale)| *unit <= NOTICED * scale)
     }
 
     /// Weights of the path parameter that is the length along `direction`.
@@ -62,5 +96,20 @@ impl Metric {
     pub fn cosine(&self, a: &Observables, b: &Observables) -> f64 {
         let length = self.weights(b).dot(b);
         self.weights(a).dot(b) / length
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Of a front of which a ten thousandth is left, changes of a thousandth of that are noticed; of one that is whole, those of its scale, either way.
+    #[test]
+    fn what_is_left_is_noticed_by_its_own_size() {
+        assert_relative_eq!(Notice::OfScale.least(1e-4, 1.0), 1e-3);
+        assert_relative_eq!(Notice::OfRest.least(-1e-4, 1.0), 1e-7);
+        assert_relative_eq!(Notice::OfRest.least(50.0, 1.0), Notice::OfScale.least(50.0, 1.0));
+        assert!(Notice::OfRest.least(0.0, 2.0) > 0.0);
     }
 }

@@ -6,6 +6,7 @@ mod near_branch;
 mod options;
 mod predictor;
 mod segment;
+mod settling;
 mod tracer;
 mod waypoint;
 pub use equilibrium_path::Path;

@@ -1,7 +1,7 @@
 //! A segment of the path between and around two of its points: interpolation of observables and of states.
 
 use super::hermite::Hermite;
-use super::metric::Metric;
+use super::metric::{Metric, Notice};
 use super::predictor::{combine, lagrange_weights};
 use crate::solve::{History, Observables, Problem, Solution, State};
 use std::ops::Range;
@@ -41,7 +41,15 @@ impl PathSegment {
     pub fn around(problem: &Problem, points: &[Arc<Solution>], index: usize) -> Self {
         let (from, to) = (&points[index], &points[index + 1]);
         let secant = to.observables.since(&from.observables);
-        let metric = Metric::of(problem, points[index.saturating_sub(2)..index + 2].iter().map(|p| &p.observables));
+        let measured = |notice| {
+            let around = points[index.saturating_sub(2)..index + 2].iter().map(|p| &p.observables);
+            Metric::of(problem, notice, &from.observables, around)
+        };
+        let metric = measured(Notice::OfScale);
+        let turns = [from, to].iter().any(|p| metric.cosine(&secant, &p.slope) <= 0.0);
+        // the displacement measures no path that turns with it
+        let alone = index > 0 && turns && metric.notices_displacement_alone(problem);
+        let metric = if alone { measured(Notice::OfRest) } else { metric };
         // at rest the front does not move yet: its square root is no label
         let weights = if index == 0 {
             metric.weights(&Observables { displacement: secant.displacement, ..Observables::default() })

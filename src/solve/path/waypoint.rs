@@ -1,5 +1,6 @@
 //! What a path that is to go on is kept by.
 
+use super::metric::Notice;
 use super::near_branch::NearBranch;
 use crate::solve::Solution;
 use serde::{Deserialize, Serialize};
@@ -14,6 +15,8 @@ pub struct Waypoint {
     pub(super) iterations: usize,
     pub(super) careful: bool,
     pub(super) branch: Option<NearBranch>,
+    #[serde(default)]
+    pub(super) notice: Notice,
     /// What the point before it was replaced by on the step to it.
     pub(super) before: Option<Arc<Solution>>,
 }

@@ -1,6 +1,7 @@
 //! The whole peel of one model: path, special points, error bounds, how it ended.
 mod adhering;
 mod assembly;
+mod attempt;
 mod contact;
 mod detachment;
 mod equilibrium_path;

@@ -1,7 +1,7 @@
 //! The run behind [`super::peel`]: the path on meshes that follow its front, at one pace after another, and, where none of them gives a path that can be
 //! used, on meshes that stay.
 
-use super::meshes::{KnownStart, on_meshes};
+use super::meshes::{Collapsed, KnownStart, on_meshes};
 use super::widened::widened;
 use super::{Failure, PathEnd, Peel};
 use crate::beam::MeshKind;
@@ -34,7 +34,7 @@ pub(in crate::study) fn run(
     let (aimed, least) = aim(model, accuracy);
     let limits = Limits { stop, checkpoint };
     let paces = paces(model);
-    let mut peel = on_meshes(model, &aimed, &limits, None, paces);
+    let mut peel = on_meshes(model, &aimed, &limits, None, paces, Collapsed::Refined);
     let lost = matches!(peel.end, PathEnd::Failed(Failure::Path { .. })) && limits.reached().is_none();
     let is_watched = paces.contains(&Pace::Watchful);
     if lost && is_watched && aimed.fitted(model).choice.mesh == MeshKind::Moving {
@@ -48,7 +48,7 @@ pub(in crate::study) fn run(
 fn on_staying_meshes(lost: Peel, model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Peel {
     let staying = accuracy.with(Choice { mesh: MeshKind::Graded, ..accuracy.choice });
     let limits = Limits { stop, checkpoint: &Checkpoint::NOTHING };
-    let mut peel = on_meshes(model, &staying, &limits, None, &[Pace::Quick, Pace::Watchful]);
+    let mut peel = on_meshes(model, &staying, &limits, None, &[Pace::Quick, Pace::Watchful], Collapsed::Lost);
     if peel.unfinished || matches!(peel.end, PathEnd::Failed(_)) {
         return lost;
     }
@@ -65,6 +65,6 @@ pub(in crate::study) fn run_from(
 ) -> Peel {
     let (aimed, least) = aim(model, accuracy);
     let limits = Limits { stop, checkpoint: &Checkpoint::NOTHING };
-    let peel = on_meshes(model, &aimed, &limits, Some(start), paces(model));
+    let peel = on_meshes(model, &aimed, &limits, Some(start), paces(model), Collapsed::Refined);
     widened(peel, accuracy, least)
 }

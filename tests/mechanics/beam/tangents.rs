@@ -19,7 +19,7 @@
 use crate::common::{LOADS, line_energy, paper_law, paper_strip, stored_energy, with_grip, with_load};
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual2SVec64, DualNum, hessian};
-use peelkit::adhesion::{LineLaw, LineLoad};
+use peelkit::adhesion::{LineLaw, LineLoad, TiltCount};
 use peelkit::beam::{
     BeamGeometry, ChainFactors, ConstraintGradient, EnergyDensity, FRONT, Material, PointResponse, Profile,
     ReducedBeam, ReissnerBeam, Section, SectionGeometry, TIP_ROTATION, Varying, rectangle_second_moment,
@@ -211,7 +211,7 @@ fn two_field_density_held_and_free() {
             let covered =
                 |v: SVector<Dual2SVec64<5>, 5>| line_energy(&law, v[0], v[1]) * share(&law, v[1].cos()) * width;
             let adhesion = [hessian(energy, &at), hessian(covered, &at)];
-            let held = ReducedBeam::<true> { profile: c.profile(), law };
+            let held = ReducedBeam::<true> { profile: c.profile(), law, count: TiltCount::Coarse };
             compare(&held.response(0.0, value, [dy, curvature], c.axial_multiplier), stored, adhesion, 0, potential)?;
 
             let at = SVector::from([c.gap, c.rotation, dy, curvature]);
@@ -223,7 +223,7 @@ fn two_field_density_held_and_free() {
             let covered =
                 |v: SVector<Dual2SVec64<4>, 4>| line_energy(&law, v[0], v[1]) * share(&law, v[1].cos()) * width;
             let adhesion = [hessian(energy, &at), hessian(covered, &at)];
-            let free = ReducedBeam::<false> { profile: c.profile(), law };
+            let free = ReducedBeam::<false> { profile: c.profile(), law, count: TiltCount::Coarse };
             // a free grip knows no H, whatever stands in its place
             compare(&free.response(0.0, value, [dy, curvature], c.axial_multiplier), stored, adhesion, 0, potential)
         })
@@ -245,8 +245,12 @@ fn three_field_density() {
             let covered =
                 |v: SVector<Dual2SVec64<6>, 6>| line_energy(&law, v[1], v[2]) * share(&law, v[2].cos()) * width;
             let adhesion = [hessian(energy, &at), hessian(covered, &at)];
-            let response =
-                ReissnerBeam { profile: c.profile(), law }.response(0.0, [17.0, c.gap, c.rotation], c.slopes, 0.0);
+            let response = ReissnerBeam { profile: c.profile(), law, count: TiltCount::Coarse }.response(
+                0.0,
+                [17.0, c.gap, c.rotation],
+                c.slopes,
+                0.0,
+            );
             compare(&response, stored, adhesion, 1, law.has_potential())
         })
         .unwrap();
@@ -262,7 +266,7 @@ fn section_states_agree_with_the_density() {
                 let fine = (a - b).abs() <= 1e-10 * size;
                 if fine { Ok(()) } else { Err(TestCaseError::fail(format!("{a:e} and {b:e}"))) }
             };
-            let beam = ReissnerBeam { profile: c.profile(), law };
+            let beam = ReissnerBeam { profile: c.profile(), law, count: TiltCount::Coarse };
             let value = [0.0, c.gap, c.rotation];
             let state = beam.section_state(0.0, value, c.slopes, 0.0);
             let response = beam.response(0.0, value, c.slopes, 0.0);
@@ -278,7 +282,7 @@ fn section_states_agree_with_the_density() {
             close(back.curvature, c.slopes[2], size / section.bending)?;
 
             // the two-field form, given the same H, has the same section
-            let reduced = ReducedBeam::<true> { profile: c.profile(), law };
+            let reduced = ReducedBeam::<true> { profile: c.profile(), law, count: TiltCount::Coarse };
             let same =
                 reduced.section_state(0.0, [c.gap, c.rotation], [c.slopes[1], c.slopes[2]], state.horizontal_force);
             close(same.horizontal_slope, c.slopes[0], size / section.axial.min(section.shear))?;

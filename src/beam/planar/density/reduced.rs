@@ -9,7 +9,7 @@
 //!
 //! to which ½EI θ'² and the adhesion bΨ(y, θ) are added. Nothing is neglected.
 
-use crate::adhesion::LineLaw;
+use crate::adhesion::{LineLaw, TiltCount};
 use crate::beam::{Coupling, EnergyDensity, PointResponse, Profile, SectionAt, SectionState};
 use crate::number::Real;
 
@@ -22,6 +22,8 @@ pub struct ReducedBeam<const HELD: bool> {
     pub profile: Profile,
     /// What adheres it to the flat ground
     pub law: LineLaw,
+    /// How its tilted sections are counted
+    pub count: TiltCount,
 }
 
 /// B, C and D of the module's head at one rotation.
@@ -127,7 +129,7 @@ impl<const HELD: bool> EnergyDensity<2> for ReducedBeam<HELD> {
         response.slope_value[0][1] = v_t;
         response.slope_slope[0][0] = inverse;
         response.slope_slope[1][1] = ei;
-        response.set_coverage(self.law.coverage(&adhesion, sin, cos), b);
+        response.set_coverage(self.law.coverage(self.count, &adhesion, sin, cos), b);
         response
     }
 
@@ -143,7 +145,7 @@ impl<const HELD: bool> EnergyDensity<2> for ReducedBeam<HELD> {
         let (sin, cos) = rotation.sin_cos();
         let station = self.profile.at(place);
         let adhesion = self.law.response_of(station.height, gap, sin, cos);
-        PointResponse::of_adhesion(&adhesion, self.law.coverage(&adhesion, sin, cos), station.width)
+        PointResponse::of_adhesion(&adhesion, self.law.coverage(self.count, &adhesion, sin, cos), station.width)
     }
 
     fn is_symmetric(&self) -> bool {

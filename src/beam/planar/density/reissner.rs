@@ -3,7 +3,7 @@
 //! Γ1 = x' cos θ + y' sin θ - 1, Γ2 = -x' sin θ + y' cos θ, κ = θ' - κ0; stored energy ½EA Γ1² + ½GA_s Γ2² + ½EI κ² per
 //! length, and the adhesion bΨ(y, θ). κ0 is the curvature at rest, zero for a strip.
 
-use crate::adhesion::LineLaw;
+use crate::adhesion::{LineLaw, TiltCount};
 use crate::beam::Section;
 use crate::beam::{Coupling, EnergyDensity, PointResponse, Profile, SectionState};
 use crate::number::Real;
@@ -16,6 +16,8 @@ pub struct ReissnerBeam {
     pub profile: Profile,
     /// What adheres it to the flat ground
     pub law: LineLaw,
+    /// How its tilted sections are counted
+    pub count: TiltCount,
 }
 
 /// What couples in a beam whose adhesion looks at gap and rotation.
@@ -120,7 +122,7 @@ impl EnergyDensity<3> for ReissnerBeam {
         response.value_value[1][2] = adhesion.gap_rotation * b;
         response.value_value[2][1] = adhesion.rotation_gap * b;
         response.value_value[2][2] = response.value_value[2][2] + adhesion.rotation_rotation * b;
-        response.set_coverage(self.law.coverage(&adhesion, sin, cos), b);
+        response.set_coverage(self.law.coverage(self.count, &adhesion, sin, cos), b);
         response
     }
 
@@ -136,7 +138,7 @@ impl EnergyDensity<3> for ReissnerBeam {
         let (sin, cos) = rotation.sin_cos();
         let station = self.profile.at(place);
         let adhesion = self.law.response_of(station.height, gap, sin, cos);
-        PointResponse::of_adhesion(&adhesion, self.law.coverage(&adhesion, sin, cos), station.width)
+        PointResponse::of_adhesion(&adhesion, self.law.coverage(self.count, &adhesion, sin, cos), station.width)
     }
 
     fn is_symmetric(&self) -> bool {

@@ -70,7 +70,7 @@ impl<const F: usize> UniformChain<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::adhesion::{HalfSpace, Law, LineLaw, LineLoad};
+    use crate::adhesion::{HalfSpace, Law, LineLaw, LineLoad, TiltCount};
     use crate::beam::{Chain, Profile, ReducedBeam, Section};
 
     const PLACES: [f64; 6] = [0.0, 0.4, 1.1, 2.0, 3.5, 4.0];
@@ -89,7 +89,7 @@ mod tests {
         let half_space = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };
         let law = LineLaw { half_space, height: 10.0, law: Law::BodyForce, line_load: LineLoad::Full, far_face: true };
         let profile = Profile::uniform(Section { axial: 20.0, shear: 7.0, bending: 160.0 }, 1.0, 10.0);
-        let density = ReducedBeam::<HELD> { profile, law };
+        let density = ReducedBeam::<HELD> { profile, law, count: TiltCount::Coarse };
         let chain = UniformChain::<2>::new::<HELD>(Box::new(density), order, [None; 2]);
         let nodes = (PLACES.len() - 1) * order + 1;
         let wave = |k: usize, phase: f64| (0.8 * k as f64 * 7.0 / order as f64 + phase).sin();

@@ -13,7 +13,7 @@
 //! and in all of them the accuracy.
 
 use super::UniformChain;
-use crate::adhesion::{Cohesive, CohesiveShape, HalfSpace, Law, LineLaw, LineLoad};
+use crate::adhesion::{Cohesive, CohesiveShape, HalfSpace, Law, LineLaw, LineLoad, TiltCount};
 use crate::beam::{
     Chain, ChainFactors, Configuration, ConstraintGradient, EnergyDensity, Profile, ReducedBeam, ReissnerBeam, Section,
 };
@@ -110,8 +110,12 @@ fn of_shape(shape: CohesiveShape) {
             Profile::uniform(Section { axial: 20.0, shear: 7.0, bending: 160.0 }, 1.0, 10.0)
         });
         for order in [5, 7] {
-            agree::<2>(ReducedBeam::<false> { profile: profile(), law }, order, law.has_potential());
-            agree::<3>(ReissnerBeam { profile: profile(), law }, order, law.has_potential());
+            agree::<2>(
+                ReducedBeam::<false> { profile: profile(), law, count: TiltCount::Coarse },
+                order,
+                law.has_potential(),
+            );
+            agree::<3>(ReissnerBeam { profile: profile(), law, count: TiltCount::Coarse }, order, law.has_potential());
         }
     }
 }

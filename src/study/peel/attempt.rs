@@ -1,0 +1,339 @@
+//! A path on one mesh as an attempt: what it was worth, what to try next, and whether it has failed.
+
+use super::PathFailure::{Jumped, Missed, NearUpright, NotLocated, Path, TooManyPoints};
+use super::assembly::{differences, report};
+use super::equilibrium_path::Followed;
+use super::solution_history::SolutionHistory;
+use super::special_points::{difference_at_start, error_at_start};
+use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
+use crate::model::{BeamProblem, PeelModel};
+use crate::solve::LimitPointKind;
+use crate::study::Accuracy;
+use crate::study::accuracy::Resolution;
+use crate::study::error_bounds::{
+    DIFFERENCE_BOUND_FACTOR, PLAIN_IMPROVEMENT, STRIDE_BOUND_FACTOR, STRIDE_TOLERANCE_FACTOR, counts,
+};
+use std::sync::Arc;
+
+/// The first integral may spread by this many times the accuracy asked for, in units of the work of adhesion, at any point:
+/// where it spreads by 1.4e-5, at an edge that carries the strip, the force of that point was wrong by 6e-8.
+const SPREAD: f64 = 100.0;
+/// Round-off of that spread.
+const SPREAD_ROUND_OFF: f64 = 5e-10;
+/// Below this relative error, an error that does not fall with more elements is taken for round-off.
+const STAGNATION: f64 = 2e-8;
+/// The same where the error did not fall with this many times as many elements.
+const CERTAIN_STAGNATION: f64 = 1e-6;
+const MANY_MORE: usize = 2;
+/// An error above this is no accuracy, whatever it comes from.
+const NO_ACCURACY: f64 = 1e-2;
+/// One mesh tried, and what it was worth.
+pub(super) struct Attempt {
+    pub(super) peel: Peel,
+    /// Largest relative difference to more elements, over the accuracy asked for.
+    difference: f64,
+    /// How many numbers are not as accurate as was asked.
+    missed: usize,
+    /// What other meshes say of its error.
+    beside: Beside,
+    /// Largest spread of the first integral over what is wanted: the error between the points that `difference` looks at.
+    spread: f64,
+    /// Why the path is unusable, if it is.
+    pub(super) trouble: Option<PathFailure>,
+    /// The end that the model gives where the path cannot be continued.
+    beyond: Option<PathEnd>,
+    /// Whether its path was left before its end for want of time, or because the user wanted it.
+    pub(super) cut: bool,
+    /// What to try next.
+    pub(super) next: Resolution,
+    /// Whether its material points remember how they have slid.
+    remembers: bool,
+}
+
+/// What the other meshes on which the path could be used say of the error of one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Beside {
+    /// Nothing: none has many more elements.
+    #[default]
+    Nothing,
+    /// With many more elements the error did not fall.
+    NoBetter,
+    /// The same, and the finer ones have the same limit points: what it differs by is round-off, however large that is.
+    Agreeing,
+}
+
+/// The limit points of a path that could be used, and its elements.
+pub(super) struct Whole {
+    elements: usize,
+    limit_points: Vec<LimitPoint>,
+}
+
+impl Whole {
+    /// Whether these are the same limit points, as far as there is an accuracy.
+    fn agrees_with(&self, limit_points: &[LimitPoint]) -> bool {
+        let near = |one: f64, other: f64| (one - other).abs() <= NO_ACCURACY * one.abs();
+        self.limit_points.len() == limit_points.len()
+            && self.limit_points.iter().zip(limit_points).all(|(one, other)| {
+                let place = one.flat || other.flat || near(one.displacement, other.displacement);
+                one.kind == other.kind && near(one.force, other.force) && place
+            })
+    }
+}
+
+impl Attempt {
+    pub(super) fn new(
+        model: &PeelModel,
+        problem: &Arc<BeamProblem>,
+        followed: Followed,
+        resolution: Resolution,
+        accuracy: &Accuracy,
+    ) -> Self {
+        let Resolution { elements, step_tolerance, order, .. } = resolution;
+        let relative = accuracy.relative;
+        let mut spread = f64::INFINITY;
+        let mut peel = report(model, problem, &followed, relative);
+        let start = difference_at_start(&peel, problem, &followed.points);
+        let at_start = start.map_or(0.0, |(first, difference)| {
+            peel.allow_for_start(first, &difference);
+            error_at_start(&peel, problem, first, &difference)
+        });
+        let differences = differences(&followed, problem).into_iter().map(|d| DIFFERENCE_BOUND_FACTOR * d / relative);
+        let missed = differences.clone().filter(|difference| difference.is_nan() || *difference > 1.0).count();
+        let difference = differences.fold(at_start / relative, f64::max);
+        let next = match &followed.trouble {
+            None => {
+                spread = followed.spread / (SPREAD * relative).max(SPREAD_ROUND_OFF);
+                resolution.finer(difference, spread)
+            }
+            // a displacement that turns nowhere may be a jump as well
+            Some(Missed { .. } | Jumped { .. } | NotLocated { turn: LimitPointKind::Displacement, .. }) => {
+                Resolution { step_tolerance: 0.3 * step_tolerance, ..resolution.times(1.25) }
+            }
+            Some(_) => resolution.times(1.5),
+        };
+        let trouble = followed.trouble.clone().or_else(|| followed.late());
+        peel.asked = relative;
+        peel.choice = accuracy.choice;
+        peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order, pace: followed.pace };
+        let (cut, beyond, remembers) = (followed.cut, followed.beyond, problem.system.has_history());
+        let first = |place: f64| followed.turns.iter().find(|turn| turn.2.observables.displacement == place);
+        let peak = peel.initiation_peak.and_then(|peak| first(peak.displacement)).map(|turn| turn.2.solution.clone());
+        let limit_points = followed.turns.iter().map(|turn| turn.2.solution.clone()).collect();
+        peel.trace = Some(SolutionHistory { problem: problem.clone(), points: followed.points, peak, limit_points });
+        Self { peel, difference, missed, spread, trouble, beyond, cut, next, remembers, beside: Beside::Nothing }
+    }
+
+    /// The difference to more elements; infinite where the path is unusable.
+    pub(super) fn worst(&self) -> f64 {
+        if self.trouble.is_some() { f64::INFINITY } else { self.difference }
+    }
+
+    /// Whether nothing finer is needed, as where a path that cannot be continued ends with its model.
+    pub(super) fn is_enough(&self) -> bool {
+        let ends = matches!(self.beyond, Some(PathEnd::Upright(_) | PathEnd::Pivoting));
+        let stopped = ends && matches!(self.trouble, Some(Path(_)));
+        self.worst() <= 1.0 && self.spread <= 1.0 || stopped && self.difference <= 1.0
+    }
+
+    /// The end that its model gives to a path that cannot be continued.
+    fn model_end(&self) -> Option<PathEnd> {
+        let stopped = matches!(self.trouble, Some(Path(_) | TooManyPoints { .. } | NearUpright(_)));
+        self.beyond.clone().filter(|_| stopped)
+    }
+
+    /// A whole path comes before one that was cut, then the error bounds; among those that are met, the first integral.
+    pub(super) fn is_better_than(&self, best: &Self) -> bool {
+        let met = |attempt: &Self| attempt.worst() <= 1.0;
+        let small = |attempt: &Self| attempt.worst() * attempt.peel.asked < STAGNATION;
+        if self.cut && best.trouble.is_none() {
+            false
+        } else if self.trouble.is_some() && best.trouble.is_some() {
+            let reached = |attempt: &Self| {
+                attempt.peel.limit_points.iter().filter(|p| p.kind == LimitPointKind::Displacement).count()
+            };
+            // where the model ends, no finer mesh goes on
+            let named = |attempt: &Self| attempt.beyond.is_some();
+            (named(self), reached(self), best.difference) > (named(best), reached(best), self.difference)
+        } else if met(self) && met(best) {
+            self.spread <= best.spread
+        } else if met(self) || !small(best) {
+            (self.missed, self.worst()) <= (best.missed, best.worst())
+        } else if best.spread > 1.0 {
+            self.spread < best.spread
+        } else {
+            // of two that have come down to round-off the one with fewer elements, unless the difference is plain
+            self.worst() <= PLAIN_IMPROVEMENT * best.worst() && self.spread <= 1.0
+        }
+    }
+
+    /// Where more elements did not bring the error down to what was asked for, it is round-off: no bound is less than twice the
+    /// difference to what other meshes gave.
+    pub(super) fn widen(&mut self, wholes: &[Whole]) {
+        let worst = self.worst();
+        let Peel { asked, limit_points, effort, .. } = &mut self.peel;
+        let count = limit_points.len();
+        for Whole { elements, limit_points: other } in wholes.iter().filter(|other| other.limit_points.len() == count) {
+            // round-off larger than what is taken for it elsewhere shows on the finer meshes
+            let certain = self.beside == Beside::Agreeing && worst * *asked > CERTAIN_STAGNATION;
+            let widest = if certain && *elements >= effort.elements { NO_ACCURACY } else { STAGNATION.max(*asked) };
+            for (point, twin) in limit_points.iter_mut().zip(other) {
+                let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);
+                let near = force.abs() < widest * point.force.abs();
+                if point.kind == twin.kind && near {
+                    point.force_error = point.force_error.max(DIFFERENCE_BOUND_FACTOR * force.abs());
+                    if !point.flat {
+                        point.displacement_error =
+                            point.displacement_error.max(DIFFERENCE_BOUND_FACTOR * displacement.abs());
+                        let work = DIFFERENCE_BOUND_FACTOR * (point.work - twin.work).abs();
+                        point.work_error = point.work_error.map(|error| error.max(work));
+                    }
+                }
+            }
+        }
+        self.peel.tell_bounds();
+    }
+
+    /// Widens the bounds to what another choice of steps changed; returns the largest relative change of a limit point that counts.
+    pub(super) fn allow_for(&mut self, other: &Self, problem: &BeamProblem) -> f64 {
+        let mut largest = 0.0f64;
+        for (point, twin) in self.peel.limit_points.iter_mut().zip(&other.peel.limit_points) {
+            let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);
+            point.force_error = point.force_error.max(STRIDE_BOUND_FACTOR * force.abs());
+            point.displacement_error = point.displacement_error.max(STRIDE_BOUND_FACTOR * displacement.abs());
+            if !counts(problem, point.kind) {
+                // at a corner of the path two strides may agree by luck: what was not certain stays so, and no bound is below what was
+                // asked for
+                let asked = self.peel.asked;
+                point.force_error = point.force_error.max(twin.force_error).max(asked * point.force.abs());
+                let least = asked * point.displacement.abs();
+                point.displacement_error = point.displacement_error.max(twin.displacement_error).max(least);
+            }
+            let place = if point.flat { 0.0 } else { (displacement / point.displacement).abs() };
+            if counts(problem, point.kind) {
+                largest = largest.max(STRIDE_BOUND_FACTOR * (force / point.force).abs().max(place));
+            }
+        }
+        self.peel.tell_bounds();
+        let kinds = |attempt: &Self| attempt.peel.limit_points.iter().map(|point| point.kind).collect::<Vec<_>>();
+        if self.trouble.is_none() && !self.cut && kinds(self) != kinds(other) {
+            let (shorter, longer) = (self.peel.limit_points.len(), other.peel.limit_points.len());
+            self.trouble = Some(PathFailure::StepsMatter { shorter, longer });
+        }
+        largest
+    }
+
+    /// Whether more elements did not help. Where the error is small, what is left is round-off, which grows with them; where
+    /// the bounds are met and the first integral is not, the path has come upon a pole of its law.
+    pub(super) fn is_stuck_behind(&self, best: &Self) -> bool {
+        if best.worst() <= 1.0 {
+            return self.spread > 0.5 * best.spread;
+        }
+        let small = self.worst() * self.peel.asked < STAGNATION;
+        let many_more = 2 * self.peel.effort.elements >= 3 * best.peel.effort.elements;
+        small && many_more && self.worst() > 0.5 * best.worst()
+    }
+
+    /// The path, where it can be used.
+    pub(super) fn whole(&self) -> Option<Whole> {
+        let whole = || Whole { elements: self.peel.effort.elements, limit_points: self.peel.limit_points.clone() };
+        self.trouble.is_none().then(whole)
+    }
+
+    /// Looks at what other meshes gave: where many more elements brought nothing the error is round-off, as of a force that is small beside the largest.
+    pub(super) fn compare(&mut self, wholes: &[Whole]) {
+        let own = self.peel.effort.elements;
+        let finer: Vec<&Whole> = wholes.iter().filter(|other| other.elements >= MANY_MORE * own).collect();
+        let agrees = finer.iter().any(|other| other.agrees_with(&self.peel.limit_points));
+        self.beside = match (finer.is_empty(), agrees) {
+            (true, _) => Beside::Nothing,
+            (false, false) => Beside::NoBetter,
+            (false, true) => Beside::Agreeing,
+        };
+    }
+
+    /// Whether the mesh lies beside the front at the newest point, by more than the length of the process zone: as far as its front is from that of
+    /// `finely`, the same beam with tilted sections counted finely.
+    pub(super) fn is_beside_front(&self, finely: &BeamProblem) -> bool {
+        let newest = self.peel.trace.as_ref().and_then(|SolutionHistory { problem, points, .. }| {
+            let at = &points.last()?.at;
+            Some((problem.beam.planar()?.front_of(at), finely.beam.planar()?.front_of(at)))
+        });
+        newest.is_some_and(|(counted, fine)| (counted - fine).abs() > finely.beam.process_length())
+    }
+
+    /// The relative error up to which it is taken for round-off. Where the material points remember, it may be of the steps.
+    fn round_off(&self) -> f64 {
+        match self.beside {
+            Beside::Nothing => STAGNATION,
+            Beside::Agreeing if !self.remembers => NO_ACCURACY,
+            Beside::NoBetter | Beside::Agreeing => CERTAIN_STAGNATION,
+        }
+    }
+
+    /// Why it is a failure, if it is.
+    pub(super) fn failure(&self) -> Option<PathFailure> {
+        // a path that cannot be continued because its model ends has not failed
+        let ended = self.model_end().is_some();
+        let trouble = self.trouble.clone().filter(|_| !ended);
+        let worst = if ended { self.difference } else { self.worst() };
+        // a path that remembers has been followed again with other steps, whose mesh may be a little worse
+        let missed = worst > if self.remembers { STRIDE_TOLERANCE_FACTOR } else { 1.0 }
+            && worst * self.peel.asked > self.round_off()
+            && self.peel.choice.elements.is_none();
+        let bounded = matches!(self.peel.end, PathEnd::Bound(_)) && !ended;
+        trouble.or((missed && !bounded).then_some(PathFailure::BoundsMissed { factor: worst }))
+    }
+
+    /// The result, as a failure where the path cannot be used.
+    pub(super) fn into_peel(self) -> Peel {
+        let (failure, model_end) = (self.failure(), self.model_end());
+        let mut peel = self.peel;
+        peel.end = model_end.unwrap_or(peel.end);
+        if let Some(cause) = failure {
+            if matches!(cause, PathFailure::StepsMatter { .. }) {
+                // which of the limit points are there depends on the steps
+                peel.forget_special_points();
+            }
+            let Effort { elements, order, .. } = peel.effort;
+            peel.end = PathEnd::Failed(Failure::Path { cause, elements, order, asked: peel.asked });
+        }
+        peel
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn turn(kind: LimitPointKind, displacement: f64, force: f64, flat: bool) -> LimitPoint {
+        LimitPoint {
+            kind,
+            displacement,
+            force,
+            end_rotation: 0.0,
+            work: 0.0,
+            displacement_error: 0.0,
+            force_error: 0.0,
+            work_error: None,
+            flat,
+            after: 0,
+            in_space: None,
+        }
+    }
+
+    /// Another mesh confirms limit points where it has the same ones within a hundredth; the place of a flat one does not count.
+    #[test]
+    fn limit_points_of_two_meshes_agree() {
+        let points = |kind, displacement, force| {
+            vec![turn(LimitPointKind::Load, 0.3, 2.0, true), turn(kind, displacement, force, false)]
+        };
+        let found = points(LimitPointKind::Displacement, 50.0, 1e-6);
+        let agrees = |limit_points| Whole { elements: 8, limit_points }.agrees_with(&found);
+        assert!(agrees(points(LimitPointKind::Displacement, 50.0, 1.005e-6)));
+        assert!(agrees(vec![turn(LimitPointKind::Load, 0.6, 2.0, false), found[1]]));
+        assert!(!agrees(points(LimitPointKind::Displacement, 50.0, 1.02e-6)));
+        assert!(!agrees(points(LimitPointKind::Displacement, 51.0, 1e-6)));
+        assert!(!agrees(points(LimitPointKind::Load, 50.0, 1e-6)));
+        assert!(!agrees(found[..1].to_vec()));
+    }
+}
