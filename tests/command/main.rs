@@ -1,6 +1,7 @@
 //! The command `peel`, run as a user runs it.
 
 mod coarsen;
+mod coarsen_stops;
 mod collect;
 mod documents;
 mod fit;
@@ -19,6 +20,7 @@ mod serve;
 mod seta;
 mod seta_at_a_rate;
 #[cfg(unix)]
+mod seta_pressed;
 mod seta_resume;
 #[cfg(unix)]
 mod seta_table;

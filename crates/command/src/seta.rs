@@ -1,8 +1,9 @@
 //! What pull-offs of setae have in common, and setae that differ from the one of a scene in some keys, pulled off one after the other, or side by side.
 
+use crate::stop::Stop;
 use peelkit::model::{PeelModel, PullCurve, SetaModel, TipLaw};
 use peelkit::study::coarsening::{
-    AfterRound, CoarseningError, CoarseningOptions, GrowingTable, PadEnd, TipRange, TipTable, coarsen,
+    AfterRound, Coarsening, CoarseningError, CoarseningOptions, GrowingTable, PadEnd, TipRange, TipTable,
     pull_off_by_table,
 };
 use peelkit::study::{self, Accuracy, Choice, SetaOptions, SetaResult, SpatulaCurveError, StopCriteria};
@@ -31,10 +32,31 @@ pub enum TipLawOf {
     Table(Box<GrowingTable>),
 }
 
-/// Why there is no table of the tips, and what to do.
-pub struct NoTable {
-    pub found: String,
-    pub remedy: &'static str,
+/// Why there is no table of the tips.
+pub enum NoTable {
+    /// There can be none, and what to do.
+    Refused { found: String, remedy: &'static str },
+    /// It takes longer than the run may last.
+    Stopped(String),
+}
+
+impl From<CoarseningError> for NoTable {
+    fn from(why: CoarseningError) -> Self {
+        let found = format!("the table of the tips of the seta: {why}");
+        match why {
+            CoarseningError::Stopped { .. } => Self::Stopped(found),
+            other => Self::Refused { found, remedy: other.remedy() },
+        }
+    }
+}
+
+impl From<NoTable> for Stop {
+    fn from(why: NoTable) -> Self {
+        match why {
+            NoTable::Refused { found, remedy } => Self::bad_input(found, remedy),
+            NoTable::Stopped(found) => Self::cut_short(found),
+        }
+    }
 }
 
 /// How the first table of the tips is made: as wide as the tips of the default seta ask for, pulled along the normal.
@@ -44,32 +66,28 @@ fn table_options(table: &SetaTable) -> CoarseningOptions {
 }
 
 /// The first table of the tips of a scene: read from the folder that the scene names, beside it, or computed. What is wrong where there is none.
-pub fn first_table(scene: &Scene, table: &SetaTable) -> Result<Arc<TipTable>, NoTable> {
+fn first_table(scene: &Scene, table: &SetaTable, stop: &StopCriteria) -> Result<Arc<TipTable>, NoTable> {
     let Some(folder) = &table.tip_table else {
-        let made = coarsen(&scene.tip_model(), &table_options(table));
-        return made.map(Arc::new).map_err(|why| NoTable { found: no_table(&why), remedy: why.remedy() });
+        let made = Coarsening::until(&scene.tip_model(), &table_options(table), stop);
+        return Ok(Arc::new(made.and_then(|mut made| made.table())?));
     };
     let folder = Path::new(&scene.name).parent().unwrap_or(Path::new("")).join(folder);
     let read = peelkit_report::read_tip_law_of(&folder, scene, table.tip_tolerance);
     let remedy = "`peel coarsen` of a scene with the body and the adhesion of the tips writes it; without seta.tip_table the run computes it.";
-    let mut read = read.map_err(|error| NoTable { found: error.to_string(), remedy })?;
+    let mut read = read.map_err(|error| NoTable::Refused { found: error.to_string(), remedy })?;
     // what is added to it is as accurate as is asked
     read.options.tolerance = table.tip_tolerance;
     Ok(Arc::new(read))
 }
 
-/// That there is no table of the tips.
-fn no_table(why: &CoarseningError) -> String {
-    format!("the table of the tips of the seta: {why}")
-}
-
 impl TipLawOf {
-    /// Of a scene.
-    pub fn new(scene: &Scene, table: &SetaTable) -> Result<Self, NoTable> {
+    /// Of a scene, computed as long as the criteria let it.
+    pub fn new(scene: &Scene, table: &SetaTable, stop: &StopCriteria) -> Result<Self, NoTable> {
         Ok(match table.tip_law {
             SetaTipLaw::Curve => Self::Curve,
             SetaTipLaw::Table => {
-                Self::Table(Box::new(GrowingTable::of(&scene.tip_model(), first_table(scene, table)?)))
+                let growing = GrowingTable::of(&scene.tip_model(), first_table(scene, table, stop)?);
+                Self::Table(Box::new(growing.growing_until(stop)))
             }
         })
     }
@@ -107,16 +125,6 @@ pub fn options(scene: &Scene) -> SetaOptions {
     SetaOptions { balance: scene.accuracy.relative, ..SetaOptions::default() }
 }
 
-/// That tips are outside of the last table.
-pub fn outside(after: &AfterRound, growing: &GrowingTable) -> String {
-    let tips = growing.rounds().last().map_or(0, |round| round.visited.outside.len());
-    let why = match after {
-        AfterRound::Outside(Some(why)) => format!(", and no wider one can be made: {why}"),
-        _ => String::new(),
-    };
-    format!("{tips} tips were outside of the last of {} tables{why}", growing.rounds().len())
-}
-
 /// What their pull-offs have in common: the law of the tips, which is computed once where the key of the tips does not vary.
 pub struct Setae {
     tip: PeelModel,
@@ -150,11 +158,13 @@ impl Setae {
                 (model, pull_off)
             }
             SetaTipLaw::Table => {
-                let mut growing = GrowingTable::of(&scene.tip_model(), self.table(scene, table)?);
+                let growing = GrowingTable::of(&scene.tip_model(), self.table(scene, table, stop)?);
+                let mut growing = growing.growing_until(stop);
                 let of = |law: Arc<dyn TipLaw>| model(scene, table, law);
                 let pulled = pull_off_by_table(&mut growing, (&of, table.sideways()), (&loading, &options), stop);
                 let pull_off = match pulled {
-                    Ok((_, after @ AfterRound::Outside(_))) => return Err(outside(&after, &growing)),
+                    Ok((_, AfterRound::Outside(outside))) if !outside.peak_is_inside => return Err(outside.to_string()),
+                    Ok((_, AfterRound::Stopped(bound))) => return Err(bound.to_string()),
                     other => other.map(|(found, _)| found),
                 };
                 (of(Arc::new(growing.law(table.sideways()))), pull_off)
@@ -172,8 +182,13 @@ impl Setae {
         Ok(model(scene, table, table.law(self.curve(scene)?)))
     }
 
-    fn table(&self, scene: &Scene, table: &SetaTable) -> Result<Arc<TipTable>, String> {
-        let of = || first_table(scene, table).map_err(|error| format!("{}. {}", error.found, error.remedy));
+    fn table(&self, scene: &Scene, table: &SetaTable, stop: &StopCriteria) -> Result<Arc<TipTable>, String> {
+        let of = || {
+            first_table(scene, table, stop).map_err(|error| match error {
+                NoTable::Refused { found, remedy } => format!("{found}. {remedy}"),
+                NoTable::Stopped(found) => found,
+            })
+        };
         let is_same = |own: &SetaTable| own.tip_table == table.tip_table && own.tip_tolerance == table.tip_tolerance;
         if scene.tip_model() == self.tip && self.of.as_ref().is_some_and(is_same) {
             self.table.get_or_init(of).clone()

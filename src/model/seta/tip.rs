@@ -32,6 +32,11 @@ impl AdheringTip {
         self.law.adheres(self.on, self.offset(place), directors)
     }
 
+    /// Whether its law is known with its end at a place, nm, and no extrapolation.
+    pub fn is_known(&self, place: [f64; 3], directors: Quaternion) -> bool {
+        self.law.is_known(self.on, self.offset(place), directors)
+    }
+
     /// Takes note that it, the tip of this number, is in equilibrium with its end at a place, nm.
     pub fn note(&self, tip: usize, place: [f64; 3], directors: Quaternion) {
         self.law.note(tip, self.on, self.offset(place), directors);

@@ -45,6 +45,11 @@ pub trait TipLaw: Send + Sync + Debug {
     /// Takes note that the tip of this number is in equilibrium there.
     fn note(&self, _tip: usize, _on: TipBranch, _place: [f64; 3], _directors: Quaternion) {}
 
+    /// Whether energy and branch of a tip there are what was computed of the tip, and no extrapolation.
+    fn is_known(&self, _on: TipBranch, _place: [f64; 3], _directors: Quaternion) -> bool {
+        true
+    }
+
     /// The law of a tip that has these directors in the stress-free configuration of the seta; none where rotations are of no account.
     fn oriented(&self, _rest: Quaternion) -> Option<Arc<dyn TipLaw>> {
         None

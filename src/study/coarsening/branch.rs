@@ -4,7 +4,6 @@ use super::column::{Column, followed};
 use super::error::HeldError;
 use super::held_spatula::{HeldSpatula, HeldState};
 use super::place::TipPlace;
-use crate::solve::Workspace;
 use serde::{Deserialize, Serialize};
 
 /// A branch of the law of a tip.
@@ -44,14 +43,14 @@ impl BranchStart {
     /// The normal force at the limit point of a branch from far away, at θ, nN.
     pub fn force_at_limit(spatula: &HeldSpatula, far: &HeldState, rotation: f64) -> Result<f64, HeldError> {
         let place = TipPlace { rotation, ..far.place };
-        let lifted = spatula.moved(far, place, &mut Workspace::default())?;
+        let lifted = spatula.moved(far, place, &mut spatula.workspace())?;
         let (_, located) = followed(spatula, &spatula.problem_at(place), &lifted, true)?;
         Ok(located.observables.force)
     }
 
     /// The branch at v and θ.
     pub fn column(&self, lateral: f64, rotation: f64) -> Result<Column, HeldError> {
-        let mut ws = Workspace::default();
+        let mut ws = self.spatula().workspace();
         match self {
             Self::Attached { spatula, rest, press } => {
                 let to = TipPlace { lateral, rotation, ..rest.place };

@@ -14,8 +14,8 @@ use super::sheet_table::SheetNode;
 use crate::beam::FRONT;
 use crate::model::BeamProblem;
 use crate::solve::{
-    LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathEvent, PathTracer, Solution,
-    SolveError, TraceOptions, Workspace,
+    LimitPointKind, Located, NewtonOptions, Observables, PathConstraint, PathEvent, PathTracer, Solution, SolveError,
+    TraceOptions, Workspace,
 };
 use std::sync::Arc;
 
@@ -80,7 +80,9 @@ impl Column {
     /// The equilibrium at s, with its response.
     pub fn node(&self, spatula: &HeldSpatula, s: f64, ws: &mut Workspace) -> Result<SheetNode, HeldError> {
         let failed = |cause| HeldError::NoNode { at: self.start, share: s, cause };
-        let solution = self.solution(s, ws).map_err(failed)?;
+        let solution = self.solution(s, ws);
+        spatula.check_stop()?;
+        let solution = solution.map_err(failed)?;
         let response = spatula.response(&solution.at, ws).map_err(failed)?;
         Ok(SheetNode {
             normal: solution.observables.displacement,
@@ -110,7 +112,7 @@ impl Column {
             match with_own_mesh(&self.problem, start, &constraint, &options, ws) {
                 Ok(solution) if next == s => return Ok(solution),
                 Ok(solution) => (here, at) = (solution, next),
-                Err(cause) if (next - at).abs() < SHORTEST => return Err(cause),
+                Err(cause) if cause == SolveError::Stopped || (next - at).abs() < SHORTEST => return Err(cause),
                 Err(_) => step = 0.4 * (next - at).abs(),
             }
         }
@@ -126,13 +128,15 @@ pub(super) fn followed(
 ) -> Result<(Vec<Arc<Solution>>, Located), HeldError> {
     let mut options = spatula.options;
     options.first_displacement = options.first_displacement.copysign(if down { -1.0 } else { 1.0 });
-    let path = Path::from(problem, options, start.solution.at.clone());
+    let path = spatula.path(problem, options, start.solution.at.clone());
     let kinds = &[LimitPointKind::Displacement];
     let mut tracer = PathTracer::new(problem, path, TraceOptions { kinds, branches: true, ..TraceOptions::default() });
     let mut points = Vec::new();
     let from = start.place;
     loop {
-        match tracer.advance().map_err(|cause| HeldError::Path { from, cause })? {
+        let next = tracer.advance();
+        spatula.check_stop()?;
+        match next.map_err(|cause| HeldError::Path { from, cause })? {
             PathEvent::Point(point) if points.len() < MOST_POINTS => points.push(point),
             PathEvent::Point(point) => {
                 return Err(HeldError::NoLimit { from, points: MOST_POINTS, last: point.observables.displacement });

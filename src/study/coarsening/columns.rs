@@ -4,7 +4,6 @@ use super::branch::BranchStart;
 use super::column::Column;
 use super::error::HeldError;
 use super::sheet_table::SheetNode;
-use crate::solve::Workspace;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -73,7 +72,7 @@ impl Columns {
                     Some(known) => known,
                     None => KnownColumn { column: start.column(v, t)?, nodes: BTreeMap::new() },
                 };
-                let mut ws = Workspace::default();
+                let mut ws = start.spatula().workspace();
                 for &s in path {
                     if !known.nodes.contains_key(&bits(s)) {
                         let node = known.column.node(start.spatula(), s, &mut ws)?;
@@ -83,11 +82,14 @@ impl Columns {
                 Ok((key, known))
             })
             .collect();
+        let mut first = None;
         for found in done {
-            let (key, known) = found?;
-            self.known.insert(key, known);
+            match found {
+                Ok((key, known)) => drop(self.known.insert(key, known)),
+                Err(why) => first = first.or(Some(why)),
+            }
         }
-        Ok(())
+        first.map_or(Ok(()), Err)
     }
 
     /// A node that has been computed.

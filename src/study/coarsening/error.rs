@@ -3,7 +3,7 @@
 use super::options::OptionsError;
 use super::place::TipPlace;
 use crate::solve::{PathError, SolveError, TraceError};
-use crate::study::NoEquilibrium;
+use crate::study::{Bound, NoEquilibrium};
 use std::fmt;
 
 impl fmt::Display for TipPlace {
@@ -45,6 +45,12 @@ pub enum HeldError {
     StillAdheres { at: TipPlace, adhering: f64, rest: f64 },
     #[error("the nodes of the table have no interpolant")]
     NoTable,
+    #[error(
+        "the table would take {nodes} nodes along its branch, more than {most}: the branch turns sharply where the spatula is pressed far"
+    )]
+    Rough { nodes: usize, most: usize },
+    #[error("solving the spatula was stopped")]
+    Stopped,
 }
 
 /// Why there is no table of a tip.
@@ -61,6 +67,16 @@ pub enum CoarseningError {
         /// What to do
         remedy: &'static str,
     },
+    /// A criterion that was met
+    #[error("{bound}: {equilibria} equilibria on {columns} paths were solved, too few for the table of a tip")]
+    Stopped {
+        /// Which
+        bound: Bound,
+        /// Paths that were followed
+        columns: usize,
+        /// Equilibria that were solved
+        equilibria: usize,
+    },
     /// A place of the end
     #[error("{0}")]
     Held(#[from] HeldError),
@@ -72,6 +88,7 @@ impl CoarseningError {
         match self {
             Self::Options(_) => "peel coarsen --help has the ranges.",
             Self::Refused { remedy, .. } => remedy,
+            Self::Stopped { .. } => "Give it more time: bounds.time of the scene.",
             Self::Held(HeldError::NoStart(_) | HeldError::NoRest(_)) => {
                 "peel run of the same scene says more about where the path begins."
             }

@@ -7,8 +7,8 @@ use super::error::HeldError;
 use super::place::{PadEnd, TipPlace, TipResponse};
 use crate::model::{BeamProblem, Discretisation, Form, Grip, Hold, PeelModel, Pull};
 use crate::solve::{
-    Coefficients, INTERFACE, NewtonOptions, Observables, Path, PathConstraint, PathOptions, Solution, SolveError,
-    State, Workspace, solve,
+    Coefficients, INTERFACE, NewtonOptions, Observables, Path, PathConstraint, PathOptions, ShouldStop, Solution,
+    SolveError, State, Workspace, solve,
 };
 use crate::study::Accuracy;
 use crate::study::accuracy::Resolution;
@@ -32,6 +32,7 @@ pub(super) struct HeldSpatula {
     problem: BeamProblem,
     pub options: PathOptions,
     pad_end: PadEnd,
+    should_stop: Option<ShouldStop>,
 }
 
 /// An equilibrium with its end held at a place.
@@ -42,8 +43,13 @@ pub(super) struct HeldState {
 }
 
 impl HeldSpatula {
-    /// Of a model, on a mesh whose error is far below a relative `tolerance`.
-    pub fn new(model: &PeelModel, pad_end: PadEnd, tolerance: f64) -> Result<Self, HeldError> {
+    /// Of a model, on a mesh whose error is far below a relative `tolerance`; once `should_stop` says so, nothing more is solved.
+    pub fn new(
+        model: &PeelModel,
+        pad_end: PadEnd,
+        tolerance: f64,
+        should_stop: Option<ShouldStop>,
+    ) -> Result<Self, HeldError> {
         let horizontal = if pad_end == PadEnd::Held { Hold::Fixed } else { Hold::Free };
         let grip = Grip { rotation: Hold::Fixed, horizontal, ..Grip::FREE };
         let model = PeelModel { grip, pull: Pull::UP, steps: Vec::new(), ..model.clone() };
@@ -52,7 +58,26 @@ impl HeldSpatula {
         let how = Discretisation::moving(Form::TwoField, resolution.order);
         let Prepared { problem, .. } = prepared(&model, how, None).map_err(|why| HeldError::NoStart(why.why))?;
         let options = resolution.path_options(&model, accuracy.relative);
-        Ok(Self { problem, options, pad_end })
+        Ok(Self { problem, options, pad_end, should_stop })
+    }
+
+    /// Room for solves of it.
+    pub fn workspace(&self) -> Workspace {
+        Workspace::until(self.should_stop.clone())
+    }
+
+    /// That nothing more is to be solved.
+    pub fn check_stop(&self) -> Result<(), HeldError> {
+        if self.should_stop.as_ref().is_some_and(|should_stop| should_stop()) {
+            Err(HeldError::Stopped)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Its equilibria as a path from one of them on.
+    pub fn path<'p>(&self, problem: &'p BeamProblem, options: PathOptions, start: State) -> Path<'p> {
+        Path::from(problem, options, start).until(self.should_stop.clone())
     }
 
     /// The problem of a drive straight up with the end held at a place along the substrate and at a rotation.
@@ -69,7 +94,7 @@ impl HeldSpatula {
     pub fn rest(&self) -> Result<HeldState, HeldError> {
         let first = Path::new(&self.problem, self.options).advance().map_err(HeldError::NoRest)?;
         let rest = HeldState { place: TipPlace::default(), solution: Solution::clone(&first) };
-        self.moved(&rest, TipPlace::default(), &mut Workspace::default())
+        self.moved(&rest, TipPlace::default(), &mut self.workspace())
     }
 
     /// The equilibrium next to the stress-free configuration so far away from the substrate, nm.
@@ -124,6 +149,7 @@ impl HeldSpatula {
             match next(&here, from.place.toward(to, ahead), ahead) {
                 Ok(state) if ahead == 1.0 => return Ok(state),
                 Ok(state) => (here, share, step) = (state, ahead, GROWTH * step),
+                Err(SolveError::Stopped) => return Err(HeldError::Stopped),
                 Err(cause) if step < SHORTEST => {
                     return Err(HeldError::NotReached { from: from.place, to, reached: here.place, cause });
                 }

@@ -57,6 +57,17 @@ const MOST_ROUNDS: usize = 12;
 /// K0 over the largest force and the length of the branch.
 const STIFF: f64 = 10.0;
 
+/// What is asked of a branch.
+#[derive(Clone, Copy)]
+pub(super) struct Wanted {
+    /// Relative error
+    pub tolerance: f64,
+    /// Most columns; the branch is then as accurate as it is.
+    pub most_columns: usize,
+    /// Most nodes along it; with more of them there is none.
+    pub most_nodes: usize,
+}
+
 /// A refined branch.
 pub(super) struct Refined {
     pub sheet: Sheet,
@@ -86,18 +97,20 @@ fn pairs(lateral: &[f64], rotation: &[f64]) -> Vec<(f64, f64)> {
     lateral.iter().flat_map(|&v| rotation.iter().map(move |&t| (v, t))).collect()
 }
 
-/// The branch on a grid that is refined to the relative tolerance. `scales` are those of another branch; none: its own.
+/// The branch on a grid that is refined to what is wanted. `scales` are those of another branch; none: its own.
 pub(super) fn refined(
     columns: &mut Columns,
     grid: &mut Grid,
-    tolerance: f64,
-    most_columns: usize,
+    Wanted { tolerance, most_columns, most_nodes }: Wanted,
     scales: Option<TipScales>,
 ) -> Result<Refined, HeldError> {
     let wanted = tolerance / BOUND;
     let mut round = 0;
     loop {
         round += 1;
+        if grid.path.len() > most_nodes {
+            return Err(HeldError::Rough { nodes: grid.path.len(), most: most_nodes });
+        }
         let sheet = grid.sheet(columns)?;
         let scales = scales.unwrap_or_else(|| scales_of(sheet.table()));
         let last = round == MOST_ROUNDS || columns.len() >= most_columns;

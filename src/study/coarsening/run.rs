@@ -6,12 +6,12 @@ use super::error::{CoarseningError, HeldError};
 use super::held_spatula::HeldSpatula;
 use super::options::CoarseningOptions;
 use super::place::{PadEnd, TipPlace, TipResponse};
-use super::refine::{Grid, Refined, refined};
+use super::refine::{Grid, Refined, Wanted, refined};
 use super::refused::refuse;
 use super::table::TipTable;
 use crate::beam::FRONT;
 use crate::model::PeelModel;
-use crate::solve::Workspace;
+use crate::study::{Bound, Stage, StopCriteria};
 
 /// A spatula whose table is made, widened and refined.
 pub struct Coarsening {
@@ -24,6 +24,8 @@ pub struct Coarsening {
     detached_grid: Grid,
     rest_energy: f64,
     rest_adhering: f64,
+    stop: StopCriteria,
+    most_nodes: usize,
 }
 
 /// The force at which the detached branch begins, over the tolerance times the largest force.
@@ -51,10 +53,19 @@ impl Coarsening {
     /// # Errors
     /// Options or a model that a table cannot be computed of.
     pub fn new(model: &PeelModel, options: &CoarseningOptions) -> Result<Self, CoarseningError> {
+        Self::until(model, options, &StopCriteria::default())
+    }
+
+    /// The same, which ends when what the caller knows says so: the time, an interruption. Other criteria are those of a path.
+    ///
+    /// # Errors
+    /// Options or a model that a table cannot be computed of; a criterion that was met.
+    pub fn until(model: &PeelModel, options: &CoarseningOptions, stop: &StopCriteria) -> Result<Self, CoarseningError> {
         options.check()?;
         refuse(model)?;
-        let spatula = HeldSpatula::new(model, options.pad_end, options.tolerance)?;
-        let rest = spatula.rest()?;
+        let rested = HeldSpatula::new(model, options.pad_end, options.tolerance, stop.for_solves(Stage::Path))
+            .and_then(|spatula| spatula.rest().map(|rest| (spatula, rest)));
+        let (spatula, rest) = rested.map_err(|why| stopped(why, stop, [0; 2]))?;
         let lateral = if options.pad_end == PadEnd::Held { options.range.lateral } else { [0.0; 2] };
         let rotation = options.range.rotation;
         Ok(Self {
@@ -66,28 +77,43 @@ impl Coarsening {
             attached_grid: Grid::new(lateral, rotation),
             detached: None,
             detached_grid: Grid::new([0.0; 2], rotation),
+            stop: stop.clone(),
+            most_nodes: usize::MAX,
         })
+    }
+
+    /// The same, whose table has no more nodes than these along a branch: where it would take more, there is none.
+    pub fn with_most_nodes(self, most_nodes: usize) -> Self {
+        Self { most_nodes, ..self }
     }
 
     /// The table, refined to the tolerance; what was computed before is not computed again.
     ///
     /// # Errors
-    /// A place at which the spatula was not solved; a branch that ends while much of the pad still adheres.
+    /// A place at which the spatula was not solved; a branch that ends while much of the pad still adheres; a criterion that was met.
     pub fn table(&mut self) -> Result<TipTable, CoarseningError> {
+        self.whole_table().map_err(|why| {
+            let of = |count: fn(&Columns) -> usize| count(&self.attached) + self.detached.as_ref().map_or(0, count);
+            stopped(why, &self.stop, [of(Columns::len), of(Columns::nodes)])
+        })
+    }
+
+    fn whole_table(&mut self) -> Result<TipTable, HeldError> {
         let CoarseningOptions { tolerance, most_columns, .. } = self.options;
+        let wanted = Wanted { tolerance, most_columns, most_nodes: self.most_nodes };
         let Refined { sheet: attached, errors: attached_errors, scales } =
-            refined(&mut self.attached, &mut self.attached_grid, tolerance, most_columns, None)?;
+            refined(&mut self.attached, &mut self.attached_grid, wanted, None)?;
         for (at, node) in attached.table().limits() {
             if node.adhering > STILL_ADHERES * self.rest_adhering {
                 let (adhering, rest) = (node.adhering, self.rest_adhering);
-                return Err(HeldError::StillAdheres { at, adhering, rest }.into());
+                return Err(HeldError::StillAdheres { at, adhering, rest });
             }
         }
         let mut free = match self.detached.take() {
             Some(known) => known,
             None => self.far_away(NEGLECTED * tolerance * scales.force)?,
         };
-        let found = refined(&mut free, &mut self.detached_grid, tolerance, most_columns, Some(scales));
+        let found = refined(&mut free, &mut self.detached_grid, wanted, Some(scales));
         let neglected_force = free.start().force();
         let (columns, equilibria) = (self.attached.len() + free.len(), self.attached.nodes() + free.nodes());
         self.detached = Some(free);
@@ -108,7 +134,8 @@ impl Coarsening {
 
     /// Where the detached branch begins, from far away: with this force, or less where that is more than a part of what it ends with.
     fn far_away(&self, most: f64) -> Result<Columns, HeldError> {
-        let spatula = HeldSpatula::new(&self.model, PadEnd::Sliding, self.options.tolerance)?;
+        let should_stop = self.stop.for_solves(Stage::Path);
+        let spatula = HeldSpatula::new(&self.model, PadEnd::Sliding, self.options.tolerance, should_stop)?;
         let [from, to] = self.options.range.rotation;
         let far = spatula.lifted((AWAY + from.abs().max(to.abs())) * self.model.length())?;
         let mut force = most;
@@ -129,7 +156,7 @@ impl Coarsening {
             (TipSheet::Attached, _) => &self.attached,
         };
         let start = columns.start();
-        let mut ws = Workspace::default();
+        let mut ws = start.spatula().workspace();
         let state = start.column(place.lateral, place.rotation)?.state(start.spatula(), place.normal, &mut ws)?;
         start.spatula().response(&state.solution.at, &mut ws).map_err(|cause| HeldError::NotReached {
             from: place,
@@ -163,5 +190,16 @@ impl Coarsening {
     /// Asks another tolerance of the next table.
     pub fn refine_to(&mut self, tolerance: f64) {
         self.options.tolerance = tolerance;
+    }
+}
+
+/// Why there is no table behind so many columns and equilibria.
+fn stopped(why: HeldError, stop: &StopCriteria, [columns, equilibria]: [usize; 2]) -> CoarseningError {
+    match why {
+        HeldError::Stopped => {
+            let bound = stop.reached_bound(Stage::Path).unwrap_or(Bound::Interrupted);
+            CoarseningError::Stopped { bound, columns, equilibria }
+        }
+        why => why.into(),
     }
 }

@@ -1,17 +1,20 @@
 //! The pull-off of a seta by a table that grows: where a tip comes to rest outside of the table, the spatula is solved there, and the pull-off is repeated
 //! with the wider table, until no tip leaves it.
 
-use super::error::CoarseningError;
+use super::error::{CoarseningError, HeldError};
 use super::options::{CoarseningOptions, TipRange};
-use super::run::coarsen;
+use super::outside::{OutsideTable, TableEnd};
+use super::run::Coarsening;
 use super::seta_tip::TableLaw;
 use super::table::TipTable;
 use super::visited::Visited;
 use crate::model::{PeelModel, SetaError, SetaModel, Sideways, TipLaw};
-use crate::study::{SetaEnd, SetaLoading, SetaOptions, SetaPullOff, StopCriteria, pull_off};
+use crate::study::{Bound, SetaEnd, SetaLoading, SetaOptions, SetaPullOff, StopCriteria, pull_off};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
+/// Nodes along a branch of a table that grows, at most, or twice as many as the first one has.
+const MOST_NODES: usize = 120;
 /// Pull-offs, at most.
 const MOST_ROUNDS: usize = 6;
 
@@ -22,6 +25,10 @@ pub struct GrowingTable {
     table: Arc<TipTable>,
     /// What the tables before this one gave
     rounds: Vec<TableRound>,
+    /// Nodes along a branch, at most
+    most_nodes: usize,
+    /// When it stops growing
+    stop: StopCriteria,
 }
 
 /// A pull-off by one of the tables.
@@ -44,8 +51,10 @@ pub enum AfterRound {
     Done,
     /// Another one: the table has grown.
     Again,
-    /// Nothing: tips are outside of the table, and it does not grow any more, for want of rounds or for this reason.
-    Outside(Option<CoarseningError>),
+    /// Nothing: tips are outside of the table, and it does not grow any more.
+    Outside(OutsideTable),
+    /// Nothing: tips are outside of the table, and this criterion was met before it had grown.
+    Stopped(Bound),
 }
 
 impl GrowingTable {
@@ -54,12 +63,31 @@ impl GrowingTable {
     /// # Errors
     /// Those of the table.
     pub fn new(spatula: &PeelModel, options: &CoarseningOptions) -> Result<Self, CoarseningError> {
-        Ok(Self::of(spatula, Arc::new(coarsen(spatula, options)?)))
+        Self::until(spatula, options, &StopCriteria::default())
+    }
+
+    /// The same, as long as what the caller knows does not say that it is to stop; nor does it grow then.
+    ///
+    /// # Errors
+    /// Those of the table; a criterion that was met.
+    pub fn until(
+        spatula: &PeelModel,
+        options: &CoarseningOptions,
+        stop: &StopCriteria,
+    ) -> Result<Self, CoarseningError> {
+        let table = Coarsening::until(spatula, options, stop)?.table()?;
+        Ok(Self { stop: stop.clone(), ..Self::of(spatula, Arc::new(table)) })
     }
 
     /// Of a table of this spatula that is there already.
     pub fn of(spatula: &PeelModel, table: Arc<TipTable>) -> Self {
-        Self { spatula: spatula.clone(), table, rounds: Vec::new() }
+        let most_nodes = MOST_NODES.max(2 * table.attached.table().path.len());
+        Self { spatula: spatula.clone(), table, rounds: Vec::new(), most_nodes, stop: StopCriteria::default() }
+    }
+
+    /// The same, which no longer grows once what the caller knows says so.
+    pub fn growing_until(self, stop: &StopCriteria) -> Self {
+        Self { stop: stop.clone(), ..self }
     }
 
     /// The same behind these pull-offs of an earlier run.
@@ -89,9 +117,25 @@ impl GrowingTable {
         TableLaw::new(self.table.clone(), sideways)
     }
 
+    /// A table with room for where tips have been outside of the last one: for all of it, or where the spatula cannot be followed so far, for one of
+    /// how far they are pressed and how far they turn.
     fn wider(&self, last: &TableRound) -> Result<Arc<TipTable>, CoarseningError> {
-        let range = last.visited.widened(&last.range);
-        Ok(Arc::new(coarsen(&self.spatula, &CoarseningOptions { range, ..self.table.options })?))
+        let known = last.range;
+        let whole = last.visited.widened(&known);
+        let deeper = TipRange { press: whole.press, ..known };
+        let turned = TipRange { press: known.press, ..whole };
+        let mut why = None;
+        for range in [Some(whole), Some(turned).filter(|_| deeper != known), Some(deeper).filter(|_| turned != known)] {
+            let Some(range) = range.filter(|range| *range != known) else { continue };
+            let options = CoarseningOptions { range, ..self.table.options };
+            let wider = Coarsening::until(&self.spatula, &options, &self.stop);
+            match wider.and_then(|wider| wider.with_most_nodes(self.most_nodes).table()) {
+                Ok(table) => return Ok(Arc::new(table)),
+                Err(stopped @ CoarseningError::Stopped { .. }) => return Err(stopped),
+                Err(other) => why = why.or(Some(other)),
+            }
+        }
+        Err(why.unwrap_or(CoarseningError::Held(HeldError::NoTable)))
     }
 
     /// Takes note of a pull-off by the table as it is, with where outside of it the tips have been, and grows where they have.
@@ -103,12 +147,14 @@ impl GrowingTable {
         if is_inside || matches!(pull_off.end, SetaEnd::Bound(_)) {
             return AfterRound::Done;
         }
+        let outside = |end: TableEnd| AfterRound::Outside(OutsideTable::new(pull_off, &self.rounds, end));
         if self.rounds.len() >= MOST_ROUNDS {
-            return AfterRound::Outside(None);
+            return outside(TableEnd::Rounds);
         }
         match self.rounds.last().map(|last| self.wider(last)) {
             Some(Ok(table)) => self.table = table,
-            Some(Err(why)) => return AfterRound::Outside(Some(why)),
+            Some(Err(CoarseningError::Stopped { bound, .. })) => return AfterRound::Stopped(bound),
+            Some(Err(why)) => return outside(TableEnd::Spatula(why)),
             None => {}
         }
         AfterRound::Again

@@ -90,6 +90,10 @@ impl TipLaw for TableLaw {
         self.visits.note(&self.tip.table, tip, sheet(on), self.tip.in_plane(place, directors));
     }
 
+    fn is_known(&self, on: TipBranch, place: [f64; 3], directors: Quaternion) -> bool {
+        self.tip.table.contains(sheet(on), self.tip.in_plane(place, directors))
+    }
+
     fn oriented(&self, rest: Quaternion) -> Option<Arc<dyn TipLaw>> {
         Some(Arc::new(Self { tip: SpatulaTip { directors: rest, ..self.tip.clone() }, ..self.clone() }))
     }

@@ -23,6 +23,8 @@ pub struct SetaPoint {
     pub moment: [f64; 3],
     /// Tips that adhere
     pub attached: usize,
+    /// Tips that are where their law is an extrapolation
+    pub outside: usize,
     /// Stored and of adhesion; zero of a detached stress-free seta, aJ
     pub energy: f64,
     /// Of the root from the start, aJ: the integral of the force between events

@@ -364,6 +364,7 @@ impl<'a> Run<'a> {
             force_along: solution.observables.force,
             moment: section.moment.map(|moment| -moment),
             attached: self.standing.attached(),
+            outside: self.standing.outside(&solution.at),
             energy: solution.energy,
             ..before
         }

@@ -221,6 +221,15 @@ impl Standing {
         !self.tips[tip].on.adheres() && self.tips[tip].adheres([x, y - distance, z], directors)
     }
 
+    /// How many tips are where their law is an extrapolation.
+    pub fn outside(&self, at: &State) -> usize {
+        let is_outside = |&tip: &usize| {
+            let (place, directors) = self.place(at, tip);
+            !self.tips[tip].is_known(place, directors)
+        };
+        (0..self.tips.len()).filter(is_outside).count()
+    }
+
     pub fn attached(&self) -> usize {
         self.tips.iter().filter(|tip| tip.on.adheres()).count()
     }

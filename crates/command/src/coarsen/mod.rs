@@ -5,6 +5,7 @@ mod range;
 
 use crate::command_line::command_line;
 use crate::input::SceneArgs;
+use crate::interrupt::Interrupt;
 use crate::output::{OutArgs, list_files, say};
 use crate::stop::Stop;
 use crate::text_summary;
@@ -17,6 +18,9 @@ use peelkit_report::{self as report, ReportError, TipSummary, timed};
 use peelkit_scene::{Dimension, Scene};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+
+/// What a first Ctrl-C does.
+const ANSWER: &str = "stopping at the next equilibrium of the spatula; Ctrl-C again stops at once";
 
 /// Computes the force law of a tip of a seta from its spatula, as a table with error bounds
 #[derive(Args)]
@@ -93,9 +97,13 @@ pub fn coarsen(args: &Coarsen) -> Result<(), Stop> {
             "Give --set terms=all.",
         ));
     }
-    let mut coarsening = Coarsening::new(&scene.model, &options).map_err(|why| refused(&args.scene.path, &why))?;
-    let folder = args.folder().map(|folder| args.out.claim(&folder)).transpose()?;
     let bar = ProgressBar::new_spinner().with_message("solving the spatula");
+    let above = bar.clone();
+    let interrupt = Interrupt::listen(move || above.println(ANSWER));
+    let stop = interrupt.ends(scene.bounds.from_now());
+    let coarsening = Coarsening::until(&scene.model, &options, &stop);
+    let mut coarsening = coarsening.map_err(|why| refused(&args.scene.path, &why))?;
+    let folder = args.folder().map(|folder| args.out.claim(&folder)).transpose()?;
     bar.enable_steady_tick(Duration::from_millis(200));
     let (found, solve_s) = timed(|| coarsening.table());
     bar.finish_and_clear();
@@ -121,6 +129,9 @@ pub fn coarsen(args: &Coarsen) -> Result<(), Stop> {
 
 /// Why there is no table of a scene.
 fn refused(path: &Path, why: &CoarseningError) -> Stop {
+    if let CoarseningError::Stopped { .. } = why {
+        return Stop::cut_short(format!("{why}; nothing is written"));
+    }
     Stop::bad_input(format!("{}: {why}", path.display()), why.remedy())
 }
 

@@ -3,7 +3,7 @@
 use super::layout::in_columns;
 use super::units::{Unit, Units, WantedUnits};
 use peelkit::model::{PullCurve, SetaModel};
-use peelkit::study::coarsening::{GrowingTable, TableRound, TipRange};
+use peelkit::study::coarsening::{GrowingTable, OutsideTable, TableRound, TipRange};
 use peelkit::study::{ConvergedPeak, SetaMoment, SetaPullOff, SetaState};
 use peelkit_report::{TipEvents, seta_end_reason, seta_end_word, tip_peak};
 use peelkit_scene::Scene;
@@ -12,7 +12,7 @@ use peelkit_scene::Scene;
 pub fn seta(
     scene: &Scene,
     model: &SetaModel,
-    (tip, table): (&PullCurve, Option<&GrowingTable>),
+    (tip, table, outside): (&PullCurve, Option<&GrowingTable>, Option<&OutsideTable>),
     (pull_off, converged): (&SetaPullOff, Option<&ConvergedPeak>),
     solve_s: f64,
     wanted: WantedUnits,
@@ -76,6 +76,7 @@ pub fn seta(
         1e3 * solve_s
     );
     lines.push(("computed", effort));
+    lines.extend(outside.map(|outside| ("warnings", outside.to_string())));
     in_columns(&scene.title, &lines)
 }
 

@@ -5,7 +5,7 @@ use super::tip_events::TipEvents;
 use crate::number::Finite;
 use crate::summary::{Origin, Parameters, written};
 use peelkit::model::{CurvePoint, PullCurve, Seta};
-use peelkit::study::coarsening::{GrowingTable, TableRound, TipSheet};
+use peelkit::study::coarsening::{GrowingTable, OutsideTable, TableRound, TipSheet};
 use peelkit::study::{ConvergedPeak, EventCause, SetaPullOff, SetaState};
 use peelkit_scene::Scene;
 
@@ -29,9 +29,18 @@ pub struct SetaSummary {
     tip: LawOfTips,
     /// `None` where the tips follow the curve of their normal pull.
     tip_table: Option<TipTableUse>,
+    /// What is not to be trusted.
+    warnings: Vec<Warning>,
     path: Effort,
     timing: Timing,
     parameters: Parameters,
+}
+
+/// What is not to be trusted: a word for programs, and a sentence.
+#[derive(Debug, serde::Serialize)]
+struct Warning {
+    code: &'static str,
+    text: String,
 }
 
 /// A state of the last step.
@@ -263,6 +272,7 @@ impl SetaSummary {
             },
             tip: LawOfTips::from(tip),
             tip_table: None,
+            warnings: Vec::new(),
             path: Effort {
                 points: pull_off.points.len(),
                 newton_iterations: pull_off.effort.newton_iterations,
@@ -279,6 +289,12 @@ impl SetaSummary {
     pub fn with_table(self, table: Option<&GrowingTable>) -> Self {
         let law = if table.is_some() { "table" } else { self.tip.law };
         Self { tip: LawOfTips { law, ..self.tip }, tip_table: table.map(TipTableUse::from), ..self }
+    }
+
+    /// The same where tips were outside of a table that does not grow any more.
+    pub fn with_outside(self, outside: Option<&OutsideTable>) -> Self {
+        let warning = |outside: &OutsideTable| Warning { code: outside.code(), text: outside.to_string() };
+        Self { warnings: outside.map(warning).into_iter().collect(), ..self }
     }
 }
 

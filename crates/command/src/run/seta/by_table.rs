@@ -2,11 +2,11 @@
 
 use super::kept::{ByTable, Followed, KeptSeta, follow};
 use super::sampler::Sampler;
-use crate::seta::{TipLawOf, model, outside};
+use crate::seta::{NoTable, TipLawOf, model};
 use crate::stop::Stop;
 use peelkit::model::{PullCurve, SetaError, SetaModel};
-use peelkit::study::coarsening::AfterRound;
-use peelkit::study::{SetaLoading, SetaOptions, SetaPoint, StopCriteria};
+use peelkit::study::coarsening::{AfterRound, CoarseningError, OutsideTable};
+use peelkit::study::{SetaEnd, SetaLoading, SetaOptions, SetaPoint, StopCriteria};
 use peelkit_scene::{Scene, SetaTable};
 use std::sync::Arc;
 
@@ -26,8 +26,8 @@ pub struct Pulled {
     pub model: SetaModel,
     pub law: TipLawOf,
     pub followed: Followed,
-    /// That tips are outside of their table
-    pub outside: Option<String>,
+    /// Tips that are outside of their table, which does not grow any more
+    pub outside: Option<OutsideTable>,
 }
 
 impl Pull<'_> {
@@ -50,7 +50,9 @@ impl Pull<'_> {
                 let followed = follow((&model, None), (loading, options), stop, sampler, kept, see).map_err(refused)?;
                 return Ok(Pulled { model, law: TipLawOf::Curve, followed, outside: None });
             }
-            TipLawOf::Table(growing) => growing.behind(earlier).map_err(Stop::cut_short)?,
+            TipLawOf::Table(growing) => {
+                growing.behind(earlier).map_err(|why: CoarseningError| Stop::from(NoTable::from(why)))?
+            }
         };
         loop {
             let visited = kept.as_ref().map(|kept| kept.visited()).unwrap_or_default();
@@ -59,11 +61,16 @@ impl Pull<'_> {
             let by_table = ByTable { fingerprint, rounds: growing.rounds(), law: &law };
             let (sampler, kept) = (Sampler::new(states), kept.as_deref_mut());
             let followed = follow((&model, Some(&by_table)), (loading, options), stop, sampler, kept, see);
-            let followed = followed.map_err(refused)?;
+            let mut followed = followed.map_err(refused)?;
             let outside = match growing.after(&followed.pull_off, law.visited()) {
                 AfterRound::Again => continue,
                 AfterRound::Done => None,
-                after => Some(outside(&after, &growing)),
+                AfterRound::Outside(outside) => Some(outside),
+                // the same command finds the whole pull-off, and lets the table grow
+                AfterRound::Stopped(bound) => {
+                    followed.pull_off.end = SetaEnd::Bound(bound);
+                    None
+                }
             };
             return Ok(Pulled { model, law: TipLawOf::Table(Box::new(growing)), followed, outside });
         }

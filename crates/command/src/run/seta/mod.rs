@@ -53,8 +53,8 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
     progress.stage("law of the tips");
     let (tip, tip_s) = timed(|| tip_curve(scene));
     let tip = tip.map_err(Stop::cut_short)?;
-    let (law, table_s) = timed(|| TipLawOf::new(scene, table));
-    let law = law.map_err(|wrong| Stop::bad_input(wrong.found, wrong.remedy))?;
+    let (law, table_s) = timed(|| TipLawOf::new(scene, table, &stop));
+    let law = law?;
     let tip_s = tip_s + table_s;
     let loading = scene.seta_loading(table);
     let options = options(scene);
@@ -75,7 +75,8 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
     let found = Found { scene, model: &model, tip: &tip, pull_off, command: &command };
     let summary = SetaSummary::new(scene, &table.seta, &tip, (pull_off, peak.as_ref()), [tip_s, solve_s, peak_s])
         .with_command(&command)
-        .with_table(law.growing());
+        .with_table(law.growing())
+        .with_outside(outside.as_ref());
     let (files, left) = kept
         .as_mut()
         .map_or((Ok(Vec::new()), None), |kept| kept.write(&followed, |dir| found.write(dir, &summary, sampler, args)));
@@ -83,7 +84,7 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
         say(&summary.to_json().map_err(Stop::other)?)?;
     } else {
         let (found, seconds) = ((pull_off, peak.as_ref()), tip_s + solve_s + peak_s);
-        let text = text_summary::seta(scene, &model, (&tip, law.growing()), found, seconds, wanted);
+        let text = text_summary::seta(scene, &model, (&tip, law.growing(), outside.as_ref()), found, seconds, wanted);
         let taken = text_summary::equilibria_taken(kept.as_ref().map_or(0, KeptSeta::taken));
         let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
         say(&format!("{text}{taken}\n{}{left}", list_files(&files)))?;
@@ -95,7 +96,10 @@ pub fn run(args: &Run, scene: &Scene, table: &SetaTable) -> Result<(), Stop> {
             Some(left) => Err(Stop::cut_short(format!("interrupted; {left}: {GOES_ON}"))),
             None => Err(Stop::cut_short("interrupted")),
         },
-        SetaEnd::Completed | SetaEnd::Bound(_) => outside.map_or(Ok(()), |outside| Err(Stop::cut_short(outside))),
+        SetaEnd::Completed | SetaEnd::Bound(_) => {
+            let unknown = outside.filter(|outside| !outside.peak_is_inside);
+            unknown.map_or(Ok(()), |outside| Err(Stop::cut_short(outside)))
+        }
     }
 }
 
