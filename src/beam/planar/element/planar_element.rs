@@ -66,13 +66,13 @@ impl<T: Real, const F: usize> Element<T, F> {
 
     /// Factor of a derivative with respect to S over one with respect to the local coordinate.
     #[inline(always)]
-    fn stretch(&self) -> T {
+    pub(in crate::beam) fn stretch(&self) -> T {
         self.length.recip() * 2.0
     }
 
     /// Weight of Gauss point `q`.
     #[inline(always)]
-    fn weight(&self, basis: &Basis, q: usize) -> T {
+    pub(in crate::beam) fn weight(&self, basis: &Basis, q: usize) -> T {
         self.length * (0.5 * basis.weights[q])
     }
 }
@@ -96,6 +96,14 @@ impl<const F: usize> Default for Responses<F> {
     }
 }
 
+impl<const F: usize> Responses<F> {
+    /// What the density has answered at each Gauss point.
+    #[inline(always)]
+    pub(in crate::beam) fn responses(&self) -> &[PointResponse<F64x4, F>; MOST_NODES] {
+        &self.responses
+    }
+}
+
 impl<const F: usize> Element<F64x4, F> {
     /// Integrates into a front; returns the energy and its share from adhesion.
     ///
@@ -111,11 +119,26 @@ impl<const F: usize> Element<F64x4, F> {
         room: &mut Responses<F>,
         front: &mut FrontalMatrix<F64x4, F>,
     ) -> (F64x4, F64x4) {
+        let energies = self.integrate_gradient::<BORDER>(by, path_weight, room, front);
+        let Responses { responses, weighted, .. } = room;
+        self.assemble(by, responses, weighted, front);
+        energies
+    }
+
+    /// The same without the tangent, for which the room keeps the responses.
+    #[inline(always)]
+    pub fn integrate_gradient<const BORDER: bool>(
+        &self,
+        by: &Integration<impl Nodes, F>,
+        path_weight: f64,
+        room: &mut Responses<F>,
+        front: &mut FrontalMatrix<F64x4, F>,
+    ) -> (F64x4, F64x4) {
         let &Integration { nodes, basis, density, .. } = by;
         let zero = F64x4::splat(0.0);
         let stretch = self.stretch();
         let (mut energy, mut coverage) = (zero, zero);
-        let Responses { points, responses, weighted } = room;
+        let Responses { points, responses, .. } = room;
         for q in 0..nodes.count() - 1 {
             points[q] = self.point(nodes, basis, q);
         }
@@ -129,7 +152,6 @@ impl<const F: usize> Element<F64x4, F> {
             coverage = coverage + r.coverage * once;
             front.add_gradient::<BORDER>(nodes, r, basis, q, (once, twice), path_weight);
         }
-        self.assemble(by, responses, weighted, front);
         (energy, coverage)
     }
 

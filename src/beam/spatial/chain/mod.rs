@@ -4,6 +4,7 @@
 //! right. The last row of a front carries the path functional and the last column the residual. The sign of a pivot is the sign of an
 //! eigenvalue, so the sweep counts the negative ones.
 
+mod assembly;
 mod back;
 pub(super) mod end_block;
 mod factors;
@@ -21,6 +22,7 @@ use crate::beam::{
     AnyNumber, BUNDLE, Basis, Element, Fixed, Integrand, Integration, MOST_NODES, MOST_ORDER, Nodes, Responses, slot,
 };
 use crate::number::{F64x4, Real};
+use assembly::Products;
 use end_block::{BelowEnd, EndRow};
 use projection::{FieldFront, SpatialFront};
 
@@ -46,6 +48,7 @@ pub struct SpatialChain {
     /// What is integrated
     pub density: SpatialDensity,
     basis: Basis,
+    products: Products,
     /// The left end and the right end
     pub ends: [SpatialEnd; 2],
     /// Which unknowns of the left end are held, and at what: of its place along its axes, and of its angles.
@@ -59,7 +62,7 @@ pub struct SpatialConfiguration<'a> {
     pub boundaries: &'a [f64],
     /// Fields node by node from left to right
     pub fields: &'a [f64],
-    /// Angles of the two ends; of a free end zeros.
+    /// Angles of the two ends. Those of an end that turns freely count its turns, and nothing follows from them.
     pub angles: [[f64; 3]; 2],
     /// What strains they had before a step in time, where the material is viscous
     pub known: Option<SpatialKnownStrains<'a>>,
@@ -103,7 +106,9 @@ impl SpatialChain {
         ends: [SpatialEnd; 2],
         held_left: [Option<f64>; SPATIAL_UNKNOWNS],
     ) -> Self {
-        Self { density, basis: Basis::new(order.clamp(1, MOST_ORDER)), ends, held_left }
+        let basis = Basis::new(order.clamp(1, MOST_ORDER));
+        let products = Products::new(&basis);
+        Self { density, basis, products, ends, held_left }
     }
 
     /// Order p of its elements.

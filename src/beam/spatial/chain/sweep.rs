@@ -64,7 +64,8 @@ impl SpatialChain {
         let mut carry: Carry = [[0.0; ROOT]; ROOT];
         for (first, front) in (0..elements).step_by(BUNDLE).zip(fronts) {
             self.gather(nodes, at, first, &mut bundle);
-            let (total, coverage) = bundle.integrate::<false>(&by, path.coverage, room, field_front);
+            let (total, coverage) = bundle.integrate_gradient::<false>(&by, path.coverage, room, field_front);
+            self.products.assemble(nodes, &self.basis, &by.coupling, &bundle, room, field_front);
             project(nodes, field_front, &bundle.values, front);
             self.take_ends(nodes, at, (first, elements), front);
             add_inside(nodes, front, added, (first, elements));
