@@ -5,6 +5,9 @@
 //! displacement u of the root turns as the tip's height η goes on, du/dη = 0. With everything else linear du/dη = a + b h(η), h = ∂²E/∂y² of
 //! the tip, which says where to look; of another joint the zero of du/dη follows from two of its values. Where another direction than that of
 //! the branch becomes unstable first, du/dη does not turn, and the number of negative eigenvalues alone shows it.
+//!
+//! Where another tip is the one that lets go, it runs away from the tip that is watched, little of whose height is much of its own: from there on the
+//! branch is followed by the height of the faster tip.
 
 use super::critical::{Critical, at_branching, at_fold};
 use super::knot::{Allowed, Knot, Reached};
@@ -19,6 +22,8 @@ use crate::solve::{NewtonOptions, Observables, PathConstraint, Problem, Solution
 
 /// Error of the displacement at a loss, nm: that of the force there goes with its root.
 const LOCATED: f64 = 1e-8;
+/// The same by a straight line through the slopes behind it and before it.
+const AGREED: f64 = 1e-6;
 /// The same where it is found by the number of negative eigenvalues.
 const BRACKETED: f64 = 1e-4;
 /// First step in looking for the height at which a tip is as soft as wanted, nm.
@@ -29,6 +34,8 @@ const LONGEST: f64 = 20.0;
 const SHORTEST: f64 = 1e-7;
 /// What is left of a step that led too far.
 const SHORTENED: f64 = 0.3;
+/// How often another tip is watched on the way to a loss, at most.
+const MOST_CHANGES: usize = 3;
 /// Most solutions.
 const MOST_SOLVES: usize = 80;
 /// Most halvings of a step for the sake of its work.
@@ -45,6 +52,17 @@ pub(super) struct Loss {
     /// ∂²E/∂y² of the tip there, nN/nm
     pub slope: Option<f64>,
     pub iterations: usize,
+}
+
+impl Loss {
+    /// The equilibria up to the start of another one, and that.
+    fn followed_by(mut self, loss: Self) -> Self {
+        if let (Some(start), Some(last)) = (loss.start, self.taken.last_mut()) {
+            last.location = Some(start);
+        }
+        self.taken.extend(loss.taken);
+        Self { taken: self.taken, start: self.start, iterations: self.iterations + loss.iterations, ..loss }
+    }
 }
 
 /// A branch along which the place of a joint goes on.
@@ -145,6 +163,18 @@ pub(super) fn locate(
     options: &SetaOptions,
     ws: &mut Workspace,
 ) -> Result<Loss, SolveError> {
+    locate_by((standing, drive), here, (watched, MOST_CHANGES), slope, options, ws)
+}
+
+/// The same; the tip that is watched may be changed for a faster one so often.
+fn locate_by(
+    (standing, drive): (&Standing, &RootDrive),
+    here: &Solution,
+    (watched, changes): (Watched, usize),
+    slope: Option<f64>,
+    options: &SetaOptions,
+    ws: &mut Workspace,
+) -> Result<Loss, SolveError> {
     let problem = standing.problem(drive, Some(watched.unknown), TipTangent::Own);
     let height = watched.value(standing, &here.at);
     let first = Knot::new(height, here.clone(), watched.rate(here));
@@ -154,6 +184,7 @@ pub(super) fn locate(
     let most = LONGEST.max(watched.first);
     let (mut low, mut high): (Vec<Knot>, Option<Knot>) = (vec![first], None);
     let mut longest = most;
+    let mut may_change = changes > 0 && watched.passed.is_none();
     let mut next = guess.clamp(height + SHORTEST, height + longest);
     for _ in 0..MOST_SOLVES {
         let from = low[low.len() - 1].clone();
@@ -162,6 +193,17 @@ pub(super) fn locate(
             Ok(knot) if standing.changing(&knot.solution.at).is_empty() => knot,
             // beyond the end of the branch, or too far
             other => {
+                // where another tip runs away from the one that is watched, its height is what the branch is smooth in
+                if may_change
+                    && low.len() > 1
+                    && let Some(faster) = watched.faster_tip(standing, &from.solution)
+                {
+                    may_change = false;
+                    let by = (faster, changes - 1);
+                    if let Ok(loss) = locate_by((standing, drive), &from.solution, by, slope, options, ws) {
+                        return Ok(finished(along, low, Critical::Passed, [0.0; 2], ws)?.followed_by(loss));
+                    }
+                }
                 longest = SHORTENED * (next - from.parameter);
                 if longest < SHORTEST {
                     return match other {
@@ -184,7 +226,11 @@ pub(super) fn locate(
         let estimate = model_root(&along, &from, &found);
         let missed = [0, 1].map(|k| (found.slopes[k] * (estimate - found.parameter)).abs());
         let error = 0.5 * missed[0];
-        if turns && error < LOCATED {
+        // the softening of a tip that turns is known on the tangent alone: two slopes have to say the same
+        let straight = straight_root(&from, &found);
+        let agrees = found.slopes[0] >= 0.0 || (0.5 * found.slopes[0] * (straight - found.parameter)).abs() < AGREED;
+        let estimate = if error < LOCATED && !agrees { straight } else { estimate };
+        if turns && error < LOCATED && agrees {
             let critical = at_fold(standing, &along.problem, &found.solution, watched.sign());
             let missed = missed.map(|missed| 2.0 * missed);
             low.push(found);
@@ -230,15 +276,19 @@ pub(super) fn locate(
 fn model_root(along: &Along, one: &Knot, other: &Knot) -> f64 {
     let h = |knot: &Knot| along.softening(knot, knot.parameter);
     let change = other.slopes[0] - one.slopes[0];
-    let straight = || other.parameter - other.slopes[0] * (other.parameter - one.parameter) / change;
-    let (Some(first), Some(second)) = (h(one), h(other)) else { return straight() };
+    let (Some(first), Some(second)) = (h(one), h(other)) else { return straight_root(one, other) };
     let b = change / (second - first);
     if !(b.is_finite() && b > 0.0) {
-        return if along.watched.passed.is_some() { straight() } else { f64::NAN };
+        return if along.watched.passed.is_some() { straight_root(one, other) } else { f64::NAN };
     }
     let wanted = second - other.slopes[0] / b;
     let from = if other.slopes[0] > 0.0 { other } else { one };
     along.where_softening_is(from, wanted)
+}
+
+/// Where du/dη is zero on a straight line through its values at two knots.
+fn straight_root(one: &Knot, other: &Knot) -> f64 {
+    other.parameter - other.slopes[0] * (other.parameter - one.parameter) / (other.slopes[0] - one.slopes[0])
 }
 
 /// The equilibria up to a loss, the last of which misses it by so much, nm and nN.

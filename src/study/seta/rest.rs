@@ -7,7 +7,7 @@
 
 use super::critical::{critical_direction, disturbed};
 use super::result::TipChange;
-use super::standing::{RootDrive, Standing, TipTangent};
+use super::standing::{HEIGHT, RootDrive, Standing, TipTangent};
 use crate::model::TipBranch;
 use crate::solve::{
     Coefficients, NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace,
@@ -16,7 +16,7 @@ use crate::solve::{
 
 /// Steps, of which each may change a tip.
 const MOST_STEPS: usize = 4000;
-/// Most that a tip that adheres moves in a step, nm.
+/// Most that a tip that adheres moves in a step in the directions in which something holds it, nm.
 const MOST_MOVED: f64 = 10.0;
 /// Below this step, in units of the scales of the tree, Newton's own method is tried.
 const NEAR: f64 = 0.5;
@@ -149,12 +149,14 @@ fn changed(standing: &mut Standing, at: &State, tip: usize) -> TipChange {
     TipChange { tip, to, load }
 }
 
-/// The part of a step in which no tip that adheres moves too far.
+/// The part of a step in which no tip that adheres moves too far; along the ground it may, where it slides.
 fn largest_share(standing: &Standing, from: &State, to: &State) -> f64 {
     let mut most: f64 = 0.0;
     for tip in (0..standing.tips.len()).filter(|&tip| standing.tips[tip].on != TipBranch::Detached) {
         let (a, b) = (standing.place(from, tip).0, standing.place(to, tip).0);
-        most = most.max((0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max));
+        let hessian = standing.response(from, tip).hessian;
+        let counts = |&i: &usize| i == HEIGHT || hessian[i].iter().any(|&own| own != 0.0);
+        most = most.max((0..3).filter(counts).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max));
     }
     (MOST_MOVED / most).min(1.0)
 }

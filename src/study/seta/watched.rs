@@ -23,6 +23,8 @@ pub(super) struct Watched {
 const FIRST: f64 = 1.0;
 /// Behind the place where the displacement nearly turns it has to go on this many times faster than where it was left.
 const PASSED: f64 = 2.0;
+/// A tip that is so many times as fast as the one that is watched is watched in its place.
+const FASTER: f64 = 1.2;
 /// The first step, over what the tangent says of the step that was refused.
 const SHARE: f64 = 0.1;
 
@@ -50,6 +52,16 @@ impl Watched {
         let tip = tip.filter(|&tip| standing.tips[tip].on.adheres());
         let first = (SHARE * ahead * rate.abs()).max(FIRST);
         (Self { unknown, sign: rate.signum(), tip, passed: Some(PASSED / rate.abs()), first }, rate.abs())
+    }
+
+    /// The tip that goes on to the end of its branch the fastest, if it is faster than this place.
+    pub fn faster_tip(&self, standing: &Standing, here: &Solution) -> Option<Self> {
+        let attached = (0..standing.tips.len()).filter(|&tip| standing.tips[tip].on.adheres());
+        let rates =
+            attached.map(|tip| Self::tip(standing, tip)).map(|own| (own.rate(here) / here.slope.displacement, own));
+        let (rate, fastest) = rates.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let own = self.rate(here) / here.slope.displacement;
+        (fastest.unknown != self.unknown && rate > FASTER * own.max(0.0)).then_some(fastest)
     }
 
     /// Its change with the parameter of a solution.

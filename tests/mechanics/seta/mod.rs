@@ -9,3 +9,4 @@ mod snap_on;
 mod symmetry;
 mod table_law;
 mod tip;
+mod unaccounted;
