@@ -1,5 +1,6 @@
 //! A Newton iteration in the plane and in space, on the same 12 elements of order 7, and whole peels in space at 1e-6: of the strip of
-//! scenes/strip-sideways.toml, pulled sideways at 60 degrees.
+//! scenes/strip-sideways.toml, pulled sideways at 60 degrees, and of the spatula of scenes/spatula.toml, sideways at 60 degrees and straight
+//! up.
 //!
 //!     cargo bench -p peelkit-benches --bench space
 
@@ -8,7 +9,7 @@ mod iteration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use iteration::Iteration;
-use peelkit::model::{Body, Form, PeelModel, Space, StripModel};
+use peelkit::model::{Body, Form, PeelModel, Space, Spatula, StripModel};
 use peelkit::study::{Accuracy, StopCriteria, peel};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
@@ -38,6 +39,15 @@ fn whole_peels(c: &mut Criterion) {
     group.sample_size(20);
     group.bench_function("strip pulled sideways", |b| {
         b.iter(|| peel(&strip, &Accuracy::to(1e-6), &StopCriteria::default()))
+    });
+    let mut spatula = Spatula::default().model();
+    spatula.space = Some(Space { azimuth: FRAC_PI_2, ..Space::default() });
+    group.bench_function("spatula pulled straight up", |b| {
+        b.iter(|| peel(&spatula, &Accuracy::to(1e-6), &StopCriteria::default()))
+    });
+    spatula.pull.angle = FRAC_PI_3;
+    group.bench_function("spatula pulled sideways", |b| {
+        b.iter(|| peel(&spatula, &Accuracy::to(1e-6), &StopCriteria::default()))
     });
     group.finish();
 }

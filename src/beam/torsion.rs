@@ -39,14 +39,18 @@ pub fn torsion_strain(shape: SectionShape, width: f64, height: f64) -> f64 {
 /// With tanh x = 1 - 2/(e²ˣ + 1) the ones add up to 31/32 ζ(5), and what is left of a term falls with eⁿ, e = exp(-π a/b):
 /// it is 2 eⁿ/(n⁵ (1 + eⁿ)). At n = 9 that is below 2e-17.
 fn of_rectangle(a: f64, b: f64) -> f64 {
+    let less = |left: f64| a * b.powi(3) * (1.0 / 3.0 - 64.0 / PI.powi(5) * (b / a) * (31.0 / 32.0 * ZETA_5 - left));
     // of thinner ones it is below what ζ(5) is rounded by
-    let e = if a > THIN * b { 0.0 } else { (-PI * a / b).exp() };
+    if a > THIN * b {
+        return less(0.0);
+    }
+    let e = (-PI * a / b).exp();
     let square = e * e;
     let (e3, e5) = (square * e, square * square * e);
     let e7 = square * e5;
     let term = |power: f64, over: f64| 2.0 / over * power / (1.0 + power);
     let left = term(e7, 16807.0) + term(e5, 3125.0) + term(e3, 243.0) + term(e, 1.0);
-    a * b.powi(3) * (1.0 / 3.0 - 64.0 / PI.powi(5) * (b / a) * (31.0 / 32.0 * ZETA_5 - left))
+    less(left)
 }
 
 /// J = π a³ b³/(16 (a² + b²)), of a circle π a⁴/32.

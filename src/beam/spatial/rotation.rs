@@ -52,11 +52,20 @@ pub fn exponential(v: [f64; 3]) -> Quaternion {
     [cos, factor * v[0], factor * v[1], factor * v[2]]
 }
 
-/// The rotation vector of q, of at most π, rad: q or -q is the exponential of it.
+/// Below this square of the sine of half a turn four terms of a series are exact to round-off.
+const SMALL: f64 = 1e-4;
+
+/// The rotation vector of q, of length one, at most π, rad: q or -q is the exponential of it.
 pub fn logarithm(q: Quaternion) -> [f64; 3] {
     let q = if q[0] < 0.0 { q.map(|entry| -entry) } else { q };
-    let sin = (q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).sqrt();
-    let factor = if sin == 0.0 { 2.0 / q[0] } else { 2.0 * sin.atan2(q[0]) / sin };
+    let square = q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+    let factor = if square < SMALL {
+        // 2 asin(s)/s, to round-off
+        2.0 + square * (1.0 / 3.0 + square * (3.0 / 20.0 + square * (5.0 / 56.0)))
+    } else {
+        let sin = square.sqrt();
+        2.0 * sin.atan2(q[0]) / sin
+    };
     [factor * q[1], factor * q[2], factor * q[3]]
 }
 

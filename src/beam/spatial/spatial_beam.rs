@@ -15,8 +15,8 @@ pub(super) const ANGLES: usize = 6;
 
 /// A chain with its rest configuration and the scales of its adhesion.
 ///
-/// Values of a state: x, y, z and the quaternion of each node from left to right, then the angles of the left and of the right end (zeros of
-/// an end that turns freely). A direction has six numbers a node: of its place, and of its turn in the axes of its directors; of the two end
+/// Values of a state: x, y, z and the quaternion of each node from left to right, then the angles of the left and of the right end (of an end
+/// that turns freely they count its turns alone). A direction has six numbers a node: of its place, and of its turn in the axes of its directors; of the two end
 /// nodes those of [`super::SpatialEnd`]. The interface is the right end.
 #[derive(Clone, Debug)]
 pub struct SpatialBeam {

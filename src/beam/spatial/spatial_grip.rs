@@ -6,6 +6,7 @@ use super::rotation::{apply, cross, matrix};
 use super::spatial_beam::SpatialBeam;
 use crate::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 use crate::solve::{EndRoll, State};
+use std::f64::consts::TAU;
 
 /// What the grip exerts on the right end of a beam in space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -35,23 +36,40 @@ pub struct SpatialSectionPlace {
     pub moment: [f64; 3],
 }
 
+/// An angle with as many whole turns more as bring it nearest to another one, rad.
+fn nearest_turn(angle: f64, other: f64) -> f64 {
+    angle + TAU * ((other - angle) / TAU).round()
+}
+
 impl SpatialBeam {
     /// What the grip exerts on the end of an equilibrium.
     pub fn grip_reactions(&self, at: &State) -> GripReactions {
-        let residual = self.chain.residual(self.configuration(at));
-        let end = &residual[residual.len() - 6..];
+        let end = self.chain.residual_of_right_end(self.configuration(at));
         GripReactions {
             force: apply(&self.chain.ends[1].axes, &[end[0], end[1], end[2]]),
             moment: [end[3], end[4], end[5]],
         }
     }
 
-    /// θ, yaw and roll of the right end, rad: within half a turn where it turns freely.
+    /// θ, yaw and roll of the right end, rad. Where it turns freely, θ and roll are what the directors say, with as many whole turns as the
+    /// state has counted.
     pub fn angles_of_grip(&self, at: &State) -> [f64; 3] {
         let (end, configuration) = (&self.chain.ends[1], self.configuration(at));
+        let counted = configuration.angles[1];
         match end.rotation {
-            EndRotation::Angles => configuration.angles[1],
-            EndRotation::Free => angles(quaternion_of(self.chain.end_node(configuration, 1)), end.rest),
+            EndRotation::Angles => counted,
+            EndRotation::Free => {
+                let [rotation, yaw, roll] = angles(quaternion_of(self.chain.end_node(configuration, 1)), end.rest);
+                [nearest_turn(rotation, counted[0]), yaw, nearest_turn(roll, counted[2])]
+            }
+        }
+    }
+
+    /// Counts the turns of a right end that turns freely on, from those of the state before it was moved by less than half of one.
+    pub(super) fn count_turns(&self, at: &mut State) {
+        if self.chain.ends[1].rotation == EndRotation::Free {
+            let (angles, from) = (self.angles_of_grip(at), at.values.len() - 3);
+            at.values[from..].copy_from_slice(&angles);
         }
     }
 

@@ -93,7 +93,11 @@ impl System for SpatialBeam {
     }
 
     fn interface_values(&self, at: &State) -> [f64; INTERFACE] {
-        self.chain.end_values(self.configuration(at), 1)
+        let mut values = self.chain.end_values(self.configuration(at), 1);
+        if self.chain.ends[1].rotation == EndRotation::Free {
+            values[3..].fill(0.0);
+        }
+        values
     }
 
     fn place_of(&self, slot: usize, at: &State) -> usize {
@@ -172,6 +176,7 @@ impl System for SpatialBeam {
             let end = if k == 0 { Some(0) } else { (k + 1 == nodes).then_some(1) };
             step_node(node, step, end.map(|end| (&self.chain.ends[end], &mut known[3 * end..3 * end + 3])));
         }
+        self.count_turns(at);
     }
 
     fn difference(&self, from: &[f64], to: &[f64]) -> Vec<f64> {

@@ -82,6 +82,35 @@ impl<T: Real, const F: usize> FrontalRow<T, F> {
     }
 }
 
+impl<T: Real, const F: usize> FrontalRow<T, F> {
+    /// [`Self::reduce`] of two rows at once, which read every pivot row once for both; the first of them from the column before `from` on.
+    #[inline(always)]
+    fn reduce_two<const ROWS: usize>(
+        [first, second]: [&mut Self; 2],
+        nodes: impl Nodes,
+        rows: [&Self; ROWS],
+        factors: [[T; ROWS]; 2],
+        from: usize,
+    ) {
+        let columns = [first.fields.as_flattened_mut(), second.fields.as_flattened_mut()];
+        for r in 0..ROWS {
+            columns[0][from - 1] = columns[0][from - 1] - rows[r].column(from - 1) * factors[0][r];
+        }
+        for j in from..F * nodes.count() {
+            let mut sums = [columns[0][j], columns[1][j]];
+            for r in 0..ROWS {
+                let entry = rows[r].column(j);
+                sums = [sums[0] - entry * factors[0][r], sums[1] - entry * factors[1][r]];
+            }
+            (columns[0][j], columns[1][j]) = (sums[0], sums[1]);
+        }
+        for r in 0..ROWS {
+            first.residual = first.residual - rows[r].residual * factors[0][r];
+            second.residual = second.residual - rows[r].residual * factors[1][r];
+        }
+    }
+}
+
 impl<T: Real> Pivots<T> {
     /// Counts a pivot and returns one over it.
     #[inline(always)]
@@ -182,12 +211,22 @@ impl<T: Real, const F: usize> FrontalMatrix<T, F> {
             }
             let pivot_rows: [&FrontalRow<T, F>; F] = own.each_ref();
             for (b, rows) in (a + 1..).zip(below) {
-                for (i, row) in rows.iter_mut().enumerate() {
+                let mut two = rows.chunks_exact_mut(2);
+                for (i, pair) in (0..).step_by(2).zip(&mut two) {
+                    let [first, second] = pair else { continue };
+                    let mut factors = [inverse; 2];
+                    for k in 0..F {
+                        factors[0][k] = factors[0][k] * pivot_rows[k].fields[b][i];
+                        factors[1][k] = factors[1][k] * pivot_rows[k].fields[b][i + 1];
+                    }
+                    FrontalRow::reduce_two([first, second], nodes, pivot_rows, factors, F * b + i + 1);
+                }
+                for row in two.into_remainder() {
                     let mut factors = inverse;
                     for k in 0..F {
-                        factors[k] = factors[k] * pivot_rows[k].fields[b][i];
+                        factors[k] = factors[k] * pivot_rows[k].fields[b][F - 1];
                     }
-                    row.reduce::<false, F>(nodes, pivot_rows, factors, F * b + i);
+                    row.reduce::<false, F>(nodes, pivot_rows, factors, F * b + F - 1);
                 }
             }
             let mut factors = [T::splat(0.0); F];

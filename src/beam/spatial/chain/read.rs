@@ -76,6 +76,16 @@ impl SpatialChain {
         residual
     }
 
+    /// The residual of the unknowns of the right end alone, to which one element contributes.
+    pub fn residual_of_right_end(&self, at: SpatialConfiguration) -> [f64; F] {
+        let (by, last) = (self.integration(self.nodes()), slot(self.basis.order + 1, self.basis.order));
+        let element = self.element(at, at.boundaries.len() - 2);
+        let turned = turn_to_quaternion(quaternion_of(&element.values[last]));
+        let taken = self.end_map(at, 1).back(&projected(&element.forces(&by)[last], &turned));
+        let (load, _) = self.dead_load(at);
+        std::array::from_fn(|f| taken[f] - load[f])
+    }
+
     /// The gradient of the coverage.
     pub fn coverage_gradient(&self, at: SpatialConfiguration) -> Vec<f64> {
         let by = self.integration(self.nodes());

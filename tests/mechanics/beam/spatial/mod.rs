@@ -11,3 +11,4 @@ mod plane;
 pub mod setup;
 mod spring;
 mod tangents;
+mod turns;
