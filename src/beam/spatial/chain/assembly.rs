@@ -42,7 +42,7 @@ struct Pair {
 
 /// The products of the shape functions of an element.
 #[derive(Clone, Debug)]
-pub(super) struct Products {
+pub(in crate::beam::spatial) struct Products {
     /// Pairs with an image of their own
     pairs: Vec<Pair>,
     /// Those that are their own image

@@ -4,7 +4,7 @@
 //! right. The last row of a front carries the path functional and the last column the residual. The sign of a pivot is the sign of an
 //! eigenvalue, so the sweep counts the negative ones.
 
-mod assembly;
+pub(super) mod assembly;
 mod back;
 pub(super) mod end_block;
 mod factors;

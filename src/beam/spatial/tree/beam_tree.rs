@@ -5,6 +5,7 @@ use super::end_energy::EndEnergy;
 use super::schedule::TreeBundle;
 use super::tree_inertia::NodeInertia;
 use crate::beam::Viscosity;
+use crate::beam::spatial::chain::assembly::Products;
 use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, SpatialEnd, quaternion_of};
 use crate::beam::spatial::density::{SPATIAL_FIELDS, SpatialDensity};
 use crate::beam::spatial::end_rotation::EndRotation;
@@ -28,6 +29,7 @@ pub(super) const ANGLES: usize = 3;
 #[derive(Clone, Debug)]
 pub struct BeamTree {
     pub(super) basis: Basis,
+    pub(super) products: Products,
     pub(super) branches: Arc<[TreeBranch]>,
     /// Each branch behind the one that leads to it
     pub(super) outward: Arc<[usize]>,

@@ -6,6 +6,7 @@ use super::inside::inside_length;
 use super::schedule::schedule;
 use super::topology::Topology;
 use crate::beam::spatial::chain::SpatialEnd;
+use crate::beam::spatial::chain::assembly::Products;
 use crate::beam::spatial::density::SpatialDensity;
 use crate::beam::spatial::end_rotation::EndRotation;
 use crate::beam::spatial::rotation::{Quaternion, conjugate, product};
@@ -117,9 +118,11 @@ impl BranchingBeam {
         let mut end_of = vec![None; joints];
         ends.iter().enumerate().for_each(|(k, end)| end_of[end.joint] = Some(k));
         let bundles = schedule(&self.branches, &topology);
+        let basis = Basis::new(self.order);
         Ok(BeamTree {
             bundles: bundles.into(),
-            basis: Basis::new(self.order),
+            products: Products::new(&basis),
+            basis,
             branches: branches.into(),
             outward: topology.outward.into(),
             ends: ends.into(),

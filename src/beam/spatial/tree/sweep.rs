@@ -117,7 +117,8 @@ impl BeamTree {
             let lanes = self.lanes(own);
             self.gather(values, &lanes, &mut bundle);
             let by = self.integration(nodes, lanes[0].0);
-            let (energy, _) = bundle.integrate::<false>(&by, 0.0, room, field_front);
+            let (energy, _) = bundle.integrate_gradient::<false>(&by, 0.0, room, field_front);
+            self.products.assemble(nodes, &self.basis, &by.coupling, &bundle, room, field_front);
             project(nodes, field_front, &bundle.values, front);
             self.take_ends(nodes, values, &lanes, front);
             if added.damping != [0.0; 2] {
