@@ -61,7 +61,12 @@ fn tips_that_leave_a_table_make_it_grow() {
     );
     assert!(number("relative_error") <= 1e-2 && number("rows") > 100.0, "{table}");
     let changed = peak(&grown) - number("first_peak_force_nN");
-    assert!((number("peak_force_change_nN") - changed).abs() < 1e-12, "{table}");
+    // both pull-offs are on the same mesh, and the peak that is reported is on a finer one, where that is reached
+    let mesh = grown["mesh_error"]["force_nN"].as_f64().unwrap_or(0.0);
+    assert!(
+        (number("peak_force_change_nN") - changed).abs() < mesh + 1e-12 && mesh < 1e-6 * peak(&grown),
+        "{table} {mesh}"
+    );
     let bound = 4.0 * (number("normal_force_error_nN") + wide["tip_table"]["normal_force_error_nN"].as_f64().unwrap());
     assert!((peak(&grown) - peak(&wide)).abs() < bound && bound < 0.5, "{} {} {bound}", peak(&grown), peak(&wide));
     assert!((peak(&wide) - peak(&curve)).abs() < 0.02 * peak(&curve), "{} {}", peak(&wide), peak(&curve));

@@ -60,6 +60,9 @@ const OUTSET: usize = 3;
 const OUTSET_GROWTH: f64 = 2.0;
 /// Points over which the path's direction is taken.
 const CHORD: usize = 4;
+/// Segments on which a point may lie that leads back, and how far beside one, over its length.
+const LOOKED_BACK: usize = 8;
+const BESIDE: f64 = 0.05;
 
 impl<'p> Path<'p> {
     /// A path that starts at rest.
@@ -211,7 +214,10 @@ impl<'p> Path<'p> {
                         if let (true, Some(near)) = (across, &self.branch) {
                             (crosses, step) = (true, near.step_across(self.problem, &weights, &slope));
                         }
-                    } else if turned || next.correction > REFUSE * self.step_tolerance() && points.len() > 1 {
+                    } else if turned
+                        || self.notice == Notice::OfRest && self.leads_back(&next)
+                        || next.correction > REFUSE * self.step_tolerance() && points.len() > 1
+                    {
                         (cause, step) = (refused, step * 0.4);
                     } else {
                         self.errors = predictor::errors(self.problem, &points, &labels, &next, step);
@@ -291,6 +297,20 @@ impl<'p> Path<'p> {
         let metric = self.metric(Some(&next.observables));
         let chord = next.observables.since(&newest.observables);
         metric.cosine(slope, &chord) < LEAST_COSINE || metric.cosine(&next.slope, &chord) < LEAST_COSINE
+    }
+
+    /// Whether a point lies on the path that has been followed, which runs back there.
+    fn leads_back(&self, next: &Solution) -> bool {
+        let metric = self.metric(Some(&next.observables));
+        self.points.windows(2).rev().take(LOOKED_BACK).any(|ends| {
+            let chord = ends[1].observables.since(&ends[0].observables);
+            let off = next.observables.since(&ends[0].observables);
+            let length = metric.weights(&chord).dot(&chord);
+            let share = metric.weights(&chord).dot(&off) / length;
+            let beside = off.plus(&chord.times(-share));
+            let on_it = (0.0..=1.0).contains(&share) && metric.weights(&beside).dot(&beside) <= BESIDE * length;
+            on_it && metric.cosine(&next.slope, &chord) < 0.0
+        })
     }
 
     /// Error wanted of a prediction.

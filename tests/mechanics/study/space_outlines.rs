@@ -24,7 +24,7 @@ use peelkit::solve::{
     LimitPointKind, NewtonOptions, Observables, Path, PathConstraint, PathEvent, PathOptions, PathTracer, State,
     TraceOptions, Workspace, solve,
 };
-use peelkit::study::{Accuracy, PathEnd, StopCriteria, peel};
+use peelkit::study::{Accuracy, PathEnd, PathPoint, StopCriteria, peel};
 
 const ORDER: usize = 7;
 
@@ -160,12 +160,15 @@ fn a_pull_to_the_other_side_is_the_mirror_image() {
     // the points of one lie on the curve through those of the other
     for (a, around) in left.points[1..].iter().zip(right.points.windows(3)) {
         let [before, b, behind] = around else { continue };
-        let (grip, mirrored) = (a.in_space.unwrap(), b.in_space.unwrap());
-        let near = |one: f64, other: f64| assert!((one - other).abs() < 1e-4, "{a:?} {b:?}");
-        let slope = (behind.force - before.force) / (behind.displacement - before.displacement);
-        near(a.force, b.force + slope * (a.displacement - b.displacement));
-        near(grip.roll, -mirrored.roll);
-        near(grip.yaw, -mirrored.yaw);
+        let share = (a.displacement - b.displacement) / (behind.displacement - before.displacement);
+        let near = |one: f64, of: &dyn Fn(&PathPoint) -> f64| {
+            let other = of(b) + share * (of(behind) - of(before));
+            assert!((one - other).abs() < 1e-4, "{one} {other}: {a:?} {b:?}");
+        };
+        let grip = a.in_space.unwrap();
+        near(a.force, &|point| point.force);
+        near(grip.roll, &|point| -point.in_space.unwrap().roll);
+        near(grip.yaw, &|point| -point.in_space.unwrap().yaw);
     }
 }
 

@@ -5,9 +5,10 @@
 //! ```
 //!
 //! Reference: Euler's load of a column that is clamped at one end and free at the other, π² EI / 4 L², of the two planes in which it bends. The
-//! straight column under the force P is shortened by P L / EA. Parameters: L = 30, EA = GA = 1e5, EI = 100 and 400; shortening and shear
-//! change the load by less than 1e-4 of itself. Expected: no negative eigenvalue below the first load, one up to the second, two up to 9 times the first,
-//! three beyond.
+//! straight column under the force P is shortened by P L / EA; further loads are 3², 5² and so on times the first of a plane. Parameters: L = 30,
+//! EA = GA = 1e5, EI = 100 and 800; shortening and shear change each load by less than 1e-3 of itself. Expected: as many negative eigenvalues as there are
+//! loads below the force. Predictions on a straight path are exact, so that the force grows up to 4.5 times from point to point: points are bound
+//! to lie below the first load and between it and the second, 8 times the first.
 
 use approx::assert_relative_eq;
 use peelkit::beam::{Branch, BranchingBeam, JointCondition, SpatialStiffness};
@@ -17,7 +18,7 @@ use std::sync::Arc;
 
 const LENGTH: f64 = 30.0;
 const AXIAL: f64 = 1e5;
-const BENDING: [f64; 2] = [100.0, 400.0];
+const BENDING: [f64; 2] = [100.0, 800.0];
 
 fn column() -> Problem {
     let stiffness = SpatialStiffness::diagonal(AXIAL, [AXIAL; 2], 50.0, BENDING);
@@ -45,9 +46,8 @@ fn column() -> Problem {
 #[test]
 fn a_column_of_branches_buckles_at_eulers_loads() {
     let problem = column();
-    // the first of each plane, and the second of the softer one, 3² times its first
     let [soft, stiff] = BENDING.map(|bending| PI * PI * bending / (4.0 * LENGTH * LENGTH));
-    let loads = [soft, stiff, 9.0 * soft];
+    let loads = [soft, stiff, 9.0 * soft, 25.0 * soft, 49.0 * soft, 9.0 * stiff];
     let options = PathOptions {
         elements: 0,
         step_tolerance: 1e-2,
@@ -55,20 +55,20 @@ fn a_column_of_branches_buckles_at_eulers_loads() {
         first_displacement: 0.02 * loads[0] * LENGTH / AXIAL,
         ..PathOptions::default()
     };
-    let mut seen = [0; 4];
+    let mut seen = [0; 7];
     for point in Path::new(&problem, options).take(400) {
         let point = point.unwrap();
         let (force, displacement) = (point.observables.force, point.observables.displacement);
         assert_relative_eq!(force, displacement * AXIAL / LENGTH, max_relative = 1e-6, epsilon = 1e-7);
-        let beyond = loads.iter().filter(|load| force > **load * (1.0 + 1e-4)).count();
-        let below = loads.iter().filter(|load| force > **load * (1.0 - 1e-4)).count();
+        let beyond = loads.iter().filter(|load| force > **load * (1.0 + 1e-3)).count();
+        let below = loads.iter().filter(|load| force > **load * (1.0 - 1e-3)).count();
         if beyond == below {
             assert_eq!(point.negative, beyond, "at P = {force} of {loads:?}");
             seen[beyond] += 1;
         }
-        if force > 1.3 * loads[1] {
+        if force > 1.3 * loads[2] {
             break;
         }
     }
-    assert!(seen[..3].iter().all(|&count| count > 0), "{seen:?}");
+    assert!(seen[0] > 0 && seen[1] > 0 && seen[3..].iter().sum::<usize>() > 0, "{seen:?}");
 }
