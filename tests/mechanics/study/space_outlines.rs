@@ -157,13 +157,27 @@ fn a_pull_to_the_other_side_is_the_mirror_image() {
         assert_eq!(first.negative_eigenvalues, 0);
     }
     assert_eq!(left.points.len(), right.points.len());
-    // the points of one lie on the curve through those of the other
+    // what turns does so at the same place, to round-off
+    assert!(!left.limit_points.is_empty());
+    assert_eq!(left.limit_points.len(), right.limit_points.len());
+    for (a, b) in left.limit_points.iter().zip(&right.limit_points) {
+        assert_eq!(a.kind, b.kind);
+        assert!((a.force / b.force - 1.0).abs() < 1e-10, "{a:?} {b:?}");
+        assert!((a.displacement / b.displacement - 1.0).abs() < 1e-10, "{a:?} {b:?}");
+    }
+    // the points of one lie on the curve through those of the other, far closer than the accuracy asked for: steps are of different
+    // lengths where round-off decides them
     for (a, around) in left.points[1..].iter().zip(right.points.windows(3)) {
         let [before, b, behind] = around else { continue };
-        let share = (a.displacement - b.displacement) / (behind.displacement - before.displacement);
+        // the parabola through three points
         let near = |one: f64, of: &dyn Fn(&PathPoint) -> f64| {
-            let other = of(b) + share * (of(behind) - of(before));
-            assert!((one - other).abs() < 1e-4, "{one} {other}: {a:?} {b:?}");
+            let weight = |of: &PathPoint, [j, k]: [&PathPoint; 2]| {
+                (a.displacement - j.displacement) * (a.displacement - k.displacement)
+                    / ((of.displacement - j.displacement) * (of.displacement - k.displacement))
+            };
+            let [p, q, r] = [weight(before, [b, behind]), weight(b, [before, behind]), weight(behind, [before, b])];
+            let other = p * of(before) + q * of(b) + r * of(behind);
+            assert!((one / other - 1.0).abs() < 1e-4, "{one} {other}: {a:?} {b:?}");
         };
         let grip = a.in_space.unwrap();
         near(a.force, &|point| point.force);
