@@ -27,6 +27,9 @@ const CERTAIN_STAGNATION: f64 = 1e-6;
 const MANY_MORE: usize = 2;
 /// An error above this is no accuracy, whatever it comes from.
 const NO_ACCURACY: f64 = 1e-2;
+/// Relative difference of two places at which two meshes lose a path for one reason.
+const SAME_PLACE: f64 = 1e-3;
+
 /// One mesh tried, and what it was worth.
 pub(super) struct Attempt {
     pub(super) peel: Peel,
@@ -80,6 +83,21 @@ impl Whole {
     }
 }
 
+/// Where a path was lost: its newest point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lost {
+    displacement: f64,
+    force: f64,
+}
+
+impl Lost {
+    /// Whether this is the same place as far as two meshes can tell.
+    pub(super) fn is_near(&self, other: &Self) -> bool {
+        let near = |one: f64, other: f64| (one - other).abs() <= SAME_PLACE * one.abs();
+        near(self.displacement, other.displacement) && near(self.force, other.force)
+    }
+}
+
 impl Attempt {
     pub(super) fn new(
         model: &PeelModel,
@@ -126,6 +144,13 @@ impl Attempt {
     /// The difference to more elements; infinite where the path is unusable.
     pub(super) fn worst(&self) -> f64 {
         if self.trouble.is_some() { f64::INFINITY } else { self.difference }
+    }
+
+    /// Where the path was lost, if it cannot be continued.
+    pub(super) fn lost(&self) -> Option<Lost> {
+        let newest =
+            self.peel.points.last().filter(|_| matches!(self.trouble, Some(Path(_))) && self.beyond.is_none())?;
+        Some(Lost { displacement: newest.displacement, force: newest.force })
     }
 
     /// Whether nothing finer is needed, as where a path that cannot be continued ends with its model.

@@ -2,7 +2,7 @@
 //! so, a finer mesh and the path again.
 
 use super::assembly::empty;
-use super::attempt::{Attempt, Whole};
+use super::attempt::{Attempt, Lost, Whole};
 use super::equilibrium_path::follow;
 use super::{Effort, Failure, PathEnd, PathFailure, Peel};
 use crate::beam::MeshKind;
@@ -39,7 +39,7 @@ pub(in crate::study) struct KnownStart {
 pub(super) enum Collapsed {
     /// It is tried on a finer one.
     Refined,
-    /// It is lost: on a mesh that stays each element that is longer than the process zone takes its steps as the front crosses it, and one that is
+    /// It is lost: on a fixed mesh each element that is longer than the process zone takes its steps as the front crosses it, and one that is
     /// finer by half takes as many.
     Lost,
 }
@@ -78,13 +78,16 @@ pub(super) fn on_meshes(
         iterations: 0,
         unfinished: false,
         gives_up: false,
+        lost: None,
+        lost_again: None,
         wholes: Vec::new(),
     };
     let mut best: Option<Attempt> = None;
     for &pace in paces {
-        // a mesh that stays and is too coarse is so at any pace: watched, a path begins on the one that came farthest
+        // a fixed mesh that is too coarse is so at any pace: watched, a path begins on the one that came farthest
         let farthest = best.as_ref().filter(|_| pace == Pace::Watchful && mesh != MeshKind::Moving);
-        let reached = farthest.map(|best| best.peel.effort.elements);
+        let farthest = farthest.map(|best| best.peel.effort.elements);
+        let reached = farthest.or(meshes.lost_again.filter(|_| pace == Pace::Wary));
         let from = Resolution { elements: reached.unwrap_or(first.elements), ..first };
         let again = meshes.followed_at(pace, from, &problem, limits);
         best = meshes.better(best, again);
@@ -139,6 +142,10 @@ struct Meshes<'r> {
     unfinished: bool,
     /// Whether no further one is begun.
     gives_up: bool,
+    /// Where the path on the last one was lost, if it was.
+    lost: Option<Lost>,
+    /// The elements of the mesh on which the path was lost where it had been lost before.
+    lost_again: Option<usize>,
     /// The limit points of every path that could be used.
     wholes: Vec<Whole>,
 }
@@ -182,9 +189,22 @@ impl Meshes<'_> {
             let collapses = matches!(attempt.trouble, Some(PathFailure::TooManyPoints { .. }));
             self.gives_up |= collapses && self.collapsed == Collapsed::Lost;
             self.wholes.extend(attempt.whole());
-            let finer = (!enough && !over && !hopeless && !self.gives_up).then_some(attempt.next);
+            let again = self.is_lost_again(&attempt, pace);
+            let finer = (!enough && !over && !hopeless && !self.gives_up && !again).then_some(attempt.next);
             (attempt, finer)
         })
+    }
+
+    /// Whether the path was lost where the mesh before had lost it: then the mesh is not to blame, and the next pace goes on from this one. Watched,
+    /// a path comes past such a place on one mesh and not on another.
+    fn is_lost_again(&mut self, attempt: &Attempt, pace: Pace) -> bool {
+        let lost = attempt.lost();
+        let before = std::mem::replace(&mut self.lost, lost);
+        let again = pace != Pace::Watchful && lost.zip(before).is_some_and(|(lost, before)| lost.is_near(&before));
+        if again {
+            self.lost_again = Some(attempt.peel.effort.elements);
+        }
+        again
     }
 
     /// The better one of two, told what the other meshes gave.

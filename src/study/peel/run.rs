@@ -1,5 +1,5 @@
 //! The run behind [`super::peel`]: the path on meshes that follow its front, at one pace after another, and, where none of them gives a path that can be
-//! used, on meshes that stay.
+//! used, on fixed meshes.
 
 use super::meshes::{Collapsed, KnownStart, on_meshes};
 use super::widened::widened;
@@ -38,17 +38,17 @@ pub(in crate::study) fn run(
     let lost = matches!(peel.end, PathEnd::Failed(Failure::Path { .. })) && limits.reached().is_none();
     let is_watched = paces.contains(&Pace::Watchful);
     if lost && is_watched && aimed.fitted(model).choice.mesh == MeshKind::Moving {
-        peel = on_staying_meshes(peel, model, &aimed, stop);
+        peel = on_fixed_meshes(peel, model, &aimed, stop);
     }
     widened(peel, accuracy, least)
 }
 
-/// The same path on meshes that stay, if that can be used. A mesh that follows the front is coarse far from it, where a strip that is compressed waves:
+/// The same path on fixed meshes, if that can be used. A mesh that follows the front is coarse far from it, where a strip that is compressed waves:
 /// the more, the nearer the compression is to that under which what is bonded wrinkles.
-fn on_staying_meshes(lost: Peel, model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Peel {
-    let staying = accuracy.with(Choice { mesh: MeshKind::Graded, ..accuracy.choice });
+fn on_fixed_meshes(lost: Peel, model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Peel {
+    let fixed = accuracy.with(Choice { mesh: MeshKind::Graded, ..accuracy.choice });
     let limits = Limits { stop, checkpoint: &Checkpoint::NOTHING };
-    let mut peel = on_meshes(model, &staying, &limits, None, &[Pace::Quick, Pace::Watchful], Collapsed::Lost);
+    let mut peel = on_meshes(model, &fixed, &limits, None, &[Pace::Quick, Pace::Watchful], Collapsed::Lost);
     if peel.unfinished || matches!(peel.end, PathEnd::Failed(_)) {
         return lost;
     }
