@@ -14,6 +14,7 @@ mod sliding;
 mod solution_history;
 mod special_points;
 mod step_curve;
+mod whole;
 mod widened;
 mod work;
 pub use adhering::Adhering;
