@@ -3,9 +3,11 @@
 use super::PathFailure::{Jumped, Missed, NearUpright, NotLocated, Path, TooManyPoints};
 use super::assembly::{differences, report};
 use super::equilibrium_path::Followed;
+use super::lost::Lost;
 use super::solution_history::SolutionHistory;
 use super::special_points::{difference_at_start, error_at_start};
-use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
+use super::whole::{NO_ACCURACY, Whole};
+use super::{Effort, Failure, PathEnd, PathFailure, Peel};
 use crate::model::{BeamProblem, PeelModel};
 use crate::solve::LimitPointKind;
 use crate::study::Accuracy;
@@ -25,10 +27,6 @@ const STAGNATION: f64 = 2e-8;
 /// The same where the error did not fall with this many times as many elements.
 const CERTAIN_STAGNATION: f64 = 1e-6;
 const MANY_MORE: usize = 2;
-/// An error above this is no accuracy, whatever it comes from.
-const NO_ACCURACY: f64 = 1e-2;
-/// Relative difference of two places at which two meshes lose a path for one reason.
-const SAME_PLACE: f64 = 1e-3;
 
 /// One mesh tried, and what it was worth.
 pub(super) struct Attempt {
@@ -63,39 +61,8 @@ enum Beside {
     NoBetter,
     /// The same, and the finer ones have the same limit points: what it differs by is round-off, however large that is.
     Agreeing,
-}
-
-/// The limit points of a path that could be used, and its elements.
-pub(super) struct Whole {
-    elements: usize,
-    limit_points: Vec<LimitPoint>,
-}
-
-impl Whole {
-    /// Whether these are the same limit points, as far as there is an accuracy.
-    fn agrees_with(&self, limit_points: &[LimitPoint]) -> bool {
-        let near = |one: f64, other: f64| (one - other).abs() <= NO_ACCURACY * one.abs();
-        self.limit_points.len() == limit_points.len()
-            && self.limit_points.iter().zip(limit_points).all(|(one, other)| {
-                let place = one.flat || other.flat || near(one.displacement, other.displacement);
-                one.kind == other.kind && near(one.force, other.force) && place
-            })
-    }
-}
-
-/// Where a path was lost: its newest point.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Lost {
-    displacement: f64,
-    force: f64,
-}
-
-impl Lost {
-    /// Whether this is the same place as far as two meshes can tell.
-    pub(super) fn is_near(&self, other: &Self) -> bool {
-        let near = |one: f64, other: f64| (one - other).abs() <= SAME_PLACE * one.abs();
-        near(self.displacement, other.displacement) && near(self.force, other.force)
-    }
+    /// With half the elements, or with twice as many, the path has the same limit points: its bounds say how well they are known.
+    Confirmed,
 }
 
 impl Attempt {
@@ -166,11 +133,21 @@ impl Attempt {
         self.beyond.clone().filter(|_| stopped)
     }
 
-    /// A whole path comes before one that was cut, then the error bounds; among those that are met, the first integral.
+    /// Whether its path is of no use: it stopped short, and its model gives it no end there.
+    fn is_lost(&self) -> bool {
+        self.trouble.is_some() && self.model_end().is_none()
+    }
+
+    /// A whole path comes before one that was cut or is lost, then the error bounds; among those that are met, the first integral.
     pub(super) fn is_better_than(&self, best: &Self) -> bool {
         let met = |attempt: &Self| attempt.worst() <= 1.0;
         let small = |attempt: &Self| attempt.worst() * attempt.peel.asked < STAGNATION;
         if self.cut && best.trouble.is_none() {
+            false
+        } else if self.trouble.is_none() && !self.cut && best.is_lost() {
+            // a lost path misses no bounds, because next to nothing on it was located
+            true
+        } else if best.trouble.is_none() && self.is_lost() {
             false
         } else if self.trouble.is_some() && best.trouble.is_some() {
             let reached = |attempt: &Self| {
@@ -276,6 +253,23 @@ impl Attempt {
         };
     }
 
+    /// Looks once more at all other meshes, where nothing but its bounds makes a path a failure: on one with half its elements, or twice as many, it may
+    /// have the same limit points. Bounds that do not explain by how much they differ there are widened.
+    pub(super) fn confirm(&mut self, wholes: &[Whole]) {
+        if self.remembers || !matches!(self.failure(), Some(PathFailure::BoundsMissed { .. })) {
+            return;
+        }
+        let Peel { limit_points, effort, .. } = &mut self.peel;
+        let own = effort.elements;
+        let apart = |other: &Whole| other.elements >= MANY_MORE * own || own >= MANY_MORE * other.elements;
+        let same: Vec<&Whole> = wholes.iter().filter(|other| other.agrees_with(limit_points)).collect();
+        if same.iter().any(|other| apart(other)) {
+            same.iter().for_each(|other| other.widen_unexplained(limit_points));
+            self.peel.tell_bounds();
+            self.beside = Beside::Confirmed;
+        }
+    }
+
     /// Whether the mesh lies beside the front at the newest point, by more than the length of the process zone: as far as its front is from that of
     /// `finely`, the same beam with tilted sections counted finely.
     pub(super) fn is_beside_front(&self, finely: &BeamProblem) -> bool {
@@ -290,8 +284,8 @@ impl Attempt {
     fn round_off(&self) -> f64 {
         match self.beside {
             Beside::Nothing => STAGNATION,
-            Beside::Agreeing if !self.remembers => NO_ACCURACY,
-            Beside::NoBetter | Beside::Agreeing => CERTAIN_STAGNATION,
+            Beside::Agreeing | Beside::Confirmed if !self.remembers => NO_ACCURACY,
+            Beside::NoBetter | Beside::Agreeing | Beside::Confirmed => CERTAIN_STAGNATION,
         }
     }
 
@@ -328,37 +322,60 @@ impl Attempt {
 
 #[cfg(test)]
 mod tests {
+    use super::super::assembly::empty;
     use super::*;
+    use crate::model::StripModel;
+    use crate::solve::SolveError;
 
-    fn turn(kind: LimitPointKind, displacement: f64, force: f64, flat: bool) -> LimitPoint {
-        LimitPoint {
-            kind,
-            displacement,
-            force,
-            end_rotation: 0.0,
-            work: 0.0,
-            displacement_error: 0.0,
-            force_error: 0.0,
-            work_error: None,
-            flat,
-            after: 0,
-            in_space: None,
+    /// A path on so many elements, of which so many numbers differ by `difference` times what was asked.
+    fn attempt(elements: usize, difference: f64, missed: usize, trouble: Option<PathFailure>) -> Attempt {
+        let model = PeelModel::from(StripModel::of_the_paper(100.0, 1.0));
+        let accuracy = Accuracy::to(1e-9);
+        let mut peel = Peel { asked: 1e-9, ..empty(&model) };
+        peel.effort.elements = elements;
+        Attempt {
+            peel,
+            difference,
+            missed,
+            beside: Beside::Nothing,
+            spread: 0.0,
+            trouble,
+            beyond: None,
+            cut: false,
+            next: Resolution::first(&model, &accuracy),
+            remembers: false,
         }
     }
 
-    /// Another mesh confirms limit points where it has the same ones within a hundredth; the place of a flat one does not count.
+    fn lost(elements: usize) -> Attempt {
+        let cause = SolveError::SingularGrip;
+        let trouble = NotLocated { turn: LimitPointKind::Displacement, after: 3, displacement_nm: 0.6, cause };
+        attempt(elements, 0.0, 0, Some(trouble))
+    }
+
+    /// A path on which nothing was located misses no bound; one that is whole is better all the same, in either order, unless it was cut.
     #[test]
-    fn limit_points_of_two_meshes_agree() {
-        let points = |kind, displacement, force| {
-            vec![turn(LimitPointKind::Load, 0.3, 2.0, true), turn(kind, displacement, force, false)]
+    fn a_lost_path_is_no_better_than_a_whole_one() {
+        let whole = attempt(104, 13.0, 1, None);
+        assert!(whole.is_better_than(&lost(68)));
+        assert!(!lost(68).is_better_than(&whole));
+        assert!(!lost(68).is_better_than(&attempt(104, 1e5, 3, None)));
+        assert!(!Attempt { cut: true, ..attempt(104, 13.0, 1, None) }.is_better_than(&lost(68)));
+        let ended = Attempt { beyond: Some(PathEnd::Pivoting), ..attempt(68, 0.5, 0, lost(68).trouble) };
+        assert!(whole.is_better_than(&ended), "a limit point that was not located is no end of a model");
+    }
+
+    /// Bounds above what was asked for are a failure until half or twice the elements give the same limit points.
+    #[test]
+    fn a_whole_path_is_confirmed_by_many_more_or_fewer_elements() {
+        let on = |elements| Whole { elements, limit_points: Vec::new() };
+        let failure = |wholes: &[Whole]| {
+            let mut attempt = attempt(336, 110.0, 1, None);
+            attempt.confirm(wholes);
+            attempt.failure()
         };
-        let found = points(LimitPointKind::Displacement, 50.0, 1e-6);
-        let agrees = |limit_points| Whole { elements: 8, limit_points }.agrees_with(&found);
-        assert!(agrees(points(LimitPointKind::Displacement, 50.0, 1.005e-6)));
-        assert!(agrees(vec![turn(LimitPointKind::Load, 0.6, 2.0, false), found[1]]));
-        assert!(!agrees(points(LimitPointKind::Displacement, 50.0, 1.02e-6)));
-        assert!(!agrees(points(LimitPointKind::Displacement, 51.0, 1e-6)));
-        assert!(!agrees(points(LimitPointKind::Load, 50.0, 1e-6)));
-        assert!(!agrees(found[..1].to_vec()));
+        assert_eq!(failure(&[on(336), on(200)]), Some(PathFailure::BoundsMissed { factor: 110.0 }));
+        assert_eq!(failure(&[on(336), on(168)]), None);
+        assert_eq!(failure(&[on(672)]), None);
     }
 }

@@ -2,8 +2,10 @@
 //! so, a finer mesh and the path again.
 
 use super::assembly::empty;
-use super::attempt::{Attempt, Lost, Whole};
+use super::attempt::Attempt;
 use super::equilibrium_path::follow;
+use super::lost::Lost;
+use super::whole::Whole;
 use super::{Effort, Failure, PathEnd, PathFailure, Peel};
 use crate::beam::MeshKind;
 use crate::model::{BeamProblem, Discretisation, PeelModel};
@@ -107,6 +109,7 @@ pub(super) fn on_meshes(
     }
     let Meshes { mut iterations, mut unfinished, far, wholes, .. } = meshes;
     if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {
+        best.confirm(&wholes);
         best.widen(&wholes);
     }
     if problem.system.has_history() && accuracy.choice.step.is_none() && !unfinished {
