@@ -4,6 +4,7 @@
 //! and rotation θ, and [`TipTable`] interpolates its energy, so that forces are its gradient. [`Coarsening`] solves the spatula itself where
 //! a table is not enough, and [`SpatulaTip`] puts it into space.
 mod adaptive;
+mod answers;
 mod before;
 mod branch;
 mod column;

@@ -5,6 +5,7 @@
 //!
 //!   E = E_table(u, v, θ) + ½ k (x² + z²) while it adheres;   E = E_table on the detached branch otherwise
 
+use super::answers::{Answer, Answers, Asked};
 use super::branch::TipSheet;
 use super::place::TipPlace;
 use super::table::TipTable;
@@ -24,6 +25,8 @@ pub struct TableLaw {
     pub sideways: Sideways,
     /// Where outside of the table tips with this law, in any orientation, have been in equilibrium
     visits: Arc<Visits>,
+    /// Of one tip
+    answers: Arc<Answers>,
 }
 
 impl TableLaw {
@@ -34,6 +37,7 @@ impl TableLaw {
             tip: SpatulaTip { table, azimuth: 0.0, directors: [1.0, 0.0, 0.0, 0.0], out_of_plane },
             sideways,
             visits: Arc::default(),
+            answers: Arc::default(),
         }
     }
 
@@ -51,6 +55,14 @@ impl TableLaw {
     pub fn place(&self, rest: Quaternion, place: [f64; 3], directors: Quaternion) -> TipPlace {
         SpatulaTip { directors: rest, ..self.tip.clone() }.in_plane(place, directors)
     }
+
+    fn answer(&self, on: TipSheet, place: [f64; 3], directors: Quaternion) -> Answer {
+        self.answers.get(Asked { on, place, directors }, || {
+            let at = self.tip.in_plane(place, directors);
+            let in_plane = self.tip.table.response(on, at);
+            Answer { in_plane, in_space: self.tip.in_space(on, &in_plane, place, directors) }
+        })
+    }
 }
 
 /// Attached and detaching are one branch of the table.
@@ -60,7 +72,7 @@ fn sheet(on: TipBranch) -> TipSheet {
 
 impl TipLaw for TableLaw {
     fn response(&self, on: TipBranch, place: [f64; 3], directors: Quaternion) -> EndResponse {
-        let mut out = self.tip.response(sheet(on), place, directors);
+        let mut out = self.answer(sheet(on), place, directors).in_space;
         if let (true, Sideways::Held(k)) = (on.adheres(), self.sideways) {
             for i in [0, 2] {
                 out.energy += 0.5 * k * place[i] * place[i];
@@ -80,7 +92,7 @@ impl TipLaw for TableLaw {
         match self.tip.table.branch(sheet(before), at) {
             TipSheet::Detached => TipBranch::Detached,
             TipSheet::Attached => {
-                let softens = self.tip.table.response(TipSheet::Attached, at).stiffness[0][0] < 0.0;
+                let softens = self.answer(TipSheet::Attached, place, directors).in_plane.stiffness[0][0] < 0.0;
                 if softens && at.normal > 0.0 { TipBranch::Detaching } else { TipBranch::Attached }
             }
         }
@@ -95,6 +107,7 @@ impl TipLaw for TableLaw {
     }
 
     fn oriented(&self, rest: Quaternion) -> Option<Arc<dyn TipLaw>> {
-        Some(Arc::new(Self { tip: SpatulaTip { directors: rest, ..self.tip.clone() }, ..self.clone() }))
+        let tip = SpatulaTip { directors: rest, ..self.tip.clone() };
+        Some(Arc::new(Self { tip, answers: Arc::default(), ..self.clone() }))
     }
 }
