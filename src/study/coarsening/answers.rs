@@ -1,9 +1,11 @@
 //! What a tip was asked last: a state of the seta is asked for its forces, its energy and its stiffness one after the other.
 
 use super::branch::TipSheet;
+use super::near_end::Source;
 use super::place::TipResponse;
 use crate::beam::EndResponse;
 use crate::beam::rotation::Quaternion;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// Where a tip is.
@@ -18,6 +20,7 @@ pub(super) struct Asked {
 /// What its law says there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Answer {
+    pub source: Source,
     /// In its plane
     pub in_plane: TipResponse,
     /// In space
@@ -26,19 +29,33 @@ pub(super) struct Answer {
 
 /// The last two answers of a tip: those at both ends of a step.
 #[derive(Debug, Default)]
-pub(super) struct Answers(Mutex<[Option<(Asked, Answer)>; 2]>);
+pub(super) struct Answers {
+    last: Mutex<[Option<(Asked, Answer)>; 2]>,
+    solved: AtomicBool,
+    unsolved: AtomicBool,
+}
 
 impl Answers {
     /// The answer that is known, or the one that is found.
     pub fn get(&self, asked: Asked, find: impl FnOnce() -> Answer) -> Answer {
-        let lock = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let lock = || self.last.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, known)) = lock().iter().flatten().find(|(own, _)| *own == asked) {
             return *known;
         }
         let found = find();
+        match found.source {
+            Source::Table => {}
+            Source::Spatula(_) => self.solved.store(true, Ordering::Relaxed),
+            Source::Unsolved => self.unsolved.store(true, Ordering::Relaxed),
+        }
         let mut last = lock();
         last.swap(0, 1);
         last[0] = Some((asked, found));
         found
+    }
+
+    /// Whether an answer has come from the spatula, and whether that was not solved for one.
+    pub fn resolved(&self) -> [bool; 2] {
+        [&self.solved, &self.unsolved].map(|was| was.load(Ordering::Relaxed))
     }
 }

@@ -7,6 +7,7 @@
 
 use super::answers::{Answer, Answers, Asked};
 use super::branch::TipSheet;
+use super::near_end::{NearEnd, Source};
 use super::place::TipPlace;
 use super::table::TipTable;
 use super::tip_in_space::{OutOfPlane, SpatulaTip};
@@ -25,6 +26,8 @@ pub struct TableLaw {
     pub sideways: Sideways,
     /// Where outside of the table tips with this law, in any orientation, have been in equilibrium
     visits: Arc<Visits>,
+    /// The spatula itself, near the end of the attached branch
+    near_end: Option<Arc<NearEnd>>,
     /// Of one tip
     answers: Arc<Answers>,
 }
@@ -37,6 +40,7 @@ impl TableLaw {
             tip: SpatulaTip { table, azimuth: 0.0, directors: [1.0, 0.0, 0.0, 0.0], out_of_plane },
             sideways,
             visits: Arc::default(),
+            near_end: None,
             answers: Arc::default(),
         }
     }
@@ -44,6 +48,11 @@ impl TableLaw {
     /// The same where it is known where outside of the table tips have been.
     pub fn with_visited(self, visited: Visited) -> Self {
         Self { visits: Arc::new(Visits::new(visited)), ..self }
+    }
+
+    /// The same whose tips are spatulae near the end of their attached branch.
+    pub fn resolved(self, near_end: Arc<NearEnd>) -> Self {
+        Self { near_end: Some(near_end), ..self }
     }
 
     /// Where outside of the table its tips have been in equilibrium so far.
@@ -59,8 +68,12 @@ impl TableLaw {
     fn answer(&self, on: TipSheet, place: [f64; 3], directors: Quaternion) -> Answer {
         self.answers.get(Asked { on, place, directors }, || {
             let at = self.tip.in_plane(place, directors);
-            let in_plane = self.tip.table.response(on, at);
-            Answer { in_plane, in_space: self.tip.in_space(on, &in_plane, place, directors) }
+            let table = &self.tip.table;
+            let (in_plane, source) = match &self.near_end {
+                Some(near_end) if on == TipSheet::Attached => near_end.response(table, at),
+                _ => (table.response(on, at), Source::Table),
+            };
+            Answer { source, in_plane, in_space: self.tip.in_space(on, &in_plane, place, directors) }
         })
     }
 }
@@ -100,6 +113,10 @@ impl TipLaw for TableLaw {
 
     fn note(&self, tip: usize, on: TipBranch, place: [f64; 3], directors: Quaternion) {
         self.visits.note(&self.tip.table, tip, sheet(on), self.tip.in_plane(place, directors));
+        if self.near_end.is_some() {
+            let source = self.answer(sheet(on), place, directors).source;
+            self.visits.note_resolved(tip, source, self.answers.resolved());
+        }
     }
 
     fn is_known(&self, on: TipBranch, place: [f64; 3], directors: Quaternion) -> bool {

@@ -106,6 +106,19 @@ impl Sheet {
         [0, self.axes[0].len() - 1].map(|k| weights.of(&self.displacement, k))
     }
 
+    /// u at s as a function of u, v and θ, on which it depends by v and θ alone.
+    pub(super) fn end_jet(&self, s: f64, place: TipPlace) -> Jet {
+        let [mut end, _] = self.jets(s, &place);
+        (end.gradient[0], end.hessian[0]) = (0.0, [0.0; 3]);
+        end.hessian.iter_mut().for_each(|row| row[0] = 0.0);
+        end
+    }
+
+    /// Whether v and θ are within the table.
+    pub(super) fn spans(&self, place: TipPlace) -> bool {
+        self.clamped(place) == place
+    }
+
     /// The limit point at v and θ: u, energy and forces.
     pub fn limit(&self, place: TipPlace) -> SheetLimit {
         let [v, t] = [self.axes[1].basis(place.lateral), self.axes[2].basis(place.rotation)];

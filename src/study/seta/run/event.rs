@@ -35,7 +35,13 @@ impl Run<'_> {
         let Rested { solution, changes, iterations } = rested.map_err(|(cause, changes)| {
             let step = self.progress.step;
             self.standing.tips = standing;
-            SetaEnd::Failed(SetaFailure::Restless { step, displacement, changes, cause })
+            let outside = self.standing.outside(&here.at);
+            match cause {
+                SolveError::NotConverged { .. } if outside > 0 => {
+                    SetaEnd::Failed(SetaFailure::Extrapolated { step, displacement, outside })
+                }
+                cause => SetaEnd::Failed(SetaFailure::Restless { step, displacement, changes, cause }),
+            }
         })?;
         self.progress.result.effort.newton_iterations += iterations;
         let released = before.energy - solution.energy;
