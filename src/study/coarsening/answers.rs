@@ -32,7 +32,6 @@ pub(super) struct Answer {
 pub(super) struct Answers {
     last: Mutex<[Option<(Asked, Answer)>; 2]>,
     solved: AtomicBool,
-    unsolved: AtomicBool,
 }
 
 impl Answers {
@@ -43,10 +42,8 @@ impl Answers {
             return *known;
         }
         let found = find();
-        match found.source {
-            Source::Table => {}
-            Source::Spatula(_) => self.solved.store(true, Ordering::Relaxed),
-            Source::Unsolved => self.unsolved.store(true, Ordering::Relaxed),
+        if matches!(found.source, Source::Spatula(_)) {
+            self.solved.store(true, Ordering::Relaxed);
         }
         let mut last = lock();
         last.swap(0, 1);
@@ -54,8 +51,8 @@ impl Answers {
         found
     }
 
-    /// Whether an answer has come from the spatula, and whether that was not solved for one.
-    pub fn resolved(&self) -> [bool; 2] {
-        [&self.solved, &self.unsolved].map(|was| was.load(Ordering::Relaxed))
+    /// Whether an answer has come from the spatula.
+    pub fn was_solved(&self) -> bool {
+        self.solved.load(Ordering::Relaxed)
     }
 }

@@ -20,7 +20,6 @@ use super::place::{PadEnd, TipPlace, TipResponse};
 use super::run::Coarsening;
 use super::table::TipTable;
 use crate::model::PeelModel;
-use crate::study::StopCriteria;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -68,16 +67,12 @@ pub(super) enum Source {
 }
 
 impl NearEnd {
-    /// Of a spatula with a table, from so far before the end of its attached branch on, nm.
+    /// Of a spatula with a table, from so far before the end of its attached branch on, nm. Nothing stops it on its way: a seta whose tips are
+    /// solved is stopped between its own equilibria.
     ///
     /// # Errors
-    /// A spatula that does not come to rest; a criterion that was met; a pad that is held along the substrate.
-    pub fn new(
-        spatula: &PeelModel,
-        table: &TipTable,
-        within: f64,
-        stop: &StopCriteria,
-    ) -> Result<Self, CoarseningError> {
+    /// A spatula that does not come to rest; a pad that is held along the substrate.
+    pub fn new(spatula: &PeelModel, table: &TipTable, within: f64) -> Result<Self, CoarseningError> {
         if table.options.pad_end == PadEnd::Held {
             return Err(CoarseningError::Refused {
                 what: "tips whose pads are held along the substrate follow their table alone",
@@ -85,7 +80,7 @@ impl NearEnd {
             });
         }
         let options = CoarseningOptions { tolerance: TOLERANCE, ..table.options };
-        let start = Coarsening::until(spatula, &options, stop)?.into_attached();
+        let start = Coarsening::new(spatula, &options)?.into_attached();
         let rotation = table.options.range.rotation;
         Ok(Self { within, start, rotation, columns: Mutex::default(), states: Mutex::default() })
     }

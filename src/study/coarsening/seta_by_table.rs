@@ -108,7 +108,7 @@ impl GrowingTable {
     /// # Errors
     /// Those of the spatula.
     pub fn resolved(self, within: f64) -> Result<Self, CoarseningError> {
-        let near_end = NearEnd::new(&self.spatula, &self.table, within, &self.stop)?;
+        let near_end = NearEnd::new(&self.spatula, &self.table, within)?;
         Ok(Self { near_end: Some(Arc::new(near_end)), ..self })
     }
 

@@ -115,7 +115,7 @@ impl TipLaw for TableLaw {
         self.visits.note(&self.tip.table, tip, sheet(on), self.tip.in_plane(place, directors));
         if self.near_end.is_some() {
             let source = self.answer(sheet(on), place, directors).source;
-            self.visits.note_resolved(tip, source, self.answers.resolved());
+            self.visits.note_resolved(tip, source, self.answers.was_solved());
         }
     }
 

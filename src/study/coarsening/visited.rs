@@ -36,7 +36,7 @@ pub struct Resolved {
     pub force: f64,
     /// The same of the moment, nN·nm
     pub moment: f64,
-    /// The tips of which a spatula was not solved somewhere near the end: they followed the table there
+    /// The tips of which no spatula was found in an equilibrium of the seta: they followed the table there
     pub unsolved: BTreeSet<usize>,
 }
 
@@ -79,21 +79,22 @@ impl Visits {
         }
     }
 
-    /// A tip is in equilibrium, and was resolved on the way there or not.
-    pub fn note_resolved(&self, tip: usize, source: Source, [solved, unsolved]: [bool; 2]) {
-        if !(solved || unsolved) {
+    /// A tip is in equilibrium, and has been solved as a spatula before or not.
+    pub fn note_resolved(&self, tip: usize, source: Source, solved: bool) {
+        if !solved && source != Source::Unsolved {
             return;
         }
         let resolved = &mut self.0.lock().unwrap_or_else(PoisonError::into_inner).resolved;
         if solved {
             resolved.tips.insert(tip);
         }
-        if unsolved {
-            resolved.unsolved.insert(tip);
-        }
-        if let Source::Spatula([force, moment]) = source {
-            resolved.force = resolved.force.max(force.abs());
-            resolved.moment = resolved.moment.max(moment.abs());
+        match source {
+            Source::Table => {}
+            Source::Spatula([force, moment]) => {
+                resolved.force = resolved.force.max(force.abs());
+                resolved.moment = resolved.moment.max(moment.abs());
+            }
+            Source::Unsolved => drop(resolved.unsolved.insert(tip)),
         }
     }
 

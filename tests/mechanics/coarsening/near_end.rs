@@ -28,7 +28,7 @@ fn turned(angle: f64) -> [f64; 4] {
 }
 
 fn laws(table: &Arc<TipTable>) -> [Arc<dyn TipLaw>; 2] {
-    let near_end = NearEnd::new(&spatula(), table, WITHIN, &StopCriteria::default()).unwrap();
+    let near_end = NearEnd::new(&spatula(), table, WITHIN).unwrap();
     let by_table = TableLaw::new(table.clone(), Sideways::Free);
     [by_table.clone().resolved(Arc::new(near_end)), by_table].map(|law| law.oriented(UPRIGHT).unwrap())
 }
@@ -73,8 +73,8 @@ fn its_forces_are_the_derivatives_of_one_energy() {
     let angle = 0.023;
     let end = table.attached.ends(at(0.0, 0.0, angle))[1];
     let ask = |u: f64, angle: f64| resolved.response(TipBranch::Attached, [0.0, u, 0.0], turned(angle));
-    // spatula; both; table
-    for depth in [15.0, 22.0, 23.0, 24.5, 30.0] {
+    // spatula; both; table; not where the cells of 2 nm meet, from whose middles spatulae are solved on their own meshes
+    for depth in [15.3, 21.3, 23.1, 24.5, 30.0] {
         let (u, step) = (end - depth, 1e-3);
         let here = ask(u, angle);
         let slope = |[behind, ahead]: [f64; 2], step: f64| (ahead - behind) / (2.0 * step);
@@ -111,7 +111,8 @@ fn a_seta_is_pulled_off_once_more_with_its_detaching_tips_resolved() {
     assert!(resolved.force > 0.0 && resolved.force < bound, "{resolved:?} {bound}");
     let change = growing.changed_by_resolved().unwrap();
     assert!(change != 0.0 && change.abs() < bound && pulled.imbalance() < 1e-6, "{change} {bound}");
-    assert_eq!(growing.changed(), Some(0.0));
+    // that of the table, which may have grown before
+    assert!(growing.changed().unwrap().abs() < bound);
 }
 
 #[test]
@@ -119,6 +120,6 @@ fn a_pad_that_is_held_is_refused() {
     let range = TipRange { press: 1.0, lateral: [-1.0, 1.0], rotation: [-0.01, 0.01] };
     let options = CoarseningOptions { range, tolerance: 0.1, ..CoarseningOptions::of(PadEnd::Held) };
     let table = coarsen(&spatula(), &options).unwrap();
-    let refused = NearEnd::new(&spatula(), &table, WITHIN, &StopCriteria::default());
+    let refused = NearEnd::new(&spatula(), &table, WITHIN);
     assert!(matches!(refused, Err(CoarseningError::Refused { .. })), "{:?}", refused.err());
 }

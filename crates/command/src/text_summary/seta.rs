@@ -126,7 +126,7 @@ fn of_table(growing: &GrowingTable, force: Unit) -> Vec<(&'static str, String)> 
             text += &format!(", the peak by {change:.1e} nN");
         }
         if !unsolved.is_empty() {
-            text += &format!("; {} were not solved somewhere, and followed the table there", unsolved.len());
+            text += &format!("; {} were not solved in an equilibrium, and followed the table there", unsolved.len());
         }
         lines.push(("tips resolved", text));
     }

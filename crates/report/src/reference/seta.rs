@@ -60,7 +60,7 @@ pub const SETA_SUMMARY: &[OutputKey] = &[
     key("tip_table.peak_force_change_nN", "by how much the peak force by the last table differs from it"),
     key("tip_table.resolve_within_nm", "how near to where they snap off tips were solved as spatulae; null where all followed the table"),
     key("tip_table.tips_resolved", "tips that were solved so in the last pull-off"),
-    key("tip_table.tips_unresolved", "tips of which a spatula was not solved somewhere there: they followed the table"),
+    key("tip_table.tips_unresolved", "tips of which no spatula was found in an equilibrium of the seta: they followed the table there"),
     key("tip_table.resolved_force_change_nN", "largest change of the normal force of a tip against the table, in equilibria of the seta"),
     key("tip_table.resolved_moment_change_nN_nm", "the same for the moment"),
     key("tip_table.resolved_peak_force_change_nN", "by how much the spatulae change the peak force of the curve against that by the table alone"),
