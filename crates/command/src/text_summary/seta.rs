@@ -104,12 +104,12 @@ fn of_table(growing: &GrowingTable, force: Unit) -> Vec<(&'static str, String)> 
     )];
     let outside = |round: &TableRound| round.visited.outside.len();
     let grown = match (rounds, growing.changed()) {
-        ([only], _) if outside(only) == 0 => "no tip left it".to_owned(),
+        ([_, ..], _) if rounds.iter().all(|round| outside(round) == 0) => "no tip left it".to_owned(),
         ([first, .., last], Some(change)) => format!(
             "{} tips left the first table; {} rows added in {} more pull-offs change the peak by {}; {} tips outside of the last one",
             outside(first),
             growing.added(),
-            rounds.len() - 1,
+            rounds.iter().filter(|round| round.within.is_none()).count() - 1,
             force.short(change),
             outside(last)
         ),
