@@ -7,7 +7,7 @@
 //! table to 1e-2. Reference: the seta by the curve of its normal pull, whose tips carry no moment; a table that was wide to begin with; the same run
 //! without an interruption.
 //! Expected: the peak is that of the curve within 2 %, as tips of a slender seta hardly turn, and that of the wide table within the bound of its error; summary.json says how
-//! many tips left the table and what that changed; the table of another spatula, one with too large an error and one of a pad that is held are
+//! many tips left the table and what that changed, and how many were solved as spatulae and what that changed; the table of another spatula, one with too large an error and one of a pad that is held are
 //! refused by name; a run that is stopped and goes on writes the same numbers.
 
 use crate::seta::run as peel;
@@ -73,6 +73,25 @@ fn tips_that_leave_a_table_make_it_grow() {
     assert_eq!((&wide["tip_table"]["pull_offs"], &wide["tip_table"]["rows_added"]), (&1.into(), &0.into()));
     let (_, text, _) = run(dir.path(), &read, &["--out", "out"]);
     assert!(text.contains("tips left the first table") && text.contains("rows added"), "{text}");
+}
+
+#[test]
+fn detaching_tips_are_resolved() {
+    let dir = tempdir().unwrap();
+    coarsen(dir.path(), &["--rotation", "-0.3 rad,0.1 rad", "--press", "100 nm"]);
+    let sets = [&BY_TABLE[..], &["seta.tip_table=tip", "seta.resolve_within=20 nm"]].concat();
+    let found = summary(run(dir.path(), &sets, &["--json"]));
+    let table = &found["tip_table"];
+    let number = |key: &str| table[key].as_f64().unwrap();
+    assert_eq!((number("resolve_within_nm"), number("tips_resolved"), number("tips_unresolved")), (20.0, 4.0, 0.0));
+    assert!(number("pull_offs") >= 2.0 && number("tips_outside") == 0.0, "{table}");
+    let (change, bound) = (number("resolved_peak_force_change_nN"), 4.0 * number("normal_force_error_nN"));
+    assert!(change != 0.0 && change.abs() < bound, "{table}");
+    assert!(number("resolved_force_change_nN") > 0.0 && number("resolved_moment_change_nN_nm") > 0.0, "{table}");
+    let (_, text, _) = run(dir.path(), &sets, &["--out", "out"]);
+    assert!(text.contains("within 20.000 nm of where they snap off"), "{text}");
+    let (status, _, trouble) = run(dir.path(), &["seta.resolve_within=20 nm"], &["--json"]);
+    assert!(status == Some(2) && trouble.contains("which tips are no longer taken from a table"), "{trouble}");
 }
 
 #[test]

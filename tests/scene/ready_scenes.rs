@@ -39,7 +39,7 @@ fn every_example_that_messages_give_is_right() {
             "profile" => PROFILE.to_owned(),
             "substrate" => on_ground(key.shapes()[0]),
             "optimise" => MINIMAL.replace("height = \"10 nm\"", "height = \"5 nm\"\nwidth = \"10 nm\"") + OPTIMISED,
-            "seta" if ["tip_table", "tip_tolerance"].contains(&key.name) => {
+            "seta" if ["tip_table", "tip_tolerance", "resolve_within"].contains(&key.name) => {
                 SETA.replace("[seta]", "[seta]\ntip_law = \"table\"")
             }
             "seta" => SETA.to_owned(),

@@ -80,15 +80,26 @@ fn first_table(scene: &Scene, table: &SetaTable, stop: &StopCriteria) -> Result<
     Ok(Arc::new(read))
 }
 
+/// The table of the tips of a scene, which grows, and whose tips are resolved as the scene says.
+fn growing(
+    scene: &Scene,
+    table: &SetaTable,
+    first: Arc<TipTable>,
+    stop: &StopCriteria,
+) -> Result<GrowingTable, CoarseningError> {
+    let growing = GrowingTable::of(&scene.tip_model(), first).growing_until(stop);
+    match table.resolve_within {
+        Some(within) => growing.resolved(within),
+        None => Ok(growing),
+    }
+}
+
 impl TipLawOf {
     /// Of a scene, computed as long as the criteria let it.
     pub fn new(scene: &Scene, table: &SetaTable, stop: &StopCriteria) -> Result<Self, NoTable> {
         Ok(match table.tip_law {
             SetaTipLaw::Curve => Self::Curve,
-            SetaTipLaw::Table => {
-                let growing = GrowingTable::of(&scene.tip_model(), first_table(scene, table, stop)?);
-                Self::Table(Box::new(growing.growing_until(stop)))
-            }
+            SetaTipLaw::Table => Self::Table(Box::new(growing(scene, table, first_table(scene, table, stop)?, stop)?)),
         })
     }
 
@@ -158,8 +169,8 @@ impl Setae {
                 (model, pull_off)
             }
             SetaTipLaw::Table => {
-                let growing = GrowingTable::of(&scene.tip_model(), self.table(scene, table, stop)?);
-                let mut growing = growing.growing_until(stop);
+                let first = self.table(scene, table, stop)?;
+                let mut growing = growing(scene, table, first, stop).map_err(|error| error.to_string())?;
                 let of = |law: Arc<dyn TipLaw>| model(scene, table, law);
                 let pulled = pull_off_by_table(&mut growing, (&of, table.sideways()), (&loading, &options), stop);
                 let pull_off = match pulled {

@@ -85,6 +85,7 @@ pub static KEYS: &[Key] = &[
     key("seta", "tip_law", Optional, Kind::Setting(&tips::TIP_LAW), "what tips follow: the curve of their pull, or their table"),
     key("seta", "tip_table", Optional, Kind::Setting(&tips::TIP_TABLE), "folder of peel coarsen with it; none: it is computed"),
     key("seta", "tip_tolerance", Optional, Kind::Number(TIP_TOLERANCES, |s| &mut seta::of(s).tip_tolerance), "error that it may have, relative to the largest force"),
+    key("seta", "resolve_within", Optional, Kind::Bound(Length, |s| &mut seta::of(s).resolve_within), "tips so near to snapping off are solved; none: by the table"),
     key("seta", "youngs_modulus", Optional, Kind::Quantity(Pressure, |s| &mut seta::of(s).seta.material.youngs_modulus), "Young's modulus E of all branches"),
     key("seta", "poissons_ratio", Optional, Kind::Number(Range::POISSONS_RATIO, |s| &mut seta::of(s).seta.material.poissons_ratio), "Poisson's ratio"),
     key("seta", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut seta::of(s).seta.material.shear_correction), "shear correction factor of the section"),

@@ -63,6 +63,11 @@ impl Column {
         Ok(Self { start: start.place, limit_error, problem, points, weights, origin })
     }
 
+    /// u at the limit point, nm.
+    pub fn limit(&self) -> f64 {
+        self.points[self.points.len() - 1].observables.displacement
+    }
+
     /// The state at a displacement before the limit point, from the nearest point of the path.
     pub fn state(&self, spatula: &HeldSpatula, normal: f64, ws: &mut Workspace) -> Result<HeldState, HeldError> {
         let away = |point: &Solution| (point.observables.displacement - normal).abs();

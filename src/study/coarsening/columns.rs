@@ -37,6 +37,11 @@ impl Columns {
         &self.start
     }
 
+    /// The same without the columns.
+    pub fn into_start(self) -> BranchStart {
+        self.start
+    }
+
     /// How many have been followed.
     pub fn len(&self) -> usize {
         self.known.len()

@@ -2,6 +2,7 @@
 
 #![allow(clippy::suspicious_arithmetic_impl)] // the derivatives of products and quotients are sums
 
+use super::place::TipResponse;
 use std::ops::{Add, Div, Mul, Sub};
 
 /// A value with its derivatives by three coordinates.
@@ -20,8 +21,31 @@ impl Jet {
         jet
     }
 
+    /// A number that depends on nothing.
+    pub fn constant(value: f64) -> Self {
+        Self { value, ..Self::default() }
+    }
+
+    /// It where its first coordinate is a number that depends on all three.
+    pub fn at_first(self, first: Self) -> Self {
+        let own = |i: usize| if i == 0 { 0.0 } else { 1.0 };
+        let [along, p] = [self.gradient[0], 1.0].map(|x| first.gradient.map(|g| x * g));
+        let hessian = |i: usize, j: usize| {
+            self.hessian[0][0] * p[i] * p[j]
+                + self.hessian[0][j] * p[i] * own(j)
+                + self.hessian[i][0] * p[j] * own(i)
+                + self.hessian[i][j] * own(i) * own(j)
+                + self.gradient[0] * first.hessian[i][j]
+        };
+        Self {
+            value: self.value,
+            gradient: std::array::from_fn(|i| along[i] + self.gradient[i] * own(i)),
+            hessian: std::array::from_fn(|i| std::array::from_fn(|j| hessian(i, j))),
+        }
+    }
+
     /// f of it, from f, f' and f'' at its value.
-    fn through(self, [value, slope, bend]: [f64; 3]) -> Self {
+    pub fn through(self, [value, slope, bend]: [f64; 3]) -> Self {
         let hessian = |i: usize, j: usize| slope * self.hessian[i][j] + bend * self.gradient[i] * self.gradient[j];
         Self {
             value,
@@ -42,6 +66,18 @@ impl Jet {
             gradient: std::array::from_fn(|i| of(self.gradient[i], other.gradient[i])),
             hessian: std::array::from_fn(|i| std::array::from_fn(|j| of(self.hessian[i][j], other.hessian[i][j]))),
         }
+    }
+}
+
+impl From<TipResponse> for Jet {
+    fn from(TipResponse { energy, force, stiffness }: TipResponse) -> Self {
+        Self { value: energy, gradient: force, hessian: stiffness }
+    }
+}
+
+impl From<Jet> for TipResponse {
+    fn from(Jet { value, gradient, hessian }: Jet) -> Self {
+        Self { energy: value, force: gradient, stiffness: hessian }
     }
 }
 

@@ -4,6 +4,7 @@
 //! and rotation θ, and [`TipTable`] interpolates its energy, so that forces are its gradient. [`Coarsening`] solves the spatula itself where
 //! a table is not enough, and [`SpatulaTip`] puts it into space.
 mod adaptive;
+mod answers;
 mod before;
 mod branch;
 mod column;
@@ -11,6 +12,7 @@ mod columns;
 mod error;
 mod held_spatula;
 mod jet;
+mod near_end;
 mod options;
 mod outside;
 mod place;
@@ -29,6 +31,7 @@ mod visited;
 pub use adaptive::{AdaptiveTable, ResolvedTips};
 pub use branch::TipSheet;
 pub use error::{CoarseningError, HeldError};
+pub use near_end::NearEnd;
 pub use options::{CoarseningOptions, OptionsError, TipRange};
 pub use outside::{OutsideAt, OutsideTable, TableEnd};
 pub use place::{PadEnd, TipPlace, TipResponse};
@@ -40,4 +43,4 @@ pub use sheet::{Sheet, SheetLimit};
 pub use sheet_table::{SheetNode, SheetTable};
 pub use table::TipTable;
 pub use tip_in_space::{OutOfPlane, SpatulaTip};
-pub use visited::Visited;
+pub use visited::{Resolved, Visited};

@@ -166,6 +166,11 @@ impl Coarsening {
         })
     }
 
+    /// Where its attached branch begins.
+    pub(super) fn into_attached(self) -> BranchStart {
+        self.attached.into_start()
+    }
+
     /// Widens the ranges of the next table until v and θ of a place are within.
     pub fn widen(&mut self, place: TipPlace) {
         self.attached_grid.widen(place.lateral, place.rotation);

@@ -2,6 +2,7 @@
 //! with the wider table, until no tip leaves it.
 
 use super::error::{CoarseningError, HeldError};
+use super::near_end::NearEnd;
 use super::options::{CoarseningOptions, TipRange};
 use super::outside::{OutsideTable, TableEnd};
 use super::run::Coarsening;
@@ -29,6 +30,8 @@ pub struct GrowingTable {
     most_nodes: usize,
     /// When it stops growing
     stop: StopCriteria,
+    /// The spatula near the end of its branch, once no tip leaves the table
+    near_end: Option<Arc<NearEnd>>,
 }
 
 /// A pull-off by one of the tables.
@@ -38,6 +41,8 @@ pub struct TableRound {
     pub range: TipRange,
     /// Nodes of the table
     pub rows: usize,
+    /// From how far before the end of their branch tips were solved as spatulae, nm; none: all by the table
+    pub within: Option<f64>,
     /// Where outside of it the tips have been
     pub visited: Visited,
     /// Largest force along the last step, nN
@@ -82,12 +87,29 @@ impl GrowingTable {
     /// Of a table of this spatula that is there already.
     pub fn of(spatula: &PeelModel, table: Arc<TipTable>) -> Self {
         let most_nodes = MOST_NODES.max(2 * table.attached.table().path.len());
-        Self { spatula: spatula.clone(), table, rounds: Vec::new(), most_nodes, stop: StopCriteria::default() }
+        Self {
+            spatula: spatula.clone(),
+            table,
+            rounds: Vec::new(),
+            most_nodes,
+            stop: StopCriteria::default(),
+            near_end: None,
+        }
     }
 
     /// The same, which no longer grows once what the caller knows says so.
     pub fn growing_until(self, stop: &StopCriteria) -> Self {
         Self { stop: stop.clone(), ..self }
+    }
+
+    /// The same whose seta is pulled off once more when no tip leaves the table, with the spatula itself at the tips that are nearer than this to
+    /// the end of their attached branch, nm.
+    ///
+    /// # Errors
+    /// Those of the spatula.
+    pub fn resolved(self, within: f64) -> Result<Self, CoarseningError> {
+        let near_end = NearEnd::new(&self.spatula, &self.table, within)?;
+        Ok(Self { near_end: Some(Arc::new(near_end)), ..self })
     }
 
     /// The same behind these pull-offs of an earlier run.
@@ -97,6 +119,7 @@ impl GrowingTable {
     pub fn behind(self, rounds: Vec<TableRound>) -> Result<Self, CoarseningError> {
         let table = match rounds.last() {
             None => self.table,
+            Some(last) if last.visited.outside.is_empty() => self.of_range(last.range)?,
             Some(last) => self.wider(last)?,
         };
         Ok(Self { table, rounds, ..self })
@@ -114,7 +137,27 @@ impl GrowingTable {
 
     /// The law of the tips by the table as it is now.
     pub fn law(&self, sideways: Sideways) -> TableLaw {
-        TableLaw::new(self.table.clone(), sideways)
+        let law = TableLaw::new(self.table.clone(), sideways);
+        match self.resolving() {
+            Some(near_end) => law.resolved(near_end.clone()),
+            None => law,
+        }
+    }
+
+    /// The spatula of the tips near the end of their branch, in the next pull-off: once none of them leaves the table.
+    fn resolving(&self) -> Option<&Arc<NearEnd>> {
+        let is_due = |last: &TableRound| last.within.is_some() || last.visited.outside.is_empty();
+        self.near_end.as_ref().filter(|_| self.rounds.last().is_some_and(is_due))
+    }
+
+    /// The table of a range, which was there before.
+    fn of_range(&self, range: TipRange) -> Result<Arc<TipTable>, CoarseningError> {
+        if self.table.options.range == range {
+            return Ok(self.table.clone());
+        }
+        let options = CoarseningOptions { range, ..self.table.options };
+        let table = Coarsening::until(&self.spatula, &options, &self.stop)?.with_most_nodes(self.most_nodes).table()?;
+        Ok(Arc::new(table))
     }
 
     /// A table with room for where tips have been outside of the last one: for all of it, or where the spatula cannot be followed so far, for one of
@@ -142,8 +185,13 @@ impl GrowingTable {
     pub fn after(&mut self, pull_off: &SetaPullOff, visited: Visited) -> AfterRound {
         let peak_force = pull_off.peak.as_ref().map(|peak| peak.point.force_along);
         let is_inside = visited.outside.is_empty();
-        let round = TableRound { range: self.table.options.range, rows: self.table.rows(), visited, peak_force };
+        let within = self.resolving().map(|near_end| near_end.within());
+        let round =
+            TableRound { range: self.table.options.range, rows: self.table.rows(), within, visited, peak_force };
         self.rounds.push(round);
+        if is_inside && within.is_none() && self.near_end.is_some() && matches!(pull_off.end, SetaEnd::Completed) {
+            return AfterRound::Again;
+        }
         if is_inside || matches!(pull_off.end, SetaEnd::Bound(_)) {
             return AfterRound::Done;
         }
@@ -162,7 +210,18 @@ impl GrowingTable {
 
     /// By how much the places outside of the first table have changed the peak force, nN.
     pub fn changed(&self) -> Option<f64> {
-        Some(self.rounds.last()?.peak_force? - self.rounds.first()?.peak_force?)
+        Some(self.last_by_table()?.peak_force? - self.rounds.first()?.peak_force?)
+    }
+
+    /// By how much the spatulae at the tips near the end of their branch have changed the peak force, nN; none where there were none.
+    pub fn changed_by_resolved(&self) -> Option<f64> {
+        let last = self.rounds.last().filter(|last| last.within.is_some())?;
+        Some(last.peak_force? - self.last_by_table()?.peak_force?)
+    }
+
+    /// The last pull-off in which all tips followed the table.
+    fn last_by_table(&self) -> Option<&TableRound> {
+        self.rounds.iter().rfind(|round| round.within.is_none())
     }
 
     /// Whether every tip stayed within the last table.

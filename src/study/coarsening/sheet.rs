@@ -51,6 +51,8 @@ const CONTINUED: f64 = 0.9998;
 const BEFORE_LIMIT: f64 = 1e-6;
 /// s up to which it is continued.
 const LAST: f64 = 1.2;
+/// Orders of the derivatives by v and θ.
+const ORDERS: [(usize, usize); 6] = [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (2, 0)];
 /// Steps of the search for s.
 const MOST_STEPS: usize = 60;
 /// Its error, and that of u, nm.
@@ -102,6 +104,19 @@ impl Sheet {
     /// The same: at its ends a spline is its first and its last coefficient.
     fn ends_by(&self, weights: &Weights) -> [f64; 2] {
         [0, self.axes[0].len() - 1].map(|k| weights.of(&self.displacement, k))
+    }
+
+    /// u at s as a function of u, v and θ, on which it depends by v and θ alone.
+    pub(super) fn end_jet(&self, s: f64, place: TipPlace) -> Jet {
+        let [mut end, _] = self.jets(s, &place);
+        (end.gradient[0], end.hessian[0]) = (0.0, [0.0; 3]);
+        end.hessian.iter_mut().for_each(|row| row[0] = 0.0);
+        end
+    }
+
+    /// Whether v and θ are within the table.
+    pub(super) fn spans(&self, place: TipPlace) -> bool {
+        self.clamped(place) == place
     }
 
     /// The limit point at v and θ: u, energy and forces.
@@ -259,6 +274,8 @@ impl Sheet {
     fn sums(&self, coefficients: &[f64], [s, v, t]: &[Basis; 3]) -> [[[f64; 3]; 3]; 3] {
         let (length, rotations) = (self.axes[0].len(), self.axes[2].len());
         let mut sums = [[[0.0; 3]; 3]; 3];
+        // a table of one v has no derivatives by it
+        let orders = if v.count == 1 { &ORDERS[..3] } else { &ORDERS };
         for i in 0..v.count {
             for j in 0..t.count {
                 let from = ((v.first + i) * rotations + t.first + j) * length + s.first;
@@ -267,7 +284,7 @@ impl Sheet {
                     let c = coefficients[from + k];
                     (0..3).for_each(|d| own[d] += s.derivatives[d][k] * c);
                 }
-                for (a, b) in [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)] {
+                for &(a, b) in orders {
                     let weight = v.derivatives[a][i] * t.derivatives[b][j];
                     (0..3).for_each(|d| sums[d][a][b] += weight * own[d]);
                 }

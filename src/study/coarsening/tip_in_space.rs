@@ -10,7 +10,7 @@
 //! That leaves out how the pad peels from its side, and what the spring has to do with u and θ.
 
 use super::branch::TipSheet;
-use super::place::TipPlace;
+use super::place::{TipPlace, TipResponse};
 use super::table::TipTable;
 use crate::beam::EndResponse;
 use crate::beam::rotation::{Matrix3, Quaternion, apply, apply_transposed, cross, dot, matrix};
@@ -105,7 +105,17 @@ impl SpatulaTip {
 
     /// Energy and derivatives on a branch: `place` from where its end is in the stress-free configuration, nm.
     pub fn response(&self, on: TipSheet, place: [f64; 3], directors: Quaternion) -> EndResponse {
-        let table = self.table.response(on, self.in_plane(place, directors));
+        self.in_space(on, &self.table.response(on, self.in_plane(place, directors)), place, directors)
+    }
+
+    /// The same from the response in its plane.
+    pub(super) fn in_space(
+        &self,
+        on: TipSheet,
+        table: &TipResponse,
+        place: [f64; 3],
+        directors: Quaternion,
+    ) -> EndResponse {
         let axis = self.axis();
         let across = cross(axis, UP);
         let along = |d: [f64; 3]| Measure {

@@ -1,6 +1,7 @@
 //! Where outside of a table the tips of a seta have been in equilibrium: it says how far the table has to grow.
 
 use super::branch::TipSheet;
+use super::near_end::Source;
 use super::options::TipRange;
 use super::place::{PadEnd, TipPlace};
 use super::table::TipTable;
@@ -22,6 +23,21 @@ pub struct Visited {
     pub lateral: [f64; 2],
     /// The smallest and the largest θ outside of the table, rad
     pub rotation: [f64; 2],
+    /// The tips that were solved as spatulae
+    pub resolved: Resolved,
+}
+
+/// Tips that were solved as spatulae near the end of their branch, and what that changed in equilibria of the seta.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Resolved {
+    /// The tips, by number
+    pub tips: BTreeSet<usize>,
+    /// The largest change of the normal force of a tip against its table, nN
+    pub force: f64,
+    /// The same of the moment, nN·nm
+    pub moment: f64,
+    /// The tips of which no spatula was found in an equilibrium of the seta: they followed the table there
+    pub unsolved: BTreeSet<usize>,
 }
 
 impl Visited {
@@ -60,6 +76,25 @@ impl Visits {
         visited.rotation = widened(visited.rotation, place.rotation);
         if on == TipSheet::Attached {
             visited.pressed = visited.pressed.max(table.attached.ends(place)[0] - place.normal);
+        }
+    }
+
+    /// A tip is in equilibrium, and has been solved as a spatula before or not.
+    pub fn note_resolved(&self, tip: usize, source: Source, solved: bool) {
+        if !solved && source != Source::Unsolved {
+            return;
+        }
+        let resolved = &mut self.0.lock().unwrap_or_else(PoisonError::into_inner).resolved;
+        if solved {
+            resolved.tips.insert(tip);
+        }
+        match source {
+            Source::Table => {}
+            Source::Spatula([force, moment]) => {
+                resolved.force = resolved.force.max(force.abs());
+                resolved.moment = resolved.moment.max(moment.abs());
+            }
+            Source::Unsolved => drop(resolved.unsolved.insert(tip)),
         }
     }
 

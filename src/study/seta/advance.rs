@@ -162,9 +162,10 @@ fn judged(
     let mut last = from;
     if preload.is_none() && has_maximum(&last, &knot, MET * largest_load(standing, here)) {
         let newton = NewtonOptions { exact_slope: true, ..options.newton() };
-        let mut solve_at = |near: &Knot, displacement: f64| {
+        let mut solve_at = |[near, far]: [&Knot; 2], displacement: f64| {
             let held = PathConstraint { weights: Observables::DISPLACEMENT, target: displacement };
-            let start = moved(&near.solution, problem, displacement - near.parameter);
+            let per = [near, far].map(|knot| 1.0 / knot.solution.slope.displacement);
+            let start = near.predicted(far, displacement, per, problem);
             let solution = solve(problem, start, &held, &newton, ws)?;
             *iterations += solution.iterations;
             let is_stable = solution.negative == 0 && standing.changing(&solution.at).is_empty();

@@ -57,6 +57,7 @@ pub fn converged_peak(
         return Ok(None);
     }
     let (mut mesh, mut coarser, mut found) = (model.mesh.clone(), peak.clone(), None);
+    let mut nearest = 0;
     while mesh.order < MOST_ORDER {
         mesh = mesh.finer();
         let finer = SetaModel { mesh: mesh.clone(), ..model.clone() };
@@ -64,7 +65,9 @@ pub fn converged_peak(
             let [force, before] = [peak, &coarser].map(|state| state.point.force_along);
             (force - before).abs() <= LARGEST_ERROR * before.abs()
         };
-        let Some(peak) = peak_on(&finer, loading, options, &coarser, stop)?.filter(is_near) else { break };
+        let Some(peak) = peak_on(&finer, loading, options, &coarser, &mut nearest, stop)?.filter(is_near) else {
+            break;
+        };
         let error = LocationError {
             force: (peak.point.force_along - coarser.point.force_along).abs(),
             displacement: (peak.point.displacement - coarser.point.displacement).abs(),
@@ -83,22 +86,24 @@ pub fn converged_peak(
     Ok(found)
 }
 
-/// The peak on a mesh, from that on a coarser one.
+/// The peak on a mesh, from that on a coarser one. Where that began, `nearest` of [`BEFORE`], this one is tried first.
 fn peak_on(
     finer: &SetaModel,
     loading: &SetaLoading,
     options: &SetaOptions,
     peak: &SetaState,
+    nearest: &mut usize,
     stop: &StopCriteria,
 ) -> Result<Option<SetaState>, SetaError> {
     let step = peak.point.step;
     let (drive, standing) = (drive_of(&finer.seta, loading, &peak.point), standing_in(finer, peak)?);
     let laid = laid_along(&standing, &finer.seta, peak);
-    for share in BEFORE {
+    for (k, share) in BEFORE.into_iter().enumerate().skip(*nearest) {
         let before = share * options.first_step;
         let Some(here) = begin(&standing, &drive, laid.clone(), peak.point.displacement - before, options, stop) else {
             continue;
         };
+        *nearest = k;
         let progress = SetaProgress {
             result: SetaPullOff::empty(standing.tree.elements()),
             here,
@@ -165,11 +170,11 @@ fn pulled_on(run: &mut Run, peak: &SetaPoint, before: f64) -> Option<SetaState> 
     let step = &run.loading.steps[peak.step];
     let drive = RootDrive::new(step.direction, run.progress.from);
     for _ in 0..MOST_POINTS {
-        run.advance(step, &drive, run.options.longest_step).ok()?;
+        let leads_to_event = run.advance_to_event(step, &drive, run.options.longest_step).ok()?;
         let Observables { displacement, force, .. } = run.progress.here.observables;
         let result = &mut run.progress.result;
         let is_below = result.peak.as_ref().is_some_and(|largest| force < largest.point.force_along);
-        if (is_below && displacement > peak.displacement + before) || !result.events.is_empty() {
+        if (is_below && displacement > peak.displacement + before) || leads_to_event {
             return result.peak.take();
         }
     }

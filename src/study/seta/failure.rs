@@ -20,6 +20,11 @@ pub enum SetaFailure {
         "in step {} at {displacement:.6} nm the seta does not come to rest behind an event, after {changes} changes of tips: {cause}; try more elements", .step + 1
     )]
     Restless { step: usize, displacement: f64, changes: usize, cause: SolveError },
+    /// The same where the law of tips is an extrapolation.
+    #[error(
+        "in step {} at {displacement:.6} nm the seta does not come to rest behind an event, where {outside} tips are outside of the table of their spatula: what is extrapolated there need not be stable; press the seta less, or give a table that begins less deep", .step + 1
+    )]
+    Extrapolated { step: usize, displacement: f64, outside: usize },
     /// A preload that is not reached.
     #[error("in step {} the preload of {preload} nN is not reached within {displacement:.3} nm: ask for less", .step + 1)]
     NoPreload { step: usize, preload: f64, displacement: f64 },

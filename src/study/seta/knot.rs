@@ -2,7 +2,7 @@
 
 use super::result::LocationError;
 use super::standing::Standing;
-use crate::solve::Solution;
+use crate::solve::{Problem, Solution, State};
 
 /// Places and weights of Gauss's rule with four points on [0, 1].
 const GAUSS: [(f64, f64); 4] = [
@@ -40,6 +40,25 @@ impl Knot {
         let (o, slope) = (&solution.observables, &solution.slope);
         let (values, slopes) = ([o.displacement, o.force], [slope.displacement / rate, slope.force / rate]);
         Self { parameter, values, slopes, solution }
+    }
+
+    /// The state where the parameter has another value, on the cubic through this state and that of `other` with their tangents. `per` is by how
+    /// much the target of the constraint of either solution changes with the parameter.
+    pub fn predicted(&self, other: &Self, parameter: f64, per: [f64; 2], problem: &Problem) -> State {
+        let length = other.parameter - self.parameter;
+        let t = (parameter - self.parameter) / length;
+        let [own, others] = [(1.0 - t) * (1.0 - t) * t * length * per[0], (t - 1.0) * t * t * length * per[1]];
+        let share = (3.0 - 2.0 * t) * t * t;
+        let (from, to) = (&self.solution, &other.solution);
+        let mut way = problem.system.difference(&from.at.values, &to.at.values);
+        let tangents = from.tangent.direction.iter().zip(&to.tangent.direction);
+        for (way, (a, b)) in way.iter_mut().zip(tangents) {
+            *way = share * *way + own * a + others * b;
+        }
+        let mut at = from.at.clone();
+        problem.system.retract(&mut at, &way, 1.0);
+        at.force += share * (to.at.force - from.at.force) + own * from.tangent.force + others * to.tangent.force;
+        at
     }
 
     /// P and dP/dt at a share t of the way to another one, with a cubic of η.

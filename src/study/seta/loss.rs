@@ -65,6 +65,25 @@ impl Loss {
     }
 }
 
+/// What a solve along a branch begins from.
+#[derive(Clone, Copy)]
+enum Known<'k> {
+    /// A knot and its tangent
+    One(&'k Knot),
+    /// Two knots and their tangents: the state is taken on the cubic through them
+    Two([&'k Knot; 2]),
+}
+
+impl<'k> Known<'k> {
+    /// The last knot of a stable branch with the unstable one ahead, or with the one before it where that is no farther than the way ahead.
+    fn of(low: &'k [Knot], high: Option<&'k Knot>, height: f64) -> Self {
+        let from = &low[low.len() - 1];
+        let before = low.len().checked_sub(2).map(|k| &low[k]);
+        let reaches = |before: &&Knot| height - from.parameter <= from.parameter - before.parameter;
+        high.or(before.filter(reaches)).map_or(Self::One(from), |other| Self::Two([from, other]))
+    }
+}
+
 /// A branch along which the place of a joint goes on.
 struct Along<'a> {
     standing: &'a Standing,
@@ -75,20 +94,22 @@ struct Along<'a> {
 }
 
 impl Along<'_> {
-    fn solve(&mut self, from: &Knot, height: f64, ws: &mut Workspace) -> Result<Knot, SolveError> {
-        self.solve_with(from, height, &self.options.newton(), ws)
+    fn solve(&mut self, known: Known, height: f64, ws: &mut Workspace) -> Result<Knot, SolveError> {
+        self.solve_with(known, height, &self.options.newton(), ws)
     }
 
     fn solve_with(
         &mut self,
-        from: &Knot,
+        known: Known,
         height: f64,
         newton: &NewtonOptions,
         ws: &mut Workspace,
     ) -> Result<Knot, SolveError> {
-        let per_height = self.watched.rate(&from.solution);
-        let ahead = (height - from.parameter) / per_height;
-        let start = from.solution.moved(&self.problem, ahead);
+        let per_height = |knot: &Knot| 1.0 / self.watched.rate(&knot.solution);
+        let start = match known {
+            Known::One(from) => from.solution.moved(&self.problem, (height - from.parameter) * per_height(from)),
+            Known::Two(pair) => pair[0].predicted(pair[1], height, pair.map(per_height), &self.problem),
+        };
         let constraint = PathConstraint { weights: Observables::monitor(0), target: self.watched.place(height) };
         let solution = solve(&self.problem, start, &constraint, newton, ws)?;
         self.iterations += solution.iterations;
@@ -129,7 +150,7 @@ impl Along<'_> {
     /// The maximum of the force between two knots, as good as [`maximum`] finds it: one of them where that is good enough.
     fn maximum(&mut self, from: &Knot, to: &Knot, ws: &mut Workspace) -> Option<(Knot, LocationError)> {
         let newton = NewtonOptions { exact_slope: true, ..self.options.newton() };
-        maximum(from, to, &mut |near, height| self.solve_with(near, height, &newton, ws))
+        maximum(from, to, &mut |known, height| self.solve_with(Known::Two(known), height, &newton, ws))
     }
 
     /// Work by cubics between two knots as good as asked for: solutions in between.
@@ -144,7 +165,7 @@ impl Along<'_> {
         if depth < DEEPEST
             && from.imbalance_to(&to, &Allowed::new(self.standing, &from.solution, self.options.balance)).1 > 1.0
         {
-            let middle = self.solve(from, 0.5 * (from.parameter + to.parameter), ws)?;
+            let middle = self.solve(Known::Two([from, &to]), 0.5 * (from.parameter + to.parameter), ws)?;
             self.refined(from, middle.clone(), depth + 1, ws, out)?;
             return self.refined(&middle, to, depth + 1, ws, out);
         }
@@ -188,7 +209,7 @@ fn locate_by(
     let mut next = guess.clamp(height + SHORTEST, height + longest);
     for _ in 0..MOST_SOLVES {
         let from = low[low.len() - 1].clone();
-        let solved = along.solve(&from, next, ws);
+        let solved = along.solve(Known::of(&low, high.as_ref(), next), next, ws);
         let found = match solved {
             Ok(knot) if standing.changing(&knot.solution.at).is_empty() => knot,
             // beyond the end of the branch, or too far

@@ -15,8 +15,8 @@ const MOST_SOLVES: usize = 20;
 /// Where the place is expected nearer to an end of the enclosure than this share, the next solution lies twice as far from it, beyond the place.
 const NEAR: f64 = 0.1;
 
-/// Solves for the equilibrium where the parameter has a value, from a known one.
-pub(super) type SolveAt<'a> = dyn FnMut(&Knot, f64) -> Result<Knot, SolveError> + 'a;
+/// Solves for the equilibrium where the parameter has a value, from the nearer and the farther one of two known ones.
+pub(super) type SolveAt<'a> = dyn FnMut([&Knot; 2], f64) -> Result<Knot, SolveError> + 'a;
 
 /// The maximum between two equilibria, if the force rises at the first one and falls at the second one; one of the two itself where nothing
 /// larger was found between them.
@@ -40,8 +40,8 @@ pub(super) fn maximum(from: &Knot, to: &Knot, solve_at: &mut SolveAt) -> Option<
         if !(place > low.parameter && place < high.parameter) {
             break;
         }
-        let near = if share < 0.5 { &low } else { &high };
-        let Ok(found) = solve_at(near, place) else { break };
+        let known = if share < 0.5 { [&low, &high] } else { [&high, &low] };
+        let Ok(found) = solve_at(known, place) else { break };
         if found.slopes[1] > 0.0 { low = found } else { high = found }
     }
     let best = largest(&low, &high).clone();

@@ -1,6 +1,7 @@
 //! The run behind [`pull_off`]: step after step of the loading, branch after branch, event after event.
 
 mod ends;
+mod event;
 
 use super::advance::{Advance, advance};
 use super::critical::Critical;
@@ -11,11 +12,12 @@ use super::loss::Loss;
 use super::options::SetaOptions;
 use super::progress::{Mark, Named, SetaProgress};
 use super::rest::{Rested, come_to_rest};
-use super::result::{EventCause, JointPlace, LocationError, SetaEnd, SetaEvent, SetaPoint, SetaPullOff, SetaState};
+use super::result::{JointPlace, LocationError, SetaEnd, SetaPoint, SetaPullOff, SetaState};
 use super::standing::{RootDrive, Standing, TipTangent};
 use crate::model::{SetaError, SetaModel, TipBranch};
 use crate::solve::{Observables, PathConstraint, Solution, SolveError, State, System, Workspace, solve};
 use crate::study::{Stage, StopCriteria};
+use event::Due;
 
 /// Shortest step of the root, nm: below the error with which contacts are located.
 const SHORTEST: f64 = 1e-7;
@@ -194,11 +196,24 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// One step of the root, or what keeps it from going on. One that is stopped on its way is as if it had not been begun.
+    /// One step of the root and the event that it leads to, or what keeps it from going on.
     pub fn advance(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<(), SetaEnd> {
+        self.whole(|run| match run.take_step(step, drive, left)? {
+            Some(event) => run.happen(drive, event),
+            None => Ok(()),
+        })
+    }
+
+    /// One step of the root, and whether it leads to an event, which does not happen.
+    pub fn advance_to_event(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<bool, SetaEnd> {
+        self.whole(|run| Ok(run.take_step(step, drive, left)?.is_some()))
+    }
+
+    /// What is stopped on its way is as if it had not been begun.
+    fn whole<T>(&mut self, go: impl FnOnce(&mut Self) -> Result<T, SetaEnd>) -> Result<T, SetaEnd> {
         let before = Mark::of(&self.progress, &self.standing);
         self.replaced.clear();
-        let took = self.take_step(step, drive, left);
+        let took = go(self);
         if self.ws.is_stopped() {
             before.restore(&mut self.progress, &mut self.standing);
             for (name, state) in self.replaced.drain(..).rev() {
@@ -209,7 +224,7 @@ impl<'a> Run<'a> {
         took
     }
 
-    fn take_step(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<(), SetaEnd> {
+    fn take_step(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<Option<Due>, SetaEnd> {
         let ahead = self.progress.ahead.min(self.options.longest_step).min(left);
         let preload = if let StepEnd::Preload(preload) = step.until { Some(preload) } else { None };
         let SetaProgress { here, softest, .. } = &self.progress;
@@ -222,21 +237,21 @@ impl<'a> Run<'a> {
                     return Err(self.refused(why));
                 }
                 self.progress.ahead = ahead;
-                Ok(())
+                Ok(None)
             }
             Advance::Taken { taken, start, next } => {
                 self.progress.ahead = next;
                 self.locate_here(start);
                 taken.into_iter().for_each(|reached| self.take(drive, reached));
-                Ok(())
+                Ok(None)
             }
             Advance::Contact { taken, tips } => {
                 let location = taken.location;
                 self.take(drive, *taken);
                 // the step to the contact says nothing of how long the next one may be
                 self.progress.ahead = self.progress.ahead.max(self.options.first_step);
-                let here = self.progress.here.at.clone();
-                self.event(drive, here, &tips, location)
+                let start = self.progress.here.at.clone();
+                Ok(Some(Due { start, tips, location }))
             }
             Advance::Lost(Loss { taken, start, critical, slope, .. }) => {
                 self.locate_here(start);
@@ -248,18 +263,15 @@ impl<'a> Run<'a> {
                     if displacement > end || preload.is_some_and(|preload| force > preload * (1.0 + PRELOADED)) {
                         let before = displacement.min(end) - self.progress.here.observables.displacement;
                         self.progress.ahead = 0.5 * self.progress.ahead.min(before);
-                        return Ok(());
+                        return Ok(None);
                     }
                     self.take(drive, taken);
                 }
-                match critical {
-                    Critical::Tips(tips) => {
-                        let here = self.progress.here.at.clone();
-                        self.event(drive, here, &tips, location)
-                    }
-                    Critical::Shape(start) => self.event(drive, *start, &[], location),
-                    Critical::Passed => Ok(()),
-                }
+                Ok(match critical {
+                    Critical::Tips(tips) => Some(Due { start: self.progress.here.at.clone(), tips, location }),
+                    Critical::Shape(start) => Some(Due { start: *start, tips: Vec::new(), location }),
+                    Critical::Passed => None,
+                })
             }
         }
     }
@@ -296,60 +308,6 @@ impl<'a> Run<'a> {
     fn keep(&mut self, name: Named, state: SetaState) {
         let before = self.progress.result.named(name).replace(state);
         self.replaced.push((name, before));
-    }
-
-    /// Tips change, or the seta leaves its shape, and comes to rest with its root held.
-    fn event(
-        &mut self,
-        drive: &RootDrive,
-        start: State,
-        tips: &[usize],
-        location: Option<LocationError>,
-    ) -> Result<(), SetaEnd> {
-        let cause = if tips.is_empty() { EventCause::Buckling } else { EventCause::Tips };
-        if cause == EventCause::Buckling && self.has_buckled_here() {
-            return Err(self.lost(SolveError::LimitPointNotConfirmed));
-        }
-        let (before, here) = (self.last(), self.progress.here.clone());
-        let state = self.state(&here, location);
-        let displacement = here.observables.displacement;
-        let tolerance = self.options.tolerance;
-        let standing = self.standing.tips.clone();
-        let rested = come_to_rest(&mut self.standing, drive, (start, displacement), tips, tolerance, &mut self.ws);
-        let Rested { solution, changes, iterations } = rested.map_err(|(cause, changes)| {
-            let step = self.progress.step;
-            self.standing.tips = standing;
-            SetaEnd::Failed(SetaFailure::Restless { step, displacement, changes, cause })
-        })?;
-        self.progress.result.effort.newton_iterations += iterations;
-        let released = before.energy - solution.energy;
-        let mut after = self.point(drive, &solution, before);
-        after.released += released;
-        let stiffness = solution.slope.force / solution.slope.displacement;
-        let late = location.map_or(0.0, |location| location.displacement);
-        let location = LocationError { force: (stiffness * late).abs(), displacement: late };
-        self.progress.here = solution;
-        let detaches = changes.iter().any(|change| !change.to.adheres());
-        if detaches && before.step + 1 == self.loading.steps.len() {
-            if self.progress.result.first_detachment.is_none() {
-                self.keep(Named::FirstDetachment, state.clone());
-            }
-            self.keep(Named::LastDetachment, state);
-        }
-        self.progress.result.points.push(after);
-        self.progress.result.events.push(SetaEvent { before, after, cause, tips: changes, released });
-        self.keep_peak(after, Some(location));
-        Ok(())
-    }
-
-    /// Whether the last event was one here in which beams buckled and no tip followed: it led back to where it began.
-    fn has_buckled_here(&self) -> bool {
-        self.progress.result.events.last().is_some_and(|event| {
-            let SetaPoint { step, displacement, .. } = event.before;
-            let there = self.progress.here.observables.displacement;
-            let is_here = step == self.progress.step && (displacement - there).abs() < SHORTEST;
-            is_here && event.cause == EventCause::Buckling && event.tips.is_empty()
-        })
     }
 
     /// The numbers of an equilibrium, with work and energy released as before.

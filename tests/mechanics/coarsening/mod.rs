@@ -3,6 +3,7 @@
 mod adaptive;
 mod held;
 mod in_space;
+mod near_end;
 mod sliding;
 mod strip;
 

@@ -3,7 +3,7 @@
 use super::layout::in_columns;
 use super::units::{Unit, Units, WantedUnits};
 use peelkit::model::{PullCurve, SetaModel};
-use peelkit::study::coarsening::{GrowingTable, OutsideTable, TableRound, TipRange};
+use peelkit::study::coarsening::{GrowingTable, OutsideTable, Resolved, TableRound, TipRange};
 use peelkit::study::{ConvergedPeak, SetaMoment, SetaPullOff, SetaState};
 use peelkit_report::{TipEvents, seta_end_reason, seta_end_word, tip_peak};
 use peelkit_scene::Scene;
@@ -104,18 +104,32 @@ fn of_table(growing: &GrowingTable, force: Unit) -> Vec<(&'static str, String)> 
     )];
     let outside = |round: &TableRound| round.visited.outside.len();
     let grown = match (rounds, growing.changed()) {
-        ([only], _) if outside(only) == 0 => "no tip left it".to_owned(),
+        ([_, ..], _) if rounds.iter().all(|round| outside(round) == 0) => "no tip left it".to_owned(),
         ([first, .., last], Some(change)) => format!(
             "{} tips left the first table; {} rows added in {} more pull-offs change the peak by {}; {} tips outside of the last one",
             outside(first),
             growing.added(),
-            rounds.len() - 1,
+            rounds.iter().filter(|round| round.within.is_none()).count() - 1,
             force.short(change),
             outside(last)
         ),
         _ => format!("{} tips are outside of it, where forces are extrapolated", rounds.last().map_or(0, outside)),
     };
     lines.push(("tips outside of it", grown));
+    if let Some((last, within)) = rounds.last().and_then(|last| Some((last, last.within?))) {
+        let Resolved { tips, force: change, moment, unsolved } = &last.visited.resolved;
+        let mut text = format!(
+            "{} within {within:.3} nm of where they snap off: forces change by {change:.1e} nN, moments by {moment:.1e} nN nm at most",
+            tips.len()
+        );
+        if let Some(change) = growing.changed_by_resolved() {
+            text += &format!(", the peak by {change:.1e} nN");
+        }
+        if !unsolved.is_empty() {
+            text += &format!("; {} were not solved in an equilibrium, and followed the table there", unsolved.len());
+        }
+        lines.push(("tips resolved", text));
+    }
     lines
 }
 

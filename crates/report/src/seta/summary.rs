@@ -168,12 +168,24 @@ struct TipTableUse {
     first_peak: Option<Finite>,
     #[serde(rename = "peak_force_change_nN")]
     change: Option<Finite>,
+    /// Of the tips that were solved as spatulae in the last pull-off
+    #[serde(rename = "resolve_within_nm")]
+    within: Option<Finite>,
+    tips_resolved: usize,
+    tips_unresolved: usize,
+    #[serde(rename = "resolved_force_change_nN")]
+    resolved_force: Option<Finite>,
+    #[serde(rename = "resolved_moment_change_nN_nm")]
+    resolved_moment: Option<Finite>,
+    #[serde(rename = "resolved_peak_force_change_nN")]
+    resolved_peak: Option<Finite>,
 }
 
 impl From<&GrowingTable> for TipTableUse {
     fn from(growing: &GrowingTable) -> Self {
         let (table, rounds) = (growing.table(), growing.rounds());
         let range = table.options.range;
+        let resolved = rounds.last().filter(|round| round.within.is_some());
         let outside = |round: Option<&TableRound>| round.map_or(0, |round| round.visited.outside.len());
         let error = |i: usize| {
             let own = |on: TipSheet| table.errors(on).force[i];
@@ -192,6 +204,12 @@ impl From<&GrowingTable> for TipTableUse {
             tips_outside: outside(rounds.last()),
             first_peak: rounds.first().and_then(|round| round.peak_force).map(Finite),
             change: growing.changed().map(Finite),
+            within: resolved.and_then(|round| round.within).map(Finite),
+            tips_resolved: resolved.map_or(0, |round| round.visited.resolved.tips.len()),
+            tips_unresolved: resolved.map_or(0, |round| round.visited.resolved.unsolved.len()),
+            resolved_force: resolved.map(|round| Finite(round.visited.resolved.force)),
+            resolved_moment: resolved.map(|round| Finite(round.visited.resolved.moment)),
+            resolved_peak: growing.changed_by_resolved().map(Finite),
         }
     }
 }

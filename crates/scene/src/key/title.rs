@@ -36,6 +36,7 @@ const TITLES: &[(&str, &str, &str)] = &[
     ("seta.contact_height", "height at which a detached tip adheres again", ""),
     ("seta.preload", "preload", ""),
     ("seta.tip_tolerance", "relative error of the table of the tips", ""),
+    ("seta.resolve_within", "distance to snapping off from which tips are resolved", ""),
     ("seta.bending_stiffness_factor", "bending stiffness over that of the section", "EI/EI₀"),
     ("youngs_modulus", "Young's modulus", "E"),
     ("poissons_ratio", "Poisson's ratio", "ν"),

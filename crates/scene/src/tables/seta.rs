@@ -64,6 +64,8 @@ pub struct SetaTable {
     pub tip_table: Option<String>,
     /// Error that the table may have, over the largest force and the largest moment
     pub tip_tolerance: f64,
+    /// How near to where they snap off tips are solved as spatulae, nm; none: they follow the table there as well
+    pub resolve_within: Option<f64>,
 }
 
 /// How high a seta that is pressed on starts above the height at which its highest tip would adhere, nm.
@@ -83,6 +85,7 @@ impl Default for SetaTable {
             tip_law: SetaTipLaw::default(),
             tip_table: None,
             tip_tolerance: TIP_TOLERANCE,
+            resolve_within: None,
         }
     }
 }

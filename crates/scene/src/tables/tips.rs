@@ -76,6 +76,13 @@ pub(crate) fn problem(table: &SetaTable) -> Option<(&'static str, ValueError)> {
                 "Give seta.tip_law = \"table\", or remove `tip_tolerance`.",
             ),
         )),
+        SetaTipLaw::Curve if table.resolve_within.is_some() => Some((
+            "resolve_within",
+            ValueError::new(
+                "says which tips are no longer taken from a table, and the tips follow the curve of their normal pull",
+                "Give seta.tip_law = \"table\", or remove `resolve_within`.",
+            ),
+        )),
         SetaTipLaw::Table if table.contact_height != default.contact_height => Some((
             "contact_height",
             ValueError::new(

@@ -7,7 +7,7 @@ use crate::keys::find_key;
 use crate::scene::Scene;
 use crate::value::{quoted, show};
 use peelkit::study::PeelQuantity;
-use peelkit::study::uncertainty::{Design, Distribution, NoDesign};
+use peelkit::study::uncertainty::{Design, Distribution, Indices, NoDesign};
 
 /// The largest probability of a value that cannot be computed.
 const MOST_OUTSIDE: f64 = 1e-6;
@@ -46,7 +46,10 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
         NoDesign::Contradiction => {
             ("correlations", "Make them smaller: no three inputs can be strongly correlated in contradictory ways.")
         }
-        NoDesign::TooFew { .. } => ("samples", "Give more samples, or indices = false."),
+        NoDesign::TooFew { .. } if table.indices == Indices::Estimated => {
+            ("samples", "Give more samples, or indices = false.")
+        }
+        NoDesign::TooFew { .. } => ("samples", "Give more samples."),
     };
     Some(at(name, ValueError::new(format!("cannot be used: {error}"), remedy)))
 }
