@@ -74,14 +74,14 @@ impl SpatialRest {
         }
     }
 
-    /// How far the lowest point of a section of this height is from where it is of one that lies on the ground, nm.
+    /// How far a section with its axis at the height y and this lowest point is from one that lies on the ground, nm: of an outline by the lowest
+    /// point, along a curve by the axis.
     #[inline(always)]
-    pub(super) fn lift(&self, lowest: f64, height: f64) -> f64 {
-        let lying = match self {
-            Self::Curve(curve) => curve.start[1] - 0.5 * height,
-            Self::Outline(outline) => outline.gap,
-        };
-        (lowest - lying).abs()
+    pub(super) fn lift(&self, y: f64, lowest: f64) -> f64 {
+        match self {
+            Self::Curve(curve) => (y - curve.start[1]).abs(),
+            Self::Outline(outline) => (lowest - outline.gap).abs(),
+        }
     }
 
     /// Where the front is.

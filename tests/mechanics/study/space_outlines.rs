@@ -19,7 +19,7 @@ use peelkit::adhesion::SectionShape;
 use peelkit::beam::{ALONG_X, turned};
 use peelkit::model::{
     BeamProblem, Body, Form, Hold, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Pull, Space, Spatula,
-    StripModel, Transition,
+    Transition,
 };
 use peelkit::solve::{
     LimitPointKind, NewtonOptions, Observables, Path, PathConstraint, PathEvent, PathOptions, PathTracer, State,
@@ -223,15 +223,14 @@ fn an_ellipse_is_the_section_of_a_strip() {
     assert_eq!(model.check().unwrap_err().key(), "strip.section");
 }
 
-/// A strip that lies on the ground, the same turned about its axis until it stands on its edge, and that lifted by 25 r0: what moves it by 1 nm is as
+/// A beam that lies on the ground, the same turned about its axis until it stands on its edge, and that lifted by 25 r0: what moves it by 1 nm is as
 /// large at its corner as where it lies, and 26 times smaller above.
 #[test]
 fn places_are_measured_by_the_lowest_point_of_a_section() {
-    let mut model = PeelModel::from(StripModel::of_the_paper(100.0, 1.0));
-    if let Body::Strip(strip) = &mut model.body {
-        (strip.width, strip.height) = (40.0, 10.0);
-    }
-    model.space = Some(Space { azimuth: 1.0, ..Space::default() });
+    let form = ProfileForm::Pieces(ProfilePieces::new(vec![Piece::straight(100.0, 40.0, 10.0)]).unwrap());
+    let body = Body::Profile(Profile { form, material: Spatula::default().material });
+    let model =
+        PeelModel { body, space: Some(Space { azimuth: 1.0, ..Space::default() }), ..Spatula::default().model() };
     let problem = model.problem(Form::ThreeField, ORDER).unwrap();
     let r0 = model.adhesion.equilibrium_distance;
     let lying = problem.system.stress_free(4);
