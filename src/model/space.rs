@@ -185,7 +185,7 @@ impl PeelModel {
         let placement = StressFreePlacement::varying(beam, &self.adhesion, &self.ground, front, fixed);
         let rest = match placement.rest {
             ReferenceConfiguration::Varying(reference) => {
-                let outline = RestOutline::new(*reference, self.length(), placement.fronts, placement.rest_front);
+                let outline = RestOutline::new(*reference, placement.fronts, placement.rest_front);
                 SpatialRest::Outline(Box::new(outline))
             }
             ReferenceConfiguration::Curve(curve) => SpatialRestCurve::along_x(curve.start[1]).into(),

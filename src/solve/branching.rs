@@ -103,5 +103,5 @@ fn bisected(problem: &Problem, from: State, to: f64, ws: &mut Workspace) -> Resu
 fn gap(problem: &Problem, one: &State, other: &State) -> f64 {
     let mut update = Vec::new();
     problem.system.miss(&one.values, &[&other.values], &[1.0], &mut update);
-    problem.system.size(&update, &one.values)
+    problem.system.size(&update, one)
 }

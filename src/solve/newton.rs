@@ -173,7 +173,7 @@ fn iterate(
         let (root, grip) = factorised(problem, &at, constraint, Coefficients::STATIC, ws)?;
         let step = grip.solve(-1.0)?;
         system.recover(ws, &step.interface, -1.0, &mut update);
-        let size = system.size(&update, &at.values);
+        let size = system.size(&update, &at);
         if !(size.is_finite() && step.force.is_finite()) {
             return Err(SolveError::NotFiniteUpdate { quantity: Quantity::NewtonUpdate });
         }
@@ -288,7 +288,7 @@ pub fn damped_step(
     let step = grip.solve(-1.0)?;
     let mut update = vec![0.0; system.unknowns(at)];
     system.recover(ws, &step.interface, -1.0, &mut update);
-    let size = system.size(&update, &at.values);
+    let size = system.size(&update, at);
     if !size.is_finite() {
         return Err(SolveError::NotFiniteUpdate { quantity: Quantity::DampedUpdate });
     }

@@ -115,7 +115,7 @@ const DISTURBED: f64 = 1e-2;
 /// A limit point left a little along its tangent, which is the critical direction there: onward, where the unstable part of the
 /// path turns off, because there the energy at the fixed displacement falls.
 pub fn disturbed(problem: &Problem, limit: &Solution) -> State {
-    limit.moved(problem, DISTURBED / problem.system.size(&limit.tangent.direction, &limit.at.values))
+    limit.moved(problem, DISTURBED / problem.system.size(&limit.tangent.direction, &limit.at))
 }
 
 /// An equilibrium disturbed a little, with a part in any critical direction.

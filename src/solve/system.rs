@@ -285,10 +285,10 @@ pub trait System: Send + Sync {
     }
 
     /// Size of a direction at these values: 1 is a change of the order of the problem's own scales. NaN where a number is none.
-    fn size(&self, direction: &[f64], values: &[f64]) -> f64;
+    fn size(&self, direction: &[f64], at: &State) -> f64;
 
     /// What each number of a direction is multiplied with to be measured as in [`System::size`].
-    fn per_unit(&self, values: &[f64]) -> Vec<f64>;
+    fn per_unit(&self, at: &State) -> Vec<f64>;
 
     /// The stress-free configuration on so many elements.
     fn stress_free(&self, elements: usize) -> State;

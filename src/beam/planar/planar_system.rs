@@ -147,14 +147,14 @@ impl System for PlanarBeam {
         residual
     }
 
-    fn size(&self, direction: &[f64], values: &[f64]) -> f64 {
-        let (direction, values) = (self.nodes(direction), self.nodes(values));
+    fn size(&self, direction: &[f64], at: &State) -> f64 {
+        let (direction, values) = (self.nodes(direction), self.nodes(&at.values));
         if self.fields() == 2 { self.largest::<2>(direction, values) } else { self.largest::<3>(direction, values) }
     }
 
-    fn per_unit(&self, values: &[f64]) -> Vec<f64> {
-        let (rotation, nodes) = (self.rotation, self.nodes(values));
-        let mut units = vec![1.0 / self.scale[rotation]; values.len()];
+    fn per_unit(&self, at: &State) -> Vec<f64> {
+        let (rotation, nodes) = (self.rotation, self.nodes(&at.values));
+        let mut units = vec![1.0 / self.scale[rotation]; at.values.len()];
         units[nodes.len()..].fill(0.0);
         for (units, s) in units.chunks_exact_mut(self.fields()).zip(nodes.chunks_exact(self.fields())) {
             units[..rotation].fill(1.0 / self.height_unit(s));

@@ -5,6 +5,7 @@ mod edges;
 mod end_rotation;
 mod kinematics;
 mod local_adhesion;
+mod place_unit;
 mod rest;
 mod rest_curve;
 pub mod rotation;

@@ -22,14 +22,10 @@ pub struct RestOutline {
     rest_front: f64,
     /// Gap of a section that lies on the ground, nm
     gap: f64,
-    /// Heights of the axis at which the thinnest and the thickest section lie on the ground, nm
-    lying: [f64; 2],
 }
 
 /// Where every unit of length adheres alike.
 const EVEN: &FrontPosition = &FrontPosition::Even;
-/// Places at which the thinnest and the thickest section are looked for.
-const PLACES: usize = 400;
 
 impl From<SpatialRestCurve> for SpatialRest {
     fn from(curve: SpatialRestCurve) -> Self {
@@ -38,15 +34,11 @@ impl From<SpatialRestCurve> for SpatialRest {
 }
 
 impl RestOutline {
-    /// Of an outline that begins on the ground, `length` nm long; where the front is for what adheres, and up to which S it
+    /// Of an outline that begins on the ground; where the front is for what adheres, and up to which S it
     /// adheres at rest, nm.
-    pub fn new(reference: VaryingReference, length: f64, fronts: FrontPosition, rest_front: f64) -> Self {
+    pub fn new(reference: VaryingReference, fronts: FrontPosition, rest_front: f64) -> Self {
         let gap = reference.at(0.0)[1];
-        let heights = (0..=PLACES).map(|k| reference.height(length * k as f64 / PLACES as f64));
-        let [thinnest, thickest] =
-            heights.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], h| [low.min(h), high.max(h)]);
-        let lying = [gap + 0.5 * thinnest, gap + 0.5 * thickest];
-        Self { reference, fronts, rest_front, gap, lying }
+        Self { reference, fronts, rest_front, gap }
     }
 }
 
@@ -82,15 +74,13 @@ impl SpatialRest {
         }
     }
 
-    /// How far the height y of an axis is from those of sections that lie on the ground, nm.
+    /// How far a section with its axis at the height y and this lowest point is from one that lies on the ground, nm: of an outline by the lowest
+    /// point, along a curve by the axis.
     #[inline(always)]
-    pub(super) fn lift(&self, y: f64) -> f64 {
+    pub(super) fn lift(&self, y: f64, lowest: f64) -> f64 {
         match self {
             Self::Curve(curve) => (y - curve.start[1]).abs(),
-            Self::Outline(outline) => {
-                let [low, high] = outline.lying;
-                (low - y).max(y - high).max(0.0)
-            }
+            Self::Outline(outline) => (lowest - outline.gap).abs(),
         }
     }
 

@@ -76,11 +76,6 @@ impl SpatialBeam {
         let root = self.chain.eliminate(seen, &row, added, ws.factors::<SpatialFactors>())?;
         Ok(condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, root.energy)))
     }
-
-    /// What places of a node are measured by, nm.
-    fn place_unit(&self, node: &[f64]) -> f64 {
-        self.scale[0] + self.rest.lift(node[1])
-    }
 }
 
 impl System for SpatialBeam {
@@ -209,10 +204,9 @@ impl System for SpatialBeam {
         *out = self.difference(&self.combine(states, weights), reached);
     }
 
-    fn size(&self, direction: &[f64], values: &[f64]) -> f64 {
+    fn size(&self, direction: &[f64], at: &State) -> f64 {
         let (mut largest, mut sum) = (0.0f64, 0.0);
-        for (step, node) in direction.chunks_exact(F).zip(values.chunks_exact(N)) {
-            let unit = self.place_unit(node);
+        for (step, unit) in direction.chunks_exact(F).zip(self.place_units(at)) {
             for f in 0..F {
                 let size = step[f].abs() / if f < 3 { unit } else { self.scale[1] };
                 sum += size;
@@ -222,14 +216,10 @@ impl System for SpatialBeam {
         if sum.is_finite() { largest } else { f64::NAN }
     }
 
-    fn per_unit(&self, values: &[f64]) -> Vec<f64> {
-        let nodes = self.nodes(values);
-        let of = |node: &[f64]| {
-            let place = 1.0 / self.place_unit(node);
-            let turn = 1.0 / self.scale[1];
-            [place, place, place, turn, turn, turn]
-        };
-        values[..nodes * N].chunks_exact(N).flat_map(of).collect()
+    fn per_unit(&self, at: &State) -> Vec<f64> {
+        let turn = 1.0 / self.scale[1];
+        let of = |unit: f64| [1.0 / unit, 1.0 / unit, 1.0 / unit, turn, turn, turn];
+        self.place_units(at).flat_map(of).collect()
     }
 
     fn stress_free(&self, elements: usize) -> State {

@@ -105,7 +105,7 @@ fn turns_on(problem: &Problem, points: [&Solution; 3]) -> bool {
 
 /// The tangent of the path at a point, each unknown in its unit, of length one.
 fn unit_tangent(problem: &Problem, point: &Solution) -> DVector<f64> {
-    let units = problem.system.per_unit(&point.at.values);
+    let units = problem.system.per_unit(&point.at);
     let scaled = point.tangent.direction.iter().zip(units).map(|(change, per_unit)| change * per_unit);
     DVector::from_iterator(point.tangent.direction.len(), scaled).normalize()
 }

@@ -65,8 +65,9 @@ fn on_mesh_of(
 /// in [`crate::solve::System::size`], or of the force, relative to itself and its scale.
 pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solution: &Solution, at: f64) -> Vec<f64> {
     let force_scale = solution.at.force.abs() + problem.measure.force;
-    let reached = &*solution.aligned(problem).values;
-    let per_unit = problem.system.per_unit(reached);
+    let aligned = solution.aligned(problem);
+    let reached = &*aligned.values;
+    let per_unit = problem.system.per_unit(aligned);
     let states: Vec<&[f64]> = points.iter().map(|point| &*point.aligned(problem).values).collect();
     let mut update = Vec::with_capacity(reached.len());
     (1..=points.len())

@@ -281,7 +281,7 @@ impl<'a> TimeIntegrator<'a> {
         let predicted = self.predicted(h);
         let taken = step.take(predicted.clone(), &mut self.ws)?;
         self.iterations += taken.iterations;
-        let miss = system.size(&system.difference(&predicted.values, &taken.motion.at.values), &predicted.values);
+        let miss = system.size(&system.difference(&predicted.values, &taken.motion.at.values), &predicted);
         Ok((taken, miss * self.error_share(h), rate))
     }
 

@@ -73,7 +73,7 @@ impl Step<'_> {
             let grip = GripBlock::new(problem, &root, &at, &constraint, &observed);
             let solved = grip.solve(-1.0)?;
             system.recover(ws, &solved.interface, -1.0, &mut update);
-            let size = system.size(&update, &at.values);
+            let size = system.size(&update, &at);
             if !(size.is_finite() && solved.force.is_finite()) {
                 return Err(SolveError::NotFiniteUpdate { quantity: Quantity::NewtonUpdate });
             }

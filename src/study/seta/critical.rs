@@ -70,7 +70,7 @@ pub(super) fn critical_direction(problem: &Problem, at: &Solution, ws: &mut Work
 /// A state moved a little along a direction.
 pub(super) fn disturbed(problem: &Problem, at: &State, direction: &[f64]) -> State {
     let mut next = at.clone();
-    let size = problem.system.size(direction, &at.values);
+    let size = problem.system.size(direction, at);
     problem.system.retract(&mut next, direction, DISTURBED / size);
     next
 }

@@ -105,7 +105,7 @@ impl<'a> SectionSampling<'a> {
     }
 
     fn step(&self) -> f64 {
-        STEP / self.problem.system.size(&self.solution.tangent.direction, &self.solution.at.values)
+        STEP / self.problem.system.size(&self.solution.tangent.direction, &self.solution.at)
     }
 
     /// Every point of the rule on every element, with its weight.

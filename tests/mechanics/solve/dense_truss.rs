@@ -212,12 +212,12 @@ impl System for Truss {
         self.assembled(&at.values).1.as_slice().to_vec()
     }
 
-    fn size(&self, direction: &[f64], _: &[f64]) -> f64 {
+    fn size(&self, direction: &[f64], _: &State) -> f64 {
         direction.iter().fold(0.0, |largest, change| if change.abs() <= largest { largest } else { change.abs() })
     }
 
-    fn per_unit(&self, values: &[f64]) -> Vec<f64> {
-        vec![1.0; values.len()]
+    fn per_unit(&self, at: &State) -> Vec<f64> {
+        vec![1.0; at.values.len()]
     }
 
     fn stress_free(&self, _: usize) -> State {

@@ -14,6 +14,7 @@
 //! states of the spatula stay as they were; a pull to the other side peels as the mirror image.
 //! Why: one structure in two texts, and two halves of one space.
 
+use approx::assert_relative_eq;
 use peelkit::adhesion::SectionShape;
 use peelkit::beam::{ALONG_X, turned};
 use peelkit::model::{
@@ -25,6 +26,7 @@ use peelkit::solve::{
     TraceOptions, Workspace, solve,
 };
 use peelkit::study::{Accuracy, PathEnd, PathPoint, StopCriteria, peel};
+use std::f64::consts::FRAC_PI_2;
 
 const ORDER: usize = 7;
 
@@ -219,4 +221,44 @@ fn an_ellipse_is_the_section_of_a_strip() {
     let space = Space { section: SectionShape::Ellipse, ..Space::default() };
     let model = PeelModel { space: Some(space), ..Spatula::default().model() };
     assert_eq!(model.check().unwrap_err().key(), "strip.section");
+}
+
+/// A beam that lies on the ground, the same turned about its axis until it stands on its edge, and that lifted by 25 r0: what moves it by 1 nm is as
+/// large at its corner as where it lies, and 26 times smaller above.
+#[test]
+fn places_are_measured_by_the_lowest_point_of_a_section() {
+    let form = ProfileForm::Pieces(ProfilePieces::new(vec![Piece::straight(100.0, 40.0, 10.0)]).unwrap());
+    let body = Body::Profile(Profile { form, material: Spatula::default().material });
+    let model =
+        PeelModel { body, space: Some(Space { azimuth: 1.0, ..Space::default() }), ..Spatula::default().model() };
+    let problem = model.problem(Form::ThreeField, ORDER).unwrap();
+    let r0 = model.adhesion.equilibrium_distance;
+    let lying = problem.system.stress_free(4);
+    let moved: Vec<f64> = (0..problem.system.unknowns(&lying)).map(|k| f64::from(u8::from(k % 6 == 2))).collect();
+    let rolled = |roll: f64, lift: f64| {
+        let mut at = lying.clone();
+        let nodes = at.values.len() - 6;
+        for node in at.values[..nodes].chunks_exact_mut(7) {
+            node[1] += 20.0 * roll.sin().abs() + 5.0 * (roll.cos().abs() - 1.0) + lift;
+            node[3..].copy_from_slice(&turned([0.0, 0.0, roll], ALONG_X));
+        }
+        problem.system.size(&moved, &at)
+    };
+    assert_relative_eq!(rolled(0.0, 0.0), 1.0 / r0, max_relative = 1e-12);
+    for roll in [0.3f64, 1.0, -1.5] {
+        assert_relative_eq!(rolled(roll, 0.0), 1.0 / r0, max_relative = 1e-12);
+        assert_relative_eq!(rolled(roll, 25.0 * r0), 1.0 / (26.0 * r0), max_relative = 1e-12);
+    }
+}
+
+/// Pulled sideways the pad of a spatula rolls and hangs by a corner of its tip, past five limit points within a nanometre: the path comes through on
+/// the first mesh.
+#[test]
+fn the_spatula_pulled_sideways_takes_one_mesh() {
+    let mut model = pulled(Spatula::default().model(), 60.0, Hold::Fixed);
+    model.space = Some(Space { azimuth: FRAC_PI_2, ..Space::default() });
+    let result = peel(&model, &Accuracy::default(), &StopCriteria::default());
+    let turns = result.limit_points.iter().filter(|point| point.kind == LimitPointKind::Displacement).count();
+    assert_eq!((result.end.clone(), turns), (PathEnd::Pivoting, 5));
+    assert!(result.effort.newton_iterations < 1500, "{:?}", result.effort);
 }

@@ -206,7 +206,7 @@ impl System for BeamTree {
         *out = self.difference(&self.combine(states, weights), reached);
     }
 
-    fn size(&self, direction: &[f64], _: &[f64]) -> f64 {
+    fn size(&self, direction: &[f64], _: &State) -> f64 {
         let (mut largest, mut sum) = (0.0f64, 0.0);
         for (k, step) in direction.iter().enumerate() {
             let size = step.abs() / self.scale[k % F / 3];
@@ -216,7 +216,7 @@ impl System for BeamTree {
         if f64::is_finite(sum) { largest } else { f64::NAN }
     }
 
-    fn per_unit(&self, _: &[f64]) -> Vec<f64> {
+    fn per_unit(&self, _: &State) -> Vec<f64> {
         (0..self.nodes * F).map(|k| 1.0 / self.scale[k % F / 3]).collect()
     }
 

@@ -71,7 +71,7 @@ impl Switch<'_> {
     pub fn first_point(&self, ws: &mut Workspace) -> Result<FirstPoint, OutOfPlaneBranchError> {
         let strip = RolledStrip { problem: self.problem, weights: self.beside.weights };
         let expansion = self.expansion(&strip, ws).map_err(OutOfPlaneBranchError::NotSwitched)?;
-        let size = |direction: &[f64]| self.spatial.size(direction, &expansion.planar.solution.at.values);
+        let size = |direction: &[f64]| self.spatial.size(direction, &expansion.planar.solution.at);
         let mut roll = (SECOND_ORDER / size(&expansion.second)).sqrt().min(MOST_ROLL[0] / self.broad).min(MOST_ROLL[1]);
         let mut missed = f64::NAN;
         for _ in 0..MOST_HALVINGS {
@@ -120,7 +120,7 @@ impl Switch<'_> {
         let linear = LINEAR / self.broad;
         let rolled = strip.held(at.clone(), linear, target, ws)?;
         let first = self.out_of_plane(&self.difference(&at, &rolled.solution.at, linear));
-        let mut roll = FIRST_ORDER / self.spatial.size(&first, &at.values).max(self.broad);
+        let mut roll = FIRST_ORDER / self.spatial.size(&first, &at).max(self.broad);
         let mut of_roll = |roll: f64, target: f64| {
             let mut start = at.clone();
             self.spatial.retract(&mut start, &first, roll);
