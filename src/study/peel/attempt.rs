@@ -61,7 +61,7 @@ enum Beside {
     NoBetter,
     /// The same, and the finer ones have the same limit points: what it differs by is round-off, however large that is.
     Agreeing,
-    /// With half the elements, or with twice as many, the path has the same limit points: its bounds say how well they are known.
+    /// The path has the same limit points on two meshes, one of which has many more elements: its bounds say how well they are known.
     Confirmed,
 }
 
@@ -253,17 +253,16 @@ impl Attempt {
         };
     }
 
-    /// Looks once more at all other meshes, where nothing but its bounds makes a path a failure: on one with half its elements, or twice as many, it may
-    /// have the same limit points. Bounds that do not explain by how much they differ there are widened.
+    /// Looks once more at all meshes, where nothing but its bounds makes a path a failure: it may have the same limit points on two of them, one with
+    /// many more elements than the other. Bounds that do not explain by how much they differ there are widened.
     pub(super) fn confirm(&mut self, wholes: &[Whole]) {
         if self.remembers || !matches!(self.failure(), Some(PathFailure::BoundsMissed { .. })) {
             return;
         }
         let Peel { limit_points, effort, .. } = &mut self.peel;
-        let own = effort.elements;
-        let apart = |other: &Whole| other.elements >= MANY_MORE * own || own >= MANY_MORE * other.elements;
         let same: Vec<&Whole> = wholes.iter().filter(|other| other.agrees_with(limit_points)).collect();
-        if same.iter().any(|other| apart(other)) {
+        let elements = || same.iter().map(|other| other.elements).chain([effort.elements]);
+        if elements().max() >= elements().min().map(|least| MANY_MORE * least) {
             same.iter().for_each(|other| other.widen_unexplained(limit_points));
             self.peel.tell_bounds();
             self.beside = Beside::Confirmed;
@@ -365,9 +364,9 @@ mod tests {
         assert!(whole.is_better_than(&ended), "a limit point that was not located is no end of a model");
     }
 
-    /// Bounds above what was asked for are a failure until half or twice the elements give the same limit points.
+    /// Bounds above what was asked for are a failure unless two meshes have the same limit points, one with twice the elements of the other.
     #[test]
-    fn a_whole_path_is_confirmed_by_many_more_or_fewer_elements() {
+    fn a_whole_path_is_confirmed_by_two_meshes_far_apart() {
         let on = |elements| Whole { elements, limit_points: Vec::new() };
         let failure = |wholes: &[Whole]| {
             let mut attempt = attempt(336, 110.0, 1, None);
@@ -377,5 +376,6 @@ mod tests {
         assert_eq!(failure(&[on(336), on(200)]), Some(PathFailure::BoundsMissed { factor: 110.0 }));
         assert_eq!(failure(&[on(336), on(168)]), None);
         assert_eq!(failure(&[on(672)]), None);
+        assert_eq!(failure(&[on(336), on(200), on(400)]), None);
     }
 }
