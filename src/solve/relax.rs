@@ -27,9 +27,9 @@ pub struct RelaxOptions {
 }
 
 impl RelaxOptions {
-    /// Steps that move at most so much, and as many as jumps have been found to take, many times over.
+    /// Steps that move at most so much, and three times as many as a jump has been found to take: 6694, of a spatula that rolls off its edge.
     pub const fn by(largest_update: f64) -> Self {
-        Self { largest_update, most_steps: 5000 }
+        Self { largest_update, most_steps: 20_000 }
     }
 }
 
