@@ -121,7 +121,7 @@ impl Sheet {
 
     /// The limit point at v and θ: u, energy and forces.
     pub fn limit(&self, place: TipPlace) -> SheetLimit {
-        let [v, t] = [self.axes[1].basis(place.lateral), self.axes[2].basis(place.rotation)];
+        let [v, t] = self.across_at(&place);
         let rotations = self.axes[2].len();
         let force = |i: usize| -> f64 {
             let own = |a: usize, b: usize| self.limit_forces[i][(v.first + a) * rotations + t.first + b];
@@ -165,14 +165,14 @@ impl Sheet {
         let ends = self.ends_by(&weights);
         let [begin, end] = ends;
         if (place.normal - begin) * (end - begin) < 0.0 {
-            return self.before(place, begin < end);
+            return self.before(place, begin < end, weights.bases);
         }
-        self.response_at(self.path_at(place.normal, ends, &weights), place)
+        self.response_at(self.path_at(place.normal, ends, &weights), weights.bases)
     }
 
     /// The response before the begin of the branch.
-    fn before(&self, place: TipPlace, rising: bool) -> TipResponse {
-        let bases = [self.axes[0].basis(0.0), self.axes[1].basis(place.lateral), self.axes[2].basis(place.rotation)];
+    fn before(&self, place: TipPlace, rising: bool, [v, t]: [Basis; 2]) -> TipResponse {
+        let bases = [self.axes[0].basis(0.0), v, t];
         let along = |coefficients: &[f64]| {
             let sums = self.sums(coefficients, &bases);
             std::array::from_fn(|d| across(&sums[d]))
@@ -183,11 +183,16 @@ impl Sheet {
         TipResponse { energy: value, force: gradient, stiffness: hessian }
     }
 
+    /// The B-splines of v and θ at a place.
+    fn across_at(&self, place: &TipPlace) -> [Basis; 2] {
+        [self.axes[1].basis(place.lateral), self.axes[2].basis(place.rotation)]
+    }
+
     /// The weights of coefficients at v and θ.
     fn weights(&self, place: &TipPlace) -> Weights {
-        let [v, t] = [self.axes[1].basis(place.lateral), self.axes[2].basis(place.rotation)];
+        let bases @ [v, t] = self.across_at(place);
         let (length, rotations) = (self.axes[0].len(), self.axes[2].len());
-        let mut weights = Weights { count: 0, of: [(0, 0.0); SUPPORT * SUPPORT] };
+        let mut weights = Weights { bases, count: 0, of: [(0, 0.0); SUPPORT * SUPPORT] };
         for i in 0..v.count {
             for j in 0..t.count {
                 let from = ((v.first + i) * rotations + t.first + j) * length;
@@ -253,7 +258,12 @@ impl Sheet {
 
     /// U and Ê with their derivatives, as they are interpolated.
     fn jets(&self, s: f64, place: &TipPlace) -> [Jet; 2] {
-        let bases = [self.axes[0].basis(s), self.axes[1].basis(place.lateral), self.axes[2].basis(place.rotation)];
+        self.jets_by(s, self.across_at(place))
+    }
+
+    /// The same with the B-splines of v and θ.
+    fn jets_by(&self, s: f64, [v, t]: [Basis; 2]) -> [Jet; 2] {
+        let bases = [self.axes[0].basis(s), v, t];
         [&self.displacement, &self.energy].map(|coefficients| self.jet(coefficients, &bases))
     }
 
@@ -303,9 +313,9 @@ impl Sheet {
         response(&self.jets(s.min(1.0 - BEFORE_LIMIT), &place))
     }
 
-    /// The response at s, v and θ.
-    fn response_at(&self, s: f64, place: TipPlace) -> TipResponse {
-        let [mut u, mut e] = self.jets(s, &place);
+    /// The response at s and the B-splines of v and θ.
+    fn response_at(&self, s: f64, across: [Basis; 2]) -> TipResponse {
+        let [mut u, mut e] = self.jets_by(s, across);
         let [value, slope, bend] = self.added(s);
         let mean = self.beyond[1];
         u.value += value;
@@ -320,6 +330,8 @@ impl Sheet {
 
 /// Coefficients of B-splines of v and θ, by where those along s begin, with their weights.
 struct Weights {
+    /// The B-splines of v and θ
+    bases: [Basis; 2],
     count: usize,
     of: [(usize, f64); SUPPORT * SUPPORT],
 }

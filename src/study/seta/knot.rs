@@ -66,6 +66,16 @@ impl Knot {
         self.cubic(other, 1, t)
     }
 
+    /// The share of the way to another one at which the cubic of displacement (0) or force (1), which rises here and falls there, turns.
+    pub fn turn_of(&self, other: &Self, k: usize) -> f64 {
+        let (mut first, mut last) = (0.0, 1.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (first + last);
+            if self.cubic(other, k, middle).1 > 0.0 { first = middle } else { last = middle }
+        }
+        0.5 * (first + last)
+    }
+
     /// Displacement (0) or force (1) and its derivative at a share t of the way to another one.
     fn cubic(&self, other: &Self, k: usize, t: f64) -> (f64, f64) {
         let length = other.parameter - self.parameter;

@@ -38,6 +38,8 @@ const SHORTENED: f64 = 0.3;
 const MOST_CHANGES: usize = 3;
 /// Most solutions.
 const MOST_SOLVES: usize = 80;
+/// Of the solutions where the slopes at both ends of the bracket say that it turns, one of so many is in the middle instead.
+const HALVED: usize = 6;
 /// Most halvings of a step for the sake of its work.
 const DEEPEST: usize = 8;
 
@@ -205,6 +207,7 @@ fn locate_by(
     let most = LONGEST.max(watched.first);
     let (mut low, mut high): (Vec<Knot>, Option<Knot>) = (vec![first], None);
     let mut longest = most;
+    let mut crossings = 0;
     let mut may_change = changes > 0 && watched.passed.is_none();
     let mut next = guess.clamp(height + SHORTEST, height + longest);
     for _ in 0..MOST_SOLVES {
@@ -245,6 +248,14 @@ fn locate_by(
         let is_stable = found.solution.negative == 0 && found.slopes[0] > 0.0;
         let turns = found.slopes[0] <= 0.0 || is_stable;
         let estimate = model_root(&along, &from, &found);
+        let crossing = match (is_stable, &high) {
+            (true, Some(high)) => crossing(&found, high),
+            (true, None) => None,
+            (false, _) => crossing(&from, &found),
+        };
+        let crossing = crossing.filter(|by| !by.holds(estimate));
+        let estimate = crossing.as_ref().map_or(estimate, |by| by.root);
+        crossings += usize::from(crossing.is_some());
         let missed = [0, 1].map(|k| (found.slopes[k] * (estimate - found.parameter)).abs());
         let error = 0.5 * missed[0];
         // the softening of a tip that turns is known on the tangent alone: two slopes have to say the same
@@ -284,7 +295,8 @@ fn locate_by(
             Some(high) => {
                 let (a, b) = (from.parameter, high.parameter);
                 let inside = estimate > a && estimate < b && turns;
-                if inside { estimate } else { 0.5 * (a + b) }
+                let halved = crossing.is_some() && crossings % HALVED == 0;
+                if inside && !halved { estimate } else { 0.5 * (a + b) }
             }
             None if estimate > from.parameter => estimate.min(from.parameter + longest),
             None => from.parameter + longest.min(2.0 * watched.first),
@@ -305,6 +317,27 @@ fn model_root(along: &Along, one: &Knot, other: &Knot) -> f64 {
     let wanted = second - other.slopes[0] / b;
     let from = if other.slopes[0] > 0.0 { other } else { one };
     along.where_softening_is(from, wanted)
+}
+
+/// Where du/dη is zero between a stable and an unstable knot.
+struct Crossing {
+    bracket: [f64; 2],
+    root: f64,
+}
+
+impl Crossing {
+    /// Whether a parameter is in the bracket.
+    fn holds(&self, parameter: f64) -> bool {
+        parameter > self.bracket[0] && parameter < self.bracket[1]
+    }
+}
+
+/// By the cubic through u and du/dη at both, which says more than the softening of a tip whose rotation is not that of the tangent; none where
+/// du/dη has one sign.
+fn crossing(low: &Knot, high: &Knot) -> Option<Crossing> {
+    let bracket = [low.parameter, high.parameter];
+    let turns = low.slopes[0] > 0.0 && high.slopes[0] < 0.0;
+    turns.then(|| Crossing { bracket, root: bracket[0] + low.turn_of(high, 0) * (bracket[1] - bracket[0]) })
 }
 
 /// Where du/dη is zero on a straight line through its values at two knots.

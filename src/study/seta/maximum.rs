@@ -30,7 +30,7 @@ pub(super) fn maximum(from: &Knot, to: &Knot, solve_at: &mut SolveAt) -> Option<
             break;
         }
         let width = high.parameter - low.parameter;
-        let share = if solves % 4 == 3 { 0.5 } else { estimate(&low, &high) };
+        let share = if solves % 4 == 3 { 0.5 } else { low.turn_of(&high, 1) };
         let share = match share {
             share if share < NEAR => 2.0 * share,
             share if share > 1.0 - NEAR => 1.0 - 2.0 * (1.0 - share),
@@ -64,14 +64,4 @@ fn above(low: &Knot, high: &Knot) -> f64 {
         (low.values[1] + width * low.slopes[1]).max(high.values[1] - width * high.slopes[1])
     };
     (most - largest(low, high).values[1]).max(0.0)
-}
-
-/// The share of the way at which the cubic through both has its maximum.
-fn estimate(low: &Knot, high: &Knot) -> f64 {
-    let (mut first, mut last) = (0.0, 1.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (first + last);
-        if low.force_at(high, middle).1 > 0.0 { first = middle } else { last = middle }
-    }
-    0.5 * (first + last)
 }

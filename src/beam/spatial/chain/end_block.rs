@@ -20,19 +20,25 @@ pub(in crate::beam::spatial) type Carry = [[f64; ROOT]; ROOT];
 pub(in crate::beam::spatial) struct EndBlock(pub [EndRow; EDGE]);
 
 impl EndBlock {
-    /// What condensation left of element `l` of a front, which is symmetric.
+    /// All zero.
     #[inline(always)]
-    pub fn of(nodes: impl Nodes, front: &SpatialFront, l: usize) -> Self {
+    pub fn zero() -> Self {
+        Self([[0.0; EDGE]; EDGE])
+    }
+
+    /// Takes what condensation left of element `l` of a front, which is symmetric, with its two ends in this order: 0 and 1, or 1 and 0.
+    #[inline(always)]
+    pub fn take(&mut self, nodes: impl Nodes, front: &SpatialFront, l: usize, places: [usize; 2]) {
         const F: usize = SPATIAL_UNKNOWNS;
-        let mut block = [[0.0; EDGE]; EDGE];
+        let Self(block) = self;
         let first = nodes.count() - 2;
         for a in 0..2 {
             for f in 0..F {
-                let (i, row) = (a * F + f, &front.rows[first + a][f]);
+                let (i, row) = (places[a] * F + f, &front.rows[first + a][f]);
                 for b in a..2 {
                     for g in if b == a { f } else { 0 }..F {
-                        block[i][b * F + g] = row.fields[first + b][g].0[l];
-                        block[b * F + g][i] = row.fields[first + b][g].0[l];
+                        block[i][places[b] * F + g] = row.fields[first + b][g].0[l];
+                        block[places[b] * F + g][i] = row.fields[first + b][g].0[l];
                     }
                 }
                 block[i][KNOWN] = row.residual.0[l];
@@ -40,7 +46,6 @@ impl EndBlock {
             }
         }
         block[KNOWN][KNOWN] = front.path.residual.0[l];
-        Self(block)
     }
 
     /// The left end of the chain: its part of the path functional, and by how much what is held is off.
@@ -77,16 +82,19 @@ impl EndBlock {
     }
 
     /// What stands below the pivots.
+    #[inline(always)]
     pub fn below(&self) -> BelowEnd {
         std::array::from_fn(|i| std::array::from_fn(|k| self.0[SPATIAL_UNKNOWNS + i][k]))
     }
 
     /// What is left on the right end and the path.
+    #[inline(always)]
     pub fn load(&self) -> Carry {
         std::array::from_fn(|i| std::array::from_fn(|j| self.0[SPATIAL_UNKNOWNS + i][SPATIAL_UNKNOWNS + j]))
     }
 
     /// Adds what the element before left to the left end.
+    #[inline(always)]
     pub fn unload(&mut self, carry: &Carry) {
         let place = |i: usize| if i < SPATIAL_UNKNOWNS { i } else { KNOWN };
         for i in 0..ROOT {

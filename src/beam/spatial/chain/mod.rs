@@ -24,7 +24,7 @@ use crate::beam::{
 use crate::number::{F64x4, Real};
 use assembly::Products;
 use end_block::{BelowEnd, EndRow};
-use projection::{FieldFront, SpatialFront};
+use projection::{FieldFront, SAME, SpatialFront};
 
 /// An end of the chain: along what it moves, how it turns, and which of these are held.
 #[derive(Clone, Copy, Debug)]
@@ -37,6 +37,13 @@ pub struct SpatialEnd {
     pub rest: Quaternion,
     /// Force (nN) and moment (nN·nm) on it that keep their directions in space, along and about x, y, z; the moment has no potential.
     pub dead_load: [[f64; 3]; 2],
+}
+
+impl SpatialEnd {
+    /// Whether its unknowns are those of its node: it turns freely, and its axes are x, y and z.
+    pub fn is_node(&self) -> bool {
+        self.rotation == EndRotation::Free && self.axes == SAME
+    }
 }
 
 /// The order that is used where none is asked for: its loops are compiled for it alone, those of the others for any.

@@ -114,40 +114,94 @@ impl EndMap {
     fn both(&self, sum: impl Fn(&Matrix3, usize) -> f64) -> [f64; SPATIAL_UNKNOWNS] {
         std::array::from_fn(|k| sum(if k < 3 { &self.place } else { &self.turn }, k))
     }
+}
 
-    /// Takes element `l` of a front from the unknowns of node `at` to those of the end; `bent` is added to the block of its turn.
-    pub(in crate::beam::spatial) fn apply(
-        &self,
-        nodes: impl Nodes,
-        at: usize,
-        l: usize,
-        bent: &Matrix3,
-        front: &mut SpatialFront,
-    ) {
+/// [`EndMap`]s of four elements side by side, at the same node of each.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::beam::spatial) struct EndMaps {
+    /// None where all of them are moved along x, y and z
+    place: Option<Matrix3<F64x4>>,
+    turn: Matrix3<F64x4>,
+    bent: Matrix3<F64x4>,
+}
+
+/// The same axes, or the same turn.
+pub(in crate::beam::spatial) const SAME: Matrix3 = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+impl EndMaps {
+    /// That change nothing.
+    #[inline(always)]
+    pub fn same() -> Self {
+        let turn = SAME.map(|row| row.map(F64x4::splat));
+        Self { place: None, turn, bent: [[F64x4::splat(0.0); 3]; 3] }
+    }
+
+    /// Sets that of element `l`, and how it is bent.
+    #[inline(always)]
+    pub fn set(&mut self, l: usize, map: &EndMap, bent: &Matrix3) {
+        set_lane(&mut self.turn, l, &map.turn);
+        set_lane(&mut self.bent, l, bent);
+        if self.place.is_some() || map.place != SAME {
+            let place = self.place.get_or_insert(SAME.map(|row| row.map(F64x4::splat)));
+            set_lane(place, l, &map.place);
+        }
+    }
+
+    /// Takes a front from the unknowns of node `at` to those of the ends; what is bent is added to the blocks of their turns.
+    #[inline(always)]
+    pub fn apply(&self, nodes: impl Nodes, at: usize, front: &mut SpatialFront) {
         for a in 0..=at {
             for f in 0..SPATIAL_UNKNOWNS {
-                let row = &mut front.rows[a][f].fields[at];
-                let taken = self.back(&row.map(|entry| entry.0[l]));
-                (0..SPATIAL_UNKNOWNS).for_each(|g| row[g].0[l] = taken[g]);
+                self.back(&mut front.rows[a][f].fields[at]);
             }
         }
         for b in at..nodes.count() {
             for g in 0..SPATIAL_UNKNOWNS {
-                let column: [f64; SPATIAL_UNKNOWNS] = std::array::from_fn(|f| front.rows[at][f].fields[b][g].0[l]);
-                let taken = self.back(&column);
-                (0..SPATIAL_UNKNOWNS).for_each(|f| front.rows[at][f].fields[b][g].0[l] = taken[f]);
+                let mut column = [F64x4::splat(0.0); SPATIAL_UNKNOWNS];
+                for f in 0..SPATIAL_UNKNOWNS {
+                    column[f] = front.rows[at][f].fields[b][g];
+                }
+                self.back(&mut column);
+                for f in 0..SPATIAL_UNKNOWNS {
+                    front.rows[at][f].fields[b][g] = column[f];
+                }
             }
         }
         for i in 0..3 {
             for j in 0..3 {
-                front.rows[at][3 + i].fields[at][3 + j].0[l] += bent[i][j];
+                let entry = &mut front.rows[at][3 + i].fields[at][3 + j];
+                *entry = *entry + self.bent[i][j];
             }
         }
-        let residual = self.back(&std::array::from_fn::<_, SPATIAL_UNKNOWNS, _>(|f| front.rows[at][f].residual.0[l]));
-        let path = self.back(&front.path.fields[at].map(|entry| entry.0[l]));
+        let mut residual = [F64x4::splat(0.0); SPATIAL_UNKNOWNS];
         for f in 0..SPATIAL_UNKNOWNS {
-            front.rows[at][f].residual.0[l] = residual[f];
-            front.path.fields[at][f].0[l] = path[f];
+            residual[f] = front.rows[at][f].residual;
+        }
+        self.back(&mut residual);
+        for f in 0..SPATIAL_UNKNOWNS {
+            front.rows[at][f].residual = residual[f];
+        }
+        self.back(&mut front.path.fields[at]);
+    }
+
+    /// Gradients by the unknowns of the nodes as ones by those of the ends.
+    #[inline(always)]
+    fn back(&self, node: &mut [F64x4; SPATIAL_UNKNOWNS]) {
+        let [x, y, z, a, b, c] = *node;
+        if let Some(place) = &self.place {
+            let [x, y, z] = apply_transposed(place, &[x, y, z]);
+            (node[0], node[1], node[2]) = (x, y, z);
+        }
+        let [a, b, c] = apply_transposed(&self.turn, &[a, b, c]);
+        (node[3], node[4], node[5]) = (a, b, c);
+    }
+}
+
+#[inline(always)]
+fn set_lane(out: &mut Matrix3<F64x4>, l: usize, own: &Matrix3) {
+    for i in 0..3 {
+        for j in 0..3 {
+            out[i][j].0[l] = own[i][j];
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The elimination, from the left end of the chain to the right.
 
 use super::end_block::{Carry, EndBlock, ROOT};
-use super::projection::{SpatialFront, project};
+use super::projection::{EndMaps, SpatialFront, project};
 use super::{
     EndMap, SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional,
     USUAL_ORDER, Usual, gather_nodes, no_values, quaternion_of,
@@ -70,11 +70,12 @@ impl SpatialChain {
             self.take_ends(nodes, at, (first, elements), front);
             add_inside(nodes, front, added, (first, elements));
             let pivots = front.condense_by_nodes(nodes);
+            let mut block = EndBlock::zero();
             for e in first..elements.min(first + BUNDLE) {
                 let l = e - first;
                 energy.total += total.0[l];
                 energy.coverage += coverage.0[l];
-                let mut block = EndBlock::of(nodes, front, l);
+                block.take(nodes, front, l, [0, 1]);
                 for f in 0..F {
                     let (stiffness, force) = added.at(e * order * F + f);
                     block.0[f][f] += stiffness;
@@ -144,7 +145,9 @@ impl SpatialChain {
             let gradient = std::array::from_fn(|f| front.rows[node][3 + f].residual.0[l]);
             let SpatialEnd { axes, rotation, .. } = self.ends[end];
             let (map, bent) = rotation.map(axes, at.angles[end], quaternion_of(self.end_node(at, end)), gradient);
-            map.apply(nodes, node, l, &bent, front);
+            let mut maps = EndMaps::same();
+            maps.set(l, &map, &bent);
+            maps.apply(nodes, node, front);
         }
     }
 

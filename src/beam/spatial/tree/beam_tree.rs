@@ -35,6 +35,8 @@ pub struct BeamTree {
     pub(super) outward: Arc<[usize]>,
     /// Its elements, four at a time, those that are carried first
     pub(super) bundles: Arc<[TreeBundle]>,
+    /// Of each element the bundle, and which of its four it is
+    pub(super) lane_of: Arc<[[usize; 2]]>,
     /// The root, then the joints with conditions
     pub(super) ends: Arc<[TreeEnd]>,
     /// Of each joint, its place among the ends

@@ -118,9 +118,16 @@ impl BranchingBeam {
         let mut end_of = vec![None; joints];
         ends.iter().enumerate().for_each(|(k, end)| end_of[end.joint] = Some(k));
         let bundles = schedule(&self.branches, &topology);
+        let mut lane_of = vec![[0; 2]; elements];
+        for (b, bundle) in bundles.iter().enumerate() {
+            for (l, &(branch, k)) in bundle.lanes.iter().enumerate().take(bundle.count) {
+                lane_of[branches[branch].first_element + branches[branch].inwards(k)] = [b, l];
+            }
+        }
         let basis = Basis::new(self.order);
         Ok(BeamTree {
             bundles: bundles.into(),
+            lane_of: lane_of.into(),
             products: Products::new(&basis),
             basis,
             branches: branches.into(),

@@ -9,12 +9,14 @@ use crate::beam::spatial::chain::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::chain::end_block::{BelowEnd, Carry, EDGE, EndRow};
 use crate::beam::spatial::chain::projection::{FieldFront, SpatialFront};
 use crate::beam::spatial::density::SPATIAL_FIELDS;
+use crate::number::{F64x4, Real};
 
 const F: usize = SPATIAL_UNKNOWNS;
 
-/// What an elimination leaves for the way back, element by element, and room for it.
+/// What an elimination leaves for the way back, element by element but the interiors, and room for it.
 pub struct TreeFactors {
-    pub(super) inside: Vec<f64>,
+    /// Bundle by bundle
+    pub(super) inside: Vec<F64x4>,
     pub(super) ends: Vec<[EndRow; F]>,
     pub(super) below: Vec<BelowEnd>,
     pub(super) carries: Vec<Carry>,
@@ -39,7 +41,7 @@ impl Default for TreeFactors {
 
 impl TreeFactors {
     pub(super) fn resize(&mut self, elements: usize, inside: usize) {
-        self.inside.resize(elements * inside, 0.0);
+        self.inside.resize(inside, F64x4::splat(0.0));
         self.ends.resize(elements, [[0.0; EDGE]; F]);
         self.below.resize(elements, [[0.0; F]; F]);
     }
@@ -55,7 +57,8 @@ impl BeamTree {
                 let e = branch.inwards(k);
                 // plain, the equations of what is held do not take part
                 self.take_local(branch, e, right, &mut x);
-                self.inside(factors, branch, e).forward(&mut x, &self.taking_part(branch, k, !transposed));
+                let (inside, l) = self.inside(factors, branch, e);
+                inside.forward(l, &mut x, &self.taking_part(branch, k, !transposed));
                 self.put(branch, e, &x, right);
                 self.end_forward(factors, branch, e, right, transposed);
             }
@@ -75,7 +78,8 @@ impl BeamTree {
                 self.end_backward(factors, branch, e, right, transposed);
                 // transposed, what is held does not act on the interior
                 self.take_local(branch, e, right, &mut x);
-                self.inside(factors, branch, e).backward(&mut x, &self.taking_part(branch, k, transposed));
+                let (inside, l) = self.inside(factors, branch, e);
+                inside.backward(l, &mut x, &self.taking_part(branch, k, transposed));
                 self.put_inside(branch, e, &x, right);
             }
         }

@@ -1,16 +1,16 @@
 //! What a joint adds of its own, and how the ends of branches move with it.
 
 use super::beam_tree::{BeamTree, TreeBranch, TreeEnd};
+use super::end_energy::EndResponse;
 use crate::beam::Nodes;
 use crate::beam::slot;
-use crate::beam::spatial::chain::projection::{EndMap, SpatialFront};
+use crate::beam::spatial::chain::projection::{EndMap, EndMaps, SAME, SpatialFront};
 use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, quaternion_of};
 use crate::beam::spatial::density::SPATIAL_FIELDS;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion, apply, apply_transposed, dot, matrix, multiply_transposed};
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;
-const SAME: Matrix3 = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Energy, gradient and second derivatives by the unknowns of a joint of what is done to it; a moment of a dead load has no energy.
 #[derive(Default)]
@@ -32,7 +32,7 @@ impl BeamTree {
     ) -> Option<(EndMap, Matrix3)> {
         let angle = offset.map(matrix);
         let gradient = angle.map_or(gradient, |angle| apply(&angle, &gradient));
-        let mapped = self.end_of[joint].map(|end| {
+        let mapped = self.end_of[joint].filter(|&end| !self.ends[end].own.is_node()).map(|end| {
             let own = &self.ends[end].own;
             own.rotation.map(own.axes, self.angles(values, end), quaternion_of(&values[joint * N..]), gradient)
         });
@@ -45,6 +45,7 @@ impl BeamTree {
     }
 
     /// From the unknowns of the last nodes of branches to those of their joints, where they are among four elements.
+    #[inline(always)]
     pub(super) fn take_ends(
         &self,
         nodes: impl Nodes,
@@ -53,14 +54,17 @@ impl BeamTree {
         front: &mut SpatialFront,
     ) {
         let count = nodes.count();
-        for (l, &(branch, e)) in lanes.iter().enumerate() {
-            for rank in [0, count - 1] {
+        for rank in [0, count - 1] {
+            let (node, mut maps) = (slot(count, rank), None);
+            for (l, &(branch, e)) in lanes.iter().enumerate() {
                 let Some(end) = branch.end_at(count - 1, e, rank) else { continue };
-                let node = slot(count, rank);
                 let gradient = std::array::from_fn(|f| front.rows[node][3 + f].residual.0[l]);
                 if let Some((map, bent)) = self.end_map(values, branch.joints[end], branch.offsets[end], gradient) {
-                    map.apply(nodes, node, l, &bent, front);
+                    maps.get_or_insert_with(EndMaps::same).set(l, &map, &bent);
                 }
+            }
+            if let Some(maps) = maps {
+                maps.apply(nodes, node, front);
             }
         }
     }
@@ -70,6 +74,10 @@ impl BeamTree {
         let TreeEnd { joint, own: condition, energy, .. } = &self.ends[end];
         let node = &values[joint * N..(joint + 1) * N];
         let (place, q) = ([node[0], node[1], node[2]], quaternion_of(node));
+        if let (Some(energy), true, true) = (energy, condition.is_node(), condition.dead_load == [[0.0; 3]; 2]) {
+            let EndResponse { energy, gradient, hessian } = energy.response(place, q);
+            return Own { energy, gradient, tangent: hessian };
+        }
         let angles = self.angles(values, end);
         let map = |gradient| condition.rotation.map(condition.axes, angles, q, gradient);
         let mut out = Own::default();

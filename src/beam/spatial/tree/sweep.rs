@@ -3,11 +3,11 @@
 use super::beam_tree::{BeamTree, TreeBranch};
 use super::factors::TreeFactors;
 use super::inside::pack;
-use crate::beam::spatial::chain::end_block::{Carry, EDGE, EndBlock, ROOT};
+use crate::beam::spatial::chain::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::chain::end_block::{Carry, EndBlock, ROOT};
 use crate::beam::spatial::chain::projection::{SpatialFront, project};
 use crate::beam::spatial::chain::sweep::LEAST_PIVOT;
-use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, USUAL_ORDER, Usual};
-use crate::beam::{AnyNumber, BUNDLE, Element, Nodes, slot};
+use crate::beam::{AnyNumber, BUNDLE, Element, Fixed, Nodes, slot};
 use crate::solve::{MONITORS, NodalTerms, Place, Quantity, SolveError};
 
 const F: usize = SPATIAL_UNKNOWNS;
@@ -63,17 +63,18 @@ impl BeamTree {
         added: Added,
         factors: &mut TreeFactors,
     ) -> Result<CondensedTree, SolveError> {
-        factors.resize(self.elements, self.inside);
+        factors.resize(self.elements, self.bundles.len() * self.inside);
         let mut carries = std::mem::take(&mut factors.carries);
         let mut count =
             Count { energy: self.load_joints(values, weights, &mut carries), negative: 0, least: f64::INFINITY };
         if !added.nodal.stiffness.is_empty() {
             self.load_with_inertia(values, added.nodal, &mut carries);
         }
-        if self.order() == USUAL_ORDER {
-            sweep::<Usual>(self, values, added, &mut carries, factors, &mut count)
-        } else {
-            sweep::<AnyNumber>(self, values, added, &mut carries, factors, &mut count)
+        // the loops of the orders that are used where none is asked for, of setae and of trees, are compiled for them alone
+        match self.order() {
+            2 => sweep::<Fixed<3>>(self, values, added, &mut carries, factors, &mut count),
+            3 => sweep::<Fixed<4>>(self, values, added, &mut carries, factors, &mut count),
+            _ => sweep::<AnyNumber>(self, values, added, &mut carries, factors, &mut count),
         }?;
         let matrix = carries[self.root()];
         factors.carries = carries;
@@ -113,7 +114,8 @@ impl BeamTree {
         count: &mut Count,
     ) -> Result<(), SolveError> {
         let (order, mut bundle) = (nodes.count() - 1, Element::zero());
-        for own in self.bundles.iter() {
+        let mut block = EndBlock::zero();
+        for (b, own) in self.bundles.iter().enumerate() {
             let lanes = self.lanes(own);
             self.gather(values, &lanes, &mut bundle);
             let by = self.integration(nodes, lanes[0].0);
@@ -128,13 +130,10 @@ impl BeamTree {
                 self.load_inside(nodes, &lanes, added.nodal, front);
             }
             let pivots = front.condense_by_nodes(nodes);
+            pack(order, front, &mut inside[b * self.inside..][..self.inside]);
             for (l, &(branch, e)) in lanes.iter().enumerate().take(own.count) {
                 let (id, k) = (branch.first_element + e, own.lanes[l].1);
-                pack(order, front, l, &mut inside[id * self.inside..][..self.inside]);
-                let mut block = EndBlock::of(nodes, front, l);
-                if branch.near == 0 {
-                    block = turned_round(&block);
-                }
+                block.take(nodes, front, l, [1 - branch.near, branch.near]);
                 if k > 0 {
                     let far = self.end_places(branch, e)[0];
                     for f in 0..F {
@@ -156,7 +155,7 @@ impl BeamTree {
                     return Err(SolveError::Singular { pivot: smallest, place });
                 }
                 count.least = count.least.min(smallest);
-                ends[id] = std::array::from_fn(|k| block.0[k]);
+                ends[id].copy_from_slice(&block.0[..F]);
                 below[id] = block.below();
                 let carry = block.load();
                 if !(carry[0][0].is_finite() && count.energy.is_finite()) {
@@ -208,12 +207,6 @@ fn sweep<N: Nodes>(
     count: &mut Count,
 ) -> Result<(), SolveError> {
     tree.sweep_bundles(N::of_order(tree.basis.order), values, added, carries, factors, count)
-}
-
-/// The block with its two ends exchanged.
-fn turned_round(EndBlock(block): &EndBlock) -> EndBlock {
-    let place = |i: usize| if i < 2 * F { (i + F) % (2 * F) } else { i };
-    EndBlock(std::array::from_fn::<_, EDGE, _>(|i| std::array::from_fn(|j| block[place(i)][place(j)])))
 }
 
 /// Adds to the diagonals of four elements their part of a matrix that is `damping` times the length of each node.
