@@ -134,13 +134,58 @@ fn a_pull_off_by_a_table_goes_on_where_it_was_stopped() {
         taken += usize::from(text.contains("equilibria taken from an earlier, unfinished run"));
     }
     assert!(taken > 0 && !dir.path().join("out/run.partial").exists());
-    let mut found: Value = serde_json::from_slice(&fs::read(dir.path().join("out/summary.json")).unwrap()).unwrap();
-    let mut whole = whole;
-    for summary in [&mut found, &mut whole] {
-        let own = summary.as_object_mut().unwrap();
-        for key in ["timing", "command", "parameters"] {
-            own.remove(key);
+    assert_eq!(numbers(written(dir.path())), numbers(whole));
+}
+
+/// A pull-off whose tips are solved as spatulae is stopped, and goes on, with what is known of the spatulae gone.
+#[test]
+fn a_resolved_pull_off_goes_on_where_it_was_stopped() {
+    let dir = tempdir().unwrap();
+    coarsen(dir.path(), &["--rotation", "-0.3 rad,0.1 rad", "--press", "100 nm"]);
+    let sets = [&BY_TABLE[..2], &["seta.tip_table=tip", "seta.forks=3", "seta.resolve_within=20 nm"]].concat();
+    let whole = summary(run(dir.path(), &sets, &["--json"]));
+    assert_eq!(whole["tip_table"]["tips_resolved"], 8);
+    let (mut time, mut went_on) = (0.01, 0);
+    while time < 1000.0 {
+        let bound = format!("bounds.time={time} s");
+        let (status, text, trouble) = run(dir.path(), &[&sets[..], &[&bound]].concat(), &["--out", "out", "--force"]);
+        assert!(status == Some(0) || status == Some(3), "{text} {trouble}");
+        if !dir.path().join("out/run.partial").exists() {
+            went_on += usize::from(text.contains("equilibria taken from an earlier, unfinished run"));
+            break;
         }
+        // what was reached has tips that are solved: it is of the last pull-off
+        let is_resolved = written(dir.path())["tip_table"]["resolved_force_change_nN"].as_f64().is_some();
+        (time, went_on) = if is_resolved { (1000.0 / 3.0, 1) } else { (1.3 * time, 0) };
     }
-    assert_eq!(found, whole);
+    assert_eq!(numbers(written(dir.path())), numbers(whole));
+    assert_eq!(went_on, 2, "the machine is so fast that the last pull-off was not stopped");
+}
+
+/// Heights that are scattered by 2 µm: where the highest tips hold the most, the lowest ones are pressed far below where any table can begin.
+#[test]
+fn a_peak_outside_of_the_table_is_status_3() {
+    let dir = tempdir().unwrap();
+    coarsen(dir.path(), &NARROW);
+    let scattered = ["seta.forks=3", "seta.height_scatter=2000 nm", "seta.youngs_modulus=100 MPa"];
+    let sets = [&BY_TABLE[..2], &["seta.tip_table=tip"], &scattered].concat();
+    let (status, text, trouble) = run(dir.path(), &sets, &["--json"]);
+    assert!(status == Some(3) && trouble.contains("it is not known"), "{status:?} {trouble}");
+    let found: Value = serde_json::from_str(&text).unwrap();
+    let warning = &found["warnings"][0];
+    assert_eq!(warning["code"], "peak-outside-table", "{warning}");
+    assert!(found["tip_table"]["tips_outside"].as_f64().unwrap() >= 1.0, "{}", found["tip_table"]);
+}
+
+fn written(dir: &Path) -> Value {
+    serde_json::from_slice(&fs::read(dir.join("out/summary.json")).unwrap()).unwrap()
+}
+
+/// All of it but how long it took and how it was asked for.
+fn numbers(mut summary: Value) -> Value {
+    let own = summary.as_object_mut().unwrap();
+    for key in ["timing", "command", "parameters"] {
+        own.remove(key);
+    }
+    summary
 }
