@@ -44,8 +44,8 @@ impl SpatialBeam {
     /// w of the two edges of a section with these fields.
     fn adhering_edges(&self, place: f64, node: &[f64], is_round: bool) -> [f64; 2] {
         let frame = matrix(quaternion_of(node));
-        let station = self.chain.density.profile.at(place);
-        let (aside, up) = (0.5 * station.width * frame[1][1], 0.5 * station.height * frame[1][2].abs());
+        let [width, height] = self.chain.density.profile.outline(place);
+        let (aside, up) = (0.5 * width * frame[1][1], 0.5 * height * frame[1][2].abs());
         let gaps = if is_round { [node[1] - aside.hypot(up); 2] } else { [node[1] - up - aside, node[1] - up + aside] };
         gaps.map(|gap| adhering(gap / self.scale[0]))
     }
@@ -53,7 +53,7 @@ impl SpatialBeam {
     /// Height of the axis and of the section at the left end where that lies on the ground, nm.
     fn lying(&self) -> [f64; 2] {
         let ([_, y, _], _) = self.rest.at(0.0);
-        [y, self.chain.density.profile.at(0.0).height]
+        [y, self.chain.density.profile.outline(0.0)[1]]
     }
 }
 

@@ -25,8 +25,9 @@ impl SpatialBeam {
         nodes.enumerate().map(move |(k, node)| {
             let own = (k / order).min(ends.len() - 2);
             if own != element {
-                let first = if element == usize::MAX { self.outline_at(ends[0]) } else { outline[1] };
-                (element, outline) = (own, [first, self.outline_at(ends[own + 1])]);
+                let first =
+                    if element == usize::MAX { self.chain.density.profile.outline(ends[0]) } else { outline[1] };
+                (element, outline) = (own, [first, self.chain.density.profile.outline(ends[own + 1])]);
             }
             let share = self.chain.node_fraction(k - own * order);
             let [width, height] = [0, 1].map(|i| outline[0][i] + share * (outline[1][i] - outline[0][i]));
@@ -35,12 +36,6 @@ impl SpatialBeam {
             let lowest = node[1] - if is_round { aside.hypot(up) } else { aside + up };
             self.scale[0] + self.rest.lift(node[1], lowest)
         })
-    }
-
-    /// Width and height of the section at S, nm.
-    fn outline_at(&self, place: f64) -> [f64; 2] {
-        let station = self.chain.density.profile.at(place);
-        [station.width, station.height]
     }
 }
 

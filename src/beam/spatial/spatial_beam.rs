@@ -119,8 +119,8 @@ impl SpatialBeam {
         let mut node = *fields;
         normalise(&mut node);
         let frame = matrix([node[3], node[4], node[5], node[6]]);
-        let station = self.chain.density.profile.at(place);
-        let (aside, up) = (station.width * frame[1][1], station.height * frame[1][2]);
+        let [width, height] = self.chain.density.profile.outline(place);
+        let (aside, up) = (width * frame[1][1], height * frame[1][2]);
         let round = self.chain.density.adhesion.as_ref().is_some_and(|own| own.shape() == SectionShape::Ellipse);
         node[1] - 0.5 * if round { aside.hypot(up) } else { aside.abs() + up.abs() }
     }

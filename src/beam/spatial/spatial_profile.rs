@@ -35,6 +35,17 @@ impl SpatialProfile {
         Self::Uniform(Box::new(Station { stiffness, rest_curvature: [0.0; 3], width, height }))
     }
 
+    /// b and h at one place alone, nm.
+    pub fn outline(&self, place: f64) -> [f64; 2] {
+        match self {
+            Self::Uniform(station) => [station.width, station.height],
+            Self::Varying(beam) => {
+                let outline = beam.contour().at(place);
+                [outline.width, outline.height[0]]
+            }
+        }
+    }
+
     /// The section at one place, or at several side by side.
     #[inline(always)]
     pub fn at<T: Real>(&self, place: T) -> Station<T> {

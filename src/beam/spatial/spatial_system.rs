@@ -271,7 +271,7 @@ impl System for SpatialBeam {
             let element = (node / order).min(boundaries.len() - 2);
             let share = self.chain.node_fraction(node - element * order);
             let place = boundaries[element] + share * (boundaries[element + 1] - boundaries[element]);
-            let half = 0.5 * self.chain.density.profile.at(place).width;
+            let half = 0.5 * self.chain.density.profile.outline(place)[0];
             let turn = size * self.scale[1] * (1.0 - place / self.length);
             let roll = side * size * (self.scale[0] / half).min(self.scale[1]);
             let own = &mut direction[node * F + 3..(node + 1) * F];

@@ -6,13 +6,13 @@
 
 use super::loading_steps::elements;
 use crate::model::{BeamProblem, PeelModel};
-use crate::solve::{Held, InitialState, RelaxOptions, ShouldStop, Workspace, disturbed_anyhow, relax};
+use crate::solve::{Held, InitialState, RelaxOptions, ShouldStop, State, Workspace, disturbed_anyhow, relax};
 use std::sync::Arc;
 
 /// Most that a step of relaxation moves, relative as in [`crate::solve::System::size`], and most steps.
 const RELAXING: f64 = 0.3;
 const MOST_STEPS: usize = 1000;
-/// Elements of the steps before the pull, over those on which it is relaxed: the path, or the first step, begins with Newton's method on its own.
+/// Elements of the steps before the pull, over those on which it comes to rest: the path, or the first step, begins with Newton's method on its own.
 const COARSER: usize = 2;
 
 /// Lets a path in space that would have to settle start in the stable equilibrium to which the beam relaxes; displacements count from
@@ -24,8 +24,13 @@ pub(super) fn settle(model: &PeelModel, problem: &mut BeamProblem, should_stop: 
     let options = RelaxOptions { largest_update: RELAXING, most_steps: MOST_STEPS };
     let mut ws = Workspace::until(should_stop.clone());
     let elements = elements(model, problem);
-    let leaning = disturbed_anyhow(problem, &problem.initial(elements / COARSER));
-    if let Ok(relaxed) = relax(problem, leaning, Held::Force(0.0), &options, &mut ws) {
+    // on half as many elements first: on the others it is then next to where it comes to rest
+    let leaning = |coarser: usize| disturbed_anyhow(problem, &problem.initial(elements / coarser));
+    let mut relaxed = |from: State| relax(problem, from, Held::Force(0.0), &options, &mut ws);
+    let roughly =
+        relaxed(leaning(2 * COARSER)).map(|rest| problem.system.on_elements(&rest.solution.at, elements / COARSER));
+    let at_rest = roughly.and_then(&mut relaxed).or_else(|_| relaxed(leaning(COARSER)));
+    if let Ok(relaxed) = at_rest {
         let at = problem.system.on_elements(&relaxed.solution.at, elements);
         problem.start_at(Arc::new(at));
     }
