@@ -70,7 +70,7 @@ fn round_off_that_no_mesh_reduces_is_no_failure() {
 /// Forces of a millionth of the largest, at which a stiff strip hangs from its edge: meshes differ by less than the round-off that is in their bounds.
 #[test]
 fn round_off_of_the_force_is_no_failure() {
-    ends(SampleKind::Law, 1670, "detached");
+    ends(SampleKind::Law, 1670, "pivoting");
 }
 
 /// Points nearer to a displacement limit point than it is known are counted as before it, though the path has turned: around it the count is right.
