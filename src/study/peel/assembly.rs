@@ -14,35 +14,43 @@ use std::sync::Arc;
 /// A slope of the force below this share of a later one, before a maximum, is that of another maximum.
 const OVERLOOKED: f64 = 0.1;
 
-/// The relative differences to more elements of what is reported. Where the material points remember, of the turns of the force
+/// How well what is reported is known, relative: twice the differences to more elements. Where the material points remember, of the turns of the force
 /// alone: at one of the displacement much of the beam that slid sticks at once, a corner of the path, of which bounds tell how well it
-/// is known.
-pub(super) fn differences(followed: &Followed, problem: &BeamProblem) -> Vec<f64> {
+/// is known. A difference of a force by no more than the `round_off`, nN, is none.
+pub(super) fn differences(followed: &Followed, problem: &BeamProblem, round_off: f64) -> Vec<f64> {
     let first_load = followed.turns.iter().position(|t| t.0 == LimitPointKind::Load);
     let told = followed.turns.iter().enumerate().filter(|(_, turn)| counts(problem, turn.0));
     let turns = told.flat_map(|(i, (_, _, located))| {
         let (o, d) = (&located.observables, &located.difference);
         let anywhere = located.flat && (followed.level || Some(i) != first_load);
         let place = if anywhere { 0.0 } else { (d.displacement / o.displacement).abs() };
-        [place, (d.force / o.force).abs()]
+        let force = if d.force.abs() <= round_off { 0.0 } else { (d.force / o.force).abs() };
+        [DIFFERENCE_BOUND_FACTOR * place, DIFFERENCE_BOUND_FACTOR * force]
     });
     turns.collect()
+}
+
+/// Round-off of the forces of a path, nN.
+pub(super) fn force_round_off(model: &PeelModel, problem: &BeamProblem, followed: &Followed) -> f64 {
+    let largest = followed.points.iter().map(|s| s.observables.force.abs()).fold(0.0, f64::max);
+    let elements = followed.points.first().map_or(0, |point| point.at.mesh.elements());
+    let is_held = problem.beam.planar().is_some_and(|beam| beam.chain.has_border());
+    let relative = if is_held { ROUND_OFF_HELD * elements as f64 } else { ROUND_OFF };
+    relative * largest + strain_round_off(model)
+}
+
+/// Strains are known to the machine's epsilon, and a stiff beam makes large forces of them, nN.
+fn strain_round_off(model: &PeelModel) -> f64 {
+    let section = model.section();
+    STRAIN_ROUND_OFF * f64::EPSILON * section.axial.max(section.shear)
 }
 
 /// What is reported of a path.
 pub(super) fn report(model: &PeelModel, problem: &BeamProblem, followed: &Followed, relative: f64) -> Peel {
     let mut ws = followed.workspace();
-    let largest = followed.points.iter().map(|s| s.observables.force.abs()).fold(0.0, f64::max);
-    let section = model.section();
-    // strains are known to the machine's epsilon, and a stiff beam makes large forces of them
-    let strained = STRAIN_ROUND_OFF * f64::EPSILON * section.axial.max(section.shear);
-    let bent = BENDING_ROUND_OFF * f64::EPSILON * section.bending / model.adhesion.equilibrium_distance.powi(2);
-    let elements = followed.points.first().map_or(0, |point| point.at.mesh.elements());
-    let force_round_off = if problem.beam.planar().is_some_and(|beam| beam.chain.has_border()) {
-        ROUND_OFF_HELD * elements as f64
-    } else {
-        ROUND_OFF
-    };
+    let (strained, round_off) = (strain_round_off(model), force_round_off(model, problem, followed));
+    let equilibrium_distance = model.adhesion.equilibrium_distance;
+    let bent = BENDING_ROUND_OFF * f64::EPSILON * model.section().bending / equilibrium_distance.powi(2);
     let points = followed.points.iter().map(|s| PathPoint {
         displacement: s.observables.displacement,
         force: s.observables.force,
@@ -56,8 +64,7 @@ pub(super) fn report(model: &PeelModel, problem: &BeamProblem, followed: &Follow
     });
     let force_error = |turn: LimitPointKind, located: &Located| {
         let left_out = if turn == LimitPointKind::Load { located.left_out } else { 0.0 };
-        let floor =
-            force_round_off * largest + strained + bound_floor(located, relative) * located.observables.force.abs();
+        let floor = round_off + bound_floor(located, relative) * located.observables.force.abs();
         DIFFERENCE_BOUND_FACTOR * located.difference.force.abs() + floor + left_out
     };
     let first = followed.points.first().filter(|_| !followed.turns.is_empty());

@@ -1,7 +1,7 @@
 //! A path on one mesh as an attempt: what it was worth, what to try next, and whether it has failed.
 
 use super::PathFailure::{Jumped, Missed, NearUpright, NotLocated, Path, TooManyPoints};
-use super::assembly::{differences, report};
+use super::assembly::{differences, force_round_off, report};
 use super::equilibrium_path::Followed;
 use super::lost::Lost;
 use super::solution_history::SolutionHistory;
@@ -35,6 +35,8 @@ pub(super) struct Attempt {
     difference: f64,
     /// How many numbers are not as accurate as was asked.
     missed: usize,
+    /// Whether the round-off of the force explains that: a force that is small beside the largest is not known better.
+    explained: bool,
     /// What other meshes say of its error.
     beside: Beside,
     /// Largest spread of the first integral over what is wanted: the error between the points that `difference` looks at.
@@ -82,9 +84,11 @@ impl Attempt {
             peel.allow_for_start(first, &difference);
             error_at_start(&peel, problem, first, &difference)
         });
-        let differences = differences(&followed, problem).into_iter().map(|d| DIFFERENCE_BOUND_FACTOR * d / relative);
-        let missed = differences.clone().filter(|difference| difference.is_nan() || *difference > 1.0).count();
-        let difference = differences.fold(at_start / relative, f64::max);
+        let found = |round_off| differences(&followed, problem, round_off).into_iter().map(|error| error / relative);
+        let missed = |round_off| found(round_off).filter(|error| error.is_nan() || *error > 1.0).count();
+        let round_off = force_round_off(model, problem, &followed);
+        let (missed, explained) = (missed(0.0), missed(round_off) == 0 && at_start <= relative);
+        let difference = found(0.0).fold(at_start / relative, f64::max);
         let next = match &followed.trouble {
             None => {
                 spread = followed.spread / (SPREAD * relative).max(SPREAD_ROUND_OFF);
@@ -105,7 +109,19 @@ impl Attempt {
         let peak = peel.initiation_peak.and_then(|peak| first(peak.displacement)).map(|turn| turn.2.solution.clone());
         let limit_points = followed.turns.iter().map(|turn| turn.2.solution.clone()).collect();
         peel.trace = Some(SolutionHistory { problem: problem.clone(), points: followed.points, peak, limit_points });
-        Self { peel, difference, missed, spread, trouble, beyond, cut, next, remembers, beside: Beside::Nothing }
+        Self {
+            peel,
+            difference,
+            missed,
+            explained,
+            spread,
+            trouble,
+            beyond,
+            cut,
+            next,
+            remembers,
+            beside: Beside::Nothing,
+        }
     }
 
     /// The difference to more elements; infinite where the path is unusable.
@@ -297,6 +313,7 @@ impl Attempt {
         // a path that remembers has been followed again with other steps, whose mesh may be a little worse
         let missed = worst > if self.remembers { STRIDE_TOLERANCE_FACTOR } else { 1.0 }
             && worst * self.peel.asked > self.round_off()
+            && !self.explained
             && self.peel.choice.elements.is_none();
         let bounded = matches!(self.peel.end, PathEnd::Bound(_)) && !ended;
         trouble.or((missed && !bounded).then_some(PathFailure::BoundsMissed { factor: worst }))
@@ -336,6 +353,7 @@ mod tests {
             peel,
             difference,
             missed,
+            explained: false,
             beside: Beside::Nothing,
             spread: 0.0,
             trouble,

@@ -107,7 +107,7 @@ pub(in crate::study::peel) fn follow(
             displacement_nm: followed.points[after].observables.displacement,
         });
     }
-    let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem));
+    let checked = followed.locate_turns(problem, relative).and_then(|()| followed.check_inertia(problem, relative));
     followed.trouble = followed.trouble.take().or(checked.err());
     followed.end_at_unresolved(problem);
     followed
@@ -134,10 +134,10 @@ mod tests {
         let options = Resolution::first(&model, &accuracy).path_options(&model, accuracy.relative);
         let limits = Limits { stop: &StopCriteria::after_points(5000), checkpoint: &Checkpoint::NOTHING };
         let mut followed = follow(&problem, options, 4.0, accuracy.relative, &limits);
-        assert!(followed.check_inertia(&problem).is_ok());
+        assert!(followed.check_inertia(&problem, accuracy.relative).is_ok());
         let located = followed.turns.iter().position(|turn| turn.0 == LimitPointKind::Displacement).unwrap();
         let (_, after, _) = followed.turns.remove(located);
-        let missed = followed.check_inertia(&problem).unwrap_err();
+        let missed = followed.check_inertia(&problem, accuracy.relative).unwrap_err();
         assert!(
             matches!(missed, PathFailure::Missed { after: a, from: 0, to: 1, turns: 0, .. } if a == after),
             "{missed}"

@@ -167,22 +167,26 @@ impl Followed {
     }
 
     /// Each displacement limit point changes the number of negative eigenvalues by one; beside them branch points alone do, which are located
-    /// here. Not so at a corner of a path that remembers, where much that slid sticks.
-    pub(super) fn check_inertia(&mut self, problem: &BeamProblem) -> Result<(), PathFailure> {
+    /// here. Not so at a corner of a path that remembers, where much that slid sticks. A limit point is known to `relative` of its displacement at
+    /// best: points that are nearer to it may be counted as before it or behind it.
+    pub(super) fn check_inertia(&mut self, problem: &BeamProblem, relative: f64) -> Result<(), PathFailure> {
         if problem.system.has_history() {
             return Ok(());
         }
         let (mut ws, conservative) = (self.workspace(), problem.system.is_conservative());
         let checked = self.points.len() - usize::from(self.upright);
-        for after in 0..checked.saturating_sub(1) {
-            let (before, behind) = (&self.points[after], &self.points[after + 1]);
-            let (from, to) = (before.negative, behind.negative);
-            let change = from.abs_diff(to);
-            let turns = self.turns.iter().filter(|t| t.0 == LimitPointKind::Displacement && t.1 == after).count();
-            if (turns + change).is_multiple_of(2) && (change <= turns || !conservative) {
+        let mut after = 0;
+        while after + 1 < checked {
+            let here = self.inertia_over(after, after + 1);
+            if here.is_explained(conservative) {
+                after += 1;
                 continue;
             }
-            let alone = turns == 0 && conservative;
+            if let Some(behind) = self.explained_around_turn(after, checked, conservative, relative) {
+                after = behind;
+                continue;
+            }
+            let alone = here.turns == 0 && conservative;
             let start = &self.points[clear_of_branching(&self.points, after)];
             let limit = clear_behind_branching(&self.points, after);
             let located = alone.then(|| locate_branching(problem, start, limit, &mut ws)).transpose();
@@ -193,12 +197,50 @@ impl Followed {
                 }
                 Err(SolveError::Stopped) => return Err(PathFailure::OutOfTime),
                 Ok(None) | Err(_) => {
-                    let displacement_nm = before.observables.displacement;
+                    let displacement_nm = self.points[after].observables.displacement;
+                    let Inertia { from, to, turns } = here;
                     return Err(PathFailure::Missed { after, displacement_nm, from, to, turns });
                 }
             }
+            after += 1;
         }
         Ok(())
+    }
+
+    /// How the number of negative eigenvalues changes from one point to another, and how many limit points lie between.
+    fn inertia_over(&self, before: usize, behind: usize) -> Inertia {
+        let turns =
+            self.turns.iter().filter(|t| t.0 == LimitPointKind::Displacement && (before..behind).contains(&t.1));
+        Inertia { from: self.points[before].negative, to: self.points[behind].negative, turns: turns.count() }
+    }
+
+    /// The first of the `checked` points behind the limit point next to which a step lies, if what is counted there agrees with what is counted
+    /// before the limit point.
+    fn explained_around_turn(&self, after: usize, checked: usize, conservative: bool, relative: f64) -> Option<usize> {
+        let place = |index: usize| self.points[index].observables.displacement;
+        let turns = self.turns.iter().filter(|turn| turn.0 == LimitPointKind::Displacement);
+        let (_, index, turn) = turns.min_by_key(|turn| turn.1.abs_diff(after))?;
+        let turn = turn.observables.displacement;
+        let is_near = |index: &usize| (place(*index) - turn).abs() <= relative * turn.abs();
+        let before = (0..=*index).rev().find(|index| !is_near(index))?;
+        let behind = (index + 1..checked).find(|index| !is_near(index))?;
+        let lies_between = (before..behind).contains(&after);
+        (lies_between && self.inertia_over(before, behind).is_explained(conservative)).then_some(behind)
+    }
+}
+
+/// The number of negative eigenvalues at two points of a path, and of the displacement limit points between them.
+struct Inertia {
+    from: usize,
+    to: usize,
+    turns: usize,
+}
+
+impl Inertia {
+    /// Whether the limit points explain the change.
+    fn is_explained(&self, conservative: bool) -> bool {
+        let change = self.from.abs_diff(self.to);
+        (self.turns + change).is_multiple_of(2) && (change <= self.turns || !conservative)
     }
 }
 
