@@ -38,4 +38,4 @@ COLUMNS = ("length_nm", "bending_stiffness_factor", "height_nm", "hamaker_consta
 
 if __name__ == "__main__":
     cases = list(scenes())
-    run(__doc__, Suite("bound_scenes.csv", REMARKS, cases, COLUMNS, compute, quick=cases[::10]))
+    run(__doc__, Suite("bound_scenes.csv", REMARKS, cases, COLUMNS, compute, quick=cases[::25]))

@@ -44,4 +44,4 @@ def check_solutions():
 
 if __name__ == "__main__":
     run(__doc__, Suite("piece_beams.csv", REMARKS, CASES, COLUMNS, spatula.compute, defining=DEFINING, paper=CASES[0]),
-        (check_forms, check_spatula, check_solutions))
+        (check_forms, check_spatula), (check_solutions,))

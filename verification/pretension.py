@@ -53,4 +53,4 @@ def check_form():
 if __name__ == "__main__":
     defining = DEFINING | {"pull_angle_deg": "angle", "grip_across": "horizontal", "pretension_nN": "pretension"}
     suite = Suite("pretension.csv", REMARKS, CASES, COLUMNS, compute, CASES[::3], defining)
-    run(__doc__.split("\n")[0], suite, (check_none, check_work, check_form))
+    run(__doc__.split("\n")[0], suite, (check_none, check_form), (check_work,))

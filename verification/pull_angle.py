@@ -85,4 +85,4 @@ def check_form():
 
 if __name__ == "__main__":
     suite = Suite("pull_angle.csv", REMARKS, CASES, COLUMNS, compute, QUICK, DEFINING | {"pull_angle_deg": "angle", "grip_across": "horizontal"})
-    run(__doc__.split("\n")[0], suite, (check_upright, check_steady, check_work, check_form))
+    run(__doc__.split("\n")[0], suite, (check_upright, check_form), (check_steady, check_work))

@@ -92,5 +92,5 @@ def check_stable():
 
 
 if __name__ == "__main__":
-    checks = (selfcheck.check_balance, check_forms, check_default, check_stable, check_width)
-    run(__doc__.split("\n")[0], Suite("spatula.csv", REMARKS, CASES, COLUMNS, compute, CASES[:4], DEFINING, D), checks)
+    suite = Suite("spatula.csv", REMARKS, CASES, COLUMNS, compute, CASES[:4], DEFINING, D)
+    run(__doc__.split("\n")[0], suite, (selfcheck.check_balance, check_forms), (check_default, check_stable, check_width))

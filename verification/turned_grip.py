@@ -73,4 +73,4 @@ def check_form():
 if __name__ == "__main__":
     defining = DEFINING | {"pull_angle_deg": "angle", "grip_across": "horizontal", "grip_turned_deg": "turned", "grip_turn_deg_per_nm": "turn"}
     suite = Suite("turned_grip.csv", REMARKS, CASES, COLUMNS, compute, CASES[::4], defining)
-    run(__doc__.split("\n")[0], suite, (check_none, check_work, check_form))
+    run(__doc__.split("\n")[0], suite, (check_none, check_form), (check_work,))

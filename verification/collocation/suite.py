@@ -91,17 +91,19 @@ def known(strip):
     return next(row for row in tables.read(suite.table) if suite.strip_of(row) == strip)
 
 
-def run(description, suite, checks=()):
-    """The command line of a script. checks: functions without arguments that print a line and return whether it holds."""
+def run(description, suite, checks=(), long=()):
+    """The command line of a script. checks: functions without arguments that print a line and return whether it holds; long: those that take
+    seconds, which --quick leaves out."""
     ap = argparse.ArgumentParser(description=description)
     ap.add_argument("--check", action="store_true", help="recompute and compare with the committed table (1e-9 relative, or its last digit)")
-    ap.add_argument("--quick", action="store_true", help="with --check: some of the rows")
+    ap.add_argument("--quick", action="store_true", help="with --check: some of the rows, and no check of the solver that takes seconds")
     ap.add_argument("--only", metavar="TEXT", default="", help="with --check: rows whose description contains TEXT, and nothing else")
     ap.add_argument("--reference", metavar="CSV", default=suite.table, help="with --check: another table of such columns, strip.csv say")
     ap.add_argument("--verbose", action="store_true", help="print every point of every path")
     a = ap.parse_args()
     started = time.time()
-    wrong = 0 if a.only else sum(not check() for check in checks)
+    checks = () if a.only else checks if a.quick else (*checks, *long)
+    wrong = sum(not check() for check in checks)
     if a.check:
         wrong += suite.check(a.reference, a.only, a.quick and suite.quick, a.verbose)
     else:
