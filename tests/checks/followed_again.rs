@@ -6,7 +6,7 @@
 //!
 //! Why: such a path is chosen by no user and met by some; a rule that refuses a good path, or takes a bad one, shows here.
 
-use peelkit_checks::sampled::{SampleKind, sampled};
+use peelkit_checks::sampled::{SampleKind, Sampled, sampled};
 
 #[track_caller]
 fn ends(kind: SampleKind, scene: u64, end: &str) {
@@ -15,10 +15,17 @@ fn ends(kind: SampleKind, scene: u64, end: &str) {
 
 #[track_caller]
 fn ends_of(kind: SampleKind, seed: u64, scene: u64, end: &str) {
-    let found = sampled(kind, seed, scene, 1).unwrap();
-    let run = &found.runs[0];
-    println!("{} {scene}: {} on {} elements, {:.1} s", kind.name(), run.end, run.elements, run.seconds);
+    ended(kind, seed, scene, 1, end);
+}
+
+/// The scene peeled in so many ways, of which the last ends so.
+#[track_caller]
+fn ended(kind: SampleKind, seed: u64, scene: u64, ways: usize, end: &str) -> Sampled {
+    let found = sampled(kind, seed, scene, ways).unwrap();
+    let run = &found.runs[ways - 1];
+    println!("{} {scene}, way {ways}: {} on {} elements, {:.1} s", kind.name(), run.end, run.elements, run.seconds);
     assert_eq!(run.end, end, "{} {scene}: {:?}", kind.name(), run.reason);
+    found
 }
 
 /// Its free end hangs upright from the grip: behind that its path is the mirror image of the one before.
@@ -82,10 +89,7 @@ fn points_next_to_a_limit_point_may_be_counted_on_either_side() {
 /// The same to 1e-9, and every number within its bounds at 1e-6 and 1e-9.
 #[track_caller]
 fn ends_sharply(kind: SampleKind, scene: u64, end: &str) {
-    let found = sampled(kind, 1, scene, 2).unwrap();
-    let run = &found.runs[1];
-    println!("{} {scene} at 1e-9: {} on {} elements, {:.1} s", kind.name(), run.end, run.elements, run.seconds);
-    assert_eq!(run.end, end, "{} {scene}: {:?}", kind.name(), run.reason);
+    let found = ended(kind, 1, scene, 2, end);
     let (compared, outside) = found.against(1);
     assert!(compared == 4 && outside.is_empty(), "{} {scene}: {outside:?}", kind.name());
 }
