@@ -109,6 +109,15 @@ impl Beam {
         }
     }
 
+    /// Distance of the beam from what it cannot pass, nm: the pole of a half space at the distance zero; above the spring of a cohesive law it is
+    /// never zero.
+    pub fn clearance(&self, at: &State) -> f64 {
+        match self {
+            Self::Planar(beam) => beam.clearance(at),
+            Self::Spatial(beam) => beam.clearance(at),
+        }
+    }
+
     /// The mesh for a front and [`Mesh::edges`] with as many elements as another one.
     pub fn mesh_near(&self, front: f64, edges: [f64; 2], like: &Mesh) -> Mesh {
         match self {

@@ -75,11 +75,11 @@ impl PeelModel {
         let form = self.form(how.form);
         let (width, height) = self.free_end();
         let (law, length, along) = (self.line_law(), self.length(), self.has_horizontal_force());
-        let r0 = self.adhesion.equilibrium_distance;
+        let gap_scale = law.gap_scale();
         let lead = usize::from(form == Form::ThreeField);
         let process_length = 0.7 * self.process_length();
-        let mut scale = [r0; MOST_FIELDS];
-        scale[lead + 1] = (r0 / process_length).min(1.0);
+        let mut scale = [gap_scale; MOST_FIELDS];
+        scale[lead + 1] = (gap_scale / process_length).min(1.0);
         let (front_foci, mut fixed_foci) = (self.front_foci(process_length), self.fixed_foci(process_length));
         let rest_adhesion = width * law.rest_energy();
         let placement = match self.contour() {
@@ -123,6 +123,7 @@ impl PeelModel {
             process_length,
             height,
             sees_tilt: law.line_load != LineLoad::AxisGap,
+            barrier: law.barrier(),
             conservative: law.has_potential() && friction.is_none(),
             limits: self.limits(),
             inertia: None,
@@ -233,9 +234,9 @@ impl PeelModel {
     }
 
     /// Where elements are small whatever the front: at the free end, which may come to stand on its edge, a wedge whose attraction
-    /// is concentrated on a part of r0, and at the end of a strip that may not turn there, or that steps bend before the pull.
+    /// is concentrated on a part of the gap scale, and at the end of a strip that may not turn there, or that steps bend before the pull.
     fn fixed_foci(&self, process_length: f64) -> Vec<Focus> {
-        let edge = (0.36 * process_length).min(0.25 * self.adhesion.equilibrium_distance);
+        let edge = (0.36 * process_length).min(0.25 * self.line_law().gap_scale());
         let mut foci = vec![Focus { center: 0.0, length: edge, weight: 0.8, reach: Reach::Far }];
         let bent = self.grip.rotation == Hold::Fixed || !self.steps.is_empty();
         if let Some(strip) = self.strip().filter(|_| bent) {

@@ -307,10 +307,10 @@ impl PeelModel {
         self.bending_length().min(3.0 * self.shear_length())
     }
 
-    /// How far the grip goes until it has moved a section by r0, or has turned it over the length of the process zone by as much, nm.
+    /// How far the grip goes until it has moved a section by the scale of its gap, or has turned it over the length of the process zone by as much, nm.
     pub fn first_way(&self) -> f64 {
-        let (r0, process) = (self.adhesion.equilibrium_distance, self.process_length());
-        r0.min(process).min((r0 / process).min(1.0) / self.pull.turn.abs())
+        let (gap, process) = (self.line_law().gap_scale(), self.process_length());
+        gap.min(process).min((gap / process).min(1.0) / self.pull.turn.abs())
     }
 
     /// How much longer a strip is under its pretension, T L/EA, nm.

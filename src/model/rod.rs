@@ -2,7 +2,7 @@
 
 use super::chain::three_field;
 use super::{Beam, BeamProblem, Discretisation, Hold};
-use crate::adhesion::Substrate;
+use crate::adhesion::{Barrier, Substrate};
 use crate::beam::{
     FrontPosition, MOST_FIELDS, MeshIntervals, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, ReferenceConfiguration,
     ReferenceCurve, ReissnerRod, Section,
@@ -128,6 +128,7 @@ impl RodModel {
             process_length: length,
             height: 0.0,
             sees_tilt: false,
+            barrier: Barrier::Pole,
             substrate: Substrate::Flat,
             history: None,
             conservative: true,

@@ -112,7 +112,7 @@ impl PeelModel {
     ) -> Result<BeamProblem, NoSuchOrder> {
         how.check().map_err(|_| NoSuchOrder { order: how.order })?;
         let ((width, height), length) = (self.free_end(), self.length());
-        let r0 = self.adhesion.equilibrium_distance;
+        let gap_scale = section.law().gap_scale();
         let varying = self.contour().map(|contour| Varying::new(contour, self.material()));
         let rest_height = rest_height(&section, 0.5 * height + self.line_law().rest_gap());
         let at_rest = section.response(rest_height, 0.0, height);
@@ -121,7 +121,7 @@ impl PeelModel {
             * (stiffness.0[4][4] / at_rest.hessian[0])
                 .powf(0.25)
                 .min(3.0 * (stiffness.0[2][2] / at_rest.hessian[0]).sqrt());
-        let edge = (0.36 * process_length).min(0.25 * r0);
+        let edge = (0.36 * process_length).min(0.25 * gap_scale);
         let front = Focus { center: 0.0, length: process_length, weight: 1.0, reach: Reach::Far };
         // behind the front the strip twists off within √(12 GJ / (b² Ψ_yy))
         let twist_length = (12.0 * stiffness.0[3][3] / (width * width * at_rest.hessian[0])).sqrt();
@@ -164,10 +164,11 @@ impl PeelModel {
             chain: SpatialChain::new(density, how.order, ends, self.held_left(space)),
             length,
             rest,
-            scale: [r0, (r0 / process_length).min(1.0)],
+            scale: [gap_scale, (gap_scale / process_length).min(1.0)],
             round_off: 0.0,
             rest_adhesion: at_rest.energy,
             process_length,
+            barrier: section.law().barrier(),
             mesh: MeshPolicy { kind: how.mesh, front_foci, edge_foci, fixed_foci, pieces },
             inertia: None,
         };

@@ -53,7 +53,7 @@ impl StressFreePlacement {
         let end = beam.contour().at(0.0);
         let law = adhesion.line_law(end.height[0]);
         let rest = VaryingReference::new(beam.clone(), law.rest_gap());
-        let (touching, again) = contact(&rest, length, REACH * adhesion.equilibrium_distance);
+        let (touching, again) = contact(&rest, length, REACH * law.gap_scale());
         let rest_front = settled_front(beam, adhesion, touching);
         let along = |front: &Focus| ground.floor(front.length);
         let alike = front.first().and_then(along).map(|floor| (contact_extent(&rest, length, adhesion, ground), floor));
@@ -108,7 +108,7 @@ fn distances(rest: &VaryingReference, length: f64) -> Vec<(f64, f64)> {
 
 /// S behind which a beam is higher above flat ground than this ground rises.
 fn contact_extent(rest: &VaryingReference, length: f64, adhesion: &Adhesion, ground: &Ground) -> f64 {
-    let near = REACH * adhesion.equilibrium_distance + ground.substrate.peak_to_valley();
+    let near = REACH * adhesion.line_law(rest.height(0.0)).gap_scale() + ground.substrate.peak_to_valley();
     let clear = distances(rest, length).into_iter().rev().take_while(|&(_, distance)| distance > near);
     clear.last().map_or(length, |(place, _)| place)
 }

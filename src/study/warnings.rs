@@ -123,7 +123,7 @@ impl Peel {
         let below = |kind, value: f64, limit: f64| (value < limit).then_some(Warning { kind, value, limit });
         let above = |kind, value: f64, limit: f64| (value > limit).then_some(Warning { kind, value, limit });
         let Largest { folded, folded_sideways, strained } = self.largest_bend_and_strain();
-        let ground = model.ground.substrate.peak_to_valley() / model.adhesion.equilibrium_distance;
+        let ground = model.ground.substrate.peak_to_valley() / model.line_law().gap_scale();
         let radius = self.contact(0).and_then(|contact| contact.sharp());
         let start = self.relaxed_start.map_or(0.0, |start| start.negative as f64);
         [

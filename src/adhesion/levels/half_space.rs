@@ -13,6 +13,14 @@ pub struct HalfSpace {
 }
 
 impl HalfSpace {
+    /// The half space with this work of adhesion (nN/nm) and this strength (nN/nm²): w/σ is 9 · 15^(1/3)/(16 √5) r0.
+    pub fn of_work_and_strength(work: f64, strength: f64) -> Self {
+        let unit = Self { hamaker_constant: 1.0, equilibrium_distance: 1.0 };
+        let equilibrium_distance = work / strength * unit.strength() / unit.work_of_adhesion();
+        let hamaker_constant = work * equilibrium_distance.powi(2) / unit.work_of_adhesion();
+        Self { hamaker_constant, equilibrium_distance }
+    }
+
     /// Body force density b(r) = A_H/(2π r0⁴) [ (r0/r)¹⁰/5 - (r0/r)⁴ ], nN/nm³, positive away from the half space, eq. (9).
     #[inline(always)]
     pub fn body_force<T: Real>(&self, r: T) -> T {
@@ -81,6 +89,21 @@ mod tests {
     fn published_work_of_adhesion() {
         assert_eq!((PAPER.work_of_adhesion() * 1e4).round() / 1e4, 0.0307);
         assert_relative_eq!(PAPER.work_of_adhesion(), -PAPER.potential(PAPER.equilibrium_gap()), max_relative = 1e-14);
+    }
+
+    #[test]
+    fn work_and_strength_determine_a_half_space() {
+        let found = HalfSpace::of_work_and_strength(PAPER.work_of_adhesion(), PAPER.strength());
+        assert_relative_eq!(found.hamaker_constant, PAPER.hamaker_constant, max_relative = 1e-14);
+        assert_relative_eq!(found.equilibrium_distance, PAPER.equilibrium_distance, max_relative = 1e-14);
+        let tape = HalfSpace::of_work_and_strength(0.2, 1e-3);
+        assert_relative_eq!(tape.work_of_adhesion(), 0.2, max_relative = 1e-14);
+        assert_relative_eq!(tape.strength(), 1e-3, max_relative = 1e-14);
+        assert_relative_eq!(
+            tape.equilibrium_distance,
+            16.0 * 5f64.sqrt() / (9.0 * 15f64.cbrt()) * 200.0,
+            max_relative = 1e-14
+        );
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The adhesion model of a section, and everything that is asked of it elsewhere.
 
-use super::{Cohesive, CohesiveShape, OwnLaw};
+use super::{Barrier, Cohesive, CohesiveShape, OwnLaw};
 use crate::adhesion::HalfSpace;
 
 /// The adhesion model without its numbers: what a scene names.
@@ -111,6 +111,22 @@ impl Law {
     /// As [`super::LineLaw::has_pole`].
     pub(super) fn has_pole_of_one_face(&self) -> bool {
         matches!(self, Self::BodyForce)
+    }
+
+    /// As [`super::LineLaw::gap_scale`].
+    pub(super) fn gap_scale(&self, half_space: &HalfSpace) -> f64 {
+        match self {
+            Self::BodyForce | Self::SurfaceTraction | Self::Own(_) => half_space.equilibrium_distance,
+            Self::Cohesive(law) => HalfSpace::of_work_and_strength(law.work(), law.strength).equilibrium_distance,
+        }
+    }
+
+    /// As [`super::LineLaw::barrier`].
+    pub(super) fn barrier(&self, half_space: &HalfSpace) -> Barrier {
+        match self {
+            Self::BodyForce | Self::SurfaceTraction | Self::Own(_) => Barrier::Pole,
+            Self::Cohesive(law) => Barrier::Spring { closed: law.closed, scale: self.gap_scale(half_space) },
+        }
     }
 
     /// As [`super::LineLaw::cutoff_distance`].

@@ -4,7 +4,7 @@
 //! difference.
 
 use super::response::LineResponse;
-use super::{Law, body_force, surface_traction};
+use super::{Barrier, Law, body_force, surface_traction};
 use crate::adhesion::HalfSpace;
 use crate::number::Real;
 use crate::number::root::{Bracket, Look};
@@ -37,6 +37,9 @@ pub struct LineLaw {
     /// Whether the attraction of the upper surface is included (the r2 terms); a cohesive law has none.
     pub far_face: bool,
 }
+
+/// What adheres to a half space is nearer than this many r0.
+const ADHERING: f64 = 2.0;
 
 impl LineLaw {
     /// The response at the gap η = y - h/2 (nm) and the rotation θ, given as its sine and cosine.
@@ -94,6 +97,29 @@ impl LineLaw {
     /// strength; where a thousandth is left of that of a cohesive law; a law of the user's own says it.
     pub fn cutoff_distance(&self) -> f64 {
         self.law.cutoff_distance(&self.half_space)
+    }
+
+    /// The change of a gap that changes the traction by its own size, nm: r0 of the half space, and of a cohesive law r0 of the half space that
+    /// has its work of adhesion and its strength.
+    pub fn gap_scale(&self) -> f64 {
+        self.law.gap_scale(&self.half_space)
+    }
+
+    /// What keeps the face that looks down out of the substrate.
+    pub fn barrier(&self) -> Barrier {
+        self.law.barrier(&self.half_space)
+    }
+
+    /// The distance (nm) up to which a face counts as adhering: 2 r0 from a half space, and from a cohesive law as much farther than it is at
+    /// rest as from the half space with its work of adhesion and strength.
+    pub fn adhering_distance(&self) -> f64 {
+        match self.barrier() {
+            Barrier::Pole => ADHERING * self.gap_scale(),
+            Barrier::Spring { closed, scale } => {
+                let like = HalfSpace { equilibrium_distance: scale, ..self.half_space };
+                closed + ADHERING * scale - like.equilibrium_gap()
+            }
+        }
     }
 
     /// The gap η at which a flat section is at rest, T_c(η, θ = 0) = 0, nm.

@@ -1,7 +1,7 @@
 //! A planar beam: a chain of elements on a substrate or on its own, in its reference configuration.
 
 use super::{BeamInertia, Chain, Configuration, ElementEnergy, FrontPosition, MOST_FIELDS, MeshPolicy, ModelLimits};
-use crate::adhesion::Substrate;
+use crate::adhesion::{Barrier, Substrate};
 use crate::beam::ReferenceConfiguration;
 use crate::beam::mesh::nodal_lengths;
 use crate::solve::{Coefficients, Evaluation, History, INTERFACE, State};
@@ -51,6 +51,8 @@ pub struct PlanarBeam {
     pub height: f64,
     /// Whether the law looks at the edges of a tilted section, or only at the gap below the axis.
     pub sees_tilt: bool,
+    /// What keeps it out of the substrate
+    pub barrier: Barrier,
     /// What the chain is on; flat where nothing adheres.
     pub substrate: Substrate,
     /// What the material points remember at rest, where there is friction.
@@ -214,6 +216,11 @@ impl PlanarBeam {
         self.distances(at).fold(f64::INFINITY, f64::min)
     }
 
+    /// Distance of the beam from what it cannot pass, nm.
+    pub fn clearance(&self, at: &State) -> f64 {
+        self.barrier.clearance(self.nearest(at))
+    }
+
     /// Whether no part of the beam is nearer to the substrate than `far`, nm.
     pub fn is_clear(&self, at: &State, far: f64) -> bool {
         self.distances(at).all(|distance| distance > far)
@@ -227,16 +234,16 @@ impl PlanarBeam {
         nodes.map(move |(k, node)| self.distance(ends[k / order], node))
     }
 
-    /// Whether all of the beam is above the substrate, between its nodes as well.
+    /// Whether all of the beam is above what it cannot pass, between its nodes as well.
     pub fn is_above(&self, at: &State) -> bool {
         let (configuration, ends) = (self.configuration(at), &at.mesh.boundaries);
         let order = self.chain.order();
         let between = |k: usize| (2 * k + 1) as f64 / order as f64 - 1.0;
-        self.nearest(at) > 0.0
+        self.clearance(at) > 0.0
             && (0..at.mesh.elements()).all(|element| {
                 (0..order).all(|k| {
                     let (fields, _) = self.chain.sample(configuration, element, between(k));
-                    self.distance(ends[element], &fields) > 0.0
+                    self.barrier.clearance(self.distance(ends[element], &fields)) > 0.0
                 })
             })
     }

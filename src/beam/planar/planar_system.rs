@@ -233,7 +233,7 @@ impl System for PlanarBeam {
 
     fn admits(&self, from: &State, monitors: [f64; MONITORS], prediction: &State) -> bool {
         let loose = self.adheres() && monitors[FRONT] < LOOSE * self.process_length;
-        !(loose && self.nearest(prediction) < NEARER * self.nearest(from))
+        !(loose && self.clearance(prediction) < NEARER * self.clearance(from))
     }
 
     fn is_admissible(&self, at: &State) -> bool {

@@ -6,7 +6,7 @@ use super::end_rotation::{EndRotation, turned};
 use super::rest::SpatialRest;
 use super::rotation::{apply_transposed, matrix};
 use super::spatial_motion::SpatialInertia;
-use crate::adhesion::SectionShape;
+use crate::adhesion::{Barrier, SectionShape};
 use crate::beam::{MeshKind, MeshPolicy};
 use crate::solve::{INTERFACE, Mesh, State};
 
@@ -34,6 +34,8 @@ pub struct SpatialBeam {
     pub rest_adhesion: f64,
     /// Length ℓ of the process zone, nm; L where nothing adheres
     pub process_length: f64,
+    /// What keeps it out of the substrate
+    pub barrier: Barrier,
     /// Where its elements end
     pub mesh: MeshPolicy,
     /// Its mass, where it moves in time
@@ -128,6 +130,11 @@ impl SpatialBeam {
     /// Distance of the beam from the ground, nm: of the lowest points of its sections, at its nodes and between them.
     pub fn nearest(&self, at: &State) -> f64 {
         self.lowest_points(at).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Distance of the beam from what it cannot pass, nm.
+    pub fn clearance(&self, at: &State) -> f64 {
+        self.barrier.clearance(self.nearest(at))
     }
 
     /// Whether no part of the beam is nearer to the ground than `far`, nm.

@@ -57,7 +57,7 @@ pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: 
                     stop,
                     relative: accuracy.relative,
                     far: model.line_law().cutoff_distance(),
-                    equilibrium_distance: model.adhesion.equilibrium_distance,
+                    adhering_distance: model.line_law().adhering_distance(),
                 };
                 test.run(&machine, resolution.elements);
             }

@@ -43,8 +43,8 @@ pub(super) struct Machine<'a> {
     pub relative: f64,
     /// A strip with no point nearer than this is detached, nm.
     pub far: f64,
-    /// r0, nm
-    pub equilibrium_distance: f64,
+    /// What is nearer than this adheres, nm.
+    pub adhering_distance: f64,
 }
 
 /// When the machine has arrived.
@@ -109,7 +109,7 @@ impl Machine<'_> {
 
     /// What adheres at an equilibrium.
     pub fn adhering(&self, solution: &Solution) -> Adhering {
-        Adhering::of(&self.problem.beam, &solution.at, self.equilibrium_distance)
+        Adhering::of(&self.problem.beam, &solution.at, self.adhering_distance)
     }
 
     /// The criterion that is met; a piece has one point at least.

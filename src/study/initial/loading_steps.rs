@@ -198,7 +198,7 @@ impl LoadingSequence {
             let here = path
                 .advance()
                 .map_err(|why| LoadingError::Path { at: goal.reached(problem, &before), why: Box::new(why) })?;
-            if problem.beam.nearest(&here.at) <= 0.0 {
+            if problem.beam.clearance(&here.at) <= 0.0 {
                 return Err(LoadingError::Inside { at: goal.reached(problem, &before) });
             }
             let turned = here.slope.displacement * goal.first < 0.0;

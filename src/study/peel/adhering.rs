@@ -1,12 +1,12 @@
 //! What of a beam adheres: its face, the edge of its free end, the face of that end, or nothing.
 
 use super::DeformedShape;
-use super::contact::{NEAR, Sample, samples};
+use super::contact::{Sample, samples};
 use crate::model::Beam;
 use crate::solve::State;
 use serde::{Deserialize, Serialize};
 
-/// What of a beam adheres, that is, is nearer than 2 r0 to the substrate.
+/// What of a beam adheres, that is, is nearer to the substrate than 2 r0, or than what stands for that under a cohesive law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Adhering {
     /// Its face, along a length of at least the height of the free end, or away from that end.
@@ -30,11 +30,11 @@ impl Adhering {
         }
     }
 
-    /// Of a beam in a state; the gap at rest between two bodies of this equilibrium distance, nm, is the unit.
-    pub(in crate::study) fn of(beam: &Beam, at: &State, equilibrium_distance: f64) -> Self {
+    /// Of a beam in a state; what is nearer than `near`, nm, adheres ([`crate::adhesion::LineLaw::adhering_distance`]).
+    pub(in crate::study) fn of(beam: &Beam, at: &State, near: f64) -> Self {
         let shape = DeformedShape::of(beam, at);
         let end_height = shape.height.first().copied().unwrap_or(0.0);
-        Self::of_samples(&samples(beam.substrate(), &shape), NEAR * equilibrium_distance, end_height)
+        Self::of_samples(&samples(beam.substrate(), &shape), near, end_height)
     }
 
     fn of_samples(samples: &[Sample], near: f64, end_height: f64) -> Self {

@@ -49,8 +49,7 @@ fn strain_round_off(model: &PeelModel) -> f64 {
 pub(super) fn report(model: &PeelModel, problem: &BeamProblem, followed: &Followed, relative: f64) -> Peel {
     let mut ws = followed.workspace();
     let (strained, round_off) = (strain_round_off(model), force_round_off(model, problem, followed));
-    let equilibrium_distance = model.adhesion.equilibrium_distance;
-    let bent = BENDING_ROUND_OFF * f64::EPSILON * model.section().bending / equilibrium_distance.powi(2);
+    let bent = BENDING_ROUND_OFF * f64::EPSILON * model.section().bending / model.line_law().gap_scale().powi(2);
     let points = followed.points.iter().map(|s| PathPoint {
         displacement: s.observables.displacement,
         force: s.observables.force,

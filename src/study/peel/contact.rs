@@ -38,8 +38,6 @@ pub struct Contact {
 
 /// Radius of curvature down to which eq. (9) is very good by Sauer and Wriggers (2009), nm.
 pub const SMALLEST_RADIUS: f64 = 8.0;
-/// What adheres is nearer than this many r0.
-pub(super) const NEAR: f64 = 2.0;
 /// A ground that falls by less than this below its crests has no valley, nm.
 const LEVEL: f64 = 1e-6;
 
@@ -64,7 +62,7 @@ impl Peel {
             return None;
         }
         let samples = samples(substrate, &shape);
-        let near = NEAR * material.equilibrium_distance;
+        let near = law.adhering_distance();
         let whole = Whole::of(&self.model, &samples, near)?;
         let lying = &samples[..whole.samples];
         let gaps = || lying.iter().map(|sample| sample.gap);

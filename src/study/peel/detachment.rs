@@ -13,8 +13,8 @@ impl Peel {
         if !comes_off || followed.trouble.is_some() || problem.system.has_history() {
             return;
         }
-        let equilibrium_distance = self.model.adhesion.equilibrium_distance;
-        let of = |at| Adhering::of(&problem.beam, at, equilibrium_distance);
+        let near = self.model.line_law().adhering_distance();
+        let of = |at| Adhering::of(&problem.beam, at, near);
         let turns_back = |&&index: &&usize| {
             let at = &self.limit_points[index];
             at.kind == LimitPointKind::Displacement && followed.points[at.after].slope.displacement > 0.0

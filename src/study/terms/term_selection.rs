@@ -136,7 +136,7 @@ fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, KeptRe
     }
     let substrate = &model.ground.substrate;
     if !substrate.is_flat() {
-        let deep = depth(substrate, model.length()) > SHALLOW * model.adhesion.equilibrium_distance;
+        let deep = depth(substrate, model.length()) > SHALLOW * law.gap_scale();
         let deep = deep.then_some(KeptReason::NotEstimated(NotEstimated::Deep));
         let free = model.grip.rotation == Hold::Free && model.grip.horizontal == Hold::Free;
         let held = (!free).then_some(KeptReason::NotEstimated(NotEstimated::Held));

@@ -34,6 +34,11 @@ impl Cohesive {
         Self { shape, strength, range: work / (strength * shape.work()), closed: half_space.equilibrium_gap() }
     }
 
+    /// w, its work of adhesion, nN/nm.
+    pub fn work(&self) -> f64 {
+        self.strength * self.range * self.shape.work()
+    }
+
     /// The distance beyond which a thousandth of the strength is not reached, nm.
     pub fn cutoff_distance(&self) -> f64 {
         let openings = Bracket { low: 0.5, high: 50.0 };

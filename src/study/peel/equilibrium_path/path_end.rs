@@ -100,7 +100,7 @@ fn lets_go(problem: &BeamProblem, path: &Path, relative: f64) -> bool {
     let [first, .., newest] = path.points() else { return false };
     let largest = path.points().iter().map(|point| point.observables.force.abs()).fold(0.0, f64::max);
     newest.observables.force.abs() <= relative * largest
-        && problem.beam.is_clear(&newest.at, OFF * problem.beam.nearest(&first.at))
+        && problem.beam.clearance(&newest.at) > OFF * problem.beam.clearance(&first.at)
 }
 
 /// Friction that is next to nothing, over that of a process zone at rest.

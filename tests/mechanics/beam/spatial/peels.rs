@@ -15,7 +15,7 @@
 //! every point of a path. Why: these are all there is to check adhesion with, once a section tilts both ways.
 
 use super::setup::{XYZ, problem};
-use peelkit::adhesion::{HalfSpace, Law, LineLaw, LineLoad, SectionShape, SpatialSection};
+use peelkit::adhesion::{Barrier, HalfSpace, Law, LineLaw, LineLoad, SectionShape, SpatialSection};
 use peelkit::beam::rotation::{Matrix3, apply, cross, matrix};
 use peelkit::beam::{
     ALONG_X, EndRotation, Focus, Material, MeshIntervals, MeshKind, MeshPolicy, Reach, SpatialBeam, SpatialChain,
@@ -94,6 +94,7 @@ impl Strip {
             round_off: 0.0,
             rest_adhesion: at_rest.energy,
             process_length,
+            barrier: Barrier::Pole,
             mesh: MeshPolicy {
                 kind: MeshKind::Moving,
                 front_foci: vec![Focus { center: 0.0, length: process_length, weight: 1.0, reach: Reach::Far }],

@@ -2,6 +2,7 @@
 //! an independent program (verification/space_benchmarks.py, Gauss collocation of the strong form).
 
 use nalgebra::{Matrix6, Vector6};
+use peelkit::adhesion::Barrier;
 use peelkit::beam::{
     EndRotation, MeshIntervals, MeshKind, MeshPolicy, SpatialBeam, SpatialChain, SpatialDensity, SpatialEnd,
     SpatialProfile, SpatialRestCurve, SpatialStiffness, Station,
@@ -66,6 +67,7 @@ impl Rod {
             round_off: 0.0,
             rest_adhesion: 0.0,
             process_length: self.length,
+            barrier: Barrier::Pole,
             mesh: MeshPolicy {
                 kind: MeshKind::Uniform,
                 front_foci: vec![],
