@@ -24,6 +24,8 @@ pub trait Real:
     fn sin_cos(self) -> (Self, Self);
     /// `positive` where the number is above zero, else `other`.
     fn select(self, positive: Self, other: Self) -> Self;
+    /// Whether it is above zero, everywhere.
+    fn is_positive(self) -> bool;
     /// Several functions of each number, computed one by one.
     fn each<const K: usize>(self, function: impl Fn(f64) -> [f64; K]) -> [Self; K];
     /// Several functions of each pair of numbers, computed one by one.
@@ -49,6 +51,10 @@ impl Real for f64 {
     #[inline(always)]
     fn select(self, positive: Self, other: Self) -> Self {
         if self > 0.0 { positive } else { other }
+    }
+    #[inline(always)]
+    fn is_positive(self) -> bool {
+        self > 0.0
     }
     #[inline(always)]
     fn each<const K: usize>(self, function: impl Fn(f64) -> [f64; K]) -> [Self; K] {
@@ -176,6 +182,10 @@ impl Real for F64x4 {
             out[l] = if self.0[l] > 0.0 { positive.0[l] } else { out[l] };
         }
         Self(out)
+    }
+    #[inline(always)]
+    fn is_positive(self) -> bool {
+        self.0.iter().all(|&number| number > 0.0)
     }
     #[inline(always)]
     fn each<const K: usize>(self, function: impl Fn(f64) -> [f64; K]) -> [Self; K] {

@@ -80,7 +80,7 @@ impl LineLaw {
     /// θ; zero of other laws.
     pub fn opening(&self, height: f64, gap: f64, rotation: f64) -> f64 {
         let Law::Cohesive(cohesive) = &self.law else { return 0.0 };
-        let lift = if self.line_load == LineLoad::AxisGap { 0.0 } else { 0.5 * height * (1.0 - rotation.cos().abs()) };
+        let lift = if self.line_load == LineLoad::AxisGap { 0.0 } else { 0.5 * height * (1.0 - rotation.cos()) };
         (gap + lift - cohesive.closed) / cohesive.range
     }
 

@@ -14,6 +14,7 @@ mod response;
 mod surface_traction;
 mod written;
 pub use barrier::Barrier;
+pub(super) use cohesive::Part;
 pub use cohesive::{Cohesive, CohesiveShape};
 pub use coverage::TiltCount;
 pub use law::{Attraction, Law};

@@ -82,30 +82,9 @@ impl OwnLaw {
     /// At one section or at several side by side, which are computed one by one.
     #[inline(never)]
     pub(super) fn response<T: Real>(self, height: T, gap: T, sin: T, cos: T) -> LineResponse<T> {
-        let [energy, by_gap, by_rotation, energy_by_rotation, gap_gap, gap_rotation, rotation_gap, rotation_rotation] =
-            T::each_of([height, gap, sin, cos], |[height, gap, sin, cos]| {
-                let at = self.0.response(&TiltedSection { height, gap, sin, cos });
-                [
-                    at.energy,
-                    at.by_gap,
-                    at.by_rotation,
-                    at.energy_by_rotation,
-                    at.gap_gap,
-                    at.gap_rotation,
-                    at.rotation_gap,
-                    at.rotation_rotation,
-                ]
-            });
-        LineResponse {
-            energy,
-            by_gap,
-            by_rotation,
-            energy_by_rotation,
-            gap_gap,
-            gap_rotation,
-            rotation_gap,
-            rotation_rotation,
-        }
+        LineResponse::each_of([height, gap, sin, cos], |[height, gap, sin, cos]| {
+            self.0.response(&TiltedSection { height, gap, sin, cos })
+        })
     }
 }
 

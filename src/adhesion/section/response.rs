@@ -32,7 +32,12 @@ impl<T: Real> LineResponse<T> {
     /// Where the section is upright, cos θ = 0, the face that looks down is another one, and M_c changes its sign.
     #[inline(always)]
     pub fn of_face(levels: impl FnOnce(T) -> [T; 3], height: T, gap: T, sin: T, cos: T) -> Self {
-        let (s, c) = (cos.select(sin, -sin), cos.select(cos, -cos));
+        Self::of_bonded_face(levels, height, gap, cos.select(sin, -sin), cos.select(cos, -cos))
+    }
+
+    /// The same on the face that looks down where the section is not tilted, however it is turned: r = y - (h/2) cos θ.
+    #[inline(always)]
+    pub(super) fn of_bonded_face(levels: impl FnOnce(T) -> [T; 3], height: T, gap: T, s: T, c: T) -> Self {
         let half = height * 0.5;
         let [w, t, b] = levels(gap + one_minus(s, c) * half);
         let lever = half * s;
@@ -64,6 +69,50 @@ impl<T: Real> LineResponse<T> {
             gap_rotation: zero,
             rotation_gap: zero,
             rotation_rotation: zero,
+        }
+    }
+
+    /// That of two loads together.
+    #[inline(always)]
+    pub(super) fn plus(self, other: Self) -> Self {
+        Self {
+            energy: self.energy + other.energy,
+            by_gap: self.by_gap + other.by_gap,
+            by_rotation: self.by_rotation + other.by_rotation,
+            energy_by_rotation: self.energy_by_rotation + other.energy_by_rotation,
+            gap_gap: self.gap_gap + other.gap_gap,
+            gap_rotation: self.gap_rotation + other.gap_rotation,
+            rotation_gap: self.rotation_gap + other.rotation_gap,
+            rotation_rotation: self.rotation_rotation + other.rotation_rotation,
+        }
+    }
+
+    /// One section's response after the other, side by side.
+    #[inline(always)]
+    pub(super) fn each_of<const N: usize>(of: [T; N], response: impl Fn([f64; N]) -> LineResponse<f64>) -> Self {
+        let [energy, by_gap, by_rotation, energy_by_rotation, gap_gap, gap_rotation, rotation_gap, rotation_rotation] =
+            T::each_of(of, |of| {
+                let at = response(of);
+                [
+                    at.energy,
+                    at.by_gap,
+                    at.by_rotation,
+                    at.energy_by_rotation,
+                    at.gap_gap,
+                    at.gap_rotation,
+                    at.rotation_gap,
+                    at.rotation_rotation,
+                ]
+            });
+        Self {
+            energy,
+            by_gap,
+            by_rotation,
+            energy_by_rotation,
+            gap_gap,
+            gap_rotation,
+            rotation_gap,
+            rotation_rotation,
         }
     }
 

@@ -1,15 +1,21 @@
-//! A cohesive law: traction against opening of the face that looks down, in place of a half space's.
+//! A cohesive law: traction against opening of the bonded face, in place of a half space's.
 //!
-//! The face at the distance r from the substrate is open by δ = r - r_eq. With the range δ_r the nominal traction, per area of
-//! reference, is -σ s(δ/δ_r): it attracts where the face is open, and repels where it is pressed. A shape has a largest s of 1, so
-//! that σ is the strength, and the work of adhesion is w = σ δ_r ∫ s over all openings above zero. Per length and width, with
-//! W_c(r) = -σ δ_r ∫ s from the opening on,
+//! The bonded face is the one that looks down where the beam is flat: it carries the adhesive. At the distance r from the substrate it is
+//! open by δ = r - r_eq. With the range δ_r the nominal traction, per area of reference, is -σ s(δ/δ_r): it attracts where the face is open,
+//! and repels where it is pressed. A shape has a largest s of 1, so that σ is the strength, and the work of adhesion is w = σ δ_r ∫ s over
+//! all openings above zero. Per length and width, with W_c(r) = -σ δ_r ∫ s from the opening on,
 //!
-//!   Ψ(y, θ) = W_c(r),  r = y - (h/2) |cos θ|,   T_c = -∂Ψ/∂y,   M_c = -∂Ψ/∂θ = T_c (h/2) sin θ.
+//!   Ψ(y, θ) = W_c(r),  r = y - (h/2) cos θ,   T_c = -∂Ψ/∂y,   M_c = -∂Ψ/∂θ = T_c (h/2) sin θ.
 //!
-//! Where the section is upright, cos θ = 0, the face that looks down is another one, and M_c changes its sign.
+//! Where a section has turned over, cos θ < 0, the bonded face looks up. It is still the one that is attracted, but what is pressed on the
+//! substrate is the other face, r' = y - (h/2) |cos θ|:
+//!
+//!   Ψ(y, θ) = W_c(max(r, r_eq)) + W_c(min(r', r_eq)) - W_c(r_eq).
+//!
+//! So M_c is continuous where the section is upright, unless its edge is pressed.
 
 use super::CohesiveShape;
+use super::at::At;
 use crate::adhesion::HalfSpace;
 use crate::adhesion::section::LineResponse;
 use crate::number::Real;
@@ -26,6 +32,50 @@ pub struct Cohesive {
     pub range: f64,
     /// r_eq, the distance at which a face is closed, nm
     pub closed: f64,
+}
+
+/// What of a law acts on a face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::adhesion) enum Part {
+    /// All of it
+    Whole,
+    /// What attracts an open face; ∫ s of a face that is pressed is that of one that is closed
+    Pull,
+    /// What repels a pressed face
+    Push,
+}
+
+impl Part {
+    /// Of the shape at the opening t.
+    #[inline]
+    pub(super) fn at(self, shape: CohesiveShape, t: f64) -> At {
+        match (self, t > 0.0) {
+            (Self::Whole, _) | (Self::Pull, true) => shape.at(t),
+            (Self::Push, true) => [0.0; 3],
+            (Self::Pull, false) => [shape.work(), 0.0, 0.0],
+            (Self::Push, false) => {
+                let [work, s, slope] = shape.at(t);
+                [work - shape.work(), s, slope]
+            }
+        }
+    }
+
+    /// The integral from t on of the first number of [`Self::at`].
+    #[inline]
+    pub(super) fn primitive(self, shape: CohesiveShape, t: f64) -> f64 {
+        match (self, t > 0.0) {
+            (Self::Whole, _) | (Self::Pull, true) => shape.primitive(t),
+            (Self::Push, true) => 0.0,
+            (Self::Pull, false) => shape.primitive(0.0) - t * shape.work(),
+            (Self::Push, false) => shape.primitive(t) - shape.primitive(0.0) + t * shape.work(),
+        }
+    }
+
+    /// Where its pieces join, in the order of the openings.
+    pub(super) fn knots(self, shape: CohesiveShape) -> impl Iterator<Item = f64> {
+        let closed = (self != Self::Whole).then_some(0.0);
+        closed.into_iter().chain(shape.knots().iter().copied())
+    }
 }
 
 impl Cohesive {
@@ -49,17 +99,30 @@ impl Cohesive {
     /// W_c (nN/nm), the traction T = -W_c' (nN/nm²) and b = -T' (nN/nm³) of a face at the distance r, nm.
     #[inline(never)]
     pub fn levels<T: Real>(&self, r: T) -> [T; 3] {
+        r.each(|r| self.levels_of(Part::Whole, r))
+    }
+
+    /// The same of a part of it.
+    fn levels_of(&self, part: Part, r: f64) -> [f64; 3] {
         let per_range = 1.0 / self.range;
-        r.each(|r| {
-            let [work, s, slope] = self.shape.at((r - self.closed) * per_range);
-            [-self.strength * self.range * work, -self.strength * s, self.strength * per_range * slope]
-        })
+        let [work, s, slope] = part.at(self.shape, (r - self.closed) * per_range);
+        [-self.strength * self.range * work, -self.strength * s, self.strength * per_range * slope]
     }
 
     /// The load on a section whose face is at the distance `gap` where it is not tilted.
     #[inline(never)]
     pub(in crate::adhesion::section) fn on_face<T: Real>(&self, height: T, gap: T, sin: T, cos: T) -> LineResponse<T> {
-        LineResponse::of_face(|r| self.levels(r), height, gap, sin, cos)
+        if cos.is_positive() {
+            return LineResponse::of_bonded_face(|r| self.levels(r), height, gap, sin, cos);
+        }
+        LineResponse::each_of([height, gap, sin, cos], |[height, gap, sin, cos]| {
+            let bonded = |part| LineResponse::of_bonded_face(|r| self.levels_of(part, r), height, gap, sin, cos);
+            if cos > 0.0 {
+                return bonded(Part::Whole);
+            }
+            let pressed = LineResponse::of_face(|r| self.levels_of(Part::Push, r), height, gap, sin, cos);
+            bonded(Part::Pull).plus(pressed)
+        })
     }
 }
 
@@ -111,6 +174,49 @@ mod tests {
             assert_relative_eq!(largest, strength, max_relative = 1e-8);
             assert_abs_diff_eq!(traction(0.0), 0.0, epsilon = 1e-16);
             assert!(traction(-0.1 * law.range) < 0.0);
+        }
+    }
+
+    /// A section that turns over is attracted by its bonded face alone, which goes up; energy, load and moment go on without a jump.
+    #[test]
+    fn a_section_turns_over_without_a_jump_unless_it_is_pressed() {
+        let height = 1.0;
+        for &shape in SHAPES {
+            let law = Cohesive::calibrated(shape, 0.05, 0.03, &PAPER);
+            let at = |axis: f64, angle: f64| law.on_face(height, axis - 0.5 * height, angle.sin(), angle.cos());
+            let upright = std::f64::consts::FRAC_PI_2;
+            for opening in [0.05, 0.2, 0.6, 1.1] {
+                let axis = law.closed + opening * law.range;
+                let [before, behind] = [-1e-9, 1e-9].map(|off| at(axis, upright + off));
+                assert_abs_diff_eq!(before.energy, behind.energy, epsilon = 1e-8);
+                assert_abs_diff_eq!(before.by_rotation, behind.by_rotation, epsilon = 1e-8);
+                let turned = at(axis, 2.2);
+                let open = axis - 0.5 * height * 2.2f64.cos();
+                assert_relative_eq!(turned.energy, law.levels(open)[0], max_relative = 1e-14);
+            }
+            let pressed = law.closed - 0.1 * law.range;
+            let [before, behind] = [-1e-9, 1e-9].map(|off| at(pressed, upright + off).by_rotation);
+            assert!(before < -1e-4 && behind > 1e-4, "{shape:?}: {before} {behind}");
+        }
+    }
+
+    /// The load of a turned section, open, pressed or both, is the slope of its energy, and the tangent that of the load.
+    #[test]
+    fn a_turned_section_has_a_potential() {
+        let (height, d) = (0.3, 1e-5);
+        let law = Cohesive::calibrated(CohesiveShape::Exponential, 0.05, 0.03, &PAPER);
+        let at = |gap: f64, angle: f64| law.on_face(height, gap, angle.sin(), angle.cos());
+        for gap in [-0.1, 0.0, 0.1, 0.4] {
+            for angle in [1.7, 2.3, 3.0, 4.5, -2.0] {
+                let here = at(gap, angle);
+                let slope = |of: &dyn Fn(f64) -> f64| (8.0 * (of(d) - of(-d)) - (of(2.0 * d) - of(-2.0 * d))) / (12.0 * d);
+                assert_abs_diff_eq!(slope(&|off| at(gap + off, angle).energy), here.by_gap, epsilon = 1e-10);
+                assert_abs_diff_eq!(slope(&|off| at(gap, angle + off).energy), here.by_rotation, epsilon = 1e-10);
+                assert_abs_diff_eq!(slope(&|off| at(gap + off, angle).by_gap), here.gap_gap, epsilon = 1e-9);
+                assert_abs_diff_eq!(slope(&|off| at(gap, angle + off).by_gap), here.gap_rotation, epsilon = 1e-9);
+                let turned = slope(&|off| at(gap, angle + off).by_rotation);
+                assert_abs_diff_eq!(turned, here.rotation_rotation, epsilon = 1e-9);
+            }
         }
     }
 

@@ -7,6 +7,7 @@ mod calibrated;
 mod on_width;
 mod ramp;
 pub use calibrated::Cohesive;
+pub(in crate::adhesion) use calibrated::Part;
 
 use at::At;
 

@@ -7,17 +7,18 @@
 //! are within 3e-13 of what is averaged, without its sign.
 
 use super::Cohesive;
+use super::calibrated::Part;
 
 /// Gauss's points above zero on [-1, 1] and their weights.
 const POINTS: [f64; 3] = [0.238_619_186_083_196_9, 0.661_209_386_466_264_5, 0.932_469_514_203_152];
 const WEIGHTS: [f64; 3] = [0.467_913_934_572_691_04, 0.360_761_573_048_138_6, 0.171_324_492_379_170_34];
 
 impl Cohesive {
-    /// The means over s from -1/2 to 1/2 of W_c, W_c', s W_c', W_c'', s W_c'' and s² W_c'' at r + s a, for a ≥ 0.
-    pub(in crate::adhesion) fn over_width(&self, r: f64, a: f64) -> [f64; 6] {
+    /// The means over s from -1/2 to 1/2 of W_c, W_c', s W_c', W_c'', s W_c'' and s² W_c'' at r + s a, for a ≥ 0, of a part of the law.
+    pub(in crate::adhesion) fn over_width(&self, part: Part, r: f64, a: f64) -> [f64; 6] {
         let per_range = 1.0 / self.range;
         let (t, x) = ((r - self.closed) * per_range, a * per_range);
-        let means = if x > 0.5 { self.by_edges(t, x) } else { self.by_points(t, x) };
+        let means = if x > 0.5 { self.by_edges(part, t, x) } else { self.by_points(part, t, x) };
         // W_c = -σ δ_r ∫ s
         let (w, s, slope) = (-self.strength * self.range, self.strength, self.strength * per_range);
         let factors = [w, s, s, slope, slope, slope];
@@ -26,10 +27,10 @@ impl Cohesive {
 
     /// Of ∫ s, s and the slope of s, in the same order. With f' for any of them ∫ f'(t + s x) ds = [f]/x, and by parts
     /// for the rest.
-    fn by_edges(&self, t: f64, x: f64) -> [f64; 6] {
+    fn by_edges(&self, part: Part, t: f64, x: f64) -> [f64; 6] {
         let edges = [t - 0.5 * x, t + 0.5 * x];
-        let [low, high] = edges.map(|t| self.shape.at(t));
-        let [below, above] = edges.map(|t| self.shape.primitive(t));
+        let [low, high] = edges.map(|t| part.at(self.shape, t));
+        let [below, above] = edges.map(|t| part.primitive(self.shape, t));
         let inverse = 1.0 / x;
         let w = (below - above) * inverse;
         let s = (low[0] - high[0]) * inverse;
@@ -39,16 +40,16 @@ impl Cohesive {
         [w, s, s_moment, slope, slope_moment, 0.25 * slope - 2.0 * inverse * s_moment]
     }
 
-    fn by_points(&self, t: f64, x: f64) -> [f64; 6] {
+    fn by_points(&self, part: Part, t: f64, x: f64) -> [f64; 6] {
         let mut sums = [0.0; 6];
         let mut from = -0.5;
-        let knots = self.shape.knots().iter().map(|opening| (opening - t) / x);
+        let knots = part.knots(self.shape).map(|opening| (opening - t) / x);
         // without a tilt they are infinite, or no numbers
         for to in knots.filter(|place| place.abs() < 0.5).chain([0.5]) {
             let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
             for (point, weight) in POINTS.into_iter().zip(WEIGHTS) {
                 for place in [middle - half * point, middle + half * point] {
-                    let [work, s, slope] = self.shape.at(t + place * x);
+                    let [work, s, slope] = part.at(self.shape, t + place * x);
                     let terms = [work, s, place * s, slope, place * slope, place * place * slope];
                     for k in 0..6 {
                         sums[k] += half * weight * terms[k];
@@ -94,7 +95,7 @@ mod tests {
                             }
                         }
                     }
-                    let computed = law.over_width(r, a);
+                    let computed = law.over_width(Part::Whole, r, a);
                     // where little is left of a law its own round-off is that of its lines
                     let (work, slope) = (law.strength * law.range, law.strength / law.range);
                     let scales = [work, law.strength, law.strength, slope, slope, slope];
