@@ -16,8 +16,8 @@ pub use levels::{
     BodyShape, Cuboid, CurvedBody, HalfSpace, LatticeHalfSpace, LatticeSite, LennardJones, Rule, body_force_by_volume,
     cubic_block, double_integral, pair_sum,
 };
-pub use section::{Barrier, 
-    Attraction, Cohesive, CohesiveShape, Law, LineLaw, LineLoad, LineResponse, OwnLaw, SectionLaw, TiltCount,
+pub use section::{
+    Attraction, Barrier, Cohesive, CohesiveShape, Law, LineLaw, LineLoad, LineResponse, OwnLaw, SectionLaw, TiltCount,
     TiltedSection,
 };
 pub use spatial_section::{SectionShape, SpatialSection, SpatialSectionError, SpatialSectionResponse};

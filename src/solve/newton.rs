@@ -181,7 +181,8 @@ fn iterate(
             Updates::Falling => iterations > 2 && size > 0.9 * previous,
             Updates::Wandering | Updates::Following => iterations > WANDERS && size > 0.9 * previous.max(before),
         };
-        if size > options.largest_update || (stalls && size > stagnant.max(STALLED * options.tolerance)) {
+        let bearable = || stagnant.max(STALLED * options.tolerance).max(system.shape_round_off(&at));
+        if size > options.largest_update || (stalls && size > bearable()) {
             return Err(SolveError::NotConverged { update: size, iterations });
         }
         match updates {

@@ -37,6 +37,18 @@ pub struct StopCriteria {
     pub displacement: Option<f64>,
     /// What only the caller knows: the time, an interruption. Nothing when absent.
     pub should_stop: Option<StopCheck>,
+    /// How much work a path may take that is lost
+    pub patience: Patience,
+}
+
+/// How much work a path may take that is lost on one mesh after another.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Patience {
+    /// A hundred times what a path usually takes.
+    #[default]
+    Usual,
+    /// As much as there is to try: for who says himself when to stop.
+    Unlimited,
 }
 
 /// The criterion that was met.
@@ -84,7 +96,7 @@ impl Default for StopCriteria {
 impl StopCriteria {
     /// After so many points, and nothing else.
     pub const fn after_points(points: usize) -> Self {
-        Self { points, displacement: None, should_stop: None }
+        Self { points, displacement: None, should_stop: None, patience: Patience::Usual }
     }
 
     /// The same with another check, which is asked where those before say nothing.
@@ -111,11 +123,12 @@ impl StopCriteria {
 
 impl fmt::Debug for StopCriteria {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Self { points, displacement, should_stop } = self;
+        let Self { points, displacement, should_stop, patience } = self;
         f.debug_struct("StopCriteria")
             .field("points", points)
             .field("displacement", displacement)
             .field("should_stop", &should_stop.is_some())
+            .field("patience", patience)
             .finish()
     }
 }

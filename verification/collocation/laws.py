@@ -5,8 +5,8 @@
 each with the lever of its face. Without the far face |cos| is in place of cos in T_c and r1, and there is no T(r2). As
 dT_c/dtheta - dM_c/dy = -sin (T(r1) - T(r2)) it has no potential; with U = W(r1) - W(r2),  T_c dy + M_c dtheta = -cos dU.
 
-Cohesive: traction -strength s(t), t = (r - r_eq)/range, r = g + (h/2)(1 - |cos|), or g for axis-gap. Psi(r) = -strength range
-int_t^inf s. The largest s is 1; strength and work strength range int_0^inf s are those of the van der Waals half space.
+Cohesive: traction -strength s(t), t = (r - r_eq)/range, r = g + (h/2)(1 - cos) of the bonded face, or g for axis-gap. Psi(r) = -strength
+range int_t^inf s. Where cos < 0 only what attracts acts on that face; what repels acts on the other, r = g + (h/2)(1 - |cos|). The largest s is 1; strength and work strength range int_0^inf s are those of the van der Waals half space.
 "exponential" is s = t exp(1 - t). The others are piecewise linear with rounded corners, s = sum a_i ramp(p_i - t): with R'' the
 kernel (35/32) (1 - x^2)^3, ramp(x) = e R(x/e) within the corner's e (C4). They hold nothing behind the last corner and go on linearly
 before the first.
@@ -108,22 +108,33 @@ def span(c):
     return work(c) / (strength(c) * COHESIVE[c.law].whole)
 
 
-def opening(c, g, th):
-    """t, and the first two derivatives of r to theta."""
-    near = np.abs(np.cos(th))
+def opening(c, g, th, face=1.0):
+    """t of the bonded face, (h/2)(1 - cos) above the gap g, or with face = sign(cos) of the face that looks down; and the first two
+    derivatives of r to theta."""
     if c.line_load == "axis-gap":
-        return (g - rest(c)) / span(c), np.zeros_like(near), np.zeros_like(near)
+        return (g - rest(c)) / span(c), np.zeros_like(g), np.zeros_like(g)
     half = 0.5 * c.height
-    lift = 2.0 * half * np.minimum(np.sin(0.5 * th) ** 2, np.cos(0.5 * th) ** 2)      # (h/2)(1 - |cos|)
-    return (g + lift - rest(c)) / span(c), half * np.sin(th) * np.sign(np.cos(th)), half * near
+    lift = half * (1.0 - face) + 2.0 * half * face * np.sin(0.5 * th) ** 2                # (h/2)(1 - face cos)
+    return (g + lift - rest(c)) / span(c), half * face * np.sin(th), half * face * np.cos(th)
 
 
 def cohesive(c, g, th):
-    """Psi with its gradient (y, theta) and Hessian (yy, yt, tt)."""
-    t, a, da = opening(c, g, th)
-    s, slope, left = COHESIVE[c.law](t)
-    f, k = strength(c) * s, strength(c) / span(c) * slope
-    return -strength(c) * span(c) * left, f, f * a, k, k * a, k * a * a + f * da
+    """Psi with its gradient (y, theta) and Hessian (yy, yt, tt). Where a section has turned over, cos < 0, its bonded face is attracted
+    where it is open, and the other one repelled where it is pressed."""
+    law = COHESIVE[c.law]
+    over = (np.cos(th) < 0.0) & (c.line_load != "axis-gap")
+
+    def part(face, counts, left_out):
+        t, a, da = opening(c, g, th, face)
+        s, slope, left = law(t)
+        s, slope, left = np.where(counts(t), s, 0.0), np.where(counts(t), slope, 0.0), np.where(counts(t), left, 0.0) - left_out(t)
+        f, k = strength(c) * s, strength(c) / span(c) * slope
+        return np.stack([-strength(c) * span(c) * left, f, f * a, k, k * a, k * a * a + f * da])
+
+    pulled = part(1.0, lambda t: ~over | (t > 0.0), lambda t: np.where(over & (t <= 0.0), -law.whole, 0.0))
+    if not np.any(over):
+        return tuple(pulled)
+    return tuple(pulled + part(-1.0, lambda t: over & (t < 0.0), lambda t: np.where(over & (t < 0.0), law.whole, 0.0)))
 
 
 def sharpness(c, g, th):

@@ -104,16 +104,7 @@ impl<T: Real> LineResponse<T> {
                     at.rotation_rotation,
                 ]
             });
-        Self {
-            energy,
-            by_gap,
-            by_rotation,
-            energy_by_rotation,
-            gap_gap,
-            gap_rotation,
-            rotation_gap,
-            rotation_rotation,
-        }
+        Self { energy, by_gap, by_rotation, energy_by_rotation, gap_gap, gap_rotation, rotation_gap, rotation_rotation }
     }
 
     /// The same without the moment.

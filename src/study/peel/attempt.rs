@@ -319,8 +319,8 @@ impl Attempt {
         trouble.or((missed && !bounded).then_some(PathFailure::BoundsMissed { factor: worst }))
     }
 
-    /// The result, as a failure where the path cannot be used.
-    pub(super) fn into_peel(self) -> Peel {
+    /// The result, as a failure where the path cannot be used; `given_up` says whether more would have been tried, had there been more time.
+    pub(super) fn into_peel(self, given_up: bool) -> Peel {
         let (failure, model_end) = (self.failure(), self.model_end());
         let mut peel = self.peel;
         peel.end = model_end.unwrap_or(peel.end);
@@ -330,7 +330,7 @@ impl Attempt {
                 peel.forget_special_points();
             }
             let Effort { elements, order, .. } = peel.effort;
-            peel.end = PathEnd::Failed(Failure::Path { cause, elements, order, asked: peel.asked });
+            peel.end = PathEnd::Failed(Failure::Path { cause, elements, order, asked: peel.asked, given_up });
         }
         peel
     }

@@ -18,7 +18,8 @@ pub enum Failure {
     /// On the best mesh that was tried, of so many elements of this order.
     #[error(
         "{cause}; on {elements} elements of order {order}. The results so far are kept. Try another accuracy.relative than {asked:e}, or \
-         bounds.displacement to stop before"
+         bounds.displacement to stop before{}",
+        if *given_up { ", or bounds.time = \"60 s\": this run was given up after a hundred times the usual work" } else { "" }
     )]
     Path {
         cause: PathFailure,
@@ -26,6 +27,8 @@ pub enum Failure {
         order: usize,
         /// Relative accuracy asked for.
         asked: f64,
+        /// Whether more would have been tried, had there been more time.
+        given_up: bool,
     },
     /// No mesh was tried.
     #[error("nothing was computed")]
@@ -52,6 +55,7 @@ impl PathFailure {
             | Self::LostAtRest { .. }
             | Self::Stuck { .. }
             | Self::OutOfTime
+            | Self::OutOfWork { .. }
             | Self::NearUpright(_)
             | Self::TooManyPoints { .. }
             | Self::StepsMatter { .. }
@@ -101,6 +105,9 @@ pub enum PathFailure {
          bounds.time allows more time"
     )]
     OutOfTime,
+    /// It took too much work.
+    #[error("the path is not at its end after {iterations} Newton iterations")]
+    OutOfWork { iterations: usize },
     /// It comes near a pole of its law that the elements do not resolve.
     #[error("{0}")]
     NearUpright(UprightSection),

@@ -3,6 +3,7 @@
 
 use super::assembly::empty;
 use super::attempt::Attempt;
+use super::budget::Budget;
 use super::equilibrium_path::follow;
 use super::lost::Lost;
 use super::whole::Whole;
@@ -54,6 +55,7 @@ pub(super) fn on_meshes(
     start: Option<&KnownStart>,
     paces: &[Pace],
     collapsed: Collapsed,
+    budget: &mut Option<Budget>,
 ) -> Peel {
     let accuracy = &accuracy.fitted(model);
     let Choice { mesh, form, .. } = accuracy.choice;
@@ -80,6 +82,7 @@ pub(super) fn on_meshes(
         iterations: 0,
         unfinished: false,
         gives_up: false,
+        budget: *budget.get_or_insert_with(|| Budget::of(limits.stop, first.elements)),
         lost: None,
         lost_again: None,
         wholes: Vec::new(),
@@ -107,14 +110,15 @@ pub(super) fn on_meshes(
             }
         }
     }
-    let Meshes { mut iterations, mut unfinished, far, wholes, .. } = meshes;
+    let Meshes { mut iterations, mut unfinished, far, wholes, budget: left, .. } = meshes;
+    *budget = Some(left);
     if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {
         best.confirm(&wholes);
         best.widen(&wholes);
     }
     if problem.system.has_history() && accuracy.choice.step.is_none() && !unfinished {
         best = best.map(|best| {
-            let shorter = Shorter { model, problem: &problem, accuracy, limits, far };
+            let shorter = Shorter { model, problem: &problem, accuracy, limits, far, budget: left };
             let (confirmed, further) = shorter.confirmed(best);
             iterations += further;
             unfinished = confirmed.cut;
@@ -125,7 +129,7 @@ pub(super) fn on_meshes(
         let late = best.peel.integrate_works(limits.should_stop());
         best.trouble = best.trouble.take().or(late);
     }
-    let mut peel = best.map_or_else(|| empty(model), Attempt::into_peel);
+    let mut peel = best.map_or_else(|| empty(model), |best| best.into_peel(left.is_spent()));
     (peel.steps, peel.relaxed_start) = (steps, relaxed);
     peel.effort.newton_iterations = iterations;
     peel.unfinished = unfinished;
@@ -145,6 +149,8 @@ struct Meshes<'r> {
     unfinished: bool,
     /// Whether no further one is begun.
     gives_up: bool,
+    /// The work that is left.
+    budget: Budget,
     /// Where the path on the last one was lost, if it was.
     lost: Option<Lost>,
     /// The elements of the mesh on which the path was lost where it had been lost before.
@@ -177,8 +183,9 @@ impl Meshes<'_> {
                 options.first_displacement = known.first_displacement;
                 options.step_tolerance *= FROM_BRANCH_POINT;
             }
-            let followed = follow(problem, options, self.far, accuracy.relative, limits);
+            let followed = follow(problem, options, self.far, accuracy.relative, limits, &self.budget);
             self.iterations += followed.iterations;
+            self.budget.spend(followed.iterations, options.elements);
             let attempt = Attempt::new(model, problem, followed, resolution, accuracy);
             let enough = accuracy.choice.elements.is_some()
                 || attempt.is_enough()
@@ -190,7 +197,7 @@ impl Meshes<'_> {
                 failed == MOST_FAILED_IN_SPACE || self.iterations > most
             };
             let collapses = matches!(attempt.trouble, Some(PathFailure::TooManyPoints { .. }));
-            self.gives_up |= collapses && self.collapsed == Collapsed::Lost;
+            self.gives_up |= collapses && self.collapsed == Collapsed::Lost || self.budget.is_spent();
             self.wholes.extend(attempt.whole());
             let again = self.is_lost_again(&attempt, pace);
             let finer = (!enough && !over && !hopeless && !self.gives_up && !again).then_some(attempt.next);
@@ -227,6 +234,7 @@ struct Shorter<'r> {
     accuracy: &'r Accuracy,
     limits: &'r Limits<'r>,
     far: f64,
+    budget: Budget,
 }
 
 impl Shorter<'_> {
@@ -243,7 +251,7 @@ impl Shorter<'_> {
             let Effort { elements, order, .. } = best.peel.effort;
             let resolution = Resolution { elements, order, stride: SHORTER.powi(tries), ..first };
             let options = resolution.path_options(self.model, relative);
-            let followed = follow(self.problem, options, self.far, relative, self.limits);
+            let followed = follow(self.problem, options, self.far, relative, self.limits, &self.budget);
             iterations += followed.iterations;
             let mut next = Attempt::new(self.model, self.problem, followed, resolution, self.accuracy);
             let change = next.allow_for(&best, self.problem);

@@ -2,6 +2,7 @@
 mod adhering;
 mod assembly;
 mod attempt;
+mod budget;
 mod contact;
 mod detachment;
 mod equilibrium_path;

@@ -1,6 +1,7 @@
 //! The run behind [`super::peel`]: the path on meshes that follow its front, at one pace after another, and, where none of them gives a path that can be
 //! used, on fixed meshes.
 
+use super::budget::Budget;
 use super::meshes::{Collapsed, KnownStart, on_meshes};
 use super::widened::widened;
 use super::{Failure, PathEnd, Peel};
@@ -34,21 +35,32 @@ pub(in crate::study) fn run(
     let (aimed, least) = aim(model, accuracy);
     let limits = Limits { stop, checkpoint };
     let paces = paces(model);
-    let mut peel = on_meshes(model, &aimed, &limits, None, paces, Collapsed::Refined);
+    let mut budget = None;
+    let mut peel = on_meshes(model, &aimed, &limits, None, paces, Collapsed::Refined, &mut budget);
     let lost = matches!(peel.end, PathEnd::Failed(Failure::Path { .. })) && limits.reached().is_none();
     let is_watched = paces.contains(&Pace::Watchful);
-    if lost && is_watched && aimed.fitted(model).choice.mesh == MeshKind::Moving {
-        peel = on_fixed_meshes(peel, model, &aimed, stop);
+    if lost
+        && budget.is_none_or(|budget| !budget.is_spent())
+        && is_watched
+        && aimed.fitted(model).choice.mesh == MeshKind::Moving
+    {
+        peel = on_fixed_meshes(peel, model, &aimed, stop, &mut budget);
     }
     widened(peel, accuracy, least)
 }
 
 /// The same path on fixed meshes, if that can be used. A mesh that follows the front is coarse far from it, where a strip that is compressed waves:
 /// the more, the nearer the compression is to that under which what is bonded wrinkles.
-fn on_fixed_meshes(lost: Peel, model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Peel {
+fn on_fixed_meshes(
+    lost: Peel,
+    model: &PeelModel,
+    accuracy: &Accuracy,
+    stop: &StopCriteria,
+    budget: &mut Option<Budget>,
+) -> Peel {
     let fixed = accuracy.with(Choice { mesh: MeshKind::Graded, ..accuracy.choice });
     let limits = Limits { stop, checkpoint: &Checkpoint::NOTHING };
-    let mut peel = on_meshes(model, &fixed, &limits, None, &[Pace::Quick, Pace::Watchful], Collapsed::Lost);
+    let mut peel = on_meshes(model, &fixed, &limits, None, &[Pace::Quick, Pace::Watchful], Collapsed::Lost, budget);
     if peel.unfinished || matches!(peel.end, PathEnd::Failed(_)) {
         return lost;
     }
@@ -65,6 +77,6 @@ pub(in crate::study) fn run_from(
 ) -> Peel {
     let (aimed, least) = aim(model, accuracy);
     let limits = Limits { stop, checkpoint: &Checkpoint::NOTHING };
-    let peel = on_meshes(model, &aimed, &limits, Some(start), paces(model), Collapsed::Refined);
+    let peel = on_meshes(model, &aimed, &limits, Some(start), paces(model), Collapsed::Refined, &mut None);
     widened(peel, accuracy, least)
 }

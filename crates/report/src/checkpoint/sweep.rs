@@ -145,7 +145,7 @@ mod tests {
         let place = Place { element: 3, position: 0.1 + 0.2 };
         let cause = SolveError::Singular { pivot: 1.0 / 3.0, place };
         let path = PathError { point: 4, displacement_nm: -0.0, force: 2e-9, tries: 14, cause };
-        Failure::Path { cause: PathFailure::Path(path), elements: 8, order: 7, asked: 1e-6 }
+        Failure::Path { cause: PathFailure::Path(path), elements: 8, order: 7, asked: 1e-6, given_up: false }
     }
 
     /// Numbers whose last digit a careless reader loses.

@@ -1,6 +1,6 @@
 //! Where a path is stopped although it goes on, as a scene says it.
 
-use peelkit::study::{Stage, StopCriteria, StopReason};
+use peelkit::study::{Patience, Stage, StopCriteria, StopReason};
 use std::time::{Duration, Instant};
 
 /// The table `bounds`.
@@ -18,9 +18,9 @@ impl BoundsTable {
     /// What a run is given that begins now: its clock starts here.
     pub fn from_now(&self) -> StopCriteria {
         let Self { points, time_s, displacement } = *self;
-        let stop = StopCriteria { points, displacement, should_stop: None };
+        let stop = StopCriteria { displacement, ..StopCriteria::after_points(points) };
         match time_s {
-            Some(seconds) => stop.or_when(time_limit(seconds)),
+            Some(seconds) => StopCriteria { patience: Patience::Unlimited, ..stop.or_when(time_limit(seconds)) },
             None => stop,
         }
     }

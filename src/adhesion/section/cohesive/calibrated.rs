@@ -209,7 +209,8 @@ mod tests {
         for gap in [-0.1, 0.0, 0.1, 0.4] {
             for angle in [1.7, 2.3, 3.0, 4.5, -2.0] {
                 let here = at(gap, angle);
-                let slope = |of: &dyn Fn(f64) -> f64| (8.0 * (of(d) - of(-d)) - (of(2.0 * d) - of(-2.0 * d))) / (12.0 * d);
+                let slope =
+                    |of: &dyn Fn(f64) -> f64| (8.0 * (of(d) - of(-d)) - (of(2.0 * d) - of(-2.0 * d))) / (12.0 * d);
                 assert_abs_diff_eq!(slope(&|off| at(gap + off, angle).energy), here.by_gap, epsilon = 1e-10);
                 assert_abs_diff_eq!(slope(&|off| at(gap, angle + off).energy), here.by_rotation, epsilon = 1e-10);
                 assert_abs_diff_eq!(slope(&|off| at(gap + off, angle).by_gap), here.gap_gap, epsilon = 1e-9);

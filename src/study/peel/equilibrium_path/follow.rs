@@ -9,6 +9,7 @@ use super::slope_polishing::sharpen;
 use crate::model::BeamProblem;
 use crate::solve::{Path, PathOptions, ROUGH, Solution};
 use crate::study::checkpoint::Limits;
+use crate::study::peel::budget::Budget;
 use crate::study::peel::{Failure, PathEnd, PathFailure};
 use std::sync::Arc;
 
@@ -24,6 +25,7 @@ pub(in crate::study::peel) fn follow(
     far: f64,
     relative: f64,
     limits: &Limits,
+    budget: &Budget,
 ) -> Followed {
     let known = (limits.checkpoint.taken)(&options);
     let taken = known.len();
@@ -34,6 +36,9 @@ pub(in crate::study::peel) fn follow(
         let points = path.points().len();
         if points >= most && most < limits.stop.points {
             break Err(PathFailure::TooManyPoints { points: most, elements: options.elements });
+        }
+        if path.iterations() as f64 > budget.iterations(options.elements) {
+            break Err(PathFailure::OutOfWork { iterations: path.iterations() });
         }
         if let Some(end) = limits.reached() {
             cut = true;
@@ -55,7 +60,7 @@ pub(in crate::study::peel) fn follow(
     };
     let failed = |trouble: PathFailure| {
         let (elements, order) = (options.elements, problem.beam.order());
-        let failure = Failure::Path { cause: trouble.clone(), elements, order, asked: relative };
+        let failure = Failure::Path { cause: trouble.clone(), elements, order, asked: relative, given_up: false };
         (PathEnd::Failed(failure), Some(trouble))
     };
     let beyond = stopped.as_ref().err().and_then(|trouble| stopped_by_model(problem, path.points(), trouble));
@@ -133,7 +138,8 @@ mod tests {
         let problem = model.problem(Form::TwoField, accuracy.order()).unwrap();
         let options = Resolution::first(&model, &accuracy).path_options(&model, accuracy.relative);
         let limits = Limits { stop: &StopCriteria::after_points(5000), checkpoint: &Checkpoint::NOTHING };
-        let mut followed = follow(&problem, options, 4.0, accuracy.relative, &limits);
+        let mut followed =
+            follow(&problem, options, 4.0, accuracy.relative, &limits, &Budget::of(limits.stop, options.elements));
         assert!(followed.check_inertia(&problem, accuracy.relative).is_ok());
         let located = followed.turns.iter().position(|turn| turn.0 == LimitPointKind::Displacement).unwrap();
         let (_, after, _) = followed.turns.remove(located);
