@@ -114,6 +114,11 @@ impl StopCriteria {
         self.should_stop.as_ref().and_then(|should_stop| should_stop(stage)).map(Bound::from)
     }
 
+    /// What stops a motion that is followed in time: the caller, as it stops a path.
+    pub fn while_followed(&self) -> Option<solve::ShouldStop> {
+        self.for_solves(Stage::Path)
+    }
+
     /// What tells solves to stop: the caller, at this stage.
     pub(super) fn for_solves(&self, stage: Stage) -> Option<solve::ShouldStop> {
         let should_stop = self.should_stop.clone()?;

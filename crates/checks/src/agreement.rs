@@ -31,6 +31,11 @@ impl Reported {
         Self { numbers, ripple: peel.ripple }
     }
 
+    /// By what reports none of these.
+    pub(crate) fn nothing() -> Self {
+        Self { numbers: [None; QUANTITIES.len()], ripple: 0 }
+    }
+
     /// Every quantity with what the two report of it; nothing where ripple is left out by one alone, whose first maximum is
     /// another.
     pub(crate) fn beside(&self, other: &Self) -> impl Iterator<Item = (&'static str, [Option<Bounded>; 2])> {

@@ -1,13 +1,10 @@
 //! What pulls at a rate have in common: the pull of a beam, or of a seta, as far as it goes.
 
 use peelkit::model::SetaModel;
-use peelkit::solve::ShouldStop;
 use peelkit::study::{
-    InTimeFailureKind, PullInTime, SetaInTime, SetaInTimeFailureKind, Stage, StopCriteria, pull_in_time,
-    pull_seta_in_time,
+    InTimeFailureKind, PullInTime, SetaInTime, SetaInTimeFailureKind, StopCriteria, pull_in_time, pull_seta_in_time,
 };
 use peelkit_scene::{Scene, SetaTable, TimeTable};
-use std::sync::Arc;
 
 /// A pull, and why it stopped short, if it did.
 pub type AsFar<P> = (P, Option<String>);
@@ -19,7 +16,7 @@ pub fn pull_beam(
     stop: &StopCriteria,
 ) -> Result<AsFar<PullInTime>, InTimeFailureKind> {
     let (pull, accuracy) = (scene.pull_rate(table), scene.time_accuracy(table));
-    match pull_in_time(&scene.model, &table.moving_material(), &pull, &accuracy, should_stop(stop)) {
+    match pull_in_time(&scene.model, &table.moving_material(), &pull, &accuracy, stop.while_followed()) {
         Ok(pulled) => Ok((pulled, None)),
         Err(failure) => match failure.reached {
             Some(reached) => Ok((*reached, Some(failure.why.to_string()))),
@@ -36,17 +33,11 @@ pub fn pull_seta(
     stop: &StopCriteria,
 ) -> Result<AsFar<SetaInTime>, SetaInTimeFailureKind> {
     let (pull, accuracy) = (scene.seta_pull_rate(table, seta), scene.seta_time_accuracy(table));
-    match pull_seta_in_time(model, &table.moving_material(), &pull, &accuracy, should_stop(stop)) {
+    match pull_seta_in_time(model, &table.moving_material(), &pull, &accuracy, stop.while_followed()) {
         Ok(pulled) => Ok((pulled, None)),
         Err(failure) => match failure.reached {
             Some(reached) => Ok((*reached, Some(failure.why.to_string()))),
             None => Err(failure.why),
         },
     }
-}
-
-/// What stops a step in time.
-fn should_stop(stop: &StopCriteria) -> Option<ShouldStop> {
-    let check = stop.should_stop.clone()?;
-    Some(Arc::new(move || check(Stage::Path).is_some()))
 }

@@ -32,7 +32,9 @@ pub struct Verify {
     #[arg(conflicts_with_all = ["only", "hard"])]
     scenes: Vec<u64>,
 
-    /// What is sampled: strip, angle, spatula, law or space; all unless given
+    /// What is sampled; all kinds unless given
+    ///
+    /// Kinds: strip, angle, spatula, law, space, oblique, friction, rough, rate, seta.
     #[arg(long, value_name = "KIND")]
     kind: Option<String>,
 
@@ -95,8 +97,8 @@ fn ways(text: &str) -> Result<usize, String> {
 
 /// The kinds that are wanted.
 fn kinds(args: &Verify) -> Result<Vec<SampleKind>, Stop> {
-    let Some(name) = &args.kind else { return Ok(SampleKind::ALL.to_vec()) };
-    let known = || SampleKind::ALL.map(SampleKind::name).join(", ");
+    let Some(name) = &args.kind else { return Ok(SampleKind::all().collect()) };
+    let known = || SampleKind::all().map(SampleKind::name).collect::<Vec<_>>().join(", ");
     let kind = SampleKind::named(name);
     let kind = kind.ok_or_else(|| Stop::bad_input(format!("--kind {name} is no kind"), format!("kinds: {}", known())));
     Ok(vec![kind?])

@@ -1,15 +1,22 @@
 //! One sampled scene, peeled in several ways: how each path ends, what it takes, and whether the numbers agree within their bounds.
 
-use super::scene::{SampleKind, scene_text};
+use super::kind::SampleKind;
+use super::scene::scene_text;
 use crate::agreement::{Reported, disagree};
 use cpu_time::ThreadTime;
 use peelkit::beam::MeshKind;
-use peelkit::study::{Accuracy, Choice, Failure, PathEnd, peel};
+use peelkit::model::SetaModel;
+use peelkit::study::{
+    Accuracy, Choice, Failure, InTimeFailure, InTimeFailureKind, PathEnd, SetaEnd, SetaOptions, StopCriteria, peel,
+    pull_in_time, pull_off, tip_curve,
+};
 use peelkit_report::end_word;
-use peelkit_scene::{BoundsTable, Scene};
+use peelkit_scene::{BoundsTable, Scene, SetaTable, TimeTable};
 
 /// A path is followed for so many seconds at most.
 const LONGEST: f64 = 60.0;
+/// The curve of a tip begins with it pressed by so much, nm.
+const TIP_PRESSED: f64 = 50.0;
 
 /// One of the ways in which a scene is peeled.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,29 +75,75 @@ pub struct Outside {
     pub found: [(f64, f64); 2],
 }
 
-/// Peels scene `index` of a sample in the first `ways` of [`WAYS`].
+/// Peels scene `index` of a sample in the first `ways` of [`WAYS`], or in as many as its kind has.
 ///
 /// # Errors
 /// A scene that cannot be read, with its text: a fault of the sampler.
 pub fn sampled(kind: SampleKind, seed: u64, index: u64, ways: usize) -> Result<Sampled, String> {
     let text = scene_text(kind, seed, index);
     let scene = Scene::parse("sampled", &text, &[]).map_err(|error| format!("{error}\n{text}"))?;
-    let runs = WAYS.iter().take(ways).map(|way| run(&scene, way)).collect();
+    let runs = WAYS.iter().take(kind.ways(ways)).map(|way| run(&scene, way)).collect();
     Ok(Sampled { index, runs })
 }
 
 fn run(scene: &Scene, way: &PeelSetting) -> Run {
     let bounds = BoundsTable { points: 20_000, time_s: Some(LONGEST), displacement: None };
     let started = ThreadTime::now();
+    let found = match (&scene.time, &scene.seta) {
+        (Some(table), _) => in_time(scene, table, &bounds.from_now()),
+        (None, Some(table)) => pulled_off(scene, table, &bounds.from_now()),
+        (None, None) => peeled(scene, way, &bounds.from_now()),
+    };
+    let Found { end, reason, elements, reported } = found;
+    Run { end, reason, seconds: started.elapsed().as_secs_f64(), elements, reported }
+}
+
+/// What a run found, whatever it took.
+struct Found {
+    end: &'static str,
+    reason: Option<String>,
+    elements: usize,
+    reported: Reported,
+}
+
+fn peeled(scene: &Scene, way: &PeelSetting, stop: &StopCriteria) -> Found {
     let accuracy = Accuracy::to(way.relative).with(way.choice);
-    let peel = peel(&scene.model, &accuracy, &bounds.from_now()).without_solutions();
-    let seconds = started.elapsed().as_secs_f64();
+    let peel = peel(&scene.model, &accuracy, stop).without_solutions();
     let (end, reason) = match &peel.end {
         PathEnd::Failed(failure @ Failure::Refused { .. }) => ("refused", Some(failure.to_string())),
         end @ PathEnd::Failed(failure) => (end_word(end), Some(failure.to_string())),
         end => (end_word(end), None),
     };
-    Run { end, reason, seconds, elements: peel.effort.elements, reported: Reported::by(&peel) }
+    Found { end, reason, elements: peel.effort.elements, reported: Reported::by(&peel) }
+}
+
+/// A pull at a rate: it has failed where it stopped before nothing adhered, or before the end of its way.
+fn in_time(scene: &Scene, table: &TimeTable, stop: &StopCriteria) -> Found {
+    let (pull, accuracy) = (scene.pull_rate(table), scene.time_accuracy(table));
+    let pulled = pull_in_time(&scene.model, &table.moving_material(), &pull, &accuracy, stop.while_followed());
+    let (end, reason, reached) = match pulled {
+        Ok(pulled) => ("pulled", None, Some(pulled)),
+        Err(InTimeFailure { why: why @ InTimeFailureKind::Model(_), .. }) => ("refused", Some(why.to_string()), None),
+        Err(InTimeFailure { why, reached }) => ("failed", Some(why.to_string()), reached.map(|reached| *reached)),
+    };
+    Found { end, reason, elements: reached.map_or(0, |pulled| pulled.elements), reported: Reported::nothing() }
+}
+
+/// A pull-off of a seta whose tips follow the curve of one: it has failed where the curve or the pull-off did.
+fn pulled_off(scene: &Scene, table: &SetaTable, stop: &StopCriteria) -> Found {
+    let options = SetaOptions { balance: scene.accuracy.relative, ..SetaOptions::default() };
+    let curve = tip_curve(&scene.tip_model(), &scene.accuracy, TIP_PRESSED).map_err(|error| error.to_string());
+    let pulled = curve.and_then(|curve| {
+        let model = SetaModel::new(table.seta, table.law(curve));
+        pull_off(&model, &scene.seta_loading(table), &options, stop).map_err(|error| error.to_string())
+    });
+    let (end, reason) = match pulled.map(|pulled| pulled.end) {
+        Ok(SetaEnd::Completed) => ("pulled off", None),
+        Ok(SetaEnd::Bound(bound)) => ("failed", Some(bound.to_string())),
+        Ok(SetaEnd::Failed(failure)) => ("failed", Some(failure.to_string())),
+        Err(why) => ("refused", Some(why)),
+    };
+    Found { end, reason, elements: 0, reported: Reported::nothing() }
 }
 
 impl Sampled {

@@ -1,7 +1,7 @@
 //! What became of a whole sample: the share of each end, the causes of failures, what they cost, and the bounds that did not hold.
 
+use super::kind::SampleKind;
 use super::run::{Outside, Sampled, WAYS, sampled};
-use super::scene::SampleKind;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -75,17 +75,13 @@ impl SampleSurvey {
         scenes.map(move |scene| (scene.index, scene.runs[way].reason.as_deref().unwrap_or("")))
     }
 
-    /// The longest run that failed or was refused over the median of those that did not.
-    pub fn slowest_failure(&self, way: usize) -> Option<f64> {
-        let seconds = |bad: bool| {
-            let runs = self.scenes.iter().map(move |scene| &scene.runs[way]);
-            let chosen = runs.filter(move |run| run.reason.is_some() == bad);
-            let mut all: Vec<f64> = chosen.map(|run| run.seconds).collect();
-            all.sort_by(f64::total_cmp);
-            all
-        };
-        let (bad, good) = (seconds(true), seconds(false));
-        Some(bad.last()? / good.get(good.len() / 2)?)
+    /// The median time of the runs with a result, s, and the longest run of all over it.
+    pub fn times(&self, way: usize) -> Option<(f64, f64)> {
+        let runs = || self.scenes.iter().map(|scene| &scene.runs[way]);
+        let mut good: Vec<f64> = runs().filter(|run| run.reason.is_none()).map(|run| run.seconds).collect();
+        good.sort_by(f64::total_cmp);
+        let median = *good.get(good.len() / 2)?;
+        Some((median, runs().map(|run| run.seconds).fold(0.0, f64::max) / median))
     }
 
     /// How many numbers of the first way were compared with those of another, and which lie outside of both bounds.
@@ -109,10 +105,10 @@ impl SampleSurvey {
                 .iter()
                 .map(|(end, count)| format!("{end} {count} ({:.2} %)", 100.0 * *count as f64 / total as f64))
                 .collect();
-            let slowest = self.slowest_failure(way).map_or(String::new(), |ratio| {
-                format!("; slowest without a result: {ratio:.0} times the median of the others")
+            let times = self.times(way).map_or(String::new(), |(median, slowest)| {
+                format!("; median {median:.3} s, slowest {slowest:.0} times that")
             });
-            let _ = writeln!(text, "{} at {name}: {} scenes: {}{slowest}", self.kind.name(), total, shares.join(", "));
+            let _ = writeln!(text, "{} at {name}: {} scenes: {}{times}", self.kind.name(), total, shares.join(", "));
             for end in ["failed", "refused"] {
                 for (cause, scenes) in causes(self.with_end(way, end)) {
                     let list: Vec<String> = scenes.iter().take(12).map(u64::to_string).collect();
@@ -179,8 +175,8 @@ mod tests {
         let survey = SampleSurvey { kind: SampleKind::Strip, seed: 1, scenes };
         assert_eq!((survey.count(0, "detached"), survey.count(0, "failed"), survey.count(1, "failed")), (1, 2, 0));
         assert_eq!(causes(survey.failed(0)), vec![("stopped at point ".to_owned(), vec![1, 2])]);
-        assert_eq!(survey.slowest_failure(0).map(f64::round), Some(30.0));
-        assert_eq!(survey.slowest_failure(1), None);
+        assert_eq!(survey.times(0).map(|(median, slowest)| (median, slowest.round())), Some((0.1, 30.0)));
+        assert_eq!(survey.times(3).map(|(median, slowest)| (median, slowest.round())), Some((0.1, 30.0)));
         let ([fine, other], [_, outside]) =
             ([1, 2].map(|way| survey.against(way).0), [1, 2].map(|way| survey.against(way).1));
         assert_eq!((fine, other, outside.len()), (1, 1, 1));

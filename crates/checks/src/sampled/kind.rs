@@ -1,0 +1,62 @@
+//! What is sampled: one line of [`SampleKind::ALL`], one variant and one generator in `scene/` a kind.
+
+/// What is sampled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SampleKind {
+    /// Strips of any material, size and grip, pulled straight up.
+    Strip,
+    /// The same, pulled at 10 to 170 degrees.
+    Angle,
+    /// Spatulae.
+    Spatula,
+    /// Strips under every law and every line load but the half space's body force with all of them.
+    Law,
+    /// Strips in space, pulled in any direction over the substrate, in grips that hold this or that.
+    Space,
+    /// Longer and wider strips in space in a free grip, pulled to one side.
+    Oblique,
+    /// Strips that friction holds.
+    Friction,
+    /// Strips on wavy ground.
+    Rough,
+    /// Strips that are pulled at a rate, elastic or viscous.
+    Rate,
+    /// Setae.
+    Seta,
+}
+
+impl SampleKind {
+    /// All of them, in the order in which help lists them, with what the command calls each.
+    const NAMES: [(Self, &str); 10] = [
+        (Self::Strip, "strip"),
+        (Self::Angle, "angle"),
+        (Self::Spatula, "spatula"),
+        (Self::Law, "law"),
+        (Self::Space, "space"),
+        (Self::Oblique, "oblique"),
+        (Self::Friction, "friction"),
+        (Self::Rough, "rough"),
+        (Self::Rate, "rate"),
+        (Self::Seta, "seta"),
+    ];
+
+    /// All of them, in the order in which help lists them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        Self::NAMES.into_iter().map(|(kind, _)| kind)
+    }
+
+    /// What the command calls it.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.into_iter().find(|(kind, _)| *kind == self).map_or("", |(_, name)| name)
+    }
+
+    /// What the command calls so.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::NAMES.into_iter().find(|(_, own)| *own == name).map(|(kind, _)| kind)
+    }
+
+    /// In how many of the ways it is peeled at most: a pull in time and a pull-off of a seta have one accuracy.
+    pub fn ways(self, all: usize) -> usize {
+        if matches!(self, Self::Rate | Self::Seta) { all.min(1) } else { all }
+    }
+}
