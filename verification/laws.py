@@ -155,15 +155,27 @@ def reference(c):
     by = scale(c.law)
     s = lambda t: by * bare(t)
     reach = w / (top * mp.quad(s, corners))
-    t = lambda g, th: (g + (0 if blind else h / 2 * (1 - abs(mp.cos(th)))) - r0 * mp.mpf(15) ** (mp.mpf(-1) / 6)) / reach
-    lever = lambda th: 0 if blind else h / 2 * mp.sin(th) * mp.sign(mp.cos(th))
+    closed = r0 * mp.mpf(15) ** (mp.mpf(-1) / 6)
+    # of the face that lies h/2 side cos theta below the axis: its opening, and its lever
+    t = lambda g, th, side: (g + (0 if blind else h / 2 * (1 - side * mp.cos(th))) - closed) / reach
+    lever = lambda th, side: 0 if blind else h / 2 * mp.sin(th) * side
+    over = lambda th: not blind and mp.cos(th) < 0
+
+    def left(at):
+        ends = [at, *(p for p in corners if p > at)]
+        return mp.quad(s, ends) if len(ends) > 1 else mp.mpf(0)
+
+    def loads(g, th):
+        """s and the lever of every face that carries something: turned over, the bonded one where it is open, the other where it is pressed."""
+        bonded, other = (t(g, th, 1), lever(th, 1)), (t(g, th, -1), lever(th, -1))
+        faces = [bonded] if not over(th) else [face for face, acts in ((bonded, bonded[0] > 0), (other, other[0] < 0)) if acts]
+        return [(s(at), arm) for at, arm in faces]
 
     def psi(g, th):
-        at = t(g, th)
-        ends = [at, *(p for p in corners if p > at)]
-        return -top * reach * mp.quad(s, ends) if len(ends) > 1 else mp.mpf(0)
+        whole = left(t(g, th, 1)) if not over(th) else left(max(t(g, th, 1), 0)) + left(min(t(g, th, -1), 0)) - left(mp.mpf(0))
+        return -top * reach * whole
 
-    return lambda g, th: -top * s(t(g, th)), lambda g, th: -top * s(t(g, th)) * lever(th), psi
+    return lambda g, th: -top * mp.fsum(f for f, _ in loads(g, th)), lambda g, th: -top * mp.fsum(f * arm for f, arm in loads(g, th)), psi
 
 
 def check_law():

@@ -23,11 +23,13 @@ pub enum SampleKind {
     Rate,
     /// Setae.
     Seta,
+    /// Adhesive tapes and films, from micrometres to decimetres, under a cohesive law.
+    Tape,
 }
 
 impl SampleKind {
     /// All of them, in the order in which help lists them, with what the command calls each.
-    const NAMES: [(Self, &str); 10] = [
+    const NAMES: [(Self, &str); 11] = [
         (Self::Strip, "strip"),
         (Self::Angle, "angle"),
         (Self::Spatula, "spatula"),
@@ -38,6 +40,7 @@ impl SampleKind {
         (Self::Rough, "rough"),
         (Self::Rate, "rate"),
         (Self::Seta, "seta"),
+        (Self::Tape, "tape"),
     ];
 
     /// All of them, in the order in which help lists them.
@@ -53,10 +56,5 @@ impl SampleKind {
     /// What the command calls so.
     pub fn named(name: &str) -> Option<Self> {
         Self::NAMES.into_iter().find(|(_, own)| *own == name).map(|(kind, _)| kind)
-    }
-
-    /// In how many of the ways it is peeled at most: a pull in time and a pull-off of a seta have one accuracy.
-    pub fn ways(self, all: usize) -> usize {
-        if matches!(self, Self::Rate | Self::Seta) { all.min(1) } else { all }
     }
 }

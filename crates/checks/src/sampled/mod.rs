@@ -6,6 +6,6 @@ mod scene;
 mod survey;
 
 pub use kind::SampleKind;
-pub use run::{Outside, PeelSetting, Run, Sampled, WAYS, sampled};
+pub use run::{Outside, PeelSetting, Run, Sampled, WAYS, sampled, ways_of};
 pub use scene::scene_text;
 pub use survey::{SampleSurvey, SampledScenes, survey_sample};

@@ -7,8 +7,8 @@ use cpu_time::ThreadTime;
 use peelkit::beam::MeshKind;
 use peelkit::model::SetaModel;
 use peelkit::study::{
-    Accuracy, Choice, Failure, InTimeFailure, InTimeFailureKind, PathEnd, SetaEnd, SetaOptions, StopCriteria, peel,
-    pull_in_time, pull_off, tip_curve,
+    Accuracy, Choice, Failure, InTimeFailure, InTimeFailureKind, PathEnd, Patience, SetaEnd, SetaOptions, StopCriteria,
+    peel, pull_in_time, pull_off, tip_curve,
 };
 use peelkit_report::end_word;
 use peelkit_scene::{BoundsTable, Scene, SetaTable, TimeTable};
@@ -41,6 +41,30 @@ pub const WAYS: [PeelSetting; 4] = [
     },
 ];
 
+/// Those of tapes, which nobody measures to more digits.
+const TAPE_WAYS: [PeelSetting; 4] = {
+    let mut ways = WAYS;
+    let mut k = 0;
+    while k < ways.len() {
+        ways[k].relative = 1e-4;
+        k += 1;
+    }
+    ways[0].name = "1e-4";
+    ways[1] = PeelSetting { name: "1e-6", relative: 1e-6, choice: Choice::NOTHING };
+    ways[2].name = "1e-4, order 5";
+    ways[3].name = "1e-4, fixed mesh";
+    ways
+};
+
+/// The ways in which scenes of a kind are peeled: a pull in time and a pull-off of a seta have one accuracy.
+pub fn ways_of(kind: SampleKind) -> &'static [PeelSetting] {
+    match kind {
+        SampleKind::Tape => &TAPE_WAYS,
+        SampleKind::Rate | SampleKind::Seta => &WAYS[..1],
+        _ => &WAYS,
+    }
+}
+
 /// What became of one way.
 #[derive(Clone, Debug)]
 pub struct Run {
@@ -60,7 +84,7 @@ pub struct Run {
 pub struct Sampled {
     /// Its number in the sample.
     pub index: u64,
-    /// One for each way, in the order of [`WAYS`].
+    /// One for each way, in the order of [`ways_of`] its kind.
     pub runs: Vec<Run>,
 }
 
@@ -75,24 +99,26 @@ pub struct Outside {
     pub found: [(f64, f64); 2],
 }
 
-/// Peels scene `index` of a sample in the first `ways` of [`WAYS`], or in as many as its kind has.
+/// Peels scene `index` of a sample in the first `ways` of [`ways_of`] its kind.
 ///
 /// # Errors
 /// A scene that cannot be read, with its text: a fault of the sampler.
 pub fn sampled(kind: SampleKind, seed: u64, index: u64, ways: usize) -> Result<Sampled, String> {
     let text = scene_text(kind, seed, index);
     let scene = Scene::parse("sampled", &text, &[]).map_err(|error| format!("{error}\n{text}"))?;
-    let runs = WAYS.iter().take(kind.ways(ways)).map(|way| run(&scene, way)).collect();
+    let runs = ways_of(kind).iter().take(ways).map(|way| run(&scene, way)).collect();
     Ok(Sampled { index, runs })
 }
 
 fn run(scene: &Scene, way: &PeelSetting) -> Run {
     let bounds = BoundsTable { points: 20_000, time_s: Some(LONGEST), displacement: None };
+    // who samples has no more patience than who runs one scene
+    let stop = StopCriteria { patience: Patience::Usual, ..bounds.from_now() };
     let started = ThreadTime::now();
     let found = match (&scene.time, &scene.seta) {
-        (Some(table), _) => in_time(scene, table, &bounds.from_now()),
-        (None, Some(table)) => pulled_off(scene, table, &bounds.from_now()),
-        (None, None) => peeled(scene, way, &bounds.from_now()),
+        (Some(table), _) => in_time(scene, table, &stop),
+        (None, Some(table)) => pulled_off(scene, table, &stop),
+        (None, None) => peeled(scene, way, &stop),
     };
     let Found { end, reason, elements, reported } = found;
     Run { end, reason, seconds: started.elapsed().as_secs_f64(), elements, reported }

@@ -1,7 +1,7 @@
 //! What became of a whole sample: the share of each end, the causes of failures, what they cost, and the bounds that did not hold.
 
 use super::kind::SampleKind;
-use super::run::{Outside, Sampled, WAYS, sampled};
+use super::run::{Outside, Sampled, sampled, ways_of};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -36,7 +36,7 @@ impl SampledScenes {
     }
 }
 
-/// Peels these scenes of a sample in the first `ways` of [`WAYS`], on all cores; `done` is called behind each.
+/// Peels these scenes of a sample in the first `ways` of [`ways_of`] its kind, on all cores; `done` is called behind each.
 ///
 /// # Errors
 /// A sampled scene that cannot be read, with its text: a fault of the sampler.
@@ -98,7 +98,7 @@ impl SampleSurvey {
         let mut text = String::new();
         let total = self.scenes.len();
         let ways = self.scenes.first().map_or(0, |scene| scene.runs.len());
-        for (way, name) in WAYS[..ways].iter().map(|way| way.name).enumerate() {
+        for (way, name) in ways_of(self.kind)[..ways].iter().map(|way| way.name).enumerate() {
             let mut ends: BTreeMap<&str, usize> = BTreeMap::new();
             self.scenes.iter().for_each(|scene| *ends.entry(scene.runs[way].end).or_default() += 1);
             let shares: Vec<String> = ends
@@ -118,7 +118,7 @@ impl SampleSurvey {
         }
         for other in 1..ways {
             let (compared, outside) = self.against(other);
-            let [one, two] = [0, other].map(|way| WAYS[way].name);
+            let [one, two] = [0, other].map(|way| ways_of(self.kind)[way].name);
             let _ = writeln!(
                 text,
                 "{} at {one} against {two}: of {compared} numbers {} lie outside of both bounds",

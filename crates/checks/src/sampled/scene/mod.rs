@@ -6,6 +6,7 @@ mod rate;
 mod rough;
 mod seta;
 mod space;
+mod tape;
 
 use super::kind::SampleKind;
 use rand::{RngExt, SeedableRng};
@@ -25,6 +26,7 @@ pub fn scene_text(kind: SampleKind, seed: u64, index: u64) -> String {
         SampleKind::Rough => sampler.strip_on_waves(),
         SampleKind::Rate => sampler.strip_at_a_rate(),
         SampleKind::Seta => sampler.seta(),
+        SampleKind::Tape => sampler.tape(),
         SampleKind::Strip | SampleKind::Angle | SampleKind::Law => sampler.strip(kind),
     }
     sampler.text
