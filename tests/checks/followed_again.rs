@@ -6,6 +6,7 @@
 //!
 //! Why: such a path is chosen by no user and met by some; a rule that refuses a good path, or takes a bad one, shows here.
 
+use peelkit::study::Patience;
 use peelkit_checks::sampled::{SampleKind, Sampled, sampled};
 
 #[track_caller]
@@ -21,7 +22,7 @@ fn ends_of(kind: SampleKind, seed: u64, scene: u64, end: &str) {
 /// The scene peeled in so many ways, of which the last ends so.
 #[track_caller]
 fn ended(kind: SampleKind, seed: u64, scene: u64, ways: usize, end: &str) -> Sampled {
-    let found = sampled(kind, seed, scene, ways).unwrap();
+    let found = sampled(kind, seed, scene, ways, Patience::Unlimited).unwrap();
     let run = &found.runs[ways - 1];
     println!("{} {scene}, way {ways}: {} on {} elements, {:.1} s", kind.name(), run.end, run.elements, run.seconds);
     assert_eq!(run.end, end, "{} {scene}: {:?}", kind.name(), run.reason);

@@ -9,3 +9,4 @@ mod out_of_plane;
 #[path = "../shared/pictures.rs"]
 mod pictures;
 mod reference_values;
+mod tapes;

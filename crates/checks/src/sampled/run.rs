@@ -103,17 +103,16 @@ pub struct Outside {
 ///
 /// # Errors
 /// A scene that cannot be read, with its text: a fault of the sampler.
-pub fn sampled(kind: SampleKind, seed: u64, index: u64, ways: usize) -> Result<Sampled, String> {
+pub fn sampled(kind: SampleKind, seed: u64, index: u64, ways: usize, patience: Patience) -> Result<Sampled, String> {
     let text = scene_text(kind, seed, index);
     let scene = Scene::parse("sampled", &text, &[]).map_err(|error| format!("{error}\n{text}"))?;
-    let runs = ways_of(kind).iter().take(ways).map(|way| run(&scene, way)).collect();
+    let runs = ways_of(kind).iter().take(ways).map(|way| run(&scene, way, patience)).collect();
     Ok(Sampled { index, runs })
 }
 
-fn run(scene: &Scene, way: &PeelSetting) -> Run {
+fn run(scene: &Scene, way: &PeelSetting, patience: Patience) -> Run {
     let bounds = BoundsTable { points: 20_000, time_s: Some(LONGEST), displacement: None };
-    // who samples has no more patience than who runs one scene
-    let stop = StopCriteria { patience: Patience::Usual, ..bounds.from_now() };
+    let stop = StopCriteria { patience, ..bounds.from_now() };
     let started = ThreadTime::now();
     let found = match (&scene.time, &scene.seta) {
         (Some(table), _) => in_time(scene, table, &stop),

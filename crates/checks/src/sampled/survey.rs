@@ -2,6 +2,7 @@
 
 use super::kind::SampleKind;
 use super::run::{Outside, Sampled, sampled, ways_of};
+use peelkit::study::Patience;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -48,7 +49,7 @@ pub fn survey_sample(
     done: &(dyn Fn() + Sync),
 ) -> Result<SampleSurvey, String> {
     let one = |index| {
-        let scene = sampled(kind, seed, index, ways);
+        let scene = sampled(kind, seed, index, ways, Patience::Usual);
         done();
         scene
     };

@@ -296,7 +296,7 @@ pub(super) fn end(end: &PathEnd) -> String {
         _ => end_word(end),
     };
     let meaning = match end {
-        PathEnd::Detached => "no point of the strip is nearer than 10 r0",
+        PathEnd::Detached => "no point of the strip is nearer than the adhesion acts",
         PathEnd::Pivoting => "the force has returned to zero, and the strip is still in edge contact",
         PathEnd::Pushing => "behind the snap-off the grip pushes, and the force does not return to zero",
         PathEnd::TurnedBack => "u has returned to 0",
