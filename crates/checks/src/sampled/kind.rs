@@ -55,6 +55,14 @@ impl SampleKind {
         Self::NAMES.into_iter().find(|(_, own)| *own == name).map(|(kind, _)| kind)
     }
 
+    /// How long a run may last, s of processor time.
+    pub fn longest_s(self) -> f64 {
+        match self {
+            Self::Strip | Self::Angle | Self::Spatula | Self::Law | Self::Space => 60.0,
+            Self::Oblique | Self::Friction | Self::Rough | Self::Rate | Self::Seta => 40.0,
+        }
+    }
+
     /// In how many of the ways it is peeled at most: a pull in time and a pull-off of a seta have one accuracy.
     pub fn ways(self, all: usize) -> usize {
         if matches!(self, Self::Rate | Self::Seta) { all.min(1) } else { all }
