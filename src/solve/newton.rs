@@ -114,7 +114,14 @@ enum Updates {
     Wandering,
     /// The same by updates that follow the section force, [`super::System::step`].
     Following,
+    /// The same by a part of linear ones: half as much where they do not fall, twice as much where they do. Where much that slides sticks at once, a
+    /// whole one overshoots from one side of the corner of the law to the other, and back.
+    Damped,
 }
+
+/// Most iterations with damped updates, and the least part of one.
+const MOST_DAMPED: usize = 40;
+const LEAST_PART: f64 = 1.0 / 32.0;
 
 /// Most iterations where updates may wander, and those after which it may stand still.
 const MOST_WANDERING: usize = 24;
@@ -129,6 +136,16 @@ pub fn solve(
     ws: &mut Workspace,
 ) -> Result<Solution, SolveError> {
     match ws.pace() {
+        Pace::Quick if problem.system.has_history() => {
+            let first = iterate(Updates::Falling, problem, at.clone(), constraint, options, ws);
+            match first {
+                Err(SolveError::NotConverged { .. }) => {
+                    let options = NewtonOptions { most_iterations: MOST_DAMPED, ..*options };
+                    iterate(Updates::Damped, problem, at, constraint, &options, ws).or(first)
+                }
+                first => first,
+            }
+        }
         Pace::Quick => iterate(Updates::Falling, problem, at, constraint, options, ws),
         Pace::Wary | Pace::Watchful => {
             let first = iterate(Updates::Falling, problem, at.clone(), constraint, options, ws);
@@ -169,6 +186,7 @@ fn iterate(
     let mut correction = 0.0;
     let (mut previous, mut before) = (f64::INFINITY, f64::INFINITY);
     let stagnant = system.round_off().max(STAGNANT);
+    let mut part = 1.0f64;
     for iterations in 1..=options.most_iterations {
         let (root, grip) = factorised(problem, &at, constraint, Coefficients::STATIC, ws)?;
         let step = grip.solve(-1.0)?;
@@ -180,17 +198,23 @@ fn iterate(
         let stalls = match updates {
             Updates::Falling => iterations > 2 && size > 0.9 * previous,
             Updates::Wandering | Updates::Following => iterations > WANDERS && size > 0.9 * previous.max(before),
+            Updates::Damped => false,
         };
+        if updates == Updates::Damped {
+            part = if size > 0.9 * previous { (0.5 * part).max(LEAST_PART) } else { (2.0 * part).min(1.0) };
+            part = part.min(WHOLE / size);
+        }
         let bearable = || stagnant.max(STALLED * options.tolerance).max(system.shape_round_off(&at));
-        if size > options.largest_update || (stalls && size > bearable()) {
+        let refused = size > options.largest_update && updates != Updates::Damped;
+        if refused || (stalls && size > bearable()) {
             return Err(SolveError::NotConverged { update: size, iterations });
         }
         match updates {
-            Updates::Falling | Updates::Wandering => system.retract(&mut at, &update, 1.0),
+            Updates::Falling | Updates::Wandering | Updates::Damped => system.retract(&mut at, &update, part),
             Updates::Following => system.step(&mut at, &update),
         }
-        at.force += step.force;
-        correction += size;
+        at.force += part * step.force;
+        correction += part * size;
         // quadratic convergence: what the next update would be, as far as round-off lets it fall
         let next = if previous.is_finite() { size * (size / previous).powi(2).min(1.0) } else { size };
         let next = next.max(system.round_off());
@@ -198,8 +222,9 @@ fn iterate(
             Updates::Falling => size <= options.tolerance || (next <= options.tolerance && size <= LAST),
             // a small one may be the small one of two that take turns
             Updates::Wandering | Updates::Following => size <= options.tolerance && previous <= LAST,
+            Updates::Damped => size <= options.tolerance && part == 1.0,
         };
-        if converged || stalls || (size < stagnant && size > 0.5 * previous) {
+        if converged || stalls || (part == 1.0 && size < stagnant && size > 0.5 * previous) {
             let (root, grip) = if options.exact_slope && size > EXACT {
                 factorised(problem, &at, constraint, Coefficients::STATIC, ws)?
             } else {

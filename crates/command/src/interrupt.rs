@@ -1,14 +1,21 @@
 //! Ctrl-C: once, nothing more is begun; twice, the command quits.
 
 use peelkit::study::{Stage, StopCriteria, StopReason};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
+use std::time::{Duration, Instant};
 
 /// The exit status that shells give to a command that Ctrl-C ended.
 const QUIT: i32 = 130;
 
-/// Whether the user, or the system that shuts down, has asked to stop.
-pub struct Interrupt(Arc<AtomicBool>);
+/// What was reached may be worked out for so long behind Ctrl-C.
+const GRACE: Duration = Duration::from_millis(200);
+
+/// Whether the user, or the system that shuts down, has asked to stop, and when what is being computed heard of it.
+pub struct Interrupt {
+    asked: Arc<AtomicBool>,
+    heard: Arc<OnceLock<Instant>>,
+}
 
 impl Interrupt {
     /// Listens from now on; `answer` reports to the user what the first Ctrl-C does.
@@ -23,23 +30,26 @@ impl Interrupt {
         };
         // Fails where the caller has one of the signals ignored, as nohup does: then they stay as they are.
         let _ = ctrlc::try_set_handler(heard);
-        Self(asked)
+        Self { asked, heard: Arc::default() }
     }
 
     pub fn asked(&self) -> bool {
-        self.0.load(Ordering::Relaxed)
+        self.asked.load(Ordering::Relaxed)
     }
 
-    /// These criteria, and besides: a path ends where the user has asked to stop; what was reached of it is still worked out.
+    /// These criteria, and besides: a path ends where the user has asked to stop; what was reached of it is still worked out, if that takes no longer
+    /// than the user notices.
     pub fn ends(&self, stop: StopCriteria) -> StopCriteria {
-        let asked = Arc::clone(&self.0);
+        let (asked, heard) = (Arc::clone(&self.asked), Arc::clone(&self.heard));
         stop.or_when(move |stage| {
-            (stage == Stage::Path && asked.load(Ordering::Relaxed)).then_some(StopReason::Interrupted)
+            let is_over = || heard.get_or_init(Instant::now).elapsed() > GRACE;
+            let ends = asked.load(Ordering::Relaxed) && (is_over() || stage == Stage::Path);
+            ends.then_some(StopReason::Interrupted)
         })
     }
 
     /// From now on the first Ctrl-C quits as well; whether there was one before.
     pub fn quit_next(&self) -> bool {
-        self.0.swap(true, Ordering::Relaxed)
+        self.asked.swap(true, Ordering::Relaxed)
     }
 }

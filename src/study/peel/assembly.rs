@@ -3,7 +3,7 @@
 use super::equilibrium_path::Followed;
 use super::special_points::{name_special_points, peak_of, pushes_behind_a_fold};
 use super::work::{WorkErrors, work_at, work_near};
-use super::{BranchPoint, Effort, Failure, LargestComputedForce, LimitPoint, PathEnd, PathPoint, Peak, Peel};
+use super::{BranchPoint, Effort, Failure, LimitPoint, PathEnd, PathPoint, Peak, Peel};
 use crate::beam::FRONT;
 use crate::model::{BeamProblem, PeelModel};
 use crate::solve::{LimitPointKind, Located, Solution};
@@ -188,15 +188,6 @@ impl Peel {
             [place, relative(at.force_error, at.force)]
         });
         turns.reduce(f64::max)
-    }
-
-    /// Leaves the path and its limit points without names.
-    pub(super) fn forget_special_points(&mut self) {
-        let largest =
-            self.peak.take().map(|peak| LargestComputedForce { displacement: peak.displacement, force: peak.force });
-        self.largest_computed_force = self.largest_computed_force.or(largest);
-        (self.initiation_peak, self.plateau) = (None, None);
-        (self.snap_off, self.pad_detachment, self.detachment) = (None, None, None);
     }
 
     /// Gives the special points the bounds that their limit points have.

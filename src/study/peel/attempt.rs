@@ -7,7 +7,7 @@ use super::lost::Lost;
 use super::solution_history::SolutionHistory;
 use super::special_points::{difference_at_start, error_at_start};
 use super::whole::{NO_ACCURACY, Whole};
-use super::{Effort, Failure, PathEnd, PathFailure, Peel};
+use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
 use crate::model::{BeamProblem, PeelModel};
 use crate::solve::LimitPointKind;
 use crate::study::Accuracy;
@@ -71,10 +71,13 @@ impl Attempt {
     pub(super) fn new(
         model: &PeelModel,
         problem: &Arc<BeamProblem>,
-        followed: Followed,
+        mut followed: Followed,
         resolution: Resolution,
         accuracy: &Accuracy,
     ) -> Self {
+        if problem.system.has_history() {
+            followed.leave_out_unresolved();
+        }
         let Resolution { elements, step_tolerance, order, .. } = resolution;
         let relative = accuracy.relative;
         let mut spread = f64::INFINITY;
@@ -211,10 +214,11 @@ impl Attempt {
         self.peel.tell_bounds();
     }
 
-    /// Widens the bounds to what another choice of steps changed; returns the largest relative change of a limit point that counts.
-    pub(super) fn allow_for(&mut self, other: &Self, problem: &BeamProblem) -> f64 {
+    /// Widens the bounds to what another choice of steps changed of the limit points that both paths have; returns the largest relative change of
+    /// one that counts.
+    pub(super) fn allow_for(&mut self, others: &[LimitPoint], problem: &BeamProblem) -> f64 {
         let mut largest = 0.0f64;
-        for (point, twin) in self.peel.limit_points.iter_mut().zip(&other.peel.limit_points) {
+        for (point, twin) in self.peel.limit_points.iter_mut().zip(others) {
             let (force, displacement) = (point.force - twin.force, point.displacement - twin.displacement);
             point.force_error = point.force_error.max(STRIDE_BOUND_FACTOR * force.abs());
             point.displacement_error = point.displacement_error.max(STRIDE_BOUND_FACTOR * displacement.abs());
@@ -232,11 +236,6 @@ impl Attempt {
             }
         }
         self.peel.tell_bounds();
-        let kinds = |attempt: &Self| attempt.peel.limit_points.iter().map(|point| point.kind).collect::<Vec<_>>();
-        if self.trouble.is_none() && !self.cut && kinds(self) != kinds(other) {
-            let (shorter, longer) = (self.peel.limit_points.len(), other.peel.limit_points.len());
-            self.trouble = Some(PathFailure::StepsMatter { shorter, longer });
-        }
         largest
     }
 
@@ -325,10 +324,6 @@ impl Attempt {
         let mut peel = self.peel;
         peel.end = model_end.unwrap_or(peel.end);
         if let Some(cause) = failure {
-            if matches!(cause, PathFailure::StepsMatter { .. }) {
-                // which of the limit points are there depends on the steps
-                peel.forget_special_points();
-            }
             let Effort { elements, order, .. } = peel.effort;
             peel.end = PathEnd::Failed(Failure::Path { cause, elements, order, asked: peel.asked, given_up });
         }

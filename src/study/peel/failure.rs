@@ -101,8 +101,8 @@ pub enum PathFailure {
     Stuck { step_nm: f64 },
     /// The caller stopped it at [`crate::study::Stage::Results`].
     #[error(
-        "the limit points and the work of the path were not computed within twice bounds.time and a second: a larger \
-         bounds.time allows more time"
+        "the limit points and the work of the path were not computed before the run was stopped, within twice bounds.time and a second or \
+         soon behind Ctrl-C: a larger bounds.time allows more time"
     )]
     OutOfTime,
     /// It took too much work.
@@ -114,11 +114,12 @@ pub enum PathFailure {
     /// Its steps have become short.
     #[error("{points} path points were not enough on {elements} elements: the continuation steps have collapsed")]
     TooManyPoints { points: usize, elements: usize },
-    /// Numbers of limit points with shorter and with longer steps.
+    /// Numbers of limit points with shorter and with longer steps, and of those that are the same with both.
     #[error(
-        "with shorter steps the path has {shorter} limit points, with longer ones {longer}: what slides depends on the steps"
+        "with shorter steps the path has {shorter} limit points, with longer ones {longer}, of which the first {same} are the same: what slides \
+         behind these depends on the steps"
     )]
-    StepsMatter { shorter: usize, longer: usize },
+    StepsMatter { shorter: usize, longer: usize, same: usize },
     /// The error bounds are larger than the accuracy asked for by this factor.
     #[error("the error bounds are {factor:.1} times the requested tolerance")]
     BoundsMissed { factor: f64 },

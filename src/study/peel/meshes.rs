@@ -6,6 +6,7 @@ use super::attempt::Attempt;
 use super::budget::Budget;
 use super::equilibrium_path::follow;
 use super::lost::Lost;
+use super::step_dependence::Common;
 use super::whole::Whole;
 use super::{Effort, Failure, PathEnd, PathFailure, Peel};
 use crate::beam::MeshKind;
@@ -251,10 +252,19 @@ impl Shorter<'_> {
             let Effort { elements, order, .. } = best.peel.effort;
             let resolution = Resolution { elements, order, stride: SHORTER.powi(tries), ..first };
             let options = resolution.path_options(self.model, relative);
-            let followed = follow(self.problem, options, self.far, relative, self.limits, &self.budget);
+            let mut followed = follow(self.problem, options, self.far, relative, self.limits, &self.budget);
             iterations += followed.iterations;
+            followed.leave_out_unresolved();
+            let common = Common::of(&best.peel.limit_points, &followed);
+            let others = common.of_longer(&best.peel.limit_points);
+            if followed.trouble.is_none() && !followed.cut {
+                common.leave(&mut followed);
+            }
+            if let Some((shorter, longer)) = common.differ().filter(|_| followed.trouble.is_none() && !followed.cut) {
+                followed.trouble = Some(PathFailure::StepsMatter { shorter, longer, same: others.len() });
+            }
             let mut next = Attempt::new(self.model, self.problem, followed, resolution, self.accuracy);
-            let change = next.allow_for(&best, self.problem);
+            let change = next.allow_for(&others, self.problem);
             best = next;
             if change <= relative {
                 break;

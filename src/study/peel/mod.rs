@@ -16,6 +16,7 @@ mod sliding;
 mod solution_history;
 mod special_points;
 mod step_curve;
+mod step_dependence;
 mod whole;
 mod widened;
 mod work;

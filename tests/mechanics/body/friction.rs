@@ -16,7 +16,7 @@ use crate::common::{paper_law, paper_strip};
 use approx::assert_relative_eq;
 use peelkit::adhesion::{FrictionLaw, GroundLaw, LineLoad, Substrate};
 use peelkit::beam::{BeamOnGround, EnergyDensity, Point, PointResponse, Profile};
-use peelkit::model::{BeamProblem, Form, Friction, Hold, PeelModel, Pull, Step};
+use peelkit::model::{Adhesion, BeamProblem, Form, Friction, Hold, PeelModel, Pull, Step};
 use peelkit::solve::{Observables, Pace, Path, PathOptions, Solution, controlled};
 use peelkit::study::{Accuracy, Choice, PathEnd, StopCriteria, peel};
 use std::sync::Arc;
@@ -208,4 +208,43 @@ fn steps_before_the_pull_are_remembered() {
     assert!(dragged > 1.2 * plain && (back / plain - 1.0).abs() > 1e-2, "{plain} {dragged} {back}");
     let [free, moved] = [vec![], there_and_back()].map(|steps| force(None, steps));
     assert_relative_eq!(free, moved, max_relative = 1e-4);
+}
+
+/// A strip of half a micrometre whose force is level for a hundred nanometres: what the steps make of that level is no limit point. Its peak is the one
+/// that is found on the path up to there, with any steps; before, all of it was lost because two choices of steps had other ripple.
+#[test]
+fn a_level_force_has_no_limit_points_and_the_peak_is_kept() {
+    let model = PeelModel {
+        pull: Pull { angle: 45f64.to_radians(), ..Pull::UP },
+        friction: Friction { strength: Some(0.02), coefficient: 0.3, ..Friction::NONE },
+        ..paper_strip(500.0, 1.0).into()
+    };
+    let found = peel(&model, &Accuracy::to(1e-4), &BOUNDS);
+    assert_eq!(found.end, PathEnd::Snapped);
+    let (peak, jump) = (found.peak.unwrap(), found.snap_off.unwrap());
+    // with 1e-6 and a path that is stopped behind the peak: 0.5865717604 ± 1e-9 at u = 0.37973227 ± 1e-8
+    assert!((peak.force - 0.586_571_760_4).abs() <= peak.force_error && peak.force_error < 1e-6, "{peak:?}");
+    assert!((peak.displacement - 0.379_732_27).abs() <= peak.displacement_error, "{peak:?}");
+    // with 1e-6: 141.5578 ± 1e-4
+    assert!((jump.displacement - 141.5578).abs() <= jump.displacement_error + 1e-4, "{jump:?}");
+    assert_eq!(found.limit_points.len(), 2, "{:?}", found.limit_points);
+}
+
+/// Behind the peak of a short strip most of what slid turns back at once, and Newton's method overshoots from one side of the corner of the law to the
+/// other with any step: with a part of its updates it goes on until all of the contact slides.
+#[test]
+fn a_strip_whose_face_turns_back_at_once_is_followed_to_its_end() {
+    let mut strip = paper_strip(52.955, 1.0);
+    (strip.strip.height, strip.strip.youngs_modulus) = (4.679, 2.464);
+    strip.adhesion = Adhesion::of_half_space(0.2463, 0.395);
+    let model = PeelModel {
+        pull: Pull { angle: 23.4f64.to_radians(), ..Pull::UP },
+        friction: Friction { strength: Some(0.0462), ..Friction::NONE },
+        ..strip.into()
+    };
+    let found = peel(&model, &Accuracy::to(1e-6), &BOUNDS);
+    assert_eq!(found.end, PathEnd::Sliding);
+    // located before the place where the path was lost, on another mesh: 1.3921138647 ± 3e-10
+    let peak = found.peak.unwrap();
+    assert!((peak.force - 1.392_113_864_7).abs() <= peak.force_error + 3e-10 && peak.force_error < 1e-8, "{peak:?}");
 }

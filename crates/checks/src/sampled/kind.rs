@@ -57,4 +57,12 @@ impl SampleKind {
     pub fn named(name: &str) -> Option<Self> {
         Self::NAMES.into_iter().find(|(_, own)| *own == name).map(|(kind, _)| kind)
     }
+
+    /// How long a run may last, s of processor time.
+    pub fn longest_s(self) -> f64 {
+        match self {
+            Self::Strip | Self::Angle | Self::Spatula | Self::Law | Self::Space => 60.0,
+            Self::Oblique | Self::Friction | Self::Rough | Self::Rate | Self::Seta | Self::Tape => 40.0,
+        }
+    }
 }

@@ -7,14 +7,12 @@ use cpu_time::ThreadTime;
 use peelkit::beam::MeshKind;
 use peelkit::model::SetaModel;
 use peelkit::study::{
-    Accuracy, Choice, Failure, InTimeFailure, InTimeFailureKind, PathEnd, Patience, SetaEnd, SetaOptions, StopCriteria,
-    peel, pull_in_time, pull_off, tip_curve,
+    Accuracy, Choice, Failure, InTimeFailure, InTimeFailureKind, PathEnd, Patience, SetaEnd, SetaOptions, Stage,
+    StopCriteria, StopReason, peel, pull_in_time, pull_off, tip_curve,
 };
 use peelkit_report::end_word;
-use peelkit_scene::{BoundsTable, Scene, SetaTable, TimeTable};
+use peelkit_scene::{Scene, SetaTable, TimeTable};
 
-/// A path is followed for so many seconds at most.
-const LONGEST: f64 = 60.0;
 /// The curve of a tip begins with it pressed by so much, nm.
 const TIP_PRESSED: f64 = 50.0;
 
@@ -106,13 +104,23 @@ pub struct Outside {
 pub fn sampled(kind: SampleKind, seed: u64, index: u64, ways: usize, patience: Patience) -> Result<Sampled, String> {
     let text = scene_text(kind, seed, index);
     let scene = Scene::parse("sampled", &text, &[]).map_err(|error| format!("{error}\n{text}"))?;
-    let runs = ways_of(kind).iter().take(ways).map(|way| run(&scene, way, patience)).collect();
+    let runs = ways_of(kind).iter().take(ways).map(|way| run(kind, &scene, way, patience)).collect();
     Ok(Sampled { index, runs })
 }
 
-fn run(scene: &Scene, way: &PeelSetting, patience: Patience) -> Run {
-    let bounds = BoundsTable { points: 20_000, time_s: Some(LONGEST), displacement: None };
-    let stop = StopCriteria { patience, ..bounds.from_now() };
+/// Stops a run of this thread after so many seconds of processor time; its results have as long again, and a second. Time by the clock would count what
+/// other programs take.
+fn stop_after(seconds: f64) -> StopCriteria {
+    let now = || ThreadTime::now().as_duration();
+    let started = now();
+    StopCriteria::default().or_when(move |stage| {
+        let most = if stage == Stage::Path { seconds } else { 2.0 * seconds + 1.0 };
+        (now().saturating_sub(started).as_secs_f64() > most).then_some(StopReason::Time { seconds })
+    })
+}
+
+fn run(kind: SampleKind, scene: &Scene, way: &PeelSetting, patience: Patience) -> Run {
+    let stop = StopCriteria { patience, ..stop_after(kind.longest_s()) };
     let started = ThreadTime::now();
     let found = match (&scene.time, &scene.seta) {
         (Some(table), _) => in_time(scene, table, &stop),

@@ -8,6 +8,7 @@ use super::path_refinement::fill_in;
 use super::slope_polishing::sharpen;
 use crate::model::BeamProblem;
 use crate::solve::{Path, PathOptions, ROUGH, Solution};
+use crate::study::Bound;
 use crate::study::checkpoint::Limits;
 use crate::study::peel::budget::Budget;
 use crate::study::peel::{Failure, PathEnd, PathFailure};
@@ -102,7 +103,8 @@ pub(in crate::study::peel) fn follow(
         should_stop: limits.should_stop(),
     };
     followed.finish(problem, far);
-    if followed.trouble.is_none() {
+    // who interrupts it waits for its limit points alone
+    if followed.trouble.is_none() && followed.end != PathEnd::Bound(Bound::Interrupted) {
         let mut ws = followed.workspace();
         let (tolerance, most) = (options.tolerance.min(ROUGH), limits.stop.points);
         let (iterations, jump) = fill_in(problem, &mut followed.points, relative, tolerance, most, &mut ws);

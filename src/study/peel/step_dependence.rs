@@ -1,0 +1,179 @@
+//! Which limit points a path has whatever its steps are, where its material points remember how they have slid.
+//!
+//! On a stretch of constant force such a path has maxima and minima that the steps and the mesh make. They come in pairs between which the force hardly
+//! changes. Two paths with other steps have the same limit points where those that are left of both are the same once the weakest pairs are
+//! left out, and they have the same ones up to a place where that holds as far as there.
+
+use super::LimitPoint;
+use super::equilibrium_path::Followed;
+use crate::solve::{LimitPointKind, Located};
+use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
+
+/// Pairs between which the force changes by more than this share of itself are no ripple of the steps.
+const MOST_RIPPLE: f64 = 1e-3;
+/// Limit points whose forces, or whose displacements at a jump, differ by more than this share are not the same.
+const SAME: f64 = 1e-2;
+
+/// A limit point, as far as it is compared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Mark {
+    kind: LimitPointKind,
+    displacement: f64,
+    force: f64,
+}
+
+impl Mark {
+    fn of(point: &LimitPoint) -> Self {
+        Self { kind: point.kind, displacement: point.displacement, force: point.force }
+    }
+
+    fn located((kind, _, located): &(LimitPointKind, usize, Located)) -> Self {
+        let at = &located.observables;
+        Self { kind: *kind, displacement: at.displacement, force: at.force }
+    }
+
+    fn is(&self, other: &Self) -> bool {
+        let near = |one: f64, other: f64| (one - other).abs() <= SAME * one.abs();
+        self.kind == other.kind
+            && near(self.force, other.force)
+            && (self.kind == LimitPointKind::Load || near(self.displacement, other.displacement))
+    }
+}
+
+/// What two paths have in common.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Common {
+    /// Which limit points are left of either.
+    kept: [Vec<usize>; 2],
+    /// How many of these, from the first on, are the same.
+    same: usize,
+}
+
+/// Which of these limit points are left once neighbouring load limit points between which the force changes by less than `ripple` of itself are left
+/// out, the weakest pair first; and the weakest change that is left. The first limit point stays: it is the initiation peak.
+fn without_ripple(marks: &[Mark], ripple: f64) -> (Vec<usize>, f64) {
+    let mut kept: Vec<usize> = (0..marks.len()).collect();
+    loop {
+        let pairs = (1..kept.len().saturating_sub(1)).map(|at| {
+            let [one, two] = [marks[kept[at]], marks[kept[at + 1]]];
+            let loads = [one, two].iter().all(|mark| mark.kind == LimitPointKind::Load);
+            (at, if loads { ((two.force - one.force) / one.force).abs() } else { f64::INFINITY })
+        });
+        match pairs.min_by(|a, b| a.1.total_cmp(&b.1)) {
+            Some((at, change)) if change < ripple => drop(kept.drain(at..at + 2)),
+            weakest => return (kept, weakest.map_or(f64::INFINITY, |weakest| weakest.1)),
+        }
+    }
+}
+
+/// What two lists of limit points have in common, with as little left out of them as can be.
+fn common(lists: [&[Mark]; 2]) -> Common {
+    let mut ripple = 0.0;
+    loop {
+        let [one, other] = lists.map(|marks| without_ripple(marks, ripple));
+        let pairs = one.0.iter().zip(&other.0);
+        let same = pairs.take_while(|(a, b)| lists[0][**a].is(&lists[1][**b])).count();
+        let agree = same == one.0.len() && same == other.0.len();
+        let weakest = one.1.min(other.1);
+        if agree || weakest >= MOST_RIPPLE {
+            return Common { kept: [one.0, other.0], same };
+        }
+        // just above what is left
+        ripple = weakest * (1.0 + f64::EPSILON) + f64::MIN_POSITIVE;
+    }
+}
+
+impl Common {
+    /// Of the limit points of a path and of one with shorter steps.
+    pub(super) fn of(longer: &[LimitPoint], shorter: &Followed) -> Self {
+        let longer: Vec<Mark> = longer.iter().map(Mark::of).collect();
+        let shorter: Vec<Mark> = shorter.turns.iter().map(Mark::located).collect();
+        common([&longer, &shorter])
+    }
+
+    /// Those that both have, of the path with longer steps.
+    pub(super) fn of_longer(&self, limit_points: &[LimitPoint]) -> Vec<LimitPoint> {
+        self.kept[0][..self.same].iter().map(|&index| limit_points[index]).collect()
+    }
+
+    /// How many limit points are left of the path with shorter steps and of that with longer ones, where not all of these are the same.
+    pub(super) fn differ(&self) -> Option<(usize, usize)> {
+        let [longer, shorter] = [0, 1].map(|path| self.kept[path].len());
+        (longer.max(shorter) > self.same).then_some((shorter, longer))
+    }
+
+    /// Leaves the path with shorter steps with those limit points that both have.
+    pub(super) fn leave(&self, shorter: &mut Followed) {
+        shorter.keep_turns(&self.kept[1][..self.same]);
+    }
+}
+
+impl Followed {
+    /// Leaves out the load limit points behind the first that are not known better than the force changes between them.
+    pub(super) fn leave_out_unresolved(&mut self) {
+        let weak = |pair: &[(LimitPointKind, usize, Located)]| {
+            let [one, two] = [&pair[0], &pair[1]];
+            let change = (two.2.observables.force - one.2.observables.force).abs();
+            let unsure = one.2.difference.force.abs() + two.2.difference.force.abs();
+            one.0 == LimitPointKind::Load && two.0 == LimitPointKind::Load && change < DIFFERENCE_BOUND_FACTOR * unsure
+        };
+        while let Some(at) = (1..self.turns.len().saturating_sub(1)).find(|&at| weak(&self.turns[at..at + 2])) {
+            let kept: Vec<usize> = (0..self.turns.len()).filter(|&index| index != at && index != at + 1).collect();
+            self.keep_turns(&kept);
+        }
+    }
+
+    /// Keeps these limit points alone. What is left on the level of one that is left out is known no better than that differs from it.
+    fn keep_turns(&mut self, kept: &[usize]) {
+        let all = std::mem::take(&mut self.turns);
+        let left_out: Vec<f64> = (0..all.len())
+            .filter(|index| !kept.contains(index) && all[*index].0 == LimitPointKind::Load)
+            .map(|index| all[index].2.observables.force)
+            .collect();
+        self.ripple += all.len() - kept.len();
+        self.turns = kept.iter().map(|&index| all[index].clone()).collect();
+        for (kind, _, located) in &mut self.turns {
+            let force = located.observables.force;
+            let beside = left_out.iter().map(|other| (other - force).abs());
+            let beside = beside.filter(|away| *kind == LimitPointKind::Load && *away < MOST_RIPPLE * force.abs());
+            located.left_out = beside.fold(located.left_out, f64::max);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use LimitPointKind::{Displacement, Load};
+
+    fn marks(points: &[(LimitPointKind, f64, f64)]) -> Vec<Mark> {
+        points.iter().map(|&(kind, displacement, force)| Mark { kind, displacement, force }).collect()
+    }
+
+    /// Ripple on a level force that one path has and the other has not, or has elsewhere, is no difference between them.
+    #[test]
+    fn ripple_is_no_difference() {
+        let plain = marks(&[(Load, 0.4, 0.58), (Displacement, 141.5, 0.107)]);
+        let level = [
+            (Load, 62.0, 0.129_077_0),
+            (Load, 64.0, 0.129_076_6),
+            (Load, 70.0, 0.129_076_8),
+            (Load, 71.0, 0.129_076_1),
+        ];
+        let rippled = marks(&[&[(Load, 0.4, 0.58)], &level[..], &[(Displacement, 141.6, 0.107)]].concat());
+        let found = common([&plain, &rippled]);
+        assert_eq!(found, Common { kept: [vec![0, 1], vec![0, 5]], same: 2 });
+        assert_eq!(found.differ(), None);
+        // where both have the same, nothing is left out
+        assert_eq!(common([&rippled, &rippled]).kept, [(0..6).collect::<Vec<_>>(), (0..6).collect()]);
+    }
+
+    /// Where two paths have other limit points behind some place, those before it are common to both.
+    #[test]
+    fn what_lies_before_a_difference_is_common() {
+        let one = marks(&[(Load, 0.4, 0.58), (Load, 3.0, 0.2), (Load, 9.0, 0.4), (Displacement, 12.0, 0.3)]);
+        let other = marks(&[(Load, 0.4, 0.58), (Displacement, 2.0, 0.25)]);
+        let found = common([&one, &other]);
+        assert_eq!((found.same, found.differ()), (1, Some((2, 4))));
+    }
+}
