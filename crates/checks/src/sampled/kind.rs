@@ -23,11 +23,13 @@ pub enum SampleKind {
     Rate,
     /// Setae.
     Seta,
+    /// Strips in a displacement-controlled test, pulled straight up or at 20 to 160 degrees.
+    Observed,
 }
 
 impl SampleKind {
     /// All of them, in the order in which help lists them, with what the command calls each.
-    const NAMES: [(Self, &str); 10] = [
+    const NAMES: [(Self, &str); 11] = [
         (Self::Strip, "strip"),
         (Self::Angle, "angle"),
         (Self::Spatula, "spatula"),
@@ -38,6 +40,7 @@ impl SampleKind {
         (Self::Rough, "rough"),
         (Self::Rate, "rate"),
         (Self::Seta, "seta"),
+        (Self::Observed, "observed"),
     ];
 
     /// All of them, in the order in which help lists them.

@@ -7,10 +7,10 @@ use cpu_time::ThreadTime;
 use peelkit::beam::MeshKind;
 use peelkit::model::SetaModel;
 use peelkit::study::{
-    Accuracy, Choice, Failure, InTimeFailure, InTimeFailureKind, PathEnd, SetaEnd, SetaOptions, StopCriteria, peel,
-    pull_in_time, pull_off, tip_curve,
+    Accuracy, Choice, Failure, InTimeFailure, InTimeFailureKind, PathEnd, SetaEnd, SetaOptions, StopCriteria, TestEnd,
+    observed, peel, pull_in_time, pull_off, tip_curve,
 };
-use peelkit_report::end_word;
+use peelkit_report::{end_word, test_end_reason, test_end_word};
 use peelkit_scene::{BoundsTable, Scene, SetaTable, TimeTable};
 
 /// A path is followed for so many seconds at most.
@@ -82,16 +82,17 @@ pub struct Outside {
 pub fn sampled(kind: SampleKind, seed: u64, index: u64, ways: usize) -> Result<Sampled, String> {
     let text = scene_text(kind, seed, index);
     let scene = Scene::parse("sampled", &text, &[]).map_err(|error| format!("{error}\n{text}"))?;
-    let runs = WAYS.iter().take(kind.ways(ways)).map(|way| run(&scene, way)).collect();
+    let runs = WAYS.iter().take(kind.ways(ways)).map(|way| run(kind, &scene, way)).collect();
     Ok(Sampled { index, runs })
 }
 
-fn run(scene: &Scene, way: &PeelSetting) -> Run {
+fn run(kind: SampleKind, scene: &Scene, way: &PeelSetting) -> Run {
     let bounds = BoundsTable { points: 20_000, time_s: Some(LONGEST), displacement: None };
     let started = ThreadTime::now();
     let found = match (&scene.time, &scene.seta) {
         (Some(table), _) => in_time(scene, table, &bounds.from_now()),
         (None, Some(table)) => pulled_off(scene, table, &bounds.from_now()),
+        (None, None) if kind == SampleKind::Observed => tested(scene, way, &bounds.from_now()),
         (None, None) => peeled(scene, way, &bounds.from_now()),
     };
     let Found { end, reason, elements, reported } = found;
@@ -115,6 +116,21 @@ fn peeled(scene: &Scene, way: &PeelSetting, stop: &StopCriteria) -> Found {
         end => (end_word(end), None),
     };
     Found { end, reason, elements: peel.effort.elements, reported: Reported::by(&peel) }
+}
+
+/// A displacement-controlled test.
+fn tested(scene: &Scene, way: &PeelSetting, stop: &StopCriteria) -> Found {
+    let accuracy = Accuracy::to(way.relative).with(way.choice);
+    let test = match observed(&scene.model, &accuracy, stop) {
+        Ok(test) => test,
+        Err(why) => {
+            let reported = Reported::nothing();
+            return Found { end: "refused", reason: Some(why.to_string()), elements: 0, reported };
+        }
+    };
+    let failed = matches!(test.end, TestEnd::Failed(_) | TestEnd::Bound(_));
+    let (end, reason) = if failed { ("failed", test_end_reason(&test.end)) } else { (test_end_word(&test.end), None) };
+    Found { end, reason, elements: test.effort.elements, reported: Reported::by_test(&test) }
 }
 
 /// A pull at a rate: it has failed where it stopped before nothing adhered, or before the end of its way.
