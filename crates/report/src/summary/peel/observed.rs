@@ -1,9 +1,9 @@
 //! The displacement-controlled test, as an object of summary.json.
 
-use super::place::Place;
+use super::place::{Place, known};
 use crate::names::{jump_word, test_end_reason, test_end_word};
 use crate::number::Finite;
-use peelkit::study::{Balance, Jump, JumpEnd, Observed, PullOff};
+use peelkit::study::{Balance, Jump, JumpEnd, Observed, PullOff, UnknownJumpError};
 use serde::Serialize;
 
 /// The object `observed` of summary.json; `None` where a thing does not occur or was not reached.
@@ -26,7 +26,17 @@ pub struct ObservedSummary {
     jumps: Vec<JumpLine>,
     work_balance: Balances,
     accuracy_reached: Option<Finite>,
+    warnings: Vec<WarningLine>,
     effort: Effort,
+}
+
+/// A number that the test could not determine.
+#[derive(Debug, Serialize)]
+struct WarningLine {
+    code: &'static str,
+    #[serde(rename = "machine_displacement_nm")]
+    machine: Finite,
+    meaning: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -42,7 +52,7 @@ struct JumpLine {
     #[serde(rename = "released_aJ")]
     released: Finite,
     #[serde(rename = "released_error_aJ")]
-    released_error: Finite,
+    released_error: Option<Finite>,
     landed: &'static str,
     relaxation_steps: usize,
 }
@@ -126,6 +136,7 @@ impl ObservedSummary {
                 cycle: test.cycle.map(BalanceLine::from),
             },
             accuracy_reached: Some(test.reached).filter(|reached| reached.is_finite()).map(Finite),
+            warnings: test.warnings().iter().map(WarningLine::from).collect(),
             effort: Effort {
                 points: test.effort.points,
                 newton_iterations: test.effort.newton_iterations,
@@ -135,6 +146,12 @@ impl ObservedSummary {
                 solve_s: Finite(solve_s),
             },
         }
+    }
+}
+
+impl From<&UnknownJumpError> for WarningLine {
+    fn from(unknown: &UnknownJumpError) -> Self {
+        Self { code: UnknownJumpError::CODE, machine: Finite(unknown.machine), meaning: unknown.to_string() }
     }
 }
 
@@ -148,7 +165,7 @@ impl From<&Jump> for JumpLine {
             before: EndLine::from(&jump.before),
             after: EndLine::from(&jump.after),
             released: Finite(jump.released),
-            released_error: Finite(jump.released_error),
+            released_error: known(jump.released_error),
             landed: if jump.detached { "detached" } else { "adhered" },
             relaxation_steps: jump.steps,
         }
