@@ -26,17 +26,7 @@ pub struct ObservedSummary {
     jumps: Vec<JumpLine>,
     work_balance: Balances,
     accuracy_reached: Option<Finite>,
-    warnings: Vec<WarningLine>,
     effort: Effort,
-}
-
-/// A number that the test could not determine.
-#[derive(Debug, Serialize)]
-struct WarningLine {
-    code: &'static str,
-    #[serde(rename = "machine_displacement_nm")]
-    machine: Finite,
-    meaning: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -54,6 +44,8 @@ struct JumpLine {
     #[serde(rename = "released_error_aJ")]
     released_error: Option<Finite>,
     landed: &'static str,
+    /// The code of what is unknown of it.
+    warning: Option<&'static str>,
     relaxation_steps: usize,
 }
 
@@ -136,7 +128,6 @@ impl ObservedSummary {
                 cycle: test.cycle.map(BalanceLine::from),
             },
             accuracy_reached: Some(test.reached).filter(|reached| reached.is_finite()).map(Finite),
-            warnings: test.warnings().iter().map(WarningLine::from).collect(),
             effort: Effort {
                 points: test.effort.points,
                 newton_iterations: test.effort.newton_iterations,
@@ -146,12 +137,6 @@ impl ObservedSummary {
                 solve_s: Finite(solve_s),
             },
         }
-    }
-}
-
-impl From<&UnknownJumpError> for WarningLine {
-    fn from(unknown: &UnknownJumpError) -> Self {
-        Self { code: UnknownJumpError::CODE, machine: Finite(unknown.machine), meaning: unknown.to_string() }
     }
 }
 
@@ -167,6 +152,7 @@ impl From<&Jump> for JumpLine {
             released: Finite(jump.released),
             released_error: known(jump.released_error),
             landed: if jump.detached { "detached" } else { "adhered" },
+            warning: (!jump.released_error.is_finite()).then_some(UnknownJumpError::CODE),
             relaxation_steps: jump.steps,
         }
     }
