@@ -24,7 +24,9 @@ pub use newton::*;
 pub use observables::{MONITORS, Observables, PathConstraint};
 pub use path::*;
 pub use problem::{InitialState, MeasuredBeside, PathMeasure, Problem};
-pub use relax::{Held, RelaxError, RelaxOptions, Relaxed, disturbed, disturbed_anyhow, relax};
+pub use relax::{
+    Held, RelaxError, RelaxOptions, Relaxed, disturbed, disturbed_anyhow, relax, relaxed_on_more_elements,
+};
 pub use state::{History, Mesh, State};
 pub use system::{
     Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, ShouldStop, System, Unknown,

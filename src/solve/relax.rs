@@ -8,11 +8,12 @@
 //! a shorter Δt where it moves too far, where K + C/Δt is not positive (Δt beyond the growth time of an instability) or where
 //! the energy does not fall. It ends in a stable equilibrium to which Newton's own method converges from near by, or fails.
 
-use super::limit_point::locate::SINGULAR;
+use super::limit_point::locate::{SINGULAR, refined};
 use super::limit_point::search::FINE;
 use super::newton::damped_step;
 use super::{
-    Coefficients, NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve,
+    Coefficients, NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace,
+    on_more_elements, solve,
 };
 use serde::{Deserialize, Serialize};
 
@@ -180,6 +181,19 @@ pub fn relax(
         energies.push(energy_of(&at));
     }
     Err(RelaxError::Endless { steps, energy: energies[energies.len() - 1] })
+}
+
+/// The equilibrium at the displacement of a stable one on half as many elements again: by Newton's method, or relaxed where that leads nowhere from there.
+pub fn relaxed_on_more_elements(
+    problem: &Problem,
+    coarse: &Solution,
+    ws: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    on_more_elements(problem, coarse, Observables::DISPLACEMENT, ws).or_else(|cause| {
+        let held = Held::Displacement(coarse.observables.displacement);
+        let relaxed = relax(problem, refined(problem, &coarse.at), held, &RelaxOptions::default(), ws);
+        relaxed.map(|relaxed| relaxed.solution).map_err(|_| cause)
+    })
 }
 
 /// The stable equilibrium near by, if the tangent is positive here and Newton's own method goes there without much ado.

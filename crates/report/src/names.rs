@@ -1,7 +1,7 @@
 //! What ends, points and forms are called in outputs.
 
 use peelkit::model::Form;
-use peelkit::study::{JumpKind, LimitPointKind, PathEnd, TestEnd};
+use peelkit::study::{Jump, JumpKind, LeftModel, LimitPointKind, ModelLimit, PathEnd, TestEnd};
 
 /// The name of an end in outputs.
 pub fn end_word(end: &PathEnd) -> &'static str {
@@ -61,6 +61,8 @@ pub fn test_end_word(end: &TestEnd) -> &'static str {
         TestEnd::Returned(_) => "returned",
         TestEnd::Off => "off",
         TestEnd::Bound(_) => "bound",
+        TestEnd::LeftModel(LeftModel { limit: ModelLimit::Bonded(_), .. }) => "bonded-part-unstable",
+        TestEnd::LeftModel(LeftModel { limit: ModelLimit::Collapsed(_), .. }) => "collapsed",
         TestEnd::Failed(_) => "failed",
     }
 }
@@ -71,11 +73,21 @@ pub fn test_end_reason(end: &TestEnd) -> Option<String> {
         TestEnd::Closed | TestEnd::Off => None,
         TestEnd::Returned(elsewhere) => Some(elsewhere.to_string()),
         TestEnd::Bound(bound) => Some(bound.to_string()),
+        TestEnd::LeftModel(left) => Some(left.to_string()),
         TestEnd::Failed(failure) => Some(failure.to_string()),
     }
 }
 
-/// The name of a jump.
+/// What a jump is called among all jumps of its test, by its number: `snap-off` is the name of a path's point.
+pub fn jump_title(jumps: &[Jump], number: usize) -> &'static str {
+    match jumps[number].kind {
+        JumpKind::IntoContact => "jump into contact",
+        JumpKind::SnapOff if jumps[..number].iter().all(|jump| jump.kind == JumpKind::IntoContact) => "first jump",
+        JumpKind::SnapOff => "jump",
+    }
+}
+
+/// The kind of a jump, as files have it.
 pub fn jump_word(kind: JumpKind) -> &'static str {
     match kind {
         JumpKind::SnapOff => "snap-off",

@@ -1,5 +1,6 @@
 //! The planar beam: energy densities with and without adhesion, elements, chains of them, and the system that they make.
 mod chain;
+mod collapsed_section;
 mod density;
 mod element;
 mod friction_history;
@@ -13,6 +14,7 @@ mod planar_system;
 mod uniform_chain;
 mod upright_corner;
 pub use chain::*;
+pub use collapsed_section::CollapsedSection;
 pub use density::*;
 pub use element::*;
 pub use friction_history::FrictionHistory;

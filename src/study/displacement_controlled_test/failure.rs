@@ -40,9 +40,6 @@ pub enum TestError {
     /// The structure does not come to rest.
     #[error("the state after the jump at U = {machine_nm:.6} nm was not found: {cause}")]
     Relax { machine_nm: f64, cause: RelaxError },
-    /// A jump has no error bound.
-    #[error("the error of the jump at U = {machine_nm:.6} nm was not determined: {cause}")]
-    NoBound { machine_nm: f64, cause: SolveError },
     /// A jump takes energy, aJ.
     #[error("the jump at U = {machine_nm:.6} nm releases {released:.3e} aJ: that is no jump")]
     NoRelease { machine_nm: f64, released: f64 },

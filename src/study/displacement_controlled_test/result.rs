@@ -2,6 +2,7 @@
 
 use super::balance::{Balance, LoadingDirection};
 use super::failure::TestFailure;
+use super::model_limit::LeftModel;
 use crate::study::{Adhering, Bound};
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -34,9 +35,9 @@ pub struct JumpEnd {
     pub displacement: f64,
     /// nN
     pub force: f64,
-    /// Bounds on their errors, nm and nN
+    /// Bounds on their errors, nm and nN; infinite where none was found
     pub displacement_error: f64,
-    /// Of the force, nN
+    /// Of the force, nN; infinite where none was found
     pub force_error: f64,
     /// Stored, adhesion and spring energy, aJ; zero for a stress-free strip beyond the range of adhesion
     pub energy: f64,
@@ -72,7 +73,7 @@ pub struct Jump {
     pub after: JumpEnd,
     /// Energy before minus energy after, aJ, and a bound on its error
     pub released: f64,
-    /// On the energy released, aJ
+    /// On the energy released, aJ; infinite where none was found
     pub released_error: f64,
     /// Whether no point of the strip is nearer than 10 r0 after it.
     pub detached: bool,
@@ -104,6 +105,8 @@ pub enum TestEnd {
     Off,
     /// It goes on; a stop criterion was met.
     Bound(Bound),
+    /// It has come to where its model ends.
+    LeftModel(LeftModel),
     /// The computation stopped short; why, with numbers and what to try.
     Failed(TestFailure),
 }
@@ -170,7 +173,35 @@ pub struct Observed {
     pub reached: f64,
 }
 
+/// A jump of which no bound was found: no equilibrium on a finer mesh lies next to one of its ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UnknownJumpError {
+    /// U of the jump, nm
+    pub machine: f64,
+}
+
+impl UnknownJumpError {
+    /// As outputs call it.
+    pub const CODE: &'static str = "jump-error-unknown";
+}
+
+impl fmt::Display for UnknownJumpError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(
+            f,
+            "the error of the jump at U = {:.6} nm is unknown: no equilibrium was found on a finer mesh next to its ends",
+            self.machine
+        )
+    }
+}
+
 impl Observed {
+    /// The jumps that were found without a bound on their error.
+    pub fn warnings(&self) -> Vec<UnknownJumpError> {
+        let unknown = self.jumps.iter().filter(|jump| !jump.released_error.is_finite());
+        unknown.map(|jump| UnknownJumpError { machine: jump.machine }).collect()
+    }
+
     /// The largest force of the retreat as long as the beam does not stand on the face of its end.
     pub fn peeling_force(&self) -> Option<PullOff> {
         self.before_upright.or(self.pull_off.filter(|largest| largest.adheres != Adhering::EndFace))

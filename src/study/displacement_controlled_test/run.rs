@@ -4,6 +4,7 @@
 use super::balance::{Balance, LoadingDirection};
 use super::failure::{MOST_JUMPS, TestError, TestFailure};
 use super::jump;
+use super::model_limit::{LeftModel, ModelLimit};
 use super::result::*;
 use super::stable_branch::{BranchEnd, Machine, StableBranch, Until};
 use crate::beam::FRONT;
@@ -16,16 +17,22 @@ use crate::study::accuracy::{Resolution, most_elements};
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
 use crate::study::initial::{NoEquilibrium, prepared};
 use crate::study::refinement::{MOST_FAILED_IN_SPACE, refined};
-use crate::study::{Accuracy, Adhering, Bound, Stage, StopCriteria};
+use crate::study::{Accuracy, Adhering, Stage, StopCriteria};
 use std::sync::Arc;
 
 /// Most that a step of relaxation moves, relative to the gap.
 const RELAXING: f64 = 0.1;
 /// A mesh whose errors are at most this many times those of the best one shows its round-off.
 const COMPARABLE: f64 = 10.0;
+/// A strip whose force and front have changed by less than this, over the work of adhesion times the width and over its length, has not jumped.
+const STAYS: f64 = 1e-3;
+/// How far the machine goes beyond a limit point at which the strip stays, relative to U.
+const BEYOND: f64 = 1e-7;
 /// The balance of work and energy closes to this, or to the accuracy asked for where that is more.
 const BALANCED: f64 = 1e-6;
 
+/// Most that fail in the plane, of two on each mesh.
+const MOST_FAILED: usize = 6;
 /// Further meshes on which a test in space may fail, with its paths followed warily and measured by the roll of the grip as well.
 const MOST_FAILED_WARILY: usize = 3;
 
@@ -47,8 +54,7 @@ pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: 
         let mut test = Test::new(course);
         test.effort.elements = resolution.elements;
         test.effort.order = resolution.order;
-        let lost = failures >= MOST_FAILED_IN_SPACE && model.space.is_some();
-        let pace = if lost { Pace::Wary } else { Pace::Quick };
+        let pace = pace(model, failures);
         match problem(model, accuracy, resolution.order, pace) {
             Ok(problem) => {
                 let machine = Machine {
@@ -71,11 +77,13 @@ pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: 
         } else {
             others.push((test.worst(), test.jumps.clone()));
         }
-        let hopeless = model.space.is_some() && failures == MOST_FAILED_IN_SPACE + MOST_FAILED_WARILY;
+        let most_failed = if model.space.is_some() { MOST_FAILED_IN_SPACE + MOST_FAILED_WARILY } else { MOST_FAILED };
+        let hopeless = failures == most_failed;
         let late = stop.reached_bound(Stage::Path).is_some();
         let enough = (worst <= 1.0 && !failed) || late || hopeless || accuracy.choice.elements.is_some();
         let finer = match failed {
             true if failures == MOST_FAILED_IN_SPACE && model.space.is_some() => first,
+            true if model.space.is_none() && pace == Pace::Quick => resolution,
             true => resolution.times(1.5),
             false => resolution.finer(worst, 0.0),
         };
@@ -87,6 +95,15 @@ pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: 
     }
     test.effort = TestEffort { newton_iterations: iterations, relaxation_steps: steps, ..test.effort };
     test.into_result(accuracy.relative)
+}
+
+/// How a test is followed behind so many that failed: in the plane every mesh is watched before a finer one is tried, in space the first four are quick.
+fn pace(model: &PeelModel, failures: usize) -> Pace {
+    match model.space {
+        None if failures % 2 == 1 => Pace::Watchful,
+        Some(_) if failures >= MOST_FAILED_IN_SPACE => Pace::Wary,
+        _ => Pace::Quick,
+    }
 }
 
 /// The strip behind its spring. Without x its horizontal section force, where it has one, is a multiplier, and the energy no
@@ -110,6 +127,27 @@ enum Loss {
     LimitPoint,
     /// It does not, and the path branches.
     Branching,
+}
+
+/// Where a jump leads.
+enum Landing {
+    /// To a stable equilibrium
+    Rest(Solution),
+    /// Beyond what the model is for
+    Beyond(ModelLimit),
+}
+
+/// The end of a test at the limit of its model.
+fn left_model(last: &Solution, way: LoadingDirection, limit: ModelLimit) -> TestEnd {
+    let o = &last.observables;
+    TestEnd::LeftModel(LeftModel { way, machine: o.displacement, force: o.force, limit })
+}
+
+/// Whether the strip is still where it lost its stability: that was round-off's, or it has stayed on its branch.
+fn stays(machine: &Machine, limit: &Located, at: &Solution) -> bool {
+    let (problem, change) = (machine.problem, at.observables.since(&limit.observables));
+    let (force, front) = (problem.measure.force, problem.beam.length());
+    change.force.abs() <= STAYS * force && change.monitors[FRONT].abs() <= STAYS * front
 }
 
 /// A test under way.
@@ -163,17 +201,17 @@ impl Test {
 
     fn cycle(&mut self, machine: &Machine, elements: usize) -> Result<TestEnd, TestError> {
         let rest = machine.problem.initial(elements);
-        let (far, bound) = self.way(machine, rest, LoadingDirection::Retreat)?;
-        if let Some(bound) = bound {
-            return Ok(TestEnd::Bound(bound));
+        let (far, end) = self.way(machine, rest, LoadingDirection::Retreat)?;
+        if let Some(end) = end {
+            return Ok(end);
         }
         self.retreat = Some(self.balance(machine, &far)?);
         if self.course == Course::There {
             return Ok(TestEnd::Off);
         }
-        let (back, bound) = self.way(machine, machine.begin_at(&far), LoadingDirection::Approach)?;
-        if let Some(bound) = bound {
-            return Ok(TestEnd::Bound(bound));
+        let (back, end) = self.way(machine, machine.begin_at(&far), LoadingDirection::Approach)?;
+        if let Some(end) = end {
+            return Ok(end);
         }
         let cycle = self.balance(machine, &back)?;
         self.cycle = Some(cycle);
@@ -182,13 +220,13 @@ impl Test {
         Ok(if closed { TestEnd::Closed } else { TestEnd::Returned(elsewhere) })
     }
 
-    /// One way to its end: the last equilibrium, and the bound that was reached, if one was.
+    /// One way to its end: the last equilibrium, and why the test ends there, if it does.
     fn way(
         &mut self,
         machine: &Machine,
         start: State,
         way: LoadingDirection,
-    ) -> Result<(Arc<Solution>, Option<Bound>), TestError> {
+    ) -> Result<(Arc<Solution>, Option<TestEnd>), TestError> {
         let until = match way {
             LoadingDirection::Retreat => Until::Detached,
             LoadingDirection::Approach => Until::Displacement(0.0),
@@ -204,13 +242,25 @@ impl Test {
             let (located, loss) = match leg.end {
                 _ if self.is_over() => return Ok((last, None)),
                 BranchEnd::Arrived => return Ok((last, None)),
-                BranchEnd::Bound(bound) => return Ok((last, Some(bound))),
+                BranchEnd::Bound(bound) => return Ok((last, Some(TestEnd::Bound(bound)))),
+                BranchEnd::Lost(why) => {
+                    let limit = machine.model_limit(&last).ok_or(why)?;
+                    return Ok((last.clone(), Some(left_model(&last, way, limit))));
+                }
                 BranchEnd::Limit(located) => (located, Loss::LimitPoint),
                 BranchEnd::Branching(located) => (located, Loss::Branching),
             };
+            if let (Loss::Branching, Some(limit)) = (loss, machine.bonded(&located.solution)) {
+                return Ok((last.clone(), Some(left_model(&last, way, limit))));
+            }
             let landed = match self.lost(machine, &located, loss, way) {
-                Ok(landed) => Arc::new(landed),
-                Err(why) => return machine.stopped_by(&why).map(|bound| (last, Some(bound))).ok_or(why),
+                Ok(Landing::Rest(landed)) => Arc::new(landed),
+                Ok(Landing::Beyond(limit)) => return Ok((last.clone(), Some(left_model(&last, way, limit)))),
+                Err(why) => {
+                    let limit = || machine.model_limit(&last).map(|limit| left_model(&last, way, limit));
+                    let end = machine.stopped_by(&why).map(TestEnd::Bound).or_else(limit);
+                    return end.map(|end| (last, Some(end))).ok_or(why);
+                }
             };
             if way == LoadingDirection::Retreat {
                 self.notice_stand(machine, &landed, self.pull_off);
@@ -272,7 +322,7 @@ impl Test {
         let peak = machine.peak(leg)?;
         let at_limit = match &leg.end {
             BranchEnd::Limit(located) | BranchEnd::Branching(located) => Some(Located::clone(located)),
-            BranchEnd::Arrived | BranchEnd::Bound(_) => None,
+            BranchEnd::Arrived | BranchEnd::Bound(_) | BranchEnd::Lost(_) => None,
         };
         let highest = peak.into_iter().chain(at_limit);
         let highest = highest.max_by(|a, b| a.observables.force.total_cmp(&b.observables.force));
@@ -306,7 +356,7 @@ impl Test {
         limit: &Located,
         loss: Loss,
         way: LoadingDirection,
-    ) -> Result<Solution, TestError> {
+    ) -> Result<Landing, TestError> {
         let problem = machine.problem;
         let machine_nm = limit.observables.displacement;
         let mut relaxing = Workspace::until(machine.stop.for_solves(Stage::Path));
@@ -315,22 +365,41 @@ impl Test {
             Loss::LimitPoint => disturbed(problem, &limit.solution),
             Loss::Branching => disturbed_anyhow(problem, &limit.solution.at),
         };
-        let relaxed = relax(problem, start, Held::Displacement(machine_nm), &options, &mut relaxing)
-            .map_err(|cause| TestError::Relax { machine_nm, cause })?;
-        self.effort.relaxation_steps += relaxed.steps;
-        let jump = jump::described(machine, limit, &relaxed, way, &mut Workspace::default())
-            .map_err(|cause| TestError::NoBound { machine_nm, cause })?;
-        // a loss that releases nothing was round-off's, or the strip has stayed on its branch
-        if jump.released.abs() <= jump.released_error {
-            return Ok(relaxed.solution);
+        let mut relaxed_at = |start: State, machine_nm: f64| {
+            let relaxed = relax(problem, start, Held::Displacement(machine_nm), &options, &mut relaxing)
+                .map_err(|cause| TestError::Relax { machine_nm, cause })?;
+            self.effort.relaxation_steps += relaxed.steps;
+            Ok::<_, TestError>(relaxed)
+        };
+        let mut relaxed = relaxed_at(start, machine_nm)?;
+        if stays(machine, limit, &relaxed.solution) {
+            // at the limit point itself nothing drives the strip away from it: a little beyond it something does
+            let beyond = BEYOND * machine_nm.abs();
+            let beyond = machine_nm + if way == LoadingDirection::Retreat { beyond } else { -beyond };
+            let further = relaxed_at(relaxed.solution.at.clone(), beyond)?;
+            if stays(machine, limit, &further.solution) {
+                return Ok(Landing::Rest(further.solution));
+            }
+            relaxed = relaxed_at(further.solution.at.clone(), machine_nm)?;
+            if stays(machine, limit, &relaxed.solution) {
+                return Ok(Landing::Rest(further.solution));
+            }
         }
-        if jump.released <= 0.0 {
+        if let Some(limit) = machine.collapsed(&relaxed.solution) {
+            return Ok(Landing::Beyond(limit));
+        }
+        let jump = jump::described(machine, limit, &relaxed, way, &mut Workspace::default());
+        // one that releases next to nothing was round-off's
+        if jump.released.abs() <= jump.released_error && jump.released_error <= BALANCED * self.largest {
+            return Ok(Landing::Rest(relaxed.solution));
+        }
+        if jump.released <= 0.0 && jump.released.abs() > jump.released_error {
             return Err(TestError::NoRelease { machine_nm, released: jump.released });
         }
         self.largest = self.largest.max(jump.released);
         self.jumps.push(jump);
         self.jumped = true;
-        Ok(relaxed.solution)
+        Ok(Landing::Rest(relaxed.solution))
     }
 
     /// The balance so far, if it closes.

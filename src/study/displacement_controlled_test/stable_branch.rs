@@ -20,6 +20,8 @@ pub(super) enum BranchEnd {
     Branching(Box<Located>),
     /// A stop criterion is met.
     Bound(Bound),
+    /// It could not be followed further.
+    Lost(BranchError),
 }
 
 /// A stable piece.
@@ -71,7 +73,8 @@ impl Machine<'_> {
         }
     }
 
-    /// Follows the stable equilibria from `start` on; U rises or falls as `rising` says. `points` have been computed before.
+    /// Follows the stable equilibria from `start` on; U rises or falls as `rising` says. `points` have been computed before. Where it
+    /// cannot be followed further what was found of it is kept; there is none where not even its first point was found.
     pub fn follow(&self, start: State, rising: bool, until: Until, points: usize) -> Result<StableBranch, BranchError> {
         let first = self.options.first_displacement.copysign(if rising { 1.0 } else { -1.0 });
         let options = PathOptions { first_displacement: first, elements: start.mesh.elements(), ..self.options };
@@ -83,13 +86,21 @@ impl Machine<'_> {
             behind: BEHIND,
         };
         let (mut tracer, mut ws) = (PathTracer::new(self.problem, path, trace), Workspace::default());
+        let mut looked = 0;
         loop {
             let path = tracer.path();
             if let Some(bound) = self.bound(path, rising, points) {
                 return Ok(self.leg(path.points(), BranchEnd::Bound(bound), path.iterations()));
             }
-            let event = tracer.advance()?;
+            let event = tracer.advance();
             let path = tracer.path();
+            let event = match event {
+                Ok(event) => event,
+                Err(why) if looked == 0 => return Err(why.into()),
+                Err(why) => {
+                    return Ok(self.leg(&path.points()[..looked], BranchEnd::Lost(why.into()), path.iterations()));
+                }
+            };
             let lost = |after: usize, located: Located, end: fn(Box<Located>) -> BranchEnd| {
                 self.leg_to(path, after, located.solution.clone(), end(Box::new(located)))
             };
@@ -98,9 +109,14 @@ impl Machine<'_> {
                 PathEvent::BranchPoint { after, located } => return Ok(lost(after, located, BranchEnd::Branching)),
                 PathEvent::InertiaChange { .. } => {}
                 PathEvent::Point(_) => {
+                    looked += 1;
                     let Some(before) = path.points().len().checked_sub(2) else { continue };
-                    if let Some(last) = self.arrived(path, before, until, &mut ws)? {
-                        return Ok(self.leg_to(path, before, last, BranchEnd::Arrived));
+                    match self.arrived(path, before, until, &mut ws) {
+                        Ok(None) => {}
+                        Ok(Some(last)) => return Ok(self.leg_to(path, before, last, BranchEnd::Arrived)),
+                        Err(why) => {
+                            return Ok(self.leg(&path.points()[..=before], BranchEnd::Lost(why), path.iterations()));
+                        }
                     }
                 }
             }

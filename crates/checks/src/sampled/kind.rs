@@ -25,11 +25,13 @@ pub enum SampleKind {
     Seta,
     /// Adhesive tapes and films, from micrometres to decimetres, under a cohesive law.
     Tape,
+    /// Strips in a displacement-controlled test, pulled straight up or at 20 to 160 degrees.
+    Observed,
 }
 
 impl SampleKind {
     /// All of them, in the order in which help lists them, with what the command calls each.
-    const NAMES: [(Self, &str); 11] = [
+    const NAMES: [(Self, &str); 12] = [
         (Self::Strip, "strip"),
         (Self::Angle, "angle"),
         (Self::Spatula, "spatula"),
@@ -41,6 +43,7 @@ impl SampleKind {
         (Self::Rate, "rate"),
         (Self::Seta, "seta"),
         (Self::Tape, "tape"),
+        (Self::Observed, "observed"),
     ];
 
     /// All of them, in the order in which help lists them.
@@ -62,7 +65,7 @@ impl SampleKind {
     pub fn longest_s(self) -> f64 {
         match self {
             Self::Strip | Self::Angle | Self::Spatula | Self::Law | Self::Space => 60.0,
-            Self::Oblique | Self::Friction | Self::Rough | Self::Rate | Self::Seta | Self::Tape => 40.0,
+            Self::Oblique | Self::Friction | Self::Rough | Self::Rate | Self::Seta | Self::Tape | Self::Observed => 40.0,
         }
     }
 }

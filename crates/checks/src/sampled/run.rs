@@ -8,9 +8,9 @@ use peelkit::beam::MeshKind;
 use peelkit::model::SetaModel;
 use peelkit::study::{
     Accuracy, Choice, Failure, InTimeFailure, InTimeFailureKind, PathEnd, Patience, SetaEnd, SetaOptions, Stage,
-    StopCriteria, StopReason, peel, pull_in_time, pull_off, tip_curve,
+    StopCriteria, StopReason, TestEnd, observed, peel, pull_in_time, pull_off, tip_curve,
 };
-use peelkit_report::end_word;
+use peelkit_report::{end_word, test_end_reason, test_end_word};
 use peelkit_scene::{Scene, SetaTable, TimeTable};
 
 /// The curve of a tip begins with it pressed by so much, nm.
@@ -125,6 +125,7 @@ fn run(kind: SampleKind, scene: &Scene, way: &PeelSetting, patience: Patience) -
     let found = match (&scene.time, &scene.seta) {
         (Some(table), _) => in_time(scene, table, &stop),
         (None, Some(table)) => pulled_off(scene, table, &stop),
+        (None, None) if kind == SampleKind::Observed => tested(scene, way, &stop),
         (None, None) => peeled(scene, way, &stop),
     };
     let Found { end, reason, elements, reported } = found;
@@ -148,6 +149,21 @@ fn peeled(scene: &Scene, way: &PeelSetting, stop: &StopCriteria) -> Found {
         end => (end_word(end), None),
     };
     Found { end, reason, elements: peel.effort.elements, reported: Reported::by(&peel) }
+}
+
+/// A displacement-controlled test.
+fn tested(scene: &Scene, way: &PeelSetting, stop: &StopCriteria) -> Found {
+    let accuracy = Accuracy::to(way.relative).with(way.choice);
+    let test = match observed(&scene.model, &accuracy, stop) {
+        Ok(test) => test,
+        Err(why) => {
+            let reported = Reported::nothing();
+            return Found { end: "refused", reason: Some(why.to_string()), elements: 0, reported };
+        }
+    };
+    let failed = matches!(test.end, TestEnd::Failed(_) | TestEnd::Bound(_));
+    let (end, reason) = if failed { ("failed", test_end_reason(&test.end)) } else { (test_end_word(&test.end), None) };
+    Found { end, reason, elements: test.effort.elements, reported: Reported::by_test(&test) }
 }
 
 /// A pull at a rate: it has failed where it stopped before nothing adhered, or before the end of its way.

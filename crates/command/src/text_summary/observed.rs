@@ -3,7 +3,11 @@
 use super::layout::in_columns;
 use super::units::{Units, WantedUnits};
 use peelkit::study::{Observed, PullOff, TestEnd};
-use peelkit_report::{jump_word, test_end_reason, test_end_word};
+use peelkit_report::{jump_title, test_end_reason, test_end_word};
+
+/// Which of two pull-off forces is seen.
+const SEEN: &str =
+    "an experiment records the larger if the end face is as flat and smooth as here; otherwise the one before";
 
 /// The displacement-controlled test, which took so many seconds.
 pub fn observed(test: &Observed, solve_s: f64, wanted: WantedUnits) -> String {
@@ -17,13 +21,18 @@ pub fn observed(test: &Observed, solve_s: f64, wanted: WantedUnits) -> String {
     let pull_off = test.pull_off.map_or_else(none, |peak| largest(peak, "on the stable retreat"));
     let mut lines = vec![("pull-off force", pull_off)];
     lines.extend(test.before_upright.map(|peak| ("", largest(peak, "before the beam stood on its end"))));
-    for jump in &test.jumps {
+    if let (Some(largest), Some(before)) = (test.pull_off, test.before_upright) {
+        if largest.force > before.force {
+            lines.push(("", SEEN.to_owned()));
+        }
+    }
+    for (number, jump) in test.jumps.iter().enumerate() {
         let landed = match jump.detached {
             true => "detached".to_owned(),
             false => format!("front at {}, adhering: {}", length.fixed(jump.after.front, 2), jump.after.adheres.word()),
         };
         lines.push((
-            jump_word(jump.kind),
+            jump_title(&test.jumps, number),
             format!(
                 "U = {}, P = {} to {}, released {}, {landed}",
                 length.with_error(jump.machine, jump.machine_error),
@@ -33,6 +42,8 @@ pub fn observed(test: &Observed, solve_s: f64, wanted: WantedUnits) -> String {
             ),
         ));
     }
+    let warnings = test.warnings().into_iter().enumerate();
+    lines.extend(warnings.map(|(k, warning)| (if k == 0 { "warnings" } else { "" }, warning.to_string())));
     lines.push(("hysteresis", test.hysteresis.map_or_else(none, |area| work.fixed(area, 6))));
     if let Some(balance) = test.cycle.or(test.retreat) {
         let text =

@@ -291,7 +291,7 @@ fn draw_note(canvas: &Canvas<'_>, places: &mut Places, at: Pixel, mark: &Mark, n
     if away > 16.0 && mark.symbol != Symbol::None {
         let leader = [(at.0 + 7.0 * across / away, at.1 + 7.0 * down / away), near];
         canvas.line(&leader, &Stroke::solid(colour::GREY, 0.8))?;
-        places.add_line(&leader);
+        places.add_leader(leader);
     }
     if !lines.is_empty() {
         canvas.area(&place.corners(), plotters::style::WHITE, 0.8)?;

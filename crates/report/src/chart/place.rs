@@ -44,6 +44,8 @@ impl Frame {
     }
 }
 
+/// Places of a leader that are looked at.
+const LOOKS: usize = 32;
 /// What is nearer to a legend is beside it, pixels.
 const NEAR: f64 = 24.0;
 
@@ -52,11 +54,13 @@ pub(crate) struct Places {
     room: Frame,
     ink: Vec<Pixel>,
     taken: Vec<Frame>,
+    /// Along the leaders of labels, which no label covers.
+    leaders: Vec<Pixel>,
 }
 
 impl Places {
     pub fn new(room: Frame) -> Self {
-        Places { room, ink: Vec::new(), taken: Vec::new() }
+        Places { room, ink: Vec::new(), taken: Vec::new(), leaders: Vec::new() }
     }
 
     /// A line that labels should not cover.
@@ -68,6 +72,13 @@ impl Places {
             self.ink.extend((0..pieces).map(|i| (ax + along(i) * (bx - ax), ay + along(i) * (by - ay))));
         }
         self.ink.extend(points.last());
+    }
+
+    /// A line from a label to its point.
+    pub fn add_leader(&mut self, ends: [Pixel; 2]) {
+        let before = self.ink.len();
+        self.add_line(&ends);
+        self.leaders.extend(&self.ink[before..]);
     }
 
     /// A spot that nothing may cover.
@@ -109,7 +120,10 @@ impl Places {
     /// Takes a place near `at` for a block that covers no other one and stays inside; none where there is no such place.
     pub fn clear_beside(&mut self, at: Pixel, width: f64, height: f64) -> Option<Frame> {
         let mut tries = self.around(at, width, height);
-        tries.retain(|(frame, _)| self.covered(frame) == 0.0 && self.outside(frame) < 1.0);
+        tries.retain(|(frame, _)| {
+            let led_through = self.leaders.iter().any(|&p| frame.holds(p)) || self.hides(at, frame);
+            self.covered(frame) == 0.0 && self.outside(frame) < 1.0 && !led_through
+        });
         (!tries.is_empty()).then(|| self.take(tries))
     }
 
@@ -131,6 +145,14 @@ impl Places {
             }
         }
         tries
+    }
+
+    /// Whether the leader of a label of the point `at` would run through another label.
+    fn hides(&self, at: Pixel, label: &Frame) -> bool {
+        let near = label.nearest(at);
+        let along = (1..LOOKS).map(|k| k as f64 / LOOKS as f64);
+        let mut leader = along.map(|t| (at.0 + t * (near.0 - at.0), at.1 + t * (near.1 - at.1)));
+        leader.any(|p| self.taken.iter().any(|taken| taken.holds(p) && !taken.holds(at)))
     }
 
     fn take(&mut self, tries: Vec<(Frame, f64)>) -> Frame {
@@ -215,6 +237,19 @@ mod tests {
         assert_eq!(clip(&[(-50.0, 50.0), (150.0, 50.0)], &ROOM), vec![vec![(0.0, 50.0), (100.0, 50.0)]]);
         assert_eq!(clip(&[(50.0, 50.0), (150.0, 50.0), (50.0, 60.0)], &ROOM).len(), 2);
         assert!(clip(&[(-1.0, -1.0), (-2.0, 50.0)], &ROOM).is_empty());
+    }
+
+    /// A label that stands between a point and its room: the leader goes round it, and no later label lies on a leader.
+    #[test]
+    fn no_leader_runs_through_a_label() {
+        let mut places = Places::new(ROOM);
+        places.add_spot(Frame { left: 20.0, top: 40.0, right: 80.0, bottom: 52.0 });
+        let at = (50.0, 56.0);
+        let label = places.clear_beside(at, 30.0, 12.0).unwrap();
+        assert!(label.top > 52.0, "{label:?}");
+        places.add_leader([(10.0, 95.0), (90.0, 85.0)]);
+        let beside = places.clear_beside((50.0, 88.0), 20.0, 8.0).unwrap();
+        assert!(places.leaders.iter().all(|&p| !beside.holds(p)), "{beside:?}");
     }
 
     #[test]

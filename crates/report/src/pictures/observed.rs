@@ -2,7 +2,7 @@
 
 use crate::chart::{Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, save, significant};
 use crate::error::ReportError;
-use crate::names::jump_word;
+use crate::names::jump_title;
 use peelkit::study::{LoadingDirection, Observed};
 use std::path::{Path, PathBuf};
 
@@ -47,12 +47,19 @@ fn panel(test: &Observed, frame: Frame, to: f64) -> Panel {
         }
     }
     let mut name = Some("jump".to_owned());
+    // the pull-off force first: it has the best place of all labels
+    if let Some(peak) = test.pull_off {
+        let text = vec!["pull-off force".to_owned(), format!("{} nN", significant(peak.force, 4))];
+        let note = Some(Note { badge: None, text });
+        let at = (peak.machine, peak.force);
+        panel.marks.push(Mark { at, symbol: Symbol::Dot, colour: colour::BLUE, name: None, note });
+    }
     for (n, jump) in test.jumps.iter().enumerate() {
         let (from, landed) = ((jump.machine, jump.before.force), (jump.machine, jump.after.force));
         let stroke = Stroke::dashed(colour::INK, 1.4);
         panel.lines.push(Line { points: vec![from, landed], stroke, name: name.take() });
         let text = vec![
-            jump_word(jump.kind).to_owned(),
+            jump_title(&test.jumps, n).to_owned(),
             format!("U = {} nm", significant(jump.machine, 4)),
             format!("released {} aJ", significant(jump.released, 4)),
         ];

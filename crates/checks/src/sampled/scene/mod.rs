@@ -1,6 +1,7 @@
 //! A scene sampled over wide ranges, as a text that a user could have written.
 
 mod friction;
+mod observed;
 mod planar;
 mod rate;
 mod rough;
@@ -27,6 +28,7 @@ pub fn scene_text(kind: SampleKind, seed: u64, index: u64) -> String {
         SampleKind::Rate => sampler.strip_at_a_rate(),
         SampleKind::Seta => sampler.seta(),
         SampleKind::Tape => sampler.tape(),
+        SampleKind::Observed => sampler.tested_strip(),
         SampleKind::Strip | SampleKind::Angle | SampleKind::Law => sampler.strip(kind),
     }
     sampler.text

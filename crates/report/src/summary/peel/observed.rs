@@ -1,9 +1,9 @@
 //! The displacement-controlled test, as an object of summary.json.
 
-use super::place::Place;
+use super::place::{Place, known};
 use crate::names::{jump_word, test_end_reason, test_end_word};
 use crate::number::Finite;
-use peelkit::study::{Balance, Jump, JumpEnd, Observed, PullOff};
+use peelkit::study::{Balance, Jump, JumpEnd, Observed, PullOff, UnknownJumpError};
 use serde::Serialize;
 
 /// The object `observed` of summary.json; `None` where a thing does not occur or was not reached.
@@ -42,8 +42,10 @@ struct JumpLine {
     #[serde(rename = "released_aJ")]
     released: Finite,
     #[serde(rename = "released_error_aJ")]
-    released_error: Finite,
+    released_error: Option<Finite>,
     landed: &'static str,
+    /// The code of what is unknown of it.
+    warning: Option<&'static str>,
     relaxation_steps: usize,
 }
 
@@ -148,8 +150,9 @@ impl From<&Jump> for JumpLine {
             before: EndLine::from(&jump.before),
             after: EndLine::from(&jump.after),
             released: Finite(jump.released),
-            released_error: Finite(jump.released_error),
+            released_error: known(jump.released_error),
             landed: if jump.detached { "detached" } else { "adhered" },
+            warning: (!jump.released_error.is_finite()).then_some(UnknownJumpError::CODE),
             relaxation_steps: jump.steps,
         }
     }

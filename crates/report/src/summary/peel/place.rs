@@ -10,10 +10,16 @@ pub(super) struct Place {
     displacement: Finite,
     #[serde(rename = "force_nN")]
     force: Finite,
+    /// `None` where no bound was found.
     #[serde(rename = "error_nm")]
-    displacement_error: Finite,
+    displacement_error: Option<Finite>,
     #[serde(rename = "error_nN")]
-    force_error: Finite,
+    force_error: Option<Finite>,
+}
+
+/// A bound that was found.
+pub(super) fn known(error: f64) -> Option<Finite> {
+    Some(error).filter(|error| error.is_finite()).map(Finite)
 }
 
 impl Place {
@@ -21,8 +27,8 @@ impl Place {
         Self {
             displacement: Finite(displacement),
             force: Finite(force),
-            displacement_error: Finite(displacement_error),
-            force_error: Finite(force_error),
+            displacement_error: known(displacement_error),
+            force_error: known(force_error),
         }
     }
 }
