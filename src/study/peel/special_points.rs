@@ -18,7 +18,7 @@ pub(super) fn name_special_points(peel: &mut Peel, problem: &BeamProblem, follow
     let located: Vec<LimitPoint> = peel.limit_points.iter().filter(|at| at.after < known).copied().collect();
     let maximum = |at: &&LimitPoint| at.kind == LimitPointKind::Load && rises(at, |s| s.slope.force) && at.force > 0.0;
     let turns_back = |at: &&LimitPoint| at.kind == LimitPointKind::Displacement && rises(at, |s| s.slope.displacement);
-    let first_maximum = located.iter().find(maximum).copied();
+    let first_maximum = located.iter().filter(maximum).find(|at| stands_out(&peel.points, at, peel.asked)).copied();
     peel.initiation_peak = first_maximum.as_ref().map(peak_of);
     let first_jump = located.iter().position(|at| turns_back(&at));
     peel.snap_off = first_jump.map(|index| located[index]);
@@ -36,6 +36,18 @@ pub(super) fn name_special_points(peel: &mut Peel, problem: &BeamProblem, follow
         let snap = peel.snap_off.map_or(last, |at| at.after);
         peel.plateau = plateau(problem, followed, first.after, snap, peel.asked);
     }
+}
+
+/// Whether the force rises to a maximum, and falls behind it, by more than its error and than was asked: where it does not, as beside the beginning of
+/// a path that begins with a level force, another mesh may have the maximum somewhere else or have none.
+fn stands_out(points: &[PathPoint], maximum: &LimitPoint, asked: f64) -> bool {
+    let known = maximum.force_error + asked * maximum.force;
+    let (before, behind) = points.split_at(points.len().min(maximum.after + 1));
+    let differs = |point: &&PathPoint| (point.force - maximum.force).abs() > known;
+    let is_below = |point: &PathPoint| point.force < maximum.force;
+    let rises = before.iter().rev().find(differs).is_some_and(is_below);
+    // what the force does beyond the end of a path is not known
+    rises && behind.iter().find(differs).is_none_or(is_below)
 }
 
 /// How many steps of a path are behind one another: beyond one on which a limit point is missing, or on which it may have gone to another

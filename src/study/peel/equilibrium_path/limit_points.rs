@@ -2,9 +2,12 @@
 
 use super::followed::Followed;
 use crate::model::BeamProblem;
-use crate::solve::{LimitPointKind, PathSegment, Solution, SolveError, brackets, locate, locate_branching, unlocated};
+use crate::solve::LimitPointKind::{Displacement, Load};
+use crate::solve::{
+    LimitPointKind, PathSegment, Solution, SolveError, Workspace, brackets, locate, locate_branching, unlocated,
+};
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
-use crate::study::peel::{PathEnd, PathFailure};
+use crate::study::peel::PathFailure;
 use std::sync::Arc;
 
 /// How far from a branch point the search for it begins, over its displacement.
@@ -45,82 +48,92 @@ fn without_ripple(candidates: Vec<Candidate>, relative: f64) -> Vec<Candidate> {
 
 impl Followed {
     /// Locates every limit point but those of a flat segment, where the force rises and falls by less than `relative`
-    /// of itself: there its slope is the discretisation's.
+    /// of itself: there its slope is the discretisation's. Where that is not possible on a step, those before it are known all the same.
     pub(super) fn locate_turns(&mut self, problem: &BeamProblem, relative: f64) -> Result<(), PathFailure> {
         let mut ws = self.workspace();
-        let mut candidates = Vec::new();
-        for index in 0..self.points.len().saturating_sub(1) {
+        let (candidates, unseen) = self.candidates(problem, relative, &mut ws);
+        let located =
+            candidates.iter().try_for_each(|candidate| self.locate_turn(problem, candidate, relative, &mut ws));
+        self.drop_ripple(LimitPointKind::Load, relative);
+        self.drop_ripple(LimitPointKind::Displacement, relative);
+        located.and(unseen)
+    }
+
+    /// The steps with a limit point in path order, up to the first one of which that cannot be told.
+    fn candidates(
+        &mut self,
+        problem: &BeamProblem,
+        relative: f64,
+        ws: &mut Workspace,
+    ) -> (Vec<Candidate>, Result<(), PathFailure>) {
+        let (mut candidates, mut unseen) = (Vec::new(), Ok(()));
+        let last = self.points.len().saturating_sub(1);
+        for (index, turn) in (0..last).flat_map(|index| [Load, Displacement].map(|turn| (index, turn))) {
             let segment = PathSegment::around(problem, &self.points, index);
-            for turn in [LimitPointKind::Load, LimitPointKind::Displacement] {
-                let brackets = brackets(problem, &self.points, index, &segment, turn, relative, &mut ws);
-                let brackets = match (brackets, turn) {
-                    // a pair of turns of the force that only the interpolant sees
-                    (Err(_), LimitPointKind::Load) => {
-                        self.ripple += 2;
-                        Vec::new()
-                    }
-                    (found, _) => found.map_err(|cause| self.not_located(turn, index, cause))?,
-                };
-                for bracket in brackets {
-                    let near = segment.observable(turn.pick(), 0.5 * (bracket.0 + bracket.1));
-                    let label = near.turning_point(bracket.0, bracket.1);
-                    let (a, b) = (pick_at(&self.points[index], turn), pick_at(&self.points[index + 1], turn));
-                    let maximum = turn.pick()(&self.points[index].slope) > 0.0;
-                    let value = if maximum == (bracket.0 == 0.0) { a.max(b) } else { a.min(b) };
-                    candidates.push(Candidate { turn, index, bracket, label, value, dropped: 0.0 });
+            let brackets = match brackets(problem, &self.points, index, &segment, turn, relative, ws) {
+                Ok(found) => found,
+                // a pair of turns of the force that only the interpolant sees
+                Err(_) if turn == Load => {
+                    self.ripple += 2;
+                    Vec::new()
                 }
+                Err(cause) => {
+                    unseen = Err(self.not_located(turn, index, cause));
+                    break;
+                }
+            };
+            for bracket in brackets {
+                let near = segment.observable(turn.pick(), 0.5 * (bracket.0 + bracket.1));
+                let label = near.turning_point(bracket.0, bracket.1);
+                let (a, b) = (pick_at(&self.points[index], turn), pick_at(&self.points[index + 1], turn));
+                let maximum = turn.pick()(&self.points[index].slope) > 0.0;
+                let value = if maximum == (bracket.0 == 0.0) { a.max(b) } else { a.min(b) };
+                candidates.push(Candidate { turn, index, bracket, label, value, dropped: 0.0 });
             }
         }
         let all = candidates.len();
         let mut candidates = without_ripple(candidates, relative);
         self.ripple += all - candidates.len();
         candidates.sort_by(|a, b| a.index.cmp(&b.index).then(a.label.total_cmp(&b.label)));
-        for c in candidates {
-            let segment = PathSegment::around(problem, &self.points, c.index);
-            let first = self.turns.iter().all(|t| t.0 != LimitPointKind::Load);
-            // the first turn of the force is the initiation peak and wanted sharp
-            let flat = (c.turn == LimitPointKind::Load && !first).then_some(relative);
-            let mut located = match locate(problem, &segment, c.turn, c.bracket, flat, &mut ws) {
-                Err(_) if flat.is_some() => unlocated(problem, &segment, &mut ws),
-                // a stiff beam under a level traction has no place where its force is largest
-                Err(cause) if c.turn == LimitPointKind::Load => {
-                    let level = locate(problem, &segment, c.turn, c.bracket, Some(relative), &mut ws);
-                    self.level = level.as_ref().is_ok_and(|located| located.flat);
-                    level.map_err(|_| cause)
-                }
-                located => located,
+        (candidates, unseen)
+    }
+
+    fn locate_turn(
+        &mut self,
+        problem: &BeamProblem,
+        c: &Candidate,
+        relative: f64,
+        ws: &mut Workspace,
+    ) -> Result<(), PathFailure> {
+        let segment = PathSegment::around(problem, &self.points, c.index);
+        let first = self.turns.iter().all(|t| t.0 != Load);
+        // the first turn of the force is the initiation peak and wanted sharp
+        let flat = (c.turn == Load && !first).then_some(relative);
+        let mut located = match locate(problem, &segment, c.turn, c.bracket, flat, ws) {
+            Err(_) if flat.is_some() => unlocated(problem, &segment, ws),
+            // a stiff beam under a level traction has no place where its force is largest
+            Err(cause) if c.turn == Load => {
+                let level = locate(problem, &segment, c.turn, c.bracket, Some(relative), ws);
+                self.level = level.as_ref().is_ok_and(|located| located.flat);
+                level.map_err(|_| cause)
             }
-            .and_then(|located| if located.is_finite() { Ok(located) } else { Err(SolveError::LimitPointNotConfirmed) })
-            .map_err(|cause| self.not_located(c.turn, c.index, cause))?;
-            located.left_out = c.dropped;
-            located.flat |= flat.is_some_and(|relative| located.is_flat(relative));
-            self.iterations += located.iterations;
-            self.turns.push((c.turn, c.index, located));
+            located => located,
         }
-        self.drop_ripple(LimitPointKind::Load, relative);
-        self.drop_ripple(LimitPointKind::Displacement, relative);
+        .and_then(|located| if located.is_finite() { Ok(located) } else { Err(SolveError::LimitPointNotConfirmed) })
+        .map_err(|cause| self.not_located(c.turn, c.index, cause))?;
+        located.left_out = c.dropped;
+        located.flat |= flat.is_some_and(|relative| located.is_flat(relative));
+        self.iterations += located.iterations;
+        self.turns.push((c.turn, c.index, located));
         Ok(())
     }
 
-    /// Ends the path where the elements do not resolve a pole of the law: before the first limit point there, at which two meshes may agree on a number
-    /// that finer ones do not give, or where the path is in trouble there.
-    pub(super) fn end_at_unresolved(&mut self, problem: &BeamProblem) {
-        let Some(beam) = problem.beam.planar() else { return };
-        let unresolved = |solution: &Solution| beam.unresolved_section(&solution.at);
-        let turns = self.turns.iter().map(|(_, after, located)| (*after, unresolved(&located.solution)));
-        let last = self.points.len().saturating_sub(1);
-        let trouble = self.trouble.as_ref().filter(|trouble| **trouble != PathFailure::OutOfTime);
-        let trouble = trouble.map(|trouble| trouble.after().unwrap_or(last)).map(|after| {
-            let around = self.points.get(after..(after + 2).min(self.points.len())).unwrap_or_default();
-            (after, around.iter().find_map(|point| unresolved(point)))
-        });
-        let places = turns.chain(trouble).filter_map(|(after, section)| Some((after, section?)));
-        let Some((after, section)) = places.min_by_key(|&(after, _)| after) else { return };
-        self.points.truncate(after + 1);
-        self.turns.retain(|turn| turn.1 < after);
-        self.branch_points.retain(|branch| branch.0 < after);
-        self.trouble = Some(PathFailure::NearUpright(section));
-        self.beyond = Some(PathEnd::Upright(section));
+    /// Whether a failure lies on the way: where force or displacement differ from those of the last point by more than `relative`.
+    pub(super) fn is_before_end(&self, failure: &PathFailure, relative: f64) -> bool {
+        let (Some(after), Some(last)) = (failure.after(), self.points.last()) else { return false };
+        let differs = |here: f64, there: f64| (here - there).abs() > relative * there.abs();
+        let (here, there) = (&self.points[after].observables, &last.observables);
+        differs(here.displacement, there.displacement) || differs(here.force, there.force)
     }
 
     fn not_located(&self, turn: LimitPointKind, after: usize, cause: SolveError) -> PathFailure {
