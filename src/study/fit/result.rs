@@ -70,6 +70,8 @@ pub struct FittedPoint {
     pub force: f64,
     /// Of the model, nN
     pub modelled: f64,
+    /// dP/dU of the model there, nN/nm
+    pub slope: f64,
     /// Standard error of the measured force, with what that of its displacement adds, nN
     pub error: f64,
     /// How much it counts, from 0 to 1: 1 for least squares
@@ -136,6 +138,10 @@ pub struct Fit {
     pub degrees_of_freedom: usize,
     /// The standard error of a force that was estimated from the residuals, nN; none where it is known
     pub estimated_error: Option<f64>,
+    /// Standard error of a force from how neighbouring points differ, nN
+    pub scatter: f64,
+    /// Whether the measured displacements were taken as exact
+    pub exact_displacements: bool,
     /// d, nm
     pub displacement_zero: f64,
     /// (U + d, P) of the model up to its first jump

@@ -1,7 +1,7 @@
 //! The run of a fit: search, weights, search again; then errors, correlations and profiles.
 
 use super::coordinate::Coordinate;
-use super::error::NoFit;
+use super::error::{NoFit, Scale};
 use super::loss::Loss;
 use super::measured_curve::MeasuredCurve;
 use super::poorly_determined::{POOR, combinations, pairs};
@@ -142,7 +142,10 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     let plain = Weights { robust: vec![1.0; weights.errors.len()], ..weights.clone() };
     let jacobian = evaluator.jacobian(&evaluator.derivatives(&best)?, &plain);
     let (standardised, _) = evaluator.standardised(&best, &plain);
-    let inside = (0..count).filter(|&k| evaluator.coordinates[k].at_bound(best.x[k]).is_none()).collect();
+    let inside: Vec<usize> = (0..count).filter(|&k| evaluator.coordinates[k].at_bound(best.x[k]).is_none()).collect();
+    if inside.is_empty() && end != FitEnd::Interrupted {
+        of_another_scale(evaluator.measured, start)?;
+    }
     let factor = options.loss.covariance_factor(&standardised, count);
     let covariance = Covariance::new(&jacobian, inside, factor);
     let half = half_interval(estimated.is_some(), freedom);
@@ -193,6 +196,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
         displacement: evaluator.measured.points[k].displacement,
         force: evaluator.measured.points[k].force,
         modelled: best.modelled[k].force,
+        slope: best.modelled[k].slope,
         error: weights.errors[k],
         weight: weights.robust[k],
         place: best.modelled[k].place,
@@ -217,6 +221,8 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
         sum_of_squares: found.sum,
         degrees_of_freedom: freedom,
         estimated_error: estimated,
+        scatter: evaluator.measured.noise(),
+        exact_displacements: options.displacement_error.is_none(),
         displacement_zero: zero,
         curve: shifted(&best),
         initial_curve: shifted(start),
@@ -226,6 +232,19 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
         end,
         parameters,
     })
+}
+
+/// That the measured curve is of the size of that at which the search begins: else a column has another unit than its name says, most likely.
+fn of_another_scale(measured: &MeasuredCurve, start: &Trial) -> Result<(), NoFit> {
+    let curve = start.curve.points(PER_STEP);
+    let largest = |of: fn(&(f64, f64)) -> f64| curve.iter().map(|at| of(at).abs()).fold(0.0, f64::max);
+    let (from, to) = measured.range();
+    let forces = Scale { measured: measured.largest_force(), modelled: largest(|at| at.1) };
+    let displacements = Scale { measured: from.abs().max(to.abs()), modelled: largest(|at| at.0) };
+    if forces.thousands() == 0 && displacements.thousands() == 0 {
+        return Ok(());
+    }
+    Err(NoFit::OtherScale { forces, displacements })
 }
 
 /// d of a trial, nm.

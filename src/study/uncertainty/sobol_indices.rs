@@ -23,6 +23,13 @@ pub struct SobolIndex {
     pub total: Estimate,
 }
 
+impl SobolIndex {
+    /// Whether the estimates are shares that no variance has: a negative one, or a total below the first order.
+    pub fn is_impossible(&self) -> bool {
+        self.first.value < 0.0 || self.total.value < self.first.value
+    }
+}
+
 /// What one replicate gives of a group, each a sum over its points.
 #[derive(Clone, Copy, Default)]
 struct Sums {
