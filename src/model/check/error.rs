@@ -214,7 +214,7 @@ impl ModelErrorKind {
             Self::TooManyDetails { .. } => "Use a shorter strip or pad, a longer wave, or a profile with fewer rows.",
             Self::TooManyZones { .. } => "Use a shorter or a stiffer strip or pad.",
             Self::TooLong { .. } => {
-                "Use a shorter beam: behind some ten process zones the force no longer depends on the length. Or correct a unit."
+                "Use a shorter beam: from some fifty process zones on the peak does not depend on the length. Or correct a unit."
             }
             Self::TurnOfFreeGrip { .. } => "Give `rotation = \"fixed\"` under [grip], or remove `turn`.",
             Self::TurnWithoutPotential { .. } => "Use another law or line_load under [adhesion], or remove `turn`.",

@@ -1,7 +1,7 @@
 //! Whether a beam is so short that elements and steps resolve its process zone.
 
 use super::{ModelError, ModelErrorKind};
-use crate::model::{Body, PeelModel, Spatula};
+use crate::model::{Body, PeelModel, ProfileForm, Spatula};
 
 /// Most process zones: the strip of the paper of 3 mm is 1.4e6 of them long and has its peak to 1e-10; that of 10 mm, of 4.6e6, has none.
 const MOST_ZONES: f64 = 2e6;
@@ -19,7 +19,10 @@ pub(super) fn check(model: &PeelModel) -> Result<(), ModelError> {
 fn key(body: &Body) -> &'static str {
     match body {
         Body::Strip(_) => "strip.length",
-        Body::Profile(_) => "profile",
+        Body::Profile(profile) => match profile.form {
+            ProfileForm::Table(_) => "profile.table",
+            ProfileForm::Pieces(_) => "profile.pieces",
+        },
         Body::Spatula(Spatula { pad_length, neck_length, shaft_length, .. }) => {
             let lengths = [
                 ("spatula.pad_length", pad_length),

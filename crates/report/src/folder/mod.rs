@@ -242,6 +242,7 @@ mod tests {
             );
         };
         refused(folder.write(fill));
+        drop(folder);
         refused(OutputFolder::claim(&out, Existing::Keep).map(|_| Vec::new()));
         let folder = OutputFolder::claim(&out, Existing::Replace).unwrap();
         folder.write(fail).unwrap_err();
