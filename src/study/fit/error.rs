@@ -50,7 +50,7 @@ pub enum NoFit {
     #[error("the curve of the scene as it is written was not computed: {0}")]
     NoStart(String),
     #[error(
-        "every parameter ended at a bound of the search, because the measured curve is of another size: its forces reach {:.3e} nN and its displacements {:.3e} nm, those of the scene {:.3e} nN and {:.3e} nm",
+        "no parameters were found within their bounds, because the measured curve is of another size: its forces reach {:.3e} nN and its displacements {:.3e} nm, those of the scene {:.3e} nN and {:.3e} nm",
         forces.measured, displacements.measured, forces.modelled, displacements.modelled
     )]
     OtherScale { forces: Scale, displacements: Scale },

@@ -159,6 +159,11 @@ pub struct Fit {
 }
 
 impl Fit {
+    /// Whether the search has found no parameters: it stopped before the least sum of squares, or at a bound of every one.
+    pub(super) fn is_lost(&self) -> bool {
+        matches!(self.end, FitEnd::Stopped(_)) || self.parameters.iter().all(|parameter| parameter.at_bound.is_some())
+    }
+
     /// Whether the search has come to its end.
     pub fn converged(&self) -> bool {
         self.end == FitEnd::Converged

@@ -64,8 +64,14 @@ pub fn fit(
     }
     let start = Arc::new(evaluator.trial(&DVector::zeros(count))?);
     has_influence(&evaluator, &start, &evaluator.derivatives(&start)?)?;
-    let reached = weighted_search(&evaluator, &start, count)?;
-    finished(&evaluator, &start, reached, data - count)
+    let reached = weighted_search(&evaluator, &start, count);
+    let found = reached.and_then(|reached| finished(&evaluator, &start, reached, data - count));
+    let interrupted = evaluator.interrupted.load(Ordering::Relaxed);
+    let is_lost = !interrupted && found.as_ref().map_or(true, Fit::is_lost);
+    match other_scale(measured, &start).filter(|_| is_lost) {
+        Some(why) => Err(why),
+        None => found,
+    }
 }
 
 /// Every parameter has to change the curve.
@@ -143,9 +149,6 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     let jacobian = evaluator.jacobian(&evaluator.derivatives(&best)?, &plain);
     let (standardised, _) = evaluator.standardised(&best, &plain);
     let inside: Vec<usize> = (0..count).filter(|&k| evaluator.coordinates[k].at_bound(best.x[k]).is_none()).collect();
-    if inside.is_empty() && end != FitEnd::Interrupted {
-        of_another_scale(evaluator.measured, start)?;
-    }
     let factor = options.loss.covariance_factor(&standardised, count);
     let covariance = Covariance::new(&jacobian, inside, factor);
     let half = half_interval(estimated.is_some(), freedom);
@@ -234,17 +237,15 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     })
 }
 
-/// That the measured curve is of the size of that at which the search begins: else a column has another unit than its name says, most likely.
-fn of_another_scale(measured: &MeasuredCurve, start: &Trial) -> Result<(), NoFit> {
+/// That the measured curve is not of the size of that at which the search begins: a column has another unit than its name says, most likely.
+fn other_scale(measured: &MeasuredCurve, start: &Trial) -> Option<NoFit> {
     let curve = start.curve.points(PER_STEP);
     let largest = |of: fn(&(f64, f64)) -> f64| curve.iter().map(|at| of(at).abs()).fold(0.0, f64::max);
     let (from, to) = measured.range();
     let forces = Scale { measured: measured.largest_force(), modelled: largest(|at| at.1) };
     let displacements = Scale { measured: from.abs().max(to.abs()), modelled: largest(|at| at.0) };
-    if forces.thousands() == 0 && displacements.thousands() == 0 {
-        return Ok(());
-    }
-    Err(NoFit::OtherScale { forces, displacements })
+    let is_other = forces.thousands() != 0 || displacements.thousands() != 0;
+    is_other.then_some(NoFit::OtherScale { forces, displacements })
 }
 
 /// d of a trial, nm.
