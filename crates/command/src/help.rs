@@ -153,8 +153,8 @@ Examples:
 Files:
   sweep.csv          one row for each value: peak force, plateau, snap-off, work, time, how the path ended. `value` is
                      in nm, GPa, aJ, s, rad, ..., or a plain number; the next column names the key and has the same
-                     number in the unit in which it is given: an angle in degrees. Empty cells: it does not occur. `work_to`: whether work_aJ goes to the first jump or
-                     to the end of a path without one
+                     number in the unit in which it is given: an angle in degrees. Empty cells: it does not occur.
+                     `work_to`: whether work_aJ goes to the first jump or to the end of a path without one
   sweep.svg, .png    these results against the varied value; of two keys, maps of peak force and work over their plane
   parameters.toml    the scene before the sweep, with what --set has changed, and the command
   sweep.partial.jsonl  checkpoint while the sweep runs: each finished value, written at once

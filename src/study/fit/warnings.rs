@@ -110,7 +110,7 @@ impl Fit {
         if let Some(jump) = self.jump.filter(|jump| jump.modelled.is_none()) {
             found.push(FitWarning::NoJump { measured: jump.displacement });
         }
-        found.extend(self.from_exact_displacements());
+        found.extend(self.displacement_warning());
         let freedom = self.degrees_of_freedom as f64;
         let reduced = self.sum_of_squares / freedom;
         if self.estimated_error.is_none() && reduced > 1.0 + MISFIT * (2.0 / freedom).sqrt() {
@@ -123,7 +123,7 @@ impl Fit {
 impl Fit {
     /// That the residuals may be those of the displacements: they are far larger than what neighbouring points show, and largest where the curve is
     /// steep.
-    fn from_exact_displacements(&self) -> Option<FitWarning> {
+    fn displacement_warning(&self) -> Option<FitWarning> {
         let (residual, scatter) = (self.estimated_error?, self.scatter);
         if !self.exact_displacements || residual <= BEYOND_SCATTER * scatter {
             return None;

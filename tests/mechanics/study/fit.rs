@@ -270,13 +270,13 @@ fn what_cannot_be_fitted_is_refused() {
     assert!(matches!(MeasuredCurve::new(back, None), Err(FitDataError::ThereAndBack { .. })));
 }
 
-/// E = 3 GPa and A_H = 0.12 aJ, measured with 0.05 nm and 0.004 nN.
+/// E = 3 GPa and A_H = 0.12 aJ, measured with errors of 0.2 nm and 0.004 nN.
 #[test]
 fn residuals_that_errors_of_displacements_make_are_said_to_be_so() {
     let truth = Truth { hamaker: 0.12, modulus: 3.0, ..TRUTH };
     let mut random = ChaCha8Rng::seed_from_u64(4);
     let mut points = with_noise(&exact(truth, 0.0), 0.004, 5);
-    points.iter_mut().for_each(|point| point.displacement += 0.05 * normal(&mut random));
+    points.iter_mut().for_each(|point| point.displacement += 0.2 * normal(&mut random));
     let problem = problem(truth, &[("hamaker", 0.1), ("modulus", 2.0)]);
     let options = FitOptions { profile: ProfileChoice::None, ..FitOptions::default() };
     let proposed = |fit: &Fit| {
@@ -287,26 +287,26 @@ fn residuals_that_errors_of_displacements_make_are_said_to_be_so() {
     };
     let fit = fitted(&problem, points.clone(), &options).unwrap();
     let error = proposed(&fit).unwrap_or_else(|| panic!("{:?} {:?}", fit.estimated_error, fit.scatter));
-    assert!((0.01..0.5).contains(&error), "{error}");
-    let fit = fitted(&problem, points, &FitOptions { displacement_error: Some(0.05), ..options }).unwrap();
+    assert!((0.04..1.0).contains(&error), "{error}");
+    let fit = fitted(&problem, points, &FitOptions { displacement_error: Some(0.2), ..options }).unwrap();
     assert_eq!(proposed(&fit), None);
-    assert!(holds(&fit, 1, 3.0), "{:?}", fit.parameters);
     let good = fitted(&problem, noisy(&exact(truth, 0.0), 6), &options).unwrap();
     assert_eq!(proposed(&good), None);
 }
 
-/// A curve in µm and µN under the heading of nm and nN, and the other way round.
+/// A curve in nm and nN under the heading of µm and µN, and forces the other way round: of displacements that are too small the model is followed no
+/// farther.
 #[test]
 fn a_curve_in_another_unit_is_refused_with_the_likely_one() {
     let problem = problem(TRUTH, &[("hamaker", 0.13), ("modulus", 1.5)]);
-    for (factor, given, meant) in [(1e3, "u", "n"), (1e-3, "n", "u")] {
+    for (factor, given, meant, units) in [(1e3, "u", "n", &["N", "m"][..]), (1e-3, "n", "u", &["N"])] {
         let mut points = noisy(&exact(TRUTH, 0.0), 2);
         for point in &mut points {
             (point.displacement, point.force) = (factor * point.displacement, factor * point.force);
         }
         let refused = fitted(&problem, points, &FitOptions::default()).unwrap_err();
         assert!(matches!(refused, NoFit::OtherScale { .. }), "{refused}");
-        for unit in ["N", "m"] {
+        for unit in units {
             let said = format!("{given}{unit} is written there and {meant}{unit} is meant");
             assert!(refused.remedy().contains(&said), "{}", refused.remedy());
         }
