@@ -284,7 +284,7 @@ mod tests {
         assert_eq!(refused.to_string(), format!("{} is in use: process {mine} writes to it", out.display()));
         drop(holder);
         OutputFolder::claim(&out, Existing::Replace).unwrap();
-        assert_eq!(listing(dir.path()), [""; 0]);
+        assert!(listing(dir.path()).is_empty());
     }
 
     #[test]

@@ -45,7 +45,7 @@ fn bands(points: &[SetaPoint], micro: &[f64]) -> Vec<Band> {
     let band = |(index, step): (usize, &SetaMotion)| {
         let own = || points.iter().zip(micro).filter(|(point, _)| point.step == step.step).map(|(_, &at)| at);
         let colour = if index % 2 == 0 { colour::ORANGE } else { colour::GREEN };
-        Some(Band { from: own().next()?, to: own().last()?, colour, name: Some(step.name.to_owned()) })
+        Some(Band { from: own().next()?, to: own().next_back()?, colour, name: Some(step.name.to_owned()) })
     };
     before.iter().enumerate().filter_map(band).collect()
 }
