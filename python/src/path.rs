@@ -80,7 +80,7 @@ fn follow(
     let criteria = StopCriteria { points: bounds.points, displacement: bounds.displacement, should_stop: None }
         .or_when(move |_: Stage| left().then_some(StopReason::Interrupted));
     let mut path = PathPoints::new(model, &start.problem, options, accuracy, criteria);
-    while let Some(point) = path.next() {
+    for point in path.by_ref() {
         let over = point.is_err();
         let sent = found.send(point.map(|point| Next::Point(handed(&point))).map_err(|error| error.to_string()));
         if over || sent.is_err() || asked.recv().is_err() {
