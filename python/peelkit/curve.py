@@ -86,6 +86,18 @@ class Curve(Mapping[str, NDArray[Any]]):
         """How many columns."""
         return len(self._columns)
 
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        """Return a row a point and a column a name, in the order of the names.
+
+        Raises
+        ------
+        ValueError
+            Where no copy is allowed: the columns do not lie beside each other.
+        """
+        if copy is False:
+            raise ValueError("the columns of a curve are arrays of their own: an array of all of them is a copy")
+        return np.column_stack([np.asarray(column, dtype=dtype or np.float64) for column in self._columns.values()])
+
     def to_pandas(self) -> pandas.DataFrame:
         """Return a table with the columns of ``curve.csv``, units in their names; pandas has to be installed."""
         import pandas

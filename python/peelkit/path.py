@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from . import _native
+from .errors import ComputationWarning
 
 __all__ = ["Path", "PathPoint"]
 
@@ -37,23 +39,37 @@ class PathPoint:
 
 
 class Path(Iterator[PathPoint]):
-    """A path that is computed as far as it is asked for: an iterator without end; :meth:`Scene.path` makes one.
+    """A path that is computed as far as it is asked for; :meth:`Scene.path` makes one.
 
-    Nothing is located or bounded on it; :meth:`Scene.run` does that.
+    It ends where the path of :meth:`Scene.run` ends. Nothing is located or bounded on it; :meth:`Scene.run` does that.
     """
 
     def __init__(self, native: _native.Path) -> None:
         self._native = native
+
+    @property
+    def end(self) -> str | None:
+        """How the path has ended, as ``Peel.end`` says it; none before that."""
+        return self._native.end()
 
     def __next__(self) -> PathPoint:
         """Compute the next point, with the interpreter released.
 
         Raises
         ------
+        StopIteration
+            At the end of the path.
         ComputationError
-            Where it cannot be computed; the path ends there.
+            Where a point cannot be computed; the path ends there.
+
+        Warns
+        -----
+        ComputationWarning
+            Where a bound of the scene ends it.
         """
         point = self._native.advance()
         if point is None:
+            if self.end == "bound":
+                warnings.warn("the path goes on: a bound of the scene was reached", ComputationWarning, stacklevel=2)
             raise StopIteration
         return PathPoint(*point)

@@ -159,8 +159,9 @@ class Scene:
             Where it stopped short.
         """
         peel = Peel(self._native.run(), self)
-        if peel.end in ("failed", "refused"):
-            warnings.warn(f"the computation stopped short: {peel.reason}", ComputationWarning, stacklevel=2)
+        if peel.end in ("failed", "refused", "bound"):
+            short = "the path goes on" if peel.end == "bound" else "the computation stopped short"
+            warnings.warn(f"{short}: {peel.reason}", ComputationWarning, stacklevel=2)
         return peel
 
     def test(self) -> Test:
@@ -202,7 +203,7 @@ class Scene:
         Returns
         -------
         Path
-            Without end: leave the loop where enough is known.
+            To the end of the path; leave the loop where enough is known.
 
         Examples
         --------

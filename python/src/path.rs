@@ -4,8 +4,10 @@ use crate::errors::{computation_error, refused};
 use crate::interrupt::Watch;
 use crate::scene::NativeScene;
 use peelkit::model::{Discretisation, PeelModel};
-use peelkit::solve::{Path, PathOptions, ShouldStop, Solution};
-use peelkit::study::{FOLLOWED_ORDER, prepared};
+use peelkit::solve::{PathOptions, ShouldStop, Solution};
+use peelkit::study::{Accuracy, FOLLOWED_ORDER, PathPoints, Stage, StopCriteria, StopReason, prepared};
+use peelkit_report::end_word;
+use peelkit_scene::BoundsTable;
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -23,7 +25,15 @@ pub struct NativePath {
 /// What connects to the thread that follows the path.
 struct Line {
     requests: Sender<()>,
-    points: Receiver<Result<Point, String>>,
+    points: Receiver<Result<Next, String>>,
+    /// How the path has ended
+    end: Option<&'static str>,
+}
+
+/// What a request is answered with.
+enum Next {
+    Point(Point),
+    End(&'static str),
 }
 
 /// Displacement, force, energy, negative eigenvalues with the displacement and with the force held, Newton iterations.
@@ -36,7 +46,8 @@ pub fn path(py: Python, scene: &NativeScene, elements: usize, step_tolerance: f6
     let scene = &scene.source.scene;
     scene.check().map_err(|error| refused(py, format!("`{}` {}", error.key(), error.found()), &error.remedy()))?;
     let model = scene.model.in_the_plane().unwrap_or_else(|| scene.model.clone());
-    let choice = scene.accuracy.choice;
+    let (accuracy, bounds) = (scene.accuracy, scene.bounds);
+    let choice = accuracy.choice;
     let how = Discretisation { form: choice.form, order: FOLLOWED_ORDER, mesh: choice.mesh };
     let left = Arc::new(AtomicBool::new(false));
     let ((requests, asked), (found, points)) = (channel(), channel());
@@ -44,17 +55,18 @@ pub fn path(py: Python, scene: &NativeScene, elements: usize, step_tolerance: f6
         let left = Arc::clone(&left);
         Arc::new(move || left.load(Ordering::Relaxed))
     };
-    thread::spawn(move || follow(&model, (how, options), &stop, &asked, &found));
-    Ok(NativePath { line: Mutex::new(Line { requests, points }), left })
+    thread::spawn(move || follow(&model, (how, options), (&accuracy, bounds), &stop, &asked, &found));
+    Ok(NativePath { line: Mutex::new(Line { requests, points, end: None }), left })
 }
 
-/// Follows the path as long as somebody asks for points.
+/// Follows the path as long as somebody asks for points, and to its end.
 fn follow(
     model: &PeelModel,
     (how, options): (Discretisation, PathOptions),
+    (accuracy, bounds): (&Accuracy, BoundsTable),
     stop: &ShouldStop,
     asked: &Receiver<()>,
-    found: &Sender<Result<Point, String>>,
+    found: &Sender<Result<Next, String>>,
 ) {
     if asked.recv().is_err() {
         return;
@@ -64,13 +76,19 @@ fn follow(
         // nobody may wait for it any more
         Err(error) => return drop(found.send(Err(error.why.to_string()))),
     };
-    for point in Path::new(&start.problem, options).until(Some(Arc::clone(stop))) {
+    let left = Arc::clone(stop);
+    let criteria = StopCriteria { points: bounds.points, displacement: bounds.displacement, should_stop: None }
+        .or_when(move |_: Stage| left().then_some(StopReason::Interrupted));
+    let mut path = PathPoints::new(model, &start.problem, options, accuracy, criteria);
+    for point in path.by_ref() {
         let over = point.is_err();
-        let sent = found.send(point.map(|point| handed(&point)).map_err(|error| error.to_string()));
+        let sent = found.send(point.map(|point| Next::Point(handed(&point))).map_err(|error| error.to_string()));
         if over || sent.is_err() || asked.recv().is_err() {
             return;
         }
     }
+    // nobody may wait for it any more
+    path.end().into_iter().for_each(|end| drop(found.send(Ok(Next::End(end_word(end))))));
 }
 
 fn handed(point: &Solution) -> Point {
@@ -80,15 +98,27 @@ fn handed(point: &Solution) -> Point {
 
 #[pymethods]
 impl NativePath {
-    /// The next point, computed without the interpreter; none behind one that could not be computed.
+    /// The next point, computed without the interpreter; none behind the end of the path, or one that could not be computed.
     fn advance(&self, py: Python) -> PyResult<Option<Point>> {
         let watch = Watch::begin();
         let found = py.detach(|| {
-            let line = self.line.lock().unwrap_or_else(PoisonError::into_inner);
-            line.requests.send(()).ok().and_then(|()| watch.wait(&line.points))
+            let mut line = self.line.lock().unwrap_or_else(PoisonError::into_inner);
+            let found = line.requests.send(()).ok().and_then(|()| watch.wait(&line.points));
+            if let Some(Ok(Next::End(end))) = found {
+                line.end = Some(end);
+            }
+            found
         });
         watch.end().inspect_err(|_| self.left.store(true, Ordering::Relaxed))?;
-        found.transpose().map_err(|reason| computation_error(py, reason))
+        match found.transpose().map_err(|reason| computation_error(py, reason))? {
+            Some(Next::Point(point)) => Ok(Some(point)),
+            Some(Next::End(_)) | None => Ok(None),
+        }
+    }
+
+    /// How the path has ended; none before that.
+    fn end(&self) -> Option<&'static str> {
+        self.line.lock().unwrap_or_else(PoisonError::into_inner).end
     }
 }
 

@@ -103,3 +103,29 @@ def test_a_path_is_driven_point_by_point(strip: peelkit.Scene) -> None:
     first = next(path)
     assert (iter(path) is path) and first.negative_eigenvalues == 0
     assert next(path).displacement > first.displacement
+
+
+def test_a_path_that_is_iterated_ends_where_the_run_does(strip: peelkit.Scene) -> None:
+    path = strip.path()
+    points = list(path)
+    # the last point is the first beyond the end: there the force has come back to zero
+    assert path.end == strip.run().end == "pivoting"
+    assert points[-1].force <= 0.0 < points[-2].force
+    assert next(path, None) is None
+    with pytest.warns(peelkit.ComputationWarning, match="goes on"):
+        assert len(list(strip.with_("bounds.points", 5).path())) == 5
+
+
+def test_a_path_that_a_bound_cuts_warns(strip: peelkit.Scene) -> None:
+    with pytest.warns(peelkit.ComputationWarning, match="bounds.points = 3"):
+        assert strip.with_("bounds.points", 3).run().end == "bound"
+
+
+def test_a_curve_as_an_array_has_its_numbers(strip: peelkit.Scene) -> None:
+    curve = strip.run().curve
+    array = np.asarray(curve)
+    assert array.dtype == np.float64 and array.shape == (len(curve.force), len(curve))
+    assert (array[:, list(curve).index("force")] == curve.force).all()
+    assert np.asarray(curve, dtype=np.float32).dtype == np.float32
+    with pytest.raises(ValueError, match="copy"):
+        curve.__array__(copy=False)

@@ -115,6 +115,21 @@ fn what_cannot_be_fitted_is_refused_with_what_would_be_right() {
     assert!(!dir.path().join("out").exists());
 }
 
+/// The most common mistake: numbers in nm and nN under the heading of µm and µN.
+#[test]
+fn a_wrong_unit_in_the_heading_is_refused_with_the_likely_one() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(format!("{SCENES}/strip-fit.csv")).unwrap();
+    let (_, rows) = text.split_once("force_nN\n").unwrap();
+    std::fs::write(dir.path().join("um.csv"), format!("displacement_um,force_uN\n{rows}")).unwrap();
+    let (status, text, trouble) = fit(dir.path(), "um.csv", &[]);
+    let plain = trouble.replace(['\n', '│'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!((status, text.as_str()), (Some(2), ""), "{trouble}");
+    for part in ["uN is written there and nN is meant", "um is written there and nm is meant"] {
+        assert!(plain.contains(part), "{plain}");
+    }
+}
+
 /// A law with a work of adhesion and a strength of its own takes nothing from the half space.
 #[test]
 fn a_parameter_without_influence_is_refused() {

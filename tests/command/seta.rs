@@ -143,7 +143,7 @@ fn setae_are_swept() {
     assert!(text.contains("first event"), "{text}");
     let table = || fs::read_to_string(dir.path().join("out/sweep.csv")).unwrap();
     assert_eq!(table().lines().count(), 3);
-    assert!(table().starts_with("value,value_2,seta.shaft_angle_rad,seta.tip_pitch_nm,peak_force_nN"), "{}", table());
+    assert!(table().starts_with("value,value_2,seta.shaft_angle_deg,seta.tip_pitch_nm,peak_force_nN"), "{}", table());
     assert!(!dir.path().join("out/sweep.partial.jsonl").exists() && dir.path().join("out/sweep.svg").exists());
 }
 

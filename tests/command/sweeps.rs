@@ -55,6 +55,41 @@ fn a_list_of_values_takes_the_place_of_a_range() {
 }
 
 #[test]
+fn angles_come_out_in_the_degrees_in_which_they_are_given() {
+    let dir = tempdir().unwrap();
+    let vary = ["sweep", SCENE, "--vary", "drive.angle", "--values", "60,75,90 deg", "--out", "out"];
+    let text = done(dir.path(), &[&vary[..], &ROUGHLY].concat());
+    assert!(text.contains("drive.angle varied, in deg"), "{text}");
+    let first = |line: &str| line.split_whitespace().next().map(str::to_owned);
+    let shown: Vec<String> = text.lines().filter_map(first).filter(|word| word.parse::<f64>().is_ok()).collect();
+    assert_eq!(shown, ["60", "75", "90"]);
+    let (names, rows) = table(&dir.path().join("out/sweep.csv"));
+    assert_eq!(names[..2], ["value", "drive.angle_deg"]);
+    assert_eq!(rows.iter().map(|row| row["drive.angle_deg"].as_str()).collect::<Vec<_>>(), ["60", "75", "90"]);
+    let radians: f64 = rows[0]["value"].parse().unwrap();
+    assert!((radians.to_degrees() - 60.0).abs() < 1e-12);
+    // its own picture and an overlay draw them alike
+    done(dir.path(), &["plot", "out", "--out", "both"]);
+    let picture = fs::read_to_string(dir.path().join("both/plot.svg")).unwrap();
+    assert!(picture.contains("(deg)"), "the axis is in degrees");
+}
+
+#[test]
+fn a_range_of_one_value_and_an_empty_list_are_refused() {
+    let dir = tempdir().unwrap();
+    let sweep = |more: &[&'static str]| [&["sweep", SCENE, "--vary", "strip.length"][..], more].concat();
+    let range = ["--from", "100 nm", "--to", "10 nm", "--points", "1"];
+    refused(
+        dir.path(),
+        &sweep(&range),
+        "--points 1 for strip.length is one value, and --from 100 nm and --to 10 nm are two",
+    );
+    refused(dir.path(), &sweep(&["--values", ""]), "has an empty list of --values");
+    let same = ["--from", "100 nm", "--to", "100 nm", "--points", "1", "--json"];
+    done(dir.path(), &[&sweep(&same)[..], &ROUGHLY].concat());
+}
+
+#[test]
 fn two_keys_make_a_plane_with_a_map() {
     let dir = tempdir().unwrap();
     let plane = ["--vary", "strip.height", "--values", "9 nm,10 nm,11 nm", "--vary", "strip.youngs_modulus"];

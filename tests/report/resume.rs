@@ -16,9 +16,11 @@
 use crate::strip::{STRIP_SCENE, paper_strip, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
+use peelkit::solve::{PathOptions, Waypoint};
 use peelkit::study::{Accuracy, Checkpoint, Peel, Stage, StopReason, peel, peel_on};
-use peelkit_report::{PartialRun, PeelSummary, ReportError, write_curve, write_limit_points};
+use peelkit_report::{DamagedPart, PartialFile, PartialRun, PeelSummary, ReportError, write_curve, write_limit_points};
 use peelkit_scene::{BoundsTable, Scene};
+use std::cell::RefCell;
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -145,7 +147,41 @@ fn of_a_torn_file_the_whole_points_are_taken() {
     );
     let mut turned = kept.clone();
     turned[header + 5 * point + point / 2] ^= 1;
+    fs::write(&file, &turned).unwrap();
+    let opened = PartialRun::open(dir.path(), &scene).unwrap();
+    assert_eq!(opened.damaged().map(|damaged| &damaged.what), Some(&DamagedPart::PointsFrom(6)));
     assert_eq!(torn(&turned), 5, "a bit has turned in the sixth point");
+}
+
+#[test]
+fn a_file_that_is_removed_meanwhile_is_written_again_with_all_of_its_points() {
+    let scene = scene(paper_strip(100.0, 1.0), 1e-6);
+    let dir = tempdir().unwrap();
+    let out = dir.path().join("out");
+    run(&out, &scene, 5);
+    let partial = PartialRun::open(&out, &scene).unwrap();
+    let (options, waypoint) = first_point(&scene);
+    for _ in 0..2 {
+        partial.keep(&options, waypoint.clone());
+        assert!(partial.write_all().unwrap());
+        fs::remove_dir_all(&out).unwrap();
+    }
+    partial.keep(&options, waypoint);
+    assert!(partial.write_all().unwrap());
+    assert_eq!(PartialRun::open(&out, &scene).unwrap().points_taken(), 8);
+}
+
+fn first_point(scene: &Scene) -> (PathOptions, Waypoint) {
+    let first = RefCell::new(None);
+    let checkpoint = Checkpoint {
+        taken: &|_| Vec::new(),
+        keep: &|options, waypoint| {
+            first.borrow_mut().get_or_insert((*options, waypoint));
+        },
+    };
+    let bounds = BoundsTable { points: 3, ..scene.bounds };
+    peel_on(&scene.model, &scene.accuracy, &bounds.from_now(), &checkpoint);
+    first.into_inner().unwrap()
 }
 
 #[test]

@@ -43,11 +43,21 @@ fn what_does_not_belong_to_a_substrate_is_named() {
 }
 
 #[test]
+fn a_list_in_place_of_a_quantity_is_called_one() {
+    let error = with("strip.length", "[\"1 nm\", \"2 nm\"]").unwrap_err();
+    assert_says(&error, &["`strip.length` is a list: [\"1 nm\", \"2 nm\"]", "a length above zero with its unit"]);
+}
+
+#[test]
 fn a_scene_peels_one_body() {
     let both = MINIMAL.to_owned() + "[spatula]\ntip_width = \"100 nm\"\n";
     assert_says(
         &complaint(&both),
-        &["dir/a.toml, line 10: `spatula.tip_width`", "a [strip]", "[strip], [spatula], [profile]"],
+        &[
+            "dir/a.toml, line 10: `spatula.tip_width`",
+            "a [strip]",
+            "[strip], [spatula], [profile]; a [seta] may stand beside",
+        ],
     );
     let error = with("spatula.tip_width", "100 nm").unwrap_err();
     assert_says(&error, &["--set spatula.tip_width=100 nm", "the scene peels a [strip]"]);

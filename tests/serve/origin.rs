@@ -36,6 +36,21 @@ fn a_host_with_a_name_is_refused() {
     assert_eq!(server.raw(b"GET / HTTP/1.0\r\n\r\n").status, 403);
 }
 
+/// What names two hosts is not believed to be for this one.
+#[test]
+fn a_request_of_two_hosts_is_refused() {
+    let server = Running::usual();
+    let own = &server.address;
+    for (head, status) in [
+        (format!("GET / HTTP/1.1\r\nHost: {own}\r\nHost: evil.example"), 400),
+        (format!("GET http://evil.example/ HTTP/1.1\r\nHost: {own}"), 403),
+        (format!("GET http://{own}/ HTTP/1.1\r\nHost: {own}"), 200),
+    ] {
+        let reply = server.raw(format!("{head}\r\nConnection: close\r\n\r\n").as_bytes());
+        assert_eq!(reply.status, status, "{head}");
+    }
+}
+
 /// A form of another page can send text, and no JSON without asking first.
 #[test]
 fn a_form_is_refused() {

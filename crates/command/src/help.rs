@@ -17,6 +17,9 @@ A quantity is a text with its unit: \"100 nm\", \"0.1 um\", \"2 GPa\", \"2000 MP
 The name of an output includes its unit: force_nN, displacement_nm, work_aJ (1 aJ = 1 nN nm). A positive force pulls
 the grip away from the surface.";
 
+const KEYS_ELSEWHERE: &str = "\
+Keys of a scene: peel keys lists them with units, defaults and ranges, peel keys TABLE those of one table.";
+
 pub const OUTPUTS: &str = "\
 The output files appear in their folder all at once, when the command is done. A folder that is not empty is refused
 before anything is computed. With --force, files of the same names are replaced and all others stay.";
@@ -47,9 +50,9 @@ Examples:
 
 {UNITS}
 
-{}
-{EXIT_STATUS}",
-        keys()
+{KEYS_ELSEWHERE}
+
+{EXIT_STATUS}"
     )
 }
 
@@ -150,9 +153,9 @@ Examples:
 
 Files:
   sweep.csv          one row for each value: peak force, plateau, snap-off, work, time, how the path ended. `value` is
-                     in nm, GPa, aJ, s, rad, ..., or a plain number; the next column has the same number and names its
-                     key and unit. Empty cells: it does not occur. `work_to`: whether work_aJ goes to the first jump or
-                     to the end of a path without one
+                     in nm, GPa, aJ, s, rad, ..., or a plain number; the next column names the key and has the same
+                     number in the unit in which it is given: an angle in degrees. Empty cells: it does not occur.
+                     `work_to`: whether work_aJ goes to the first jump or to the end of a path without one
   sweep.svg, .png    these results against the varied value; of two keys, maps of peak force and work over their plane
   parameters.toml    the scene before the sweep, with what --set has changed, and the command
   sweep.partial.jsonl  checkpoint while the sweep runs: each finished value, written at once
@@ -185,9 +188,9 @@ With --json the object holds scene, title, vary, unit, rows (the columns of swee
 
 {UNITS}
 
-{}
-{EXIT_STATUS}",
-        keys()
+{KEYS_ELSEWHERE}
+
+{EXIT_STATUS}"
     )
 }
 

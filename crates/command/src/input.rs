@@ -4,7 +4,13 @@ use crate::folder_name::default_folder;
 use crate::stop::Stop;
 use clap::Args;
 use peelkit_scene::{Scene, SceneError};
+use std::fmt::Display;
+use std::fs::{self, File};
+use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
 
 #[derive(Args)]
 pub struct SceneArgs {
@@ -46,12 +52,7 @@ pub fn read_scene(path: &Path, overrides: &[(String, String)]) -> Result<Scene, 
 
 fn read(path: &Path, parse: impl FnOnce(&str, &str) -> Result<Scene, SceneError>) -> Result<Scene, Stop> {
     let name = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|error| {
-        Stop::bad_input(
-            format!("cannot read the scene {name}: {error}"),
-            "Give the path of a scene file; `peel new` writes a template.",
-        )
-    })?;
+    let bytes = bytes(path)?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let valid = error.utf8_error().valid_up_to();
         let line = 1 + error.as_bytes()[..valid].iter().filter(|&&byte| byte == b'\n').count();
@@ -61,6 +62,63 @@ fn read(path: &Path, parse: impl FnOnce(&str, &str) -> Result<Scene, SceneError>
         )
     })?;
     Ok(parse(&name, &text)?)
+}
+
+/// Most bytes of a scene.
+const LARGEST: u64 = 10_000_000;
+/// So long a pipe may say nothing.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// The bytes of a file, or of a pipe whose other end writes.
+fn bytes(path: &Path) -> Result<Vec<u8>, Stop> {
+    let name = path.display().to_string();
+    let refused =
+        |why: &dyn Display, remedy: &str| Stop::bad_input(format!("cannot read the scene {name}: {why}"), remedy);
+    const GIVE: &str = "Give the path of a scene file; `peel new` writes a template.";
+    let kind = fs::metadata(path).map_err(|error| refused(&error, GIVE))?;
+    if kind.is_dir() {
+        return Err(refused(&"it is a folder", &in_folder(path)));
+    }
+    let (found, read) = channel();
+    let own = path.to_path_buf();
+    let reader = move || {
+        let mut bytes = Vec::new();
+        let whole = File::open(own).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes));
+        // nobody listens any more where it has taken too long
+        let _ = found.send(whole.map(|_| bytes));
+    };
+    thread::spawn(reader);
+    let read = match kind.is_file() {
+        true => read.recv().map_err(|_| RecvTimeoutError::Disconnected),
+        false => read.recv_timeout(PATIENCE),
+    };
+    let seconds = PATIENCE.as_secs();
+    let bytes = match read {
+        Ok(whole) => whole.map_err(|error| refused(&error, GIVE))?,
+        Err(_) => {
+            return Err(refused(
+                &format!("it is no file, and its other end was not written to and closed in {seconds} s"),
+                "Give a scene file, or write the scene to the pipe at once.",
+            ));
+        }
+    };
+    if bytes.len() as u64 > LARGEST {
+        return Err(refused(
+            &format!("it has more than {} MB", LARGEST / 1_000_000),
+            "Give a scene: a text of some lines. The table of a profile stands in a file of its own.",
+        ));
+    }
+    Ok(bytes)
+}
+
+/// What to give in place of a folder: a scene in it, where there is one.
+fn in_folder(path: &Path) -> String {
+    let is_scene = |file: &PathBuf| file.extension().is_some_and(|extension| extension == "toml");
+    let files = fs::read_dir(path).into_iter().flatten().flatten().map(|entry| entry.path());
+    match files.filter(is_scene).min() {
+        Some(scene) => format!("Give a file in it, such as {}.", scene.display()),
+        None => "Give the path of a scene file; `peel new` writes a template.".to_owned(),
+    }
 }
 
 pub fn parse_override(text: &str) -> Result<(String, String), String> {

@@ -3,7 +3,7 @@
 use crate::stop::Stop;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use peelkit_report::{Existing, OutputFolder, ReportError};
+use peelkit_report::{Existing, OutputFolder, PartialFile, ReportError};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -26,8 +26,37 @@ pub struct OutArgs {
 impl OutArgs {
     /// The folder, if it may be written to; to be asked before anything is computed.
     pub fn claim(&self, folder: &Path) -> Result<OutputFolder, ReportError> {
-        OutputFolder::claim(folder, if self.force { Existing::Replace } else { Existing::Keep })
+        OutputFolder::claim(folder, self.existing())
     }
+
+    /// The checkpoint of a command in its folder, and that folder: one that holds a checkpoint is one to go on with. What is damaged of it is said on
+    /// standard error.
+    pub fn claim_unfinished<P: PartialFile>(
+        &self,
+        folder: &Path,
+        fresh: bool,
+        open: impl FnOnce(&Path) -> Result<P, ReportError>,
+    ) -> Result<(P, OutputFolder), ReportError> {
+        let output = OutputFolder::claim_with_checkpoint(folder, self.existing(), P::NAME)?;
+        if fresh {
+            P::discard(folder)?;
+        }
+        let partial = open(folder)?;
+        if let Some(damaged) = partial.damaged() {
+            warn(damaged);
+        }
+        Ok((partial, output))
+    }
+
+    fn existing(&self) -> Existing {
+        if self.force { Existing::Replace } else { Existing::Keep }
+    }
+}
+
+/// Says on standard error what does not stop the command.
+pub fn warn(text: impl std::fmt::Display) {
+    // nobody reads it where standard error is closed
+    let _ = writeln!(std::io::stderr(), "warning: {text}");
 }
 
 /// Writes to standard output. A reader that has closed the pipe is no error.

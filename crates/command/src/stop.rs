@@ -40,6 +40,11 @@ impl Stop {
         Self { status: Status::Other, report: miette::miette!("{reason}") }
     }
 
+    /// The same with what to try.
+    pub fn other_with(reason: impl std::fmt::Display, remedy: &'static str) -> Self {
+        Self { status: Status::Other, report: miette::miette!(help = remedy, "{reason}") }
+    }
+
     /// Reports the message on standard error.
     pub fn report(self) -> ExitCode {
         // Where standard error is closed nobody reads it; the status still says it.
@@ -61,6 +66,9 @@ impl From<ReportError> for Stop {
                 &error,
                 "Give another folder with --out DIR, or --force to replace the files of the same names.",
             ),
+            ReportError::InUse { .. } => {
+                Self::bad_input(&error, "Wait until it has ended, or give another folder with --out DIR.")
+            }
             ReportError::OtherSweep { .. } => Self::bad_input(
                 &error,
                 "Finish that sweep with its own command, or give another folder with --out DIR, or --fresh to discard its values.",
@@ -79,6 +87,10 @@ impl From<ReportError> for Stop {
             ReportError::OtherRun { .. } => Self::bad_input(
                 &error,
                 "Finish that run with its own command, or give another folder with --out DIR, or --fresh to discard its points.",
+            ),
+            ReportError::Write { .. } => Self::other_with(
+                &error,
+                "Give a folder in which you may write with --out DIR, and make room on the disk where it is full.",
             ),
             _ => Self::other(error),
         }
@@ -100,6 +112,7 @@ mod tests {
         let report = ReportError::Draw { path: "x".into(), reason: "y".into() };
         assert_eq!(status(report.into()), 1);
         assert_eq!(status(ReportError::Exists { path: "x".into() }.into()), 2);
+        assert_eq!(status(ReportError::InUse { path: "x".into(), process: Some(1) }.into()), 2);
         assert_eq!(status(ReportError::OtherSweep { path: "x".into() }.into()), 2);
         assert_eq!(status(ReportError::OtherOptimisation { path: "x".into() }.into()), 2);
         assert_eq!(status(ReportError::OtherSample { path: "x".into() }.into()), 2);

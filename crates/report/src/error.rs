@@ -19,6 +19,14 @@ pub enum ReportError {
         /// The folder.
         path: PathBuf,
     },
+    /// Another process writes to the folder.
+    #[error("{path} is in use: {} writes to it", process.map_or("another process".to_owned(), |process| format!("process {process}")))]
+    InUse {
+        /// The folder.
+        path: PathBuf,
+        /// The number of that process, where it is known.
+        process: Option<u32>,
+    },
     /// The rows of another sweep would be lost.
     #[error("{path} is the checkpoint of an interrupted sweep of another scene, key, part or version")]
     OtherSweep {
@@ -94,6 +102,7 @@ impl ReportError {
     pub(super) fn with_path(mut self, other: impl Fn(&Path) -> PathBuf) -> Self {
         let (Self::Write { path, .. }
         | Self::Exists { path }
+        | Self::InUse { path, .. }
         | Self::OtherSweep { path }
         | Self::OtherSample { path }
         | Self::OtherOptimisation { path }

@@ -9,16 +9,18 @@ use std::path::{Path, PathBuf};
 ///
 /// Fails with [`ReportError::Write`]; what stood there before is untouched then.
 pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
+    replace(path, content).map_err(|source| ReportError::Write { path: path.to_path_buf(), source })
+}
+
+/// The same, with the error of the system.
+pub(crate) fn replace(path: &Path, content: &[u8]) -> io::Result<()> {
     let dir = path.parent().unwrap_or(Path::new(""));
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let part = dir.join(format!(".{name}.{}.part", std::process::id()));
     let written =
         fs::create_dir_all(dir).and_then(|()| fs::write(&part, content)).and_then(|()| fs::rename(&part, path));
-    written.map_err(|source| {
-        // The error is reported; what a failed attempt may leave behind is not worth a second one.
-        let _ = fs::remove_file(&part);
-        ReportError::Write { path: path.to_path_buf(), source }
-    })
+    // The error is reported; what a failed attempt may leave behind is not worth a second one.
+    written.inspect_err(|_| drop(fs::remove_file(&part)))
 }
 
 /// Writes summary.json of this text, and says where it stands.

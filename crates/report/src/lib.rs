@@ -30,8 +30,9 @@ mod tip_law;
 
 pub use animation::{Pose, poses, write_animation};
 pub use checkpoint::{
-    DividedSweep, Part, PartAxis, PartHeader, PartialCollection, PartialOptimisation, PartialRun, PartialSeta,
-    PartialSweep, PartialUncertainty, SetaCheckpoint, Storable, SweepPart,
+    Damaged, DamagedPart, DividedSweep, Part, PartAxis, PartHeader, PartialCollection, PartialFile,
+    PartialOptimisation, PartialRun, PartialSeta, PartialSweep, PartialUncertainty, SetaCheckpoint, Storable,
+    SweepPart,
 };
 pub use error::ReportError;
 pub use file::write_whole;
@@ -50,7 +51,7 @@ pub use rate::{
     draw_swept_rates, write_rate_curve, write_swept_rates,
 };
 pub use seta::{
-    SETA_STATE_FIELDS, SetaLine, SetaPose, SetaRow, SetaStateField, SetaSummary, TipEvents, draw_pull_off,
+    SETA_STATE_FIELDS, SetaLine, SetaMotion, SetaPose, SetaRow, SetaStateField, SetaSummary, TipEvents, draw_pull_off,
     draw_swept_setae, seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve,
     write_seta_equilibria, write_seta_events, write_seta_rate_events, write_seta_states, write_swept_setae,
     write_tip_curve, write_tips,
@@ -61,7 +62,7 @@ pub use summary::{
     UncertaintySummary, VERSION, ground_warning, left_out, why_kept,
 };
 pub use sweep_row::SweepRow;
-pub use swept_keys::SweptKeys;
+pub use swept_keys::{SweptKeys, as_given};
 pub use tables::{
     SweepLine, curve_csv, work_to, write_branch, write_curve, write_equilibria, write_fit, write_followed,
     write_history, write_limit_points, write_observed, write_samples, write_sweep, write_table, write_tip_law,

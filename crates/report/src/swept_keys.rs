@@ -18,9 +18,14 @@ impl<'k> From<&'k Key> for SweptKeys<'k> {
 }
 
 impl SweptKeys<'_> {
-    /// The names of their columns, with units: `strip.length_nm`.
+    /// The names of their columns, with the units in which a user gives them: `strip.length_nm`, `drive.angle_deg`.
     pub fn columns(&self) -> Vec<String> {
-        [Some(self.first), self.second].into_iter().flatten().map(column).collect()
+        self.keys().map(|key| column(key, key.usual_unit())).collect()
+    }
+
+    /// One key or two.
+    pub fn keys(&self) -> impl Iterator<Item = &Key> {
+        [Some(self.first), self.second].into_iter().flatten()
     }
 
     /// As messages and checkpoints call them: `strip.length and strip.height`.
@@ -32,8 +37,16 @@ impl SweptKeys<'_> {
     }
 }
 
+/// A number in the unit in which a user gives the key: an angle in degrees, with what the change of the unit rounds rounded back.
+pub fn as_given(key: &Key, number: f64) -> f64 {
+    match key.per_usual_unit() {
+        1.0 => number,
+        scale => format!("{:.13e}", scale * number).parse().unwrap_or(scale * number),
+    }
+}
+
 /// The key with the unit of its number in its name.
-pub(crate) fn column(key: &Key) -> String {
-    let unit = key.unit().replace('/', "_per_");
+pub(crate) fn column(key: &Key, unit: &str) -> String {
+    let unit = unit.replace('/', "_per_");
     if unit.is_empty() { key.path() } else { format!("{}_{unit}", key.path()) }
 }

@@ -177,7 +177,10 @@ fn check_body(scene: &Scene, file: &Origin, table: &Spanned<toml::de::DeString>)
     }
     let problem = ValueError::new(
         format!("stands beside [{body}], and a scene peels one body"),
-        format!("Remove one of the tables. A scene has one of [{}].", BODIES.join("], [")),
+        format!(
+            "Remove one of the tables. A scene has one of [{}]; a [seta] may stand beside a [spatula].",
+            BODIES.join("], [")
+        ),
     );
     Err(file.error(table.span(), &format!("[{found}]"), problem))
 }

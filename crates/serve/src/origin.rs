@@ -1,14 +1,21 @@
 //! Who may ask: the page of this server, and nobody whom another page has sent.
 
 use crate::refusal::Refusal;
-use axum::http::{HeaderMap, Method, header};
+use axum::http::{HeaderMap, Method, Uri, header};
 use std::net::IpAddr;
 
 /// Refuses a request for a host that is called by a name (another site may let its name point here), and one that the page of another origin
 /// sends.
-pub(crate) fn check(method: &Method, headers: &HeaderMap) -> Result<(), Refusal> {
+pub(crate) fn check(method: &Method, uri: &Uri, headers: &HeaderMap) -> Result<(), Refusal> {
     let text = |name: header::HeaderName| headers.get(name).and_then(|value| value.to_str().ok());
+    if headers.get_all(header::HOST).iter().count() > 1 {
+        return Err(Refusal::Request("it has two lines Host".to_owned()));
+    }
     let host = text(header::HOST).unwrap_or_default();
+    // a whole address in the first line names a host as well
+    if let Some(named) = uri.authority().map(|authority| authority.as_str()).filter(|named| *named != host) {
+        return Err(Refusal::OtherHost(shown(named)));
+    }
     if !is_number_or_localhost(host) {
         return Err(Refusal::OtherHost(shown(host)));
     }

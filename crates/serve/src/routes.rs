@@ -57,7 +57,7 @@ pub(crate) fn router(runs: Runs, limits: Limits, scenes: Vec<StartScene>) -> Rou
 
 /// Refuses strangers, and gives every answer its headers.
 async fn guarded(request: Request, next: Next) -> Response {
-    let mut response = match origin::check(request.method(), request.headers()) {
+    let mut response = match origin::check(request.method(), request.uri(), request.headers()) {
         Ok(()) => next.run(request).await,
         Err(refusal) => refusal.into_response(),
     };

@@ -53,7 +53,7 @@ pub enum ModelErrorKind {
     #[error("is {found}, which is not a finite number")]
     NotFinite { found: Measured, range: Range },
     /// A number outside of its range.
-    #[error("is {found}, which is out of range")]
+    #[error("is {found}, which is out of range{}", range.exceeded(found.value))]
     OutOfRange { found: Measured, range: Range },
 
     /// Work of adhesion or strength beside a law that has its own.
@@ -93,6 +93,9 @@ pub enum ModelErrorKind {
         "is not flat, which requires small elements along the whole contact of {found:.0} process zones; at most {most} are resolved"
     )]
     TooManyZones { found: f64, most: f64 },
+    /// A beam of too many process zones.
+    #[error("makes the beam {found:.1e} process zones long; at most {most:e} are resolved")]
+    TooLong { found: f64, most: f64 },
     /// Numbers of a substrate that do not fit one another.
     #[error("{}", .0.found)]
     Substrate(Misfit),
@@ -161,6 +164,7 @@ impl ModelErrorKind {
             Self::NoPotentialOnGround { .. }
             | Self::TooManyDetails { .. }
             | Self::TooManyZones { .. }
+            | Self::TooLong { .. }
             | Self::Substrate(_)
             | Self::NotInSpace { .. }
             | Self::LawInSpace(_)
@@ -209,6 +213,9 @@ impl ModelErrorKind {
             Self::NoPotentialOnGround { .. } => "Use another line_load or law, or remove the table [substrate].",
             Self::TooManyDetails { .. } => "Use a shorter strip or pad, a longer wave, or a profile with fewer rows.",
             Self::TooManyZones { .. } => "Use a shorter or a stiffer strip or pad.",
+            Self::TooLong { .. } => {
+                "Use a shorter beam: from some fifty process zones on the peak does not depend on the length. Or correct a unit."
+            }
             Self::TurnOfFreeGrip { .. } => "Give `rotation = \"fixed\"` under [grip], or remove `turn`.",
             Self::TurnWithoutPotential { .. } => "Use another law or line_load under [adhesion], or remove `turn`.",
             Self::StepOfFreeGrip { held: "roll", .. } => "Give `roll = \"fixed\"` under [grip], or remove the step.",

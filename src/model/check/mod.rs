@@ -9,6 +9,7 @@ mod drive;
 mod error;
 mod friction;
 mod ground;
+mod length;
 mod numbers;
 mod range;
 mod space;
@@ -43,6 +44,7 @@ impl PeelModel {
         drive::check_steps(&self.steps)?;
         adhesion::check(self)?;
         friction::check(self)?;
+        length::check(self)?;
         ground::check(self)?;
         drive::check(self)?;
         spatula::check(self)?;

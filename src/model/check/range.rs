@@ -6,7 +6,7 @@ use std::fmt;
 /// The numbers that have a meaning.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Range {
-    /// Above zero.
+    /// Above zero, from [`Range::LEAST`] to [`Range::LARGEST`].
     Positive,
     /// Both ends excluded.
     Between(f64, f64),
@@ -18,6 +18,10 @@ pub enum Range {
 const HALF_TURN: f64 = 1.0001 * std::f64::consts::PI;
 
 impl Range {
+    /// The least number above zero that is taken, in the unit of the library: products of such numbers are doubles that keep all of their digits.
+    pub const LEAST: f64 = 1e-30;
+    /// The largest one.
+    pub const LARGEST: f64 = 1e30;
     /// Of Poisson's ratio of an isotropic material.
     pub const POISSONS_RATIO: Self = Self::Between(-1.0, 0.5);
     /// Of the angle of a spatula's shaft, rad.
@@ -40,7 +44,7 @@ impl Range {
     /// Whether the number is in it.
     pub fn contains(self, number: f64) -> bool {
         match self {
-            Self::Positive => number > 0.0,
+            Self::Positive => (Self::LEAST..=Self::LARGEST).contains(&number),
             Self::Between(low, high) => low < number && number < high,
             Self::From(low, high) => low <= number && number <= high,
         }
@@ -52,6 +56,17 @@ impl Range {
             return Err(ModelErrorKind::NotFinite { found, range: self });
         }
         if self.contains(found.value) { Ok(()) } else { Err(ModelErrorKind::OutOfRange { found, range: self }) }
+    }
+}
+
+impl Range {
+    /// What a number above zero is beyond, where that is why it is out of range: completes "out of range".
+    pub(super) fn exceeded(self, found: f64) -> &'static str {
+        match self {
+            Self::Positive if found > Self::LARGEST => ": the largest is 1e30",
+            Self::Positive if found > 0.0 && found < Self::LEAST => ": the least is 1e-30",
+            _ => "",
+        }
     }
 }
 
@@ -99,7 +114,8 @@ mod tests {
     #[test]
     fn ends_are_in_or_out() {
         for (range, inside, outside) in [
-            (Range::Positive, [f64::MIN_POSITIVE, 1e300], [0.0, -1.0]),
+            (Range::Positive, [1e-30, 1e30], [0.0, -1.0]),
+            (Range::Positive, [1e-29, 1e29], [f64::MIN_POSITIVE, 1e300]),
             (Range::Between(-1.0, 0.5), [-0.999, 0.499], [-1.0, 0.5]),
             (Range::From(0.0, 2.0), [0.0, 2.0], [-1e-300, 2.1]),
         ] {

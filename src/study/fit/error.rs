@@ -49,8 +49,41 @@ pub enum NoFit {
     Model(#[from] ModelError),
     #[error("the curve of the scene as it is written was not computed: {0}")]
     NoStart(String),
+    #[error(
+        "no parameters were found within their bounds, because the measured curve is of another size: its forces reach {:.3e} nN and its displacements {:.3e} nm, those of the scene {:.3e} nN and {:.3e} nm",
+        forces.measured, displacements.measured, forces.modelled, displacements.modelled
+    )]
+    OtherScale { forces: Scale, displacements: Scale },
     #[error("the curve cannot be differentiated: {0}")]
     NoDerivatives(#[from] NoSensitivities),
+}
+
+/// The largest number of a measured curve and that of the model, in nN or nm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// As measured
+    pub measured: f64,
+    /// Of the model
+    pub modelled: f64,
+}
+
+impl Scale {
+    /// By how many powers of 1000 the measured one is larger, to the nearest.
+    pub fn thousands(&self) -> i32 {
+        let powers = (self.measured / self.modelled).log10() / 3.0;
+        if powers.is_finite() { powers.round() as i32 } else { 0 }
+    }
+
+    /// Which unit was most likely given in place of which; nothing where both are alike, or no usual units differ so much.
+    fn likely_unit(&self, what: &str, unit: char) -> Option<String> {
+        const PREFIXES: [&str; 4] = ["n", "u", "m", ""];
+        let powers = self.thousands();
+        let other = PREFIXES.get(powers.unsigned_abs() as usize).filter(|_| powers != 0)?;
+        let (given, meant) = if powers > 0 { (*other, PREFIXES[0]) } else { (PREFIXES[0], *other) };
+        Some(format!(
+            "Correct the unit of the {what} in the first line of the data: most likely {given}{unit} is written there and {meant}{unit} is meant. "
+        ))
+    }
 }
 
 impl NoFit {
@@ -62,6 +95,13 @@ impl NoFit {
             Self::OutsideBounds { .. } => "Give bounds around the value of the scene.",
             Self::NoInfluence { .. } => "Remove it from `fit.parameters`.",
             Self::Model(error) => return error.remedy(),
+            Self::OtherScale { forces, displacements } => {
+                let units = [forces.likely_unit("forces", 'N'), displacements.likely_unit("displacements", 'm')];
+                let units: String = units.into_iter().flatten().collect();
+                return format!(
+                    "{units}Otherwise set the parameters of the scene nearer to the measured curve, or give wider bounds."
+                );
+            }
             Self::NoStart(_) => {
                 "Try `peel run` with the scene. Set its parameters near to the measured curve, or raise its [bounds]."
             }

@@ -70,6 +70,8 @@ pub struct FittedPoint {
     pub force: f64,
     /// Of the model, nN
     pub modelled: f64,
+    /// dP/dU of the model there, nN/nm
+    pub slope: f64,
     /// Standard error of the measured force, with what that of its displacement adds, nN
     pub error: f64,
     /// How much it counts, from 0 to 1: 1 for least squares
@@ -136,6 +138,10 @@ pub struct Fit {
     pub degrees_of_freedom: usize,
     /// The standard error of a force that was estimated from the residuals, nN; none where it is known
     pub estimated_error: Option<f64>,
+    /// Standard error of a force from how neighbouring points differ, nN
+    pub scatter: f64,
+    /// Whether the measured displacements were taken as exact
+    pub exact_displacements: bool,
     /// d, nm
     pub displacement_zero: f64,
     /// (U + d, P) of the model up to its first jump
@@ -153,6 +159,11 @@ pub struct Fit {
 }
 
 impl Fit {
+    /// Whether the search has found no parameters: it stopped before the least sum of squares, or at a bound of every one.
+    pub(super) fn is_lost(&self) -> bool {
+        matches!(self.end, FitEnd::Stopped(_)) || self.parameters.iter().all(|parameter| parameter.at_bound.is_some())
+    }
+
     /// Whether the search has come to its end.
     pub fn converged(&self) -> bool {
         self.end == FitEnd::Converged

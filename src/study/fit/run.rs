@@ -1,7 +1,7 @@
 //! The run of a fit: search, weights, search again; then errors, correlations and profiles.
 
 use super::coordinate::Coordinate;
-use super::error::NoFit;
+use super::error::{NoFit, Scale};
 use super::loss::Loss;
 use super::measured_curve::MeasuredCurve;
 use super::poorly_determined::{POOR, combinations, pairs};
@@ -64,8 +64,14 @@ pub fn fit(
     }
     let start = Arc::new(evaluator.trial(&DVector::zeros(count))?);
     has_influence(&evaluator, &start, &evaluator.derivatives(&start)?)?;
-    let reached = weighted_search(&evaluator, &start, count)?;
-    finished(&evaluator, &start, reached, data - count)
+    let reached = weighted_search(&evaluator, &start, count);
+    let found = reached.and_then(|reached| finished(&evaluator, &start, reached, data - count));
+    let interrupted = evaluator.interrupted.load(Ordering::Relaxed);
+    let is_lost = !interrupted && found.as_ref().map_or(true, Fit::is_lost);
+    match other_scale(measured, &start).filter(|_| is_lost) {
+        Some(why) => Err(why),
+        None => found,
+    }
 }
 
 /// Every parameter has to change the curve.
@@ -142,7 +148,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     let plain = Weights { robust: vec![1.0; weights.errors.len()], ..weights.clone() };
     let jacobian = evaluator.jacobian(&evaluator.derivatives(&best)?, &plain);
     let (standardised, _) = evaluator.standardised(&best, &plain);
-    let inside = (0..count).filter(|&k| evaluator.coordinates[k].at_bound(best.x[k]).is_none()).collect();
+    let inside: Vec<usize> = (0..count).filter(|&k| evaluator.coordinates[k].at_bound(best.x[k]).is_none()).collect();
     let factor = options.loss.covariance_factor(&standardised, count);
     let covariance = Covariance::new(&jacobian, inside, factor);
     let half = half_interval(estimated.is_some(), freedom);
@@ -193,6 +199,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
         displacement: evaluator.measured.points[k].displacement,
         force: evaluator.measured.points[k].force,
         modelled: best.modelled[k].force,
+        slope: best.modelled[k].slope,
         error: weights.errors[k],
         weight: weights.robust[k],
         place: best.modelled[k].place,
@@ -217,6 +224,8 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
         sum_of_squares: found.sum,
         degrees_of_freedom: freedom,
         estimated_error: estimated,
+        scatter: evaluator.measured.noise(),
+        exact_displacements: options.displacement_error.is_none(),
         displacement_zero: zero,
         curve: shifted(&best),
         initial_curve: shifted(start),
@@ -226,6 +235,17 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
         end,
         parameters,
     })
+}
+
+/// That the measured curve is not of the size of that at which the search begins: a column has another unit than its name says, most likely.
+fn other_scale(measured: &MeasuredCurve, start: &Trial) -> Option<NoFit> {
+    let curve = start.curve.points(PER_STEP);
+    let largest = |of: fn(&(f64, f64)) -> f64| curve.iter().map(|at| of(at).abs()).fold(0.0, f64::max);
+    let (from, to) = measured.range();
+    let forces = Scale { measured: measured.largest_force(), modelled: largest(|at| at.1) };
+    let displacements = Scale { measured: from.abs().max(to.abs()), modelled: largest(|at| at.0) };
+    let is_other = forces.thousands() != 0 || displacements.thousands() != 0;
+    is_other.then_some(NoFit::OtherScale { forces, displacements })
 }
 
 /// d of a trial, nm.

@@ -23,17 +23,20 @@ pub(super) struct Covariance {
 impl Covariance {
     /// From the derivatives of the residuals, over their standard errors, by the coordinates `of`: (JᵀJ)⁻¹ times what the loss adds.
     pub fn new(jacobian: &DMatrix<f64>, of: Vec<usize>, factor: f64) -> Self {
+        if of.is_empty() {
+            return Self { of, matrix: DMatrix::zeros(0, 0), condition: f64::INFINITY };
+        }
         let own = jacobian.select_columns(of.iter());
         let svd = own.svd(false, true);
         let largest = svd.singular_values.max();
         let condition = largest / svd.singular_values.min();
         let count = of.len();
         let matrix = match svd.v_t {
-            Some(directions) if count > 0 => {
+            Some(directions) => {
                 let variances = svd.singular_values.map(|value| factor / value.max(RANK * largest).powi(2));
                 directions.transpose() * DMatrix::from_diagonal(&variances) * directions
             }
-            _ => DMatrix::zeros(count, count),
+            None => DMatrix::zeros(count, count),
         };
         Self { of, matrix, condition }
     }
@@ -122,6 +125,8 @@ mod tests {
         assert!(covariance.correlation(0, 1).unwrap().abs() < 1e-12);
         assert!((covariance.condition - 2f64.sqrt()).abs() < 1e-12);
         assert!(Covariance::new(&jacobian, vec![1], 1.0).standard_error(0).is_none());
+        let none = Covariance::new(&jacobian, Vec::new(), 1.0);
+        assert!(none.standard_error(0).is_none() && none.correlation(0, 1).is_none() && !none.condition.is_finite());
     }
 
     #[test]

@@ -50,6 +50,15 @@ pub enum FitWarning {
         /// Where the curve jumps, nm
         measured: f64,
     },
+    /// Residuals that are far larger than neighbouring points scatter, where displacements were taken as exact
+    ExactDisplacements {
+        /// Standard error of a force that the residuals show, nN
+        residual: f64,
+        /// Standard error of a force that neighbouring points show, nN
+        scatter: f64,
+        /// Standard error of a displacement that would explain the residuals where the curve is steep, nm
+        displacement_error: f64,
+    },
     /// Residuals larger than their standard errors say
     Misfit {
         /// Sum of squares over its degrees of freedom
@@ -59,6 +68,10 @@ pub enum FitWarning {
 
 /// A sum of squares over its degrees of freedom n is too large from 1 + this times √(2/n) on.
 const MISFIT: f64 = 5.0;
+/// Residuals are far larger than the scatter of neighbouring points from so many times on.
+const BEYOND_SCATTER: f64 = 3.0;
+/// The steep part of a curve is one of so many.
+const STEEP: usize = 4;
 
 impl Fit {
     /// What of it is not to be trusted.
@@ -97,12 +110,38 @@ impl Fit {
         if let Some(jump) = self.jump.filter(|jump| jump.modelled.is_none()) {
             found.push(FitWarning::NoJump { measured: jump.displacement });
         }
+        found.extend(self.displacement_warning());
         let freedom = self.degrees_of_freedom as f64;
         let reduced = self.sum_of_squares / freedom;
         if self.estimated_error.is_none() && reduced > 1.0 + MISFIT * (2.0 / freedom).sqrt() {
             found.push(FitWarning::Misfit { reduced });
         }
         found
+    }
+}
+
+impl Fit {
+    /// That the residuals may be those of the displacements: they are far larger than what neighbouring points show, and largest where the curve is
+    /// steep.
+    fn displacement_warning(&self) -> Option<FitWarning> {
+        let (residual, scatter) = (self.estimated_error?, self.scatter);
+        if !self.exact_displacements || residual <= BEYOND_SCATTER * scatter {
+            return None;
+        }
+        let mut points: Vec<(f64, f64)> =
+            self.points.iter().map(|point| (point.slope.abs(), (point.modelled - point.force).abs())).collect();
+        points.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let (steep, level) = points.split_at(points.len() / STEEP);
+        let mean = |points: &[(f64, f64)]| {
+            (points.iter().map(|point| point.1 * point.1).sum::<f64>() / points.len() as f64).sqrt()
+        };
+        let slope = (steep.iter().map(|point| point.0 * point.0).sum::<f64>() / steep.len() as f64).sqrt();
+        let displacement_error = mean(steep) / slope;
+        (mean(steep) > mean(level) && displacement_error.is_finite()).then_some(FitWarning::ExactDisplacements {
+            residual,
+            scatter,
+            displacement_error,
+        })
     }
 }
 
@@ -116,6 +155,7 @@ impl FitWarning {
             Self::BehindJump { .. } => "behind-jump",
             Self::BeforeStart { .. } => "before-start",
             Self::NoJump { .. } => "no-jump",
+            Self::ExactDisplacements { .. } => "exact-displacements",
             Self::Misfit { .. } => "misfit",
         }
     }
@@ -158,6 +198,10 @@ impl fmt::Display for FitWarning {
             Self::NoJump { measured } => write!(
                 f,
                 "the measured curve jumps at {measured:.6} nm, and the model does not as far as it was followed: raise bounds.displacement, or set fit.use_jump = false"
+            ),
+            Self::ExactDisplacements { residual, scatter, displacement_error } => write!(
+                f,
+                "the residuals are {residual:.1e} nN and neighbouring points scatter by {scatter:.1e} nN, most where the curve is steep: displacements are taken as exact, and the intervals do not have their errors. Give the standard error of a measured displacement, for example fit.displacement_error = \"{displacement_error:.1e} nm\", or the model does not describe the curve"
             ),
             Self::Misfit { reduced } => write!(
                 f,

@@ -23,6 +23,7 @@ mod work;
 pub use adhering::Adhering;
 pub(super) use assembly::empty;
 pub use contact::{Contact, SMALLEST_RADIUS};
+pub use equilibrium_path::PathPoints;
 pub(super) use equilibrium_path::is_clear;
 pub use failure::{Failure, PathFailure};
 pub use result::*;

@@ -23,6 +23,16 @@ pub struct SobolIndex {
     pub total: Estimate,
 }
 
+/// Shares of a variance that differ by less are alike.
+const ALIKE: f64 = 0.01;
+
+impl SobolIndex {
+    /// Whether the estimates are shares that no variance has, by more than a hundredth of it: a negative one, or a total below the first order.
+    pub fn is_impossible(&self) -> bool {
+        self.first.value < -ALIKE || self.total.value < self.first.value - ALIKE
+    }
+}
+
 /// What one replicate gives of a group, each a sum over its points.
 #[derive(Clone, Copy, Default)]
 struct Sums {
@@ -72,4 +82,19 @@ fn sums(points: &[&Vec<f64>], row: usize, mean: f64) -> Sums {
             variance: sums.variance + variance,
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_total_below_the_first_order_and_a_negative_share_are_impossible() {
+        let estimate = |value| Estimate { value, error: 0.1 };
+        let is_impossible = |first, total| {
+            SobolIndex { inputs: vec![0], first: estimate(first), total: estimate(total) }.is_impossible()
+        };
+        assert!(is_impossible(0.4165, 0.3281) && is_impossible(-0.02, 0.01));
+        assert!(!is_impossible(0.30, 0.35) && !is_impossible(0.301, 0.300) && !is_impossible(-0.001, 0.0));
+    }
 }

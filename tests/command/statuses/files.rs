@@ -159,14 +159,20 @@ fn a_sweep_as_json_is_one_object() {
 #[test]
 fn absurd_scenes_end_in_a_status() {
     let dir = bench();
+    for set in ["strip.height=1e200 m", "strip.youngs_modulus=1e-290 GPa", "adhesion.equilibrium_distance=1e100 nm"] {
+        peel(dir.path(), &["run", "strip-100nm.toml", "--set", set]).is_bad_input(&["out of range"]);
+    }
+    for set in ["strip.youngs_modulus=1e-30 GPa", "strip.length=1e25 nm", "strip.bending_stiffness_factor=1e-30"] {
+        peel(dir.path(), &["run", "strip-100nm.toml", "--set", set]).is_bad_input(&["process zones long"]);
+    }
     for set in [
-        "strip.height=1e200 m",
-        "strip.youngs_modulus=1e-290 GPa",
+        "strip.height=1e30 nm",
+        "strip.youngs_modulus=1e-8 GPa",
         "strip.length=1e-9 nm",
-        "strip.length=1e150 nm",
-        "adhesion.hamaker_constant=1e-250 aJ",
-        "adhesion.equilibrium_distance=1e100 nm",
-        "strip.bending_stiffness_factor=1e-200",
+        "strip.length=4e6 nm",
+        "adhesion.hamaker_constant=1e-30 aJ",
+        "adhesion.equilibrium_distance=1e30 nm",
+        "strip.bending_stiffness_factor=1e-17",
     ] {
         let args = ["run", "strip-100nm.toml", "--json", "--set", "bounds.time=5 s", "--set", set];
         let run = peel(dir.path(), &args);

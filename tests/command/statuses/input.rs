@@ -7,12 +7,19 @@ use tempfile::tempdir;
 #[test]
 fn help_is_enough_to_work_from() {
     let dir = bench();
-    for args in [vec!["--help"], vec!["run", "--help"], vec!["sweep", "--help"]] {
+    for (args, most) in [(vec!["--help"], 60), (vec!["run", "--help"], 300), (vec!["sweep", "--help"], 140)] {
         let help = peel(dir.path(), &args);
         assert_eq!((help.status, help.stderr.as_str()), (0, ""));
-        for part in ["strip.length", "youngs_modulus", "GPa", "force-only", "Exit status", "Examples", "required"] {
+        // the keys stand in one help, which the others name
+        let keys = ["youngs_modulus", "force-only", "required"];
+        for part in ["strip.length", "GPa", "Exit status", "Examples", "peel keys"] {
             assert!(help.stdout.contains(part), "{part} is not in the help of {args:?}");
         }
+        for part in keys {
+            assert!(args[0] != "run" || help.stdout.contains(part), "{part} is not in the help of {args:?}");
+        }
+        let lines = help.stdout.lines().count();
+        assert!(lines <= most, "{args:?}: {lines} lines");
         let widest = help.stdout.lines().map(|line| line.chars().count()).max();
         assert!(widest <= Some(120), "{args:?}: {widest:?} columns");
     }
@@ -33,12 +40,42 @@ fn usage_errors_are_bad_input() {
 fn a_scene_that_cannot_be_read_is_bad_input() {
     let dir = bench();
     peel(dir.path(), &["run", "none.toml"]).is_bad_input(&["none.toml", "peel new"]);
-    peel(dir.path(), &["run", "."]).is_bad_input(&["cannot read the scene"]);
+    peel(dir.path(), &["run", "."]).is_bad_input(&["cannot read the scene", "it is a folder", ".toml"]);
+    fs::write(dir.path().join("long.toml"), vec![b'#'; 10_000_001]).unwrap();
+    peel(dir.path(), &["run", "long.toml"]).is_bad_input(&["it has more than 10 MB"]);
+    #[cfg(unix)]
+    {
+        peel(dir.path(), &["run", "/dev/zero"]).is_bad_input(&["cannot read the scene /dev/zero"]);
+        assert!(std::process::Command::new("mkfifo").arg(dir.path().join("pipe")).status().unwrap().success());
+        peel(dir.path(), &["run", "pipe"]).is_bad_input(&["it is no file", "in 10 s"]);
+    }
     fs::write(dir.path().join("latin.toml"), b"# first\ntitle = \"na\xefve\"").unwrap();
     peel(dir.path(), &["run", "latin.toml"]).is_bad_input(&["latin.toml, line 2", "UTF-8"]);
     fs::write(dir.path().join("empty.toml"), "").unwrap();
     peel(dir.path(), &["run", "empty.toml"]).is_bad_input(&["empty.toml, line 1", "[strip]"]);
     assert!(!dir.path().join("out").exists(), "nothing is written for a scene that cannot be used");
+}
+
+/// What no computer holds is refused by its key before anything of its size is made: in a second, and where memory is limited.
+#[test]
+fn lengths_that_no_computer_holds_are_refused_at_once() {
+    let dir = bench();
+    for (set, parts) in [
+        ("strip.length=1e300 nm", ["`strip.length` is 1e300 nm", "out of range: the largest is 1e30"]),
+        (
+            "strip.length=1e25 nm",
+            ["`strip.length` makes the beam 4.6e24 process zones long", "at most 2e6 are resolved"],
+        ),
+        ("strip.length=1e12 nm", ["`strip.length` makes the beam 4.6e11 process zones long", "shorter beam"]),
+        ("strip.height=1e300 nm", ["`strip.height` is 1e300 nm", "out of range: the largest is 1e30"]),
+        ("strip.width=1e-300 nm", ["`strip.width` is 1e-300 nm", "out of range: the least is 1e-30"]),
+    ] {
+        let began = std::time::Instant::now();
+        peel(dir.path(), &["run", "strip-100nm.toml", "--set", set]).is_bad_input(&parts);
+        assert!(began.elapsed().as_secs() < 5, "{set}");
+    }
+    let thick = peel(dir.path(), &["run", "strip-100nm.toml", "--json", "--set", "strip.height=1e29 nm"]);
+    assert!(!thick.stderr.contains("NaN") && !thick.stdout.contains("NaN"), "{}", thick.stderr);
 }
 
 #[test]

@@ -248,6 +248,22 @@ fn what_does_not_fit_the_ground() {
     assert_eq!(on(Substrate::Profile(Arc::new(valley))).check(), Ok(()));
 }
 
+/// A length of 1e300 nm took 2 GB and 40 s before it was refused.
+#[test]
+fn a_beam_of_too_many_process_zones_is_refused_by_the_key_of_its_longest_part() {
+    assert_eq!(PeelModel::from(StripModel::of_the_paper(3e6, 1.0)).check(), Ok(()));
+    for length in [1e7, 1e12, 1e30] {
+        let long = PeelModel::from(StripModel::of_the_paper(length, 1.0));
+        assert!(matches!(refused(&long).kind(), ModelErrorKind::TooLong { found, most: 2e6 } if *found > 0.4 * length));
+        assert_eq!(refused(&long).key(), "strip.length");
+    }
+    let beyond = PeelModel::from(StripModel::of_the_paper(1e300, 1.0));
+    assert_eq!(
+        beyond.check().unwrap_err().to_string(),
+        "`strip.length` is 1e300 nm, which is out of range: the largest is 1e30"
+    );
+}
+
 #[test]
 fn what_does_not_fit_the_drive() {
     let turning = |model: PeelModel| PeelModel { pull: Pull { turn: 0.01, ..Pull::UP }, ..model };

@@ -269,3 +269,56 @@ fn what_cannot_be_fitted_is_refused() {
     let back: Vec<_> = points.iter().chain(points.iter().rev()).copied().collect();
     assert!(matches!(MeasuredCurve::new(back, None), Err(FitDataError::ThereAndBack { .. })));
 }
+
+/// E = 3 GPa and A_H = 0.12 aJ, measured with errors of 0.2 nm and 0.004 nN.
+#[test]
+fn residuals_that_errors_of_displacements_make_are_said_to_be_so() {
+    let truth = Truth { hamaker: 0.12, modulus: 3.0, ..TRUTH };
+    let mut random = ChaCha8Rng::seed_from_u64(4);
+    let mut points = with_noise(&exact(truth, 0.0), 0.004, 5);
+    points.iter_mut().for_each(|point| point.displacement += 0.2 * normal(&mut random));
+    let problem = problem(truth, &[("hamaker", 0.1), ("modulus", 2.0)]);
+    let options = FitOptions { profile: ProfileChoice::None, ..FitOptions::default() };
+    let proposed = |fit: &Fit| {
+        fit.warnings().into_iter().find_map(|warning| match warning {
+            FitWarning::ExactDisplacements { displacement_error, .. } => Some(displacement_error),
+            _ => None,
+        })
+    };
+    let fit = fitted(&problem, points.clone(), &options).unwrap();
+    let error = proposed(&fit).unwrap_or_else(|| panic!("{:?} {:?}", fit.estimated_error, fit.scatter));
+    assert!((0.04..1.0).contains(&error), "{error}");
+    let fit = fitted(&problem, points, &FitOptions { displacement_error: Some(0.2), ..options }).unwrap();
+    assert_eq!(proposed(&fit), None);
+    let good = fitted(&problem, noisy(&exact(truth, 0.0), 6), &options).unwrap();
+    assert_eq!(proposed(&good), None);
+}
+
+/// A curve in nm and nN under the heading of µm and µN, and forces the other way round: of displacements that are too small the model is followed no
+/// farther.
+#[test]
+fn a_curve_in_another_unit_is_refused_with_the_likely_one() {
+    let problem = problem(TRUTH, &[("hamaker", 0.13), ("modulus", 1.5)]);
+    for (factor, given, meant, units) in [(1e3, "u", "n", &["N", "m"][..]), (1e-3, "n", "u", &["N"])] {
+        let mut points = noisy(&exact(TRUTH, 0.0), 2);
+        for point in &mut points {
+            (point.displacement, point.force) = (factor * point.displacement, factor * point.force);
+        }
+        let refused = fitted(&problem, points, &FitOptions::default()).unwrap_err();
+        assert!(matches!(refused, NoFit::OtherScale { .. }), "{refused}");
+        for unit in units {
+            let said = format!("{given}{unit} is written there and {meant}{unit} is meant");
+            assert!(refused.remedy().contains(&said), "{}", refused.remedy());
+        }
+    }
+}
+
+/// One parameter alone that ends at its bound leaves no direction in which the curve changes.
+#[test]
+fn a_fit_whose_only_parameter_ends_at_its_bound_has_no_interval() {
+    let mut problem = problem(TRUTH, &[("hamaker", 0.13)]);
+    problem.parameters[0].from = Some(0.12);
+    let fit = fitted(&problem, noisy(&exact(TRUTH, 0.0), 2), &FitOptions::default()).unwrap();
+    assert!(fit.parameters[0].at_bound.is_some() && fit.parameters[0].interval.is_none(), "{:?}", fit.parameters);
+    assert!(fit.warnings().iter().any(|warning| matches!(warning, FitWarning::AtBound { .. })));
+}

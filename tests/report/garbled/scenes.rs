@@ -67,6 +67,12 @@ fn complaint(text: &str) -> String {
     format!("{error} / {}", error.remedy())
 }
 
+/// Whether a value is right by itself: one that makes the beam too many process zones long is.
+fn is_taken(text: &str) -> bool {
+    check_parse(text) == Ok(true)
+        || Scene::parse("garbled.toml", text, &[]).is_err_and(|error| error.to_string().contains("process zones long"))
+}
+
 #[track_caller]
 fn holds(text: &str) {
     if let Err(fault) = check_parse(text) {
@@ -89,7 +95,7 @@ fn what_is_out_of_range_is_refused_with_the_range() {
     for key in keys() {
         let (right, wrong): (&[&str], &[&str]) = match key.kind {
             Kind::Number(Range::Positive, _) => {
-                (&["1e-300", "1e300"], &["0", "-0.0", "-1e-300", "inf", "nan", "1e400"])
+                (&["1e-30", "1e30"], &["0", "-0.0", "-1e-300", "inf", "nan", "1e400", "1e31", "0.99e-30", "1e300"])
             }
             Kind::Number(Range::Between(..), _) => (&["-0.999", "0.499"], &["-1", "0.5", "0.5000001", "-2", "1e400"]),
             Kind::Number(Range::From(0.0, _), _) => (&["0", "1000"], &["-1e-300", "1000.1", "nan"]),
@@ -101,12 +107,12 @@ fn what_is_out_of_range_is_refused_with_the_range() {
             Kind::Quantity(..) | Kind::Bound(..) => {
                 let unit = key.unit();
                 for (number, is_right) in
-                    [("1e-300", true), ("1e300", true), ("0", false), ("-1", false), ("1e400", false), ("nan", false)]
+                    [("1e-30", true), ("1e30", true), ("0", false), ("-1", false), ("1e300", false), ("nan", false)]
                 {
                     let text = with_value(key, &format!("\"{number} {unit}\""));
                     // the lengths of a spatula, and of a substrate and its strip, have to fit one another besides
                     if !["spatula", "substrate"].contains(&key.table) || !is_right {
-                        assert_eq!(check_parse(&text), Ok(is_right), "{text}");
+                        assert_eq!(is_taken(&text), is_right, "{text}");
                     }
                     if !is_right {
                         let said = complaint(&text);
@@ -118,7 +124,7 @@ fn what_is_out_of_range_is_refused_with_the_range() {
             _ => continue,
         };
         for value in right {
-            assert_eq!(check_parse(&with_value(key, value)), Ok(true), "{} = {value}", key.path());
+            assert!(is_taken(&with_value(key, value)), "{} = {value}", key.path());
         }
         for value in wrong {
             let said = complaint(&with_value(key, value));
@@ -254,6 +260,11 @@ proptest! {
             scene.model.pull = Pull::UP;
             scene.model.friction = Friction::NONE;
             scene.model.space = None;
+        }
+        if scene.check().is_err() {
+            // too many process zones long
+            let plain = Scene::parse("garbled.toml", &with_value(&KEYS[0], "\"x\""), &[]).unwrap().model;
+            (scene.model.body, scene.model.adhesion) = (plain.body, plain.adhesion);
         }
         let text = printed(&scene).unwrap();
         prop_assert_eq!(Scene::parse("garbled.toml", &text, &[]).map_err(|error| error.to_string()), Ok(scene));

@@ -5,9 +5,9 @@ use crate::interrupt::Interrupt;
 use crate::output::progress_bar;
 use indicatif::ProgressBar;
 use peelkit::study::optimisation::Evaluation;
-use peelkit_report::{Existing, OutputFolder, PartialOptimisation, ReportError};
+use peelkit_report::{OutputFolder, PartialFile, PartialOptimisation, ReportError};
 use peelkit_scene::Scene;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -32,7 +32,11 @@ impl Keeper {
             None => Some(args.scene.default_folder(&["optimise".to_owned()])),
             given => given.clone(),
         };
-        let opened = folder.map(|folder| open(args, &folder, scene).map(|both| (folder, both))).transpose()?;
+        let open = |folder: PathBuf| {
+            let both = args.out.claim_unfinished(&folder, args.fresh, |dir| PartialOptimisation::open(dir, scene));
+            both.map(|both| (folder, both))
+        };
+        let opened = folder.map(open).transpose()?;
         let (output, kept) = match opened {
             Some((folder, (partial, output))) => (Some(output), Some((folder, partial))),
             None => (None, None),
@@ -83,14 +87,4 @@ impl Keeper {
     pub fn discard(&self) -> Result<(), ReportError> {
         self.kept.as_ref().map_or(Ok(()), |(folder, _)| PartialOptimisation::discard(folder))
     }
-}
-
-fn open(args: &Optimise, folder: &Path, scene: &Scene) -> Result<(PartialOptimisation, OutputFolder), ReportError> {
-    if !PartialOptimisation::is_in(folder) {
-        args.out.claim(folder)?;
-    } else if args.fresh {
-        PartialOptimisation::discard(folder)?;
-    }
-    let partial = PartialOptimisation::open(folder, scene)?;
-    Ok((partial, OutputFolder::claim(folder, Existing::Replace)?))
 }

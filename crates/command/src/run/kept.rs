@@ -4,7 +4,7 @@ use super::progress::RunProgress;
 use crate::interrupt::Interrupt;
 use crate::output::OutArgs;
 use peelkit::study::{self, Checkpoint, Peel};
-use peelkit_report::{Existing, OutputFolder, PartialRun, ReportError};
+use peelkit_report::{OutputFolder, PartialFile, PartialRun, ReportError};
 use peelkit_scene::Scene;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -32,17 +32,10 @@ impl KeptRun {
         scene: &Scene,
         progress: &RunProgress,
     ) -> Result<Self, ReportError> {
-        let output = match PartialRun::is_in(folder) {
-            true => OutputFolder::claim(folder, Existing::Replace)?,
-            false => out.claim(folder)?,
-        };
         // before anything is written; nobody reads a message on a closed standard error
         let above = progress.clone();
         let interrupt = Interrupt::listen(move || above.above(|| drop(writeln!(io::stderr(), "{ANSWER}"))));
-        if fresh {
-            PartialRun::discard(folder)?;
-        }
-        let partial = PartialRun::open(folder, scene)?;
+        let (partial, output) = out.claim_unfinished(folder, fresh, |dir| PartialRun::open(dir, scene))?;
         Ok(Self { folder: folder.to_path_buf(), partial, interrupt, output, interrupted: false })
     }
 

@@ -61,7 +61,14 @@ fn values(scene: &Scene, key: &Key, parameter: &Parameter) -> Result<Vec<f64>, S
     }
     match &parameter.values {
         TypedValues::Range { from, to, points } => {
-            Ok(grid(read("from", from)?, read("to", to)?, *points, parameter.log))
+            let (first, last) = (read("from", from)?, read("to", to)?);
+            if *points == 1 && first != last {
+                return Err(Stop::bad_input(
+                    format!("--points 1 for {} is one value, and --from {from} and --to {to} are two", key.path()),
+                    format!("Give --points 2 or more, or --values \"{from}\"."),
+                ));
+            }
+            Ok(grid(first, last, *points, parameter.log))
         }
         TypedValues::List(texts) => with_common_unit(texts).iter().map(|text| read("values", text)).collect(),
     }

@@ -5,7 +5,7 @@ use super::failed::stopped_short;
 use super::kept::Computed;
 use crate::output::{list_files, say};
 use crate::stop::Stop;
-use peelkit_report::ReportError;
+use peelkit_report::{ReportError, Storable};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -25,7 +25,7 @@ pub struct Conclusion<'c> {
     pub failed: Option<String>,
 }
 
-impl<F> Computed<'_, F> {
+impl<F: Storable> Computed<'_, F> {
     /// Writes the files, says what was found, and ends with what is missing.
     pub fn conclude(self, args: &Sweep, conclusion: Conclusion) -> Result<(), Stop> {
         let Conclusion { done: [rows, values], write, remark, json, text, failed } = conclusion;

@@ -3,7 +3,7 @@
 use crate::stop::Stop;
 use crate::text_summary;
 use peelkit::study::PathEnd;
-use peelkit_report::{SweepRow, SweptKeys};
+use peelkit_report::{SweepRow, SweptKeys, as_given};
 use peelkit_scene::Key;
 
 /// The values whose computation stopped short, of so many, each with its reason; nothing where there are none.
@@ -30,7 +30,9 @@ pub fn failed_rows(keys: SweptKeys, rows: &[SweepRow]) -> Option<String> {
 
 /// Where in the sweep these values are: `strip.length = 80 nm`.
 pub fn place(keys: SweptKeys, value: f64, second: Option<f64>) -> String {
-    let one = |key: &Key, value: f64| format!("{} = {value}{}", key.path(), text_summary::spaced(key.unit()));
+    let one = |key: &Key, value: f64| {
+        format!("{} = {}{}", key.path(), as_given(key, value), text_summary::spaced(key.usual_unit()))
+    };
     let second = keys.second.zip(second).map(|(key, value)| format!(", {}", one(key, value)));
     format!("{}{}", one(keys.first, value), second.unwrap_or_default())
 }

@@ -6,7 +6,7 @@ use crate::interrupt::Interrupt;
 use crate::output::progress_bar;
 use indicatif::ProgressBar;
 use peelkit::study;
-use peelkit_report::{Existing, OutputFolder, PartialSweep, ReportError, Storable, SweptKeys, timed};
+use peelkit_report::{OutputFolder, PartialFile, PartialSweep, ReportError, Storable, timed};
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -44,7 +44,8 @@ where
     let above = bar.clone();
     let answer = "stopping when the values being computed are done; Ctrl-C again stops at once";
     let interrupt = Interrupt::listen(move || above.println(answer));
-    let (partial, output) = open(args, &folder, scene, cases.keys)?;
+    let open = |dir: &Path| PartialSweep::<F>::open(dir, scene, cases.keys, args.part);
+    let (partial, output) = args.out.claim_unfinished(&folder, args.fresh, open)?;
     let kept = Kept { partial, bar, interrupt };
     let (all, taken) = kept.compute(&cases.all, of)?;
     let remark = format!("{taken} of {} values taken from an earlier, interrupted run", cases.all.len());
@@ -52,10 +53,10 @@ where
     Ok(Computed { all, remarks, output: Some(output), folder: Some(folder) })
 }
 
-impl<F> Computed<'_, F> {
+impl<F: Storable> Computed<'_, F> {
     /// Removes what was kept: all is computed and written.
     pub fn discard(&self) -> Result<(), ReportError> {
-        self.folder.as_ref().map_or(Ok(()), |folder| PartialSweep::discard(folder))
+        self.folder.as_ref().map_or(Ok(()), |folder| PartialSweep::<F>::discard(folder))
     }
 }
 
@@ -81,25 +82,6 @@ struct Kept<F> {
     partial: PartialSweep<F>,
     bar: ProgressBar,
     interrupt: Interrupt,
-}
-
-/// A folder that keeps the values of an unfinished sweep is one to go on with; any other that holds something is refused.
-fn open<F>(
-    args: &Sweep,
-    folder: &Path,
-    scene: &Scene,
-    keys: SweptKeys,
-) -> Result<(PartialSweep<F>, OutputFolder), ReportError>
-where
-    F: Storable,
-{
-    if !PartialSweep::is_in(folder) {
-        args.out.claim(folder)?;
-    } else if args.fresh {
-        PartialSweep::discard(folder)?;
-    }
-    let partial = PartialSweep::open(folder, scene, keys, args.part)?;
-    Ok((partial, OutputFolder::claim(folder, Existing::Replace)?))
 }
 
 impl<F: Storable + Send + Sync> Kept<F> {

@@ -71,6 +71,9 @@ impl Varied {
         let (points, values) = (one("points", &points)?, one("values", &self.values)?);
         let values = match (from, to, points, values) {
             (None, None, None, Some(list)) => {
+                if list.trim().is_empty() {
+                    return Err(incomplete(&path, "has an empty list of --values"));
+                }
                 TypedValues::List(list.split(',').map(|text| text.trim().to_owned()).collect())
             }
             (Some(from), Some(to), Some(points), None) => {
@@ -196,6 +199,7 @@ mod tests {
             "--vary a --from 1 --to 2 --points 3 --values 1",
             "--vary a --vary b --values 1 --values 2",
             "--vary a --values 1 --values 2",
+            "--vary a --values ''",
             "--vary a --values 1 --vary b --values 2 --vary c --values 3",
         ] {
             assert!(parameters(words).is_err(), "{words}");

@@ -17,6 +17,8 @@ use peelkit_scene::Scene;
 
 /// A relative error below this that finer meshes do not reduce is round-off.
 const ROUND_OFF: f64 = 2e-8;
+/// A number whose error bound is a larger share of it has no digit that is certain.
+const NO_ACCURACY: f64 = 0.5;
 
 /// The summary of one peel, which took so many seconds, with its stability out of the plane and the branch that leaves it where they were
 /// asked for.
@@ -136,7 +138,11 @@ fn accuracy(peel: &Peel) -> Option<String> {
             true => "limited by round-off, which finer meshes do not reduce",
             false => "the tolerance was not met on any mesh",
         };
-        return Some(format!("{reached:.0e}, requested {:e}: {why}", peel.asked));
+        let reached = match reached > NO_ACCURACY {
+            true => format!("none: an error bound is {:.0} % of its number", 100.0 * reached),
+            false => format!("{reached:.0e}"),
+        };
+        return Some(format!("{reached}, requested {:e}: {why}", peel.asked));
     }
     matches!(peel.end, PathEnd::Failed(_)).then(|| "the computation stopped short; see `end`".to_owned())
 }

@@ -5,8 +5,11 @@ use super::units::{Unit, Units, WantedUnits};
 use peelkit::model::{PullCurve, SetaModel};
 use peelkit::study::coarsening::{GrowingTable, OutsideTable, Resolved, TableRound, TipRange};
 use peelkit::study::{ConvergedPeak, SetaMoment, SetaPullOff, SetaState};
-use peelkit_report::{TipEvents, seta_end_reason, seta_end_word, tip_peak};
+use peelkit_report::{SetaMotion, TipEvents, seta_end_reason, seta_end_word, tip_peak};
 use peelkit_scene::Scene;
+
+/// A work below this share of the largest is round-off.
+const ROUND_OFF: f64 = 1e-12;
 
 /// The summary of a pull-off with its peak on finer meshes, which took so many seconds with the law of its tips.
 pub fn seta(
@@ -25,6 +28,7 @@ pub fn seta(
     ];
     let Units { force, length, work } = Units::fitting(wanted, sizes);
     let tips = model.seta.tips();
+    let counted = if tips == 1 { "1 tip".to_owned() } else { format!("{tips} tips") };
     let at = |moment: Option<SetaMoment>| match moment {
         Some(at) => format!(
             "{} at u = {}, {} of {tips} tips attached",
@@ -38,10 +42,11 @@ pub fn seta(
     let of_tip = tip_peak(tip);
     let events = TipEvents::of(pull_off.events.iter().map(|event| &event.tips[..]));
     let mut lines = vec![
-        ("seta", format!("{tips} tips, {} elements of order {}", model.mesh.total(), model.mesh.order)),
+        ("seta", format!("{counted}, {} elements of order {}", model.mesh.total(), model.mesh.order)),
         ("law of a tip", format!("peak {of_tip:.6} nN, snaps off at {:.4} nm", tip.snap_off())),
     ];
     lines.extend(table.into_iter().flat_map(|table| of_table(table, force)));
+    lines.extend(before_the_pull(pull_off, force));
     lines.extend([
         ("peak force", at(converged.map(|found| found.peak).or_else(|| of(&pull_off.peak)))),
         ("first detachment", at(of(&pull_off.first_detachment))),
@@ -58,11 +63,13 @@ pub fn seta(
         lines.push(("error of the mesh", mesh_error(converged, peak, scene.accuracy.relative)));
     }
     if let (Some(first), Some(last)) = (pull_off.points.first(), pull_off.points.last()) {
+        let largest = largest(|point| point.work.abs());
+        let rounded = |of: f64| work.short(if of.abs() <= ROUND_OFF * largest { 0.0 } else { of });
         let text = format!(
             "work {} = energy {} + released {}, to {:.0e}",
-            work.short(last.work),
-            work.short(last.energy - first.energy),
-            work.short(last.released),
+            rounded(last.work),
+            rounded(last.energy - first.energy),
+            rounded(last.released),
             pull_off.imbalance()
         );
         lines.push(("energy", text));
@@ -78,6 +85,20 @@ pub fn seta(
     lines.push(("computed", effort));
     lines.extend(outside.map(|outside| ("warnings", outside.to_string())));
     in_columns(&scene.title, &lines)
+}
+
+/// What the steps before the last one came to: there a force is along another motion, and the peak is of the last step alone.
+fn before_the_pull(pull_off: &SetaPullOff, force: Unit) -> Option<(&'static str, String)> {
+    let steps = SetaMotion::of(&pull_off.points);
+    let (pull, before) = steps.split_last()?;
+    let told: Vec<String> =
+        before.iter().map(|step| format!("{} up to {}", step.name, force.short(step.largest))).collect();
+    let text = format!(
+        "{}; each force is along its own motion, positive where the root is pulled that way; what follows is of the {}",
+        told.join(", "),
+        pull.name
+    );
+    (!before.is_empty()).then_some(("steps before", text))
 }
 
 /// What the mesh does to the peak force, and to the curve.

@@ -3,7 +3,7 @@
 use super::number::{in_unit, short};
 use super::units::{Unit, Units, WantedUnits};
 use peelkit::study::{FollowedSweep, PointKind};
-use peelkit_report::{SweepRow, SweptKeys, end_word};
+use peelkit_report::{SweepRow, SweptKeys, as_given, end_word};
 use peelkit_scene::{Key, Scene};
 use std::fmt::{Display, Write};
 
@@ -37,7 +37,7 @@ pub fn sweep(scene: &Scene, keys: SweptKeys, rows: &[SweepRow], remarks: &[Strin
         let _ = writeln!(
             text,
             "{} {:>14} {:>9} {:>14} {:>14} {:>12} {:>9.2}  {}",
-            pair(&short(*value), second.map(short).as_deref()),
+            values(keys, *value, *second),
             cell(found.peak.map(|at| at.force)),
             error,
             cell(found.plateau.map(|at| at.force)),
@@ -62,7 +62,7 @@ pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep, solve_s: &[f64]
         PointKind::InitiationPeak => "the initiation peak (the first local maximum of the force)",
         PointKind::SnapOff => "the snap-off",
     };
-    let mut text = format!("{}\n{} varied{}; {what} followed\n\n", scene.title, key.path(), in_unit(key.unit()));
+    let mut text = format!("{}\n{} varied{}; {what} followed\n\n", scene.title, key.path(), in_unit(key.usual_unit()));
     let _ = writeln!(
         text,
         "{:>14} {:>14} {:>9} {:>14} {:>9} {:>12} {:>9}",
@@ -83,7 +83,7 @@ pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep, solve_s: &[f64]
         let _ = writeln!(
             text,
             "{:>14} {:>14} {:>9} {:>14} {:>9} {worked:>12} {:>9.3}",
-            short(row.value),
+            short(as_given(key, row.value)),
             cell(row.point.map(|at| at.force), force),
             error(row.point.map(|at| at.force_error), force),
             cell(row.point.map(|at| at.displacement), length),
@@ -96,7 +96,7 @@ pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep, solve_s: &[f64]
 
 /// The title of a sweep and what is varied in it.
 pub(super) fn title(scene: &Scene, keys: SweptKeys) -> String {
-    let varied = |key: &Key| format!("{} varied{}", key.path(), in_unit(key.unit()));
+    let varied = |key: &Key| format!("{} varied{}", key.path(), in_unit(key.usual_unit()));
     let second = keys.second.map(|key| format!("; {}", varied(key))).unwrap_or_default();
     format!("{}\n{}{second}\n\n", scene.title, varied(keys.first))
 }
@@ -107,6 +107,12 @@ pub(super) fn pair(first: &str, second: Option<&str>) -> String {
         None => format!("{first:>14}"),
         Some(second) => format!("{first:>14} {second:>14}"),
     }
+}
+
+/// The cells of the values of a row, in the units in which a user gives them.
+pub(super) fn values(keys: SweptKeys, value: f64, second: Option<f64>) -> String {
+    let second = keys.second.zip(second).map(|(key, second)| short(as_given(key, second)));
+    pair(&short(as_given(keys.first, value)), second.as_deref())
 }
 
 /// The head of a column of numbers in a unit.

@@ -1,7 +1,6 @@
 //! A sweep of pulls at a rate as a table.
 
-use super::number::short;
-use super::sweep::{headed, largest, listed, none, pair, title};
+use super::sweep::{headed, largest, listed, none, pair, title, values};
 use super::units::{Unit, Units, WantedUnits};
 use peelkit_report::{RateRow, SweptKeys};
 use peelkit_scene::Scene;
@@ -37,7 +36,7 @@ pub fn swept_rates(
         let _ = writeln!(
             text,
             "{} {:>18} {:>12} {:>16} {:>12} {:>7} {:>9} {:>9.0}  {}",
-            pair(&short(row.value), row.second.map(short).as_deref()),
+            values(keys, row.value, row.second),
             cell(found.map(|found| found.largest_force), force),
             cell(found.map(|found| found.displacement), length),
             cell(found.map(|found| found.dissipated), work),

@@ -1,7 +1,6 @@
 //! A sweep of setae as a table.
 
-use super::number::short;
-use super::sweep::{headed, largest, listed, none, pair, title};
+use super::sweep::{headed, largest, listed, none, pair, title, values};
 use super::units::{Unit, Units, WantedUnits};
 use peelkit::study::SetaMoment;
 use peelkit_report::{SetaRow, SweptKeys};
@@ -45,7 +44,7 @@ pub fn swept_setae(
         let _ = writeln!(
             text,
             "{} {:>14} {:>12} {:>8} {:>16} {:>7} {:>12} {:>9} {:>9.0}  {}",
-            pair(&short(row.value), row.second.map(short).as_deref()),
+            values(keys, row.value, row.second),
             cell(peak.map(|at| at.force), force),
             cell(peak.map(|at| at.displacement), length),
             count(peak.map(|at| at.attached)),

@@ -96,7 +96,7 @@ fn propagation(of: &Propagation, statistics: &Statistics) -> String {
             format!("the {what} is off by {percent:+.1} % of the deviation (± {error:.1} %)")
         })
         .collect();
-    let told = if told.is_empty() { String::new() } else { format!("; it fails: {}", told.join(", ")) };
+    let told = if told.is_empty() { String::new() } else { format!("; not enough here: {}", told.join(", ")) };
     format!("  {name:<20} mean {}, deviation {}{told}\n", short(of.mean), short(of.deviation))
 }
 
@@ -109,11 +109,20 @@ fn indices(analysis: &Analysis, number: &NumberAnalysis) -> String {
     indices.sort_by(|a, b| b.total.value.total_cmp(&a.total.value));
     let mut text = format!("  {:<40} {:>20} {:>20}\n", "share of the variance", "first order", "total");
     let name = |&input: &usize| analysis.design.plan().inputs[input].name.as_str();
-    for of in indices {
+    for of in &indices {
         let names = of.inputs.iter().map(name).collect::<Vec<_>>().join(" + ");
         let cell = |value: f64, error: f64| format!("{value:.4} ± {error:.4}");
         let (first, total) = (cell(of.first.value, of.first.error), cell(of.total.value, of.total.error));
         let _ = writeln!(text, "  {names:<40} {first:>20} {total:>20}");
+    }
+    let impossible = indices.iter().filter(|of| of.is_impossible()).count();
+    if impossible > 0 {
+        let _ = writeln!(
+            text,
+            "  the sample is too small for {impossible} of these: a total share is below its first order, or a share is negative, which is\n  \
+             possible within the errors alone. Errors halve with four times the samples: uncertainty.samples = {}",
+            4 * analysis.design.samples()
+        );
     }
     text
 }

@@ -6,9 +6,9 @@ use crate::output::progress_bar;
 use indicatif::ProgressBar;
 use peelkit::study::StopCriteria;
 use peelkit::study::uncertainty::{Design, Outcome, SamplePlace, Sampled, sample};
-use peelkit_report::{Existing, OutputFolder, PartialUncertainty, ReportError};
+use peelkit_report::{OutputFolder, PartialFile, PartialUncertainty, ReportError};
 use peelkit_scene::Scene;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -31,7 +31,11 @@ impl Sampler {
             None => Some(args.scene.default_folder(&["uncertainty".to_owned()])),
             given => given.clone(),
         };
-        let opened = folder.map(|folder| open(args, &folder, scene).map(|both| (folder, both))).transpose()?;
+        let open = |folder: PathBuf| {
+            let both = args.out.claim_unfinished(&folder, args.fresh, |dir| PartialUncertainty::open(dir, scene));
+            both.map(|both| (folder, both))
+        };
+        let opened = folder.map(open).transpose()?;
         let (output, kept) = match opened {
             Some((folder, (partial, output))) => (Some(output), Some((folder, partial))),
             None => (None, None),
@@ -86,14 +90,4 @@ impl Sampler {
     pub fn discard(&self) -> Result<(), ReportError> {
         self.kept.as_ref().map_or(Ok(()), |(folder, _)| PartialUncertainty::discard(folder))
     }
-}
-
-fn open(args: &Uncertainty, folder: &Path, scene: &Scene) -> Result<(PartialUncertainty, OutputFolder), ReportError> {
-    if !PartialUncertainty::is_in(folder) {
-        args.out.claim(folder)?;
-    } else if args.fresh {
-        PartialUncertainty::discard(folder)?;
-    }
-    let partial = PartialUncertainty::open(folder, scene)?;
-    Ok((partial, OutputFolder::claim(folder, Existing::Replace)?))
 }

@@ -1,9 +1,10 @@
 //! The designs of an optimisation that is not finished yet, kept in a file as they are evaluated. The next run of the same scene makes the same choices
 //! and takes what is known of its designs from there, bit for bit.
 
+use super::damaged::Damaged;
 use super::lines::Lines;
+use super::partial_file::PartialFile;
 use crate::error::ReportError;
-use crate::file::remove;
 use crate::summary::Parameters;
 use peelkit::study::optimisation::Evaluation;
 use peelkit_scene::Scene;
@@ -34,10 +35,15 @@ struct Line {
     gradient: Vec<f64>,
 }
 
-impl PartialOptimisation {
-    /// Its name in the folder of the outputs.
-    pub const NAME: &str = "optimise.partial.jsonl";
+impl PartialFile for PartialOptimisation {
+    const NAME: &'static str = "optimise.partial.jsonl";
 
+    fn damaged(&self) -> Option<&Damaged> {
+        self.lines.damaged()
+    }
+}
+
+impl PartialOptimisation {
     /// Opens the file in `dir`, or begins it, and takes up what it holds of this scene. The file of another scene is refused.
     ///
     /// Fails with [`ReportError::OtherOptimisation`], [`ReportError::Read`] or [`ReportError::Write`].
@@ -53,18 +59,6 @@ impl PartialOptimisation {
             }
         }
         Ok(Self { lines, taken })
-    }
-
-    /// Whether `dir` holds the file of an optimisation that is not finished.
-    pub fn is_in(dir: &Path) -> bool {
-        dir.join(Self::NAME).is_file()
-    }
-
-    /// Removes the file in `dir`, if there is one.
-    ///
-    /// Fails with [`ReportError::Write`] where it cannot be removed.
-    pub fn discard(dir: &Path) -> Result<(), ReportError> {
-        remove(dir.join(Self::NAME))
     }
 
     /// How many designs are taken up.

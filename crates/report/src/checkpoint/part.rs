@@ -1,6 +1,6 @@
 //! One part of a sweep that several machines divide: the file from which `peel collect` puts the parts together again.
 
-use super::lines::{read_lines, text_line};
+use super::lines::{first_line, read_lines, result_line};
 use super::sweep::Line;
 use crate::error::ReportError;
 use crate::file::write_whole;
@@ -97,9 +97,9 @@ impl SweepPart {
     pub fn write(dir: &Path, header: &PartHeader, rows: &[SweepRow]) -> Result<PathBuf, ReportError> {
         let path = dir.join(Self::NAME);
         let refuse = |source| ReportError::Write { path: path.clone(), source };
-        let mut text = text_line(header).map_err(refuse)?;
+        let mut text = first_line(header).map_err(refuse)?;
         for row in rows {
-            text.extend(text_line(&Line::from(row)).map_err(refuse)?);
+            text.extend(result_line(&Line::from(row)).map_err(refuse)?);
         }
         write_whole(&path, &text)?;
         Ok(path)
@@ -107,17 +107,22 @@ impl SweepPart {
 
     /// Reads the file in `dir`; `None` where there is none.
     ///
-    /// Fails with [`ReportError::Read`], and with [`ReportError::NoPart`] where the first line is not that of a part.
+    /// Fails with [`ReportError::Read`], and with [`ReportError::NoPart`] where the first line is not that of a part, or a line is not as it was
+    /// written.
     pub fn read(dir: &Path) -> Result<Option<Self>, ReportError> {
         let path = dir.join(Self::NAME);
         if !path.is_file() {
             return Ok(None);
         }
         let text = fs::read(&path).map_err(|source| ReportError::Read { path: path.clone(), source })?;
-        let end = text.iter().position(|&byte| byte == b'\n').unwrap_or(text.len());
-        let header = serde_json::from_slice::<PartHeader>(&text[..end])
-            .map_err(|error| ReportError::NoPart { path, reason: error.to_string() })?;
-        let found = read_lines::<Line>(&text[end..]).into_iter().map(|line| (line.place(), line)).collect();
+        let end = text.iter().position(|&byte| byte == b'\n').map_or(text.len(), |end| end + 1);
+        let no_part = |reason| ReportError::NoPart { path: path.clone(), reason };
+        let header = serde_json::from_slice::<PartHeader>(&text[..end]).map_err(|error| no_part(error.to_string()))?;
+        let (lines, damaged) = read_lines::<Line>(&text[end..]);
+        if let Some(line) = damaged.first() {
+            return Err(no_part(format!("line {line} does not match its check sum")));
+        }
+        let found = lines.into_iter().map(|line| (line.place(), line)).collect();
         Ok(Some(Self { header, found }))
     }
 

@@ -1,16 +1,18 @@
 //! The path points of a run that is not finished yet, kept in a file as they come: a run that was interrupted loses none
 //! but the last of them, and the next run of the same scene takes them up.
 
-use super::lines::text_line;
+use super::damaged::{Damaged, DamagedPart, check_sum};
+use super::growing_file::GrowingFile;
+use super::lines::first_line;
+use super::partial_file::PartialFile;
 use crate::error::ReportError;
-use crate::file::remove;
 use crate::summary::Parameters;
 use peelkit::solve::{PathOptions, Waypoint};
 use peelkit_scene::{BoundsTable, Scene};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufReader, ErrorKind, Read, Write};
+use std::fs::File;
+use std::io::{self, BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -25,13 +27,14 @@ pub struct PartialRun {
     /// Points of an earlier run, a path each.
     taken: RefCell<Vec<(PathOptions, Vec<Waypoint>)>>,
     points_taken: usize,
+    damaged: Option<Damaged>,
     writing: RefCell<Writing>,
 }
 
 #[derive(Debug)]
 struct Writing {
     /// None before the first write.
-    file: Option<File>,
+    file: Option<GrowingFile>,
     /// Of the part of the file that is whole; none where there is no file.
     length: Option<u64>,
     waiting: Vec<Record>,
@@ -59,10 +62,15 @@ const INTERVAL: Duration = Duration::from_secs(1);
 /// Bytes before the record of a frame.
 const FRAME: usize = 8;
 
-impl PartialRun {
-    /// Its name in the folder of the outputs.
-    pub const NAME: &str = "run.partial";
+impl PartialFile for PartialRun {
+    const NAME: &'static str = "run.partial";
 
+    fn damaged(&self) -> Option<&Damaged> {
+        self.damaged.as_ref()
+    }
+}
+
+impl PartialRun {
     /// Takes up what the file in `dir` holds of this scene, if there is one. The file of another scene is refused. Nothing is
     /// written yet, and nothing ever where the run is short.
     ///
@@ -74,28 +82,18 @@ impl PartialRun {
     fn with_interval(dir: &Path, scene: &Scene, interval: Duration) -> Result<Self, ReportError> {
         let path = dir.join(Self::NAME);
         let header = header_of(&path, scene)?;
-        let (records, length) = match read(&path, &header) {
-            Err(error) if error.kind() == ErrorKind::NotFound => (Vec::new(), None),
+        let (Kept { records, damaged }, length) = match read(&path, &header) {
+            Err(error) if error.kind() == ErrorKind::NotFound => (Kept::default(), None),
             Err(error) if error.kind() == ErrorKind::InvalidData => return Err(ReportError::OtherRun { path }),
             Err(source) => return Err(ReportError::Read { path, source }),
-            Ok((records, length)) => (records, Some(length)),
+            Ok((kept, length)) => (kept, Some(length)),
         };
         let points_taken = records.len();
+        let from = DamagedPart::PointsFrom(points_taken + 1);
+        let damaged = damaged.then(|| Damaged { path: path.clone(), what: from });
         let writing = Writing { file: None, length, waiting: Vec::new(), last: Instant::now(), trouble: None };
         let (taken, writing) = (RefCell::new(by_path(records)), RefCell::new(writing));
-        Ok(Self { path, header, interval, taken, points_taken, writing })
-    }
-
-    /// Whether `dir` holds the file of a run that is not finished.
-    pub fn is_in(dir: &Path) -> bool {
-        dir.join(Self::NAME).is_file()
-    }
-
-    /// Removes the file in `dir`, if there is one.
-    ///
-    /// Fails with [`ReportError::Write`] where it cannot be removed.
-    pub fn discard(dir: &Path) -> Result<(), ReportError> {
-        remove(dir.join(Self::NAME))
+        Ok(Self { path, header, interval, taken, points_taken, damaged, writing })
     }
 
     /// How many points an earlier run has kept.
@@ -151,18 +149,15 @@ impl PartialRun {
         for record in &writing.waiting {
             let record = postcard::to_stdvec(record).map_err(io::Error::other)?;
             text.extend(u32::try_from(record.len()).map_err(io::Error::other)?.to_le_bytes());
-            text.extend(crc32fast::hash(&record).to_le_bytes());
+            text.extend(check_sum(&record).to_le_bytes());
             text.extend(record);
         }
         let length = writing.length.unwrap_or(0);
         if writing.file.is_none() {
-            self.path.parent().map_or(Ok(()), fs::create_dir_all)?;
-            let file = OpenOptions::new().create(true).append(true).open(&self.path)?;
             // what comes next does not continue a torn frame
-            file.set_len(length)?;
-            writing.file = Some(file);
+            writing.file = Some(GrowingFile::open(&self.path, length)?);
         }
-        writing.file.as_mut().map_or(Ok(()), |file| file.write_all(&text))?;
+        writing.file.as_mut().map_or(Ok(()), |file| file.append(&text))?;
         writing.length = Some(length + text.len() as u64);
         Ok(())
     }
@@ -173,11 +168,20 @@ pub(super) fn header_of(path: &Path, scene: &Scene) -> Result<Vec<u8>, ReportErr
     let bounds = BoundsTable { points: 0, time_s: None, displacement: None };
     let scene = Scene { bounds, ..scene.clone() };
     let header = Header { peelkit: env!("CARGO_PKG_VERSION"), scene: Parameters(scene) };
-    text_line(&header).map_err(|source| ReportError::Write { path: path.to_path_buf(), source })
+    first_line(&header).map_err(|source| ReportError::Write { path: path.to_path_buf(), source })
 }
 
-/// The records of a file that begins with `header`, up to the first that is torn, and how many bytes they end at.
-fn read(path: &Path, header: &[u8]) -> io::Result<(Vec<Record>, u64)> {
+/// What a file holds.
+#[derive(Default)]
+struct Kept {
+    /// Up to the first that is torn or not as it was written
+    records: Vec<Record>,
+    /// Whether there is one that is not as it was written
+    damaged: bool,
+}
+
+/// The records of a file that begins with `header`, and how many bytes they end at.
+fn read(path: &Path, header: &[u8]) -> io::Result<(Kept, u64)> {
     let file = File::open(path)?;
     let mut left = file.metadata()?.len();
     let mut file = BufReader::new(file);
@@ -188,17 +192,21 @@ fn read(path: &Path, header: &[u8]) -> io::Result<(Vec<Record>, u64)> {
     }
     let mut end = header.len() as u64;
     left -= end;
-    let mut records = Vec::new();
+    let mut kept = Kept::default();
     while let Some((record, length)) = next(&mut file, left)? {
-        records.push(record);
+        let Some(record) = record else {
+            kept.damaged = true;
+            break;
+        };
+        kept.records.push(record);
         end += length;
         left -= length;
     }
-    Ok((records, end))
+    Ok((kept, end))
 }
 
-/// The next record and the length of its frame, if it is whole; there are `left` bytes.
-fn next(file: &mut impl Read, left: u64) -> io::Result<Option<(Record, u64)>> {
+/// The next record, if it is as it was written, and the length of its frame; nothing where that is torn. There are `left` bytes.
+fn next(file: &mut impl Read, left: u64) -> io::Result<Option<(Option<Record>, u64)>> {
     let mut frame = [0; FRAME];
     if left < FRAME as u64 {
         return Ok(None);
@@ -212,8 +220,8 @@ fn next(file: &mut impl Read, left: u64) -> io::Result<Option<(Record, u64)>> {
     }
     let mut record = vec![0; length as usize];
     file.read_exact(&mut record)?;
-    let record = (crc32fast::hash(&record) == sum).then(|| postcard::from_bytes(&record).ok()).flatten();
-    Ok(record.map(|record| (record, whole)))
+    let record = (check_sum(&record) == sum).then(|| postcard::from_bytes(&record).ok()).flatten();
+    Ok(Some((record, whole)))
 }
 
 /// The points of each path, in their order.

@@ -1,5 +1,7 @@
 //! What an unfinished pull-off of a seta has reached, kept in a file: the next run of the same scene goes on from there, bit for bit.
 
+use super::damaged::{Damaged, DamagedPart, check_sum};
+use super::partial_file::PartialFile;
 use super::run::{PartialRun, header_of};
 use crate::error::ReportError;
 use crate::file::write_whole;
@@ -17,6 +19,7 @@ use std::path::{Path, PathBuf};
 pub struct PartialSeta {
     path: PathBuf,
     header: Vec<u8>,
+    damaged: Option<Damaged>,
 }
 
 /// What is kept: where the pull-off stands, and what was seen on the way.
@@ -28,6 +31,14 @@ pub struct SetaCheckpoint<S> {
     pub seen: S,
 }
 
+impl PartialFile for PartialSeta {
+    const NAME: &'static str = PartialRun::NAME;
+
+    fn damaged(&self) -> Option<&Damaged> {
+        self.damaged.as_ref()
+    }
+}
+
 impl PartialSeta {
     /// What the file in `dir` holds of this scene, if there is one. The file of another scene is refused. Nothing is written yet.
     ///
@@ -36,17 +47,23 @@ impl PartialSeta {
         dir: &Path,
         scene: &Scene,
     ) -> Result<(Self, Option<SetaCheckpoint<S>>), ReportError> {
-        let path = dir.join(PartialRun::NAME);
+        let path = dir.join(Self::NAME);
         let header = header_of(&path, scene)?;
+        let mut damaged = None;
         let kept = match fs::read(&path) {
             Err(error) if error.kind() == ErrorKind::NotFound => None,
             Err(source) => return Err(ReportError::Read { path, source }),
             Ok(bytes) => match bytes.strip_prefix(header.as_slice()) {
-                Some(kept) => whole(kept),
+                Some(kept) => {
+                    let whole = whole(kept);
+                    let all = || Damaged { path: path.clone(), what: DamagedPart::Everything };
+                    damaged = whole.is_none().then(all);
+                    whole
+                }
                 None => return Err(ReportError::OtherRun { path }),
             },
         };
-        Ok((Self { path, header }, kept))
+        Ok((Self { path, header, damaged }, kept))
     }
 
     /// Writes what was reached, in place of what was there.
@@ -61,7 +78,7 @@ impl PartialSeta {
         let refuse = |source: io::Error| ReportError::Write { path: self.path.clone(), source };
         let record = postcard::to_stdvec(&Kept { progress, seen }).map_err(|error| refuse(io::Error::other(error)))?;
         let mut bytes = self.header.clone();
-        bytes.extend(crc32fast::hash(&record).to_le_bytes());
+        bytes.extend(check_sum(&record).to_le_bytes());
         bytes.extend(record);
         self.path.parent().map_or(Ok(()), fs::create_dir_all).map_err(refuse)?;
         write_whole(&self.path, &bytes)
@@ -76,5 +93,5 @@ impl PartialSeta {
 /// What stands behind the first line, if it is as it was written.
 fn whole<S: DeserializeOwned>(kept: &[u8]) -> Option<SetaCheckpoint<S>> {
     let (sum, record) = kept.split_first_chunk()?;
-    (crc32fast::hash(record).to_le_bytes() == *sum).then(|| postcard::from_bytes(record).ok()).flatten()
+    (check_sum(record).to_le_bytes() == *sum).then(|| postcard::from_bytes(record).ok()).flatten()
 }

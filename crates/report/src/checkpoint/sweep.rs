@@ -1,10 +1,11 @@
 //! The rows of a sweep that is not finished yet, kept in a file as they come: a run that was interrupted loses none of
 //! them, and the next run of the same sweep takes them up.
 
+use super::damaged::Damaged;
 use super::lines::Lines;
 use super::part::Part;
+use super::partial_file::PartialFile;
 use crate::error::ReportError;
-use crate::file::remove;
 use crate::summary::Parameters;
 use crate::sweep_row::SweepRow;
 use crate::swept_keys::SweptKeys;
@@ -59,27 +60,18 @@ impl From<&SweepRow> for Line {
     }
 }
 
-impl PartialSweep {
-    /// Its name in the folder of the outputs.
-    pub const NAME: &str = "sweep.partial.jsonl";
-
-    /// Whether `dir` holds the file of a sweep that is not finished.
-    pub fn is_in(dir: &Path) -> bool {
-        dir.join(Self::NAME).is_file()
-    }
-
-    /// Removes the file in `dir`, if there is one.
-    ///
-    /// Fails with [`ReportError::Write`] where it cannot be removed.
-    pub fn discard(dir: &Path) -> Result<(), ReportError> {
-        remove(dir.join(Self::NAME))
-    }
-}
-
 /// What a file keeps and gives back as it was.
 pub trait Storable: Clone + PartialEq + Serialize + DeserializeOwned {}
 
 impl<F: Clone + PartialEq + Serialize + DeserializeOwned> Storable for F {}
+
+impl<F: Storable> PartialFile for PartialSweep<F> {
+    const NAME: &'static str = "sweep.partial.jsonl";
+
+    fn damaged(&self) -> Option<&Damaged> {
+        self.lines.damaged()
+    }
+}
 
 impl<F: Storable> PartialSweep<F> {
     /// Opens the file in `dir`, or begins it, and takes up what it holds of this sweep: the scene in which these keys are varied,
@@ -95,7 +87,7 @@ impl<F: Storable> PartialSweep<F> {
         let (vary, scene) = (keys.into().names(), Parameters(scene.clone()));
         let header = Header { peelkit: env!("CARGO_PKG_VERSION"), vary, part, scene };
         let other = |path| ReportError::OtherSweep { path };
-        let (lines, kept) = Lines::<Line<F>>::open(&dir.join(PartialSweep::NAME), &header, other)?;
+        let (lines, kept) = Lines::<Line<F>>::open(&dir.join(Self::NAME), &header, other)?;
         let taken = kept.into_iter().map(|line| (line.place(), line)).collect();
         Ok(Self { lines, taken })
     }
@@ -126,7 +118,7 @@ pub(super) fn place(value: f64, second: Option<f64>) -> (u64, Option<u64>) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::lines::text_line;
+    use super::super::lines::first_line;
     use super::*;
     use peelkit::solve::{Pace, PathError, Place, SolveError};
     use peelkit::study::{Effort, Failure, LimitPoint, LimitPointKind, PathEnd, PathFailure, Peak, Plateau};
@@ -233,7 +225,7 @@ mod tests {
             bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             let number = f64::from_bits(bits);
             if number.is_finite() {
-                let back: f64 = serde_json::from_slice(&text_line(&number).unwrap()).unwrap();
+                let back: f64 = serde_json::from_slice(&first_line(&number).unwrap()).unwrap();
                 assert_eq!(back.to_bits(), bits, "{number:e}");
             }
         }
@@ -242,7 +234,7 @@ mod tests {
     #[test]
     fn a_torn_line_is_no_row_and_spoils_none() {
         let dir = tempfile::tempdir().unwrap();
-        let path = dir.path().join(PartialSweep::NAME);
+        let path = dir.path().join(<PartialSweep>::NAME);
         for value in [1.0, 2.0] {
             open(dir.path(), &scene()).keep(&row(value)).unwrap();
         }
@@ -263,11 +255,13 @@ mod tests {
             scene
         };
         let dir = tempfile::tempdir().unwrap();
-        let path = dir.path().join(PartialSweep::NAME);
+        let path = dir.path().join(<PartialSweep>::NAME);
         let refused = |scene: &Scene, key: &str| {
             let before = fs::read(&path).unwrap();
             let error = <PartialSweep>::open(dir.path(), scene, find_key(key).unwrap(), None).unwrap_err();
-            assert!(matches!(error, ReportError::OtherSweep { .. }) && error.to_string().contains(PartialSweep::NAME));
+            assert!(
+                matches!(error, ReportError::OtherSweep { .. }) && error.to_string().contains(<PartialSweep>::NAME)
+            );
             assert_eq!(fs::read(&path).unwrap(), before);
         };
         open(dir.path(), &scene()).keep(&row(1.0)).unwrap();
@@ -276,11 +270,11 @@ mod tests {
         let text = fs::read_to_string(&path).unwrap();
         fs::write(&path, text.replace(env!("CARGO_PKG_VERSION"), "0.0.9")).unwrap();
         refused(&scene(), "strip.length");
-        assert!(PartialSweep::is_in(dir.path()));
-        PartialSweep::discard(dir.path()).unwrap();
-        assert!(!PartialSweep::is_in(dir.path()));
+        assert!(<PartialSweep>::is_in(dir.path()));
+        <PartialSweep>::discard(dir.path()).unwrap();
+        assert!(!<PartialSweep>::is_in(dir.path()));
         assert!(open(dir.path(), &scene()).found(1.0, None).is_none());
-        PartialSweep::discard(&dir.path().join("none")).unwrap();
+        <PartialSweep>::discard(&dir.path().join("none")).unwrap();
     }
 
     #[test]

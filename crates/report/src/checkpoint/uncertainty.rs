@@ -1,9 +1,10 @@
 //! The samples of an uncertain peel that is not finished yet, kept in a file as they come. A sample depends on the seed and its place and not on how
 //! many there are: with more samples asked for, those of an earlier run are taken up as well.
 
+use super::damaged::Damaged;
 use super::lines::Lines;
+use super::partial_file::PartialFile;
 use crate::error::ReportError;
-use crate::file::remove;
 use crate::summary::Parameters;
 use peelkit::study::uncertainty::{Outcome, SamplePlace};
 use peelkit_scene::Scene;
@@ -33,10 +34,15 @@ struct Line {
     outcome: Outcome,
 }
 
-impl PartialUncertainty {
-    /// Its name in the folder of the outputs.
-    pub const NAME: &str = "uncertainty.partial.jsonl";
+impl PartialFile for PartialUncertainty {
+    const NAME: &'static str = "uncertainty.partial.jsonl";
 
+    fn damaged(&self) -> Option<&Damaged> {
+        self.lines.damaged()
+    }
+}
+
+impl PartialUncertainty {
     /// Opens the file in `dir`, or begins it, and takes up what it holds of this scene. The file of another scene or seed is refused.
     ///
     /// Fails with [`ReportError::OtherSample`], [`ReportError::Read`] or [`ReportError::Write`].
@@ -49,18 +55,6 @@ impl PartialUncertainty {
         let other = |path| ReportError::OtherSample { path };
         let (lines, kept) = Lines::<Line>::open(&dir.join(Self::NAME), &header, other)?;
         Ok(Self { lines, taken: kept.into_iter().map(|line| (line.at, line.outcome)).collect() })
-    }
-
-    /// Whether `dir` holds the file of a sample that is not finished.
-    pub fn is_in(dir: &Path) -> bool {
-        dir.join(Self::NAME).is_file()
-    }
-
-    /// Removes the file in `dir`, if there is one.
-    ///
-    /// Fails with [`ReportError::Write`] where it cannot be removed.
-    pub fn discard(dir: &Path) -> Result<(), ReportError> {
-        remove(dir.join(Self::NAME))
     }
 
     /// What an earlier run found there.

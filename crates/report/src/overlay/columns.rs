@@ -46,6 +46,9 @@ impl Columns {
             .from_reader(text.as_bytes());
         let cells = |record: &csv::StringRecord| record.iter().map(str::to_owned).collect::<Vec<_>>();
         let header = cells(reader.headers().map_err(|error| format!("is no CSV: {error}"))?);
+        if header.is_empty() {
+            return Err("is empty: it has no header and no rows".to_owned());
+        }
         let mut rows = Vec::new();
         for (index, record) in reader.records().enumerate() {
             let row = cells(&record.map_err(|error| format!("is no CSV: {error}"))?);

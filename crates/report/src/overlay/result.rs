@@ -2,6 +2,7 @@
 
 use super::OverlayError;
 use super::columns::Columns;
+use crate::swept_keys;
 use peelkit_scene::{KEYS, Key};
 use std::path::{Path, PathBuf};
 
@@ -93,11 +94,9 @@ impl ResultFile {
     }
 }
 
-/// Whether a column is that of the key: its path, with its unit behind it.
+/// Whether a column is that of the key: its path, with its unit behind it, or that of the library.
 fn names(key: &Key, column: &str) -> bool {
-    let unit = key.unit().replace('/', "_per_");
-    let path = key.path();
-    column == path || (!unit.is_empty() && column.strip_prefix(&path).is_some_and(|rest| rest == format!("_{unit}")))
+    [key.usual_unit(), key.unit()].iter().any(|unit| column == swept_keys::column(key, unit))
 }
 
 /// The table that a path means.

@@ -1,5 +1,6 @@
 //! The force on the root of a seta and the number of attached tips, against how far the root has moved.
 
+use super::motion::SetaMotion;
 use super::route::travels;
 use super::side_view::MICRO;
 use crate::chart::{Axis, Band, Frame, Line, Mark, Panel, Picture, Stroke, WIDTH, colour, significant};
@@ -23,7 +24,7 @@ pub(super) fn picture(pull_off: &SetaPullOff, title: &str) -> Picture {
     let first = Frame { left, top: TOP, right, bottom: TOP + FORCE };
     let second = Frame { left, top: first.bottom + BETWEEN, right, bottom: first.bottom + BETWEEN + TIPS };
     let x = |label: &str| Axis::around(label, micro.iter().copied(), false);
-    let y = Axis::around("force P on the root (µN)", forces.iter().map(|at| at.1).chain([0.0]), false);
+    let y = Axis::around("force P on the root along its motion (µN)", forces.iter().map(|at| at.1).chain([0.0]), false);
     let stroke = Stroke::solid(colour::BLUE, 1.8);
     let mut force = Panel::of_lines(first, x(""), y, vec![Line::plain(forces, stroke)]);
     let zero = vec![(force.x.from, 0.0), (force.x.to, 0.0)];
@@ -37,12 +38,16 @@ pub(super) fn picture(pull_off: &SetaPullOff, title: &str) -> Picture {
     Picture { title: title.into(), height: (second.bottom + 54.0) as u32, panels: vec![force, tips] }
 }
 
-/// What comes before the last step.
+/// The steps before the last one, each under its name.
 fn bands(points: &[SetaPoint], micro: &[f64]) -> Vec<Band> {
-    let last = points.last().map_or(0, |point| point.step);
-    let before: Vec<f64> = points.iter().zip(micro).filter(|(point, _)| point.step < last).map(|(_, &at)| at).collect();
-    let [Some(&from), Some(&to)] = [before.first(), before.last()] else { return Vec::new() };
-    vec![Band { from, to, colour: colour::ORANGE, name: Some("before the pull".to_owned()) }]
+    let steps = SetaMotion::of(points);
+    let before = &steps[..steps.len().saturating_sub(1)];
+    let band = |(index, step): (usize, &SetaMotion)| {
+        let own = || points.iter().zip(micro).filter(|(point, _)| point.step == step.step).map(|(_, &at)| at);
+        let colour = if index % 2 == 0 { colour::ORANGE } else { colour::GREEN };
+        Some(Band { from: own().next()?, to: own().next_back()?, colour, name: Some(step.name.to_owned()) })
+    };
+    before.iter().enumerate().filter_map(band).collect()
 }
 
 fn marks(pull_off: &SetaPullOff, micro: &[f64]) -> Vec<Mark> {

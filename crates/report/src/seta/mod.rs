@@ -4,6 +4,7 @@ mod animation;
 mod curve;
 mod event_table;
 mod load_map;
+mod motion;
 mod names;
 mod picture;
 mod pose;
@@ -17,6 +18,7 @@ mod vtk;
 
 pub use animation::write_seta_animation;
 pub use event_table::{write_seta_events, write_seta_rate_events};
+pub use motion::SetaMotion;
 pub use names::{seta_end_reason, seta_end_word};
 pub use picture::draw_pull_off;
 pub use pose::SetaPose;

@@ -6,14 +6,15 @@ use crate::file::write_whole;
 use crate::names::end_word;
 use crate::number::Finite;
 use crate::sweep_row::SweepRow;
-use crate::swept_keys::SweptKeys;
+use crate::swept_keys::{SweptKeys, as_given};
 use peelkit::study::{self, FollowedRow, FollowedSweep, PeelResult, PointKind};
+use peelkit_scene::Key;
 use serde::Serialize;
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// Writes sweep.csv: one row a value, or a pair of values. Behind `value` the same number stands once more in a column that names its key
-/// and unit.
+/// and the unit in which a user gives it: an angle in degrees.
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_sweep<'k>(dir: &Path, keys: impl Into<SweptKeys<'k>>, rows: &[SweepRow]) -> Result<PathBuf, ReportError> {
@@ -65,10 +66,19 @@ fn with_named_values<L: Serialize>(keys: SweptKeys, none: &L, lines: &[L]) -> io
     )?;
     for record in reader.records() {
         let record = record?;
-        let named = record.iter().take(values);
+        let named: Vec<String> = keys.keys().zip(&record).map(|(key, cell)| cell_as_given(key, cell)).collect();
+        let named = named.iter().map(String::as_str);
         writer.write_record(record.iter().take(values).chain(named).chain(record.iter().skip(values)))?;
     }
     writer.into_inner().map_err(|error| error.into_error())
+}
+
+/// A cell in the unit in which a user gives the key.
+fn cell_as_given(key: &Key, cell: &str) -> String {
+    match cell.parse::<f64>() {
+        Ok(number) if key.per_usual_unit() != 1.0 => as_given(key, number).to_string(),
+        _ => cell.to_owned(),
+    }
 }
 
 /// One value of a sweep in short; `None` where a thing does not occur or was not computed.

@@ -119,7 +119,11 @@ pub fn write_samples(dir: &Path, analysis: &Analysis) -> Result<PathBuf, ReportE
 fn samples(analysis: &Analysis) -> io::Result<Vec<u8>> {
     let design = &analysis.design;
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let names = design.plan().inputs.iter().map(|of| find_key(&of.name).map_or_else(|_| of.name.clone(), column));
+    let names = design
+        .plan()
+        .inputs
+        .iter()
+        .map(|of| find_key(&of.name).map_or_else(|_| of.name.clone(), |key| column(key, key.unit())));
     let results = analysis.numbers.iter().map(|number| number.of.name().to_owned());
     let fixed = ["sample", "replicate", "point", "row"].map(str::to_owned);
     writer.write_record(fixed.into_iter().chain(names).chain(results).chain(["cut_short".to_owned()]))?;

@@ -133,6 +133,10 @@ impl Key {
 
     pub(super) fn no_quantity(&self, text: &str, dimension: Dimension, error: QuantityError) -> ValueError {
         match error {
+            QuantityError::NoNumber if text.trim_start().starts_with(['[', '{']) => {
+                let kind = if text.trim_start().starts_with('[') { "a list" } else { "a table" };
+                ValueError::new(format!("is {kind}: {}", one_line(text.trim())), self.remedy())
+            }
             QuantityError::NoNumber => {
                 ValueError::new(format!("is {}, which does not begin with a number", quoted(text)), self.remedy())
             }

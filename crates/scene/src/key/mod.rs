@@ -121,7 +121,7 @@ impl Key {
         }
         ValueError::new(
             format!("is a key of [{}], and the scene peels a [{body}]", self.table),
-            format!("A scene has one of the tables [{}].", BODIES.join("], [")),
+            format!("A scene has one of the tables [{}]; a [seta] may stand beside a [spatula].", BODIES.join("], [")),
         )
     }
 

@@ -4,6 +4,11 @@ use peelkit::study::{PathEnd, Peak, Peel, peel};
 use peelkit_report::{PeelSummary, end_reason};
 use peelkit_scene::Scene;
 
+/// Whether a scene is computed, and not refused because its beam is too many process zones long.
+pub fn is_computed(text: &str) -> bool {
+    !Scene::parse("absurd.toml", text, &[]).is_err_and(|error| error.to_string().contains("process zones long"))
+}
+
 /// Peels a scene and says what is wrong with what came out: a number that is not finite, a peak without an error bound, a
 /// failure without a reason.
 pub fn check_run(text: &str) -> Result<(Scene, Peel), String> {

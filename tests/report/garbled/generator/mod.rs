@@ -13,6 +13,6 @@ mod text;
 
 pub use absurd::{absurd_scene, absurd_scene_of};
 pub use check_parse::{check_parse, printed};
-pub use check_run::check_run;
+pub use check_run::{check_run, is_computed};
 pub use dice::{BYTES, Dice};
 pub use text::{ODD_VALUES, garbled_text, misspell};

@@ -7,7 +7,7 @@ use peelkit::study::coarsening::{TableLaw, TableRound, Visited};
 use peelkit::study::{
     self, Bound, SetaEnd, SetaLoading, SetaOptions, SetaProgress, SetaPullOff, Stage, StopCriteria, StopReason,
 };
-use peelkit_report::{Existing, OutputFolder, PartialRun, PartialSeta, ReportError, SetaCheckpoint};
+use peelkit_report::{OutputFolder, PartialFile, PartialSeta, ReportError, SetaCheckpoint};
 use peelkit_scene::Scene;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -59,14 +59,12 @@ impl KeptSeta {
         scene: &Scene,
         sampler: &Sampler,
     ) -> Result<Self, ReportError> {
-        let output = match PartialRun::is_in(folder) {
-            true => OutputFolder::claim(folder, Existing::Replace)?,
-            false => out.claim(folder)?,
-        };
-        if fresh {
-            PartialRun::discard(folder)?;
-        }
-        let (partial, reached) = PartialSeta::open::<Seen>(folder, scene)?;
+        let mut reached = None;
+        let (partial, output) = out.claim_unfinished(folder, fresh, |dir| {
+            let (partial, kept) = PartialSeta::open::<Seen>(dir, scene)?;
+            reached = kept;
+            Ok(partial)
+        })?;
         // the states that another number of them asks for are not among those that were seen
         let reached = reached.filter(|kept| kept.seen.sampler.is_like(sampler));
         let taken = reached.as_ref().map_or(0, |kept| kept.progress.result.points.len());
@@ -108,7 +106,7 @@ impl KeptSeta {
         let files = self.output.write(write);
         let unfinished = matches!(followed.pull_off.end, SetaEnd::Bound(Bound::Time { .. } | Bound::Interrupted));
         match followed.progress.as_ref().filter(|_| unfinished) {
-            None => (files.and_then(|files| PartialRun::discard(&self.folder).map(|()| files)), None),
+            None => (files.and_then(|files| PartialSeta::discard(&self.folder).map(|()| files)), None),
             Some(progress) => {
                 self.keep(progress, &followed.seen);
                 match self.trouble.take() {

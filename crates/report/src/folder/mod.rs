@@ -1,7 +1,9 @@
 //! The folder of a command's outputs: all of its files appear together, or none does.
 
-use crate::checkpoint::PartialRun;
+mod lock;
+
 use crate::error::ReportError;
+use lock::{FolderLock, NotLocked};
 use std::env;
 use std::fs;
 use std::io::{self, ErrorKind};
@@ -25,41 +27,67 @@ pub struct OutputFolder {
     name: PathBuf,
     /// Where that is.
     place: PathBuf,
-    staging: PathBuf,
     existing: Existing,
+    /// The file in it that an unfinished command keeps.
+    checkpoint: Option<&'static str>,
+    /// Nobody else writes there as long as this is held.
+    _lock: Option<FolderLock>,
 }
 
 impl OutputFolder {
-    /// Refuses a folder that must not be written to, or cannot be; to be asked before anything is computed.
+    /// Refuses a folder that must not be written to, or cannot be, or to which another process writes; to be asked before anything is computed.
     ///
-    /// Fails with [`ReportError::Exists`] or [`ReportError::Write`].
+    /// Fails with [`ReportError::Exists`], [`ReportError::InUse`] or [`ReportError::Write`].
     pub fn claim(name: &Path, existing: Existing) -> Result<Self, ReportError> {
+        Self::claim_with(name, existing, None)
+    }
+
+    /// The same of a command that keeps what it finds in a file of this name: a folder that holds it is one to go on with.
+    ///
+    /// Fails as [`OutputFolder::claim`] does.
+    pub fn claim_with_checkpoint(
+        name: &Path,
+        existing: Existing,
+        checkpoint: &'static str,
+    ) -> Result<Self, ReportError> {
+        Self::claim_with(name, existing, Some(checkpoint))
+    }
+
+    fn claim_with(name: &Path, existing: Existing, checkpoint: Option<&'static str>) -> Result<Self, ReportError> {
         let refuse = |source: io::Error| ReportError::Write { path: name.to_path_buf(), source };
         let place = whereabouts(name).map_err(refuse)?;
-        let folder = Self { name: name.to_path_buf(), staging: PathBuf::new(), place, existing };
+        let lock = FolderLock::take(&place).map_err(|error| match error {
+            NotLocked::InUse(process) => ReportError::InUse { path: name.to_path_buf(), process },
+            NotLocked::System(source) => refuse(source),
+        })?;
+        let goes_on = checkpoint.is_some_and(|checkpoint| place.join(checkpoint).is_file());
+        let existing = if goes_on { Existing::Replace } else { existing };
+        let folder = Self { name: name.to_path_buf(), place, existing, checkpoint, _lock: lock };
         folder.refuse_full()?;
-        let staging = staging(&folder.place).map_err(refuse)?;
-        Ok(Self { staging, ..folder })
+        staging(&folder.place).map_err(refuse)?;
+        Ok(folder)
     }
 
     /// Has `write` put files into the folder that it is given, and then shows them all under the name of this one: the
-    /// paths that it returns, and those in its error, are reported as of there.
+    /// paths that it returns, and those in its error, are reported as of there. A folder that was removed since it was claimed is made again.
     ///
     /// Fails as `write` does, or with [`ReportError::Exists`] or [`ReportError::Write`]; nothing new is shown then.
     pub fn write(
         &self,
         write: impl FnOnce(&Path) -> Result<Vec<PathBuf>, ReportError>,
     ) -> Result<Vec<PathBuf>, ReportError> {
-        let begun = fresh(&self.staging).map_err(|source| ReportError::Write { path: self.name.clone(), source });
-        let written = begun.and_then(|()| write(&self.staging)).and_then(|files| self.show(&files));
+        let above = self.place.parent().map_or(Ok(()), fs::create_dir_all);
+        let staging = above.and_then(|()| staging(&self.place)).and_then(|staging| fresh(&staging).map(|()| staging));
+        let staging = staging.map_err(|source| ReportError::Write { path: self.name.clone(), source })?;
+        let written = write(&staging).and_then(|files| self.show(&staging, &files));
         // Gone if all went well; what a failed attempt may leave behind is not worth a second error.
-        let _ = fs::remove_dir_all(&self.staging);
-        written.map_err(|error| error.with_path(|path| self.named(path)))
+        let _ = fs::remove_dir_all(&staging);
+        written.map_err(|error| error.with_path(|path| self.named(&staging, path)))
     }
 
-    /// Another run may have filled the folder since it was claimed.
+    /// Another program may have filled the folder since it was claimed.
     fn refuse_full(&self) -> Result<(), ReportError> {
-        let full = holds_something(&self.place);
+        let full = holds_something(&self.place, self.checkpoint);
         let full = full.map_err(|source| ReportError::Write { path: self.name.clone(), source })?;
         match self.existing {
             Existing::Keep if full => Err(ReportError::Exists { path: self.name.clone() }),
@@ -67,17 +95,17 @@ impl OutputFolder {
         }
     }
 
-    fn show(&self, files: &[PathBuf]) -> Result<Vec<PathBuf>, ReportError> {
+    fn show(&self, staging: &Path, files: &[PathBuf]) -> Result<Vec<PathBuf>, ReportError> {
         self.refuse_full()?;
-        let beside = self.staging.parent() == self.place.parent();
-        if !(beside && fs::rename(&self.staging, &self.place).is_ok()) {
-            files.iter().try_for_each(|file| self.move_in(file))?;
+        let beside = staging.parent() == self.place.parent();
+        if !(beside && fs::rename(staging, &self.place).is_ok()) {
+            files.iter().try_for_each(|file| self.move_in(staging, file))?;
         }
-        Ok(files.iter().map(|file| self.named(file)).collect())
+        Ok(files.iter().map(|file| self.named(staging, file)).collect())
     }
 
-    fn move_in(&self, file: &Path) -> Result<(), ReportError> {
-        let to = self.place.join(file.strip_prefix(&self.staging).unwrap_or(file));
+    fn move_in(&self, staging: &Path, file: &Path) -> Result<(), ReportError> {
+        let to = self.place.join(file.strip_prefix(staging).unwrap_or(file));
         let inner = to.parent().map_or(Ok(()), fs::create_dir_all);
         inner
             .and_then(|()| fs::rename(file, &to))
@@ -85,8 +113,8 @@ impl OutputFolder {
     }
 
     /// A file of the hidden folder under the name that it gets.
-    fn named(&self, path: &Path) -> PathBuf {
-        path.strip_prefix(&self.staging).map_or_else(|_| path.to_path_buf(), |inner| self.name.join(inner))
+    fn named(&self, staging: &Path, path: &Path) -> PathBuf {
+        path.strip_prefix(staging).map_or_else(|_| path.to_path_buf(), |inner| self.name.join(inner))
     }
 }
 
@@ -107,7 +135,7 @@ fn whereabouts(name: &Path) -> io::Result<PathBuf> {
 }
 
 /// Whether anything but what a killed run has left, or this one keeps, is there.
-fn holds_something(place: &Path) -> io::Result<bool> {
+fn holds_something(place: &Path, checkpoint: Option<&str>) -> io::Result<bool> {
     let entries = match fs::read_dir(place) {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
         entries => entries?,
@@ -115,7 +143,8 @@ fn holds_something(place: &Path) -> io::Result<bool> {
     for entry in entries {
         let name = entry?.file_name();
         let name = name.to_string_lossy();
-        if !(name.starts_with('.') && name.ends_with(".part") || name == PartialRun::NAME) {
+        let is_hidden = name.starts_with('.') && (name.ends_with(".part") || name.ends_with(lock::ENDING));
+        if !(is_hidden || checkpoint == Some(&*name)) {
             return Ok(true);
         }
     }
@@ -213,6 +242,7 @@ mod tests {
             );
         };
         refused(folder.write(fill));
+        drop(folder);
         refused(OutputFolder::claim(&out, Existing::Keep).map(|_| Vec::new()));
         let folder = OutputFolder::claim(&out, Existing::Replace).unwrap();
         folder.write(fail).unwrap_err();
@@ -227,13 +257,57 @@ mod tests {
     }
 
     #[test]
+    fn a_folder_that_is_removed_meanwhile_is_made_again() {
+        let dir = tempfile::tempdir().unwrap();
+        let out = dir.path().join("deep/out");
+        for exists in [false, true] {
+            if exists {
+                fs::create_dir_all(&out).unwrap();
+                fs::write(out.join("mine"), "old").unwrap();
+            }
+            let folder = OutputFolder::claim(&out, Existing::Replace).unwrap();
+            fs::remove_dir_all(dir.path().join("deep")).unwrap();
+            assert_eq!(folder.write(fill).unwrap(), [out.join("a.csv"), out.join("b.csv")]);
+            assert_eq!(listing(&out), ["a.csv", "b.csv"]);
+            drop(folder);
+            fs::remove_dir_all(dir.path().join("deep")).unwrap();
+        }
+    }
+
+    #[test]
+    fn a_folder_that_another_holds_is_refused_until_it_lets_go() {
+        let dir = tempfile::tempdir().unwrap();
+        let out = dir.path().join("out");
+        let holder = OutputFolder::claim(&out, Existing::Replace).unwrap();
+        let refused = OutputFolder::claim(&out, Existing::Replace).unwrap_err();
+        let mine = std::process::id();
+        assert_eq!(refused.to_string(), format!("{} is in use: process {mine} writes to it", out.display()));
+        drop(holder);
+        OutputFolder::claim(&out, Existing::Replace).unwrap();
+        assert!(listing(dir.path()).is_empty());
+    }
+
+    #[test]
+    fn a_folder_with_its_own_checkpoint_is_one_to_go_on_with() {
+        let dir = tempfile::tempdir().unwrap();
+        let out = dir.path().join("out");
+        fs::create_dir(&out).unwrap();
+        fs::write(out.join("x.partial"), "").unwrap();
+        fs::write(out.join("mine"), "old").unwrap();
+        let claim = |checkpoint| OutputFolder::claim_with_checkpoint(&out, Existing::Keep, checkpoint);
+        assert!(matches!(claim("y.partial").unwrap_err(), ReportError::Exists { .. }));
+        claim("x.partial").unwrap().write(fill).unwrap();
+        assert_eq!(listing(&out), ["a.csv", "b.csv", "mine", "x.partial"]);
+    }
+
+    #[test]
     fn what_a_killed_run_has_left_is_nothing_to_keep() {
         let dir = tempfile::tempdir().unwrap();
         let out = dir.path().join("out");
         fs::create_dir_all(out.join(".123.part")).unwrap();
         fs::write(out.join(".sweep.partial.jsonl.123.part"), "").unwrap();
         let folder = OutputFolder::claim(&out, Existing::Keep).unwrap();
-        fs::create_dir_all(folder.staging.join("of the same number")).unwrap();
+        fs::create_dir_all(staging(&folder.place).unwrap().join("of the same number")).unwrap();
         assert_eq!(folder.write(fill).unwrap().len(), 2);
         assert!(listing(&out).contains(&"b.csv".into()));
     }

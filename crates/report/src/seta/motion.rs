@@ -1,0 +1,63 @@
+//! The motions of the root of a seta, one after the other: what each is called, and the force along it.
+
+use peelkit::study::SetaPoint;
+
+/// A step of the loading, as far as it was taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SetaMotion {
+    /// Number of the step
+    pub step: usize,
+    /// "press", "drag" or "pull"
+    pub name: &'static str,
+    /// The largest force along it by its amount, nN: positive where the root is pulled
+    pub largest: f64,
+}
+
+/// A motion is along the ground where it rises or sinks by less than this share of its length.
+const ALONG: f64 = 0.5;
+
+impl SetaMotion {
+    /// The motions that points belong to, in their order; one without a length is left out.
+    pub fn of(points: &[SetaPoint]) -> Vec<Self> {
+        points.chunk_by(|one, next| one.step == next.step).filter_map(Self::of_step).collect()
+    }
+
+    fn of_step(points: &[SetaPoint]) -> Option<Self> {
+        let [first, .., last] = points else { return None };
+        let way: [f64; 3] = std::array::from_fn(|axis| last.root[axis] - first.root[axis]);
+        let rise = way[1] / way.iter().map(|part| part * part).sum::<f64>().sqrt();
+        let name = match rise {
+            rise if rise <= -ALONG => "press",
+            rise if rise < ALONG => "drag",
+            rise if rise.is_nan() => return None,
+            _ => "pull",
+        };
+        let forces = points.iter().map(|point| point.force_along);
+        let largest = forces.fold(0.0, |most: f64, force| if force.abs() > most.abs() { force } else { most });
+        Some(Self { step: first.step, name, largest })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(step: usize, root: [f64; 3], force_along: f64) -> SetaPoint {
+        SetaPoint { step, root, force_along, ..SetaPoint::default() }
+    }
+
+    #[test]
+    fn motions_are_named_by_where_the_root_goes() {
+        let points = [
+            point(0, [0.0; 3], 0.0),
+            point(0, [0.0, -2.0, 0.0], -5.0),
+            point(1, [0.0, -2.0, 0.0], 1.0),
+            point(1, [3.0, -2.1, 0.0], 7.0),
+            point(2, [3.0, -2.1, 0.0], 0.0),
+            point(2, [3.0, 9.0, 0.0], 4.0),
+        ];
+        let found = SetaMotion::of(&points);
+        let named: Vec<_> = found.iter().map(|step| (step.step, step.name, step.largest)).collect();
+        assert_eq!(named, [(0, "press", -5.0), (1, "drag", 7.0), (2, "pull", 4.0)]);
+    }
+}
