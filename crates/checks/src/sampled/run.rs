@@ -80,7 +80,7 @@ pub fn sampled(kind: SampleKind, seed: u64, index: u64, ways: usize) -> Result<S
 }
 
 fn run(scene: &Scene, way: &PeelSetting) -> Run {
-    let bounds = BoundsTable { points: 20_000, time_s: Some(LONGEST), displacement: None };
+    let bounds = BoundsTable { points: 20_000, time_s: Some(LONGEST), ..BoundsTable::default() };
     let started = ThreadTime::now();
     let accuracy = Accuracy::to(way.relative).with(way.choice);
     let peel = peel(&scene.model, &accuracy, &bounds.from_now()).without_solutions();

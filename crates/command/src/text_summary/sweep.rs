@@ -111,7 +111,7 @@ pub(super) fn pair(first: &str, second: Option<&str>) -> String {
 
 /// The head of a column of numbers in a unit.
 pub(super) fn headed(name: &str, unit: Unit) -> String {
-    format!("{name} {}", unit.name)
+    format!("{name} {}", unit.name())
 }
 
 /// The cell of a thing that does not occur.

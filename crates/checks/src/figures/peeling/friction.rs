@@ -39,7 +39,7 @@ const ELEMENTS: usize = 52;
 pub(in crate::figures) const PEELS: usize = (STRENGTHS.len() + 1) * ANGLES.len();
 
 fn up_to_the_first_peak(model: &PeelModel) -> StopCriteria {
-    StopCriteria { points: 20_000, displacement: Some(FAR / model.pull.angle.sin()), should_stop: None }
+    StopCriteria { points: 20_000, displacement: Some(FAR / model.pull.angle.sin()), ..StopCriteria::default() }
 }
 
 fn strip(degrees: f64, strength: Option<f64>) -> PeelModel {

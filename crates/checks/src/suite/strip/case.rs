@@ -21,7 +21,7 @@ impl Case {
     pub fn all(table: &str, until: impl Fn(&Row) -> Option<f64> + Sync) -> Vec<Self> {
         let rows = reference::read(table);
         let peeled = |row: Row| {
-            let bounds = StopCriteria { points: 20_000, displacement: until(&row), should_stop: None };
+            let bounds = StopCriteria { points: 20_000, displacement: until(&row), ..StopCriteria::default() };
             Self { peel: peel(&strip_of(&row), &DEFAULT, &bounds), row }
         };
         let beam = |row: &Row| row.number("bending_stiffness_factor").is_some_and(f64::is_finite);
