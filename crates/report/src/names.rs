@@ -1,7 +1,7 @@
 //! What ends, points and forms are called in outputs.
 
 use peelkit::model::Form;
-use peelkit::study::{JumpKind, LimitPointKind, PathEnd, Peel, TestEnd};
+use peelkit::study::{Bound, JumpKind, LimitPointKind, PathEnd, Peel, TestEnd};
 
 /// The name of an end in outputs.
 pub fn end_word(end: &PathEnd) -> &'static str {
@@ -38,11 +38,13 @@ pub fn end_reason(end: &PathEnd) -> Option<String> {
     }
 }
 
-/// What the first displacement limit point of a peel is called in print and pictures: only where nothing else detaches the beam is it its snap-off.
+/// What the first displacement limit point of a peel is called in print and pictures: its snap-off where nothing else detaches the beam, unless the path
+/// was not to be followed further, so that nobody knows.
 pub fn first_jump_word(peel: &Peel) -> &'static str {
     let elsewhere = |place: f64| peel.snap_off.is_some_and(|first| first.displacement != place);
     let detached = peel.pad_detachment.into_iter().chain(peel.detachment);
-    if detached.into_iter().any(|at| elsewhere(at.displacement)) { "first jump" } else { "snap-off" }
+    let unknown = matches!(peel.end, PathEnd::Bound(Bound::Until(_))) && peel.detachment.is_none();
+    if unknown || detached.into_iter().any(|at| elsewhere(at.displacement)) { "first jump" } else { "snap-off" }
 }
 
 /// The name of a limit point's kind in outputs.
