@@ -29,6 +29,7 @@ pub mod beam;
 pub mod model;
 pub mod solve;
 pub mod study;
+pub mod units;
 
 /// What most programs that peel something need.
 pub mod prelude {

@@ -92,7 +92,7 @@ class Peel:
 
     @property
     def plateau(self) -> Plateau | None:
-        """Where the force changes least; None where there is no plateau."""
+        """The steady force; None where there is none."""
         found = self._summary["plateau"]
         return None if found is None else Plateau.of(found)
 

@@ -48,7 +48,7 @@ class Peak:
 
 @dataclass(frozen=True, slots=True)
 class Plateau:
-    """Where the force changes least with the displacement.
+    """The steady force, at which the front advances and nothing else changes.
 
     Attributes
     ----------
@@ -56,12 +56,15 @@ class Plateau:
         P and the bound on its error, nN; None where there is no bound.
     displacement, displacement_error : float
         u and how far from there the force changes as little, nm; None likewise.
+    stable : bool
+        Whether the beam is stable under displacement control there.
     """
 
     force: float
     displacement: float
     force_error: float | None
     displacement_error: float | None
+    stable: bool
 
     @property
     def error(self) -> float | None:
@@ -71,7 +74,13 @@ class Plateau:
     @classmethod
     def of(cls, found: Mapping[str, Any]) -> Plateau:
         """From an object of ``summary.json``."""
-        return cls(found["force_nN"], found["displacement_nm"], found["error_nN"], found["error_nm"])
+        return cls(
+            found["force_nN"],
+            found["displacement_nm"],
+            found["error_nN"],
+            found["error_nm"],
+            found["stable"],
+        )
 
 
 @dataclass(frozen=True, slots=True)

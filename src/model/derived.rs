@@ -2,7 +2,7 @@
 
 use super::PeelModel;
 use crate::adhesion::{Law, SectionShape};
-use crate::analytic::kendall_force;
+use crate::analytic::{kendall_force, sliding_force};
 use crate::beam::Section;
 
 /// Quantities that follow from a model alone.
@@ -27,6 +27,9 @@ pub struct DerivedOfSection {
     pub work_of_adhesion: f64,
     /// Kendall's force at the angle φ of the pull to the strip, nN: P²/(2 E h b²) + (P/b)(1 - cos φ) = w
     pub kendall_force: f64,
+    /// The steady force of a film that slides along the substrate without friction, at the angle α of the pull, nN: P (1 - cos α) + P² sin² α/(2EA) =
+    /// w b. What is bonded carries P cos α as well and is stretched by that before it peels; none in space
+    pub sliding_force: Option<f64>,
     /// EA (nN), GA_s (nN) and EI (nN nm²)
     pub stiffness: Section,
     /// ℓ, over which the adhesion falls off at the peeling front, nm: the lesser of (EI/k)^(1/4) and 3 (GA_s/k)^(1/2), k the stiffness of the
@@ -93,6 +96,7 @@ impl PeelModel {
         DerivedOfSection {
             work_of_adhesion: work,
             kendall_force: kendall_force(work, modulus, height, width, self.angle_to_strip()),
+            sliding_force: self.space.is_none().then(|| sliding_force(-work * width, stiffness.axial, self.pull.angle)),
             stiffness,
             process_length,
             elasto_adhesive_length: over_adhesion.sqrt(),
@@ -128,6 +132,7 @@ mod tests {
         // P + P²/(2EA) = w b
         let (p, w) = (section.kendall_force, section.work_of_adhesion);
         assert_relative_eq!(p + p * p / 40.0, w, max_relative = 1e-13);
+        assert_relative_eq!(section.sliding_force.unwrap(), p, max_relative = 1e-13);
         // the attraction of the upper surface counts
         assert!(w < derived.work_of_adhesion && w > 0.999 * derived.work_of_adhesion);
         let groups = section.groups;

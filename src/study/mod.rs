@@ -45,7 +45,7 @@ use sensitivity::{ForceOnBranch, forces_on_branch};
 pub use seta::*;
 pub use seta_in_time::*;
 pub use states::{BeamState, SectionFields, SpatialSectionFields, StateSections};
-pub use stop_criteria::{Bound, Patience, Stage, StopCheck, StopCriteria, StopReason};
+pub use stop_criteria::{Bound, FollowedUntil, Patience, Stage, StopCheck, StopCriteria, StopReason};
 pub use sweep::*;
 pub use terms::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, TermEffect, Terms};
 pub use warnings::{Warning, WarningKind};

@@ -1,6 +1,7 @@
 //! Where a path is stopped although it goes on. The library looks at no clock and hears no user: a caller that does says so.
 
 use crate::solve;
+use crate::units::length_text;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
@@ -28,6 +29,30 @@ pub enum StopReason {
 /// Says at a stage why a run is to stop, if it is. It is asked often, and from any thread.
 pub type StopCheck = Arc<dyn Fn(Stage) -> Option<StopReason> + Send + Sync>;
 
+/// As far as what a path is followed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FollowedUntil {
+    /// Just behind the first displacement limit point at which u turns back: where a displacement-controlled test makes its first jump
+    FirstJump,
+    /// Behind the displacement limit point at which the last of the beam comes off: to where nothing adheres and the grip is further away than there
+    Detachment,
+    /// Its end
+    #[default]
+    End,
+}
+
+impl FollowedUntil {
+    /// Every one with its name in a scene.
+    pub const NAMED: [(&'static str, Self); 3] =
+        [("first-jump", Self::FirstJump), ("detachment", Self::Detachment), ("end", Self::End)];
+
+    /// Its name in a scene.
+    pub fn name(self) -> &'static str {
+        Self::NAMED.iter().find(|named| named.1 == self).map_or("", |named| named.0)
+    }
+}
+
 /// Where a path is stopped although it goes on.
 #[derive(Clone)]
 pub struct StopCriteria {
@@ -35,6 +60,8 @@ pub struct StopCriteria {
     pub points: usize,
     /// Largest grip displacement, nm; none when absent.
     pub displacement: Option<f64>,
+    /// As far as what it is followed; of a limit point behind that nothing is known.
+    pub until: FollowedUntil,
     /// What only the caller knows: the time, an interruption. Nothing when absent.
     pub should_stop: Option<StopCheck>,
     /// How much work a path may take that is lost
@@ -59,6 +86,8 @@ pub enum Bound {
     Points(usize),
     /// [`StopCriteria::displacement`], nm
     Displacement(f64),
+    /// [`StopCriteria::until`]
+    Until(FollowedUntil),
     /// [`StopReason::Time`], s
     Time { seconds: f64 },
     /// [`StopReason::Interrupted`]
@@ -70,7 +99,8 @@ impl fmt::Display for Bound {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Points(most) => write!(f, "bounds.points = {most}"),
-            Self::Displacement(most) => write!(f, "bounds.displacement = {most} nm"),
+            Self::Displacement(most) => write!(f, "bounds.displacement = {}", length_text(*most)),
+            Self::Until(until) => write!(f, "path.until = \"{}\"", until.name()),
             Self::Time { seconds } => write!(f, "bounds.time = {seconds} s"),
             Self::Interrupted => f.write_str("interrupted"),
         }
@@ -96,7 +126,7 @@ impl Default for StopCriteria {
 impl StopCriteria {
     /// After so many points, and nothing else.
     pub const fn after_points(points: usize) -> Self {
-        Self { points, displacement: None, should_stop: None, patience: Patience::Usual }
+        Self { points, displacement: None, until: FollowedUntil::End, should_stop: None, patience: Patience::Usual }
     }
 
     /// The same with another check, which is asked where those before say nothing.
@@ -128,10 +158,11 @@ impl StopCriteria {
 
 impl fmt::Debug for StopCriteria {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Self { points, displacement, should_stop, patience } = self;
+        let Self { points, displacement, until, should_stop, patience } = self;
         f.debug_struct("StopCriteria")
             .field("points", points)
             .field("displacement", displacement)
+            .field("until", until)
             .field("should_stop", &should_stop.is_some())
             .field("patience", patience)
             .finish()

@@ -54,8 +54,14 @@ fn made_up() -> (Scene, Peel) {
     made_up.limit_points = vec![LimitPoint { kind: LimitPointKind::Load, ..snap_off }, snap_off];
     made_up.peak = Some(peak);
     made_up.initiation_peak = Some(Peak { force: 0.3, ..peak });
-    made_up.plateau =
-        Some(Plateau { displacement: 20.0, force: 0.0307, force_error: Some(6e-8), displacement_error: Some(7e-3) });
+    made_up.plateau = Some(Plateau {
+        displacement: 20.0,
+        force: 0.0307,
+        force_error: Some(6e-8),
+        displacement_error: Some(7e-3),
+        stable: true,
+        after: 0,
+    });
     made_up.snap_off = Some(snap_off);
     made_up.largest_computed_force = None;
     made_up.pad_detachment = Some(LimitPoint { work: 3.5, ..snap_off });

@@ -46,8 +46,14 @@ fn factors(values: &[f64]) -> Vec<SweepRow> {
         let force = 0.34 * value.powf(0.2);
         peel.peak =
             Some(Peak { displacement: 0.25, force, end_rotation: 0.04, force_error: 1e-9, displacement_error: 1e-9 });
-        peel.plateau =
-            Some(Plateau { displacement: 20.0, force: 0.031, force_error: None, displacement_error: Some(1e21) });
+        peel.plateau = Some(Plateau {
+            displacement: 20.0,
+            force: 0.031,
+            force_error: None,
+            displacement_error: Some(1e21),
+            stable: true,
+            after: 0,
+        });
         peel.snap_off = Some(LimitPoint {
             kind: LimitPointKind::Displacement,
             displacement: 48.0,

@@ -4,6 +4,7 @@
 //! missing the message names the key. Why: nothing is wrong with the file, and a search in it is in vain.
 
 use crate::text::{MINIMAL, assert_says, complaint, set, with};
+use peelkit::study::FollowedUntil;
 use peelkit_scene::Scene;
 
 /// The message as it stands on a terminal, with the text that is underlined.
@@ -68,7 +69,36 @@ fn a_cohesive_law_with_work_and_strength_needs_no_hamaker_constant() {
     assert!((model.adhesion.half_space().work_of_adhesion() / 0.03 - 1.0).abs() < 1e-14);
     let given = Scene::parse("a.toml", &text, &set("adhesion.hamaker_constant", "1e-19 J")).unwrap().model;
     assert_eq!((given.adhesion.hamaker_constant, given.line_law().law), (0.1, model.line_law().law));
-    for lines in ["work = \"30 mJ/m2\"\n", "strength = \"50 MPa\"\n", ""] {
-        assert_says(&complaint(&law(lines)), &["[adhesion] lacks `hamaker_constant`", "none beside work and strength"]);
+    for (lines, lacks) in [("work = \"30 mJ/m2\"\n", "strength"), ("strength = \"50 MPa\"\n", "work"), ("", "work")] {
+        assert_says(&complaint(&law(lines)), &[&format!("[adhesion] lacks `{lacks}`"), "of a cohesive law"]);
     }
+}
+
+/// The distance is a tenth of work over strength; it is written with the scene, and one that is given stands.
+#[test]
+fn a_cohesive_law_with_work_and_strength_needs_no_distance() {
+    let without =
+        MINIMAL.replace("hamaker_constant = \"1e-19 J\"\n", "").replace("equilibrium_distance = \"0.4 nm\"\n", "");
+    let text = format!("{without}law = \"exponential\"\nwork = \"100 J/m2\"\nstrength = \"1 MPa\"\n");
+    let scene = Scene::parse("a.toml", &text, &[]).unwrap();
+    assert!((scene.model.adhesion.equilibrium_distance / 1e4 - 1.0).abs() < 1e-14);
+    assert_eq!(Scene::parse("a.toml", &scene.to_toml(), &[]).unwrap(), scene);
+    let given = Scene::parse("a.toml", &text, &set("adhesion.equilibrium_distance", "0.3 nm")).unwrap();
+    assert_eq!(given.model.adhesion.equilibrium_distance, 0.3);
+    assert_says(&complaint(&without), &["[adhesion] lacks `hamaker_constant`", "van der Waals forces"]);
+    let foreign = complaint(&format!("{MINIMAL}work = \"0.2 J/m2\"\n"));
+    assert_says(&foreign, &["without `law` the adhesion is that of van der Waals forces"]);
+}
+
+#[test]
+fn a_path_is_followed_until_what_a_scene_says() {
+    let scene = Scene::parse("a.toml", MINIMAL, &set("path.until", "first-jump")).unwrap();
+    assert_eq!(scene.bounds.from_now().until, FollowedUntil::FirstJump);
+    assert_eq!(Scene::parse("a.toml", &scene.to_toml(), &[]).unwrap(), scene);
+    assert_says(&shown(MINIMAL, &set("path.until", "jump")), &["none of its values", "first-jump"]);
+    let rate = format!("{MINIMAL}[time]\nrate = \"1 mm/s\"\ndensity = \"1300 kg/m3\"\n");
+    let error = Scene::parse_any("a.toml", &rate, &set("path.until", "detachment")).unwrap_err();
+    assert_says(&error.to_string(), &["`path.until`, which is not followed in time"]);
+    let error = Scene::parse_any("a.toml", crate::text::SETA, &set("path.until", "detachment")).unwrap_err();
+    assert_says(&error.to_string(), &["`path.until` is given, and the scene has a [seta]"]);
 }

@@ -9,7 +9,7 @@ use peelkit::beam::Material;
 use peelkit::model::{
     Attraction, Body, Ground, Hold, Piece, ProfileForm, ProfilePieces, Pull, Spatula, Start, Step, Transition,
 };
-use peelkit::study::Terms;
+use peelkit::study::{FollowedUntil, Terms};
 use peelkit_scene::{KEYS, Key, Scene};
 
 #[test]
@@ -71,6 +71,8 @@ relative = 1e-9
 order = 5
 elements = 30
 step = 0.05
+[path]
+until = "detachment"
 [bounds]
 points = 50
 time = "2 min"
@@ -95,6 +97,7 @@ displacement = "0.5 um"
     let choice = scene.accuracy.choice;
     assert_eq!((choice.order, choice.elements, choice.step), (Some(5), Some(30), Some(0.05)));
     assert_eq!((scene.bounds.points, scene.bounds.time_s, scene.bounds.displacement), (50, Some(120.0), Some(500.0)));
+    assert_eq!(scene.bounds.until, FollowedUntil::Detachment);
     assert_eq!((scene.title.as_str(), scene.accuracy.terms), ("All", Terms::Auto));
     let wave = Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 100.0, offset: -25.0 });
     assert_eq!(scene.model.ground, Ground { substrate: wave, start: Start::Crests });

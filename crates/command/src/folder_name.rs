@@ -12,7 +12,15 @@ const LONGEST: usize = 100;
 pub fn default_folder(scene: &Path, parts: &[String], overrides: &[(String, String)]) -> PathBuf {
     let mut name = scene.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let sets = overrides.iter().filter(|(key, _)| !key.starts_with("bounds."));
+    // a command that is called as the scene, and says more, and the table of a key that is called as the command, are not said again
+    let mut said = String::new();
+    let parts = if parts.len() > 1 && parts[0] == name { &parts[1..] } else { parts };
     for part in parts.iter().cloned().chain(sets.map(|(key, value)| format!("{key}={value}"))) {
+        let part = match part.split_once('.') {
+            Some((table, rest)) if table == said && rest.contains('=') => rest.to_owned(),
+            _ => part,
+        };
+        said = part.clone();
         name += "-";
         name.extend(part.chars().filter(|&c| c.is_alphanumeric() || "._=+-".contains(c)));
     }
@@ -46,6 +54,13 @@ mod tests {
         let set = [("strip.length", "\"50 nm\""), ("drive.steps", "[\"press 1 nm\", \"hold\"]")];
         assert_eq!(folder(&["observed"], &set), "out/strip-observed-strip.length=50nm-drive.steps=press1nmhold");
         assert_eq!(folder(&[], &[("bounds.time", "3 s")]), "out/strip");
+        let samples = [("uncertainty.samples", "1000")];
+        assert_eq!(folder(&["uncertainty"], &samples), "out/strip-uncertainty-samples=1000", "no word twice");
+        assert_eq!(
+            default_folder(Path::new("fit.toml"), &["fit".into(), "meas".into()], &[]),
+            Path::new("out/fit-meas")
+        );
+        assert_eq!(folder(&[], &[("strip.height", "5 nm")]), "out/strip-strip.height=5nm");
         assert_eq!(folder(&[], &[("title", "../../etc")]), "out/strip-title=....etc", "one folder below out/");
     }
 

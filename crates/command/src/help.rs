@@ -125,7 +125,7 @@ How a path ends:
   upright-section
                far_face = false: a section stands at 90 degrees or so, where the energy W/cos θ has no lower bound;
                under other laws it stands on a pressed edge, where the energy has a corner
-  bound        a limit set under [bounds] was reached
+  bound        a limit set under [bounds], or what path.until names, was reached
   refused      there is no stable state to start from, by a criterion that the reason names with its numbers
                (exit status 2)
   failed       the computation stopped short
@@ -372,13 +372,15 @@ fn sample(key: &Key) -> String {
 fn note(key: &Key) -> String {
     match (&key.kind, key.need) {
         (_, Need::Required) if !key.shapes().is_empty() => format!("required for shape {}", key.shapes().join(", ")),
-        (_, Need::Required) => key.alternative().map_or("required".into(), |other| format!("required, or {other}")),
+        (_, Need::Required) => key.default_text(),
         (Kind::Bound(..), _) if key.default_value().is_none() => "none unless given".into(),
         (Kind::Steps(_), _) => "none unless given".into(),
         (Kind::Fixed(..) | Kind::Share(..), _) if key.table == "accuracy" => "chosen automatically".into(),
         (Kind::Share(..), _) => "none unless given".into(),
         (Kind::Text(_), _) => "the name of the file unless given".into(),
-        (Kind::LineLoad(_) | Kind::Hold(_) | Kind::Shape(_) | Kind::Start(_) | Kind::Terms(_), _) => key.takes(),
+        (Kind::LineLoad(_) | Kind::Hold(_) | Kind::Shape(_) | Kind::Start(_) | Kind::Terms(_) | Kind::Until(_), _) => {
+            key.takes()
+        }
         _ => String::new(),
     }
 }

@@ -38,7 +38,9 @@ pub use error::ReportError;
 pub use file::write_whole;
 pub use fit_report::FitReport;
 pub use folder::{Existing, OutputFolder};
-pub use names::{end_reason, end_word, form_word, jump_title, limit_point_kind_word, test_end_reason, test_end_word};
+pub use names::{
+    end_reason, end_word, first_jump_word, form_word, jump_title, limit_point_kind_word, test_end_reason, test_end_word,
+};
 pub use number::{Finite, to_json};
 pub use parameters_file::write_parameters;
 pub use pictures::{

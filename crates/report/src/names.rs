@@ -1,7 +1,7 @@
 //! What ends, points and forms are called in outputs.
 
 use peelkit::model::Form;
-use peelkit::study::{Jump, JumpKind, LeftModel, LimitPointKind, ModelLimit, PathEnd, TestEnd};
+use peelkit::study::{Bound, Jump, JumpKind, LeftModel, LimitPointKind, ModelLimit, PathEnd, Peel, TestEnd};
 
 /// The name of an end in outputs.
 pub fn end_word(end: &PathEnd) -> &'static str {
@@ -36,6 +36,15 @@ pub fn end_reason(end: &PathEnd) -> Option<String> {
         | PathEnd::Sliding
         | PathEnd::Snapped => None,
     }
+}
+
+/// What the first displacement limit point of a peel is called in print and pictures: its snap-off where nothing else detaches the beam, unless the path
+/// was not to be followed further, so that nobody knows.
+pub fn first_jump_word(peel: &Peel) -> &'static str {
+    let elsewhere = |place: f64| peel.snap_off.is_some_and(|first| first.displacement != place);
+    let detached = peel.pad_detachment.into_iter().chain(peel.detachment);
+    let unknown = matches!(peel.end, PathEnd::Bound(Bound::Until(_))) && peel.detachment.is_none();
+    if unknown || detached.into_iter().any(|at| elsewhere(at.displacement)) { "first jump" } else { "snap-off" }
 }
 
 /// The name of a limit point's kind in outputs.

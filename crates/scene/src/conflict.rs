@@ -29,6 +29,10 @@ pub(crate) struct Missing {
     pub table: ValueError,
 }
 
+/// The table of the adhesion law, and its keys that a cohesive law needs.
+const ADHESION: &str = "adhesion";
+const OF_LAW: [&str; 2] = ["work", "strength"];
+
 impl Conflict {
     /// The first one of a scene to which these keys were given.
     pub(crate) fn find(scene: &Scene, given: &HashSet<String>) -> Option<Self> {
@@ -39,6 +43,14 @@ impl Conflict {
         }
         let needed = |key: &&Key| key.need == Need::Required && key.belongs_to(scene);
         if let Some(key) = KEYS.iter().filter(needed).find(|key| !is_given(key)) {
+            // a cohesive law is complete with a work and a strength, and needs no half space
+            let lacks = |name: &&str| key.table == ADHESION && !given.contains(&format!("{ADHESION}.{name}"));
+            let of_law = OF_LAW.into_iter().find(lacks);
+            let of_law = of_law.filter(|_| scene.model.adhesion.attraction.takes_work_and_strength());
+            let of_law = of_law.and_then(|name| KEYS.iter().find(|key| key.table == ADHESION && key.name == name));
+            if let Some(key) = of_law {
+                return Some(Self::missing(key, given, scene));
+            }
             return Some(Self::missing(key, given, scene));
         }
         if let Some((key, problem)) = seta::problem(scene).or_else(|| rate::problem(scene)) {
@@ -55,9 +67,13 @@ impl Conflict {
 
     /// That a scene lacks a key, beside these.
     fn missing(key: &Key, given: &HashSet<String>, scene: &Scene) -> Self {
-        let needed = |other: &&Key| other.table == key.table && other.need == Need::Required && other.belongs_to(scene);
         // of two of which one is wanted the first is shown
-        let shown = |other: &&Key| needed(other) && !matches!(other.kind, Kind::Pieces(_));
+        let needed = |other: &Key| other.need == Need::Required && !matches!(other.kind, Kind::Pieces(_));
+        let of_law = |other: &Key| OF_LAW.contains(&other.name);
+        let shown = |other: &&Key| {
+            let is_meant = if key.need == Need::Required { needed(other) } else { of_law(other) };
+            other.table == key.table && is_meant && other.belongs_to(scene)
+        };
         let wanted: Vec<&Key> = KEYS.iter().filter(shown).filter(|other| !given.contains(&other.path())).collect();
         let lines: Vec<String> = wanted.iter().map(|other| other.example_line()).collect();
         let lines = lines.join(", ");

@@ -98,7 +98,7 @@ fn read(
     for (path, value) in overrides {
         given.insert(set(&mut scene, path, value)?.path());
     }
-    supply_hamaker_constant(&mut scene, &mut given);
+    supply_half_space(&mut scene, &mut given);
     let conflict = Conflict::find(&scene, &given);
     Ok((scene, conflict))
 }
@@ -185,18 +185,17 @@ fn check_body(scene: &Scene, file: &Origin, table: &Spanned<toml::de::DeString>)
     Err(file.error(table.span(), &format!("[{found}]"), problem))
 }
 
-/// A cohesive law with a work of adhesion and a strength of its own takes nothing from the half space but where a face is closed. Then
-/// the Hamaker constant is that of a half space with this work, unless it is given.
-fn supply_hamaker_constant(scene: &mut Scene, given: &mut HashSet<String>) {
-    const PATH: &str = "adhesion.hamaker_constant";
+/// A cohesive law with a work of adhesion and a strength of its own takes nothing from the half space but where a face is closed. What is not
+/// given of that: the pair distance is a share of the opening, and the Hamaker constant that of a half space with this work.
+fn supply_half_space(scene: &mut Scene, given: &mut HashSet<String>) {
     let adhesion = &mut scene.model.adhesion;
-    if given.contains(PATH) || !adhesion.needs_no_hamaker_constant() {
-        return;
+    let (Some(distance), Some(work)) = (adhesion.distance_of_work_and_strength(), adhesion.work) else { return };
+    if given.insert("adhesion.equilibrium_distance".to_owned()) {
+        adhesion.equilibrium_distance = distance.clamp(f64::MIN_POSITIVE, f64::MAX);
     }
-    if let Some(work) = adhesion.work {
+    if given.insert("adhesion.hamaker_constant".to_owned()) {
         let of_one = Adhesion { hamaker_constant: 1.0, ..*adhesion }.half_space().work_of_adhesion();
         adhesion.hamaker_constant = (work / of_one).clamp(f64::MIN_POSITIVE, f64::MAX);
-        given.insert(PATH.to_owned());
     }
 }
 

@@ -91,8 +91,8 @@ pub static KEYS: &[Key] = &[
     key("seta", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut seta::of(s).seta.material.shear_correction), "shear correction factor of the section"),
     key("seta", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut seta::of(s).seta.material.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
 
-    key("adhesion", "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H; none beside work and strength"),
-    key("adhesion", "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "equilibrium distance r0 of a pair of molecules"),
+    key("adhesion", "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H of van der Waals forces"),
+    key("adhesion", "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "equilibrium distance r0 of a pair of molecules; gap at rest"),
     key("adhesion", "law", Optional, Kind::Attraction(|s| &mut s.model.adhesion.attraction), "adhesion model: law of the half space, or a cohesive law"),
     key("adhesion", "work", Optional, Kind::Bound(Work, |s| &mut s.model.adhesion.work), "work of adhesion of a cohesive law; else the half space's"),
     key("adhesion", "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.strength), "largest traction of a cohesive law; else the half space's"),
@@ -139,6 +139,8 @@ pub static KEYS: &[Key] = &[
     key("accuracy", "order", Optional, Kind::Fixed(Discretisation::MOST_ORDER, |s| &mut s.accuracy.choice.order), "order p of the elements"),
     key("accuracy", "elements", Optional, Kind::Fixed(2000, |s| &mut s.accuracy.choice.elements), "number of elements, never raised"),
     key("accuracy", "step", Optional, Kind::Share(Choice::STEP, |s| &mut s.accuracy.choice.step), "predictor tolerance over the equilibrium gap"),
+
+    key("path", "until", Optional, Kind::Until(|s| &mut s.bounds.until), "as far as what the path is followed"),
 
     key("bounds", "points", Optional, Kind::Count(1_000_000_000, |s| &mut s.bounds.points), "largest number of points of a path"),
     key("bounds", "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "longest time for a path"),

@@ -70,7 +70,7 @@ impl Scene {
             title,
             model: PeelModel::of(Body::Strip(UNKNOWN_STRIP), adhesion, Grip::FREE),
             accuracy: Accuracy::to(1e-6),
-            bounds: BoundsTable { points: 20_000, time_s: Some(60.0), displacement: None },
+            bounds: BoundsTable { points: 20_000, time_s: Some(60.0), ..BoundsTable::default() },
             seta: None,
             time: None,
             fit: None,

@@ -186,7 +186,7 @@ impl ModelErrorKind {
             Self::NotOfCohesiveLaw { .. } => {
                 let laws: Vec<String> = Attraction::cohesive().map(|law| format!("\"{}\"", law.name())).collect();
                 format!(
-                    "Give `law` = {} beside it, or remove it: hamaker_constant and equilibrium_distance define the half space.",
+                    "Give `law` = {} beside it, or remove it: without `law` the adhesion is that of van der Waals forces, which `hamaker_constant` and `equilibrium_distance` define.",
                     laws.join(" or ")
                 )
             }

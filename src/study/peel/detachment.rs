@@ -5,11 +5,13 @@ use super::equilibrium_path::Followed;
 use super::{LimitPoint, PathEnd, Peel};
 use crate::model::BeamProblem;
 use crate::solve::LimitPointKind;
+use crate::study::{Bound, FollowedUntil};
 
 impl Peel {
-    /// Looks for them, on a path that was followed to where it ends by itself: elsewhere it may come back.
+    /// Looks for them, on a path that was followed to where it ends by itself, or to where nothing adheres: elsewhere it may come back.
     pub(super) fn find_detachment(&mut self, problem: &BeamProblem, followed: &Followed) {
-        let comes_off = matches!(self.end, PathEnd::Detached | PathEnd::Pivoting);
+        let is_off = matches!(self.end, PathEnd::Detached | PathEnd::Bound(Bound::Until(FollowedUntil::Detachment)));
+        let comes_off = is_off || self.end == PathEnd::Pivoting;
         if !comes_off || followed.trouble.is_some() || problem.system.has_history() {
             return;
         }
@@ -31,7 +33,7 @@ impl Peel {
         };
         let pad = folds.iter().copied().find(|&index| of(&followed.turns[index].2.solution.at) == Adhering::Pad);
         let pad = pad.filter(|&index| behind(index).all(|adhering| adhering != Adhering::Pad));
-        let last = folds.first().copied().filter(|_| self.end == PathEnd::Detached);
+        let last = folds.first().copied().filter(|_| is_off);
         let last = last.filter(|&index| behind(index).all(|adhering| adhering == Adhering::Nothing));
         self.pad_detachment = pad.map(|index| self.limit_points[index]);
         self.detachment = last.map(|index| self.limit_points[index]);

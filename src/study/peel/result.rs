@@ -132,7 +132,7 @@ pub struct LargestComputedForce {
     pub force: f64,
 }
 
-/// Where the force changes least with the displacement.
+/// The steady force: where the force changes least with the displacement while the front advances.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Plateau {
     /// u of the grip, nm
@@ -140,10 +140,17 @@ pub struct Plateau {
     /// P, nN
     pub force: f64,
     /// Bound on the error of `force`, nN; none with friction, where a term of the model was left out, and where the force has a limit point
-    /// elsewhere between the initiation peak and the first jump: which of the two places is taken depends on how long the steps are
+    /// elsewhere between the initiation peak and the first jump: which of the two places is taken depends on how long the steps are. Beyond
+    /// the first jump, the same of limit points of its level segment
     pub force_error: Option<f64>,
     /// How far from `displacement` the force changes as little, as far as the error of its slope tells, nm; none likewise
     pub displacement_error: Option<f64>,
+    /// Whether it is stable under displacement control
+    #[serde(default)]
+    pub stable: bool,
+    /// It lies between `points[after]` and `points[after + 1]` of the path.
+    #[serde(default)]
+    pub after: usize,
 }
 
 /// What it took.
@@ -203,7 +210,8 @@ pub struct Peel {
     pub peak: Option<Peak>,
     /// Where there is no `peak`: the largest force of the computed curve up to the first displacement limit point.
     pub largest_computed_force: Option<LargestComputedForce>,
-    /// None where the force has no plateau
+    /// The steady force: between the initiation peak and the first jump where the force is level there, else on the level segment of the path on
+    /// which the front advances furthest; none where there is none
     pub plateau: Option<Plateau>,
     /// The first displacement limit point: a displacement-controlled test makes its first jump here, whatever jumps.
     pub snap_off: Option<LimitPoint>,

@@ -1,7 +1,7 @@
 //! The points of a path that have a name: peaks are located limit points, or there are none.
 
 use super::equilibrium_path::Followed;
-use super::plateau::plateau;
+use super::plateau::steady_force;
 use super::{LargestComputedForce, LimitPoint, PathEnd, PathFailure, PathPoint, Peak, Peel};
 use crate::model::BeamProblem;
 use crate::solve::{LimitPointKind, Observables, Solution, Workspace, difference_on_more_elements};
@@ -31,11 +31,10 @@ pub(super) fn name_special_points(peel: &mut Peel, problem: &BeamProblem, follow
     let pulls = |at: &LargestComputedForce| at.force > PULL * problem.measure.force;
     // rest alone is no curve
     peel.largest_computed_force = computed.filter(pulls).filter(|_| peel.peak.is_none() && peel.points.len() > 1);
-    if let Some(first) = first_maximum {
-        let last = followed.points.len().saturating_sub(2);
-        let snap = peel.snap_off.map_or(last, |at| at.after);
-        peel.plateau = plateau(problem, followed, first.after, snap, peel.asked);
-    }
+    let last = followed.points.len().saturating_sub(2);
+    let snap = peel.snap_off.map_or(last, |at| at.after);
+    let before_jump = first_maximum.map(|first| first.after + 1..snap);
+    peel.plateau = steady_force(problem, followed, before_jump, known.min(last), peel.asked);
 }
 
 /// Whether the force rises to a maximum, and falls behind it, by more than its error and than was asked: where it does not, as beside the beginning of

@@ -203,8 +203,8 @@ impl Place {
                 (Some(point.kind), held, target, history.limit_points[number].at.clone())
             }
             None => {
-                let displacement = peel.plateau.map_or(f64::NAN, |plateau| plateau.displacement);
-                (None, Held::Displacement, displacement, nearest(history, displacement, peel))
+                let (displacement, after) = peel.plateau.map_or((f64::NAN, 0), |at| (at.displacement, at.after));
+                (None, Held::Displacement, displacement, nearest(history, displacement, after))
             }
         };
         let beside = of.iter().any(|&of| moves(of, kind)).then(|| smooth(peel, number, held, target));
@@ -270,16 +270,12 @@ fn smooth(peel: &Peel, number: Option<usize>, held: Held, target: f64) -> f64 {
     others.map(|k| (value(k) - target).abs()).fold(target.abs(), f64::min)
 }
 
-/// The path point nearest to a displacement between the initiation peak and the first jump.
-fn nearest(history: &SolutionHistory, displacement: f64, peel: &Peel) -> State {
-    let until = peel.snap_off.map_or(usize::MAX, |jump| jump.after + 1);
-    let from = peel.initiation_peak.and_then(|peak| {
-        peel.limit_points.iter().find(|point| point.displacement == peak.displacement).map(|point| point.after)
-    });
+/// The state at a displacement on the step behind `points[after]`, from the nearer end of that.
+fn nearest(history: &SolutionHistory, displacement: f64, after: usize) -> State {
     let points: &[Arc<_>] = &history.points;
     let away = |k: &usize| (points[*k].observables.displacement - displacement).abs();
-    let range = from.unwrap_or(0)..until.min(points.len());
-    let best = range.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(0);
+    let ends = after..(after + 2).min(points.len());
+    let best = ends.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(0);
     let problem: &BeamProblem = &history.problem;
     let point = &points[best];
     let per_displacement = (displacement - point.observables.displacement) / point.slope.displacement;

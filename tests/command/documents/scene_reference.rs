@@ -78,7 +78,7 @@ fn default(key: &Key) -> String {
         (Need::Required, ..) if !key.shapes().is_empty() => {
             format!("required for {}", key.shapes().join(", "))
         }
-        (Need::Required, ..) => key.alternative().map_or("required".into(), |other| format!("required, or `{other}`")),
+        (Need::Required, ..) => key.alternative().map_or(key.default_text(), |other| format!("required, or `{other}`")),
         (_, Some(default), _) => default,
         (_, None, Kind::Fixed(..) | Kind::Share(..)) if key.table == "accuracy" => "from `relative`".into(),
         (_, None, Kind::Text(_)) => "name of the file".into(),

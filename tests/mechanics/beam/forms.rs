@@ -149,7 +149,7 @@ fn a_spatula_in_either_form() {
         let [two, three] = [Form::TwoField, Form::ThreeField].map(|form| {
             let accuracy = Accuracy::to(1e-6);
             let choice = Choice { form, ..accuracy.choice };
-            let bounds = StopCriteria { points: 5000, displacement: Some(400.0), should_stop: None };
+            let bounds = StopCriteria { points: 5000, displacement: Some(400.0), ..StopCriteria::default() };
             let peel = peel(&spatula, &accuracy.with(choice), &bounds);
             (peel.peak.unwrap(), peel.snap_off.unwrap())
         });

@@ -65,7 +65,9 @@ impl SampleKind {
     pub fn longest_s(self) -> f64 {
         match self {
             Self::Strip | Self::Angle | Self::Spatula | Self::Law | Self::Space => 60.0,
-            Self::Oblique | Self::Friction | Self::Rough | Self::Rate | Self::Seta | Self::Tape | Self::Observed => 40.0,
+            Self::Oblique | Self::Friction | Self::Rough | Self::Rate | Self::Seta | Self::Tape | Self::Observed => {
+                40.0
+            }
         }
     }
 }

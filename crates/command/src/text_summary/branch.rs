@@ -3,6 +3,7 @@
 use super::peel::end;
 use super::units::Units;
 use peelkit::study::{LimitPoint, OutOfPlaneBranch};
+use peelkit_report::first_jump_word;
 
 /// Where the branch begins, its peak, its first jump, and where it ends.
 pub(super) fn branch_lines(
@@ -31,7 +32,7 @@ pub(super) fn branch_lines(
         ),
     )];
     lines.push(("", format!("peak force: {}", branch.peak().map_or_else(|| "none".into(), at))));
-    lines.extend(peel.snap_off.iter().map(|fold| ("", format!("snap-off: {}", at(fold)))));
+    lines.extend(peel.snap_off.iter().map(|fold| ("", format!("{}: {}", first_jump_word(peel), at(fold)))));
     let last = rejoins.map_or_else(
         || {
             peel.points.last().map(|point| {

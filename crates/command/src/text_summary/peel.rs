@@ -9,11 +9,13 @@ use peelkit::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 use peelkit::model::{DerivedQuantities, Step};
 use peelkit::solve::Pace;
 use peelkit::study::{
-    Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, NotOutOfPlane, OutOfPlane, OutOfPlaneBranch,
-    PathEnd, Peak, Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
+    Bound, Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, NotOutOfPlane, OutOfPlane,
+    OutOfPlaneBranch, PathEnd, Peak, Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
 };
-use peelkit_report::{end_reason, end_word, ground_warning, left_out, why_kept};
+use peelkit::units::length_text;
+use peelkit_report::{end_reason, end_word, first_jump_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
+use std::f64::consts::FRAC_PI_2;
 
 /// A relative error below this that finer meshes do not reduce is round-off.
 const ROUND_OFF: f64 = 2e-8;
@@ -48,7 +50,7 @@ pub fn peel(
             }
             _ => (force.fixed(at.force, 6), length.fixed(at.displacement, 4)),
         };
-        format!("{level} at u = {place}")
+        format!("{level} at u = {place}{}", if at.stable { "" } else { ", unstable under displacement control" })
     };
     let mut lines: Vec<(&str, String)> = accuracy(peel).map(|text| ("accuracy", text)).into_iter().collect();
     lines.extend(in_space(scene, peel, stability.is_some()));
@@ -60,7 +62,7 @@ pub fn peel(
     lines.extend([
         ("initiation peak", peel.initiation_peak.map_or_else(none, at_peak)),
         ("plateau", peel.plateau.map_or_else(none, plateau)),
-        ("snap-off", peel.snap_off.map_or_else(none, fold)),
+        (first_jump_word(peel), peel.snap_off.map_or_else(none, fold)),
     ]);
     let other = |at: &LimitPoint| peel.snap_off.is_some_and(|first| first.displacement != at.displacement);
     lines.extend(peel.pad_detachment.filter(other).map(|at| ("pad detachment", fold(at))));
@@ -131,12 +133,12 @@ fn largest_computed(at: LargestComputedForce, units: &Units) -> String {
     )
 }
 
-/// What is to be known before any number is read: that the tolerance was not met, or that the computation stopped short.
+/// What is to be known before any number is read: which numbers are not as accurate as was asked, or that the computation stopped short.
 fn accuracy(peel: &Peel) -> Option<String> {
     if let Some(reached) = peel.reached_accuracy().filter(|&reached| reached > peel.asked) {
         let why = match reached < ROUND_OFF {
-            true => "limited by round-off, which finer meshes do not reduce",
-            false => "the tolerance was not met on any mesh",
+            true => "limited by round-off, which finer meshes do not reduce".to_owned(),
+            false => missing(peel),
         };
         let reached = match reached > NO_ACCURACY {
             true => format!("none: an error bound is {:.0} % of its number", 100.0 * reached),
@@ -145,6 +147,42 @@ fn accuracy(peel: &Peel) -> Option<String> {
         return Some(format!("{reached}, requested {:e}: {why}", peel.asked));
     }
     matches!(peel.end, PathEnd::Failed(_)).then(|| "the computation stopped short; see `end`".to_owned())
+}
+
+/// Most limit points that are named as not accurate enough.
+const NAMED: usize = 3;
+
+/// Which limit points are not known as accurately as was asked, and of which of their numbers.
+fn missing(peel: &Peel) -> String {
+    let misses = |error: f64, value: f64| value != 0.0 && (error / value).abs() > peel.asked;
+    let one = |(index, at): (usize, &LimitPoint)| {
+        let place = !at.flat && misses(at.displacement_error, at.displacement);
+        let numbers = match (place, misses(at.force_error, at.force)) {
+            (true, true) => "u and P",
+            (true, false) => "u",
+            (false, true) => "P",
+            (false, false) => return None,
+        };
+        let is = |place: Option<f64>| place == Some(at.displacement);
+        let name = match at.kind {
+            LimitPointKind::Load if is(peel.initiation_peak.map(|peak| peak.displacement)) => {
+                "the initiation peak".into()
+            }
+            LimitPointKind::Load if is(peel.peak.map(|peak| peak.displacement)) => "the peak".into(),
+            LimitPointKind::Displacement if is(peel.snap_off.map(|at| at.displacement)) => {
+                format!("the {}", first_jump_word(peel))
+            }
+            LimitPointKind::Displacement if is(peel.detachment.map(|at| at.displacement)) => "the detachment".into(),
+            _ => format!("limit point {}", index + 1),
+        };
+        Some(format!("{numbers} of {name}"))
+    };
+    let missed: Vec<String> = peel.limit_points.iter().enumerate().filter_map(one).collect();
+    let others = if missed.len() == peel.limit_points.len() { "" } else { "; the other limit points meet it" };
+    match missed.len() {
+        count if count > NAMED => format!("missed at {count} of {} limit points{others}", peel.limit_points.len()),
+        _ => format!("missed by {}{others}", missed.join(", ")),
+    }
 }
 
 /// Where a scene in space was computed; in the plane, how to see whether it is stable there, unless that was looked at.
@@ -228,29 +266,39 @@ fn derived(scene: &Scene, units: &Units) -> Vec<(&'static str, String)> {
     let Some(section) = section else {
         return vec![("adhesion", format!("work of adhesion {} J/m²", short(work_of_adhesion)))];
     };
-    let angle = scene.model.angle_to_strip().to_degrees();
+    let model = &scene.model;
+    let angle = model.angle_to_strip().to_degrees();
     let groups = section.groups;
-    vec![
-        (
-            "adhesion",
-            format!(
-                "work of adhesion {} J/m², Kendall's force at {} degrees {}",
-                short(section.work_of_adhesion),
-                short(angle),
-                units.force.short(section.kendall_force)
-            ),
+    let (kendall, slides) = (units.force.short(section.kendall_force), section.sliding_force);
+    // straight up both films are the same one
+    let slides = slides.filter(|_| model.pull.angle != FRAC_PI_2).map(|force| units.force.short(force));
+    let bonded = if slides.is_some() { ", for a film bonded without slip" } else { "" };
+    let distance = model.adhesion.equilibrium_distance;
+    let is_supplied = model.adhesion.distance_of_work_and_strength() == Some(distance);
+    let mut lines = vec![(
+        "adhesion",
+        format!(
+            "work of adhesion {} J/m², Kendall's force at {} degrees {kendall}{bonded}",
+            short(section.work_of_adhesion),
+            short(angle),
         ),
-        (
-            "strip",
-            format!(
-                "process zone {}, ℓ/h = {}, L/ℓ = {}; EI = {} nN nm²",
-                units.length.short(section.process_length),
-                short(groups.process_length_over_height),
-                short(groups.length_over_process_length),
-                short(section.stiffness.bending)
-            ),
+    )];
+    lines.extend(slides.map(|force| ("", format!("for a film that slides without friction {force}"))));
+    let supplied = || format!("equilibrium distance {}, a tenth of work over strength", length_text(distance));
+    lines.extend(is_supplied.then(|| ("", supplied())));
+    let is_free = model.friction_law().is_none() && model.angle_to_strip() != FRAC_PI_2;
+    lines.extend(is_free.then(|| ("friction", "none: what is bonded slides along the substrate".to_owned())));
+    lines.extend([(
+        "strip",
+        format!(
+            "process zone {}, ℓ/h = {}, L/ℓ = {}; EI = {} nN nm²",
+            units.length.short(section.process_length),
+            short(groups.process_length_over_height),
+            short(groups.length_over_process_length),
+            short(section.stiffness.bending)
         ),
-    ]
+    )]);
+    lines
 }
 
 /// How far the beam has slid at the peak.
@@ -311,6 +359,7 @@ pub(super) fn end(end: &PathEnd) -> String {
         PathEnd::Snapped => "the strip snaps off; equilibrium does not determine how it slides during the jump",
         PathEnd::BondedPartUnstable(_) => "no stable state is near",
         PathEnd::Upright(_) => "no smooth solution goes on from there",
+        PathEnd::Bound(Bound::Until(_)) => "what the scene asks for is behind",
         PathEnd::Bound(_) => "a limit set under [bounds] was reached",
         PathEnd::Failed(failure) if failure.is_refusal() => "the model is not computed",
         PathEnd::Failed(_) => "the computation stopped short",
@@ -322,7 +371,7 @@ pub(super) fn end(end: &PathEnd) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use peelkit::study::{self, Bound, Effort, OutOfPlaneLoss};
+    use peelkit::study::{self, Effort, OutOfPlaneLoss};
     use peelkit_scene::BoundsTable;
 
     #[test]

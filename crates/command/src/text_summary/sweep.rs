@@ -117,7 +117,7 @@ pub(super) fn values(keys: SweptKeys, value: f64, second: Option<f64>) -> String
 
 /// The head of a column of numbers in a unit.
 pub(super) fn headed(name: &str, unit: Unit) -> String {
-    format!("{name} {}", unit.name)
+    format!("{name} {}", unit.name())
 }
 
 /// The cell of a thing that does not occur.

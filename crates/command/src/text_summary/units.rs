@@ -4,37 +4,11 @@
 use super::number::{short, with_error};
 use crate::stop::Stop;
 use clap::Args;
+use peelkit::units::{self, FORCES, LENGTHS, WORKS};
 
-/// A unit of a force, a length or a work.
+/// A unit of a force, a length or a work, with which numbers are printed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Unit {
-    /// As it is printed.
-    pub name: &'static str,
-    /// How many nN, nm or aJ it is.
-    size: f64,
-}
-
-const fn unit(name: &'static str, size: f64) -> Unit {
-    Unit { name, size }
-}
-
-/// From small to large.
-const FORCES: &[Unit] = &[unit("pN", 1e-3), unit("nN", 1.0), unit("µN", 1e3), unit("mN", 1e6), unit("N", 1e9)];
-const LENGTHS: &[Unit] = &[unit("pm", 1e-3), unit("nm", 1.0), unit("µm", 1e3), unit("mm", 1e6), unit("m", 1e9)];
-const WORKS: &[Unit] = &[
-    unit("zJ", 1e-3),
-    unit("aJ", 1.0),
-    unit("fJ", 1e3),
-    unit("pJ", 1e6),
-    unit("nJ", 1e9),
-    unit("µJ", 1e12),
-    unit("mJ", 1e15),
-    unit("J", 1e18),
-];
-
-/// Numbers from here to [`TOO_LARGE`] keep the unit of the files.
-const TOO_SMALL: f64 = 1e-2;
-const TOO_LARGE: f64 = 1e4;
+pub struct Unit(units::Unit);
 
 /// Which units the summary is printed in.
 #[derive(Args, Clone, Debug, Default)]
@@ -62,7 +36,7 @@ impl UnitsArgs {
         for word in words.split(',').map(str::trim).filter(|&word| word != "auto") {
             let plain = word.replace('μ', "µ");
             let plain = plain.strip_prefix('u').map_or(plain.clone(), |rest| format!("µ{rest}"));
-            let find = |known: &[Unit]| known.iter().copied().find(|unit| unit.name == plain);
+            let find = |known: &[units::Unit]| known.iter().copied().find(|unit| unit.name == plain).map(Unit);
             match (find(FORCES), find(LENGTHS), find(WORKS)) {
                 (Some(force), ..) => wanted.force = Some(force),
                 (_, Some(length), _) => wanted.length = Some(length),
@@ -75,7 +49,7 @@ impl UnitsArgs {
 }
 
 fn unknown(word: &str) -> Stop {
-    let names = |units: &[Unit]| units.iter().map(|unit| unit.name).collect::<Vec<_>>().join(", ");
+    let names = |units: &[units::Unit]| units.iter().map(|unit| unit.name).collect::<Vec<_>>().join(", ");
     Stop::bad_input(
         format!("--units {word} is no unit of the summary"),
         format!(
@@ -102,32 +76,30 @@ impl Units {
     /// Those that are wanted, and else those that fit the largest force (nN), length (nm) and work (aJ).
     pub fn fitting(wanted: WantedUnits, [force, length, work]: [f64; 3]) -> Self {
         Self {
-            force: wanted.force.unwrap_or_else(|| fitting(FORCES, force)),
-            length: wanted.length.unwrap_or_else(|| fitting(LENGTHS, length)),
-            work: wanted.work.unwrap_or_else(|| fitting(WORKS, work)),
+            force: wanted.force.unwrap_or_else(|| Unit(units::Unit::fitting(FORCES, force))),
+            length: wanted.length.unwrap_or_else(|| Unit(units::Unit::fitting(LENGTHS, length))),
+            work: wanted.work.unwrap_or_else(|| Unit(units::Unit::fitting(WORKS, work))),
         }
     }
-}
-
-/// The unit of the files for numbers of an ordinary size; else the largest in which the number is at least one.
-fn fitting(units: &[Unit], largest: f64) -> Unit {
-    let ordinary = !largest.is_finite() || largest == 0.0 || (TOO_SMALL..TOO_LARGE).contains(&largest);
-    let fits = |unit: &&Unit| if ordinary { unit.size == 1.0 } else { unit.size <= largest };
-    units.iter().rev().find(fits).copied().unwrap_or(units[0])
 }
 
 /// Most digits of a number without a bound.
 const MOST_DIGITS: i32 = 11;
 
 impl Unit {
+    /// As it is printed.
+    pub fn name(&self) -> &'static str {
+        self.0.name
+    }
+
     /// A number of the library's units in this one.
     pub fn of(&self, value: f64) -> f64 {
-        value / self.size
+        self.0.of(value)
     }
 
     /// As many decimals as the error leaves, the error, and the unit.
     pub fn with_error(&self, value: f64, error: f64) -> String {
-        format!("{} {}", self.bare_with_error(value, error), self.name)
+        format!("{} {}", self.bare_with_error(value, error), self.name())
     }
 
     /// The same without the unit, which stands behind the next number.
@@ -139,13 +111,13 @@ impl Unit {
     pub fn fixed(&self, value: f64, decimals: i32) -> String {
         let value = self.of(value);
         let behind_the_first = MOST_DIGITS - 1 - value.abs().max(1.0).log10().floor() as i32;
-        let decimals = (decimals + self.size.log10().round() as i32).min(behind_the_first).max(0) as usize;
-        format!("{value:.decimals$} {}", self.name)
+        let decimals = (decimals + self.0.size.log10().round() as i32).min(behind_the_first).max(0) as usize;
+        format!("{value:.decimals$} {}", self.name())
     }
 
     /// Six digits and the unit.
     pub fn short(&self, value: f64) -> String {
-        format!("{} {}", short(self.of(value)), self.name)
+        format!("{} {}", short(self.of(value)), self.name())
     }
 }
 
@@ -158,16 +130,7 @@ mod tests {
     }
 
     fn names(units: Units) -> [&'static str; 3] {
-        [units.force.name, units.length.name, units.work.name]
-    }
-
-    #[test]
-    fn numbers_of_an_ordinary_size_keep_the_units_of_the_files() {
-        let fitting = |largest| names(Units::fitting(WantedUnits::default(), largest));
-        assert_eq!(fitting([0.34, 70.0, 3.5]), ["nN", "nm", "aJ"]);
-        assert_eq!(fitting([0.02, 9999.0, 0.0]), ["nN", "nm", "aJ"]);
-        assert_eq!(fitting([2e-3, 2e4, 1211222188.6]), ["pN", "µm", "nJ"]);
-        assert_eq!(fitting([1e-9, 1e30, f64::NAN]), ["pN", "m", "aJ"]);
+        [units.force.name(), units.length.name(), units.work.name()]
     }
 
     #[test]
@@ -181,10 +144,10 @@ mod tests {
 
     #[test]
     fn digits_stay_the_same_in_every_unit() {
-        let micrometre = LENGTHS[2];
+        let (micrometre, piconewton, nanometre) = (Unit(LENGTHS[2]), Unit(FORCES[0]), Unit(LENGTHS[1]));
         assert_eq!(micrometre.with_error(48215.6178228, 3e-3), "48.215618 ± 3e-6 µm");
         assert_eq!(micrometre.fixed(48215.6178228, 6), "48.215617823 µm");
-        assert_eq!(FORCES[0].short(0.0075), "7.5 pN");
-        assert_eq!(LENGTHS[1].fixed(12345678901234.5, 6), "12345678901234 nm");
+        assert_eq!(piconewton.short(0.0075), "7.5 pN");
+        assert_eq!(nanometre.fixed(12345678901234.5, 6), "12345678901234 nm");
     }
 }

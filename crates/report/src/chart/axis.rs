@@ -1,5 +1,7 @@
 //! An axis: its range, where a value lies on it, its ticks and how they are printed.
 
+use peelkit::units::{FORCES, LENGTHS, Unit, WORKS};
+
 /// A labelled axis, linear or logarithmic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
@@ -63,8 +65,21 @@ impl Axis {
         }
     }
 
+    /// The unit of its label in the prefix that fits, and that of the label: of a linear axis of forces, lengths or works that has another one.
+    fn prefixed(&self) -> Option<(Unit, &'static str)> {
+        let unit = self.label.rsplit_once('(')?.1.strip_suffix(')')?;
+        let of_files = |units: &&[Unit]| units.iter().any(|known| known.size == 1.0 && known.name == unit);
+        let units = [FORCES, LENGTHS, WORKS].into_iter().find(of_files).filter(|_| !self.log)?;
+        let own = units.iter().find(|known| known.size == 1.0)?;
+        let fits = Unit::fitting(units, self.from.abs().max(self.to.abs()));
+        (fits != *own).then_some((fits, own.name))
+    }
+
     /// The power of ten that the texts of the ticks leave out: of a linear axis with many zeros.
     fn decades(&self) -> i32 {
+        if let Some((unit, _)) = self.prefixed() {
+            return unit.size.log10().round() as i32;
+        }
         let largest = self.from.abs().max(self.to.abs());
         if self.log
             || !self.names.is_empty()
@@ -77,8 +92,12 @@ impl Axis {
         3 * (largest.log10() / 3.0).floor() as i32
     }
 
-    /// The label, with the power of ten that the texts leave out: "force P (10⁻⁶ nN)".
+    /// The label, with the prefix that fits, or with the power of ten that the texts leave out: "force P (mN)", "stiffness (10⁶ nN/nm)".
     pub(crate) fn title(&self) -> String {
+        if let Some((unit, of_label)) = self.prefixed() {
+            let words = self.label.strip_suffix(&format!("({of_label})")).unwrap_or_default();
+            return format!("{words}({})", unit.name);
+        }
         let power = match self.decades() {
             0 => return self.label.clone(),
             decades => format!("10{}", raised(decades)),
@@ -138,6 +157,12 @@ impl Axis {
     }
 }
 
+/// A number of nN, nm or aJ in the prefix that fits the largest one beside it, with so many significant digits and its unit.
+pub fn with_unit(units: &[Unit], value: f64, largest: f64, digits: i32) -> String {
+    let unit = Unit::fitting(units, largest);
+    format!("{} {}", significant(unit.of(value), digits), unit.name)
+}
+
 /// A number with so many significant digits, as one prints it in a picture.
 pub fn significant(value: f64, digits: i32) -> String {
     if value == 0.0 {
@@ -187,10 +212,10 @@ mod tests {
 
     #[test]
     fn many_zeros_go_into_the_label() {
-        let small = Axis::linear("force P (nN)", 0.0, 4e-5);
+        let small = Axis::linear("stiffness k (nN/nm)", 0.0, 4e-5);
         assert_eq!(
             (texts(&small, 4), small.title()),
-            (["0", "10", "20", "30", "40"].map(Into::into).to_vec(), "force P (10⁻⁶ nN)".into())
+            (["0", "10", "20", "30", "40"].map(Into::into).to_vec(), "stiffness k (10⁻⁶ nN/nm)".into())
         );
         let large = Axis::linear("u", 0.0, 3e6);
         assert_eq!(
@@ -198,6 +223,18 @@ mod tests {
             (["0", "1", "2", "3"].map(Into::into).to_vec(), "u (10⁶)".into())
         );
         assert_eq!(Axis::linear("u (nm)", 0.0, 70.0).title(), "u (nm)");
+    }
+
+    #[test]
+    fn forces_lengths_and_works_have_the_prefix_that_fits() {
+        let force = Axis::linear("force P (nN)", 0.0, 4.1e6);
+        assert_eq!(
+            (texts(&force, 4), force.title()),
+            (["0", "1", "2", "3", "4"].map(Into::into).to_vec(), "force P (mN)".into())
+        );
+        assert_eq!(Axis::linear("displacement u (nm)", 0.0, 2e4).title(), "displacement u (µm)");
+        assert_eq!(Axis::linear("work W (aJ)", -2e9, 1.0).title(), "work W (nJ)");
+        assert_eq!(Axis::log("force P (nN)", 1e4, 1e6).title(), "force P (nN)", "a logarithmic axis has powers of ten");
     }
 
     #[test]

@@ -14,7 +14,7 @@ mod shorthand;
 mod style;
 mod symbol;
 
-pub use axis::{Axis, significant};
+pub use axis::{Axis, significant, with_unit};
 pub use canvas::{Dash, Stroke};
 pub use drawn::DrawError;
 pub use face::{Face, Rim};

@@ -165,7 +165,7 @@ impl PartialRun {
 
 /// The first line of the file of a scene.
 pub(super) fn header_of(path: &Path, scene: &Scene) -> Result<Vec<u8>, ReportError> {
-    let bounds = BoundsTable { points: 0, time_s: None, displacement: None };
+    let bounds = BoundsTable::default();
     let scene = Scene { bounds, ..scene.clone() };
     let header = Header { peelkit: env!("CARGO_PKG_VERSION"), scene: Parameters(scene) };
     first_line(&header).map_err(|source| ReportError::Write { path: path.to_path_buf(), source })

@@ -167,6 +167,8 @@ mod tests {
             peak: Some(peak),
             largest_computed_force: None,
             plateau: Some(Plateau {
+                stable: true,
+                after: 3,
                 displacement: 1e23,
                 force: 8.41e21,
                 force_error: None,

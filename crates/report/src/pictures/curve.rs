@@ -5,9 +5,11 @@
 
 use super::peel::limit_at;
 use crate::chart::{
-    Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, order_shade, significant,
+    Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, order_shade, with_unit,
 };
+use crate::names::first_jump_word;
 use peelkit::study::{LimitPoint, LimitPointKind, OutOfPlaneBranch, OutOfPlaneLoss, PathEnd, Peel};
+use peelkit::units::{FORCES, LENGTHS};
 
 const HEIGHT: u32 = 440;
 /// About how many points the curve is drawn with.
@@ -16,6 +18,8 @@ const DENSE: usize = 1500;
 const INITIATION: f64 = 16.0;
 /// Most limit points that are labelled; all are marked.
 const LABELLED: usize = 8;
+/// A load limit point without a name whose force is less than this share of the largest goes without a label: nearly nothing adheres there.
+const FAINT: f64 = 0.01;
 /// A limit point nearer than this to a labelled one goes without a label, in parts of the ranges of both axes.
 const CROWDED: f64 = 0.02;
 
@@ -99,7 +103,7 @@ pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], title: &str) -> Pic
             let force = beyond(peel, &curve, to);
             let cut = peel.initiation_peak.map(|peak| peak.force).filter(|&peak| peak > 1.2 * force);
             let title = match cut {
-                Some(peak) => format!("whole path, cut below the initiation peak of {} nN", significant(peak, 4)),
+                Some(peak) => format!("whole path without its peak, {}", with_unit(FORCES, peak, peak, 4)),
                 None => "whole path".to_owned(),
             };
             vec![panel(frame(366.0, wide), &curve, 1.04 * farthest, force, &title), first]
@@ -107,7 +111,7 @@ pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], title: &str) -> Pic
         None => vec![panel(frame(84.0, wide), &curve, 1.04 * farthest, highest(&curve), "")],
     };
     name_stability(&mut panels[0], &curve);
-    for mark in marks(peel, numbered) {
+    for mark in marks(peel, numbered, [farthest, highest(&curve)]) {
         let early = zoom.is_some_and(|to| mark.at.0 <= to) || !panels[0].shows(mark.at);
         let place = if early { panels.len() - 1 } else { 0 };
         panels[place].marks.push(mark);
@@ -186,8 +190,8 @@ fn name_symbols(panel: &mut Panel) {
     }
 }
 
-/// Limit points and peak with their values, then the numbered points.
-fn marks(peel: &Peel, numbered: &[usize]) -> Vec<Mark> {
+/// Limit points and peak with their values, then the numbered points. `largest` displacement (nm) and force (nN) choose the units.
+fn marks(peel: &Peel, numbered: &[usize], largest: [f64; 2]) -> Vec<Mark> {
     // Those with a name choose their places first.
     let mut limits: Vec<(Option<&str>, &LimitPoint)> =
         peel.limit_points.iter().map(|l| (title_of(peel, l), l)).collect();
@@ -201,9 +205,10 @@ fn marks(peel: &Peel, numbered: &[usize]) -> Vec<Mark> {
             let apart = (limit.displacement - other.displacement).abs() / wide;
             apart + (limit.force - other.force).abs() / high < CROWDED
         };
-        let wanted = name.is_some() || (labelled.len() < LABELLED && !labelled.iter().any(near));
+        let is_faint = limit.kind == LimitPointKind::Load && limit.force.abs() < FAINT * high;
+        let wanted = name.is_some() || (labelled.len() < LABELLED && !is_faint && !labelled.iter().any(near));
         labelled.extend(wanted.then_some(limit));
-        let note = wanted.then(|| values(name, limit.displacement, limit.force));
+        let note = wanted.then(|| values(name, limit.displacement, limit.force, largest));
         let symbol = if limit.kind == LimitPointKind::Displacement { Symbol::Diamond } else { Symbol::Triangle };
         marks.push(Mark { at: (limit.displacement, limit.force), symbol, colour: colour::INK, name: None, note });
     }
@@ -229,7 +234,8 @@ fn marks(peel: &Peel, numbered: &[usize]) -> Vec<Mark> {
 /// Marks where the path loses its stability out of the plane.
 pub(super) fn mark_loss(picture: &mut Picture, loss: &OutOfPlaneLoss) {
     let at = (loss.displacement, loss.force);
-    let note = Some(values(Some("leaves the plane"), loss.displacement, loss.force));
+    let largest = picture.panels.first().map_or([0.0; 2], |panel| [panel.x.to, panel.y.to]);
+    let note = Some(values(Some("leaves the plane"), loss.displacement, loss.force, largest));
     // the panel of the initiation is the last one
     if let Some(panel) = picture.panels.iter_mut().rfind(|panel| panel.shows(at)) {
         panel.marks.push(Mark { at, symbol: Symbol::Square, colour: colour::VERMILLION, name: None, note });
@@ -272,7 +278,8 @@ fn title_of(peel: &Peel, limit: &LimitPoint) -> Option<&'static str> {
         peel.limit_points.iter().find(here) == Some(limit)
     };
     match limit.kind {
-        LimitPointKind::Displacement if is(peel.snap_off.map(|s| s.displacement)) => Some("snap-off"),
+        LimitPointKind::Displacement if is(peel.snap_off.map(|s| s.displacement)) => Some(first_jump_word(peel)),
+        LimitPointKind::Displacement if is(peel.detachment.map(|s| s.displacement)) => Some("detachment"),
         LimitPointKind::Load if is(peel.initiation_peak.map(|p| p.displacement)) => Some("initiation peak"),
         LimitPointKind::Load if is(peel.peak.map(|p| p.displacement)) => Some("peak force"),
         _ => None,
@@ -283,10 +290,10 @@ fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-6 * a.abs().max(b.abs())
 }
 
-fn values(name: Option<&str>, u: f64, force: f64) -> Note {
+fn values(name: Option<&str>, u: f64, force: f64, [wide, high]: [f64; 2]) -> Note {
     let mut text: Vec<String> = name.map(String::from).into_iter().collect();
-    text.push(format!("u = {} nm", significant(u, 4)));
-    text.push(format!("P = {} nN", significant(force, 4)));
+    text.push(format!("u = {}", with_unit(LENGTHS, u, wide, 4)));
+    text.push(format!("P = {}", with_unit(FORCES, force, high, 4)));
     Note { badge: None, text }
 }
 

@@ -4,13 +4,14 @@ use super::peel::limit_at;
 use super::projection::{View, mixed};
 use crate::chart::{
     Axis, Face, Frame, Line, Mark, Note, Panel, Picture, Rim, Shape, Stroke, Symbol, WIDTH, colour, order_shade,
-    significant,
+    significant, with_unit,
 };
 use crate::states::outline;
 use peelkit::adhesion::SectionShape;
 use peelkit::beam::SpatialSectionPlace;
 use peelkit::model::{PeelModel, Space};
 use peelkit::study::Peel;
+use peelkit::units::{FORCES, LENGTHS};
 use plotters::style::RGBColor;
 
 /// The strip at one point of the path.
@@ -196,8 +197,8 @@ impl Scene {
 
     fn panel(&self, posed: &Posed, mut panel: Panel, colour: RGBColor) -> Panel {
         panel.rim = Rim::Plain;
-        let [displacement, force] = [posed.displacement, posed.force].map(|value| significant(value, 4));
-        panel.title = format!("u = {displacement} nm, P = {force} nN");
+        let u = with_unit(LENGTHS, posed.displacement, posed.displacement.abs(), 4);
+        panel.title = format!("u = {u}, P = {}", with_unit(FORCES, posed.force, posed.force.abs(), 4));
         panel.shapes.push(Shape { corners: self.on_ground(self.ground), colour: colour::PALE, opacity: 0.8 });
         if let Some([length, width]) = self.rest {
             let mut rest = self.on_ground([0.0, length, -0.5 * width, 0.5 * width]);

@@ -1,9 +1,10 @@
 //! The picture of a test: force against the machine's displacement, there and back.
 
-use crate::chart::{Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, save, significant};
+use crate::chart::{Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, save, with_unit};
 use crate::error::ReportError;
 use crate::names::jump_title;
 use peelkit::study::{LoadingDirection, Observed};
+use peelkit::units::{LENGTHS, WORKS};
 use std::path::{Path, PathBuf};
 
 const HEIGHT: u32 = 460;
@@ -60,8 +61,8 @@ fn panel(test: &Observed, frame: Frame, to: f64) -> Panel {
         panel.lines.push(Line { points: vec![from, landed], stroke, name: name.take() });
         let text = vec![
             jump_title(&test.jumps, n).to_owned(),
-            format!("U = {} nm", significant(jump.machine, 4)),
-            format!("released {} aJ", significant(jump.released, 4)),
+            format!("U = {}", with_unit(LENGTHS, jump.machine, panel.x.to, 4)),
+            format!("released {}", with_unit(WORKS, jump.released, jump.released.abs(), 4)),
         ];
         let note = (n < LABELLED).then_some(Note { badge: None, text });
         panel.marks.push(Mark { at: from, symbol: Symbol::Diamond, colour: colour::INK, name: None, note });

@@ -1,10 +1,11 @@
 //! The deformed strip with its thickness over the substrate, drawn to scale.
 
 use crate::chart::{
-    Axis, Frame, Line, Mark, Note, Panel, Picture, Shape, Stroke, Symbol, WIDTH, colour, order_shade, significant,
+    Axis, Frame, Line, Mark, Note, Panel, Picture, Shape, Stroke, Symbol, WIDTH, colour, order_shade, with_unit,
 };
 use peelkit::adhesion::Substrate;
 use peelkit::study;
+use peelkit::units::{FORCES, LENGTHS};
 use plotters::style::RGBColor;
 
 /// The strip at one point of the path.
@@ -46,8 +47,10 @@ pub(super) fn shapes_picture(poses: &[Posed], ground: &Substrate, title: &str) -
     let frame = Frame { left, top: upper, right, bottom: lower };
     let mut panel = Panel::new(frame, Axis::linear("x (nm)", from, to), Axis::linear("y (nm)", y_from, y_to));
     substrate(&mut panel, ground, depth);
+    let most = |of: fn(&Posed) -> f64| poses.iter().map(|posed| of(posed).abs()).fold(0.0, f64::max);
+    let largest = [most(|posed| posed.displacement), most(|posed| posed.force)];
     for (i, (posed, outline)) in poses.iter().zip(outlines).enumerate() {
-        strip(&mut panel, posed, outline, order_shade(i, poses.len()));
+        strip(&mut panel, posed, outline, order_shade(i, poses.len()), largest);
     }
     Picture { title: title.into(), height: (lower + 52.0).round() as u32, panels: vec![panel] }
 }
@@ -67,11 +70,12 @@ fn outline(axis: &study::DeformedShape) -> Vec<(f64, f64)> {
     rim
 }
 
-fn strip(panel: &mut Panel, posed: &Posed, outline: Vec<(f64, f64)>, colour: RGBColor) {
+fn strip(panel: &mut Panel, posed: &Posed, outline: Vec<(f64, f64)>, colour: RGBColor, [wide, high]: [f64; 2]) {
     panel.shapes.push(Shape { corners: outline.clone(), colour, opacity: 0.30 });
     panel.lines.push(Line { points: outline, stroke: Stroke::solid(colour, 1.3), name: None });
     if let (Some(&x), Some(&y)) = (posed.axis.x.last(), posed.axis.y.last()) {
-        let name = format!("u = {} nm, P = {} nN", significant(posed.displacement, 3), significant(posed.force, 3));
+        let u = with_unit(LENGTHS, posed.displacement, wide, 3);
+        let name = format!("u = {u}, P = {}", with_unit(FORCES, posed.force, high, 3));
         let note = Some(Note { badge: Some(posed.number), text: Vec::new() });
         panel.marks.push(Mark { at: (x, y), symbol: Symbol::Dot, colour, name: Some(name), note });
     }

@@ -13,6 +13,7 @@ use crate::value::table::{read_heights, read_profile};
 use crate::value::{Fault, Value, quoted};
 use peelkit::adhesion::Substrate;
 use peelkit::model::{Measured, ModelErrorKind, ProfileForm, Range, angle_text};
+use peelkit::study::FollowedUntil;
 use std::sync::Arc;
 
 impl Key {
@@ -39,6 +40,7 @@ impl Key {
             (Kind::Section(place), Value::Text(word)) => *place(scene) = self.pick(SECTIONS, word)?,
             (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
             (Kind::Terms(place), Value::Text(word)) => *place(scene) = self.pick(TERMS, word)?,
+            (Kind::Until(place), Value::Text(word)) => *place(scene) = self.pick(&FollowedUntil::NAMED, word)?,
             (Kind::Setting(setting), value) => (setting.read)(scene, value)
                 .map_err(|fault| ValueError { item: fault.item, ..ValueError::new(fault.found, self.remedy()) })?,
             (Kind::Steps(place), Value::List(items)) => {
@@ -168,6 +170,7 @@ impl Key {
             Kind::Section(place) => Value::Text(word(SECTIONS, *place(&mut scene))),
             Kind::Start(place) => Value::Text(word(STARTS, *place(&mut scene))),
             Kind::Terms(place) => Value::Text(word(TERMS, *place(&mut scene))),
+            Kind::Until(place) => Value::Text(place(&mut scene).name().to_owned()),
             Kind::Steps(place) => {
                 Value::List(place(&mut scene).iter().map(|step| Value::Text(step.to_string())).collect())
             }

@@ -5,7 +5,7 @@ use crate::value::quantity::Dimension;
 use crate::value::{Fault, Value};
 use peelkit::adhesion::{LineLoad, SectionShape, Substrate};
 use peelkit::model::{Attraction, Hold, ProfileForm, Range, Start, Step};
-use peelkit::study::Terms;
+use peelkit::study::{FollowedUntil, Terms};
 
 /// Whether a scene has to hold a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,6 +74,8 @@ pub enum Kind {
     Start(fn(&mut Scene) -> &mut Start),
     /// A word for which terms of the model are computed.
     Terms(fn(&mut Scene) -> &mut Terms),
+    /// A word for as far as what a path is followed.
+    Until(fn(&mut Scene) -> &mut FollowedUntil),
     /// A setting of an analysis that the scene asks for.
     Setting(&'static Setting),
     /// A list of motions of the grip before the pull.

@@ -7,6 +7,7 @@ use crate::shape;
 use crate::value::quantity::Dimension;
 use crate::value::{Value, show};
 use peelkit::model::{Range, angle_text};
+use peelkit::study::FollowedUntil;
 
 impl Key {
     /// The unit that a list shows: of the library, but degrees for an angle; empty where the key takes no unit.
@@ -25,7 +26,7 @@ impl Key {
     /// What holds where a scene does not give the key, in words: "1 nm", "90 deg", "none", "automatic", "required".
     pub fn default_text(&self) -> String {
         if self.need == Need::Required {
-            return "required".into();
+            return self.required_text();
         }
         match (&self.kind, self.value(&Scene::of_defaults())) {
             (Kind::Text(_), _) => "file name".into(),
@@ -44,6 +45,15 @@ impl Key {
             (_, Some(Value::Text(text))) => text,
             (_, Some(value)) => value.to_string(),
             (_, None) => "none".into(),
+        }
+    }
+
+    /// That a scene has to hold it, or what in its place.
+    fn required_text(&self) -> String {
+        match self.alternative() {
+            Some(other) => format!("required, or {other}"),
+            None if self.table == "adhesion" => "required, or work and strength".into(),
+            None => "required".into(),
         }
     }
 
@@ -82,6 +92,7 @@ impl Key {
             Kind::Section(_) => words(SECTIONS),
             Kind::Start(_) => words(STARTS),
             Kind::Terms(_) => words(TERMS),
+            Kind::Until(_) => words(&FollowedUntil::NAMED),
             Kind::Shape(_) => words(&shape::names()),
             _ => Vec::new(),
         }

@@ -10,6 +10,7 @@ use crate::value::quantity::{Comma, Dimension, QuantityError};
 use crate::value::steps;
 use crate::value::{Value, quoted, show};
 use peelkit::model::Range;
+use peelkit::study::FollowedUntil;
 
 impl Key {
     /// What the key takes, in words.
@@ -37,6 +38,7 @@ impl Key {
             Kind::Section(_) => words(SECTIONS),
             Kind::Start(_) => words(STARTS),
             Kind::Terms(_) => words(TERMS),
+            Kind::Until(_) => words(&FollowedUntil::NAMED),
             Kind::Steps(_) => steps::TAKES.into(),
             Kind::Setting(setting) => setting.takes.into(),
             Kind::Pieces(_) => pieces::TAKES.into(),
@@ -104,6 +106,7 @@ impl Key {
             (_, Kind::Steps(_)) => "[\"press 0.1 nm\", \"turn 1 deg\", \"hold\"]",
             (_, Kind::Section(_)) => "\"ellipse\"",
             (_, Kind::Start(_)) => "\"conformed\"",
+            (_, Kind::Until(_)) => "\"first-jump\"",
             (_, Kind::Terms(_)) => "\"auto\"",
             (_, Kind::Shape(_)) => "\"flat\"",
             (_, Kind::Heights(_)) => "\"x_nm,height_nm\\n0,0\\n50,-8\\n100,0\"",

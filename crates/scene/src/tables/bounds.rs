@@ -1,10 +1,10 @@
 //! Where a path is stopped although it goes on, as a scene says it.
 
-use peelkit::study::{Patience, Stage, StopCriteria, StopReason};
+use peelkit::study::{FollowedUntil, Patience, Stage, StopCriteria, StopReason};
 use std::time::{Duration, Instant};
 
-/// The table `bounds`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The table `bounds`, and how far a path is followed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BoundsTable {
     /// Most path points.
     pub points: usize,
@@ -12,13 +12,15 @@ pub struct BoundsTable {
     pub time_s: Option<f64>,
     /// Largest grip displacement, nm; none when absent.
     pub displacement: Option<f64>,
+    /// As far as what a path is followed: `until` of the table `path`.
+    pub until: FollowedUntil,
 }
 
 impl BoundsTable {
     /// What a run is given that begins now: its clock starts here.
     pub fn from_now(&self) -> StopCriteria {
-        let Self { points, time_s, displacement } = *self;
-        let stop = StopCriteria { displacement, ..StopCriteria::after_points(points) };
+        let Self { points, time_s, displacement, until } = *self;
+        let stop = StopCriteria { displacement, until, ..StopCriteria::after_points(points) };
         match time_s {
             Some(seconds) => StopCriteria { patience: Patience::Unlimited, ..stop.or_when(time_limit(seconds)) },
             None => stop,
@@ -45,7 +47,7 @@ mod tests {
 
     /// What the clock of so many seconds says at once.
     fn at_once(seconds: f64) -> [bool; 2] {
-        let stop = BoundsTable { points: 1, time_s: Some(seconds), displacement: None }.from_now();
+        let stop = BoundsTable { points: 1, time_s: Some(seconds), ..BoundsTable::default() }.from_now();
         let check = stop.should_stop.unwrap();
         [Stage::Path, Stage::Results].map(|stage| check(stage) == Some(StopReason::Time { seconds }))
     }
@@ -58,6 +60,6 @@ mod tests {
     #[test]
     fn a_time_that_no_clock_can_tell_is_never_over() {
         assert_eq!([at_once(1e6), at_once(1e300)], [[false; 2]; 2]);
-        assert!(BoundsTable { points: 1, time_s: None, displacement: None }.from_now().should_stop.is_none());
+        assert!(BoundsTable { points: 1, ..BoundsTable::default() }.from_now().should_stop.is_none());
     }
 }

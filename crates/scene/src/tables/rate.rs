@@ -8,7 +8,7 @@ use crate::scene::Scene;
 use crate::value::{Fault, Value, quoted};
 use peelkit::beam::Viscosity;
 use peelkit::model::MovingMaterial;
-use peelkit::study::{PullRate, SetaPullRate, SetaTimeAccuracy, Terms, TimeAccuracy, Until};
+use peelkit::study::{FollowedUntil, PullRate, SetaPullRate, SetaTimeAccuracy, Terms, TimeAccuracy, Until};
 use std::ops::Range;
 
 /// The table of a scene.
@@ -216,11 +216,12 @@ fn not_covered(scene: &Scene) -> Option<(String, ValueError)> {
         (model.pull.turn != 0.0, "turns its grip by `drive.turn`"),
         (model.grip.pretension.is_some(), "has a `grip.pretension`"),
         (scene.accuracy.terms == Terms::Auto, "has terms = \"auto\""),
+        (scene.bounds.until != FollowedUntil::End, "has a `path.until`"),
     ];
     let (_, what) = not_covered.into_iter().find(|(is_there, _)| *is_there)?;
     let problem = ValueError::new(
         format!("is given, and the scene {what}, which is not followed in time"),
-        "Remove [time] to follow the equilibria, or give a beam in the plane on flat ground with all terms, without friction, steps, pretension and a grip that turns.",
+        "Remove [time] to follow the equilibria, or give a beam in the plane on flat ground with all terms, without friction, steps, pretension, `path.until` and a grip that turns.",
     );
     Some((format!("{TABLE}.rate"), problem))
 }

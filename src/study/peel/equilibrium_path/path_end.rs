@@ -8,9 +8,9 @@ use crate::solve::{
     Direction, NewtonOptions, Observables, Pace, Path, PathConstraint, PathError, PathSegment, ROUGH, Solution,
     Workspace, is_mirrored, solve, solve_on,
 };
-use crate::study::Bound;
 use crate::study::checkpoint::Limits;
 use crate::study::peel::{PathEnd, PathFailure};
+use crate::study::{Bound, FollowedUntil};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
@@ -87,8 +87,33 @@ pub(super) fn step(
     if let Some(end) = model_end(problem, path.points()) {
         return Ok(Some(end));
     }
+    if is_behind(problem, path.points(), stop.until) {
+        return Ok(Some(PathEnd::Bound(Bound::Until(stop.until))));
+    }
     let beyond = stop.displacement.filter(|&most| o.displacement > most);
     Ok(beyond.map(|most| PathEnd::Bound(Bound::Displacement(most))))
+}
+
+/// Path points behind the first jump: what locates a limit point looks at its neighbours.
+const BEHIND_JUMP: usize = 2;
+/// What is farther from the substrate than this many times the distance at rest is nearer than 2 r0 nowhere, and adheres no more.
+const NO_CONTACT: f64 = 4.0;
+
+/// Whether the newest point is behind what the path is to be followed to.
+fn is_behind(problem: &BeamProblem, points: &[Arc<Solution>], until: FollowedUntil) -> bool {
+    let turns_back = |pair: &[Arc<Solution>]| pair[0].slope.displacement > 0.0 && pair[1].slope.displacement < 0.0;
+    let mut jumps = points.windows(2).enumerate().filter(|(_, pair)| turns_back(pair)).map(|(after, _)| after);
+    match until {
+        FollowedUntil::End => false,
+        FollowedUntil::FirstJump => jumps.next().is_some_and(|after| points.len() > after + BEHIND_JUMP),
+        FollowedUntil::Detachment => {
+            let Some(newest) = points.last() else { return false };
+            let furthest = jumps.map(|after| points[after].observables.displacement).reduce(f64::max);
+            newest.slope.displacement > 0.0
+                && furthest.is_some_and(|furthest| newest.observables.displacement > furthest)
+                && problem.beam.is_clear(&newest.at, NO_CONTACT * problem.beam.nearest(&points[0].at))
+        }
+    }
 }
 
 /// Whether no part of the beam is nearer to the substrate than `far`, nm, at the newest point.

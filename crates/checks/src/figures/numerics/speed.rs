@@ -33,7 +33,7 @@ pub(in crate::figures) fn figures(runner: &Runner<'_>, dir: &Path) -> Result<Vec
 
 /// Time against error of every discretisation; nothing where the refined run fails, which `peel accuracy` says.
 fn accuracy(dir: &Path) -> Result<Option<Figure>, ReportError> {
-    let bounds = BoundsTable { points: 20_000, time_s: None, displacement: None };
+    let bounds = BoundsTable { points: 20_000, ..BoundsTable::default() };
     let Ok(measured) = work_precision(&paper_strip(LENGTH), &bounds, &|_| ()) else { return Ok(None) };
     let files = write_work_precision(dir, &measured, &format!("strip of {LENGTH} nm"))?;
     let caption = format!(

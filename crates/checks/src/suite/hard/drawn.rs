@@ -67,7 +67,7 @@ fn drawn() -> Drawn {
 
 fn judge(k: usize) -> Drawn {
     let model = strip(k);
-    let bounds = BoundsTable { points: 20_000, time_s: Some(LONGEST), displacement: None };
+    let bounds = BoundsTable { points: 20_000, time_s: Some(LONGEST), ..BoundsTable::default() };
     let [coarse, fine] = [RELATIVE, FINER].map(|relative| peel(&model, &Accuracy::to(relative), &bounds.from_now()));
     let mut outcome = Drawn::default();
     let named = |what: &str| format!("{what}: {:?} {:?} {:?}", model.strip, model.adhesion, model.grip);

@@ -16,6 +16,8 @@ pub(super) struct DerivedSummary {
     work_of_adhesion_of_section: Option<Finite>,
     #[serde(rename = "kendall_force_nN")]
     kendall_force: Option<Finite>,
+    #[serde(rename = "sliding_force_nN")]
+    sliding_force: Option<Finite>,
     #[serde(rename = "axial_stiffness_EA_nN")]
     axial_stiffness: Option<Finite>,
     #[serde(rename = "shear_stiffness_GAs_nN")]
@@ -55,6 +57,7 @@ impl DerivedSummary {
             equilibrium_gap_nm: number(Some(equilibrium_gap)),
             work_of_adhesion_of_section: known(|section| section.work_of_adhesion),
             kendall_force: known(|section| section.kendall_force),
+            sliding_force: number(section.as_ref().and_then(|section| section.sliding_force)),
             axial_stiffness: known(|section| section.stiffness.axial),
             shear_stiffness: known(|section| section.stiffness.shear),
             bending_stiffness: known(|section| section.stiffness.bending),

@@ -113,6 +113,7 @@ struct Plateau {
     force_error: Option<Finite>,
     #[serde(rename = "error_nm")]
     displacement_error: Option<Finite>,
+    stable: bool,
 }
 
 #[derive(Debug, serde::Serialize)]
@@ -216,6 +217,7 @@ impl PeelSummary {
                 displacement: Finite(at.displacement),
                 force_error: at.force_error.map(Finite),
                 displacement_error: at.displacement_error.map(Finite),
+                stable: at.stable,
             }),
             limit_points: peel.limit_points.iter().map(LimitPoint::from).collect(),
             branch_points: peel.branch_points.iter().map(BranchPoint::from).collect(),
