@@ -132,7 +132,7 @@ enum Loss {
 /// Where a jump leads.
 enum Landing {
     /// To a stable equilibrium
-    Rest(Solution),
+    Rest(Arc<Solution>),
     /// Beyond what the model is for
     Beyond(ModelLimit),
 }
@@ -254,7 +254,7 @@ impl Test {
                 return Ok((last.clone(), Some(left_model(&last, way, limit))));
             }
             let landed = match self.lost(machine, &located, loss, way) {
-                Ok(Landing::Rest(landed)) => Arc::new(landed),
+                Ok(Landing::Rest(landed)) => landed,
                 Ok(Landing::Beyond(limit)) => return Ok((last.clone(), Some(left_model(&last, way, limit)))),
                 Err(why) => {
                     let limit = || machine.model_limit(&last).map(|limit| left_model(&last, way, limit));
@@ -371,27 +371,25 @@ impl Test {
             self.effort.relaxation_steps += relaxed.steps;
             Ok::<_, TestError>(relaxed)
         };
-        let mut relaxed = relaxed_at(start, machine_nm)?;
+        let (mut relaxed, mut stayed) = (relaxed_at(start, machine_nm)?, None);
         if stays(machine, limit, &relaxed.solution) {
             // at the limit point itself nothing drives the strip away from it: a little beyond it something does
             let beyond = BEYOND * machine_nm.abs();
             let beyond = machine_nm + if way == LoadingDirection::Retreat { beyond } else { -beyond };
-            let further = relaxed_at(relaxed.solution.at.clone(), beyond)?;
-            if stays(machine, limit, &further.solution) {
-                return Ok(Landing::Rest(further.solution));
-            }
-            relaxed = relaxed_at(further.solution.at.clone(), machine_nm)?;
-            if stays(machine, limit, &relaxed.solution) {
-                return Ok(Landing::Rest(further.solution));
-            }
+            let further = relaxed_at(relaxed.solution.at.clone(), beyond)?.solution;
+            relaxed = relaxed_at(further.at.clone(), machine_nm)?;
+            stayed = stays(machine, limit, &relaxed.solution).then_some(further);
         }
         if let Some(limit) = machine.collapsed(&relaxed.solution) {
             return Ok(Landing::Beyond(limit));
         }
         let jump = jump::described(machine, limit, &relaxed, way, &mut Workspace::default());
         // one that releases next to nothing was round-off's
-        if jump.released.abs() <= jump.released_error && jump.released_error <= BALANCED * self.largest {
-            return Ok(Landing::Rest(relaxed.solution));
+        let nothing = jump.released.abs() <= jump.released_error && jump.released_error <= BALANCED * self.largest;
+        let rests = stayed.is_some() && jump.released <= jump.released_error;
+        let solution = stayed.unwrap_or(relaxed.solution);
+        if nothing || rests {
+            return Ok(Landing::Rest(Arc::new(solution)));
         }
         if jump.released <= 0.0 && jump.released.abs() > jump.released_error {
             return Err(TestError::NoRelease { machine_nm, released: jump.released });
@@ -399,7 +397,7 @@ impl Test {
         self.largest = self.largest.max(jump.released);
         self.jumps.push(jump);
         self.jumped = true;
-        Ok(Landing::Rest(relaxed.solution))
+        Ok(Landing::Rest(Arc::new(solution)))
     }
 
     /// The balance so far, if it closes.

@@ -21,10 +21,10 @@ pub fn observed(test: &Observed, solve_s: f64, wanted: WantedUnits) -> String {
     let pull_off = test.pull_off.map_or_else(none, |peak| largest(peak, "on the stable retreat"));
     let mut lines = vec![("pull-off force", pull_off)];
     lines.extend(test.before_upright.map(|peak| ("", largest(peak, "before the beam stood on its end"))));
-    if let (Some(largest), Some(before)) = (test.pull_off, test.before_upright) {
-        if largest.force > before.force {
-            lines.push(("", SEEN.to_owned()));
-        }
+    if let (Some(largest), Some(before)) = (test.pull_off, test.before_upright)
+        && largest.force > before.force
+    {
+        lines.push(("", SEEN.to_owned()));
     }
     for (number, jump) in test.jumps.iter().enumerate() {
         let landed = match jump.detached {

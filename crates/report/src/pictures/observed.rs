@@ -4,7 +4,7 @@ use crate::chart::{Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol
 use crate::error::ReportError;
 use crate::names::jump_title;
 use peelkit::study::{LoadingDirection, Observed};
-use peelkit::units::{LENGTHS, WORKS};
+use peelkit::units::{FORCES, LENGTHS, WORKS};
 use std::path::{Path, PathBuf};
 
 const HEIGHT: u32 = 460;
@@ -50,7 +50,7 @@ fn panel(test: &Observed, frame: Frame, to: f64) -> Panel {
     let mut name = Some("jump".to_owned());
     // the pull-off force first: it has the best place of all labels
     if let Some(peak) = test.pull_off {
-        let text = vec!["pull-off force".to_owned(), format!("{} nN", significant(peak.force, 4))];
+        let text = vec!["pull-off force".to_owned(), with_unit(FORCES, peak.force, panel.y.to, 4)];
         let note = Some(Note { badge: None, text });
         let at = (peak.machine, peak.force);
         panel.marks.push(Mark { at, symbol: Symbol::Dot, colour: colour::BLUE, name: None, note });
