@@ -5,7 +5,7 @@ use crate::interrupt::Watch;
 use crate::scene::NativeScene;
 use peelkit::model::{Discretisation, PeelModel};
 use peelkit::solve::{PathOptions, ShouldStop, Solution};
-use peelkit::study::{Accuracy, FOLLOWED_ORDER, PathPoints, Stage, StopCriteria, StopReason, prepared};
+use peelkit::study::{Accuracy, FOLLOWED_ORDER, PathPoints, Stage, StopReason, prepared};
 use peelkit_report::end_word;
 use peelkit_scene::BoundsTable;
 use pyo3::prelude::*;
@@ -77,7 +77,9 @@ fn follow(
         Err(error) => return drop(found.send(Err(error.why.to_string()))),
     };
     let left = Arc::clone(stop);
-    let criteria = StopCriteria { points: bounds.points, displacement: bounds.displacement, should_stop: None }
+    // who asks for the points looks at the clock himself
+    let criteria = BoundsTable { time_s: None, ..bounds }
+        .from_now()
         .or_when(move |_: Stage| left().then_some(StopReason::Interrupted));
     let mut path = PathPoints::new(model, &start.problem, options, accuracy, criteria);
     for point in path.by_ref() {
