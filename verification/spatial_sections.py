@@ -8,8 +8,9 @@ rise of zero is 1e-90 nm:
     near-face   b h [V(r - a/2) - V(r + a/2)]/(a |c|),  r = y - |c|/2: the lower face of the rectangle alone
     ellipse     b h/2 int_-1^1 T(y + rho x) sqrt(1 - x^2) dx,  rho = sqrt(a^2 + c^2)/2,  which is for r^-n
                 (pi b h/4) y^-n 2F1(n/2, (n + 1)/2; 2; rho^2/y^2); the integral itself is compared at some states
-    exponential b int W(r + s a) ds over |s| <= 1/2,  r = y - |c|/2,  W = -sigma d (1 + t) exp(1 - t),
-                t = (r - r_eq)/d, the cohesive law of the half space's strength and work of adhesion
+    exponential b int W(r + s a) ds over |s| <= 1/2,  r = y - c/2,  W = -sigma d (1 + t) exp(1 - t),
+                t = (r - r_eq)/d, the cohesive law of the half space's strength and work of adhesion. Turned over, c < 0, it is
+                W(max(r, r_eq)) + W(min(r', r_eq)) - W(r_eq): what attracts acts on this face, what repels on the other, r' = y - |c|/2
 
 Derivatives are central differences with a step of 1e-40 nm. Each stands with its size, to which round-off is relative:
 the sum of its repulsive and its attractive part without their signs; of the exponential law, its own size or that of W
@@ -59,7 +60,13 @@ def exponential(b):
     strength = 2 * mp.sqrt(5) / 9 * SCALE
     d = work / (strength * mp.e)
     primitive = lambda r: strength * d**2 * (2 + (r - R_EQ) / d) * mp.exp(1 - (r - R_EQ) / d)   # of W
-    return lambda y, a, c: b * (primitive(y - abs(c) / 2 + a / 2) - primitive(y - abs(c) / 2 - a / 2)) / a
+    closed, work = primitive(R_EQ), -strength * d * mp.e                                     # W of a closed face is -w
+    pull = lambda r: primitive(r) if r > R_EQ else closed + work * (r - R_EQ)                # of W(max(r, r_eq))
+    push = lambda r: primitive(r) - closed - work * (r - R_EQ) if r < R_EQ else 0            # of W(min(r, r_eq)) + w
+    mean = lambda of, r, a: b * (of(r + a / 2) - of(r - a / 2)) / a
+    return lambda y, a, c: (
+        mean(primitive, y - c / 2, a) if c > 0 else mean(pull, y - c / 2, a) + mean(push, y + c / 2, a)
+    )
 
 
 def differences(f, y, a, c):

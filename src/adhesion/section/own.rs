@@ -128,7 +128,7 @@ mod tests {
         }
     }
 
-    /// Under every load, one by one and four side by side.
+    /// Under every load, one by one and four side by side; of sections that have not turned over, where a cohesive law knows which face is bonded.
     #[test]
     fn a_law_of_the_library_told_from_outside_is_that_law() {
         let cohesive = Cohesive::calibrated(CohesiveShape::Exponential, 0.1, 0.03, &PAPER);
@@ -142,7 +142,7 @@ mod tests {
             );
             assert!(!own.has_far_face());
             for gap in [0.2, 0.26, 0.5, 2.0] {
-                let angles = [-0.3, 0.0, 0.4, 2.0];
+                let angles = [-0.3, 0.0, 0.4, 1.5];
                 let (sin, cos) = (angles.map(f64::sin), angles.map(f64::cos));
                 let four = own.response(F64x4([gap; 4]), F64x4(sin), F64x4(cos));
                 for l in 0..4 {

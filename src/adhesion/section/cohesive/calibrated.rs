@@ -180,7 +180,8 @@ mod tests {
     /// A section that turns over is attracted by its bonded face alone, which goes up; energy, load and moment go on without a jump.
     #[test]
     fn a_section_turns_over_without_a_jump_unless_it_is_pressed() {
-        let height = 1.0;
+        // so low that the other face is open as well
+        let height = 0.02;
         for &shape in SHAPES {
             let law = Cohesive::calibrated(shape, 0.05, 0.03, &PAPER);
             let at = |axis: f64, angle: f64| law.on_face(height, axis - 0.5 * height, angle.sin(), angle.cos());
@@ -196,7 +197,7 @@ mod tests {
             }
             let pressed = law.closed - 0.1 * law.range;
             let [before, behind] = [-1e-9, 1e-9].map(|off| at(pressed, upright + off).by_rotation);
-            assert!(before < -1e-4 && behind > 1e-4, "{shape:?}: {before} {behind}");
+            assert!(before < -5e-5 && behind > 5e-5, "{shape:?}: {before} {behind}");
         }
     }
 
