@@ -47,10 +47,6 @@ const CORNERED_WEIGHT: f64 = 8.0;
 /// From one remembered slip to the next, over the least length over which what happens at the front changes.
 const REMEMBERED: f64 = 1.0 / 24.0;
 
-/// A free part of the length l swings by some ε EA l³/(3 EI), ε the machine's epsilon: its strains are differences of places, and what is lost
-/// of them acts across its end. Updates of tapes of 9 mm stalled at up to six times that; this is nine times.
-const SWING: f64 = 3.0;
-
 impl PeelModel {
     /// What the solver is given, with elements of order 1 to 8 and a mesh that follows the front, of a model that [`PeelModel::check`]
     /// has nothing against. The displacement is that of the
@@ -114,7 +110,6 @@ impl PeelModel {
             stretch: self.prestretch(),
             scale,
             round_off: 0.0,
-            swing: SWING * f64::EPSILON * self.section().axial / (self.section().bending * gap_scale),
             rest_adhesion,
             fronts: placement.fronts,
             rest_front: placement.rest_front,

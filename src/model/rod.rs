@@ -115,7 +115,6 @@ impl RodModel {
             stretch: 0.0,
             scale,
             round_off: f64::EPSILON * section.axial.max(section.shear) * length / moment,
-            swing: 0.0,
             rest_adhesion: 0.0,
             fronts: FrontPosition::Even,
             rest_front: length,

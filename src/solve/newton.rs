@@ -204,9 +204,8 @@ fn iterate(
             part = if size > 0.9 * previous { (0.5 * part).max(LEAST_PART) } else { (2.0 * part).min(1.0) };
             part = part.min(WHOLE / size);
         }
-        let bearable = || stagnant.max(STALLED * options.tolerance).max(system.shape_round_off(&at));
         let refused = size > options.largest_update && updates != Updates::Damped;
-        if refused || (stalls && size > bearable()) {
+        if refused || (stalls && size > stagnant.max(STALLED * options.tolerance)) {
             return Err(SolveError::NotConverged { update: size, iterations });
         }
         match updates {

@@ -222,13 +222,6 @@ pub trait System: Send + Sync {
         0.0
     }
 
-    /// Updates of this relative size may be round-off of the shape that a state has: of how far a long free part swings by what is lost of its
-    /// strains. It is no bound on what Newton's method reaches, but where its updates no longer fall they are no failure.
-    fn shape_round_off(&self, at: &State) -> f64 {
-        let _ = at;
-        0.0
-    }
-
     /// Factorises the tangent, with the gradient of Σ weights·monitors carried along; the factors stay in `ws`.
     ///
     /// Errors: a pivot that is zero to rounding, a number that is not finite, with their place.

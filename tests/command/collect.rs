@@ -126,6 +126,16 @@ fn parts_of_a_plane_make_its_map() {
     assert_same(&whole, &joined);
 }
 
+/// The text of a part whose results have been changed, with the check sums of another machine: `["crc32",RESULT]` a line behind the first.
+fn with_check_sums(text: &str) -> String {
+    let (first, results) = text.split_once('\n').unwrap();
+    let sealed = results.lines().map(|line| {
+        let result = &line[r#"["01234567","#.len()..line.len() - 1];
+        format!("[\"{:08x}\",{result}]\n", crc32fast::hash(result.as_bytes()))
+    });
+    format!("{first}\n{}", sealed.collect::<String>())
+}
+
 #[test]
 fn what_does_not_belong_together_is_refused_with_the_difference() {
     let dir = tempdir().unwrap();
@@ -151,7 +161,10 @@ fn what_does_not_belong_together_is_refused_with_the_difference() {
         fs::write(here.join(folder).join("sweep.part.jsonl"), text).unwrap();
     };
     let points = text.split("\"points\":").nth(1).unwrap().split(',').next().unwrap();
-    write("differs", &text.replace(&format!("\"points\":{points}"), "\"points\":7"));
+    let changed = text.replace(&format!("\"points\":{points}"), "\"points\":7");
+    write("changed", &changed);
+    ends(collect(here, &["p1", "changed"], &[]), 2, &["line 2 does not match its check sum"]);
+    write("differs", &with_check_sums(&changed));
     ends(collect(here, &["p1", "differs"], &[]), 2, &["different results at strip.length = 90 nm", "on 7 points"]);
     write("old", &text.replace(env!("CARGO_PKG_VERSION"), "0.0.9"));
     ends(collect(here, &["old"], &[]), 2, &["old was computed by peel 0.0.9"]);

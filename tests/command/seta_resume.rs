@@ -95,9 +95,12 @@ fn a_pull_off_that_is_stopped_goes_on_bit_for_bit() {
     assert!(!fresh.contains("taken from") && !dir.path().join(PARTIAL).exists(), "{fresh}");
     assert!(files(dir.path()) == whole, "the files differ");
 
-    // what was torn is computed again
+    // what was torn is named and computed again
     fs::write(dir.path().join(PARTIAL), &kept[..kept.len() - 9]).unwrap();
-    assert!(!finish(dir.path(), &[]).contains("taken from"));
+    let torn = peel(dir.path(), &[]).output().unwrap();
+    let (stdout, stderr) = texts(&torn);
+    assert_eq!(torn.status.code(), Some(0));
+    assert!(stderr.contains("does not match its check sum") && !stdout.contains("taken from"), "{stdout}{stderr}");
 }
 
 /// A machine may be so fast that a run is over before the signal: then there is nothing to go on from.

@@ -93,7 +93,7 @@ fn what_cannot_be_drawn_is_refused() {
         ("u_nm,P_nN\n1,inf\n", "no finite number"),
         ("u_nm,P_nN\n1,\n", "an empty cell"),
         ("u_nm,P_nN\n", "a header and no rows"),
-        ("", "columns"),
+        ("", "is empty: it has no header and no rows"),
     ] {
         assert!(wrong(text).contains(found), "{text:?}: {}", wrong(text));
     }

@@ -110,8 +110,7 @@ unfinished run needs no --force. The checkpoint of another scene or version is r
 checkpoint. Runs that write no files (--json without --out) keep none.
 
 How a path ends:
-  detached     no point of the strip is nearer than the adhesion acts: 10 r0, under a cohesive law
-               where a thousandth of its strength is left
+  detached     no point of the strip is nearer than the adhesion acts
   pivoting     the force has returned to zero, and the strip is still in edge contact
   pushing      behind a snap-off of a grip that rotates the force is below zero and does not return to zero
   turned-back  re-adhered: u has returned to 0

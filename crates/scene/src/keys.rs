@@ -92,7 +92,7 @@ pub static KEYS: &[Key] = &[
     key("seta", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut seta::of(s).seta.material.bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
 
     key("adhesion", "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H of van der Waals forces"),
-    key("adhesion", "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "equilibrium distance r0 of a pair of molecules; gap at rest"),
+    key("adhesion", "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "r0 of a pair of molecules; gap at rest"),
     key("adhesion", "law", Optional, Kind::Attraction(|s| &mut s.model.adhesion.attraction), "adhesion model: law of the half space, or a cohesive law"),
     key("adhesion", "work", Optional, Kind::Bound(Work, |s| &mut s.model.adhesion.work), "work of adhesion of a cohesive law; else the half space's"),
     key("adhesion", "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.strength), "largest traction of a cohesive law; else the half space's"),

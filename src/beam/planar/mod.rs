@@ -13,7 +13,6 @@ mod planar_motion;
 mod planar_system;
 mod uniform_chain;
 mod upright_corner;
-mod upright_pole;
 pub use chain::*;
 pub use collapsed_section::CollapsedSection;
 pub use density::*;

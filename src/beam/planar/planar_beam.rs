@@ -37,9 +37,6 @@ pub struct PlanarBeam {
     pub scale: [f64; MOST_FIELDS],
     /// The machine's epsilon times the ratio of the stiffest to the softest way to deform, or zero where that ratio is small.
     pub round_off: f64,
-    /// How far round-off of its strains swings the end of a free part, over the scale of its gap and the cube of the length of that part, 1/nm³;
-    /// zero where it is of one stiffness.
-    pub swing: f64,
     /// Adhesion energy per length at rest at the left end, nN: negative, or zero where nothing adheres. Then there is no front.
     pub rest_adhesion: f64,
     /// Where the front is.

@@ -67,10 +67,6 @@ impl System for PlanarBeam {
         self.round_off
     }
 
-    fn shape_round_off(&self, at: &State) -> f64 {
-        self.swing * (self.length - at.mesh.focus).max(0.0).powi(3)
-    }
-
     fn factorise(
         &self,
         at: &State,

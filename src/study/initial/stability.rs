@@ -15,6 +15,8 @@ use std::sync::Arc;
 
 /// Places at which the sections of a beam of varying outline are looked at.
 const PLACES: usize = 64;
+/// The accuracy to which a start must be free of upright sections.
+const UPRIGHT: f64 = 1e-6;
 /// Waves on a bonded beam that are those of an infinite one.
 const WAVES: f64 = 2.0;
 /// Error of the equilibrium whose eigenvalues are counted.
@@ -78,7 +80,7 @@ pub(super) fn stabilise(
         Ok(first) => first,
         Err(_) => return near_face_alone(model, how, should_stop).map_or(Ok(None), Err),
     };
-    let upright_in = |at: &State| problem.beam.planar().and_then(|beam| beam.upright_section(at));
+    let upright_in = |at: &State| problem.beam.planar().and_then(|beam| beam.upright_section(at, UPRIGHT));
     if let Some(upright) = upright_in(&first.at) {
         return Err(UnstableRest::Upright(upright));
     }

@@ -1,6 +1,6 @@
 //! A path on one mesh as an attempt: what it was worth, what to try next, and whether it has failed.
 
-use super::PathFailure::{Jumped, Missed, NotLocated, Path, TooManyPoints};
+use super::PathFailure::{Jumped, Missed, NearUpright, NotLocated, Path, TooManyPoints};
 use super::assembly::{differences, force_round_off, report};
 use super::equilibrium_path::Followed;
 use super::lost::Lost;
@@ -148,7 +148,7 @@ impl Attempt {
 
     /// The end that its model gives to a path that cannot be continued.
     fn model_end(&self) -> Option<PathEnd> {
-        let stopped = matches!(self.trouble, Some(Path(_) | TooManyPoints { .. }));
+        let stopped = matches!(self.trouble, Some(Path(_) | TooManyPoints { .. } | NearUpright(_)));
         self.beyond.clone().filter(|_| stopped)
     }
 

@@ -103,7 +103,21 @@ pub struct Outside {
 /// A scene that cannot be read, with its text: a fault of the sampler.
 pub fn sampled(kind: SampleKind, seed: u64, index: u64, ways: usize, patience: Patience) -> Result<Sampled, String> {
     let text = scene_text(kind, seed, index);
-    let scene = Scene::parse("sampled", &text, &[]).map_err(|error| format!("{error}\n{text}"))?;
+    let scene = match Scene::parse_any("sampled", &text, &[]) {
+        Ok(scene) => scene,
+        // a model that its own check refuses
+        Err(error) if kind == SampleKind::Rough => {
+            let refused = Run {
+                end: "refused",
+                reason: Some(error.to_string()),
+                seconds: 0.0,
+                elements: 0,
+                reported: Reported::nothing(),
+            };
+            return Ok(Sampled { index, runs: vec![refused; ways.min(ways_of(kind).len())] });
+        }
+        Err(error) => return Err(format!("{error}\n{text}")),
+    };
     let runs = ways_of(kind).iter().take(ways).map(|way| run(kind, &scene, way, patience)).collect();
     Ok(Sampled { index, runs })
 }

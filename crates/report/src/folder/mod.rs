@@ -253,6 +253,8 @@ mod tests {
             (fs::read(out.join("a.csv")).unwrap(), fs::read(out.join("mine")).unwrap()),
             (b"new".into(), b"old".into())
         );
+        // and no lock
+        drop(folder);
         assert_eq!(listing(dir.path()), ["out"]);
     }
 

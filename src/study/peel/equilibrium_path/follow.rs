@@ -51,6 +51,8 @@ pub(in crate::study::peel) fn follow(
         }
         match stepped {
             Ok(None) => {}
+            // on finer elements the path may turn back before the pole
+            Ok(Some(PathEnd::Upright(upright))) => break Err(PathFailure::NearUpright(upright)),
             Ok(Some(end)) => break Ok(end),
             // where a branch meets the planar path no equilibrium is certain
             Err(_) if is_next_to_plane(problem, path.points()) => break Ok(PathEnd::BackInPlane),
@@ -62,12 +64,16 @@ pub(in crate::study::peel) fn follow(
         let failure = Failure::Path { cause: trouble.clone(), elements, order, asked: relative, given_up: false };
         (PathEnd::Failed(failure), Some(trouble))
     };
-    let beyond = if stopped.is_err() { stopped_by_model(problem, path.points()) } else { None };
+    let beyond = stopped.as_ref().err().and_then(|trouble| stopped_by_model(problem, path.points(), trouble));
     let (end, trouble) = match stopped {
         Ok(end) => (end, None),
         Err(trouble) => failed(trouble),
     };
     let mut points = path.points().to_vec();
+    // beyond its model the point says nothing
+    if matches!(trouble, Some(PathFailure::NearUpright(_))) {
+        points.pop();
+    }
     let stays = |pair: &[Arc<Solution>]| pair[1].observables.displacement == pair[0].observables.displacement;
     let (end, trouble) = match trouble {
         _ if points.windows(2).next().is_some_and(stays) => {
@@ -116,6 +122,7 @@ pub(in crate::study::peel) fn follow(
         }
         (trouble, missing) => trouble.or(missing),
     };
+    followed.end_at_unresolved(problem);
     followed
 }
 

@@ -7,7 +7,7 @@ use crate::solve::{
     LimitPointKind, PathSegment, Solution, SolveError, Workspace, brackets, locate, locate_branching, unlocated,
 };
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
-use crate::study::peel::PathFailure;
+use crate::study::peel::{PathEnd, PathFailure};
 use std::sync::Arc;
 
 /// How far from a branch point the search for it begins, over its displacement.
@@ -126,6 +126,27 @@ impl Followed {
         self.iterations += located.iterations;
         self.turns.push((c.turn, c.index, located));
         Ok(())
+    }
+
+    /// Ends the path where the elements do not resolve a pole of the law: before the first limit point there, at which two meshes may agree on a number
+    /// that finer ones do not give, or where the path is in trouble there.
+    pub(super) fn end_at_unresolved(&mut self, problem: &BeamProblem) {
+        let Some(beam) = problem.beam.planar() else { return };
+        let unresolved = |solution: &Solution| beam.unresolved_section(&solution.at);
+        let turns = self.turns.iter().map(|(_, after, located)| (*after, unresolved(&located.solution)));
+        let last = self.points.len().saturating_sub(1);
+        let trouble = self.trouble.as_ref().filter(|trouble| **trouble != PathFailure::OutOfTime);
+        let trouble = trouble.map(|trouble| trouble.after().unwrap_or(last)).map(|after| {
+            let around = self.points.get(after..(after + 2).min(self.points.len())).unwrap_or_default();
+            (after, around.iter().find_map(|point| unresolved(point)))
+        });
+        let places = turns.chain(trouble).filter_map(|(after, section)| Some((after, section?)));
+        let Some((after, section)) = places.min_by_key(|&(after, _)| after) else { return };
+        self.points.truncate(after + 1);
+        self.turns.retain(|turn| turn.1 < after);
+        self.branch_points.retain(|branch| branch.0 < after);
+        self.trouble = Some(PathFailure::NearUpright(section));
+        self.beyond = Some(PathEnd::Upright(section));
     }
 
     /// Whether a failure lies on the way: where force or displacement differ from those of the last point by more than `relative`.

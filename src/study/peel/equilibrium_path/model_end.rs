@@ -3,33 +3,19 @@
 use crate::beam::BondedLoss;
 use crate::model::BeamProblem;
 use crate::solve::Solution;
-use crate::study::peel::PathEnd;
+use crate::study::peel::{PathEnd, PathFailure};
 use std::sync::Arc;
 
 /// A force below this share of the work of adhesion over the width is none, where a path cannot be continued.
 const NO_FORCE: f64 = 1e-6;
-/// Logarithm of a ratio that is far from one.
-const FAR_FROM_TIPPING: f64 = 5.0;
 
-/// How far a state is beyond the place where a pole takes a section, as the logarithm of what softens the tilt over what stiffens it, for the secant rule
-/// within limits.
-pub(super) fn beyond_tipping(problem: &BeamProblem, at: &Solution) -> f64 {
-    let Some(beam) = problem.beam.planar() else { return -FAR_FROM_TIPPING };
-    if beam.upright_section(&at.at).is_some() {
-        return FAR_FROM_TIPPING;
-    }
-    let ratio = beam.tipping_section(&at.at).map_or(0.0, |(_, ratio)| ratio);
-    ratio.ln().clamp(-FAR_FROM_TIPPING, FAR_FROM_TIPPING)
-}
-
-/// The end at the newest point, if its model says so: a pole of the energy takes a section, or what is bonded has lost its stability
+/// The end at the newest point, if its model says so: a section is where the energy has a pole, or what is bonded has lost its stability
 /// since the point before. Then a negative eigenvalue comes without a limit point; where the sections tilt to one side from the front on
 /// instead, none does, and the path goes on in a stable state.
-pub(super) fn model_end(problem: &BeamProblem, points: &[Arc<Solution>]) -> Option<PathEnd> {
+pub(super) fn model_end(problem: &BeamProblem, points: &[Arc<Solution>], relative: f64) -> Option<PathEnd> {
     let [.., before, newest] = points else { return None };
     let beam = problem.beam.planar()?;
-    let tipping = beam.tipping_section(&newest.at).filter(|(_, ratio)| *ratio >= 1.0);
-    if let Some(upright) = tipping.map(|(section, _)| section).or_else(|| beam.upright_section(&newest.at)) {
+    if let Some(upright) = beam.upright_section(&newest.at, relative) {
         return Some(PathEnd::Upright(upright));
     }
     let turned = newest.slope.displacement * before.slope.displacement <= 0.0;
@@ -46,7 +32,14 @@ fn loss(problem: &BeamProblem, at: &Solution) -> Option<BondedLoss> {
 }
 
 /// The end of a path that cannot be continued where its model says why.
-pub(super) fn stopped_by_model(problem: &BeamProblem, points: &[Arc<Solution>]) -> Option<PathEnd> {
+pub(super) fn stopped_by_model(
+    problem: &BeamProblem,
+    points: &[Arc<Solution>],
+    trouble: &PathFailure,
+) -> Option<PathEnd> {
+    if let PathFailure::NearUpright(upright) = trouble {
+        return Some(PathEnd::Upright(*upright));
+    }
     let [_, _, .., newest] = points else { return None };
     let beam = problem.beam.planar()?;
     if let Some(section) = beam.held_upright(&newest.at) {

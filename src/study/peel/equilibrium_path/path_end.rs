@@ -1,23 +1,21 @@
 //! Where a path ends, and its last point there.
 
 use super::followed::Followed;
-use super::model_end::{beyond_tipping, model_end};
-use crate::beam::{FrictionHistory, PlanarBeam, PoleInReach, TIP_ROTATION, UprightSection};
+use super::model_end::model_end;
+use crate::beam::{FrictionHistory, TIP_ROTATION};
 use crate::model::BeamProblem;
 use crate::solve::{
     Direction, NewtonOptions, Observables, Pace, Path, PathConstraint, PathError, PathSegment, ROUGH, Solution,
     Workspace, is_mirrored, solve, solve_on,
 };
 use crate::study::checkpoint::Limits;
-use crate::study::peel::{PathEnd, PathFailure};
+use crate::study::peel::PathEnd;
 use crate::study::{Bound, FollowedUntil};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 /// Most steps of the secant rule to where a beam is clear of the substrate.
 const MOST_SECANTS: usize = 20;
-/// Where what they seek passes through zero is known when it is as small.
-const CLOSE: f64 = 1e-6;
 /// A force below this share of its scale is none.
 const PUSH: f64 = 1e-6;
 /// What is farther from the substrate than this many times the distance at rest does not adhere.
@@ -84,7 +82,7 @@ pub(super) fn step(
     if is_back_in_plane(problem, path.points()) {
         return Ok(Some(PathEnd::BackInPlane));
     }
-    if let Some(end) = model_end(problem, path.points()) {
+    if let Some(end) = model_end(problem, path.points(), relative) {
         return Ok(Some(end));
     }
     if is_behind(problem, path.points(), stop.until) {
@@ -235,12 +233,7 @@ impl Followed {
     pub(super) fn finish(&mut self, problem: &BeamProblem, far: f64) {
         let n = self.points.len();
         if self.end == PathEnd::Detached {
-            let beyond = |s: &Solution| problem.beam.nearest(&s.at) / far - 1.0;
-            self.finish_where(problem, beyond, CLOSE);
-            return;
-        }
-        if let (&PathEnd::Upright(section), None) = (&self.end, &self.trouble) {
-            return self.finish_upright(problem, section);
+            return self.finish_detached(problem, far);
         }
         let (weights, target) = match self.end {
             PathEnd::Pivoting => match comes_upright(problem, &self.points, self.pace) {
@@ -281,29 +274,13 @@ impl Followed {
         self.upright = target != 0.0;
     }
 
-    /// Moves the last point of a path of which a pole takes a section onto where it does. A path that stepped over a pole went past that.
-    fn finish_upright(&mut self, problem: &BeamProblem, section: UprightSection) {
-        let is_found = self.finish_where(problem, |solution| beyond_tipping(problem, solution), CLOSE);
-        let tipping = |beam: &Arc<PlanarBeam>| Some(beam.tipping_section(&self.points.last()?.at)?.0);
-        match problem.beam.planar().and_then(tipping) {
-            Some(tipping) if is_found => self.end = PathEnd::Upright(tipping),
-            _ if matches!(section.pole, PoleInReach::Crossed { .. }) => {
-                self.points.pop();
-                self.trouble = Some(PathFailure::NearUpright(section));
-            }
-            _ => {}
-        }
-    }
-
-    /// Moves the last point of a path onto the place on the last step where `beyond` passes through zero, by the secant rule; whether there is one.
-    fn finish_where(&mut self, problem: &BeamProblem, beyond: impl Fn(&Solution) -> f64, close: f64) -> bool {
+    /// Moves the last point of a path that has left the substrate to where its distance is `far`, by the secant rule.
+    fn finish_detached(&mut self, problem: &BeamProblem, far: f64) {
         let n = self.points.len();
         let segment = PathSegment::around(problem, &self.points, n - 2);
         let mut ws = Workspace::default();
+        let beyond = |s: &Solution| problem.beam.nearest(&s.at) - far;
         let (mut low, mut high) = ((0.0, beyond(&self.points[n - 2])), (segment.end(), beyond(&self.points[n - 1])));
-        if low.1 >= 0.0 {
-            return false;
-        }
         for _ in 0..MOST_SECANTS {
             let label = (low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)).clamp(0.0, segment.end());
             // where nothing pulls any more no equilibrium is certain: nearer to where something does
@@ -313,9 +290,9 @@ impl Followed {
             };
             self.iterations += solution.iterations;
             let value = beyond(&solution);
-            if value.abs() < close {
+            if value.abs() < 1e-6 * far {
                 self.points[n - 1] = solution;
-                return true;
+                return;
             }
             // an end that stays has half of its value, so that the other does not creep (Illinois)
             if value < 0.0 {
@@ -324,6 +301,5 @@ impl Followed {
                 (high, low.1) = ((label, value), 0.5 * low.1);
             }
         }
-        false
     }
 }

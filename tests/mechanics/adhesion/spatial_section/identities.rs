@@ -38,8 +38,9 @@ fn even_in_both_tilts() {
     for section in sections() {
         for [y, a, c] in states_of(&section) {
             let here = ten(section.response(y, a, c));
-            // a cohesive law acts on one face, and knows a section that has turned over
-            let bonded = matches!(section.law().law, Law::Cohesive(_)) && section.law().line_load == LineLoad::Full;
+            // a cohesive law, and one of the user that hands on to it, acts on one face and knows a section that has turned over
+            let bonded = matches!(section.law().law, Law::Cohesive(_) | Law::Own(_))
+                && section.law().line_load == LineLoad::Full;
             for (p, q) in [(-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].into_iter().filter(|(_, q)| *q > 0.0 || !bonded) {
                 let there = ten(section.response(y, p * a, q * c));
                 let signs = [1.0, 1.0, p, q, 1.0, p, q, 1.0, p * q, 1.0];
