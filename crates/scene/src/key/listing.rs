@@ -52,7 +52,7 @@ impl Key {
     fn required_text(&self) -> String {
         match self.alternative() {
             Some(other) => format!("required, or {other}"),
-            None if self.table == "adhesion" => "required, or work and strength".into(),
+            None if self.table == "adhesion" => "or work and strength".into(),
             None => "required".into(),
         }
     }
