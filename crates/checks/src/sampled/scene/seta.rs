@@ -5,7 +5,7 @@ use super::Sampler;
 impl Sampler {
     pub(super) fn seta(&mut self) {
         self.line("[seta]");
-        let forks = self.pick(&["0", "1", "2", "3", "4", "5", "6"]);
+        let forks = self.pick(&["1", "2", "3", "4", "5", "6"]);
         self.line(&format!("forks = {forks}"));
         self.quantity("shaft_diameter", (1.0, 6.0), "um");
         self.quantity("youngs_modulus", (0.5, 10.0), "GPa");
