@@ -10,7 +10,7 @@ pub enum Attraction {
     BodyForce,
     /// The half space's traction on the faces of the section.
     SurfaceTraction,
-    /// A cohesive law between the face that looks down and the substrate.
+    /// A cohesive law between the bonded face and the substrate.
     Cohesive(CohesiveShape),
     /// A law of the user's own.
     Own(OwnLaw),
@@ -23,7 +23,7 @@ pub enum Law {
     BodyForce,
     /// The traction of eq. (10) on its faces, eqs. (11) and (12). It has none.
     SurfaceTraction,
-    /// A cohesive law between the face that looks down and the substrate, in place of the half space's traction. It has a potential.
+    /// A cohesive law between the bonded face and the substrate, in place of the half space's traction. It has a potential.
     Cohesive(Cohesive),
     /// A law of the user's own.
     Own(OwnLaw),

@@ -1,4 +1,4 @@
-//! Cohesive laws: traction against opening of the face that looks down, in place of a half space's.
+//! Cohesive laws: traction against opening of the bonded face, in place of a half space's.
 //!
 //! A shape is a file here that says what the law is called, what its corners take, and what it is, and a line of the list below.
 

@@ -68,27 +68,29 @@ impl Followed {
     ) -> (Vec<Candidate>, Result<(), PathFailure>) {
         let (mut candidates, mut unseen) = (Vec::new(), Ok(()));
         let last = self.points.len().saturating_sub(1);
-        for (index, turn) in (0..last).flat_map(|index| [Load, Displacement].map(|turn| (index, turn))) {
+        'steps: for index in 0..last {
             let segment = PathSegment::around(problem, &self.points, index);
-            let brackets = match brackets(problem, &self.points, index, &segment, turn, relative, ws) {
-                Ok(found) => found,
-                // a pair of turns of the force that only the interpolant sees
-                Err(_) if turn == Load => {
-                    self.ripple += 2;
-                    Vec::new()
+            for turn in [Load, Displacement] {
+                let brackets = match brackets(problem, &self.points, index, &segment, turn, relative, ws) {
+                    Ok(found) => found,
+                    // a pair of turns of the force that only the interpolant sees
+                    Err(_) if turn == Load => {
+                        self.ripple += 2;
+                        continue;
+                    }
+                    Err(cause) => {
+                        unseen = Err(self.not_located(turn, index, cause));
+                        break 'steps;
+                    }
+                };
+                for bracket in brackets {
+                    let near = segment.observable(turn.pick(), 0.5 * (bracket.0 + bracket.1));
+                    let label = near.turning_point(bracket.0, bracket.1);
+                    let (a, b) = (pick_at(&self.points[index], turn), pick_at(&self.points[index + 1], turn));
+                    let maximum = turn.pick()(&self.points[index].slope) > 0.0;
+                    let value = if maximum == (bracket.0 == 0.0) { a.max(b) } else { a.min(b) };
+                    candidates.push(Candidate { turn, index, bracket, label, value, dropped: 0.0 });
                 }
-                Err(cause) => {
-                    unseen = Err(self.not_located(turn, index, cause));
-                    break;
-                }
-            };
-            for bracket in brackets {
-                let near = segment.observable(turn.pick(), 0.5 * (bracket.0 + bracket.1));
-                let label = near.turning_point(bracket.0, bracket.1);
-                let (a, b) = (pick_at(&self.points[index], turn), pick_at(&self.points[index + 1], turn));
-                let maximum = turn.pick()(&self.points[index].slope) > 0.0;
-                let value = if maximum == (bracket.0 == 0.0) { a.max(b) } else { a.min(b) };
-                candidates.push(Candidate { turn, index, bracket, label, value, dropped: 0.0 });
             }
         }
         let all = candidates.len();

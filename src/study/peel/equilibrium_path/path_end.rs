@@ -94,7 +94,7 @@ pub(super) fn step(
 
 /// Path points behind the first jump: what locates a limit point looks at its neighbours.
 const BEHIND_JUMP: usize = 2;
-/// What is farther from the substrate than this many times the distance at rest is nearer than 2 r0 nowhere, and adheres no more.
+/// What is farther from the substrate than this many times the distance at rest is nearer than what adheres nowhere.
 const NO_CONTACT: f64 = 4.0;
 
 /// Whether the newest point is behind what the path is to be followed to.
@@ -109,9 +109,14 @@ fn is_behind(problem: &BeamProblem, points: &[Arc<Solution>], until: FollowedUnt
             let furthest = jumps.map(|after| points[after].observables.displacement).reduce(f64::max);
             newest.slope.displacement > 0.0
                 && furthest.is_some_and(|furthest| newest.observables.displacement > furthest)
-                && problem.beam.is_clear(&newest.at, NO_CONTACT * problem.beam.nearest(&points[0].at))
+                && is_off(problem, &points[0], newest, NO_CONTACT)
         }
     }
+}
+
+/// Whether the beam is farther from what it cannot pass than so many times as far as at rest.
+fn is_off(problem: &BeamProblem, rest: &Solution, newest: &Solution, times: f64) -> bool {
+    problem.beam.clearance(&newest.at) > times * problem.beam.clearance(&rest.at)
 }
 
 /// Whether no part of the beam is nearer to the substrate than `far`, nm, at the newest point.
@@ -124,8 +129,7 @@ pub(in crate::study) fn is_clear(problem: &BeamProblem, path: &Path, far: f64) -
 fn lets_go(problem: &BeamProblem, path: &Path, relative: f64) -> bool {
     let [first, .., newest] = path.points() else { return false };
     let largest = path.points().iter().map(|point| point.observables.force.abs()).fold(0.0, f64::max);
-    newest.observables.force.abs() <= relative * largest
-        && problem.beam.clearance(&newest.at) > OFF * problem.beam.clearance(&first.at)
+    newest.observables.force.abs() <= relative * largest && is_off(problem, first, newest, OFF)
 }
 
 /// Friction that is next to nothing, over that of a process zone at rest.
