@@ -56,7 +56,7 @@ pub(super) fn on_meshes(
     start: Option<&KnownStart>,
     paces: &[Pace],
     collapsed: Collapsed,
-    budget: &mut Option<Budget>,
+    budget: &mut Budget,
 ) -> Peel {
     let accuracy = &accuracy.fitted(model);
     let Choice { mesh, form, .. } = accuracy.choice;
@@ -83,7 +83,7 @@ pub(super) fn on_meshes(
         iterations: 0,
         unfinished: false,
         gives_up: false,
-        budget: *budget.get_or_insert_with(|| Budget::of(limits.stop, first.elements)),
+        budget,
         lost: None,
         lost_again: None,
         wholes: Vec::new(),
@@ -111,15 +111,14 @@ pub(super) fn on_meshes(
             }
         }
     }
-    let Meshes { mut iterations, mut unfinished, far, wholes, budget: left, .. } = meshes;
-    *budget = Some(left);
+    let Meshes { mut iterations, mut unfinished, far, wholes, budget, .. } = meshes;
     if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {
         best.confirm(&wholes);
         best.widen(&wholes);
     }
     if problem.system.has_history() && accuracy.choice.step.is_none() && !unfinished {
         best = best.map(|best| {
-            let shorter = Shorter { model, problem: &problem, accuracy, limits, far, budget: left };
+            let shorter = Shorter { model, problem: &problem, accuracy, limits, far, budget };
             let (confirmed, further) = shorter.confirmed(best);
             iterations += further;
             unfinished = confirmed.cut;
@@ -130,7 +129,7 @@ pub(super) fn on_meshes(
         let late = best.peel.integrate_works(limits.should_stop());
         best.trouble = best.trouble.take().or(late);
     }
-    let mut peel = best.map_or_else(|| empty(model), |best| best.into_peel(left.is_spent()));
+    let mut peel = best.map_or_else(|| empty(model), |best| best.into_peel(budget.is_spent()));
     (peel.steps, peel.relaxed_start) = (steps, relaxed);
     peel.effort.newton_iterations = iterations;
     peel.unfinished = unfinished;
@@ -151,7 +150,7 @@ struct Meshes<'r> {
     /// Whether no further one is begun.
     gives_up: bool,
     /// The work that is left.
-    budget: Budget,
+    budget: &'r mut Budget,
     /// Where the path on the last one was lost, if it was.
     lost: Option<Lost>,
     /// The elements of the mesh on which the path was lost where it had been lost before.
@@ -184,7 +183,7 @@ impl Meshes<'_> {
                 options.first_displacement = known.first_displacement;
                 options.step_tolerance *= FROM_BRANCH_POINT;
             }
-            let followed = follow(problem, options, self.far, accuracy.relative, limits, &self.budget);
+            let followed = follow(problem, options, self.far, accuracy.relative, limits, self.budget);
             self.iterations += followed.iterations;
             self.budget.spend(followed.iterations, options.elements);
             let attempt = Attempt::new(model, problem, followed, resolution, accuracy);
@@ -235,7 +234,7 @@ struct Shorter<'r> {
     accuracy: &'r Accuracy,
     limits: &'r Limits<'r>,
     far: f64,
-    budget: Budget,
+    budget: &'r Budget,
 }
 
 impl Shorter<'_> {
@@ -252,7 +251,7 @@ impl Shorter<'_> {
             let Effort { elements, order, .. } = best.peel.effort;
             let resolution = Resolution { elements, order, stride: SHORTER.powi(tries), ..first };
             let options = resolution.path_options(self.model, relative);
-            let mut followed = follow(self.problem, options, self.far, relative, self.limits, &self.budget);
+            let mut followed = follow(self.problem, options, self.far, relative, self.limits, self.budget);
             iterations += followed.iterations;
             followed.leave_out_unresolved();
             let common = Common::of(&best.peel.limit_points, &followed);

@@ -8,7 +8,7 @@ use super::{Failure, PathEnd, Peel};
 use crate::beam::MeshKind;
 use crate::model::PeelModel;
 use crate::solve::Pace;
-use crate::study::accuracy::{Choice, aim};
+use crate::study::accuracy::{Choice, Resolution, aim};
 use crate::study::checkpoint::Limits;
 use crate::study::{Accuracy, Checkpoint, StopCriteria};
 
@@ -25,6 +25,11 @@ fn paces(model: &PeelModel) -> &'static [Pace] {
     }
 }
 
+/// The work that a peel may take.
+fn budget(model: &PeelModel, accuracy: &Accuracy, stop: &StopCriteria) -> Budget {
+    Budget::of(stop, Resolution::first(model, &accuracy.fitted(model)).elements)
+}
+
 /// Follows the peel from rest to its end.
 pub(in crate::study) fn run(
     model: &PeelModel,
@@ -35,15 +40,12 @@ pub(in crate::study) fn run(
     let (aimed, least) = aim(model, accuracy);
     let limits = Limits { stop, checkpoint };
     let paces = paces(model);
-    let mut budget = None;
+    let mut budget = budget(model, &aimed, stop);
     let mut peel = on_meshes(model, &aimed, &limits, None, paces, Collapsed::Refined, &mut budget);
     let lost = matches!(peel.end, PathEnd::Failed(Failure::Path { .. })) && limits.reached().is_none();
     let is_watched = paces.contains(&Pace::Watchful);
-    if lost
-        && budget.is_none_or(|budget| !budget.is_spent())
-        && is_watched
-        && aimed.fitted(model).choice.mesh == MeshKind::Moving
-    {
+    let is_moving = aimed.fitted(model).choice.mesh == MeshKind::Moving;
+    if lost && !budget.is_spent() && is_watched && is_moving {
         peel = on_fixed_meshes(peel, model, &aimed, stop, &mut budget);
     }
     widened(peel, accuracy, least)
@@ -56,7 +58,7 @@ fn on_fixed_meshes(
     model: &PeelModel,
     accuracy: &Accuracy,
     stop: &StopCriteria,
-    budget: &mut Option<Budget>,
+    budget: &mut Budget,
 ) -> Peel {
     let fixed = accuracy.with(Choice { mesh: MeshKind::Graded, ..accuracy.choice });
     let limits = Limits { stop, checkpoint: &Checkpoint::NOTHING };
@@ -77,6 +79,7 @@ pub(in crate::study) fn run_from(
 ) -> Peel {
     let (aimed, least) = aim(model, accuracy);
     let limits = Limits { stop, checkpoint: &Checkpoint::NOTHING };
-    let peel = on_meshes(model, &aimed, &limits, Some(start), paces(model), Collapsed::Refined, &mut None);
+    let mut budget = budget(model, &aimed, stop);
+    let peel = on_meshes(model, &aimed, &limits, Some(start), paces(model), Collapsed::Refined, &mut budget);
     widened(peel, accuracy, least)
 }
