@@ -78,6 +78,9 @@ pub enum Patience {
     Unlimited,
 }
 
+/// Most path points unless others are given.
+const MOST_POINTS: usize = 20_000;
+
 /// The criterion that was met.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[allow(missing_docs)] // the text of each names its fields
@@ -119,14 +122,23 @@ impl From<StopReason> for Bound {
 impl Default for StopCriteria {
     /// 20 000 points.
     fn default() -> Self {
-        Self::after_points(20_000)
+        Self::after_points(MOST_POINTS)
     }
 }
 
 impl StopCriteria {
     /// After so many points, and nothing else.
     pub const fn after_points(points: usize) -> Self {
-        Self { points, displacement: None, until: FollowedUntil::End, should_stop: None, patience: Patience::Usual }
+        Self::within(points, None)
+    }
+
+    /// Where the grip is further than so far, nm, or after 20 000 points.
+    pub const fn up_to(displacement: f64) -> Self {
+        Self::within(MOST_POINTS, Some(displacement))
+    }
+
+    const fn within(points: usize, displacement: Option<f64>) -> Self {
+        Self { points, displacement, until: FollowedUntil::End, should_stop: None, patience: Patience::Usual }
     }
 
     /// The same with another check, which is asked where those before say nothing.

@@ -14,19 +14,11 @@ use peelkit::adhesion::{BodyShape, GroundLaw, Heights, Ridge, Round, Sinusoid, S
 use peelkit::beam::{BeamOnGround, EnergyDensity, Profile};
 use peelkit::model::{Discretisation, Form, Ground, Hold, PeelModel, Start, StripModel};
 use peelkit::solve::InitialState;
-use peelkit::study::{
-    Accuracy, FollowedUntil, PathEnd, Patience, Peel, StopCriteria, TestEnd, observed, peel, prepared,
-};
+use peelkit::study::{Accuracy, PathEnd, Peel, StopCriteria, TestEnd, observed, peel, prepared};
 use std::sync::Arc;
 
 const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
-const NEAR: StopCriteria = StopCriteria {
-    points: 20_000,
-    displacement: Some(2.0),
-    until: FollowedUntil::End,
-    should_stop: None,
-    patience: Patience::Usual,
-};
+const NEAR: StopCriteria = StopCriteria::up_to(2.0);
 
 fn wave(height: f64, wavelength: f64, offset: f64) -> Substrate {
     Substrate::Sinusoid(Sinusoid { height, wavelength, offset })

@@ -27,32 +27,23 @@ pub struct PeelSetting {
     pub choice: Choice,
 }
 
-/// The ways in which every scene is peeled. The first is judged by the others.
-pub const WAYS: [PeelSetting; 4] = [
-    PeelSetting { name: "1e-6", relative: 1e-6, choice: Choice::NOTHING },
-    PeelSetting { name: "1e-9", relative: 1e-9, choice: Choice::NOTHING },
-    PeelSetting { name: "1e-6, order 5", relative: 1e-6, choice: Choice { order: Some(5), ..Choice::NOTHING } },
-    PeelSetting {
-        name: "1e-6, fixed mesh",
-        relative: 1e-6,
-        choice: Choice { mesh: MeshKind::Graded, ..Choice::NOTHING },
-    },
-];
+/// At an accuracy, at a finer one, on elements of order 5 and on a fixed mesh. The first is judged by the others.
+const fn ways_at(relative: f64, finer: f64, names: [&'static str; 4]) -> [PeelSetting; 4] {
+    let [name, of_finer, of_order, fixed] = names;
+    let order = Choice { order: Some(5), ..Choice::NOTHING };
+    let graded = Choice { mesh: MeshKind::Graded, ..Choice::NOTHING };
+    [
+        PeelSetting { name, relative, choice: Choice::NOTHING },
+        PeelSetting { name: of_finer, relative: finer, choice: Choice::NOTHING },
+        PeelSetting { name: of_order, relative, choice: order },
+        PeelSetting { name: fixed, relative, choice: graded },
+    ]
+}
 
+/// The ways in which most scenes are peeled.
+pub const WAYS: [PeelSetting; 4] = ways_at(1e-6, 1e-9, ["1e-6", "1e-9", "1e-6, order 5", "1e-6, fixed mesh"]);
 /// Those of tapes, which nobody measures to more digits.
-const TAPE_WAYS: [PeelSetting; 4] = {
-    let mut ways = WAYS;
-    let mut k = 0;
-    while k < ways.len() {
-        ways[k].relative = 1e-4;
-        k += 1;
-    }
-    ways[0].name = "1e-4";
-    ways[1] = PeelSetting { name: "1e-6", relative: 1e-6, choice: Choice::NOTHING };
-    ways[2].name = "1e-4, order 5";
-    ways[3].name = "1e-4, fixed mesh";
-    ways
-};
+const TAPE_WAYS: [PeelSetting; 4] = ways_at(1e-4, 1e-6, ["1e-4", "1e-6", "1e-4, order 5", "1e-4, fixed mesh"]);
 
 /// The ways in which scenes of a kind are peeled: a pull in time and a pull-off of a seta have one accuracy.
 pub fn ways_of(kind: SampleKind) -> &'static [PeelSetting] {

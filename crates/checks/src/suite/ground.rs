@@ -7,7 +7,7 @@ use super::reference::{Row, read};
 use peelkit::adhesion::{BodyShape, Round, Sinusoid, Substrate};
 use peelkit::model::{Body, Discretisation, Form, Ground, Hold, PeelModel, Spatula, Start, StripModel};
 use peelkit::solve::InitialState;
-use peelkit::study::{Accuracy, FollowedUntil, Patience, Peel, Prepared, StopCriteria, peel, prepared};
+use peelkit::study::{Accuracy, Peel, Prepared, StopCriteria, peel, prepared};
 use rayon::prelude::*;
 
 pub(super) const TOPIC: Topic = Topic {
@@ -21,13 +21,7 @@ const SOURCE: &str = "verification/rough.py: scipy's solve_bvp on the strong for
 const SPATULAE: &str = include_str!("../../verification/rough_spatula.csv");
 const SPATULAE_SOURCE: &str = "verification/rough_spatula.py: scipy's solve_bvp on the strong form";
 /// The path of a strip as far as its first peak.
-const BOUNDS: StopCriteria = StopCriteria {
-    points: 20_000,
-    displacement: Some(5.0),
-    until: FollowedUntil::End,
-    should_stop: None,
-    patience: Patience::Usual,
-};
+const BOUNDS: StopCriteria = StopCriteria::up_to(5.0);
 /// How far a spatula's path goes on beyond its first peak, relative.
 const BEHIND: f64 = 1.05;
 const ASKED: f64 = 1e-6;

@@ -39,7 +39,7 @@ const ELEMENTS: usize = 52;
 pub(in crate::figures) const PEELS: usize = (STRENGTHS.len() + 1) * ANGLES.len();
 
 fn up_to_the_first_peak(model: &PeelModel) -> StopCriteria {
-    StopCriteria { displacement: Some(FAR / model.pull.angle.sin()), ..StopCriteria::after_points(20_000) }
+    StopCriteria::up_to(FAR / model.pull.angle.sin())
 }
 
 fn strip(degrees: f64, strength: Option<f64>) -> PeelModel {

@@ -4,7 +4,7 @@ use super::super::figure::{Figure, Table};
 use super::super::runner::Runner;
 use peelkit::adhesion::{Sinusoid, Substrate};
 use peelkit::model::{Ground, PeelModel, Start, StripModel};
-use peelkit::study::{Accuracy, FollowedUntil, Patience, Peel, StopCriteria};
+use peelkit::study::{Accuracy, Peel, StopCriteria};
 use peelkit_report::chart::RGBColor;
 use peelkit_report::chart::{Axis, Frame, Line, Mark, Panel, Picture, Shape, Stroke, Symbol, WIDTH, colour};
 use peelkit_report::{ReportError, end_word};
@@ -23,13 +23,7 @@ const DRAWN: [(f64, RGBColor); 4] =
 /// The first largest force is looked for up to this displacement, nm, as well as this.
 const FAR: f64 = 20.0;
 const ACCURACY: Accuracy = Accuracy::to(1e-4);
-const BOUNDS: StopCriteria = StopCriteria {
-    displacement: Some(FAR),
-    points: 20_000,
-    until: FollowedUntil::End,
-    should_stop: None,
-    patience: Patience::Usual,
-};
+const BOUNDS: StopCriteria = StopCriteria::up_to(FAR);
 const STARTS: [(Start, &str, RGBColor); 2] =
     [(Start::Conformed, "pressed on", colour::BLUE), (Start::Crests, "laid on the crests", colour::VERMILLION)];
 
