@@ -48,10 +48,7 @@ impl Conflict {
             let of_law = OF_LAW.into_iter().find(lacks);
             let of_law = of_law.filter(|_| scene.model.adhesion.attraction.takes_work_and_strength());
             let of_law = of_law.and_then(|name| KEYS.iter().find(|key| key.table == ADHESION && key.name == name));
-            if let Some(key) = of_law {
-                return Some(Self::missing(key, given, scene));
-            }
-            return Some(Self::missing(key, given, scene));
+            return Some(Self::missing(of_law.unwrap_or(key), given, scene));
         }
         if let Some((key, problem)) = seta::problem(scene).or_else(|| rate::problem(scene)) {
             return Some(Self { key, problem, missing: None });
