@@ -34,7 +34,7 @@ pub struct Verify {
 
     /// What is sampled; all kinds unless given
     ///
-    /// Kinds: strip, angle, spatula, law, space, oblique, friction, rough, rate, seta, observed.
+    /// Kinds: strip, angle, spatula, law, space, oblique, friction, rough, rate, seta, observed, tape.
     #[arg(long, value_name = "KIND")]
     kind: Option<String>,
 

@@ -53,9 +53,10 @@ fn holds_what_was_given(text: &str, scene: &Scene) -> Result<(), String> {
             return Err(format!("`{path}` is {value} in the text and {stored} in the scene"));
         }
     }
-    // beside a cohesive law with work and strength it follows from these
+    // beside a cohesive law with work and strength both constants of the half space follow from these
+    let of_half_space = ["adhesion.hamaker_constant", "adhesion.equilibrium_distance"];
     let follows =
-        |key: &Key| key.path() == "adhesion.hamaker_constant" && scene.model.adhesion.needs_no_hamaker_constant();
+        |key: &Key| of_half_space.contains(&key.path().as_str()) && scene.model.adhesion.needs_no_hamaker_constant();
     // each of its keys implies a scene in space
     let is_of_space = |path: &String| find_key(path).is_ok_and(Key::is_of_space);
     let follows = |key: &Key| follows(key) || key.path() == "space" && given.iter().any(|(path, _)| is_of_space(path));
