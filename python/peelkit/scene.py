@@ -156,11 +156,13 @@ class Scene:
         Warns
         -----
         ComputationWarning
-            Where it stopped short.
+            Where it stopped short, and where a bound of the scene cut the path. A path that was followed as far as
+            ``path.until`` asks for is whole.
         """
         peel = Peel(self._native.run(), self)
-        if peel.end in ("failed", "refused", "bound"):
-            short = "the path goes on" if peel.end == "bound" else "the computation stopped short"
+        cut = peel.end == "bound" and not str(peel.reason).startswith("path.until")
+        if cut or peel.end in ("failed", "refused"):
+            short = "the path goes on" if cut else "the computation stopped short"
             warnings.warn(f"{short}: {peel.reason}", ComputationWarning, stacklevel=2)
         return peel
 

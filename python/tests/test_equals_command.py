@@ -77,7 +77,8 @@ def test_a_strip_in_space_has_the_columns_of_its_grip(
     # 1 nm of pull is enough to compare
     arguments = ["--set", "bounds.displacement=1 nm"]
     found = command("run", "scenes/strip-rolled.toml", *arguments, "--json", "--out", tmp_path)
-    peel = peelkit.Scene.read("scenes/strip-rolled.toml").with_("bounds.displacement", 1.0).run()
+    with pytest.warns(peelkit.ComputationWarning, match="the path goes on"):
+        peel = peelkit.Scene.read("scenes/strip-rolled.toml").with_("bounds.displacement", 1.0).run()
     assert comparable(peel.summary()) == comparable(found)
     table, written = peel.curve.to_pandas(), columns(tmp_path / "curve.csv")
     assert [name for name in written if name != "negative_eigenvalues_out_of_plane"] == list(table)

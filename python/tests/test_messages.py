@@ -71,10 +71,19 @@ def test_what_stopped_short_is_returned_with_a_warning(strip: peelkit.Scene) -> 
 
 def test_a_bound_of_the_scene_is_no_failure(strip: peelkit.Scene) -> None:
     poor = strip.with_({"bounds.points": 5})
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with pytest.warns(peelkit.ComputationWarning, match="the path goes on: bounds.points = 5"):
         peel = poor.run()
     assert (peel.end, len(peel.curve.force)) == ("bound", 5)
+    peel.raise_for_failure()
+
+
+def test_a_path_that_is_followed_as_far_as_was_asked_is_whole(strip: peelkit.Scene) -> None:
+    whole = strip.with_("path.until", "first-jump")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        peel = whole.run()
+        assert len(list(whole.path())) > 3
+    assert peel.end == "bound" and peel.peak is not None
     peel.raise_for_failure()
 
 

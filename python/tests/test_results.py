@@ -33,7 +33,8 @@ def test_points_are_those_of_the_summary(peel: peelkit.Peel) -> None:
 
 
 def test_what_does_not_occur_is_none(strip: peelkit.Scene) -> None:
-    peel = strip.with_("bounds.points", 3).run()
+    with pytest.warns(peelkit.ComputationWarning, match="bounds.points = 3"):
+        peel = strip.with_("bounds.points", 3).run()
     assert peel.peak is None and peel.first_jump is None and peel.detachment is None
     assert "no peak" in repr(peel)
 
@@ -114,11 +115,6 @@ def test_a_path_that_is_iterated_ends_where_the_run_does(strip: peelkit.Scene) -
     assert next(path, None) is None
     with pytest.warns(peelkit.ComputationWarning, match="goes on"):
         assert len(list(strip.with_("bounds.points", 5).path())) == 5
-
-
-def test_a_path_that_a_bound_cuts_warns(strip: peelkit.Scene) -> None:
-    with pytest.warns(peelkit.ComputationWarning, match="bounds.points = 3"):
-        assert strip.with_("bounds.points", 3).run().end == "bound"
 
 
 def test_a_curve_as_an_array_has_its_numbers(strip: peelkit.Scene) -> None:
