@@ -76,3 +76,8 @@ class ComputationError(PeelkitError):
 
 class ComputationWarning(UserWarning):
     """A path stopped short of its end: what was reached of it is returned."""
+
+
+def cut_by(end: str | None, reason: str | None) -> str | None:
+    """Return the bound of the scene that cut a path; none where it was followed as far as ``path.until`` asks for."""
+    return reason if end == "bound" and reason is not None and not reason.startswith("path.until") else None

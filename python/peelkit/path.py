@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from . import _native
-from .errors import ComputationWarning
+from .errors import ComputationWarning, cut_by
 
 __all__ = ["Path", "PathPoint"]
 
@@ -50,7 +50,7 @@ class Path(Iterator[PathPoint]):
     @property
     def end(self) -> str | None:
         """How the path has ended, as ``Peel.end`` says it; none before that."""
-        return self._native.end()
+        return (self._native.end() or (None,))[0]
 
     def __next__(self) -> PathPoint:
         """Compute the next point, with the interpreter released.
@@ -65,11 +65,11 @@ class Path(Iterator[PathPoint]):
         Warns
         -----
         ComputationWarning
-            Where a bound of the scene ends it.
+            Where a bound of the scene cuts it.
         """
         point = self._native.advance()
         if point is None:
-            if self.end == "bound":
-                warnings.warn("the path goes on: a bound of the scene was reached", ComputationWarning, stacklevel=2)
+            if (cut := cut_by(*(self._native.end() or (None, None)))) is not None:
+                warnings.warn(f"the path goes on: {cut}", ComputationWarning, stacklevel=2)
             raise StopIteration
         return PathPoint(*point)

@@ -11,7 +11,7 @@ from typing import Any
 from . import _native
 from ._native import Scene as NativeScene
 from ._toml import table_text, value_text
-from .errors import ComputationWarning, SceneError
+from .errors import ComputationWarning, SceneError, cut_by
 from .observed import Test
 from .path import Path as EquilibriumPath
 from .peel import Peel
@@ -160,10 +160,10 @@ class Scene:
             ``path.until`` asks for is whole.
         """
         peel = Peel(self._native.run(), self)
-        cut = peel.end == "bound" and not str(peel.reason).startswith("path.until")
-        if cut or peel.end in ("failed", "refused"):
-            short = "the path goes on" if cut else "the computation stopped short"
-            warnings.warn(f"{short}: {peel.reason}", ComputationWarning, stacklevel=2)
+        if (cut := cut_by(peel.end, peel.reason)) is not None:
+            warnings.warn(f"the path goes on: {cut}", ComputationWarning, stacklevel=2)
+        if peel.end in ("failed", "refused"):
+            warnings.warn(f"the computation stopped short: {peel.reason}", ComputationWarning, stacklevel=2)
         return peel
 
     def test(self) -> Test:

@@ -6,7 +6,7 @@ use crate::scene::NativeScene;
 use peelkit::model::{Discretisation, PeelModel};
 use peelkit::solve::{PathOptions, ShouldStop, Solution};
 use peelkit::study::{Accuracy, FOLLOWED_ORDER, PathPoints, Stage, StopReason, prepared};
-use peelkit_report::end_word;
+use peelkit_report::{end_reason, end_word};
 use peelkit_scene::BoundsTable;
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -26,14 +26,17 @@ pub struct NativePath {
 struct Line {
     requests: Sender<()>,
     points: Receiver<Result<Next, String>>,
-    /// How the path has ended
-    end: Option<&'static str>,
+    /// How the path has ended, and why
+    end: Option<End>,
 }
+
+/// The word for an end, and its reason where it has one.
+type End = (&'static str, Option<String>);
 
 /// What a request is answered with.
 enum Next {
     Point(Point),
-    End(&'static str),
+    End(End),
 }
 
 /// Displacement, force, energy, negative eigenvalues with the displacement and with the force held, Newton iterations.
@@ -90,7 +93,7 @@ fn follow(
         }
     }
     // nobody may wait for it any more
-    path.end().into_iter().for_each(|end| drop(found.send(Ok(Next::End(end_word(end))))));
+    path.end().into_iter().for_each(|end| drop(found.send(Ok(Next::End((end_word(end), end_reason(end)))))));
 }
 
 fn handed(point: &Solution) -> Point {
@@ -106,8 +109,8 @@ impl NativePath {
         let found = py.detach(|| {
             let mut line = self.line.lock().unwrap_or_else(PoisonError::into_inner);
             let found = line.requests.send(()).ok().and_then(|()| watch.wait(&line.points));
-            if let Some(Ok(Next::End(end))) = found {
-                line.end = Some(end);
+            if let Some(Ok(Next::End(end))) = &found {
+                line.end = Some(end.clone());
             }
             found
         });
@@ -118,9 +121,9 @@ impl NativePath {
         }
     }
 
-    /// How the path has ended; none before that.
-    fn end(&self) -> Option<&'static str> {
-        self.line.lock().unwrap_or_else(PoisonError::into_inner).end
+    /// How the path has ended, and why; none before that.
+    fn end(&self) -> Option<End> {
+        self.line.lock().unwrap_or_else(PoisonError::into_inner).end.clone()
     }
 }
 
