@@ -106,7 +106,7 @@ impl MeshIntervals {
     }
 
     /// Elements of each piece: one, and of the others its share, whose fractions go to those that have most of one.
-    fn elements(&self, elements: usize) -> Vec<usize> {
+    pub fn shared_out(&self, elements: usize) -> Vec<usize> {
         let spare = elements.saturating_sub(self.count());
         let wanted: Vec<f64> = self.shares.iter().map(|share| share * spare as f64).collect();
         let mut counts: Vec<usize> = wanted.iter().map(|wanted| 1 + *wanted as usize).collect();
@@ -116,20 +116,31 @@ impl MeshIntervals {
         order.iter().take((self.count() + spare).saturating_sub(given)).for_each(|&piece| counts[piece] += 1);
         counts
     }
+
+    /// Elements that a mesh has on each piece. Where its elements do not end where these pieces do, as many elements shared out.
+    pub fn counted(&self, boundaries: &[f64]) -> Vec<usize> {
+        let rank = |end: &f64| boundaries.binary_search_by(|place| place.total_cmp(end)).ok();
+        let inside: Option<Vec<usize>> = self.ends[1..self.count()].iter().map(rank).collect();
+        let elements = boundaries.len() - 1;
+        let Some(inside) = inside else { return self.shared_out(elements) };
+        let mut before = 0;
+        inside.into_iter().chain([elements]).map(|end| end - std::mem::replace(&mut before, end)).collect()
+    }
+
+    /// Half as many elements again as a mesh has, on each piece: what one element carries has an error there that the same one on a finer mesh
+    /// would share.
+    pub fn refined(&self, boundaries: &[f64]) -> Vec<usize> {
+        self.counted(boundaries).into_iter().map(|elements| (3 * elements).div_ceil(2)).collect()
+    }
 }
 
-/// Ends of `elements` elements on the pieces, or of one a piece where that is more, graded towards `foci`, equally long in each
-/// piece without any; one more than there are elements. `near` are the ends of a similar mesh, if there is one: where to start
-/// looking.
-pub fn graded_ends(pieces: &MeshIntervals, foci: &[Focus], elements: usize, near: &[f64]) -> Vec<f64> {
-    let mut ends = Vec::with_capacity(elements.max(pieces.count()) + 1);
+/// Ends of so many elements on each of the pieces, graded towards `foci`, equally long in each piece without any; one more than there are
+/// elements. `near` are the ends of a similar mesh, if there is one: where to start looking.
+pub fn graded_ends(pieces: &MeshIntervals, foci: &[Focus], counts: &[usize], near: &[f64]) -> Vec<f64> {
+    let mut ends = Vec::with_capacity(counts.iter().sum::<usize>() + 1);
     ends.push(0.0);
-    if pieces.count() == 1 {
-        add_graded((0.0, pieces.ends[1]), foci, elements, near, &mut ends);
-    } else {
-        for (pair, elements) in pieces.ends.windows(2).zip(pieces.elements(elements)) {
-            add_graded((pair[0], pair[1]), foci, elements, near, &mut ends);
-        }
+    for (pair, &elements) in pieces.ends.windows(2).zip(counts) {
+        add_graded((pair[0], pair[1]), foci, elements, near, &mut ends);
     }
     ends
 }
@@ -199,7 +210,7 @@ mod tests {
                 Focus { center, length: 1.0, weight: 1.0, reach: Reach::Far },
                 Focus { center: 0.0, length: 1.0, weight: 0.8, reach: Reach::Far },
             ];
-            let ends = graded_ends(&MeshIntervals::whole(length), &foci, 24, &[]);
+            let ends = graded_ends(&MeshIntervals::whole(length), &foci, &[24], &[]);
             assert_eq!((ends.len(), ends[0], ends[24]), (25, 0.0, length));
             let smallest = ends.windows(2).map(|e| e[1] - e[0]).fold(f64::INFINITY, f64::min);
             assert!(smallest > 0.0 && smallest < 3.0, "{smallest}");
@@ -212,9 +223,11 @@ mod tests {
         let most = |from, to| Focus::between(&foci(0.0), from, to).max(Focus::between(&foci(25.0), from, to));
         let pieces = MeshIntervals::cut(100.0, &[20.0, 30.0, 30.5], most);
         for elements in 1..60 {
-            let counts = pieces.elements(elements);
+            let counts = pieces.shared_out(elements);
             assert_eq!(counts.iter().sum::<usize>(), elements.max(4), "{counts:?}");
-            let ends = graded_ends(&pieces, &foci(13.0), elements, &[]);
+            let ends = graded_ends(&pieces, &foci(13.0), &counts, &[]);
+            assert_eq!(pieces.counted(&ends), counts);
+            assert!(pieces.refined(&ends).iter().zip(&counts).all(|(finer, elements)| finer > elements));
             assert_eq!(ends.len(), elements.max(4) + 1);
             assert!(ends.windows(2).all(|pair| pair[0] < pair[1]), "{ends:?}");
             assert!([20.0, 30.0, 30.5].iter().all(|place| ends.contains(place)), "{ends:?}");

@@ -1,7 +1,6 @@
 //! Where a path loses or regains its stability without turning: a branching point, such as a strip that stands upright and falls to either
 //! side. An eigenvalue passes through zero there, which the inertia shows.
 
-use super::limit_point::locate::refined;
 use super::{
     Located, NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve,
 };
@@ -28,7 +27,7 @@ pub fn locate_branching(
     ws: &mut Workspace,
 ) -> Result<Located, SolveError> {
     let coarse = bisected(problem, from.at.clone(), to, ws)?;
-    let fine = bisected(problem, refined(problem, &from.at), to, ws)?;
+    let fine = bisected(problem, problem.system.refined(&from.at), to, ws)?;
     let width = coarse.width.max(fine.width);
     let (o, slope) = (coarse.far.observables, coarse.far.slope);
     let mut difference = fine.far.observables.since(&o);

@@ -8,7 +8,7 @@
 //! a shorter Δt where it moves too far, where K + C/Δt is not positive (Δt beyond the growth time of an instability) or where
 //! the energy does not fall. It ends in a stable equilibrium to which Newton's own method converges from near by, or fails.
 
-use super::limit_point::locate::{SINGULAR, refined};
+use super::limit_point::locate::SINGULAR;
 use super::limit_point::search::FINE;
 use super::newton::damped_step;
 use super::{
@@ -191,7 +191,7 @@ pub fn relaxed_on_more_elements(
 ) -> Result<Solution, SolveError> {
     on_more_elements(problem, coarse, Observables::DISPLACEMENT, ws).or_else(|cause| {
         let held = Held::Displacement(coarse.observables.displacement);
-        let relaxed = relax(problem, refined(problem, &coarse.at), held, &RelaxOptions::default(), ws);
+        let relaxed = relax(problem, problem.system.refined(&coarse.at), held, &RelaxOptions::default(), ws);
         relaxed.map(|relaxed| relaxed.solution).map_err(|_| cause)
     })
 }

@@ -299,6 +299,11 @@ pub trait System: Send + Sync {
         at.clone()
     }
 
+    /// The same configuration on half as many elements again, wherever there are some.
+    fn refined(&self, at: &State) -> State {
+        at.clone()
+    }
+
     /// The same configuration on a mesh of its own for these monitors, on as many elements.
     fn refocused(&self, at: &State, monitors: [f64; MONITORS]) -> State {
         let _ = monitors;

@@ -5,6 +5,7 @@ mod figures;
 mod followed_again;
 mod ground;
 mod levels;
+mod lost_peaks;
 mod out_of_plane;
 #[path = "../shared/pictures.rs"]
 mod pictures;

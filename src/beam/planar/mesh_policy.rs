@@ -20,9 +20,9 @@ pub struct MeshPolicy {
 }
 
 impl MeshPolicy {
-    /// Element ends for a front at this place and edges so far from it, which may be found faster from the `near` ones of a similar mesh; without a
-    /// front they are graded towards nothing.
-    pub fn ends(&self, front: Option<f64>, edges: [f64; 2], elements: usize, near: &[f64]) -> Vec<f64> {
+    /// Ends of so many elements on each piece for a front at this place and edges so far from it, which may be found faster from the `near` ones of
+    /// a similar mesh; without a front they are graded towards nothing.
+    pub fn ends(&self, front: Option<f64>, edges: [f64; 2], counts: &[usize], near: &[f64]) -> Vec<f64> {
         let Self { kind, front_foci, edge_foci, fixed_foci, pieces } = self;
         let mut foci = Vec::with_capacity(front_foci.len() + edges.len() * edge_foci.len() + fixed_foci.len());
         if let Some(front) = front.filter(|_| *kind != MeshKind::Uniform) {
@@ -31,7 +31,7 @@ impl MeshPolicy {
             edges.iter().for_each(|edge| foci.extend(edge_foci.iter().map(at((front + edge).max(0.0)))));
             foci.extend(fixed_foci);
         }
-        graded_ends(pieces, &foci, elements, near)
+        graded_ends(pieces, &foci, counts, near)
     }
 }
 
@@ -43,26 +43,25 @@ impl PlanarBeam {
 
     /// Element ends for a front at `center`.
     pub fn ends(&self, center: f64, elements: usize) -> Vec<f64> {
-        self.ends_near(center, elements, &[])
+        self.mesh_of(center, &self.mesh.pieces.shared_out(elements), &[]).boundaries
     }
 
-    /// The same, found faster from the ends of a similar mesh.
-    pub fn ends_near(&self, center: f64, elements: usize, near: &[f64]) -> Vec<f64> {
+    /// The mesh for a front with so many elements on each piece, which may be found faster from the `near` ends of a similar one.
+    pub(super) fn mesh_of(&self, front: f64, counts: &[usize], near: &[f64]) -> Mesh {
+        let focus = self.centered(front);
         let moves = self.mesh.kind == MeshKind::Moving;
-        let front = self.adheres().then(|| if moves { self.fronts.place(center) } else { self.rest_front });
-        self.mesh.ends(front, [0.0; 2], elements, near)
+        let front = self.adheres().then(|| if moves { self.fronts.place(focus) } else { self.rest_front });
+        Mesh { boundaries: self.mesh.ends(front, [0.0; 2], counts, near), focus, ..Mesh::default() }
     }
 
     /// A mesh of its own for a front.
     pub fn mesh_at(&self, front: f64, elements: usize) -> Mesh {
-        let focus = self.centered(front);
-        Mesh { boundaries: self.ends(focus, elements), focus, ..Mesh::default() }
+        self.mesh_of(front, &self.mesh.pieces.shared_out(elements), &[])
     }
 
     /// The mesh for a front with as many elements as another one, found faster near to that.
     pub fn mesh_near(&self, front: f64, like: &Mesh) -> Mesh {
-        let focus = self.centered(front);
-        Mesh { boundaries: self.ends_near(focus, like.elements(), &like.boundaries), focus, ..Mesh::default() }
+        self.mesh_of(front, &self.mesh.pieces.counted(&like.boundaries), &like.boundaries)
     }
 
     /// S of every node, nm.

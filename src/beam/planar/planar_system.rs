@@ -190,8 +190,13 @@ impl System for PlanarBeam {
         self.resampled(at, Mesh { boundaries: self.ends(focus, elements), ..at.mesh.clone() })
     }
 
+    fn refined(&self, at: &State) -> State {
+        let finer = self.mesh_of(at.mesh.focus, &self.mesh.pieces.refined(&at.mesh.boundaries), &[]);
+        self.resampled(at, Mesh { boundaries: finer.boundaries, ..at.mesh.clone() })
+    }
+
     fn refocused(&self, at: &State, monitors: [f64; MONITORS]) -> State {
-        self.resampled(at, self.mesh_at(monitors[FRONT], at.mesh.elements()))
+        self.resampled(at, self.mesh_of(monitors[FRONT], &self.mesh.pieces.counted(&at.mesh.boundaries), &[]))
     }
 
     fn mesh_for(&self, monitors: [f64; MONITORS], _: [f64; 2], like: &Mesh) -> Mesh {

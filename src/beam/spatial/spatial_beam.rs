@@ -77,12 +77,13 @@ impl SpatialBeam {
         }
     }
 
-    /// Element boundaries for a front and edges.
-    fn boundaries(&self, front: f64, edges: [f64; 2], elements: usize, near: &[f64]) -> Vec<f64> {
+    /// The mesh for a front and edges with so many elements on each piece, which may be found faster from the `near` ends of a similar one.
+    pub(super) fn mesh_of(&self, front: f64, edges: [f64; 2], counts: &[usize], near: &[f64]) -> Mesh {
+        let focus = self.centered(front);
         let moves = self.mesh.kind == MeshKind::Moving;
-        let place = || if moves { self.rest.fronts().place(front) } else { self.rest.front(self.length) };
-        let edges = if moves { edges } else { [0.0; 2] };
-        self.mesh.ends(self.adheres().then(place), edges, elements, near)
+        let place = || if moves { self.rest.fronts().place(focus) } else { self.rest.front(self.length) };
+        let followed = if moves { edges } else { [0.0; 2] };
+        Mesh { boundaries: self.mesh.ends(self.adheres().then(place), followed, counts, near), focus, edges }
     }
 
     /// A front as the focus of a mesh: no farther than the ends of the chain.
@@ -92,14 +93,12 @@ impl SpatialBeam {
 
     /// A mesh of its own for a front and [`Mesh::edges`].
     pub fn mesh_at(&self, front: f64, edges: [f64; 2], elements: usize) -> Mesh {
-        let focus = self.centered(front);
-        Mesh { boundaries: self.boundaries(focus, edges, elements, &[]), focus, edges }
+        self.mesh_of(front, edges, &self.mesh.pieces.shared_out(elements), &[])
     }
 
     /// The mesh for a front and edges with as many elements as another one, found faster near to that.
     pub fn mesh_near(&self, front: f64, edges: [f64; 2], like: &Mesh) -> Mesh {
-        let focus = self.centered(front);
-        Mesh { boundaries: self.boundaries(focus, edges, like.elements(), &like.boundaries), focus, edges }
+        self.mesh_of(front, edges, &self.mesh.pieces.counted(&like.boundaries), &like.boundaries)
     }
 
     /// A state read off on another mesh.

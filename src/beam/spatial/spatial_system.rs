@@ -233,8 +233,14 @@ impl System for SpatialBeam {
         self.resampled(at, self.mesh_at(at.mesh.focus, at.mesh.edges, elements))
     }
 
+    fn refined(&self, at: &State) -> State {
+        let counts = self.mesh.pieces.refined(&at.mesh.boundaries);
+        self.resampled(at, self.mesh_of(at.mesh.focus, at.mesh.edges, &counts, &[]))
+    }
+
     fn refocused(&self, at: &State, monitors: [f64; MONITORS]) -> State {
-        self.resampled(at, self.mesh_at(monitors[FRONT], self.edges(at, monitors[FRONT]), at.mesh.elements()))
+        let counts = self.mesh.pieces.counted(&at.mesh.boundaries);
+        self.resampled(at, self.mesh_of(monitors[FRONT], self.edges(at, monitors[FRONT]), &counts, &[]))
     }
 
     fn mesh_for(&self, monitors: [f64; MONITORS], edges: [f64; 2], like: &Mesh) -> Mesh {

@@ -3,8 +3,8 @@
 use super::LimitPointKind;
 use super::search::{BendRule, Bends, FINE, LimitPointSearch};
 use crate::solve::{
-    NewtonOptions, Observables, Pace, PathConstraint, PathSegment, Problem, Solution, SolveError, State, Workspace,
-    slopes, solve,
+    NewtonOptions, Observables, Pace, PathConstraint, PathSegment, Problem, Solution, SolveError, Workspace, slopes,
+    solve,
 };
 use std::sync::Arc;
 
@@ -346,7 +346,7 @@ fn confirmed(
     ws: &mut Workspace,
 ) -> Result<Located, SolveError> {
     let coarse = search.run(near.at.clone(), target, BendRule::Secant(bends), ws)?;
-    let start = refined(search.problem, &coarse.configuration(search.problem));
+    let start = search.problem.system.refined(&coarse.configuration(search.problem));
     let fine = search
         .run(start, coarse.target + coarse.ahead, BendRule::Secant(coarse.bends), ws)
         .map_err(|_| SolveError::LimitPointNotConfirmed)?;
@@ -388,13 +388,8 @@ pub fn on_more_elements(
 ) -> Result<Solution, SolveError> {
     let constraint = PathConstraint { weights, target: weights.dot(&coarse.observables) };
     let solved = |tolerance, ws: &mut Workspace| {
-        solve(problem, refined(problem, &coarse.at), &constraint, &options(tolerance, true), ws)
+        solve(problem, problem.system.refined(&coarse.at), &constraint, &options(tolerance, true), ws)
     };
     // next to a singular point round-off is larger, and shows in the difference
     solved(FINE, ws).or_else(|_| solved(SINGULAR, ws))
-}
-
-/// The configuration on half as many elements again.
-pub(in crate::solve) fn refined(problem: &Problem, at: &State) -> State {
-    problem.system.on_elements(at, (3 * at.mesh.elements()).div_ceil(2))
 }

@@ -204,7 +204,7 @@ pub struct Peel {
     pub branch_points: Vec<BranchPoint>,
     /// The first load limit point that is a maximum; none where the path has none
     pub initiation_peak: Option<Peak>,
-    /// The limit point with the largest force up to the first displacement limit point, or as far as a stop criterion let the path go. None
+    /// The limit point with the largest force up to the first displacement limit point, or as far as a stop criterion or the model let the path go. None
     /// where the computed curve goes higher at a point that is no limit point, where the grip pushes all the way, and where the
     /// computation stopped short before the first displacement limit point: an end of a path is never a peak.
     pub peak: Option<Peak>,

@@ -214,6 +214,24 @@ impl Sampled {
     }
 }
 
+impl Sampled {
+    /// The numbers that one of the first run and of that of way `other` reports alone, where neither failed or was refused, and which way has them.
+    pub fn alone(&self, other: usize) -> Vec<(&'static str, usize)> {
+        let runs = [0, other].map(|way| &self.runs[way]);
+        if runs.iter().any(|run| run.reason.is_some()) {
+            return Vec::new();
+        }
+        let beside = runs[0].reported.beside(&runs[1].reported);
+        beside
+            .filter_map(|(quantity, found)| match found {
+                [Some(_), None] => Some((quantity, 0)),
+                [None, Some(_)] => Some((quantity, other)),
+                _ => None,
+            })
+            .collect()
+    }
+}
+
 #[cfg(test)]
 impl Run {
     /// A run that was not computed.

@@ -94,6 +94,12 @@ impl SampleSurvey {
         })
     }
 
+    /// The scenes of which the first way or another reports numbers that the other of both does not, with these and which way has them.
+    pub fn alone(&self, other: usize) -> Vec<(u64, Vec<(&'static str, usize)>)> {
+        let all = self.scenes.iter().map(|scene| (scene.index, scene.alone(other)));
+        all.filter(|(_, alone)| !alone.is_empty()).collect()
+    }
+
     /// The survey as text.
     pub fn table(&self) -> String {
         let mut text = String::new();
@@ -132,6 +138,19 @@ impl SampleSurvey {
                     "  scene {index}: {quantity} {:.9e} ± {:.1e} and {:.9e} ± {:.1e}",
                     one.0, one.1, two.0, two.1
                 );
+            }
+            let alone = self.alone(other);
+            let _ = writeln!(
+                text,
+                "{} at {one} against {two}: {} scenes have a number at one of both alone",
+                self.kind.name(),
+                alone.len()
+            );
+            for (index, numbers) in alone {
+                let named =
+                    |&(quantity, way): &(&str, usize)| format!("{quantity} at {}", ways_of(self.kind)[way].name);
+                let numbers: Vec<String> = numbers.iter().map(named).collect();
+                let _ = writeln!(text, "  scene {index}: {}", numbers.join(", "));
             }
         }
         text
@@ -182,6 +201,10 @@ mod tests {
             ([1, 2].map(|way| survey.against(way).0), [1, 2].map(|way| survey.against(way).1));
         assert_eq!((fine, other, outside.len()), (1, 1, 1));
         assert_eq!((outside[0].index, outside[0].quantity), (0, "initiation peak"));
+        // of a scene that failed in one way nothing is compared
+        assert_eq!(survey.alone(1), []);
+        let one_sided = scene(3, good(1.0), [run("detached", None, 0.1, None), good(1.0), good(1.0)]);
+        assert_eq!(one_sided.alone(1), [("initiation peak", 0)]);
         assert!(survey.table().contains("strip at 1e-6: 3 scenes: detached 1 (33.33 %), failed 2 (66.67 %)"));
     }
 }

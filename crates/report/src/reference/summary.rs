@@ -14,7 +14,7 @@ pub const PEEL_SUMMARY: &[OutputKey] = &[
     key("end", "how the path ended: a word of the list of ends"),
     key("reason", "why, with numbers; null where the end says it"),
 
-    key("peak", "the limit point with the largest force up to the first jump, or as far as the limits of `[bounds]` let the path go. Null where the computed curve goes higher at an end, and where the computation stopped short before the first jump"),
+    key("peak", "the limit point with the largest force up to the first jump, or as far as the limits of `[bounds]` or the model let the path go. Null where the computed curve goes higher at an end, and where the computation stopped short before the first jump"),
     key("peak.force_nN", "P there"),
     key("peak.displacement_nm", "u there"),
     key("peak.end_rotation_rad", "rotation of the grip there"),
