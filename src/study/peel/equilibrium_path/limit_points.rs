@@ -86,9 +86,12 @@ impl Followed {
                 for bracket in brackets {
                     let near = segment.observable(turn.pick(), 0.5 * (bracket.0 + bracket.1));
                     let label = near.turning_point(bracket.0, bracket.1);
-                    let (a, b) = (pick_at(&self.points[index], turn), pick_at(&self.points[index + 1], turn));
+                    // neighbouring turns may share an end of their steps, and differ between these
+                    let ends = [index, index + 1].map(|end| pick_at(&self.points[end], turn));
+                    let places = ends.into_iter().chain([near.at(label).0]);
                     let maximum = turn.pick()(&self.points[index].slope) > 0.0;
-                    let value = if maximum == (bracket.0 == 0.0) { a.max(b) } else { a.min(b) };
+                    let more = if maximum == (bracket.0 == 0.0) { f64::max } else { f64::min };
+                    let value = places.reduce(more).unwrap_or(f64::NAN);
                     candidates.push(Candidate { turn, index, bracket, label, value, dropped: 0.0 });
                 }
             }
