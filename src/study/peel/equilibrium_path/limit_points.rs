@@ -13,6 +13,9 @@ use std::sync::Arc;
 /// How far from a branch point the search for it begins, over its displacement.
 const CLEAR: f64 = 1e-3;
 
+/// A turn between the ends of a step that an interpolant shows to stand out by so many times its error is none that it makes.
+const CLEARLY: f64 = 10.0;
+
 /// A step that contains a limit point.
 struct Candidate {
     turn: LimitPointKind,
@@ -86,12 +89,15 @@ impl Followed {
                 for bracket in brackets {
                     let near = segment.observable(turn.pick(), 0.5 * (bracket.0 + bracket.1));
                     let label = near.turning_point(bracket.0, bracket.1);
-                    // neighbouring turns may share an end of their steps, and differ between these
-                    let ends = [index, index + 1].map(|end| pick_at(&self.points[end], turn));
-                    let places = ends.into_iter().chain([near.at(label).0]);
+                    let (a, b) = (pick_at(&self.points[index], turn), pick_at(&self.points[index + 1], turn));
                     let maximum = turn.pick()(&self.points[index].slope) > 0.0;
-                    let more = if maximum == (bracket.0 == 0.0) { f64::max } else { f64::min };
-                    let value = places.reduce(more).unwrap_or(f64::NAN);
+                    // neighbouring turns may share an end of their steps, and differ between these by far more than the interpolant is wrong
+                    let wrong = segment.interpolation_error(turn.pick()).map_or(f64::INFINITY, |error| CLEARLY * error);
+                    let there = near.at(label).0;
+                    let value = match maximum == (bracket.0 == 0.0) {
+                        true => a.max(b).max(there - wrong),
+                        false => a.min(b).min(there + wrong),
+                    };
                     candidates.push(Candidate { turn, index, bracket, label, value, dropped: 0.0 });
                 }
             }
