@@ -43,7 +43,7 @@ impl PlanarBeam {
 
     /// Element ends for a front at `center`.
     pub fn ends(&self, center: f64, elements: usize) -> Vec<f64> {
-        self.mesh_of(center, &self.mesh.pieces.shared_out(elements), &[]).boundaries
+        self.mesh_at(center, elements).boundaries
     }
 
     /// The mesh for a front with so many elements on each piece, which may be found faster from the `near` ends of a similar one.

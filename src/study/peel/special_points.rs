@@ -24,8 +24,8 @@ pub(super) fn name_special_points(peel: &mut Peel, problem: &BeamProblem, follow
     peel.snap_off = first_jump.map(|index| located[index]);
     let before = &located[..first_jump.map_or(located.len(), |index| index + 1)];
     // where a path failed before it jumped, the force may go further up; beyond a section that stands upright the model has no force
-    let stopped = !matches!(followed.trouble, None | Some(PathFailure::NearUpright(_)));
-    let whole = peel.snap_off.is_some() || !(stopped || followed.late().is_some());
+    let ended = matches!(followed.trouble, None | Some(PathFailure::NearUpright(_)));
+    let whole = peel.snap_off.is_some() || (ended && followed.late().is_none());
     let steps = peel.snap_off.map_or(peel.points.len(), |at| at.after + 1);
     let computed = largest(&peel.points[..steps.min(peel.points.len())]);
     peel.peak = if whole { highest(before, computed, peel.asked) } else { None };

@@ -212,9 +212,7 @@ impl Sampled {
         let outside = both.into_iter().filter(|&(_, found)| disagree(found));
         (compared, outside.map(|(quantity, found)| Outside { index: self.index, quantity, found }).collect())
     }
-}
 
-impl Sampled {
     /// The numbers that one of the first run and of that of way `other` reports alone, where neither failed or was refused, and which way has them.
     pub fn alone(&self, other: usize) -> Vec<(&'static str, usize)> {
         let runs = [0, other].map(|way| &self.runs[way]);
