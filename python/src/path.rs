@@ -51,7 +51,7 @@ pub fn path(py: Python, scene: &NativeScene, elements: usize, step_tolerance: f6
     let model = scene.model.in_the_plane().unwrap_or_else(|| scene.model.clone());
     let (accuracy, bounds) = (scene.accuracy, scene.bounds);
     let choice = accuracy.choice;
-    let how = Discretisation { form: choice.form, order: FOLLOWED_ORDER, mesh: choice.mesh };
+    let how = Discretisation::moving(choice.form, FOLLOWED_ORDER).on(choice.mesh);
     let left = Arc::new(AtomicBool::new(false));
     let ((requests, asked), (found, points)) = (channel(), channel());
     let stop: ShouldStop = {

@@ -21,13 +21,31 @@ pub struct Discretisation {
     pub order: usize,
     /// How the elements are placed
     pub mesh: MeshKind,
+    /// At which ends they are small whatever the front
+    pub fine: FineEnds,
 }
 
 impl Discretisation {
     /// With a mesh that follows the front.
     pub const fn moving(form: Form, order: usize) -> Self {
-        Self { form, order, mesh: MeshKind::Moving }
+        Self { form, order, mesh: MeshKind::Moving, fine: FineEnds::Free }
     }
+
+    /// The same with a mesh of another kind.
+    pub const fn on(self, mesh: MeshKind) -> Self {
+        Self { mesh, ..self }
+    }
+}
+
+/// At which ends of a strip elements are small whatever the front.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FineEnds {
+    /// At the free end, which may come to stand on its edge.
+    #[default]
+    Free,
+    /// At the grip as well, which may come down to the ground and adhere.
+    Both,
 }
 
 /// Elements of an order that there is not.
@@ -38,6 +56,9 @@ pub struct NoSuchOrder {
     pub order: usize,
 }
 
+/// Weights of the focus at an end that may adhere by itself, and at one that is bent and no more.
+const AT_END: f64 = 0.8;
+const WHERE_BENT: f64 = 0.2;
 /// Length of the focus at the front, over that of the process zone, for a law with corners, and its weight.
 ///
 /// Thirty sampled scenes at a quarter of 1e-6 took least time with these, 27 s on a shared machine; with weights of 3 to 12 and lengths of 1.5 to 3 they took 32 to 56 s.
@@ -80,7 +101,7 @@ impl PeelModel {
         let process_length = 0.7 * self.process_length();
         let mut scale = [gap_scale; MOST_FIELDS];
         scale[lead + 1] = (gap_scale / process_length).min(1.0);
-        let (front_foci, mut fixed_foci) = (self.front_foci(process_length), self.fixed_foci(process_length));
+        let (front_foci, mut fixed_foci) = (self.front_foci(process_length), self.fixed_foci(process_length, how.fine));
         let rest_adhesion = width * law.rest_energy();
         let placement = match self.contour() {
             None => StressFreePlacement::flat(length, law.rest_gap()),
@@ -93,7 +114,7 @@ impl PeelModel {
         let substrate = self.ground.substrate.clone();
         let friction = self.friction_law();
         let sticking = self.sticking_length().map(|short| friction::FLOOR * short);
-        let floors = [self.ground.floor(process_length), sticking];
+        let floors = [self.ground.floor(process_length, how.mesh), sticking];
         fixed_foci.extend(floors.into_iter().flatten().map(|floor| Focus::everywhere(length, floor)));
         let start = match placement.rest {
             ReferenceConfiguration::Curve(_) => InitialState::StressFree,
@@ -114,7 +135,7 @@ impl PeelModel {
             fronts: placement.fronts,
             rest_front: placement.rest_front,
             mesh: MeshPolicy {
-                kind: if substrate.is_flat() { how.mesh } else { MeshKind::Graded },
+                kind: how.mesh,
                 front_foci,
                 edge_foci: Vec::new(),
                 fixed_foci,
@@ -235,12 +256,16 @@ impl PeelModel {
 
     /// Where elements are small whatever the front: at the free end, which may come to stand on its edge, a wedge whose attraction
     /// is concentrated on a part of the gap scale, and at the end of a strip that may not turn there, or that steps bend before the pull.
-    fn fixed_foci(&self, process_length: f64) -> Vec<Focus> {
+    fn fixed_foci(&self, process_length: f64, fine: FineEnds) -> Vec<Focus> {
         let edge = (0.36 * process_length).min(0.25 * self.line_law().gap_scale());
-        let mut foci = vec![Focus { center: 0.0, length: edge, weight: 0.8, reach: Reach::Far }];
+        let mut foci = vec![Focus { center: 0.0, length: edge, weight: AT_END, reach: Reach::Far }];
         let bent = self.grip.rotation == Hold::Fixed || !self.steps.is_empty();
-        if let Some(strip) = self.strip().filter(|_| bent) {
-            foci.push(Focus { center: strip.length, length: process_length, weight: 0.2, reach: Reach::Far });
+        let weight = match fine {
+            FineEnds::Both => Some(AT_END),
+            FineEnds::Free => bent.then_some(WHERE_BENT),
+        };
+        if let Some((strip, weight)) = self.strip().zip(weight) {
+            foci.push(Focus { center: strip.length, length: process_length, weight, reach: Reach::Far });
         }
         foci
     }

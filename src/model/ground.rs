@@ -6,6 +6,7 @@
 //! that P = 0, u = 0 and no moment, whatever the grip then holds.
 
 use crate::adhesion::Substrate;
+use crate::beam::MeshKind;
 use serde::{Deserialize, Serialize};
 
 /// The guess from which a beam relaxes.
@@ -32,14 +33,17 @@ pub struct Ground {
 
 /// Length of elements over that in which the ground changes.
 const OF_DETAIL: f64 = 0.25;
-/// Lengths of elements on ground that is not flat relative to each other: where a front may be, everywhere, over the length
-/// of the process zone, and over the length in which the ground changes.
-const FLOOR: f64 = 2.0;
+/// Lengths of elements on ground that is not flat relative to each other: everywhere, over the length of the process zone where that is short at
+/// the front, and over the length in which the ground changes. On a mesh that stays a front may be anywhere.
+const FLOOR: f64 = 10.0;
+const FLOOR_OF_FIXED: f64 = 2.0;
 
 impl Ground {
-    /// The length that elements have everywhere relative to those at a front, nm: on ground that is not flat, fronts may be anywhere.
-    pub(super) fn floor(&self, process_length: f64) -> Option<f64> {
-        let floor = (FLOOR * process_length).min(OF_DETAIL * self.substrate.feature_length());
+    /// The length that elements of such a mesh have everywhere relative to those at a front, nm: on ground that is not flat, other parts of a beam
+    /// may touch.
+    pub(super) fn floor(&self, process_length: f64, mesh: MeshKind) -> Option<f64> {
+        let floor = if mesh == MeshKind::Moving { FLOOR } else { FLOOR_OF_FIXED };
+        let floor = (floor * process_length).min(OF_DETAIL * self.substrate.feature_length());
         (!self.substrate.is_flat()).then_some(floor)
     }
 }

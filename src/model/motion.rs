@@ -99,7 +99,7 @@ impl PeelModel {
         if let Some((_, what)) = not_covered.into_iter().find(|(is_there, _)| *is_there) {
             return Err(NotInTime::NotCovered { what });
         }
-        let how = Discretisation { form: Form::ThreeField, order, mesh: MeshKind::Graded };
+        let how = Discretisation::moving(Form::ThreeField, order).on(MeshKind::Graded);
         let (model, density) = (self.clone(), KG_PER_CUBIC_METRE * material.density);
         let section = move |place: f64| {
             let (section, ..) = model.section_at(place);

@@ -2,7 +2,8 @@
 
 use super::{Adhesion, Ground};
 use crate::beam::{
-    Focus, FrontPosition, MeshIntervals, ReferenceConfiguration, ReferenceCurve, SectionAt, Varying, VaryingReference,
+    Focus, FrontPosition, MeshIntervals, MeshKind, ReferenceConfiguration, ReferenceCurve, SectionAt, Varying,
+    VaryingReference,
 };
 
 /// The stress-free configuration of a beam, where its front may be, and how its elements are shared out.
@@ -55,7 +56,7 @@ impl StressFreePlacement {
         let rest = VaryingReference::new(beam.clone(), law.rest_gap());
         let (touching, again) = contact(&rest, length, REACH * law.gap_scale());
         let rest_front = settled_front(beam, adhesion, touching);
-        let along = |front: &Focus| ground.floor(front.length);
+        let along = |front: &Focus| ground.floor(front.length, MeshKind::Graded);
         let alike = front.first().and_then(along).map(|floor| (contact_extent(&rest, length, adhesion, ground), floor));
         let again = again.into_iter().zip(front.first().into_iter().cycle());
         fixed_foci.extend(again.map(|(center, front)| Focus { center, weight: AGAIN, ..*front }));

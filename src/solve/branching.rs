@@ -64,7 +64,9 @@ fn bisected(problem: &Problem, from: State, to: f64, ws: &mut Workspace) -> Resu
     let start = problem.displacement(&from);
     let mut near = solved(from, start)?;
     let (negative, mut iterations) = (near.negative, near.iterations);
-    let (mut far, mut high, mut longest) = (None, to, f64::INFINITY);
+    // a path that loses its stability on a step shorter than that has a solution behind it all the same
+    let reach = (to - start).abs().max(CLOSE_ENOUGH * start.abs()).copysign(to - start);
+    let (mut far, mut high, mut longest) = (None, start + reach, f64::INFINITY);
     let mut trouble = SolveError::LimitPointNotConfirmed;
     for _ in 0..MOST_SOLVES {
         let here = near.observables.displacement;

@@ -47,11 +47,9 @@ impl Accuracy {
         Self { choice, ..self }
     }
 
-    /// The same as far as it can be had: on ground that is not flat with x at every node and a fixed mesh.
+    /// The same as far as it can be had: on ground that is not flat with x at every node.
     pub(super) fn fitted(&self, model: &PeelModel) -> Self {
-        let Choice { mesh, form, .. } = self.choice;
-        let mesh = if model.ground.substrate.is_flat() { mesh } else { MeshKind::Graded };
-        self.with(Choice { mesh, form: model.form(form), ..self.choice })
+        self.with(Choice { form: model.form(self.choice.form), ..self.choice })
     }
 
     /// Order p of the elements.
@@ -100,9 +98,11 @@ const FIRST: f64 = 0.02;
 /// Elements more for each place where the outline of a beam has a break.
 const A_BREAK: usize = 2;
 /// Length of the elements besides on ground that is not flat, over that of the process zone, at the accuracy 1e-6, and over the length in which
-/// the ground changes.
-const EVEN: f64 = 1.0;
+/// the ground changes. They see where a part of the strip that bridges a valley touches again; the front has elements of its own.
+const ON_GROUND: f64 = 8.0;
 const OF_DETAIL: f64 = 0.5;
+/// The same where material points stick that remember, over the length in which they do.
+const STICKING: f64 = 1.0;
 /// Elements besides where they are cut at the corners of the law, at the accuracy 1e-6.
 const AT_CORNERS: f64 = 32.0;
 /// Most elements that are chosen, and where the law has corners.
@@ -146,12 +146,12 @@ impl Resolution {
         } else {
             elements
                 + model.contact_extent()
-                    / (EVEN * model.process_length() / sharp).min(OF_DETAIL * substrate.feature_length())
+                    / (ON_GROUND * model.process_length() / sharp).min(OF_DETAIL * substrate.feature_length())
         };
         let elements = if model.cuts_elements() { elements + AT_CORNERS * sharp } else { elements };
         let elements = match model.sticking_length() {
             None => elements,
-            Some(_) => elements + model.length() / (EVEN * model.feature_length() / sharp),
+            Some(_) => elements + model.length() / (STICKING * model.feature_length() / sharp),
         };
         let elements = match model.space {
             None => elements,

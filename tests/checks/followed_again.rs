@@ -15,7 +15,7 @@ fn ends(kind: SampleKind, scene: u64, end: &str) {
 }
 
 #[track_caller]
-fn ends_of(kind: SampleKind, seed: u64, scene: u64, end: &str) {
+pub(super) fn ends_of(kind: SampleKind, seed: u64, scene: u64, end: &str) {
     ended(kind, seed, scene, 1, end);
 }
 

@@ -6,6 +6,7 @@ mod followed_again;
 mod ground;
 mod levels;
 mod lost_peaks;
+mod other_kinds;
 mod out_of_plane;
 #[path = "../shared/pictures.rs"]
 mod pictures;

@@ -42,6 +42,11 @@ impl Running {
         Self::new(Limits::default())
     }
 
+    /// Ends the server, as Ctrl-C and SIGTERM do.
+    pub fn stop(&self) {
+        self.stopper.stop();
+    }
+
     pub fn connect(&self) -> TcpStream {
         let stream = TcpStream::connect(self.address).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(120))).unwrap();
@@ -81,7 +86,7 @@ impl Running {
 
 impl Drop for Running {
     fn drop(&mut self) {
-        self.stopper.stop();
+        self.stop();
         if let Some(thread) = self.thread.take() {
             thread.join().unwrap().unwrap();
         }

@@ -1,9 +1,13 @@
 //! A run over the page is the run of the library: the same numbers, bit for bit.
 
-use crate::client::{Running, STRIP};
+use crate::client::{Running, STRIP, read};
 use peelkit::study;
 use peelkit_scene::Scene;
 use serde_json::json;
+use std::io::Write;
+use std::time::Duration;
+
+const SLOW: &str = include_str!("../../scenes/strip-friction.toml");
 
 fn number(value: &serde_json::Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
@@ -75,4 +79,18 @@ fn files_are_those_of_the_command() {
     assert!(file("parameters.toml").body.contains("length = \"100 nm\""));
     assert_eq!(file("summary.json").json()["title"], "Peeling of a strip of 100 nm");
     assert_eq!(file("/etc/passwd").status, 400);
+}
+
+/// A server that ends tells whoever waits for a run: 503, with a reason. The run, a friction path of seconds, ends at its next point.
+#[test]
+fn a_server_that_ends_answers_who_waits() {
+    let server = Running::usual();
+    let request = json!({"name": "slow", "scene": SLOW, "set": [["drive.angle", "90 deg"]]});
+    let mut waiting = server.connect();
+    waiting.write_all(&server.request("/api/peel", &request.to_string(), "")).unwrap();
+    std::thread::sleep(Duration::from_millis(300));
+    server.stop();
+    let reply = read(&mut waiting);
+    assert_eq!(reply.status, 503, "{reply:?}");
+    assert_eq!(reply.json()["error"], "the server is ending");
 }

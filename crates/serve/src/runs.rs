@@ -106,6 +106,7 @@ impl Runs {
             let _place = place;
             work(&end)
         });
-        done.await.map_err(|error| Refusal::Broken(error.to_string()))
+        let done = done.await.map_err(|error| Refusal::Broken(error.to_string()));
+        if self.ending.load(Ordering::Relaxed) { Err(Refusal::Ending) } else { done }
     }
 }

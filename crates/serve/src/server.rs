@@ -12,6 +12,7 @@ use hyper::body::Incoming;
 use hyper::server::conn::http1;
 use hyper::service::{Service, service_fn};
 use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::server::graceful::{GracefulShutdown, Watcher};
 use hyper_util::service::TowerToHyperService;
 use std::io;
 use std::net::{IpAddr, SocketAddr, TcpListener};
@@ -23,6 +24,9 @@ use tokio::sync::Notify;
 
 /// How long the server waits after a connection could not be accepted, as where the system has no more files.
 const AFTER_A_FAILURE: Duration = Duration::from_millis(50);
+
+/// How long a server that ends waits for the answers that it still owes: each run looks at its end at its next point.
+const LAST_ANSWERS: Duration = Duration::from_secs(1);
 
 /// A page that waits for who opens it.
 ///
@@ -92,19 +96,25 @@ impl Server {
         let Self { listener, runtime, limits, routes, ended, .. } = self;
         let done = runtime.block_on(async {
             let listener = tokio::net::TcpListener::from_std(listener)?;
-            let accepting = tokio::spawn(accept(listener, routes, limits));
+            let open = Arc::new(GracefulShutdown::new());
+            let accepting = tokio::spawn(accept(listener, routes, limits, Arc::clone(&open)));
             ended.notified().await;
             accepting.abort();
+            // with it goes its share of what is open
+            let _ = accepting.await;
+            if let Some(open) = Arc::into_inner(open) {
+                // whoever waits for a run is told that it ends; who does not read that is left
+                let _ = tokio::time::timeout(LAST_ANSWERS, open.shutdown()).await;
+            }
             Ok(())
         });
-        // a run looks at its end soon, and nobody reads its answer
         runtime.shutdown_background();
         done
     }
 }
 
 /// Accepts connections for ever.
-async fn accept(listener: tokio::net::TcpListener, routes: Router, limits: Limits) {
+async fn accept(listener: tokio::net::TcpListener, routes: Router, limits: Limits, open: Arc<GracefulShutdown>) {
     let connections = Connections::default();
     loop {
         let Ok((stream, _)) = listener.accept().await else {
@@ -113,14 +123,14 @@ async fn accept(listener: tokio::net::TcpListener, routes: Router, limits: Limit
         };
         if connections.make_room(limits.connections) {
             let busy = Busy::default();
-            let task = tokio::spawn(answer(stream, routes.clone(), Arc::clone(&busy), limits));
+            let task = tokio::spawn(answer(stream, routes.clone(), Arc::clone(&busy), limits, open.watcher()));
             connections.add(busy, task.abort_handle());
         }
     }
 }
 
 /// Answers the requests of one connection. Where it is closed before an answer is there, the run of that is told to end.
-async fn answer(stream: TcpStream, routes: Router, busy: Busy, limits: Limits) {
+async fn answer(stream: TcpStream, routes: Router, busy: Busy, limits: Limits, open: Watcher) {
     let routes = TowerToHyperService::new(routes);
     let service = service_fn(move |request: Request<Incoming>| {
         let answered = BeingAnswered::new(&busy);
@@ -134,5 +144,5 @@ async fn answer(stream: TcpStream, routes: Router, busy: Busy, limits: Limits) {
     let mut server = http1::Builder::new();
     server.timer(TokioTimer::new()).header_read_timeout(limits.head);
     // that a browser closes a connection, or sends no request, is nothing to report
-    let _ = server.serve_connection(TokioIo::new(stream), service).await;
+    let _ = open.watch(server.serve_connection(TokioIo::new(stream), service)).await;
 }

@@ -6,7 +6,7 @@ use crate::model::PeelModel;
 
 /// Most waves or radii, and most process zones, on which a beam lies on ground that is not flat.
 const MOST_DETAILS: f64 = 100.0;
-const MOST_ZONES: f64 = 1000.0;
+const MOST_ZONES: f64 = 3000.0;
 
 /// On ground that is not flat: that the load has a potential, that elements resolve the ground, and that its own numbers fit.
 pub(super) fn check(model: &PeelModel) -> Result<(), ModelError> {

@@ -7,13 +7,13 @@ use super::jump;
 use super::model_limit::{LeftModel, ModelLimit};
 use super::result::*;
 use super::stable_branch::{BranchEnd, Machine, StableBranch, Until};
-use crate::beam::FRONT;
-use crate::model::{BeamProblem, Discretisation, Form, PeelModel};
+use crate::beam::{FRONT, MeshKind};
+use crate::model::{BeamProblem, Discretisation, FineEnds, Form, PeelModel};
 use crate::solve::{
     EndConditions, Held, Located, MeasuredBeside, Pace, PathOptions, RelaxOptions, Solution, State, Workspace,
     disturbed, disturbed_anyhow, relax,
 };
-use crate::study::accuracy::{Resolution, most_elements};
+use crate::study::accuracy::{Choice, Resolution, most_elements};
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
 use crate::study::initial::{NoEquilibrium, prepared};
 use crate::study::refinement::{MOST_FAILED_IN_SPACE, refined};
@@ -26,13 +26,16 @@ const RELAXING: f64 = 0.1;
 const COMPARABLE: f64 = 10.0;
 /// A strip whose force and front have changed by less than this, over the work of adhesion times the width and over its length, has not jumped.
 const STAYS: f64 = 1e-3;
-/// How far the machine goes beyond a limit point at which the strip stays, relative to U.
-const BEYOND: f64 = 1e-7;
+/// How far the machine goes beyond a limit point at which the strip stays, relative to U: farther where it is still on its slow way past it.
+const BEYOND: [f64; 3] = [1e-7, 1e-6, 1e-5];
 /// The balance of work and energy closes to this, or to the accuracy asked for where that is more.
 const BALANCED: f64 = 1e-6;
 
 /// Most that fail in the plane, of two on each mesh.
 const MOST_FAILED: usize = 6;
+/// Those of them on meshes that move, and the least elements of the fixed one behind them.
+const FAILED_ON_MOVING: usize = 4;
+const ON_FIXED: usize = 100;
 /// Further meshes on which a test in space may fail, with its paths followed warily and measured by the roll of the grip as well.
 const MOST_FAILED_WARILY: usize = 3;
 
@@ -54,12 +57,12 @@ pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: 
         let mut test = Test::new(course);
         test.effort.elements = resolution.elements;
         test.effort.order = resolution.order;
-        let pace = pace(model, failures);
-        match problem(model, accuracy, resolution.order, pace) {
+        let how = How::after(model, accuracy, failures);
+        match problem(model, &how, resolution.order) {
             Ok(problem) => {
                 let machine = Machine {
                     problem: &problem,
-                    options: PathOptions { pace, ..resolution.path_options(model, accuracy.relative) },
+                    options: PathOptions { pace: how.pace, ..resolution.path_options(model, accuracy.relative) },
                     stop,
                     relative: accuracy.relative,
                     far: model.line_law().cutoff_distance(),
@@ -80,10 +83,14 @@ pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: 
         let most_failed = if model.space.is_some() { MOST_FAILED_IN_SPACE + MOST_FAILED_WARILY } else { MOST_FAILED };
         let hopeless = failures == most_failed;
         let late = stop.reached_bound(Stage::Path).is_some();
-        let enough = (worst <= 1.0 && !failed) || late || hopeless || accuracy.choice.elements.is_some();
+        // what comes through on the last mesh of all is taken as it is
+        let last = model.space.is_none() && failures >= FAILED_ON_MOVING;
+        let enough = !failed && (worst <= 1.0 || last);
+        let enough = enough || late || hopeless || accuracy.choice.elements.is_some();
         let finer = match failed {
             true if failures == MOST_FAILED_IN_SPACE && model.space.is_some() => first,
-            true if model.space.is_none() && pace == Pace::Quick => resolution,
+            true if model.space.is_none() && how.pace == Pace::Quick => resolution,
+            true if last => Resolution { elements: resolution.elements.max(ON_FIXED), ..resolution },
             true => resolution.times(1.5),
             false => resolution.finer(worst, 0.0),
         };
@@ -97,21 +104,40 @@ pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: 
     test.into_result(accuracy.relative)
 }
 
-/// How a test is followed behind so many that failed: in the plane every mesh is watched before a finer one is tried, in space the first four are quick.
-fn pace(model: &PeelModel, failures: usize) -> Pace {
-    match model.space {
-        None if failures % 2 == 1 => Pace::Watchful,
-        Some(_) if failures >= MOST_FAILED_IN_SPACE => Pace::Wary,
-        _ => Pace::Quick,
+/// How a test is followed.
+struct How {
+    pace: Pace,
+    form: Form,
+    mesh: MeshKind,
+    fine: FineEnds,
+}
+
+impl How {
+    /// Behind so many that failed. In the plane every mesh is watched before another one is tried. On the second and third the grip has small elements
+    /// too: on the way back it may be pressed on the ground and adhere, as may a blister's end far from both, for which the third one
+    /// stays where it is. In space the first four are quick.
+    fn after(model: &PeelModel, accuracy: &Accuracy, failures: usize) -> Self {
+        let Choice { form, mesh, .. } = accuracy.choice;
+        let followed = |pace, mesh, fine| Self { pace, form, mesh, fine };
+        match model.space {
+            Some(_) if failures >= MOST_FAILED_IN_SPACE => followed(Pace::Wary, mesh, FineEnds::Free),
+            Some(_) => followed(Pace::Quick, mesh, FineEnds::Free),
+            None => {
+                let pace = if failures % 2 == 1 { Pace::Watchful } else { Pace::Quick };
+                let mesh = if failures >= FAILED_ON_MOVING { MeshKind::Graded } else { mesh };
+                followed(pace, mesh, if failures >= 2 { FineEnds::Both } else { FineEnds::Free })
+            }
+        }
     }
 }
 
 /// The strip behind its spring. Without x its horizontal section force, where it has one, is a multiplier, and the energy no
 /// minimum: such a strip is relaxed with all three unknowns.
-fn problem(model: &PeelModel, accuracy: &Accuracy, order: usize, pace: Pace) -> Result<BeamProblem, NoEquilibrium> {
-    let form = if model.has_horizontal_force() { Form::ThreeField } else { accuracy.choice.form };
+fn problem(model: &PeelModel, how: &How, order: usize) -> Result<BeamProblem, NoEquilibrium> {
+    let How { pace, mesh, fine, .. } = *how;
+    let form = if model.has_horizontal_force() { Form::ThreeField } else { how.form };
     let compliance = model.grip.stiffness.map_or(0.0, f64::recip);
-    let how = Discretisation { form, order, mesh: accuracy.choice.mesh };
+    let how = Discretisation { fine, ..Discretisation::moving(form, order).on(mesh) };
     let problem = prepared(model, how, None).map_err(|failed| failed.why)?.problem;
     let measured = match pace {
         Pace::Quick => problem,
@@ -374,11 +400,19 @@ impl Test {
         let (mut relaxed, mut stayed) = (relaxed_at(start, machine_nm)?, None);
         if stays(machine, limit, &relaxed.solution) {
             // at the limit point itself nothing drives the strip away from it: a little beyond it something does
-            let beyond = BEYOND * machine_nm.abs();
-            let beyond = machine_nm + if way == LoadingDirection::Retreat { beyond } else { -beyond };
-            let further = relaxed_at(relaxed.solution.at.clone(), beyond)?.solution;
-            relaxed = relaxed_at(further.at.clone(), machine_nm)?;
-            stayed = stays(machine, limit, &relaxed.solution).then_some(further);
+            for share in BEYOND {
+                let ahead = share * machine_nm.abs();
+                let beyond = machine_nm + if way == LoadingDirection::Retreat { ahead } else { -ahead };
+                let further = relaxed_at(relaxed.solution.at.clone(), beyond)?.solution;
+                relaxed = relaxed_at(further.at.clone(), machine_nm)?;
+                if !stays(machine, limit, &relaxed.solution) {
+                    break;
+                }
+                stayed = machine.is_equilibrium(&further).then_some(further);
+                if stayed.is_some() {
+                    break;
+                }
+            }
         }
         if let Some(limit) = machine.collapsed(&relaxed.solution) {
             return Ok(Landing::Beyond(limit));

@@ -123,6 +123,13 @@ impl Machine<'_> {
         }
     }
 
+    /// Whether Newton's method stays where a relaxation has ended. Next to where an equilibrium has vanished it goes to and fro, by little.
+    pub fn is_equilibrium(&self, rest: &Solution) -> bool {
+        let constraint = PathConstraint { weights: Observables::DISPLACEMENT, target: rest.observables.displacement };
+        let options = NewtonOptions { tolerance: self.options.tolerance, ..NewtonOptions::default() };
+        solve(self.problem, rest.at.clone(), &constraint, &options, &mut Workspace::default()).is_ok()
+    }
+
     /// What adheres at an equilibrium.
     pub fn adhering(&self, solution: &Solution) -> Adhering {
         Adhering::of(&self.problem.beam, &solution.at, self.adhering_distance)

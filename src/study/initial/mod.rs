@@ -9,7 +9,7 @@ mod stability;
 
 pub use error::*;
 
-use crate::beam::GripState;
+use crate::beam::{GripState, MeshKind};
 use crate::model::{BeamProblem, Discretisation, PeelModel};
 use crate::solve::ShouldStop;
 use serde::{Deserialize, Serialize};
@@ -45,11 +45,15 @@ pub fn prepared(
 ) -> Result<Prepared, NotPrepared> {
     let refused = |why: UnstableRest| NotPrepared { why: why.into(), steps: Vec::new() };
     stability::check_bonded(model).map_err(refused)?;
-    let mut problem = model
-        .discretised(how, |_| {})
-        .map_err(|why| NotPrepared { why: NoEquilibrium::Order(why), steps: Vec::new() })?;
+    let discretised = |how: Discretisation| {
+        let problem = model.discretised(how, |_| {});
+        problem.map_err(|why| NotPrepared { why: NoEquilibrium::Order(why), steps: Vec::new() })
+    };
+    let mut problem = discretised(how)?;
     if !model.ground.substrate.is_flat() {
-        let at = settled_on_ground::settled_on_ground(&problem, &model.ground, model.contact_extent(), &should_stop)
+        // it may touch anywhere
+        let fixed = discretised(how.on(MeshKind::Graded))?;
+        let at = settled_on_ground::settled_on_ground(&fixed, &model.ground, model.contact_extent(), &should_stop)
             .map_err(|why| NotPrepared { why: NoEquilibrium::OnGround(why), steps: Vec::new() })?;
         problem.start_at(Arc::new(at));
     }

@@ -1,7 +1,7 @@
 //! How a beam comes to lie on ground that is not flat: relaxed without a grip, from a guess, to the stable equilibrium next to it.
 
 use super::error::SettlingError;
-use crate::beam::{PlanarBeam, ReferenceConfiguration};
+use crate::beam::{FRONT, PlanarBeam, ReferenceConfiguration};
 use crate::model::{BeamProblem, Ground, Start};
 use crate::solve::{
     EndConditions, Held, INTERFACE, Mesh, NewtonOptions, Observables, PathConstraint, RelaxOptions, ShouldStop, State,
@@ -9,13 +9,16 @@ use crate::solve::{
 };
 
 /// Lengths of the elements on which it relaxes, over the length of the process zone and over the least length in which the
-/// ground changes; the equilibrium is then found on twice as many.
+/// ground changes; the equilibrium is then found on twice as many, again and again until they do not move the grip any more.
 const ELEMENT: f64 = 2.0;
 const OF_DETAIL: f64 = 0.25;
 /// Fewest and most elements on which it relaxes, and those besides for a piece of the outline behind the first.
 const FEWEST: f64 = 12.0;
 const MOST: f64 = 400.0;
 const A_PIECE: f64 = 2.0;
+/// The grip is not moved by what is less than this share of the gap at rest; most elements on which that is looked at.
+const MOVED: f64 = 1e-9;
+const MOST_SETTLED: usize = 1600;
 /// Most steps of relaxation.
 const MOST_STEPS: usize = 1000;
 /// Most that a step of relaxation moves, relative as in [`System::size`].
@@ -48,11 +51,22 @@ pub(super) fn settled_on_ground(
     let newton = NewtonOptions { tolerance: 1e-11, largest_update: 0.5, most_iterations: 20, exact_slope: false };
     let settled = |from| settle(problem, from, &constraint, &newton, &mut Workspace::until(should_stop.clone()));
     // on few elements an equilibrium may be one that is none on more
-    let settled = settled(finer.clone()).or_else(|_| {
+    let mut found = settled(finer.clone()).or_else(|_| {
         let relaxed = relaxed(finer).map_err(SettlingError::from)?;
         settled(relaxed).map_err(SettlingError::from)
     })?;
-    Ok(settled.at)
+    // displacements count from here: what a coarse mesh gets wrong no finer path would show
+    while 2 * found.at.mesh.elements() <= MOST_SETTLED {
+        let Ok(finer) = settled(beam.on_elements(&found.at, 2 * found.at.mesh.elements())) else { break };
+        let moved = problem.displacement(&finer.at) - problem.displacement(&found.at);
+        found = finer;
+        if moved.abs() <= MOVED * beam.rest_gap {
+            break;
+        }
+    }
+    // a mesh that moves begins where the front is
+    let focus = found.observables.monitors[FRONT];
+    Ok(State { mesh: Mesh { focus, ..found.at.mesh.clone() }, ..found.at })
 }
 
 /// Where it relaxes from.

@@ -63,7 +63,8 @@ enum Beside {
     NoBetter,
     /// The same, and the finer ones have the same limit points: what it differs by is round-off, however large that is.
     Agreeing,
-    /// The path has the same limit points on two meshes, one of which has many more elements: its bounds say how well they are known.
+    /// The path has the same limit points on two meshes, one of which has many more elements, or on two with steps of other lengths where the material
+    /// points remember: its bounds say how well they are known.
     Confirmed,
 }
 
@@ -284,6 +285,17 @@ impl Attempt {
         }
     }
 
+    /// The same where material points remember: beside a path with other steps on another mesh, for whose difference its bounds allow.
+    pub(super) fn confirm_steps(&mut self, wholes: &[Whole]) {
+        let Peel { limit_points, effort, .. } = &mut self.peel;
+        let same: Vec<&Whole> = wholes.iter().filter(|other| other.agrees_with(limit_points)).collect();
+        if same.iter().any(|other| other.elements != effort.elements) {
+            same.iter().for_each(|other| other.widen_unexplained(limit_points));
+            self.peel.tell_bounds();
+            self.beside = Beside::Confirmed;
+        }
+    }
+
     /// Whether the mesh lies beside the front at the newest point, by more than the length of the process zone: as far as its front is from that of
     /// `finely`, the same beam with tilted sections counted finely.
     pub(super) fn is_beside_front(&self, finely: &BeamProblem) -> bool {
@@ -298,9 +310,15 @@ impl Attempt {
     fn round_off(&self) -> f64 {
         match self.beside {
             Beside::Nothing => STAGNATION,
-            Beside::Agreeing | Beside::Confirmed if !self.remembers => NO_ACCURACY,
-            Beside::NoBetter | Beside::Agreeing | Beside::Confirmed => CERTAIN_STAGNATION,
+            Beside::Confirmed => NO_ACCURACY,
+            Beside::Agreeing if !self.remembers => NO_ACCURACY,
+            Beside::NoBetter | Beside::Agreeing => CERTAIN_STAGNATION,
         }
+    }
+
+    /// Whether its bounds are farther from what was asked than another choice of steps explains.
+    pub(super) fn misses_by_far(&self) -> bool {
+        self.trouble.is_none() && self.difference > STRIDE_TOLERANCE_FACTOR && !self.explained
     }
 
     /// Why it is a failure, if it is.

@@ -117,7 +117,7 @@ impl Whole {
         }
         let level = Substrate::Sinusoid(Sinusoid { height: 0.0, wavelength: model.length(), offset: 0.0 });
         let ground = Ground { substrate: level, start: Start::Conformed };
-        let how = Discretisation { form: Form::ThreeField, order: ORDER, mesh: MeshKind::Graded };
+        let how = Discretisation::moving(Form::ThreeField, ORDER).on(MeshKind::Graded);
         let problem = prepared(&PeelModel { ground, steps: Vec::new(), ..model.clone() }, how, None).ok()?.problem;
         let (beam, at) = (&problem.beam, problem.start.known()?);
         let length = adhered(&self::samples(beam.substrate(), &DeformedShape::of(beam, at)), near);
@@ -135,9 +135,12 @@ fn steps(samples: &[Sample]) -> impl Iterator<Item = f64> + '_ {
     samples.windows(2).map(|pair| (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y))
 }
 
-/// Length whose lower edge is `near` to the ground, nm.
+/// Length whose lower edge is `near` to the ground, nm; between two samples the gap is linear.
 fn adhered(samples: &[Sample], near: f64) -> f64 {
-    let share = |pair: &[Sample]| 0.5 * pair.iter().filter(|sample| sample.gap < near).count() as f64;
+    let share = |pair: &[Sample]| {
+        let (least, largest) = (pair[0].gap.min(pair[1].gap), pair[0].gap.max(pair[1].gap));
+        if largest < near { 1.0 } else { ((near - least) / (largest - least)).max(0.0) }
+    };
     samples.windows(2).map(share).zip(steps(samples)).map(|(share, step)| share * step).sum()
 }
 

@@ -23,6 +23,9 @@ use std::sync::Arc;
 const SHORTER: f64 = 0.5;
 /// Most such paths.
 const MOST_SHORTER: i32 = 3;
+/// What steps of half the length change at best, over what those before have changed: where even that does not come down to the accuracy asked for
+/// no further path is tried.
+const LESS_AT_BEST: f64 = 4.0;
 /// Newton iterations after which a path in space is lost that is followed warily, over those of all meshes before.
 const WARILY: usize = 2;
 
@@ -61,7 +64,7 @@ pub(super) fn on_meshes(
     let accuracy = &accuracy.fitted(model);
     let Choice { mesh, form, .. } = accuracy.choice;
     let first = Resolution::first(model, accuracy);
-    let how = Discretisation { form, order: first.order, mesh };
+    let how = Discretisation::moving(form, first.order).on(mesh);
     let prepared = match start {
         Some(known) => Ok((known.problem.clone(), Vec::new(), None)),
         None => prepared(model, how, limits.should_stop())
@@ -111,7 +114,7 @@ pub(super) fn on_meshes(
             }
         }
     }
-    let Meshes { mut iterations, mut unfinished, far, wholes, budget, .. } = meshes;
+    let Meshes { mut iterations, mut unfinished, far, mut wholes, budget, .. } = meshes;
     if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {
         best.confirm(&wholes);
         best.widen(&wholes);
@@ -119,7 +122,7 @@ pub(super) fn on_meshes(
     if problem.system.has_history() && accuracy.choice.step.is_none() && !unfinished {
         best = best.map(|best| {
             let shorter = Shorter { model, problem: &problem, accuracy, limits, far, budget };
-            let (confirmed, further) = shorter.confirmed(best);
+            let (confirmed, further) = shorter.confirmed(best, &mut wholes);
             iterations += further;
             unfinished = confirmed.cut;
             confirmed
@@ -239,8 +242,9 @@ struct Shorter<'r> {
 
 impl Shorter<'_> {
     /// The same path with shorter steps, until what that changes is within the accuracy asked for, with bounds that hold it; and the
-    /// Newton iterations it took. One that cannot be confirmed has failed.
-    fn confirmed(&self, mut best: Attempt) -> (Attempt, usize) {
+    /// Newton iterations it took. Where the bounds of one are missed by far the next has a finer mesh as well. One that cannot be confirmed, by
+    /// shorter steps and one of the `wholes` on another mesh, has failed.
+    fn confirmed(&self, mut best: Attempt, wholes: &mut Vec<Whole>) -> (Attempt, usize) {
         let mut iterations = 0;
         let relative = self.accuracy.relative;
         let first = Resolution::first(self.model, self.accuracy);
@@ -249,7 +253,8 @@ impl Shorter<'_> {
                 break;
             }
             let Effort { elements, order, .. } = best.peel.effort;
-            let resolution = Resolution { elements, order, stride: SHORTER.powi(tries), ..first };
+            let mesh = if best.misses_by_far() { best.next } else { Resolution { elements, order, ..first } };
+            let resolution = Resolution { stride: SHORTER.powi(tries), ..mesh };
             let options = resolution.path_options(self.model, relative);
             let mut followed = follow(self.problem, options, self.far, relative, self.limits, self.budget);
             iterations += followed.iterations;
@@ -264,8 +269,11 @@ impl Shorter<'_> {
             }
             let mut next = Attempt::new(self.model, self.problem, followed, resolution, self.accuracy);
             let change = next.allow_for(&others, self.problem);
+            next.confirm_steps(wholes);
+            wholes.extend(next.whole());
             best = next;
-            if change <= relative {
+            let met = change <= relative && !best.misses_by_far();
+            if met || change > relative * LESS_AT_BEST.powi(MOST_SHORTER - tries) {
                 break;
             }
         }

@@ -37,7 +37,7 @@ impl StepCurve {
 
     /// From the first point of a segment to a solution at the label `to` of it.
     pub fn until(problem: &BeamProblem, segment: &PathSegment, to: f64, end: &Solution, ws: &mut Workspace) -> Self {
-        Self::between(problem, segment, [(0.0, &segment.first()), (to, end)], ws)
+        Self::between(problem, &mut segment.clone(), [(0.0, &segment.first()), (to, end)], ws)
     }
 
     /// The same in pieces, halved where one curve would not be certain of its work.
@@ -71,11 +71,11 @@ impl StepCurve {
         pieces
     }
 
-    /// Between two solutions at labels of a segment. Where a solution between cannot be found, the segment's own interpolants
-    /// stand in.
+    /// Between two solutions at labels of a segment, which takes in those that are found between them: where the force has a corner, each half
+    /// of a step begins from them. Where one cannot be found, the interpolants stand in that the segment has by itself.
     fn between(
         problem: &BeamProblem,
-        segment: &PathSegment,
+        known: &mut PathSegment,
         [(from, start), (to, end)]: [(f64, &Solution); 2],
         ws: &mut Workspace,
     ) -> Self {
@@ -84,13 +84,15 @@ impl StepCurve {
         let mut at = [(0.0, 0.0); NODES];
         let of = |o: &Observables| (o.displacement, o.force);
         (at[left], at[right]) = (of(&start.observables), of(&end.observables));
-        let (mut known, mut last) = (segment.clone(), from);
+        let middle = 0.5 * (from + to);
+        let [displacement, force] = [|o: &Observables| o.displacement, |o: &Observables| o.force]
+            .map(|pick: fn(&Observables) -> f64| known.observable(pick, middle));
+        let mut last = from;
         for (at, node) in at[..left].iter_mut().zip(basis.nodes) {
             let label = from + 0.5 * (1.0 + node) * (to - from);
-            let interpolated = |pick: fn(&Observables) -> f64| segment.observable(pick, 0.5 * (from + to)).at(label).0;
-            *at = match step_to(problem, &mut known, last, label, ROUGH, ws) {
+            *at = match step_to(problem, known, last, label, ROUGH, ws) {
                 Ok(solution) => of(&solution.observables),
-                Err(_) => (interpolated(|o| o.displacement), interpolated(|o| o.force)),
+                Err(_) => (displacement.at(label).0, force.at(label).0),
             };
             last = label;
         }

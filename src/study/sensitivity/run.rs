@@ -92,7 +92,7 @@ pub(super) fn solutions(peel: &Peel) -> Result<&SolutionHistory, NoSensitivities
 
 /// How a peel was discretised.
 pub(super) fn discretisation(peel: &Peel) -> Discretisation {
-    Discretisation { form: peel.choice.form, order: peel.effort.order, mesh: peel.choice.mesh }
+    Discretisation::moving(peel.choice.form, peel.effort.order).on(peel.choice.mesh)
 }
 
 /// How far beside the model a parameter is taken where the model itself has other unknowns than all beside it; what that changes is as small.

@@ -46,7 +46,7 @@ pub fn tip_curve(spatula: &PeelModel, accuracy: &Accuracy, pressed: f64) -> Resu
     let model = PeelModel { steps, ..spatula.clone() };
     let accuracy = &accuracy.fitted(&model);
     let resolution = Resolution::first(&model, accuracy);
-    let how = Discretisation { form: accuracy.choice.form, order: resolution.order, mesh: accuracy.choice.mesh };
+    let how = Discretisation::moving(accuracy.choice.form, resolution.order).on(accuracy.choice.mesh);
     let problem = prepared(&model, how, None).map_err(|failed| SpatulaCurveError::NoStart(failed.why))?.problem;
     let mut options = resolution.path_options(&model, accuracy.relative);
     options.elements = problem.initial(resolution.elements).mesh.elements();

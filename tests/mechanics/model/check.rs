@@ -5,7 +5,6 @@
 //! is to hear what a scene hears, and a Newton iteration on NaN says nothing.
 
 use peelkit::adhesion::{BodyShape, CohesiveShape, Heights, LineLoad, Ridge, Round, Sinusoid, Substrate};
-use peelkit::beam::MeshKind;
 use peelkit::model::{
     Attraction, Body, Discretisation, Form, Friction, Grip, Ground, Hold, MODEL_NUMBERS, Measured, ModelError,
     ModelErrorKind, NoSuchOrder, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Pull, Range, Space, Spatula,
@@ -337,11 +336,11 @@ fn what_does_not_fit_a_spatula() {
 #[test]
 fn orders_and_accuracies_that_there_are() {
     for (order, good) in [(0, false), (1, true), (8, true), (9, false)] {
-        let how = Discretisation { form: Form::TwoField, order, mesh: MeshKind::Moving };
+        let how = Discretisation::moving(Form::TwoField, order);
         let accuracy = Accuracy::default().with(Choice { order: Some(order), ..Choice::NOTHING });
         assert_eq!((how.check().is_ok(), accuracy.check().is_ok()), (good, good), "{order}");
     }
-    let how = Discretisation { form: Form::TwoField, order: 9, mesh: MeshKind::Moving };
+    let how = Discretisation::moving(Form::TwoField, 9);
     assert_eq!(how.check().unwrap_err().to_string(), "`accuracy.order` is 9, which is out of range");
     let strip = PeelModel::from(StripModel::of_the_paper(100.0, 1.0));
     for order in [0, 9] {

@@ -123,7 +123,7 @@ fn grips_drives_and_choices_are_read_as_they_were_written() {
         form: Form::ThreeField,
     };
     round_trip(&Accuracy { terms: Terms::Auto, ..Accuracy::to(1e-9 / 3.0).with(choice) });
-    round_trip(&Discretisation { form: Form::TwoField, order: 7, mesh: MeshKind::Graded });
+    round_trip(&Discretisation::moving(Form::TwoField, 7).on(MeshKind::Graded));
     round_trip(&RodModel {
         length: 10.0 / 3.0,
         section: Section { axial: 1e3, shear: 1e3, bending: 0.1 },

@@ -106,7 +106,7 @@ impl Switching<'_> {
         let model = PeelModel { space: Some(space), ..self.model.clone() };
         model.check().map_err(OutOfPlaneBranchError::NotInSpace)?;
         let accuracy = self.accuracy.fitted(&model);
-        let how = Discretisation { form: accuracy.choice.form, order: accuracy.order(), mesh: accuracy.choice.mesh };
+        let how = Discretisation::moving(accuracy.choice.form, accuracy.order()).on(accuracy.choice.mesh);
         let no_order = |_| OutOfPlaneBranchError::NotSwitched(crate::solve::SolveError::SingularGrip);
         model.discretised(how, |_| {}).map_err(no_order)
     }
