@@ -26,6 +26,7 @@ import threading
 import time
 from collections.abc import Callable
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
@@ -247,6 +248,14 @@ def test_a_lost_process_is_said_and_what_was_done_is_kept(scene: peelkit.Scene, 
             peelkit.sweep(scene, {"strip.length": np.linspace(90, 110, 200)}, processes, store=store, batch=2)
         killer.join()
     assert 6 <= (peelkit.read_sweep(store).end != "").sum() < 200
+
+
+def test_an_executor_that_is_broken_already_is_named(scene: peelkit.Scene) -> None:
+    with ProcessPoolExecutor(1, get_context("spawn")) as processes:
+        with pytest.raises(BrokenProcessPool):
+            processes.submit(os._exit, 1).result()
+        with pytest.raises(peelkit.PeelkitError, match="lost a worker"):
+            peelkit.sweep(scene, {"strip.length": [90.0, 100.0]}, processes)
 
 
 def _kill_when(store: Path, batches: int, pids: Callable[[], list[int]]) -> None:

@@ -6,6 +6,7 @@ import os
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
@@ -70,22 +71,27 @@ def _on_executor(executor: Executor, work: Work, batches: Iterator[Batch]) -> It
     try:
         while True:
             for batch in islice(batches, window - len(running)):
-                running[executor.submit(work, batch)] = batch
+                with _workers_are_there():
+                    running[executor.submit(work, batch)] = batch
             if not running:
                 return
             for future in wait(running, return_when=FIRST_COMPLETED).done:
-                yield running.pop(future), _result(future)
+                with _workers_are_there():
+                    found = future.result()
+                yield running.pop(future), found
     finally:
         # after an error or Ctrl-C nothing more is begun
         for future in running:
             future.cancel()
 
 
-def _result(future: Future[Table]) -> Table:
+@contextmanager
+def _workers_are_there() -> Iterator[None]:
+    """Says what to do where an executor has lost a worker: it says so where it is given a batch, or where asked for one."""
     from concurrent.futures import BrokenExecutor
 
     try:
-        return future.result()
+        yield
     except BrokenExecutor as error:
         raise PeelkitError(
             f"the executor has lost a worker: {error}",
