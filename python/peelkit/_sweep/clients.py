@@ -87,7 +87,7 @@ def _on_executor(executor: Executor, work: Work, batches: Iterator[Batch]) -> It
 
 @contextmanager
 def _workers_are_there() -> Iterator[None]:
-    """Says what to do where an executor has lost a worker: it says so where it is given a batch, or where asked for one."""
+    """Says what to do where an executor has lost a worker: where it is given a batch or asked for one."""
     from concurrent.futures import BrokenExecutor
 
     try:
