@@ -56,6 +56,7 @@ impl StressFreePlacement {
         let rest = VaryingReference::new(beam.clone(), law.rest_gap());
         let (touching, again) = contact(&rest, length, REACH * law.gap_scale());
         let rest_front = settled_front(beam, adhesion, touching);
+        // the same for meshes that move and that stay: a state goes from one to the other
         let along = |front: &Focus| ground.floor(front.length, MeshKind::Graded);
         let alike = front.first().and_then(along).map(|floor| (contact_extent(&rest, length, adhesion, ground), floor));
         let again = again.into_iter().zip(front.first().into_iter().cycle());

@@ -1,7 +1,8 @@
 //! Scenes of other kinds that failed: displacement-controlled tests, friction, ground that is not flat.
 //!
-//! Reference: what a scene can end in at all, and for the two that were known to 1e-4 and worse the numbers of the mesh that missed its bounds. Parameters:
-//! scenes of the sample of `peel verify`, seed 77, each named by its kind and number. Expected: each ends by a rule with a name; before, all failed at 1e-6.
+//! Reference: what a scene can end in at all; for the wave the numbers of the mesh that missed its bounds, for a whole cycle the work that it loses. Parameters:
+//! scenes of the sample of `peel verify`, seed 77, each named by its kind and number, and the strip on waves of `scenes/`. Expected: each ends by a rule with
+//! a name; before, all failed at 1e-6.
 
 use super::followed_again::ends_of;
 use peelkit::study::{Accuracy, PathEnd, StopCriteria, TestEnd, observed, peel};
@@ -18,7 +19,7 @@ fn work_and_energy_balance_across_a_corner_of_the_force() {
     ends_of(SampleKind::Observed, SEED, 24, "returned");
 }
 
-/// Stability is lost on a step of 2e-6 nm, four hundred millionths of the displacement.
+/// Stability is lost on a step of 2e-6 nm, where the displacement is 57 nm.
 #[test]
 fn stability_that_is_lost_on_a_very_short_step_is_located() {
     ends_of(SampleKind::Observed, SEED, 8, "closed");

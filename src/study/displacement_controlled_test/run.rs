@@ -33,7 +33,8 @@ const BALANCED: f64 = 1e-6;
 
 /// Most that fail in the plane, of two on each mesh.
 const MOST_FAILED: usize = 6;
-/// Those of them on meshes that move, and the least elements of the fixed one behind them.
+/// Those of them on the usual mesh, and on meshes that move; and the least elements of the fixed one behind them.
+const FAILED_AS_USUAL: usize = 2;
 const FAILED_ON_MOVING: usize = 4;
 const ON_FIXED: usize = 100;
 /// Further meshes on which a test in space may fail, with its paths followed warily and measured by the roll of the grip as well.
@@ -57,8 +58,8 @@ pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: 
         let mut test = Test::new(course);
         test.effort.elements = resolution.elements;
         test.effort.order = resolution.order;
-        let how = How::after(model, accuracy, failures);
-        match problem(model, &how, resolution.order) {
+        let how = How::after(model, accuracy, resolution.order, failures);
+        match problem(model, &how) {
             Ok(problem) => {
                 let machine = Machine {
                     problem: &problem,
@@ -107,39 +108,37 @@ pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: 
 /// How a test is followed.
 struct How {
     pace: Pace,
-    form: Form,
-    mesh: MeshKind,
-    fine: FineEnds,
+    discretisation: Discretisation,
 }
 
 impl How {
     /// Behind so many that failed. In the plane every mesh is watched before another one is tried. On the second and third the grip has small elements
     /// too: on the way back it may be pressed on the ground and adhere, as may a blister's end far from both, for which the third one
-    /// stays where it is. In space the first four are quick.
-    fn after(model: &PeelModel, accuracy: &Accuracy, failures: usize) -> Self {
+    /// stays where it is. In space the first four are quick. Without x the horizontal section force of a strip, where it has one, is a multiplier, and
+    /// the energy no minimum: such a strip is relaxed with all three unknowns.
+    fn after(model: &PeelModel, accuracy: &Accuracy, order: usize, failures: usize) -> Self {
         let Choice { form, mesh, .. } = accuracy.choice;
-        let followed = |pace, mesh, fine| Self { pace, form, mesh, fine };
-        match model.space {
-            Some(_) if failures >= MOST_FAILED_IN_SPACE => followed(Pace::Wary, mesh, FineEnds::Free),
-            Some(_) => followed(Pace::Quick, mesh, FineEnds::Free),
-            None => {
-                let pace = if failures % 2 == 1 { Pace::Watchful } else { Pace::Quick };
-                let mesh = if failures >= FAILED_ON_MOVING { MeshKind::Graded } else { mesh };
-                followed(pace, mesh, if failures >= 2 { FineEnds::Both } else { FineEnds::Free })
-            }
-        }
+        let form = if model.has_horizontal_force() { Form::ThreeField } else { form };
+        let usual = Discretisation::moving(form, order).on(mesh);
+        let pace = match model.space {
+            Some(_) if failures >= MOST_FAILED_IN_SPACE => Pace::Wary,
+            None if failures % 2 == 1 => Pace::Watchful,
+            _ => Pace::Quick,
+        };
+        let discretisation = match (model.space, failures) {
+            (Some(_), _) | (None, 0..FAILED_AS_USUAL) => usual,
+            (None, FAILED_AS_USUAL..FAILED_ON_MOVING) => Discretisation { fine: FineEnds::Both, ..usual },
+            (None, _) => Discretisation { fine: FineEnds::Both, ..usual.on(MeshKind::Graded) },
+        };
+        Self { pace, discretisation }
     }
 }
 
-/// The strip behind its spring. Without x its horizontal section force, where it has one, is a multiplier, and the energy no
-/// minimum: such a strip is relaxed with all three unknowns.
-fn problem(model: &PeelModel, how: &How, order: usize) -> Result<BeamProblem, NoEquilibrium> {
-    let How { pace, mesh, fine, .. } = *how;
-    let form = if model.has_horizontal_force() { Form::ThreeField } else { how.form };
+/// The strip behind its spring.
+fn problem(model: &PeelModel, how: &How) -> Result<BeamProblem, NoEquilibrium> {
     let compliance = model.grip.stiffness.map_or(0.0, f64::recip);
-    let how = Discretisation { fine, ..Discretisation::moving(form, order).on(mesh) };
-    let problem = prepared(model, how, None).map_err(|failed| failed.why)?.problem;
-    let measured = match pace {
+    let problem = prepared(model, how.discretisation, None).map_err(|failed| failed.why)?.problem;
+    let measured = match how.pace {
         Pace::Quick => problem,
         Pace::Wary | Pace::Watchful => problem.measured_beside(MeasuredBeside::Roll),
     };
@@ -408,8 +407,8 @@ impl Test {
                 if !stays(machine, limit, &relaxed.solution) {
                     break;
                 }
-                stayed = machine.is_equilibrium(&further).then_some(further);
-                if stayed.is_some() {
+                if machine.is_equilibrium(&further) {
+                    stayed = Some(further);
                     break;
                 }
             }

@@ -272,24 +272,24 @@ impl Attempt {
     /// Looks once more at all meshes, where nothing but its bounds makes a path a failure: it may have the same limit points on two of them, one with
     /// many more elements than the other. Bounds that do not explain by how much they differ there are widened.
     pub(super) fn confirm(&mut self, wholes: &[Whole]) {
-        if self.remembers || !matches!(self.failure(), Some(PathFailure::BoundsMissed { .. })) {
-            return;
-        }
-        let Peel { limit_points, effort, .. } = &mut self.peel;
-        let same: Vec<&Whole> = wholes.iter().filter(|other| other.agrees_with(limit_points)).collect();
-        let elements = || same.iter().map(|other| other.elements).chain([effort.elements]);
-        if elements().max() >= elements().min().map(|least| MANY_MORE * least) {
-            same.iter().for_each(|other| other.widen_unexplained(limit_points));
-            self.peel.tell_bounds();
-            self.beside = Beside::Confirmed;
+        if !self.remembers && matches!(self.failure(), Some(PathFailure::BoundsMissed { .. })) {
+            self.confirm_by(wholes, |least, most| most >= MANY_MORE * least);
         }
     }
 
     /// The same where material points remember: beside a path with other steps on another mesh, for whose difference its bounds allow.
     pub(super) fn confirm_steps(&mut self, wholes: &[Whole]) {
+        self.confirm_by(wholes, |least, most| most > least);
+    }
+
+    /// Confirms it by those that have the same limit points, where the least and the most elements of them and of its own mesh are so far apart.
+    fn confirm_by(&mut self, wholes: &[Whole], are_apart: fn(usize, usize) -> bool) {
         let Peel { limit_points, effort, .. } = &mut self.peel;
         let same: Vec<&Whole> = wholes.iter().filter(|other| other.agrees_with(limit_points)).collect();
-        if same.iter().any(|other| other.elements != effort.elements) {
+        let own = effort.elements;
+        let (least, most) =
+            same.iter().fold((own, own), |(a, b), other| (a.min(other.elements), b.max(other.elements)));
+        if are_apart(least, most) {
             same.iter().for_each(|other| other.widen_unexplained(limit_points));
             self.peel.tell_bounds();
             self.beside = Beside::Confirmed;

@@ -54,7 +54,7 @@ impl EnergyDensity<3> for BeamOnGround {
                 response.value_value[f][g] = response.value_value[f][g] + adhesion.tangent[f][g] * b;
             }
         }
-        // on a slope cos θ is not the tilt against the ground, and a fixed mesh needs no sharper front
+        // on a slope cos θ is not the tilt against the ground
         response.coverage = response.adhesion;
         response.coverage_by_value = adhesion.energy_gradient.map(|by| by * b);
         response
