@@ -176,6 +176,13 @@ impl PeelModel {
         Some(problem.with_beam(fine.beam))
     }
 
+    /// The same problem in the plane, discretised as `how` says, with further places where elements are small.
+    pub fn with_foci(&self, problem: &BeamProblem, how: Discretisation, foci: &[Focus]) -> Option<BeamProblem> {
+        let further = |beam: &mut PlanarBeam| beam.mesh.fixed_foci.extend(foci);
+        let finer = self.discretised(how, further).ok().filter(|_| self.space.is_none())?;
+        Some(problem.with_beam(finer.beam))
+    }
+
     /// Where its model ends on the way.
     fn limits(&self) -> ModelLimits {
         let one_force = self.has_horizontal_force() && self.ground.substrate.is_flat() && self.friction_law().is_none();

@@ -183,7 +183,12 @@ impl Resolution {
 
     /// Finer by this factor.
     pub(super) fn times(self, growth: f64) -> Self {
-        Self { elements: whole_bundles(self.elements as f64 * growth), ..self }
+        self.with_elements(self.elements as f64 * growth)
+    }
+
+    /// On so many elements, and what fills the last bundle.
+    pub(super) fn with_elements(self, elements: f64) -> Self {
+        Self { elements: whole_bundles(elements), ..self }
     }
 
     /// Finer, by what it takes to reduce an error of `worst` times the wanted one, which is of order 2p, and a first integral

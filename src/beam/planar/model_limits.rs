@@ -51,7 +51,6 @@ const LOOKS: usize = 24;
 /// Length of the elements over that of [`PoleInReach::Unresolved`] from which on two meshes may agree on a number that finer ones do not give: with 0.7 and
 /// 0.9 one was found wrong by 5e-5, with 0.3 none.
 const UNRESOLVED: f64 = 0.5;
-
 /// Where a state is upright, or nearly so, in the reach of a pole.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct UprightSection {
@@ -80,6 +79,13 @@ pub enum PoleInReach {
         /// Length of the element, nm
         element: f64,
     },
+    /// The pole draws the section upright: it softens a tilt by more than tension and bending hold.
+    Drawn {
+        /// cos θ where it comes nearest
+        cosine: f64,
+        /// cos θ below which the tilt softens by more, (2b|W|/(V + EI/y²))^⅓ with V the vertical force of the grip and y the section's height
+        held: f64,
+    },
     /// The section stands on a pressed edge, about which it turns to neither side.
     Edge {
         /// cos θ where it is nearest to upright
@@ -87,6 +93,13 @@ pub enum PoleInReach {
         /// Line moment to either side, nN
         moment: f64,
     },
+}
+
+impl UprightSection {
+    /// Whether the pole draws it upright.
+    pub const fn is_drawn(&self) -> bool {
+        matches!(self.pole, PoleInReach::Drawn { .. })
+    }
 }
 
 impl fmt::Display for UprightSection {
@@ -102,6 +115,11 @@ impl fmt::Display for UprightSection {
                 f,
                 "is so nearly upright, cos θ = {cosine:.1e}, that the energy of the near face alone, W/cos θ, bends the beam within {length:.2} nm, \
                  where elements are {element:.2} nm long"
+            ),
+            PoleInReach::Drawn { cosine, held } => write!(
+                f,
+                "is drawn upright by the energy of the near face alone, W/cos θ, which has no lower bound there: cos θ = {cosine:.1e}, and below \
+                 {held:.1e} it softens a tilt by more than tension and bending hold"
             ),
             PoleInReach::Edge { cosine, moment } => write!(
                 f,
@@ -193,8 +211,29 @@ impl PlanarBeam {
 
     /// The first section of a state, from the free end on, that is so nearly upright that the elements do not resolve a pole of the law.
     pub fn unresolved_section(&self, at: &State) -> Option<UprightSection> {
+        self.nearly_upright(at, UNRESOLVED).next()
+    }
+
+    /// The first section of a state, from the free end on, that the pole of its law draws upright.
+    pub fn drawn_section(&self, at: &State) -> Option<UprightSection> {
         let pole = self.limits.pole.as_ref()?;
-        self.elements_near_upright(at).find_map(|element| self.unresolved(&self.looks(at, element), pole))
+        let tension = self.grip_forces(at).vertical.max(0.0);
+        self.nearly_upright(at, 0.0).find_map(|section| {
+            let PoleInReach::Unresolved { cosine, length, .. } = section.pole else { return None };
+            let [bending, _] = (pole.section)(section.place);
+            let held_by = tension + bending / (section.height * section.height);
+            let softened = 2.0 * bending / (length * length);
+            let held = cosine * (softened / held_by).cbrt();
+            (softened > held_by).then_some(UprightSection { pole: PoleInReach::Drawn { cosine, held }, ..section })
+        })
+    }
+
+    /// The sections nearest to upright of elements that are longer than this many times the length over which the pole bends the beam there.
+    fn nearly_upright(&self, at: &State, longer: f64) -> impl Iterator<Item = UprightSection> {
+        let pole = self.limits.pole.as_ref();
+        let near = pole.map(|pole| self.elements_near_upright(at).map(move |element| (element, pole)));
+        let nearest = move |(element, pole)| self.nearest_to_upright(&self.looks(at, element), pole, longer);
+        near.into_iter().flatten().filter_map(nearest)
     }
 
     pub(super) fn elements_near_upright(&self, at: &State) -> impl Iterator<Item = usize> {
@@ -244,15 +283,16 @@ impl PlanarBeam {
         Some((UprightSection { place, height, pole: PoleInReach::Crossed { strength } }, strength))
     }
 
-    /// The section of an element that is nearest to upright on one side, where the pole is not resolved.
-    fn unresolved(&self, looks: &[[f64; 3]], pole: &UprightPole) -> Option<UprightSection> {
+    /// The section of an element that is nearest to upright on one side, where the element is longer than so many times the length over which the pole bends
+    /// the beam.
+    fn nearest_to_upright(&self, looks: &[[f64; 3]], pole: &UprightPole, longer: f64) -> Option<UprightSection> {
         let [place, axis, rotation] = *looks.iter().min_by(|a, b| a[2].cos().abs().total_cmp(&b[2].cos().abs()))?;
         let cosine = rotation.cos().abs();
         let one_sided = looks.iter().all(|look| look[2].cos().signum() == looks[0][2].cos().signum());
         let [bending, height, attraction] = self.pole_at(pole, place, axis);
         let length = (bending * cosine.powi(3) / attraction).sqrt();
         let element = looks[LOOKS][0] - looks[0][0];
-        (one_sided && element > UNRESOLVED * length).then_some(UprightSection {
+        (one_sided && element > longer * length).then_some(UprightSection {
             place,
             height,
             pole: PoleInReach::Unresolved { cosine, length, element },

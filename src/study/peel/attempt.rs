@@ -8,6 +8,7 @@ use super::solution_history::SolutionHistory;
 use super::special_points::{difference_at_start, error_at_start};
 use super::whole::{NO_ACCURACY, Whole};
 use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
+use crate::beam::{PoleInReach, UprightSection};
 use crate::model::{BeamProblem, PeelModel};
 use crate::solve::LimitPointKind;
 use crate::study::Accuracy;
@@ -140,17 +141,29 @@ impl Attempt {
         Some(Lost { displacement: newest.displacement, force: newest.force })
     }
 
+    /// The section that is so nearly upright that the elements do not resolve it, where the path ends at one.
+    pub(super) fn unresolved(&self) -> Option<UprightSection> {
+        match self.trouble {
+            Some(NearUpright(section)) if matches!(section.pole, PoleInReach::Unresolved { .. }) => Some(section),
+            _ => None,
+        }
+    }
+
     /// Whether nothing finer is needed, as where a path that cannot be continued ends with its model.
     pub(super) fn is_enough(&self) -> bool {
         let ends = matches!(self.beyond, Some(PathEnd::Upright(_) | PathEnd::Pivoting));
-        let stopped = ends && matches!(self.trouble, Some(Path(_)));
+        let stopped = match &self.trouble {
+            Some(Path(_)) => ends,
+            Some(NearUpright(section)) => section.is_drawn(),
+            _ => false,
+        };
         self.worst() <= 1.0 && self.spread <= 1.0 || stopped && self.difference <= 1.0
     }
 
     /// The end that its model gives to a path that cannot be continued.
     fn model_end(&self) -> Option<PathEnd> {
         let stopped = matches!(self.trouble, Some(Path(_) | TooManyPoints { .. } | NearUpright(_)));
-        self.beyond.clone().filter(|_| stopped)
+        self.beyond.clone().filter(|_| stopped && self.unresolved().is_none())
     }
 
     /// Whether its path is of no use: it stopped short, and its model gives it no end there.
@@ -174,7 +187,7 @@ impl Attempt {
                 attempt.peel.limit_points.iter().filter(|p| p.kind == LimitPointKind::Displacement).count()
             };
             // where the model ends, no finer mesh goes on
-            let named = |attempt: &Self| attempt.beyond.is_some();
+            let named = |attempt: &Self| attempt.beyond.is_some() && attempt.unresolved().is_none();
             (named(self), reached(self), best.difference) > (named(best), reached(best), self.difference)
         } else if met(self) && met(best) {
             self.spread <= best.spread

@@ -6,6 +6,7 @@ use super::attempt::Attempt;
 use super::budget::Budget;
 use super::equilibrium_path::follow;
 use super::lost::Lost;
+use super::nearly_upright::NearlyUpright;
 use super::step_dependence::Common;
 use super::whole::Whole;
 use super::{Effort, Failure, PathEnd, PathFailure, Peel};
@@ -82,6 +83,7 @@ pub(super) fn on_meshes(
         accuracy,
         start,
         collapsed,
+        how,
         far: model.line_law().cutoff_distance(),
         iterations: 0,
         unfinished: false,
@@ -145,6 +147,8 @@ struct Meshes<'r> {
     accuracy: &'r Accuracy,
     start: Option<&'r KnownStart>,
     collapsed: Collapsed,
+    /// How the beam is discretised.
+    how: Discretisation,
     far: f64,
     /// Newton iterations on all of them.
     iterations: usize,
@@ -179,6 +183,8 @@ impl Meshes<'_> {
             }
             _ => (problem, usize::MAX),
         };
+        let given = problem;
+        let (mut problem, mut upright) = (given.clone(), NearlyUpright::nowhere());
         let mut failed = 0;
         refined(first, most_elements(model), Attempt::is_better_than, |resolution, best: Option<&Attempt>| {
             let mut options = PathOptions { pace, ..resolution.path_options(model, accuracy.relative) };
@@ -186,10 +192,15 @@ impl Meshes<'_> {
                 options.first_displacement = known.first_displacement;
                 options.step_tolerance *= FROM_BRANCH_POINT;
             }
-            let followed = follow(problem, options, self.far, accuracy.relative, limits, self.budget);
+            let followed = follow(&problem, options, self.far, accuracy.relative, limits, self.budget);
             self.iterations += followed.iterations;
             self.budget.spend(followed.iterations, options.elements);
-            let attempt = Attempt::new(model, problem, followed, resolution, accuracy);
+            let mut attempt = Attempt::new(model, &problem, followed, resolution, accuracy);
+            let unresolved = attempt.unresolved();
+            let finer = unresolved.and_then(|at| upright.resolved((model, self.how), given, &at, resolution));
+            if let Some((finer, resolution)) = finer {
+                (problem, attempt.next) = (finer, resolution);
+            }
             let enough = accuracy.choice.elements.is_some()
                 || attempt.is_enough()
                 || best.is_some_and(|best| attempt.is_stuck_behind(best));

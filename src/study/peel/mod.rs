@@ -9,6 +9,7 @@ mod equilibrium_path;
 mod failure;
 mod lost;
 pub(super) mod meshes;
+mod nearly_upright;
 mod plateau;
 mod result;
 pub(super) mod run;

@@ -123,6 +123,7 @@ pub(in crate::study::peel) fn follow(
         (trouble, missing) => trouble.or(missing),
     };
     followed.end_at_unresolved(problem);
+    followed.end_where_drawn(problem);
     followed
 }
 

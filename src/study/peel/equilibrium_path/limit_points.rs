@@ -160,6 +160,19 @@ impl Followed {
         self.beyond = Some(PathEnd::Upright(section));
     }
 
+    /// Ends a path that stops with its model where the pole of its law draws a section upright, whatever the elements. What is held meets what is not at a
+    /// displacement limit point: before one is located nothing is drawn.
+    pub(super) fn end_where_drawn(&mut self, problem: &BeamProblem) {
+        let stops = matches!(self.trouble, Some(PathFailure::Path(_) | PathFailure::NearUpright(_)));
+        let turned = self.turns.iter().any(|turn| turn.0 == Displacement);
+        let last = self.points.last().filter(|last| stops && turned && last.slope.displacement < 0.0);
+        let drawn = last.and_then(|last| problem.beam.planar()?.drawn_section(&last.at));
+        if let Some(section) = drawn {
+            self.trouble = Some(PathFailure::NearUpright(section));
+            self.beyond = Some(PathEnd::Upright(section));
+        }
+    }
+
     /// Whether a failure lies on the way: where force or displacement differ from those of the last point by more than `relative`.
     pub(super) fn is_before_end(&self, failure: &PathFailure, relative: f64) -> bool {
         let (Some(after), Some(last)) = (failure.after(), self.points.last()) else { return false };
