@@ -122,8 +122,8 @@ How a path ends:
                what is still bonded is unstable under the horizontal force: its sections tilt, it wrinkles, or its free
                end turns up; the reason has the force and the critical one
   upright-section
-               far_face = false: a section stands at 90 degrees, where the energy W/cos θ has no lower bound, or is drawn there;
-               under other laws it stands on a pressed edge, where the energy has a corner
+               far_face = false: a section stands at 90 degrees, where the energy W/cos θ has no lower bound, or is
+               drawn there; under other laws it stands on a pressed edge, where the energy has a corner
   bound        a limit set under [bounds], or what path.until names, was reached
   refused      there is no stable state to start from, by a criterion that the reason names with its numbers
                (exit status 2)

@@ -214,8 +214,8 @@ impl PlanarBeam {
         self.nearly_upright(at, UNRESOLVED).next()
     }
 
-    /// The first section of a state, from the free end on, that the pole of its law draws upright.
-    pub fn drawn_section(&self, at: &State) -> Option<UprightSection> {
+    /// The first section of a state, from the free end on, that the pole of its law draws upright, and the same as one that is to be resolved.
+    pub fn drawn_section(&self, at: &State) -> Option<[UprightSection; 2]> {
         let pole = self.limits.pole.as_ref()?;
         let tension = self.grip_forces(at).vertical.max(0.0);
         self.nearly_upright(at, 0.0).find_map(|section| {
@@ -224,7 +224,8 @@ impl PlanarBeam {
             let held_by = tension + bending / (section.height * section.height);
             let softened = 2.0 * bending / (length * length);
             let held = cosine * (softened / held_by).cbrt();
-            (softened > held_by).then_some(UprightSection { pole: PoleInReach::Drawn { cosine, held }, ..section })
+            let drawn = UprightSection { pole: PoleInReach::Drawn { cosine, held }, ..section };
+            (softened > held_by).then_some([drawn, section])
         })
     }
 

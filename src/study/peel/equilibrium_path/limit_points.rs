@@ -161,13 +161,20 @@ impl Followed {
     }
 
     /// Ends a path that stops with its model where the pole of its law draws a section upright, whatever the elements. What is held meets what is not at a
-    /// displacement limit point: before one is located nothing is drawn.
+    /// displacement limit point: where a path stops before one is located, the elements do not resolve that section.
     pub(super) fn end_where_drawn(&mut self, problem: &BeamProblem) {
-        let stops = matches!(self.trouble, Some(PathFailure::Path(_) | PathFailure::NearUpright(_)));
         let turned = self.turns.iter().any(|turn| turn.0 == Displacement);
-        let last = self.points.last().filter(|last| stops && turned && last.slope.displacement < 0.0);
-        let drawn = last.and_then(|last| problem.beam.planar()?.drawn_section(&last.at));
-        if let Some(section) = drawn {
+        let (Some(beam), Some(last)) = (problem.beam.planar(), self.points.last()) else { return };
+        let section = match self.trouble {
+            Some(PathFailure::Path(_) | PathFailure::NearUpright(_)) if turned && last.slope.displacement < 0.0 => {
+                beam.drawn_section(&last.at).map(|[drawn, _]| drawn)
+            }
+            Some(PathFailure::Path(_)) if self.beyond.is_none() => {
+                beam.drawn_section(&last.at).map(|[_, nearly]| nearly)
+            }
+            _ => None,
+        };
+        if let Some(section) = section {
             self.trouble = Some(PathFailure::NearUpright(section));
             self.beyond = Some(PathEnd::Upright(section));
         }
