@@ -4,10 +4,10 @@
 //! differ by no more than both bounds.
 //!
 //! Parameters: seven scenes that random sampling from outside found. Of three strips with the near face alone, whose energy W/cos θ has no lower bound at 90
-//! degrees, a part hangs nearly upright from the grip: where tension and bending no longer hold it is the jump. Two of exponential laws are very slender; of the spatula the neck had one element on the mesh that was
-//! judged and on the one that judged it; of a strip that is pulled back the first
-//! maximum and minimum of the force lie on neighbouring steps. Expected: the same peak at every accuracy, within both bounds; of the laws
-//! and of the strips that hang, the jump as well, and the same end.
+//! degrees, a part hangs nearly upright from the grip: where tension and bending no longer hold it is the jump. Two of exponential laws are very slender;
+//! of the spatula the neck had one element on the mesh that was judged and on the one that judged it; of a strip that is pulled back the first maximum and
+//! minimum of the force lie on neighbouring steps. Expected: the same peak at every accuracy, within both bounds; of the laws and of the strips that hang,
+//! the jump as well, and of the latter the same end.
 
 use peelkit::study::{PathEnd, Peel, peel};
 use peelkit_scene::Scene;

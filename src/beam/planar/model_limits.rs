@@ -51,6 +51,7 @@ const LOOKS: usize = 24;
 /// Length of the elements over that of [`PoleInReach::Unresolved`] from which on two meshes may agree on a number that finer ones do not give: with 0.7 and
 /// 0.9 one was found wrong by 5e-5, with 0.3 none.
 const UNRESOLVED: f64 = 0.5;
+
 /// Where a state is upright, or nearly so, in the reach of a pole.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct UprightSection {

@@ -154,11 +154,7 @@ impl Attempt {
         let ends = matches!(self.beyond, Some(PathEnd::Upright(_) | PathEnd::Pivoting));
         let stopped = match &self.trouble {
             Some(Path(_)) => ends,
-            // what is drawn upright was held up to a displacement limit point
-            Some(NearUpright(section)) => {
-                section.is_drawn()
-                    && self.peel.limit_points.iter().any(|point| point.kind == LimitPointKind::Displacement)
-            }
+            Some(NearUpright(section)) => section.is_drawn(),
             _ => false,
         };
         self.worst() <= 1.0 && self.spread <= 1.0 || stopped && self.difference <= 1.0
