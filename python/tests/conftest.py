@@ -37,16 +37,22 @@ Command = Callable[..., dict[str, Any]]
 
 
 @pytest.fixture(scope="session")
-def command() -> Command:
-    """What the command `peel` of this build prints with --json, without what differs from run to run."""
+def executable() -> Path:
+    """The command `peel` of this build."""
     target = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
     given = os.environ.get("PEELKIT_COMMAND")
     peel = ROOT / given if given else target / "release" / "peel"
     if not given and not peel.exists():
         pytest.skip(f"{peel} is missing: cargo build --release -p peelkit-cli makes it")
+    return peel
+
+
+@pytest.fixture(scope="session")
+def command(executable: Path) -> Command:
+    """What the command prints with --json, without what differs from run to run."""
 
     def run(*arguments: object) -> dict[str, Any]:
-        words = [str(peel), *map(str, arguments)]
+        words = [str(executable), *map(str, arguments)]
         done = subprocess.run(words, capture_output=True, text=True, encoding="utf-8", cwd=ROOT)
         assert done.stdout, done.stderr
         found: dict[str, Any] = json.loads(done.stdout)

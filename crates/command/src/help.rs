@@ -304,10 +304,30 @@ Examples:
 /// Of `peel new --help`.
 pub const NEW_EXAMPLES: &str = "\
 Examples:
-  peel new                     writes strip.toml
+  peel new                     writes strip.toml, and peel.schema.json for an editor
   peel new mine                writes mine.toml
   peel new --kind spatula      writes spatula.toml
   peel new --list              names the kinds of scenes";
+
+pub const SCHEMA_EXAMPLES: &str = "\
+Examples:
+  peel schema                  writes peel.schema.json
+  peel schema -                prints it
+
+A scene of peel new names it in its first line, #:schema peel.schema.json. Editors with support for TOML, such as VS
+Code with Even Better TOML, then complete keys and words, show what a key means, and mark what is wrong.";
+
+pub const COMPLETIONS_EXAMPLES: &str = "\
+Examples:
+  peel completions bash > ~/.local/share/bash-completion/completions/peel
+  peel completions zsh > ~/.zfunc/_peel
+  peel completions fish > ~/.config/fish/completions/peel.fish
+  peel completions powershell >> $PROFILE";
+
+pub const MAN_EXAMPLES: &str = "\
+Examples:
+  peel man                          writes man/peel.1, man/peel-run.1 and the others
+  peel man ~/.local/share/man/man1  where man peel finds them";
 
 /// Of `peel verify --help`.
 pub fn verify() -> String {

@@ -20,15 +20,17 @@ mod output;
 mod plot;
 mod rate;
 mod run;
+mod schema;
 mod serve;
 mod seta;
+mod shell;
 mod stop;
 mod sweep;
 mod text_summary;
 mod uncertainty;
 mod verify;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use std::io::IsTerminal;
 use std::process::ExitCode;
 
@@ -56,6 +58,9 @@ enum Command {
     Plot(plot::Plot),
     Serve(serve::Serve),
     Figures(figures::Figures),
+    Schema(schema::Schema),
+    Completions(shell::Completions),
+    Man(shell::Man),
 }
 
 /// Reads the command line, does what it says, and turns what went wrong into a message and an exit status.
@@ -80,6 +85,9 @@ fn main() -> ExitCode {
         Command::Plot(args) => plot::plot(&args),
         Command::Serve(args) => serve::serve(&args),
         Command::Figures(args) => figures::figures(&args),
+        Command::Schema(args) => schema::schema(&args),
+        Command::Completions(args) => shell::completions(&args, Cli::command()),
+        Command::Man(args) => shell::man(&args, Cli::command()),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -2,11 +2,12 @@
 
 use crate::help;
 use crate::output::say;
+use crate::schema;
 use crate::stop::Stop;
 use clap::Args;
 use std::fs::{self, OpenOptions};
 use std::io::{ErrorKind, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Writes a commented scene as a template
 #[derive(Args)]
@@ -74,6 +75,13 @@ fn template(kind: &str) -> Result<&'static Template, Stop> {
     })
 }
 
+/// Writes what the first line of the scene names, which helps an editor with it.
+fn write_schema(path: &Path) -> Result<String, Stop> {
+    let shown = path.display();
+    fs::write(path, schema::text()).map_err(|error| Stop::other(format!("cannot write {shown}: {error}")))?;
+    Ok(format!("wrote {shown}, by which an editor completes and checks the scene\n"))
+}
+
 pub fn new(args: &New) -> Result<(), Stop> {
     if args.list {
         return say(&list());
@@ -94,10 +102,13 @@ pub fn new(args: &New) -> Result<(), Stop> {
         }
         opened => opened.map_err(cannot)?,
     };
-    if let Err(error) = file.write_all(template.text.as_bytes()) {
+    let text = format!("#:schema {}\n{}", schema::NAME, template.text);
+    if let Err(error) = file.write_all(text.as_bytes()) {
         // Half a scene is worse than none; the error is reported in either case.
         let _ = fs::remove_file(&path);
         return Err(cannot(error));
     }
-    say(&format!("wrote {shown}\nNext: peel run {shown}\n"))
+    let beside = path.with_file_name(schema::NAME);
+    let beside = if beside.exists() { String::new() } else { write_schema(&beside)? };
+    say(&format!("wrote {shown}\n{beside}Next: peel run {shown}\n"))
 }

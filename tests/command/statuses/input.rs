@@ -169,7 +169,7 @@ fn a_sweep_that_has_changed_nothing_says_so() {
 #[test]
 fn help_in_layers() {
     let dir = bench();
-    for command in ["run", "sweep", "collect", "plot", "accuracy", "verify", "new", "keys", "figures"] {
+    for command in ["run", "sweep", "collect", "plot", "accuracy", "verify", "new", "keys", "figures", "schema", "completions", "man"] {
         let help = peel(dir.path(), &[command, "-h"]).stdout;
         let (lines, widest) = (help.lines().count(), help.lines().map(|line| line.chars().count()).max());
         assert!(lines <= 24, "{command} -h has {lines} lines");
@@ -208,6 +208,42 @@ fn keys_are_listed_a_line_each() {
     keys(&["stripe"]).is_bad_input(&["stripe is not a table of a scene", "strip, spatula, profile"]);
 }
 
+/// Each key of a scene stands in the schema with its meaning; what it takes and refuses is judged by `python/tests/test_schema.py`.
+#[test]
+fn schema_describes_every_key() {
+    let dir = tempdir().unwrap();
+    let made = peel(dir.path(), &["schema"]);
+    assert_eq!((made.status, made.stderr.as_str()), (0, ""));
+    assert!(made.stdout.contains("#:schema peel.schema.json"), "{}", made.stdout);
+    let text = fs::read_to_string(dir.path().join("peel.schema.json")).unwrap();
+    let schema: serde_json::Value = serde_json::from_str(&text).unwrap();
+    for key in peelkit_scene::KEYS {
+        let table = if key.table.is_empty() { &schema } else { &schema["properties"][key.table] };
+        let about = table["properties"][key.name]["description"].as_str().unwrap_or_default();
+        assert!(about.starts_with(key.about), "{}: {about}", key.path());
+    }
+    assert_eq!(peel(dir.path(), &["schema", "no/such/folder/x"]).status, 1);
+}
+
+/// What the words of the command are is asked of clap; here, that each shell is given them and each command its page.
+#[test]
+fn shells_and_the_manual_are_served() {
+    let dir = tempdir().unwrap();
+    for shell in ["bash", "zsh", "fish", "powershell"] {
+        let made = peel(dir.path(), &["completions", shell]);
+        assert_eq!((made.status, made.stderr.as_str()), (0, ""), "{shell}");
+        assert!(["uncertainty", "out-of-plane"].iter().all(|word| made.stdout.contains(word)), "{shell}");
+    }
+    peel(dir.path(), &["completions", "cmd"]).is_bad_input(&["bash", "powershell"]);
+    assert_eq!(peel(dir.path(), &["man", "pages"]).status, 0);
+    for page in ["peel.1", "peel-run.1", "peel-uncertainty.1"] {
+        let text = fs::read_to_string(dir.path().join("pages").join(page)).unwrap();
+        assert!(text.contains(".SH"), "{page}");
+    }
+    fs::write(dir.path().join("file"), "").unwrap();
+    assert_eq!(peel(dir.path(), &["man", "file"]).status, 1);
+}
+
 #[test]
 fn new_names_its_kinds_and_writes_each() {
     let dir = tempdir().unwrap();
@@ -239,8 +275,13 @@ fn new_writes_a_scene_that_is_right_and_overwrites_nothing() {
         assert_eq!((made.status, made.stderr.as_str()), (0, ""));
         assert!(made.stdout.contains(file), "{}", made.stdout);
         let text = fs::read_to_string(dir.path().join(file)).unwrap();
-        assert_eq!(text, include_str!("../../../scenes/strip.toml"));
+        assert_eq!(text, format!("#:schema peel.schema.json\n{}", include_str!("../../../scenes/strip.toml")));
     }
+    let schema = fs::read_to_string(dir.path().join("peel.schema.json")).unwrap();
+    assert_eq!(schema, peel(dir.path(), &["schema", "-"]).stdout);
+    fs::write(dir.path().join("peel.schema.json"), "{}").unwrap();
+    assert!(!new(&["another"]).stdout.contains("wrote peel.schema.json"));
+    assert_eq!(fs::read_to_string(dir.path().join("peel.schema.json")).unwrap(), "{}");
     fs::write(dir.path().join("mine.toml"), "kept").unwrap();
     for name in ["mine", "mine.toml"] {
         new(&[name]).is_bad_input(&["mine.toml exists", "peel new NAME"]);

@@ -1,5 +1,6 @@
 //! What a key takes, and where in a scene its value goes.
 
+use crate::form::Form;
 use crate::scene::Scene;
 use crate::value::quantity::Dimension;
 use crate::value::{Fault, Value};
@@ -23,6 +24,8 @@ pub struct Setting {
     pub takes: &'static str,
     /// The same as a list of keys shows it
     pub brief: &'static str,
+    /// What its value looks like
+    pub form: fn() -> Form,
     /// A value that is right, as it stands in a scene
     pub example: &'static str,
     /// Puts a value into the scene

@@ -2,10 +2,12 @@
 
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions};
 use super::{Key, Kind, Need};
+use crate::form::Form;
 use crate::scene::Scene;
 use crate::shape;
+use crate::value::pieces::PIECE;
 use crate::value::quantity::Dimension;
-use crate::value::{Value, show};
+use crate::value::{Value, show, steps};
 use peelkit::model::{Range, angle_text};
 use peelkit::study::FollowedUntil;
 
@@ -77,6 +79,22 @@ impl Key {
             Kind::Steps(_) => "list of texts".into(),
             Kind::Setting(setting) => setting.brief.into(),
             _ => self.choices().join(", "),
+        }
+    }
+
+    /// What its value looks like.
+    pub fn form(&self) -> Form {
+        match self.kind {
+            Kind::Text(_) | Kind::Table(_) | Kind::Heights(_) => Form::Text,
+            Kind::Number(range, _) | Kind::Share(range, _) => Form::Number(range),
+            Kind::Measure(dimension, range, _) => Form::Quantity(dimension, range),
+            Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => Form::Quantity(dimension, Range::Positive),
+            Kind::Count(most, _) | Kind::Fixed(most, _) => Form::Whole(1.0, most as f64),
+            Kind::Flag(_) | Kind::InSpace => Form::Flag,
+            Kind::Pieces(_) => Form::list(Form::Table(PIECE)),
+            Kind::Steps(_) => Form::list(Form::Step(steps::WORDS)),
+            Kind::Setting(setting) => (setting.form)(),
+            _ => Form::Word(self.choices()),
         }
     }
 

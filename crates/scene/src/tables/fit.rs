@@ -1,6 +1,7 @@
 //! What of a scene is fitted to a measured curve, and how: the table `fit`.
 
 use crate::error::{ValueError, one_line};
+use crate::form::Form;
 use crate::key::{Key, Setting};
 use crate::keys::find_key;
 use crate::near::nearest;
@@ -42,6 +43,7 @@ pub(crate) static PARAMETERS: Setting = Setting {
             from 1 GPa to 5 GPa\"",
     brief: "list of texts",
     example: "[\"strip.youngs_modulus from 1 GPa to 5 GPa\"]",
+    form: || Form::list(Form::OfKey),
     read: |scene, value| {
         let Value::List(items) = value else { return Err(Fault::whole(format!("is {value}, no list"))) };
         of(scene).parameters = read(items)?;
@@ -55,6 +57,7 @@ pub(crate) static LOSS: Setting = Setting {
     takes: "\"squares\", \"huber\" or \"soft-l1\"",
     brief: "one of three words",
     example: "\"huber\"",
+    form: || Form::word(LOSSES),
     read: |scene, value| {
         of(scene).options.loss = picked(LOSSES, value)?;
         Ok(())
@@ -67,6 +70,7 @@ pub(crate) static PROFILE: Setting = Setting {
     takes: "\"poor\" (of those that are poorly determined), \"all\" or \"none\"",
     brief: "poor, all, none",
     example: "\"all\"",
+    form: || Form::word(PROFILES),
     read: |scene, value| {
         of(scene).options.profile = picked(PROFILES, value)?;
         Ok(())

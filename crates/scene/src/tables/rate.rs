@@ -3,6 +3,7 @@
 use super::seta::SetaTable;
 use super::tips::SetaTipLaw;
 use crate::error::{Origin, SceneError, ValueError};
+use crate::form::Form;
 use crate::key::Setting;
 use crate::scene::Scene;
 use crate::value::{Fault, Value, quoted};
@@ -40,6 +41,7 @@ pub(crate) static MATERIAL: Setting = Setting {
     takes: "\"elastic\", \"kelvin-voigt\" or \"standard-linear-solid\"",
     brief: "one of three words",
     example: "\"elastic\"",
+    form: || Form::word(&FLOWS),
     read: |scene, value| {
         let Value::Text(text) = value else { return Err(Fault::whole(format!("is {value}, no word"))) };
         let found = FLOWS.iter().find(|(word, _)| word == text);

@@ -2,6 +2,7 @@
 
 use super::seta::{SetaTable, of};
 use crate::error::ValueError;
+use crate::form::Form;
 use crate::key::Setting;
 use crate::value::{Fault, Value, quoted};
 
@@ -29,6 +30,7 @@ pub(crate) static TIP_LAW: Setting = Setting {
     takes: "\"curve\", the normal pull of their spatula, or \"table\", its force and moment at any height and rotation",
     brief: "curve, table",
     example: "\"table\"",
+    form: || Form::word(&LAWS),
     read: |scene, value| {
         let word = text(value)?;
         let found = LAWS.iter().find(|(name, _)| *name == word);
@@ -47,6 +49,7 @@ pub(crate) static TIP_TABLE: Setting = Setting {
     takes: "the name of a folder in quotes that `peel coarsen` has written, beside the scene; without it the run computes the table",
     brief: "a folder",
     example: "\"out/spatula-tip\"",
+    form: || Form::Text,
     read: |scene, value| {
         let folder = text(value)?;
         if folder.trim().is_empty() {

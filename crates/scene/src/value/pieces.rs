@@ -4,17 +4,26 @@ use super::quantity::Dimension;
 use super::steps::quantity;
 use super::{Fault, Value};
 use crate::error::one_line;
+use crate::form::{Entry, Form};
 use crate::near::nearest;
-use peelkit::model::{Piece, ProfilePieces, Transition, angle_text};
+use peelkit::model::{Piece, ProfilePieces, Range, Transition, angle_text};
 
 /// What a list of pieces takes.
 pub(crate) const TAKES: &str = "a list of pieces from the free end on, each with length, width and height and, optionally, roundness (0: rectangle, 1: \
                                 ellipse), bend (rotation of the underside along the piece), course and height_course (\"linear\" or \"smooth\"); width, height and \
                                 roundness are one value, or two: at the beginning and at the end";
 
-/// The keys of a piece; the first three it has to have.
-const NAMES: [&str; 7] = ["length", "width", "height", "roundness", "bend", "course", "height_course"];
-const NEEDED: usize = 3;
+/// The keys of a piece.
+pub(crate) const PIECE: &[Entry] = &[
+    Entry::needed("length", || POSITIVE),
+    Entry::needed("width", || Form::AtBothEnds(Box::new(POSITIVE))),
+    Entry::needed("height", || Form::AtBothEnds(Box::new(POSITIVE))),
+    Entry::optional("roundness", || Form::AtBothEnds(Box::new(Form::Number(Range::From(0.0, 1.0))))),
+    Entry::optional("bend", || Form::Quantity(Dimension::Angle, Range::SHAFT_ANGLE)),
+    Entry::optional("course", || Form::word(&COURSES)),
+    Entry::optional("height_course", || Form::word(&COURSES)),
+];
+const POSITIVE: Form = Form::Quantity(Dimension::Length, Range::Positive);
 const COURSES: [(&str, Transition); 2] = [("linear", Transition::Linear), ("smooth", Transition::Smooth)];
 
 /// Reads the pieces of a list.
@@ -34,13 +43,15 @@ pub(crate) fn read(items: &[Value]) -> Result<ProfilePieces, Fault> {
 
 /// Reads one from its keys.
 fn one(entries: &[(String, Value)]) -> Result<Piece, String> {
-    if let Some((name, _)) = entries.iter().find(|(name, _)| !NAMES.contains(&name.as_str())) {
-        let guess = nearest(name, NAMES).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
-        return Err(format!("the key `{}`, which is none of {}{guess}", one_line(name), NAMES.join(", ")));
+    let names: Vec<&str> = PIECE.iter().map(|entry| entry.name).collect();
+    if let Some((name, _)) = entries.iter().find(|(name, _)| !names.contains(&name.as_str())) {
+        let near = nearest(name, names.iter().copied());
+        let guess = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+        return Err(format!("the key `{}`, which is none of {}{guess}", one_line(name), names.join(", ")));
     }
     let given = |name: &str| entries.iter().find(|(given, _)| given == name).map(|(_, value)| value);
-    if let Some(name) = NAMES[..NEEDED].iter().find(|name| given(name).is_none()) {
-        return Err(format!("no `{name}`"));
+    if let Some(entry) = PIECE.iter().find(|entry| entry.needed && given(entry.name).is_none()) {
+        return Err(format!("no `{}`", entry.name));
     }
     // what a key holds, or its default
     fn of<T>(
@@ -119,7 +130,7 @@ pub(crate) fn written(pieces: &ProfilePieces) -> Value {
             word(piece.course),
             word(piece.height_course),
         ];
-        Value::Table(NAMES.iter().map(|&name| name.to_owned()).zip(values).collect())
+        Value::Table(PIECE.iter().map(|entry| entry.name.to_owned()).zip(values).collect())
     };
     Value::List(pieces.pieces().iter().map(piece).collect())
 }

@@ -1,6 +1,6 @@
 //! A number with its unit, as a user writes it: "100 nm", "2 GPa", "1e-19 J".
 
-use super::unit::{Powers, Unit, is_not_metric};
+use super::unit::{self, Powers, Unit, is_not_metric};
 use std::fmt;
 
 /// What a quantity measures; each has one unit inside the library.
@@ -65,6 +65,11 @@ impl Dimension {
             Self::Velocity => &["m/s", "mm/s", "um/s", "nm/s"],
             Self::Density => &["kg/m3", "g/cm3"],
         }
+    }
+
+    /// A regular expression of its units, as far as one can tell them from others.
+    pub(crate) fn pattern(self) -> String {
+        unit::pattern(self.powers())
     }
 
     /// The unit that a person most likely means who writes none.

@@ -12,6 +12,9 @@ const ANGLES: [Word; 3] = [("turn", Step::Turn), ("roll", Step::Roll), ("yaw", S
 /// For one that takes neither.
 const ALONE: [(&str, Step); 2] = [("release", Step::Release), ("hold", Step::Hold)];
 
+/// The words that a step begins with.
+pub(crate) const WORDS: &[&str] = &["press", "lift", "drag", "push", "shift", "turn", "roll", "yaw", "release", "hold"];
+
 /// What a list of steps takes.
 pub(crate) const TAKES: &str = "a list of steps, each a text: \"press 2 nm\", \"lift 2 nm\", \"drag 2 nm\", \"push 2 nm\", \"turn 20 deg\", \"release\" or \"hold\"; in space also \"shift 2 nm\", \"roll 20 deg\" or \"yaw 20 deg\"";
 
@@ -38,7 +41,8 @@ fn one(text: &str) -> Result<Step, String> {
     if let Some(step) = of(&LENGTHS) {
         return checked(step(quantity(amount, Dimension::Length, "whose word is not followed by a length")?));
     }
-    Err("which does not begin with press, lift, drag, push, shift, turn, roll, yaw, release or hold".into())
+    let (last, others) = WORDS.split_last().expect("there are such words");
+    Err(format!("which does not begin with {} or {last}", others.join(", ")))
 }
 
 /// The step, if it is one.

@@ -128,6 +128,23 @@ impl Unit {
     }
 }
 
+/// A regular expression of units of these powers: those with a name of their own, and every product, whose powers no expression counts.
+pub(super) fn pattern(powers: Powers) -> String {
+    let of = |chosen: &dyn Fn(&Unit) -> bool| {
+        let named = |prefixed: Prefixed| -> Vec<&str> {
+            UNITS.iter().filter(|(_, takes, unit)| *takes == prefixed && chosen(unit)).map(|(name, ..)| *name).collect()
+        };
+        let prefixes: String = PREFIXES.iter().map(|(prefix, _)| prefix).collect();
+        let with = named(Prefixed::Yes);
+        let with = (!with.is_empty()).then(|| format!("[{prefixes}]?(?:{})", with.join("|")));
+        with.into_iter().chain(named(Prefixed::No).into_iter().map(str::to_owned)).collect::<Vec<_>>().join("|")
+    };
+    let factor = format!("(?:{})(?:\\^?[-⁻]?[0-9⁰¹²³⁴-⁹]+)?", of(&|_| true));
+    let product = format!("{factor}(?:[ ·⋅*/]+{factor})+");
+    let named = of(&|unit| unit.powers == powers);
+    if named.is_empty() { format!("(?:{product})") } else { format!("(?:{named}|{product})") }
+}
+
 /// Whether a part of this unit is one that is not metric.
 pub(super) fn is_not_metric(text: &str) -> bool {
     let mut parts = text.split(['/', ' ', '·', '*']).map(str::trim);

@@ -2,10 +2,25 @@
 
 use super::{FreeKey, FreeProfile};
 use crate::error::one_line;
+use crate::form::{Entry, Form};
 use crate::key::Key;
 use crate::keys::find_key;
 use crate::value::quantity::{Dimension, parse_quantity};
 use crate::value::{Fault, Value, quoted};
+use peelkit::model::Range;
+
+/// The entries of a free key.
+pub(super) const FREE_KEY: &[Entry] = &[
+    Entry::needed("key", || Form::OfKey),
+    Entry::needed("from", || Form::OfItsKey),
+    Entry::needed("to", || Form::OfItsKey),
+];
+/// Those of a profile.
+pub(super) const FREE_PROFILE: &[Entry] = &[
+    Entry::needed("from", || Form::Quantity(Dimension::Length, Range::Positive)),
+    Entry::needed("to", || Form::Quantity(Dimension::Length, Range::Positive)),
+    Entry::optional("slope", || Form::Number(Range::Positive)),
+];
 
 /// One of several words.
 pub(super) fn word<T: Copy>(value: &Value, words: &[(&'static str, T)]) -> Result<T, Fault> {
@@ -55,7 +70,8 @@ pub(super) fn keys(value: &Value) -> Result<Vec<FreeKey>, Fault> {
 }
 
 /// The value of one of the names that a table may have.
-fn entry<'v>(entries: &'v [(String, Value)], names: &[&str], wanted: &str) -> Result<Option<&'v Value>, String> {
+fn entry<'v>(entries: &'v [(String, Value)], known: &[Entry], wanted: &str) -> Result<Option<&'v Value>, String> {
+    let names: Vec<&str> = known.iter().map(|entry| entry.name).collect();
     match entries.iter().find(|(name, _)| !names.contains(&name.as_str())) {
         Some((name, _)) => Err(format!("`{}`, which is none of {}", one_line(name), names.join(", "))),
         None => Ok(entries.iter().find(|(name, _)| name == wanted).map(|(_, value)| value)),
@@ -63,7 +79,7 @@ fn entry<'v>(entries: &'v [(String, Value)], names: &[&str], wanted: &str) -> Re
 }
 
 fn free_key(entries: &[(String, Value)]) -> Result<FreeKey, String> {
-    let given = |name: &str| entry(entries, &["key", "from", "to"], name)?.ok_or_else(|| format!("no `{name}`"));
+    let given = |name: &str| entry(entries, FREE_KEY, name)?.ok_or_else(|| format!("no `{name}`"));
     let path = match given("key")? {
         Value::Text(text) => text.trim(),
         value => return Err(format!("`key` = {value}, no text in quotes")),
@@ -95,7 +111,7 @@ fn number(key: &Key, name: &str, value: &Value) -> Result<f64, String> {
 /// The bounds of a profile.
 pub(super) fn profile(value: &Value) -> Result<FreeProfile, Fault> {
     let Value::Table(entries) = value else { return Err(Fault::whole(format!("is {value}"))) };
-    let given = |name: &str| entry(entries, &["from", "to", "slope"], name);
+    let given = |name: &str| entry(entries, FREE_PROFILE, name);
     let length = |name: &str| {
         let value = given(name)?.ok_or_else(|| format!("no `{name}`"))?;
         measure(value, Dimension::Length).map_err(|found| format!("`{name}` = {found}"))

@@ -1,10 +1,13 @@
 //! The keys of the table: what each takes, and how it is read and written.
 
-use super::read::{angle, keys, profile, whole, word, written_key, written_profile};
+use super::read::{FREE_KEY, FREE_PROFILE, angle, keys, profile, whole, word, written_key, written_profile};
 use super::{OptimisationTable, VolumeRule, of};
+use crate::form::Form;
 use crate::key::Setting;
 use crate::scene::Scene;
+use crate::value::quantity::Dimension;
 use crate::value::{Fault, Value};
+use peelkit::model::Range;
 use peelkit::study::PeelQuantity;
 use peelkit::study::optimisation::{Goal, ProfileDesign, SearchMethod};
 
@@ -33,6 +36,7 @@ pub(crate) static OBJECTIVE: Setting = Setting {
     takes: "a number of a peel, by its name in summary.json, such as \"initiation_peak.force_nN\" or \"first_jump.work_aJ\"",
     brief: "a result",
     example: "\"initiation_peak.force_nN\"",
+    form: || Form::Word(PeelQuantity::ALL.map(|quantity| quantity.name()).to_vec()),
     read: |scene, value| {
         let words = PeelQuantity::ALL.map(|quantity| (quantity.name(), quantity));
         of(scene).objective = Some(word(value, &words)?);
@@ -46,6 +50,7 @@ pub(crate) static GOAL: Setting = Setting {
     takes: "\"maximise\" or \"minimise\"",
     brief: "maximise, minimise",
     example: "\"minimise\"",
+    form: || Form::word(GOALS),
     read: |scene, value| {
         of(scene).goal = word(value, GOALS)?;
         Ok(())
@@ -59,6 +64,7 @@ pub(crate) static HOLDING_ANGLE: Setting = Setting {
             its values at the two angles of the pull",
     brief: "0 deg to 180 deg",
     example: "\"30 deg\"",
+    form: || Form::Quantity(Dimension::Angle, Range::PULL_ANGLE),
     read: |scene, value| {
         of(scene).holding_angle = Some(angle(value)?);
         Ok(())
@@ -71,6 +77,7 @@ pub(crate) static RELEASE_ANGLE: Setting = Setting {
     takes: "an angle with its unit in quotes (deg, rad), from 0 to 180 degrees; it needs holding_angle",
     brief: "0 deg to 180 deg",
     example: "\"120 deg\"",
+    form: || Form::Quantity(Dimension::Angle, Range::PULL_ANGLE),
     read: |scene, value| {
         of(scene).release_angle = Some(angle(value)?);
         Ok(())
@@ -87,6 +94,7 @@ pub(crate) static PARAMETERS: Setting = Setting {
     takes: "a list of tables, each with the `key` of a number of the scene and its bounds `from` and `to`",
     brief: "list of tables",
     example: "[{ key = \"strip.youngs_modulus\", from = \"0.1 GPa\", to = \"10 GPa\" }]",
+    form: || Form::list(Form::Table(FREE_KEY)),
     read: |scene, value| {
         of(scene).parameters = keys(value)?;
         Ok(())
@@ -100,6 +108,7 @@ pub(crate) static WIDTH: Setting = Setting {
             width from value to value over their distance",
     brief: "a table",
     example: "{ from = \"5 nm\", to = \"20 nm\", slope = 0.2 }",
+    form: || Form::Table(FREE_PROFILE),
     read: |scene, value| {
         of(scene).width = Some(profile(value)?);
         Ok(())
@@ -113,6 +122,7 @@ pub(crate) static HEIGHT: Setting = Setting {
             smoothness, `slope`, the largest change of the height from value to value over their distance",
     brief: "a table",
     example: "{ from = \"2 nm\", to = \"10 nm\", slope = 0.1 }",
+    form: || Form::Table(FREE_PROFILE),
     read: |scene, value| {
         of(scene).height = Some(profile(value)?);
         Ok(())
@@ -125,6 +135,7 @@ pub(crate) static VALUES: Setting = Setting {
     takes: "a whole number from 5 to 40",
     brief: "5 to 40, whole",
     example: "10",
+    form: || Form::Whole(*ProfileDesign::VALUES.start() as f64, *ProfileDesign::VALUES.end() as f64),
     read: |scene, value| {
         let range = ProfileDesign::VALUES;
         of(scene).values = whole(value, *range.start(), *range.end())?;
@@ -138,6 +149,7 @@ pub(crate) static VOLUME: Setting = Setting {
     takes: "\"equal\" or \"at-most\", to that of the scene, or \"free\"; without it \"equal\" with a profile and \"free\" without",
     brief: "equal, at-most, free",
     example: "\"equal\"",
+    form: || Form::word(VOLUMES),
     read: |scene, value| {
         of(scene).volume = Some(word(value, VOLUMES)?);
         Ok(())
@@ -150,6 +162,7 @@ pub(crate) static METHOD: Setting = Setting {
     takes: "\"quasi-newton\" (without constraints), \"sequential-quadratic\" or \"derivative-free\"",
     brief: "quasi-newton, sequential-quadratic, derivative-free",
     example: "\"derivative-free\"",
+    form: || Form::word(METHODS),
     read: |scene, value| {
         of(scene).method = Some(word(value, METHODS)?);
         Ok(())
@@ -162,6 +175,7 @@ pub(crate) static STARTS: Setting = Setting {
     takes: "a whole number from 1 to 1000",
     brief: "1 to 1000, whole",
     example: "4",
+    form: || Form::Whole(1.0, MOST_STARTS as f64),
     read: |scene, value| {
         of(scene).starts = whole(value, 1, MOST_STARTS)?;
         Ok(())
@@ -174,6 +188,7 @@ pub(crate) static EVALUATIONS: Setting = Setting {
     takes: "a whole number from 1 to 1e5",
     brief: "1 to 1e5, whole",
     example: "50",
+    form: || Form::Whole(1.0, MOST_EVALUATIONS as f64),
     read: |scene, value| {
         of(scene).evaluations = whole(value, 1, MOST_EVALUATIONS)?;
         Ok(())
@@ -186,6 +201,7 @@ pub(crate) static NEIGHBOURS: Setting = Setting {
     takes: "a whole number from 0 to 1e5",
     brief: "0 to 1e5, whole",
     example: "20",
+    form: || Form::Whole(0.0, MOST_EVALUATIONS as f64),
     read: |scene, value| {
         of(scene).neighbours = whole(value, 0, MOST_EVALUATIONS)?;
         Ok(())
@@ -198,6 +214,7 @@ pub(crate) static SEED_OF_STARTS: Setting = Setting {
     takes: "a whole number from 0 to 2^53",
     brief: "0 to 2^53, whole",
     example: "1",
+    form: || Form::Whole(0.0, LARGEST_SEED as f64),
     read: |scene, value| {
         of(scene).seed = whole(value, 0, LARGEST_SEED)? as u64;
         Ok(())
@@ -210,6 +227,7 @@ pub(crate) static CHECK: Setting = Setting {
     takes: "true or false",
     brief: "true, false",
     example: "true",
+    form: || Form::Flag,
     read: |scene, value| match value {
         Value::Flag(flag) => {
             of(scene).check = *flag;

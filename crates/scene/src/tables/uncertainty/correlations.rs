@@ -2,7 +2,15 @@
 
 use super::CorrelatedKeys;
 use crate::error::one_line;
+use crate::form::{Entry, Form};
 use crate::value::{Fault, Value};
+use peelkit::model::Range;
+
+/// The entries of a correlation.
+pub(super) const ENTRIES: &[Entry] = &[
+    Entry::needed("keys", || Form::list(Form::OfKey)),
+    Entry::needed("coefficient", || Form::Number(Range::From(-1.0, 1.0))),
+];
 
 /// Reads the correlations of a list.
 pub(super) fn read(items: &[Value]) -> Result<Vec<CorrelatedKeys>, Fault> {
@@ -18,7 +26,7 @@ pub(super) fn read(items: &[Value]) -> Result<Vec<CorrelatedKeys>, Fault> {
 }
 
 fn one(entries: &[(String, Value)]) -> Result<CorrelatedKeys, String> {
-    if let Some((name, _)) = entries.iter().find(|(name, _)| !["keys", "coefficient"].contains(&name.as_str())) {
+    if let Some((name, _)) = entries.iter().find(|(name, _)| ENTRIES.iter().all(|entry| entry.name != name)) {
         return Err(format!("`{}`, which it does not have: it has keys and coefficient", one_line(name)));
     }
     let given = |name: &str| entries.iter().find(|(given, _)| given == name).map(|(_, value)| value);

@@ -2,10 +2,12 @@
 
 use super::UncertainKey;
 use crate::error::one_line;
+use crate::form::{Entry, Form};
 use crate::key::Key;
 use crate::keys::find_key;
 use crate::near::nearest;
 use crate::value::{Fault, Value, quoted};
+use peelkit::model::Range;
 use peelkit::study::uncertainty::Distribution;
 
 /// The distributions: what each needs, and which of that is the value of the scene where it is left out.
@@ -14,6 +16,19 @@ const KINDS: [(&str, &[&str], Option<&str>); 4] = [
     ("lognormal", &["median", "log_deviation"], Some("median")),
     ("uniform", &["from", "to"], None),
     ("triangular", &["from", "mode", "to"], Some("mode")),
+];
+
+/// What an input may hold, whatever its distribution.
+pub(super) const ENTRIES: &[Entry] = &[
+    Entry::needed("key", || Form::OfKey),
+    Entry::needed("distribution", || Form::Word(KINDS.map(|(name, ..)| name).to_vec())),
+    Entry::optional("mean", || Form::OfItsKey),
+    Entry::optional("deviation", || Form::OfItsKey),
+    Entry::optional("median", || Form::OfItsKey),
+    Entry::optional(PLAIN, || Form::Number(Range::Positive)),
+    Entry::optional("from", || Form::OfItsKey),
+    Entry::optional("mode", || Form::OfItsKey),
+    Entry::optional("to", || Form::OfItsKey),
 ];
 
 /// Of a logarithm, and so without a unit.

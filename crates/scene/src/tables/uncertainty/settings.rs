@@ -1,6 +1,7 @@
 //! The keys of the table: what each takes, and how it is read and written.
 
 use super::{correlations, inputs, of};
+use crate::form::Form;
 use crate::key::Setting;
 use crate::near::nearest;
 use crate::scene::Scene;
@@ -21,6 +22,7 @@ pub(crate) static INPUTS: Setting = Setting {
     brief: "list of tables",
     example: "[{ key = \"strip.height\", distribution = \"normal\", mean = \"10 nm\", deviation = \"0.5 nm\" }, { key = \"strip.width\", distribution = \
               \"lognormal\", median = \"1 nm\", log_deviation = 0.1 }]",
+    form: || Form::list(Form::Table(inputs::ENTRIES)),
     read: |scene, value| {
         of(scene).inputs = inputs::read(list(value)?)?;
         Ok(())
@@ -34,6 +36,7 @@ pub(crate) static CORRELATIONS: Setting = Setting {
             inputs that are not normal it is that of the normal numbers behind them",
     brief: "list of tables",
     example: "[{ keys = [\"strip.height\", \"strip.width\"], coefficient = 0.5 }]",
+    form: || Form::list(Form::Table(correlations::ENTRIES)),
     read: |scene, value| {
         of(scene).correlations = correlations::read(list(value)?)?;
         Ok(())
@@ -49,6 +52,7 @@ pub(crate) static QUANTITIES: Setting = Setting {
     takes: "a list of numbers of a peel, by their names in summary.json, such as \"peak.force_nN\" or \"first_jump.work_aJ\"",
     brief: "list of results",
     example: "[\"initiation_peak.force_nN\", \"first_jump.work_aJ\"]",
+    form: || Form::list(Form::Word(PeelQuantity::ALL.map(|quantity| quantity.name()).to_vec())),
     read: |scene, value| {
         of(scene).quantities = quantities(list(value)?)?;
         Ok(())
@@ -64,6 +68,7 @@ pub(crate) static SAMPLES: Setting = Setting {
     takes: "a whole number from 1 to 1e7",
     brief: "1 to 1e7, whole",
     example: "10000",
+    form: || Form::Whole(1.0, MOST_SAMPLES),
     read: |scene, value| {
         of(scene).samples = whole(value, 1.0, MOST_SAMPLES)? as usize;
         Ok(())
@@ -76,6 +81,7 @@ pub(crate) static SEED: Setting = Setting {
     takes: "a whole number from 0 to 2^53",
     brief: "0 to 2^53, whole",
     example: "1",
+    form: || Form::Whole(0.0, LARGEST_SEED),
     read: |scene, value| {
         of(scene).seed = whole(value, 0.0, LARGEST_SEED)? as u64;
         Ok(())
@@ -88,6 +94,7 @@ pub(crate) static INDICES: Setting = Setting {
     takes: "true or false",
     brief: "true, false",
     example: "false",
+    form: || Form::Flag,
     read: |scene, value| match value {
         Value::Flag(flag) => {
             of(scene).indices = if *flag { Indices::Estimated } else { Indices::Omitted };
