@@ -314,8 +314,9 @@ Examples:
   peel schema                  writes peel.schema.json
   peel schema -                prints it
 
-A scene of peel new names it in its first line, #:schema peel.schema.json. Editors with support for TOML, such as VS
-Code with Even Better TOML, then complete keys and words, show what a key means, and mark what is wrong.";
+A scene of peel new names it in its first line, #:schema peel.schema.json. An editor with support
+for TOML, such as VS Code with Even Better TOML, then completes keys and words, shows what a key
+means, and marks what is wrong.";
 
 pub const COMPLETIONS_EXAMPLES: &str = "\
 Examples:
