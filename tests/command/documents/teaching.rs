@@ -1,4 +1,4 @@
-//! The answers of `docs/teaching.md` are those of its commands, and each of its scenes has a picture.
+//! The answers of `docs/tutorials/exercises.md` are those of its commands, and each of its scenes has a picture.
 //!
 //! `PEELKIT_WRITE=1 cargo test --test command teaching` draws the pictures again.
 
@@ -6,7 +6,7 @@ use super::{place, text, writing};
 use serde_json::Value;
 use std::process::Command;
 
-const PATH: &str = "docs/teaching.md";
+const PATH: &str = "docs/tutorials/exercises.md";
 
 /// The picture of each scene, and what is said beside the scene to draw it.
 const PICTURES: [(&str, &str, &str); 10] = [
@@ -67,7 +67,7 @@ fn every_scene_has_a_question_and_a_picture() {
     for (scene, picture, arguments) in PICTURES {
         let path = format!("scenes/teaching/{scene}.toml");
         assert!(place(&path).is_file() && chapter.contains(&path), "{path}");
-        let svg = place(&format!("docs/teaching/{scene}.svg"));
+        let svg = place(&format!("docs/tutorials/exercises/{scene}.svg"));
         if writing() {
             let out = tempfile::tempdir().unwrap();
             let command = if picture == "sweep" { "sweep" } else { "run" };
