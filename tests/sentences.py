@@ -37,7 +37,8 @@ PRIVATE = {
     r"gives way": "yields",
     r"before this version|changes of this version|before the workspace": "leave out what an older build did",
 }
-ABBREVIATIONS = re.compile(r"\b(?:Figs?|eqs?|Eqs?|e\.g|i\.e|cf|vs|no|No|vol|J|[A-Z]|Phys|Comput|Commun|Tech|Graph|Appl|Mech|Exp|Biol)\.$")
+# with the initials of authors, but not the letters that stand for a force or a displacement
+ABBREVIATIONS = re.compile(r"\b(?:Figs?|eqs?|Eqs?|e\.g|i\.e|cf|vs|no|No|vol|[A-DF-GI-KM-ORSVX-Z]|Phys|Comput|Commun|Tech|Graph|Appl|Mech|Exp|Biol)\.$")
 
 
 def paragraphs(text):
