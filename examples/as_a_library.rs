@@ -1,4 +1,4 @@
-//! The two ways into the library: a whole peel with error bounds, and the path alone, point by point. The docs/library.md has this program.
+//! The two ways into the library: a whole peel with error bounds, and the path alone, point by point. The docs/reference/library.md has this program.
 //!
 //!     cargo run --release --example as_a_library
 

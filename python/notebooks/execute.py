@@ -2,7 +2,7 @@
 
 python execute.py                   run all of them; name some to run these alone
 python execute.py --check           the same, and the committed gallery is what the notebooks say
-python execute.py --gallery DIR     the same, and write DIR/notebooks.md and DIR/notebooks/NAME.png; DIR is docs of the repository
+python execute.py --gallery DIR     the same, and write DIR/notebooks.md and DIR/notebooks/NAME.png; DIR is docs/tutorials
 
 A notebook is in order if no cell and no slider fails, with every slider at both of its ends. The picture of
 the gallery is that of the cell with the tag "gallery", its text is in the first cell.
@@ -25,7 +25,7 @@ from nbclient.exceptions import CellExecutionError
 from nbformat import NotebookNode
 
 HERE = Path(__file__).resolve().parent
-DOCS = HERE.parents[1] / "docs"
+DOCS = HERE.parents[1] / "docs" / "tutorials"
 # s; they take a few on an idle machine
 LONGEST_CELL = 300
 # of a picture in the book, bytes
@@ -90,9 +90,9 @@ def write_gallery(docs: Path, notebooks: dict[str, NotebookNode]) -> list[str]:
 
 def difference(notebooks: dict[str, NotebookNode]) -> list[str]:
     """What the committed gallery lacks."""
-    wrong = [] if (DOCS / "notebooks.md").read_text(encoding="utf-8") == page(notebooks) else ["docs/notebooks.md is another page"]
-    wrong += [f"docs/notebooks/{name}.png is missing" for name in notebooks if not (DOCS / "notebooks" / f"{name}.png").is_file()]
-    again = "; write it again: python python/notebooks/execute.py --gallery docs"
+    wrong = [] if (DOCS / "notebooks.md").read_text(encoding="utf-8") == page(notebooks) else ["docs/tutorials/notebooks.md is another page"]
+    wrong += [f"docs/tutorials/notebooks/{name}.png is missing" for name in notebooks if not (DOCS / "notebooks" / f"{name}.png").is_file()]
+    again = "; write it again: python python/notebooks/execute.py --gallery docs/tutorials"
     return [line + again for line in wrong]
 
 

@@ -7,7 +7,7 @@ from nbformat import NotebookNode
 INTRODUCTION = """\
 # Notebooks
 
-Seven notebooks for a course, each with a short story, an equation, pictures, sliders that compute a peel while they move, and exercises with hints. They use the [Python package](python.md); [how to start them](../python/notebooks/README.md);
+Seven notebooks for a course, each with a short story, an equation, pictures, sliders that compute a peel while they move, and exercises with hints. They use the [Python package](../reference/python.md); [how to start them](../../python/notebooks/README.md);
 nobody has to know Rust. The last cell of each asserts what its text says, and all of them run with the checks of the project.
 
 ```sh
@@ -15,10 +15,10 @@ pip install "./python[notebooks]"
 jupyter lab python/notebooks
 ```
 
-[Teaching](teaching.md) has ten scenes for the command `peel`, [Seven programs](examples.md) ask the same questions in Rust. The strips are those of the paper: their peaks are those of the beam model, as
-[Your own material](your-material.md#two-lengths-decide) explains.
+[Exercises](exercises.md) has ten scenes for the command `peel`, [Seven programs](programs.md) ask the same questions in Rust. The strips are those of the paper. Their peaks are those of the beam model, as
+[Your own material](../how-to/scenes/material.md#two-lengths-decide) explains.
 
-This page is made from the notebooks by `python python/notebooks/execute.py --gallery docs`.
+This page is made from the notebooks by `python python/notebooks/execute.py --gallery docs/tutorials`.
 """
 
 
@@ -39,7 +39,7 @@ def section(name: str, notebook: NotebookNode) -> str:
 
 {seen}
 
-[`python/notebooks/{name}.ipynb`](../python/notebooks/{name}.ipynb)
+[`python/notebooks/{name}.ipynb`](../../python/notebooks/{name}.ipynb)
 """
 
 

@@ -1,6 +1,6 @@
 """The Python of the book and of the docstrings is run, and prints what stands there.
 
-Reference: `docs/python.md`, whose blocks are one session, and the examples of the modules.
+Reference: `docs/reference/python.md`, whose blocks are one session, and the examples of the modules.
 """
 
 import ast
@@ -25,8 +25,8 @@ def blocks(text: str) -> str:
 
 def test_the_chapter_prints_what_it_shows(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(root)
-    session = blocks((root / "docs/python.md").read_text(encoding="utf-8"))
-    chapter = doctest.DocTestParser().get_doctest(session, {}, "python.md", "docs/python.md", 0)
+    session = blocks((root / "docs/reference/python.md").read_text(encoding="utf-8"))
+    chapter = doctest.DocTestParser().get_doctest(session, {}, "python.md", "docs/reference/python.md", 0)
     assert len(chapter.examples) > 30
     printed: list[str] = []
     failures = doctest.DocTestRunner().run(chapter, out=printed.append)
@@ -75,7 +75,7 @@ def test_every_message_is_in_the_chapter_on_trouble(root: Path) -> None:
     def plain(text: str) -> str:
         return re.sub(r"\s+", " ", text.replace("`", ""))
 
-    chapter = plain((root / "docs/troubleshooting.md").read_text(encoding="utf-8"))
+    chapter = plain((root / "docs/reference/troubleshooting.md").read_text(encoding="utf-8"))
     code = [path.read_text(encoding="utf-8") for path in sorted((root / "python/peelkit").rglob("*.py"))]
     all_messages = [message for text in code for message in messages(text)]
     assert len(all_messages) > 12

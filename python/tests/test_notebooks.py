@@ -45,8 +45,8 @@ def test_gallery_is_that_of_the_notebooks(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.syspath_prepend(str(ROOT / "python" / "notebooks"))
     import gallery  # type: ignore[import-not-found]
 
-    page = (ROOT / "docs" / "notebooks.md").read_text(encoding="utf-8")
-    assert page == gallery.page({path.stem: read(path) for path in NOTEBOOKS}), "python python/notebooks/execute.py --gallery docs"
-    pictures = sorted((ROOT / "docs" / "notebooks").glob("*.png"))
+    page = (ROOT / "docs" / "tutorials" / "notebooks.md").read_text(encoding="utf-8")
+    assert page == gallery.page({path.stem: read(path) for path in NOTEBOOKS}), "python python/notebooks/execute.py --gallery docs/tutorials"
+    pictures = sorted((ROOT / "docs" / "tutorials" / "notebooks").glob("*.png"))
     assert [picture.stem for picture in pictures] == [path.stem for path in NOTEBOOKS]
     assert all(picture.stat().st_size <= 100_000 for picture in pictures)

@@ -78,7 +78,7 @@ pub(super) const INTERPOLATION_ERROR_FACTOR: f64 = 2.0;
 
 /// Multiplies the change of a number that is estimated to first order for a term that is left out.
 ///
-/// Computed over estimated: 0.98 (friction), 1.00 (waves), 1.00 (upper surface) in the table of docs/accuracy.md.
+/// Computed over estimated: 0.98 (friction), 1.00 (waves), 1.00 (upper surface) in the table of docs/notes/accuracy.md.
 pub(super) const SHIFT_BOUND_FACTOR: f64 = 2.0;
 /// Multiplies the share that the upper surface has of the work of adhesion: where that, times [`SHIFT_BOUND_FACTOR`], is above the accuracy asked
 /// for, the path without it is not tried. It saves time and bounds nothing: what is tried is estimated on its path.

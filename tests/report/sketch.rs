@@ -9,7 +9,7 @@ use std::path::Path;
 #[test]
 fn the_sketch_is_drawn() {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
-    let [svg, png] = ["svg", "png"].map(|kind| root.join(format!("docs/concepts.{kind}")));
+    let [svg, png] = ["svg", "png"].map(|kind| root.join(format!("docs/reference/concepts.{kind}")));
     if std::env::var_os("PEELKIT_WRITE").is_some() {
         let mut options = usvg::Options::default();
         let font = std::fs::read(root.join("crates/report/font/DejaVuSans.ttf")).unwrap();

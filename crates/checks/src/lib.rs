@@ -16,25 +16,5 @@ pub use work_precision::{AUTOMATIC, Errors, Line, Trial, WorkPrecision, work_pre
 
 /// The programs of the chapter on the library, which `cargo test` compiles and runs.
 #[cfg(doctest)]
-#[doc = include_str!("../../../docs/library.md")]
+#[doc = include_str!("../../../docs/reference/library.md")]
 mod book {}
-
-/// The program of the chapter on sensitivities.
-#[cfg(doctest)]
-#[doc = include_str!("../../../docs/sensitivities.md")]
-mod sensitivities {}
-
-/// The program of the chapter on optimisation.
-#[cfg(doctest)]
-#[doc = include_str!("../../../docs/optimisation.md")]
-mod optimisation {}
-
-/// The program of the chapter on fits.
-#[cfg(doctest)]
-#[doc = include_str!("../../../docs/fitting.md")]
-mod fitting {}
-
-/// The program of the chapter on uncertainty.
-#[cfg(doctest)]
-#[doc = include_str!("../../../docs/uncertainty.md")]
-mod uncertainty {}

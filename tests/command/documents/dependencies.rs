@@ -1,4 +1,4 @@
-//! What the command is built from: every crate with its licence, as `docs/dependencies.md` lists them, each licence one that
+//! What the command is built from: every crate with its licence, as `docs/notes/dependencies.md` lists them, each licence one that
 //! `deny.toml` allows; one version for all that is published; and packages that hold every file that their source includes.
 //!
 //! The crates are those that cargo itself names for a build of `peel` on Linux, without what tests and builds alone need.
@@ -100,7 +100,7 @@ fn every_dependency_is_listed_with_a_licence_that_is_allowed() {
         names.dedup();
         table += &row(&[&licence, &names.join(", ")]);
     }
-    let page = "docs/dependencies.md";
+    let page = "docs/notes/dependencies.md";
     hold(page, &with_part(&text(page), "licences", &table));
 }
 

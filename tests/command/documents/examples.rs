@@ -1,4 +1,4 @@
-//! The chapters of `docs/examples/` show what their programs print and draw: the programs are compiled into these tests and run.
+//! The chapters of `docs/tutorials/programs/` show what their programs print and draw: the programs are compiled into these tests and run.
 //!
 //! `PEELKIT_WRITE=1 cargo test --test command examples` writes again what the chapters show, and their pictures.
 
@@ -59,12 +59,12 @@ fn chapters_show_what_their_programs_print_and_draw() {
     for &(name, draw) in PROGRAMS {
         let (stem, folder) = (name.replace('_', "-"), tempfile::tempdir().unwrap());
         let printed = draw(folder.path()).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let path = format!("docs/examples/{stem}.md");
+        let path = format!("docs/tutorials/programs/{stem}.md");
         let chapter = text(&path);
         let block = shown(&chapter).unwrap_or_else(|| panic!("{path} shows nothing that is printed"));
         let drawn = std::fs::read_to_string(folder.path().join(format!("{name}.svg"))).unwrap();
         assert!(!drawn.contains("NaN") && folder.path().join(format!("{name}.png")).is_file(), "{name}");
-        let picture = format!("docs/examples/{stem}.svg");
+        let picture = format!("docs/tutorials/programs/{stem}.svg");
         if writing() {
             let lines: Vec<&str> = chapter.lines().collect();
             let fresh = printed.trim_end().lines();

@@ -51,7 +51,7 @@ fn every_chapter_is_in_the_summary() {
 
 #[test]
 fn the_readme_is_short() {
-    assert!(text("README.md").lines().count() <= 150);
+    assert!(text("README.md").lines().count() <= 120);
 }
 
 #[test]

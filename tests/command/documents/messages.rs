@@ -1,9 +1,9 @@
-//! Every message of the code has its place in `docs/troubleshooting.md`.
+//! Every message of the code has its place in `docs/reference/troubleshooting.md`.
 
 use super::text;
 use std::path::{Path, PathBuf};
 
-const PATH: &str = "docs/troubleshooting.md";
+const PATH: &str = "docs/reference/troubleshooting.md";
 
 /// What a message begins behind.
 const MARKS: [&str; 10] = [
@@ -123,7 +123,7 @@ fn every_warning_and_every_end_is_explained() {
     let warnings = quoted("src/study/warnings.rs", "=> \"");
     let ends = quoted("crates/report/src/names.rs", "=> \"");
     assert!(warnings.len() >= 7 && ends.len() >= 11, "{warnings:?} {ends:?}");
-    let (trouble, concepts) = (text(PATH), text("docs/concepts.md"));
+    let (trouble, concepts) = (text(PATH), text("docs/reference/concepts.md"));
     let missing = warnings.iter().filter(|code| !trouble.contains(&format!("`{code}`")));
     let unexplained = ends.iter().filter(|end| !concepts.contains(&format!("`{end}`")));
     let missing: Vec<_> = missing.chain(unexplained).collect();

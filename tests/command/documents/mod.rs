@@ -3,7 +3,7 @@
 //!     cargo test --test command documents
 //!     PEELKIT_WRITE=1 cargo test --test command documents        writes again what documents take from the program
 //!
-//! The Rust programs of `docs/library.md` are doc tests of `peelkit-checks`.
+//! The Rust programs of `docs/reference/library.md` are doc tests of `peelkit-checks`.
 
 mod commands;
 #[cfg(unix)]
@@ -32,7 +32,16 @@ fn text(path: &str) -> String {
 
 /// The chapters of the book, from the folder of the repository.
 fn chapters() -> Vec<String> {
-    ["docs", "docs/examples"].into_iter().flat_map(|folder| files_in(folder, ".md")).collect()
+    let mut folders = vec!["docs".to_owned()];
+    let mut found = Vec::new();
+    while let Some(folder) = folders.pop() {
+        found.extend(files_in(&folder, ".md"));
+        let entries = std::fs::read_dir(place(&folder)).unwrap().map(|entry| entry.unwrap());
+        let inner = entries.filter(|entry| entry.file_type().unwrap().is_dir());
+        folders.extend(inner.map(|entry| format!("{folder}/{}", entry.file_name().into_string().unwrap())));
+    }
+    found.sort();
+    found
 }
 
 /// What a user reads: README, the book, and the two other documents with commands.

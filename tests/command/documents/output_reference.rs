@@ -1,4 +1,4 @@
-//! The tables of `docs/outputs.md` are made of the lists of `peelkit_report::reference`, and these are held against what the command
+//! The tables of `docs/reference/outputs.md` are made of the lists of `peelkit_report::reference`, and these are held against what the command
 //! writes.
 
 use super::{hold, row, text, with_part};
@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 
-const PATH: &str = "docs/outputs.md";
+const PATH: &str = "docs/reference/outputs.md";
 
 #[test]
 fn the_output_reference_is_that_of_the_lists() {

@@ -1,9 +1,9 @@
-//! The tables of `docs/scene-reference.md` are made of the list of keys.
+//! The tables of `docs/reference/scene-reference.md` are made of the list of keys.
 
 use super::{hold, row, text, with_part};
 use peelkit_scene::{Dimension, KEYS, Key, Kind, Need, Value};
 
-const PATH: &str = "docs/scene-reference.md";
+const PATH: &str = "docs/reference/scene-reference.md";
 
 #[test]
 fn the_scene_reference_is_that_of_the_keys() {

@@ -1,4 +1,4 @@
-//! The answers of `docs/teaching.md` are those of its commands, and each of its scenes has a picture.
+//! The answers of `docs/tutorials/exercises.md` are those of its commands, and each of its scenes has a picture; so have the tutorials.
 //!
 //! `PEELKIT_WRITE=1 cargo test --test command teaching` draws the pictures again.
 
@@ -6,7 +6,7 @@ use super::{place, text, writing};
 use serde_json::Value;
 use std::process::Command;
 
-const PATH: &str = "docs/teaching.md";
+const PATH: &str = "docs/tutorials/exercises.md";
 
 /// The picture of each scene, and what is said beside the scene to draw it.
 const PICTURES: [(&str, &str, &str); 10] = [
@@ -21,6 +21,10 @@ const PICTURES: [(&str, &str, &str); 10] = [
     ("09-waves", "shapes", ""),
     ("10-spatula", "curve", ""),
 ];
+
+/// The pictures of the tutorials on a tape and on a seta: where they stand, the scene, and what it draws.
+const TUTORIALS: [(&str, &str, &str); 3] =
+    [("material/curve", "tape", "curve"), ("seta/curve", "seta", "curve"), ("seta/seta", "seta", "seta")];
 
 fn peel(words: &[String]) -> Vec<u8> {
     let output = Command::new(env!("CARGO_BIN_EXE_peel")).args(words).current_dir(super::ROOT).output().unwrap();
@@ -67,7 +71,7 @@ fn every_scene_has_a_question_and_a_picture() {
     for (scene, picture, arguments) in PICTURES {
         let path = format!("scenes/teaching/{scene}.toml");
         assert!(place(&path).is_file() && chapter.contains(&path), "{path}");
-        let svg = place(&format!("docs/teaching/{scene}.svg"));
+        let svg = place(&format!("docs/tutorials/exercises/{scene}.svg"));
         if writing() {
             let out = tempfile::tempdir().unwrap();
             let command = if picture == "sweep" { "sweep" } else { "run" };
@@ -81,4 +85,20 @@ fn every_scene_has_a_question_and_a_picture() {
     }
     assert_eq!(chapter.matches("**Question.**").count(), PICTURES.len());
     assert_eq!(chapter.matches("**Answer.**").count(), PICTURES.len());
+}
+
+#[test]
+fn every_tutorial_has_its_pictures() {
+    for (name, scene, picture) in TUTORIALS {
+        let path = place(&format!("docs/tutorials/{name}.png"));
+        if writing() {
+            let out = tempfile::tempdir().unwrap();
+            peel(&["run".into(), format!("scenes/{scene}.toml"), "--out".into(), out.path().to_str().unwrap().into()]);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::copy(out.path().join(format!("{picture}.png")), &path).unwrap();
+        }
+        assert!(path.is_file(), "{}", path.display());
+        let chapter = text(&format!("docs/tutorials/{}.md", name.split('/').next().unwrap()));
+        assert!(chapter.contains(&format!("({name}.png)")), "no tutorial shows {name}.png");
+    }
 }

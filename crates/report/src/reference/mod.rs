@@ -1,4 +1,4 @@
-//! What every key and column of an output means: one line each. `docs/outputs.md` is made of these lists, and a test holds them
+//! What every key and column of an output means: one line each. `docs/reference/outputs.md` is made of these lists, and a test holds them
 //! against what the command writes.
 
 mod fit;
