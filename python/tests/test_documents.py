@@ -33,6 +33,12 @@ def test_the_chapter_prints_what_it_shows(root: Path, monkeypatch: pytest.Monkey
     assert failures.failed == 0, "".join(printed)
 
 
+def test_the_page_of_the_package_runs(root: Path) -> None:
+    code = blocks((root / "python/README.md").read_text(encoding="utf-8"))
+    assert "scene.run()" in code
+    exec(compile(code, "python/README.md", "exec"), {})
+
+
 @pytest.mark.parametrize(
     "module", ["", *(f".{name}" for _, name, _ in pkgutil.iter_modules(peelkit.__path__) if name != "_native")]
 )
