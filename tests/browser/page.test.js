@@ -145,9 +145,45 @@ on('a wrong value is told in a sentence, and the page goes on', async (page, mis
   // the browser itself notes that an answer was a refusal
   assert.ok(mistakes.every((text) => text.includes('422')), mistakes.join('\n'));
   mistakes.length = 0;
+  const field = page.locator('[aria-label^="height h of the section, as a number"]');
+  assert.equal(await field.getAttribute('aria-invalid'), 'true');
+  assert.equal(await page.locator('[aria-invalid]').count(), 2, 'the slider and the field of this key alone');
+  assert.equal(await page.locator('#age').innerText(), 'What is shown is from before the change.');
+  assert.match(await page.locator('body').getAttribute('class'), /old/);
   await put(page, '[aria-label^="height h of the section, as a number"]', '9', 'change');
   await settled(page);
   assert.equal(await page.locator('#problem').innerText(), '');
+  assert.equal(await page.locator('[aria-invalid]').count(), 0);
+  assert.equal(await page.locator('#age').innerText(), '');
+});
+
+on('an emptied field, and a reset, are those of the scene again', async (page, mistakes) => {
+  const field = page.locator('[aria-label^="height h of the section, as a number"]');
+  const reset = page.getByRole('button', { name: /^Reset height h of the section/ });
+  const peak = await numbersOf(page, 'Initiation peak');
+  assert.equal(await reset.isVisible(), false, 'nothing is to be reset yet');
+  await put(page, '[aria-label^="height h of the section, as a number"]', '-3', 'change');
+  await page.waitForFunction(() => document.getElementById('problem').textContent);
+  mistakes.length = 0;
+  await put(page, '[aria-label^="height h of the section, as a number"]', '', 'change');
+  await settled(page);
+  assert.equal(await page.locator('#problem').innerText(), '');
+  assert.equal(await field.inputValue(), '10');
+  await put(page, '[aria-label^="height h of the section, as a number"]', '7', 'change');
+  await settled(page);
+  assert.notDeepEqual(await numbersOf(page, 'Initiation peak'), peak);
+  await reset.click();
+  await settled(page);
+  assert.deepEqual(await numbersOf(page, 'Initiation peak'), peak);
+  assert.equal(await reset.isVisible(), false);
+});
+
+on('axes have the unit that fits', async (page) => {
+  const titles = () => page.evaluate(() => Object.values(Chart.getChart('curve-chart').options.scales).map((axis) => axis.title.text));
+  assert.deepEqual(await titles(), ['displacement u (nm)', 'force P (nN)']);
+  await put(page, '[aria-label^="length L of the strip, as a number"]', '4000', 'change');
+  await settled(page);
+  assert.equal((await titles())[0], 'displacement u (µm)');
 });
 
 on('another law is chosen, and its keys are there', async (page) => {

@@ -26,11 +26,37 @@ function toValue({ low, high, logarithmic }, position) {
   return logarithmic ? low * (high / low) ** share : low + share * (high - low);
 }
 
-/** The controls of the page. `changed(key, text, isWord)` is called with the text of a value as a scene has it. */
+/** The controls of the page. `changed(key, text, isWord)` is called with the text of a value as a scene has it; null: as the scene gave it. */
 export class Controls {
   constructor(first, others, changed) {
     Object.assign(this, { first, others, changed });
     this.ranges = new Map();
+    this.set = new Map();
+  }
+
+  /** Marks the controls of the key whose value was refused, and no other. */
+  markWrong(key) {
+    for (const one of document.querySelectorAll('.control [aria-invalid]')) {
+      one.removeAttribute('aria-invalid');
+      one.removeAttribute('aria-errormessage');
+    }
+    if (key === null || key === undefined) return;
+    for (const one of document.querySelectorAll(`.control[data-key="${CSS.escape(key)}"] :is(input, select)`)) {
+      one.setAttribute('aria-invalid', 'true');
+      one.setAttribute('aria-errormessage', 'problem');
+    }
+  }
+
+  /** What takes a value back to that of the scene; it is there while another one is set. */
+  reset({ key, about }, box) {
+    const button = document.createElement('button');
+    Object.assign(button, { type: 'button', textContent: '↺', title: 'As the scene has it', disabled: !this.set.has(key) });
+    button.setAttribute('aria-label', `Reset ${about}`);
+    button.addEventListener('click', () => {
+      box.querySelector('input, select').focus();
+      this.changed(key, null, false);
+    });
+    return button;
   }
 
   /** Forgets the ranges: another scene has others. */
@@ -38,8 +64,9 @@ export class Controls {
     this.ranges.clear();
   }
 
-  /** Shows these controls; what has the focus keeps it. */
-  show(list) {
+  /** Shows these controls, of which these keys are set; what has the focus keeps it. */
+  show(list, set) {
+    this.set = set;
     const focused = document.activeElement?.id;
     const isFirst = ({ key, value }) => FIRST.includes(key) && value !== null;
     const order = ({ key }) => FIRST.indexOf(key);
@@ -64,24 +91,30 @@ export class Controls {
   one(control) {
     const box = document.createElement('div');
     box.className = 'control';
+    box.dataset.key = control.key;
     const label = document.createElement('label');
     const small = document.createElement('small');
     small.textContent = control.key;
     label.append(control.about, small);
     label.htmlFor = `key-${control.key}`;
-    box.append(label, ...(control.kind === 'choice' ? this.words(control) : this.number(control, box)));
+    const reset = this.reset(control, box);
+    const change = (text, isWord) => {
+      reset.disabled = false;
+      this.changed(control.key, text, isWord);
+    };
+    box.append(label, ...(control.kind === 'choice' ? this.words(control, change) : this.number(control, box, change)), reset);
     return box;
   }
 
-  words({ key, value, words }) {
+  words({ key, value, words }, change) {
     const select = document.createElement('select');
     select.id = `key-${key}`;
     for (const word of words) select.add(new Option(word, word, false, word === value));
-    select.addEventListener('change', () => this.changed(key, select.value, true));
+    select.addEventListener('change', () => change(select.value, true));
     return [select];
   }
 
-  number({ key, about, unit, value, slider, default: byDefault, range }, box) {
+  number({ key, about, unit, value, slider, default: byDefault, range }, box, change) {
     const withUnit = (text) => (unit ? `${text} ${unit}` : text);
     const field = document.createElement('input');
     Object.assign(field, { type: 'text', inputMode: 'decimal', autocomplete: 'off' });
@@ -93,11 +126,12 @@ export class Controls {
     const range_ = this.range(key, value, slider);
     field.addEventListener('change', () => {
       const text = field.value.trim();
-      if (text === '') return;
+      // an emptied field is that of the scene again, and what was said of it is said no more
+      if (text === '') return this.changed(key, null, false);
       const number = Number(text);
       if (range_ && Number.isFinite(number)) ruler.value = toPosition(range_, number);
       // one with a unit of its own is sent as it stands
-      this.changed(key, /[a-zµ]/i.test(text.replace(/e[+-]?\d/i, '')) ? text : withUnit(text), value === null);
+      change(/[a-zµ]/i.test(text.replace(/e[+-]?\d/i, '')) ? text : withUnit(text), value === null);
     });
     if (!range_) {
       field.id = `key-${key}`;
@@ -112,7 +146,7 @@ export class Controls {
     ruler.addEventListener('input', () => {
       field.value = short(toValue(range_, Number(ruler.value)));
       ruler.setAttribute('aria-valuetext', withUnit(field.value));
-      this.changed(key, withUnit(field.value), false);
+      change(withUnit(field.value), false);
     });
     return [ruler, field, sign];
   }

@@ -14,6 +14,20 @@ export function textSize() {
 const line = (label, borderColor, more) => ({ label, data: [], borderColor, backgroundColor: borderColor, showLine: true, pointStyle: 'line', pointRadius: 0, pointHitRadius: 0, ...more });
 const points = (label, colour, more) => ({ label, data: [], borderColor: colour, backgroundColor: colour, showLine: false, pointRadius: 5, ...more });
 
+/** Units of a length and of a force, each a thousand times the one before it. */
+const UNITS = { nm: ['pm', 'nm', 'µm', 'mm', 'm', 'km'], nN: ['pN', 'nN', 'µN', 'mN', 'N', 'kN'] };
+
+/** Names the unit that fits the largest value of an axis, its own from 0.1 to 1000, and writes the ticks in it. */
+export function fitAxis(axis, words, base, largest) {
+  const units = UNITS[base];
+  const own = units.indexOf(base);
+  const fits = !(largest > 0) || (largest >= 0.1 && largest < 1000);
+  const index = fits ? own : Math.min(units.length - 1, Math.max(0, own + Math.floor(Math.log10(largest) / 3 + 1e-9)));
+  const factor = 1000 ** (index - own);
+  axis.title = { display: true, text: `${words} (${units[index]})` };
+  axis.ticks = { ...axis.ticks, callback: (value) => String(Number((value / factor).toPrecision(6))) };
+}
+
 /** Puts the text of the page, its size and its colour, into the charts that are drawn from now on. */
 export function takeText() {
   Chart.defaults.color = COLOUR.limit;
@@ -91,6 +105,9 @@ export class CurveChart {
     this.own.jumps.data = [];
     this.poses = poses.along;
     this.curve = curve;
+    const { x, y } = this.chart.options.scales;
+    fitAxis(x, 'displacement u', 'nm', most);
+    fitAxis(y, 'force P', 'nN', p.reduce((a, b) => Math.max(a, Math.abs(b)), 0));
     this.canvas.setAttribute('aria-label', this.words(summary, u, p));
     this.chart.update('none');
   }

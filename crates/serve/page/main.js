@@ -12,6 +12,8 @@ import * as results from './results.js';
 const PATIENCE = 400;
 /** After so long without a change, ms, the test, the link and the sweep are computed. */
 const REST = 300;
+/** An answer that takes longer, ms, is said to be awaited. */
+const SLOW = 150;
 /** Of the test that is played, ms for a place of the path. */
 const FRAME = 60;
 
@@ -24,9 +26,19 @@ window.peel = state;
 const chart = new CurveChart(part('curve-chart'), moveTo);
 const sweep = new Sweep(part('sweep-chart'), part('sweep-text'));
 const controls = new Controls(part('first-controls'), part('other-controls'), (key, text, isWord) => {
-  state.set.set(key, text);
-  compute(isWord ? ['controls'] : []);
+  if (text === null) state.set.delete(key);
+  else state.set.set(key, text);
+  state.changed = key;
+  compute(isWord || text === null ? ['controls'] : []);
 });
+
+/** What stands on the page is that of the scene as it is now, or of the one before a change that is being computed or was refused. */
+function mark(age) {
+  const words = { current: '', computing: 'Computing. What is shown is from before the change.', refused: 'What is shown is from before the change.' };
+  part('age').textContent = words[age];
+  document.body.classList.toggle('old', age !== 'current');
+  part('results').setAttribute('aria-busy', String(age === 'computing'));
+}
 
 /** The scene as it is asked for. */
 const asked = () => ({ name: state.scene.name, scene: state.scene.text, set: [...state.set] });
@@ -37,17 +49,31 @@ function compute(parts = []) {
   clearTimeout(state.resting);
   sweep.stop();
   state.afterwards?.abort();
+  clearTimeout(state.slow);
+  state.slow = setTimeout(() => mark('computing'), SLOW);
   latest.ask(async (signal) => {
     const since = performance.now();
     try {
       const answer = await ask('api/peel', { ...asked(), parts: ['curve', 'poses', ...parts] }, signal);
       state.times.push(performance.now() - since);
+      settle('current');
+      controls.markWrong(null);
       show(answer);
       state.resting = setTimeout(rest, REST);
     } catch (error) {
+      if (error instanceof Refusal) {
+        settle('refused');
+        controls.markWrong(state.changed);
+      }
       tell(error);
     }
   });
+}
+
+/** Nothing is awaited any more. */
+function settle(age) {
+  clearTimeout(state.slow);
+  mark(age);
 }
 
 /** Shows an answer. */
@@ -59,7 +85,7 @@ function show(answer) {
   part('title').textContent = summary.title;
   document.title = `${summary.title} – peel`;
   part('version').textContent = summary.version;
-  if (answer.controls) controls.show(answer.controls);
+  if (answer.controls) controls.show(answer.controls, state.set);
   chart.show(answer);
   results.show(summary);
   beam.prepare(poses);
@@ -135,6 +161,7 @@ function sentences(...texts) {
 function open(scene) {
   state.scene = scene;
   state.set.clear();
+  state.changed = null;
   state.answer = null;
   controls.forget();
   compute(['controls']);

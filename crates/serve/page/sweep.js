@@ -2,7 +2,7 @@
 
 import { ask } from './server.js';
 import { shown } from './results.js';
-import { dashedLabels, takeText } from './curve.js';
+import { dashedLabels, fitAxis, takeText } from './curve.js';
 
 /** Factors of the bending stiffness, from here to its inverse. */
 const LEAST = 1e-4;
@@ -58,6 +58,7 @@ export class Sweep {
     kendall.data = force === null ? [] : [{ x: LEAST, y: force }, { x: 1 / LEAST, y: force }];
     const own = summary.peak ?? summary.largest_computed_force;
     here.data = own ? [{ x: now, y: own.force_nN }] : [];
+    fitAxis(this.chart.options.scales.y, 'force P', 'nN', own?.force_nN ?? force ?? 0);
     const factors = Array.from({ length: POINTS }, (_, k) => LEAST ** (1 - (2 * k) / (POINTS - 1)));
     factors.sort((a, b) => Math.abs(Math.log(a / now)) - Math.abs(Math.log(b / now)));
     let failed = 0;
