@@ -24,8 +24,8 @@ export function fitAxis(axis, words, base, largest) {
   const fits = !(largest > 0) || (largest >= 0.1 && largest < 1000);
   const index = fits ? own : Math.min(units.length - 1, Math.max(0, own + Math.floor(Math.log10(largest) / 3 + 1e-9)));
   const factor = 1000 ** (index - own);
-  axis.title = { display: true, text: `${words} (${units[index]})` };
-  axis.ticks = { ...axis.ticks, callback: (value) => String(Number((value / factor).toPrecision(6))) };
+  axis.title.text = `${words} (${units[index]})`;
+  axis.ticks.callback = (value) => String(Number((value / factor).toPrecision(6)));
 }
 
 /** Puts the text of the page, its size and its colour, into the charts that are drawn from now on. */
