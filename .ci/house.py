@@ -49,6 +49,7 @@ def blank(text: str, start: int, end: int) -> str:
 def code_of(text: str) -> str:
     """The code alone, at the same places: no comments, no strings, no tests."""
     code = NO_CODE.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
+    code = re.sub(r"\bin (?=crate\b|super\b)[\w:]+", lambda found: " " * len(found[0]), code)
     while test := re.search(r"#\[cfg\(test\)\]\s*(?:#\[[^\]]*\]\s*)*", code):
         end, depth = test.end(), 0
         while code[end] not in ";}" or depth > 0:

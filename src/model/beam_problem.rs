@@ -1,10 +1,15 @@
 //! A problem whose system is a beam, in the plane or in space.
 
 use super::space::{ACROSS, ALONG, ROLL, ROTATION, ROUNDED, SIDEWAYS, YAW};
-use crate::adhesion::Substrate;
-use crate::beam::rotation::Matrix3;
-use crate::beam::{GripForces, GripState, PlanarBeam, SpatialBeam};
-use crate::solve::{EndConditions, InitialState, MeasuredBeside, Mesh, PathMeasure, Problem, State, System};
+use crate::adhesion::substrate::Substrate;
+use crate::beam::grip_state::{GripForces, GripState};
+use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::spatial::rotation::Matrix3;
+use crate::beam::spatial::spatial_beam::SpatialBeam;
+use crate::solve::end_conditions::EndConditions;
+use crate::solve::problem::{InitialState, MeasuredBeside, PathMeasure, Problem};
+use crate::solve::state::{Mesh, State};
+use crate::solve::system::System;
 use std::borrow::Cow;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;

@@ -1,14 +1,31 @@
 //! A model made into what the solver is given. Nothing is solved here.
 
+use super::beam_problem::{Beam, BeamProblem};
 use super::chain::{three_field, two_field};
+use super::friction;
+use super::peel::{Form, Hold, PeelModel};
 use super::stress_free_placement::StressFreePlacement;
-use super::{Beam, BeamProblem, Form, Hold, PeelModel, friction};
-use crate::adhesion::{FrictionLaw, GroundLaw, Law, LineLaw, LineLoad, Substrate, TiltCount};
-use crate::beam::{
-    self, BeamOnGround, Chain, Focus, MOST_FIELDS, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, Reach, ReducedBeam,
-    ReferenceConfiguration, ReissnerBeam, UprightCorner, UprightPole, Varying,
-};
-use crate::solve::{EndConditions, History, INTERFACE, InitialState, MeasuredBeside, PathMeasure};
+use crate::adhesion::friction::dahl::FrictionLaw;
+use crate::adhesion::section::coverage::TiltCount;
+use crate::adhesion::section::law::Law;
+use crate::adhesion::section::line_load::{LineLaw, LineLoad};
+use crate::adhesion::substrate::Substrate;
+use crate::adhesion::substrate::response::GroundLaw;
+use crate::beam::mesh::{Focus, MeshKind, Reach};
+use crate::beam::planar::chain::{Chain, MOST_FIELDS};
+use crate::beam::planar::density::on_ground::BeamOnGround;
+use crate::beam::planar::density::profile::Profile;
+use crate::beam::planar::density::reduced::ReducedBeam;
+use crate::beam::planar::density::reissner::ReissnerBeam;
+use crate::beam::planar::mesh_policy::MeshPolicy;
+use crate::beam::planar::model_limits::{ModelLimits, UprightCorner, UprightPole};
+use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::reference_configuration::ReferenceConfiguration;
+use crate::beam::varying::Varying;
+use crate::solve::end_conditions::EndConditions;
+use crate::solve::problem::{InitialState, MeasuredBeside, PathMeasure};
+use crate::solve::state::History;
+use crate::solve::system::INTERFACE;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -202,11 +219,11 @@ impl PeelModel {
     }
 
     /// Its sections along S.
-    pub(super) fn profile(&self) -> beam::Profile {
+    pub(super) fn profile(&self) -> Profile {
         let (width, height) = self.free_end();
         match self.contour() {
-            None => beam::Profile::uniform(self.section(), width, height),
-            Some(contour) => beam::Profile::Varying(Varying::new(contour, self.material())),
+            None => Profile::uniform(self.section(), width, height),
+            Some(contour) => Profile::Varying(Varying::new(contour, self.material())),
         }
     }
 
@@ -280,7 +297,7 @@ impl PeelModel {
 
 /// The chain of a profile under a line load, with a horizontal section force or without.
 fn chain(
-    profile: beam::Profile,
+    profile: Profile,
     (law, count): (LineLaw, TiltCount),
     (substrate, friction): (&Substrate, Option<FrictionLaw>),
     form: Form,

@@ -1,6 +1,7 @@
 //! What holds a beam along the substrate.
 
-use crate::adhesion::{FrictionLaw, HalfSpace};
+use crate::adhesion::friction::dahl::FrictionLaw;
+use crate::adhesion::levels::half_space::HalfSpace;
 use serde::{Deserialize, Serialize};
 
 /// Friction of the face that looks down on level ground, as [`FrictionLaw`] has it. The free end is then held by nothing else.

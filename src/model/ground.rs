@@ -5,8 +5,8 @@
 //! no grip, down the gradient of its energy to the stable equilibrium next to it (`study::prepared`). There the grip takes hold, so
 //! that P = 0, u = 0 and no moment, whatever the grip then holds.
 
-use crate::adhesion::Substrate;
-use crate::beam::MeshKind;
+use crate::adhesion::substrate::Substrate;
+use crate::beam::mesh::MeshKind;
 use serde::{Deserialize, Serialize};
 
 /// The guess from which a beam relaxes.

@@ -1,13 +1,21 @@
 //! Models made into what moves in time.
 
+use super::beam_problem::BeamProblem;
+use super::build::{Discretisation, NoSuchOrder};
 use super::chain::three_field;
-use super::{BeamProblem, Discretisation, Form, NoSuchOrder, PeelModel, RodError, RodModel};
-use crate::adhesion::TiltCount;
-use crate::beam::{
-    BeamInertia, Chain, Focus, MeshKind, PlanarBeam, Reach, ReissnerBeam, ReissnerRod, Viscosity, Viscous,
-};
-use crate::solve::Problem;
-use crate::solve::time::DynamicProblem;
+use super::peel::{Form, PeelModel};
+use super::rod::{RodError, RodModel};
+use crate::adhesion::section::coverage::TiltCount;
+use crate::beam::mesh::{Focus, MeshKind, Reach};
+use crate::beam::planar::chain::Chain;
+use crate::beam::planar::density::reissner::ReissnerBeam;
+use crate::beam::planar::density::rod::ReissnerRod;
+use crate::beam::planar::density::viscous::Viscous;
+use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::planar::planar_motion::BeamInertia;
+use crate::beam::viscosity::Viscosity;
+use crate::solve::problem::Problem;
+use crate::solve::time::dynamic_system::DynamicProblem;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

@@ -1,10 +1,20 @@
 //! A beam on a flat half space, lifted at its right end.
 
+use super::body::strip::Strip;
+use super::body::{Body, Geometry};
+use super::friction::Friction;
+use super::ground::Ground;
+use super::space::Space;
+use super::step::{Moved, Step};
 use super::stress_free_placement::StressFreePlacement;
-use super::{Body, Friction, Geometry, Ground, Moved, Space, Step, Strip};
-use crate::adhesion::{Attraction, FrictionLaw, HalfSpace, LineLaw, LineLoad};
-use crate::beam::{BeamGeometry, BondedBeam, Material, Section, Varying};
-use crate::solve::Direction;
+use crate::adhesion::friction::dahl::FrictionLaw;
+use crate::adhesion::levels::half_space::HalfSpace;
+use crate::adhesion::section::law::Attraction;
+use crate::adhesion::section::line_load::{LineLaw, LineLoad};
+use crate::beam::bonded_beam::BondedBeam;
+use crate::beam::section::{Material, Section};
+use crate::beam::varying::{BeamGeometry, Varying};
+use crate::solve::end_conditions::Direction;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;

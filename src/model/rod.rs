@@ -1,13 +1,23 @@
 //! A beam on its own: nothing adheres, it may be curved at rest, and its ends are held as chosen.
 
+use super::beam_problem::{Beam, BeamProblem};
+use super::build::Discretisation;
 use super::chain::three_field;
-use super::{Beam, BeamProblem, Discretisation, Hold};
-use crate::adhesion::{Barrier, Substrate};
-use crate::beam::{
-    FrontPosition, MOST_FIELDS, MeshIntervals, MeshKind, MeshPolicy, ModelLimits, PlanarBeam, ReferenceConfiguration,
-    ReferenceCurve, ReissnerRod, Section,
-};
-use crate::solve::{EndConditions, INTERFACE, InitialState, MeasuredBeside, PathMeasure};
+use super::peel::Hold;
+use crate::adhesion::section::barrier::Barrier;
+use crate::adhesion::substrate::Substrate;
+use crate::beam::mesh::{MeshIntervals, MeshKind};
+use crate::beam::planar::chain::MOST_FIELDS;
+use crate::beam::planar::density::rod::ReissnerRod;
+use crate::beam::planar::front_position::FrontPosition;
+use crate::beam::planar::mesh_policy::MeshPolicy;
+use crate::beam::planar::model_limits::ModelLimits;
+use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::reference_configuration::{ReferenceConfiguration, ReferenceCurve};
+use crate::beam::section::Section;
+use crate::solve::end_conditions::EndConditions;
+use crate::solve::problem::{InitialState, MeasuredBeside, PathMeasure};
+use crate::solve::system::INTERFACE;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

@@ -1,14 +1,28 @@
 //! A beam that is peeled in space: pulled sideways, twisted, rolled off.
 
+use super::beam_problem::{Beam, BeamProblem};
+use super::build::{Discretisation, NoSuchOrder};
+use super::peel::{Hold, PeelModel};
+use super::step::Step;
 use super::stress_free_placement::StressFreePlacement;
-use super::{Beam, BeamProblem, Discretisation, Hold, NoSuchOrder, PeelModel, Step};
-use crate::adhesion::{SectionShape, SpatialSection, SpatialSectionError};
-use crate::beam::{
-    ALONG_X, EndRotation, Focus, MeshIntervals, MeshPolicy, Reach, ReferenceConfiguration, RestOutline, SpatialBeam,
-    SpatialChain, SpatialDensity, SpatialEnd, SpatialProfile, SpatialRest, SpatialRestCurve, SpatialStiffness, Varying,
-    torsion_constant,
-};
-use crate::solve::{EndConditions, INTERFACE, InitialState, MeasuredBeside, PathMeasure};
+use crate::adhesion::spatial_section::error::SpatialSectionError;
+use crate::adhesion::spatial_section::section::{SectionShape, SpatialSection};
+use crate::beam::mesh::{Focus, MeshIntervals, Reach};
+use crate::beam::planar::mesh_policy::MeshPolicy;
+use crate::beam::reference_configuration::ReferenceConfiguration;
+use crate::beam::spatial::chain::{SpatialChain, SpatialEnd};
+use crate::beam::spatial::density::SpatialDensity;
+use crate::beam::spatial::end_rotation::EndRotation;
+use crate::beam::spatial::rest::{RestOutline, SpatialRest};
+use crate::beam::spatial::rest_curve::{ALONG_X, SpatialRestCurve};
+use crate::beam::spatial::spatial_beam::SpatialBeam;
+use crate::beam::spatial::spatial_profile::SpatialProfile;
+use crate::beam::spatial::stiffness::SpatialStiffness;
+use crate::beam::torsion::torsion_constant;
+use crate::beam::varying::Varying;
+use crate::solve::end_conditions::EndConditions;
+use crate::solve::problem::{InitialState, MeasuredBeside, PathMeasure};
+use crate::solve::system::INTERFACE;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_4, PI};
 

@@ -1,8 +1,9 @@
 //! The grip of a strip in space, beside what it does in the plane.
 
-use super::{ACROSS, BeamProblem, ROLL, SIDEWAYS};
-use crate::beam::rotation::apply_transposed;
-use crate::solve::State;
+use super::beam_problem::BeamProblem;
+use super::space::{ACROSS, ROLL, SIDEWAYS};
+use crate::beam::spatial::rotation::apply_transposed;
+use crate::solve::state::State;
 use serde::{Deserialize, Serialize};
 
 /// How the right end of a strip in space is turned, beside its rotation in the plane, and what the grip exerts, beside

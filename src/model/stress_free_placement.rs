@@ -1,10 +1,12 @@
 //! The stress-free configuration of a beam on the substrate, and what follows for its mesh.
 
-use super::{Adhesion, Ground};
-use crate::beam::{
-    Focus, FrontPosition, MeshIntervals, MeshKind, ReferenceConfiguration, ReferenceCurve, SectionAt, Varying,
-    VaryingReference,
-};
+use super::ground::Ground;
+use super::peel::Adhesion;
+use crate::beam::mesh::{Focus, MeshIntervals, MeshKind};
+use crate::beam::planar::density::profile::SectionAt;
+use crate::beam::planar::front_position::FrontPosition;
+use crate::beam::reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
+use crate::beam::varying::Varying;
 
 /// The stress-free configuration of a beam, where its front may be, and how its elements are shared out.
 pub(super) struct StressFreePlacement {

@@ -1,9 +1,13 @@
 //! Where a path loses or regains its stability without turning: a branching point, such as a strip that stands upright and falls to either
 //! side. An eigenvalue passes through zero there, which the inertia shows.
 
-use super::{
-    Located, NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve,
-};
+use super::error::SolveError;
+use super::limit_point::locate::Located;
+use super::newton::{NewtonOptions, Solution, solve};
+use super::observables::{Observables, PathConstraint};
+use super::problem::Problem;
+use super::state::State;
+use super::system::Workspace;
 use std::sync::Arc;
 
 /// Most solutions until a branching point is located.

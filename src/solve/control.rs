@@ -1,6 +1,11 @@
 //! Equilibria at chosen values of one quantity: displacement, force or rotation control.
 
-use super::{NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve};
+use super::error::SolveError;
+use super::newton::{NewtonOptions, Solution, solve};
+use super::observables::{Observables, PathConstraint};
+use super::problem::Problem;
+use super::state::State;
+use super::system::Workspace;
 
 /// Shortest step, as a share of the way from one target to the next.
 const SHORTEST: f64 = 1e-6;

@@ -9,7 +9,8 @@
 //! unknown goes along, q_g = t u. The unknown in its place is how far it is from there: with that held at zero u, P and their slopes
 //! along the path come from the same equations as without, P being the force alone, and dΠ = (P + t M) du with the force M on it.
 
-use super::{INTERFACE, State, System};
+use super::state::State;
+use super::system::{INTERFACE, System};
 use serde::{Deserialize, Serialize};
 
 /// The direction of a drive, as cosine and sine of its angle α.

@@ -1,9 +1,11 @@
 //! Newton's method for one equilibrium under one constraint that picks it from the path.
 
+use super::error::{Quantity, SolveError};
 use super::grip_block::GripBlock;
-use super::{
-    Coefficients, CondensedSystem, Observables, PathConstraint, Problem, Quantity, SolveError, State, Workspace,
-};
+use super::observables::{Observables, PathConstraint};
+use super::problem::Problem;
+use super::state::State;
+use super::system::{Coefficients, CondensedSystem, Workspace};
 use serde::{Deserialize, Serialize};
 use std::sync::OnceLock;
 

@@ -1,6 +1,9 @@
 //! What is to be solved: a system, what its grip does, what measures a path, and where that starts.
 
-use super::{EndConditions, EndRoll, Evaluation, MONITORS, Observables, State, System};
+use super::end_conditions::EndConditions;
+use super::observables::{MONITORS, Observables};
+use super::state::State;
+use super::system::{EndRoll, Evaluation, System};
 use std::sync::Arc;
 
 /// A system in a grip, with the start of its path.

@@ -8,7 +8,10 @@
 //! the solver is left with a small dense block, to which it adds the grip, the force and the path constraint. A call
 //! costs one dynamic dispatch a factorisation.
 
-use super::{History, MONITORS, Mesh, Pace, SolveError, State};
+use super::error::SolveError;
+use super::newton::Pace;
+use super::observables::MONITORS;
+use super::state::{History, Mesh, State};
 use std::any::Any;
 use std::sync::Arc;
 

@@ -1,10 +1,17 @@
 //! What the user asks of the numbers, and what follows from it: order, elements and steps.
 
 use super::error_bounds::CORNER_AIM_FRACTION;
-use super::terms::Terms;
-use crate::beam::{BUNDLE, MeshKind};
-use crate::model::{Discretisation, Form, ModelError, NumberOf, PeelModel, Range};
-use crate::solve::{MOST_POINTS, Pace, PathOptions};
+use super::terms::decision::Terms;
+use crate::beam::mesh::MeshKind;
+use crate::beam::planar::uniform_chain::BUNDLE;
+use crate::model::build::Discretisation;
+use crate::model::check::error::ModelError;
+use crate::model::check::numbers::NumberOf;
+use crate::model::check::range::Range;
+use crate::model::peel::{Form, PeelModel};
+use crate::solve::newton::Pace;
+use crate::solve::path::options::PathOptions;
+use crate::solve::path::predictor::MOST_POINTS;
 use serde::{Deserialize, Serialize};
 
 /// What the user asks of the numbers.

@@ -1,6 +1,6 @@
 //! One parameter varied, each value peeled from rest to its end.
 
-use super::{Effort, LargestComputedForce, LimitPoint, PathEnd, Peak, Peel, Plateau};
+use super::peel::result::{Effort, LargestComputedForce, LimitPoint, PathEnd, Peak, Peel, Plateau};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 

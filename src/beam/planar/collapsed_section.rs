@@ -4,8 +4,8 @@
 //! sections of an upright end gain more by coming down to the equilibrium height, all of them, than it takes to compress the axis between them to nothing,
 //! Γ1 = -1: linear elasticity lets sections through one another. Each mesh has another such state, and Newton's method goes from none to the next.
 
-use super::PlanarBeam;
-use crate::solve::State;
+use super::planar_beam::PlanarBeam;
+use crate::solve::state::State;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

@@ -1,6 +1,6 @@
 //! Where the peeling front is when so much of the adhesion is left.
 
-use crate::solve::Hermite;
+use crate::solve::path::hermite::Hermite;
 
 /// The place of the front along a chain, from the adhesion energy that is left over that of a unit length at the left end.
 #[derive(Clone, Debug)]

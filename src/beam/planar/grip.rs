@@ -1,8 +1,10 @@
 //! The grip of a planar beam.
 
-use super::{PlanarBeam, SectionState};
-use crate::beam::{GripForces, GripState};
-use crate::solve::{State, System};
+use super::density::energy_density::SectionState;
+use super::planar_beam::PlanarBeam;
+use crate::beam::grip_state::{GripForces, GripState};
+use crate::solve::state::State;
+use crate::solve::system::System;
 
 impl PlanarBeam {
     /// The grip in an equilibrium, seen from an earlier one.

@@ -1,8 +1,8 @@
 //! Where the elements of a planar beam lie, and how a state gets onto another mesh.
 
-use super::PlanarBeam;
-use crate::beam::{Focus, MeshIntervals, MeshKind, graded_ends};
-use crate::solve::{Mesh, State};
+use super::planar_beam::PlanarBeam;
+use crate::beam::mesh::{Focus, MeshIntervals, MeshKind, graded_ends};
+use crate::solve::state::{Mesh, State};
 
 /// How the elements of a beam are laid out.
 #[derive(Clone, Debug)]

@@ -1,9 +1,9 @@
 //! Where the model itself ends: states beyond which its energy has no stable equilibrium near by, or no lower bound.
 
-use super::PlanarBeam;
-use crate::adhesion::LineLaw;
-use crate::beam::{BondedBeam, BondedMode};
-use crate::solve::State;
+use super::planar_beam::PlanarBeam;
+use crate::adhesion::section::line_load::LineLaw;
+use crate::beam::bonded_beam::{BondedBeam, BondedMode};
+use crate::solve::state::State;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

@@ -1,10 +1,17 @@
 //! A planar beam: a chain of elements on a substrate or on its own, in its reference configuration.
 
-use super::{BeamInertia, Chain, Configuration, ElementEnergy, FrontPosition, MOST_FIELDS, MeshPolicy, ModelLimits};
-use crate::adhesion::{Barrier, Substrate};
-use crate::beam::ReferenceConfiguration;
+use super::chain::{Chain, Configuration, MOST_FIELDS};
+use super::element::planar_element::ElementEnergy;
+use super::front_position::FrontPosition;
+use super::mesh_policy::MeshPolicy;
+use super::model_limits::ModelLimits;
+use super::planar_motion::BeamInertia;
+use crate::adhesion::section::barrier::Barrier;
+use crate::adhesion::substrate::Substrate;
 use crate::beam::mesh::nodal_lengths;
-use crate::solve::{Coefficients, Evaluation, History, INTERFACE, State};
+use crate::beam::reference_configuration::ReferenceConfiguration;
+use crate::solve::state::{History, State};
+use crate::solve::system::{Coefficients, Evaluation, INTERFACE};
 use std::borrow::Cow;
 use std::sync::Arc;
 

@@ -1,18 +1,21 @@
 //! The planar beam as a [`DynamicSystem`]: masses at its nodes, viscous strains at its Gauss points.
 
-use super::chain::KnownStrains;
-use super::{Configuration, PlanarBeam};
-use crate::beam::Viscosity;
+use super::chain::{Configuration, KnownStrains};
+use super::planar_beam::PlanarBeam;
+use crate::beam::viscosity::Viscosity;
 use crate::number::gauss::gauss_legendre;
-use crate::solve::time::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
-use crate::solve::{CondensedSystem, MONITORS, SolveError, State, Workspace};
+use crate::solve::error::SolveError;
+use crate::solve::observables::MONITORS;
+use crate::solve::state::State;
+use crate::solve::system::{CondensedSystem, Workspace};
+use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
 use std::num::NonZeroUsize;
 
 /// What a beam in motion has besides its stiffness.
 pub struct BeamInertia {
     /// ρA and ρI at S: mass per length and rotary inertia per length
     pub section: Box<dyn Fn(f64) -> [f64; 2] + Send + Sync>,
-    /// How its material flows; a chain of a viscous one has a density that is [`super::Viscous`]
+    /// How its material flows; a chain of a viscous one has a density that is [`crate::beam::Viscous`]
     pub viscosity: Viscosity,
 }
 

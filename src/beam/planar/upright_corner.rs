@@ -5,9 +5,9 @@
 //! corner that is a least value: an upright section stays upright under any moment between the two, and so do those beside it over some length, where
 //! nothing but the corner holds them. No smooth solution goes on from there.
 
-use super::PlanarBeam;
 use super::model_limits::{PoleInReach, UprightCorner, UprightSection};
-use crate::solve::State;
+use super::planar_beam::PlanarBeam;
+use crate::solve::state::State;
 
 /// A section with a smaller |cos θ| is upright, where a path cannot be continued.
 const UPRIGHT: f64 = 1e-3;

@@ -9,11 +9,11 @@
 //! g0 that of a section that lies on the ground; of an ellipse both are its lowest point.
 
 use super::chain::quaternion_of;
-use super::density::SPATIAL_FIELDS;
+use super::kinematics::SPATIAL_FIELDS;
 use super::rotation::matrix;
 use super::spatial_beam::{ANGLES, SpatialBeam};
-use crate::adhesion::SectionShape;
-use crate::solve::State;
+use crate::adhesion::spatial_section::section::SectionShape;
+use crate::solve::state::State;
 
 impl SpatialBeam {
     /// The two places, from that of the front, nm; zeros where nothing follows them.

@@ -5,7 +5,7 @@
 //! ρ is then the moment about d1, on θ that about e_z, and on ψ, at ψ = 0, that about the normal of the axis in the plane. The angles fail where
 //! the yaw is a right angle. Without them a turn is a vector in the axes of the directors, and the moment on all three is held to be zero.
 
-use super::chain::EndMap;
+use super::chain::projection::EndMap;
 use super::rotation::{
     Matrix3, Quaternion, apply_transposed, conjugate, cross, dot, exponential, matrix, normalised, product, skew,
 };

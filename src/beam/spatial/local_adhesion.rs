@@ -2,7 +2,7 @@
 
 use super::kinematics::{Kinematics, turned_twice};
 use super::spatial_profile::Station;
-use crate::adhesion::SpatialSection;
+use crate::adhesion::spatial_section::section::SpatialSection;
 use crate::number::Real;
 
 /// Adhesion at a point: energy, the derivatives by y and (α, ω), and what the front is counted by.

@@ -8,11 +8,11 @@
 //! (`tests/mechanics/study/space.rs`) was located to 1.2e-6 of its displacement instead of the 1e-6 asked for.
 
 use super::chain::quaternion_of;
-use super::density::SPATIAL_FIELDS;
+use super::kinematics::SPATIAL_FIELDS;
 use super::rotation::Quaternion;
 use super::spatial_beam::{ANGLES, SpatialBeam};
-use crate::adhesion::SectionShape;
-use crate::solve::State;
+use crate::adhesion::spatial_section::section::SectionShape;
+use crate::solve::state::State;
 
 impl SpatialBeam {
     /// What the places of the nodes of a state are measured by, nm, from the left end on. Between the ends of an element its outline counts as

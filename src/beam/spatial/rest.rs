@@ -3,7 +3,8 @@
 use super::end_rotation::turned;
 use super::rest_curve::{ALONG_X, SpatialRestCurve};
 use super::rotation::Quaternion;
-use crate::beam::{FrontPosition, VaryingReference};
+use crate::beam::planar::front_position::FrontPosition;
+use crate::beam::reference_configuration::VaryingReference;
 
 /// Where a beam in space is in its stress-free configuration.
 #[derive(Clone, Debug)]

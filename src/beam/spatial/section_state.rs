@@ -14,7 +14,7 @@ use super::rotation::{apply, cross, dot};
 use super::spatial_beam::SpatialBeam;
 use super::spatial_grip::SpatialSectionPlace;
 use super::spatial_profile::{SpatialProfile, Station};
-use crate::solve::State;
+use crate::solve::state::State;
 use nalgebra::{Matrix6, Vector6};
 use std::ops::Range;
 

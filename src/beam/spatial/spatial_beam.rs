@@ -1,14 +1,19 @@
 //! A beam in space: a chain of elements above flat ground or on its own, in its rest configuration.
 
-use super::chain::{SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, read::normalise};
-use super::density::SPATIAL_FIELDS;
+use super::chain::projection::SPATIAL_UNKNOWNS;
+use super::chain::read::normalise;
+use super::chain::{SpatialChain, SpatialConfiguration};
 use super::end_rotation::{EndRotation, turned};
+use super::kinematics::SPATIAL_FIELDS;
 use super::rest::SpatialRest;
 use super::rotation::{apply_transposed, matrix};
 use super::spatial_motion::SpatialInertia;
-use crate::adhesion::{Barrier, SectionShape};
-use crate::beam::{MeshKind, MeshPolicy};
-use crate::solve::{INTERFACE, Mesh, State};
+use crate::adhesion::section::barrier::Barrier;
+use crate::adhesion::spatial_section::section::SectionShape;
+use crate::beam::mesh::MeshKind;
+use crate::beam::planar::mesh_policy::MeshPolicy;
+use crate::solve::state::{Mesh, State};
+use crate::solve::system::INTERFACE;
 
 /// Values of a state behind those of its nodes: the angles of the two ends.
 pub(super) const ANGLES: usize = 6;
@@ -17,7 +22,7 @@ pub(super) const ANGLES: usize = 6;
 ///
 /// Values of a state: x, y, z and the quaternion of each node from left to right, then the angles of the left and of the right end (of an end
 /// that turns freely they count its turns alone). A direction has six numbers a node: of its place, and of its turn in the axes of its directors; of the two end
-/// nodes those of [`super::SpatialEnd`]. The interface is the right end.
+/// nodes those of [`crate::beam::SpatialEnd`]. The interface is the right end.
 #[derive(Clone, Debug)]
 pub struct SpatialBeam {
     /// Its elements

@@ -6,15 +6,19 @@
 //!
 //! Source: J. C. Simo, L. Vu-Quoc, On the dynamics in space of rods undergoing large motions, Comput. Methods Appl. Mech. Eng. 66 (1988).
 
-use super::chain::{EndMap, SPATIAL_UNKNOWNS, SpatialConfiguration, quaternion_of};
-use super::density::SPATIAL_FIELDS;
+use super::chain::projection::{EndMap, SPATIAL_UNKNOWNS};
+use super::chain::{SpatialConfiguration, quaternion_of};
 use super::end_rotation::EndRotation;
+use super::kinematics::SPATIAL_FIELDS;
 use super::rotation::{apply, cross, dot, matrix};
 use super::spatial_beam::{ANGLES, SpatialBeam};
 use super::strain_memory::SpatialKnownStrains;
-use crate::beam::Viscosity;
-use crate::solve::time::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
-use crate::solve::{CondensedSystem, MONITORS, SolveError, State, System, Workspace};
+use crate::beam::viscosity::Viscosity;
+use crate::solve::error::SolveError;
+use crate::solve::observables::MONITORS;
+use crate::solve::state::State;
+use crate::solve::system::{CondensedSystem, System, Workspace};
+use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
 use std::fmt;
 use std::sync::Arc;
 

@@ -1,7 +1,9 @@
 //! The sections of a beam in space, from place to place.
 
 use super::stiffness::SpatialStiffness;
-use crate::beam::{LateralStiffness, SectionAt, Varying};
+use crate::beam::lateral_stiffness::LateralStiffness;
+use crate::beam::planar::density::profile::SectionAt;
+use crate::beam::varying::Varying;
 use crate::number::Real;
 
 /// What a section is at one place.

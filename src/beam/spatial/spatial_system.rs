@@ -1,16 +1,20 @@
 //! The beam in space as a [`System`]: what a solver asks of it. Its interface is the right end.
 
-use super::chain::{SPATIAL_UNKNOWNS, SpatialConfiguration, SpatialFactors, SpatialFunctional, quaternion_of};
-use super::density::SPATIAL_FIELDS;
+use super::chain::projection::SPATIAL_UNKNOWNS;
+use super::chain::{SpatialConfiguration, SpatialFactors, SpatialFunctional, quaternion_of};
 use super::end_rotation::EndRotation;
+use super::kinematics::SPATIAL_FIELDS;
 use super::rotation::{apply, apply_transposed, cross, matrix};
 use super::shared_system::{condensed, node_difference, step_node, weighted_sum};
 use super::spatial_beam::{ANGLES, SpatialBeam};
-use crate::beam::mesh::nodal_lengths;
-use crate::beam::{ElementEnergy, FRONT, MeshKind, TIP_ROTATION};
-use crate::solve::{
-    Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, MONITORS, Mesh, NodalTerms, Rates, SolveError,
-    State, System, Unknown, Workspace,
+use crate::beam::mesh::{MeshKind, nodal_lengths};
+use crate::beam::planar::element::planar_element::ElementEnergy;
+use crate::beam::planar::planar_beam::{FRONT, TIP_ROTATION};
+use crate::solve::error::SolveError;
+use crate::solve::observables::MONITORS;
+use crate::solve::state::{Mesh, State};
+use crate::solve::system::{
+    Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown, Workspace,
 };
 
 const F: usize = SPATIAL_UNKNOWNS;

@@ -1,6 +1,6 @@
 //! Stiffness of the section of a beam in space.
 
-use crate::beam::Material;
+use crate::beam::section::Material;
 
 /// Stiffness of a section: section forces and moments are C (Γ, K - K0), in the axes of the directors.
 ///

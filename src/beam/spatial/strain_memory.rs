@@ -3,8 +3,12 @@
 //! As in the plane a step strains from known ε_k, with a factor f: section forces are C ε + f C (ε - ε_k), with the energy
 //! ½ ε · C ε + ½ f (ε - ε_k) · C (ε - ε_k). Strains in the axes of the directors do not change where a body turns as a whole, and neither does their rate.
 
-use super::density::{FACTOR, SPATIAL_FIELDS};
-use crate::beam::{Basis, Element, MEMORY, MOST_NODES, Nodes};
+use super::density::FACTOR;
+use super::density::SpatialDensity;
+use super::kinematics::SPATIAL_FIELDS;
+use crate::beam::planar::element::basis::{Basis, MOST_NODES, Nodes};
+use crate::beam::planar::element::integrand::MEMORY;
+use crate::beam::planar::element::planar_element::Element;
 use crate::number::F64x4;
 
 /// Numbers that are remembered at a point.
@@ -58,7 +62,7 @@ pub(super) struct StrainAt {
 
 /// Strains at the Gauss points of an element.
 pub(super) fn strains_of<'a>(
-    density: &'a super::SpatialDensity,
+    density: &'a SpatialDensity,
     element: &'a Element<f64, SPATIAL_FIELDS>,
     nodes: impl Nodes + 'a,
     basis: &'a Basis,

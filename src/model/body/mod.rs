@@ -1,18 +1,17 @@
 //! What is peeled.
 
-mod pieces;
-mod profile;
-mod spatula;
-mod strip;
-mod transition;
+pub(super) mod pieces;
+pub(crate) mod profile;
+pub(super) mod spatula;
+pub(super) mod strip;
+pub(super) mod transition;
 
-pub use pieces::*;
-pub use profile::*;
-pub use spatula::*;
-pub use strip::*;
-pub use transition::*;
+use profile::Profile;
+use spatula::Spatula;
+use strip::Strip;
 
-use crate::beam::{BeamGeometry, Material};
+use crate::beam::section::Material;
+use crate::beam::varying::BeamGeometry;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

@@ -5,9 +5,11 @@
 //! w + (1 - w)(1 - (1 - t)⁴) with t = S/rounding; the section goes from a rectangle to a circle with q, and the underside turns up
 //! by the shaft's angle times s5((S - pad)/bend). A choice within the ranges of the literature: the paper gives no dimensions.
 
-use super::{Body, Geometry, Transition};
-use crate::beam::{BeamGeometry, Material, SectionGeometry};
-use crate::model::{Adhesion, Grip, Hold, PeelModel};
+use super::transition::Transition;
+use super::{Body, Geometry};
+use crate::beam::section::Material;
+use crate::beam::varying::{BeamGeometry, SectionGeometry};
+use crate::model::peel::{Adhesion, Grip, Hold, PeelModel};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

@@ -1,9 +1,12 @@
 //! A uniform strip of rectangular section.
 
 use super::{Body, Geometry};
-use crate::adhesion::LineLaw;
-use crate::beam::{BeamGeometry, Material, Section, SectionGeometry};
-use crate::model::{Adhesion, BeamProblem, Form, Grip, NoSuchOrder, PeelModel, Pull};
+use crate::adhesion::section::line_load::LineLaw;
+use crate::beam::section::{Material, Section};
+use crate::beam::varying::{BeamGeometry, SectionGeometry};
+use crate::model::beam_problem::BeamProblem;
+use crate::model::build::NoSuchOrder;
+use crate::model::peel::{Adhesion, Form, Grip, PeelModel, Pull};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

@@ -1,8 +1,10 @@
 //! What is wrong with a model.
 
-use super::{Measured, Range};
-use crate::adhesion::{Attraction, Misfit, SpatialSectionError};
-use crate::model::{Step, StepError};
+use super::range::{Measured, Range};
+use crate::adhesion::section::law::Attraction;
+use crate::adhesion::spatial_section::error::SpatialSectionError;
+use crate::adhesion::substrate::surface::Misfit;
+use crate::model::step::{Step, StepError};
 
 /// What is wrong with a model: the key of a scene that gives the value, what was found, and what would be right. It reads as one
 /// sentence: "`strip.length` is 0 nm, which is out of range".

@@ -1,6 +1,6 @@
 //! Which values of a single number have a meaning.
 
-use super::ModelErrorKind;
+use super::error::ModelErrorKind;
 use std::fmt;
 
 /// The numbers that have a meaning.

@@ -1,8 +1,10 @@
 //! What of a seta cannot be computed.
 
-use super::{Seta, SetaMesh};
-use crate::beam::{MOST_ORDER, TreeError};
-use crate::model::Range;
+use super::mesh::SetaMesh;
+use super::parameters::Seta;
+use crate::beam::planar::element::basis::MOST_ORDER;
+use crate::beam::spatial::tree::build::TreeError;
+use crate::model::check::range::Range;
 
 /// Most forks: 4096 tips.
 pub const MOST_FORKS: usize = 12;

@@ -1,8 +1,13 @@
 //! Which steps of a path hold limit points.
 
-use super::LimitPointKind;
+use super::kind::LimitPointKind;
 use super::locate::{ROUGH, slope_at, solve_on, step_to};
-use crate::solve::{Hermite, PathSegment, Problem, Solution, SolveError, Workspace};
+use crate::solve::error::SolveError;
+use crate::solve::newton::Solution;
+use crate::solve::path::hermite::Hermite;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::problem::Problem;
+use crate::solve::system::Workspace;
 use std::sync::Arc;
 
 /// Places inside a step at which the interpolated slope is looked at.

@@ -1,6 +1,7 @@
 //! Which quantity turns at a limit point.
 
-use crate::solve::{Observables, Solution};
+use crate::solve::newton::Solution;
+use crate::solve::observables::Observables;
 use std::fmt;
 
 /// Which quantity has a limit point.

@@ -1,11 +1,13 @@
 //! Limit points of the path, located and not sampled, with a bound on their error from half as many elements again.
 
-use super::LimitPointKind;
+use super::kind::LimitPointKind;
 use super::search::{BendRule, Bends, FINE, LimitPointSearch};
-use crate::solve::{
-    NewtonOptions, Observables, Pace, PathConstraint, PathSegment, Problem, Solution, SolveError, Workspace, slopes,
-    solve,
-};
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Pace, Solution, slopes, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::path::segment::PathSegment;
+use crate::solve::problem::Problem;
+use crate::solve::system::Workspace;
 use std::sync::Arc;
 
 /// A point of the path found by a constraint on it.

@@ -11,10 +11,13 @@
 //! Newton's step is taken by blocks: first at fixed σ, then a = -g/(dg/dσ) along t. dg/dσ is a secant of the last two solves, or a
 //! difference of g over a short way along t, which takes one more elimination; where a is next to nothing that of a neighbour serves.
 
-use super::LimitPointKind;
-use crate::solve::{
-    NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, slopes, solve,
-};
+use super::kind::LimitPointKind;
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution, slopes, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::problem::Problem;
+use crate::solve::state::State;
+use crate::solve::system::Workspace;
 
 /// Most solves until a limit point is located.
 const MOST_SOLVES: usize = 8;

@@ -3,7 +3,9 @@
 //! A pull that is not quite symmetric rounds a bifurcation off. The path from rest turns within a short way, and beside it another branch goes on nearly as
 //! before: a step that is too long lands there.
 
-use crate::solve::{Observables, Pace, Problem, Solution};
+use crate::solve::newton::{Pace, Solution};
+use crate::solve::observables::Observables;
+use crate::solve::problem::Problem;
 use nalgebra::DVector;
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,8 @@
 //! How a path is stepped, and why it stops.
 
 use super::predictor::MOST_POINTS;
-use crate::solve::{Pace, SolveError};
+use crate::solve::error::SolveError;
+use crate::solve::newton::Pace;
 use serde::{Deserialize, Serialize};
 
 /// How a path is stepped. Its points follow from this and the problem alone.

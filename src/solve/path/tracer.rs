@@ -4,9 +4,17 @@
 //! A step of the path is looked at as soon as its second point is there. Where a quantity turns on it, a few points behind it are computed
 //! first, so that what lies between is well interpolated.
 
-use super::{Path, PathError, PathSegment};
-use crate::solve::limit_point::brackets;
-use crate::solve::{LimitPointKind, Located, Problem, Solution, SolveError, Workspace, locate, locate_branching};
+use super::equilibrium_path::Path;
+use super::options::PathError;
+use super::segment::PathSegment;
+use crate::solve::branching::locate_branching;
+use crate::solve::error::SolveError;
+use crate::solve::limit_point::bracket::brackets;
+use crate::solve::limit_point::kind::LimitPointKind;
+use crate::solve::limit_point::locate::{Located, locate};
+use crate::solve::newton::Solution;
+use crate::solve::problem::Problem;
+use crate::solve::system::Workspace;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::sync::Arc;

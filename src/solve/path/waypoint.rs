@@ -2,7 +2,7 @@
 
 use super::metric::Notice;
 use super::near_branch::NearBranch;
-use crate::solve::Solution;
+use crate::solve::newton::Solution;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

@@ -1,6 +1,9 @@
 //! What time integration asks of a system besides what equilibrium does: mass, what its material remembers, and one factorisation of both.
 
-use crate::solve::{CondensedSystem, NodalTerms, Problem, SolveError, State, System, Workspace};
+use crate::solve::error::SolveError;
+use crate::solve::problem::Problem;
+use crate::solve::state::State;
+use crate::solve::system::{CondensedSystem, NodalTerms, System, Workspace};
 use std::sync::Arc;
 
 /// The rule that replaces the time derivative of what a material remembers: dm/dt = `per_time` (m - `known`) at the end of a step.

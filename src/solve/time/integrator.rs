@@ -1,9 +1,16 @@
 //! From step to step in time: how long each is, where it is cut, and what becomes of the energy.
 
+use super::drive::Drive;
+use super::dynamic_system::{DynamicProblem, MaterialRate};
+use super::energy::EnergyBalance;
 use super::extrapolation::{backward_differences, extrapolation, integral};
+use super::motion::Motion;
+use super::rule::GeneralisedAlpha;
 use super::step::{Prescribed, Step, Taken};
-use super::{Drive, DynamicProblem, EnergyBalance, GeneralisedAlpha, MaterialRate, Motion};
-use crate::solve::{MONITORS, SolveError, State, Workspace};
+use crate::solve::error::SolveError;
+use crate::solve::observables::MONITORS;
+use crate::solve::state::State;
+use crate::solve::system::Workspace;
 use std::collections::VecDeque;
 
 /// How long steps are.

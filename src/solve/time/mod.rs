@@ -1,10 +1,10 @@
 //! Motion in time of any [`DynamicSystem`]: the generalised-α rule, steps by their error, by stability and by events.
-mod drive;
-mod dynamic_system;
-mod energy;
+pub(crate) mod drive;
+pub(crate) mod dynamic_system;
+pub(crate) mod energy;
 mod extrapolation;
-mod integrator;
-mod motion;
+pub(crate) mod integrator;
+pub(crate) mod motion;
 mod rule;
 mod step;
 pub use drive::{Drive, DriveRates, Ramp};

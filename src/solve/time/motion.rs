@@ -1,6 +1,6 @@
 //! Where a structure is and how it moves.
 
-use crate::solve::State;
+use crate::solve::state::State;
 
 /// A state in motion, at one time.
 #[derive(Clone, Debug)]

@@ -6,7 +6,7 @@
 
 use super::error::CoarseningError;
 use super::seta_by_table::TableRound;
-use crate::study::{SetaPoint, SetaPullOff};
+use crate::study::seta::result::{SetaPoint, SetaPullOff};
 use std::fmt;
 
 /// Why a table does not grow any more.

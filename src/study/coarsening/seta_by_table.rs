@@ -9,8 +9,16 @@ use super::run::Coarsening;
 use super::seta_tip::TableLaw;
 use super::table::TipTable;
 use super::visited::Visited;
-use crate::model::{PeelModel, SetaError, SetaModel, Sideways, TipLaw};
-use crate::study::{Bound, SetaEnd, SetaLoading, SetaOptions, SetaPullOff, StopCriteria, pull_off};
+use crate::model::peel::PeelModel;
+use crate::model::seta::check::SetaError;
+use crate::model::seta::normal_pull::Sideways;
+use crate::model::seta::parameters::SetaModel;
+use crate::model::seta::tip_law::TipLaw;
+use crate::study::seta::loading::SetaLoading;
+use crate::study::seta::options::SetaOptions;
+use crate::study::seta::result::{SetaEnd, SetaPullOff};
+use crate::study::seta::run::pull_off;
+use crate::study::stop_criteria::{Bound, StopCriteria};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

@@ -1,10 +1,13 @@
 //! What the grip moves and what it holds: in a step before the pull, while it lets go of what a step has moved, and in the pull.
 
 use super::grip_in_space;
-use crate::beam::GripForces;
-use crate::beam::rotation::Matrix3;
-use crate::model::{BeamProblem, Moved};
-use crate::solve::{Direction, EndConditions, INTERFACE, State};
+use crate::beam::grip_state::GripForces;
+use crate::beam::spatial::rotation::Matrix3;
+use crate::model::beam_problem::BeamProblem;
+use crate::model::step::Moved;
+use crate::solve::end_conditions::{Direction, EndConditions};
+use crate::solve::state::State;
+use crate::solve::system::INTERFACE;
 
 /// A force below this share of its scale is none; in space that along a strip, of differences of its places along x, is known less well.
 pub(super) const NONE: f64 = 1e-9;

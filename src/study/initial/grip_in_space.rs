@@ -6,9 +6,10 @@
 //! grip is held in one of its two directions; else a grip that is held in one of them is free in the other.
 
 use super::grip_control::{GripControl, LettingGo};
-use crate::beam::rotation::{Matrix3, apply_transposed, cross};
-use crate::model::{ACROSS, ALONG, Moved, ROLL, ROTATION, SIDEWAYS, YAW};
-use crate::solve::Direction;
+use crate::beam::spatial::rotation::{Matrix3, apply_transposed, cross};
+use crate::model::space::{ACROSS, ALONG, ROLL, ROTATION, SIDEWAYS, YAW};
+use crate::model::step::Moved;
+use crate::solve::end_conditions::Direction;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];

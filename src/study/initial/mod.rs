@@ -1,5 +1,5 @@
 //! Where a path starts: how the beam comes to lie on its ground, and what the grip does before the pull.
-mod error;
+pub(super) mod error;
 mod grip_control;
 mod grip_in_space;
 mod loading_steps;
@@ -7,11 +7,14 @@ mod settled_in_space;
 mod settled_on_ground;
 mod stability;
 
-pub use error::*;
+use error::{NoEquilibrium, NotPrepared, UnstableRest};
 
-use crate::beam::{GripState, MeshKind};
-use crate::model::{BeamProblem, Discretisation, PeelModel};
-use crate::solve::ShouldStop;
+use crate::beam::grip_state::GripState;
+use crate::beam::mesh::MeshKind;
+use crate::model::beam_problem::BeamProblem;
+use crate::model::build::Discretisation;
+use crate::model::peel::PeelModel;
+use crate::solve::system::ShouldStop;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

@@ -4,12 +4,18 @@
 use super::RelaxedStart;
 use super::error::UnstableRest;
 use super::loading_steps::elements;
-use crate::beam::{BondedBeam, BondedMode};
-use crate::model::{Adhesion, BeamProblem, Discretisation, Form, Hold, PeelModel};
-use crate::solve::{
-    Held, InitialState, MOST_POINTS, Path, PathError, PathOptions, RelaxError, RelaxOptions, ShouldStop, Solution,
-    State, Workspace, disturbed_anyhow, relax,
-};
+use crate::beam::bonded_beam::{BondedBeam, BondedMode};
+use crate::model::beam_problem::BeamProblem;
+use crate::model::build::Discretisation;
+use crate::model::peel::{Adhesion, Form, Hold, PeelModel};
+use crate::solve::newton::Solution;
+use crate::solve::path::equilibrium_path::Path;
+use crate::solve::path::options::{PathError, PathOptions};
+use crate::solve::path::predictor::MOST_POINTS;
+use crate::solve::problem::InitialState;
+use crate::solve::relax::{Held, RelaxError, RelaxOptions, disturbed_anyhow, relax};
+use crate::solve::state::State;
+use crate::solve::system::{ShouldStop, Workspace};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 

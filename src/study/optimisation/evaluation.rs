@@ -3,7 +3,11 @@
 use super::options::OptimisationOptions;
 use super::problem::{DesignProblem, Factor};
 use super::search_path::SearchPath;
-use crate::study::{Derivative, Peel, Spacing, Variation, peel, sensitivities};
+use crate::study::limit_point_continuation::result::Spacing;
+use crate::study::peel::result::Peel;
+use crate::study::peeling::peel;
+use crate::study::sensitivity::run::sensitivities;
+use crate::study::sensitivity::{Derivative, Variation};
 
 /// What was found of one design. A design whose peel has no such number, or that cannot be computed, has no value.
 #[derive(Clone, Debug, PartialEq)]

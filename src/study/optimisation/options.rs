@@ -1,7 +1,8 @@
 //! How an optimum is looked for.
 
 use super::evaluation::Evaluation;
-use crate::study::{Accuracy, StopCriteria};
+use crate::study::accuracy::Accuracy;
+use crate::study::stop_criteria::StopCriteria;
 
 /// How the next design is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

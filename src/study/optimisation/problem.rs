@@ -8,8 +8,9 @@
 //! - for a maximum, + for a minimum of the objective Q. Derivatives of ln Q have no unit, and neither have g and e.
 
 use super::profile::ProfileColumn;
-use crate::model::PeelModel;
-use crate::study::{PeelQuantity, Spacing};
+use crate::model::peel::PeelModel;
+use crate::study::limit_point_continuation::result::Spacing;
+use crate::study::sensitivity::quantity::PeelQuantity;
 
 /// Whether the objective is to be large or small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

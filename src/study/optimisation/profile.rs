@@ -2,8 +2,10 @@
 //! [`ProfileTable`] between them.
 
 use super::problem::{ConstraintKind, DesignConstraint, DesignVariable};
-use crate::model::{Body, PeelModel, Profile, ProfileColumns, ProfileForm, ProfileTable};
-use crate::study::Spacing;
+use crate::model::body::Body;
+use crate::model::body::profile::{Profile, ProfileColumns, ProfileForm, ProfileTable};
+use crate::model::peel::PeelModel;
+use crate::study::limit_point_continuation::result::Spacing;
 use gauss_quad::GaussLegendre;
 use std::num::NonZeroUsize;
 

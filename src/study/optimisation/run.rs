@@ -10,7 +10,8 @@ use super::refine::refined;
 use super::result::{Design, Optimum};
 use super::search::{FEASIBLE, Search, SearchEnd, SearchResult};
 use super::starts::{projected, random};
-use crate::study::{Peel, peel};
+use crate::study::peel::result::Peel;
+use crate::study::peeling::peel;
 use rayon::prelude::*;
 
 /// Finds the best design.

@@ -1,11 +1,17 @@
 //! How a beam lies on ground that is not flat: how much of it adheres, how deep it penetrates, and how far the ground is from
 //! the half space that stands for it.
 
-use super::{DeformedShape, Peel};
-use crate::adhesion::{CurvedBody, HalfSpace, Sinusoid, Substrate};
-use crate::beam::{FRONT, MeshKind};
-use crate::model::{Discretisation, Form, Ground, PeelModel, Start};
-use crate::solve::LimitPointKind;
+use super::result::{DeformedShape, Peel};
+use crate::adhesion::levels::curved::CurvedBody;
+use crate::adhesion::levels::half_space::HalfSpace;
+use crate::adhesion::substrate::Substrate;
+use crate::adhesion::substrate::sinusoid::Sinusoid;
+use crate::beam::mesh::MeshKind;
+use crate::beam::planar::planar_beam::FRONT;
+use crate::model::build::Discretisation;
+use crate::model::ground::{Ground, Start};
+use crate::model::peel::{Form, PeelModel};
+use crate::solve::limit_point::kind::LimitPointKind;
 use crate::study::accuracy::ORDER;
 use crate::study::initial::prepared;
 

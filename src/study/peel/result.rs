@@ -2,11 +2,19 @@
 
 use super::failure::Failure;
 use super::solution_history::SolutionHistory;
-use crate::beam::{BondedLoss, GripState, NodeState, SpatialSectionPlace, SpatialSectionState, UprightSection};
-use crate::model::{PeelModel, SpatialGrip};
-use crate::solve::{LimitPointKind, Pace};
-use crate::study::terms::TermDecisions;
-use crate::study::{Bound, Choice, RelaxedStart};
+use crate::beam::grip_state::GripState;
+use crate::beam::planar::chain::NodeState;
+use crate::beam::planar::model_limits::{BondedLoss, UprightSection};
+use crate::beam::spatial::section_state::SpatialSectionState;
+use crate::beam::spatial::spatial_grip::SpatialSectionPlace;
+use crate::model::peel::PeelModel;
+use crate::model::spatial_grip::SpatialGrip;
+use crate::solve::limit_point::kind::LimitPointKind;
+use crate::solve::newton::Pace;
+use crate::study::accuracy::Choice;
+use crate::study::initial::RelaxedStart;
+use crate::study::stop_criteria::Bound;
+use crate::study::terms::decision::TermDecisions;
 use serde::{Deserialize, Serialize};
 
 /// How a path ended.
@@ -215,7 +223,7 @@ pub struct Peel {
     pub plateau: Option<Plateau>,
     /// The first displacement limit point: a displacement-controlled test makes its first jump here, whatever jumps.
     pub snap_off: Option<LimitPoint>,
-    /// The displacement limit point behind which the pad does not adhere any more ([`Adhering`](super::Adhering)): at the most an edge or
+    /// The displacement limit point behind which the pad does not adhere any more ([`Adhering`](crate::study::Adhering)): at the most an edge or
     /// the end does. None where there is no such fold, and on a path that was not followed to where the beam comes off.
     pub pad_detachment: Option<LimitPoint>,
     /// The displacement limit point behind which nothing adheres any more, up to where the path ends detached. None where there is no

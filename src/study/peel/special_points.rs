@@ -1,10 +1,15 @@
 //! The points of a path that have a name: peaks are located limit points, or there are none.
 
-use super::equilibrium_path::Followed;
+use super::equilibrium_path::followed::Followed;
+use super::failure::PathFailure;
 use super::plateau::steady_force;
-use super::{LargestComputedForce, LimitPoint, PathEnd, PathFailure, PathPoint, Peak, Peel};
-use crate::model::BeamProblem;
-use crate::solve::{LimitPointKind, Observables, Solution, Workspace, difference_on_more_elements};
+use super::result::{LargestComputedForce, LimitPoint, PathEnd, PathPoint, Peak, Peel};
+use crate::model::beam_problem::BeamProblem;
+use crate::solve::limit_point::kind::LimitPointKind;
+use crate::solve::limit_point::locate::difference_on_more_elements;
+use crate::solve::newton::Solution;
+use crate::solve::observables::Observables;
+use crate::solve::system::Workspace;
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
 use std::sync::Arc;
 

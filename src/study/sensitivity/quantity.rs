@@ -1,6 +1,7 @@
 //! The numbers of a peel that can be differentiated, minimised, or called uncertain.
 
-use crate::study::{LimitPoint, LimitPointKind, Peak, Peel};
+use crate::solve::limit_point::kind::LimitPointKind;
+use crate::study::peel::result::{LimitPoint, Peak, Peel};
 
 /// A number of a peel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

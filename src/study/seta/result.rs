@@ -1,9 +1,9 @@
 //! What a pull-off of a seta gives.
 
 use super::failure::SetaFailure;
-use crate::beam::rotation::Quaternion;
-use crate::model::TipBranch;
-use crate::study::Bound;
+use crate::beam::spatial::rotation::Quaternion;
+use crate::model::seta::tip_law::TipBranch;
+use crate::study::stop_criteria::Bound;
 use serde::{Deserialize, Serialize};
 
 /// A stable equilibrium of a seta.

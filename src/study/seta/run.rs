@@ -14,9 +14,16 @@ use super::progress::{Mark, Named, SetaProgress};
 use super::rest::{Rested, come_to_rest};
 use super::result::{JointPlace, LocationError, SetaEnd, SetaPoint, SetaPullOff, SetaState};
 use super::standing::{RootDrive, Standing, TipTangent};
-use crate::model::{SetaError, SetaModel, TipBranch};
-use crate::solve::{Observables, PathConstraint, Solution, SolveError, State, System, Workspace, solve};
-use crate::study::{Stage, StopCriteria};
+use crate::beam::spatial::chain::projection::SPATIAL_UNKNOWNS;
+use crate::model::seta::check::SetaError;
+use crate::model::seta::parameters::SetaModel;
+use crate::model::seta::tip_law::TipBranch;
+use crate::solve::error::SolveError;
+use crate::solve::newton::{Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::state::State;
+use crate::solve::system::{System, Workspace};
+use crate::study::stop_criteria::{Stage, StopCriteria};
 use event::Due;
 
 /// Shortest step of the root, nm: below the error with which contacts are located.
@@ -349,6 +356,6 @@ impl<'a> Run<'a> {
 
 /// Moves all nodes up, nm.
 fn raise(at: &mut State, unknowns: usize, height: f64) {
-    let nodes = unknowns / crate::beam::SPATIAL_UNKNOWNS;
+    let nodes = unknowns / SPATIAL_UNKNOWNS;
     at.values[..nodes * NODE].chunks_exact_mut(NODE).for_each(|node| node[1] += height);
 }

@@ -1,7 +1,8 @@
 //! What an element integrates: an energy density along the axis and its first and second derivatives.
 
-use crate::adhesion::{FrictionState, LineResponse};
-use crate::beam::Point;
+use crate::adhesion::friction::dahl::FrictionState;
+use crate::adhesion::section::response::LineResponse;
+use crate::beam::planar::element::integrand::Point;
 use crate::number::Real;
 
 /// Response at one point of the axis to F fields, their slopes along S and one number that is the same along the whole

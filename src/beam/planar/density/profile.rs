@@ -1,8 +1,9 @@
 //! What a density asks of a beam at one place: stiffness, outline, and the stress-free configuration.
 
+use super::energy_density::SectionState;
 use super::reissner::{section_from_forces, section_of, stored};
-use crate::beam::SectionState;
-use crate::beam::{Section, Varying};
+use crate::beam::section::Section;
+use crate::beam::varying::Varying;
 use crate::number::Real;
 
 /// A beam at one place, or at four side by side.

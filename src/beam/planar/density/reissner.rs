@@ -3,9 +3,11 @@
 //! Γ1 = x' cos θ + y' sin θ - 1, Γ2 = -x' sin θ + y' cos θ, κ = θ' - κ0; stored energy ½EA Γ1² + ½GA_s Γ2² + ½EI κ² per
 //! length, and the adhesion bΨ(y, θ). κ0 is the curvature at rest, zero for a strip.
 
-use crate::adhesion::{LineLaw, TiltCount};
-use crate::beam::Section;
-use crate::beam::{Coupling, EnergyDensity, PointResponse, Profile, SectionState};
+use super::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
+use super::profile::Profile;
+use crate::adhesion::section::coverage::TiltCount;
+use crate::adhesion::section::line_load::LineLaw;
+use crate::beam::section::Section;
 use crate::number::Real;
 
 /// The three-field form of the planar Reissner beam on a flat half space. Fields: x (nm), gap η = y - h/2 (nm), rotation

@@ -1,6 +1,7 @@
 //! The front of an element: its tangent with all that elimination takes along.
 
-use crate::beam::{Basis, MOST_NODES, Nodes, PointResponse};
+use super::basis::{Basis, MOST_NODES, Nodes};
+use crate::beam::planar::density::energy_density::PointResponse;
 use crate::number::Real;
 
 /// One row: an equation, with a column for each unknown.

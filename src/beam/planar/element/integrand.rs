@@ -3,8 +3,8 @@
 //! What an element asks of its density does not depend on its order: so each density is compiled once, and the elements of
 //! each order once for all densities.
 
-use crate::adhesion::FrictionState;
-use crate::beam::{Coupling, EnergyDensity, PointResponse, SectionState};
+use crate::adhesion::friction::dahl::FrictionState;
+use crate::beam::planar::density::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
 use crate::number::{F64x4, Real};
 
 /// Numbers that a density may remember at a point.

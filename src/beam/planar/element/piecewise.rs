@@ -13,9 +13,11 @@
 //! ε makes an error of
 //! order ε⁵.
 
+use super::basis::{Basis, MOST_NODES, Nodes, PerNode, slot};
+use super::frontal_matrix::FrontalMatrix;
 use super::integrand::Integrand;
 use super::planar_element::{Element, Integration};
-use crate::beam::{Basis, FrontalMatrix, MOST_NODES, Nodes, PerNode, PointResponse, slot};
+use crate::beam::planar::density::energy_density::PointResponse;
 use crate::number::F64x4;
 
 /// Most cuts of an element; what is behind them is one piece.

@@ -1,8 +1,10 @@
 //! The element: integrates a density into its front, the matrix that elimination works on.
 
+use super::basis::{Basis, MOST_NODES, Nodes, PerNode};
+use super::frontal_matrix::FrontalMatrix;
 use super::integrand::{Integrand, MEMORY, Point};
 use super::piecewise::PiecePoint;
-use crate::beam::{Basis, Coupling, FrontalMatrix, MOST_NODES, Nodes, PerNode, PointResponse};
+use crate::beam::planar::density::energy_density::{Coupling, PointResponse};
 use crate::number::{F64x4, Real};
 use serde::{Deserialize, Serialize};
 

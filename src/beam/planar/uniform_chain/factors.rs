@@ -10,8 +10,9 @@
 //! found again from what it leaves below the pivots, and in the fronts of a symmetric tangent from U.
 
 use super::{BUNDLE, Kept, UniformChain};
-use crate::beam::planar::chain::{BelowEnd, EndRow};
-use crate::beam::{ChainFactors, FrontalMatrix, FrontalRow, MOST_FIELDS, MOST_NODES, RootVector, slot};
+use crate::beam::planar::chain::{BelowEnd, ChainFactors, EndRow, MOST_FIELDS, RootVector};
+use crate::beam::planar::element::basis::{MOST_NODES, slot};
+use crate::beam::planar::element::frontal_matrix::{FrontalMatrix, FrontalRow};
 use crate::number::F64x4;
 
 /// Most unknowns of an element: its fields and the border.

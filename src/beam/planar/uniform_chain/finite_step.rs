@@ -11,8 +11,10 @@
 //! non-linear structural problems discretized via displacement-based finite elements, Comput. Methods Appl. Mech. Engrg. 313 (2017) 986-1005.
 
 use super::{BUNDLE, UniformChain};
-use crate::beam::planar::element::Point;
-use crate::beam::{Configuration, Element, MOST_NODES, Nodes, slot};
+use crate::beam::planar::chain::Configuration;
+use crate::beam::planar::element::basis::{MOST_NODES, Nodes, slot};
+use crate::beam::planar::element::integrand::Point;
+use crate::beam::planar::element::planar_element::Element;
 use crate::number::{F64x4, Real};
 
 /// [`UniformChain::follow`] compiled for the vector units that the machine may have, chosen when it runs.

@@ -17,13 +17,18 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 
-use super::{
-    AnyNumber, Basis, Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, Element, ElementEnergy,
-    Fixed, FrontalMatrix, Integration, MEMORY, MOST_FIELDS, MOST_NODES, MOST_ORDER, NodeState, Nodes, PlanarIntegrand,
-    Responses, RootVector, SectionState, slot,
+use super::chain::{
+    Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, MOST_FIELDS, NodeState, RootVector,
 };
+use super::density::energy_density::SectionState;
+use super::element::basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, slot};
+use super::element::frontal_matrix::FrontalMatrix;
+use super::element::integrand::{MEMORY, PlanarIntegrand};
+use super::element::planar_element::{Element, ElementEnergy, Integration, Responses};
 use crate::number::F64x4;
-use crate::solve::{History, NodalTerms, SolveError};
+use crate::solve::error::SolveError;
+use crate::solve::state::History;
+use crate::solve::system::NodalTerms;
 use std::ops::Range;
 
 /// Elements that are treated side by side.

@@ -2,13 +2,16 @@
 
 use super::ends::Ends;
 use super::{BUNDLE, Kept, UniformChain};
-use crate::beam::planar::chain::{BelowEnd, EDGE, EndRow};
-use crate::beam::{
-    ChainFactors, CondensedChain, Configuration, ConstraintGradient, ElementEnergy, FrontalMatrix, LeastPivot,
-    MOST_FIELDS, Nodes, ROOT,
+use crate::beam::planar::chain::{
+    BelowEnd, ChainFactors, CondensedChain, Configuration, ConstraintGradient, EDGE, EndRow, LeastPivot, MOST_FIELDS,
+    ROOT,
 };
+use crate::beam::planar::element::basis::Nodes;
+use crate::beam::planar::element::frontal_matrix::FrontalMatrix;
+use crate::beam::planar::element::planar_element::ElementEnergy;
 use crate::number::F64x4;
-use crate::solve::{NodalTerms, Place, Quantity, SolveError};
+use crate::solve::error::{Place, Quantity, SolveError};
+use crate::solve::system::NodalTerms;
 
 /// Pivots below this are zero to rounding.
 const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;

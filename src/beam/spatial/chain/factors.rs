@@ -3,7 +3,8 @@
 
 use super::projection::SPATIAL_UNKNOWNS;
 use super::{SpatialChain, SpatialFactors};
-use crate::beam::{BUNDLE, MOST_NODES, slot};
+use crate::beam::planar::element::basis::{MOST_NODES, slot};
+use crate::beam::planar::uniform_chain::BUNDLE;
 
 /// Most unknowns of an element.
 const MOST: usize = MOST_NODES * SPATIAL_UNKNOWNS;

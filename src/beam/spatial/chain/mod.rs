@@ -8,19 +8,21 @@ pub(super) mod assembly;
 mod back;
 pub(super) mod end_block;
 mod factors;
-pub(super) mod projection;
+pub(crate) mod projection;
 pub mod read;
 pub(super) mod sweep;
 
-pub use projection::{EndMap, SPATIAL_UNKNOWNS};
+use projection::SPATIAL_UNKNOWNS;
 
-use super::density::{SPATIAL_FIELDS, SpatialDensity};
+use super::density::SpatialDensity;
 use super::end_rotation::EndRotation;
+use super::kinematics::SPATIAL_FIELDS;
 use super::rotation::{Matrix3, Quaternion};
 use super::strain_memory::{SpatialKnownStrains, StrainAt, strains_of};
-use crate::beam::{
-    AnyNumber, BUNDLE, Basis, Element, Fixed, Integrand, Integration, MOST_NODES, MOST_ORDER, Nodes, Responses, slot,
-};
+use crate::beam::planar::element::basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, slot};
+use crate::beam::planar::element::integrand::Integrand;
+use crate::beam::planar::element::planar_element::{Element, Integration, Responses};
+use crate::beam::planar::uniform_chain::BUNDLE;
 use crate::number::{F64x4, Real};
 use assembly::Products;
 use end_block::{BelowEnd, EndRow};

@@ -2,9 +2,11 @@
 
 use super::projection::{SPATIAL_UNKNOWNS, projected, turn_to_quaternion};
 use super::{SpatialChain, SpatialConfiguration, gather_nodes, no_values, quaternion_of};
-use crate::beam::spatial::density::SPATIAL_FIELDS;
+use crate::beam::planar::element::basis::{MOST_NODES, PerNode, slot};
+use crate::beam::planar::element::planar_element::{Element, ElementEnergy};
+use crate::beam::planar::uniform_chain::BUNDLE;
+use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
 use crate::beam::spatial::rotation::{apply, normalised};
-use crate::beam::{BUNDLE, Element, ElementEnergy, MOST_NODES, PerNode, slot};
 use std::ops::Range;
 
 const F: usize = SPATIAL_UNKNOWNS;

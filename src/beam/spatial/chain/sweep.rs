@@ -1,15 +1,19 @@
 //! The elimination, from the left end of the chain to the right.
 
 use super::end_block::{Carry, EndBlock, ROOT};
-use super::projection::{EndMaps, SpatialFront, project};
+use super::projection::{EndMap, EndMaps, SPATIAL_UNKNOWNS, SpatialFront, project};
 use super::{
-    EndMap, SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional,
-    USUAL_ORDER, Usual, gather_nodes, no_values, quaternion_of,
+    SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional, USUAL_ORDER, Usual,
+    gather_nodes, no_values, quaternion_of,
 };
-use crate::beam::spatial::density::SPATIAL_FIELDS;
+use crate::beam::planar::element::basis::{AnyNumber, Nodes};
+use crate::beam::planar::element::frontal_matrix::FrontalMatrix;
+use crate::beam::planar::element::planar_element::{Element, ElementEnergy};
+use crate::beam::planar::uniform_chain::BUNDLE;
+use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
 use crate::beam::spatial::rotation::{Matrix3, apply_transposed, matrix};
-use crate::beam::{AnyNumber, BUNDLE, Element, ElementEnergy, FrontalMatrix, Nodes};
-use crate::solve::{NodalTerms, Place, Quantity, SolveError};
+use crate::solve::error::{Place, Quantity, SolveError};
+use crate::solve::system::NodalTerms;
 
 /// Pivots below this are zero to rounding.
 pub(in crate::beam::spatial) const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;

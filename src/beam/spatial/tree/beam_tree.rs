@@ -4,23 +4,29 @@ use super::branching_beam::JointUnknown;
 use super::end_energy::EndEnergy;
 use super::schedule::TreeBundle;
 use super::tree_inertia::NodeInertia;
-use crate::beam::Viscosity;
+use crate::beam::planar::element::basis::{AnyNumber, Basis, Nodes, slot};
+use crate::beam::planar::element::integrand::Integrand;
+use crate::beam::planar::element::planar_element::{Element, Integration};
+use crate::beam::planar::uniform_chain::BUNDLE;
 use crate::beam::spatial::chain::assembly::Products;
-use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, SpatialEnd, quaternion_of};
-use crate::beam::spatial::density::{SPATIAL_FIELDS, SpatialDensity};
+use crate::beam::spatial::chain::projection::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::chain::{SpatialEnd, quaternion_of};
+use crate::beam::spatial::density::SpatialDensity;
 use crate::beam::spatial::end_rotation::EndRotation;
+use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
 use crate::beam::spatial::rest_curve::SpatialRestCurve;
 use crate::beam::spatial::rotation::{Quaternion, product};
 use crate::beam::spatial::strain_memory::{SpatialKnownStrains, StrainAt, strains_of};
-use crate::beam::{AnyNumber, BUNDLE, Basis, Element, Integrand, Integration, Nodes, slot};
+use crate::beam::viscosity::Viscosity;
 use crate::number::F64x4;
-use crate::solve::{MONITORS, State};
+use crate::solve::observables::MONITORS;
+use crate::solve::state::State;
 use std::sync::Arc;
 
 /// Angles of an end in a state.
 pub(super) const ANGLES: usize = 3;
 
-/// A tree of beams as a [`crate::solve::System`]; [`super::BranchingBeam::build`] makes one.
+/// A tree of beams as a [`crate::solve::System`]; [`crate::beam::BranchingBeam::build`] makes one.
 ///
 /// Values of a state: x, y, z and the quaternion of each node, the joints first and then the nodes of each branch from S = 0 on; then three
 /// angles of the root and of each joint with a condition (zeros where it turns freely). A direction has six numbers a node: of its place, and

@@ -1,12 +1,12 @@
 //! A tree of beams as plain data.
 
 use super::end_energy::EndEnergy;
-use crate::beam::spatial::chain::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::chain::projection::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::end_rotation::EndRotation;
 use crate::beam::spatial::rest_curve::SpatialRestCurve;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion};
 use crate::beam::spatial::stiffness::SpatialStiffness;
-use crate::solve::MONITORS;
+use crate::solve::observables::MONITORS;
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use std::sync::Arc;
 

@@ -5,13 +5,14 @@ use super::branching_beam::{Branch, BranchingBeam, JointCondition, JointUnknown}
 use super::inside::inside_length;
 use super::schedule::schedule;
 use super::topology::Topology;
+use crate::beam::planar::element::basis::{Basis, MOST_ORDER};
 use crate::beam::spatial::chain::SpatialEnd;
 use crate::beam::spatial::chain::assembly::Products;
 use crate::beam::spatial::density::SpatialDensity;
 use crate::beam::spatial::end_rotation::EndRotation;
 use crate::beam::spatial::rotation::{Quaternion, conjugate, product};
 use crate::beam::spatial::spatial_profile::{SpatialProfile, Station};
-use crate::beam::{Basis, MOST_ORDER, Viscosity};
+use crate::beam::viscosity::Viscosity;
 use nalgebra::{Matrix3, Matrix6};
 use std::sync::Arc;
 

@@ -3,10 +3,10 @@
 use super::beam_tree::{BeamTree, RememberedStrains};
 use super::branching_beam::JointUnknown;
 use super::end_energy::EndEnergy;
-use crate::beam::Viscosity;
 use crate::beam::spatial::rotation::Matrix3;
-use crate::solve::MONITORS;
-use crate::solve::time::MaterialRate;
+use crate::beam::viscosity::Viscosity;
+use crate::solve::observables::MONITORS;
+use crate::solve::time::dynamic_system::MaterialRate;
 use std::sync::Arc;
 
 impl BeamTree {

@@ -2,11 +2,10 @@
 
 use super::beam_tree::{BeamTree, TreeBranch, TreeEnd};
 use super::end_energy::EndResponse;
-use crate::beam::Nodes;
-use crate::beam::slot;
-use crate::beam::spatial::chain::projection::{EndMap, EndMaps, SAME, SpatialFront};
-use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, quaternion_of};
-use crate::beam::spatial::density::SPATIAL_FIELDS;
+use crate::beam::planar::element::basis::{Nodes, slot};
+use crate::beam::spatial::chain::projection::{EndMap, EndMaps, SAME, SPATIAL_UNKNOWNS, SpatialFront};
+use crate::beam::spatial::chain::quaternion_of;
+use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion, apply, apply_transposed, dot, matrix, multiply_transposed};
 
 const F: usize = SPATIAL_UNKNOWNS;

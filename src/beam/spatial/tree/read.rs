@@ -1,14 +1,18 @@
 //! What is read off a tree: its energy, its residual, its tangent entry by entry, and its branches as they lie.
 
 use super::beam_tree::{BeamTree, TreeBranch};
-use crate::beam::spatial::chain::projection::{FieldFront, SpatialFront, project, projected, turn_to_quaternion};
+use crate::beam::planar::element::basis::{MOST_NODES, slot};
+use crate::beam::planar::element::planar_element::{Element, Responses};
+use crate::beam::planar::uniform_chain::BUNDLE;
+use crate::beam::spatial::chain::projection::{
+    FieldFront, SPATIAL_UNKNOWNS, SpatialFront, project, projected, turn_to_quaternion,
+};
 use crate::beam::spatial::chain::read::normalise;
-use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, no_values, quaternion_of};
-use crate::beam::spatial::density::SPATIAL_FIELDS;
+use crate::beam::spatial::chain::{no_values, quaternion_of};
+use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
 use crate::beam::spatial::rotation::{Quaternion, apply, matrix};
-use crate::beam::{BUNDLE, Element, MOST_NODES, Responses, slot};
 use crate::number::F64x4;
-use crate::solve::State;
+use crate::solve::state::State;
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;

@@ -5,7 +5,7 @@
 
 use super::branching_beam::Branch;
 use super::topology::Topology;
-use crate::beam::BUNDLE;
+use crate::beam::planar::uniform_chain::BUNDLE;
 
 /// Elements that are integrated side by side: of one section.
 #[derive(Clone, Copy, Debug)]

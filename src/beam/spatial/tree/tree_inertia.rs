@@ -5,14 +5,16 @@
 //! chain.
 
 use super::beam_tree::BeamTree;
-use crate::beam::slot;
+use crate::beam::planar::element::basis::slot;
 use crate::beam::spatial::chain::end_block::Carry;
-use crate::beam::spatial::chain::{EndMap, SPATIAL_UNKNOWNS, quaternion_of};
-use crate::beam::spatial::density::SPATIAL_FIELDS;
+use crate::beam::spatial::chain::projection::{EndMap, SPATIAL_UNKNOWNS};
+use crate::beam::spatial::chain::quaternion_of;
 use crate::beam::spatial::end_rotation::EndRotation;
+use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
 use crate::beam::spatial::rotation::{Matrix3, apply, cross, dot, matrix};
 use crate::beam::spatial::spatial_motion::axes_change;
-use crate::solve::{NodalTerms, State};
+use crate::solve::state::State;
+use crate::solve::system::NodalTerms;
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;

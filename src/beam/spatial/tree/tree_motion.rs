@@ -4,8 +4,11 @@ use super::beam_tree::BeamTree;
 use super::factors::TreeFactors;
 use super::sweep::Added;
 use crate::beam::spatial::shared_system::condensed;
-use crate::solve::time::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
-use crate::solve::{CondensedSystem, MONITORS, NodalTerms, SolveError, State, System, Workspace};
+use crate::solve::error::SolveError;
+use crate::solve::observables::MONITORS;
+use crate::solve::state::State;
+use crate::solve::system::{CondensedSystem, NodalTerms, System, Workspace};
+use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
 
 impl DynamicSystem for BeamTree {
     fn masses(&self, at: &State) -> Vec<f64> {

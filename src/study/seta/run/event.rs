@@ -1,12 +1,13 @@
 //! An event of a run: tips change, or beams buckle, and the seta comes to rest.
 
-use super::super::failure::SetaFailure;
-use super::super::progress::Named;
-use super::super::rest::{Rested, come_to_rest};
-use super::super::result::{EventCause, LocationError, SetaEnd, SetaEvent, SetaPoint};
-use super::super::standing::RootDrive;
 use super::{Run, SHORTEST};
-use crate::solve::{SolveError, State};
+use crate::solve::error::SolveError;
+use crate::solve::state::State;
+use crate::study::seta::failure::SetaFailure;
+use crate::study::seta::progress::Named;
+use crate::study::seta::rest::{Rested, come_to_rest};
+use crate::study::seta::result::{EventCause, LocationError, SetaEnd, SetaEvent, SetaPoint};
+use crate::study::seta::standing::RootDrive;
 
 /// What a step leads to, and has not happened yet.
 pub(super) struct Due {
