@@ -14,8 +14,7 @@ use super::newton::factorised;
 use super::observables::PathConstraint;
 use super::problem::Problem;
 use super::state::State;
-use super::system::INTERFACE;
-use super::system::{Coefficients, Workspace};
+use super::system::{Coefficients, INTERFACE, Workspace};
 
 /// A factorised tangent; the factors of the system stay in the workspace.
 pub struct Tangents<'p> {

@@ -21,12 +21,11 @@ mod flat;
 pub(crate) mod response;
 pub(super) mod self_affine;
 pub(crate) mod surface;
-use crate::adhesion::levels::curved::BodyShape;
-use surface::{ClosestPoint, Misfit, Surface};
-
+use super::levels::curved::BodyShape;
 use flat::Flat;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
+use surface::{ClosestPoint, Misfit, Surface};
 
 /// Makes the list of substrates from lines `/// what it is` and `Name(type) = file`. A file has a [`Surface`] and `NAMED`: the names by which a
 /// scene takes it, each with what makes one of which no number is given yet.

@@ -3,8 +3,7 @@
 //! As in the plane a step strains from known ε_k, with a factor f: section forces are C ε + f C (ε - ε_k), with the energy
 //! ½ ε · C ε + ½ f (ε - ε_k) · C (ε - ε_k). Strains in the axes of the directors do not change where a body turns as a whole, and neither does their rate.
 
-use super::density::FACTOR;
-use super::density::SpatialDensity;
+use super::density::{FACTOR, SpatialDensity};
 use super::kinematics::SPATIAL_FIELDS;
 use crate::beam::planar::element::basis::{Basis, MOST_NODES, Nodes};
 use crate::beam::planar::element::integrand::MEMORY;

@@ -6,14 +6,13 @@ pub(super) mod spatula;
 pub(super) mod strip;
 pub(super) mod transition;
 
-use profile::Profile;
-use spatula::Spatula;
-use strip::Strip;
-
 use crate::beam::section::Material;
 use crate::beam::varying::BeamGeometry;
+use profile::Profile;
 use serde::{Deserialize, Serialize};
+use spatula::Spatula;
 use std::sync::Arc;
+use strip::Strip;
 
 /// What a model asks of its body. A body is a file with a type that is one, and a line of each list below.
 pub trait Geometry: BeamGeometry {

@@ -7,14 +7,13 @@ mod settled_in_space;
 mod settled_on_ground;
 mod stability;
 
-use error::{NoEquilibrium, NotPrepared, UnstableRest};
-
 use crate::beam::grip_state::GripState;
 use crate::beam::mesh::MeshKind;
 use crate::model::beam_problem::BeamProblem;
 use crate::model::build::Discretisation;
 use crate::model::peel::PeelModel;
 use crate::solve::system::ShouldStop;
+use error::{NoEquilibrium, NotPrepared, UnstableRest};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

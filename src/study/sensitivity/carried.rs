@@ -1,13 +1,12 @@
 //! A state of one model as a state of another that differs from it a little.
 
+use super::error::NoSensitivities;
 use crate::model::beam_problem::BeamProblem;
 use crate::model::build::Discretisation;
 use crate::model::peel::PeelModel;
 use crate::solve::problem::InitialState;
 use crate::solve::state::{Mesh, State};
 use crate::study::initial::prepared;
-
-use super::error::NoSensitivities;
 
 /// A model beside the one that was peeled, made into what the solver is given.
 pub(super) struct Beside {

@@ -24,9 +24,8 @@ pub(super) mod quantity;
 mod residual_change;
 pub(super) mod run;
 
-use quantity::PeelQuantity;
-
 use crate::model::peel::PeelModel;
+use quantity::PeelQuantity;
 
 /// A parameter that results are differentiated by.
 pub struct Variation<'m> {

@@ -12,8 +12,6 @@ pub(crate) mod projection;
 pub mod read;
 pub(super) mod sweep;
 
-use projection::SPATIAL_UNKNOWNS;
-
 use super::density::SpatialDensity;
 use super::end_rotation::EndRotation;
 use super::kinematics::SPATIAL_FIELDS;
@@ -26,7 +24,7 @@ use crate::beam::planar::uniform_chain::BUNDLE;
 use crate::number::{F64x4, Real};
 use assembly::Products;
 use end_block::{BelowEnd, EndRow};
-use projection::{FieldFront, SAME, SpatialFront};
+use projection::{FieldFront, SAME, SPATIAL_UNKNOWNS, SpatialFront};
 
 /// An end of the chain: along what it moves, how it turns, and which of these are held.
 #[derive(Clone, Copy, Debug)]
