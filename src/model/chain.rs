@@ -1,8 +1,8 @@
 //! Chains of a density, with elements of order 1 to 8 chosen when the program runs.
 
+use crate::beam::element::energy_density::EnergyDensity;
+use crate::beam::element::integrand::PlanarIntegrand;
 use crate::beam::planar::chain::Chain;
-use crate::beam::planar::density::energy_density::EnergyDensity;
-use crate::beam::planar::element::integrand::PlanarIntegrand;
 use crate::beam::planar::uniform_chain::UniformChain;
 
 /// Two unknowns a node, both free at the left end.

@@ -3,9 +3,9 @@
 use super::ground::Ground;
 use super::peel::Adhesion;
 use crate::beam::mesh::{Focus, MeshIntervals, MeshKind};
-use crate::beam::planar::density::profile::SectionAt;
-use crate::beam::planar::front_position::FrontPosition;
+use crate::beam::planar::planar_beam::FrontPosition;
 use crate::beam::reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
+use crate::beam::section::SectionAt;
 use crate::beam::varying::Varying;
 
 /// The stress-free configuration of a beam, where its front may be, and how its elements are shared out.

@@ -2,8 +2,8 @@
 
 use super::error_bounds::CORNER_AIM_FRACTION;
 use super::terms::decision::Terms;
+use crate::beam::element::integration::BUNDLE;
 use crate::beam::mesh::MeshKind;
-use crate::beam::planar::uniform_chain::BUNDLE;
 use crate::model::build::Discretisation;
 use crate::model::check::error::ModelError;
 use crate::model::check::numbers::NumberOf;

@@ -11,21 +11,6 @@ use crate::solve::system::{CondensedSystem, Workspace};
 use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
 use std::num::NonZeroUsize;
 
-/// What a beam in motion has besides its stiffness.
-pub struct BeamInertia {
-    /// ρA and ρI at S: mass per length and rotary inertia per length
-    pub section: Box<dyn Fn(f64) -> [f64; 2] + Send + Sync>,
-    /// How its material flows; a chain of a viscous one has a density that is [`crate::beam::Viscous`]
-    pub viscosity: Viscosity,
-}
-
-impl BeamInertia {
-    /// The same everywhere.
-    pub fn uniform(per_length: f64, rotary: f64, viscosity: Viscosity) -> Self {
-        Self { section: Box::new(move |_| [per_length, rotary]), viscosity }
-    }
-}
-
 /// Γ1, Γ2 and θ' at a point, and what is stored there.
 struct StrainAt {
     strains: [f64; 3],

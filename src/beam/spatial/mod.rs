@@ -1,13 +1,11 @@
 //! The beam in space of Simo and Reissner: strains, elements, chains of them, and the system that they make.
+mod above_ground;
 pub(crate) mod chain;
 pub(crate) mod density;
-mod edges;
 pub(crate) mod end_rotation;
 pub(crate) mod kinematics;
 mod local_adhesion;
-mod place_unit;
 pub(crate) mod rest;
-pub(crate) mod rest_curve;
 pub mod rotation;
 pub(crate) mod section_state;
 mod shared_system;
@@ -16,6 +14,5 @@ pub(crate) mod spatial_grip;
 pub(super) mod spatial_motion;
 pub(crate) mod spatial_profile;
 mod spatial_system;
-pub(crate) mod stiffness;
 pub(super) mod strain_memory;
 pub(crate) mod tree;

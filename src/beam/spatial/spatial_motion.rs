@@ -19,36 +19,9 @@ use crate::solve::observables::MONITORS;
 use crate::solve::state::State;
 use crate::solve::system::{CondensedSystem, System, Workspace};
 use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
-use std::fmt;
-use std::sync::Arc;
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;
-
-/// What a beam in space in motion has besides its stiffness.
-#[derive(Clone)]
-pub struct SpatialInertia {
-    /// At S: ρA, then ρJ1 about the axis, ρJ2 about the width and ρJ3 about the height
-    pub section: Arc<dyn Fn(f64) -> [f64; 4] + Send + Sync>,
-    /// How its material flows
-    pub viscosity: Viscosity,
-}
-
-impl SpatialInertia {
-    /// The same everywhere: mass per length, and rotary inertia per length about the three directors.
-    pub fn uniform(per_length: f64, rotary: [f64; 3], viscosity: Viscosity) -> Self {
-        Self { section: Arc::new(move |_| [per_length, rotary[0], rotary[1], rotary[2]]), viscosity }
-    }
-}
-
-impl fmt::Debug for SpatialInertia {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.debug_struct("SpatialInertia")
-            .field("at the left end", &(self.section)(0.0))
-            .field("viscosity", &self.viscosity)
-            .finish()
-    }
-}
 
 /// How a node moves: velocity of its place, angular velocity in the axes of its directors.
 struct NodeRates {

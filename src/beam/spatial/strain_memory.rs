@@ -5,9 +5,9 @@
 
 use super::density::{FACTOR, SpatialDensity};
 use super::kinematics::SPATIAL_FIELDS;
-use crate::beam::planar::element::basis::{Basis, MOST_NODES, Nodes};
-use crate::beam::planar::element::integrand::MEMORY;
-use crate::beam::planar::element::planar_element::Element;
+use crate::beam::element::basis::{Basis, MOST_NODES, Nodes};
+use crate::beam::element::energy_density::MEMORY;
+use crate::beam::element::integration::Element;
 use crate::number::F64x4;
 
 /// Numbers that are remembered at a point.

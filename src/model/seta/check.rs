@@ -2,8 +2,8 @@
 
 use super::mesh::SetaMesh;
 use super::parameters::Seta;
-use crate::beam::planar::element::basis::MOST_ORDER;
-use crate::beam::spatial::tree::build::TreeError;
+use crate::beam::element::basis::MOST_ORDER;
+use crate::beam::spatial::tree::branching_beam::TreeError;
 use crate::model::check::range::Range;
 
 /// Most forks: 4096 tips.

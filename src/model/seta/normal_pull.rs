@@ -9,7 +9,7 @@
 
 use super::tip_law::{TipBranch, TipLaw};
 use crate::beam::spatial::rotation::Quaternion;
-use crate::beam::spatial::tree::end_energy::EndResponse;
+use crate::beam::spatial::tree::branching_beam::EndResponse;
 use serde::{Deserialize, Serialize};
 
 /// A point of the curve of a normal pull.

@@ -2,7 +2,7 @@
 
 use super::tip_law::{TipBranch, TipLaw};
 use crate::beam::spatial::rotation::Quaternion;
-use crate::beam::spatial::tree::end_energy::{EndEnergy, EndResponse};
+use crate::beam::spatial::tree::branching_beam::{EndEnergy, EndResponse};
 use std::sync::Arc;
 
 /// A tip on a branch of its law.

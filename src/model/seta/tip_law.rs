@@ -4,7 +4,7 @@
 //! A tip that is detached adheres again when it comes back into contact. So the law has a memory, the branch, and on each branch an energy.
 
 use crate::beam::spatial::rotation::Quaternion;
-use crate::beam::spatial::tree::end_energy::EndResponse;
+use crate::beam::spatial::tree::branching_beam::EndResponse;
 use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
 use std::sync::Arc;

@@ -13,7 +13,7 @@ use super::table::TipTable;
 use super::tip_in_space::{OutOfPlane, SpatulaTip};
 use super::visited::{Visited, Visits};
 use crate::beam::spatial::rotation::Quaternion;
-use crate::beam::spatial::tree::end_energy::EndResponse;
+use crate::beam::spatial::tree::branching_beam::EndResponse;
 use crate::model::seta::normal_pull::Sideways;
 use crate::model::seta::tip_law::{TipBranch, TipLaw};
 use std::sync::Arc;

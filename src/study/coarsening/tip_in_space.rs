@@ -13,7 +13,7 @@ use super::branch::TipSheet;
 use super::place::{TipPlace, TipResponse};
 use super::table::TipTable;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion, apply, apply_transposed, cross, dot, matrix};
-use crate::beam::spatial::tree::end_energy::EndResponse;
+use crate::beam::spatial::tree::branching_beam::EndResponse;
 use std::sync::Arc;
 
 const UP: [f64; 3] = [0.0, 1.0, 0.0];

@@ -2,7 +2,7 @@
 
 use super::balance::LoadingDirection;
 use super::stable_branch::Machine;
-use crate::beam::planar::collapsed_section::CollapsedSection;
+use crate::beam::planar::model_end::CollapsedSection;
 use crate::beam::planar::model_limits::BondedLoss;
 use crate::solve::newton::Solution;
 use crate::study::peel::adhering::Adhering;

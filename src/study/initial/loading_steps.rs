@@ -7,9 +7,9 @@
 
 use super::error::{LoadingError, LoadingPhase, LoadingProgress, LoadingUnit, NoEquilibrium};
 use super::grip_control::{GripControl, LettingGo, NONE};
+use crate::beam::element::integration::BUNDLE;
 use crate::beam::grip_state::GripState;
 use crate::beam::planar::planar_beam::FRONT;
-use crate::beam::planar::uniform_chain::BUNDLE;
 use crate::model::beam_problem::BeamProblem;
 use crate::model::peel::PeelModel;
 use crate::model::step::{Moved, Step};

@@ -22,8 +22,8 @@
 //! -hΨ_c sin θ = Ψ_θ.
 
 use crate::adhesion::section::response::LineResponse;
+use crate::beam::element::energy_density::SectionState;
 use crate::beam::lateral_stiffness::LateralStiffness;
-use crate::beam::planar::density::energy_density::SectionState;
 use crate::beam::section::Material;
 use crate::beam::varying::SectionGeometry;
 

@@ -4,7 +4,7 @@
 //! only values count: u and P are polynomials through solutions at Gauss-Lobatto labels.
 
 use super::result::Peel;
-use crate::beam::planar::element::basis::Basis;
+use crate::beam::element::basis::Basis;
 use crate::model::beam_problem::BeamProblem;
 use crate::number::root::Bracket;
 use crate::solve::limit_point::locate::{ROUGH, step_to};

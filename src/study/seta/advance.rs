@@ -8,7 +8,7 @@ use super::rest::share_of_change;
 use super::result::LocationError;
 use super::standing::{HEIGHT, RootDrive, Standing, TipTangent};
 use super::watched::Watched;
-use crate::beam::spatial::tree::end_energy::EndEnergy;
+use crate::beam::spatial::tree::branching_beam::EndEnergy;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::observables::{Observables, PathConstraint};

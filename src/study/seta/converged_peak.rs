@@ -11,7 +11,7 @@ use super::progress::SetaProgress;
 use super::result::{LocationError, SetaPoint, SetaPullOff, SetaState};
 use super::run::Run;
 use super::standing::{RootDrive, Standing, TipTangent};
-use crate::beam::planar::element::basis::MOST_ORDER;
+use crate::beam::element::basis::MOST_ORDER;
 use crate::model::seta::check::SetaError;
 use crate::model::seta::parameters::{Seta, SetaModel};
 use crate::model::seta::tip_law::TipBranch;

@@ -18,7 +18,7 @@ use super::standing::{RootDrive, Standing, TipTangent};
 use super::watched::Watched;
 use crate::beam::spatial::chain::projection::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::rotation::{exponential, product};
-use crate::beam::spatial::tree::end_energy::EndEnergy;
+use crate::beam::spatial::tree::branching_beam::EndEnergy;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::observables::{Observables, PathConstraint};

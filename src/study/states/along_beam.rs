@@ -6,8 +6,8 @@
 
 use crate::adhesion::friction::dahl::FrictionLaw;
 use crate::adhesion::substrate::response::GroundLaw;
+use crate::beam::element::energy_density::SectionState;
 use crate::beam::planar::chain::NodeState;
-use crate::beam::planar::density::energy_density::SectionState;
 use crate::beam::planar::planar_beam::PlanarBeam;
 use crate::beam::section::Section;
 use crate::model::peel::PeelModel;

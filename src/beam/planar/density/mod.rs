@@ -1,7 +1,5 @@
 //! The energy densities of planar beams, with and without adhesion: what an element integrates.
-pub(crate) mod energy_density;
 pub(crate) mod on_ground;
-pub(crate) mod profile;
 pub(crate) mod reduced;
 pub(crate) mod reissner;
 pub(crate) mod rod;

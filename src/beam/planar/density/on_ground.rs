@@ -1,11 +1,10 @@
 //! The three-field Reissner beam on ground of any shape.
 
-use super::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
-use super::profile::Profile;
 use super::reissner::{ReissnerBeam, stored};
 use crate::adhesion::friction::dahl::{FrictionLaw, FrictionState};
 use crate::adhesion::substrate::response::GroundLaw;
-use crate::beam::planar::element::integrand::Point;
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
+use crate::beam::varying::Profile;
 use crate::number::Real;
 
 /// The planar Reissner beam on ground that is not flat, with the adhesion bΨ of [`GroundLaw`]. Fields: x (nm), y - h/2 of the

@@ -1,7 +1,7 @@
 //! Reissner's beam on its own: nothing adheres, and it may be curved at rest.
 
-use super::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
 use super::reissner::{COUPLING, section_from_forces, section_of, stored};
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
 use crate::beam::reference_configuration::ReferenceCurve;
 use crate::beam::section::Section;
 use crate::number::Real;

@@ -20,19 +20,16 @@ mod tests;
 use super::chain::{
     Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, MOST_FIELDS, NodeState, RootVector,
 };
-use super::density::energy_density::SectionState;
-use super::element::basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, slot};
-use super::element::frontal_matrix::FrontalMatrix;
-use super::element::integrand::{MEMORY, PlanarIntegrand};
-use super::element::planar_element::{Element, ElementEnergy, Integration, Responses};
+use crate::beam::element::basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, slot};
+use crate::beam::element::energy_density::{MEMORY, SectionState};
+use crate::beam::element::frontal_matrix::FrontalMatrix;
+use crate::beam::element::integrand::PlanarIntegrand;
+use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy, Integration, Responses};
 use crate::number::F64x4;
 use crate::solve::error::SolveError;
 use crate::solve::state::History;
 use crate::solve::system::NodalTerms;
 use std::ops::Range;
-
-/// Elements that are treated side by side.
-pub const BUNDLE: usize = 4;
 
 /// What a chain keeps of an elimination, for the way back and for the next.
 struct Kept<const F: usize> {

@@ -19,12 +19,12 @@ use crate::adhesion::section::cohesive::calibrated::Cohesive;
 use crate::adhesion::section::coverage::TiltCount;
 use crate::adhesion::section::law::Law;
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};
+use crate::beam::element::energy_density::EnergyDensity;
 use crate::beam::planar::chain::{Chain, ChainFactors, Configuration, ConstraintGradient};
-use crate::beam::planar::density::energy_density::EnergyDensity;
-use crate::beam::planar::density::profile::Profile;
 use crate::beam::planar::density::reduced::ReducedBeam;
 use crate::beam::planar::density::reissner::ReissnerBeam;
 use crate::beam::section::Section;
+use crate::beam::varying::Profile;
 use nalgebra::{DMatrix, DVector};
 
 const PAPER: HalfSpace = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };

@@ -1,11 +1,11 @@
 //! What is read off a configuration: energies, section forces, and its fields in other places.
 
-use super::{BUNDLE, UniformChain};
+use super::UniformChain;
 use crate::adhesion::friction::dahl::FrictionState;
+use crate::beam::element::basis::{MOST_NODES, Nodes, PerNode, slot};
+use crate::beam::element::energy_density::SectionState;
+use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy};
 use crate::beam::planar::chain::{Configuration, MOST_FIELDS, NodeState};
-use crate::beam::planar::density::energy_density::SectionState;
-use crate::beam::planar::element::basis::{MOST_NODES, Nodes, PerNode, slot};
-use crate::beam::planar::element::planar_element::{Element, ElementEnergy};
 use crate::solve::state::History;
 use std::ops::Range;
 

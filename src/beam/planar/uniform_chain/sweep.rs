@@ -1,14 +1,14 @@
 //! The elimination, from the left end of the chain to the right.
 
 use super::ends::Ends;
-use super::{BUNDLE, Kept, UniformChain};
+use super::{Kept, UniformChain};
+use crate::beam::element::basis::Nodes;
+use crate::beam::element::frontal_matrix::FrontalMatrix;
+use crate::beam::element::integration::{BUNDLE, ElementEnergy};
 use crate::beam::planar::chain::{
     BelowEnd, ChainFactors, CondensedChain, Configuration, ConstraintGradient, EDGE, EndRow, LeastPivot, MOST_FIELDS,
     ROOT,
 };
-use crate::beam::planar::element::basis::Nodes;
-use crate::beam::planar::element::frontal_matrix::FrontalMatrix;
-use crate::beam::planar::element::planar_element::ElementEnergy;
 use crate::number::F64x4;
 use crate::solve::error::{Place, Quantity, SolveError};
 use crate::solve::system::NodalTerms;

@@ -13,9 +13,9 @@
 //! Products of a value and a slope change their sign in the mirror.
 
 use super::projection::FieldFront;
-use crate::beam::planar::density::energy_density::Coupling;
-use crate::beam::planar::element::basis::{Basis, MOST_NODES, MOST_ORDER, Nodes};
-use crate::beam::planar::element::planar_element::{Element, Responses};
+use crate::beam::element::basis::{Basis, MOST_NODES, MOST_ORDER, Nodes};
+use crate::beam::element::energy_density::Coupling;
+use crate::beam::element::integration::{Element, Responses};
 use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
 use crate::number::{F64x4, Real};
 

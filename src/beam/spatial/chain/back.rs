@@ -2,8 +2,8 @@
 
 use super::projection::{SPATIAL_UNKNOWNS, SpatialFront};
 use super::{SpatialChain, SpatialFactors, USUAL_ORDER, Usual, gather_nodes, no_values};
-use crate::beam::planar::element::basis::{AnyNumber, Nodes, slot};
-use crate::beam::planar::uniform_chain::BUNDLE;
+use crate::beam::element::basis::{AnyNumber, Nodes, slot};
+use crate::beam::element::integration::BUNDLE;
 use crate::number::{F64x4, Real};
 
 const F: usize = SPATIAL_UNKNOWNS;

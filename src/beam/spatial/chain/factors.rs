@@ -3,8 +3,8 @@
 
 use super::projection::SPATIAL_UNKNOWNS;
 use super::{SpatialChain, SpatialFactors};
-use crate::beam::planar::element::basis::{MOST_NODES, slot};
-use crate::beam::planar::uniform_chain::BUNDLE;
+use crate::beam::element::basis::{MOST_NODES, slot};
+use crate::beam::element::integration::BUNDLE;
 
 /// Most unknowns of an element.
 const MOST: usize = MOST_NODES * SPATIAL_UNKNOWNS;

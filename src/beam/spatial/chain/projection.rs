@@ -2,8 +2,8 @@
 //!
 //! With ∂q/∂φ = T and ∂²q/∂φ² = -q I/4, the gradient g and the tangent H by the fields become Tᵀg and TᵀHT - (g·q) I/4.
 
-use crate::beam::planar::element::basis::{MOST_NODES, Nodes};
-use crate::beam::planar::element::frontal_matrix::FrontalMatrix;
+use crate::beam::element::basis::{MOST_NODES, Nodes};
+use crate::beam::element::frontal_matrix::FrontalMatrix;
 use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
 use crate::beam::spatial::rotation::{Matrix3, apply_transposed, inner};
 use crate::number::{F64x4, Real};

@@ -2,9 +2,8 @@
 
 use super::projection::{SPATIAL_UNKNOWNS, projected, turn_to_quaternion};
 use super::{SpatialChain, SpatialConfiguration, gather_nodes, no_values, quaternion_of};
-use crate::beam::planar::element::basis::{MOST_NODES, PerNode, slot};
-use crate::beam::planar::element::planar_element::{Element, ElementEnergy};
-use crate::beam::planar::uniform_chain::BUNDLE;
+use crate::beam::element::basis::{MOST_NODES, PerNode, slot};
+use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy};
 use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
 use crate::beam::spatial::rotation::{apply, normalised};
 use std::ops::Range;

@@ -6,10 +6,9 @@ use super::{
     SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional, USUAL_ORDER, Usual,
     gather_nodes, no_values, quaternion_of,
 };
-use crate::beam::planar::element::basis::{AnyNumber, Nodes};
-use crate::beam::planar::element::frontal_matrix::FrontalMatrix;
-use crate::beam::planar::element::planar_element::{Element, ElementEnergy};
-use crate::beam::planar::uniform_chain::BUNDLE;
+use crate::beam::element::basis::{AnyNumber, Nodes};
+use crate::beam::element::frontal_matrix::FrontalMatrix;
+use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy};
 use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
 use crate::beam::spatial::rotation::{Matrix3, apply_transposed, matrix};
 use crate::solve::error::{Place, Quantity, SolveError};

@@ -3,8 +3,8 @@
 
 use super::beam_tree::{BeamTree, TreeBranch};
 use super::inside::{Ends, MOST};
-use crate::beam::planar::element::basis::slot;
-use crate::beam::planar::element::planar_element::Responses;
+use crate::beam::element::basis::slot;
+use crate::beam::element::integration::Responses;
 use crate::beam::spatial::chain::end_block::{BelowEnd, Carry, EDGE, EndRow};
 use crate::beam::spatial::chain::projection::{FieldFront, SPATIAL_UNKNOWNS, SpatialFront};
 use crate::beam::spatial::kinematics::SPATIAL_FIELDS;

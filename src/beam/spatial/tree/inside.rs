@@ -3,7 +3,7 @@
 //! Row k of the pivots has one over the pivot, then the entries of the columns behind it, then the residual; unknowns are those of the
 //! nodes in elimination order, the interior first.
 
-use crate::beam::planar::element::basis::MOST_NODES;
+use crate::beam::element::basis::MOST_NODES;
 use crate::beam::spatial::chain::projection::{SPATIAL_UNKNOWNS, SpatialFront};
 use crate::number::{F64x4, Real};
 

@@ -1,8 +1,8 @@
 //! What a joint adds of its own, and how the ends of branches move with it.
 
 use super::beam_tree::{BeamTree, TreeBranch, TreeEnd};
-use super::end_energy::EndResponse;
-use crate::beam::planar::element::basis::{Nodes, slot};
+use super::branching_beam::EndResponse;
+use crate::beam::element::basis::{Nodes, slot};
 use crate::beam::spatial::chain::projection::{EndMap, EndMaps, SAME, SPATIAL_UNKNOWNS, SpatialFront};
 use crate::beam::spatial::chain::quaternion_of;
 use crate::beam::spatial::kinematics::SPATIAL_FIELDS;

@@ -1,9 +1,8 @@
 //! What is read off a tree: its energy, its residual, its tangent entry by entry, and its branches as they lie.
 
 use super::beam_tree::{BeamTree, TreeBranch};
-use crate::beam::planar::element::basis::{MOST_NODES, slot};
-use crate::beam::planar::element::planar_element::{Element, Responses};
-use crate::beam::planar::uniform_chain::BUNDLE;
+use crate::beam::element::basis::{MOST_NODES, slot};
+use crate::beam::element::integration::{BUNDLE, Element, Responses};
 use crate::beam::spatial::chain::projection::{
     FieldFront, SPATIAL_UNKNOWNS, SpatialFront, project, projected, turn_to_quaternion,
 };

@@ -3,9 +3,8 @@
 use super::beam_tree::{BeamTree, TreeBranch};
 use super::factors::TreeFactors;
 use super::inside::pack;
-use crate::beam::planar::element::basis::{AnyNumber, Fixed, Nodes, slot};
-use crate::beam::planar::element::planar_element::Element;
-use crate::beam::planar::uniform_chain::BUNDLE;
+use crate::beam::element::basis::{AnyNumber, Fixed, Nodes, slot};
+use crate::beam::element::integration::{BUNDLE, Element};
 use crate::beam::spatial::chain::end_block::{Carry, EndBlock, ROOT};
 use crate::beam::spatial::chain::projection::{SPATIAL_UNKNOWNS, SpatialFront, project};
 use crate::beam::spatial::chain::sweep::LEAST_PIVOT;

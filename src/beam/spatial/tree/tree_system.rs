@@ -4,7 +4,7 @@ use super::beam_tree::{ANGLES, BeamTree};
 use super::branching_beam::JointUnknown;
 use super::factors::TreeFactors;
 use super::sweep::Added;
-use crate::beam::planar::element::basis::slot;
+use crate::beam::element::basis::slot;
 use crate::beam::spatial::chain::projection::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::chain::read::normalise;
 use crate::beam::spatial::end_rotation::{EndRotation, turned};

@@ -2,7 +2,7 @@
 
 use crate::beam::planar::planar_beam::PlanarBeam;
 use crate::beam::spatial::end_rotation::{EndRotation, turned};
-use crate::beam::spatial::rest_curve::ALONG_X;
+use crate::beam::spatial::rest::ALONG_X;
 use crate::beam::spatial::spatial_beam::SpatialBeam;
 use crate::number::gauss::Rule;
 use crate::solve::state::{Mesh, State};

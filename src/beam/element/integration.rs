@@ -1,12 +1,14 @@
 //! The element: integrates a density into its front, the matrix that elimination works on.
 
 use super::basis::{Basis, MOST_NODES, Nodes, PerNode};
+use super::energy_density::{Coupling, MEMORY, Point, PointResponse};
 use super::frontal_matrix::FrontalMatrix;
-use super::integrand::{Integrand, MEMORY, Point};
-use super::piecewise::PiecePoint;
-use crate::beam::planar::density::energy_density::{Coupling, PointResponse};
+use super::integrand::Integrand;
 use crate::number::{F64x4, Real};
 use serde::{Deserialize, Serialize};
+
+/// Elements that are treated side by side.
+pub const BUNDLE: usize = 4;
 
 /// Energy of one element, nN·nm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -389,4 +391,15 @@ impl Block<'_> {
             }
         }
     }
+}
+
+/// One point of a piece, or of the element's own rule, whose share is taken off.
+#[derive(Clone, Copy, Debug)]
+pub struct PiecePoint<const F: usize> {
+    /// Adhesion there, per length; nothing of the stored energy
+    pub response: PointResponse<f64, F>,
+    /// Shape functions there
+    pub shape: PerNode,
+    /// Reference length that it stands for, nm; negative where it is taken off
+    pub weight: f64,
 }

@@ -1,7 +1,7 @@
 //! The front of an element: its tangent with all that elimination takes along.
 
 use super::basis::{Basis, MOST_NODES, Nodes};
-use crate::beam::planar::density::energy_density::PointResponse;
+use super::energy_density::PointResponse;
 use crate::number::Real;
 
 /// One row: an equation, with a column for each unknown.

@@ -16,8 +16,7 @@
 use super::basis::{Basis, MOST_NODES, Nodes, PerNode, slot};
 use super::frontal_matrix::FrontalMatrix;
 use super::integrand::Integrand;
-use super::planar_element::{Element, Integration};
-use crate::beam::planar::density::energy_density::PointResponse;
+use super::integration::{Element, Integration, PiecePoint};
 use crate::number::F64x4;
 
 /// Most cuts of an element; what is behind them is one piece.
@@ -25,17 +24,6 @@ const MOST_CUTS: usize = 16;
 /// Most looks for a cut, and how near to its knot, in ranges of the law, it has to be.
 const MOST_LOOKS: usize = 30;
 const NEAR: f64 = 1e-9;
-
-/// One point of a piece, or of the element's own rule, whose share is taken off.
-#[derive(Clone, Copy, Debug)]
-pub struct PiecePoint<const F: usize> {
-    /// Adhesion there, per length; nothing of the stored energy
-    pub response: PointResponse<f64, F>,
-    /// Shape functions there
-    pub shape: PerNode,
-    /// Reference length that it stands for, nm; negative where it is taken off
-    pub weight: f64,
-}
 
 /// The ends of the pieces in local coordinates, ascending.
 struct Cuts {

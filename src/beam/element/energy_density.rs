@@ -2,8 +2,33 @@
 
 use crate::adhesion::friction::dahl::FrictionState;
 use crate::adhesion::section::response::LineResponse;
-use crate::beam::planar::element::integrand::Point;
 use crate::number::Real;
+
+/// Numbers that a density may remember at a point.
+pub const MEMORY: usize = 7;
+
+/// What is known at a point of the axis, or at four side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct Point<T, const F: usize> {
+    /// S, nm
+    pub place: T,
+    /// The fields.
+    pub value: [T; F],
+    /// Their derivatives with respect to S.
+    pub slope: [T; F],
+    /// Of a density that remembers. With friction: where the face was (nm) and what share of its limit it carried at the end of the last
+    /// step. Of a viscous material: the strains from which the step strains, three in the plane and six in space, and the factor of its stiffness.
+    pub memory: [T; MEMORY],
+}
+
+impl<T: Real, const F: usize> Point<T, F> {
+    /// All zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        let zero = T::splat(0.0);
+        Self { place: zero, value: [zero; F], slope: [zero; F], memory: [zero; MEMORY] }
+    }
+}
 
 /// Response at one point of the axis to F fields, their slopes along S and one number that is the same along the whole
 /// chain (the border; the horizontal force of a held grip, say). Per length.
@@ -66,7 +91,7 @@ impl<T: Real, const F: usize> PointResponse<T, F> {
 impl<T: Real, const F: usize> PointResponse<T, F> {
     /// Of the adhesion alone, on an adhering width. The last two fields are the gap and the rotation.
     #[inline(always)]
-    pub(super) fn of_adhesion(adhesion: &LineResponse<T>, coverage: [T; 3], b: T) -> Self {
+    pub(in crate::beam) fn of_adhesion(adhesion: &LineResponse<T>, coverage: [T; 3], b: T) -> Self {
         let (gap, rotation) = (F - 2, F - 1);
         let mut response = Self::zero();
         response.energy = adhesion.energy * b;
@@ -83,7 +108,7 @@ impl<T: Real, const F: usize> PointResponse<T, F> {
 
     /// Sets the coverage from that of the law, with its derivatives by the last two fields, and the adhering width.
     #[inline(always)]
-    pub(super) fn set_coverage(&mut self, [value, by_gap, by_rotation]: [T; 3], b: T) {
+    pub(in crate::beam) fn set_coverage(&mut self, [value, by_gap, by_rotation]: [T; 3], b: T) {
         self.coverage = value * b;
         self.coverage_by_value[F - 2] = by_gap * b;
         self.coverage_by_value[F - 1] = by_rotation * b;

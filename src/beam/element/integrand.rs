@@ -3,35 +3,9 @@
 //! What an element asks of its density does not depend on its order: so each density is compiled once, and the elements of
 //! each order once for all densities.
 
+use super::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
 use crate::adhesion::friction::dahl::FrictionState;
-use crate::beam::planar::density::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
 use crate::number::{F64x4, Real};
-
-/// Numbers that a density may remember at a point.
-pub const MEMORY: usize = 7;
-
-/// What is known at a point of the axis, or at four side by side.
-#[derive(Clone, Copy, Debug)]
-pub struct Point<T, const F: usize> {
-    /// S, nm
-    pub place: T,
-    /// The fields.
-    pub value: [T; F],
-    /// Their derivatives with respect to S.
-    pub slope: [T; F],
-    /// Of a density that remembers. With friction: where the face was (nm) and what share of its limit it carried at the end of the last
-    /// step. Of a viscous material: the strains from which the step strains, three in the plane and six in space, and the factor of its stiffness.
-    pub memory: [T; MEMORY],
-}
-
-impl<T: Real, const F: usize> Point<T, F> {
-    /// All zero.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        let zero = T::splat(0.0);
-        Self { place: zero, value: [zero; F], slope: [zero; F], memory: [zero; MEMORY] }
-    }
-}
 
 /// The energies at a point, per length.
 #[derive(Clone, Copy, Debug)]
