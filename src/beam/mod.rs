@@ -33,14 +33,15 @@ pub use planar::friction_history::FrictionHistory;
 pub use planar::model_end::CollapsedSection;
 pub use planar::model_limits::{BondedLoss, ModelLimits, PoleInReach, UprightCorner, UprightPole, UprightSection};
 pub use planar::planar_beam::{BeamInertia, FRONT, FrontPosition, PlanarBeam, TIP_ROTATION};
-pub use planar::uniform_chain::UniformChain;
+pub use planar::uniform_chain::elements::UniformChain;
 pub use reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
 pub use section::{Material, Section, SectionAt, rectangle_second_moment};
-pub use spatial::chain::projection::SPATIAL_UNKNOWNS;
-pub use spatial::chain::{SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional};
+pub use spatial::chain::spatial_chain::{
+    SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional,
+};
 pub use spatial::density::SpatialDensity;
 pub use spatial::end_rotation::{EndRotation, angles, turned};
-pub use spatial::kinematics::SPATIAL_FIELDS;
+pub use spatial::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 pub use spatial::rest::{ALONG_X, RestOutline, SpatialRest, SpatialRestCurve};
 pub use spatial::rotation;
 pub use spatial::section_state::{SpatialIntegrals, SpatialSectionState};

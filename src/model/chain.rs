@@ -3,7 +3,7 @@
 use crate::beam::element::energy_density::EnergyDensity;
 use crate::beam::element::integrand::PlanarIntegrand;
 use crate::beam::planar::chain::Chain;
-use crate::beam::planar::uniform_chain::UniformChain;
+use crate::beam::planar::uniform_chain::elements::UniformChain;
 
 /// Two unknowns a node, both free at the left end.
 pub(super) fn two_field(density: impl EnergyDensity<2> + 'static, order: usize) -> Box<dyn Chain> {

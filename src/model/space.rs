@@ -9,7 +9,7 @@ use crate::adhesion::spatial_section::error::SpatialSectionError;
 use crate::adhesion::spatial_section::section::{SectionShape, SpatialSection};
 use crate::beam::mesh::{Focus, MeshIntervals, MeshPolicy, Reach};
 use crate::beam::reference_configuration::ReferenceConfiguration;
-use crate::beam::spatial::chain::{SpatialChain, SpatialEnd};
+use crate::beam::spatial::chain::spatial_chain::{SpatialChain, SpatialEnd};
 use crate::beam::spatial::density::SpatialDensity;
 use crate::beam::spatial::end_rotation::EndRotation;
 use crate::beam::spatial::rest::{ALONG_X, RestOutline, SpatialRest, SpatialRestCurve};

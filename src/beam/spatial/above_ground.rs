@@ -16,7 +16,7 @@
 //! So it is where the section varies. A uniform strip is measured by the height of its axis: by that of its lowest point the branch point of one 1 nm wide
 //! (`tests/mechanics/study/space.rs`) was located to 1.2e-6 of its displacement instead of the 1e-6 asked for.
 
-use super::chain::quaternion_of;
+use super::chain::spatial_chain::quaternion_of;
 use super::kinematics::SPATIAL_FIELDS;
 use super::rotation::{Quaternion, matrix};
 use super::spatial_beam::{ANGLES, SpatialBeam};

@@ -5,6 +5,9 @@
 use super::rotation::{Matrix3, apply_transposed, conjugate, cross, dot, inner, matrix, product};
 use crate::number::Real;
 
+/// Unknowns of a node.
+pub const SPATIAL_UNKNOWNS: usize = 6;
+
 /// Fields of a beam in space: x, y, z and the quaternion.
 pub const SPATIAL_FIELDS: usize = 7;
 

@@ -1,9 +1,9 @@
 //! What a chain and a tree of beams in space answer alike as a [`System`](crate::solve::System).
 
 use super::chain::end_block::{Carry, ROOT};
-use super::chain::projection::SPATIAL_UNKNOWNS;
-use super::chain::{SpatialEnd, quaternion_of};
+use super::chain::spatial_chain::{SpatialEnd, quaternion_of};
 use super::end_rotation::{EndRotation, turn_on, turned};
+use super::kinematics::SPATIAL_UNKNOWNS;
 use super::rotation::{apply, conjugate, logarithm, product};
 use crate::solve::system::{CondensedSystem, Evaluation, INTERFACE};
 

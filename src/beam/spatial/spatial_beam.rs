@@ -1,10 +1,9 @@
 //! A beam in space: a chain of elements above flat ground or on its own, in its rest configuration.
 
-use super::chain::projection::SPATIAL_UNKNOWNS;
 use super::chain::read::normalise;
-use super::chain::{SpatialChain, SpatialConfiguration};
+use super::chain::spatial_chain::{SpatialChain, SpatialConfiguration};
 use super::end_rotation::{EndRotation, turned};
-use super::kinematics::SPATIAL_FIELDS;
+use super::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use super::rest::SpatialRest;
 use super::rotation::{apply_transposed, matrix};
 use crate::adhesion::section::barrier::Barrier;

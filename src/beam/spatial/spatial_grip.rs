@@ -1,7 +1,7 @@
 //! What the grip of a beam in space exerts, and its sections as they lie.
 
-use super::chain::quaternion_of;
 use super::chain::read::normalise;
+use super::chain::spatial_chain::quaternion_of;
 use super::end_rotation::{EndRotation, angles};
 use super::rotation::{apply, cross, matrix};
 use super::spatial_beam::SpatialBeam;

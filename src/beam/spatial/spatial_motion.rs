@@ -6,10 +6,9 @@
 //!
 //! Source: J. C. Simo, L. Vu-Quoc, On the dynamics in space of rods undergoing large motions, Comput. Methods Appl. Mech. Eng. 66 (1988).
 
-use super::chain::projection::{EndMap, SPATIAL_UNKNOWNS};
-use super::chain::{SpatialConfiguration, quaternion_of};
-use super::end_rotation::EndRotation;
-use super::kinematics::SPATIAL_FIELDS;
+use super::chain::spatial_chain::{SpatialConfiguration, quaternion_of};
+use super::end_rotation::{EndMap, EndRotation};
+use super::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use super::rotation::{apply, cross, dot, matrix};
 use super::spatial_beam::{ANGLES, SpatialBeam};
 use super::strain_memory::SpatialKnownStrains;

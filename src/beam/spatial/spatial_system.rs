@@ -1,9 +1,8 @@
 //! The beam in space as a [`System`]: what a solver asks of it. Its interface is the right end.
 
-use super::chain::projection::SPATIAL_UNKNOWNS;
-use super::chain::{SpatialConfiguration, SpatialFactors, SpatialFunctional, quaternion_of};
+use super::chain::spatial_chain::{SpatialConfiguration, SpatialFactors, SpatialFunctional, quaternion_of};
 use super::end_rotation::EndRotation;
-use super::kinematics::SPATIAL_FIELDS;
+use super::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use super::rotation::{apply, apply_transposed, cross, matrix};
 use super::shared_system::{condensed, node_difference, step_node, weighted_sum};
 use super::spatial_beam::{ANGLES, SpatialBeam};

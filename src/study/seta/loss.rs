@@ -16,7 +16,7 @@ use super::options::SetaOptions;
 use super::result::LocationError;
 use super::standing::{RootDrive, Standing, TipTangent};
 use super::watched::Watched;
-use crate::beam::spatial::chain::projection::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::rotation::{exponential, product};
 use crate::beam::spatial::tree::branching_beam::EndEnergy;
 use crate::solve::error::SolveError;

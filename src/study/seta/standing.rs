@@ -1,7 +1,7 @@
 //! A seta as it stands: its tree of beams, each tip on a branch of its law, and the direction in which its root is moved.
 
 use super::result::TipState;
-use crate::beam::spatial::chain::projection::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion};
 use crate::beam::spatial::tree::beam_tree::BeamTree;
 use crate::beam::spatial::tree::branching_beam::{EndEnergy, EndResponse, JointCondition, JointUnknown};

@@ -8,7 +8,7 @@
 use super::events::{event_within, softest};
 use super::result::{SetaInTime, SetaInTimeEvent, SetaInTimeFailure, SetaInTimeFailureKind, SetaInTimePoint, TipLoss};
 use super::settings::{SetaPullRate, SetaTimeAccuracy, check};
-use crate::beam::spatial::chain::projection::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::tree::beam_tree::BeamTree;
 use crate::model::motion::{KG_PER_CUBIC_METRE, MovingMaterial};
 use crate::model::seta::parameters::SetaModel;

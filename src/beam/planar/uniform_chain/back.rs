@@ -1,6 +1,6 @@
 //! The way back through an eliminated chain, from the right end to the left.
 
-use super::{Kept, UniformChain};
+use super::elements::{Kept, UniformChain};
 use crate::beam::element::basis::{Nodes, slot};
 use crate::beam::element::frontal_matrix::FrontalMatrix;
 use crate::beam::element::integration::BUNDLE;

@@ -9,7 +9,7 @@
 //! and the root's own matrix, or its transpose, stands between the two. U is what elimination leaves in its pivot rows. L is
 //! found again from what it leaves below the pivots, and in the fronts of a symmetric tangent from U.
 
-use super::{Kept, UniformChain};
+use super::elements::{Kept, UniformChain};
 use crate::beam::element::basis::{MOST_NODES, slot};
 use crate::beam::element::frontal_matrix::{FrontalMatrix, FrontalRow};
 use crate::beam::element::integration::BUNDLE;

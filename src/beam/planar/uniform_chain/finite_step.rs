@@ -10,7 +10,7 @@
 //! Source: D. Magisano, L. Leonetti, G. Garcea, How to improve efficiency and robustness of the Newton method in geometrically
 //! non-linear structural problems discretized via displacement-based finite elements, Comput. Methods Appl. Mech. Engrg. 313 (2017) 986-1005.
 
-use super::UniformChain;
+use super::elements::UniformChain;
 use crate::beam::element::basis::{MOST_NODES, Nodes, slot};
 use crate::beam::element::energy_density::Point;
 use crate::beam::element::integration::{BUNDLE, Element};

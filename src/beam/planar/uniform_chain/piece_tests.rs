@@ -12,7 +12,7 @@
 //! method its convergence,
 //! and in all of them the accuracy.
 
-use super::UniformChain;
+use super::elements::UniformChain;
 use crate::adhesion::levels::half_space::HalfSpace;
 use crate::adhesion::section::cohesive::CohesiveShape;
 use crate::adhesion::section::cohesive::calibrated::Cohesive;

@@ -1,6 +1,6 @@
 //! What is read off a configuration: energies, section forces, and its fields in other places.
 
-use super::UniformChain;
+use super::elements::UniformChain;
 use crate::adhesion::friction::dahl::FrictionState;
 use crate::beam::element::basis::{MOST_NODES, Nodes, PerNode, slot};
 use crate::beam::element::energy_density::SectionState;

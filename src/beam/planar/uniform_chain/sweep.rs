@@ -1,7 +1,7 @@
 //! The elimination, from the left end of the chain to the right.
 
+use super::elements::{Kept, UniformChain};
 use super::ends::Ends;
-use super::{Kept, UniformChain};
 use crate::beam::element::basis::Nodes;
 use crate::beam::element::frontal_matrix::FrontalMatrix;
 use crate::beam::element::integration::{BUNDLE, ElementEnergy};

@@ -8,7 +8,7 @@
 //! bundle and do not; for the residual what [`Chain::recover`] gives. Why: a multiplier of the wrong pivot would show in adjoints
 //! and sensitivities alone.
 
-use super::UniformChain;
+use super::elements::UniformChain;
 use crate::adhesion::friction::dahl::FrictionLaw;
 use crate::adhesion::levels::half_space::HalfSpace;
 use crate::adhesion::section::law::Law;

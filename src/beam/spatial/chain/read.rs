@@ -1,10 +1,10 @@
 //! What is read off a configuration: energies, gradients, and its fields in other places.
 
-use super::projection::{SPATIAL_UNKNOWNS, projected, turn_to_quaternion};
-use super::{SpatialChain, SpatialConfiguration, gather_nodes, no_values, quaternion_of};
+use super::projection::{projected, turn_to_quaternion};
+use super::spatial_chain::{SpatialChain, SpatialConfiguration, gather_nodes, no_values, quaternion_of};
 use crate::beam::element::basis::{MOST_NODES, PerNode, slot};
 use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy};
-use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
+use crate::beam::spatial::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::rotation::{apply, normalised};
 use std::ops::Range;
 

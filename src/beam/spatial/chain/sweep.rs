@@ -1,15 +1,16 @@
 //! The elimination, from the left end of the chain to the right.
 
 use super::end_block::{Carry, EndBlock, ROOT};
-use super::projection::{EndMap, EndMaps, SPATIAL_UNKNOWNS, SpatialFront, project};
-use super::{
+use super::projection::{EndMaps, SpatialFront, project};
+use super::spatial_chain::{
     SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional, USUAL_ORDER, Usual,
     gather_nodes, no_values, quaternion_of,
 };
 use crate::beam::element::basis::{AnyNumber, Nodes};
 use crate::beam::element::frontal_matrix::FrontalMatrix;
 use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy};
-use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
+use crate::beam::spatial::end_rotation::EndMap;
+use crate::beam::spatial::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::rotation::{Matrix3, apply_transposed, matrix};
 use crate::solve::error::{Place, Quantity, SolveError};
 use crate::solve::system::NodalTerms;

@@ -2,16 +2,14 @@
 
 use super::branching_beam::{EndEnergy, JointUnknown};
 use super::topology::TreeBundle;
-use super::tree_inertia::F;
 use crate::beam::element::basis::{AnyNumber, Basis, Nodes, slot};
 use crate::beam::element::integrand::Integrand;
 use crate::beam::element::integration::{BUNDLE, Element, Integration};
 use crate::beam::spatial::chain::assembly::Products;
-use crate::beam::spatial::chain::projection::SPATIAL_UNKNOWNS;
-use crate::beam::spatial::chain::{SpatialEnd, quaternion_of};
+use crate::beam::spatial::chain::spatial_chain::{SpatialEnd, quaternion_of};
 use crate::beam::spatial::density::SpatialDensity;
 use crate::beam::spatial::end_rotation::EndRotation;
-use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
+use crate::beam::spatial::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::rest::SpatialRestCurve;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion, apply, cross, product};
 use crate::beam::spatial::strain_memory::{SpatialKnownStrains, StrainAt, strains_of};
@@ -304,14 +302,14 @@ pub(super) struct NodeRates {
 }
 
 impl NodeRates {
-    pub fn new([x, y, z, a, b, c]: [f64; F]) -> Self {
+    pub fn new([x, y, z, a, b, c]: [f64; SPATIAL_UNKNOWNS]) -> Self {
         Self { place: [x, y, z], turn: [a, b, c] }
     }
 }
 
 impl NodeInertia {
     /// m dv/dt, and J dΩ/dt + Ω × JΩ.
-    pub fn forces(&self, rates: NodeRates, change: NodeRates) -> [f64; F] {
+    pub fn forces(&self, rates: NodeRates, change: NodeRates) -> [f64; SPATIAL_UNKNOWNS] {
         let (spin, torque) = (apply(&self.moments, &rates.turn), apply(&self.moments, &change.turn));
         let gyroscopic = cross(rates.turn, spin);
         std::array::from_fn(|k| if k < 3 { self.mass * change.place[k] } else { torque[k - 3] + gyroscopic[k - 3] })

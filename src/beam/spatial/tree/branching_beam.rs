@@ -1,8 +1,8 @@
 //! A tree of beams as plain data, with the energy of the place and the rotation of a joint (what adheres a tip, for one), and why such a tree
 //! cannot be computed.
 
-use crate::beam::spatial::chain::projection::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::end_rotation::EndRotation;
+use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::rest::SpatialRestCurve;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion};
 use crate::beam::spatial::spatial_profile::SpatialStiffness;

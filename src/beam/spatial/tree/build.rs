@@ -5,8 +5,8 @@ use super::branching_beam::{Branch, BranchingBeam, JointCondition, JointUnknown,
 use super::inside::inside_length;
 use super::topology::{Topology, schedule};
 use crate::beam::element::basis::{Basis, MOST_ORDER};
-use crate::beam::spatial::chain::SpatialEnd;
 use crate::beam::spatial::chain::assembly::Products;
+use crate::beam::spatial::chain::spatial_chain::SpatialEnd;
 use crate::beam::spatial::density::SpatialDensity;
 use crate::beam::spatial::end_rotation::EndRotation;
 use crate::beam::spatial::rotation::{Quaternion, conjugate, product};

@@ -4,7 +4,8 @@
 //! nodes in elimination order, the interior first.
 
 use crate::beam::element::basis::MOST_NODES;
-use crate::beam::spatial::chain::projection::{SPATIAL_UNKNOWNS, SpatialFront};
+use crate::beam::spatial::chain::projection::SpatialFront;
+use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
 use crate::number::{F64x4, Real};
 
 /// Most unknowns of an element.

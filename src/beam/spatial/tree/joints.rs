@@ -3,9 +3,10 @@
 use super::beam_tree::{BeamTree, TreeBranch, TreeEnd};
 use super::branching_beam::EndResponse;
 use crate::beam::element::basis::{Nodes, slot};
-use crate::beam::spatial::chain::projection::{EndMap, EndMaps, SAME, SPATIAL_UNKNOWNS, SpatialFront};
-use crate::beam::spatial::chain::quaternion_of;
-use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
+use crate::beam::spatial::chain::projection::{EndMaps, SAME, SpatialFront};
+use crate::beam::spatial::chain::spatial_chain::quaternion_of;
+use crate::beam::spatial::end_rotation::EndMap;
+use crate::beam::spatial::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::rotation::{Matrix3, Quaternion, apply, apply_transposed, dot, matrix, multiply_transposed};
 
 const F: usize = SPATIAL_UNKNOWNS;

@@ -11,10 +11,9 @@ use super::factors::TreeFactors;
 use super::sweep::Added;
 use crate::beam::element::basis::slot;
 use crate::beam::spatial::chain::end_block::Carry;
-use crate::beam::spatial::chain::projection::{EndMap, SPATIAL_UNKNOWNS};
-use crate::beam::spatial::chain::quaternion_of;
-use crate::beam::spatial::end_rotation::EndRotation;
-use crate::beam::spatial::kinematics::SPATIAL_FIELDS;
+use crate::beam::spatial::chain::spatial_chain::quaternion_of;
+use crate::beam::spatial::end_rotation::{EndMap, EndRotation};
+use crate::beam::spatial::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::rotation::{Matrix3, apply, cross, dot, matrix};
 use crate::beam::spatial::shared_system::condensed;
 use crate::beam::spatial::spatial_motion::axes_change;
@@ -24,7 +23,7 @@ use crate::solve::state::State;
 use crate::solve::system::{CondensedSystem, NodalTerms, System, Workspace};
 use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
 
-pub(super) const F: usize = SPATIAL_UNKNOWNS;
+const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;
 
 impl BeamTree {
