@@ -1,6 +1,5 @@
 //! A problem whose system is a beam, in the plane or in space.
 
-use super::space::{ACROSS, ALONG, ROLL, ROTATION, ROUNDED, SIDEWAYS, YAW};
 use crate::adhesion::substrate::Substrate;
 use crate::beam::grip_state::{GripForces, GripState};
 use crate::beam::planar::planar_beam::PlanarBeam;
@@ -238,3 +237,19 @@ impl BeamProblem {
         Self { problem: Problem { grip, ..self.problem.clone() }, beam: self.beam.clone() }
     }
 }
+
+/// A pull that is off the vertical plane of the strip by less, rad, is in that plane.
+pub(super) const ROUNDED: f64 = 1e-12;
+
+/// Slots of the interface: along the pull, across it in its vertical plane, sideways, and the three angles.
+pub(crate) const ALONG: usize = 0;
+
+pub(crate) const ACROSS: usize = 1;
+
+pub(crate) const SIDEWAYS: usize = 2;
+
+pub(crate) const ROTATION: usize = 3;
+
+pub(crate) const YAW: usize = 4;
+
+pub(crate) const ROLL: usize = 5;

@@ -1,8 +1,8 @@
 //! A beam that is peeled in space: pulled sideways, twisted, rolled off.
 
-use super::beam_problem::{Beam, BeamProblem};
+use super::beam_problem::{ACROSS, ALONG, Beam, BeamProblem, ROLL, ROTATION, ROUNDED, SIDEWAYS, YAW};
 use super::build::{Discretisation, NoSuchOrder};
-use super::peel::{Hold, PeelModel};
+use super::peel::{Hold, PeelModel, Space};
 use super::step::Step;
 use super::stress_free_placement::StressFreePlacement;
 use crate::adhesion::spatial_section::error::SpatialSectionError;
@@ -20,40 +20,10 @@ use crate::beam::varying::Varying;
 use crate::solve::end_conditions::EndConditions;
 use crate::solve::problem::{InitialState, MeasuredBeside, PathMeasure};
 use crate::solve::system::INTERFACE;
-use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_4, PI};
-
-/// What a model in space has besides one in the plane. Displacements and angles count from rest.
-///
-/// The ground is without friction: what neither it nor the grip holds is held at the left end, which is x and z of the axis, its yaw unless
-/// the grip holds that of its own end or its place sideways, and its roll where the section is a disc and the grip lets it roll.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Space {
-    /// Direction of the pull along the substrate, rad: 0 along the body, away from it; π/2 sideways, along z
-    pub azimuth: f64,
-    /// Of the place normal to the vertical plane of the pull
-    pub lateral: Hold,
-    /// Of the roll about the axis of the right end
-    pub roll: Hold,
-    /// Of the yaw of the right end
-    pub yaw: Hold,
-    /// Outline of the section of a strip; other bodies are as round as their outline says and adhere as rectangles.
-    pub section: SectionShape,
-}
-
-/// A pull that is off the vertical plane of the strip by less, rad, is in that plane.
-pub(super) const ROUNDED: f64 = 1e-12;
 
 /// The left end moves along x, y and z.
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
-/// Slots of the interface: along the pull, across it in its vertical plane, sideways, and the three angles.
-pub(crate) const ALONG: usize = 0;
-pub(crate) const ACROSS: usize = 1;
-pub(crate) const SIDEWAYS: usize = 2;
-pub(crate) const ROTATION: usize = 3;
-pub(crate) const YAW: usize = 4;
-pub(crate) const ROLL: usize = 5;
 
 /// How far behind the front a strip twists off, over the length of the process zone, and the weight of that place beside the front. With it 20
 /// elements give what 32 gave without, of the strip of scenes/strip-sideways.toml.

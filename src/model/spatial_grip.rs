@@ -1,7 +1,6 @@
 //! The grip of a strip in space, beside what it does in the plane.
 
-use super::beam_problem::BeamProblem;
-use super::space::{ACROSS, ROLL, SIDEWAYS};
+use super::beam_problem::{ACROSS, BeamProblem, ROLL, SIDEWAYS};
 use crate::beam::spatial::rotation::apply_transposed;
 use crate::solve::state::State;
 use serde::{Deserialize, Serialize};

@@ -1,7 +1,7 @@
 //! The stress-free configuration of a beam on the substrate, and what follows for its mesh.
 
 use super::ground::Ground;
-use super::peel::Adhesion;
+use super::peel::{Adhesion, PeelModel};
 use crate::beam::mesh::{Focus, MeshIntervals, MeshKind};
 use crate::beam::planar::planar_beam::FrontPosition;
 use crate::beam::reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
@@ -85,6 +85,14 @@ impl StressFreePlacement {
             pieces: MeshIntervals::cut(length, &beam.contour().breaks(), wanted),
             rest: ReferenceConfiguration::Varying(Box::new(rest)),
         }
+    }
+}
+
+impl PeelModel {
+    /// S beyond which it stays clear of the ground in its stress-free configuration, nm: L of a strip.
+    pub fn contact_extent(&self) -> f64 {
+        let Some(contour) = self.contour() else { return self.length() };
+        StressFreePlacement::contact_extent(&Varying::new(contour, self.material()), &self.adhesion, &self.ground)
     }
 }
 

@@ -7,7 +7,7 @@ use super::newton::{NewtonOptions, Solution, solve};
 use super::observables::{Observables, PathConstraint};
 use super::problem::Problem;
 use super::state::State;
-use super::system::Workspace;
+use super::workspace::Workspace;
 use std::sync::Arc;
 
 /// Most solutions until a branching point is located.

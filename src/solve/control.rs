@@ -5,7 +5,7 @@ use super::newton::{NewtonOptions, Solution, solve};
 use super::observables::{Observables, PathConstraint};
 use super::problem::Problem;
 use super::state::State;
-use super::system::Workspace;
+use super::workspace::Workspace;
 
 /// Shortest step, as a share of the way from one target to the next.
 const SHORTEST: f64 = 1e-6;

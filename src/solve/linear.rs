@@ -14,7 +14,8 @@ use super::newton::factorised;
 use super::observables::PathConstraint;
 use super::problem::Problem;
 use super::state::State;
-use super::system::{Coefficients, INTERFACE, Workspace};
+use super::system::{Coefficients, INTERFACE};
+use super::workspace::Workspace;
 
 /// A factorised tangent; the factors of the system stay in the workspace.
 pub struct Tangents<'p> {

@@ -14,6 +14,7 @@ pub(crate) mod relax;
 pub(crate) mod state;
 pub(crate) mod system;
 pub mod time;
+pub(crate) mod workspace;
 pub use branching::locate_branching;
 pub use control::controlled;
 pub use end_conditions::{Direction, EndConditions};
@@ -25,7 +26,7 @@ pub use limit_point::locate::{
 };
 pub use limit_point::search::{BendRule, Bends, FoundLimitPoint, LimitPointSearch};
 pub use linear::{Bordered, Tangents};
-pub use newton::{NewtonOptions, Pace, Solution, Tangent, damped_step, settle, slopes, solve};
+pub use newton::{NewtonOptions, Solution, Tangent, damped_step, settle, slopes, solve};
 pub use observables::{MONITORS, Observables, PathConstraint};
 pub use path::equilibrium_path::Path;
 pub use path::hermite::Hermite;
@@ -39,7 +40,5 @@ pub use relax::{
     Held, RelaxError, RelaxOptions, Relaxed, disturbed, disturbed_anyhow, relax, relaxed_on_more_elements,
 };
 pub use state::{History, Mesh, State};
-pub use system::{
-    Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, ShouldStop, System, Unknown,
-    Workspace,
-};
+pub use system::{Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
+pub use workspace::{Pace, ShouldStop, Workspace};

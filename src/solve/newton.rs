@@ -5,7 +5,8 @@ use super::grip_block::GripBlock;
 use super::observables::{Observables, PathConstraint};
 use super::problem::Problem;
 use super::state::State;
-use super::system::{Coefficients, CondensedSystem, Workspace};
+use super::system::{Coefficients, CondensedSystem};
+use super::workspace::{Pace, Workspace};
 use serde::{Deserialize, Serialize};
 use std::sync::OnceLock;
 
@@ -92,19 +93,6 @@ impl Solution {
         at.force += ahead * self.tangent.force;
         at
     }
-}
-
-/// What is tried where Newton's method does not converge.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Pace {
-    /// Nothing more.
-    #[default]
-    Quick,
-    /// It is begun again, and ends by the size of its updates alone: first with linear ones, then with those that follow the section force.
-    Wary,
-    /// The same, with the slopes and the inertia of every solution those at the solution itself, and no step believed whose inertia says that it has led
-    /// to another part of the path.
-    Watchful,
 }
 
 /// How Newton's method goes on by its updates, and by what it ends.

@@ -15,7 +15,8 @@ use super::newton::{NewtonOptions, Solution, damped_step, solve};
 use super::observables::{Observables, PathConstraint};
 use super::problem::Problem;
 use super::state::State;
-use super::system::{Coefficients, Workspace};
+use super::system::Coefficients;
+use super::workspace::Workspace;
 use serde::{Deserialize, Serialize};
 
 /// How a structure is relaxed.

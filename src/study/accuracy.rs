@@ -5,13 +5,12 @@ use super::terms::decision::Terms;
 use crate::beam::element::integration::BUNDLE;
 use crate::beam::mesh::MeshKind;
 use crate::model::build::Discretisation;
-use crate::model::check::error::ModelError;
+use crate::model::check::error::{ModelError, Range};
 use crate::model::check::numbers::NumberOf;
-use crate::model::check::range::Range;
 use crate::model::peel::{Form, PeelModel};
-use crate::solve::newton::Pace;
 use crate::solve::path::options::PathOptions;
 use crate::solve::path::predictor::MOST_POINTS;
+use crate::solve::workspace::Pace;
 use serde::{Deserialize, Serialize};
 
 /// What the user asks of the numbers.

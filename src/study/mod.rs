@@ -49,7 +49,8 @@ pub use fit::warnings::FitWarning;
 pub use initial::error::{
     LoadingError, LoadingPhase, LoadingProgress, LoadingUnit, NoEquilibrium, NotPrepared, SettlingError, UnstableRest,
 };
-pub use initial::{Prepared, RelaxedStart, prepared};
+pub use initial::prepared::{Prepared, prepared};
+pub use initial::stability::RelaxedStart;
 pub use limit_point_continuation::cusp::{Cusp, cusp};
 pub use limit_point_continuation::failure::{CuspError, PointNotFound};
 pub use limit_point_continuation::result::{FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing};
@@ -62,9 +63,8 @@ pub use peel::adhering::Adhering;
 pub use peel::contact::{Contact, SMALLEST_RADIUS};
 pub use peel::equilibrium_path::point_by_point::PathPoints;
 pub use peel::failure::{Failure, PathFailure};
-pub use peel::result::{
-    BranchPoint, DeformedShape, Effort, LargestComputedForce, LimitPoint, PathEnd, PathPoint, Peak, Peel, Plateau,
-};
+pub use peel::points::{BranchPoint, DeformedShape, LimitPoint, PathPoint, Peak};
+pub use peel::result::{Effort, LargestComputedForce, PathEnd, Peel, Plateau};
 pub use peel::sliding::Sliding;
 pub use peeling::{checked, peel, peel_on};
 pub use power_law::power_law;
@@ -82,12 +82,12 @@ pub use sensitivity::{Derivative, Variation};
 pub use seta::converged_peak::{ConvergedPeak, converged_peak};
 pub use seta::failure::SetaFailure;
 pub use seta::loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
-pub use seta::numbers::{SetaMoment, SetaResult};
+pub use seta::numbers::SetaResult;
 pub use seta::options::SetaOptions;
 pub use seta::progress::SetaProgress;
 pub use seta::result::{
-    EventCause, JointPlace, LocationError, SetaEffort, SetaEnd, SetaEvent, SetaPoint, SetaPullOff, SetaState,
-    TipChange, TipState,
+    EventCause, JointPlace, LocationError, SetaEffort, SetaEnd, SetaEvent, SetaMoment, SetaPoint, SetaPullOff,
+    SetaState, TipChange, TipState,
 };
 pub use seta::run::{pull_off, pull_off_from};
 pub use seta::sections::SetaBranch;

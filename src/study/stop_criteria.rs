@@ -1,6 +1,6 @@
 //! Where a path is stopped although it goes on. The library looks at no clock and hears no user: a caller that does says so.
 
-use crate::solve::system::ShouldStop;
+use crate::solve::workspace::ShouldStop;
 use crate::units::length_text;
 use serde::{Deserialize, Serialize};
 use std::fmt;

@@ -7,8 +7,9 @@ use crate::number::gauss::gauss_legendre;
 use crate::solve::error::SolveError;
 use crate::solve::observables::MONITORS;
 use crate::solve::state::State;
-use crate::solve::system::{CondensedSystem, Workspace};
+use crate::solve::system::CondensedSystem;
 use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
+use crate::solve::workspace::Workspace;
 use std::num::NonZeroUsize;
 
 /// Γ1, Γ2 and θ' at a point, and what is stored there.

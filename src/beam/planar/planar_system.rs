@@ -8,9 +8,8 @@ use crate::beam::reference_configuration::ReferenceConfiguration;
 use crate::solve::error::SolveError;
 use crate::solve::observables::MONITORS;
 use crate::solve::state::{History, Mesh, State};
-use crate::solve::system::{
-    Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown, Workspace,
-};
+use crate::solve::system::{Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 const HEIGHT: Unknown = Unknown { name: "height of the right end", unit: "nm" };

@@ -16,8 +16,9 @@ use crate::beam::viscosity::Viscosity;
 use crate::solve::error::SolveError;
 use crate::solve::observables::MONITORS;
 use crate::solve::state::State;
-use crate::solve::system::{CondensedSystem, System, Workspace};
+use crate::solve::system::{CondensedSystem, System};
 use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
+use crate::solve::workspace::Workspace;
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;

@@ -13,8 +13,9 @@ use crate::solve::error::SolveError;
 use crate::solve::observables::MONITORS;
 use crate::solve::state::{Mesh, State};
 use crate::solve::system::{
-    Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown, Workspace,
+    Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown,
 };
+use crate::solve::workspace::Workspace;
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;

@@ -1,35 +1,17 @@
 //! What is peeled.
 
+pub(super) mod geometry;
 pub(super) mod pieces;
 pub(crate) mod profile;
 pub(super) mod spatula;
 pub(super) mod strip;
 pub(super) mod transition;
 
-use crate::beam::section::Material;
-use crate::beam::varying::BeamGeometry;
+use geometry::Geometry;
 use profile::Profile;
 use serde::{Deserialize, Serialize};
 use spatula::Spatula;
-use std::sync::Arc;
 use strip::Strip;
-
-/// What a model asks of its body. A body is a file with a type that is one, and a line of each list below.
-pub trait Geometry: BeamGeometry {
-    /// The table of a scene that gives it.
-    fn name(&self) -> &'static str;
-
-    /// What it is made of.
-    fn material(&self) -> Material;
-
-    /// Its outline, to be kept by a beam.
-    fn shared(&self) -> Arc<dyn BeamGeometry>;
-
-    /// Whether it is straight in its stress-free configuration, and its section the same everywhere.
-    fn is_uniform(&self) -> bool {
-        false
-    }
-}
 
 /// What is peeled. It begins at S = 0 with its free end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,7 +1,6 @@
 //! Whether the numbers of adhesion and grip are asked for.
 
-use super::error::{ModelError, ModelErrorKind};
-use super::range::Measured;
+use super::error::{Measured, ModelError, ModelErrorKind};
 use crate::model::peel::{Hold, PeelModel};
 
 /// That work and strength belong to the law, and that what has a pretension is stretched.

@@ -1,7 +1,6 @@
 //! Whether the grip can move as the scene prescribes.
 
-use super::error::{ModelError, ModelErrorKind};
-use super::range::Measured;
+use super::error::{Measured, ModelError, ModelErrorKind};
 use crate::model::peel::{Hold, PeelModel};
 use crate::model::step::{Moved, Step};
 

@@ -1,7 +1,6 @@
 //! Whether friction fits the rest.
 
-use super::error::{ModelError, ModelErrorKind};
-use super::range::Measured;
+use super::error::{Measured, ModelError, ModelErrorKind};
 use crate::model::peel::PeelModel;
 
 /// That it has a strength, on flat ground, under the half space, and without a pretension.

@@ -11,14 +11,12 @@ mod friction;
 mod ground;
 mod length;
 pub(crate) mod numbers;
-pub(crate) mod range;
 mod space;
 mod spatula;
 use super::build::Discretisation;
 use super::peel::PeelModel;
-use error::ModelError;
+use error::{Measured, ModelError, Range};
 use numbers::MODEL_NUMBERS;
-use range::{Measured, Range};
 
 impl PeelModel {
     /// Whether it can be computed: every number finite and in its range, and all of them fit for one another. The analyses of

@@ -1,7 +1,6 @@
 //! The numbers of a model, a line each: what a scene calls it, its unit, its range and where it stands.
 
-use super::error::ModelError;
-use super::range::{Measured, Range, Range::Positive};
+use super::error::{Measured, ModelError, Range, Range::Positive};
 use crate::beam::section::Material;
 use crate::model::body::Body;
 use crate::model::body::spatula::Spatula;

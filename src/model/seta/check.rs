@@ -4,7 +4,7 @@ use super::mesh::SetaMesh;
 use super::parameters::Seta;
 use crate::beam::element::basis::MOST_ORDER;
 use crate::beam::spatial::tree::branching_beam::TreeError;
-use crate::model::check::range::Range;
+use crate::model::check::error::Range;
 
 /// Most forks: 4096 tips.
 pub const MOST_FORKS: usize = 12;

@@ -7,7 +7,7 @@ use crate::solve::newton::Solution;
 use crate::solve::path::hermite::Hermite;
 use crate::solve::path::segment::PathSegment;
 use crate::solve::problem::Problem;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 /// Places inside a step at which the interpolated slope is looked at.

@@ -3,11 +3,11 @@
 use super::kind::LimitPointKind;
 use super::search::{BendRule, Bends, FINE, LimitPointSearch};
 use crate::solve::error::SolveError;
-use crate::solve::newton::{NewtonOptions, Pace, Solution, slopes, solve};
+use crate::solve::newton::{NewtonOptions, Solution, slopes, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::segment::PathSegment;
 use crate::solve::problem::Problem;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::{Pace, Workspace};
 use std::sync::Arc;
 
 /// A point of the path found by a constraint on it.

@@ -17,7 +17,7 @@ use crate::solve::newton::{NewtonOptions, Solution, slopes, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
 use crate::solve::state::State;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 
 /// Most solves until a limit point is located.
 const MOST_SOLVES: usize = 8;

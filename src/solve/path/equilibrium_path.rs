@@ -12,11 +12,11 @@ use super::settling::settled;
 use super::waypoint::Waypoint;
 use super::{near_branch, predictor};
 use crate::solve::error::SolveError;
-use crate::solve::newton::{NewtonOptions, Pace, Solution, solve, solve_warily};
+use crate::solve::newton::{NewtonOptions, Solution, solve, solve_warily};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
 use crate::solve::state::{History, State};
-use crate::solve::system::{ShouldStop, Workspace};
+use crate::solve::workspace::{Pace, ShouldStop, Workspace};
 use std::sync::Arc;
 use std::vec;
 

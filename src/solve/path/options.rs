@@ -2,7 +2,7 @@
 
 use super::predictor::MOST_POINTS;
 use crate::solve::error::SolveError;
-use crate::solve::newton::Pace;
+use crate::solve::workspace::Pace;
 use serde::{Deserialize, Serialize};
 
 /// How a path is stepped. Its points follow from this and the problem alone.

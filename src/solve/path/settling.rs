@@ -6,7 +6,7 @@ use crate::solve::observables::PathConstraint;
 use crate::solve::problem::Problem;
 use crate::solve::relax::{Held, RelaxOptions, relax};
 use crate::solve::state::State;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 
 /// Most that a step of settling down moves, relative as in [`crate::solve::System::size`].
 const SETTLING: f64 = 0.3;

@@ -14,7 +14,7 @@ use crate::solve::limit_point::kind::LimitPointKind;
 use crate::solve::limit_point::locate::{Located, locate};
 use crate::solve::newton::Solution;
 use crate::solve::problem::Problem;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::sync::Arc;

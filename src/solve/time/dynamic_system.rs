@@ -3,7 +3,8 @@
 use crate::solve::error::SolveError;
 use crate::solve::problem::Problem;
 use crate::solve::state::State;
-use crate::solve::system::{CondensedSystem, NodalTerms, System, Workspace};
+use crate::solve::system::{CondensedSystem, NodalTerms, System};
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 /// The rule that replaces the time derivative of what a material remembers: dm/dt = `per_time` (m - `known`) at the end of a step.

@@ -10,7 +10,7 @@ use super::step::{Prescribed, Step, Taken};
 use crate::solve::error::SolveError;
 use crate::solve::observables::MONITORS;
 use crate::solve::state::State;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use std::collections::VecDeque;
 
 /// How long steps are.

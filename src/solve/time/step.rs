@@ -8,7 +8,8 @@ use crate::solve::error::{Quantity, SolveError};
 use crate::solve::grip_block::GripBlock;
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::state::State;
-use crate::solve::system::{NodalTerms, Workspace};
+use crate::solve::system::NodalTerms;
+use crate::solve::workspace::Workspace;
 
 /// Most iterations of a step.
 const MOST_ITERATIONS: usize = 14;

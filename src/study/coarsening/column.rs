@@ -19,7 +19,7 @@ use crate::solve::limit_point::locate::Located;
 use crate::solve::newton::{NewtonOptions, Solution};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::tracer::{PathEvent, PathTracer, TraceOptions};
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 /// μ

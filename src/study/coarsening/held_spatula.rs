@@ -14,9 +14,10 @@ use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::options::PathOptions;
 use crate::solve::state::State;
-use crate::solve::system::{Coefficients, INTERFACE, ShouldStop, Workspace};
+use crate::solve::system::{Coefficients, INTERFACE};
+use crate::solve::workspace::{ShouldStop, Workspace};
 use crate::study::accuracy::{Accuracy, Resolution};
-use crate::study::initial::{Prepared, prepared};
+use crate::study::initial::prepared::{Prepared, prepared};
 
 /// Error of a solution, relative as in [`crate::solve::System::size`].
 const OPTIONS: NewtonOptions =

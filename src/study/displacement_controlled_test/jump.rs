@@ -9,7 +9,7 @@ use crate::solve::limit_point::locate::{Located, on_more_elements};
 use crate::solve::newton::Solution;
 use crate::solve::observables::Observables;
 use crate::solve::relax::{Relaxed, relaxed_on_more_elements};
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, bound_floor, least};
 use crate::study::peel::adhering::Adhering;
 

@@ -12,7 +12,7 @@ use crate::solve::path::segment::PathSegment;
 use crate::solve::path::tracer::{PathEvent, PathTracer, TraceOptions};
 use crate::solve::relax::RelaxError;
 use crate::solve::state::State;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::peel::adhering::Adhering;
 use crate::study::peel::equilibrium_path::path_end::is_clear;
 use crate::study::peel::step_curve::StepCurve;

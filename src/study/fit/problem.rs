@@ -1,7 +1,7 @@
 //! What is to be fitted, and how.
 
 use super::loss::Loss;
-use crate::model::check::range::Range;
+use crate::model::check::error::Range;
 use crate::model::peel::PeelModel;
 
 /// What a parameter changes.

@@ -15,14 +15,14 @@ use crate::model::peel::PeelModel;
 use crate::model::step::{Moved, Step};
 use crate::solve::limit_point::kind::LimitPointKind;
 use crate::solve::limit_point::locate::{Located, locate};
-use crate::solve::newton::{NewtonOptions, Pace, Solution, settle, solve};
+use crate::solve::newton::{NewtonOptions, Solution, settle, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::options::PathOptions;
 use crate::solve::path::predictor::MOST_POINTS;
 use crate::solve::path::segment::PathSegment;
 use crate::solve::state::State;
-use crate::solve::system::{ShouldStop, Workspace};
+use crate::solve::workspace::{Pace, ShouldStop, Workspace};
 use std::sync::Arc;
 
 /// Elements on which steps are followed, over those of a short strip, and more for each break of an outline; their ends are found on

@@ -10,7 +10,7 @@ use crate::model::peel::PeelModel;
 use crate::solve::problem::InitialState;
 use crate::solve::relax::{Held, RelaxOptions, disturbed_anyhow, relax};
 use crate::solve::state::State;
-use crate::solve::system::{ShouldStop, Workspace};
+use crate::solve::workspace::{ShouldStop, Workspace};
 use std::sync::Arc;
 
 /// Most that a step of relaxation moves, relative as in [`crate::solve::System::size`], and most steps.

@@ -10,7 +10,8 @@ use crate::solve::newton::{NewtonOptions, settle};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::relax::{Held, RelaxOptions, relax};
 use crate::solve::state::{Mesh, State};
-use crate::solve::system::{INTERFACE, ShouldStop, System, Workspace};
+use crate::solve::system::{INTERFACE, System};
+use crate::solve::workspace::{ShouldStop, Workspace};
 
 /// Lengths of the elements on which it relaxes, over the length of the process zone and over the least length in which the
 /// ground changes; the equilibrium is then found on twice as many, again and again until they do not move the grip any more.

@@ -15,7 +15,7 @@ use crate::solve::observables::Observables;
 use crate::solve::path::predictor::{lagrange_weights, longest_step};
 use crate::solve::problem::Problem;
 use crate::solve::state::{Mesh, State};
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::accuracy::ORDER;
 use crate::study::peel::work::power;
 use std::collections::VecDeque;

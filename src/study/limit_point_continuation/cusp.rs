@@ -12,7 +12,7 @@ use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
 use crate::solve::state::State;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::accuracy::{Accuracy, ORDER, Resolution};
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 use crate::study::peel::result::PathEnd;

@@ -9,7 +9,7 @@ use crate::solve::error::SolveError;
 use crate::solve::limit_point::locate::Located;
 use crate::solve::limit_point::search::BendRule;
 use crate::solve::state::Mesh;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::accuracy::{ORDER, Resolution};
 use crate::study::error_bounds::FOLLOWED_BOUND_FACTOR;
 

@@ -11,9 +11,9 @@ use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::segment::PathSegment;
 use crate::solve::path::tracer::{PathEvent, PathTracer, TraceOptions};
 use crate::solve::problem::Problem;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::accuracy::{Accuracy, ORDER, Resolution};
-use crate::study::initial::prepared;
+use crate::study::initial::prepared::prepared;
 use crate::study::peeling::peel;
 use crate::study::stop_criteria::{Bound, StopCriteria};
 

@@ -3,7 +3,7 @@
 use super::failure::PointNotFound;
 use crate::solve::error::SolveError;
 use crate::solve::limit_point::kind::LimitPointKind;
-use crate::study::peel::result::{LimitPoint, Peak};
+use crate::study::peel::points::{LimitPoint, Peak};
 
 /// The point of a peel that can be followed in a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use super::first_loss::{Known, StepSearch};
 use super::roll_reader::RollReader;
 use super::two_steps::{TwoSteps, Valley};
 use crate::solve::error::SolveError;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::peel::solution_history::SolutionHistory;
 
 /// Most looks at the margin around a point at which it is least.

@@ -7,7 +7,7 @@ use crate::solve::limit_point::locate::{on_more_elements, step_to};
 use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::segment::PathSegment;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::{COMPANION_FRACTION, DIFFERENCE_BOUND_FACTOR, ROUND_OFF_PLACE, least};
 use crate::study::peel::solution_history::SolutionHistory;
 use std::sync::Arc;

@@ -8,7 +8,7 @@ use super::roll_elements::RollStability;
 use super::roll_reader::RollReader;
 use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::SolutionHistory;
 

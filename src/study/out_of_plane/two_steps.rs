@@ -4,7 +4,7 @@ use super::first_loss::StepSearch;
 use super::roll_reader::RollReader;
 use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::peel::solution_history::SolutionHistory;
 use std::sync::Arc;
 

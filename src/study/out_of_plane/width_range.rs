@@ -13,7 +13,7 @@ use crate::solve::error::SolveError;
 use crate::solve::limit_point::locate::on_more_elements;
 use crate::solve::newton::Solution;
 use crate::solve::observables::Observables;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF_PLACE, least};
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::SolutionHistory;

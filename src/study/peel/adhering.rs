@@ -1,7 +1,7 @@
 //! What of a beam adheres: its face, the edge of its free end, the face of that end, or nothing.
 
 use super::contact::{Sample, samples};
-use super::result::DeformedShape;
+use super::points::DeformedShape;
 use crate::model::beam_problem::Beam;
 use crate::solve::state::State;
 use serde::{Deserialize, Serialize};

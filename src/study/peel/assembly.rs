@@ -2,7 +2,8 @@
 
 use super::equilibrium_path::followed::Followed;
 use super::failure::Failure;
-use super::result::{BranchPoint, Effort, LimitPoint, PathEnd, PathPoint, Peak, Peel};
+use super::points::{BranchPoint, LimitPoint, PathPoint, Peak};
+use super::result::{Effort, PathEnd, Peel};
 use super::special_points::{name_special_points, peak_of, pushes_behind_a_fold};
 use super::work::{WorkErrors, work_at, work_near};
 use crate::beam::planar::planar_beam::FRONT;

@@ -7,7 +7,8 @@ use super::failure::{
     PathFailure::Path, PathFailure::TooManyPoints,
 };
 use super::lost::Lost;
-use super::result::{Effort, LimitPoint, PathEnd, Peel};
+use super::points::LimitPoint;
+use super::result::{Effort, PathEnd, Peel};
 use super::solution_history::SolutionHistory;
 use super::special_points::{difference_at_start, error_at_start};
 use super::whole::{NO_ACCURACY, Whole};

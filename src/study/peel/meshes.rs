@@ -15,13 +15,13 @@ use crate::beam::mesh::MeshKind;
 use crate::model::beam_problem::BeamProblem;
 use crate::model::build::Discretisation;
 use crate::model::peel::PeelModel;
-use crate::solve::newton::Pace;
 use crate::solve::path::options::PathOptions;
 use crate::solve::problem::MeasuredBeside;
+use crate::solve::workspace::Pace;
 use crate::study::accuracy::{Accuracy, Choice, Resolution, most_elements};
 use crate::study::checkpoint::{Checkpoint, Limits};
 use crate::study::initial::error::NotPrepared;
-use crate::study::initial::{Prepared, prepared};
+use crate::study::initial::prepared::{Prepared, prepared};
 use crate::study::refinement::{MOST_FAILED_IN_SPACE, refined};
 use std::sync::Arc;
 

@@ -11,6 +11,7 @@ mod lost;
 pub(super) mod meshes;
 mod nearly_upright;
 mod plateau;
+pub(super) mod points;
 pub(super) mod result;
 pub(super) mod run;
 pub(super) mod sliding;

@@ -8,7 +8,7 @@ use crate::model::beam_problem::BeamProblem;
 use crate::solve::limit_point::kind::LimitPointKind;
 use crate::solve::limit_point::locate::difference_on_more_elements;
 use crate::solve::newton::Solution;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, LEVEL_FACTOR, ROUND_OFF, least};
 use std::ops::Range;
 use std::sync::Arc;

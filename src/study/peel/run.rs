@@ -8,7 +8,7 @@ use super::result::{PathEnd, Peel};
 use super::widened::widened;
 use crate::beam::mesh::MeshKind;
 use crate::model::peel::PeelModel;
-use crate::solve::newton::Pace;
+use crate::solve::workspace::Pace;
 use crate::study::accuracy::{Accuracy, Choice, Resolution, aim};
 use crate::study::checkpoint::{Checkpoint, Limits};
 use crate::study::stop_criteria::StopCriteria;

@@ -1,6 +1,6 @@
 //! The solutions behind a peel: the curve between its points and the deformed strip.
 
-use super::result::{DeformedShape, LimitPoint};
+use super::points::{DeformedShape, LimitPoint};
 use crate::beam::planar::chain::NodeState;
 use crate::beam::planar::planar_beam::PlanarBeam;
 use crate::beam::spatial::section_state::SpatialSectionState;

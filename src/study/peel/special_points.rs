@@ -3,13 +3,14 @@
 use super::equilibrium_path::followed::Followed;
 use super::failure::PathFailure;
 use super::plateau::steady_force;
-use super::result::{LargestComputedForce, LimitPoint, PathEnd, PathPoint, Peak, Peel};
+use super::points::{LimitPoint, PathPoint, Peak};
+use super::result::{LargestComputedForce, PathEnd, Peel};
 use crate::model::beam_problem::BeamProblem;
 use crate::solve::limit_point::kind::LimitPointKind;
 use crate::solve::limit_point::locate::difference_on_more_elements;
 use crate::solve::newton::Solution;
 use crate::solve::observables::Observables;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
 use std::sync::Arc;
 

@@ -12,7 +12,7 @@ use crate::solve::newton::Solution;
 use crate::solve::observables::Observables;
 use crate::solve::path::predictor::lagrange_weights;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 /// Solutions on a step, its ends among them.

@@ -5,7 +5,7 @@
 //! left out, and they have the same ones up to a place where that holds as far as there.
 
 use super::equilibrium_path::followed::Followed;
-use super::result::LimitPoint;
+use super::points::LimitPoint;
 use crate::solve::limit_point::kind::LimitPointKind;
 use crate::solve::limit_point::locate::Located;
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;

@@ -1,6 +1,6 @@
 //! The limit points of a path that is whole, beside those that it has on another mesh.
 
-use super::result::LimitPoint;
+use super::points::LimitPoint;
 use crate::solve::limit_point::kind::LimitPointKind;
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 

@@ -11,7 +11,7 @@ use crate::solve::limit_point::locate::{Located, on_more_elements};
 use crate::solve::newton::Solution;
 use crate::solve::observables::Observables;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::system::{ShouldStop, Workspace};
+use crate::solve::workspace::{ShouldStop, Workspace};
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, bound_floor};
 use std::sync::Arc;
 

@@ -9,10 +9,10 @@ use crate::solve::control::controlled;
 use crate::solve::newton::{NewtonOptions, settle};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::state::State;
-use crate::solve::system::{ShouldStop, Workspace};
 use crate::solve::time::drive::Drive;
 use crate::solve::time::integrator::{Crossing, StepControl, TimeIntegrator, TimeOptions};
 use crate::solve::time::motion::Motion;
+use crate::solve::workspace::{ShouldStop, Workspace};
 
 /// A beam adheres no more where its front is shorter than this many process lengths; the time of that is found to this share of it.
 const LOOSE: f64 = 1.0;

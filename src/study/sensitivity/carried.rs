@@ -6,7 +6,7 @@ use crate::model::build::Discretisation;
 use crate::model::peel::PeelModel;
 use crate::solve::problem::InitialState;
 use crate::solve::state::{Mesh, State};
-use crate::study::initial::prepared;
+use crate::study::initial::prepared::prepared;
 
 /// A model beside the one that was peeled, made into what the solver is given.
 pub(super) struct Beside {

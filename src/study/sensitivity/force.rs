@@ -12,7 +12,7 @@ use crate::solve::limit_point::kind::LimitPointKind;
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
 use crate::solve::state::State;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::peel::result::Peel;
 use rayon::prelude::*;
 use std::sync::Arc;

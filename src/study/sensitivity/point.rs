@@ -6,7 +6,7 @@ use crate::solve::linear::{Bordered, Tangents};
 use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::state::State;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 
 /// What is held while a parameter changes; the other of the two is what is differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

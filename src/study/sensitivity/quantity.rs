@@ -1,7 +1,8 @@
 //! The numbers of a peel that can be differentiated, minimised, or called uncertain.
 
 use crate::solve::limit_point::kind::LimitPointKind;
-use crate::study::peel::result::{LimitPoint, Peak, Peel};
+use crate::study::peel::points::{LimitPoint, Peak};
+use crate::study::peel::result::Peel;
 
 /// A number of a peel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -13,7 +13,7 @@ use crate::model::build::Discretisation;
 use crate::solve::error::SolveError;
 use crate::solve::limit_point::kind::LimitPointKind;
 use crate::solve::state::State;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::SolutionHistory;

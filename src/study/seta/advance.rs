@@ -14,7 +14,7 @@ use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
 use crate::solve::state::State;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 
 /// Error of the displacement at which a tip comes to the end of its branch, nm.
 const LOCATED: f64 = 1e-6;

@@ -12,7 +12,7 @@ use crate::solve::newton::Solution;
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
 use crate::solve::state::State;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 
 /// Components of the critical direction that differ by this share are equal by symmetry.
 const ALIKE: f64 = 1e-6;

@@ -16,7 +16,8 @@ use crate::model::seta::parameters::{Seta, SetaModel};
 use crate::model::seta::tip_law::TipBranch;
 use crate::solve::newton::{NewtonOptions, Solution, damped_step, solve};
 use crate::solve::observables::{Observables, PathConstraint};
-use crate::solve::system::{Coefficients, System, Workspace};
+use crate::solve::system::{Coefficients, System};
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 const CURVE: [(f64, f64, f64); 7] = [

@@ -23,7 +23,7 @@ use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 
 /// Error of the displacement at a loss, nm: that of the force there goes with its root.
 const LOCATED: f64 = 1e-8;

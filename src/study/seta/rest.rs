@@ -14,7 +14,8 @@ use crate::solve::newton::{NewtonOptions, Solution, damped_step, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
 use crate::solve::state::State;
-use crate::solve::system::{Coefficients, Workspace};
+use crate::solve::system::Coefficients;
+use crate::solve::workspace::Workspace;
 
 /// Steps, of which each may change a tip.
 const MOST_STEPS: usize = 4000;

@@ -194,3 +194,20 @@ impl SetaPullOff {
         self.points.windows(2).map(|pair| (pair[1].work - pair[0].work).abs()).sum()
     }
 }
+
+/// A moment of the last step.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SetaMoment {
+    /// On the root along the direction of the step, nN
+    pub force: f64,
+    /// How far the root has moved in the step, nm
+    pub displacement: f64,
+    /// Tips that adhere
+    pub attached: usize,
+}
+
+impl From<&SetaState> for SetaMoment {
+    fn from(SetaState { point, .. }: &SetaState) -> Self {
+        Self { force: point.force_along, displacement: point.displacement, attached: point.attached }
+    }
+}

@@ -13,10 +13,10 @@ use crate::solve::newton::Solution;
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::segment::PathSegment;
 use crate::solve::path::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::accuracy::{Accuracy, Resolution};
 use crate::study::initial::error::NoEquilibrium;
-use crate::study::initial::prepared;
+use crate::study::initial::prepared::prepared;
 use crate::study::peel::step_curve::StepCurve;
 use std::sync::Arc;
 

@@ -4,7 +4,7 @@ use super::beam_state::{BeamState, Reader};
 use crate::solve::limit_point::locate::{ROUGH, step_to};
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::SolutionHistory;
 use std::sync::Arc;

@@ -12,7 +12,7 @@
 use crate::solve::limit_point::kind::LimitPointKind;
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
-use crate::study::peel::result::LimitPoint;
+use crate::study::peel::points::LimitPoint;
 use crate::study::peel::solution_history::SolutionHistory;
 
 /// How a limit point moves.

@@ -13,9 +13,8 @@ use crate::beam::spatial::shared_system::{condensed, node_difference, step_node,
 use crate::solve::error::SolveError;
 use crate::solve::observables::MONITORS;
 use crate::solve::state::{Mesh, State};
-use crate::solve::system::{
-    Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown, Workspace,
-};
+use crate::solve::system::{Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
+use crate::solve::workspace::Workspace;
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;

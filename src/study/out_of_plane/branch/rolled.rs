@@ -9,7 +9,7 @@ use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::state::State;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 
 /// Most solves until the torque is zero.
 const MOST_SOLVES: usize = 14;

@@ -18,7 +18,8 @@ use crate::model::beam_problem::BeamProblem;
 use crate::solve::error::SolveError;
 use crate::solve::observables::Observables;
 use crate::solve::state::State;
-use crate::solve::system::{System, Workspace};
+use crate::solve::system::System;
+use crate::solve::workspace::Workspace;
 use crate::study::out_of_plane::first_loss::Beside;
 
 /// Roll of the grip whose effect is taken for linear, over the one that moves an edge of its end by r0.

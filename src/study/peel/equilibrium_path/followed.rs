@@ -2,8 +2,8 @@
 
 use crate::solve::limit_point::kind::LimitPointKind;
 use crate::solve::limit_point::locate::Located;
-use crate::solve::newton::{Pace, Solution};
-use crate::solve::system::{ShouldStop, Workspace};
+use crate::solve::newton::Solution;
+use crate::solve::workspace::{Pace, ShouldStop, Workspace};
 use crate::study::peel::failure::PathFailure;
 use crate::study::peel::result::PathEnd;
 use std::sync::Arc;

@@ -9,7 +9,7 @@ use crate::solve::limit_point::kind::{LimitPointKind, LimitPointKind::Displaceme
 use crate::solve::limit_point::locate::{locate, unlocated};
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 use crate::study::peel::failure::PathFailure;
 use crate::study::peel::result::PathEnd;

@@ -9,7 +9,7 @@ use crate::solve::newton::Solution;
 use crate::solve::observables::Observables;
 use crate::solve::path::segment::PathSegment;
 use crate::solve::problem::Problem;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::INTERPOLATION_ERROR_FACTOR;
 use std::sync::Arc;
 

@@ -15,7 +15,7 @@ use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::segment::PathSegment;
 use crate::solve::problem::Problem;
-use crate::solve::system::Workspace;
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 /// A step over which the force changes by less than this share of itself is level.
