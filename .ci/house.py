@@ -31,13 +31,9 @@ PARTS = ["src", *sorted(str(d.parent.relative_to(ROOT)) + "/src" for d in ROOT.g
 CLEAN = ["src"]
 SHORT, LONG, WIDE = 60, 600, 12
 
-NO_CODE = re.compile(
-    r'//[^\n]*|/\*.*?\*/|b?r(#+)".*?"\1|b?r"[^"]*"|b?"(?:\\.|[^"\\])*"|b?\'(?:\\[^\n\']+|\\\'|[^\\\'\n])\'', re.S
-)
+NO_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|b?r(#+)".*?"\1|b?r"[^"]*"|b?"(?:\\.|[^"\\])*"|b?\'(?:\\[^\n\']+|\\\'|[^\\\'\n])\'', re.S)
 USE = re.compile(r"(?:(pub)(\([^)]*\))?\s+)?\buse\s+([^;]+);")
-ITEM = re.compile(
-    r"\b(?:fn|struct|enum|union|trait|type|const|static|macro_rules!)\s+(?:mut\s+)?([A-Za-z_]\w*)"
-)
+ITEM = re.compile(r"\b(?:fn|struct|enum|union|trait|type|const|static|macro_rules!)\s+(?:mut\s+)?([A-Za-z_]\w*)")
 PATH = re.compile(r"(?<![\w:.$'])(?:::)?[A-Za-z_]\w*(?:\s*::\s*[A-Za-z_]\w*)+")
 
 
