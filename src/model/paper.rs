@@ -1,11 +1,11 @@
 //! The models of the paper, with their parts at hand.
 
-use super::beam_problem::BeamProblem;
 use super::body::Body;
 use super::body::spatula::Spatula;
 use super::body::strip::Strip;
-use super::build::NoSuchOrder;
 use super::peel::{Adhesion, Form, Grip, Hold, PeelModel, Pull};
+use super::problem::beam_problem::BeamProblem;
+use super::problem::build::NoSuchOrder;
 use crate::adhesion::section::line_load::LineLaw;
 use crate::beam::section::Section;
 use serde::{Deserialize, Serialize};

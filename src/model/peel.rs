@@ -3,8 +3,7 @@
 use super::body::Body;
 use super::body::geometry::Geometry;
 use super::body::strip::Strip;
-use super::friction::Friction;
-use super::ground::Ground;
+use super::ground::{Friction, Ground};
 use super::step::{Moved, Step};
 use crate::adhesion::friction::dahl::FrictionLaw;
 use crate::adhesion::levels::half_space::HalfSpace;
@@ -14,7 +13,7 @@ use crate::adhesion::spatial_section::section::SectionShape;
 use crate::beam::bonded_beam::BondedBeam;
 use crate::beam::section::{Material, Section};
 use crate::beam::varying::BeamGeometry;
-use crate::solve::end_conditions::Direction;
+use crate::solve::problem::Direction;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;

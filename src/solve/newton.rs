@@ -324,3 +324,9 @@ pub fn slopes(
     let tangent = grip.tangent()?;
     Ok((tangent.displacement, tangent.force))
 }
+
+/// Error of a solution next to a singular point, where round-off leaves no better.
+pub(in crate::solve) const SINGULAR: f64 = 1e-5;
+
+/// Error of a solution, relative as in [`crate::solve::System::size`].
+pub(in crate::solve) const FINE: f64 = 1e-12;

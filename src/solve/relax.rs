@@ -9,10 +9,9 @@
 //! the energy does not fall. It ends in a stable equilibrium to which Newton's own method converges from near by, or fails.
 
 use super::error::SolveError;
-use super::limit_point::locate::{SINGULAR, on_more_elements};
-use super::limit_point::search::FINE;
-use super::newton::{NewtonOptions, Solution, damped_step, solve};
+use super::newton::{FINE, NewtonOptions, SINGULAR, Solution, damped_step, solve};
 use super::observables::{Observables, PathConstraint};
+use super::points::locate::on_more_elements;
 use super::problem::Problem;
 use super::state::State;
 use super::system::Coefficients;

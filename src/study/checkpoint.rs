@@ -5,8 +5,7 @@
 
 use super::peel::result::PathEnd;
 use super::stop_criteria::{Stage, StopCriteria};
-use crate::solve::path::options::PathOptions;
-use crate::solve::path::waypoint::Waypoint;
+use crate::solve::path::options::{PathOptions, Waypoint};
 use crate::solve::workspace::ShouldStop;
 
 /// Where the points of a run's paths come from and go to.

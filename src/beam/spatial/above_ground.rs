@@ -17,8 +17,8 @@
 //! (`tests/mechanics/study/space.rs`) was located to 1.2e-6 of its displacement instead of the 1e-6 asked for.
 
 use super::chain::spatial_chain::quaternion_of;
-use super::kinematics::SPATIAL_FIELDS;
 use super::rotation::{Quaternion, matrix};
+use super::section::kinematics::SPATIAL_FIELDS;
 use super::spatial_beam::{ANGLES, SpatialBeam};
 use crate::adhesion::spatial_section::section::SectionShape;
 use crate::solve::state::State;

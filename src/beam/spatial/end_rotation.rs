@@ -5,10 +5,10 @@
 //! ρ is then the moment about d1, on θ that about e_z, and on ψ, at ψ = 0, that about the normal of the axis in the plane. The angles fail where
 //! the yaw is a right angle. Without them a turn is a vector in the axes of the directors, and the moment on all three is held to be zero.
 
-use super::kinematics::SPATIAL_UNKNOWNS;
 use super::rotation::{
     Matrix3, Quaternion, apply_transposed, conjugate, cross, dot, exponential, matrix, normalised, product, skew,
 };
+use super::section::kinematics::SPATIAL_UNKNOWNS;
 
 /// What an end's rotation is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

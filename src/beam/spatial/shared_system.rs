@@ -3,8 +3,8 @@
 use super::chain::end_block::{Carry, ROOT};
 use super::chain::spatial_chain::{SpatialEnd, quaternion_of};
 use super::end_rotation::{EndRotation, turn_on, turned};
-use super::kinematics::SPATIAL_UNKNOWNS;
 use super::rotation::{apply, conjugate, logarithm, product};
+use super::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::solve::system::{CondensedSystem, Evaluation, INTERFACE};
 
 const F: usize = SPATIAL_UNKNOWNS;

@@ -3,9 +3,9 @@
 use super::chain::read::normalise;
 use super::chain::spatial_chain::{SpatialChain, SpatialConfiguration};
 use super::end_rotation::{EndRotation, turned};
-use super::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use super::rest::SpatialRest;
 use super::rotation::{apply_transposed, matrix};
+use super::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::adhesion::section::barrier::Barrier;
 use crate::adhesion::spatial_section::section::SectionShape;
 use crate::beam::mesh::{MeshKind, MeshPolicy};

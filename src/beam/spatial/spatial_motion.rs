@@ -8,10 +8,10 @@
 
 use super::chain::spatial_chain::{SpatialConfiguration, quaternion_of};
 use super::end_rotation::{EndMap, EndRotation};
-use super::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use super::rotation::{apply, cross, dot, matrix};
+use super::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
+use super::section::strain_memory::SpatialKnownStrains;
 use super::spatial_beam::{ANGLES, SpatialBeam};
-use super::strain_memory::SpatialKnownStrains;
 use crate::beam::viscosity::Viscosity;
 use crate::solve::error::SolveError;
 use crate::solve::observables::MONITORS;

@@ -2,8 +2,8 @@
 
 use super::chain::spatial_chain::{SpatialConfiguration, SpatialFactors, SpatialFunctional, quaternion_of};
 use super::end_rotation::EndRotation;
-use super::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use super::rotation::{apply, apply_transposed, cross, matrix};
+use super::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use super::shared_system::{condensed, node_difference, step_node, weighted_sum};
 use super::spatial_beam::{ANGLES, SpatialBeam};
 use crate::beam::element::integration::ElementEnergy;

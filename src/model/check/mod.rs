@@ -13,8 +13,8 @@ mod length;
 pub(crate) mod numbers;
 mod space;
 mod spatula;
-use super::build::Discretisation;
 use super::peel::PeelModel;
+use super::problem::build::Discretisation;
 use error::{Measured, ModelError, Range};
 use numbers::MODEL_NUMBERS;
 

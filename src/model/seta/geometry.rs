@@ -7,7 +7,7 @@ use super::check::SetaError;
 use super::mesh::SetaMesh;
 use super::parameters::Seta;
 use crate::beam::spatial::rotation::Quaternion;
-use crate::beam::spatial::spatial_profile::SpatialStiffness;
+use crate::beam::spatial::section::spatial_profile::SpatialStiffness;
 use crate::beam::spatial::tree::branching_beam::{Branch, BranchingBeam};
 use std::f64::consts::PI;
 

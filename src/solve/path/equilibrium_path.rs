@@ -6,10 +6,9 @@
 
 use super::metric::{Metric, Notice};
 use super::near_branch::{NearBranch, StepSeen, leads_elsewhere};
-use super::options::{PathError, PathOptions};
+use super::options::{PathError, PathOptions, Waypoint};
 use super::predictor::MOST_POINTS;
 use super::settling::settled;
-use super::waypoint::Waypoint;
 use super::{near_branch, predictor};
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve, solve_warily};

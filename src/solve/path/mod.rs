@@ -1,4 +1,5 @@
 //! Paths of equilibria: stepped, predicted, interpolated.
+pub(crate) mod control;
 pub(crate) mod equilibrium_path;
 pub(crate) mod hermite;
 mod metric;
@@ -7,5 +8,3 @@ pub(crate) mod options;
 pub(crate) mod predictor;
 pub(crate) mod segment;
 mod settling;
-pub(crate) mod tracer;
-pub(crate) mod waypoint;

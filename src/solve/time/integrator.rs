@@ -1,11 +1,9 @@
 //! From step to step in time: how long each is, where it is cut, and what becomes of the energy.
 
 use super::drive::Drive;
-use super::dynamic_system::{DynamicProblem, MaterialRate};
-use super::energy::EnergyBalance;
+use super::dynamic_system::{DynamicProblem, EnergyBalance, MaterialRate};
 use super::extrapolation::{backward_differences, extrapolation, integral};
-use super::motion::Motion;
-use super::rule::GeneralisedAlpha;
+use super::rule::{GeneralisedAlpha, Motion};
 use super::step::{Prescribed, Step, Taken};
 use crate::solve::error::SolveError;
 use crate::solve::observables::MONITORS;

@@ -2,8 +2,7 @@
 
 use super::drive::DriveRates;
 use super::dynamic_system::{DynamicProblem, MaterialRate, StepTerms};
-use super::motion::Motion;
-use super::rule::{EndRates, GeneralisedAlpha};
+use super::rule::{EndRates, GeneralisedAlpha, Motion};
 use crate::solve::error::{Quantity, SolveError};
 use crate::solve::grip_block::GripBlock;
 use crate::solve::observables::{Observables, PathConstraint};

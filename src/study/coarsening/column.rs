@@ -12,13 +12,13 @@ use super::held_spatula::{HeldSpatula, HeldState, with_own_mesh};
 use super::place::TipPlace;
 use super::sheet_table::SheetNode;
 use crate::beam::planar::planar_beam::FRONT;
-use crate::model::beam_problem::BeamProblem;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::error::SolveError;
-use crate::solve::limit_point::kind::LimitPointKind;
-use crate::solve::limit_point::locate::Located;
 use crate::solve::newton::{NewtonOptions, Solution};
 use crate::solve::observables::{Observables, PathConstraint};
-use crate::solve::path::tracer::{PathEvent, PathTracer, TraceOptions};
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::Located;
+use crate::solve::points::tracer::{PathEvent, PathTracer, TraceOptions};
 use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 

@@ -4,7 +4,7 @@ use super::options::OptionsError;
 use super::place::TipPlace;
 use crate::solve::error::SolveError;
 use crate::solve::path::options::PathError;
-use crate::solve::path::tracer::TraceError;
+use crate::solve::points::tracer::TraceError;
 use crate::study::initial::error::NoEquilibrium;
 use crate::study::stop_criteria::Bound;
 use std::fmt;

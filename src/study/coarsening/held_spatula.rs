@@ -5,9 +5,9 @@
 
 use super::error::HeldError;
 use super::place::{PadEnd, TipPlace, TipResponse};
-use crate::model::beam_problem::BeamProblem;
-use crate::model::build::Discretisation;
 use crate::model::peel::{Form, Grip, Hold, PeelModel, Pull};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::observables::{Observables, PathConstraint};

@@ -2,7 +2,7 @@
 
 use super::balance::{Balance, LoadingDirection};
 use crate::solve::error::SolveError;
-use crate::solve::path::tracer::TraceError;
+use crate::solve::points::tracer::TraceError;
 use crate::solve::relax::RelaxError;
 use crate::study::initial::error::NoEquilibrium;
 use serde::{Deserialize, Serialize};

@@ -9,14 +9,13 @@ use super::result::{Elsewhere, Jump, Observed, PullOff, TestEffort, TestEnd, Tes
 use super::stable_branch::{BranchEnd, Machine, StableBranch, Until};
 use crate::beam::mesh::MeshKind;
 use crate::beam::planar::planar_beam::FRONT;
-use crate::model::beam_problem::BeamProblem;
-use crate::model::build::{Discretisation, FineEnds};
 use crate::model::peel::{Form, PeelModel};
-use crate::solve::end_conditions::EndConditions;
-use crate::solve::limit_point::locate::Located;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::{Discretisation, FineEnds};
 use crate::solve::newton::Solution;
 use crate::solve::path::options::PathOptions;
-use crate::solve::problem::MeasuredBeside;
+use crate::solve::points::locate::Located;
+use crate::solve::problem::{EndConditions, MeasuredBeside};
 use crate::solve::relax::{Held, RelaxOptions, disturbed, disturbed_anyhow, relax};
 use crate::solve::state::State;
 use crate::solve::workspace::{Pace, Workspace};

@@ -1,15 +1,15 @@
 //! One stable piece of a test: from an equilibrium on until it is lost or the machine has arrived.
 
 use super::failure::{BranchError, TestError};
-use crate::model::beam_problem::{Beam, BeamProblem};
-use crate::solve::limit_point::kind::LimitPointKind;
-use crate::solve::limit_point::locate::{Located, locate};
+use crate::model::problem::beam_problem::{Beam, BeamProblem};
 use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::options::PathOptions;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::path::tracer::{PathEvent, PathTracer, TraceOptions};
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::{Located, locate};
+use crate::solve::points::tracer::{PathEvent, PathTracer, TraceOptions};
 use crate::solve::relax::RelaxError;
 use crate::solve::state::State;
 use crate::solve::workspace::Workspace;

@@ -1,9 +1,9 @@
 //! The first stable branch of a path as a machine with a spring records it.
 
 use crate::number::root::Bracket;
-use crate::solve::limit_point::kind::LimitPointKind;
 use crate::solve::path::hermite::Hermite;
 use crate::solve::path::segment::PathSegment;
+use crate::solve::points::kind::LimitPointKind;
 use crate::study::peel::result::Peel;
 
 /// A point of the branch.

@@ -2,7 +2,7 @@
 
 use crate::beam::grip_state::{ForcesInSpace, GripForces, GripState};
 use crate::beam::planar::model_limits::UprightSection;
-use crate::model::build::NoSuchOrder;
+use crate::model::problem::build::NoSuchOrder;
 use crate::model::step::{Moved, Step, whole_degrees};
 use crate::solve::error::SolveError;
 use crate::solve::path::options::PathError;

@@ -7,9 +7,9 @@
 
 use crate::beam::grip_state::GripForces;
 use crate::beam::spatial::rotation::{Matrix3, apply_transposed, cross};
-use crate::model::beam_problem::{ACROSS, ALONG, BeamProblem, ROLL, ROTATION, SIDEWAYS, YAW};
+use crate::model::problem::beam_problem::{ACROSS, ALONG, BeamProblem, ROLL, ROTATION, SIDEWAYS, YAW};
 use crate::model::step::Moved;
-use crate::solve::end_conditions::{Direction, EndConditions};
+use crate::solve::problem::{Direction, EndConditions};
 use crate::solve::state::State;
 use crate::solve::system::INTERFACE;
 

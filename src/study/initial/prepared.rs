@@ -5,9 +5,9 @@ use super::stability::RelaxedStart;
 use super::{loading_steps, settled_in_space, settled_on_ground, stability};
 use crate::beam::grip_state::GripState;
 use crate::beam::mesh::MeshKind;
-use crate::model::beam_problem::BeamProblem;
-use crate::model::build::Discretisation;
 use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
 use crate::solve::workspace::ShouldStop;
 use std::sync::Arc;
 

@@ -5,8 +5,8 @@
 //! mirror image of the pull leads to the mirror image of the peel.
 
 use super::loading_steps::elements;
-use crate::model::beam_problem::BeamProblem;
 use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::problem::InitialState;
 use crate::solve::relax::{Held, RelaxOptions, disturbed_anyhow, relax};
 use crate::solve::state::State;

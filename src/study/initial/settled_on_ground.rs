@@ -3,11 +3,11 @@
 use super::error::SettlingError;
 use crate::beam::planar::planar_beam::{FRONT, PlanarBeam};
 use crate::beam::reference_configuration::ReferenceConfiguration;
-use crate::model::beam_problem::BeamProblem;
 use crate::model::ground::{Ground, Start};
-use crate::solve::end_conditions::EndConditions;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::newton::{NewtonOptions, settle};
 use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::problem::EndConditions;
 use crate::solve::relax::{Held, RelaxOptions, relax};
 use crate::solve::state::{Mesh, State};
 use crate::solve::system::{INTERFACE, System};

@@ -4,9 +4,9 @@
 use super::error::UnstableRest;
 use super::loading_steps::elements;
 use crate::beam::bonded_beam::{BondedBeam, BondedMode};
-use crate::model::beam_problem::BeamProblem;
-use crate::model::build::Discretisation;
 use crate::model::peel::{Adhesion, Form, Hold, PeelModel};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
 use crate::solve::newton::Solution;
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::options::{PathError, PathOptions};

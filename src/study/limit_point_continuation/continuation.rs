@@ -6,13 +6,13 @@
 
 use super::result::PointKind;
 use crate::beam::planar::planar_beam::FRONT;
-use crate::model::beam_problem::BeamProblem;
-use crate::model::build::Discretisation;
 use crate::model::peel::{Form, PeelModel};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
 use crate::solve::error::SolveError;
-use crate::solve::limit_point::search::{BendRule, FoundLimitPoint, LimitPointSearch};
 use crate::solve::observables::Observables;
 use crate::solve::path::predictor::{lagrange_weights, longest_step};
+use crate::solve::points::search::{BendRule, FoundLimitPoint, LimitPointSearch};
 use crate::solve::problem::Problem;
 use crate::solve::state::{Mesh, State};
 use crate::solve::workspace::Workspace;

@@ -5,11 +5,11 @@
 //! sides of the cusp, and its zero a regular one, where the limit points themselves are singular.
 
 use super::failure::CuspError;
-use crate::model::beam_problem::BeamProblem;
 use crate::model::peel::{Form, PeelModel};
-use crate::solve::limit_point::kind::LimitPointKind;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::points::kind::LimitPointKind;
 use crate::solve::problem::Problem;
 use crate::solve::state::State;
 use crate::solve::workspace::Workspace;

@@ -1,7 +1,7 @@
 //! Why a limit point was not found, and why no cusp.
 
 use crate::solve::error::SolveError;
-use crate::solve::path::tracer::TraceError;
+use crate::solve::points::tracer::TraceError;
 use crate::study::initial::error::NoEquilibrium;
 use crate::study::peel::failure::Failure;
 use crate::study::peel::result::PathEnd;

@@ -2,14 +2,14 @@
 
 use super::failure::PointNotFound;
 use super::result::PointKind;
-use crate::model::build::Discretisation;
 use crate::model::peel::{Form, PeelModel};
-use crate::solve::limit_point::bracket::brackets;
-use crate::solve::limit_point::kind::LimitPointKind;
-use crate::solve::limit_point::locate::{Located, locate};
+use crate::model::problem::build::Discretisation;
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::path::tracer::{PathEvent, PathTracer, TraceOptions};
+use crate::solve::points::bracket::brackets;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::{Located, locate};
+use crate::solve::points::tracer::{PathEvent, PathTracer, TraceOptions};
 use crate::solve::problem::Problem;
 use crate::solve::workspace::Workspace;
 use crate::study::accuracy::{Accuracy, ORDER, Resolution};

@@ -2,7 +2,7 @@
 
 use super::failure::PointNotFound;
 use crate::solve::error::SolveError;
-use crate::solve::limit_point::kind::LimitPointKind;
+use crate::solve::points::kind::LimitPointKind;
 use crate::study::peel::points::{LimitPoint, Peak};
 
 /// The point of a peel that can be followed in a parameter.

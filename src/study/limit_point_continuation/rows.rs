@@ -3,8 +3,8 @@
 use super::result::{FollowedPoint, FollowedRow, PointKind};
 use super::strand::{Difference, Found, NEIGHBOURS, Strand};
 use super::values::Sweep;
-use crate::model::build::Discretisation;
 use crate::model::peel::{Form, PeelModel};
+use crate::model::problem::build::Discretisation;
 use crate::solve::path::equilibrium_path::Path;
 use crate::study::accuracy::{Accuracy, ORDER, Resolution};
 use crate::study::error_bounds::{FOLLOWED_BOUND_FACTOR, ROUND_OFF, ROUND_OFF_PLACE, TOLERANCE_FLOOR_FRACTION};

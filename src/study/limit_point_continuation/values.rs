@@ -5,7 +5,7 @@ use super::initial_limit_point::initial_limit_point;
 use super::result::{PointKind, Spacing};
 use crate::model::check::error::ModelError;
 use crate::model::peel::PeelModel;
-use crate::solve::limit_point::locate::Located;
+use crate::solve::points::locate::Located;
 use crate::study::accuracy::Accuracy;
 use crate::study::peeling::checked;
 use crate::study::stop_criteria::StopCriteria;

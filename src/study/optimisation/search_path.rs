@@ -2,8 +2,7 @@
 
 use super::options::OptimisationOptions;
 use crate::model::peel::PeelModel;
-use crate::solve::path::options::PathOptions;
-use crate::solve::path::waypoint::Waypoint;
+use crate::solve::path::options::{PathOptions, Waypoint};
 use crate::study::accuracy::{Accuracy, Choice};
 use crate::study::checkpoint::Checkpoint;
 use crate::study::peel::result::{PathEnd, Peel};

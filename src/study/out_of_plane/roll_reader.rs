@@ -7,7 +7,7 @@ use crate::beam::lateral_stiffness::LateralStiffness;
 use crate::beam::planar::planar_beam::PlanarBeam;
 use crate::beam::section::Material;
 use crate::model::peel::{Hold, PeelModel};
-use crate::solve::end_conditions::Direction;
+use crate::solve::problem::Direction;
 use crate::solve::state::State;
 use std::num::NonZeroUsize;
 

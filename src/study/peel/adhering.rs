@@ -2,7 +2,7 @@
 
 use super::contact::{Sample, samples};
 use super::points::DeformedShape;
-use crate::model::beam_problem::Beam;
+use crate::model::problem::beam_problem::Beam;
 use crate::solve::state::State;
 use serde::{Deserialize, Serialize};
 

@@ -7,11 +7,11 @@ use super::result::{Effort, PathEnd, Peel};
 use super::special_points::{name_special_points, peak_of, pushes_behind_a_fold};
 use super::work::{WorkErrors, work_at, work_near};
 use crate::beam::planar::planar_beam::FRONT;
-use crate::model::beam_problem::BeamProblem;
 use crate::model::peel::PeelModel;
-use crate::solve::limit_point::kind::LimitPointKind;
-use crate::solve::limit_point::locate::Located;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::newton::Solution;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::Located;
 use crate::study::accuracy::Accuracy;
 use crate::study::error_bounds::{
     BENDING_ROUND_OFF, DIFFERENCE_BOUND_FACTOR, ROUND_OFF, ROUND_OFF_HELD, ROUND_OFF_PLACE, STRAIN_ROUND_OFF,

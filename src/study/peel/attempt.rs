@@ -13,9 +13,9 @@ use super::solution_history::SolutionHistory;
 use super::special_points::{difference_at_start, error_at_start};
 use super::whole::{NO_ACCURACY, Whole};
 use crate::beam::planar::model_limits::{PoleInReach, UprightSection};
-use crate::model::beam_problem::BeamProblem;
 use crate::model::peel::PeelModel;
-use crate::solve::limit_point::kind::LimitPointKind;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::points::kind::LimitPointKind;
 use crate::study::accuracy::{Accuracy, Resolution};
 use crate::study::error_bounds::{
     DIFFERENCE_BOUND_FACTOR, PLAIN_IMPROVEMENT, STRIDE_BOUND_FACTOR, STRIDE_TOLERANCE_FACTOR, counts,

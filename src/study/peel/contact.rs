@@ -9,10 +9,10 @@ use crate::adhesion::substrate::Substrate;
 use crate::adhesion::substrate::sinusoid::Sinusoid;
 use crate::beam::mesh::MeshKind;
 use crate::beam::planar::planar_beam::FRONT;
-use crate::model::build::Discretisation;
 use crate::model::ground::{Ground, Start};
 use crate::model::peel::{Form, PeelModel};
-use crate::solve::limit_point::kind::LimitPointKind;
+use crate::model::problem::build::Discretisation;
+use crate::solve::points::kind::LimitPointKind;
 use crate::study::accuracy::ORDER;
 use crate::study::initial::prepared::prepared;
 

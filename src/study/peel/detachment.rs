@@ -4,8 +4,8 @@ use super::adhering::Adhering;
 use super::equilibrium_path::followed::Followed;
 use super::points::LimitPoint;
 use super::result::{PathEnd, Peel};
-use crate::model::beam_problem::BeamProblem;
-use crate::solve::limit_point::kind::LimitPointKind;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::points::kind::LimitPointKind;
 use crate::study::stop_criteria::{Bound, FollowedUntil};
 
 impl Peel {

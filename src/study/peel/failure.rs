@@ -2,8 +2,8 @@
 
 use crate::beam::planar::model_limits::UprightSection;
 use crate::solve::error::SolveError;
-use crate::solve::limit_point::kind::LimitPointKind;
 use crate::solve::path::options::PathError;
+use crate::solve::points::kind::LimitPointKind;
 use crate::study::initial::error::NoEquilibrium;
 use serde::{Deserialize, Serialize};
 

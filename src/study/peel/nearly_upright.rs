@@ -6,9 +6,9 @@
 
 use crate::beam::mesh::{Focus, Reach};
 use crate::beam::planar::model_limits::{PoleInReach, UprightSection};
-use crate::model::beam_problem::BeamProblem;
-use crate::model::build::Discretisation;
 use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
 use crate::study::accuracy::Resolution;
 use std::sync::Arc;
 

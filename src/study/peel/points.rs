@@ -1,7 +1,7 @@
 //! Points of a path: those of its curve, limit points, branch points and peaks, and the shape of the beam there.
 
-use crate::model::spatial_grip::SpatialGrip;
-use crate::solve::limit_point::kind::LimitPointKind;
+use crate::model::problem::beam_problem::SpatialGrip;
+use crate::solve::points::kind::LimitPointKind;
 use serde::{Deserialize, Serialize};
 
 /// One equilibrium of the path.

@@ -6,7 +6,7 @@ use super::solution_history::SolutionHistory;
 use crate::beam::grip_state::GripState;
 use crate::beam::planar::chain::NodeState;
 use crate::beam::planar::model_limits::{BondedLoss, UprightSection};
-use crate::beam::spatial::section_state::SpatialSectionState;
+use crate::beam::spatial::section::section_state::SpatialSectionState;
 use crate::beam::spatial::spatial_grip::SpatialSectionPlace;
 use crate::model::peel::PeelModel;
 use crate::solve::workspace::Pace;

@@ -5,13 +5,13 @@
 
 use super::result::Peel;
 use crate::beam::element::basis::Basis;
-use crate::model::beam_problem::BeamProblem;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::number::root::Bracket;
-use crate::solve::limit_point::locate::{ROUGH, step_to};
 use crate::solve::newton::Solution;
 use crate::solve::observables::Observables;
 use crate::solve::path::predictor::lagrange_weights;
 use crate::solve::path::segment::PathSegment;
+use crate::solve::points::locate::{ROUGH, step_to};
 use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 

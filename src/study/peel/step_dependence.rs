@@ -6,8 +6,8 @@
 
 use super::equilibrium_path::followed::Followed;
 use super::points::LimitPoint;
-use crate::solve::limit_point::kind::LimitPointKind;
-use crate::solve::limit_point::locate::Located;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::Located;
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 
 /// Pairs between which the force changes by more than this share of itself are no ripple of the steps.

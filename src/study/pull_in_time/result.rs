@@ -1,8 +1,8 @@
 //! What a pull in time gives.
 
-use crate::model::motion::NotInTime;
+use crate::model::problem::motion::NotInTime;
 use crate::solve::error::SolveError;
-use crate::solve::time::energy::EnergyBalance;
+use crate::solve::time::dynamic_system::EnergyBalance;
 use crate::solve::time::integrator::TimeError;
 
 /// The beam at one time.

@@ -3,15 +3,15 @@
 use super::result::{InTimeFailure, InTimeFailureKind, InTimePoint, PullInTime};
 use super::settings::{PullRate, TimeAccuracy, Until};
 use crate::beam::planar::planar_beam::FRONT;
-use crate::model::motion::{MovingBeam, MovingMaterial};
 use crate::model::peel::PeelModel;
-use crate::solve::control::controlled;
+use crate::model::problem::motion::{MovingBeam, MovingMaterial};
 use crate::solve::newton::{NewtonOptions, settle};
 use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::path::control::controlled;
 use crate::solve::state::State;
 use crate::solve::time::drive::Drive;
 use crate::solve::time::integrator::{Crossing, StepControl, TimeIntegrator, TimeOptions};
-use crate::solve::time::motion::Motion;
+use crate::solve::time::rule::Motion;
 use crate::solve::workspace::{ShouldStop, Workspace};
 
 /// A beam adheres no more where its front is shorter than this many process lengths; the time of that is found to this share of it.

@@ -3,7 +3,7 @@
 use super::differences::{ALONG, Change, Estimate, along_path, change_along_path};
 use super::point::{Adjoint, Held, solved, turned};
 use super::residual_change::Stencil;
-use crate::model::beam_problem::BeamProblem;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;
 use crate::solve::state::State;

@@ -1,9 +1,9 @@
 //! A state of one model as a state of another that differs from it a little.
 
 use super::error::NoSensitivities;
-use crate::model::beam_problem::BeamProblem;
-use crate::model::build::Discretisation;
 use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
 use crate::solve::problem::InitialState;
 use crate::solve::state::{Mesh, State};
 use crate::study::initial::prepared::prepared;

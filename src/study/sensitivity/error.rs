@@ -1,7 +1,7 @@
 //! Why there are no sensitivities.
 
-use crate::model::build::NoSuchOrder;
 use crate::model::check::error::ModelError;
+use crate::model::problem::build::NoSuchOrder;
 use crate::solve::error::SolveError;
 use crate::study::initial::error::NoEquilibrium;
 

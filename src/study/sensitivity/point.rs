@@ -1,6 +1,6 @@
 //! An equilibrium with the multipliers that make of a change of its residual a change of its force or of its displacement.
 
-use crate::model::beam_problem::BeamProblem;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::error::SolveError;
 use crate::solve::linear::{Bordered, Tangents};
 use crate::solve::newton::{NewtonOptions, Solution, solve};

@@ -1,6 +1,6 @@
 //! The numbers of a peel that can be differentiated, minimised, or called uncertain.
 
-use crate::solve::limit_point::kind::LimitPointKind;
+use crate::solve::points::kind::LimitPointKind;
 use crate::study::peel::points::{LimitPoint, Peak};
 use crate::study::peel::result::Peel;
 

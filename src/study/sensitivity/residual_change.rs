@@ -8,8 +8,8 @@ use super::carried::Beside;
 use super::differences::{Change, STEP, STEPS};
 use super::error::NoSensitivities;
 use super::point::Adjoint;
-use crate::model::beam_problem::BeamProblem;
-use crate::model::build::Discretisation;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
 use crate::solve::state::State;
 
 /// The model that was peeled, and those beside it in one parameter.

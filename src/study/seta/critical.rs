@@ -5,7 +5,7 @@
 //! beams buckle, as under a preload, and the seta leaves its shape along v.
 
 use super::standing::{HEIGHT, Standing};
-use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::solve::error::SolveError;
 use crate::solve::linear::{Bordered, Tangents};
 use crate::solve::newton::Solution;

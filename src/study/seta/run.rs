@@ -13,7 +13,7 @@ use super::progress::{Mark, Named, SetaProgress};
 use super::rest::{Rested, come_to_rest};
 use super::result::{EventCause, JointPlace, LocationError, SetaEnd, SetaEvent, SetaPoint, SetaPullOff, SetaState};
 use super::standing::{RootDrive, Standing, TipTangent};
-use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::model::seta::check::SetaError;
 use crate::model::seta::parameters::SetaModel;
 use crate::model::seta::tip_law::TipBranch;

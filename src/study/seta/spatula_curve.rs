@@ -3,16 +3,16 @@
 //! The points are those of polynomials through solutions on each step of the path. At the limit point u = u_s - s², so that P = P_s + a s + b s²: from the last point of the
 //! path on, P follows that with the force and the slope of that point, up to a slope as steep as the branch of a seta never is.
 
-use crate::model::beam_problem::BeamProblem;
-use crate::model::build::Discretisation;
 use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
 use crate::model::seta::normal_pull::{CurvePoint, PullCurve, PullCurveError};
 use crate::model::step::Step;
-use crate::solve::limit_point::kind::LimitPointKind;
 use crate::solve::newton::Solution;
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::path::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
 use crate::solve::workspace::Workspace;
 use crate::study::accuracy::{Accuracy, Resolution};
 use crate::study::initial::error::NoEquilibrium;

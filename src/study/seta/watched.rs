@@ -1,7 +1,7 @@
 //! What a branch is followed by where the displacement of the root turns: the place of a joint that goes on.
 
 use super::standing::{HEIGHT, Standing};
-use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::tree::branching_beam::JointUnknown;
 use crate::solve::newton::Solution;
 use crate::solve::state::State;

@@ -1,9 +1,9 @@
 //! Which points of a path are looked at: its limit points, and others evenly between.
 
 use super::beam_state::{BeamState, Reader};
-use crate::solve::limit_point::locate::{ROUGH, step_to};
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
+use crate::solve::points::locate::{ROUGH, step_to};
 use crate::solve::workspace::Workspace;
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::SolutionHistory;

@@ -3,10 +3,10 @@
 use super::along_beam::{PlanarReader, SectionFields};
 use super::in_space::{SpatialReader, SpatialSectionFields};
 use crate::adhesion::spatial_section::section::SectionShape;
-use crate::model::beam_problem::Beam;
 use crate::model::peel::PeelModel;
-use crate::solve::limit_point::kind::LimitPointKind;
+use crate::model::problem::beam_problem::Beam;
 use crate::solve::newton::Solution;
+use crate::solve::points::kind::LimitPointKind;
 
 /// One equilibrium of a path with its fields along the beam.
 #[derive(Clone, Debug, PartialEq)]

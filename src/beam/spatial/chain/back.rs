@@ -4,7 +4,7 @@ use super::projection::SpatialFront;
 use super::spatial_chain::{SpatialChain, SpatialFactors, USUAL_ORDER, Usual, gather_nodes, no_values};
 use crate::beam::element::basis::{AnyNumber, Nodes, slot};
 use crate::beam::element::integration::BUNDLE;
-use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::number::{F64x4, Real};
 
 const F: usize = SPATIAL_UNKNOWNS;

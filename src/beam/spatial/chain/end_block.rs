@@ -2,7 +2,7 @@
 
 use super::projection::SpatialFront;
 use crate::beam::element::basis::Nodes;
-use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 
 /// Both ends, and the residual or the path.
 pub(in crate::beam::spatial) const EDGE: usize = 2 * SPATIAL_UNKNOWNS + 1;

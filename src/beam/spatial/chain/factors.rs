@@ -4,7 +4,7 @@
 use super::spatial_chain::{SpatialChain, SpatialFactors};
 use crate::beam::element::basis::{MOST_NODES, slot};
 use crate::beam::element::integration::BUNDLE;
-use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 
 /// Most unknowns of an element.
 const MOST: usize = MOST_NODES * SPATIAL_UNKNOWNS;

@@ -5,8 +5,8 @@
 use crate::beam::element::basis::{MOST_NODES, Nodes};
 use crate::beam::element::frontal_matrix::FrontalMatrix;
 use crate::beam::spatial::end_rotation::EndMap;
-use crate::beam::spatial::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::rotation::{Matrix3, apply_transposed, inner};
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::number::{F64x4, Real};
 
 /// The front of four elements in the unknowns of their nodes.

@@ -4,8 +4,8 @@ use super::projection::{projected, turn_to_quaternion};
 use super::spatial_chain::{SpatialChain, SpatialConfiguration, gather_nodes, no_values, quaternion_of};
 use crate::beam::element::basis::{MOST_NODES, PerNode, slot};
 use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy};
-use crate::beam::spatial::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::rotation::{apply, normalised};
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use std::ops::Range;
 
 const F: usize = SPATIAL_UNKNOWNS;

@@ -6,11 +6,11 @@ use super::projection::{FieldFront, SAME, SpatialFront};
 use crate::beam::element::basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, slot};
 use crate::beam::element::integrand::Integrand;
 use crate::beam::element::integration::{BUNDLE, Element, Integration, Responses};
-use crate::beam::spatial::density::SpatialDensity;
 use crate::beam::spatial::end_rotation::EndRotation;
-use crate::beam::spatial::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::rotation::{Matrix3, Quaternion};
-use crate::beam::spatial::strain_memory::{SpatialKnownStrains, StrainAt, strains_of};
+use crate::beam::spatial::section::density::SpatialDensity;
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
+use crate::beam::spatial::section::strain_memory::{SpatialKnownStrains, StrainAt, strains_of};
 use crate::number::{F64x4, Real};
 
 /// An end of the chain: along what it moves, how it turns, and which of these are held.

@@ -10,8 +10,8 @@ use crate::beam::element::basis::{AnyNumber, Nodes};
 use crate::beam::element::frontal_matrix::FrontalMatrix;
 use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy};
 use crate::beam::spatial::end_rotation::EndMap;
-use crate::beam::spatial::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::rotation::{Matrix3, apply_transposed, matrix};
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::solve::error::{Place, Quantity, SolveError};
 use crate::solve::system::NodalTerms;
 

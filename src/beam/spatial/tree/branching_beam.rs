@@ -2,10 +2,10 @@
 //! cannot be computed.
 
 use crate::beam::spatial::end_rotation::EndRotation;
-use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::rest::SpatialRestCurve;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion};
-use crate::beam::spatial::spatial_profile::SpatialStiffness;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::section::spatial_profile::SpatialStiffness;
 use crate::solve::observables::MONITORS;
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use std::fmt::Debug;

@@ -7,7 +7,7 @@ use crate::beam::element::basis::slot;
 use crate::beam::element::integration::Responses;
 use crate::beam::spatial::chain::end_block::{BelowEnd, Carry, EDGE, EndRow};
 use crate::beam::spatial::chain::projection::{FieldFront, SpatialFront};
-use crate::beam::spatial::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::number::{F64x4, Real};
 
 const F: usize = SPATIAL_UNKNOWNS;

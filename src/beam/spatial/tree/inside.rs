@@ -5,7 +5,7 @@
 
 use crate::beam::element::basis::MOST_NODES;
 use crate::beam::spatial::chain::projection::SpatialFront;
-use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::number::{F64x4, Real};
 
 /// Most unknowns of an element.

@@ -6,8 +6,8 @@ use crate::beam::element::integration::{BUNDLE, Element, Responses};
 use crate::beam::spatial::chain::projection::{FieldFront, SpatialFront, project, projected, turn_to_quaternion};
 use crate::beam::spatial::chain::read::normalise;
 use crate::beam::spatial::chain::spatial_chain::{no_values, quaternion_of};
-use crate::beam::spatial::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::rotation::{Quaternion, apply, matrix};
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::number::F64x4;
 use crate::solve::state::State;
 

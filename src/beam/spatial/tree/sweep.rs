@@ -8,7 +8,7 @@ use crate::beam::element::integration::{BUNDLE, Element};
 use crate::beam::spatial::chain::end_block::{Carry, EndBlock, ROOT};
 use crate::beam::spatial::chain::projection::{SpatialFront, project};
 use crate::beam::spatial::chain::sweep::LEAST_PIVOT;
-use crate::beam::spatial::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::solve::error::{Place, Quantity, SolveError};
 use crate::solve::observables::MONITORS;
 use crate::solve::system::NodalTerms;

@@ -2,7 +2,7 @@
 
 use crate::model::check::error::ModelError;
 use crate::solve::error::SolveError;
-use crate::solve::limit_point::kind::LimitPointKind;
+use crate::solve::points::kind::LimitPointKind;
 use crate::study::out_of_plane::result::{OutOfPlaneError, OutOfPlaneLoss};
 use crate::study::peel::points::LimitPoint;
 use crate::study::peel::result::Peel;

@@ -14,7 +14,7 @@ use super::result::{BranchStart, OutOfPlaneBranchError};
 use super::rolled::{Rolled, RolledStrip};
 use crate::beam::planar::planar_beam::{FRONT, PlanarBeam};
 use crate::beam::spatial::spatial_beam::SpatialBeam;
-use crate::model::beam_problem::BeamProblem;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::error::SolveError;
 use crate::solve::observables::Observables;
 use crate::solve::state::State;

@@ -4,7 +4,7 @@ use crate::beam::planar::chain::NodeState;
 use crate::beam::planar::planar_beam::PlanarBeam;
 use crate::beam::reference_configuration::ReferenceConfiguration;
 use crate::beam::spatial::spatial_beam::SpatialBeam;
-use crate::model::beam_problem::{Beam, BeamProblem};
+use crate::model::problem::beam_problem::{Beam, BeamProblem};
 use crate::solve::newton::Solution;
 use crate::solve::state::State;
 use std::ops::Range;

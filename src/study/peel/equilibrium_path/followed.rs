@@ -1,8 +1,8 @@
 //! A path that has been followed.
 
-use crate::solve::limit_point::kind::LimitPointKind;
-use crate::solve::limit_point::locate::Located;
 use crate::solve::newton::Solution;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::Located;
 use crate::solve::workspace::{Pace, ShouldStop, Workspace};
 use crate::study::peel::failure::PathFailure;
 use crate::study::peel::result::PathEnd;

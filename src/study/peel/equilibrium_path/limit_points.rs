@@ -1,14 +1,14 @@
 //! The limit points of a path: every one located, none missed without a report.
 
 use super::followed::Followed;
-use crate::model::beam_problem::BeamProblem;
-use crate::solve::branching::locate_branching;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::error::SolveError;
-use crate::solve::limit_point::bracket::brackets;
-use crate::solve::limit_point::kind::{LimitPointKind, LimitPointKind::Displacement, LimitPointKind::Load};
-use crate::solve::limit_point::locate::{locate, unlocated};
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
+use crate::solve::points::bracket::brackets;
+use crate::solve::points::branching::locate_branching;
+use crate::solve::points::kind::{LimitPointKind, LimitPointKind::Displacement, LimitPointKind::Load};
+use crate::solve::points::locate::{locate, unlocated};
 use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 use crate::study::peel::failure::PathFailure;

@@ -1,7 +1,7 @@
 //! Whether a path has come to where the model itself ends.
 
 use crate::beam::planar::model_limits::BondedLoss;
-use crate::model::beam_problem::BeamProblem;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::newton::Solution;
 use crate::study::peel::failure::PathFailure;
 use crate::study::peel::result::PathEnd;

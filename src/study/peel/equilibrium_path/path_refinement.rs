@@ -4,10 +4,10 @@
 //! interpolated; where that is not good enough, the middle of the step is solved as well.
 
 use crate::solve::error::SolveError;
-use crate::solve::limit_point::locate::step_to;
 use crate::solve::newton::Solution;
 use crate::solve::observables::Observables;
 use crate::solve::path::segment::PathSegment;
+use crate::solve::points::locate::step_to;
 use crate::solve::problem::Problem;
 use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::INTERPOLATION_ERROR_FACTOR;

@@ -1,8 +1,8 @@
 //! A path that is computed as far as it is asked for, up to where a whole peel ends.
 
 use super::path_end::step;
-use crate::model::beam_problem::BeamProblem;
 use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::newton::Solution;
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::options::{PathError, PathOptions};

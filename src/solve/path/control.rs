@@ -1,11 +1,11 @@
 //! Equilibria at chosen values of one quantity: displacement, force or rotation control.
 
-use super::error::SolveError;
-use super::newton::{NewtonOptions, Solution, solve};
-use super::observables::{Observables, PathConstraint};
-use super::problem::Problem;
-use super::state::State;
-use super::workspace::Workspace;
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::problem::Problem;
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
 
 /// Shortest step, as a share of the way from one target to the next.
 const SHORTEST: f64 = 1e-6;

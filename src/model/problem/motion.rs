@@ -1,9 +1,7 @@
 //! Models made into what moves in time.
 
 use super::beam_problem::BeamProblem;
-use super::build::{Discretisation, NoSuchOrder};
-use super::chain::three_field;
-use super::peel::{Form, PeelModel};
+use super::build::{Discretisation, NoSuchOrder, three_field};
 use super::rod::{RodError, RodModel};
 use crate::adhesion::section::coverage::TiltCount;
 use crate::beam::mesh::{Focus, MeshKind, Reach};
@@ -13,6 +11,7 @@ use crate::beam::planar::density::rod::ReissnerRod;
 use crate::beam::planar::density::viscous::Viscous;
 use crate::beam::planar::planar_beam::{BeamInertia, PlanarBeam};
 use crate::beam::viscosity::Viscosity;
+use crate::model::peel::{Form, PeelModel};
 use crate::solve::problem::Problem;
 use crate::solve::time::dynamic_system::DynamicProblem;
 use serde::{Deserialize, Serialize};

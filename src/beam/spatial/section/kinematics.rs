@@ -2,7 +2,7 @@
 //!
 //! Symbols are those of the energy density.
 
-use super::rotation::{Matrix3, apply_transposed, conjugate, cross, dot, inner, matrix, product};
+use crate::beam::spatial::rotation::{Matrix3, apply_transposed, conjugate, cross, dot, inner, matrix, product};
 use crate::number::Real;
 
 /// Unknowns of a node.

@@ -1,13 +1,13 @@
 //! Where a path loses or regains its stability without turning: a branching point, such as a strip that stands upright and falls to either
 //! side. An eigenvalue passes through zero there, which the inertia shows.
 
-use super::error::SolveError;
-use super::limit_point::locate::Located;
-use super::newton::{NewtonOptions, Solution, solve};
-use super::observables::{Observables, PathConstraint};
-use super::problem::Problem;
-use super::state::State;
-use super::workspace::Workspace;
+use super::locate::Located;
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::problem::Problem;
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 /// Most solutions until a branching point is located.

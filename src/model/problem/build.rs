@@ -1,9 +1,6 @@
 //! A model made into what the solver is given. Nothing is solved here.
 
 use super::beam_problem::{Beam, BeamProblem};
-use super::chain::{three_field, two_field};
-use super::friction;
-use super::peel::{Form, Hold, PeelModel};
 use super::stress_free_placement::StressFreePlacement;
 use crate::adhesion::friction::dahl::FrictionLaw;
 use crate::adhesion::section::coverage::TiltCount;
@@ -11,6 +8,8 @@ use crate::adhesion::section::law::Law;
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};
 use crate::adhesion::substrate::Substrate;
 use crate::adhesion::substrate::response::GroundLaw;
+use crate::beam::element::energy_density::EnergyDensity;
+use crate::beam::element::integrand::PlanarIntegrand;
 use crate::beam::mesh::{Focus, MeshKind, MeshPolicy, Reach};
 use crate::beam::planar::chain::{Chain, MOST_FIELDS};
 use crate::beam::planar::density::on_ground::BeamOnGround;
@@ -18,10 +17,12 @@ use crate::beam::planar::density::reduced::ReducedBeam;
 use crate::beam::planar::density::reissner::ReissnerBeam;
 use crate::beam::planar::model_limits::{ModelLimits, UprightCorner, UprightPole};
 use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::planar::uniform_chain::elements::UniformChain;
 use crate::beam::reference_configuration::ReferenceConfiguration;
 use crate::beam::varying::{Profile, Varying};
-use crate::solve::end_conditions::EndConditions;
-use crate::solve::problem::{InitialState, MeasuredBeside, PathMeasure};
+use crate::model::ground::FLOOR_OF_STICKING;
+use crate::model::peel::{Form, Hold, PeelModel};
+use crate::solve::problem::{EndConditions, InitialState, MeasuredBeside, PathMeasure};
 use crate::solve::state::History;
 use crate::solve::system::INTERFACE;
 use serde::{Deserialize, Serialize};
@@ -128,7 +129,7 @@ impl PeelModel {
         let profile = self.profile();
         let substrate = self.ground.substrate.clone();
         let friction = self.friction_law();
-        let sticking = self.sticking_length().map(|short| friction::FLOOR * short);
+        let sticking = self.sticking_length().map(|short| FLOOR_OF_STICKING * short);
         let floors = [self.ground.floor(process_length, how.mesh), sticking];
         fixed_foci.extend(floors.into_iter().flatten().map(|floor| Focus::everywhere(length, floor)));
         let start = match placement.rest {
@@ -313,4 +314,23 @@ fn chain(
         // held at x(0) = 0, which without a horizontal section force carries none
         (Form::ThreeField, _) => three_field(ReissnerBeam { profile, law, count }, order, [Some(0.0), None, None]),
     }
+}
+
+/// Two unknowns a node, both free at the left end.
+pub(super) fn two_field(density: impl EnergyDensity<2> + 'static, order: usize) -> Box<dyn Chain> {
+    let density: Box<dyn PlanarIntegrand<2>> = Box::new(density);
+    if density.has_border() {
+        Box::new(UniformChain::new::<true>(density, order, [None; 2]))
+    } else {
+        Box::new(UniformChain::new::<false>(density, order, [None; 2]))
+    }
+}
+
+/// Three unknowns a node and no border; `pinned_left` holds fields of the left end where it has a value.
+pub(super) fn three_field(
+    density: impl EnergyDensity<3> + 'static,
+    order: usize,
+    pinned_left: [Option<f64>; 3],
+) -> Box<dyn Chain> {
+    Box::new(UniformChain::new::<false>(Box::new(density), order, pinned_left))
 }

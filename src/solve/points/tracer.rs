@@ -4,15 +4,15 @@
 //! A step of the path is looked at as soon as its second point is there. Where a quantity turns on it, a few points behind it are computed
 //! first, so that what lies between is well interpolated.
 
-use super::equilibrium_path::Path;
-use super::options::PathError;
-use super::segment::PathSegment;
-use crate::solve::branching::locate_branching;
+use super::bracket::brackets;
+use super::branching::locate_branching;
+use super::kind::LimitPointKind;
+use super::locate::{Located, locate};
 use crate::solve::error::SolveError;
-use crate::solve::limit_point::bracket::brackets;
-use crate::solve::limit_point::kind::LimitPointKind;
-use crate::solve::limit_point::locate::{Located, locate};
 use crate::solve::newton::Solution;
+use crate::solve::path::equilibrium_path::Path;
+use crate::solve::path::options::PathError;
+use crate::solve::path::segment::PathSegment;
 use crate::solve::problem::Problem;
 use crate::solve::workspace::Workspace;
 use serde::{Deserialize, Serialize};

@@ -10,10 +10,10 @@
 
 use super::kinematics::{Kinematics, SPATIAL_FIELDS};
 use super::local_adhesion::LocalAdhesion;
-use super::rotation::{apply, cross, dot};
-use super::spatial_beam::SpatialBeam;
-use super::spatial_grip::SpatialSectionPlace;
 use super::spatial_profile::{SpatialProfile, Station};
+use crate::beam::spatial::rotation::{apply, cross, dot};
+use crate::beam::spatial::spatial_beam::SpatialBeam;
+use crate::beam::spatial::spatial_grip::SpatialSectionPlace;
 use crate::solve::state::State;
 use nalgebra::{Matrix6, Vector6};
 use std::ops::Range;

@@ -18,11 +18,13 @@
 pub use super::kinematics::SPATIAL_FIELDS;
 use super::kinematics::{Kinematics, turned_twice};
 use super::local_adhesion::LocalAdhesion;
-use super::rotation::{Matrix3, apply, cross, dot, multiply, multiply_by_transposed, multiply_transposed, skew};
 use super::spatial_profile::SpatialProfile;
 use crate::adhesion::spatial_section::section::SpatialSection;
 use crate::beam::element::energy_density::{Coupling, MEMORY, Point, PointResponse};
 use crate::beam::element::integrand::{Integrand, PointEnergy, PointGradient};
+use crate::beam::spatial::rotation::{
+    Matrix3, apply, cross, dot, multiply, multiply_by_transposed, multiply_transposed, skew,
+};
 use crate::number::{F64x4, Real};
 
 /// Where the factor of a viscous material stands in [`Point::memory`], behind the six strains.

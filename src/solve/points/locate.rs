@@ -1,9 +1,9 @@
 //! Limit points of the path, located and not sampled, with a bound on their error from half as many elements again.
 
 use super::kind::LimitPointKind;
-use super::search::{BendRule, Bends, FINE, LimitPointSearch};
+use super::search::{BendRule, Bends, LimitPointSearch};
 use crate::solve::error::SolveError;
-use crate::solve::newton::{NewtonOptions, Solution, slopes, solve};
+use crate::solve::newton::{FINE, NewtonOptions, SINGULAR, Solution, slopes, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::segment::PathSegment;
 use crate::solve::problem::Problem;
@@ -63,8 +63,6 @@ const NEAR: f64 = 0.05;
 /// Error of a solution on the way to a limit point, relative as in [`crate::solve::System::size`], and where a wary search finds no better.
 pub const ROUGH: f64 = 1e-10;
 const WARY: f64 = 1e-8;
-/// Error of a solution next to a singular point, where round-off leaves no better.
-pub(in crate::solve) const SINGULAR: f64 = 1e-5;
 
 fn options(tolerance: f64, exact_slope: bool) -> NewtonOptions {
     NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 10, exact_slope }

@@ -2,23 +2,22 @@
 
 use super::beam_problem::{ACROSS, ALONG, Beam, BeamProblem, ROLL, ROTATION, ROUNDED, SIDEWAYS, YAW};
 use super::build::{Discretisation, NoSuchOrder};
-use super::peel::{Hold, PeelModel, Space};
-use super::step::Step;
 use super::stress_free_placement::StressFreePlacement;
 use crate::adhesion::spatial_section::error::SpatialSectionError;
 use crate::adhesion::spatial_section::section::{SectionShape, SpatialSection};
 use crate::beam::mesh::{Focus, MeshIntervals, MeshPolicy, Reach};
 use crate::beam::reference_configuration::ReferenceConfiguration;
 use crate::beam::spatial::chain::spatial_chain::{SpatialChain, SpatialEnd};
-use crate::beam::spatial::density::SpatialDensity;
 use crate::beam::spatial::end_rotation::EndRotation;
 use crate::beam::spatial::rest::{ALONG_X, RestOutline, SpatialRest, SpatialRestCurve};
+use crate::beam::spatial::section::density::SpatialDensity;
+use crate::beam::spatial::section::spatial_profile::{SpatialProfile, SpatialStiffness};
 use crate::beam::spatial::spatial_beam::SpatialBeam;
-use crate::beam::spatial::spatial_profile::{SpatialProfile, SpatialStiffness};
 use crate::beam::torsion::torsion_constant;
 use crate::beam::varying::Varying;
-use crate::solve::end_conditions::EndConditions;
-use crate::solve::problem::{InitialState, MeasuredBeside, PathMeasure};
+use crate::model::peel::{Hold, PeelModel, Space};
+use crate::model::step::Step;
+use crate::solve::problem::{EndConditions, InitialState, MeasuredBeside, PathMeasure};
 use crate::solve::system::INTERFACE;
 use std::f64::consts::{FRAC_PI_4, PI};
 

@@ -13,7 +13,7 @@
 
 use super::kind::LimitPointKind;
 use crate::solve::error::SolveError;
-use crate::solve::newton::{NewtonOptions, Solution, slopes, solve};
+use crate::solve::newton::{FINE, NewtonOptions, Solution, slopes, solve};
 use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
 use crate::solve::state::State;
@@ -39,8 +39,6 @@ const BESIDE: f64 = 1e-6;
 const NOTHING: f64 = 1e-8;
 /// The error of a neighbour's dg/dσ.
 const NEIGHBOURLY: f64 = 0.2;
-/// Error of a solution, relative as in [`crate::solve::System::size`].
-pub(in crate::solve) const FINE: f64 = 1e-12;
 
 /// Second derivatives along the path, per unit of the constraint's target squared.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

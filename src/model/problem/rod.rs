@@ -1,9 +1,7 @@
 //! A beam on its own: nothing adheres, it may be curved at rest, and its ends are held as chosen.
 
 use super::beam_problem::{Beam, BeamProblem};
-use super::build::Discretisation;
-use super::chain::three_field;
-use super::peel::Hold;
+use super::build::{Discretisation, three_field};
 use crate::adhesion::section::barrier::Barrier;
 use crate::adhesion::substrate::Substrate;
 use crate::beam::mesh::{MeshIntervals, MeshKind, MeshPolicy};
@@ -13,8 +11,8 @@ use crate::beam::planar::model_limits::ModelLimits;
 use crate::beam::planar::planar_beam::{FrontPosition, PlanarBeam};
 use crate::beam::reference_configuration::{ReferenceConfiguration, ReferenceCurve};
 use crate::beam::section::Section;
-use crate::solve::end_conditions::EndConditions;
-use crate::solve::problem::{InitialState, MeasuredBeside, PathMeasure};
+use crate::model::peel::Hold;
+use crate::solve::problem::{EndConditions, InitialState, MeasuredBeside, PathMeasure};
 use crate::solve::system::INTERFACE;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;

@@ -1,12 +1,12 @@
 //! The stress-free configuration of a beam on the substrate, and what follows for its mesh.
 
-use super::ground::Ground;
-use super::peel::{Adhesion, PeelModel};
 use crate::beam::mesh::{Focus, MeshIntervals, MeshKind};
 use crate::beam::planar::planar_beam::FrontPosition;
 use crate::beam::reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
 use crate::beam::section::SectionAt;
 use crate::beam::varying::Varying;
+use crate::model::ground::Ground;
+use crate::model::peel::{Adhesion, PeelModel};
 
 /// The stress-free configuration of a beam, where its front may be, and how its elements are shared out.
 pub(super) struct StressFreePlacement {

@@ -36,7 +36,7 @@ impl SpatialKnownStrains<'_> {
 
     /// Puts it into lane `l` of four elements.
     #[inline(always)]
-    pub(super) fn put_lane(
+    pub(crate) fn put_lane(
         &self,
         order: usize,
         element: usize,
@@ -47,20 +47,20 @@ impl SpatialKnownStrains<'_> {
     }
 
     /// Puts it into an element.
-    pub(super) fn put(&self, order: usize, element: usize, memories: &mut [[f64; MEMORY]; MOST_NODES]) {
+    pub(crate) fn put(&self, order: usize, element: usize, memories: &mut [[f64; MEMORY]; MOST_NODES]) {
         self.of_element(order, element, |q, memory| memories[q] = memory);
     }
 }
 
 /// Strains at a point of an element, and what they store.
-pub(super) struct StrainAt {
+pub(crate) struct StrainAt {
     pub strains: [f64; STRAINS],
     /// ½ ε · C ε, aJ
     pub stored: f64,
 }
 
 /// Strains at the Gauss points of an element.
-pub(super) fn strains_of<'a>(
+pub(crate) fn strains_of<'a>(
     density: &'a SpatialDensity,
     element: &'a Element<f64, SPATIAL_FIELDS>,
     nodes: impl Nodes + 'a,
