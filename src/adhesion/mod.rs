@@ -5,21 +5,36 @@
 //! `spatial_section/` has that of a section of a beam in space, `friction/` what resists sliding, `substrate/` the
 //! shape of the ground, and [`GroundLaw`] is a line law on it.
 
-mod friction;
-mod levels;
-mod section;
-mod spatial_section;
-mod substrate;
+pub(crate) mod friction;
+pub(crate) mod levels;
+pub(crate) mod section;
+pub(crate) mod spatial_section;
+pub(crate) mod substrate;
 mod tilted_block;
-pub use friction::{FrictionLaw, FrictionState, Traction};
-pub use levels::{
-    BodyShape, Cuboid, CurvedBody, HalfSpace, LatticeHalfSpace, LatticeSite, LennardJones, Rule, body_force_by_volume,
-    cubic_block, double_integral, pair_sum,
-};
-pub use section::{
-    Attraction, Barrier, Cohesive, CohesiveShape, Law, LineLaw, LineLoad, LineResponse, OwnLaw, SectionLaw, TiltCount,
-    TiltedSection,
-};
-pub use spatial_section::{SectionShape, SpatialSection, SpatialSectionError, SpatialSectionResponse};
-pub use substrate::*;
+pub use crate::number::gauss::Rule;
+pub use friction::dahl::{FrictionLaw, FrictionState, Traction};
+pub use levels::curved::{BodyShape, CurvedBody};
+pub use levels::half_space::HalfSpace;
+pub use levels::lattice::{LatticeHalfSpace, LatticeSite, cubic_block, pair_sum};
+pub use levels::pair::LennardJones;
+pub use levels::volume::{Cuboid, body_force_by_volume, double_integral};
+pub use section::barrier::Barrier;
+pub use section::cohesive::CohesiveShape;
+pub use section::cohesive::calibrated::Cohesive;
+pub use section::coverage::TiltCount;
+pub use section::law::{Attraction, Law};
+pub use section::line_load::{LineLaw, LineLoad};
+pub use section::own::{OwnLaw, SectionLaw, TiltedSection};
+pub use section::response::LineResponse;
+pub use spatial_section::error::SpatialSectionError;
+pub use spatial_section::response::SpatialSectionResponse;
+pub use spatial_section::section::{SectionShape, SpatialSection};
+pub use substrate::Substrate;
+pub use substrate::heights::{Heights, HeightsError};
+pub use substrate::response::{GroundLaw, GroundResponse};
+pub use substrate::ridge::Ridge;
+pub use substrate::round::Round;
+pub use substrate::self_affine::SelfAffine;
+pub use substrate::sinusoid::Sinusoid;
+pub use substrate::surface::{ClosestPoint, Misfit, Surface};
 pub use tilted_block::{Faces, Level, Resultant, TiltedBlock, section_by_body_force};

@@ -8,8 +8,13 @@
 //!  ------------------
 //! ```
 
-use super::levels::{HalfSpace, LatticeHalfSpace, LennardJones, Rule, body_force_by_volume};
-use super::section::{Law, LineLaw, LineLoad};
+use super::levels::half_space::HalfSpace;
+use super::levels::lattice::LatticeHalfSpace;
+use super::levels::pair::LennardJones;
+use super::levels::volume::body_force_by_volume;
+use super::section::law::Law;
+use super::section::line_load::{LineLaw, LineLoad};
+use crate::number::gauss::Rule;
 
 /// A rectangle l × h, a unit of width of it.
 #[derive(Clone, Copy, Debug, PartialEq)]

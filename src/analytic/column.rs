@@ -4,7 +4,7 @@
 //! the shear strain y' - λθ = (V + Pθ)/GA_s, and moment equilibrium EI θ'' + (λ + P/GA_s)(V + Pθ) = 0. Hence
 //! θ = -V/P + a cos kS + b sin kS with EI k² = P (λ + P/GA_s). With EA and GA_s infinite these are Euler's loads.
 
-use crate::beam::Section;
+use crate::beam::section::Section;
 use crate::number::root::Bracket;
 use std::f64::consts::PI;
 

@@ -1,5 +1,5 @@
 //! Closed forms to hold the computed against.
 mod column;
-mod peeling;
+pub(crate) mod peeling;
 pub use column::{buckling_load, propped_buckling_load};
 pub use peeling::{kendall_force, sliding_force, steady_force};

@@ -1,7 +1,8 @@
 //! The stiffness of a section that a planar beam does not have.
 
-use super::{Material, rectangle_second_moment, torsion_constant};
-use crate::adhesion::SectionShape;
+use super::section::{Material, rectangle_second_moment};
+use super::torsion::torsion_constant;
+use crate::adhesion::spatial_section::section::SectionShape;
 use std::f64::consts::PI;
 
 /// Of torsion, and of bending along the width.

@@ -198,6 +198,37 @@ fn invert(foci: &[Focus], target: f64, bracket: Bracket, start: f64) -> f64 {
     bracket.newton(start, miss, settles).unwrap_or_else(|left| left.next)
 }
 
+/// How the elements of a beam are laid out.
+#[derive(Clone, Debug)]
+pub struct MeshPolicy {
+    /// Whether the mesh follows the front.
+    pub kind: MeshKind,
+    /// Foci that follow the front, as they are for a front at S = 0.
+    pub front_foci: Vec<Focus>,
+    /// Foci that follow each of the two edges of a section in space, likewise.
+    pub edge_foci: Vec<Focus>,
+    /// Foci of the mesh besides those.
+    pub fixed_foci: Vec<Focus>,
+    /// Between which places elements lie.
+    pub pieces: MeshIntervals,
+}
+
+impl MeshPolicy {
+    /// Ends of so many elements on each piece for a front at this place and edges so far from it, which may be found faster from the `near` ones of
+    /// a similar mesh; without a front they are graded towards nothing.
+    pub fn ends(&self, front: Option<f64>, edges: [f64; 2], counts: &[usize], near: &[f64]) -> Vec<f64> {
+        let Self { kind, front_foci, edge_foci, fixed_foci, pieces } = self;
+        let mut foci = Vec::with_capacity(front_foci.len() + edges.len() * edge_foci.len() + fixed_foci.len());
+        if let Some(front) = front.filter(|_| *kind != MeshKind::Uniform) {
+            let at = |place: f64| move |focus: &Focus| Focus { center: place + focus.center, ..*focus };
+            foci.extend(front_foci.iter().map(at(front)));
+            edges.iter().for_each(|edge| foci.extend(edge_foci.iter().map(at((front + edge).max(0.0)))));
+            foci.extend(fixed_foci);
+        }
+        graded_ends(pieces, &foci, counts, near)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,23 +1,61 @@
 //! What bends: section stiffness, outline, reference curves, and the planar beam.
-mod bonded_beam;
-mod grip_state;
-mod lateral_stiffness;
+pub(crate) mod bonded_beam;
+pub(crate) mod element;
+pub(crate) mod grip_state;
+pub(crate) mod lateral_stiffness;
 pub mod mesh;
-mod planar;
-mod reference_configuration;
-mod section;
-mod spatial;
-mod torsion;
-mod varying;
-mod viscosity;
+pub(crate) mod planar;
+pub(crate) mod reference_configuration;
+pub(crate) mod section;
+pub(crate) mod spatial;
+pub(crate) mod torsion;
+pub(crate) mod varying;
+pub(crate) mod viscosity;
 pub use bonded_beam::{BondedBeam, BondedMode};
+pub use element::basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, PerNode, slot};
+pub use element::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState};
+pub use element::frontal_matrix::{FrontalMatrix, FrontalRow, Pivots};
+pub use element::integrand::{Integrand, PlanarIntegrand, PointEnergy, PointGradient};
+pub use element::integration::{BUNDLE, Element, ElementEnergy, Integration, PiecePoint, Responses};
 pub use grip_state::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 pub use lateral_stiffness::LateralStiffness;
-pub use mesh::{Focus, MeshIntervals, MeshKind, Reach, graded_ends};
-pub use planar::*;
+pub use mesh::{Focus, MeshIntervals, MeshKind, MeshPolicy, Reach, graded_ends};
+pub use planar::chain::{
+    Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, KnownStrains, LeastPivot, MOST_FIELDS,
+    NodeState, ROOT, RootVector,
+};
+pub use planar::density::on_ground::BeamOnGround;
+pub use planar::density::reduced::ReducedBeam;
+pub use planar::density::reissner::ReissnerBeam;
+pub use planar::density::rod::ReissnerRod;
+pub use planar::density::viscous::{ElasticSections, Viscous};
+pub use planar::friction_history::FrictionHistory;
+pub use planar::model_end::CollapsedSection;
+pub use planar::model_limits::{BondedLoss, ModelLimits, PoleInReach, UprightCorner, UprightPole, UprightSection};
+pub use planar::planar_beam::{BeamInertia, FRONT, FrontPosition, PlanarBeam, TIP_ROTATION};
+pub use planar::uniform_chain::elements::UniformChain;
 pub use reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
-pub use section::{Material, Section, rectangle_second_moment};
-pub use spatial::*;
+pub use section::{Material, Section, SectionAt, rectangle_second_moment};
+pub use spatial::chain::spatial_chain::{
+    SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional,
+};
+pub use spatial::end_rotation::{EndRotation, angles, turned};
+pub use spatial::rest::{ALONG_X, RestOutline, SpatialRest, SpatialRestCurve};
+pub use spatial::rotation;
+pub use spatial::section::density::SpatialDensity;
+pub use spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
+pub use spatial::section::section_state::{SpatialIntegrals, SpatialSectionState};
+pub use spatial::section::spatial_profile::{SpatialProfile, SpatialStiffness, Station};
+pub use spatial::section::strain_memory::SpatialKnownStrains;
+pub use spatial::spatial_beam::{SpatialBeam, SpatialInertia};
+pub use spatial::spatial_grip::{GripReactions, SpatialSectionPlace};
+pub use spatial::tree::beam_tree::BeamTree;
+pub use spatial::tree::branching_beam::{
+    Branch, BranchingBeam, EndEnergy, EndResponse, JointCondition, JointUnknown, TreeError,
+};
+pub use spatial::tree::factors::TreeFactors;
+pub use spatial::tree::read::BranchSection;
+pub use spatial::tree::sweep::CondensedTree;
 pub use torsion::{torsion_constant, torsion_strain};
-pub use varying::{BeamGeometry, SectionGeometry, Varying};
+pub use varying::{BeamGeometry, Profile, SectionGeometry, Varying};
 pub use viscosity::Viscosity;

@@ -1,6 +1,6 @@
 //! The stress-free configuration of a beam.
 
-use super::Varying;
+use super::varying::Varying;
 use crate::number::gauss::Rule;
 use serde::{Deserialize, Serialize};
 use std::num::NonZeroUsize;

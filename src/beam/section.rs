@@ -54,3 +54,20 @@ impl Material {
 pub fn rectangle_second_moment(height: f64, width: f64) -> f64 {
     width * height.powi(3) / 12.0
 }
+
+/// A beam at one place, or at four side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct SectionAt<T> {
+    /// EA, GA_s and EI: nN, nN, nN nm²
+    pub section: Section<T>,
+    /// 1/EA and 1/GA_s, 1/nN
+    pub compliance: [T; 2],
+    /// Adhering width b, nm
+    pub width: T,
+    /// Height h of the section, nm
+    pub height: T,
+    /// h'/2: how much faster the axis rises than the gap below the underside
+    pub rise: T,
+    /// κ0, the curvature of the stress-free axis, 1/nm
+    pub curvature: T,
+}

@@ -3,7 +3,7 @@
 //! Source: S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed. (1970), arts. 106 (ellipse) and 109
 //! (rectangle).
 
-use crate::adhesion::SectionShape;
+use crate::adhesion::spatial_section::section::SectionShape;
 use std::f64::consts::PI;
 
 /// ζ(5)

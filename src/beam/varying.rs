@@ -1,9 +1,9 @@
-//! A beam whose section and stress-free direction vary along it.
+//! A beam from place to place: the same everywhere, or of a section and a stress-free direction that vary along it.
 //!
 //! In the stress-free configuration its underside lies in the direction φ(S), and the axis half a height above it, in the direction
 //! θ0 = φ + atan(h'/2). So a beam of varying height with φ = 0 lies flat on a flat substrate.
 
-use super::{Material, Section, SectionAt};
+use super::section::{Material, Section, SectionAt};
 use crate::number::Real;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -89,6 +89,39 @@ impl Varying {
             height,
             rise,
             curvature: 0.5 * bend / (1.0 + rise * rise) + underside[1],
+        }
+    }
+}
+
+/// A beam from place to place: one type, so that the elements are compiled once.
+#[derive(Clone, Debug)]
+pub enum Profile {
+    /// Straight, and the same everywhere.
+    Uniform(SectionAt<f64>),
+    /// Of varying outline.
+    Varying(Varying),
+}
+
+impl Profile {
+    /// A straight beam of this section, adhering width and height, nm.
+    pub fn uniform(section: Section, width: f64, height: f64) -> Self {
+        let compliance = [section.axial.recip(), section.shear.recip()];
+        Self::Uniform(SectionAt { section, compliance, width, height, rise: 0.0, curvature: 0.0 })
+    }
+
+    /// The beam at S, nm.
+    #[inline(always)]
+    pub fn at<T: Real>(&self, place: T) -> SectionAt<T> {
+        match self {
+            Self::Uniform(station) => SectionAt {
+                section: station.section.splat(),
+                compliance: station.compliance.map(T::splat),
+                width: T::splat(station.width),
+                height: T::splat(station.height),
+                rise: T::splat(0.0),
+                curvature: T::splat(0.0),
+            },
+            Self::Varying(beam) => beam.at(place),
         }
     }
 }

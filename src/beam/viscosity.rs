@@ -8,7 +8,7 @@
 //!
 //! One rule dm/dt = c (m - m_k) for what is remembered, m = ε or m = e, makes of both f C (ε - m_k): f = τ c, or f = g c/(c + 1/τ).
 
-use crate::solve::time::{MaterialRate, ViscousPower};
+use crate::solve::time::dynamic_system::{MaterialRate, ViscousPower};
 use serde::{Deserialize, Serialize};
 
 /// How a material flows. Times are in ns where masses are in nN·ns²/nm.

@@ -1,9 +1,10 @@
 //! What follows from a model before anything is solved: the numbers by which one strip is compared with another.
 
-use super::PeelModel;
-use crate::adhesion::{Law, SectionShape};
-use crate::analytic::{kendall_force, sliding_force};
-use crate::beam::Section;
+use super::peel::PeelModel;
+use crate::adhesion::section::law::Law;
+use crate::adhesion::spatial_section::section::SectionShape;
+use crate::analytic::peeling::{kendall_force, sliding_force};
+use crate::beam::section::Section;
 
 /// Quantities that follow from a model alone.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,10 +1,19 @@
 //! A beam on a flat half space, lifted at its right end.
 
-use super::stress_free_placement::StressFreePlacement;
-use super::{Body, Friction, Geometry, Ground, Moved, Space, Step, Strip};
-use crate::adhesion::{Attraction, FrictionLaw, HalfSpace, LineLaw, LineLoad};
-use crate::beam::{BeamGeometry, BondedBeam, Material, Section, Varying};
-use crate::solve::Direction;
+use super::body::Body;
+use super::body::geometry::Geometry;
+use super::body::strip::Strip;
+use super::ground::{Friction, Ground};
+use super::step::{Moved, Step};
+use crate::adhesion::friction::dahl::FrictionLaw;
+use crate::adhesion::levels::half_space::HalfSpace;
+use crate::adhesion::section::law::Attraction;
+use crate::adhesion::section::line_load::{LineLaw, LineLoad};
+use crate::adhesion::spatial_section::section::SectionShape;
+use crate::beam::bonded_beam::BondedBeam;
+use crate::beam::section::{Material, Section};
+use crate::beam::varying::BeamGeometry;
+use crate::solve::problem::Direction;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
@@ -261,12 +270,6 @@ impl PeelModel {
         self.geometry().length()
     }
 
-    /// S beyond which it stays clear of the ground in its stress-free configuration, nm: L of a strip.
-    pub fn contact_extent(&self) -> f64 {
-        let Some(contour) = self.contour() else { return self.length() };
-        StressFreePlacement::contact_extent(&Varying::new(contour, self.material()), &self.adhesion, &self.ground)
-    }
-
     /// Width and height of the free end, nm.
     pub fn free_end(&self) -> (f64, f64) {
         let (_, width, height) = self.section_at(0.0);
@@ -326,4 +329,22 @@ impl PeelModel {
     pub(super) fn prestretch(&self) -> f64 {
         self.grip.pretension.map_or(0.0, |tension| tension * self.length() / self.section().axial)
     }
+}
+
+/// What a model in space has besides one in the plane. Displacements and angles count from rest.
+///
+/// The ground is without friction: what neither it nor the grip holds is held at the left end, which is x and z of the axis, its yaw unless
+/// the grip holds that of its own end or its place sideways, and its roll where the section is a disc and the grip lets it roll.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Space {
+    /// Direction of the pull along the substrate, rad: 0 along the body, away from it; π/2 sideways, along z
+    pub azimuth: f64,
+    /// Of the place normal to the vertical plane of the pull
+    pub lateral: Hold,
+    /// Of the roll about the axis of the right end
+    pub roll: Hold,
+    /// Of the yaw of the right end
+    pub yaw: Hold,
+    /// Outline of the section of a strip; other bodies are as round as their outline says and adhere as rectangles.
+    pub section: SectionShape,
 }

@@ -3,7 +3,11 @@
 //! Rows: the interface's equations, those of the driven unknown and of the one across turned into the direction of the drive, or held
 //! values; then the path constraint. Columns: the interface, then the force.
 
-use super::{CondensedSystem, INTERFACE, Observables, PathConstraint, Problem, SolveError, State};
+use super::error::SolveError;
+use super::observables::{Observables, PathConstraint};
+use super::problem::Problem;
+use super::state::State;
+use super::system::{CondensedSystem, INTERFACE};
 use nalgebra::{RowSVector, SMatrix, SVector};
 
 /// Unknowns of the block: the interface and the force.

@@ -8,9 +8,14 @@
 //! with the rows of what the grip holds replaced by dq = 0. The transpose gives the multipliers of all equations for the derivatives of
 //! one functional: its change with any parameter p of the residual is then -λ·∂R/∂p, whatever the number of parameters.
 
+use super::error::SolveError;
 use super::grip_block::GripBlock;
 use super::newton::factorised;
-use super::{Coefficients, PathConstraint, Problem, SolveError, State, Workspace};
+use super::observables::PathConstraint;
+use super::problem::Problem;
+use super::state::State;
+use super::system::{Coefficients, INTERFACE};
+use super::workspace::Workspace;
 
 /// A factorised tangent; the factors of the system stay in the workspace.
 pub struct Tangents<'p> {
@@ -58,7 +63,7 @@ impl<'p> Tangents<'p> {
         let reduced = system.reduce(ws, &mut direction, false);
         // what elimination takes off the constraint's row is the gradient times what is inside, with the interface held
         let mut inside = direction.clone();
-        system.substitute(ws, &[0.0; super::INTERFACE], &mut inside, false);
+        system.substitute(ws, &[0.0; INTERFACE], &mut inside, false);
         let taken: f64 = self.gradient.iter().zip(&inside).map(|(g, q)| g * q).sum();
         let step = self.block.solve_right(&reduced, right.last - taken)?;
         system.substitute(ws, &step.interface, &mut direction, false);

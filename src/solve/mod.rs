@@ -1,34 +1,39 @@
 //! How equilibrium is found: Newton's method, path following, limit points, stability, relaxation, for any [`System`].
-mod branching;
-mod control;
-mod end_conditions;
-mod error;
+pub(crate) mod error;
 mod grip_block;
-mod limit_point;
-mod linear;
-mod newton;
-mod observables;
-mod path;
-mod problem;
-mod relax;
-mod state;
-mod system;
+pub(crate) mod linear;
+pub(crate) mod newton;
+pub(crate) mod observables;
+pub(crate) mod path;
+pub(crate) mod points;
+pub(crate) mod problem;
+pub(crate) mod relax;
+pub(crate) mod state;
+pub(crate) mod system;
 pub mod time;
-pub use branching::locate_branching;
-pub use control::controlled;
-pub use end_conditions::{Direction, EndConditions};
+pub(crate) mod workspace;
 pub use error::{Place, Quantity, SolveError};
-pub use limit_point::*;
 pub use linear::{Bordered, Tangents};
-pub use newton::*;
+pub use newton::{NewtonOptions, Solution, Tangent, damped_step, settle, slopes, solve};
 pub use observables::{MONITORS, Observables, PathConstraint};
-pub use path::*;
-pub use problem::{InitialState, MeasuredBeside, PathMeasure, Problem};
+pub use path::control::controlled;
+pub use path::equilibrium_path::Path;
+pub use path::hermite::Hermite;
+pub use path::options::{PathError, PathOptions, Waypoint};
+pub use path::predictor::{MOST_POINTS, lagrange_weights, longest_step};
+pub use path::segment::PathSegment;
+pub use points::bracket::brackets;
+pub use points::branching::locate_branching;
+pub use points::kind::LimitPointKind;
+pub use points::locate::{
+    Located, ROUGH, difference_on_more_elements, locate, on_more_elements, solve_on, step_to, unlocated,
+};
+pub use points::search::{BendRule, Bends, FoundLimitPoint, LimitPointSearch};
+pub use points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
+pub use problem::{Direction, EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem};
 pub use relax::{
     Held, RelaxError, RelaxOptions, Relaxed, disturbed, disturbed_anyhow, relax, relaxed_on_more_elements,
 };
 pub use state::{History, Mesh, State};
-pub use system::{
-    Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, ShouldStop, System, Unknown,
-    Workspace,
-};
+pub use system::{Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
+pub use workspace::{Pace, ShouldStop, Workspace};

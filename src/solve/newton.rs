@@ -1,9 +1,12 @@
 //! Newton's method for one equilibrium under one constraint that picks it from the path.
 
+use super::error::{Quantity, SolveError};
 use super::grip_block::GripBlock;
-use super::{
-    Coefficients, CondensedSystem, Observables, PathConstraint, Problem, Quantity, SolveError, State, Workspace,
-};
+use super::observables::{Observables, PathConstraint};
+use super::problem::Problem;
+use super::state::State;
+use super::system::{Coefficients, CondensedSystem};
+use super::workspace::{Pace, Workspace};
 use serde::{Deserialize, Serialize};
 use std::sync::OnceLock;
 
@@ -90,19 +93,6 @@ impl Solution {
         at.force += ahead * self.tangent.force;
         at
     }
-}
-
-/// What is tried where Newton's method does not converge.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Pace {
-    /// Nothing more.
-    #[default]
-    Quick,
-    /// It is begun again, and ends by the size of its updates alone: first with linear ones, then with those that follow the section force.
-    Wary,
-    /// The same, with the slopes and the inertia of every solution those at the solution itself, and no step believed whose inertia says that it has led
-    /// to another part of the path.
-    Watchful,
 }
 
 /// How Newton's method goes on by its updates, and by what it ends.
@@ -334,3 +324,9 @@ pub fn slopes(
     let tangent = grip.tangent()?;
     Ok((tangent.displacement, tangent.force))
 }
+
+/// Error of a solution next to a singular point, where round-off leaves no better.
+pub(in crate::solve) const SINGULAR: f64 = 1e-5;
+
+/// Error of a solution, relative as in [`crate::solve::System::size`].
+pub(in crate::solve) const FINE: f64 = 1e-12;

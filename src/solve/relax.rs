@@ -8,13 +8,14 @@
 //! a shorter Δt where it moves too far, where K + C/Δt is not positive (Δt beyond the growth time of an instability) or where
 //! the energy does not fall. It ends in a stable equilibrium to which Newton's own method converges from near by, or fails.
 
-use super::limit_point::locate::SINGULAR;
-use super::limit_point::search::FINE;
-use super::newton::damped_step;
-use super::{
-    Coefficients, NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace,
-    on_more_elements, solve,
-};
+use super::error::SolveError;
+use super::newton::{FINE, NewtonOptions, SINGULAR, Solution, damped_step, solve};
+use super::observables::{Observables, PathConstraint};
+use super::points::locate::on_more_elements;
+use super::problem::Problem;
+use super::state::State;
+use super::system::Coefficients;
+use super::workspace::Workspace;
 use serde::{Deserialize, Serialize};
 
 /// How a structure is relaxed.

@@ -1,10 +1,16 @@
 //! What the user asks of the numbers, and what follows from it: order, elements and steps.
 
 use super::error_bounds::CORNER_AIM_FRACTION;
-use super::terms::Terms;
-use crate::beam::{BUNDLE, MeshKind};
-use crate::model::{Discretisation, Form, ModelError, NumberOf, PeelModel, Range};
-use crate::solve::{MOST_POINTS, Pace, PathOptions};
+use super::terms::decision::Terms;
+use crate::beam::element::integration::BUNDLE;
+use crate::beam::mesh::MeshKind;
+use crate::model::check::error::{ModelError, Range};
+use crate::model::check::numbers::NumberOf;
+use crate::model::peel::{Form, PeelModel};
+use crate::model::problem::build::Discretisation;
+use crate::solve::path::options::PathOptions;
+use crate::solve::path::predictor::MOST_POINTS;
+use crate::solve::workspace::Pace;
 use serde::{Deserialize, Serialize};
 
 /// What the user asks of the numbers.

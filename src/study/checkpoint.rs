@@ -3,8 +3,10 @@
 //! The points of a path follow from the scene and the mesh alone: [`StopCriteria`] only say where it is left.
 //! So a run that takes an earlier one's points and computes the rest gives what a single one would give, bit for bit.
 
-use super::{PathEnd, Stage, StopCriteria};
-use crate::solve::{PathOptions, ShouldStop, Waypoint};
+use super::peel::result::PathEnd;
+use super::stop_criteria::{Stage, StopCriteria};
+use crate::solve::path::options::{PathOptions, Waypoint};
+use crate::solve::workspace::ShouldStop;
 
 /// Where the points of a run's paths come from and go to.
 pub struct Checkpoint<'a> {

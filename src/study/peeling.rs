@@ -1,7 +1,13 @@
 //! The whole peel of a model, with the terms that are asked for.
 
-use super::{Accuracy, Checkpoint, Peel, StopCriteria, refused, terms};
-use crate::model::{ModelError, PeelModel};
+use super::accuracy::Accuracy;
+use super::checkpoint::Checkpoint;
+use super::peel::result::Peel;
+use super::refused;
+use super::stop_criteria::StopCriteria;
+use super::terms::term_selection;
+use crate::model::check::error::ModelError;
+use crate::model::peel::PeelModel;
 
 /// Follows the peel from rest to its end. What went wrong on the way stands in [`Peel::end`]: a model or an accuracy that cannot be
 /// computed ([`checked`]) ends as failed at once, with what is wrong and what would be right.
@@ -22,7 +28,7 @@ where
     // what stays in the plane is solved there
     let model = model.in_the_plane().unwrap_or(model);
     match checked(&model, accuracy) {
-        Ok(()) => terms::run(&model, accuracy, stop, checkpoint),
+        Ok(()) => term_selection::run(&model, accuracy, stop, checkpoint),
         Err(error) => refused::peel(&model, accuracy, &error),
     }
 }

@@ -1,8 +1,11 @@
 //! What an analysis gives of a model that it refuses.
 
-use super::Accuracy;
-use super::peel::{Failure, PathEnd, Peel, empty};
-use crate::model::{ModelError, PeelModel};
+use super::accuracy::Accuracy;
+use super::peel::assembly::empty;
+use super::peel::failure::Failure;
+use super::peel::result::{PathEnd, Peel};
+use crate::model::check::error::ModelError;
+use crate::model::peel::PeelModel;
 
 /// A peel that was not begun.
 pub(super) fn peel(model: &PeelModel, accuracy: &Accuracy, error: &ModelError) -> Peel {

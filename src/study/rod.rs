@@ -1,8 +1,12 @@
 //! The path of a rod under its drive, from rest on: every limit point located, none missed without a report.
 
-use crate::solve::{
-    LimitPointKind, Located, Path, PathEvent, PathOptions, PathTracer, Problem, Solution, TraceError, TraceOptions,
-};
+use crate::solve::newton::Solution;
+use crate::solve::path::equilibrium_path::Path;
+use crate::solve::path::options::PathOptions;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::Located;
+use crate::solve::points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
+use crate::solve::problem::Problem;
 use std::sync::Arc;
 
 /// A limit point on the path of a rod.

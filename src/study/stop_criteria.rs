@@ -1,6 +1,6 @@
 //! Where a path is stopped although it goes on. The library looks at no clock and hears no user: a caller that does says so.
 
-use crate::solve;
+use crate::solve::workspace::ShouldStop;
 use crate::units::length_text;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -157,12 +157,12 @@ impl StopCriteria {
     }
 
     /// What stops a motion that is followed in time: the caller, as it stops a path.
-    pub fn while_followed(&self) -> Option<solve::ShouldStop> {
+    pub fn while_followed(&self) -> Option<ShouldStop> {
         self.for_solves(Stage::Path)
     }
 
     /// What tells solves to stop: the caller, at this stage.
-    pub(super) fn for_solves(&self, stage: Stage) -> Option<solve::ShouldStop> {
+    pub(super) fn for_solves(&self, stage: Stage) -> Option<ShouldStop> {
         let should_stop = self.should_stop.clone()?;
         Some(Arc::new(move || should_stop(stage).is_some()))
     }

@@ -1,6 +1,7 @@
 //! One parameter varied, each value peeled from rest to its end.
 
-use super::{Effort, LargestComputedForce, LimitPoint, PathEnd, Peak, Peel, Plateau};
+use super::peel::points::{LimitPoint, Peak};
+use super::peel::result::{Effort, LargestComputedForce, PathEnd, Peel, Plateau};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 

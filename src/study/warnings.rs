@@ -1,15 +1,19 @@
 //! Where a peel leaves what its model can be trusted with: said with numbers, and without changing one.
 
-use super::Peel;
-use crate::adhesion::SectionShape;
-use crate::beam::rotation::{Quaternion, conjugate, logarithm, product};
-use crate::beam::{
-    NodeState, PlanarBeam, SPATIAL_FIELDS, Section, SpatialBeam, SpatialSectionPlace, SpatialSectionState,
-    torsion_strain,
-};
-use crate::model::Beam;
-use crate::solve::Solution;
-use crate::study::SMALLEST_RADIUS;
+use super::peel::contact::SMALLEST_RADIUS;
+use super::peel::result::Peel;
+use crate::adhesion::spatial_section::section::SectionShape;
+use crate::beam::planar::chain::NodeState;
+use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::section::Section;
+use crate::beam::spatial::rotation::{Quaternion, conjugate, logarithm, product};
+use crate::beam::spatial::section::kinematics::SPATIAL_FIELDS;
+use crate::beam::spatial::section::section_state::SpatialSectionState;
+use crate::beam::spatial::spatial_beam::SpatialBeam;
+use crate::beam::spatial::spatial_grip::SpatialSectionPlace;
+use crate::beam::torsion::torsion_strain;
+use crate::model::problem::beam_problem::Beam;
+use crate::solve::newton::Solution;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

@@ -26,7 +26,7 @@
 //! P. R. Dahl, A solid friction model, Aerospace Corporation, TOR-0158(3107-18)-1, 1968; the limit is that of an adhering contact, as
 //! in J. C. Mergel, R. Sahli, J. Scheibert and R. A. Sauer, J. Adhesion 95, 1101 (2019), with smooth ends.
 
-use crate::adhesion::HalfSpace;
+use crate::adhesion::levels::half_space::HalfSpace;
 use crate::number::Real;
 use serde::{Deserialize, Serialize};
 

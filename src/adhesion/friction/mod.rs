@@ -1,4 +1,3 @@
 //! What resists sliding, with memory.
 
-mod dahl;
-pub use dahl::{FrictionLaw, FrictionState, Traction};
+pub(crate) mod dahl;

@@ -1,6 +1,7 @@
 //! Attraction of a convex sphere or cylinder, which the half space of eq. (9) approximates.
 
-use super::{HalfSpace, Rule};
+use super::half_space::HalfSpace;
+use crate::number::gauss::Rule;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::num::NonZeroUsize;

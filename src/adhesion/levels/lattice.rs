@@ -1,6 +1,7 @@
 //! Bodies made of atoms: the pair sum of eq. (2) over two lists of atoms, and an endless lattice below a plane.
 
-use super::LennardJones;
+use super::half_space::HalfSpace;
+use super::pair::LennardJones;
 use std::f64::consts::PI;
 
 /// A place, nm; y away from the substrate.
@@ -73,7 +74,7 @@ impl LatticeHalfSpace {
         let layers = (self.cutoff / a).ceil() as usize;
         let near: f64 = (0..layers).map(|k| self.force_on([x, gap + (k as f64 + 0.5) * a, z])[1]).sum();
         let density = a.powi(-3);
-        let continuum = super::HalfSpace {
+        let continuum = HalfSpace {
             hamaker_constant: self.pair.hamaker_constant(density, density),
             equilibrium_distance: self.pair.equilibrium_distance,
         };

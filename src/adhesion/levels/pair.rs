@@ -1,6 +1,6 @@
 //! The pair potential between two atoms, and Hamaker's identity.
 
-use super::HalfSpace;
+use super::half_space::HalfSpace;
 use std::f64::consts::PI;
 
 /// The Lennard-Jones potential φ(r) = ε (r0/r)¹² - 2ε (r0/r)⁶, eq. (1).

@@ -3,7 +3,8 @@
 //! Densities are the current ones: eqs. (4) and (5) say that β dv = β0 dV, so that a deformed body needs no other formula.
 
 use super::lattice::LatticeSite;
-use super::{LennardJones, Rule};
+use super::pair::LennardJones;
+use crate::number::gauss::Rule;
 use std::f64::consts::PI;
 
 /// A box along the axes.

@@ -13,7 +13,7 @@
 //! which has no cancellation at any angle and is even in cos θ.
 
 use super::response::{LineResponse, one_minus};
-use crate::adhesion::HalfSpace;
+use crate::adhesion::levels::half_space::HalfSpace;
 use crate::number::Real;
 
 /// Both faces, exact and free of cancellation at any rotation. In (y, A) with A = (h/2)² cos²θ,

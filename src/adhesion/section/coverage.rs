@@ -11,7 +11,9 @@
 //! |cos θ| itself is taken to the fourth power of θ alone: what is bonded and tilted by 0.3 rad counts a thousandth too little. Where it is a thousand
 //! process zones long the mesh then lies beside the front, and [`TiltCount::Fine`] is what finds it.
 
-use super::{Law, LineLaw, LineLoad, LineResponse};
+use super::law::Law;
+use super::line_load::{LineLaw, LineLoad};
+use super::response::LineResponse;
 use crate::number::Real;
 
 /// How a tilted section is counted under the body force.

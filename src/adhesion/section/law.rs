@@ -1,7 +1,10 @@
 //! The adhesion model of a section, and everything that is asked of it elsewhere.
 
-use super::{Barrier, Cohesive, CohesiveShape, OwnLaw};
-use crate::adhesion::HalfSpace;
+use super::barrier::Barrier;
+use super::cohesive::CohesiveShape;
+use super::cohesive::calibrated::Cohesive;
+use super::own::OwnLaw;
+use crate::adhesion::levels::half_space::HalfSpace;
 
 /// The adhesion model without its numbers: what a scene names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

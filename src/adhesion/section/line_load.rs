@@ -3,9 +3,11 @@
 //! Heights enter as the gap η = y - h/2 below the untilted section, so that the small number is stored and not recovered from a
 //! difference.
 
+use super::barrier::Barrier;
+use super::law::Law;
 use super::response::LineResponse;
-use super::{Barrier, Law, body_force, surface_traction};
-use crate::adhesion::HalfSpace;
+use super::{body_force, surface_traction};
+use crate::adhesion::levels::half_space::HalfSpace;
 use crate::number::Real;
 use crate::number::root::{Bracket, Look};
 use serde::{Deserialize, Serialize};

@@ -1,6 +1,6 @@
 //! A law of the user's own: what a [`SectionLaw`] answers is all that the library asks of it.
 
-use super::LineResponse;
+use super::response::LineResponse;
 use crate::number::Real;
 use std::fmt::Debug;
 

@@ -10,7 +10,7 @@
 //! bottom face alone is a contact surface. As its energy stands cos θ [W(r1) - W(r2)], whose slope along y is -T_c.
 
 use super::response::{LineResponse, one_minus};
-use crate::adhesion::HalfSpace;
+use crate::adhesion::levels::half_space::HalfSpace;
 use crate::number::Real;
 
 /// The bottom face and, turned the other way, the top face.

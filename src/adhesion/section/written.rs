@@ -1,6 +1,6 @@
 //! The adhesion model as it is written and read: by its name in a scene.
 
-use super::Attraction;
+use super::law::Attraction;
 use serde::de::{Deserialize, Deserializer, Error as _};
 use serde::ser::{Error as _, Serialize, Serializer};
 

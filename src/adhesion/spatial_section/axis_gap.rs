@@ -1,8 +1,8 @@
 //! The traction at the gap below the axis, independent of both tilts: Ψ = b [W(η) - W(η + h)] with η = y - h/2, as in
 //! the plane.
 
-use super::SpatialSectionResponse;
-use crate::adhesion::LineLaw;
+use super::response::SpatialSectionResponse;
+use crate::adhesion::section::line_load::LineLaw;
 use crate::number::Real;
 
 /// Ψ of a section of this width and height, nm, taken as level: cos θ = 1.

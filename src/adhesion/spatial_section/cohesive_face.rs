@@ -7,9 +7,8 @@
 //!
 //! Where the section has turned over, c < 0, that face is attracted and the other one, r = y - |c|/2, may be pressed, as in the plane.
 
-use super::SpatialSectionResponse;
-use crate::adhesion::Cohesive;
-use crate::adhesion::section::Part;
+use super::response::SpatialSectionResponse;
+use crate::adhesion::section::cohesive::calibrated::{Cohesive, Part};
 
 /// Ψ of a rectangle of this width, nm, with gradient and Hessian.
 #[inline(never)]

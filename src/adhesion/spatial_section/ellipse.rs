@@ -7,9 +7,9 @@
 //!
 //! In a disc, b = h, it depends on the direction of the axis and not on a roll about it.
 
-use super::SpatialSectionResponse;
 use super::even_power::EvenPower;
-use crate::adhesion::HalfSpace;
+use super::response::SpatialSectionResponse;
+use crate::adhesion::levels::half_space::HalfSpace;
 use crate::number::Real;
 
 /// The means of r⁻⁹ and r⁻³.

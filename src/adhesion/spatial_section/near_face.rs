@@ -9,9 +9,9 @@
 //! the means over the width are v⁴ (1 + 8 z + 16 z² + 64/7 z³) of r⁻⁸ and v of r⁻². There is a pole at c = 0, as in the
 //! plane.
 
-use super::SpatialSectionResponse;
 use super::even_power::EvenPower;
-use crate::adhesion::HalfSpace;
+use super::response::SpatialSectionResponse;
+use crate::adhesion::levels::half_space::HalfSpace;
 use crate::number::Real;
 
 const REPEL: EvenPower<4> = EvenPower::new(4.0, [1.0, 8.0, 16.0, 64.0 / 7.0]);

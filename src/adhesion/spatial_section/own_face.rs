@@ -5,9 +5,9 @@
 //!
 //!   Ψ = b ∫ Ψ_p(y + s a, c) ds.
 
-use super::SpatialSectionResponse;
 use super::adaptive_mean::mean;
-use crate::adhesion::{OwnLaw, TiltedSection};
+use super::response::SpatialSectionResponse;
+use crate::adhesion::section::own::{OwnLaw, TiltedSection};
 
 /// Below this sine of the tilt the second derivative by c of a law of the user's own is that at this sine: it is a
 /// quotient 0/0 in the angle, with a round-off of 1e-16 over the square of the sine. A tangent has it times that

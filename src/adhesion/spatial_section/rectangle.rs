@@ -24,8 +24,8 @@
 //! h_j(X, x) = h_j(X) + x h_(j-1)(X, x). Every term of a power is positive: nothing cancels at any tilt, and nothing is
 //! divided by a or c. A derivative by y is -n times the same with n + 1.
 
-use super::SpatialSectionResponse;
-use crate::adhesion::HalfSpace;
+use super::response::SpatialSectionResponse;
+use crate::adhesion::levels::half_space::HalfSpace;
 use crate::number::Real;
 use std::f64::consts::PI;
 

@@ -1,8 +1,12 @@
 //! The adhesion of a section of a beam in space over a flat half space.
 
+use super::error::SpatialSectionError;
 use super::own_face::OwnFace;
-use super::{SpatialSectionError, SpatialSectionResponse, axis_gap, cohesive_face, ellipse, near_face, rectangle};
-use crate::adhesion::{Cohesive, Law, LineLaw, LineLoad};
+use super::response::SpatialSectionResponse;
+use super::{axis_gap, cohesive_face, ellipse, near_face, rectangle};
+use crate::adhesion::section::cohesive::calibrated::Cohesive;
+use crate::adhesion::section::law::Law;
+use crate::adhesion::section::line_load::{LineLaw, LineLoad};
 use crate::number::Real;
 use serde::{Deserialize, Serialize};
 

@@ -18,24 +18,21 @@
 mod along;
 mod closest;
 mod flat;
-mod response;
-mod self_affine;
-mod surface;
-pub use response::{GroundLaw, GroundResponse};
-pub use self_affine::SelfAffine;
-pub use surface::{ClosestPoint, Misfit, Surface};
-
+pub(crate) mod response;
+pub(super) mod self_affine;
+pub(crate) mod surface;
+use super::levels::curved::BodyShape;
 use flat::Flat;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
+use surface::{ClosestPoint, Misfit, Surface};
 
 /// Makes the list of substrates from lines `/// what it is` and `Name(type) = file`. A file has a [`Surface`] and `NAMED`: the names by which a
 /// scene takes it, each with what makes one of which no number is given yet.
 macro_rules! substrates {
     ($($(#[$what:meta])* $shape:ident($surface:ty) = $file:ident,)*) => {
         $(
-            mod $file;
-            pub use $file::*;
+            pub(crate) mod $file;
         )*
 
         /// What a beam lies on.
@@ -77,13 +74,13 @@ macro_rules! substrates {
 
 substrates! {
     /// A sphere or a cylinder across the beam: for a beam in their plane of symmetry both are a circle.
-    Round(Round) = round,
+    Round(round::Round) = round,
     /// y = H/2 (cos(2π (x - x0)/λ) - 1).
-    Sinusoid(Sinusoid) = sinusoid,
+    Sinusoid(sinusoid::Sinusoid) = sinusoid,
     /// Heights by a table.
-    Profile(Arc<Heights>) = heights,
+    Profile(Arc<heights::Heights>) = heights,
     /// y = -(x - x0)²/(2R).
-    Ridge(Ridge) = ridge,
+    Ridge(ridge::Ridge) = ridge,
 }
 
 impl Substrate {
@@ -146,7 +143,7 @@ impl Substrate {
     }
 
     /// The convex body that a crest is like.
-    pub fn crest(&self) -> crate::adhesion::BodyShape {
+    pub fn crest(&self) -> BodyShape {
         self.surface().crest()
     }
 

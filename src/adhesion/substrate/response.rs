@@ -15,7 +15,7 @@
 //!   tθ: -μ Ψ_αα,   nθ: Ψ_gα,   θθ: Ψ_αα.
 
 use super::Substrate;
-use crate::adhesion::LineLaw;
+use crate::adhesion::section::line_load::LineLaw;
 use crate::number::Real;
 
 /// A line law on ground of any shape.

@@ -1,7 +1,7 @@
 //! A sphere or a cylinder.
 
 use super::surface::{ClosestPoint, Misfit, Named, ONE_CREST, Surface, of_one_crest};
-use crate::adhesion::BodyShape;
+use crate::adhesion::levels::curved::BodyShape;
 use serde::{Deserialize, Serialize};
 
 /// A sphere, or a cylinder whose axis is across the beam. Its top is at y = 0.

@@ -1,6 +1,6 @@
 //! A random rough profile.
 
-use super::{Heights, HeightsError};
+use super::heights::{Heights, HeightsError};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use std::fmt::Write;

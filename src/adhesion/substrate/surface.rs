@@ -1,6 +1,6 @@
 //! What is asked of the ground.
 
-use crate::adhesion::BodyShape;
+use crate::adhesion::levels::curved::BodyShape;
 use std::fmt::Debug;
 use std::sync::Arc;
 

@@ -1,8 +1,18 @@
 //! Nearest points against brute force, their derivatives against differences, and what happens where two are equally near.
 
-use super::*;
-use crate::adhesion::{BodyShape, HalfSpace, Law, LineLaw, LineLoad};
+use super::Substrate;
+use super::heights::Heights;
+use super::response::GroundLaw;
+use super::ridge::Ridge;
+use super::round::Round;
+use super::sinusoid::Sinusoid;
+use super::surface::ClosestPoint;
+use crate::adhesion::levels::curved::BodyShape;
+use crate::adhesion::levels::half_space::HalfSpace;
+use crate::adhesion::section::law::Law;
+use crate::adhesion::section::line_load::{LineLaw, LineLoad};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use std::sync::Arc;
 
 const PAPER: Sinusoid = Sinusoid { height: 8.0, wavelength: 100.0, offset: 13.0 };
 

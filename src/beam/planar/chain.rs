@@ -1,7 +1,10 @@
 //! What the solver asks of a chain of elements: to be eliminated down to its last node, and to go back from there.
 
-use super::{ElementEnergy, SectionState};
-use crate::solve::{History, NodalTerms, SolveError};
+use crate::beam::element::energy_density::SectionState;
+use crate::beam::element::integration::ElementEnergy;
+use crate::solve::error::SolveError;
+use crate::solve::state::History;
+use crate::solve::system::NodalTerms;
 use std::any::Any;
 use std::ops::Range;
 

@@ -1,7 +1,7 @@
 //! What the face of a beam remembers of its sliding: the rows of its [`History`] are place, mobilisation and shear strength.
 
-use crate::adhesion::FrictionState;
-use crate::solve::History;
+use crate::adhesion::friction::dahl::FrictionState;
+use crate::solve::state::History;
 
 /// A history read as that of friction.
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,7 @@
 //! Where the model itself ends: states beyond which its energy has no stable equilibrium near by, or no lower bound.
 
-use super::PlanarBeam;
-use crate::adhesion::LineLaw;
-use crate::beam::{BondedBeam, BondedMode};
-use crate::solve::State;
+use crate::adhesion::section::line_load::LineLaw;
+use crate::beam::bonded_beam::{BondedBeam, BondedMode};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -40,17 +38,17 @@ pub struct UprightCorner {
 
 /// Half width of a pole's barrier, cos θ, below which elements step over it without a trace, whatever their mesh. Of sampled pulls and spatulae
 /// with the near face alone those that cross 6e-8 agree on all meshes; those that cross 2e-6 and more go on differently on each.
-const UNNOTICED: f64 = 1e-7;
+pub(super) const UNNOTICED: f64 = 1e-7;
 /// The same over the relative accuracy asked for.
-const UNNOTICED_SHARE: f64 = 0.1;
+pub(super) const UNNOTICED_SHARE: f64 = 0.1;
 /// Sections with a larger cos θ are far from a pole.
-const NEARBY: f64 = 0.3;
+pub(super) const NEARBY: f64 = 0.3;
 /// Places of an element at which its rotation is looked at.
-const LOOKS: usize = 24;
+pub(super) const LOOKS: usize = 24;
 
 /// Length of the elements over that of [`PoleInReach::Unresolved`] from which on two meshes may agree on a number that finer ones do not give: with 0.7 and
 /// 0.9 one was found wrong by 5e-5, with 0.3 none.
-const UNRESOLVED: f64 = 0.5;
+pub(super) const UNRESOLVED: f64 = 0.5;
 
 /// Where a state is upright, or nearly so, in the reach of a pole.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -196,108 +194,4 @@ fn critical(ratio: &dyn Fn(f64) -> f64, near: f64) -> f64 {
         *(if ratio(middle) >= 1.0 { &mut above } else { &mut below }) = middle;
     }
     above
-}
-
-impl PlanarBeam {
-    /// The first section of a state, from the free end on, that stands upright where a pole of the law changes what is computed by more than the accuracy
-    /// `relative`.
-    pub fn upright_section(&self, at: &State, relative: f64) -> Option<UprightSection> {
-        let pole = self.limits.pole.as_ref()?;
-        let least = UNNOTICED.min(UNNOTICED_SHARE * relative);
-        self.elements_near_upright(at).find_map(|element| {
-            let crossed = self.looks(at, element).windows(2).find_map(|pair| self.crossed(pair, pole));
-            crossed.filter(|&(_, strength)| strength > least).map(|(section, _)| section)
-        })
-    }
-
-    /// The first section of a state, from the free end on, that is so nearly upright that the elements do not resolve a pole of the law.
-    pub fn unresolved_section(&self, at: &State) -> Option<UprightSection> {
-        self.nearly_upright(at, UNRESOLVED).next()
-    }
-
-    /// The first section of a state, from the free end on, that the pole of its law draws upright, and the same as one that is to be resolved.
-    pub fn drawn_section(&self, at: &State) -> Option<[UprightSection; 2]> {
-        let pole = self.limits.pole.as_ref()?;
-        let tension = self.grip_forces(at).vertical.max(0.0);
-        self.nearly_upright(at, 0.0).find_map(|section| {
-            let PoleInReach::Unresolved { cosine, length, .. } = section.pole else { return None };
-            let [bending, _] = (pole.section)(section.place);
-            let held_by = tension + bending / (section.height * section.height);
-            let softened = 2.0 * bending / (length * length);
-            let held = cosine * (softened / held_by).cbrt();
-            let drawn = UprightSection { pole: PoleInReach::Drawn { cosine, held }, ..section };
-            (softened > held_by).then_some([drawn, section])
-        })
-    }
-
-    /// The sections nearest to upright of elements that are longer than this many times the length over which the pole bends the beam there.
-    fn nearly_upright(&self, at: &State, longer: f64) -> impl Iterator<Item = UprightSection> {
-        let pole = self.limits.pole.as_ref();
-        let near = pole.map(|pole| self.elements_near_upright(at).map(move |element| (element, pole)));
-        let nearest = move |(element, pole)| self.nearest_to_upright(&self.looks(at, element), pole, longer);
-        near.into_iter().flatten().filter_map(nearest)
-    }
-
-    pub(super) fn elements_near_upright(&self, at: &State) -> impl Iterator<Item = usize> {
-        (0..at.mesh.elements()).filter(|&element| self.is_near_upright(at, element))
-    }
-
-    /// Whether a node of an element is nearly upright, or its nodes lie on both sides of that.
-    fn is_near_upright(&self, at: &State, element: usize) -> bool {
-        let (order, fields) = (self.chain.order(), self.fields());
-        let nodes = &self.nodes(&at.values)[element * order * fields..][..(order + 1) * fields];
-        let mut cosines = nodes.chunks(fields).map(|node| node[self.rotation].cos());
-        let first = cosines.next().unwrap_or(1.0);
-        first.abs() < NEARBY || cosines.any(|cos| cos.abs() < NEARBY || cos.signum() != first.signum())
-    }
-
-    /// [S, height of the axis, rotation] at places along an element.
-    pub(super) fn looks(&self, at: &State, element: usize) -> Vec<[f64; 3]> {
-        let ends = &at.mesh.boundaries;
-        let look = |k: usize| {
-            let share = k as f64 / LOOKS as f64;
-            let (values, _) = self.chain.sample(self.configuration(at), element, 2.0 * share - 1.0);
-            let place = ends[element] + share * (ends[element + 1] - ends[element]);
-            [place, values[self.rotation - 1], values[self.rotation]]
-        };
-        (0..=LOOKS).map(look).collect()
-    }
-
-    /// EI (nN·nm²), height of the near face of an upright section (nm) and b|W| there (nN).
-    fn pole_at(&self, pole: &UprightPole, place: f64, axis: f64) -> [f64; 3] {
-        let height = axis + 0.5 * self.height_at(place);
-        let [bending, width] = (pole.section)(place);
-        [bending, height, width * pole.law.half_space.potential(height).abs()]
-    }
-
-    /// The upright section between two places, with the strength of the pole.
-    fn crossed(&self, pair: &[[f64; 3]], pole: &UprightPole) -> Option<(UprightSection, f64)> {
-        let [[start, low, left], [end, high, right]] = [pair[0], pair[1]];
-        let [from, to] = [left.cos(), right.cos()];
-        if from.signum() == to.signum() {
-            return None;
-        }
-        let share = from / (from - to);
-        let place = start + share * (end - start);
-        let [bending, height, attraction] = self.pole_at(pole, place, low + share * (high - low));
-        let turn = (right - left) / (end - start);
-        let strength = 2.0 * attraction / (bending * turn * turn);
-        Some((UprightSection { place, height, pole: PoleInReach::Crossed { strength } }, strength))
-    }
-
-    /// The section of an element that is nearest to upright on one side, where the element is longer than so many times the length over which the pole bends
-    /// the beam.
-    fn nearest_to_upright(&self, looks: &[[f64; 3]], pole: &UprightPole, longer: f64) -> Option<UprightSection> {
-        let [place, axis, rotation] = *looks.iter().min_by(|a, b| a[2].cos().abs().total_cmp(&b[2].cos().abs()))?;
-        let cosine = rotation.cos().abs();
-        let one_sided = looks.iter().all(|look| look[2].cos().signum() == looks[0][2].cos().signum());
-        let [bending, height, attraction] = self.pole_at(pole, place, axis);
-        let length = (bending * cosine.powi(3) / attraction).sqrt();
-        let element = looks[LOOKS][0] - looks[0][0];
-        (one_sided && element > longer * length).then_some(UprightSection {
-            place,
-            height,
-            pole: PoleInReach::Unresolved { cosine, length, element },
-        })
-    }
 }

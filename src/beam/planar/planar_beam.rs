@@ -1,10 +1,18 @@
-//! A planar beam: a chain of elements on a substrate or on its own, in its reference configuration.
+//! A planar beam: a chain of elements on a substrate or on its own, in its reference configuration, with where its front is, its mesh and its grip.
 
-use super::{BeamInertia, Chain, Configuration, ElementEnergy, FrontPosition, MOST_FIELDS, MeshPolicy, ModelLimits};
-use crate::adhesion::{Barrier, Substrate};
-use crate::beam::ReferenceConfiguration;
-use crate::beam::mesh::nodal_lengths;
-use crate::solve::{Coefficients, Evaluation, History, INTERFACE, State};
+use super::chain::{Chain, Configuration, MOST_FIELDS};
+use super::model_limits::ModelLimits;
+use crate::adhesion::section::barrier::Barrier;
+use crate::adhesion::substrate::Substrate;
+use crate::beam::element::energy_density::SectionState;
+use crate::beam::element::integration::ElementEnergy;
+use crate::beam::grip_state::{GripForces, GripState};
+use crate::beam::mesh::{MeshKind, MeshPolicy, nodal_lengths};
+use crate::beam::reference_configuration::ReferenceConfiguration;
+use crate::beam::viscosity::Viscosity;
+use crate::solve::path::hermite::Hermite;
+use crate::solve::state::{History, Mesh, State};
+use crate::solve::system::{Coefficients, Evaluation, INTERFACE, System};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -273,5 +281,147 @@ impl PlanarBeam {
         let energy = self.rest_adhesion.abs();
         let damping = |length: f64, f: usize| energy * length / self.scale[f].powi(2) / time;
         lengths.iter().flat_map(|&length| (0..fields).map(move |f| damping(length, f))).collect()
+    }
+}
+
+/// What a beam in motion has besides its stiffness.
+pub struct BeamInertia {
+    /// ρA and ρI at S: mass per length and rotary inertia per length
+    pub section: Box<dyn Fn(f64) -> [f64; 2] + Send + Sync>,
+    /// How its material flows; a chain of a viscous one has a density that is [`crate::beam::Viscous`]
+    pub viscosity: Viscosity,
+}
+
+impl BeamInertia {
+    /// The same everywhere.
+    pub fn uniform(per_length: f64, rotary: f64, viscosity: Viscosity) -> Self {
+        Self { section: Box::new(move |_| [per_length, rotary]), viscosity }
+    }
+}
+
+impl PlanarBeam {
+    /// A front as the focus of a mesh: no farther than the ends of the chain.
+    pub(super) fn centered(&self, front: f64) -> f64 {
+        front.clamp(0.0, self.fronts.near(self.length))
+    }
+
+    /// Element ends for a front at `center`.
+    pub fn ends(&self, center: f64, elements: usize) -> Vec<f64> {
+        self.mesh_at(center, elements).boundaries
+    }
+
+    /// The mesh for a front with so many elements on each piece, which may be found faster from the `near` ends of a similar one.
+    pub(super) fn mesh_of(&self, front: f64, counts: &[usize], near: &[f64]) -> Mesh {
+        let focus = self.centered(front);
+        let moves = self.mesh.kind == MeshKind::Moving;
+        let front = self.adheres().then(|| if moves { self.fronts.place(focus) } else { self.rest_front });
+        Mesh { boundaries: self.mesh.ends(front, [0.0; 2], counts, near), focus, ..Mesh::default() }
+    }
+
+    /// A mesh of its own for a front.
+    pub fn mesh_at(&self, front: f64, elements: usize) -> Mesh {
+        self.mesh_of(front, &self.mesh.pieces.shared_out(elements), &[])
+    }
+
+    /// The mesh for a front with as many elements as another one, found faster near to that.
+    pub fn mesh_near(&self, front: f64, like: &Mesh) -> Mesh {
+        self.mesh_of(front, &self.mesh.pieces.counted(&like.boundaries), &like.boundaries)
+    }
+
+    /// S of every node, nm.
+    pub fn places(&self, ends: &[f64]) -> Vec<f64> {
+        let (elements, order) = (ends.len() - 1, self.chain.order());
+        let place = |node: usize| {
+            let e = (node / order).min(elements - 1);
+            ends[e] + (ends[e + 1] - ends[e]) * self.chain.node_fraction(node - e * order)
+        };
+        (0..=elements * order).map(place).collect()
+    }
+
+    /// A state read off on another mesh.
+    pub fn resampled(&self, at: &State, mesh: Mesh) -> State {
+        let mut values = self.chain.resampled(self.configuration(at), &mesh.boundaries);
+        values.extend_from_slice(&at.values[self.nodes(&at.values).len()..]);
+        State { mesh, values, ..at.clone() }
+    }
+}
+
+impl PlanarBeam {
+    /// The grip in an equilibrium, seen from an earlier one.
+    pub fn grip_state(&self, at: &State, from: &State) -> GripState {
+        let (here, there) = (self.interface_values(at), self.interface_values(from));
+        let moved = |slot: usize| here[slot] - there[slot];
+        GripState {
+            x: self.slot_of_x().map(moved),
+            y: moved(self.slot_of_height()),
+            rotation: here[self.slot_of_rotation()],
+            in_space: None,
+            forces: self.grip_forces(at),
+        }
+    }
+
+    /// An equilibrium of the same beam with x at every node, `of`, as one of this beam, which has condensed that.
+    pub fn without_x(&self, at: &State, of: &Self) -> State {
+        let mut values: Vec<f64> = at.values.chunks_exact(of.fields()).flat_map(|node| &node[1..]).copied().collect();
+        if self.chain.has_border() {
+            let x = |node: usize| at.values[node * of.fields()];
+            let last = at.values.len() / of.fields() - 1;
+            values.extend([of.grip_forces(at).horizontal, x(last) - x(0) - self.span()]);
+        }
+        State { values, ..at.clone() }
+    }
+
+    /// What the grip exerts on the end of an equilibrium.
+    pub fn grip_forces(&self, at: &State) -> GripForces {
+        let last = at.mesh.elements() - 1;
+        let section = self.chain.node_states(self.configuration(at), last..last + 1)[1].section;
+        let SectionState { horizontal_force: horizontal, vertical_force: vertical, moment, .. } = section;
+        GripForces { horizontal, vertical, moment, in_space: None }
+    }
+}
+
+/// The place of the front along a chain, from the adhesion energy that is left over that of a unit length at the left end.
+#[derive(Clone, Debug)]
+pub enum FrontPosition {
+    /// Every unit of length adheres alike: the two are the same number.
+    Even,
+    /// (front, S, dS/dfront), ascending: what adheres differs from place to place.
+    Table(Vec<(f64, f64, f64)>),
+}
+
+/// Panels over which what adheres is summed.
+const PANELS: usize = 256;
+
+impl FrontPosition {
+    /// From what adheres at each place of a chain when it lies on the substrate, over what adheres at its left end.
+    pub fn new(length: f64, adheres: impl Fn(f64) -> f64) -> Self {
+        let place = |k: usize| length * k as f64 / PANELS as f64;
+        let (mut front, mut here) = (0.0, adheres(0.0));
+        let mut table = vec![(front, 0.0, 1.0 / here)];
+        for k in 1..=PANELS {
+            let (from, to) = (place(k - 1), place(k));
+            let (middle, next) = (adheres(0.5 * (from + to)), adheres(to));
+            front += (to - from) / 6.0 * (here + 4.0 * middle + next);
+            table.push((front, to, 1.0 / next));
+            here = next;
+        }
+        Self::Table(table)
+    }
+
+    /// S of a front, nm; an end of the chain for a front beyond it.
+    pub fn place(&self, front: f64) -> f64 {
+        let Self::Table(table) = self else { return front };
+        let before = table.partition_point(|known| known.0 < front).saturating_sub(1);
+        match (table.get(before), table.get(before + 1)) {
+            (Some(&a), Some(&b)) => Hermite::new(&[a, b]).at(front.max(a.0)).0,
+            (Some(last), None) => last.1,
+            _ => 0.0,
+        }
+    }
+
+    /// The front that is not far from a place, nm.
+    pub fn near(&self, place: f64) -> f64 {
+        let Self::Table(table) = self else { return place };
+        table.iter().rev().find(|known| known.1 <= place).map_or(0.0, |known| known.0 + (place - known.1) / known.2)
     }
 }

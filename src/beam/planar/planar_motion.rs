@@ -1,27 +1,16 @@
 //! The planar beam as a [`DynamicSystem`]: masses at its nodes, viscous strains at its Gauss points.
 
-use super::chain::KnownStrains;
-use super::{Configuration, PlanarBeam};
-use crate::beam::Viscosity;
+use super::chain::{Configuration, KnownStrains};
+use super::planar_beam::PlanarBeam;
+use crate::beam::viscosity::Viscosity;
 use crate::number::gauss::gauss_legendre;
-use crate::solve::time::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
-use crate::solve::{CondensedSystem, MONITORS, SolveError, State, Workspace};
+use crate::solve::error::SolveError;
+use crate::solve::observables::MONITORS;
+use crate::solve::state::State;
+use crate::solve::system::CondensedSystem;
+use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
+use crate::solve::workspace::Workspace;
 use std::num::NonZeroUsize;
-
-/// What a beam in motion has besides its stiffness.
-pub struct BeamInertia {
-    /// ρA and ρI at S: mass per length and rotary inertia per length
-    pub section: Box<dyn Fn(f64) -> [f64; 2] + Send + Sync>,
-    /// How its material flows; a chain of a viscous one has a density that is [`super::Viscous`]
-    pub viscosity: Viscosity,
-}
-
-impl BeamInertia {
-    /// The same everywhere.
-    pub fn uniform(per_length: f64, rotary: f64, viscosity: Viscosity) -> Self {
-        Self { section: Box::new(move |_| [per_length, rotary]), viscosity }
-    }
-}
 
 /// Γ1, Γ2 and θ' at a point, and what is stored there.
 struct StrainAt {

@@ -1,12 +1,15 @@
 //! The planar beam as a [`System`]: what a solver asks of it. Its interface is the right end.
 
-use super::{ChainFactors, Configuration, ConstraintGradient, FRONT, PlanarBeam, TIP_ROTATION};
-use crate::adhesion::Substrate;
-use crate::beam::{MeshKind, ReferenceConfiguration};
-use crate::solve::{
-    Coefficients, CondensedSystem, Evaluation, History, INTERFACE, MONITORS, Mesh, NodalTerms, Rates, SolveError,
-    State, System, Unknown, Workspace,
-};
+use super::chain::{ChainFactors, Configuration, ConstraintGradient};
+use super::planar_beam::{FRONT, PlanarBeam, TIP_ROTATION};
+use crate::adhesion::substrate::Substrate;
+use crate::beam::mesh::MeshKind;
+use crate::beam::reference_configuration::ReferenceConfiguration;
+use crate::solve::error::SolveError;
+use crate::solve::observables::MONITORS;
+use crate::solve::state::{History, Mesh, State};
+use crate::solve::system::{Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 const HEIGHT: Unknown = Unknown { name: "height of the right end", unit: "nm" };

@@ -5,10 +5,10 @@
 //! ρ is then the moment about d1, on θ that about e_z, and on ψ, at ψ = 0, that about the normal of the axis in the plane. The angles fail where
 //! the yaw is a right angle. Without them a turn is a vector in the axes of the directors, and the moment on all three is held to be zero.
 
-use super::chain::EndMap;
 use super::rotation::{
     Matrix3, Quaternion, apply_transposed, conjugate, cross, dot, exponential, matrix, normalised, product, skew,
 };
+use super::section::kinematics::SPATIAL_UNKNOWNS;
 
 /// What an end's rotation is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,4 +94,30 @@ impl EndRotation {
 pub fn turn_on(q: Quaternion, by: [f64; 3]) -> Quaternion {
     let next = product(q, exponential(by));
     normalised(next)
+}
+
+/// From the unknowns of an end of the chain to those of its last node: of its place and of its turn, and how that is bent,
+/// Σ g ∂²φ/∂c².
+#[derive(Clone, Copy, Debug)]
+pub struct EndMap {
+    /// Columns: the axes along which the end is moved.
+    pub place: Matrix3,
+    /// ∂φ/∂c
+    pub turn: Matrix3,
+}
+
+impl EndMap {
+    /// A direction of the end as one of its node.
+    pub fn forward(&self, end: &[f64]) -> [f64; SPATIAL_UNKNOWNS] {
+        self.both(|map, k| (0..3).map(|j| map[k % 3][j] * end[3 * (k / 3) + j]).sum())
+    }
+
+    /// A gradient by the unknowns of the node as one by those of the end.
+    pub fn back(&self, node: &[f64]) -> [f64; SPATIAL_UNKNOWNS] {
+        self.both(|map, k| (0..3).map(|j| map[j][k % 3] * node[3 * (k / 3) + j]).sum())
+    }
+
+    fn both(&self, sum: impl Fn(&Matrix3, usize) -> f64) -> [f64; SPATIAL_UNKNOWNS] {
+        std::array::from_fn(|k| sum(if k < 3 { &self.place } else { &self.turn }, k))
+    }
 }

@@ -1,10 +1,11 @@
 //! What a chain and a tree of beams in space answer alike as a [`System`](crate::solve::System).
 
 use super::chain::end_block::{Carry, ROOT};
-use super::chain::{SPATIAL_UNKNOWNS, SpatialEnd, quaternion_of};
+use super::chain::spatial_chain::{SpatialEnd, quaternion_of};
 use super::end_rotation::{EndRotation, turn_on, turned};
 use super::rotation::{apply, conjugate, logarithm, product};
-use crate::solve::{CondensedSystem, Evaluation, INTERFACE};
+use super::section::kinematics::SPATIAL_UNKNOWNS;
+use crate::solve::system::{CondensedSystem, Evaluation, INTERFACE};
 
 const F: usize = SPATIAL_UNKNOWNS;
 

@@ -1,14 +1,19 @@
 //! A beam in space: a chain of elements above flat ground or on its own, in its rest configuration.
 
-use super::chain::{SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, read::normalise};
-use super::density::SPATIAL_FIELDS;
+use super::chain::read::normalise;
+use super::chain::spatial_chain::{SpatialChain, SpatialConfiguration};
 use super::end_rotation::{EndRotation, turned};
 use super::rest::SpatialRest;
 use super::rotation::{apply_transposed, matrix};
-use super::spatial_motion::SpatialInertia;
-use crate::adhesion::{Barrier, SectionShape};
-use crate::beam::{MeshKind, MeshPolicy};
-use crate::solve::{INTERFACE, Mesh, State};
+use super::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
+use crate::adhesion::section::barrier::Barrier;
+use crate::adhesion::spatial_section::section::SectionShape;
+use crate::beam::mesh::{MeshKind, MeshPolicy};
+use crate::beam::viscosity::Viscosity;
+use crate::solve::state::{Mesh, State};
+use crate::solve::system::INTERFACE;
+use std::fmt;
+use std::sync::Arc;
 
 /// Values of a state behind those of its nodes: the angles of the two ends.
 pub(super) const ANGLES: usize = 6;
@@ -17,7 +22,7 @@ pub(super) const ANGLES: usize = 6;
 ///
 /// Values of a state: x, y, z and the quaternion of each node from left to right, then the angles of the left and of the right end (of an end
 /// that turns freely they count its turns alone). A direction has six numbers a node: of its place, and of its turn in the axes of its directors; of the two end
-/// nodes those of [`super::SpatialEnd`]. The interface is the right end.
+/// nodes those of [`crate::beam::SpatialEnd`]. The interface is the right end.
 #[derive(Clone, Debug)]
 pub struct SpatialBeam {
     /// Its elements
@@ -184,5 +189,30 @@ impl SpatialBeam {
         let ([_, _, _, rotation, yaw, roll], (place, _)) = (self.rest_angles(), self.rest.at(self.length));
         let [along, across, sideways] = apply_transposed(&self.chain.ends[1].axes, &place);
         [along, across, sideways, rotation, yaw, roll]
+    }
+}
+
+/// What a beam in space in motion has besides its stiffness.
+#[derive(Clone)]
+pub struct SpatialInertia {
+    /// At S: ρA, then ρJ1 about the axis, ρJ2 about the width and ρJ3 about the height
+    pub section: Arc<dyn Fn(f64) -> [f64; 4] + Send + Sync>,
+    /// How its material flows
+    pub viscosity: Viscosity,
+}
+
+impl SpatialInertia {
+    /// The same everywhere: mass per length, and rotary inertia per length about the three directors.
+    pub fn uniform(per_length: f64, rotary: [f64; 3], viscosity: Viscosity) -> Self {
+        Self { section: Arc::new(move |_| [per_length, rotary[0], rotary[1], rotary[2]]), viscosity }
+    }
+}
+
+impl fmt::Debug for SpatialInertia {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("SpatialInertia")
+            .field("at the left end", &(self.section)(0.0))
+            .field("viscosity", &self.viscosity)
+            .finish()
     }
 }

@@ -1,11 +1,13 @@
 //! What the grip of a beam in space exerts, and its sections as they lie.
 
-use super::chain::{quaternion_of, read::normalise};
+use super::chain::read::normalise;
+use super::chain::spatial_chain::quaternion_of;
 use super::end_rotation::{EndRotation, angles};
 use super::rotation::{apply, cross, matrix};
 use super::spatial_beam::SpatialBeam;
-use crate::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
-use crate::solve::{EndRoll, State};
+use crate::beam::grip_state::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
+use crate::solve::state::State;
+use crate::solve::system::EndRoll;
 use std::f64::consts::TAU;
 
 /// What the grip exerts on the right end of a beam in space.

@@ -6,45 +6,22 @@
 //!
 //! Source: J. C. Simo, L. Vu-Quoc, On the dynamics in space of rods undergoing large motions, Comput. Methods Appl. Mech. Eng. 66 (1988).
 
-use super::chain::{EndMap, SPATIAL_UNKNOWNS, SpatialConfiguration, quaternion_of};
-use super::density::SPATIAL_FIELDS;
-use super::end_rotation::EndRotation;
+use super::chain::spatial_chain::{SpatialConfiguration, quaternion_of};
+use super::end_rotation::{EndMap, EndRotation};
 use super::rotation::{apply, cross, dot, matrix};
+use super::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
+use super::section::strain_memory::SpatialKnownStrains;
 use super::spatial_beam::{ANGLES, SpatialBeam};
-use super::strain_memory::SpatialKnownStrains;
-use crate::beam::Viscosity;
-use crate::solve::time::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
-use crate::solve::{CondensedSystem, MONITORS, SolveError, State, System, Workspace};
-use std::fmt;
-use std::sync::Arc;
+use crate::beam::viscosity::Viscosity;
+use crate::solve::error::SolveError;
+use crate::solve::observables::MONITORS;
+use crate::solve::state::State;
+use crate::solve::system::{CondensedSystem, System};
+use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
+use crate::solve::workspace::Workspace;
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;
-
-/// What a beam in space in motion has besides its stiffness.
-#[derive(Clone)]
-pub struct SpatialInertia {
-    /// At S: ρA, then ρJ1 about the axis, ρJ2 about the width and ρJ3 about the height
-    pub section: Arc<dyn Fn(f64) -> [f64; 4] + Send + Sync>,
-    /// How its material flows
-    pub viscosity: Viscosity,
-}
-
-impl SpatialInertia {
-    /// The same everywhere: mass per length, and rotary inertia per length about the three directors.
-    pub fn uniform(per_length: f64, rotary: [f64; 3], viscosity: Viscosity) -> Self {
-        Self { section: Arc::new(move |_| [per_length, rotary[0], rotary[1], rotary[2]]), viscosity }
-    }
-}
-
-impl fmt::Debug for SpatialInertia {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.debug_struct("SpatialInertia")
-            .field("at the left end", &(self.section)(0.0))
-            .field("viscosity", &self.viscosity)
-            .finish()
-    }
-}
 
 /// How a node moves: velocity of its place, angular velocity in the axes of its directors.
 struct NodeRates {

@@ -1,17 +1,21 @@
 //! The beam in space as a [`System`]: what a solver asks of it. Its interface is the right end.
 
-use super::chain::{SPATIAL_UNKNOWNS, SpatialConfiguration, SpatialFactors, SpatialFunctional, quaternion_of};
-use super::density::SPATIAL_FIELDS;
+use super::chain::spatial_chain::{SpatialConfiguration, SpatialFactors, SpatialFunctional, quaternion_of};
 use super::end_rotation::EndRotation;
 use super::rotation::{apply, apply_transposed, cross, matrix};
+use super::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use super::shared_system::{condensed, node_difference, step_node, weighted_sum};
 use super::spatial_beam::{ANGLES, SpatialBeam};
-use crate::beam::mesh::nodal_lengths;
-use crate::beam::{ElementEnergy, FRONT, MeshKind, TIP_ROTATION};
-use crate::solve::{
-    Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, MONITORS, Mesh, NodalTerms, Rates, SolveError,
-    State, System, Unknown, Workspace,
+use crate::beam::element::integration::ElementEnergy;
+use crate::beam::mesh::{MeshKind, nodal_lengths};
+use crate::beam::planar::planar_beam::{FRONT, TIP_ROTATION};
+use crate::solve::error::SolveError;
+use crate::solve::observables::MONITORS;
+use crate::solve::state::{Mesh, State};
+use crate::solve::system::{
+    Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown,
 };
+use crate::solve::workspace::Workspace;
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;

@@ -1,37 +1,17 @@
 //! What is peeled.
 
-mod pieces;
-mod profile;
-mod spatula;
-mod strip;
-mod transition;
+pub(super) mod geometry;
+pub(super) mod pieces;
+pub(crate) mod profile;
+pub(super) mod spatula;
+pub(super) mod strip;
+pub(super) mod transition;
 
-pub use pieces::*;
-pub use profile::*;
-pub use spatula::*;
-pub use strip::*;
-pub use transition::*;
-
-use crate::beam::{BeamGeometry, Material};
+use geometry::Geometry;
+use profile::Profile;
 use serde::{Deserialize, Serialize};
-use std::sync::Arc;
-
-/// What a model asks of its body. A body is a file with a type that is one, and a line of each list below.
-pub trait Geometry: BeamGeometry {
-    /// The table of a scene that gives it.
-    fn name(&self) -> &'static str;
-
-    /// What it is made of.
-    fn material(&self) -> Material;
-
-    /// Its outline, to be kept by a beam.
-    fn shared(&self) -> Arc<dyn BeamGeometry>;
-
-    /// Whether it is straight in its stress-free configuration, and its section the same everywhere.
-    fn is_uniform(&self) -> bool {
-        false
-    }
-}
+use spatula::Spatula;
+use strip::Strip;
 
 /// What is peeled. It begins at S = 0 with its free end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

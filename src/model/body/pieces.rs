@@ -5,8 +5,8 @@
 //! φ = φ0 + bend c(t), so that a linear course is an arc. φ begins with zero and goes on from piece to piece. Widths and roundness may
 //! jump between pieces; the height may not, nor may its slope, by half of which the axis is steeper than the underside.
 
-use super::Transition;
-use crate::beam::{BeamGeometry, SectionGeometry};
+use super::transition::Transition;
+use crate::beam::varying::{BeamGeometry, SectionGeometry};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 

@@ -3,8 +3,10 @@
 //! Between the rows of a table each is a monotone cubic (Fritsch and Butland's PCHIP: SIAM J. Sci. Stat. Comput. 5 (1984) 300), which has no
 //! bulge that the table does not have. Its second derivative jumps at the rows, so elements end there.
 
-use super::{Geometry, ProfilePieces};
-use crate::beam::{BeamGeometry, Material, SectionGeometry};
+use super::geometry::Geometry;
+use super::pieces::ProfilePieces;
+use crate::beam::section::Material;
+use crate::beam::varying::{BeamGeometry, SectionGeometry};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

@@ -5,9 +5,10 @@
 //! w + (1 - w)(1 - (1 - t)⁴) with t = S/rounding; the section goes from a rectangle to a circle with q, and the underside turns up
 //! by the shaft's angle times s5((S - pad)/bend). A choice within the ranges of the literature: the paper gives no dimensions.
 
-use super::{Body, Geometry, Transition};
-use crate::beam::{BeamGeometry, Material, SectionGeometry};
-use crate::model::{Adhesion, Grip, Hold, PeelModel};
+use super::geometry::Geometry;
+use super::transition::Transition;
+use crate::beam::section::Material;
+use crate::beam::varying::{BeamGeometry, SectionGeometry};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -65,12 +66,6 @@ impl Default for Spatula {
 }
 
 impl Spatula {
-    /// In a grip that holds its rotation, with the adhesion of the paper's strip: scenes/spatula.toml.
-    pub fn model(self) -> PeelModel {
-        let grip = Grip { rotation: Hold::Fixed, ..Grip::FREE };
-        PeelModel::of(Body::Spatula(self), Adhesion::of_half_space(0.1, 0.4), grip)
-    }
-
     /// Width of the rounded tip over that of a blunt one.
     fn rounding(&self, place: f64) -> f64 {
         if place >= self.tip_rounding_length {

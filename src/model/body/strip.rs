@@ -1,9 +1,8 @@
 //! A uniform strip of rectangular section.
 
-use super::{Body, Geometry};
-use crate::adhesion::LineLaw;
-use crate::beam::{BeamGeometry, Material, Section, SectionGeometry};
-use crate::model::{Adhesion, BeamProblem, Form, Grip, NoSuchOrder, PeelModel, Pull};
+use super::geometry::Geometry;
+use crate::beam::section::Material;
+use crate::beam::varying::{BeamGeometry, SectionGeometry};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -67,78 +66,5 @@ impl Geometry for Strip {
 
     fn is_uniform(&self) -> bool {
         true
-    }
-}
-
-/// A strip, its adhesion, its grip and how that is moved: the [`PeelModel`] of Section 4 of the paper, with its parts at hand.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct StripModel {
-    /// Geometry and material
-    pub strip: Strip,
-    /// What attracts it to the ground
-    pub adhesion: Adhesion,
-    /// Which unknowns of its end are constrained
-    pub grip: Grip,
-    /// Where its end is moved
-    pub pull: Pull,
-}
-
-impl StripModel {
-    /// The strip of Figs. 9 and 10 of the paper, of the given length in nm, in a free grip, with EI times `bending`.
-    pub fn of_the_paper(length: f64, bending: f64) -> Self {
-        Self {
-            strip: Strip {
-                length,
-                height: 10.0,
-                width: 1.0,
-                youngs_modulus: 2.0,
-                poissons_ratio: 0.2,
-                shear_correction: 5.0 / 6.0,
-                bending_stiffness_factor: bending,
-            },
-            adhesion: Adhesion::of_half_space(0.1, 0.4),
-            grip: Grip::FREE,
-            pull: Pull::UP,
-        }
-    }
-
-    /// EA, GA_s and EI.
-    pub fn section(&self) -> Section {
-        self.strip.material().section(self.strip.width, self.strip.height, 0.0)
-    }
-
-    /// The line load per width.
-    pub fn line_law(&self) -> LineLaw {
-        self.adhesion.line_law(self.strip.height)
-    }
-
-    /// As [`PeelModel::bending_length`].
-    pub fn bending_length(&self) -> f64 {
-        PeelModel::from(self).bending_length()
-    }
-
-    /// As [`PeelModel::process_length`].
-    pub fn process_length(&self) -> f64 {
-        PeelModel::from(self).process_length()
-    }
-
-    /// As [`PeelModel::problem`].
-    ///
-    /// # Errors
-    /// An order that there is not.
-    pub fn problem(&self, form: Form, order: usize) -> Result<BeamProblem, NoSuchOrder> {
-        PeelModel::from(self).problem(form, order)
-    }
-}
-
-impl From<&StripModel> for PeelModel {
-    fn from(model: &StripModel) -> Self {
-        Self { pull: model.pull, ..Self::of(Body::Strip(model.strip), model.adhesion, model.grip) }
-    }
-}
-
-impl From<StripModel> for PeelModel {
-    fn from(model: StripModel) -> Self {
-        Self::from(&model)
     }
 }

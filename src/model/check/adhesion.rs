@@ -1,7 +1,7 @@
 //! Whether the numbers of adhesion and grip are asked for.
 
-use super::{Measured, ModelError, ModelErrorKind};
-use crate::model::{Hold, PeelModel};
+use super::error::{Measured, ModelError, ModelErrorKind};
+use crate::model::peel::{Hold, PeelModel};
 
 /// That work and strength belong to the law, and that what has a pretension is stretched.
 pub(super) fn check(model: &PeelModel) -> Result<(), ModelError> {

@@ -1,7 +1,8 @@
 //! Whether the grip can move as the scene prescribes.
 
-use super::{Measured, ModelError, ModelErrorKind};
-use crate::model::{Hold, Moved, PeelModel, Step};
+use super::error::{Measured, ModelError, ModelErrorKind};
+use crate::model::peel::{Hold, PeelModel};
+use crate::model::step::{Moved, Step};
 
 /// Most steps before the pull.
 pub const MOST_STEPS: usize = 1000;

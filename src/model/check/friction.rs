@@ -1,7 +1,7 @@
 //! Whether friction fits the rest.
 
-use super::{Measured, ModelError, ModelErrorKind};
-use crate::model::PeelModel;
+use super::error::{Measured, ModelError, ModelErrorKind};
+use crate::model::peel::PeelModel;
 
 /// That it has a strength, on flat ground, under the half space, and without a pretension.
 pub(super) fn check(model: &PeelModel) -> Result<(), ModelError> {

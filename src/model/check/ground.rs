@@ -1,8 +1,8 @@
 //! Whether the ground fits the rest.
 
-use super::{ModelError, ModelErrorKind};
-use crate::adhesion::LineLoad;
-use crate::model::PeelModel;
+use super::error::{ModelError, ModelErrorKind};
+use crate::adhesion::section::line_load::LineLoad;
+use crate::model::peel::PeelModel;
 
 /// Most waves or radii, and most process zones, on which a beam lies on ground that is not flat.
 const MOST_DETAILS: f64 = 100.0;

@@ -1,7 +1,10 @@
 //! Whether a beam is so short that elements and steps resolve its process zone.
 
-use super::{ModelError, ModelErrorKind};
-use crate::model::{Body, PeelModel, ProfileForm, Spatula};
+use super::error::{ModelError, ModelErrorKind};
+use crate::model::body::Body;
+use crate::model::body::profile::ProfileForm;
+use crate::model::body::spatula::Spatula;
+use crate::model::peel::PeelModel;
 
 /// Most process zones: the strip of the paper of 3 mm is 1.4e6 of them long and has its peak to 1e-10; that of 10 mm, of 4.6e6, has none.
 const MOST_ZONES: f64 = 2e6;

@@ -5,21 +5,18 @@
 //! ([`super::RodError`]).
 
 mod adhesion;
-mod drive;
-mod error;
+pub(super) mod drive;
+pub(crate) mod error;
 mod friction;
 mod ground;
 mod length;
-mod numbers;
-mod range;
+pub(crate) mod numbers;
 mod space;
 mod spatula;
-pub use drive::MOST_STEPS;
-pub use error::{ModelError, ModelErrorKind};
-pub use numbers::{MODEL_NUMBERS, NumberOf};
-pub use range::{Measured, Range};
-
-use super::{Discretisation, PeelModel};
+use super::peel::PeelModel;
+use super::problem::build::Discretisation;
+use error::{Measured, ModelError, Range};
+use numbers::MODEL_NUMBERS;
 
 impl PeelModel {
     /// Whether it can be computed: every number finite and in its range, and all of them fit for one another. The analyses of

@@ -1,9 +1,11 @@
 //! The numbers of a model, a line each: what a scene calls it, its unit, its range and where it stands.
 
-use super::{Measured, ModelError, Range};
-use crate::beam::Material;
-use crate::model::{Body, PeelModel, Spatula, Strip};
-use Range::Positive;
+use super::error::{Measured, ModelError, Range, Range::Positive};
+use crate::beam::section::Material;
+use crate::model::body::Body;
+use crate::model::body::spatula::Spatula;
+use crate::model::body::strip::Strip;
+use crate::model::peel::PeelModel;
 
 /// A number of something that is checked.
 #[derive(Debug)]

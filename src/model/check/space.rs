@@ -1,8 +1,8 @@
 //! Whether a model can be peeled in space.
 
-use super::{ModelError, ModelErrorKind};
-use crate::adhesion::SectionShape;
-use crate::model::PeelModel;
+use super::error::{ModelError, ModelErrorKind};
+use crate::adhesion::spatial_section::section::SectionShape;
+use crate::model::peel::PeelModel;
 
 /// That it is on flat ground without friction, under a law that has an energy there; that only a strip has a section of a shape.
 pub(super) fn check(model: &PeelModel) -> Result<(), ModelError> {

@@ -1,7 +1,8 @@
 //! Whether the lengths of a spatula fit one another.
 
-use super::{ModelError, ModelErrorKind};
-use crate::model::{Body, PeelModel};
+use super::error::{ModelError, ModelErrorKind};
+use crate::model::body::Body;
+use crate::model::peel::PeelModel;
 
 /// That the tip is rounded within the pad and narrows, and that the bend ends on the shaft.
 pub(super) fn check(model: &PeelModel) -> Result<(), ModelError> {

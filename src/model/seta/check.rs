@@ -1,8 +1,10 @@
 //! What of a seta cannot be computed.
 
-use super::{Seta, SetaMesh};
-use crate::beam::{MOST_ORDER, TreeError};
-use crate::model::Range;
+use super::mesh::SetaMesh;
+use super::parameters::Seta;
+use crate::beam::element::basis::MOST_ORDER;
+use crate::beam::spatial::tree::branching_beam::TreeError;
+use crate::model::check::error::Range;
 
 /// Most forks: 4096 tips.
 pub const MOST_FORKS: usize = 12;

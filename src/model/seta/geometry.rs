@@ -3,9 +3,12 @@
 //! Every joint stands above the centroid of the tips behind it, moved by the lean of the brush. Joint 0 is the root; the branches that end at
 //! joints 2ᵏ to 2ᵏ⁺¹ - 1 are those behind k forks, and the last of these joints are the tips.
 
-use super::{Seta, SetaError, SetaMesh};
-use crate::beam::rotation::Quaternion;
-use crate::beam::{Branch, BranchingBeam, SpatialStiffness};
+use super::check::SetaError;
+use super::mesh::SetaMesh;
+use super::parameters::Seta;
+use crate::beam::spatial::rotation::Quaternion;
+use crate::beam::spatial::section::spatial_profile::SpatialStiffness;
+use crate::beam::spatial::tree::branching_beam::{Branch, BranchingBeam};
 use std::f64::consts::PI;
 
 /// Of the golden section: fractions of its multiples are spread evenly.

@@ -1,6 +1,6 @@
 //! How a seta is divided into elements.
 
-use crate::beam::MOST_ORDER;
+use crate::beam::element::basis::MOST_ORDER;
 use serde::{Deserialize, Serialize};
 
 /// Elements of the branches of a seta, those of one branch of equal length.

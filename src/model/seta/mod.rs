@@ -1,14 +1,8 @@
 //! A seta as a tree of beams: a shaft that forks again and again, with a spatula at each tip that adheres by a law of its own.
-mod check;
+pub(crate) mod check;
 mod geometry;
-mod mesh;
-mod normal_pull;
-mod parameters;
-mod tip;
-mod tip_law;
-pub use check::{MOST_FORKS, SetaError};
-pub use mesh::SetaMesh;
-pub use normal_pull::{CurvePoint, NormalPull, PullCurve, PullCurveError, Sideways};
-pub use parameters::{Seta, SetaModel};
-pub use tip::AdheringTip;
-pub use tip_law::{TipBranch, TipLaw};
+pub(crate) mod mesh;
+pub(crate) mod normal_pull;
+pub(crate) mod parameters;
+pub(crate) mod tip;
+pub(crate) mod tip_law;

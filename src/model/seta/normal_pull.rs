@@ -7,9 +7,9 @@
 //! and behind the last one it goes on straight. x and z are how far the tip was taken along the ground: free, k = 0, or held by a spring. The
 //! tip turns freely.
 
-use super::{TipBranch, TipLaw};
-use crate::beam::EndResponse;
-use crate::beam::rotation::Quaternion;
+use super::tip_law::{TipBranch, TipLaw};
+use crate::beam::spatial::rotation::Quaternion;
+use crate::beam::spatial::tree::branching_beam::EndResponse;
 use serde::{Deserialize, Serialize};
 
 /// A point of the curve of a normal pull.

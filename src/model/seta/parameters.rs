@@ -13,8 +13,9 @@
 //!
 //! A choice within the ranges of the literature, as neither the paper nor the papers that it cites give the geometry.
 
-use super::{SetaMesh, TipLaw};
-use crate::beam::Material;
+use super::mesh::SetaMesh;
+use super::tip_law::TipLaw;
+use crate::beam::section::Material;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_3, FRAC_PI_4};
 use std::sync::Arc;

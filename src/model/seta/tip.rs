@@ -1,8 +1,8 @@
 //! A tip on a branch of its law, as an energy of a joint.
 
-use super::{TipBranch, TipLaw};
-use crate::beam::rotation::Quaternion;
-use crate::beam::{EndEnergy, EndResponse};
+use super::tip_law::{TipBranch, TipLaw};
+use crate::beam::spatial::rotation::Quaternion;
+use crate::beam::spatial::tree::branching_beam::{EndEnergy, EndResponse};
 use std::sync::Arc;
 
 /// A tip on a branch of its law.

@@ -3,8 +3,8 @@
 //! While it adheres, the spatula at a tip follows one branch of its equilibria, with an energy E(r, q); at the end of that branch it snaps off.
 //! A tip that is detached adheres again when it comes back into contact. So the law has a memory, the branch, and on each branch an energy.
 
-use crate::beam::EndResponse;
-use crate::beam::rotation::Quaternion;
+use crate::beam::spatial::rotation::Quaternion;
+use crate::beam::spatial::tree::branching_beam::EndResponse;
 use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
 use std::sync::Arc;

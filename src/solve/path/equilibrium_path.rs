@@ -5,16 +5,17 @@
 //! observable measured by its own recent changes.
 
 use super::metric::{Metric, Notice};
-use super::near_branch::{self, NearBranch, StepSeen, leads_elsewhere};
-use super::options::{PathError, PathOptions};
-use super::predictor::{self, MOST_POINTS};
+use super::near_branch::{NearBranch, StepSeen, leads_elsewhere};
+use super::options::{PathError, PathOptions, Waypoint};
+use super::predictor::MOST_POINTS;
 use super::settling::settled;
-use super::waypoint::Waypoint;
-use crate::solve::newton::solve_warily;
-use crate::solve::{
-    History, NewtonOptions, Observables, Pace, PathConstraint, Problem, ShouldStop, Solution, SolveError, State,
-    Workspace, solve,
-};
+use super::{near_branch, predictor};
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution, solve, solve_warily};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::problem::Problem;
+use crate::solve::state::{History, State};
+use crate::solve::workspace::{Pace, ShouldStop, Workspace};
 use std::sync::Arc;
 use std::vec;
 

@@ -1,6 +1,7 @@
 //! What a path is measured by: units of its observables.
 
-use crate::solve::{MONITORS, Observables, Problem};
+use crate::solve::observables::{MONITORS, Observables};
+use crate::solve::problem::Problem;
 use serde::{Deserialize, Serialize};
 
 /// Changes of an observable below this share of its scale do not measure a path.

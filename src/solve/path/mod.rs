@@ -1,19 +1,10 @@
 //! Paths of equilibria: stepped, predicted, interpolated.
-mod equilibrium_path;
-mod hermite;
+pub(crate) mod control;
+pub(crate) mod equilibrium_path;
+pub(crate) mod hermite;
 mod metric;
-mod near_branch;
-mod options;
-mod predictor;
-mod segment;
+pub(crate) mod near_branch;
+pub(crate) mod options;
+pub(crate) mod predictor;
+pub(crate) mod segment;
 mod settling;
-mod tracer;
-mod waypoint;
-pub use equilibrium_path::Path;
-pub use hermite::Hermite;
-pub(crate) use near_branch::is_mirrored;
-pub use options::{PathError, PathOptions};
-pub use predictor::{MOST_POINTS, lagrange_weights, longest_step};
-pub use segment::PathSegment;
-pub use tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
-pub use waypoint::Waypoint;

@@ -3,7 +3,10 @@
 //! A pull that is not quite symmetric rounds a bifurcation off. The path from rest turns within a short way, and beside it another branch goes on nearly as
 //! before: a step that is too long lands there.
 
-use crate::solve::{Observables, Pace, Problem, Solution};
+use crate::solve::newton::Solution;
+use crate::solve::observables::Observables;
+use crate::solve::problem::Problem;
+use crate::solve::workspace::Pace;
 use nalgebra::DVector;
 use serde::{Deserialize, Serialize};
 

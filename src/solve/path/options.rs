@@ -1,8 +1,13 @@
-//! How a path is stepped, and why it stops.
+//! How a path is stepped, why it stops, and by what one that is to go on is kept.
 
+use super::metric::Notice;
+use super::near_branch::NearBranch;
 use super::predictor::MOST_POINTS;
-use crate::solve::{Pace, SolveError};
+use crate::solve::error::SolveError;
+use crate::solve::newton::Solution;
+use crate::solve::workspace::Pace;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// How a path is stepped. Its points follow from this and the problem alone.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -50,4 +55,19 @@ pub struct PathError {
     pub force: f64,
     pub tries: usize,
     pub cause: SolveError,
+}
+
+/// A point of a path and what the path has learnt there: with the points before, all that it takes to go on.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Waypoint {
+    /// The equilibrium
+    pub point: Arc<Solution>,
+    pub(super) errors: Vec<f64>,
+    pub(super) iterations: usize,
+    pub(super) careful: bool,
+    pub(super) branch: Option<NearBranch>,
+    #[serde(default)]
+    pub(super) notice: Notice,
+    /// What the point before it was replaced by on the step to it.
+    pub(super) before: Option<Arc<Solution>>,
 }

@@ -5,7 +5,10 @@
 //! are a smooth function of position.
 
 use crate::number::root::Bracket;
-use crate::solve::{MONITORS, Problem, Solution, State};
+use crate::solve::newton::Solution;
+use crate::solve::observables::MONITORS;
+use crate::solve::problem::Problem;
+use crate::solve::state::State;
 use std::sync::Arc;
 
 /// The most points an extrapolation uses.

@@ -1,8 +1,12 @@
 //! The first point of a path that starts at no equilibrium.
 
-use crate::solve::{
-    Held, NewtonOptions, PathConstraint, Problem, RelaxOptions, Solution, SolveError, State, Workspace, relax, settle,
-};
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution, settle};
+use crate::solve::observables::PathConstraint;
+use crate::solve::problem::Problem;
+use crate::solve::relax::{Held, RelaxOptions, relax};
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
 
 /// Most that a step of settling down moves, relative as in [`crate::solve::System::size`].
 const SETTLING: f64 = 0.3;

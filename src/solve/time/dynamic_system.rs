@@ -1,6 +1,11 @@
-//! What time integration asks of a system besides what equilibrium does: mass, what its material remembers, and one factorisation of both.
+//! What time integration asks of a system besides what equilibrium does: mass, what its material remembers, and one factorisation of both; and
+//! where the work goes that is done on a structure in motion.
 
-use crate::solve::{CondensedSystem, NodalTerms, Problem, SolveError, State, System, Workspace};
+use crate::solve::error::SolveError;
+use crate::solve::problem::Problem;
+use crate::solve::state::State;
+use crate::solve::system::{CondensedSystem, NodalTerms, System};
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 /// The rule that replaces the time derivative of what a material remembers: dm/dt = `per_time` (m - `known`) at the end of a step.
@@ -91,5 +96,34 @@ impl DynamicProblem {
     /// A problem whose system is this one.
     pub fn new(problem: Problem, system: Arc<dyn DynamicSystem>) -> Self {
         Self { problem: Problem { system: system.clone(), ..problem }, system }
+    }
+}
+
+/// Energies at one time, and what went in and out since the beginning, aJ.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EnergyBalance {
+    /// Work of the grip since the beginning
+    pub work: f64,
+    /// Elastic energy, with that of springs in series with dashpots
+    pub stored: f64,
+    /// Energy of adhesion, negative
+    pub adhesion: f64,
+    /// Of the machine's spring
+    pub spring: f64,
+    /// Kinetic energy
+    pub kinetic: f64,
+    /// Dissipated by the material since the beginning
+    pub dissipated: f64,
+}
+
+impl EnergyBalance {
+    /// What is in the structure: stored, of adhesion, of the spring and kinetic.
+    pub fn total(&self) -> f64 {
+        self.stored + self.adhesion + self.spring + self.kinetic
+    }
+
+    /// Work less what the structure has more than at the `start`, less what it dissipated: zero, but for the errors of the steps.
+    pub fn defect(&self, start: &Self) -> f64 {
+        self.work - (self.total() - start.total()) - self.dissipated
     }
 }

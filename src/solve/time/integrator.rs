@@ -1,9 +1,14 @@
 //! From step to step in time: how long each is, where it is cut, and what becomes of the energy.
 
+use super::drive::Drive;
+use super::dynamic_system::{DynamicProblem, EnergyBalance, MaterialRate};
 use super::extrapolation::{backward_differences, extrapolation, integral};
+use super::rule::{GeneralisedAlpha, Motion};
 use super::step::{Prescribed, Step, Taken};
-use super::{Drive, DynamicProblem, EnergyBalance, GeneralisedAlpha, MaterialRate, Motion};
-use crate::solve::{MONITORS, SolveError, State, Workspace};
+use crate::solve::error::SolveError;
+use crate::solve::observables::MONITORS;
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
 use std::collections::VecDeque;
 
 /// How long steps are.

@@ -1,15 +1,11 @@
 //! Motion in time of any [`DynamicSystem`]: the generalised-α rule, steps by their error, by stability and by events.
-mod drive;
-mod dynamic_system;
-mod energy;
+pub(crate) mod drive;
+pub(crate) mod dynamic_system;
 mod extrapolation;
-mod integrator;
-mod motion;
-mod rule;
+pub(crate) mod integrator;
+pub(crate) mod rule;
 mod step;
 pub use drive::{Drive, DriveRates, Ramp};
-pub use dynamic_system::{DynamicProblem, DynamicSystem, MaterialRate, StepTerms, ViscousPower};
-pub use energy::EnergyBalance;
+pub use dynamic_system::{DynamicProblem, DynamicSystem, EnergyBalance, MaterialRate, StepTerms, ViscousPower};
 pub use integrator::{Crossing, StepControl, StepEvent, TimeError, TimeIntegrator, TimeOptions};
-pub use motion::Motion;
-pub use rule::GeneralisedAlpha;
+pub use rule::{GeneralisedAlpha, Motion};

@@ -9,6 +9,8 @@
 //! It is of second order; what vibrates faster than steps can follow is damped by ρ∞ a step. a belongs to a time (α_m - α_f) h behind the step: a
 //! step of another length has it moved there, or the order is lost.
 
+use crate::solve::state::State;
+
 /// The rule of one spectral radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeneralisedAlpha {
@@ -58,6 +60,30 @@ impl GeneralisedAlpha {
             acceleration: ((1.0 - self.alpha_m) * pseudo + self.alpha_m * a - self.alpha_f * dv) / (1.0 - self.alpha_f),
             pseudo,
         }
+    }
+}
+
+/// A state in motion, at one time.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// Since the drive began
+    pub time: f64,
+    /// Where it is, with the force of the grip
+    pub at: State,
+    /// v, a direction over time
+    pub velocity: Vec<f64>,
+    /// dv/dt, which satisfies the equation of motion
+    pub acceleration: Vec<f64>,
+    /// a of the rule, which lags behind that
+    pub(super) pseudo: Vec<f64>,
+    /// What the material remembers
+    pub memory: Vec<f64>,
+}
+
+impl Motion {
+    /// At rest in an equilibrium, or let go from any state with this velocity and acceleration. `memory`: what the material remembers.
+    pub fn new(time: f64, at: State, velocity: Vec<f64>, acceleration: Vec<f64>, memory: Vec<f64>) -> Self {
+        Self { time, at, velocity, pseudo: acceleration.clone(), acceleration, memory }
     }
 }
 

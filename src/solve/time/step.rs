@@ -1,9 +1,14 @@
 //! One step in time: Newton's method for the equation of motion at its end.
 
-use super::rule::EndRates;
-use super::{DriveRates, DynamicProblem, GeneralisedAlpha, MaterialRate, Motion, StepTerms};
+use super::drive::DriveRates;
+use super::dynamic_system::{DynamicProblem, MaterialRate, StepTerms};
+use super::rule::{EndRates, GeneralisedAlpha, Motion};
+use crate::solve::error::{Quantity, SolveError};
 use crate::solve::grip_block::GripBlock;
-use crate::solve::{NodalTerms, Observables, PathConstraint, Quantity, SolveError, State, Workspace};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::state::State;
+use crate::solve::system::NodalTerms;
+use crate::solve::workspace::Workspace;
 
 /// Most iterations of a step.
 const MOST_ITERATIONS: usize = 14;

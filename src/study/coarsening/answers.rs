@@ -3,8 +3,8 @@
 use super::branch::TipSheet;
 use super::near_end::Source;
 use super::place::TipResponse;
-use crate::beam::EndResponse;
-use crate::beam::rotation::Quaternion;
+use crate::beam::spatial::rotation::Quaternion;
+use crate::beam::spatial::tree::branching_beam::EndResponse;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 

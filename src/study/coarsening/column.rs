@@ -11,12 +11,15 @@ use super::error::HeldError;
 use super::held_spatula::{HeldSpatula, HeldState, with_own_mesh};
 use super::place::TipPlace;
 use super::sheet_table::SheetNode;
-use crate::beam::FRONT;
-use crate::model::BeamProblem;
-use crate::solve::{
-    LimitPointKind, Located, NewtonOptions, Observables, PathConstraint, PathEvent, PathTracer, Solution, SolveError,
-    TraceOptions, Workspace,
-};
+use crate::beam::planar::planar_beam::FRONT;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::Located;
+use crate::solve::points::tracer::{PathEvent, PathTracer, TraceOptions};
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 /// μ

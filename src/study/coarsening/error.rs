@@ -2,8 +2,11 @@
 
 use super::options::OptionsError;
 use super::place::TipPlace;
-use crate::solve::{PathError, SolveError, TraceError};
-use crate::study::{Bound, NoEquilibrium};
+use crate::solve::error::SolveError;
+use crate::solve::path::options::PathError;
+use crate::solve::points::tracer::TraceError;
+use crate::study::initial::error::NoEquilibrium;
+use crate::study::stop_criteria::Bound;
 use std::fmt;
 
 impl fmt::Display for TipPlace {

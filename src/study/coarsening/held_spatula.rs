@@ -5,14 +5,19 @@
 
 use super::error::HeldError;
 use super::place::{PadEnd, TipPlace, TipResponse};
-use crate::model::{BeamProblem, Discretisation, Form, Grip, Hold, PeelModel, Pull};
-use crate::solve::{
-    Coefficients, INTERFACE, NewtonOptions, Observables, Path, PathConstraint, PathOptions, ShouldStop, Solution,
-    SolveError, State, Workspace, solve,
-};
-use crate::study::Accuracy;
-use crate::study::accuracy::Resolution;
-use crate::study::{Prepared, prepared};
+use crate::model::peel::{Form, Grip, Hold, PeelModel, Pull};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::path::equilibrium_path::Path;
+use crate::solve::path::options::PathOptions;
+use crate::solve::state::State;
+use crate::solve::system::{Coefficients, INTERFACE};
+use crate::solve::workspace::{ShouldStop, Workspace};
+use crate::study::accuracy::{Accuracy, Resolution};
+use crate::study::initial::prepared::{Prepared, prepared};
 
 /// Error of a solution, relative as in [`crate::solve::System::size`].
 const OPTIONS: NewtonOptions =

@@ -19,7 +19,7 @@ use super::options::CoarseningOptions;
 use super::place::{PadEnd, TipPlace, TipResponse};
 use super::run::Coarsening;
 use super::table::TipTable;
-use crate::model::PeelModel;
+use crate::model::peel::PeelModel;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};

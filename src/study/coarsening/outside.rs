@@ -5,8 +5,10 @@
 //! those of the extrapolation did.
 
 use super::error::CoarseningError;
-use super::seta_by_table::TableRound;
-use crate::study::{SetaPoint, SetaPullOff};
+use super::options::TipRange;
+use super::visited::Visited;
+use crate::study::seta::result::{SetaPoint, SetaPullOff};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// Why a table does not grow any more.
@@ -112,4 +114,19 @@ impl fmt::Display for OutsideTable {
             false => ". At the peak, or next to it, there are such tips: it is not known",
         })
     }
+}
+
+/// A pull-off by one of the tables.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TableRound {
+    /// What the table holds
+    pub range: TipRange,
+    /// Nodes of the table
+    pub rows: usize,
+    /// From how far before the end of their branch tips were solved as spatulae, nm; none: all by the table
+    pub within: Option<f64>,
+    /// Where outside of it the tips have been
+    pub visited: Visited,
+    /// Largest force along the last step, nN
+    pub peak_force: Option<f64>,
 }

@@ -1,7 +1,7 @@
 //! What a table of a tip cannot be made of.
 
 use super::error::CoarseningError;
-use crate::model::PeelModel;
+use crate::model::peel::PeelModel;
 
 /// Refuses it.
 pub(super) fn refuse(model: &PeelModel) -> Result<(), CoarseningError> {

@@ -9,9 +9,9 @@ use super::place::{PadEnd, TipPlace, TipResponse};
 use super::refine::{Grid, Refined, Wanted, refined};
 use super::refused::refuse;
 use super::table::TipTable;
-use crate::beam::FRONT;
-use crate::model::PeelModel;
-use crate::study::{Bound, Stage, StopCriteria};
+use crate::beam::planar::planar_beam::FRONT;
+use crate::model::peel::PeelModel;
+use crate::study::stop_criteria::{Bound, Stage, StopCriteria};
 
 /// A spatula whose table is made, widened and refined.
 pub struct Coarsening {

@@ -4,14 +4,21 @@
 use super::error::{CoarseningError, HeldError};
 use super::near_end::NearEnd;
 use super::options::{CoarseningOptions, TipRange};
-use super::outside::{OutsideTable, TableEnd};
+use super::outside::{OutsideTable, TableEnd, TableRound};
 use super::run::Coarsening;
 use super::seta_tip::TableLaw;
 use super::table::TipTable;
 use super::visited::Visited;
-use crate::model::{PeelModel, SetaError, SetaModel, Sideways, TipLaw};
-use crate::study::{Bound, SetaEnd, SetaLoading, SetaOptions, SetaPullOff, StopCriteria, pull_off};
-use serde::{Deserialize, Serialize};
+use crate::model::peel::PeelModel;
+use crate::model::seta::check::SetaError;
+use crate::model::seta::normal_pull::Sideways;
+use crate::model::seta::parameters::SetaModel;
+use crate::model::seta::tip_law::TipLaw;
+use crate::study::seta::loading::SetaLoading;
+use crate::study::seta::options::SetaOptions;
+use crate::study::seta::result::{SetaEnd, SetaPullOff};
+use crate::study::seta::run::pull_off;
+use crate::study::stop_criteria::{Bound, StopCriteria};
 use std::sync::Arc;
 
 /// Nodes along a branch of a table that grows, at most, or twice as many as the first one has.
@@ -32,21 +39,6 @@ pub struct GrowingTable {
     stop: StopCriteria,
     /// The spatula near the end of its branch, once no tip leaves the table
     near_end: Option<Arc<NearEnd>>,
-}
-
-/// A pull-off by one of the tables.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct TableRound {
-    /// What the table holds
-    pub range: TipRange,
-    /// Nodes of the table
-    pub rows: usize,
-    /// From how far before the end of their branch tips were solved as spatulae, nm; none: all by the table
-    pub within: Option<f64>,
-    /// Where outside of it the tips have been
-    pub visited: Visited,
-    /// Largest force along the last step, nN
-    pub peak_force: Option<f64>,
 }
 
 /// What follows a pull-off by a table.

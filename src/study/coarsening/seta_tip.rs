@@ -12,9 +12,10 @@ use super::place::TipPlace;
 use super::table::TipTable;
 use super::tip_in_space::{OutOfPlane, SpatulaTip};
 use super::visited::{Visited, Visits};
-use crate::beam::EndResponse;
-use crate::beam::rotation::Quaternion;
-use crate::model::{Sideways, TipBranch, TipLaw};
+use crate::beam::spatial::rotation::Quaternion;
+use crate::beam::spatial::tree::branching_beam::EndResponse;
+use crate::model::seta::normal_pull::Sideways;
+use crate::model::seta::tip_law::{TipBranch, TipLaw};
 use std::sync::Arc;
 
 /// The law of the tips of a seta by a table.

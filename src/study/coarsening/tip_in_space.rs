@@ -12,8 +12,8 @@
 use super::branch::TipSheet;
 use super::place::{TipPlace, TipResponse};
 use super::table::TipTable;
-use crate::beam::EndResponse;
-use crate::beam::rotation::{Matrix3, Quaternion, apply, apply_transposed, cross, dot, matrix};
+use crate::beam::spatial::rotation::{Matrix3, Quaternion, apply, apply_transposed, cross, dot, matrix};
+use crate::beam::spatial::tree::branching_beam::EndResponse;
 use std::sync::Arc;
 
 const UP: [f64; 3] = [0.0, 1.0, 0.0];

@@ -1,8 +1,10 @@
 //! Why a test stopped short, with what was computed, where and how far.
 
 use super::balance::{Balance, LoadingDirection};
-use crate::solve::{RelaxError, SolveError, TraceError};
-use crate::study::initial::NoEquilibrium;
+use crate::solve::error::SolveError;
+use crate::solve::points::tracer::TraceError;
+use crate::solve::relax::RelaxError;
+use crate::study::initial::error::NoEquilibrium;
 use serde::{Deserialize, Serialize};
 
 /// Most jumps on one way.

@@ -3,11 +3,15 @@
 use super::balance::LoadingDirection;
 use super::result::{Jump, JumpEnd, JumpKind};
 use super::stable_branch::Machine;
-use crate::beam::FRONT;
-use crate::model::BeamProblem;
-use crate::solve::{Located, Observables, Relaxed, Solution, Workspace, on_more_elements, relaxed_on_more_elements};
-use crate::study::Adhering;
+use crate::beam::planar::planar_beam::FRONT;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::newton::Solution;
+use crate::solve::observables::Observables;
+use crate::solve::points::locate::{Located, on_more_elements};
+use crate::solve::relax::{Relaxed, relaxed_on_more_elements};
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, bound_floor, least};
+use crate::study::peel::adhering::Adhering;
 
 /// From where stability is lost to where the strip comes to rest.
 pub(super) fn described(

@@ -1,14 +1,9 @@
 //! What a testing machine records: the stable branches, the jumps between them, and the way back.
-mod balance;
-mod failure;
+pub(super) mod balance;
+pub(super) mod failure;
 mod jump;
-mod model_limit;
-mod observed;
-mod result;
+pub(super) mod model_limit;
+pub(super) mod observed;
+pub(super) mod result;
 mod run;
 mod stable_branch;
-pub use balance::*;
-pub use failure::{BranchError, TestError, TestFailure};
-pub use model_limit::{LeftModel, ModelLimit};
-pub use observed::{NoTest, no_test, observed, observed_retreat};
-pub use result::*;

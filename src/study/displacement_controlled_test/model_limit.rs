@@ -2,9 +2,10 @@
 
 use super::balance::LoadingDirection;
 use super::stable_branch::Machine;
-use crate::beam::{BondedLoss, CollapsedSection};
-use crate::solve::Solution;
-use crate::study::Adhering;
+use crate::beam::planar::model_end::CollapsedSection;
+use crate::beam::planar::model_limits::BondedLoss;
+use crate::solve::newton::Solution;
+use crate::study::peel::adhering::Adhering;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

@@ -2,8 +2,11 @@
 
 use super::result::Observed;
 use super::run::{Course, run};
-use crate::model::{ModelError, PeelModel};
-use crate::study::{Accuracy, StopCriteria, checked};
+use crate::model::check::error::ModelError;
+use crate::model::peel::PeelModel;
+use crate::study::accuracy::Accuracy;
+use crate::study::peeling::checked;
+use crate::study::stop_criteria::StopCriteria;
 
 /// Why a scene has no test.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

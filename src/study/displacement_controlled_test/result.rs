@@ -3,7 +3,8 @@
 use super::balance::{Balance, LoadingDirection};
 use super::failure::TestFailure;
 use super::model_limit::LeftModel;
-use crate::study::{Adhering, Bound};
+use crate::study::peel::adhering::Adhering;
+use crate::study::stop_criteria::Bound;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

@@ -5,19 +5,27 @@ use super::balance::{Balance, LoadingDirection};
 use super::failure::{MOST_JUMPS, TestError, TestFailure};
 use super::jump;
 use super::model_limit::{LeftModel, ModelLimit};
-use super::result::*;
+use super::result::{Elsewhere, Jump, Observed, PullOff, TestEffort, TestEnd, TestPoint};
 use super::stable_branch::{BranchEnd, Machine, StableBranch, Until};
-use crate::beam::{FRONT, MeshKind};
-use crate::model::{BeamProblem, Discretisation, FineEnds, Form, PeelModel};
-use crate::solve::{
-    EndConditions, Held, Located, MeasuredBeside, Pace, PathOptions, RelaxOptions, Solution, State, Workspace,
-    disturbed, disturbed_anyhow, relax,
-};
-use crate::study::accuracy::{Choice, Resolution, most_elements};
+use crate::beam::mesh::MeshKind;
+use crate::beam::planar::planar_beam::FRONT;
+use crate::model::peel::{Form, PeelModel};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::{Discretisation, FineEnds};
+use crate::solve::newton::Solution;
+use crate::solve::path::options::PathOptions;
+use crate::solve::points::locate::Located;
+use crate::solve::problem::{EndConditions, MeasuredBeside};
+use crate::solve::relax::{Held, RelaxOptions, disturbed, disturbed_anyhow, relax};
+use crate::solve::state::State;
+use crate::solve::workspace::{Pace, Workspace};
+use crate::study::accuracy::{Accuracy, Choice, Resolution, most_elements};
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
-use crate::study::initial::{NoEquilibrium, prepared};
+use crate::study::initial::error::NoEquilibrium;
+use crate::study::initial::prepared::prepared;
+use crate::study::peel::adhering::Adhering;
 use crate::study::refinement::{MOST_FAILED_IN_SPACE, refined};
-use crate::study::{Accuracy, Adhering, Stage, StopCriteria};
+use crate::study::stop_criteria::{Stage, StopCriteria};
 use std::sync::Arc;
 
 /// Most that a step of relaxation moves, relative to the gap.

@@ -1,13 +1,22 @@
 //! One stable piece of a test: from an equilibrium on until it is lost or the machine has arrived.
 
 use super::failure::{BranchError, TestError};
-use crate::model::{Beam, BeamProblem};
-use crate::solve::{
-    LimitPointKind, Located, NewtonOptions, Observables, Path, PathConstraint, PathEvent, PathOptions, PathSegment,
-    PathTracer, RelaxError, Solution, State, TraceOptions, Workspace, locate, solve,
-};
-use crate::study::peel::{Adhering, StepCurve, is_clear};
-use crate::study::{Bound, Stage, StopCriteria};
+use crate::model::problem::beam_problem::{Beam, BeamProblem};
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::path::equilibrium_path::Path;
+use crate::solve::path::options::PathOptions;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::{Located, locate};
+use crate::solve::points::tracer::{PathEvent, PathTracer, TraceOptions};
+use crate::solve::relax::RelaxError;
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
+use crate::study::peel::adhering::Adhering;
+use crate::study::peel::equilibrium_path::path_end::is_clear;
+use crate::study::peel::step_curve::StepCurve;
+use crate::study::stop_criteria::{Bound, Stage, StopCriteria};
 use std::sync::Arc;
 
 /// Where a piece ends.

@@ -1,7 +1,12 @@
 //! How the displacement of the first jump changes with the parameters.
 
 use super::machine_curve::MachineCurve;
-use crate::study::{ForceOnBranch, NoSensitivities, Peel, PeelQuantity, Variation, forces_on_branch, sensitivities};
+use crate::study::peel::result::Peel;
+use crate::study::sensitivity::Variation;
+use crate::study::sensitivity::error::NoSensitivities;
+use crate::study::sensitivity::force::{ForceOnBranch, forces_on_branch};
+use crate::study::sensitivity::quantity::PeelQuantity;
+use crate::study::sensitivity::run::sensitivities;
 
 /// dU*/dx of the first jump, a number a variation: 0 where the path ends without one. `compliance` is d(1/k)/dx.
 ///

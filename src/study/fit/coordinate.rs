@@ -2,7 +2,7 @@
 
 use super::error::NoFit;
 use super::problem::FitParameter;
-use crate::model::Range;
+use crate::model::check::error::Range;
 
 /// How many times its initial value a parameter above zero may become, and how small a share of it, unless its bounds say.
 const WITHIN: f64 = 100.0;

@@ -1,7 +1,7 @@
 //! Why there is no fit.
 
-use crate::model::ModelError;
-use crate::study::NoSensitivities;
+use crate::model::check::error::ModelError;
+use crate::study::sensitivity::error::NoSensitivities;
 
 /// Why a measured curve cannot be fitted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -1,8 +1,10 @@
 //! The first stable branch of a path as a machine with a spring records it.
 
 use crate::number::root::Bracket;
-use crate::solve::{Hermite, LimitPointKind, PathSegment};
-use crate::study::Peel;
+use crate::solve::path::hermite::Hermite;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::kind::LimitPointKind;
+use crate::study::peel::result::Peel;
 
 /// A point of the branch.
 #[derive(Clone, Copy, Debug, PartialEq)]

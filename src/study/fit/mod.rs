@@ -13,27 +13,17 @@
 
 mod at_jump;
 mod coordinate;
-mod error;
-mod loss;
+pub(super) mod error;
+pub(super) mod loss;
 mod machine_curve;
-mod measured_curve;
+pub(super) mod measured_curve;
 mod modelled;
 mod poorly_determined;
-mod problem;
+pub(super) mod problem;
 mod profile;
 mod residuals;
-mod result;
-mod run;
+pub(super) mod result;
+pub(super) mod run;
 mod search;
 mod statistics;
-mod warnings;
-
-pub use error::{FitDataError, NoFit};
-pub use loss::Loss;
-pub use measured_curve::{MeasuredCurve, MeasuredJump, MeasuredPoint};
-pub use problem::{FitOptions, FitParameter, FitProblem, ModelOf, ParameterOf, ProfileChoice};
-pub use result::{
-    Combination, Fit, FitEnd, FittedJump, FittedParameter, FittedPoint, PairDetermined, PointPlace, Profile,
-};
-pub use run::fit;
-pub use warnings::FitWarning;
+pub(super) mod warnings;

@@ -1,7 +1,8 @@
 //! What is to be fitted, and how.
 
 use super::loss::Loss;
-use crate::model::{PeelModel, Range};
+use crate::model::check::error::Range;
+use crate::model::peel::PeelModel;
 
 /// What a parameter changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,9 +8,13 @@ use super::machine_curve::MachineCurve;
 use super::measured_curve::MeasuredCurve;
 use super::modelled::{Change, Modelled};
 use super::problem::{FitOptions, FitProblem, ParameterOf};
-use crate::study::{
-    Accuracy, Bound, NoSensitivities, PathEnd, Peel, StopCriteria, Variation, checked, forces_on_branch, peel,
-};
+use crate::study::accuracy::Accuracy;
+use crate::study::peel::result::{PathEnd, Peel};
+use crate::study::peeling::{checked, peel};
+use crate::study::sensitivity::Variation;
+use crate::study::sensitivity::error::NoSensitivities;
+use crate::study::sensitivity::force::forces_on_branch;
+use crate::study::stop_criteria::{Bound, StopCriteria};
 use nalgebra::{DMatrix, DVector};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
@@ -229,7 +233,7 @@ impl Evaluator<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::measured_curve::MeasuredPoint;
+    use super::super::measured_curve::{MeasuredJump, MeasuredPoint};
     use super::super::problem::FitParameter;
     use super::super::result::PointPlace;
     use super::*;
@@ -265,7 +269,7 @@ mod tests {
             let places = [0.6, 0.75, 1.0, 2.0, 6.0, 30.0, last];
             let point = |&displacement: &f64| MeasuredPoint { displacement, force: displacement, force_error: None };
             let mut measured = MeasuredCurve::new(places.iter().map(point).collect(), None).unwrap();
-            measured.jump = Some(super::super::MeasuredJump { displacement: last, error: 0.1 });
+            measured.jump = Some(MeasuredJump { displacement: last, error: 0.1 });
             let (options, accuracy) = (FitOptions::default(), Accuracy::to(1e-8));
             let coordinates =
                 problem.parameters.iter().map(|parameter| Coordinate::new(parameter, 25.0).unwrap()).collect();

@@ -1,6 +1,6 @@
 //! What a fit found.
 
-use crate::model::PeelModel;
+use crate::model::peel::PeelModel;
 
 /// How a fit ended.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! The least squares of some coordinates, the others held, by Levenberg and Marquardt's method.
 
 use super::residuals::{Derivatives, Evaluator, Trial, Weights};
-use crate::study::NoSensitivities;
+use crate::study::sensitivity::error::NoSensitivities;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};

@@ -12,7 +12,7 @@ pub enum FitWarning {
         keys: [String; 2],
         /// Of their coordinates
         correlation: f64,
-        /// As of [`super::PairDetermined`]
+        /// As of [`crate::study::PairDetermined`]
         exponent: Option<f64>,
         /// Likewise
         relative_error: Option<f64>,

@@ -1,8 +1,12 @@
 //! Why a path has no start.
 
-use crate::beam::{ForcesInSpace, GripForces, GripState, UprightSection};
-use crate::model::{Moved, NoSuchOrder, Step, whole_degrees};
-use crate::solve::{PathError, RelaxError, SolveError};
+use crate::beam::grip_state::{ForcesInSpace, GripForces, GripState};
+use crate::beam::planar::model_limits::UprightSection;
+use crate::model::problem::build::NoSuchOrder;
+use crate::model::step::{Moved, Step, whole_degrees};
+use crate::solve::error::SolveError;
+use crate::solve::path::options::PathError;
+use crate::solve::relax::RelaxError;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

@@ -7,12 +7,22 @@
 
 use super::error::{LoadingError, LoadingPhase, LoadingProgress, LoadingUnit, NoEquilibrium};
 use super::grip_control::{GripControl, LettingGo, NONE};
-use crate::beam::{BUNDLE, FRONT, GripState};
-use crate::model::{BeamProblem, Moved, PeelModel, Step};
-use crate::solve::{
-    LimitPointKind, Located, MOST_POINTS, NewtonOptions, Observables, Pace, Path, PathConstraint, PathOptions,
-    PathSegment, ShouldStop, Solution, State, Workspace, locate, settle, solve,
-};
+use crate::beam::element::integration::BUNDLE;
+use crate::beam::grip_state::GripState;
+use crate::beam::planar::planar_beam::FRONT;
+use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::step::{Moved, Step};
+use crate::solve::newton::{NewtonOptions, Solution, settle, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::path::equilibrium_path::Path;
+use crate::solve::path::options::PathOptions;
+use crate::solve::path::predictor::MOST_POINTS;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::{Located, locate};
+use crate::solve::state::State;
+use crate::solve::workspace::{Pace, ShouldStop, Workspace};
 use std::sync::Arc;
 
 /// Elements on which steps are followed, over those of a short strip, and more for each break of an outline; their ends are found on

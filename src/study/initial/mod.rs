@@ -1,66 +1,8 @@
 //! Where a path starts: how the beam comes to lie on its ground, and what the grip does before the pull.
-mod error;
+pub(super) mod error;
 mod grip_control;
-mod grip_in_space;
 mod loading_steps;
+pub(crate) mod prepared;
 mod settled_in_space;
 mod settled_on_ground;
-mod stability;
-
-pub use error::*;
-
-use crate::beam::{GripState, MeshKind};
-use crate::model::{BeamProblem, Discretisation, PeelModel};
-use crate::solve::ShouldStop;
-use serde::{Deserialize, Serialize};
-use std::sync::Arc;
-
-/// A problem whose path can be followed.
-#[derive(Clone)]
-pub struct Prepared {
-    /// With the start of its path
-    pub problem: BeamProblem,
-    /// The grip behind each step before the pull, seen from where it took hold.
-    pub steps: Vec<GripState>,
-    /// Where the equilibrium next to the stress-free configuration is unstable: what it took to leave it.
-    pub relaxed: Option<RelaxedStart>,
-}
-
-/// A start that was unstable: the beam was relaxed from there to a stable equilibrium.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct RelaxedStart {
-    /// Negative eigenvalues of the equilibrium that it left
-    pub negative: usize,
-    /// Energy that it released on the way, aJ
-    pub released: f64,
-}
-
-/// What the solver is given, with the start of its path found: on ground that is not flat the beam has settled there, from an unstable
-/// equilibrium it has been relaxed to a stable one, and the steps before the pull have been taken. The error says which of them has no end,
-/// or why the model has no stable state.
-pub fn prepared(
-    model: &PeelModel,
-    how: Discretisation,
-    should_stop: Option<ShouldStop>,
-) -> Result<Prepared, NotPrepared> {
-    let refused = |why: UnstableRest| NotPrepared { why: why.into(), steps: Vec::new() };
-    stability::check_bonded(model).map_err(refused)?;
-    let discretised = |how: Discretisation| {
-        let problem = model.discretised(how, |_| {});
-        problem.map_err(|why| NotPrepared { why: NoEquilibrium::Order(why), steps: Vec::new() })
-    };
-    let mut problem = discretised(how)?;
-    if !model.ground.substrate.is_flat() {
-        // it may touch anywhere
-        let fixed = discretised(how.on(MeshKind::Graded))?;
-        let at = settled_on_ground::settled_on_ground(&fixed, &model.ground, model.contact_extent(), &should_stop)
-            .map_err(|why| NotPrepared { why: NoEquilibrium::OnGround(why), steps: Vec::new() })?;
-        problem.start_at(Arc::new(at));
-    }
-    settled_in_space::settle(model, &mut problem, &should_stop);
-    let relaxed = stability::stabilise(model, how, &mut problem, &should_stop).map_err(refused)?;
-    match loading_steps::take(model, &mut problem, should_stop) {
-        (steps, Ok(())) => Ok(Prepared { problem, steps, relaxed }),
-        (steps, Err(why)) => Err(NotPrepared { why, steps }),
-    }
-}
+pub(super) mod stability;

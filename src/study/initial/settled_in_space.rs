@@ -5,8 +5,12 @@
 //! mirror image of the pull leads to the mirror image of the peel.
 
 use super::loading_steps::elements;
-use crate::model::{BeamProblem, PeelModel};
-use crate::solve::{Held, InitialState, RelaxOptions, ShouldStop, State, Workspace, disturbed_anyhow, relax};
+use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::problem::InitialState;
+use crate::solve::relax::{Held, RelaxOptions, disturbed_anyhow, relax};
+use crate::solve::state::State;
+use crate::solve::workspace::{ShouldStop, Workspace};
 use std::sync::Arc;
 
 /// Most that a step of relaxation moves, relative as in [`crate::solve::System::size`], and most steps.

@@ -1,12 +1,17 @@
 //! How a beam comes to lie on ground that is not flat: relaxed without a grip, from a guess, to the stable equilibrium next to it.
 
 use super::error::SettlingError;
-use crate::beam::{FRONT, PlanarBeam, ReferenceConfiguration};
-use crate::model::{BeamProblem, Ground, Start};
-use crate::solve::{
-    EndConditions, Held, INTERFACE, Mesh, NewtonOptions, Observables, PathConstraint, RelaxOptions, ShouldStop, State,
-    System, Workspace, relax, settle,
-};
+use crate::beam::planar::planar_beam::{FRONT, PlanarBeam};
+use crate::beam::reference_configuration::ReferenceConfiguration;
+use crate::model::ground::{Ground, Start};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::newton::{NewtonOptions, settle};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::problem::EndConditions;
+use crate::solve::relax::{Held, RelaxOptions, relax};
+use crate::solve::state::{Mesh, State};
+use crate::solve::system::{INTERFACE, System};
+use crate::solve::workspace::{ShouldStop, Workspace};
 
 /// Lengths of the elements on which it relaxes, over the length of the process zone and over the least length in which the
 /// ground changes; the equilibrium is then found on twice as many, again and again until they do not move the grip any more.

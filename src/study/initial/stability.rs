@@ -1,17 +1,32 @@
 //! Whether a model has a stable state to start from: by the criterion of what is bonded, before anything is solved, and by the
 //! negative eigenvalues of the equilibrium where the path would start.
 
-use super::RelaxedStart;
 use super::error::UnstableRest;
 use super::loading_steps::elements;
-use crate::beam::{BondedBeam, BondedMode};
-use crate::model::{Adhesion, BeamProblem, Discretisation, Form, Hold, PeelModel};
-use crate::solve::{
-    Held, InitialState, MOST_POINTS, Path, PathError, PathOptions, RelaxError, RelaxOptions, ShouldStop, Solution,
-    State, Workspace, disturbed_anyhow, relax,
-};
+use crate::beam::bonded_beam::{BondedBeam, BondedMode};
+use crate::model::peel::{Adhesion, Form, Hold, PeelModel};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
+use crate::solve::newton::Solution;
+use crate::solve::path::equilibrium_path::Path;
+use crate::solve::path::options::{PathError, PathOptions};
+use crate::solve::path::predictor::MOST_POINTS;
+use crate::solve::problem::InitialState;
+use crate::solve::relax::{Held, RelaxError, RelaxOptions, disturbed_anyhow, relax};
+use crate::solve::state::State;
+use crate::solve::workspace::{ShouldStop, Workspace};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
+
+/// A start that was unstable: the beam was relaxed from there to a stable equilibrium.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RelaxedStart {
+    /// Negative eigenvalues of the equilibrium that it left
+    pub negative: usize,
+    /// Energy that it released on the way, aJ
+    pub released: f64,
+}
 
 /// Places at which the sections of a beam of varying outline are looked at.
 const PLACES: usize = 64;

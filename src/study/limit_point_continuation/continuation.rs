@@ -5,14 +5,19 @@
 //! coordinates, as many as have been best so far; the mesh follows the front and the process zone of each model. Values between those that are asked for are taken where the extrapolation would be too far off.
 
 use super::result::PointKind;
-use crate::beam::FRONT;
-use crate::model::{BeamProblem, Discretisation, Form, PeelModel};
-use crate::solve::{
-    BendRule, FoundLimitPoint, LimitPointSearch, Mesh, Observables, Problem, SolveError, State, Workspace,
-    lagrange_weights, longest_step,
-};
+use crate::beam::planar::planar_beam::FRONT;
+use crate::model::peel::{Form, PeelModel};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
+use crate::solve::error::SolveError;
+use crate::solve::observables::Observables;
+use crate::solve::path::predictor::{lagrange_weights, longest_step};
+use crate::solve::points::search::{BendRule, FoundLimitPoint, LimitPointSearch};
+use crate::solve::problem::Problem;
+use crate::solve::state::{Mesh, State};
+use crate::solve::workspace::Workspace;
 use crate::study::accuracy::ORDER;
-use crate::study::peel::power;
+use crate::study::peel::work::power;
 use std::collections::VecDeque;
 
 /// Most values that an extrapolation uses.

@@ -5,13 +5,20 @@
 //! sides of the cusp, and its zero a regular one, where the limit points themselves are singular.
 
 use super::failure::CuspError;
-use crate::model::{BeamProblem, Form, PeelModel};
-use crate::solve::{
-    LimitPointKind, NewtonOptions, Observables, PathConstraint, Problem, Solution, State, Workspace, solve,
-};
-use crate::study::accuracy::{ORDER, Resolution};
+use crate::model::peel::{Form, PeelModel};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::problem::Problem;
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
+use crate::study::accuracy::{Accuracy, ORDER, Resolution};
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
-use crate::study::{Accuracy, PathEnd, StopCriteria, Terms, peel};
+use crate::study::peel::result::PathEnd;
+use crate::study::peeling::peel;
+use crate::study::stop_criteria::StopCriteria;
+use crate::study::terms::decision::Terms;
 use std::sync::Arc;
 
 /// A cusp of the path in a parameter.

@@ -4,8 +4,12 @@ use super::continuation::{Known, problem, search};
 use super::result::PointKind;
 use super::strand::Difference;
 use super::values::Sweep;
-use crate::beam::FRONT;
-use crate::solve::{BendRule, Located, Mesh, SolveError, Workspace};
+use crate::beam::planar::planar_beam::FRONT;
+use crate::solve::error::SolveError;
+use crate::solve::points::locate::Located;
+use crate::solve::points::search::BendRule;
+use crate::solve::state::Mesh;
+use crate::solve::workspace::Workspace;
 use crate::study::accuracy::{ORDER, Resolution};
 use crate::study::error_bounds::FOLLOWED_BOUND_FACTOR;
 

@@ -1,8 +1,11 @@
 //! Why a limit point was not found, and why no cusp.
 
-use crate::solve::{SolveError, TraceError};
-use crate::study::initial::NoEquilibrium;
-use crate::study::{Bound, Failure, PathEnd};
+use crate::solve::error::SolveError;
+use crate::solve::points::tracer::TraceError;
+use crate::study::initial::error::NoEquilibrium;
+use crate::study::peel::failure::Failure;
+use crate::study::peel::result::PathEnd;
+use crate::study::stop_criteria::Bound;
 use serde::{Deserialize, Serialize};
 
 /// Why the point to be followed is not known from the path from rest.

@@ -2,14 +2,20 @@
 
 use super::failure::PointNotFound;
 use super::result::PointKind;
-use crate::model::{Discretisation, Form, PeelModel};
-use crate::solve::{
-    LimitPointKind, Located, Path, PathEvent, PathSegment, PathTracer, Problem, TraceOptions, Workspace, brackets,
-    locate,
-};
-use crate::study::accuracy::{ORDER, Resolution};
-use crate::study::initial::prepared;
-use crate::study::{Accuracy, Bound, StopCriteria, peel};
+use crate::model::peel::{Form, PeelModel};
+use crate::model::problem::build::Discretisation;
+use crate::solve::path::equilibrium_path::Path;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::bracket::brackets;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::{Located, locate};
+use crate::solve::points::tracer::{PathEvent, PathTracer, TraceOptions};
+use crate::solve::problem::Problem;
+use crate::solve::workspace::Workspace;
+use crate::study::accuracy::{Accuracy, ORDER, Resolution};
+use crate::study::initial::prepared::prepared;
+use crate::study::peeling::peel;
+use crate::study::stop_criteria::{Bound, StopCriteria};
 
 /// The accuracy of the beginning of the path that finds the first maximum; the point is solved for again on a mesh of its
 /// own.

@@ -1,16 +1,12 @@
 //! A limit point followed in a parameter of the model, and where two of them meet.
 mod confirmation;
 mod continuation;
-mod cusp;
+pub(super) mod cusp;
 mod elements;
-mod failure;
+pub(super) mod failure;
 mod initial_limit_point;
-mod result;
+pub(super) mod result;
 mod rows;
 mod strand;
-mod sweep;
+pub(super) mod sweep;
 mod values;
-pub use cusp::{Cusp, cusp};
-pub use failure::{CuspError, PointNotFound};
-pub use result::*;
-pub use sweep::follow_point;

@@ -1,8 +1,9 @@
 //! What a sweep that follows one point gives.
 
 use super::failure::PointNotFound;
-use crate::solve::{LimitPointKind, SolveError};
-use crate::study::peel::{LimitPoint, Peak};
+use crate::solve::error::SolveError;
+use crate::solve::points::kind::LimitPointKind;
+use crate::study::peel::points::{LimitPoint, Peak};
 
 /// The point of a peel that can be followed in a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,12 +3,12 @@
 use super::result::{FollowedPoint, FollowedRow, PointKind};
 use super::strand::{Difference, Found, NEIGHBOURS, Strand};
 use super::values::Sweep;
-use crate::model::{Discretisation, Form, PeelModel};
-use crate::solve::Path;
-use crate::study::Accuracy;
-use crate::study::accuracy::{ORDER, Resolution};
+use crate::model::peel::{Form, PeelModel};
+use crate::model::problem::build::Discretisation;
+use crate::solve::path::equilibrium_path::Path;
+use crate::study::accuracy::{Accuracy, ORDER, Resolution};
 use crate::study::error_bounds::{FOLLOWED_BOUND_FACTOR, ROUND_OFF, ROUND_OFF_PLACE, TOLERANCE_FLOOR_FRACTION};
-use crate::study::initial::prepared;
+use crate::study::initial::prepared::prepared;
 
 impl Sweep<'_> {
     /// The rows of a strand, each bounded by the checks around it.

@@ -2,7 +2,7 @@
 
 use super::continuation::Known;
 use super::result::{PointKind, Remark};
-use crate::solve::Observables;
+use crate::solve::observables::Observables;
 
 /// A value's error bound is the largest difference at this many checks on either side of it.
 pub(super) const NEIGHBOURS: usize = 3;

@@ -12,10 +12,13 @@ use super::failure::PointNotFound;
 use super::result::{FollowedPoint, FollowedRow, FollowedSweep, PointKind, Remark, Spacing};
 use super::strand::{Found, Strand};
 use super::values::Sweep;
-use crate::model::PeelModel;
-use crate::solve::SolveError;
+use crate::model::peel::PeelModel;
+use crate::solve::error::SolveError;
+use crate::study::accuracy::Accuracy;
+use crate::study::peeling::peel;
 use crate::study::refused::failure;
-use crate::study::{Accuracy, StopCriteria, Terms, peel};
+use crate::study::stop_criteria::StopCriteria;
+use crate::study::terms::decision::Terms;
 
 /// Follows the point of `kind`, on flat ground and with no steps before the pull, over `values` of a parameter, which make their way
 /// evenly in the sense of `spacing`. `model` gives the model at a value, also at values in between. `stop` gives the stop criteria of

@@ -3,9 +3,12 @@
 use super::failure::PointNotFound;
 use super::initial_limit_point::initial_limit_point;
 use super::result::{PointKind, Spacing};
-use crate::model::{ModelError, PeelModel};
-use crate::solve::Located;
-use crate::study::{Accuracy, StopCriteria, checked};
+use crate::model::check::error::ModelError;
+use crate::model::peel::PeelModel;
+use crate::solve::points::locate::Located;
+use crate::study::accuracy::Accuracy;
+use crate::study::peeling::checked;
+use crate::study::stop_criteria::StopCriteria;
 
 /// Parts of the sweep at whose ends the point is held against the path from rest.
 const PARTS: usize = 4;

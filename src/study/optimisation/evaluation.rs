@@ -1,20 +1,13 @@
 //! One design evaluated: ln Q and its gradient from one peel a factor of the objective, and one adjoint.
 
-use super::options::OptimisationOptions;
+use super::options::{Evaluation, OptimisationOptions};
 use super::problem::{DesignProblem, Factor};
 use super::search_path::SearchPath;
-use crate::study::{Derivative, Peel, Spacing, Variation, peel, sensitivities};
-
-/// What was found of one design. A design whose peel has no such number, or that cannot be computed, has no value.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Evaluation {
-    /// From 0 to 1 between the bounds of each variable
-    pub coordinates: Vec<f64>,
-    /// ln Q; none: a bad point
-    pub log_value: Option<f64>,
-    /// d ln Q/d coordinate; empty where it was not asked for or there is none
-    pub gradient: Vec<f64>,
-}
+use crate::study::limit_point_continuation::result::Spacing;
+use crate::study::peel::result::Peel;
+use crate::study::peeling::peel;
+use crate::study::sensitivity::run::sensitivities;
+use crate::study::sensitivity::{Derivative, Variation};
 
 /// A gradient of ln Q to the accuracy asked for.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! Why a design problem is refused, or no optimum was found.
 
-use crate::model::ModelError;
-use crate::study::PathEnd;
+use crate::model::check::error::ModelError;
+use crate::study::peel::result::PathEnd;
 
 /// Why there is no optimum.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -17,13 +17,13 @@ mod search_path;
 mod sequential_quadratic;
 mod starts;
 pub use certificate::{Certificate, DerivativeFreeCheck, Neighbours};
-pub use evaluation::Evaluation;
 pub use failure::NoOptimum;
-pub use options::{OptimisationOptions, SearchMethod};
+pub use options::{Evaluation, OptimisationOptions, SearchMethod};
 pub use problem::{
     ConstraintKind, DesignConstraint, DesignFunction, DesignModel, DesignProblem, DesignVariable, Goal, Objective,
+    ProfileColumn,
 };
-pub use profile::{ProfileColumn, ProfileDesign, volume};
+pub use profile::{ProfileDesign, volume};
 pub use projected_gradient::ActiveConstraint;
 pub use result::{Design, Optimum};
 pub use run::optimise;

@@ -1,7 +1,18 @@
 //! How an optimum is looked for.
 
-use super::evaluation::Evaluation;
-use crate::study::{Accuracy, StopCriteria};
+use crate::study::accuracy::Accuracy;
+use crate::study::stop_criteria::StopCriteria;
+
+/// What was found of one design. A design whose peel has no such number, or that cannot be computed, has no value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Evaluation {
+    /// From 0 to 1 between the bounds of each variable
+    pub coordinates: Vec<f64>,
+    /// ln Q; none: a bad point
+    pub log_value: Option<f64>,
+    /// d ln Q/d coordinate; empty where it was not asked for or there is none
+    pub gradient: Vec<f64>,
+}
 
 /// How the next design is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

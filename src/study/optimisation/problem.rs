@@ -7,9 +7,9 @@
 //!
 //! - for a maximum, + for a minimum of the objective Q. Derivatives of ln Q have no unit, and neither have g and e.
 
-use super::profile::ProfileColumn;
-use crate::model::PeelModel;
-use crate::study::{PeelQuantity, Spacing};
+use crate::model::peel::PeelModel;
+use crate::study::limit_point_continuation::result::Spacing;
+use crate::study::sensitivity::quantity::PeelQuantity;
 
 /// Whether the objective is to be large or small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -225,5 +225,24 @@ impl DesignProblem<'_> {
             if constraint.kind == ConstraintKind::Equal { value.abs() } else { value.max(0.0) }
         };
         self.constraints.iter().map(of).fold(0.0, f64::max)
+    }
+}
+
+/// What varies along the body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum ProfileColumn {
+    /// The width
+    Width,
+    /// The height of the section
+    Height,
+}
+
+impl ProfileColumn {
+    /// Its name in a scene and in results.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Width => "width",
+            Self::Height => "height",
+        }
     }
 }

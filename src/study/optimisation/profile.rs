@@ -1,30 +1,13 @@
 //! Width and height along a body as design variables: values at places evenly along it, with the monotone cubic of
 //! [`ProfileTable`] between them.
 
-use super::problem::{ConstraintKind, DesignConstraint, DesignVariable};
-use crate::model::{Body, PeelModel, Profile, ProfileColumns, ProfileForm, ProfileTable};
-use crate::study::Spacing;
+use super::problem::{ConstraintKind, DesignConstraint, DesignVariable, ProfileColumn};
+use crate::model::body::Body;
+use crate::model::body::profile::{Profile, ProfileColumns, ProfileForm, ProfileTable};
+use crate::model::peel::PeelModel;
+use crate::study::limit_point_continuation::result::Spacing;
 use gauss_quad::GaussLegendre;
 use std::num::NonZeroUsize;
-
-/// What varies along the body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum ProfileColumn {
-    /// The width
-    Width,
-    /// The height of the section
-    Height,
-}
-
-impl ProfileColumn {
-    /// Its name in a scene and in results.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Width => "width",
-            Self::Height => "height",
-        }
-    }
-}
 
 /// The outline of a body by rows evenly along it.
 #[derive(Clone, Debug, PartialEq)]

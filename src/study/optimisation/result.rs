@@ -2,7 +2,7 @@
 
 use super::certificate::Certificate;
 use super::search::SearchResult;
-use crate::study::Peel;
+use crate::study::peel::result::Peel;
 
 /// One design with its peels, to the accuracy that was asked for.
 #[derive(Debug)]

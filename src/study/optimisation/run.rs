@@ -10,7 +10,9 @@ use super::refine::refined;
 use super::result::{Design, Optimum};
 use super::search::{FEASIBLE, Search, SearchEnd, SearchResult};
 use super::starts::{projected, random};
-use crate::study::{Peel, peel};
+use super::{derivative_free, quasi_newton, sequential_quadratic};
+use crate::study::peel::result::Peel;
+use crate::study::peeling::peel;
 use rayon::prelude::*;
 
 /// Finds the best design.
@@ -150,4 +152,24 @@ fn assembled(
     let relative = |design: &Design| design.error.map(|error| error / design.objective);
     let gain_error = relative(&before).zip(relative(&after)).map(|(a, b)| gain * (a + b));
     Optimum { before, after, value_errors, gain, gain_error, searches, best_search, certificate, unfinished }
+}
+
+/// How a search chooses its designs.
+impl Search<'_> {
+    /// Searches from these coordinates.
+    pub fn run(self, method: SearchMethod, from: &[f64]) -> SearchResult {
+        self.gives_up.set(method != SearchMethod::DerivativeFree);
+        let end = match method {
+            SearchMethod::QuasiNewton => quasi_newton::search(&self, from),
+            SearchMethod::SequentialQuadratic => sequential_quadratic::search(&self, from),
+            SearchMethod::DerivativeFree => derivative_free::search(&self, from, derivative_free::FIRST_STEP),
+        };
+        self.into_result(end)
+    }
+
+    /// Searches without gradients in the neighbourhood of these coordinates.
+    pub fn run_check(self, from: &[f64]) -> SearchResult {
+        let end = derivative_free::search(&self, from, derivative_free::SMALL_STEP);
+        self.into_result(end)
+    }
 }

@@ -1,10 +1,9 @@
 //! One search: what all methods share. It evaluates designs, remembers them, and knows the best.
 
-use super::evaluation::{Evaluation, Evaluator};
-use super::options::{OptimisationOptions, SearchMethod};
+use super::evaluation::Evaluator;
+use super::options::{Evaluation, OptimisationOptions};
 use super::problem::DesignProblem;
 use super::projected_gradient::projected_gradient;
-use super::{derivative_free, quasi_newton, sequential_quadratic};
 use std::cell::{Cell, RefCell};
 
 /// A constraint that is violated by less holds.
@@ -26,7 +25,7 @@ pub(super) struct Search<'p> {
     seen: RefCell<Vec<Evaluation>>,
     stopped: Cell<bool>,
     /// Whether it ends where nothing more is gained
-    gives_up: Cell<bool>,
+    pub gives_up: Cell<bool>,
     /// Whether the newest design fulfils the first-order conditions of an optimum
     is_stationary: Cell<bool>,
 }
@@ -86,24 +85,7 @@ impl<'p> Search<'p> {
         }
     }
 
-    /// Searches from these coordinates.
-    pub fn run(self, method: SearchMethod, from: &[f64]) -> SearchResult {
-        self.gives_up.set(method != SearchMethod::DerivativeFree);
-        let end = match method {
-            SearchMethod::QuasiNewton => quasi_newton::search(&self, from),
-            SearchMethod::SequentialQuadratic => sequential_quadratic::search(&self, from),
-            SearchMethod::DerivativeFree => derivative_free::search(&self, from, derivative_free::FIRST_STEP),
-        };
-        self.into_result(end)
-    }
-
-    /// Searches without gradients in the neighbourhood of these coordinates.
-    pub fn run_check(self, from: &[f64]) -> SearchResult {
-        let end = derivative_free::search(&self, from, derivative_free::SMALL_STEP);
-        self.into_result(end)
-    }
-
-    fn into_result(self, end: SearchEnd) -> SearchResult {
+    pub fn into_result(self, end: SearchEnd) -> SearchResult {
         let end = match end {
             _ if self.stopped.get() => SearchEnd::Interrupted,
             _ if self.has_converged() => SearchEnd::Converged,

@@ -1,11 +1,15 @@
 //! How the peels of a search are computed: no further than the number that is asked for, on the mesh of the design at the start.
 
 use super::options::OptimisationOptions;
-use crate::model::PeelModel;
-use crate::solve::{PathOptions, Waypoint};
-use crate::study::{
-    Accuracy, Checkpoint, Choice, PathEnd, Peel, PeelQuantity, Stage, StopCriteria, StopReason, Terms, peel, peel_on,
-};
+use crate::model::peel::PeelModel;
+use crate::solve::path::options::{PathOptions, Waypoint};
+use crate::study::accuracy::{Accuracy, Choice};
+use crate::study::checkpoint::Checkpoint;
+use crate::study::peel::result::{PathEnd, Peel};
+use crate::study::peeling::{peel, peel_on};
+use crate::study::sensitivity::quantity::PeelQuantity;
+use crate::study::stop_criteria::{Stage, StopCriteria, StopReason};
+use crate::study::terms::decision::Terms;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -3,8 +3,9 @@
 use super::first_loss::{Known, StepSearch};
 use super::roll_reader::RollReader;
 use super::two_steps::{TwoSteps, Valley};
-use crate::solve::{SolveError, Workspace};
-use crate::study::peel::SolutionHistory;
+use crate::solve::error::SolveError;
+use crate::solve::workspace::Workspace;
+use crate::study::peel::solution_history::SolutionHistory;
 
 /// Most looks at the margin around a point at which it is least.
 const MOST_LOOKS: usize = 10;

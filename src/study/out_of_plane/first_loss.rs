@@ -2,12 +2,14 @@
 
 use super::result::OutOfPlaneLoss;
 use super::roll_reader::RollReader;
-use crate::solve::{
-    NewtonOptions, Observables, PathConstraint, PathSegment, Solution, SolveError, Workspace, on_more_elements, solve,
-    step_to,
-};
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::locate::{on_more_elements, step_to};
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::{COMPANION_FRACTION, DIFFERENCE_BOUND_FACTOR, ROUND_OFF_PLACE, least};
-use crate::study::peel::SolutionHistory;
+use crate::study::peel::solution_history::SolutionHistory;
 use std::sync::Arc;
 
 /// Error of a solution, relative as in [`crate::solve::System::size`].

@@ -1,6 +1,6 @@
 //! Models for which the stability against leaving the plane is not that of these two fields.
 
-use crate::model::{Hold, PeelModel};
+use crate::model::peel::{Hold, PeelModel};
 
 /// Why the stability out of the plane is not computed.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

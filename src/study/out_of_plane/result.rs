@@ -1,7 +1,7 @@
 //! What is known of the stability of a planar path against leaving its plane.
 
 use super::refusal::NotOutOfPlane;
-use crate::solve::SolveError;
+use crate::solve::error::SolveError;
 
 /// The stability of the points of a planar path against leaving the plane.
 #[derive(Clone, Debug, PartialEq)]

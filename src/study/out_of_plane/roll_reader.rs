@@ -2,10 +2,13 @@
 
 use super::roll_elements::{RollElements, RollStability};
 use super::roll_section::RollSection;
-use crate::adhesion::LineLaw;
-use crate::beam::{LateralStiffness, Material, PlanarBeam};
-use crate::model::{Hold, PeelModel};
-use crate::solve::{Direction, State};
+use crate::adhesion::section::line_load::LineLaw;
+use crate::beam::lateral_stiffness::LateralStiffness;
+use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::section::Material;
+use crate::model::peel::{Hold, PeelModel};
+use crate::solve::problem::Direction;
+use crate::solve::state::State;
 use std::num::NonZeroUsize;
 
 /// What the roll of all equilibria of one peel is computed with.

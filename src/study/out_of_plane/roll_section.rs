@@ -21,8 +21,11 @@
 //! strips that make up a rolled section, a = b φ: so b²Ψ_aa = (b²/12) Ψ_yy. Ψ_c is its derivative by c_h = h cos θ:
 //! -hΨ_c sin θ = Ψ_θ.
 
-use crate::adhesion::LineResponse;
-use crate::beam::{LateralStiffness, Material, SectionGeometry, SectionState};
+use crate::adhesion::section::response::LineResponse;
+use crate::beam::element::energy_density::SectionState;
+use crate::beam::lateral_stiffness::LateralStiffness;
+use crate::beam::section::Material;
+use crate::beam::varying::SectionGeometry;
 
 /// Below this |sin θ| the quotient Ψ_θ/sin θ is taken for its limit Ψ_θθ: products with a smaller number lose digits.
 const LEVEL: f64 = 1e-140;

@@ -6,9 +6,11 @@ use super::refusal::NotOutOfPlane;
 use super::result::{OutOfPlane, OutOfPlaneError, OutOfPlaneLoss};
 use super::roll_elements::RollStability;
 use super::roll_reader::RollReader;
-use crate::solve::{SolveError, Workspace};
-use crate::study::Peel;
-use crate::study::peel::SolutionHistory;
+use crate::solve::error::SolveError;
+use crate::solve::newton::Solution;
+use crate::solve::workspace::Workspace;
+use crate::study::peel::result::Peel;
+use crate::study::peel::solution_history::SolutionHistory;
 
 impl Peel {
     /// The stability of the path against leaving its plane, of a beam whose grip is free to roll, to turn about the
@@ -40,7 +42,7 @@ impl Peel {
 
 /// Of every point of a path.
 fn stabilities(reader: &RollReader, history: &SolutionHistory) -> Result<Vec<RollStability>, OutOfPlaneError> {
-    let of = |point: &std::sync::Arc<crate::solve::Solution>| {
+    let of = |point: &std::sync::Arc<Solution>| {
         let displacement = point.observables.displacement;
         reader.stability(&point.at).ok_or(OutOfPlaneError::NotFinite { displacement })
     };

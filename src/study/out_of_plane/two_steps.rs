@@ -2,8 +2,10 @@
 
 use super::first_loss::StepSearch;
 use super::roll_reader::RollReader;
-use crate::solve::{Solution, SolveError, Workspace};
-use crate::study::peel::SolutionHistory;
+use crate::solve::error::SolveError;
+use crate::solve::newton::Solution;
+use crate::solve::workspace::Workspace;
+use crate::study::peel::solution_history::SolutionHistory;
 use std::sync::Arc;
 
 /// A place of the stretch, by the length of the path from the point, and a number there.

@@ -8,11 +8,15 @@ use super::refusal::NotOutOfPlane;
 use super::result::OutOfPlaneError;
 use super::roll_reader::{RollReader, RollingBeam};
 use super::two_steps::{TwoSteps, Valley};
-use crate::model::Body;
-use crate::solve::{Observables, Solution, SolveError, Workspace, on_more_elements};
-use crate::study::Peel;
+use crate::model::body::Body;
+use crate::solve::error::SolveError;
+use crate::solve::newton::Solution;
+use crate::solve::observables::Observables;
+use crate::solve::points::locate::on_more_elements;
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF_PLACE, least};
-use crate::study::peel::SolutionHistory;
+use crate::study::peel::result::Peel;
+use crate::study::peel::solution_history::SolutionHistory;
 
 /// Widths are looked for from the height divided by this to the height times this.
 const FARTHEST: f64 = 300.0;

@@ -1,9 +1,9 @@
 //! What of a beam adheres: its face, the edge of its free end, the face of that end, or nothing.
 
-use super::DeformedShape;
 use super::contact::{Sample, samples};
-use crate::model::Beam;
-use crate::solve::State;
+use super::points::DeformedShape;
+use crate::model::problem::beam_problem::Beam;
+use crate::solve::state::State;
 use serde::{Deserialize, Serialize};
 
 /// What of a beam adheres, that is, is nearer to the substrate than 2 r0, or than what stands for that under a cohesive law.

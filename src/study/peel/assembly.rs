@@ -1,14 +1,22 @@
 //! What is reported of a path that was followed: its numbers and their error bounds.
 
-use super::equilibrium_path::Followed;
+use super::equilibrium_path::followed::Followed;
+use super::failure::Failure;
+use super::points::{BranchPoint, LimitPoint, PathPoint, Peak};
+use super::result::{Effort, PathEnd, Peel};
 use super::special_points::{name_special_points, peak_of, pushes_behind_a_fold};
 use super::work::{WorkErrors, work_at, work_near};
-use super::{BranchPoint, Effort, Failure, LimitPoint, PathEnd, PathPoint, Peak, Peel};
-use crate::beam::FRONT;
-use crate::model::{BeamProblem, PeelModel};
-use crate::solve::{LimitPointKind, Located, Solution};
-use crate::study::Accuracy;
-use crate::study::error_bounds::*;
+use crate::beam::planar::planar_beam::FRONT;
+use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::newton::Solution;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::Located;
+use crate::study::accuracy::Accuracy;
+use crate::study::error_bounds::{
+    BENDING_ROUND_OFF, DIFFERENCE_BOUND_FACTOR, ROUND_OFF, ROUND_OFF_HELD, ROUND_OFF_PLACE, STRAIN_ROUND_OFF,
+    bound_floor, counts,
+};
 use std::sync::Arc;
 
 /// A slope of the force below this share of a later one, before a maximum, is that of another maximum.

@@ -1,18 +1,22 @@
 //! A path on one mesh as an attempt: what it was worth, what to try next, and whether it has failed.
 
-use super::PathFailure::{Jumped, Missed, NearUpright, NotLocated, Path, TooManyPoints};
 use super::assembly::{differences, force_round_off, report};
-use super::equilibrium_path::Followed;
+use super::equilibrium_path::followed::Followed;
+use super::failure::{
+    Failure, PathFailure, PathFailure::Jumped, PathFailure::Missed, PathFailure::NearUpright, PathFailure::NotLocated,
+    PathFailure::Path, PathFailure::TooManyPoints,
+};
 use super::lost::Lost;
+use super::points::LimitPoint;
+use super::result::{Effort, PathEnd, Peel};
 use super::solution_history::SolutionHistory;
 use super::special_points::{difference_at_start, error_at_start};
 use super::whole::{NO_ACCURACY, Whole};
-use super::{Effort, Failure, LimitPoint, PathEnd, PathFailure, Peel};
-use crate::beam::{PoleInReach, UprightSection};
-use crate::model::{BeamProblem, PeelModel};
-use crate::solve::LimitPointKind;
-use crate::study::Accuracy;
-use crate::study::accuracy::Resolution;
+use crate::beam::planar::model_limits::{PoleInReach, UprightSection};
+use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::points::kind::LimitPointKind;
+use crate::study::accuracy::{Accuracy, Resolution};
 use crate::study::error_bounds::{
     DIFFERENCE_BOUND_FACTOR, PLAIN_IMPROVEMENT, STRIDE_BOUND_FACTOR, STRIDE_TOLERANCE_FACTOR, counts,
 };

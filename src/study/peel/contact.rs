@@ -1,13 +1,20 @@
 //! How a beam lies on ground that is not flat: how much of it adheres, how deep it penetrates, and how far the ground is from
 //! the half space that stands for it.
 
-use super::{DeformedShape, Peel};
-use crate::adhesion::{CurvedBody, HalfSpace, Sinusoid, Substrate};
-use crate::beam::{FRONT, MeshKind};
-use crate::model::{Discretisation, Form, Ground, PeelModel, Start};
-use crate::solve::LimitPointKind;
+use super::points::DeformedShape;
+use super::result::Peel;
+use crate::adhesion::levels::curved::CurvedBody;
+use crate::adhesion::levels::half_space::HalfSpace;
+use crate::adhesion::substrate::Substrate;
+use crate::adhesion::substrate::sinusoid::Sinusoid;
+use crate::beam::mesh::MeshKind;
+use crate::beam::planar::planar_beam::FRONT;
+use crate::model::ground::{Ground, Start};
+use crate::model::peel::{Form, PeelModel};
+use crate::model::problem::build::Discretisation;
+use crate::solve::points::kind::LimitPointKind;
 use crate::study::accuracy::ORDER;
-use crate::study::initial::prepared;
+use crate::study::initial::prepared::prepared;
 
 /// How a beam lies at one point of its path. From samples, six an element. A strip lies on flat ground with all its length; of a spatula and
 /// other beams it is where that lies on flat ground without a force with which they are compared.

@@ -1,11 +1,12 @@
 //! The folds of a path behind which the pad, and behind which nothing of the beam, adheres any more.
 
 use super::adhering::Adhering;
-use super::equilibrium_path::Followed;
-use super::{LimitPoint, PathEnd, Peel};
-use crate::model::BeamProblem;
-use crate::solve::LimitPointKind;
-use crate::study::{Bound, FollowedUntil};
+use super::equilibrium_path::followed::Followed;
+use super::points::LimitPoint;
+use super::result::{PathEnd, Peel};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::points::kind::LimitPointKind;
+use crate::study::stop_criteria::{Bound, FollowedUntil};
 
 impl Peel {
     /// Looks for them, on a path that was followed to where it ends by itself, or to where nothing adheres: elsewhere it may come back.

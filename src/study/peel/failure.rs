@@ -1,8 +1,10 @@
 //! Why a peel stopped short, with what was computed, where and how far.
 
-use crate::beam::UprightSection;
-use crate::solve::{LimitPointKind, PathError, SolveError};
-use crate::study::initial::NoEquilibrium;
+use crate::beam::planar::model_limits::UprightSection;
+use crate::solve::error::SolveError;
+use crate::solve::path::options::PathError;
+use crate::solve::points::kind::LimitPointKind;
+use crate::study::initial::error::NoEquilibrium;
 use serde::{Deserialize, Serialize};
 
 /// Why a computation stopped short, and what to try.

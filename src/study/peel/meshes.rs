@@ -4,20 +4,25 @@
 use super::assembly::empty;
 use super::attempt::Attempt;
 use super::budget::Budget;
-use super::equilibrium_path::follow;
+use super::equilibrium_path::follow::follow;
+use super::failure::{Failure, PathFailure};
 use super::lost::Lost;
 use super::nearly_upright::NearlyUpright;
+use super::result::{Effort, PathEnd, Peel};
 use super::step_dependence::Common;
 use super::whole::Whole;
-use super::{Effort, Failure, PathEnd, PathFailure, Peel};
-use crate::beam::MeshKind;
-use crate::model::{BeamProblem, Discretisation, PeelModel};
-use crate::solve::{MeasuredBeside, Pace, PathOptions};
-use crate::study::accuracy::{Choice, Resolution, most_elements};
-use crate::study::checkpoint::Limits;
-use crate::study::initial::{NotPrepared, Prepared, prepared};
+use crate::beam::mesh::MeshKind;
+use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
+use crate::solve::path::options::PathOptions;
+use crate::solve::problem::MeasuredBeside;
+use crate::solve::workspace::Pace;
+use crate::study::accuracy::{Accuracy, Choice, Resolution, most_elements};
+use crate::study::checkpoint::{Checkpoint, Limits};
+use crate::study::initial::error::NotPrepared;
+use crate::study::initial::prepared::{Prepared, prepared};
 use crate::study::refinement::{MOST_FAILED_IN_SPACE, refined};
-use crate::study::{Accuracy, Checkpoint};
 use std::sync::Arc;
 
 /// Length of the steps of a path that confirms another, over those of the other.

@@ -4,8 +4,11 @@
 //! -b|W|/cos θ, softens a tilt there by 2b|W|/cos³θ, and tension and bending hold it with V + EI/y², y the height. Where they no longer do is a displacement
 //! limit point of the path, behind which cos θ falls to nothing at one place. Elements that follow the front are too long there to see it.
 
-use crate::beam::{Focus, PoleInReach, Reach, UprightSection};
-use crate::model::{BeamProblem, Discretisation, PeelModel};
+use crate::beam::mesh::{Focus, Reach};
+use crate::beam::planar::model_limits::{PoleInReach, UprightSection};
+use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
 use crate::study::accuracy::Resolution;
 use std::sync::Arc;
 

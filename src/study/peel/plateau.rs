@@ -1,10 +1,14 @@
 //! The steady force of a peel, its plateau: the force at which the front advances and nothing else changes.
 
-use super::equilibrium_path::Followed;
-use super::{Plateau, StepCurve};
-use crate::beam::FRONT;
-use crate::model::BeamProblem;
-use crate::solve::{LimitPointKind, Solution, Workspace, difference_on_more_elements};
+use super::equilibrium_path::followed::Followed;
+use super::result::Plateau;
+use super::step_curve::StepCurve;
+use crate::beam::planar::planar_beam::FRONT;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::newton::Solution;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::difference_on_more_elements;
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, LEVEL_FACTOR, ROUND_OFF, least};
 use std::ops::Range;
 use std::sync::Arc;

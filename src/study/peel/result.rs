@@ -1,12 +1,19 @@
 //! The whole peel of one model: path, special points, error bounds, how it ended.
 
 use super::failure::Failure;
+use super::points::{BranchPoint, DeformedShape, LimitPoint, PathPoint, Peak};
 use super::solution_history::SolutionHistory;
-use crate::beam::{BondedLoss, GripState, NodeState, SpatialSectionPlace, SpatialSectionState, UprightSection};
-use crate::model::{PeelModel, SpatialGrip};
-use crate::solve::{LimitPointKind, Pace};
-use crate::study::terms::TermDecisions;
-use crate::study::{Bound, Choice, RelaxedStart};
+use crate::beam::grip_state::GripState;
+use crate::beam::planar::chain::NodeState;
+use crate::beam::planar::model_limits::{BondedLoss, UprightSection};
+use crate::beam::spatial::section::section_state::SpatialSectionState;
+use crate::beam::spatial::spatial_grip::SpatialSectionPlace;
+use crate::model::peel::PeelModel;
+use crate::solve::workspace::Pace;
+use crate::study::accuracy::Choice;
+use crate::study::initial::stability::RelaxedStart;
+use crate::study::stop_criteria::Bound;
+use crate::study::terms::decision::TermDecisions;
 use serde::{Deserialize, Serialize};
 
 /// How a path ended.
@@ -35,91 +42,6 @@ pub enum PathEnd {
     Bound(Bound),
     /// The computation stopped short; why, with numbers and what to try.
     Failed(Failure),
-}
-
-/// One equilibrium of the path.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PathPoint {
-    /// nm
-    pub displacement: f64,
-    /// nN
-    pub force: f64,
-    /// rad
-    pub end_rotation: f64,
-    /// ∫ P du from where the path begins, aJ; of a grip that turns as it goes ∫ P du + M dθ
-    pub work: f64,
-    /// Negative eigenvalues of the tangent with the grip held at its displacement.
-    pub negative_eigenvalues: usize,
-    /// The same with the force held.
-    pub negative_eigenvalues_load: usize,
-    /// S of the peeling front, nm: the adhesion energy that is left over that of a unit length at rest.
-    pub front: f64,
-    /// Newton iterations it took.
-    pub iterations: usize,
-    /// The grip of a strip in space; none in the plane
-    #[serde(default)]
-    pub in_space: Option<SpatialGrip>,
-}
-
-/// A limit point of the path, located and not sampled.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct LimitPoint {
-    /// Of the displacement or of the force
-    pub kind: LimitPointKind,
-    /// nm
-    pub displacement: f64,
-    /// nN
-    pub force: f64,
-    /// rad
-    pub end_rotation: f64,
-    /// ∫ P du from where the path begins, aJ; of a grip that turns as it goes ∫ P du + M dθ
-    pub work: f64,
-    /// Bound on the error of `displacement`, nm
-    pub displacement_error: f64,
-    /// Bound on the error of `force`, nN
-    pub force_error: f64,
-    /// Bound on the error of `work`, aJ; none where the load has no potential or there is friction, where the work is an integral over the
-    /// path, where a term of the model was left out, and where half as many elements again have no solution beside this one
-    pub work_error: Option<f64>,
-    /// Whether the force is so flat around it that its displacement cannot be determined any better and does not matter.
-    pub flat: bool,
-    /// It lies between `points[after]` and `points[after + 1]` of the path.
-    pub after: usize,
-    /// The grip of a strip in space, at the solution next to the point; none in the plane
-    #[serde(default)]
-    pub in_space: Option<SpatialGrip>,
-}
-
-/// Where another branch of equilibria meets the path although the displacement does not turn, located: an eigenvalue passes through zero there.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct BranchPoint {
-    /// u of the grip, nm
-    pub displacement: f64,
-    /// P, nN
-    pub force: f64,
-    /// Bound on the error of `displacement`, nm
-    pub displacement_error: f64,
-    /// Bound on the error of `force`, nN
-    pub force_error: f64,
-    /// Negative eigenvalues with the displacement held, before it and behind it
-    pub negative_eigenvalues: [usize; 2],
-    /// It lies between `points[after]` and `points[after + 1]` of the path.
-    pub after: usize,
-}
-
-/// A largest force: a limit point of the path, located.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Peak {
-    /// u of the grip, nm
-    pub displacement: f64,
-    /// P, nN
-    pub force: f64,
-    /// θ(L), rad
-    pub end_rotation: f64,
-    /// Bound on the error of the force, nN
-    pub force_error: f64,
-    /// Bound on the error of the displacement, nm
-    pub displacement_error: f64,
 }
 
 /// The largest force among the points of a path where that is at no located limit point: at an end of the path, say. How far the force goes up
@@ -168,22 +90,6 @@ pub struct Effort {
     pub pace: Pace,
 }
 
-/// The axis of the beam at one equilibrium, sampled: x, y and in space z in nm, the rotation in rad, and the height of the section in nm.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct DeformedShape {
-    /// Of the axis, nm
-    pub x: Vec<f64>,
-    /// Of the axis, nm
-    pub y: Vec<f64>,
-    /// Of the axis sideways, nm; empty in the plane
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub z: Vec<f64>,
-    /// θ, rad; in space the elevation of the axis
-    pub rotation: Vec<f64>,
-    /// h, nm
-    pub height: Vec<f64>,
-}
-
 /// The result of one run. It is written without the solutions behind its points.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Peel {
@@ -215,7 +121,7 @@ pub struct Peel {
     pub plateau: Option<Plateau>,
     /// The first displacement limit point: a displacement-controlled test makes its first jump here, whatever jumps.
     pub snap_off: Option<LimitPoint>,
-    /// The displacement limit point behind which the pad does not adhere any more ([`Adhering`](super::Adhering)): at the most an edge or
+    /// The displacement limit point behind which the pad does not adhere any more ([`Adhering`](crate::study::Adhering)): at the most an edge or
     /// the end does. None where there is no such fold, and on a path that was not followed to where the beam comes off.
     pub pad_detachment: Option<LimitPoint>,
     /// The displacement limit point behind which nothing adheres any more, up to where the path ends detached. None where there is no

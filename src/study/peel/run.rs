@@ -2,15 +2,16 @@
 //! used, on fixed meshes.
 
 use super::budget::Budget;
+use super::failure::Failure;
 use super::meshes::{Collapsed, KnownStart, on_meshes};
+use super::result::{PathEnd, Peel};
 use super::widened::widened;
-use super::{Failure, PathEnd, Peel};
-use crate::beam::MeshKind;
-use crate::model::PeelModel;
-use crate::solve::Pace;
-use crate::study::accuracy::{Choice, Resolution, aim};
-use crate::study::checkpoint::Limits;
-use crate::study::{Accuracy, Checkpoint, StopCriteria};
+use crate::beam::mesh::MeshKind;
+use crate::model::peel::PeelModel;
+use crate::solve::workspace::Pace;
+use crate::study::accuracy::{Accuracy, Choice, Resolution, aim};
+use crate::study::checkpoint::{Checkpoint, Limits};
+use crate::study::stop_criteria::StopCriteria;
 
 /// How a path is followed, one way after another until it can be used.
 const PACES: [Pace; 3] = [Pace::Quick, Pace::Wary, Pace::Watchful];

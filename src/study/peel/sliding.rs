@@ -1,10 +1,10 @@
 //! How a beam that friction holds has slid.
 
-use super::Peel;
+use super::result::Peel;
 use super::solution_history::SolutionHistory;
-use crate::adhesion::FrictionState;
-use crate::beam::FrictionHistory;
-use crate::solve::Solution;
+use crate::adhesion::friction::dahl::FrictionState;
+use crate::beam::planar::friction_history::FrictionHistory;
+use crate::solve::newton::Solution;
 
 /// The friction on a beam at one equilibrium of its path.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,9 +1,16 @@
 //! The solutions behind a peel: the curve between its points and the deformed strip.
 
-use super::{DeformedShape, LimitPoint};
-use crate::beam::{NodeState, PlanarBeam, SpatialBeam, SpatialSectionPlace, SpatialSectionState};
-use crate::model::{Beam, BeamProblem};
-use crate::solve::{LimitPointKind, PathSegment, Solution, State};
+use super::points::{DeformedShape, LimitPoint};
+use crate::beam::planar::chain::NodeState;
+use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::spatial::section::section_state::SpatialSectionState;
+use crate::beam::spatial::spatial_beam::SpatialBeam;
+use crate::beam::spatial::spatial_grip::SpatialSectionPlace;
+use crate::model::problem::beam_problem::{Beam, BeamProblem};
+use crate::solve::newton::Solution;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::state::State;
 use std::sync::Arc;
 
 /// Path points with the problem that they solve.

@@ -1,10 +1,16 @@
 //! The points of a path that have a name: peaks are located limit points, or there are none.
 
-use super::equilibrium_path::Followed;
+use super::equilibrium_path::followed::Followed;
+use super::failure::PathFailure;
 use super::plateau::steady_force;
-use super::{LargestComputedForce, LimitPoint, PathEnd, PathFailure, PathPoint, Peak, Peel};
-use crate::model::BeamProblem;
-use crate::solve::{LimitPointKind, Observables, Solution, Workspace, difference_on_more_elements};
+use super::points::{LimitPoint, PathPoint, Peak};
+use super::result::{LargestComputedForce, PathEnd, Peel};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::newton::Solution;
+use crate::solve::observables::Observables;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::difference_on_more_elements;
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
 use std::sync::Arc;
 

@@ -3,11 +3,16 @@
 //! Slopes of the path belong to the mesh of a point; between points whose meshes differ they are good to few digits. Here
 //! only values count: u and P are polynomials through solutions at Gauss-Lobatto labels.
 
-use super::Peel;
-use crate::beam::Basis;
-use crate::model::BeamProblem;
+use super::result::Peel;
+use crate::beam::element::basis::Basis;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::number::root::Bracket;
-use crate::solve::{Observables, PathSegment, ROUGH, Solution, Workspace, lagrange_weights, step_to};
+use crate::solve::newton::Solution;
+use crate::solve::observables::Observables;
+use crate::solve::path::predictor::lagrange_weights;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::locate::{ROUGH, step_to};
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 /// Solutions on a step, its ends among them.

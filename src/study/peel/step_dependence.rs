@@ -4,9 +4,10 @@
 //! changes. Two paths with other steps have the same limit points where those that are left of both are the same once the weakest pairs are
 //! left out, and they have the same ones up to a place where that holds as far as there.
 
-use super::LimitPoint;
-use super::equilibrium_path::Followed;
-use crate::solve::{LimitPointKind, Located};
+use super::equilibrium_path::followed::Followed;
+use super::points::LimitPoint;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::Located;
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 
 /// Pairs between which the force changes by more than this share of itself are no ripple of the steps.

@@ -1,7 +1,7 @@
 //! The limit points of a path that is whole, beside those that it has on another mesh.
 
-use super::LimitPoint;
-use crate::solve::LimitPointKind;
+use super::points::LimitPoint;
+use crate::solve::points::kind::LimitPointKind;
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 
 /// Limit points that differ by more than this, relative, are not the same, and an error above it is no accuracy, whatever it comes from. It is no

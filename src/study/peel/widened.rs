@@ -1,7 +1,7 @@
 //! Bounds of what cannot be known better.
 
-use super::Peel;
-use crate::study::Accuracy;
+use super::result::Peel;
+use crate::study::accuracy::Accuracy;
 
 /// With no bound below a share of its number, where there is one.
 pub(super) fn widened(mut peel: Peel, accuracy: &Accuracy, least: Option<f64>) -> Peel {

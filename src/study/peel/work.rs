@@ -1,13 +1,17 @@
 //! The work of the grip along a path, of its force, and of its moment where it turns: the energy it changed, or, where the load has no
 //! potential, ∫ P du.
 
+use super::failure::PathFailure;
+use super::result::Peel;
 use super::solution_history::SolutionHistory;
 use super::step_curve::StepCurve;
-use super::{PathFailure, Peel};
-use crate::model::BeamProblem;
-use crate::solve::{
-    LimitPointKind, Located, Observables, PathSegment, ShouldStop, Solution, Workspace, on_more_elements,
-};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::newton::Solution;
+use crate::solve::observables::Observables;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::{Located, on_more_elements};
+use crate::solve::workspace::{ShouldStop, Workspace};
 use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, bound_floor};
 use std::sync::Arc;
 

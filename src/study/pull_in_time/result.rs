@@ -1,8 +1,9 @@
 //! What a pull in time gives.
 
-use crate::model::NotInTime;
-use crate::solve::SolveError;
-use crate::solve::time::{EnergyBalance, TimeError};
+use crate::model::problem::motion::NotInTime;
+use crate::solve::error::SolveError;
+use crate::solve::time::dynamic_system::EnergyBalance;
+use crate::solve::time::integrator::TimeError;
 
 /// The beam at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -2,10 +2,17 @@
 
 use super::result::{InTimeFailure, InTimeFailureKind, InTimePoint, PullInTime};
 use super::settings::{PullRate, TimeAccuracy, Until};
-use crate::beam::FRONT;
-use crate::model::{MovingBeam, MovingMaterial, PeelModel};
-use crate::solve::time::{Crossing, Drive, Motion, StepControl, TimeIntegrator, TimeOptions};
-use crate::solve::{NewtonOptions, Observables, PathConstraint, ShouldStop, State, Workspace, controlled, settle};
+use crate::beam::planar::planar_beam::FRONT;
+use crate::model::peel::PeelModel;
+use crate::model::problem::motion::{MovingBeam, MovingMaterial};
+use crate::solve::newton::{NewtonOptions, settle};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::path::control::controlled;
+use crate::solve::state::State;
+use crate::solve::time::drive::Drive;
+use crate::solve::time::integrator::{Crossing, StepControl, TimeIntegrator, TimeOptions};
+use crate::solve::time::rule::Motion;
+use crate::solve::workspace::{ShouldStop, Workspace};
 
 /// A beam adheres no more where its front is shorter than this many process lengths; the time of that is found to this share of it.
 const LOOSE: f64 = 1.0;

@@ -1,8 +1,8 @@
 //! How a grip is pulled in time, and how accurately that is followed.
 
 #[cfg(doc)]
-use crate::model::PeelModel;
-use crate::solve::time::Ramp;
+use crate::model::peel::PeelModel;
+use crate::solve::time::drive::Ramp;
 
 /// Where a pull in time ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -3,9 +3,12 @@
 use super::differences::{ALONG, Change, Estimate, along_path, change_along_path};
 use super::point::{Adjoint, Held, solved, turned};
 use super::residual_change::Stencil;
-use crate::model::BeamProblem;
-use crate::solve::{Solution, SolveError, State, Workspace};
-use crate::study::peel::power;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::error::SolveError;
+use crate::solve::newton::Solution;
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
+use crate::study::peel::work::power;
 
 /// How far apart the equilibria beside a limit point are, over the distance in which the path is smooth: a sixth-order difference over them misses
 /// the sixth power of four times that.

@@ -1,10 +1,12 @@
 //! A state of one model as a state of another that differs from it a little.
 
-use crate::model::{BeamProblem, Discretisation, PeelModel};
-use crate::solve::{InitialState, Mesh, State};
-use crate::study::initial::prepared;
-
-use super::NoSensitivities;
+use super::error::NoSensitivities;
+use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
+use crate::solve::problem::InitialState;
+use crate::solve::state::{Mesh, State};
+use crate::study::initial::prepared::prepared;
 
 /// A model beside the one that was peeled, made into what the solver is given.
 pub(super) struct Beside {

@@ -1,8 +1,9 @@
 //! Why there are no sensitivities.
 
-use crate::model::{ModelError, NoSuchOrder};
-use crate::solve::SolveError;
-use crate::study::NoEquilibrium;
+use crate::model::check::error::ModelError;
+use crate::model::problem::build::NoSuchOrder;
+use crate::solve::error::SolveError;
+use crate::study::initial::error::NoEquilibrium;
 
 /// Why results cannot be differentiated.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

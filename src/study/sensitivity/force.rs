@@ -1,14 +1,19 @@
 //! How the force at a held displacement changes with parameters, on the first stable branch of a path.
 
+use super::Variation;
 use super::carried::Beside;
+use super::error::NoSensitivities;
 use super::point::{Adjoint, Held, solved};
 use super::residual_change::Stencil;
 use super::run::{discretisation, solutions};
-use super::{NoSensitivities, Variation};
-use crate::model::BeamProblem;
+use crate::model::problem::beam_problem::BeamProblem;
 use crate::number::root::Bracket;
-use crate::solve::{PathSegment, Solution, State, Workspace};
-use crate::study::{LimitPointKind, Peel};
+use crate::solve::newton::Solution;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
+use crate::study::peel::result::Peel;
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -21,7 +26,7 @@ const SHARP: f64 = 1e-12;
 /// dP/dx there with the displacement held: one row a displacement, one column a variation.
 ///
 /// # Errors
-/// As of [`super::sensitivities`], and for a displacement that is not on that branch.
+/// As of [`crate::study::sensitivities`], and for a displacement that is not on that branch.
 pub fn force_derivatives(
     peel: &Peel,
     displacements: &[f64],

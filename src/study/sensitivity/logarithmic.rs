@@ -1,7 +1,8 @@
 //! Sensitivities as exponents: d ln Q/d ln p.
 
-use super::{PeelQuantity, Sensitivities};
-use crate::study::Peel;
+use super::quantity::PeelQuantity;
+use super::run::Sensitivities;
+use crate::study::peel::result::Peel;
 
 /// By which power of a parameter a number changes: d ln Q/d ln p.
 #[derive(Clone, Copy, Debug, PartialEq)]

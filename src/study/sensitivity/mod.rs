@@ -15,24 +15,17 @@
 //! that of the equilibrium, because the energy is stationary.
 mod along_path;
 mod carried;
-mod differences;
-mod error;
-mod force;
-mod logarithmic;
+pub(super) mod differences;
+pub(super) mod error;
+pub(super) mod force;
+pub(super) mod logarithmic;
 mod point;
-mod quantity;
+pub(super) mod quantity;
 mod residual_change;
-mod run;
+pub(super) mod run;
 
-pub use differences::MOST_CHANGED;
-pub use error::NoSensitivities;
-pub use force::force_derivatives;
-pub(super) use force::{ForceOnBranch, forces_on_branch};
-pub use logarithmic::Exponent;
-pub use quantity::PeelQuantity;
-pub use run::{Sensitivities, sensitivities};
-
-use crate::model::PeelModel;
+use crate::model::peel::PeelModel;
+use quantity::PeelQuantity;
 
 /// A parameter that results are differentiated by.
 pub struct Variation<'m> {

@@ -1,9 +1,12 @@
 //! An equilibrium with the multipliers that make of a change of its residual a change of its force or of its displacement.
 
-use crate::model::BeamProblem;
-use crate::solve::{
-    Bordered, NewtonOptions, Observables, PathConstraint, Solution, SolveError, State, Tangents, Workspace, solve,
-};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::error::SolveError;
+use crate::solve::linear::{Bordered, Tangents};
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
 
 /// What is held while a parameter changes; the other of the two is what is differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

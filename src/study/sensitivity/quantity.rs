@@ -1,6 +1,8 @@
 //! The numbers of a peel that can be differentiated, minimised, or called uncertain.
 
-use crate::study::{LimitPoint, LimitPointKind, Peak, Peel};
+use crate::solve::points::kind::LimitPointKind;
+use crate::study::peel::points::{LimitPoint, Peak};
+use crate::study::peel::result::Peel;
 
 /// A number of a peel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -3,12 +3,14 @@
 //! The model is built anew at four values of the parameter: every number of a scene can be one, whatever it goes into, and no law, body or grip
 //! has a derivative of its own that could be wrong.
 
+use super::Variation;
 use super::carried::Beside;
 use super::differences::{Change, STEP, STEPS};
+use super::error::NoSensitivities;
 use super::point::Adjoint;
-use super::{NoSensitivities, Variation};
-use crate::model::{BeamProblem, Discretisation};
-use crate::solve::State;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
+use crate::solve::state::State;
 
 /// The model that was peeled, and those beside it in one parameter.
 pub(super) struct Stencil<'b> {

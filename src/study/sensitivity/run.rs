@@ -3,14 +3,21 @@
 use super::along_path::{AtPoint, Turn};
 use super::carried::Beside;
 use super::differences::Estimate;
+use super::error::NoSensitivities;
 use super::point::Held;
+use super::quantity::PeelQuantity;
 use super::residual_change::Stencil;
-use super::{Derivative, NoSensitivities, PeelQuantity, Variation};
-use crate::model::{BeamProblem, Discretisation};
-use crate::solve::{LimitPointKind, SolveError, State, Workspace};
-use crate::study::Peel;
+use super::{Derivative, Variation};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
+use crate::solve::error::SolveError;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
-use crate::study::peel::{SolutionHistory, power};
+use crate::study::peel::result::Peel;
+use crate::study::peel::solution_history::SolutionHistory;
+use crate::study::peel::work::power;
 use rayon::prelude::*;
 use std::sync::Arc;
 

@@ -8,10 +8,13 @@ use super::rest::share_of_change;
 use super::result::LocationError;
 use super::standing::{HEIGHT, RootDrive, Standing, TipTangent};
 use super::watched::Watched;
-use crate::beam::EndEnergy;
-use crate::solve::{
-    NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace, solve,
-};
+use crate::beam::spatial::tree::branching_beam::EndEnergy;
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::problem::Problem;
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
 
 /// Error of the displacement at which a tip comes to the end of its branch, nm.
 const LOCATED: f64 = 1e-6;

@@ -5,16 +5,20 @@
 //! What is found is the peak of a finer mesh where the same tips detach before it as on the coarser one.
 
 use super::loading::SetaLoading;
-use super::numbers::SetaMoment;
 use super::options::SetaOptions;
 use super::progress::SetaProgress;
-use super::result::{LocationError, SetaPoint, SetaPullOff, SetaState};
+use super::result::{LocationError, SetaMoment, SetaPoint, SetaPullOff, SetaState};
 use super::run::Run;
 use super::standing::{RootDrive, Standing, TipTangent};
-use crate::beam::MOST_ORDER;
-use crate::model::{Seta, SetaError, SetaModel, TipBranch};
-use crate::solve::{NewtonOptions, Observables, PathConstraint, Solution, State, Workspace, solve};
-use crate::study::{Stage, StopCriteria};
+use crate::beam::element::basis::MOST_ORDER;
+use crate::model::seta::check::SetaError;
+use crate::model::seta::parameters::{Seta, SetaModel};
+use crate::model::seta::tip_law::TipBranch;
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
+use crate::study::stop_criteria::{Stage, StopCriteria};
 
 /// How far before the peak the finer mesh begins, over the first step: the nearest at which it is stable with the same tips and its force rises.
 const BEFORE: [f64; 4] = [0.02, 0.2, 2.0, 20.0];

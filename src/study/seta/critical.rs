@@ -5,8 +5,14 @@
 //! beams buckle, as under a preload, and the seta leaves its shape along v.
 
 use super::standing::{HEIGHT, Standing};
-use crate::beam::SPATIAL_UNKNOWNS;
-use crate::solve::{Bordered, Observables, PathConstraint, Problem, Solution, SolveError, State, Tangents, Workspace};
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
+use crate::solve::error::SolveError;
+use crate::solve::linear::{Bordered, Tangents};
+use crate::solve::newton::Solution;
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::problem::Problem;
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
 
 /// Components of the critical direction that differ by this share are equal by symmetry.
 const ALIKE: f64 = 1e-6;

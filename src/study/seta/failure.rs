@@ -1,6 +1,6 @@
 //! Why a pull-off of a seta stopped short. Steps are counted from 0 in the data and from 1 in the messages.
 
-use crate::solve::SolveError;
+use crate::solve::error::SolveError;
 use serde::{Deserialize, Serialize};
 
 /// Why a pull-off of a seta stopped short.

@@ -10,10 +10,14 @@ use super::critical::Critical;
 use super::options::SetaOptions;
 use super::rest::come_to_rest;
 use super::standing::{RootDrive, Standing, TipTangent};
-use crate::model::{CurvePoint, NormalPull, PullCurve, Seta, SetaMesh, SetaModel, Sideways, TipBranch};
-use crate::solve::{
-    Coefficients, NewtonOptions, Observables, PathConstraint, Solution, System, Workspace, damped_step, solve,
-};
+use crate::model::seta::mesh::SetaMesh;
+use crate::model::seta::normal_pull::{CurvePoint, NormalPull, PullCurve, Sideways};
+use crate::model::seta::parameters::{Seta, SetaModel};
+use crate::model::seta::tip_law::TipBranch;
+use crate::solve::newton::{NewtonOptions, Solution, damped_step, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::system::{Coefficients, System};
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 const CURVE: [(f64, f64, f64); 7] = [

@@ -2,7 +2,9 @@
 
 use super::result::LocationError;
 use super::standing::Standing;
-use crate::solve::{Problem, Solution, State};
+use crate::solve::newton::Solution;
+use crate::solve::problem::Problem;
+use crate::solve::state::State;
 
 /// Places and weights of Gauss's rule with four points on [0, 1].
 const GAUSS: [(f64, f64); 4] = [

@@ -1,6 +1,6 @@
 //! What is done to the root of a seta, as plain data.
 
-use crate::model::SetaError;
+use crate::model::seta::check::SetaError;
 use serde::{Deserialize, Serialize};
 
 /// How a seta is loaded: from a start, one step after the other. The root never turns, and moves along each step's direction alone.

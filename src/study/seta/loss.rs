@@ -16,9 +16,14 @@ use super::options::SetaOptions;
 use super::result::LocationError;
 use super::standing::{RootDrive, Standing, TipTangent};
 use super::watched::Watched;
-use crate::beam::rotation::{exponential, product};
-use crate::beam::{EndEnergy, SPATIAL_UNKNOWNS};
-use crate::solve::{NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, Workspace, solve};
+use crate::beam::spatial::rotation::{exponential, product};
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::tree::branching_beam::EndEnergy;
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::problem::Problem;
+use crate::solve::workspace::Workspace;
 
 /// Error of the displacement at a loss, nm: that of the force there goes with its root.
 const LOCATED: f64 = 1e-8;

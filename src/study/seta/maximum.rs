@@ -6,7 +6,7 @@
 
 use super::knot::Knot;
 use super::result::LocationError;
-use crate::solve::SolveError;
+use crate::solve::error::SolveError;
 
 /// The force is met to this share.
 const MET: f64 = 1e-9;

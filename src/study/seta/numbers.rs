@@ -1,25 +1,8 @@
 //! What a pull-off found, without its points and its states: what a row of a sweep has, and a sample.
 
 use super::converged_peak::ConvergedPeak;
-use super::result::{SetaEffort, SetaEnd, SetaPullOff, SetaState};
+use super::result::{SetaEffort, SetaEnd, SetaMoment, SetaPullOff, SetaState};
 use serde::{Deserialize, Serialize};
-
-/// A moment of the last step.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SetaMoment {
-    /// On the root along the direction of the step, nN
-    pub force: f64,
-    /// How far the root has moved in the step, nm
-    pub displacement: f64,
-    /// Tips that adhere
-    pub attached: usize,
-}
-
-impl From<&SetaState> for SetaMoment {
-    fn from(SetaState { point, .. }: &SetaState) -> Self {
-        Self { force: point.force_along, displacement: point.displacement, attached: point.attached }
-    }
-}
 
 /// The numbers of a pull-off.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

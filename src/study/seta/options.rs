@@ -1,6 +1,6 @@
 //! How a seta is followed.
 
-use crate::solve::NewtonOptions;
+use crate::solve::newton::NewtonOptions;
 use serde::{Deserialize, Serialize};
 
 /// How a seta is followed. Points and events follow from this, the model and the loading alone.

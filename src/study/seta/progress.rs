@@ -2,8 +2,9 @@
 
 use super::result::{SetaEffort, SetaEnd, SetaPullOff, SetaState};
 use super::standing::Standing;
-use crate::model::{AdheringTip, TipBranch};
-use crate::solve::Solution;
+use crate::model::seta::tip::AdheringTip;
+use crate::model::seta::tip_law::TipBranch;
+use crate::solve::newton::Solution;
 use serde::{Deserialize, Serialize};
 
 /// What a pull-off has reached.

@@ -8,11 +8,14 @@
 use super::critical::{critical_direction, disturbed};
 use super::result::TipChange;
 use super::standing::{HEIGHT, RootDrive, Standing, TipTangent};
-use crate::model::TipBranch;
-use crate::solve::{
-    Coefficients, NewtonOptions, Observables, PathConstraint, Problem, Solution, SolveError, State, Workspace,
-    damped_step, solve,
-};
+use crate::model::seta::tip_law::TipBranch;
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution, damped_step, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::problem::Problem;
+use crate::solve::state::State;
+use crate::solve::system::Coefficients;
+use crate::solve::workspace::Workspace;
 
 /// Steps, of which each may change a tip.
 const MOST_STEPS: usize = 4000;

@@ -1,9 +1,9 @@
 //! What a pull-off of a seta gives.
 
 use super::failure::SetaFailure;
-use crate::beam::rotation::Quaternion;
-use crate::model::TipBranch;
-use crate::study::Bound;
+use crate::beam::spatial::rotation::Quaternion;
+use crate::model::seta::tip_law::TipBranch;
+use crate::study::stop_criteria::Bound;
 use serde::{Deserialize, Serialize};
 
 /// A stable equilibrium of a seta.
@@ -192,5 +192,22 @@ impl SetaPullOff {
     /// Works of the root from point to point without their signs, aJ: a way there and back counts twice.
     pub(super) fn turnover(&self) -> f64 {
         self.points.windows(2).map(|pair| (pair[1].work - pair[0].work).abs()).sum()
+    }
+}
+
+/// A moment of the last step.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SetaMoment {
+    /// On the root along the direction of the step, nN
+    pub force: f64,
+    /// How far the root has moved in the step, nm
+    pub displacement: f64,
+    /// Tips that adhere
+    pub attached: usize,
+}
+
+impl From<&SetaState> for SetaMoment {
+    fn from(SetaState { point, .. }: &SetaState) -> Self {
+        Self { force: point.force_along, displacement: point.displacement, attached: point.attached }
     }
 }

@@ -5,9 +5,10 @@
 //! is the cubic with the place and the direction of both, which is exact for a slender element that turns little.
 
 use super::result::{JointPlace, SetaPoint, SetaState, TipState};
-use crate::beam::BranchSection;
-use crate::beam::rotation::{Quaternion, conjugate, inner, matrix, normalised, product};
-use crate::model::{Seta, TipBranch};
+use crate::beam::spatial::rotation::{Quaternion, conjugate, inner, matrix, normalised, product};
+use crate::beam::spatial::tree::read::BranchSection;
+use crate::model::seta::parameters::Seta;
+use crate::model::seta::tip_law::TipBranch;
 use nalgebra::Vector3;
 
 /// Lines along a branch behind so many forks: those of the paper's seta, 1 700 on 256 tips.

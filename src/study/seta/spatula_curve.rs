@@ -3,14 +3,21 @@
 //! The points are those of polynomials through solutions on each step of the path. At the limit point u = u_s - s², so that P = P_s + a s + b s²: from the last point of the
 //! path on, P follows that with the force and the slope of that point, up to a slope as steep as the branch of a seta never is.
 
-use crate::model::{BeamProblem, CurvePoint, Discretisation, PeelModel, PullCurve, PullCurveError, Step};
-use crate::solve::{
-    LimitPointKind, Path, PathEvent, PathSegment, PathTracer, Solution, TraceError, TraceOptions, Workspace,
-};
-use crate::study::Accuracy;
-use crate::study::accuracy::Resolution;
-use crate::study::initial::{NoEquilibrium, prepared};
-use crate::study::peel::StepCurve;
+use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
+use crate::model::seta::normal_pull::{CurvePoint, PullCurve, PullCurveError};
+use crate::model::step::Step;
+use crate::solve::newton::Solution;
+use crate::solve::path::equilibrium_path::Path;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
+use crate::solve::workspace::Workspace;
+use crate::study::accuracy::{Accuracy, Resolution};
+use crate::study::initial::error::NoEquilibrium;
+use crate::study::initial::prepared::prepared;
+use crate::study::peel::step_curve::StepCurve;
 use std::sync::Arc;
 
 /// Most points up to the limit point.

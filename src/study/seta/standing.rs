@@ -1,10 +1,17 @@
 //! A seta as it stands: its tree of beams, each tip on a branch of its law, and the direction in which its root is moved.
 
 use super::result::TipState;
-use crate::beam::rotation::{Matrix3, Quaternion};
-use crate::beam::{BeamTree, EndEnergy, EndResponse, JointCondition, JointUnknown, SPATIAL_UNKNOWNS};
-use crate::model::{AdheringTip, SetaError, SetaModel, TipBranch};
-use crate::solve::{EndConditions, INTERFACE, InitialState, MeasuredBeside, PathMeasure, Problem, State};
+use crate::beam::spatial::rotation::{Matrix3, Quaternion};
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::tree::beam_tree::BeamTree;
+use crate::beam::spatial::tree::branching_beam::{EndEnergy, EndResponse, JointCondition, JointUnknown};
+use crate::model::seta::check::SetaError;
+use crate::model::seta::parameters::SetaModel;
+use crate::model::seta::tip::AdheringTip;
+use crate::model::seta::tip_law::TipBranch;
+use crate::solve::problem::{EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem};
+use crate::solve::state::State;
+use crate::solve::system::INTERFACE;
 use nalgebra::{Matrix6, Vector3};
 use std::sync::Arc;
 

@@ -1,8 +1,10 @@
 //! What a branch is followed by where the displacement of the root turns: the place of a joint that goes on.
 
 use super::standing::{HEIGHT, Standing};
-use crate::beam::{JointUnknown, SPATIAL_UNKNOWNS};
-use crate::solve::{Solution, State};
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::tree::branching_beam::JointUnknown;
+use crate::solve::newton::Solution;
+use crate::solve::state::State;
 
 /// A place of a joint along x, y or z that grows or falls along a branch.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,8 @@
 //! Where in a step a tip comes to the end of its branch, and which tips lose their hold where no step is short enough.
 
-use crate::solve::State;
-use crate::study::seta::{Standing, share_of_change};
+use crate::solve::state::State;
+use crate::study::seta::rest::share_of_change;
+use crate::study::seta::standing::Standing;
 
 /// Place of a tip along the normal
 const HEIGHT: usize = 1;

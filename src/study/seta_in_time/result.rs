@@ -1,9 +1,12 @@
 //! What a pull of a seta in time gives.
 
-use crate::model::{NotInTime, SetaError};
-use crate::solve::SolveError;
-use crate::solve::time::{EnergyBalance, TimeError};
-use crate::study::{InTimeFailureKind, TipChange};
+use crate::model::problem::motion::NotInTime;
+use crate::model::seta::check::SetaError;
+use crate::solve::error::SolveError;
+use crate::solve::time::dynamic_system::EnergyBalance;
+use crate::solve::time::integrator::TimeError;
+use crate::study::pull_in_time::result::InTimeFailureKind;
+use crate::study::seta::result::TipChange;
 
 /// The seta at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -8,15 +8,22 @@
 use super::events::{event_within, softest};
 use super::result::{SetaInTime, SetaInTimeEvent, SetaInTimeFailure, SetaInTimeFailureKind, SetaInTimePoint, TipLoss};
 use super::settings::{SetaPullRate, SetaTimeAccuracy, check};
-use crate::beam::{BeamTree, SPATIAL_UNKNOWNS};
-use crate::model::{KG_PER_CUBIC_METRE, MovingMaterial, SetaModel, TipBranch};
-use crate::solve::time::{
-    Drive, DynamicProblem, DynamicSystem, EnergyBalance, Motion, Ramp, StepControl, TimeError, TimeIntegrator,
-    TimeOptions,
-};
-use crate::solve::{ShouldStop, State, System, Workspace};
-use crate::study::seta::{Rested, RootDrive, Standing, TipTangent, come_to_rest};
-use crate::study::{InTimeFailureKind, TipChange};
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::tree::beam_tree::BeamTree;
+use crate::model::problem::motion::{KG_PER_CUBIC_METRE, MovingMaterial};
+use crate::model::seta::parameters::SetaModel;
+use crate::model::seta::tip_law::TipBranch;
+use crate::solve::state::State;
+use crate::solve::system::System;
+use crate::solve::time::drive::{Drive, Ramp};
+use crate::solve::time::dynamic_system::{DynamicProblem, DynamicSystem, EnergyBalance};
+use crate::solve::time::integrator::{StepControl, TimeError, TimeIntegrator, TimeOptions};
+use crate::solve::time::rule::Motion;
+use crate::solve::workspace::{ShouldStop, Workspace};
+use crate::study::pull_in_time::result::InTimeFailureKind;
+use crate::study::seta::rest::{Rested, come_to_rest};
+use crate::study::seta::result::TipChange;
+use crate::study::seta::standing::{RootDrive, Standing, TipTangent};
 use std::sync::Arc;
 
 /// The first step over the time of acceleration; behind an event over the last one.

@@ -1,7 +1,7 @@
 //! How the root of a seta is pulled in time, and how accurately that is followed.
 
-use crate::solve::time::Ramp;
-use crate::study::InTimeFailureKind;
+use crate::solve::time::drive::Ramp;
+use crate::study::pull_in_time::result::InTimeFailureKind;
 
 /// How the root of a seta that adheres moves: from rest along a direction, at a constant rate, until no tip adheres.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,11 +4,15 @@
 //! slopes of an element of order p are as accurate as its values. The Gauss weights come along: Σ weight × line force is the integral that the
 //! elements balance, to the last digits.
 
-use crate::adhesion::{FrictionLaw, GroundLaw};
-use crate::beam::{NodeState, PlanarBeam, SectionState};
-use crate::model::PeelModel;
+use crate::adhesion::friction::dahl::FrictionLaw;
+use crate::adhesion::substrate::response::GroundLaw;
+use crate::beam::element::energy_density::SectionState;
+use crate::beam::planar::chain::NodeState;
+use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::section::Section;
+use crate::model::peel::PeelModel;
 use crate::number::gauss::{Rule, gauss_legendre};
-use crate::solve::State;
+use crate::solve::state::State;
 use std::num::NonZeroUsize;
 
 /// The beam at one place. Its loads are those that it exerts on the ground, which exerts the opposite on it.
@@ -144,7 +148,7 @@ impl<'p> PlanarReader<'p> {
     }
 
     /// ½(N²/EA + Q²/GA_s + M²/EI), nN.
-    fn stored(&self, state: &SectionState, section: &crate::beam::Section, [sin, cos]: [f64; 2]) -> f64 {
+    fn stored(&self, state: &SectionState, section: &Section, [sin, cos]: [f64; 2]) -> f64 {
         let normal = state.horizontal_force * cos + state.vertical_force * sin;
         let shear = state.vertical_force * cos - state.horizontal_force * sin;
         0.5 * (normal.powi(2) / section.axial + shear.powi(2) / section.shear + state.moment.powi(2) / section.bending)

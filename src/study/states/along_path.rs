@@ -1,10 +1,12 @@
 //! Which points of a path are looked at: its limit points, and others evenly between.
 
-use super::BeamState;
-use super::beam_state::Reader;
-use crate::solve::{PathSegment, ROUGH, Solution, Workspace, step_to};
-use crate::study::Peel;
-use crate::study::peel::SolutionHistory;
+use super::beam_state::{BeamState, Reader};
+use crate::solve::newton::Solution;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::locate::{ROUGH, step_to};
+use crate::solve::workspace::Workspace;
+use crate::study::peel::result::Peel;
+use crate::study::peel::solution_history::SolutionHistory;
 use std::sync::Arc;
 
 /// Pieces of a step by which the length of the curve is measured.

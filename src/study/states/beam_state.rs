@@ -2,9 +2,11 @@
 
 use super::along_beam::{PlanarReader, SectionFields};
 use super::in_space::{SpatialReader, SpatialSectionFields};
-use crate::adhesion::SectionShape;
-use crate::model::{Beam, PeelModel};
-use crate::solve::{LimitPointKind, Solution};
+use crate::adhesion::spatial_section::section::SectionShape;
+use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::Beam;
+use crate::solve::newton::Solution;
+use crate::solve::points::kind::LimitPointKind;
 
 /// One equilibrium of a path with its fields along the beam.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,10 +1,11 @@
 //! The fields of one equilibrium along a beam in space, sampled as those of a planar beam are.
 
-use crate::adhesion::SectionShape;
-use crate::beam::{SpatialBeam, SpatialSectionState};
-use crate::model::PeelModel;
+use crate::adhesion::spatial_section::section::SectionShape;
+use crate::beam::spatial::section::section_state::SpatialSectionState;
+use crate::beam::spatial::spatial_beam::SpatialBeam;
+use crate::model::peel::PeelModel;
 use crate::number::gauss::gauss_legendre;
-use crate::solve::State;
+use crate::solve::state::State;
 use std::num::NonZeroUsize;
 
 /// The beam in space at one place.

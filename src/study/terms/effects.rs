@@ -11,9 +11,10 @@
 
 use super::decision::Term;
 use super::section_sampling::{Point, SectionSampling};
-use crate::adhesion::{LineLaw, LineLoad};
-use crate::model::{Hold, PeelModel};
-use crate::study::peel::{Peel, SolutionHistory};
+use crate::adhesion::section::line_load::{LineLaw, LineLoad};
+use crate::model::peel::{Hold, PeelModel};
+use crate::study::peel::result::Peel;
+use crate::study::peel::solution_history::SolutionHistory;
 
 /// cos θ of a section from which on the near face alone, W/cos θ, is no small change of the model.
 const UPRIGHT: f64 = 0.1;

@@ -9,8 +9,11 @@
 //! force, P' = 0, is then moved by f = W'/u' in force and, as it lies where P' + f' = 0, by -u' f'/P'' in displacement; one of the
 //! displacement by g = -W'/P' and by -P' g'/u''. Where displacements count from a place that moves, W is that of a beam that is moved as far.
 
-use crate::solve::{LimitPointKind, PathSegment, Solution};
-use crate::study::peel::{LimitPoint, SolutionHistory};
+use crate::solve::newton::Solution;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::kind::LimitPointKind;
+use crate::study::peel::points::LimitPoint;
+use crate::study::peel::solution_history::SolutionHistory;
 
 /// How a limit point moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

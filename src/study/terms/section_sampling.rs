@@ -1,9 +1,17 @@
 //! A beam at one point of its path, as a term of the model sees it.
 
-use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, Rule, Substrate};
-use crate::beam::{Configuration, PlanarBeam, Section};
-use crate::model::{BeamProblem, PeelModel};
-use crate::solve::{Solution, lagrange_weights};
+use crate::adhesion::friction::dahl::FrictionLaw;
+use crate::adhesion::section::line_load::LineLaw;
+use crate::adhesion::substrate::Substrate;
+use crate::adhesion::substrate::response::GroundLaw;
+use crate::beam::planar::chain::Configuration;
+use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::section::Section;
+use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::number::gauss::Rule;
+use crate::solve::newton::Solution;
+use crate::solve::path::predictor::lagrange_weights;
 use std::num::NonZeroUsize;
 
 /// One equilibrium of a path, with the direction in which the path goes on.

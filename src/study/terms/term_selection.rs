@@ -7,13 +7,22 @@
 use super::decision::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, Terms};
 use super::first_order_change::FirstOrderChange;
 use super::section_sampling::SectionSampling;
-use crate::adhesion::{FrictionLaw, GroundLaw, LineLaw, LineLoad, Substrate};
-use crate::model::{Form, Friction, Ground, Hold, PeelModel};
-use crate::solve::{Direction, Solution};
+use crate::adhesion::friction::dahl::FrictionLaw;
+use crate::adhesion::section::line_load::{LineLaw, LineLoad};
+use crate::adhesion::substrate::Substrate;
+use crate::adhesion::substrate::response::GroundLaw;
+use crate::model::ground::{Friction, Ground};
+use crate::model::peel::{Form, Hold, PeelModel};
+use crate::solve::newton::Solution;
+use crate::solve::problem::Direction;
+use crate::study::accuracy::Accuracy;
+use crate::study::checkpoint::Checkpoint;
 use crate::study::error_bounds::{COMPANION_FRACTION, FAR_FACE_SHARE_FACTOR, SHIFT_BOUND_FACTOR};
+use crate::study::peel::points::LimitPoint;
+use crate::study::peel::result::{PathEnd, Peel};
 use crate::study::peel::run as whole_path;
-use crate::study::peel::{LimitPoint, PathEnd, Peel, SolutionHistory};
-use crate::study::{Accuracy, Checkpoint, StopCriteria};
+use crate::study::peel::solution_history::SolutionHistory;
+use crate::study::stop_criteria::StopCriteria;
 use std::sync::Arc;
 
 /// Heights of the ground over r0 beyond which it is no small change.

@@ -6,7 +6,7 @@ use super::outcome::Outcome;
 use super::sobol_indices::{SobolIndex, sobol_indices};
 use super::statistics::Statistics;
 use super::taylor::{Order, Propagation, Taylor};
-use crate::study::PeelQuantity;
+use crate::study::sensitivity::quantity::PeelQuantity;
 
 /// The quantiles that are reported.
 pub const PROBABILITIES: [f64; 7] = [0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99];

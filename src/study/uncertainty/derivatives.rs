@@ -4,7 +4,10 @@ use super::outcome::Outcome;
 use super::plan::Plan;
 use super::sampled_peel::{Sampled, SampledPeel};
 use super::taylor::Taylor;
-use crate::study::{Variation, peel, sensitivities};
+use crate::study::peeling::peel;
+use crate::study::sensitivity::Variation;
+use crate::study::sensitivity::quantity::PeelQuantity;
+use crate::study::sensitivity::run::sensitivities;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
@@ -92,7 +95,7 @@ fn first_order(plan: &Plan, of: &SampledPeel, inputs: &[f64]) -> Option<Vec<Opti
         return None;
     }
     let found = sensitivities(&peel, of.of, &variations).ok().filter(|found| found.refused.is_empty())?;
-    let number = |quantity: &crate::study::PeelQuantity| {
+    let number = |quantity: &PeelQuantity| {
         let value = quantity.value(&peel)?;
         let slope = |input: usize| found.of(*quantity, input).map(|of| of.value / scale(input));
         Some((value, (0..inputs.len()).map(slope).collect::<Option<Vec<f64>>>()?))

@@ -1,6 +1,6 @@
 //! How an uncertain number is distributed.
 
-use crate::model::Range;
+use crate::model::check::error::Range;
 use statrs::function::erf;
 use std::f64::consts::SQRT_2;
 use std::fmt;

@@ -1,9 +1,13 @@
 //! The numbers of one sample's peel.
 
-use crate::model::PeelModel;
-use crate::study::{
-    Accuracy, FollowedPoint, PathEnd, Peel, PeelQuantity, PointKind, Remark, Spacing, StopCriteria, follow_point, peel,
-};
+use crate::model::peel::PeelModel;
+use crate::study::accuracy::Accuracy;
+use crate::study::limit_point_continuation::result::{FollowedPoint, PointKind, Remark, Spacing};
+use crate::study::limit_point_continuation::sweep::follow_point;
+use crate::study::peel::result::{PathEnd, Peel};
+use crate::study::peeling::peel;
+use crate::study::sensitivity::quantity::PeelQuantity;
+use crate::study::stop_criteria::StopCriteria;
 use serde::{Deserialize, Serialize};
 
 /// What one sample gives.

@@ -2,8 +2,11 @@
 
 use super::design::{Design, SamplePlace};
 use super::outcome::{Outcome, peel_numbers};
-use crate::model::PeelModel;
-use crate::study::{Accuracy, PeelQuantity, StopCriteria, sweep};
+use crate::model::peel::PeelModel;
+use crate::study::accuracy::Accuracy;
+use crate::study::sensitivity::quantity::PeelQuantity;
+use crate::study::stop_criteria::StopCriteria;
+use crate::study::sweep::sweep;
 
 /// Numbers as a function of uncertain inputs, of a peel or of something else. Its functions are called from any thread.
 pub trait Sampled: Sync {

@@ -16,8 +16,8 @@
 
 use super::CohesiveShape;
 use super::at::At;
-use crate::adhesion::HalfSpace;
-use crate::adhesion::section::LineResponse;
+use crate::adhesion::levels::half_space::HalfSpace;
+use crate::adhesion::section::response::LineResponse;
 use crate::number::Real;
 use crate::number::root::Bracket;
 

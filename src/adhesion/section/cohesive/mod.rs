@@ -3,11 +3,9 @@
 //! A shape is a file here that says what the law is called, what its corners take, and what it is, and a line of the list below.
 
 mod at;
-mod calibrated;
+pub(crate) mod calibrated;
 mod on_width;
 mod ramp;
-pub use calibrated::Cohesive;
-pub(in crate::adhesion) use calibrated::Part;
 
 use at::At;
 

@@ -6,8 +6,7 @@
 //! between the corners of the law: it is exact for a law of lines with rounded corners, polynomials of degree 9. Both
 //! are within 3e-13 of what is averaged, without its sign.
 
-use super::Cohesive;
-use super::calibrated::Part;
+use super::calibrated::{Cohesive, Part};
 
 /// Gauss's points above zero on [-1, 1] and their weights.
 const POINTS: [f64; 3] = [0.238_619_186_083_196_9, 0.661_209_386_466_264_5, 0.932_469_514_203_152];

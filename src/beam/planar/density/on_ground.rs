@@ -1,12 +1,14 @@
 //! The three-field Reissner beam on ground of any shape.
 
-use super::reissner::stored;
-use crate::adhesion::{FrictionLaw, FrictionState, GroundLaw};
-use crate::beam::{Coupling, EnergyDensity, Point, PointResponse, Profile, SectionState};
+use super::reissner::{ReissnerBeam, stored};
+use crate::adhesion::friction::dahl::{FrictionLaw, FrictionState};
+use crate::adhesion::substrate::response::GroundLaw;
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
+use crate::beam::varying::Profile;
 use crate::number::Real;
 
 /// The planar Reissner beam on ground that is not flat, with the adhesion bΨ of [`GroundLaw`]. Fields: x (nm), y - h/2 of the
-/// axis (nm), which above level ground is the gap, rotation θ. It has no border. Stored energy as of [`super::ReissnerBeam`].
+/// axis (nm), which above level ground is the gap, rotation θ. It has no border. Stored energy as of [`crate::beam::ReissnerBeam`].
 #[derive(Clone, Debug)]
 pub struct BeamOnGround {
     /// The beam from place to place
@@ -30,7 +32,7 @@ impl BeamOnGround {
 
 impl EnergyDensity<3> for BeamOnGround {
     const COUPLING: Coupling<3> =
-        Coupling { value_value: [[true; 3]; 3], ..<super::ReissnerBeam as EnergyDensity<3>>::COUPLING };
+        Coupling { value_value: [[true; 3]; 3], ..<ReissnerBeam as EnergyDensity<3>>::COUPLING };
 
     #[inline(always)]
     fn response<T: Real>(

@@ -9,8 +9,11 @@
 //!
 //! to which ½EI θ'² and the adhesion bΨ(y, θ) are added. Nothing is neglected.
 
-use crate::adhesion::{LineLaw, TiltCount};
-use crate::beam::{Coupling, EnergyDensity, PointResponse, Profile, SectionAt, SectionState};
+use crate::adhesion::section::coverage::TiltCount;
+use crate::adhesion::section::line_load::LineLaw;
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
+use crate::beam::section::SectionAt;
+use crate::beam::varying::Profile;
 use crate::number::Real;
 
 /// The two-field form of the planar Reissner beam on a flat half space. Fields: gap η = y - h/2 (nm), rotation θ.

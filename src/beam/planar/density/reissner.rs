@@ -3,9 +3,11 @@
 //! Γ1 = x' cos θ + y' sin θ - 1, Γ2 = -x' sin θ + y' cos θ, κ = θ' - κ0; stored energy ½EA Γ1² + ½GA_s Γ2² + ½EI κ² per
 //! length, and the adhesion bΨ(y, θ). κ0 is the curvature at rest, zero for a strip.
 
-use crate::adhesion::{LineLaw, TiltCount};
-use crate::beam::Section;
-use crate::beam::{Coupling, EnergyDensity, PointResponse, Profile, SectionState};
+use crate::adhesion::section::coverage::TiltCount;
+use crate::adhesion::section::line_load::LineLaw;
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
+use crate::beam::section::Section;
+use crate::beam::varying::Profile;
 use crate::number::Real;
 
 /// The three-field form of the planar Reissner beam on a flat half space. Fields: x (nm), gap η = y - h/2 (nm), rotation
@@ -165,5 +167,20 @@ pub(super) fn section_of(response: &PointResponse<f64, 3>, [dx, dy, turn]: [f64;
         moment,
         curvature: turn,
         stored: response.energy,
+    }
+}
+
+impl Profile {
+    /// The section at S, turned by θ, under the slopes x', η' of the gap below it, and θ'.
+    pub(super) fn section_state(&self, place: f64, rotation: f64, [dx, gap_slope, turn]: [f64; 3]) -> SectionState {
+        let station = self.at(place);
+        let slopes = [dx, gap_slope + station.rise, turn];
+        section_of(&stored(&station.section, rotation, slopes, station.curvature), slopes)
+    }
+
+    /// The same section under the forces H, V and the moment M.
+    pub(super) fn section_state_from_forces(&self, place: f64, rotation: f64, forces: [f64; 3]) -> SectionState {
+        let station = self.at(place);
+        section_from_forces(&station.section, rotation, forces, station.curvature)
     }
 }

@@ -1,13 +1,14 @@
 //! Reissner's beam on its own: nothing adheres, and it may be curved at rest.
 
 use super::reissner::{COUPLING, section_from_forces, section_of, stored};
-use crate::beam::{Coupling, EnergyDensity, PointResponse, SectionState};
-use crate::beam::{ReferenceCurve, Section};
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
+use crate::beam::reference_configuration::ReferenceCurve;
+use crate::beam::section::Section;
 use crate::number::Real;
 
 /// A planar Reissner beam that is stress-free along a given curve. Fields: x, y (nm), rotation θ. It has no border.
 ///
-/// Γ1 and Γ2 as in [`super::ReissnerBeam`], the change of curvature θ' - κ0(S); stored energy per length
+/// Γ1 and Γ2 as in [`crate::beam::ReissnerBeam`], the change of curvature θ' - κ0(S); stored energy per length
 /// ½EA Γ1² + ½GA_s Γ2² + ½EI (θ' - κ0)².
 #[derive(Clone, Copy, Debug)]
 pub struct ReissnerRod {

@@ -8,9 +8,10 @@
 //! an energy of the step. So its tangent is symmetric. The same holds with another factor f for a spring and a dashpot in series.
 //! Source: M. Ortiz, L. Stainier, The variational formulation of viscoplastic constitutive updates, Comput. Methods Appl. Mech. Eng. 171 (1999).
 
-use super::reissner::stored_from;
-use super::{ReissnerBeam, ReissnerRod};
-use crate::beam::{Coupling, EnergyDensity, Point, PointResponse, Section, SectionState};
+use super::reissner::{ReissnerBeam, stored_from};
+use super::rod::ReissnerRod;
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
+use crate::beam::section::Section;
 use crate::number::Real;
 
 /// A density of three fields that knows the elastic stiffness of its sections.

@@ -9,9 +9,11 @@
 //! and the root's own matrix, or its transpose, stands between the two. U is what elimination leaves in its pivot rows. L is
 //! found again from what it leaves below the pivots, and in the fronts of a symmetric tangent from U.
 
-use super::{BUNDLE, Kept, UniformChain};
-use crate::beam::planar::chain::{BelowEnd, EndRow};
-use crate::beam::{ChainFactors, FrontalMatrix, FrontalRow, MOST_FIELDS, MOST_NODES, RootVector, slot};
+use super::elements::{Kept, UniformChain};
+use crate::beam::element::basis::{MOST_NODES, slot};
+use crate::beam::element::frontal_matrix::{FrontalMatrix, FrontalRow};
+use crate::beam::element::integration::BUNDLE;
+use crate::beam::planar::chain::{BelowEnd, ChainFactors, EndRow, MOST_FIELDS, RootVector};
 use crate::number::F64x4;
 
 /// Most unknowns of an element: its fields and the border.

@@ -10,9 +10,11 @@
 //! Source: D. Magisano, L. Leonetti, G. Garcea, How to improve efficiency and robustness of the Newton method in geometrically
 //! non-linear structural problems discretized via displacement-based finite elements, Comput. Methods Appl. Mech. Engrg. 313 (2017) 986-1005.
 
-use super::{BUNDLE, UniformChain};
-use crate::beam::planar::element::Point;
-use crate::beam::{Configuration, Element, MOST_NODES, Nodes, slot};
+use super::elements::UniformChain;
+use crate::beam::element::basis::{MOST_NODES, Nodes, slot};
+use crate::beam::element::energy_density::Point;
+use crate::beam::element::integration::{BUNDLE, Element};
+use crate::beam::planar::chain::Configuration;
 use crate::number::{F64x4, Real};
 
 /// [`UniformChain::follow`] compiled for the vector units that the machine may have, chosen when it runs.

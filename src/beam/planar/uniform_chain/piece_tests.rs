@@ -12,11 +12,19 @@
 //! method its convergence,
 //! and in all of them the accuracy.
 
-use super::UniformChain;
-use crate::adhesion::{Cohesive, CohesiveShape, HalfSpace, Law, LineLaw, LineLoad, TiltCount};
-use crate::beam::{
-    Chain, ChainFactors, Configuration, ConstraintGradient, EnergyDensity, Profile, ReducedBeam, ReissnerBeam, Section,
-};
+use super::elements::UniformChain;
+use crate::adhesion::levels::half_space::HalfSpace;
+use crate::adhesion::section::cohesive::CohesiveShape;
+use crate::adhesion::section::cohesive::calibrated::Cohesive;
+use crate::adhesion::section::coverage::TiltCount;
+use crate::adhesion::section::law::Law;
+use crate::adhesion::section::line_load::{LineLaw, LineLoad};
+use crate::beam::element::energy_density::EnergyDensity;
+use crate::beam::planar::chain::{Chain, ChainFactors, Configuration, ConstraintGradient};
+use crate::beam::planar::density::reduced::ReducedBeam;
+use crate::beam::planar::density::reissner::ReissnerBeam;
+use crate::beam::section::Section;
+use crate::beam::varying::Profile;
 use nalgebra::{DMatrix, DVector};
 
 const PAPER: HalfSpace = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };

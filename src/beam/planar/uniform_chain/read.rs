@@ -1,11 +1,12 @@
 //! What is read off a configuration: energies, section forces, and its fields in other places.
 
-use super::{BUNDLE, UniformChain};
-use crate::adhesion::FrictionState;
-use crate::beam::{
-    Configuration, Element, ElementEnergy, MOST_FIELDS, MOST_NODES, NodeState, Nodes, PerNode, SectionState, slot,
-};
-use crate::solve::History;
+use super::elements::UniformChain;
+use crate::adhesion::friction::dahl::FrictionState;
+use crate::beam::element::basis::{MOST_NODES, Nodes, PerNode, slot};
+use crate::beam::element::energy_density::SectionState;
+use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy};
+use crate::beam::planar::chain::{Configuration, MOST_FIELDS, NodeState};
+use crate::solve::state::History;
 use std::ops::Range;
 
 /// [`UniformChain::shift`] compiled for the vector units that the machine may have, chosen when it runs.

@@ -1,14 +1,17 @@
 //! The elimination, from the left end of the chain to the right.
 
+use super::elements::{Kept, UniformChain};
 use super::ends::Ends;
-use super::{BUNDLE, Kept, UniformChain};
-use crate::beam::planar::chain::{BelowEnd, EDGE, EndRow};
-use crate::beam::{
-    ChainFactors, CondensedChain, Configuration, ConstraintGradient, ElementEnergy, FrontalMatrix, LeastPivot,
-    MOST_FIELDS, Nodes, ROOT,
+use crate::beam::element::basis::Nodes;
+use crate::beam::element::frontal_matrix::FrontalMatrix;
+use crate::beam::element::integration::{BUNDLE, ElementEnergy};
+use crate::beam::planar::chain::{
+    BelowEnd, ChainFactors, CondensedChain, Configuration, ConstraintGradient, EDGE, EndRow, LeastPivot, MOST_FIELDS,
+    ROOT,
 };
 use crate::number::F64x4;
-use crate::solve::{NodalTerms, Place, Quantity, SolveError};
+use crate::solve::error::{Place, Quantity, SolveError};
+use crate::solve::system::NodalTerms;
 
 /// Pivots below this are zero to rounding.
 const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;

@@ -8,15 +8,25 @@
 //! bundle and do not; for the residual what [`Chain::recover`] gives. Why: a multiplier of the wrong pivot would show in adjoints
 //! and sensitivities alone.
 
-use super::UniformChain;
-use crate::adhesion::{FrictionLaw, GroundLaw, HalfSpace, Law, LineLaw, LineLoad, Substrate};
-use crate::beam::{
-    BUNDLE, BeamOnGround, Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, Coupling, Element,
-    EnergyDensity, FrontalMatrix, PlanarIntegrand, PointResponse, Profile, Responses, Section, SectionState, slot,
-};
+use super::elements::UniformChain;
+use crate::adhesion::friction::dahl::FrictionLaw;
+use crate::adhesion::levels::half_space::HalfSpace;
+use crate::adhesion::section::law::Law;
+use crate::adhesion::section::line_load::{LineLaw, LineLoad};
+use crate::adhesion::substrate::Substrate;
+use crate::adhesion::substrate::response::GroundLaw;
+use crate::beam::element::basis::slot;
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
+use crate::beam::element::frontal_matrix::FrontalMatrix;
+use crate::beam::element::integrand::PlanarIntegrand;
+use crate::beam::element::integration::{BUNDLE, Element, Responses};
+use crate::beam::planar::chain::{Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient};
+use crate::beam::planar::density::on_ground::BeamOnGround;
+use crate::beam::section::Section;
+use crate::beam::varying::Profile;
 use crate::number::Real;
-use crate::solve::History;
-use crate::solve::NodalTerms;
+use crate::solve::state::History;
+use crate::solve::system::NodalTerms;
 use nalgebra::{DMatrix, DVector};
 
 /// Numbers between -1 and 1, the same on every run.

@@ -13,8 +13,10 @@
 //! Products of a value and a slope change their sign in the mirror.
 
 use super::projection::FieldFront;
-use crate::beam::spatial::density::SPATIAL_FIELDS;
-use crate::beam::{Basis, Coupling, Element, MOST_NODES, MOST_ORDER, Nodes, Responses};
+use crate::beam::element::basis::{Basis, MOST_NODES, MOST_ORDER, Nodes};
+use crate::beam::element::energy_density::Coupling;
+use crate::beam::element::integration::{Element, Responses};
+use crate::beam::spatial::section::kinematics::SPATIAL_FIELDS;
 use crate::number::{F64x4, Real};
 
 /// Most points of half an element, with the one in the middle.

@@ -1,8 +1,10 @@
 //! The way back through a chain that is eliminated, from the right end to the left.
 
-use super::projection::{SPATIAL_UNKNOWNS, SpatialFront};
-use super::{SpatialChain, SpatialFactors, USUAL_ORDER, Usual, gather_nodes, no_values};
-use crate::beam::{AnyNumber, BUNDLE, Nodes, slot};
+use super::projection::SpatialFront;
+use super::spatial_chain::{SpatialChain, SpatialFactors, USUAL_ORDER, Usual, gather_nodes, no_values};
+use crate::beam::element::basis::{AnyNumber, Nodes, slot};
+use crate::beam::element::integration::BUNDLE;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::number::{F64x4, Real};
 
 const F: usize = SPATIAL_UNKNOWNS;

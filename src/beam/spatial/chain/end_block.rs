@@ -1,7 +1,8 @@
 //! The block of an element's two ends, what condensation leaves of it: eliminated from its left end to its right.
 
-use super::projection::{SPATIAL_UNKNOWNS, SpatialFront};
-use crate::beam::Nodes;
+use super::projection::SpatialFront;
+use crate::beam::element::basis::Nodes;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 
 /// Both ends, and the residual or the path.
 pub(in crate::beam::spatial) const EDGE: usize = 2 * SPATIAL_UNKNOWNS + 1;

@@ -1,9 +1,10 @@
 //! Any number of right-hand sides through a chain that is eliminated: K = Lᵀ D L, but for the rows of what is held, which were
 //! replaced behind the elimination of the interior.
 
-use super::projection::SPATIAL_UNKNOWNS;
-use super::{SpatialChain, SpatialFactors};
-use crate::beam::{BUNDLE, MOST_NODES, slot};
+use super::spatial_chain::{SpatialChain, SpatialFactors};
+use crate::beam::element::basis::{MOST_NODES, slot};
+use crate::beam::element::integration::BUNDLE;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 
 /// Most unknowns of an element.
 const MOST: usize = MOST_NODES * SPATIAL_UNKNOWNS;

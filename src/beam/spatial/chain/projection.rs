@@ -2,13 +2,13 @@
 //!
 //! With ∂q/∂φ = T and ∂²q/∂φ² = -q I/4, the gradient g and the tangent H by the fields become Tᵀg and TᵀHT - (g·q) I/4.
 
-use crate::beam::spatial::density::SPATIAL_FIELDS;
+use crate::beam::element::basis::{MOST_NODES, Nodes};
+use crate::beam::element::frontal_matrix::FrontalMatrix;
+use crate::beam::spatial::end_rotation::EndMap;
 use crate::beam::spatial::rotation::{Matrix3, apply_transposed, inner};
-use crate::beam::{FrontalMatrix, MOST_NODES, Nodes};
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::number::{F64x4, Real};
 
-/// Unknowns of a node.
-pub const SPATIAL_UNKNOWNS: usize = 6;
 /// The front of four elements in the unknowns of their nodes.
 pub type SpatialFront = FrontalMatrix<F64x4, SPATIAL_UNKNOWNS>;
 /// The same in the fields.
@@ -88,32 +88,6 @@ pub(in crate::beam::spatial) fn projected<T: Real>(
 ) -> [T; SPATIAL_UNKNOWNS] {
     let own = apply_transposed(turned, &quaternion_of(row));
     [row[0], row[1], row[2], own[0], own[1], own[2]]
-}
-
-/// From the unknowns of an end of the chain to those of its last node: of its place and of its turn, and how that is bent,
-/// Σ g ∂²φ/∂c².
-#[derive(Clone, Copy, Debug)]
-pub struct EndMap {
-    /// Columns: the axes along which the end is moved.
-    pub place: Matrix3,
-    /// ∂φ/∂c
-    pub turn: Matrix3,
-}
-
-impl EndMap {
-    /// A direction of the end as one of its node.
-    pub fn forward(&self, end: &[f64]) -> [f64; SPATIAL_UNKNOWNS] {
-        self.both(|map, k| (0..3).map(|j| map[k % 3][j] * end[3 * (k / 3) + j]).sum())
-    }
-
-    /// A gradient by the unknowns of the node as one by those of the end.
-    pub fn back(&self, node: &[f64]) -> [f64; SPATIAL_UNKNOWNS] {
-        self.both(|map, k| (0..3).map(|j| map[j][k % 3] * node[3 * (k / 3) + j]).sum())
-    }
-
-    fn both(&self, sum: impl Fn(&Matrix3, usize) -> f64) -> [f64; SPATIAL_UNKNOWNS] {
-        std::array::from_fn(|k| sum(if k < 3 { &self.place } else { &self.turn }, k))
-    }
 }
 
 /// [`EndMap`]s of four elements side by side, at the same node of each.

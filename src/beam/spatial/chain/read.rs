@@ -1,10 +1,11 @@
 //! What is read off a configuration: energies, gradients, and its fields in other places.
 
-use super::projection::{SPATIAL_UNKNOWNS, projected, turn_to_quaternion};
-use super::{SpatialChain, SpatialConfiguration, gather_nodes, no_values, quaternion_of};
-use crate::beam::spatial::density::SPATIAL_FIELDS;
+use super::projection::{projected, turn_to_quaternion};
+use super::spatial_chain::{SpatialChain, SpatialConfiguration, gather_nodes, no_values, quaternion_of};
+use crate::beam::element::basis::{MOST_NODES, PerNode, slot};
+use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy};
 use crate::beam::spatial::rotation::{apply, normalised};
-use crate::beam::{BUNDLE, Element, ElementEnergy, MOST_NODES, PerNode, slot};
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use std::ops::Range;
 
 const F: usize = SPATIAL_UNKNOWNS;

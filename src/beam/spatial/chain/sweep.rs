@@ -2,14 +2,18 @@
 
 use super::end_block::{Carry, EndBlock, ROOT};
 use super::projection::{EndMaps, SpatialFront, project};
-use super::{
-    EndMap, SPATIAL_UNKNOWNS, SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional,
-    USUAL_ORDER, Usual, gather_nodes, no_values, quaternion_of,
+use super::spatial_chain::{
+    SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional, USUAL_ORDER, Usual,
+    gather_nodes, no_values, quaternion_of,
 };
-use crate::beam::spatial::density::SPATIAL_FIELDS;
+use crate::beam::element::basis::{AnyNumber, Nodes};
+use crate::beam::element::frontal_matrix::FrontalMatrix;
+use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy};
+use crate::beam::spatial::end_rotation::EndMap;
 use crate::beam::spatial::rotation::{Matrix3, apply_transposed, matrix};
-use crate::beam::{AnyNumber, BUNDLE, Element, ElementEnergy, FrontalMatrix, Nodes};
-use crate::solve::{NodalTerms, Place, Quantity, SolveError};
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
+use crate::solve::error::{Place, Quantity, SolveError};
+use crate::solve::system::NodalTerms;
 
 /// Pivots below this are zero to rounding.
 pub(in crate::beam::spatial) const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;

@@ -3,8 +3,8 @@
 use super::beam_tree::{BeamTree, TreeBranch};
 use super::factors::TreeFactors;
 use super::inside::{Inside, MOST};
-use crate::beam::slot;
-use crate::beam::spatial::chain::SPATIAL_UNKNOWNS;
+use crate::beam::element::basis::slot;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::number::{F64x4, Real};
 
 const F: usize = SPATIAL_UNKNOWNS;

@@ -1,26 +1,29 @@
 //! A tree of beams that can be eliminated: its branches, its nodes, and how a state lays them out.
 
-use super::branching_beam::JointUnknown;
-use super::end_energy::EndEnergy;
-use super::schedule::TreeBundle;
-use super::tree_inertia::NodeInertia;
-use crate::beam::Viscosity;
+use super::branching_beam::{EndEnergy, JointUnknown};
+use super::topology::TreeBundle;
+use crate::beam::element::basis::{AnyNumber, Basis, Nodes, slot};
+use crate::beam::element::integrand::Integrand;
+use crate::beam::element::integration::{BUNDLE, Element, Integration};
 use crate::beam::spatial::chain::assembly::Products;
-use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, SpatialEnd, quaternion_of};
-use crate::beam::spatial::density::{SPATIAL_FIELDS, SpatialDensity};
+use crate::beam::spatial::chain::spatial_chain::{SpatialEnd, quaternion_of};
 use crate::beam::spatial::end_rotation::EndRotation;
-use crate::beam::spatial::rest_curve::SpatialRestCurve;
-use crate::beam::spatial::rotation::{Quaternion, product};
-use crate::beam::spatial::strain_memory::{SpatialKnownStrains, StrainAt, strains_of};
-use crate::beam::{AnyNumber, BUNDLE, Basis, Element, Integrand, Integration, Nodes, slot};
+use crate::beam::spatial::rest::SpatialRestCurve;
+use crate::beam::spatial::rotation::{Matrix3, Quaternion, apply, cross, product};
+use crate::beam::spatial::section::density::SpatialDensity;
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
+use crate::beam::spatial::section::strain_memory::{SpatialKnownStrains, StrainAt, strains_of};
+use crate::beam::viscosity::Viscosity;
 use crate::number::F64x4;
-use crate::solve::{MONITORS, State};
+use crate::solve::observables::MONITORS;
+use crate::solve::state::State;
+use crate::solve::time::dynamic_system::MaterialRate;
 use std::sync::Arc;
 
 /// Angles of an end in a state.
 pub(super) const ANGLES: usize = 3;
 
-/// A tree of beams as a [`crate::solve::System`]; [`super::BranchingBeam::build`] makes one.
+/// A tree of beams as a [`crate::solve::System`]; [`crate::beam::BranchingBeam::build`] makes one.
 ///
 /// Values of a state: x, y, z and the quaternion of each node, the joints first and then the nodes of each branch from S = 0 on; then three
 /// angles of the root and of each joint with a condition (zeros where it turns freely). A direction has six numbers a node: of its place, and
@@ -281,5 +284,84 @@ impl BeamTree {
             _ if own.rotation == EndRotation::Angles => angles[f - 3],
             _ => 0.0,
         })
+    }
+}
+
+/// Mass of a node, and its moments of inertia in the axes of its directors.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct NodeInertia {
+    pub mass: f64,
+    pub moments: Matrix3,
+}
+
+/// How a node moves, or is accelerated: along x, y and z, and about its directors.
+#[derive(Clone, Copy)]
+pub(super) struct NodeRates {
+    pub place: [f64; 3],
+    pub turn: [f64; 3],
+}
+
+impl NodeRates {
+    pub fn new([x, y, z, a, b, c]: [f64; SPATIAL_UNKNOWNS]) -> Self {
+        Self { place: [x, y, z], turn: [a, b, c] }
+    }
+}
+
+impl NodeInertia {
+    /// m dv/dt, and J dΩ/dt + Ω × JΩ.
+    pub fn forces(&self, rates: NodeRates, change: NodeRates) -> [f64; SPATIAL_UNKNOWNS] {
+        let (spin, torque) = (apply(&self.moments, &rates.turn), apply(&self.moments, &change.turn));
+        let gyroscopic = cross(rates.turn, spin);
+        std::array::from_fn(|k| if k < 3 { self.mass * change.place[k] } else { torque[k - 3] + gyroscopic[k - 3] })
+    }
+}
+
+impl BeamTree {
+    /// With other energies at joints that have a condition; of a joint without one nothing changes.
+    pub fn with_energies(&self, energies: impl IntoIterator<Item = (usize, Option<Arc<dyn EndEnergy>>)>) -> Self {
+        let mut tree = self.clone();
+        let ends = Arc::make_mut(&mut tree.ends);
+        for (joint, energy) in energies {
+            if let Some(end) = self.end_of[joint] {
+                ends[end].energy = energy;
+            }
+        }
+        tree
+    }
+
+    /// With the place of the root counted along other axes, which are the columns, of length one and at right angles.
+    pub fn with_root_axes(&self, axes: Matrix3) -> Self {
+        let mut tree = self.clone();
+        Arc::make_mut(&mut tree.ends)[0].own.axes = axes;
+        tree
+    }
+
+    /// Of a material that flows in this way, in all its branches.
+    pub fn with_viscosity(&self, viscosity: Viscosity) -> Self {
+        Self { viscosity, ..self.clone() }
+    }
+
+    /// As it is in a step in time with this rule: elastic, with the energy of the step.
+    pub(super) fn in_step(&self, rate: &MaterialRate) -> Self {
+        let factor = self.viscosity.factor(rate.per_time);
+        let remembered = RememberedStrains { factor, strains: Arc::clone(&rate.known) };
+        Self { remembered: (!rate.known.is_empty()).then_some(remembered), ..self.clone() }
+    }
+
+    /// As it answers a jump, within which what it remembers stays the same: with the stiffness of fast loading. None where a dashpot stands beside
+    /// every spring: such a material does not jump.
+    pub fn in_jump(&self, memory: &[f64]) -> Option<Self> {
+        let factor = match self.viscosity {
+            Viscosity::Elastic => return Some(self.clone()),
+            Viscosity::KelvinVoigt { .. } => return None,
+            Viscosity::StandardLinearSolid { stiffness_ratio, .. } => stiffness_ratio - 1.0,
+        };
+        let remembered = Some(RememberedStrains { factor, strains: memory.into() });
+        Some(Self { remembered, viscosity: Viscosity::Elastic, ..self.clone() })
+    }
+
+    /// With other monitors; the last three unknowns of a joint are there with angles alone.
+    pub fn with_monitors(&self, monitors: [Option<JointUnknown>; MONITORS]) -> Self {
+        Self { monitors, ..self.clone() }
     }
 }

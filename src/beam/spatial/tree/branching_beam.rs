@@ -1,13 +1,14 @@
-//! A tree of beams as plain data.
+//! A tree of beams as plain data, with the energy of the place and the rotation of a joint (what adheres a tip, for one), and why such a tree
+//! cannot be computed.
 
-use super::end_energy::EndEnergy;
-use crate::beam::spatial::chain::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::end_rotation::EndRotation;
-use crate::beam::spatial::rest_curve::SpatialRestCurve;
+use crate::beam::spatial::rest::SpatialRestCurve;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion};
-use crate::beam::spatial::stiffness::SpatialStiffness;
-use crate::solve::MONITORS;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
+use crate::beam::spatial::section::spatial_profile::SpatialStiffness;
+use crate::solve::observables::MONITORS;
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
+use std::fmt::Debug;
 use std::sync::Arc;
 
 /// A beam between two joints.
@@ -148,4 +149,85 @@ impl BranchingBeam {
             scale: [1e-3 * longest, 1e-3],
         }
     }
+}
+
+/// Why a tree of beams cannot be computed. Branches and joints are counted from 0.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the message of each names its numbers
+pub enum TreeError {
+    /// There is no branch.
+    #[error("a tree of beams without a branch: give at least one")]
+    Empty,
+    /// Elements of this order do not exist.
+    #[error("elements of order {order}: orders are 1 to 8")]
+    Order { order: usize },
+    /// A length or a number of elements of a branch.
+    #[error("branch {branch} is {length} nm long and has {elements} elements: both have to be positive")]
+    Length { branch: usize, length: f64, elements: usize },
+    /// A stiffness that is not positive definite, or a number that is not finite.
+    #[error(
+        "branch {branch}: the stiffness is not symmetric and positive definite, or a number of its rest curve is not finite: all of EA, GA, GJ and EI have to be positive"
+    )]
+    Stiffness { branch: usize },
+    /// A branch from a joint to itself.
+    #[error("branch {branch} begins and ends at joint {joint}: a ring is no tree; give it two joints")]
+    Ring { branch: usize, joint: usize },
+    /// A joint with a number that is too large.
+    #[error("branch {branch} meets joint {joint}: a tree of {branches} branches has the joints 0 to {branches}")]
+    Number { branch: usize, joint: usize, branches: usize },
+    /// The root is at no branch.
+    #[error("the root is joint {root}, where no branch begins or ends: choose a joint of a branch")]
+    Root { root: usize },
+    /// Two ways to a joint.
+    #[error(
+        "branches {first} and {second} close a loop at joint {joint}: a tree has one way from every joint to the root; take one of the two away"
+    )]
+    Loop { first: usize, second: usize, joint: usize },
+    /// A part that hangs on nothing.
+    #[error("branch {branch} between joints {first} and {last} does not hang together with the root, joint {root}")]
+    Apart { branch: usize, first: usize, last: usize, root: usize },
+    /// Branches that do not meet where they are joined.
+    #[error(
+        "branches {first} and {second} are joined at joint {joint} and lie {distance:.3e} nm apart there: let their rest curves meet"
+    )]
+    Gap { first: usize, second: usize, joint: usize, distance: f64 },
+    /// A condition on a joint that is not there, or a second one.
+    #[error("joint {joint} has {count} conditions, of joints 0 to {last}: a joint that is there has at most one")]
+    Condition { joint: usize, count: usize, last: usize },
+    /// What is held of a joint that is no tip.
+    #[error(
+        "joint {joint}, where {branches} branches meet, is held: only tips can be held by a condition; what is held of the root, the grip says"
+    )]
+    Held { joint: usize, branches: usize },
+    /// A rotation that is held and has no angles, or axes that are none.
+    #[error("joint {joint}: {problem}")]
+    Axes { joint: usize, problem: &'static str },
+    /// A monitor of what is not there.
+    #[error(
+        "the monitor of unknown {slot} of joint {joint}: unknowns are 0 to 5, the last three of a joint with angles"
+    )]
+    Monitor { joint: usize, slot: usize },
+    /// A scale that is not positive.
+    #[error("the scales of an error are {place} nm and {turn} rad: both have to be positive")]
+    Scale { place: f64, turn: f64 },
+}
+
+/// An energy at a joint with its derivatives.
+///
+/// By δ, a change of the place along x, y and z (nm), and φ, a turn in the axes of the directors (rad): of E(r + δ, q ∘ exp(φ)), where exp(φ)
+/// turns by |φ| about φ, at δ = φ = 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EndResponse {
+    /// E, aJ
+    pub energy: f64,
+    /// ∂E/∂(δ, φ): nN and nN·nm
+    pub gradient: [f64; 6],
+    /// ∂²E/∂(δ, φ)², symmetric: nN/nm, nN, nN·nm
+    pub hessian: [[f64; 6]; 6],
+}
+
+/// An energy of the place and the rotation of a joint.
+pub trait EndEnergy: Send + Sync + Debug {
+    /// The energy at a place (nm) and with directors q, of length one.
+    fn response(&self, place: [f64; 3], directors: Quaternion) -> EndResponse;
 }

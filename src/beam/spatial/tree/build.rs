@@ -1,17 +1,17 @@
 //! From a tree as plain data to one that can be eliminated, and what of it cannot be computed.
 
 use super::beam_tree::{BeamTree, TreeBranch, TreeEnd};
-use super::branching_beam::{Branch, BranchingBeam, JointCondition, JointUnknown};
+use super::branching_beam::{Branch, BranchingBeam, JointCondition, JointUnknown, TreeError};
 use super::inside::inside_length;
-use super::schedule::schedule;
-use super::topology::Topology;
-use crate::beam::spatial::chain::SpatialEnd;
+use super::topology::{Topology, schedule};
+use crate::beam::element::basis::{Basis, MOST_ORDER};
 use crate::beam::spatial::chain::assembly::Products;
-use crate::beam::spatial::density::SpatialDensity;
+use crate::beam::spatial::chain::spatial_chain::SpatialEnd;
 use crate::beam::spatial::end_rotation::EndRotation;
 use crate::beam::spatial::rotation::{Quaternion, conjugate, product};
-use crate::beam::spatial::spatial_profile::{SpatialProfile, Station};
-use crate::beam::{Basis, MOST_ORDER, Viscosity};
+use crate::beam::spatial::section::density::SpatialDensity;
+use crate::beam::spatial::section::spatial_profile::{SpatialProfile, Station};
+use crate::beam::viscosity::Viscosity;
 use nalgebra::{Matrix3, Matrix6};
 use std::sync::Arc;
 
@@ -19,67 +19,6 @@ use std::sync::Arc;
 const APART: f64 = 1e-9;
 /// Axes of a joint may miss length one and a right angle by this much.
 const SKEW: f64 = 1e-9;
-
-/// Why a tree of beams cannot be computed. Branches and joints are counted from 0.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[allow(missing_docs)] // the message of each names its numbers
-pub enum TreeError {
-    /// There is no branch.
-    #[error("a tree of beams without a branch: give at least one")]
-    Empty,
-    /// Elements of this order do not exist.
-    #[error("elements of order {order}: orders are 1 to 8")]
-    Order { order: usize },
-    /// A length or a number of elements of a branch.
-    #[error("branch {branch} is {length} nm long and has {elements} elements: both have to be positive")]
-    Length { branch: usize, length: f64, elements: usize },
-    /// A stiffness that is not positive definite, or a number that is not finite.
-    #[error(
-        "branch {branch}: the stiffness is not symmetric and positive definite, or a number of its rest curve is not finite: all of EA, GA, GJ and EI have to be positive"
-    )]
-    Stiffness { branch: usize },
-    /// A branch from a joint to itself.
-    #[error("branch {branch} begins and ends at joint {joint}: a ring is no tree; give it two joints")]
-    Ring { branch: usize, joint: usize },
-    /// A joint with a number that is too large.
-    #[error("branch {branch} meets joint {joint}: a tree of {branches} branches has the joints 0 to {branches}")]
-    Number { branch: usize, joint: usize, branches: usize },
-    /// The root is at no branch.
-    #[error("the root is joint {root}, where no branch begins or ends: choose a joint of a branch")]
-    Root { root: usize },
-    /// Two ways to a joint.
-    #[error(
-        "branches {first} and {second} close a loop at joint {joint}: a tree has one way from every joint to the root; take one of the two away"
-    )]
-    Loop { first: usize, second: usize, joint: usize },
-    /// A part that hangs on nothing.
-    #[error("branch {branch} between joints {first} and {last} does not hang together with the root, joint {root}")]
-    Apart { branch: usize, first: usize, last: usize, root: usize },
-    /// Branches that do not meet where they are joined.
-    #[error(
-        "branches {first} and {second} are joined at joint {joint} and lie {distance:.3e} nm apart there: let their rest curves meet"
-    )]
-    Gap { first: usize, second: usize, joint: usize, distance: f64 },
-    /// A condition on a joint that is not there, or a second one.
-    #[error("joint {joint} has {count} conditions, of joints 0 to {last}: a joint that is there has at most one")]
-    Condition { joint: usize, count: usize, last: usize },
-    /// What is held of a joint that is no tip.
-    #[error(
-        "joint {joint}, where {branches} branches meet, is held: only tips can be held by a condition; what is held of the root, the grip says"
-    )]
-    Held { joint: usize, branches: usize },
-    /// A rotation that is held and has no angles, or axes that are none.
-    #[error("joint {joint}: {problem}")]
-    Axes { joint: usize, problem: &'static str },
-    /// A monitor of what is not there.
-    #[error(
-        "the monitor of unknown {slot} of joint {joint}: unknowns are 0 to 5, the last three of a joint with angles"
-    )]
-    Monitor { joint: usize, slot: usize },
-    /// A scale that is not positive.
-    #[error("the scales of an error are {place} nm and {turn} rad: both have to be positive")]
-    Scale { place: f64, turn: f64 },
-}
 
 impl BranchingBeam {
     /// The tree as a system.

@@ -3,12 +3,11 @@
 
 use super::beam_tree::{BeamTree, TreeBranch};
 use super::inside::{Ends, MOST};
-use crate::beam::Responses;
-use crate::beam::slot;
-use crate::beam::spatial::chain::SPATIAL_UNKNOWNS;
+use crate::beam::element::basis::slot;
+use crate::beam::element::integration::Responses;
 use crate::beam::spatial::chain::end_block::{BelowEnd, Carry, EDGE, EndRow};
 use crate::beam::spatial::chain::projection::{FieldFront, SpatialFront};
-use crate::beam::spatial::density::SPATIAL_FIELDS;
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::number::{F64x4, Real};
 
 const F: usize = SPATIAL_UNKNOWNS;

@@ -3,9 +3,9 @@
 //! Row k of the pivots has one over the pivot, then the entries of the columns behind it, then the residual; unknowns are those of the
 //! nodes in elimination order, the interior first.
 
-use crate::beam::MOST_NODES;
-use crate::beam::spatial::chain::SPATIAL_UNKNOWNS;
+use crate::beam::element::basis::MOST_NODES;
 use crate::beam::spatial::chain::projection::SpatialFront;
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::number::{F64x4, Real};
 
 /// Most unknowns of an element.

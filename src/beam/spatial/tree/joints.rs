@@ -1,13 +1,13 @@
 //! What a joint adds of its own, and how the ends of branches move with it.
 
 use super::beam_tree::{BeamTree, TreeBranch, TreeEnd};
-use super::end_energy::EndResponse;
-use crate::beam::Nodes;
-use crate::beam::slot;
-use crate::beam::spatial::chain::projection::{EndMap, EndMaps, SAME, SpatialFront};
-use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, quaternion_of};
-use crate::beam::spatial::density::SPATIAL_FIELDS;
+use super::branching_beam::EndResponse;
+use crate::beam::element::basis::{Nodes, slot};
+use crate::beam::spatial::chain::projection::{EndMaps, SAME, SpatialFront};
+use crate::beam::spatial::chain::spatial_chain::quaternion_of;
+use crate::beam::spatial::end_rotation::EndMap;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion, apply, apply_transposed, dot, matrix, multiply_transposed};
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;

@@ -9,26 +9,14 @@
 //! Source of the order of elimination: S. Parter, The use of linear graphs in Gauss elimination, SIAM Rev. 3 (1961).
 
 mod back;
-mod beam_tree;
-mod branching_beam;
-mod build;
-mod changed;
-mod end_energy;
-mod factors;
+pub(crate) mod beam_tree;
+pub(crate) mod branching_beam;
+pub(crate) mod build;
+pub(crate) mod factors;
 mod inside;
 mod joints;
-mod read;
-mod schedule;
-mod sweep;
+pub(crate) mod read;
+pub(crate) mod sweep;
 mod topology;
 mod tree_inertia;
-mod tree_motion;
 mod tree_system;
-
-pub use beam_tree::BeamTree;
-pub use branching_beam::{Branch, BranchingBeam, JointCondition, JointUnknown};
-pub use build::TreeError;
-pub use end_energy::{EndEnergy, EndResponse};
-pub use factors::TreeFactors;
-pub use read::BranchSection;
-pub use sweep::CondensedTree;

@@ -3,12 +3,15 @@
 use super::beam_tree::{BeamTree, TreeBranch};
 use super::factors::TreeFactors;
 use super::inside::pack;
-use crate::beam::spatial::chain::SPATIAL_UNKNOWNS;
+use crate::beam::element::basis::{AnyNumber, Fixed, Nodes, slot};
+use crate::beam::element::integration::{BUNDLE, Element};
 use crate::beam::spatial::chain::end_block::{Carry, EndBlock, ROOT};
 use crate::beam::spatial::chain::projection::{SpatialFront, project};
 use crate::beam::spatial::chain::sweep::LEAST_PIVOT;
-use crate::beam::{AnyNumber, BUNDLE, Element, Fixed, Nodes, slot};
-use crate::solve::{MONITORS, NodalTerms, Place, Quantity, SolveError};
+use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
+use crate::solve::error::{Place, Quantity, SolveError};
+use crate::solve::observables::MONITORS;
+use crate::solve::system::NodalTerms;
 
 const F: usize = SPATIAL_UNKNOWNS;
 

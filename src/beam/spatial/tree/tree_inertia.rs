@@ -3,48 +3,29 @@
 //! Of a joint all branches that meet there have a part. Their directors differ from those of the joint by R(a), so that its moments of inertia are a
 //! full matrix in the axes of the joint, Σ R(a) J Rᵀ(a). Forces of inertia are m dv/dt and J dΩ/dt + Ω × JΩ; of a joint with angles as at the end of a
 //! chain.
+//!
+//! With these masses, if it has any, and viscous strains at its Gauss points the tree is a [`DynamicSystem`].
 
-use super::beam_tree::BeamTree;
-use crate::beam::slot;
+use super::beam_tree::{BeamTree, NodeInertia, NodeRates};
+use super::factors::TreeFactors;
+use super::sweep::Added;
+use crate::beam::element::basis::slot;
 use crate::beam::spatial::chain::end_block::Carry;
-use crate::beam::spatial::chain::{EndMap, SPATIAL_UNKNOWNS, quaternion_of};
-use crate::beam::spatial::density::SPATIAL_FIELDS;
-use crate::beam::spatial::end_rotation::EndRotation;
+use crate::beam::spatial::chain::spatial_chain::quaternion_of;
+use crate::beam::spatial::end_rotation::{EndMap, EndRotation};
 use crate::beam::spatial::rotation::{Matrix3, apply, cross, dot, matrix};
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
+use crate::beam::spatial::shared_system::condensed;
 use crate::beam::spatial::spatial_motion::axes_change;
-use crate::solve::{NodalTerms, State};
+use crate::solve::error::SolveError;
+use crate::solve::observables::MONITORS;
+use crate::solve::state::State;
+use crate::solve::system::{CondensedSystem, NodalTerms, System};
+use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
+use crate::solve::workspace::Workspace;
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;
-
-/// Mass of a node, and its moments of inertia in the axes of its directors.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct NodeInertia {
-    mass: f64,
-    moments: Matrix3,
-}
-
-/// How a node moves, or is accelerated: along x, y and z, and about its directors.
-#[derive(Clone, Copy)]
-struct NodeRates {
-    place: [f64; 3],
-    turn: [f64; 3],
-}
-
-impl NodeRates {
-    fn new([x, y, z, a, b, c]: [f64; F]) -> Self {
-        Self { place: [x, y, z], turn: [a, b, c] }
-    }
-}
-
-impl NodeInertia {
-    /// m dv/dt, and J dΩ/dt + Ω × JΩ.
-    fn forces(&self, rates: NodeRates, change: NodeRates) -> [f64; F] {
-        let (spin, torque) = (apply(&self.moments, &rates.turn), apply(&self.moments, &change.turn));
-        let gyroscopic = cross(rates.turn, spin);
-        std::array::from_fn(|k| if k < 3 { self.mass * change.place[k] } else { torque[k - 3] + gyroscopic[k - 3] })
-    }
-}
 
 impl BeamTree {
     /// With a mass: of a branch, by its number, ρA, ρJ1 about the axis, ρJ2 about the width and ρJ3 about the height.
@@ -190,4 +171,48 @@ fn taken_back(map: &EndMap, moments: &Matrix3) -> Matrix3 {
         (0..3).map(|k| map.turn[k][i] * row(k)).sum()
     };
     std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
+}
+
+impl DynamicSystem for BeamTree {
+    fn masses(&self, at: &State) -> Vec<f64> {
+        if self.inertia.is_empty() { vec![0.0; self.unknowns(at)] } else { self.nodal_masses(&at.values) }
+    }
+
+    fn inertia_forces(&self, at: &State, _: &[f64], velocity: &[f64], acceleration: &[f64]) -> Vec<f64> {
+        match self.inertia.is_empty() {
+            true => vec![0.0; velocity.len()],
+            false => self.forces_of_inertia(&at.values, velocity, acceleration),
+        }
+    }
+
+    fn kinetic_energy(&self, at: &State, _: &[f64], velocity: &[f64]) -> f64 {
+        self.energy_of_motion(&at.values, velocity)
+    }
+
+    fn stored_energy(&self, at: &State) -> f64 {
+        self.strains(&at.values).iter().map(|point| point.stored).sum()
+    }
+
+    fn factorise_step(&self, at: &State, terms: &StepTerms, ws: &mut Workspace) -> Result<CondensedSystem, SolveError> {
+        let tree = self.in_step(terms.rate);
+        let nodal = if self.inertia.is_empty() { NodalTerms::NONE } else { terms.nodal };
+        let added = Added { damping: [0.0; 2], nodal };
+        let root = tree.eliminate_with(&at.values, [0.0; MONITORS], added, ws.factors::<TreeFactors>())?;
+        Ok(condensed(&root.matrix, (root.negative, root.least_pivot), tree.evaluation(at, root.energy)))
+    }
+
+    fn relaxed_memory(&self, at: &State) -> Vec<f64> {
+        if !self.viscosity.is_viscous() {
+            return Vec::new();
+        }
+        self.strains(&at.values).into_iter().flat_map(|point| point.strains).collect()
+    }
+
+    fn memory(&self, at: &State, rate: &MaterialRate) -> Vec<f64> {
+        self.viscosity.remembered_by(&self.relaxed_memory(at), rate)
+    }
+
+    fn viscous_power(&self, at: &State, rate: &MaterialRate) -> ViscousPower {
+        self.viscosity.power_in(rate, || [self.in_step(rate).energy(&at.values), self.energy(&at.values)])
+    }
 }

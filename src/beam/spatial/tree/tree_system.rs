@@ -1,17 +1,20 @@
 //! The tree of beams as a [`System`]: what a solver asks of it. Its interface is the root.
 
 use super::beam_tree::{ANGLES, BeamTree};
+use super::branching_beam::JointUnknown;
 use super::factors::TreeFactors;
 use super::sweep::Added;
-use crate::beam::spatial::chain::{SPATIAL_UNKNOWNS, read::normalise};
-use crate::beam::spatial::density::SPATIAL_FIELDS;
+use crate::beam::element::basis::slot;
+use crate::beam::spatial::chain::read::normalise;
 use crate::beam::spatial::end_rotation::{EndRotation, turned};
 use crate::beam::spatial::rotation::{Quaternion, apply_transposed};
+use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::shared_system::{condensed, node_difference, step_node, weighted_sum};
-use crate::solve::{
-    Coefficients, CondensedSystem, Evaluation, INTERFACE, MONITORS, Mesh, NodalTerms, Rates, SolveError, State, System,
-    Unknown, Workspace,
-};
+use crate::solve::error::SolveError;
+use crate::solve::observables::MONITORS;
+use crate::solve::state::{Mesh, State};
+use crate::solve::system::{Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
+use crate::solve::workspace::Workspace;
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;
@@ -27,7 +30,7 @@ const ROOT: [Unknown; 6] = [
 
 impl BeamTree {
     pub(super) fn evaluation(&self, at: &State, energy: f64) -> Evaluation {
-        let value = |unknown: super::JointUnknown| {
+        let value = |unknown: JointUnknown| {
             self.end_of[unknown.joint].map_or(at.values[unknown.joint * N + unknown.slot.min(2)], |end| {
                 self.end_values(&at.values, end)[unknown.slot]
             })
@@ -82,7 +85,7 @@ impl BeamTree {
         for (b, branch) in self.branches.iter().enumerate() {
             for e in 0..branch.elements {
                 for rank in (0..last).filter(|&rank| branch.end_at(order, e, rank).is_none()) {
-                    let share = 0.5 * (1.0 + self.basis.nodes[crate::beam::slot(last, rank)]);
+                    let share = 0.5 * (1.0 + self.basis.nodes[slot(last, rank)]);
                     let (from, to) = (branch.boundary(e), branch.boundary(e + 1));
                     put(branch.node(order, e, rank), section(b, from + share * (to - from)));
                 }
@@ -148,7 +151,7 @@ impl System for BeamTree {
     }
 
     fn evaluate(&self, at: &State, direction: &[f64]) -> (Evaluation, Rates) {
-        let rate = |unknown: super::JointUnknown| direction[unknown.joint * F + unknown.slot];
+        let rate = |unknown: JointUnknown| direction[unknown.joint * F + unknown.slot];
         let monitors = self.monitors.map(|unknown| unknown.map_or(0.0, rate));
         (self.evaluation(at, self.energy(&at.values)), Rates { monitors, recorded: 0.0 })
     }

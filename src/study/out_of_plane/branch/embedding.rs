@@ -1,8 +1,11 @@
 //! A planar equilibrium as a state of the same strip in space.
 
-use crate::beam::{ALONG_X, EndRotation, PlanarBeam, SpatialBeam, turned};
+use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::spatial::end_rotation::{EndRotation, turned};
+use crate::beam::spatial::rest::ALONG_X;
+use crate::beam::spatial::spatial_beam::SpatialBeam;
 use crate::number::gauss::Rule;
-use crate::solve::{Mesh, State};
+use crate::solve::state::{Mesh, State};
 use std::num::NonZeroUsize;
 
 /// Points of the rule with which x' is integrated from node to node.

@@ -1,7 +1,6 @@
 //! The branch out of the plane: from where a planar path loses its stability on, followed in space to its end.
 mod embedding;
-mod result;
+pub(crate) mod result;
 mod rolled;
 mod run;
 mod switching;
-pub use result::*;

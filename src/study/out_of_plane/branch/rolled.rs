@@ -4,8 +4,12 @@
 //! and for a roll of zero they are the planar path. The torque on the roll a is T(σ, a) = m(σ) a + O(a³) along the path
 //! σ, m the moment that rolls the grip by one. So T = 0 has two solutions: a = 0, and the branch, σ = σ* + O(a²).
 
-use crate::model::BeamProblem;
-use crate::solve::{NewtonOptions, Observables, PathConstraint, Solution, SolveError, State, Workspace, solve};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
 
 /// Most solves until the torque is zero.
 const MOST_SOLVES: usize = 14;

@@ -2,21 +2,31 @@
 
 use super::result::{BranchStart, OutOfPlaneBranch, OutOfPlaneBranchError};
 use super::switching::{FirstPoint, Switch};
-use crate::beam::{PlanarBeam, SpatialBeam};
-use crate::model::{BeamProblem, Discretisation, Hold, PeelModel, Space};
-use crate::solve::{
-    InitialState, NewtonOptions, Observables, PathConstraint, Solution, State, Workspace, on_more_elements, solve,
-};
-use crate::study::accuracy::Resolution;
+use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::spatial::spatial_beam::SpatialBeam;
+use crate::model::peel::{Hold, PeelModel, Space};
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::points::locate::on_more_elements;
+use crate::solve::problem::InitialState;
+use crate::solve::state::State;
+use crate::solve::workspace::Workspace;
+use crate::study::accuracy::{Accuracy, Resolution};
 use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
 use crate::study::out_of_plane::first_loss::{Beside, Known, LocatedLoss, StepSearch};
+use crate::study::out_of_plane::refusal::NotOutOfPlane;
+use crate::study::out_of_plane::result::{OutOfPlaneError, OutOfPlaneLoss};
 use crate::study::out_of_plane::roll_elements::RollStability;
 use crate::study::out_of_plane::roll_reader::RollReader;
-use crate::study::out_of_plane::{NotOutOfPlane, OutOfPlaneError, OutOfPlaneLoss};
 use crate::study::peel::meshes::KnownStart;
+use crate::study::peel::points::{LimitPoint, PathPoint};
+use crate::study::peel::result::{PathEnd, Peel};
 use crate::study::peel::run::run_from;
-use crate::study::peel::{LimitPoint, PathEnd, PathPoint, Peel};
-use crate::study::{Accuracy, StopCriteria, Terms};
+use crate::study::stop_criteria::StopCriteria;
+use crate::study::terms::decision::Terms;
 use std::sync::Arc;
 
 /// The first step along the branch over the way from the branch point to its first point.
@@ -107,7 +117,7 @@ impl Switching<'_> {
         model.check().map_err(OutOfPlaneBranchError::NotInSpace)?;
         let accuracy = self.accuracy.fitted(&model);
         let how = Discretisation::moving(accuracy.choice.form, accuracy.order()).on(accuracy.choice.mesh);
-        let no_order = |_| OutOfPlaneBranchError::NotSwitched(crate::solve::SolveError::SingularGrip);
+        let no_order = |_| OutOfPlaneBranchError::NotSwitched(SolveError::SingularGrip);
         model.discretised(how, |_| {}).map_err(no_order)
     }
 
@@ -184,11 +194,7 @@ impl Switching<'_> {
 }
 
 fn spatial(problem: &BeamProblem) -> Result<&SpatialBeam, OutOfPlaneBranchError> {
-    problem
-        .beam
-        .spatial()
-        .map(Arc::as_ref)
-        .ok_or(OutOfPlaneBranchError::NotSwitched(crate::solve::SolveError::SingularGrip))
+    problem.beam.spatial().map(Arc::as_ref).ok_or(OutOfPlaneBranchError::NotSwitched(SolveError::SingularGrip))
 }
 
 /// Work from rest to the first point, aJ, with a bound: the energy there less that at rest.

@@ -12,9 +12,14 @@
 use super::embedding::embedded;
 use super::result::{BranchStart, OutOfPlaneBranchError};
 use super::rolled::{Rolled, RolledStrip};
-use crate::beam::{FRONT, PlanarBeam, SpatialBeam};
-use crate::model::BeamProblem;
-use crate::solve::{Observables, State, System, Workspace};
+use crate::beam::planar::planar_beam::{FRONT, PlanarBeam};
+use crate::beam::spatial::spatial_beam::SpatialBeam;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::error::SolveError;
+use crate::solve::observables::Observables;
+use crate::solve::state::State;
+use crate::solve::system::System;
+use crate::solve::workspace::Workspace;
 use crate::study::out_of_plane::first_loss::Beside;
 
 /// Roll of the grip whose effect is taken for linear, over the one that moves an edge of its end by r0.
@@ -107,7 +112,7 @@ impl Switch<'_> {
     }
 
     /// The terms at the branch point, from two small rolls.
-    fn expansion(&self, strip: &RolledStrip, ws: &mut Workspace) -> Result<Expansion, crate::solve::SolveError> {
+    fn expansion(&self, strip: &RolledStrip, ws: &mut Workspace) -> Result<Expansion, SolveError> {
         let Beside { solution, weights, ahead, margin_slope } = self.beside;
         let (ahead, margin_slope) = (*ahead, *margin_slope);
         let front = self.planar.fronts.place(solution.observables.monitors[FRONT]);

@@ -1,8 +1,12 @@
 //! The first integral along the beam at the points of a path: what it spreads by is the error of a mesh between its points.
 
-use crate::beam::{NodeState, PlanarBeam, ReferenceConfiguration, SpatialBeam};
-use crate::model::{Beam, BeamProblem};
-use crate::solve::{Solution, State};
+use crate::beam::planar::chain::NodeState;
+use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::reference_configuration::ReferenceConfiguration;
+use crate::beam::spatial::spatial_beam::SpatialBeam;
+use crate::model::problem::beam_problem::{Beam, BeamProblem};
+use crate::solve::newton::Solution;
+use crate::solve::state::State;
 use std::ops::Range;
 use std::sync::Arc;
 

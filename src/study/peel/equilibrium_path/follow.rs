@@ -6,12 +6,16 @@ use super::model_end::stopped_by_model;
 use super::path_end::{is_next_to_plane, step};
 use super::path_refinement::fill_in;
 use super::slope_polishing::sharpen;
-use crate::model::BeamProblem;
-use crate::solve::{Path, PathOptions, ROUGH, Solution};
-use crate::study::Bound;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::newton::Solution;
+use crate::solve::path::equilibrium_path::Path;
+use crate::solve::path::options::PathOptions;
+use crate::solve::points::locate::ROUGH;
 use crate::study::checkpoint::Limits;
 use crate::study::peel::budget::Budget;
-use crate::study::peel::{Failure, PathEnd, PathFailure};
+use crate::study::peel::failure::{Failure, PathFailure};
+use crate::study::peel::result::PathEnd;
+use crate::study::stop_criteria::Bound;
 use std::sync::Arc;
 
 /// Path points after which a mesh is taken to hold the path up: several times what paths take that are resolved.

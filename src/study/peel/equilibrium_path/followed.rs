@@ -1,7 +1,11 @@
 //! A path that has been followed.
 
-use crate::solve::{LimitPointKind, Located, Pace, ShouldStop, Solution, Workspace};
-use crate::study::peel::{PathEnd, PathFailure};
+use crate::solve::newton::Solution;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::locate::Located;
+use crate::solve::workspace::{Pace, ShouldStop, Workspace};
+use crate::study::peel::failure::PathFailure;
+use crate::study::peel::result::PathEnd;
 use std::sync::Arc;
 
 /// A path with its limit points.

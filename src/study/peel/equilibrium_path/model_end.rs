@@ -1,9 +1,10 @@
 //! Whether a path has come to where the model itself ends.
 
-use crate::beam::BondedLoss;
-use crate::model::BeamProblem;
-use crate::solve::Solution;
-use crate::study::peel::{PathEnd, PathFailure};
+use crate::beam::planar::model_limits::BondedLoss;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::newton::Solution;
+use crate::study::peel::failure::PathFailure;
+use crate::study::peel::result::PathEnd;
 use std::sync::Arc;
 
 /// A force below this share of the work of adhesion over the width is none, where a path cannot be continued.

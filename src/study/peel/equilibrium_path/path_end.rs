@@ -2,15 +2,21 @@
 
 use super::followed::Followed;
 use super::model_end::model_end;
-use crate::beam::{FrictionHistory, TIP_ROTATION};
-use crate::model::BeamProblem;
-use crate::solve::{
-    Direction, NewtonOptions, Observables, Pace, Path, PathConstraint, PathError, PathSegment, ROUGH, Solution,
-    Workspace, is_mirrored, solve, solve_on,
-};
+use crate::beam::planar::friction_history::FrictionHistory;
+use crate::beam::planar::planar_beam::TIP_ROTATION;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::path::equilibrium_path::Path;
+use crate::solve::path::near_branch::is_mirrored;
+use crate::solve::path::options::PathError;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::locate::{ROUGH, solve_on};
+use crate::solve::problem::Direction;
+use crate::solve::workspace::{Pace, Workspace};
 use crate::study::checkpoint::Limits;
-use crate::study::peel::PathEnd;
-use crate::study::{Bound, FollowedUntil};
+use crate::study::peel::result::PathEnd;
+use crate::study::stop_criteria::{Bound, FollowedUntil};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 

@@ -3,7 +3,13 @@
 //! Steps are as long as predictions allow, which a step that turns by a right angle may be. Between points the curve is
 //! interpolated; where that is not good enough, the middle of the step is solved as well.
 
-use crate::solve::{Observables, PathSegment, Problem, Solution, SolveError, Workspace, step_to};
+use crate::solve::error::SolveError;
+use crate::solve::newton::Solution;
+use crate::solve::observables::Observables;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::locate::step_to;
+use crate::solve::problem::Problem;
+use crate::solve::workspace::Workspace;
 use crate::study::error_bounds::INTERPOLATION_ERROR_FACTOR;
 use std::sync::Arc;
 

@@ -1,11 +1,15 @@
 //! A path that is computed as far as it is asked for, up to where a whole peel ends.
 
 use super::path_end::step;
-use crate::model::{BeamProblem, PeelModel};
-use crate::solve::{Path, PathError, PathOptions, Solution};
-use crate::study::checkpoint::Limits;
-use crate::study::peel::PathEnd;
-use crate::study::{Accuracy, Checkpoint, StopCriteria};
+use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::BeamProblem;
+use crate::solve::newton::Solution;
+use crate::solve::path::equilibrium_path::Path;
+use crate::solve::path::options::{PathError, PathOptions};
+use crate::study::accuracy::Accuracy;
+use crate::study::checkpoint::{Checkpoint, Limits};
+use crate::study::peel::result::PathEnd;
+use crate::study::stop_criteria::StopCriteria;
 use std::sync::Arc;
 
 /// The points of a path, one after the other, on one mesh: nothing is located or bounded on it. It ends by the rules of [`crate::study::peel`]; its

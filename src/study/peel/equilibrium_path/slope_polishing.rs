@@ -10,9 +10,12 @@
 //! where the first term is the slope on one mesh. The second is an error of the discretisation, which comes and goes as elements pass by: on a plateau
 //! it may be the larger one. ∂q/∂f is differenced.
 
-use crate::solve::{
-    LimitPointKind, NewtonOptions, Observables, PathConstraint, PathSegment, Problem, Solution, Workspace, solve,
-};
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::kind::LimitPointKind;
+use crate::solve::problem::Problem;
+use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
 /// A step over which the force changes by less than this share of itself is level.

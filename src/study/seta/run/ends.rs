@@ -1,13 +1,13 @@
 //! Where a run ends, and why.
 
-use super::super::advance::Refusal;
-use super::super::failure::SetaFailure;
-use super::super::loading::SetaStart;
-use super::super::progress::SetaProgress;
-use super::super::result::SetaEnd;
 use super::Run;
-use crate::solve::SolveError;
-use crate::study::{Bound, Stage};
+use crate::solve::error::SolveError;
+use crate::study::seta::advance::Refusal;
+use crate::study::seta::failure::SetaFailure;
+use crate::study::seta::loading::SetaStart;
+use crate::study::seta::progress::SetaProgress;
+use crate::study::seta::result::SetaEnd;
+use crate::study::stop_criteria::{Bound, Stage};
 
 /// What of all work may be missing at the end, over the tolerance of each step; at least and at most.
 const MISSING: f64 = 10.0;
