@@ -35,6 +35,6 @@ pub fn completions(args: &Completions, mut command: Command) -> Result<(), Stop>
 pub fn man(args: &Man, command: Command) -> Result<(), Stop> {
     let shown = args.folder.display();
     let written = fs::create_dir_all(&args.folder).and_then(|()| clap_mangen::generate_to(command, &args.folder));
-    written.map_err(|error| Stop::other(format!("cannot write the manual into {shown}: {error}")))?;
+    written.map_err(|error| Stop::other(format!("cannot write {shown}: {error}")))?;
     say(&format!("wrote the pages of the manual into {shown}\nNext: man {shown}/peel.1\n"))
 }
