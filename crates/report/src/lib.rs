@@ -13,17 +13,21 @@ mod folder;
 mod grip_in_space;
 mod names;
 mod number;
+mod output_key;
+mod outputs;
 pub mod overlay;
 mod parameters_file;
 pub mod pictures;
 mod pull_row;
 mod rate;
-pub mod reference;
+mod record;
+mod reference;
 mod seta;
 mod states;
 mod summary;
 mod sweep_row;
 mod swept_keys;
+mod table;
 mod tables;
 mod timing;
 mod tip_law;
@@ -42,6 +46,8 @@ pub use names::{
     end_reason, end_word, first_jump_word, form_word, jump_title, limit_point_kind_word, test_end_reason, test_end_word,
 };
 pub use number::{Finite, to_json};
+pub use output_key::{OutputKey, Reference, merged, paths, without_unit};
+pub use outputs::{Output, outputs};
 pub use parameters_file::write_parameters;
 pub use pictures::{
     curve_svg, draw_fit, draw_followed, draw_observed, draw_optimum, draw_peel, draw_peel_with_branch, draw_plane,
@@ -52,6 +58,7 @@ pub use rate::{
     Contact, Equilibria, PointAtRate, PulledAtRate, RateLine, RateResult, RateRow, RateSummary, SlowPeak, draw_rate,
     draw_swept_rates, write_rate_curve, write_swept_rates,
 };
+pub use record::{Bounded, Cell, Content, Fields, Object, Record};
 pub use seta::{
     SETA_STATE_FIELDS, SetaLine, SetaMotion, SetaPose, SetaRow, SetaStateField, SetaSummary, TipEvents, draw_pull_off,
     draw_swept_setae, seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve,

@@ -1,6 +1,7 @@
 //! The keys and columns of `peel fit`.
 
-use super::{OutputKey, key};
+use super::key;
+use crate::output_key::OutputKey;
 
 /// Of summary.json of `peel fit`, and of what `--json` prints.
 #[rustfmt::skip]

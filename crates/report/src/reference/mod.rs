@@ -1,6 +1,9 @@
 //! What every key and column of an output means: one line each. `docs/outputs.md` is made of these lists, and a test holds them
 //! against what the command writes.
 
+use crate::output_key::OutputKey;
+use std::borrow::Cow;
+
 mod fit;
 mod optimisation;
 mod rate;
@@ -21,67 +24,20 @@ pub use tables::{CURVE_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS, STATE_COL
 pub use tip::{TIP_LAW_COLUMNS, TIP_LIMIT_COLUMNS, TIP_SUMMARY};
 pub use uncertainty::{SAMPLE_COLUMNS, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY};
 
-/// A key of a JSON object or a column of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct OutputKey {
-    /// `peak.force_nN`; `limit_points[].kind` is a key of every object of a list. Its unit is the end of its name.
-    pub path: &'static str,
-    /// In a few words.
-    pub about: &'static str,
-    /// The key whose object has the keys of this one, where they are described there.
-    pub like: Option<&'static str>,
-}
-
 /// A key that is described here.
 const fn key(path: &'static str, about: &'static str) -> OutputKey {
-    OutputKey { path, about, like: None }
+    OutputKey { path: Cow::Borrowed(path), about, like: None }
 }
 
 /// A key whose object has the keys of another one.
 const fn like(path: &'static str, other: &'static str, about: &'static str) -> OutputKey {
-    OutputKey { path, about, like: Some(other) }
-}
-
-/// Endings of names that are units, and the units.
-const UNITS: &[(&str, &str)] = &[
-    ("_J_per_m2", "J/m²"),
-    ("_nN_nm2", "nN nm²"),
-    ("_nN_per_nm", "nN/nm"),
-    ("_aJ_per_nm", "aJ/nm"),
-    ("_per_nm", "1/nm"),
-    ("_GPa", "GPa"),
-    ("_nN_nm", "nN nm"),
-    ("_nN", "nN"),
-    ("_nm", "nm"),
-    ("_aJ", "aJ"),
-    ("_rad", "rad"),
-    ("_deg", "deg"),
-    ("_s", "s"),
-];
-
-impl OutputKey {
-    /// The unit of its number; empty where it has none.
-    pub fn unit(&self) -> &'static str {
-        UNITS.iter().find(|(ending, _)| self.path.ends_with(ending)).map_or("", |(_, unit)| unit)
-    }
-}
-
-/// All paths of a list, the keys that are described elsewhere in it included.
-pub fn paths(keys: &[OutputKey]) -> Vec<String> {
-    let below =
-        |path: &str, root: &str| path.strip_prefix(root).filter(|rest| rest.starts_with(['.', '['])).map(str::to_owned);
-    let mut all: Vec<String> = keys.iter().map(|key| key.path.to_owned()).collect();
-    for key in keys {
-        let Some(other) = key.like else { continue };
-        let rests = keys.iter().filter_map(|from| below(from.path, other));
-        all.extend(rests.map(|rest| format!("{}{rest}", key.path)));
-    }
-    all
+    OutputKey { path: Cow::Borrowed(path), about, like: Some(Cow::Borrowed(other)) }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::output_key::paths;
 
     const ALL: [&[OutputKey]; 26] = [
         RATE_SUMMARY,
@@ -129,14 +85,5 @@ mod tests {
         let paths = paths(PEEL_SUMMARY);
         assert!(paths.contains(&"initiation_peak.error_nm".to_owned()));
         assert!(paths.contains(&"observed.jumps[].after.adheres".to_owned()));
-    }
-
-    #[test]
-    fn units_are_the_ends_of_names() {
-        let unit = |path| key(path, "").unit();
-        assert_eq!(
-            ["moment_nN_nm", "force_nN", "solve_s", "points", "kappa_per_nm", "EI_nN_nm2"].map(unit),
-            ["nN nm", "nN", "s", "", "1/nm", "nN nm²"]
-        );
     }
 }

@@ -1,6 +1,7 @@
 //! The keys of the summary of a pull at a rate, and the columns of its curve and of a sweep.
 
-use super::{OutputKey, key};
+use super::key;
+use crate::output_key::OutputKey;
 
 /// Of `peel run` of a scene with a rate.
 #[rustfmt::skip]

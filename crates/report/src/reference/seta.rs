@@ -1,6 +1,7 @@
 //! The keys of the summary of a pull-off of a seta, and the columns of its tables.
 
-use super::{OutputKey, key, like};
+use super::{key, like};
+use crate::output_key::OutputKey;
 
 /// Of `peel run` of a scene with a seta.
 #[rustfmt::skip]

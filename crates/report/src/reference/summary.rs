@@ -1,6 +1,7 @@
 //! The keys of summary.json, and of what `--json` prints.
 
-use super::{OutputKey, key, like};
+use super::{key, like};
+use crate::output_key::OutputKey;
 
 /// Of `peel run`.
 #[rustfmt::skip]

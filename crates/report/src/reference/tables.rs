@@ -1,6 +1,7 @@
 //! The columns of the tables.
 
-use super::{OutputKey, key};
+use super::key;
+use crate::output_key::OutputKey;
 
 /// Of curve.csv.
 #[rustfmt::skip]

@@ -1,6 +1,7 @@
 //! The keys and columns of `peel uncertainty`.
 
-use super::{OutputKey, key, like};
+use super::{key, like};
+use crate::output_key::OutputKey;
 
 /// Of summary.json of `peel uncertainty`, and of what `--json` prints.
 #[rustfmt::skip]
