@@ -7,7 +7,7 @@ use crate::scene::{NativeScene, Source};
 use crate::states::{self, NativeState};
 use peelkit::study::{self, PathEnd, Peel, PeelResult};
 use peelkit_report::pictures::peel::{captioned, curve, numbered_points};
-use peelkit_report::{PeelSummary, SweepLine, VERSION, end_reason, end_word, to_json};
+use peelkit_report::{PeelSummary, Record, SweepLine, VERSION, end_reason, end_word};
 use peelkit_scene::BoundsTable;
 use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyBytes, PyDict};
@@ -154,8 +154,8 @@ impl NativePeel {
 
     /// The row of sweep.csv as the text of an object, but for the value of the sweep.
     fn row(&self, py: Python) -> PyResult<String> {
-        let line = SweepLine::new(0.0, None, &PeelResult::from(&self.peel), self.solve_s);
-        to_json(&line).map_err(|error| unwritten(py, "row", error))
+        let found = PeelResult::from(&self.peel);
+        SweepLine::new(0.0, None, &found, self.solve_s).to_json().map_err(|error| unwritten(py, "row", error))
     }
 
     /// The columns of curve.csv by their names without units, each the memory of its array: of numbers, and of counts.

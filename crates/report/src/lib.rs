@@ -21,6 +21,7 @@ pub mod pictures;
 mod pull_row;
 mod rate;
 mod record;
+mod records;
 mod reference;
 mod seta;
 mod states;
@@ -46,8 +47,8 @@ pub use names::{
     end_reason, end_word, first_jump_word, form_word, jump_title, limit_point_kind_word, test_end_reason, test_end_word,
 };
 pub use number::{Finite, to_json};
-pub use output_key::{OutputKey, Reference, merged, paths, without_unit};
-pub use outputs::{Output, outputs};
+pub use output_key::{Output, OutputKey, Reference, merged, paths, without_unit};
+pub use outputs::outputs;
 pub use parameters_file::write_parameters;
 pub use pictures::{
     curve_svg, draw_fit, draw_followed, draw_observed, draw_optimum, draw_peel, draw_peel_with_branch, draw_plane,
@@ -55,27 +56,29 @@ pub use pictures::{
 };
 pub use pull_row::PullRow;
 pub use rate::{
-    Contact, Equilibria, PointAtRate, PulledAtRate, RateLine, RateResult, RateRow, RateSummary, SlowPeak, draw_rate,
+    Contact, Equilibria, PointAtRate, PulledAtRate, RateResult, RateRow, RateSummary, SlowPeak, draw_rate,
     draw_swept_rates, write_rate_curve, write_swept_rates,
 };
 pub use record::{Bounded, Cell, Content, Fields, Object, Record};
+pub use records::{
+    Found, SCHEMA, Summary, Sweep, SweepLine, SweepSummary, VERSION, curve_csv, work_to, write_branch, write_curve,
+    write_equilibria, write_followed, write_limit_points, write_sweep,
+};
 pub use seta::{
-    SETA_STATE_FIELDS, SetaLine, SetaMotion, SetaPose, SetaRow, SetaStateField, SetaSummary, TipEvents, draw_pull_off,
+    SETA_STATE_FIELDS, SetaMotion, SetaPose, SetaRow, SetaStateField, SetaSummary, TipEvents, draw_pull_off,
     draw_swept_setae, seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve,
     write_seta_equilibria, write_seta_events, write_seta_rate_events, write_seta_states, write_swept_setae,
     write_tip_curve, write_tips,
 };
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
 pub use summary::{
-    FitSummary, ObservedSummary, OptimisationSummary, PeelSummary, SCHEMA, SweepSummary, TipSummary,
-    UncertaintySummary, VERSION, ground_warning, left_out, why_kept,
+    FitSummary, ObservedSummary, OptimisationSummary, PeelSummary, TipSummary, UncertaintySummary, ground_warning,
+    left_out, why_kept,
 };
 pub use sweep_row::SweepRow;
 pub use swept_keys::{SweptKeys, as_given};
 pub use tables::{
-    SweepLine, curve_csv, work_to, write_branch, write_curve, write_equilibria, write_fit, write_followed,
-    write_history, write_limit_points, write_observed, write_samples, write_sweep, write_table, write_tip_law,
-    write_uncertainty,
+    write_fit, write_history, write_observed, write_samples, write_table, write_tip_law, write_uncertainty,
 };
 pub use timing::timed;
 pub use tip_law::{read_tip_law, read_tip_law_of};

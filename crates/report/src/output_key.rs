@@ -14,6 +14,29 @@ pub struct OutputKey {
     pub like: Option<Cow<'static, str>>,
 }
 
+/// A table or an object that is written.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// As its table in `docs/outputs.md` is called
+    pub name: &'static str,
+    /// What it consists of: keys, columns or arrays
+    pub parts: &'static str,
+    /// In the order in which they are written
+    pub keys: Vec<OutputKey>,
+}
+
+impl Output {
+    /// An object, which has keys.
+    pub(crate) fn object(name: &'static str, keys: Vec<OutputKey>) -> Self {
+        Self { name, parts: "key", keys }
+    }
+
+    /// A table, which has columns.
+    pub(crate) fn table(name: &'static str, keys: Vec<OutputKey>) -> Self {
+        Self { name, parts: "column", keys }
+    }
+}
+
 /// Endings of names that are units, and the units.
 const UNITS: &[(&str, &str)] = &[
     ("_J_per_m2", "J/m²"),

@@ -1,33 +1,22 @@
 //! All tables and objects that are written, each with its keys: what `docs/outputs.md` is made of.
 
-use crate::output_key::OutputKey;
+use crate::output_key::{Output, OutputKey};
+use crate::rate::RateRow;
+use crate::record::Record;
+use crate::records::{path, sweep};
 use crate::reference::*;
 use crate::seta::SETA_STATE_FIELDS;
+use crate::seta::SetaRow;
 use crate::states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
 use std::borrow::Cow;
 
-/// A table or an object that is written.
-#[derive(Clone, Debug)]
-pub struct Output {
-    /// As its table in `docs/outputs.md` is called
-    pub name: &'static str,
-    /// What it consists of: a key, a column or an array
-    pub unit: &'static str,
-    /// In the order in which they are written
-    pub keys: Vec<OutputKey>,
-}
-
-/// All of them.
+/// Every table and every object.
 pub fn outputs() -> Vec<Output> {
     let all = [
         ("summary.json", "key", PEEL_SUMMARY.to_vec()),
-        ("peel sweep --json", "key", SWEEP_SUMMARY.to_vec()),
-        ("curve.csv", "column", CURVE_COLUMNS.to_vec()),
-        ("limit_points.csv", "column", LIMIT_POINT_COLUMNS.to_vec()),
         ("observed.csv", "column", OBSERVED_COLUMNS.to_vec()),
         ("states.csv", "column", of_state(STATE_FIELDS)),
         ("states.csv in space", "column", of_state(SPATIAL_STATE_FIELDS)),
-        ("sweep.csv", "column", SWEEP_COLUMNS.to_vec()),
         ("peel optimise --json", "key", OPTIMISATION_SUMMARY.to_vec()),
         ("history.csv", "column", HISTORY_COLUMNS.to_vec()),
         ("peel fit", "key", FIT_SUMMARY.to_vec()),
@@ -36,7 +25,7 @@ pub fn outputs() -> Vec<Output> {
         ("summary.json of peel uncertainty", "key", UNCERTAINTY_SUMMARY.to_vec()),
         ("statistics.csv and indices.csv", "column", UNCERTAINTY_COLUMNS.to_vec()),
         ("samples.csv", "column", SAMPLE_COLUMNS.to_vec()),
-        ("sweep.csv of setae", "column", SETA_SWEEP_COLUMNS.to_vec()),
+        ("sweep.csv of setae", "column", SetaRow::keys()),
         ("summary.json of a seta", "key", SETA_SUMMARY.to_vec()),
         ("curve.csv of a seta", "column", SETA_CURVE_COLUMNS.to_vec()),
         ("events.csv", "column", SETA_EVENT_COLUMNS.to_vec()),
@@ -52,12 +41,13 @@ pub fn outputs() -> Vec<Output> {
         ),
         ("summary.json of a rate", "key", RATE_SUMMARY.to_vec()),
         ("curve.csv of a rate", "column", RATE_CURVE_COLUMNS.to_vec()),
-        ("sweep.csv of rates", "column", RATE_SWEEP_COLUMNS.to_vec()),
+        ("sweep.csv of rates", "column", RateRow::keys()),
         ("peel coarsen", "key", TIP_SUMMARY.to_vec()),
         ("tip_law.csv", "column", TIP_LAW_COLUMNS.to_vec()),
         ("tip_limits.csv", "column", TIP_LIMIT_COLUMNS.to_vec()),
     ];
-    all.into_iter().map(|(name, unit, keys)| Output { name, unit, keys }).collect()
+    let old = all.into_iter().map(|(name, parts, keys)| Output { name, parts, keys }).collect();
+    [old, path::outputs(), sweep::outputs()].concat()
 }
 
 /// The columns of a state, and of each place.
@@ -65,4 +55,30 @@ fn of_state<S>(fields: &[StateField<S>]) -> Vec<OutputKey> {
     let fields =
         fields.iter().map(|field| OutputKey { path: Cow::Borrowed(field.name), about: field.about, like: None });
     STATE_COLUMNS.iter().cloned().chain(fields).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output_key::paths;
+
+    #[test]
+    fn every_key_is_described_once_and_in_words() {
+        for Output { name, keys, .. } in outputs() {
+            let mut paths = paths(&keys);
+            let all = paths.len();
+            paths.sort();
+            paths.dedup();
+            assert_eq!(paths.len(), all, "{name}: {paths:?}");
+            assert!(keys.iter().all(|key| !key.about.is_empty() && !key.about.contains('|')), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_key_like_another_has_its_keys() {
+        let all = outputs();
+        let paths = paths(&all[0].keys);
+        assert!(paths.contains(&"initiation_peak.error_nm".to_owned()));
+        assert!(paths.contains(&"observed.jumps[].after.adheres".to_owned()));
+    }
 }

@@ -13,7 +13,7 @@ const PATH: &str = "docs/outputs.md";
 fn the_output_reference_is_that_of_the_lists() {
     let mut reference = text(PATH);
     for output in outputs() {
-        let mut part = row(&[output.unit, "unit", "meaning"]) + "|---|---|---|\n";
+        let mut part = row(&[output.parts, "unit", "meaning"]) + "|---|---|---|\n";
         for key in in_order_of_reading(output.keys) {
             let like = key.like.as_ref().map(|other| format!("; keys as of `{other}`")).unwrap_or_default();
             part += &row(&[&format!("`{}`", key.path), key.unit(), &format!("{}{like}", key.about)]);

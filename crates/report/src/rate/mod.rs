@@ -15,4 +15,4 @@ pub use pulled::{Contact, Equilibria, PointAtRate, PulledAtRate, SlowPeak};
 pub use summary::RateSummary;
 pub use sweep_picture::draw_swept_rates;
 pub use sweep_row::{RateResult, RateRow};
-pub use sweep_table::{RateLine, write_swept_rates};
+pub use sweep_table::write_swept_rates;

@@ -76,23 +76,3 @@ pub const RATE_CURVE_COLUMNS: &[OutputKey] = &[
     key("kinetic_aJ", "kinetic energy"),
     key("dissipated_aJ", "dissipated by the material, and at events, since the pull began"),
 ];
-
-/// Of sweep.csv of pulls at a rate, without the columns that repeat the values under the names of their keys.
-#[rustfmt::skip]
-pub const RATE_SWEEP_COLUMNS: &[OutputKey] = &[
-    key("value", "the value of the key that was varied"),
-    key("value_2", "of the second key, where two are varied"),
-    key("largest_force_nN", "the largest force of the pull, as in summary.json"),
-    key("displacement_nm", "of what moves the grip, or the root, there"),
-    key("time_s", "since the pull began, there"),
-    key("kinetic_aJ", "kinetic energy at the step next to it"),
-    key("dissipated_aJ", "dissipated up to that step"),
-    key("contact_lost_s", "when nothing adheres any more for the first time; empty where that does not happen"),
-    key("work_aJ", "work of the grip, or of the machine behind its spring, to the end"),
-    key("imbalance", "largest defect of the balance of energies at any step, over the largest work"),
-    key("end", "as in summary.json of a pull at a rate"),
-    key("solve_s", "wall clock"),
-    key("steps", "steps in time"),
-    key("newton_iterations", "Newton iterations"),
-    key("elements", "elements of the mesh, which stays"),
-];

@@ -142,28 +142,3 @@ pub const SETA_TIP_CURVE_COLUMNS: &[OutputKey] = &[
     key("slope_nN_per_nm", "its derivative by the displacement"),
     key("energy_aJ", "energy of the tip against a detached one"),
 ];
-
-/// Of sweep.csv of setae, without the columns that repeat the values under the names of their keys.
-#[rustfmt::skip]
-pub const SETA_SWEEP_COLUMNS: &[OutputKey] = &[
-    key("value", "the value of the key that was varied"),
-    key("value_2", "of the second key, where two are varied"),
-    key("peak_force_nN", "the largest force on the root along the pull"),
-    key("peak_displacement_nm", "how far the root has moved there in the pull"),
-    key("peak_tips_attached", "tips that adhere there"),
-    key("mesh_error_nN", "by how much the peak force differs from that with elements one order lower; empty where no finer mesh came to it"),
-    key("first_detachment_force_nN", "force just before the first detachment of a tip in the pull"),
-    key("first_detachment_displacement_nm", "how far the root has moved there"),
-    key("last_detachment_force_nN", "force just before the last one"),
-    key("last_detachment_displacement_nm", "how far the root has moved there"),
-    key("events", "events at which tips detach or adhere again, or beams buckle"),
-    key("most_tips_at_once", "changes of tips in the largest event"),
-    key("work_aJ", "work of the root over all steps, to where the pull-off ended"),
-    key("released_aJ", "energy released in events"),
-    key("imbalance", "work less energy and less what was released, over the largest of the three"),
-    key("end", "as in summary.json of a seta"),
-    key("solve_s", "wall clock; of the first values with the law of the tips"),
-    key("points", "equilibria of the pull-off"),
-    key("newton_iterations", "Newton iterations"),
-    key("elements", "elements of the tree"),
-];

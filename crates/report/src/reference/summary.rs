@@ -259,21 +259,3 @@ pub const PEEL_SUMMARY: &[OutputKey] = &[
 
     key("parameters", "the scene as it was computed, defaults and `--set` included: a table of it is an object, the unit of a number stands in its name (`length_nm`)"),
 ];
-
-/// Of `peel sweep --json`.
-#[rustfmt::skip]
-pub const SWEEP_SUMMARY: &[OutputKey] = &[
-    key("version", "of the program"),
-    key("schema", "number of this set of keys and columns"),
-    key("command", "the command line"),
-    key("scene", "the scene as it was named on the command line"),
-    key("title", "its title"),
-    key("vary", "the key that was varied"),
-    key("unit", "of `value` in the rows; null where the key is a plain number"),
-    key("vary_2", "the second key, where two are varied"),
-    key("unit_2", "of `value_2`; null likewise"),
-    key("followed", "with `--follow`: the point that was followed"),
-    key("remarks", "what happened to that point on the way, or where the rows come from"),
-    key("rows", "a row for each value: the columns of sweep.csv"),
-    key("parameters", "the scene before the sweep"),
-];

@@ -24,7 +24,7 @@ pub use picture::draw_pull_off;
 pub use pose::SetaPose;
 pub(crate) use summary::LawOfTips;
 pub use summary::{SetaSummary, tip_peak};
-pub use sweep::{SetaLine, SetaRow, draw_swept_setae, write_swept_setae};
+pub use sweep::{SetaRow, draw_swept_setae, write_swept_setae};
 pub use tables::{write_seta_curve, write_seta_equilibria, write_tip_curve, write_tips};
 pub use tip_events::TipEvents;
 pub use vtk::{SETA_STATE_FIELDS, SetaStateField, write_seta_states};

@@ -2,8 +2,6 @@
 
 use crate::error::ReportError;
 use crate::file::write_whole;
-use crate::grip_in_space::GripInSpace;
-use peelkit::model::SpatialGrip;
 use serde::Serialize;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -20,31 +18,6 @@ pub fn write_table<T: Serialize + Default>(
     let text = table_like(T::default(), lines).map_err(|source| ReportError::Write { path: path.clone(), source })?;
     write_whole(&path, &text)?;
     Ok(path)
-}
-
-/// The same, in space with the columns of the grip behind those of the line: in the plane no line has them.
-pub(super) fn write_table_with_grip<T: Serialize + Default>(
-    dir: &Path,
-    name: &str,
-    lines: impl Iterator<Item = (T, Option<SpatialGrip>)>,
-) -> Result<PathBuf, ReportError> {
-    let path = dir.join(name);
-    let text = table_with_grip(lines).map_err(|source| ReportError::Write { path: path.clone(), source })?;
-    write_whole(&path, &text)?;
-    Ok(path)
-}
-
-/// The text of such a table; a number that is not finite is an error.
-pub(super) fn table_with_grip<T: Serialize + Default>(
-    lines: impl Iterator<Item = (T, Option<SpatialGrip>)>,
-) -> io::Result<Vec<u8>> {
-    let lines: Vec<_> = lines.collect();
-    if lines.iter().any(|(_, grip)| grip.is_some()) {
-        let with_grip = |(line, grip): (T, Option<SpatialGrip>)| (line, GripInSpace::from(grip.unwrap_or_default()));
-        let sample = (T::default(), GripInSpace::default());
-        return table_like(sample, lines.into_iter().map(with_grip));
-    }
-    table_like(T::default(), lines.into_iter().map(|(line, _)| line))
 }
 
 /// The lines below a header, the names of the fields of `sample`; the header alone where there are none.
