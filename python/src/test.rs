@@ -5,7 +5,7 @@ use crate::errors::refused;
 use crate::interrupt::Watch;
 use crate::scene::NativeScene;
 use peelkit::study::{Observed, observed};
-use peelkit_report::{ObservedSummary, timed, to_json};
+use peelkit_report::{ObservedSummary, Record, timed};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -39,7 +39,7 @@ pub fn test(py: Python, scene: &NativeScene) -> PyResult<NativeTest> {
 }
 
 fn handed(py: Python, test: &Observed, solve_s: f64) -> PyResult<NativeTest> {
-    let summary = to_json(&ObservedSummary::new(test, solve_s))?;
+    let summary = ObservedSummary::new(test, solve_s).to_json()?;
     let (points, numbers) = (&test.points, PyDict::new(py));
     numbers.set_item("machine_displacement", floats(py, points.iter().map(|at| at.machine))?)?;
     numbers.set_item("displacement", floats(py, points.iter().map(|at| at.displacement))?)?;

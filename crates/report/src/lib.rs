@@ -10,7 +10,6 @@ mod error;
 mod file;
 mod fit_report;
 mod folder;
-mod grip_in_space;
 mod names;
 mod number;
 mod output_key;
@@ -61,8 +60,9 @@ pub use rate::{
 };
 pub use record::{Bounded, Cell, Content, Fields, Object, Record};
 pub use records::{
-    Found, SCHEMA, Summary, Sweep, SweepLine, SweepSummary, VERSION, curve_csv, work_to, write_branch, write_curve,
-    write_equilibria, write_followed, write_limit_points, write_sweep,
+    Found, ObservedSummary, PeelFound, PeelSummary, SCHEMA, Summary, Sweep, SweepLine, SweepSummary, VERSION,
+    curve_csv, ground_warning, left_out, why_kept, work_to, write_branch, write_curve, write_equilibria,
+    write_followed, write_limit_points, write_observed, write_sweep,
 };
 pub use seta::{
     SETA_STATE_FIELDS, SetaMotion, SetaPose, SetaRow, SetaStateField, SetaSummary, TipEvents, draw_pull_off,
@@ -71,14 +71,9 @@ pub use seta::{
     write_tip_curve, write_tips,
 };
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
-pub use summary::{
-    FitSummary, ObservedSummary, OptimisationSummary, PeelSummary, TipSummary, UncertaintySummary, ground_warning,
-    left_out, why_kept,
-};
+pub use summary::{FitSummary, OptimisationSummary, TipSummary, UncertaintySummary};
 pub use sweep_row::SweepRow;
 pub use swept_keys::{SweptKeys, as_given};
-pub use tables::{
-    write_fit, write_history, write_observed, write_samples, write_table, write_tip_law, write_uncertainty,
-};
+pub use tables::{write_fit, write_history, write_samples, write_table, write_tip_law, write_uncertainty};
 pub use timing::timed;
 pub use tip_law::{read_tip_law, read_tip_law_of};

@@ -3,7 +3,7 @@
 use crate::output_key::{Output, OutputKey};
 use crate::rate::RateRow;
 use crate::record::Record;
-use crate::records::{path, sweep};
+use crate::records::{observed, path, peel, sweep};
 use crate::reference::*;
 use crate::seta::SETA_STATE_FIELDS;
 use crate::seta::SetaRow;
@@ -13,8 +13,6 @@ use std::borrow::Cow;
 /// Every table and every object.
 pub fn outputs() -> Vec<Output> {
     let all = [
-        ("summary.json", "key", PEEL_SUMMARY.to_vec()),
-        ("observed.csv", "column", OBSERVED_COLUMNS.to_vec()),
         ("states.csv", "column", of_state(STATE_FIELDS)),
         ("states.csv in space", "column", of_state(SPATIAL_STATE_FIELDS)),
         ("peel optimise --json", "key", OPTIMISATION_SUMMARY.to_vec()),
@@ -47,7 +45,7 @@ pub fn outputs() -> Vec<Output> {
         ("tip_limits.csv", "column", TIP_LIMIT_COLUMNS.to_vec()),
     ];
     let old = all.into_iter().map(|(name, parts, keys)| Output { name, parts, keys }).collect();
-    [old, path::outputs(), sweep::outputs()].concat()
+    [peel::outputs(), old, path::outputs(), observed::outputs(), sweep::outputs()].concat()
 }
 
 /// The columns of a state, and of each place.

@@ -122,6 +122,18 @@ impl<'r, R> Fields<'r, '_, R> {
         self.field(error, "its bound", |_| found.and_then(|bounded| bounded.error));
     }
 
+    /// An object of keys of its own that are read from the same value.
+    pub fn group(&mut self, name: &'static str, about: &'static str, fields: impl FnOnce(&mut Fields<'r, '_, R>)) {
+        match &mut self.0 {
+            Pass::Values(from, to) => {
+                let mut object = Object::default();
+                fields(&mut Fields(Pass::Values(from, &mut object)));
+                to.0.push((Cow::from(name), Cell::Object(object)));
+            }
+            Pass::Keys(to) => to.key(name, about, |below| fields(&mut Fields(Pass::Keys(below)))),
+        }
+    }
+
     /// The keys of another record among those of this one.
     pub fn part<P: Record>(&mut self, value: impl FnOnce(&'r R) -> P) {
         self.sometimes_part(|from| Some(value(from)));

@@ -1,13 +1,11 @@
 //! Tables in CSV.
 
-mod curve;
 mod fit;
 mod optimisation;
 mod table;
 mod tip;
 mod uncertainty;
 
-pub use curve::write_observed;
 pub use fit::write_fit;
 pub use optimisation::write_history;
 pub use table::write_table;
