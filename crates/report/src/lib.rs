@@ -55,7 +55,7 @@ pub use pictures::{
 };
 pub use pull_row::PullRow;
 pub use rate::{
-    Contact, Equilibria, PointAtRate, PulledAtRate, RateResult, RateRow, RateSummary, SlowPeak, draw_rate,
+    Contact, Equilibria, PointAtRate, PulledAtRate, RateFound, RateResult, RateRow, RateSummary, SlowPeak, draw_rate,
     draw_swept_rates, write_rate_curve, write_swept_rates,
 };
 pub use record::{Bounded, Cell, Content, Fields, Object, Record};
@@ -65,7 +65,7 @@ pub use records::{
     write_followed, write_limit_points, write_observed, write_sweep,
 };
 pub use seta::{
-    SETA_STATE_FIELDS, SetaMotion, SetaPose, SetaRow, SetaStateField, SetaSummary, TipEvents, draw_pull_off,
+    SETA_STATE_FIELDS, SetaFound, SetaMotion, SetaPose, SetaRow, SetaStateField, SetaSummary, TipEvents, draw_pull_off,
     draw_swept_setae, seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve,
     write_seta_equilibria, write_seta_events, write_seta_rate_events, write_seta_states, write_swept_setae,
     write_tip_curve, write_tips,

@@ -1,13 +1,11 @@
 //! All tables and objects that are written, each with its keys: what `docs/outputs.md` is made of.
 
 use crate::output_key::{Output, OutputKey};
-use crate::rate::RateRow;
-use crate::record::Record;
 use crate::records::{observed, path, peel, sweep};
 use crate::reference::*;
 use crate::seta::SETA_STATE_FIELDS;
-use crate::seta::SetaRow;
 use crate::states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
+use crate::{rate, seta};
 use std::borrow::Cow;
 
 /// Every table and every object.
@@ -23,12 +21,6 @@ pub fn outputs() -> Vec<Output> {
         ("summary.json of peel uncertainty", "key", UNCERTAINTY_SUMMARY.to_vec()),
         ("statistics.csv and indices.csv", "column", UNCERTAINTY_COLUMNS.to_vec()),
         ("samples.csv", "column", SAMPLE_COLUMNS.to_vec()),
-        ("sweep.csv of setae", "column", SetaRow::keys()),
-        ("summary.json of a seta", "key", SETA_SUMMARY.to_vec()),
-        ("curve.csv of a seta", "column", SETA_CURVE_COLUMNS.to_vec()),
-        ("events.csv", "column", SETA_EVENT_COLUMNS.to_vec()),
-        ("tips.csv", "column", SETA_TIP_COLUMNS.to_vec()),
-        ("tip.csv", "column", SETA_TIP_CURVE_COLUMNS.to_vec()),
         (
             "states.pvd of a seta",
             "array",
@@ -37,15 +29,13 @@ pub fn outputs() -> Vec<Output> {
                 .map(|field| OutputKey { path: Cow::Borrowed(field.name), about: field.about, like: None })
                 .collect(),
         ),
-        ("summary.json of a rate", "key", RATE_SUMMARY.to_vec()),
-        ("curve.csv of a rate", "column", RATE_CURVE_COLUMNS.to_vec()),
-        ("sweep.csv of rates", "column", RateRow::keys()),
         ("peel coarsen", "key", TIP_SUMMARY.to_vec()),
         ("tip_law.csv", "column", TIP_LAW_COLUMNS.to_vec()),
         ("tip_limits.csv", "column", TIP_LIMIT_COLUMNS.to_vec()),
     ];
     let old = all.into_iter().map(|(name, parts, keys)| Output { name, parts, keys }).collect();
-    [peel::outputs(), old, path::outputs(), observed::outputs(), sweep::outputs()].concat()
+    [peel::outputs(), old, path::outputs(), observed::outputs(), sweep::outputs(), seta::outputs(), rate::outputs()]
+        .concat()
 }
 
 /// The columns of a state, and of each place.

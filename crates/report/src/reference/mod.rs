@@ -6,16 +6,12 @@ use std::borrow::Cow;
 
 mod fit;
 mod optimisation;
-mod rate;
-mod seta;
 mod tables;
 mod tip;
 mod uncertainty;
 
 pub use fit::{FIT_COLUMNS, FIT_SUMMARY, PROFILE_COLUMNS};
 pub use optimisation::{HISTORY_COLUMNS, OPTIMISATION_SUMMARY};
-pub use rate::{RATE_CURVE_COLUMNS, RATE_SUMMARY};
-pub use seta::{SETA_CURVE_COLUMNS, SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS};
 pub use tables::STATE_COLUMNS;
 pub use tip::{TIP_LAW_COLUMNS, TIP_LIMIT_COLUMNS, TIP_SUMMARY};
 pub use uncertainty::{SAMPLE_COLUMNS, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY};
