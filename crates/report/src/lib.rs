@@ -21,14 +21,11 @@ mod pull_row;
 mod rate;
 mod record;
 mod records;
-mod reference;
 mod seta;
 mod states;
-mod summary;
 mod sweep_row;
 mod swept_keys;
 mod table;
-mod tables;
 mod timing;
 mod tip_law;
 
@@ -60,9 +57,11 @@ pub use rate::{
 };
 pub use record::{Bounded, Cell, Content, Fields, Object, Record};
 pub use records::{
-    Found, ObservedSummary, PeelFound, PeelSummary, SCHEMA, Summary, Sweep, SweepLine, SweepSummary, VERSION,
-    curve_csv, ground_warning, left_out, why_kept, work_to, write_branch, write_curve, write_equilibria,
-    write_followed, write_limit_points, write_observed, write_sweep,
+    FitSummary, Found, ObservedSummary, OptimisationSummary, Optimised, PeelFound, PeelSummary, SCHEMA, Summary, Sweep,
+    SweepLine, SweepSummary, TipFound, TipSummary, UncertainPeel, UncertaintySummary, VERSION, curve_csv,
+    ground_warning, left_out, why_kept, work_to, write_branch, write_curve, write_equilibria, write_fit,
+    write_followed, write_history, write_limit_points, write_observed, write_samples, write_sweep, write_tip_law,
+    write_uncertainty,
 };
 pub use seta::{
     SETA_STATE_FIELDS, SetaFound, SetaMotion, SetaPose, SetaRow, SetaStateField, SetaSummary, TipEvents, draw_pull_off,
@@ -71,9 +70,8 @@ pub use seta::{
     write_tip_curve, write_tips,
 };
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
-pub use summary::{FitSummary, OptimisationSummary, TipSummary, UncertaintySummary};
 pub use sweep_row::SweepRow;
 pub use swept_keys::{SweptKeys, as_given};
-pub use tables::{write_fit, write_history, write_samples, write_table, write_tip_law, write_uncertainty};
+pub use table::write_table;
 pub use timing::timed;
 pub use tip_law::{read_tip_law, read_tip_law_of};

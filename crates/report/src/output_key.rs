@@ -14,6 +14,13 @@ pub struct OutputKey {
     pub like: Option<Cow<'static, str>>,
 }
 
+impl OutputKey {
+    /// A key that is described here.
+    pub(crate) fn new(path: impl Into<Cow<'static, str>>, about: &'static str) -> Self {
+        Self { path: path.into(), about, like: None }
+    }
+}
+
 /// A table or an object that is written.
 #[derive(Clone, Debug)]
 pub struct Output {
@@ -113,7 +120,7 @@ impl Reference {
     /// Adds a key; `below` describes what it holds.
     pub(crate) fn key(&mut self, name: &str, about: &'static str, below: impl FnOnce(&mut Self)) {
         let path = if self.path.is_empty() { name.to_owned() } else { format!("{}.{name}", self.path) };
-        self.keys.push(OutputKey { path: path.clone().into(), about, like: None });
+        self.keys.push(OutputKey::new(path.clone(), about));
         self.within(path, below);
     }
 
@@ -156,7 +163,7 @@ mod tests {
     use super::*;
 
     fn key(path: &str, about: &'static str) -> OutputKey {
-        OutputKey { path: path.to_owned().into(), about, like: None }
+        OutputKey::new(path.to_owned(), about)
     }
 
     #[test]

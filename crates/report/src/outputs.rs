@@ -1,48 +1,11 @@
 //! All tables and objects that are written, each with its keys: what `docs/outputs.md` is made of.
 
-use crate::output_key::{Output, OutputKey};
-use crate::records::{observed, path, peel, sweep};
-use crate::reference::*;
-use crate::seta::SETA_STATE_FIELDS;
-use crate::states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
-use crate::{rate, seta};
-use std::borrow::Cow;
+use crate::output_key::Output;
+use crate::{rate, records, seta, states};
 
 /// Every table and every object.
 pub fn outputs() -> Vec<Output> {
-    let all = [
-        ("states.csv", "column", of_state(STATE_FIELDS)),
-        ("states.csv in space", "column", of_state(SPATIAL_STATE_FIELDS)),
-        ("peel optimise --json", "key", OPTIMISATION_SUMMARY.to_vec()),
-        ("history.csv", "column", HISTORY_COLUMNS.to_vec()),
-        ("peel fit", "key", FIT_SUMMARY.to_vec()),
-        ("fit.csv", "column", FIT_COLUMNS.to_vec()),
-        ("profiles.csv", "column", PROFILE_COLUMNS.to_vec()),
-        ("summary.json of peel uncertainty", "key", UNCERTAINTY_SUMMARY.to_vec()),
-        ("statistics.csv and indices.csv", "column", UNCERTAINTY_COLUMNS.to_vec()),
-        ("samples.csv", "column", SAMPLE_COLUMNS.to_vec()),
-        (
-            "states.pvd of a seta",
-            "array",
-            SETA_STATE_FIELDS
-                .iter()
-                .map(|field| OutputKey { path: Cow::Borrowed(field.name), about: field.about, like: None })
-                .collect(),
-        ),
-        ("peel coarsen", "key", TIP_SUMMARY.to_vec()),
-        ("tip_law.csv", "column", TIP_LAW_COLUMNS.to_vec()),
-        ("tip_limits.csv", "column", TIP_LIMIT_COLUMNS.to_vec()),
-    ];
-    let old = all.into_iter().map(|(name, parts, keys)| Output { name, parts, keys }).collect();
-    [peel::outputs(), old, path::outputs(), observed::outputs(), sweep::outputs(), seta::outputs(), rate::outputs()]
-        .concat()
-}
-
-/// The columns of a state, and of each place.
-fn of_state<S>(fields: &[StateField<S>]) -> Vec<OutputKey> {
-    let fields =
-        fields.iter().map(|field| OutputKey { path: Cow::Borrowed(field.name), about: field.about, like: None });
-    STATE_COLUMNS.iter().cloned().chain(fields).collect()
+    [records::outputs(), states::outputs(), seta::outputs(), rate::outputs()].concat()
 }
 
 #[cfg(test)]

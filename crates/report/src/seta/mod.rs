@@ -35,5 +35,5 @@ use crate::record::Record;
 /// What is written of setae.
 pub(crate) fn outputs() -> Vec<Output> {
     let of_sweep = Output::table("sweep.csv of setae", SetaRow::keys());
-    [vec![of_sweep, summary::output()], tables::outputs()].concat()
+    [vec![of_sweep, summary::output(), vtk::output()], tables::outputs()].concat()
 }

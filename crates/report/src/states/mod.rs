@@ -13,3 +13,10 @@ pub use spatial_fields::SPATIAL_STATE_FIELDS;
 pub(crate) use surface::outline;
 pub use table::write_states;
 pub use vtk::write_vtk;
+
+use crate::output_key::Output;
+
+/// What is written of the states of a beam.
+pub(crate) fn outputs() -> Vec<Output> {
+    table::outputs()
+}
