@@ -12,7 +12,6 @@ mod fit_report;
 mod folder;
 mod names;
 mod number;
-mod output_key;
 mod outputs;
 pub mod overlay;
 mod parameters_file;
@@ -21,6 +20,7 @@ mod pull_row;
 mod rate;
 mod record;
 mod records;
+mod reference;
 mod seta;
 mod states;
 mod sweep_row;
@@ -43,7 +43,6 @@ pub use names::{
     end_reason, end_word, first_jump_word, form_word, jump_title, limit_point_kind_word, test_end_reason, test_end_word,
 };
 pub use number::{Finite, to_json};
-pub use output_key::{Output, OutputKey, Reference, merged, paths, without_unit};
 pub use outputs::outputs;
 pub use parameters_file::write_parameters;
 pub use pictures::{
@@ -55,14 +54,15 @@ pub use rate::{
     Contact, Equilibria, PointAtRate, PulledAtRate, RateFound, RateResult, RateRow, RateSummary, SlowPeak, draw_rate,
     draw_swept_rates, write_rate_curve, write_swept_rates,
 };
-pub use record::{Bounded, Cell, Content, Fields, Object, Record};
+pub use record::{Bounded, Cell, Content, Fields, Object, Record, columns_of};
 pub use records::{
-    FitSummary, Found, ObservedSummary, OptimisationSummary, Optimised, PeelFound, PeelSummary, SCHEMA, Summary, Sweep,
-    SweepLine, SweepSummary, TipFound, TipSummary, UncertainPeel, UncertaintySummary, VERSION, curve_csv,
-    ground_warning, left_out, why_kept, work_to, write_branch, write_curve, write_equilibria, write_fit,
+    FitSummary, Found, GripOfPoint, ObservedSummary, OptimisationSummary, Optimised, PeelFound, PeelSummary, SCHEMA,
+    Summary, Sweep, SweepLine, SweepSummary, TipFound, TipSummary, UncertainPeel, UncertaintySummary, VERSION,
+    curve_csv, ground_warning, left_out, why_kept, work_to, write_branch, write_curve, write_equilibria, write_fit,
     write_followed, write_history, write_limit_points, write_observed, write_samples, write_sweep, write_tip_law,
     write_uncertainty,
 };
+pub use reference::{Output, OutputKey, Reference, merged, paths, without_unit};
 pub use seta::{
     SETA_STATE_FIELDS, SetaFound, SetaMotion, SetaPose, SetaRow, SetaStateField, SetaSummary, TipEvents, draw_pull_off,
     draw_swept_setae, seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve,

@@ -1,6 +1,6 @@
 //! All tables and objects that are written, each with its keys: what `docs/outputs.md` is made of.
 
-use crate::output_key::Output;
+use crate::reference::Output;
 use crate::{rate, records, seta, states};
 
 /// Every table and every object.
@@ -11,7 +11,7 @@ pub fn outputs() -> Vec<Output> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output_key::paths;
+    use crate::reference::paths;
 
     #[test]
     fn every_key_is_described_once_and_in_words() {

@@ -20,7 +20,7 @@
 //! ```
 
 use crate::number::{Finite, to_json};
-use crate::output_key::{OutputKey, Reference};
+use crate::reference::{OutputKey, Reference};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::borrow::Cow;
 use std::io::{self, ErrorKind};
@@ -300,6 +300,17 @@ impl Serialize for Object {
 /// The names of the columns of a table of such records.
 pub(crate) fn columns<R: Record>() -> Vec<String> {
     R::keys().into_iter().map(|key| key.path.into_owned()).collect()
+}
+
+/// The columns of a table of records: a name and a cell a record.
+pub fn columns_of<R: Record>(rows: impl IntoIterator<Item = R>) -> Vec<(String, Vec<Cell>)> {
+    let mut table: Vec<(String, Vec<Cell>)> = columns::<R>().into_iter().map(|name| (name, Vec::new())).collect();
+    for row in rows {
+        for ((_, column), (_, cell)) in table.iter_mut().zip(row.object().0) {
+            column.push(cell);
+        }
+    }
+    table
 }
 
 /// The text of a table in CSV: a header, and a row a record; a number that is not finite is an error that names its column.

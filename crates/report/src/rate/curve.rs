@@ -3,8 +3,8 @@
 use super::pulled::{Contact, PointAtRate, PulledAtRate};
 use crate::error::ReportError;
 use crate::number::S_PER_NS;
-use crate::output_key::{Output, merged};
 use crate::record::{Fields, Record};
+use crate::reference::{Output, merged};
 use crate::table::write_table;
 use peelkit::solve::time::EnergyBalance;
 use std::path::{Path, PathBuf};

@@ -8,6 +8,9 @@ mod sweep_picture;
 mod sweep_row;
 mod sweep_table;
 
+use crate::record::Record;
+use crate::reference::Output;
+
 pub use curve::write_rate_curve;
 pub use picture::draw_rate;
 pub use pulled::{Contact, Equilibria, PointAtRate, PulledAtRate, SlowPeak};
@@ -15,9 +18,6 @@ pub use summary::{RateFound, RateSummary};
 pub use sweep_picture::draw_swept_rates;
 pub use sweep_row::{RateResult, RateRow};
 pub use sweep_table::write_swept_rates;
-
-use crate::output_key::Output;
-use crate::record::Record;
 
 /// What is written of pulls at a rate.
 pub(crate) fn outputs() -> Vec<Output> {

@@ -2,9 +2,9 @@
 
 use super::pulled::{Contact, Equilibria, PointAtRate, PulledAtRate, SlowPeak};
 use crate::number::S_PER_NS;
-use crate::output_key::Output;
 use crate::record::{Fields, Record};
 use crate::records::{Found, Summary};
+use crate::reference::Output;
 use crate::seta::{RestOfTip, TipEvents, tip_peak};
 use peelkit::model::PullCurve;
 use peelkit::solve::time::EnergyBalance;

@@ -4,8 +4,8 @@ use super::parameters::parameters;
 use super::summary::{Found, Summary};
 use crate::error::ReportError;
 use crate::fit_report::FitReport;
-use crate::output_key::Output;
 use crate::record::{Fields, Object, Record};
+use crate::reference::Output;
 use crate::table::write_table;
 use peelkit::study::{
     Combination, Fit, FitEnd, FitWarning, FittedJump, FittedParameter, FittedPoint, PairDetermined, PointPlace,

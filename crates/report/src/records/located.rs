@@ -121,7 +121,7 @@ impl From<&BranchPoint> for Place {
 impl Record for BranchPoint {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.part(|at| Place::from(at));
+        of.part(Place::from);
         of.field("negative_eigenvalues", "of the displacement-controlled tangent before it and behind it", |at| at.negative_eigenvalues);
     }
 }

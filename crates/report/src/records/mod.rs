@@ -14,14 +14,14 @@ mod sweep;
 mod tip;
 mod uncertainty;
 
-use crate::output_key::Output;
+use crate::reference::Output;
 
 pub use fit::{FitSummary, write_fit};
 pub use model::{ground_warning, why_kept};
 pub use observed::{ObservedSummary, write_observed};
 pub use optimisation::{OptimisationSummary, Optimised, write_history};
 pub(crate) use parameters::parameters;
-pub use path::{curve_csv, write_branch, write_curve, write_equilibria, write_limit_points};
+pub use path::{GripOfPoint, curve_csv, write_branch, write_curve, write_equilibria, write_limit_points};
 pub use peel::{PeelFound, PeelSummary, left_out};
 pub use summary::{Found, SCHEMA, Summary, VERSION};
 pub(crate) use sweep::write_swept;

@@ -3,8 +3,8 @@
 use super::located::finite;
 use crate::error::ReportError;
 use crate::names::{jump_word, test_end_reason, test_end_word};
-use crate::output_key::Output;
 use crate::record::{Bounded, Fields, Record};
+use crate::reference::Output;
 use crate::table::write_table;
 use peelkit::study::{Balance, Jump, JumpEnd, Observed, PullOff, TestPoint, UnknownJumpError};
 use std::path::{Path, PathBuf};

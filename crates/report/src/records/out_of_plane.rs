@@ -35,7 +35,7 @@ impl Record for OutOfPlaneFound<'_> {
 impl Record for OutOfPlaneLoss {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.part(|at| Place::from(at));
+        of.part(Place::from);
         of.field("at_start", "whether the path is unstable from its beginning on, the place given", |at| at.after.is_none());
     }
 }

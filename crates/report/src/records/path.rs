@@ -2,8 +2,8 @@
 
 use crate::error::ReportError;
 use crate::names::limit_point_kind_word;
-use crate::output_key::Output;
 use crate::record::{Fields, Record};
+use crate::reference::Output;
 use crate::table::{table, write_text};
 use peelkit::model::SpatialGrip;
 use peelkit::study::{LimitPoint, OutOfPlane, OutOfPlaneBranch, PathPoint, Peel};
@@ -34,8 +34,9 @@ impl Record for OutOfPlaneColumn {
     }
 }
 
-/// The grip at a point of a path in space.
-struct GripOfPoint(SpatialGrip);
+/// The grip at a point of a path in space: columns of curve.csv behind those of the point.
+#[derive(Clone, Copy, Debug)]
+pub struct GripOfPoint(pub SpatialGrip);
 
 impl Record for GripOfPoint {
     fn fields(of: &mut Fields<Self>) {

@@ -3,8 +3,8 @@
 use super::summary::{Found, Summary};
 use crate::error::ReportError;
 use crate::names::end_word;
-use crate::output_key::Output;
 use crate::record::{Bounded, Cell, Fields, Object, Record, columns, csv};
+use crate::reference::Output;
 use crate::sweep_row::SweepRow;
 use crate::swept_keys::{SweptKeys, as_given};
 use crate::table::write_text;

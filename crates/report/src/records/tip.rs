@@ -2,8 +2,8 @@
 
 use super::summary::{Found, Summary};
 use crate::error::ReportError;
-use crate::output_key::Output;
 use crate::record::{Fields, Record};
+use crate::reference::Output;
 use crate::table::write_table;
 use peelkit::study::coarsening::{PadEnd, SheetLimit, SheetNode, SheetTable, TipPlace, TipSheet, TipTable};
 use peelkit_scene::Scene;

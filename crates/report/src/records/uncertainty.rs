@@ -2,8 +2,8 @@
 
 use super::summary::{Found, Summary};
 use crate::error::ReportError;
-use crate::output_key::{Output, merged};
 use crate::record::{Content, Fields, Object, Record, columns, csv};
+use crate::reference::{Output, merged};
 use crate::swept_keys::column;
 use crate::table::{write_table, write_text};
 use peelkit::study::uncertainty::{

@@ -15,6 +15,9 @@ mod tables;
 mod tip_events;
 mod vtk;
 
+use crate::record::Record;
+use crate::reference::Output;
+
 pub use animation::write_seta_animation;
 pub use motion::SetaMotion;
 pub use names::{seta_end_reason, seta_end_word};
@@ -28,9 +31,6 @@ pub use tables::{
 };
 pub use tip_events::TipEvents;
 pub use vtk::{SETA_STATE_FIELDS, SetaStateField, write_seta_states};
-
-use crate::output_key::Output;
-use crate::record::Record;
 
 /// What is written of setae.
 pub(crate) fn outputs() -> Vec<Output> {

@@ -4,8 +4,8 @@ use super::names::tip_branch_word;
 use super::route::travels;
 use crate::error::ReportError;
 use crate::number::S_PER_NS;
-use crate::output_key::{Output, merged};
 use crate::record::{Fields, Record};
+use crate::reference::{Output, merged};
 use crate::table::write_table;
 use peelkit::model::{CurvePoint, PullCurve, Seta};
 use peelkit::study::{

@@ -3,7 +3,7 @@
 use super::pose::SetaPose;
 use crate::error::ReportError;
 use crate::file::write_whole;
-use crate::output_key::{Output, OutputKey};
+use crate::reference::{Output, OutputKey};
 use crate::states::{Grid, PointData, collection};
 use peelkit::beam::BranchSection;
 use peelkit::study::SetaBranch;
