@@ -1,6 +1,6 @@
 """The native module: what the classes of the package hand on. Numbers in nm, nN, aJ, rad."""
 
-from typing import final
+from typing import Any, final
 
 __all__ = [
     "SCHEMA",
@@ -19,6 +19,9 @@ __all__ = [
     "test",
     "uncertainty",
 ]
+
+# name, unit, type of its array, and the memory of that, or a list of words
+Column = tuple[str, str, str, Any]
 
 VERSION: str
 SCHEMA: int
@@ -56,7 +59,7 @@ class Peel:
     def reason(self) -> str | None: ...
     def summary(self) -> str: ...
     def row(self) -> str: ...
-    def curve(self) -> tuple[dict[str, bytearray], dict[str, bytearray]]: ...
+    def curve(self) -> list[Column]: ...
     def dense_curve(self, per_step: int) -> list[bytearray]: ...
     def states(self, count: int) -> list[State]: ...
     def svg(self) -> str: ...
@@ -72,10 +75,7 @@ class State:
 @final
 class Test:
     summary: str
-    numbers: dict[str, bytearray]
-    jump: bytearray
-    branch: list[str]
-    adheres: list[str]
+    columns: list[Column]
 
 @final
 class Path:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,24 +11,9 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["Curve"]
+    from . import _native
 
-# the order of curve.csv, with the units there
-UNITS = {
-    "displacement": "nm",
-    "force": "nN",
-    "end_rotation": "rad",
-    "work": "aJ",
-    "negative_eigenvalues": "",
-    "negative_eigenvalues_load": "",
-    "front": "nm",
-    "newton_iterations": "",
-    "torque": "nN_nm",
-    "roll": "deg",
-    "yaw": "deg",
-    "reaction_across": "nN",
-    "reaction_lateral": "nN",
-}
+__all__ = ["Curve"]
 
 
 class Curve(Mapping[str, NDArray[Any]]):
@@ -70,8 +55,9 @@ class Curve(Mapping[str, NDArray[Any]]):
     reaction_across: NDArray[np.float64]
     reaction_lateral: NDArray[np.float64]
 
-    def __init__(self, columns: Mapping[str, NDArray[Any]]) -> None:
+    def __init__(self, columns: Mapping[str, NDArray[Any]], units: Mapping[str, str]) -> None:
         self._columns = dict(columns)
+        self._units = dict(units)
         self.__dict__.update(self._columns)
 
     def __getitem__(self, column: str) -> NDArray[Any]:
@@ -102,7 +88,7 @@ class Curve(Mapping[str, NDArray[Any]]):
         """Return a table with the columns of ``curve.csv``, units in their names; pandas has to be installed."""
         import pandas
 
-        named = {f"{name}_{UNITS[name]}" if UNITS[name] else name: column for name, column in self.items()}
+        named = {f"{name}_{self._units[name]}".rstrip("_"): column for name, column in self.items()}
         return pandas.DataFrame(named)
 
     def __repr__(self) -> str:
@@ -110,8 +96,15 @@ class Curve(Mapping[str, NDArray[Any]]):
         return f"<Curve of {len(self.displacement)} points: {', '.join(self)}>"
 
 
-def of_memory(numbers: Mapping[str, bytearray], counts: Mapping[str, bytearray]) -> Curve:
-    """The curve whose columns are these memories, which become those of the arrays."""
-    columns: dict[str, NDArray[Any]] = {name: np.frombuffer(memory) for name, memory in numbers.items()}
-    columns |= {name: np.frombuffer(memory, dtype=np.int64) for name, memory in counts.items()}
-    return Curve({name: columns[name] for name in UNITS if name in columns})
+def arrays(columns: Iterable[_native.Column]) -> dict[str, NDArray[Any]]:
+    """The columns of a table by their names without units: memory becomes that of an array."""
+    return {
+        name: np.array(memory) if kind == "str" else np.frombuffer(memory, dtype=kind)
+        for name, _, kind, memory in columns
+    }
+
+
+def of_columns(columns: Iterable[_native.Column]) -> Curve:
+    """The curve of these columns."""
+    found = list(columns)
+    return Curve(arrays(found), {name: unit for name, unit, _, _ in found})

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
+from .curve import arrays
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -55,11 +56,7 @@ class Test:
 
     @classmethod
     def _of(cls, test: _native.Test) -> Test:
-        columns: dict[str, NDArray[Any]] = {name: np.frombuffer(memory) for name, memory in test.numbers.items()}
-        columns["jump"] = np.frombuffer(test.jump, dtype=np.int64) != 0
-        columns["branch"] = np.array(test.branch)
-        columns["adheres"] = np.array(test.adheres)
-        return cls(json.loads(test.summary), columns)
+        return cls(json.loads(test.summary), arrays(test.columns))
 
     def summary(self) -> dict[str, Any]:
         """Return the object ``observed`` that ``peel run --observed --json`` prints."""

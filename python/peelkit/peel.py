@@ -49,7 +49,7 @@ class Peel:
     @cached_property
     def curve(self) -> Curve:
         """The path points as arrays: the columns of ``curve.csv``."""
-        return curve.of_memory(*self._native.curve())
+        return curve.of_columns(self._native.curve())
 
     @property
     def end(self) -> str:

@@ -1,49 +1,35 @@
-//! The points of a path as columns of numbers: those of curve.csv, without their units.
+//! Columns of tables as the memory of arrays.
 
-use peelkit::model::SpatialGrip;
-use peelkit::study::PathPoint;
+use peelkit_report::{Cell, Record, columns_of, without_unit};
 use pyo3::prelude::*;
-use pyo3::types::PyByteArray;
+use pyo3::types::{PyByteArray, PyList};
 
-/// A column of numbers.
-pub struct Column {
-    pub name: &'static str,
-    pub value: fn(&PathPoint) -> f64,
+/// A column for Python: its name without the unit, the unit, the type of its array, and the memory of that; of words a list of them.
+pub type Column = (String, String, &'static str, Py<PyAny>);
+
+/// The columns of records, in the order of their table.
+pub fn of_records<R: Record>(py: Python, rows: impl Iterator<Item = R>) -> PyResult<Vec<Column>> {
+    let column = |(name, cells): (String, Vec<Cell>)| {
+        let (kind, memory) = array(py, &cells)?;
+        let (name, unit) = without_unit(&name);
+        Ok((name.to_owned(), unit.to_owned(), kind, memory.unbind()))
+    };
+    columns_of(rows).into_iter().map(column).collect()
 }
 
-/// A column of counts.
-pub struct CountColumn {
-    pub name: &'static str,
-    pub value: fn(&PathPoint) -> usize,
-}
-
-/// Numbers of every path; nm, nN, rad, aJ.
-pub const NUMBERS: &[Column] = &[
-    Column { name: "displacement", value: |at| at.displacement },
-    Column { name: "force", value: |at| at.force },
-    Column { name: "end_rotation", value: |at| at.end_rotation },
-    Column { name: "work", value: |at| at.work },
-    Column { name: "front", value: |at| at.front },
-];
-
-/// Counts of every path.
-pub const COUNTS: &[CountColumn] = &[
-    CountColumn { name: "negative_eigenvalues", value: |at| at.negative_eigenvalues },
-    CountColumn { name: "negative_eigenvalues_load", value: |at| at.negative_eigenvalues_load },
-    CountColumn { name: "newton_iterations", value: |at| at.iterations },
-];
-
-/// Numbers of a path in space; nN nm, degrees, nN.
-pub const IN_SPACE: &[Column] = &[
-    Column { name: "torque", value: |at| grip(at).torque },
-    Column { name: "roll", value: |at| grip(at).roll.to_degrees() },
-    Column { name: "yaw", value: |at| grip(at).yaw.to_degrees() },
-    Column { name: "reaction_across", value: |at| grip(at).across },
-    Column { name: "reaction_lateral", value: |at| grip(at).lateral },
-];
-
-fn grip(point: &PathPoint) -> SpatialGrip {
-    point.in_space.unwrap_or_default()
+fn array<'py>(py: Python<'py>, cells: &[Cell]) -> PyResult<(&'static str, Bound<'py, PyAny>)> {
+    let number = |cell: &Cell| if let Cell::Number(number) = cell { *number } else { f64::NAN };
+    let count = |cell: &Cell| if let Cell::Count(count) = cell { *count as usize } else { 0 };
+    let words = |cell: &Cell| if let Cell::Text(text) = cell { text.clone() } else { String::new() };
+    Ok(match cells.first() {
+        Some(Cell::Count(_)) => ("int64", counts(py, cells.iter().map(count))?.into_any()),
+        Some(Cell::Flag(_)) => {
+            let flags: Vec<u8> = cells.iter().map(|cell| u8::from(*cell == Cell::Flag(true))).collect();
+            ("bool", PyByteArray::new(py, &flags).into_any())
+        }
+        Some(Cell::Text(_)) => ("str", PyList::new(py, cells.iter().map(words))?.into_any()),
+        _ => ("float64", floats(py, cells.iter().map(number))?.into_any()),
+    })
 }
 
 /// Numbers as the memory of an array of float64, which `numpy.frombuffer` takes as it is.

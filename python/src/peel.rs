@@ -1,16 +1,16 @@
 //! The result of a run.
 
-use crate::columns::{COUNTS, IN_SPACE, NUMBERS, counts, floats};
+use crate::columns::{Column, counts, floats, of_records};
 use crate::errors::other;
 use crate::interrupt::Watch;
 use crate::scene::{NativeScene, Source};
 use crate::states::{self, NativeState};
 use peelkit::study::{self, PathEnd, Peel, PeelResult};
 use peelkit_report::pictures::peel::{captioned, curve, numbered_points};
-use peelkit_report::{PeelSummary, SweepLine, VERSION, end_reason, end_word, to_json};
+use peelkit_report::{GripOfPoint, PeelSummary, Record, SweepLine, VERSION, end_reason, end_word};
 use peelkit_scene::BoundsTable;
 use pyo3::prelude::*;
-use pyo3::types::{PyByteArray, PyBytes, PyDict};
+use pyo3::types::{PyByteArray, PyBytes};
 use serde::{Deserialize, Serialize};
 use std::io;
 use std::path::Path;
@@ -154,23 +154,17 @@ impl NativePeel {
 
     /// The row of sweep.csv as the text of an object, but for the value of the sweep.
     fn row(&self, py: Python) -> PyResult<String> {
-        let line = SweepLine::new(0.0, None, &PeelResult::from(&self.peel), self.solve_s);
-        to_json(&line).map_err(|error| unwritten(py, "row", error))
+        let found = PeelResult::from(&self.peel);
+        SweepLine::new(0.0, None, &found, self.solve_s).to_json().map_err(|error| unwritten(py, "row", error))
     }
 
-    /// The columns of curve.csv by their names without units, each the memory of its array: of numbers, and of counts.
-    fn curve<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
-        let points = &self.peel.points;
-        let (numbers, whole) = (PyDict::new(py), PyDict::new(py));
-        let in_space = points.iter().any(|point| point.in_space.is_some());
-        let of_space = if in_space { IN_SPACE } else { &[] };
-        for column in NUMBERS.iter().chain(of_space) {
-            numbers.set_item(column.name, floats(py, points.iter().map(column.value))?)?;
+    /// The columns of curve.csv.
+    fn curve(&self, py: Python) -> PyResult<Vec<Column>> {
+        let points = self.peel.points.iter();
+        match points.clone().any(|point| point.in_space.is_some()) {
+            true => of_records(py, points.map(|point| (point, GripOfPoint(point.in_space.unwrap_or_default())))),
+            false => of_records(py, points),
         }
-        for column in COUNTS {
-            whole.set_item(column.name, counts(py, points.iter().map(column.value))?)?;
-        }
-        Ok((numbers, whole))
     }
 
     /// The beam at every limit point and at `count` places evenly along the path.

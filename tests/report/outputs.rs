@@ -9,7 +9,7 @@ use peelkit::study::{
     Bound, Failure, LargestComputedForce, LimitPoint, OutOfPlane, PathEnd, PathPoint, Peak, Peel, PeelResult, Plateau,
     peel,
 };
-use peelkit_report::{PeelSummary, SweepLine, SweepRow, write_curve, write_limit_points, write_sweep};
+use peelkit_report::{PeelSummary, Record, SweepLine, SweepRow, write_curve, write_limit_points, write_sweep};
 use peelkit_scene::{BoundsTable, Scene, find_key};
 use serde_json::Value;
 use std::fs;
@@ -187,7 +187,7 @@ fn what_does_not_occur_is_null_or_an_empty_cell() {
     ] {
         assert_eq!(summary.get(key), Some(&Value::Null), "{key}");
     }
-    let row: Value = serde_json::to_value(SweepLine::from(&row(2.0, &peel))).unwrap();
+    let row: Value = serde_json::to_value(SweepLine::from(&row(2.0, &peel)).object()).unwrap();
     assert_eq!(row["peak_force_nN"], Value::Null);
     assert_eq!(row["work_aJ"], 2.5, "the work to the end of a path without a snap-off");
     assert_eq!((&row["work_to"], &row["work_error_aJ"]), (&Value::from("end of path"), &Value::Null), "and says so");
@@ -202,7 +202,7 @@ fn a_largest_force_that_is_no_peak_has_another_name_and_no_bound() {
     assert_eq!(summary["peak"], Value::Null);
     let expected = serde_json::json!({ "force_nN": 1.0 / 3.0, "displacement_nm": 40.0, "located": false });
     assert_eq!(summary["largest_computed_force"], expected);
-    let row: Value = serde_json::to_value(SweepLine::from(&row(2.0, &peel))).unwrap();
+    let row: Value = serde_json::to_value(SweepLine::from(&row(2.0, &peel)).object()).unwrap();
     assert_eq!((&row["peak_force_nN"], row["largest_computed_force_nN"].as_f64()), (&Value::Null, Some(1.0 / 3.0)));
 }
 

@@ -23,16 +23,6 @@ pub(crate) fn replace(path: &Path, content: &[u8]) -> io::Result<()> {
     written.inspect_err(|_| drop(fs::remove_file(&part)))
 }
 
-/// Writes summary.json of this text, and says where it stands.
-///
-/// Fails with [`ReportError::Write`] where there is no text, because a number is not finite, or the file cannot be written.
-pub(crate) fn write_summary(dir: &Path, text: io::Result<String>) -> Result<PathBuf, ReportError> {
-    let path = dir.join("summary.json");
-    let text = text.map_err(|source| ReportError::Write { path: path.clone(), source })?;
-    write_whole(&path, text.as_bytes())?;
-    Ok(path)
-}
-
 /// Removes a file, if it is there.
 pub(crate) fn remove(path: PathBuf) -> Result<(), ReportError> {
     match fs::remove_file(&path) {

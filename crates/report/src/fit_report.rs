@@ -4,7 +4,7 @@ use peelkit::study::{Fit, MeasuredCurve};
 use peelkit_scene::{Key, Scene, find_key};
 
 /// A fit with where it comes from.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct FitReport<'a> {
     /// The scene with the parameters at which the search began
     pub scene: &'a Scene,

@@ -2,7 +2,7 @@
 
 use crate::error::ReportError;
 use crate::file::write_whole;
-use crate::summary::VERSION;
+use crate::records::VERSION;
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
 

@@ -12,3 +12,10 @@ pub struct PullRow<F> {
     /// Wall clock that it took, s.
     pub solve_s: f64,
 }
+
+impl<F> PullRow<F> {
+    /// A number of what was found, where it was.
+    pub(crate) fn of<T>(&self, of: impl FnOnce(&F) -> Option<T>) -> Option<T> {
+        self.found.as_ref().ok().and_then(of)
+    }
+}

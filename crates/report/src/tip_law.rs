@@ -1,8 +1,7 @@
 //! The law of a tip, read back from the folder that `peel coarsen` has written.
 
 use crate::error::ReportError;
-use crate::summary::{Parameters, pad_end_word};
-use crate::tables::sheet_word;
+use crate::records::{pad_end_word, parameters, sheet_word};
 use peelkit::study::coarsening::{
     CoarseningOptions, PadEnd, Sheet, SheetErrors, SheetNode, SheetTable, TipRange, TipScales, TipSheet, TipTable,
 };
@@ -61,7 +60,7 @@ pub fn read_tip_law_of(dir: &Path, scene: &Scene, tolerance: f64) -> Result<TipT
     let none = |reason: String| ReportError::NoTipLaw { path: path.clone(), reason };
     let text = std::fs::read(&path).map_err(|error| none(error.to_string()))?;
     let written: Value = serde_json::from_slice(&text).map_err(|error| none(error.to_string()))?;
-    let wanted = serde_json::to_value(Parameters(scene.clone())).map_err(|error| none(error.to_string()))?;
+    let wanted = serde_json::to_value(parameters(scene)).map_err(|error| none(error.to_string()))?;
     let other = |key: String, found: String, wanted: String| {
         Err(ReportError::OtherTipLaw { path: path.clone(), key, found, wanted })
     };

@@ -17,8 +17,8 @@ const MOST_PIECES: usize = 8;
 
 /// A run as the page gets it.
 #[derive(Debug, Serialize)]
-struct Answer {
-    summary: PeelSummary,
+struct Answer<'a> {
+    summary: PeelSummary<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     curve: Option<Curve>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -67,8 +67,8 @@ pub(crate) fn answer(request: &PeelRequest, end: &RunEnd) -> Result<Vec<u8>, Ref
     let test = (wants(Part::Test) && !end.is_left())
         .then(|| timed(|| study::observed(&scene.model, &scene.accuracy, &end.ends(scene.bounds.from_now()))));
     let summary = PeelSummary::new(&scene, &peel, seconds);
-    let (summary, no_test) = match test {
-        Some((Ok(test), seconds)) => (summary.with_observed(&test, seconds), None),
+    let (summary, no_test) = match &test {
+        Some((Ok(test), seconds)) => (summary.with_observed(test, *seconds), None),
         Some((Err(none), _)) => (summary, Some(none.to_string())),
         None => (summary, None),
     };

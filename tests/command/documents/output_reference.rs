@@ -1,15 +1,7 @@
-//! The tables of `docs/reference/outputs.md` are made of the lists of `peelkit_report::reference`, and these are held against what the command
-//! writes.
+//! The tables of `docs/reference/outputs.md` are made of the records of `peelkit_report`, whose keys are held against what the command writes.
 
 use super::{hold, row, text, with_part};
-use peelkit_report::reference::{
-    CURVE_COLUMNS, FIT_COLUMNS, FIT_SUMMARY, HISTORY_COLUMNS, LIMIT_POINT_COLUMNS, OBSERVED_COLUMNS,
-    OPTIMISATION_SUMMARY, OutputKey, PEEL_SUMMARY, PROFILE_COLUMNS, RATE_CURVE_COLUMNS, RATE_SUMMARY,
-    RATE_SWEEP_COLUMNS, SAMPLE_COLUMNS, SETA_CURVE_COLUMNS, SETA_EVENT_COLUMNS, SETA_SUMMARY, SETA_SWEEP_COLUMNS,
-    SETA_TIP_COLUMNS, SETA_TIP_CURVE_COLUMNS, STATE_COLUMNS, SWEEP_COLUMNS, SWEEP_SUMMARY, TIP_LAW_COLUMNS,
-    TIP_LIMIT_COLUMNS, TIP_SUMMARY, UNCERTAINTY_COLUMNS, UNCERTAINTY_SUMMARY, paths,
-};
-use peelkit_report::{SETA_STATE_FIELDS, SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
+use peelkit_report::{OutputKey, outputs, paths};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -20,56 +12,37 @@ const PATH: &str = "docs/reference/outputs.md";
 #[test]
 fn the_output_reference_is_that_of_the_lists() {
     let mut reference = text(PATH);
-    for (name, keys, first) in [
-        ("summary.json", PEEL_SUMMARY, "key"),
-        ("peel sweep --json", SWEEP_SUMMARY, "key"),
-        ("curve.csv", CURVE_COLUMNS, "column"),
-        ("limit_points.csv", LIMIT_POINT_COLUMNS, "column"),
-        ("observed.csv", OBSERVED_COLUMNS, "column"),
-        ("states.csv", &state_columns(STATE_FIELDS), "column"),
-        ("states.csv in space", &state_columns(SPATIAL_STATE_FIELDS), "column"),
-        ("sweep.csv", SWEEP_COLUMNS, "column"),
-        ("peel optimise --json", OPTIMISATION_SUMMARY, "key"),
-        ("history.csv", HISTORY_COLUMNS, "column"),
-        ("peel fit", FIT_SUMMARY, "key"),
-        ("fit.csv", FIT_COLUMNS, "column"),
-        ("profiles.csv", PROFILE_COLUMNS, "column"),
-        ("summary.json of peel uncertainty", UNCERTAINTY_SUMMARY, "key"),
-        ("statistics.csv and indices.csv", UNCERTAINTY_COLUMNS, "column"),
-        ("samples.csv", SAMPLE_COLUMNS, "column"),
-        ("sweep.csv of setae", SETA_SWEEP_COLUMNS, "column"),
-        ("summary.json of a seta", SETA_SUMMARY, "key"),
-        ("curve.csv of a seta", SETA_CURVE_COLUMNS, "column"),
-        ("events.csv", SETA_EVENT_COLUMNS, "column"),
-        ("tips.csv", SETA_TIP_COLUMNS, "column"),
-        ("tip.csv", SETA_TIP_CURVE_COLUMNS, "column"),
-        ("states.pvd of a seta", &seta_arrays(), "array"),
-        ("summary.json of a rate", RATE_SUMMARY, "key"),
-        ("curve.csv of a rate", RATE_CURVE_COLUMNS, "column"),
-        ("sweep.csv of rates", RATE_SWEEP_COLUMNS, "column"),
-        ("peel coarsen", TIP_SUMMARY, "key"),
-        ("tip_law.csv", TIP_LAW_COLUMNS, "column"),
-        ("tip_limits.csv", TIP_LIMIT_COLUMNS, "column"),
-    ] {
-        let mut part = row(&[first, "unit", "meaning"]) + "|---|---|---|\n";
-        for key in keys {
-            let like = key.like.map(|other| format!("; keys as of `{other}`")).unwrap_or_default();
+    for output in outputs() {
+        let mut part = row(&[output.parts, "unit", "meaning"]) + "|---|---|---|\n";
+        for key in in_order_of_reading(output.keys) {
+            let like = key.like.as_ref().map(|other| format!("; keys as of `{other}`")).unwrap_or_default();
             part += &row(&[&format!("`{}`", key.path), key.unit(), &format!("{}{like}", key.about)]);
         }
-        reference = with_part(&reference, name, &part);
+        reference = with_part(&reference, output.name, &part);
     }
     hold(PATH, &reference);
 }
 
-/// The columns of a state, and of each place.
-fn state_columns<S>(fields: &[StateField<S>]) -> Vec<OutputKey> {
-    let fields = fields.iter().map(|field| OutputKey { path: field.name, about: field.about, like: None });
-    STATE_COLUMNS.iter().copied().chain(fields).collect()
+/// Of summary.json three objects are described elsewhere than they stand in the file, beside what they belong to: behind which one.
+const MOVED: [(&str, &str); 3] =
+    [("largest_computed_force", "initiation_peak"), ("derived", "accuracy"), ("observed", "sensitivities")];
+
+fn in_order_of_reading(mut keys: Vec<OutputKey>) -> Vec<OutputKey> {
+    for (object, before) in MOVED {
+        let is_of = |key: &OutputKey, name: &str| key.path.split(['.', '[']).next() == Some(name);
+        if keys.iter().any(|key| is_of(key, before)) {
+            let (moved, mut others): (Vec<_>, Vec<_>) = keys.into_iter().partition(|key| is_of(key, object));
+            let place = others.iter().rposition(|key| is_of(key, before)).map_or(0, |place| place + 1);
+            others.splice(place..place, moved);
+            keys = others;
+        }
+    }
+    keys
 }
 
-/// The arrays of a grid of a seta.
-fn seta_arrays() -> Vec<OutputKey> {
-    SETA_STATE_FIELDS.iter().map(|field| OutputKey { path: field.name, about: field.about, like: None }).collect()
+/// The keys of what is called so.
+fn keys(name: &str) -> Vec<OutputKey> {
+    outputs().into_iter().find(|output| output.name == name).unwrap_or_else(|| panic!("no output {name}")).keys
 }
 
 const ROUGHLY: &[&str] = &["--set", "accuracy.relative=1e-3"];
@@ -125,12 +98,12 @@ fn keys_of(value: &Value, path: &str, found: &mut BTreeSet<String>) {
     }
 }
 
-fn assert_described(found: &BTreeSet<String>, keys: &[OutputKey], of: &str) {
-    let described: BTreeSet<String> = paths(keys).into_iter().collect();
+fn assert_described(found: &BTreeSet<String>, of: &str) {
+    let described: BTreeSet<String> = paths(&keys(of)).into_iter().collect();
     let undescribed: Vec<_> = found.difference(&described).collect();
-    assert!(undescribed.is_empty(), "{of}: no meaning in crates/report/src/reference: {undescribed:?}");
+    assert!(undescribed.is_empty(), "{of}: written, and of no record: {undescribed:?}");
     let unseen: Vec<_> = described.difference(found).collect();
-    assert!(unseen.is_empty(), "{of}: described and in no output: {unseen:?}");
+    assert!(unseen.is_empty(), "{of}: of a record, and in no output: {unseen:?}");
 }
 
 #[test]
@@ -144,7 +117,7 @@ fn every_key_of_a_summary_is_described() {
         let json: Value = serde_json::from_slice(&peel(&arguments, folder.path()).stdout).unwrap();
         keys_of(&json, "", &mut found);
     }
-    assert_described(&found, PEEL_SUMMARY, "summary.json");
+    assert_described(&found, "summary.json");
 }
 
 #[test]
@@ -160,24 +133,25 @@ fn every_column_is_described() {
     peel(&[&["run", &sideways, "--out", "sideways", "--states", "0"], ROUGHLY, PAST_PEAK].concat(), folder.path());
     peel(&[&["run", &scene, "--out", "branch"], ROUGHLY, BRANCH].concat(), folder.path());
     let branch = std::fs::read_to_string(folder.path().join("branch/branch.csv")).unwrap();
-    let of_curve = |column: &str| CURVE_COLUMNS.iter().any(|key| key.path == column);
+    let curve = keys("curve.csv");
+    let of_curve = |column: &str| curve.iter().any(|key| key.path == column);
     assert!(
         branch.lines().next().unwrap().split(',').all(of_curve),
         "the columns of branch.csv are those of curve.csv"
     );
-    for (file, keys) in [
-        ("sideways/curve.csv", CURVE_COLUMNS),
-        ("sideways/limit_points.csv", LIMIT_POINT_COLUMNS),
-        ("run/observed.csv", OBSERVED_COLUMNS),
-        ("run/states.csv", &state_columns(STATE_FIELDS)),
-        ("sideways/states.csv", &state_columns(SPATIAL_STATE_FIELDS)),
-        ("sweep/sweep.csv", SWEEP_COLUMNS),
+    for (file, name) in [
+        ("sideways/curve.csv", "curve.csv"),
+        ("sideways/limit_points.csv", "limit_points.csv"),
+        ("run/observed.csv", "observed.csv"),
+        ("run/states.csv", "states.csv"),
+        ("sideways/states.csv", "states.csv in space"),
+        ("sweep/sweep.csv", "sweep.csv"),
     ] {
         let table = std::fs::read_to_string(folder.path().join(file)).unwrap();
         let columns = table.lines().next().unwrap().split(',').map(str::to_owned);
         // the values once more, under the names of their keys
         let found = columns.filter(|column| !column.starts_with("strip.")).collect();
-        assert_described(&found, keys, file);
+        assert_described(&found, name);
     }
 
     let mut found = BTreeSet::new();
@@ -188,7 +162,7 @@ fn every_column_is_described() {
     }
     // one is told of where there is something to tell, the other where the second key has a unit
     found.extend(["remarks", "unit_2"].map(str::to_owned));
-    assert_described(&found, SWEEP_SUMMARY, "peel sweep --json");
+    assert_described(&found, "peel sweep --json");
 }
 
 /// Two parameters that a curve without its peak does not tell apart have a profile.
@@ -206,10 +180,10 @@ fn every_output_of_a_fit_is_described() {
     let json: Value = serde_json::from_slice(&std::fs::read(folder.path().join("fit/summary.json")).unwrap()).unwrap();
     let mut found = BTreeSet::new();
     keys_of(&json, "", &mut found);
-    assert_described(&found, FIT_SUMMARY, "peel fit");
-    for (file, keys) in [("fit.csv", FIT_COLUMNS), ("profiles.csv", PROFILE_COLUMNS)] {
+    assert_described(&found, "peel fit");
+    for (file, name) in [("fit.csv", "fit.csv"), ("profiles.csv", "profiles.csv")] {
         let table = std::fs::read_to_string(folder.path().join("fit").join(file)).unwrap();
-        assert_described(&table.lines().next().unwrap().split(',').map(str::to_owned).collect(), keys, file);
+        assert_described(&table.lines().next().unwrap().split(',').map(str::to_owned).collect(), name);
     }
 }
 
@@ -222,10 +196,10 @@ fn every_output_of_a_coarsening_is_described() {
     let json = std::fs::read(folder.path().join("tip/summary.json")).unwrap();
     let mut found = BTreeSet::new();
     keys_of(&serde_json::from_slice(&json).unwrap(), "", &mut found);
-    assert_described(&found, TIP_SUMMARY, "peel coarsen");
-    for (file, keys) in [("tip_law.csv", TIP_LAW_COLUMNS), ("tip_limits.csv", TIP_LIMIT_COLUMNS)] {
+    assert_described(&found, "peel coarsen");
+    for (file, name) in [("tip_law.csv", "tip_law.csv"), ("tip_limits.csv", "tip_limits.csv")] {
         let table = std::fs::read_to_string(folder.path().join("tip").join(file)).unwrap();
-        assert_described(&table.lines().next().unwrap().split(',').map(str::to_owned).collect(), keys, file);
+        assert_described(&table.lines().next().unwrap().split(',').map(str::to_owned).collect(), name);
     }
 }
 
@@ -245,10 +219,10 @@ fn every_key_of_an_optimisation_is_described() {
     let json = std::fs::read(folder.path().join("out/summary.json")).unwrap();
     let mut found = BTreeSet::new();
     keys_of(&serde_json::from_slice(&json).unwrap(), "", &mut found);
-    assert_described(&found, OPTIMISATION_SUMMARY, "peel optimise --json");
+    assert_described(&found, "peel optimise --json");
     let history = std::fs::read_to_string(folder.path().join("out/history.csv")).unwrap();
     let columns = history.lines().next().unwrap().split(',').map(str::to_owned).collect();
-    assert_described(&columns, HISTORY_COLUMNS, "history.csv");
+    assert_described(&columns, "history.csv");
 }
 
 #[test]
@@ -271,13 +245,13 @@ fn every_key_and_column_of_an_uncertain_peel_is_described() {
     let file = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
     let mut found = BTreeSet::new();
     keys_of(&serde_json::from_str(&file("summary.json")).unwrap(), "", &mut found);
-    assert_described(&found, UNCERTAINTY_SUMMARY, "summary.json of peel uncertainty");
+    assert_described(&found, "summary.json of peel uncertainty");
     let columns =
         |name: &str| -> Vec<String> { file(name).lines().next().unwrap().split(',').map(str::to_owned).collect() };
     let both = columns("statistics.csv").into_iter().chain(columns("indices.csv")).collect();
-    assert_described(&both, UNCERTAINTY_COLUMNS, "statistics.csv and indices.csv");
+    assert_described(&both, "statistics.csv and indices.csv");
     let own = |column: &String| !column.contains('.');
-    assert_described(&columns("samples.csv").into_iter().filter(own).collect(), SAMPLE_COLUMNS, "samples.csv");
+    assert_described(&columns("samples.csv").into_iter().filter(own).collect(), "samples.csv");
 }
 
 /// A small seta, whose tips all detach.
@@ -297,18 +271,19 @@ fn every_key_and_column_of_a_seta_is_described() {
     let small = ["run", &scene, "--json", "--set", "seta.forks=1"];
     let by_table = peel(&[&small[..], &by_table[..]].concat(), folder.path());
     keys_of(&serde_json::from_slice(&by_table.stdout).unwrap(), "", &mut found);
-    assert_described(&found, SETA_SUMMARY, "summary.json of a seta");
-    for (name, keys) in [
-        ("curve.csv", SETA_CURVE_COLUMNS),
-        ("events.csv", SETA_EVENT_COLUMNS),
-        ("tips.csv", SETA_TIP_COLUMNS),
-        ("tip.csv", SETA_TIP_CURVE_COLUMNS),
+    assert_described(&found, "summary.json of a seta");
+    for (file_name, name) in [
+        ("curve.csv", "curve.csv of a seta"),
+        ("events.csv", "events.csv"),
+        ("tips.csv", "tips.csv"),
+        ("tip.csv", "tip.csv"),
     ] {
-        let mut columns: BTreeSet<String> = file(name).lines().next().unwrap().split(',').map(str::to_owned).collect();
+        let mut columns: BTreeSet<String> =
+            file(file_name).lines().next().unwrap().split(',').map(str::to_owned).collect();
         if name == "events.csv" {
             columns.extend(["time_s", "loss"].map(str::to_owned));
         }
-        assert_described(&columns, keys, name);
+        assert_described(&columns, name);
     }
     let twice = ["--vary", "seta.tip_pitch", "--values", "1 um", "--vary", "seta.shaft_length", "--values", "7 um"];
     let four = ["seta.forks=2", "seta.brush_height=3 um", "seta.shaft_diameter=240 nm", "seta.height_scatter=20 nm"];
@@ -316,7 +291,7 @@ fn every_key_and_column_of_a_seta_is_described() {
     peel(&[&["sweep", &scene, "--out", "sweep"], &twice[..], &four].concat(), folder.path());
     let table = std::fs::read_to_string(folder.path().join("sweep/sweep.csv")).unwrap();
     let columns = table.lines().next().unwrap().split(',').filter(|column| !column.starts_with("seta."));
-    assert_described(&columns.map(str::to_owned).collect(), SETA_SWEEP_COLUMNS, "sweep.csv of setae");
+    assert_described(&columns.map(str::to_owned).collect(), "sweep.csv of setae");
 }
 
 /// A strip that is pulled over its peak, and a seta of four tips.
@@ -332,17 +307,17 @@ fn every_key_and_column_of_a_rate_is_described() {
     peel(&[&["run", &seta, "--out", "seta"], &crate::seta::SMALL[..]].concat(), folder.path());
     let of_seta = |name: &str| std::fs::read_to_string(folder.path().join("seta").join(name)).unwrap();
     keys_of(&serde_json::from_str(&of_seta("summary.json")).unwrap(), "", &mut found);
-    assert_described(&found, RATE_SUMMARY, "summary.json of a rate");
+    assert_described(&found, "summary.json of a rate");
     let header =
         |table: String| -> Vec<String> { table.lines().next().unwrap().split(',').map(str::to_owned).collect() };
     let both = header(file("curve.csv")).into_iter().chain(header(of_seta("curve.csv"))).collect();
-    assert_described(&both, RATE_CURVE_COLUMNS, "curve.csv of a rate");
+    assert_described(&both, "curve.csv of a rate");
     let events = header(of_seta("events.csv")).into_iter().chain(["step".to_owned()]).collect();
-    assert_described(&events, SETA_EVENT_COLUMNS, "events.csv of a seta at a rate");
-    assert_described(&header(of_seta("equilibria.csv")).into_iter().collect(), SETA_CURVE_COLUMNS, "equilibria.csv");
+    assert_described(&events, "events.csv");
+    assert_described(&header(of_seta("equilibria.csv")).into_iter().collect(), "curve.csv of a seta");
     let twice = ["--vary", "time.rate", "--values", "1 mm/s", "--vary", "time.displacement", "--values", "1 nm"];
     peel(&[&["sweep", &scene, "--out", "sweep"], &twice[..]].concat(), folder.path());
     let table = std::fs::read_to_string(folder.path().join("sweep/sweep.csv")).unwrap();
     let columns = table.lines().next().unwrap().split(',').filter(|column| !column.starts_with("time."));
-    assert_described(&columns.map(str::to_owned).collect(), RATE_SWEEP_COLUMNS, "sweep.csv of rates");
+    assert_described(&columns.map(str::to_owned).collect(), "sweep.csv of rates");
 }

@@ -5,7 +5,7 @@ use peelkit::beam::MeshKind;
 use peelkit_report::chart::{
     Axis, Frame, Line as Curve, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, order_shade, save,
 };
-use peelkit_report::{Finite, ReportError, form_word, write_table};
+use peelkit_report::{Fields, Record, ReportError, form_word, write_table};
 use std::path::{Path, PathBuf};
 
 /// The name of what the program chooses by itself.
@@ -20,44 +20,43 @@ pub fn write_work_precision(dir: &Path, measured: &WorkPrecision, title: &str) -
     Ok(files)
 }
 
-fn write_trials(dir: &Path, measured: &WorkPrecision) -> Result<PathBuf, ReportError> {
-    #[derive(Default, serde::Serialize)]
-    struct Row<'a> {
-        line: &'a str,
-        asked: Finite,
-        order: usize,
-        elements: usize,
-        mesh: &'static str,
-        form: &'static str,
-        peak_error: Option<Finite>,
-        snap_off_error: Option<Finite>,
-        curve_error: Finite,
-        cpu_s: Finite,
-        points: usize,
-        newton_iterations: usize,
-        complete: bool,
+/// A run as a row.
+struct Row<'a> {
+    line: &'a str,
+    trial: &'a Trial,
+}
+
+impl Record for Row<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("line", "what was chosen", |row| row.line);
+        of.field("asked", "relative accuracy that was asked for", |row| row.trial.accuracy.relative);
+        of.field("order", "of the elements", |row| row.trial.effort.order);
+        of.field("elements", "of the final mesh", |row| row.trial.effort.elements);
+        of.field("mesh", "how the elements are placed", |row| mesh_word(row.trial.accuracy.choice.mesh));
+        of.field("form", "which unknowns a node has", |row| form_word(row.trial.accuracy.choice.form));
+        of.field("peak_error", "of the peak, relative", |row| row.trial.errors.peak);
+        of.field("snap_off_error", "of the snap-off, relative", |row| row.trial.errors.snap_off);
+        of.field("curve_error", "of the curve between its points, relative", |row| row.trial.errors.curve);
+        of.field("cpu_s", "computing time", |row| row.trial.seconds);
+        of.field("points", "of the path", |row| row.trial.effort.points);
+        of.field("newton_iterations", "on all meshes", |row| row.trial.effort.newton_iterations);
+        of.field("complete", "whether the path came to its end", |row| row.trial.complete);
     }
-    let row = |line, trial: &Trial| Row {
-        line,
-        asked: Finite(trial.accuracy.relative),
-        order: trial.effort.order,
-        elements: trial.effort.elements,
-        mesh: match trial.accuracy.choice.mesh {
-            MeshKind::Moving => "moving",
-            MeshKind::Graded => "graded",
-            MeshKind::Uniform => "uniform",
-        },
-        form: form_word(trial.accuracy.choice.form),
-        peak_error: trial.errors.peak.map(Finite),
-        snap_off_error: trial.errors.snap_off.map(Finite),
-        curve_error: Finite(trial.errors.curve),
-        cpu_s: Finite(trial.seconds),
-        points: trial.effort.points,
-        newton_iterations: trial.effort.newton_iterations,
-        complete: trial.complete,
-    };
-    let lines = measured.lines.iter().flat_map(|l| l.trials.iter().map(|trial| row(l.name.as_str(), trial)));
-    write_table(dir, "accuracy.csv", lines.chain(measured.automatic.iter().map(|trial| row(AUTOMATIC, trial))))
+}
+
+fn mesh_word(mesh: MeshKind) -> &'static str {
+    match mesh {
+        MeshKind::Moving => "moving",
+        MeshKind::Graded => "graded",
+        MeshKind::Uniform => "uniform",
+    }
+}
+
+fn write_trials(dir: &Path, measured: &WorkPrecision) -> Result<PathBuf, ReportError> {
+    let rows = measured.lines.iter().flat_map(|l| l.trials.iter().map(|trial| Row { line: &l.name, trial }));
+    let automatic = measured.automatic.iter().map(|trial| Row { line: AUTOMATIC, trial });
+    write_table(dir, "accuracy.csv", rows.chain(automatic))
 }
 
 /// What is drawn of a run: an error.

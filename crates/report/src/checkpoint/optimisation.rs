@@ -5,7 +5,8 @@ use super::damaged::Damaged;
 use super::lines::Lines;
 use super::partial_file::PartialFile;
 use crate::error::ReportError;
-use crate::summary::Parameters;
+use crate::record::Object;
+use crate::records::parameters;
 use peelkit::study::optimisation::Evaluation;
 use peelkit_scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -24,7 +25,7 @@ pub struct PartialOptimisation {
 #[derive(Serialize)]
 struct Header {
     peelkit: &'static str,
-    optimised: Parameters,
+    optimised: Object,
 }
 
 /// An evaluated design.
@@ -48,7 +49,7 @@ impl PartialOptimisation {
     ///
     /// Fails with [`ReportError::OtherOptimisation`], [`ReportError::Read`] or [`ReportError::Write`].
     pub fn open(dir: &Path, scene: &Scene) -> Result<Self, ReportError> {
-        let header = Header { peelkit: env!("CARGO_PKG_VERSION"), optimised: Parameters(scene.clone()) };
+        let header = Header { peelkit: env!("CARGO_PKG_VERSION"), optimised: parameters(scene) };
         let other = |path| ReportError::OtherOptimisation { path };
         let (lines, kept) = Lines::<Line>::open(&dir.join(Self::NAME), &header, other)?;
         let mut taken: HashMap<Vec<u64>, Evaluation> = HashMap::new();

@@ -6,7 +6,8 @@ use super::growing_file::GrowingFile;
 use super::lines::first_line;
 use super::partial_file::PartialFile;
 use crate::error::ReportError;
-use crate::summary::Parameters;
+use crate::record::Object;
+use crate::records::parameters;
 use peelkit::solve::{PathOptions, Waypoint};
 use peelkit_scene::{BoundsTable, Scene};
 use serde::{Deserialize, Serialize};
@@ -47,7 +48,7 @@ struct Writing {
 #[derive(Serialize)]
 struct Header {
     peelkit: &'static str,
-    scene: Parameters,
+    scene: Object,
 }
 
 /// A point of the path that has these options.
@@ -167,7 +168,7 @@ impl PartialRun {
 pub(super) fn header_of(path: &Path, scene: &Scene) -> Result<Vec<u8>, ReportError> {
     let bounds = BoundsTable::default();
     let scene = Scene { bounds, ..scene.clone() };
-    let header = Header { peelkit: env!("CARGO_PKG_VERSION"), scene: Parameters(scene) };
+    let header = Header { peelkit: env!("CARGO_PKG_VERSION"), scene: parameters(&scene) };
     first_line(&header).map_err(|source| ReportError::Write { path: path.to_path_buf(), source })
 }
 

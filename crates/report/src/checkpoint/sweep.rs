@@ -6,7 +6,8 @@ use super::lines::Lines;
 use super::part::Part;
 use super::partial_file::PartialFile;
 use crate::error::ReportError;
-use crate::summary::Parameters;
+use crate::record::Object;
+use crate::records::parameters;
 use crate::sweep_row::SweepRow;
 use crate::swept_keys::SweptKeys;
 use peelkit::study::PeelResult;
@@ -33,7 +34,7 @@ struct Header {
     vary: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     part: Option<Part>,
-    scene: Parameters,
+    scene: Object,
 }
 
 /// A finished value.
@@ -84,7 +85,7 @@ impl<F: Storable> PartialSweep<F> {
         keys: impl Into<SweptKeys<'k>>,
         part: Option<Part>,
     ) -> Result<Self, ReportError> {
-        let (vary, scene) = (keys.into().names(), Parameters(scene.clone()));
+        let (vary, scene) = (keys.into().names(), parameters(scene));
         let header = Header { peelkit: env!("CARGO_PKG_VERSION"), vary, part, scene };
         let other = |path| ReportError::OtherSweep { path };
         let (lines, kept) = Lines::<Line<F>>::open(&dir.join(Self::NAME), &header, other)?;

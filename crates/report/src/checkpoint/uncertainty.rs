@@ -5,7 +5,8 @@ use super::damaged::Damaged;
 use super::lines::Lines;
 use super::partial_file::PartialFile;
 use crate::error::ReportError;
-use crate::summary::Parameters;
+use crate::record::Object;
+use crate::records::parameters;
 use peelkit::study::uncertainty::{Outcome, SamplePlace};
 use peelkit_scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -23,7 +24,7 @@ pub struct PartialUncertainty {
 #[derive(Serialize)]
 struct Header {
     peelkit: &'static str,
-    scene: Parameters,
+    scene: Object,
 }
 
 /// A finished sample.
@@ -51,7 +52,7 @@ impl PartialUncertainty {
         if let Some(table) = &mut scene.uncertainty {
             table.samples = 0;
         }
-        let header = Header { peelkit: env!("CARGO_PKG_VERSION"), scene: Parameters(scene) };
+        let header = Header { peelkit: env!("CARGO_PKG_VERSION"), scene: parameters(&scene) };
         let other = |path| ReportError::OtherSample { path };
         let (lines, kept) = Lines::<Line>::open(&dir.join(Self::NAME), &header, other)?;
         Ok(Self { lines, taken: kept.into_iter().map(|line| (line.at, line.outcome)).collect() })

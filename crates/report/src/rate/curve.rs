@@ -1,64 +1,85 @@
 //! The table of a pull at a rate, curve.csv. Units stand in the names of the columns.
 
-use super::energies::Energies;
 use super::pulled::{Contact, PointAtRate, PulledAtRate};
 use crate::error::ReportError;
-use crate::number::{Finite, S_PER_NS};
-use crate::tables::write_table;
-use serde::Serialize;
+use crate::number::S_PER_NS;
+use crate::record::{Fields, Record};
+use crate::reference::{Output, merged};
+use crate::table::write_table;
+use peelkit::solve::time::EnergyBalance;
 use std::path::{Path, PathBuf};
 
-#[derive(Default, Serialize)]
-struct Place {
-    time_s: Finite,
-    displacement_nm: Finite,
-    #[serde(rename = "force_nN")]
-    force: Finite,
-}
-
-#[derive(Default, Serialize)]
-struct Front {
-    front_nm: Finite,
-}
-
-#[derive(Default, Serialize)]
-struct Tips {
-    tips_attached: usize,
-    #[serde(rename = "tip_forces_nN")]
-    force: Finite,
-    #[serde(rename = "released_aJ")]
-    released: Finite,
-}
-
-impl From<&PointAtRate> for Place {
-    fn from(point: &PointAtRate) -> Self {
-        Self {
-            time_s: Finite(S_PER_NS * point.time),
-            displacement_nm: Finite(point.displacement),
-            force: Finite(point.force),
-        }
+impl Record for PointAtRate {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("time_s", "since the pull began", |at| S_PER_NS * at.time);
+        of.field("displacement_nm", "of what moves the grip, or the root: of the machine where the scene has `grip.stiffness`", |at| at.displacement);
+        of.field("force_nN", "force of the grip, or on the root, along the pull", |at| at.force);
     }
 }
+
+/// Of a beam.
+struct Front(f64);
+
+impl Record for Front {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("front_nm", "of a beam the peeling front: how long the free end's adhesion would have to go on", |front| front.0);
+    }
+}
+
+/// Of a seta.
+struct Tips {
+    attached: usize,
+    force: f64,
+    released: f64,
+}
+
+impl Record for Tips {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("tips_attached", "of a seta the number of tips that adhere", |tips| tips.attached);
+        of.field("tip_forces_nN", "of a seta the sum of the forces with which the ground holds the tips, along the pull: the force on the root, but for the error of Newton's method", |tips| tips.force);
+        of.field("released_aJ", "of a seta energy released at events since the pull began: a part of what is dissipated", |tips| tips.released);
+    }
+}
+
+impl Record for EnergyBalance {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("work_aJ", "work since the pull began", |balance| balance.work);
+        of.field("stored_aJ", "elastic energy, with that of springs in series with dashpots", |balance| balance.stored);
+        of.field("adhesion_aJ", "energy of adhesion, negative", |balance| balance.adhesion);
+        of.field("spring_aJ", "energy of the machine's spring", |balance| balance.spring);
+        of.field("kinetic_aJ", "kinetic energy", |balance| balance.kinetic);
+        of.field("dissipated_aJ", "dissipated by the material, and at events, since the pull began", |balance| balance.dissipated);
+    }
+}
+
+/// A time, with what adheres then.
+type Row<'a, C> = ((&'a PointAtRate, C), EnergyBalance);
 
 /// Writes curve.csv: one row a step in time, from rest on; of a seta another one behind each event.
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_rate_curve(dir: &Path, pulled: &PulledAtRate) -> Result<PathBuf, ReportError> {
     let fronts = pulled.points.iter().filter_map(|point| match point.contact {
-        Contact::Front(front) => {
-            Some((Place::from(point), Front { front_nm: Finite(front) }, Energies::from(point.balance)))
-        }
+        Contact::Front(front) => Some(((point, Front(front)), point.balance)),
         Contact::Tips { .. } => None,
     });
     let tips = pulled.points.iter().filter_map(|point| match point.contact {
         Contact::Front(_) => None,
         Contact::Tips { attached, force, released } => {
-            let own = Tips { tips_attached: attached, force: Finite(force), released: Finite(released) };
-            Some((Place::from(point), own, Energies::from(point.balance)))
+            Some(((point, Tips { attached, force, released }), point.balance))
         }
     });
     match pulled.points.first().map(|point| point.contact) {
         Some(Contact::Tips { .. }) => write_table(dir, "curve.csv", tips),
         _ => write_table(dir, "curve.csv", fronts),
     }
+}
+
+/// The table with all columns that it can have.
+pub(super) fn output() -> Output {
+    Output::table("curve.csv of a rate", merged(Row::<Front>::keys(), Row::<Tips>::keys()))
 }

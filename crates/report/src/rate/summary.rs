@@ -1,170 +1,163 @@
 //! A pull at a rate as one JSON object: summary.json, and what `--json` prints.
 
-use super::energies::Energies;
-use super::pulled::{Contact, Equilibria, PulledAtRate, SlowPeak};
-use crate::number::{Finite, S_PER_NS};
-use crate::seta::{LawOfTips, TipEvents};
-use crate::summary::{Origin, Parameters, written};
+use super::pulled::{Contact, Equilibria, PointAtRate, PulledAtRate, SlowPeak};
+use crate::number::S_PER_NS;
+use crate::record::{Fields, Record};
+use crate::records::{Found, Summary};
+use crate::reference::Output;
+use crate::seta::{RestOfTip, TipEvents, tip_peak};
 use peelkit::model::PullCurve;
-use peelkit::study::{SetaInTime, TipLoss};
+use peelkit::solve::time::EnergyBalance;
+use peelkit::study::{InTimePeak, SetaInTime, TipLoss};
 use peelkit_scene::Scene;
 
-/// Everything of a pull at a rate but its curve.
-#[derive(Debug, serde::Serialize)]
-pub struct RateSummary {
-    #[serde(flatten)]
-    origin: Origin,
-    end: &'static str,
-    reason: Option<String>,
-    #[serde(flatten)]
-    seta: Option<OfSeta>,
-    largest_force: Option<Largest>,
-    contact_lost_s: Option<Finite>,
-    equilibria_peak: Option<Slow>,
-    force_over_equilibria: Option<Finite>,
-    balance: Balance,
-    path: Effort,
-    timing: Timing,
-    parameters: Parameters,
-}
-
-/// Where the force is largest.
-#[derive(Debug, serde::Serialize)]
-struct Largest {
-    #[serde(rename = "force_nN")]
-    force: Finite,
-    displacement_nm: Finite,
-    time_s: Finite,
-    #[serde(rename = "kinetic_aJ")]
-    kinetic: Finite,
-    #[serde(rename = "dissipated_aJ")]
-    dissipated: Finite,
-    /// Of a seta
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tips_attached: Option<usize>,
+/// A pull at a rate and the equilibria beside it.
+#[derive(Clone, Copy, Debug)]
+pub struct RateFound<'a> {
+    pulled: &'a PulledAtRate,
+    equilibria: &'a Equilibria,
+    failed: Option<&'a str>,
+    solve_s: f64,
+    equilibria_s: f64,
+    seta: Option<OfSeta<'a>>,
 }
 
 /// What a pull of a seta has besides.
-#[derive(Debug, serde::Serialize)]
-struct OfSeta {
+#[derive(Clone, Copy, Debug)]
+struct OfSeta<'a> {
     tips: usize,
-    events: Events,
-    tip: LawOfTips,
+    tip: &'a PullCurve,
+    pulled: &'a SetaInTime,
+    tip_s: f64,
 }
 
-/// Where tips leave the branch of their law.
-#[derive(Debug, serde::Serialize)]
-struct Events {
-    #[serde(flatten)]
-    tips: TipEvents,
-    unstable: usize,
+/// Everything of a pull at a rate but its curve.
+pub type RateSummary<'a> = Summary<'a, RateFound<'a>>;
+
+impl Record for RateFound<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("end", "`detached`: nothing adheres any more; `still-attached` where the grip came to rest before; `failed`: the computation stopped short", |of| of.pulled.end(of.failed.is_some()));
+        of.field("reason", "why it stopped short; else null", |of| of.failed);
+        of.sometimes_part(|of| of.seta.as_ref());
+        of.field("largest_force", "the largest force of the pull", |of| Some(Largest { at: of.pulled.peak?, next: of.pulled.next_to_peak()? }));
+        of.field("contact_lost_s", "when nothing adheres any more for the first time; else null", |of| of.pulled.contact_lost.map(|time| S_PER_NS * time));
+        of.field("equilibria_peak", "first peak of the equilibria of the same scene, of a seta its peak; null where they have none", |of| of.equilibria.peak);
+        of.field("force_over_equilibria", "largest force of the pull over the peak of the equilibria; null without one", |of| Some(of.pulled.peak?.force / of.equilibria.peak?.force));
+        of.group("balance", "what became of the work, from rest to the end", |of| {
+            of.part(|of| Change(of.pulled.change()));
+            of.sometimes("released_aJ", "of a seta: the part of it that was released at events", |of| of.released());
+            of.field("imbalance", "largest defect of that balance at any step, over the largest work", |of| of.pulled.imbalance);
+        });
+        of.group("path", "computational cost", |of| {
+            of.field("steps", "steps in time, and points behind events", |of| of.pulled.steps());
+            of.field("steps_tried", "the same with those that were refused", |of| of.pulled.tried);
+            of.field("newton_iterations", "Newton iterations", |of| of.pulled.iterations);
+            of.field("elements", "elements of the mesh, which stays", |of| of.pulled.elements);
+        });
+        of.group("timing", "wall clock", |of| {
+            of.sometimes("tip_s", "of a seta: of the law of the tips", |of| Some(of.seta?.tip_s));
+            of.field("solve_s", "of the pull in time", |of| of.solve_s);
+            of.field("equilibria_s", "of the equilibria", |of| of.equilibria_s);
+        });
+    }
 }
 
-impl From<&SetaInTime> for Events {
-    fn from(SetaInTime { events, .. }: &SetaInTime) -> Self {
-        Self {
-            tips: TipEvents::of(events.iter().map(|event| &event.tips[..])),
-            unstable: events.iter().filter(|event| event.loss == TipLoss::Unstable).count(),
+impl Found for RateFound<'_> {
+    const SCHEMA: &'static str = "number of this set of keys and columns, as of a peel";
+    const COMMAND: &'static str = "the command line; null where a program of another kind has written the summary";
+    const PARAMETERS: &'static str =
+        "the scene as it was computed, with its defaults: its tables as objects, units in the names";
+}
+
+impl RateFound<'_> {
+    /// Energy released at events, of a seta.
+    fn released(&self) -> Option<f64> {
+        match self.pulled.points.last()?.contact {
+            Contact::Tips { released, .. } => Some(released),
+            Contact::Front(_) => None,
         }
     }
 }
 
-/// The peak of the equilibria.
-#[derive(Debug, serde::Serialize)]
-struct Slow {
-    #[serde(rename = "force_nN")]
-    force: Finite,
-    displacement_nm: Finite,
-    #[serde(rename = "error_nN")]
-    error: Option<Finite>,
+impl Record for OfSeta<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("tips", "of a seta: number of tips", |of| of.tips);
+        of.group("events", "of a seta: where tips leave the branch of their law", |of| {
+            of.part(|of| TipEvents::of(of.pulled.events.iter().map(|event| &event.tips[..])));
+            of.field("unstable", "events that are losses of stability: the tips soften faster than the seta holds them", |of| of.pulled.events.iter().filter(|event| event.loss == TipLoss::Unstable).count());
+        });
+        of.group("tip", "of a seta: the law of each tip", |of| {
+            of.field("law", "what the tips follow: `curve`, the normal pull of their spatula", |_| "curve");
+            of.field("peak_force_nN", "largest force of its curve", |of| tip_peak(of.tip));
+            of.part(|of| RestOfTip(of.tip));
+        });
+    }
 }
 
-impl From<&SlowPeak> for Slow {
-    fn from(at: &SlowPeak) -> Self {
-        Self { force: Finite(at.force), displacement_nm: Finite(at.displacement), error: at.error.map(Finite) }
+/// Where the force is largest, and the step next to it.
+struct Largest<'a> {
+    at: InTimePeak,
+    next: &'a PointAtRate,
+}
+
+impl Record for Largest<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("force_nN", "of a beam by a parabola through the three steps next to it, of a seta that of a step", |of| of.at.force);
+        of.field("displacement_nm", "of what moves the grip, or the root", |of| of.at.displacement);
+        of.field("time_s", "since the pull began", |of| S_PER_NS * of.at.time);
+        of.field("kinetic_aJ", "kinetic energy at the step next to it", |of| of.next.balance.kinetic);
+        of.field("dissipated_aJ", "dissipated up to that step", |of| of.next.balance.dissipated);
+        of.sometimes("tips_attached", "of a seta: number of tips that adhere there", |of| of.next.attached());
+    }
+}
+
+impl Record for SlowPeak {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("force_nN", "its force", |peak| peak.force);
+        of.field("displacement_nm", "its displacement", |peak| peak.displacement);
+        of.field("error_nN", "bound of the error of its force; of a seta the error with which it is located, null where it is not", |peak| peak.error);
     }
 }
 
 /// What became of the work, from rest to the end.
-#[derive(Debug, serde::Serialize)]
-struct Balance {
-    #[serde(flatten)]
-    energies: Energies,
-    /// The part of it at events, of a seta
-    #[serde(rename = "released_aJ", skip_serializing_if = "Option::is_none")]
-    released: Option<Finite>,
-    imbalance: Finite,
+struct Change(EnergyBalance);
+
+impl Record for Change {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("work_aJ", "work of the grip, or of the machine behind its spring", |change| change.0.work);
+        of.field("stored_aJ", "change of the elastic energy", |change| change.0.stored);
+        of.field("adhesion_aJ", "change of the energy of adhesion", |change| change.0.adhesion);
+        of.field("spring_aJ", "change of the energy of the machine's spring", |change| change.0.spring);
+        of.field("kinetic_aJ", "kinetic energy", |change| change.0.kinetic);
+        of.field("dissipated_aJ", "dissipated by the material, and at the events of a seta", |change| change.0.dissipated);
+    }
 }
 
-#[derive(Debug, serde::Serialize)]
-struct Effort {
-    steps: usize,
-    steps_tried: usize,
-    newton_iterations: usize,
-    elements: usize,
-}
-
-/// Seconds of the law of a seta's tips, of the pull and of the equilibria.
-#[derive(Debug, serde::Serialize)]
-struct Timing {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tip_s: Option<Finite>,
-    solve_s: Finite,
-    equilibria_s: Finite,
-}
-
-impl RateSummary {
+impl<'a> RateSummary<'a> {
     /// The summary of the pull of this scene, with the equilibria beside it and why it stopped short, if it did; seconds of both.
     pub fn new(
-        scene: &Scene,
-        pulled: &PulledAtRate,
-        equilibria: &Equilibria,
-        failed: Option<&str>,
+        scene: &'a Scene,
+        pulled: &'a PulledAtRate,
+        equilibria: &'a Equilibria,
+        failed: Option<&'a str>,
         [solve_s, equilibria_s]: [f64; 2],
     ) -> Self {
-        let slow = equilibria.peak.as_ref();
-        let largest = pulled.peak.zip(pulled.next_to_peak()).map(|(at, next)| Largest {
-            force: Finite(at.force),
-            displacement_nm: Finite(at.displacement),
-            time_s: Finite(S_PER_NS * at.time),
-            kinetic: Finite(next.balance.kinetic),
-            dissipated: Finite(next.balance.dissipated),
-            tips_attached: next.attached(),
-        });
-        let released = pulled.points.last().and_then(|last| match last.contact {
-            Contact::Tips { released, .. } => Some(Finite(released)),
-            Contact::Front(_) => None,
-        });
-        Self {
-            origin: Origin::of(scene),
-            end: pulled.end(failed.is_some()),
-            reason: failed.map(str::to_owned),
-            seta: None,
-            largest_force: largest,
-            contact_lost_s: pulled.contact_lost.map(|time| Finite(S_PER_NS * time)),
-            equilibria_peak: slow.map(Slow::from),
-            force_over_equilibria: slow.zip(pulled.peak).map(|(slow, at)| Finite(at.force / slow.force)),
-            balance: Balance {
-                energies: Energies::from(pulled.change()),
-                released,
-                imbalance: Finite(pulled.imbalance),
-            },
-            path: Effort {
-                steps: pulled.steps(),
-                steps_tried: pulled.tried,
-                newton_iterations: pulled.iterations,
-                elements: pulled.elements,
-            },
-            timing: Timing { tip_s: None, solve_s: Finite(solve_s), equilibria_s: Finite(equilibria_s) },
-            parameters: Parameters(scene.clone()),
-        }
+        Summary::of(scene, RateFound { pulled, equilibria, failed, solve_s, equilibria_s, seta: None })
     }
 
     /// With what a seta of so many tips has besides, whose law took so many seconds.
-    pub fn with_seta(self, tips: usize, tip: &PullCurve, pulled: &SetaInTime, tip_s: f64) -> Self {
-        let seta = OfSeta { tips, events: Events::from(pulled), tip: LawOfTips::from(tip) };
-        Self { seta: Some(seta), timing: Timing { tip_s: Some(Finite(tip_s)), ..self.timing }, ..self }
+    pub fn with_seta(mut self, tips: usize, tip: &'a PullCurve, pulled: &'a SetaInTime, tip_s: f64) -> Self {
+        self.found.seta = Some(OfSeta { tips, tip, pulled, tip_s });
+        self
     }
 }
 
-written!(RateSummary);
+/// The object.
+pub(super) fn output() -> Output {
+    Output::object("summary.json of a rate", RateSummary::keys())
+}

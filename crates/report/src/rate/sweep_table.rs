@@ -1,62 +1,31 @@
 //! The table of a sweep of pulls at a rate, sweep.csv, and the same as one object.
 
-use super::sweep_row::{RateResult, RateRow};
+use super::sweep_row::RateRow;
 use crate::error::ReportError;
-use crate::number::Finite;
-use crate::summary::SweepSummary;
+use crate::record::{Fields, Record};
+use crate::records::{SweepSummary, write_swept};
 use crate::swept_keys::SweptKeys;
-use crate::tables::write_with_named_values;
 use peelkit_scene::Scene;
-use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// One value in short; `None` where a thing does not occur or was not computed.
-#[derive(Debug, Default, Serialize)]
-pub struct RateLine {
-    value: Finite,
-    /// Of the second key, where two are varied.
-    #[serde(rename = "value_2", skip_serializing_if = "Option::is_none")]
-    second: Option<Finite>,
-    #[serde(rename = "largest_force_nN")]
-    force: Option<Finite>,
-    displacement_nm: Option<Finite>,
-    time_s: Option<Finite>,
-    #[serde(rename = "kinetic_aJ")]
-    kinetic: Option<Finite>,
-    #[serde(rename = "dissipated_aJ")]
-    dissipated: Option<Finite>,
-    contact_lost_s: Option<Finite>,
-    #[serde(rename = "work_aJ")]
-    work: Option<Finite>,
-    imbalance: Option<Finite>,
-    end: Option<&'static str>,
-    solve_s: Finite,
-    steps: Option<usize>,
-    newton_iterations: Option<usize>,
-    elements: Option<usize>,
-}
-
-impl From<&RateRow> for RateLine {
-    fn from(row: &RateRow) -> Self {
-        let found = row.found.as_ref().ok();
-        let number = |of: fn(&RateResult) -> f64| found.map(|found| Finite(of(found)));
-        Self {
-            value: Finite(row.value),
-            second: row.second.map(Finite),
-            force: number(|found| found.largest_force),
-            displacement_nm: number(|found| found.displacement),
-            time_s: number(|found| found.time),
-            kinetic: number(|found| found.kinetic),
-            dissipated: number(|found| found.dissipated),
-            contact_lost_s: found.and_then(|found| found.contact_lost).map(Finite),
-            work: number(|found| found.work),
-            imbalance: number(|found| found.imbalance),
-            end: Some(row.end()),
-            solve_s: Finite(row.solve_s),
-            steps: found.map(|found| found.steps),
-            newton_iterations: found.map(|found| found.newton_iterations),
-            elements: found.map(|found| found.elements),
-        }
+impl Record for RateRow {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("value", "the value of the key that was varied", |row| row.value);
+        of.sometimes("value_2", "of the second key, where two are varied", |row| row.second);
+        of.field("largest_force_nN", "the largest force of the pull, as in summary.json", |row| row.of(|found| Some(found.largest_force)));
+        of.field("displacement_nm", "of what moves the grip, or the root, there", |row| row.of(|found| Some(found.displacement)));
+        of.field("time_s", "since the pull began, there", |row| row.of(|found| Some(found.time)));
+        of.field("kinetic_aJ", "kinetic energy at the step next to it", |row| row.of(|found| Some(found.kinetic)));
+        of.field("dissipated_aJ", "dissipated up to that step", |row| row.of(|found| Some(found.dissipated)));
+        of.field("contact_lost_s", "when nothing adheres any more for the first time; empty where that does not happen", |row| row.of(|found| found.contact_lost));
+        of.field("work_aJ", "work of the grip, or of the machine behind its spring, to the end", |row| row.of(|found| Some(found.work)));
+        of.field("imbalance", "largest defect of the balance of energies at any step, over the largest work", |row| row.of(|found| Some(found.imbalance)));
+        of.field("end", "as in summary.json of a pull at a rate", |row| row.end());
+        of.field("solve_s", "wall clock", |row| row.solve_s);
+        of.field("steps", "steps in time", |row| row.of(|found| Some(found.steps)));
+        of.field("newton_iterations", "Newton iterations", |row| row.of(|found| Some(found.newton_iterations)));
+        of.field("elements", "elements of the mesh, which stays", |row| row.of(|found| Some(found.elements)));
     }
 }
 
@@ -65,14 +34,12 @@ impl From<&RateRow> for RateLine {
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_swept_rates(dir: &Path, keys: SweptKeys, rows: &[RateRow]) -> Result<PathBuf, ReportError> {
-    let lines: Vec<RateLine> = rows.iter().map(RateLine::from).collect();
-    let none = RateLine { second: keys.second.map(|_| Finite(0.0)), ..RateLine::default() };
-    write_with_named_values(dir, keys, &none, &lines)
+    write_swept(dir, keys, rows.iter())
 }
 
-impl SweepSummary<RateLine> {
+impl<'a> SweepSummary<'a, &'a RateRow> {
     /// The summary of rows of pulls at a rate.
-    pub fn of_rates(scene: &Scene, keys: SweptKeys, rows: &[RateRow], remarks: &[String]) -> Self {
-        Self::of(scene, keys, rows.iter().map(RateLine::from).collect(), remarks.to_vec())
+    pub fn of_rates(scene: &'a Scene, keys: SweptKeys<'a>, rows: &'a [RateRow], remarks: &[String]) -> Self {
+        Self::of_rows(scene, keys, rows.iter(), remarks)
     }
 }

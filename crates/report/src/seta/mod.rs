@@ -2,7 +2,6 @@
 
 mod animation;
 mod curve;
-mod event_table;
 mod load_map;
 mod motion;
 mod names;
@@ -16,15 +15,25 @@ mod tables;
 mod tip_events;
 mod vtk;
 
+use crate::record::Record;
+use crate::reference::Output;
+
 pub use animation::write_seta_animation;
-pub use event_table::{write_seta_events, write_seta_rate_events};
 pub use motion::SetaMotion;
 pub use names::{seta_end_reason, seta_end_word};
 pub use picture::draw_pull_off;
 pub use pose::SetaPose;
-pub(crate) use summary::LawOfTips;
-pub use summary::{SetaSummary, tip_peak};
-pub use sweep::{SetaLine, SetaRow, draw_swept_setae, write_swept_setae};
-pub use tables::{write_seta_curve, write_seta_equilibria, write_tip_curve, write_tips};
+pub(crate) use summary::RestOfTip;
+pub use summary::{SetaFound, SetaSummary, tip_peak};
+pub use sweep::{SetaRow, draw_swept_setae, write_swept_setae};
+pub use tables::{
+    write_seta_curve, write_seta_equilibria, write_seta_events, write_seta_rate_events, write_tip_curve, write_tips,
+};
 pub use tip_events::TipEvents;
 pub use vtk::{SETA_STATE_FIELDS, SetaStateField, write_seta_states};
+
+/// What is written of setae.
+pub(crate) fn outputs() -> Vec<Output> {
+    let of_sweep = Output::table("sweep.csv of setae", SetaRow::keys());
+    [vec![of_sweep, summary::output(), vtk::output()], tables::outputs()].concat()
+}

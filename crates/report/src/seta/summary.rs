@@ -2,241 +2,204 @@
 
 use super::names::{seta_end_reason, seta_end_word};
 use super::tip_events::TipEvents;
-use crate::number::Finite;
-use crate::summary::{Origin, Parameters, written};
+use crate::record::{Fields, Record};
+use crate::records::{Found, Summary};
+use crate::reference::Output;
 use peelkit::model::{CurvePoint, PullCurve, Seta};
 use peelkit::study::coarsening::{GrowingTable, OutsideTable, TableRound, TipSheet};
-use peelkit::study::{ConvergedPeak, EventCause, SetaPullOff, SetaState};
+use peelkit::study::{ConvergedPeak, EventCause, LocationError, SetaPoint, SetaPullOff, SetaState};
 use peelkit_scene::Scene;
 
-/// Everything of a pull-off but its curve and its events. Forces in nN, lengths in nm, works in aJ; `None` where a thing does not occur.
-#[derive(Debug, serde::Serialize)]
-pub struct SetaSummary {
-    #[serde(flatten)]
-    origin: Origin,
-    end: &'static str,
-    /// Of the ends `bound` and `failed`.
-    reason: Option<String>,
-    /// How many tips the seta has.
-    tips: usize,
-    peak: Option<Moment>,
-    /// Of the peak; `None` where it was not found on a finer mesh: it is then that of the curve.
-    mesh_error: Option<MeshError>,
-    first_detachment: Option<Moment>,
-    last_detachment: Option<Moment>,
-    events: Events,
-    balance: Balance,
-    tip: LawOfTips,
-    /// `None` where the tips follow the curve of their normal pull.
-    tip_table: Option<TipTableUse>,
-    /// What is not to be trusted.
-    warnings: Vec<Warning>,
-    path: Effort,
-    timing: Timing,
-    parameters: Parameters,
+/// A pull-off and what was found beside it.
+#[derive(Clone, Copy, Debug)]
+pub struct SetaFound<'a> {
+    seta: &'a Seta,
+    tip: &'a PullCurve,
+    pull_off: &'a SetaPullOff,
+    converged: Option<&'a ConvergedPeak>,
+    /// Where the tips follow one
+    table: Option<&'a GrowingTable>,
+    outside: Option<&'a OutsideTable>,
+    tip_s: f64,
+    solve_s: f64,
+    mesh_error_s: f64,
 }
 
-/// What is not to be trusted: a word for programs, and a sentence.
-#[derive(Debug, serde::Serialize)]
-struct Warning {
-    code: &'static str,
-    text: String,
-}
+/// Everything of a pull-off but its curve and its events. Forces in nN, lengths in nm, works in aJ.
+pub type SetaSummary<'a> = Summary<'a, SetaFound<'a>>;
 
-/// A state of the last step.
-#[derive(Debug, serde::Serialize)]
-struct Moment {
-    #[serde(rename = "force_nN")]
-    force: Finite,
-    #[serde(rename = "displacement_nm")]
-    displacement: Finite,
-    /// How far the place that was looked for may lie from here; `None` where none was
-    #[serde(rename = "location_error_nN")]
-    force_error: Option<Finite>,
-    #[serde(rename = "location_error_nm")]
-    displacement_error: Option<Finite>,
-    tips_attached: usize,
-    #[serde(rename = "largest_tip_load_nN")]
-    largest_load: Finite,
-    #[serde(rename = "largest_tip_push_nN")]
-    largest_push: Finite,
-    #[serde(rename = "tip_loads_sum_nN")]
-    sum: Finite,
-}
-
-impl From<&SetaState> for Moment {
-    fn from(state: &SetaState) -> Self {
-        let loads = || state.tips.iter().map(|tip| 0.0 - tip.load[1]);
-        Self {
-            force: Finite(state.point.force_along),
-            displacement: Finite(state.point.displacement),
-            force_error: state.location.map(|error| Finite(error.force)),
-            displacement_error: state.location.map(|error| Finite(error.displacement)),
-            tips_attached: state.point.attached,
-            largest_load: Finite(loads().fold(0.0, f64::max)),
-            largest_push: Finite(loads().fold(0.0, |most, load| f64::max(most, -load))),
-            sum: Finite(loads().sum()),
-        }
+impl Record for SetaFound<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("end", "`detached`; `still-attached` where tips adhere when the root has moved as far as the seta is high; `bound`: a limit of `[bounds]` was reached; `failed`: the computation stopped short", |of| seta_end_word(of.pull_off));
+        of.field("reason", "why, with numbers; null where the end says it", |of| seta_end_reason(&of.pull_off.end));
+        of.field("tips", "number of tips", |of| of.seta.tips());
+        of.field("peak", "the equilibrium of the pull with the largest force along the pull: a maximum, or just before an event or behind it; on the finest mesh that `mesh_error` names; null where the pull was not begun", |of| of.pull_off.peak.as_ref().map(|state| Moment { state, converged: of.converged }));
+        of.field("mesh_error", "of the peak, which is computed again with elements of rising order until its force changes by no more than `accuracy.relative`; null where no finer mesh came to it: it is then that of the curve, and its error is not known", |of| Some(MeshError { curve: of.pull_off.peak.as_ref()?.point, converged: of.converged? }));
+        of.field("first_detachment", "just before the first detachment of a tip in the pull, else null", |of| of.pull_off.first_detachment.as_ref().map(Moment::from));
+        of.field("last_detachment", "just before the last one, else null", |of| of.pull_off.last_detachment.as_ref().map(Moment::from));
+        of.group("events", "where tips detach or adhere again, or beams buckle, the root held", |of| {
+            of.part(|of| TipEvents::of(of.pull_off.events.iter().map(|event| &event.tips[..])));
+            of.field("buckled", "events that begin with beams that buckle: a loss of stability in which no tip takes part", |of| of.pull_off.events.iter().filter(|event| event.cause == EventCause::Buckling).count());
+        });
+        of.group("balance", "what became of the work of the root, over all steps", |of| {
+            of.field("work_aJ", "the work", |of| of.pull_off.points.last().map_or(0.0, |last| last.work));
+            of.field("released_aJ", "energy released in events", |of| of.pull_off.points.last().map_or(0.0, |last| last.released));
+            of.field("energy_change_aJ", "change of the stored energy and of that of adhesion", |of| of.energy_change());
+            of.field("imbalance", "the difference, over the largest of the three", |of| of.pull_off.imbalance());
+        });
+        of.group("tip", "the law of each tip", |of| {
+            of.field("law", "what the tips follow: `curve`, the normal pull of their spatula; `table`, see `tip_table`", |of| if of.table.is_some() { "table" } else { "curve" });
+            of.field("peak_force_nN", "largest force of the curve of its normal pull", |of| tip_peak(of.tip));
+            of.part(|of| RestOfTip(of.tip));
+        });
+        of.field("tip_table", "the table that the tips follow, as it is in the last pull-off; null where they follow the curve of their normal pull", |of| of.table.map(TipTableUse::of));
+        of.field("warnings", "what is not to be trusted", |of| of.outside.into_iter().collect::<Vec<_>>());
+        of.group("path", "computational cost", |of| {
+            of.field("points", "equilibria of the pull-off", |of| of.pull_off.points.len());
+            of.field("newton_iterations", "Newton iterations", |of| of.pull_off.effort.newton_iterations);
+            of.field("elements", "elements of the tree", |of| of.pull_off.effort.elements);
+        });
+        of.group("timing", "wall clock", |of| {
+            of.field("tip_s", "of the law of the tips", |of| of.tip_s);
+            of.field("solve_s", "of the pull-off", |of| of.solve_s);
+            of.field("mesh_error_s", "of the peak on finer meshes", |of| of.mesh_error_s);
+        });
     }
 }
 
-impl Moment {
-    /// The peak on the finest mesh; the tips carry what they do on that of the curve.
-    fn converged(self, ConvergedPeak { peak, location, .. }: &ConvergedPeak) -> Self {
-        Self {
-            force: Finite(peak.force),
-            displacement: Finite(peak.displacement),
-            force_error: location.map(|error| Finite(error.force)),
-            displacement_error: location.map(|error| Finite(error.displacement)),
-            ..self
-        }
+impl Found for SetaFound<'_> {
+    const SCHEMA: &'static str = "number of this set of keys and columns, as of a peel";
+    const COMMAND: &'static str = "the command line; null where a program of another kind has written the summary";
+    const PARAMETERS: &'static str =
+        "the scene as it was computed, with its defaults: its tables as objects, units in the names";
+}
+
+impl SetaFound<'_> {
+    /// Of the stored energy and that of adhesion, over all steps.
+    fn energy_change(&self) -> f64 {
+        let points = &self.pull_off.points;
+        points.first().zip(points.last()).map_or(0.0, |(first, last)| last.energy - first.energy)
+    }
+}
+
+/// A state of the last step; of the peak on the finest mesh, where it was found there. The tips carry what they do on the mesh of the curve.
+struct Moment<'a> {
+    state: &'a SetaState,
+    converged: Option<&'a ConvergedPeak>,
+}
+
+impl<'a> From<&'a SetaState> for Moment<'a> {
+    fn from(state: &'a SetaState) -> Self {
+        Self { state, converged: None }
+    }
+}
+
+impl Record for Moment<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("force_nN", "force on the root along the pull", |of| of.converged.map_or(of.state.point.force_along, |finest| finest.peak.force));
+        of.field("displacement_nm", "how far the root has moved in the pull", |of| of.converged.map_or(of.state.point.displacement, |finest| finest.peak.displacement));
+        of.field("location_error_nN", "how far the force of the maximum, or of the event, that was looked for may lie from `force_nN`, with mesh and law of the tips as they are; null where nothing was located, so that the peak is the largest force of the equilibria that were computed", |of| Some(of.location()?.force));
+        of.field("location_error_nm", "the same of `displacement_nm`", |of| Some(of.location()?.displacement));
+        of.field("tips_attached", "number of tips that adhere", |of| of.state.point.attached);
+        of.field("largest_tip_load_nN", "of all tips the largest force away from the ground", |of| of.loads().fold(0.0, f64::max));
+        of.field("largest_tip_push_nN", "of all tips the largest force towards the ground; 0 where none is pressed", |of| of.loads().fold(0.0, |most, load| f64::max(most, -load)));
+        of.field("tip_loads_sum_nN", "sum of the forces of the tips away from the ground: the force on the root along the normal", |of| of.loads().sum::<f64>());
+    }
+}
+
+impl Moment<'_> {
+    /// Of the tips, away from the ground.
+    fn loads(&self) -> impl Iterator<Item = f64> {
+        self.state.tips.iter().map(|tip| 0.0 - tip.load[1])
+    }
+
+    /// How far the place that was looked for may lie from here; none where none was.
+    fn location(&self) -> Option<LocationError> {
+        self.converged.map_or(self.state.location, |finest| finest.location)
     }
 }
 
 /// By how much the peak lies elsewhere on the mesh before the finest.
-#[derive(Debug, serde::Serialize)]
-struct MeshError {
-    #[serde(rename = "force_nN")]
-    force: Finite,
-    #[serde(rename = "displacement_nm")]
-    displacement: Finite,
-    /// Of the elements of the finest mesh
-    order: usize,
-    /// By how much the largest force of the curve is off
-    #[serde(rename = "curve_nN")]
-    curve: Finite,
+struct MeshError<'a> {
+    curve: SetaPoint,
+    converged: &'a ConvergedPeak,
 }
 
-impl MeshError {
-    fn new(state: &SetaState, converged: &ConvergedPeak) -> Self {
-        Self {
-            force: Finite(converged.mesh.force),
-            displacement: Finite(converged.mesh.displacement),
-            order: converged.order,
-            curve: Finite((converged.peak.force - state.point.force_along).abs()),
-        }
+impl Record for MeshError<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("force_nN", "by how much the force differs from that with elements one order lower", |of| of.converged.mesh.force);
+        of.field("displacement_nm", "the same of the displacement", |of| of.converged.mesh.displacement);
+        of.field("order", "order of the elements of the peak", |of| of.converged.order);
+        of.field("curve_nN", "by how much the largest force of curve.csv, whose elements have order `accuracy.order`, differs from that of the peak", |of| (of.converged.peak.force - of.curve.force_along).abs());
     }
 }
 
-#[derive(Debug, serde::Serialize)]
-struct Events {
-    #[serde(flatten)]
-    tips: TipEvents,
-    buckled: usize,
-}
+/// What of the law of a tip is the same whatever the tips follow.
+pub(crate) struct RestOfTip<'a>(pub &'a PullCurve);
 
-/// What becomes of the work of the root.
-#[derive(Debug, serde::Serialize)]
-struct Balance {
-    #[serde(rename = "work_aJ")]
-    work: Finite,
-    #[serde(rename = "released_aJ")]
-    released: Finite,
-    #[serde(rename = "energy_change_aJ")]
-    energy: Finite,
-    imbalance: Finite,
-}
-
-/// The law of each tip.
-#[derive(Debug, serde::Serialize)]
-pub struct LawOfTips {
-    law: &'static str,
-    #[serde(rename = "peak_force_nN")]
-    peak: Finite,
-    snap_off_displacement_nm: Finite,
-    #[serde(rename = "energy_at_rest_aJ")]
-    energy_at_rest: Finite,
+impl Record for RestOfTip<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("snap_off_displacement_nm", "displacement at which the tip alone snaps off", |tip| tip.0.snap_off());
+        of.field("energy_at_rest_aJ", "energy of the adhering tip at rest against a detached one", |tip| tip.0.energy_at_rest());
+    }
 }
 
 /// The table that tips follow, and what it came to that they left it.
-#[derive(Debug, serde::Serialize)]
-struct TipTableUse {
-    rows: usize,
-    press_nm: Finite,
-    rotation_rad: [Finite; 2],
-    relative_error: Finite,
-    #[serde(rename = "normal_force_error_nN")]
-    force_error: Finite,
-    #[serde(rename = "moment_error_nN_nm")]
-    moment_error: Finite,
-    pull_offs: usize,
-    rows_added: usize,
-    /// Of the first pull-off, and of the last
-    tips_outside_first: usize,
-    tips_outside: usize,
-    #[serde(rename = "first_peak_force_nN")]
-    first_peak: Option<Finite>,
-    #[serde(rename = "peak_force_change_nN")]
-    change: Option<Finite>,
-    /// Of the tips that were solved as spatulae in the last pull-off
-    #[serde(rename = "resolve_within_nm")]
-    within: Option<Finite>,
-    tips_resolved: usize,
-    tips_unresolved: usize,
-    #[serde(rename = "resolved_force_change_nN")]
-    resolved_force: Option<Finite>,
-    #[serde(rename = "resolved_moment_change_nN_nm")]
-    resolved_moment: Option<Finite>,
-    #[serde(rename = "resolved_peak_force_change_nN")]
-    resolved_peak: Option<Finite>,
+struct TipTableUse<'a> {
+    growing: &'a GrowingTable,
+    /// Of the last pull-off, where tips were solved as spatulae in it
+    resolved: Option<&'a TableRound>,
 }
 
-impl From<&GrowingTable> for TipTableUse {
-    fn from(growing: &GrowingTable) -> Self {
-        let (table, rounds) = (growing.table(), growing.rounds());
-        let range = table.options.range;
-        let resolved = rounds.last().filter(|round| round.within.is_some());
-        let outside = |round: Option<&TableRound>| round.map_or(0, |round| round.visited.outside.len());
-        let error = |i: usize| {
-            let own = |on: TipSheet| table.errors(on).force[i];
-            Finite(own(TipSheet::Attached).max(own(TipSheet::Detached)))
-        };
-        Self {
-            rows: table.rows(),
-            press_nm: Finite(range.press),
-            rotation_rad: range.rotation.map(Finite),
-            relative_error: Finite(table.relative_error()),
-            force_error: error(0),
-            moment_error: error(2),
-            pull_offs: rounds.len(),
-            rows_added: growing.added(),
-            tips_outside_first: outside(rounds.first()),
-            tips_outside: outside(rounds.last()),
-            first_peak: rounds.first().and_then(|round| round.peak_force).map(Finite),
-            change: growing.changed().map(Finite),
-            within: resolved.and_then(|round| round.within).map(Finite),
-            tips_resolved: resolved.map_or(0, |round| round.visited.resolved.tips.len()),
-            tips_unresolved: resolved.map_or(0, |round| round.visited.resolved.unsolved.len()),
-            resolved_force: resolved.map(|round| Finite(round.visited.resolved.force)),
-            resolved_moment: resolved.map(|round| Finite(round.visited.resolved.moment)),
-            resolved_peak: growing.changed_by_resolved().map(Finite),
-        }
+impl<'a> TipTableUse<'a> {
+    fn of(growing: &'a GrowingTable) -> Self {
+        Self { growing, resolved: growing.rounds().last().filter(|round| round.within.is_some()) }
+    }
+
+    /// Of a force of one tip, on the worse of the two branches.
+    fn error(&self, force: usize) -> f64 {
+        let own = |on: TipSheet| self.growing.table().errors(on).force[force];
+        own(TipSheet::Attached).max(own(TipSheet::Detached))
     }
 }
 
-#[derive(Debug, serde::Serialize)]
-struct Effort {
-    points: usize,
-    newton_iterations: usize,
-    elements: usize,
+fn outside(round: Option<&TableRound>) -> usize {
+    round.map_or(0, |round| round.visited.outside.len())
 }
 
-/// Seconds of the law of the tips, of the pull-off, and of the peak on finer meshes.
-#[derive(Debug, serde::Serialize)]
-struct Timing {
-    tip_s: Finite,
-    solve_s: Finite,
-    mesh_error_s: Finite,
+impl Record for TipTableUse<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("rows", "its nodes: equilibria of the spatula on both branches", |of| of.growing.table().rows());
+        of.field("press_nm", "how far below the height without a normal force it begins", |of| of.growing.table().options.range.press);
+        of.field("rotation_rad", "its range of θ", |of| of.growing.table().options.range.rotation);
+        of.field("relative_error", "bound of its error, over the largest force and the largest moment; `seta.tip_tolerance` is what was asked", |of| of.growing.table().relative_error());
+        of.field("normal_force_error_nN", "bound of the error of the normal force of one tip", |of| of.error(0));
+        of.field("moment_error_nN_nm", "the same for the moment", |of| of.error(2));
+        of.field("pull_offs", "how often the seta was pulled off: once, and once more each time the table has grown", |of| of.growing.rounds().len());
+        of.field("rows_added", "rows of the last table more than of the first", |of| of.growing.added());
+        of.field("tips_outside_first", "tips that were in equilibrium outside of the first table", |of| outside(of.growing.rounds().first()));
+        of.field("tips_outside", "tips that were so outside of the last one: above 0 their forces are extrapolated", |of| outside(of.growing.rounds().last()));
+        of.field("first_peak_force_nN", "peak force by the first table, null where there was none", |of| of.growing.rounds().first().and_then(|round| round.peak_force));
+        of.field("peak_force_change_nN", "by how much the peak force by the last table differs from it", |of| of.growing.changed());
+        of.field("resolve_within_nm", "how near to where they snap off tips were solved as spatulae; null where all followed the table", |of| of.resolved.and_then(|round| round.within));
+        of.field("tips_resolved", "tips that were solved so in the last pull-off", |of| of.resolved.map_or(0, |round| round.visited.resolved.tips.len()));
+        of.field("tips_unresolved", "tips of which no spatula was found in an equilibrium of the seta: they followed the table there", |of| of.resolved.map_or(0, |round| round.visited.resolved.unsolved.len()));
+        of.field("resolved_force_change_nN", "largest change of the normal force of a tip against the table, in equilibria of the seta", |of| of.resolved.map(|round| round.visited.resolved.force));
+        of.field("resolved_moment_change_nN_nm", "the same for the moment", |of| of.resolved.map(|round| round.visited.resolved.moment));
+        of.field("resolved_peak_force_change_nN", "by how much the spatulae change the peak force of the curve against that by the table alone", |of| of.growing.changed_by_resolved());
+    }
 }
 
-impl From<&PullCurve> for LawOfTips {
-    fn from(tip: &PullCurve) -> Self {
-        Self {
-            law: "curve",
-            peak: Finite(tip_peak(tip)),
-            snap_off_displacement_nm: Finite(tip.snap_off()),
-            energy_at_rest: Finite(tip.energy_at_rest()),
-        }
+impl Record for OutsideTable {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("code", "a word that stays the same, for programs: `outside-table`, tips were outside of their table before or behind the peak; `peak-outside-table`, at the peak or next to it", |outside| outside.code());
+        of.field("text", "what it says, with numbers", |outside| outside.to_string());
     }
 }
 
@@ -253,67 +216,35 @@ pub fn tip_peak(tip: &PullCurve) -> f64 {
     tip.points().windows(2).map(between).fold(0.0, f64::max)
 }
 
-impl SetaSummary {
+impl<'a> SetaSummary<'a> {
     /// The summary of the pull-off of this scene, whose tips follow this curve, and of its peak on finer meshes: the three took `tip_s`, `solve_s`
     /// and `mesh_error_s` seconds.
     pub fn new(
-        scene: &Scene,
-        seta: &Seta,
-        tip: &PullCurve,
-        (pull_off, converged): (&SetaPullOff, Option<&ConvergedPeak>),
+        scene: &'a Scene,
+        seta: &'a Seta,
+        tip: &'a PullCurve,
+        (pull_off, converged): (&'a SetaPullOff, Option<&'a ConvergedPeak>),
         [tip_s, solve_s, mesh_error_s]: [f64; 3],
     ) -> Self {
-        let (first, last) = (pull_off.points.first(), pull_off.points.last());
-        let energy = first.zip(last).map_or(0.0, |(first, last)| last.energy - first.energy);
-        let peak = pull_off.peak.as_ref();
-        Self {
-            origin: Origin::of(scene),
-            end: seta_end_word(pull_off),
-            reason: seta_end_reason(&pull_off.end),
-            tips: seta.tips(),
-            peak: peak.map(Moment::from).map(|peak| match converged {
-                Some(converged) => peak.converged(converged),
-                None => peak,
-            }),
-            mesh_error: peak.zip(converged).map(|(peak, converged)| MeshError::new(peak, converged)),
-            first_detachment: pull_off.first_detachment.as_ref().map(Moment::from),
-            last_detachment: pull_off.last_detachment.as_ref().map(Moment::from),
-            events: Events {
-                tips: TipEvents::of(pull_off.events.iter().map(|event| &event.tips[..])),
-                buckled: pull_off.events.iter().filter(|event| event.cause == EventCause::Buckling).count(),
-            },
-            balance: Balance {
-                work: Finite(last.map_or(0.0, |last| last.work)),
-                released: Finite(last.map_or(0.0, |last| last.released)),
-                energy: Finite(energy),
-                imbalance: Finite(pull_off.imbalance()),
-            },
-            tip: LawOfTips::from(tip),
-            tip_table: None,
-            warnings: Vec::new(),
-            path: Effort {
-                points: pull_off.points.len(),
-                newton_iterations: pull_off.effort.newton_iterations,
-                elements: pull_off.effort.elements,
-            },
-            timing: Timing { tip_s: Finite(tip_s), solve_s: Finite(solve_s), mesh_error_s: Finite(mesh_error_s) },
-            parameters: Parameters(scene.clone()),
-        }
+        let found =
+            SetaFound { seta, tip, pull_off, converged, table: None, outside: None, tip_s, solve_s, mesh_error_s };
+        Summary::of(scene, found)
     }
-}
 
-impl SetaSummary {
     /// The same where the tips follow a table.
-    pub fn with_table(self, table: Option<&GrowingTable>) -> Self {
-        let law = if table.is_some() { "table" } else { self.tip.law };
-        Self { tip: LawOfTips { law, ..self.tip }, tip_table: table.map(TipTableUse::from), ..self }
+    pub fn with_table(mut self, table: Option<&'a GrowingTable>) -> Self {
+        self.found.table = table;
+        self
     }
 
     /// The same where tips were outside of a table that does not grow any more.
-    pub fn with_outside(self, outside: Option<&OutsideTable>) -> Self {
-        let warning = |outside: &OutsideTable| Warning { code: outside.code(), text: outside.to_string() };
-        Self { warnings: outside.map(warning).into_iter().collect(), ..self }
+    pub fn with_outside(mut self, outside: Option<&'a OutsideTable>) -> Self {
+        self.found.outside = outside;
+        self
     }
 }
 
-written!(SetaSummary);
+/// The object.
+pub(super) fn output() -> Output {
+    Output::object("summary.json of a seta", SetaSummary::keys())
+}

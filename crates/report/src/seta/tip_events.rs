@@ -1,10 +1,10 @@
 //! How tips leave the branches of their law in a pull-off, or in a pull at a rate.
 
+use crate::record::{Fields, Record};
 use peelkit::study::TipChange;
-use serde::Serialize;
 
 /// The events of a pull, counted.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct TipEvents {
     /// How many
     pub count: usize,
@@ -14,6 +14,15 @@ pub struct TipEvents {
     pub tips_adhered: usize,
     /// Changes of tips in the largest one
     pub most_tips_at_once: usize,
+}
+
+impl Record for TipEvents {
+    fn fields(of: &mut Fields<Self>) {
+        of.field("count", "how many", |all| all.count);
+        of.field("tips_detached", "tips that detached in all of them", |all| all.tips_detached);
+        of.field("tips_adhered", "tips that adhered again in all of them", |all| all.tips_adhered);
+        of.field("most_tips_at_once", "changes of tips in the largest event", |all| all.most_tips_at_once);
+    }
 }
 
 impl TipEvents {

@@ -3,6 +3,7 @@
 use super::pose::SetaPose;
 use crate::error::ReportError;
 use crate::file::write_whole;
+use crate::reference::{Output, OutputKey};
 use crate::states::{Grid, PointData, collection};
 use peelkit::beam::BranchSection;
 use peelkit::study::SetaBranch;
@@ -41,6 +42,12 @@ pub const SETA_STATE_FIELDS: &[SetaStateField] = &[
     }),
     vector("moment_nN_nm", "section moment about x, y and z: of these forces about the section", |_, at| at.moment),
 ];
+
+/// The arrays.
+pub(super) fn output() -> Output {
+    let keys = SETA_STATE_FIELDS.iter().map(|field| OutputKey::new(field.name, field.about)).collect();
+    Output { name: "states.pvd of a seta", parts: "array", keys }
+}
 
 /// Writes states.pvd, the list of the states, and states/state-000.vtu and so on, which it names: sections along the branches in nm, joined by
 /// lines of two nodes, with [`SETA_STATE_FIELDS`] as point data; displacement and force of the root and the number of attached tips as field

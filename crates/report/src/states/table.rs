@@ -5,12 +5,40 @@ use super::spatial_fields::SPATIAL_STATE_FIELDS;
 use crate::error::ReportError;
 use crate::file::write_whole;
 use crate::names::limit_point_kind_word;
+use crate::record::{Cell, Fields, Record, columns};
+use crate::reference::{Output, OutputKey};
 use peelkit::study::{BeamState, StateSections};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// Columns that are the same in all rows of a state.
-const OF_STATE: [&str; 5] = ["state", "limit_point", "path_position", "displacement_nm", "force_nN"];
+/// What is the same at all places of a state.
+struct OfState<'a> {
+    number: usize,
+    state: &'a BeamState,
+}
+
+impl Record for OfState<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("state", "number of the state from 0, in path order; the time of states.pvd", |of| of.number);
+        of.field("limit_point", "`load` or `displacement` where the state is a limit point, else empty", |of| of.state.limit_point.map(limit_point_kind_word));
+        of.field("path_position", "0 at the beginning of the path, 1 at its end", |of| of.state.path_position);
+        of.field("displacement_nm", "u", |of| of.state.displacement);
+        of.field("force_nN", "P", |of| of.state.force);
+    }
+}
+
+/// The tables with their columns.
+pub(crate) fn outputs() -> Vec<Output> {
+    vec![
+        Output::table("states.csv", [OfState::keys(), keys(STATE_FIELDS)].concat()),
+        Output::table("states.csv in space", [OfState::keys(), keys(SPATIAL_STATE_FIELDS)].concat()),
+    ]
+}
+
+fn keys<S>(fields: &[StateField<S>]) -> Vec<OutputKey> {
+    fields.iter().map(|field| OutputKey::new(field.name, field.about)).collect()
+}
 
 /// Writes states.csv: one row for each place of the beam at each state, in path order and from S = 0 to S = L; the columns are those of the
 /// state, its number from 0 among them, and [`STATE_FIELDS`], of a beam in space [`SPATIAL_STATE_FIELDS`].
@@ -29,15 +57,12 @@ fn table(states: &[BeamState]) -> io::Result<Vec<u8>> {
         Some(StateSections::Spatial { .. }) => names(SPATIAL_STATE_FIELDS),
         Some(StateSections::Planar(_)) | None => names(STATE_FIELDS),
     };
-    writer.write_record(OF_STATE.into_iter().chain(fields))?;
+    let of_state = columns::<OfState>();
+    writer.write_record(of_state.iter().map(String::as_str).chain(fields))?;
     for (number, state) in states.iter().enumerate() {
-        let of_state = [
-            number.to_string(),
-            state.limit_point.map_or_else(String::new, |kind| limit_point_kind_word(kind).to_owned()),
-            written("path_position", state.path_position)?,
-            written("displacement_nm", state.displacement)?,
-            written("force_nN", state.force)?,
-        ];
+        let of_state = OfState { number, state }.object();
+        let of_state: Vec<String> =
+            of_state.0.iter().map(|(name, cell)| text(name, cell)).collect::<io::Result<_>>()?;
         let rows = match &state.sections {
             StateSections::Planar(sections) => rows(sections, STATE_FIELDS),
             StateSections::Spatial { sections, .. } => rows(sections, SPATIAL_STATE_FIELDS),
@@ -56,6 +81,15 @@ fn names<S>(fields: &'static [StateField<S>]) -> Vec<&'static str> {
 fn rows<S>(sections: &[S], fields: &[StateField<S>]) -> io::Result<Vec<Vec<String>>> {
     let row = |section| fields.iter().map(|field| written(field.name, (field.value)(section))).collect();
     sections.iter().map(row).collect()
+}
+
+fn text(name: &str, cell: &Cell) -> io::Result<String> {
+    match cell {
+        Cell::Number(number) => written(name, *number),
+        Cell::Count(count) => Ok(count.to_string()),
+        Cell::Text(text) => Ok(text.clone()),
+        _ => Ok(String::new()),
+    }
 }
 
 /// A number with all its digits; one that is not finite is refused.

@@ -6,4 +6,4 @@ mod table;
 
 pub use picture::draw_swept_setae;
 pub use row::SetaRow;
-pub use table::{SetaLine, write_swept_setae};
+pub use table::write_swept_setae;

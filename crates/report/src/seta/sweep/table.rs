@@ -2,76 +2,35 @@
 
 use super::row::SetaRow;
 use crate::error::ReportError;
-use crate::number::Finite;
-use crate::summary::SweepSummary;
+use crate::record::{Fields, Record};
+use crate::records::{SweepSummary, write_swept};
 use crate::swept_keys::SweptKeys;
-use crate::tables::write_with_named_values;
-use peelkit::study::{SetaMoment, SetaResult};
 use peelkit_scene::Scene;
-use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// One value in short; `None` where a thing does not occur or was not computed.
-#[derive(Debug, Default, Serialize)]
-pub struct SetaLine {
-    value: Finite,
-    /// Of the second key, where two are varied.
-    #[serde(rename = "value_2", skip_serializing_if = "Option::is_none")]
-    second: Option<Finite>,
-    #[serde(rename = "peak_force_nN")]
-    peak_force: Option<Finite>,
-    peak_displacement_nm: Option<Finite>,
-    peak_tips_attached: Option<usize>,
-    #[serde(rename = "mesh_error_nN")]
-    mesh_error: Option<Finite>,
-    #[serde(rename = "first_detachment_force_nN")]
-    first_force: Option<Finite>,
-    first_detachment_displacement_nm: Option<Finite>,
-    #[serde(rename = "last_detachment_force_nN")]
-    last_force: Option<Finite>,
-    last_detachment_displacement_nm: Option<Finite>,
-    events: Option<usize>,
-    most_tips_at_once: Option<usize>,
-    #[serde(rename = "work_aJ")]
-    work: Option<Finite>,
-    #[serde(rename = "released_aJ")]
-    released: Option<Finite>,
-    imbalance: Option<Finite>,
-    end: Option<&'static str>,
-    solve_s: Finite,
-    points: Option<usize>,
-    newton_iterations: Option<usize>,
-    elements: Option<usize>,
-}
-
-impl From<&SetaRow> for SetaLine {
-    fn from(row: &SetaRow) -> Self {
-        let found = row.found.as_ref().ok();
-        let moment = |of: fn(&SetaResult) -> Option<SetaMoment>| found.and_then(of);
-        let (peak, first) = (moment(|found| found.peak), moment(|found| found.first_detachment));
-        let last = moment(|found| found.last_detachment);
-        Self {
-            value: Finite(row.value),
-            second: row.second.map(Finite),
-            peak_force: peak.map(|at| Finite(at.force)),
-            peak_displacement_nm: peak.map(|at| Finite(at.displacement)),
-            peak_tips_attached: peak.map(|at| at.attached),
-            mesh_error: found.and_then(|found| found.mesh_error).map(Finite),
-            first_force: first.map(|at| Finite(at.force)),
-            first_detachment_displacement_nm: first.map(|at| Finite(at.displacement)),
-            last_force: last.map(|at| Finite(at.force)),
-            last_detachment_displacement_nm: last.map(|at| Finite(at.displacement)),
-            events: found.map(|found| found.events),
-            most_tips_at_once: found.map(|found| found.most_at_once),
-            work: found.map(|found| Finite(found.work)),
-            released: found.map(|found| Finite(found.released)),
-            imbalance: found.map(|found| Finite(found.imbalance)),
-            end: Some(row.end()),
-            solve_s: Finite(row.solve_s),
-            points: found.map(|found| found.points),
-            newton_iterations: found.map(|found| found.effort.newton_iterations),
-            elements: found.map(|found| found.effort.elements),
-        }
+impl Record for SetaRow {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("value", "the value of the key that was varied", |row| row.value);
+        of.sometimes("value_2", "of the second key, where two are varied", |row| row.second);
+        of.field("peak_force_nN", "the largest force on the root along the pull", |row| row.of(|found| Some(found.peak?.force)));
+        of.field("peak_displacement_nm", "how far the root has moved there in the pull", |row| row.of(|found| Some(found.peak?.displacement)));
+        of.field("peak_tips_attached", "tips that adhere there", |row| row.of(|found| Some(found.peak?.attached)));
+        of.field("mesh_error_nN", "by how much the peak force differs from that with elements one order lower; empty where no finer mesh came to it", |row| row.of(|found| found.mesh_error));
+        of.field("first_detachment_force_nN", "force just before the first detachment of a tip in the pull", |row| row.of(|found| Some(found.first_detachment?.force)));
+        of.field("first_detachment_displacement_nm", "how far the root has moved there", |row| row.of(|found| Some(found.first_detachment?.displacement)));
+        of.field("last_detachment_force_nN", "force just before the last one", |row| row.of(|found| Some(found.last_detachment?.force)));
+        of.field("last_detachment_displacement_nm", "how far the root has moved there", |row| row.of(|found| Some(found.last_detachment?.displacement)));
+        of.field("events", "events at which tips detach or adhere again, or beams buckle", |row| row.of(|found| Some(found.events)));
+        of.field("most_tips_at_once", "changes of tips in the largest event", |row| row.of(|found| Some(found.most_at_once)));
+        of.field("work_aJ", "work of the root over all steps, to where the pull-off ended", |row| row.of(|found| Some(found.work)));
+        of.field("released_aJ", "energy released in events", |row| row.of(|found| Some(found.released)));
+        of.field("imbalance", "work less energy and less what was released, over the largest of the three", |row| row.of(|found| Some(found.imbalance)));
+        of.field("end", "as in summary.json of a seta", |row| row.end());
+        of.field("solve_s", "wall clock; of the first values with the law of the tips", |row| row.solve_s);
+        of.field("points", "equilibria of the pull-off", |row| row.of(|found| Some(found.points)));
+        of.field("newton_iterations", "Newton iterations", |row| row.of(|found| Some(found.effort.newton_iterations)));
+        of.field("elements", "elements of the tree", |row| row.of(|found| Some(found.effort.elements)));
     }
 }
 
@@ -80,14 +39,12 @@ impl From<&SetaRow> for SetaLine {
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_swept_setae(dir: &Path, keys: SweptKeys, rows: &[SetaRow]) -> Result<PathBuf, ReportError> {
-    let lines: Vec<SetaLine> = rows.iter().map(SetaLine::from).collect();
-    let none = SetaLine { second: keys.second.map(|_| Finite(0.0)), ..SetaLine::default() };
-    write_with_named_values(dir, keys, &none, &lines)
+    write_swept(dir, keys, rows.iter())
 }
 
-impl SweepSummary<SetaLine> {
+impl<'a> SweepSummary<'a, &'a SetaRow> {
     /// The summary of rows of setae.
-    pub fn of_setae(scene: &Scene, keys: SweptKeys, rows: &[SetaRow], remarks: &[String]) -> Self {
-        Self::of(scene, keys, rows.iter().map(SetaLine::from).collect(), remarks.to_vec())
+    pub fn of_setae(scene: &'a Scene, keys: SweptKeys<'a>, rows: &'a [SetaRow], remarks: &[String]) -> Self {
+        Self::of_rows(scene, keys, rows.iter(), remarks)
     }
 }
