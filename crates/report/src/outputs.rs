@@ -1,4 +1,4 @@
-//! All tables and objects that are written, each with its keys: what `docs/outputs.md` is made of.
+//! All tables and objects that are written, each with its keys: what `docs/reference/outputs.md` is made of.
 
 use crate::reference::Output;
 use crate::{rate, records, seta, states};
