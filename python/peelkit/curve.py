@@ -1,9 +1,9 @@
-"""The points of a path as arrays."""
+"""The points of a path or of a pull as arrays."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,27 +11,55 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["Curve"]
+__all__ = ["Columns", "Curve", "PullOffCurve", "RateCurve", "of_memory"]
 
-# the order of curve.csv, with the units there
-UNITS = {
-    "displacement": "nm",
-    "force": "nN",
-    "end_rotation": "rad",
-    "work": "aJ",
-    "negative_eigenvalues": "",
-    "negative_eigenvalues_load": "",
-    "front": "nm",
-    "newton_iterations": "",
-    "torque": "nN_nm",
-    "roll": "deg",
-    "yaw": "deg",
-    "reaction_across": "nN",
-    "reaction_lateral": "nN",
-}
+class Columns(Mapping[str, NDArray[Any]]):
+    """The columns of a table: an array a column, an item a row. A column is an attribute as well."""
+
+    # the order of the file, with the units there
+    _UNITS: ClassVar[Mapping[str, str]] = {}
+
+    def __init__(self, columns: Mapping[str, NDArray[Any]]) -> None:
+        self._columns = dict(columns)
+        self.__dict__.update(self._columns)
+
+    def __getitem__(self, column: str) -> NDArray[Any]:
+        """A column by its name."""
+        return self._columns[column]
+
+    def __iter__(self) -> Iterator[str]:
+        """The names of the columns, in the order of the file."""
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        """How many columns."""
+        return len(self._columns)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        """Return a row a point and a column a name, in the order of the names.
+
+        Raises
+        ------
+        ValueError
+            Where no copy is allowed: the columns do not lie beside each other.
+        """
+        if copy is False:
+            raise ValueError("the columns of a curve are arrays of their own: an array of all of them is a copy")
+        return np.column_stack([np.asarray(column, dtype=dtype or np.float64) for column in self._columns.values()])
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a table with the columns of the file, units in their names; pandas has to be installed."""
+        import pandas
+
+        named = {f"{name}_{self._UNITS[name]}" if self._UNITS[name] else name: column for name, column in self.items()}
+        return pandas.DataFrame(named)
+
+    def __repr__(self) -> str:
+        """Columns and length."""
+        return f"<{type(self).__name__} of {len(next(iter(self.values()), ()))} points: {', '.join(self)}>"
 
 
-class Curve(Mapping[str, NDArray[Any]]):
+class Curve(Columns):
     """The columns of ``curve.csv``: an array a column, an item a path point.
 
     A column is an attribute as well: ``curve.force`` is ``curve["force"]``.
@@ -56,6 +84,22 @@ class Curve(Mapping[str, NDArray[Any]]):
         Of the grip in space: nN nm, degrees, degrees, nN, nN. Absent in the plane.
     """
 
+    _UNITS = {
+        "displacement": "nm",
+        "force": "nN",
+        "end_rotation": "rad",
+        "work": "aJ",
+        "negative_eigenvalues": "",
+        "negative_eigenvalues_load": "",
+        "front": "nm",
+        "newton_iterations": "",
+        "torque": "nN_nm",
+        "roll": "deg",
+        "yaw": "deg",
+        "reaction_across": "nN",
+        "reaction_lateral": "nN",
+    }
+
     displacement: NDArray[np.float64]
     force: NDArray[np.float64]
     end_rotation: NDArray[np.float64]
@@ -70,48 +114,128 @@ class Curve(Mapping[str, NDArray[Any]]):
     reaction_across: NDArray[np.float64]
     reaction_lateral: NDArray[np.float64]
 
-    def __init__(self, columns: Mapping[str, NDArray[Any]]) -> None:
-        self._columns = dict(columns)
-        self.__dict__.update(self._columns)
 
-    def __getitem__(self, column: str) -> NDArray[Any]:
-        """A column by its name."""
-        return self._columns[column]
+class PullOffCurve(Columns):
+    """The columns of ``curve.csv`` of the pull-off of a seta: an array a column, an item a stable equilibrium.
 
-    def __iter__(self) -> Iterator[str]:
-        """The names of the columns, in the order of ``curve.csv``."""
-        return iter(self._columns)
+    Attributes
+    ----------
+    step : ndarray of int64
+        Number of the step, from 1.
+    displacement, travel : ndarray of float64
+        How far the root has moved in the step, and over all steps, nm.
+    force : ndarray of float64
+        On the root along the step, nN: positive where it is pulled.
+    tips_attached : ndarray of int64
+        Tips that adhere.
+    root_x, root_y, root_z : ndarray of float64
+        Where the root is, nm.
+    force_x, force_y, force_z, moment_x, moment_y, moment_z : ndarray of float64
+        On the root, nN and nN nm.
+    energy, work, released : ndarray of float64
+        Stored and of adhesion; of the root from the start; at events, aJ.
+    """
 
-    def __len__(self) -> int:
-        """How many columns."""
-        return len(self._columns)
+    _UNITS = {
+        "step": "",
+        "displacement": "nm",
+        "travel": "nm",
+        "force": "nN",
+        "tips_attached": "",
+        "root_x": "nm",
+        "root_y": "nm",
+        "root_z": "nm",
+        "force_x": "nN",
+        "force_y": "nN",
+        "force_z": "nN",
+        "moment_x": "nN_nm",
+        "moment_y": "nN_nm",
+        "moment_z": "nN_nm",
+        "energy": "aJ",
+        "work": "aJ",
+        "released": "aJ",
+    }
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
-        """Return a row a point and a column a name, in the order of the names.
-
-        Raises
-        ------
-        ValueError
-            Where no copy is allowed: the columns do not lie beside each other.
-        """
-        if copy is False:
-            raise ValueError("the columns of a curve are arrays of their own: an array of all of them is a copy")
-        return np.column_stack([np.asarray(column, dtype=dtype or np.float64) for column in self._columns.values()])
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """Return a table with the columns of ``curve.csv``, units in their names; pandas has to be installed."""
-        import pandas
-
-        named = {f"{name}_{UNITS[name]}" if UNITS[name] else name: column for name, column in self.items()}
-        return pandas.DataFrame(named)
-
-    def __repr__(self) -> str:
-        """Columns and length."""
-        return f"<Curve of {len(self.displacement)} points: {', '.join(self)}>"
+    step: NDArray[np.int64]
+    displacement: NDArray[np.float64]
+    travel: NDArray[np.float64]
+    force: NDArray[np.float64]
+    tips_attached: NDArray[np.int64]
+    root_x: NDArray[np.float64]
+    root_y: NDArray[np.float64]
+    root_z: NDArray[np.float64]
+    force_x: NDArray[np.float64]
+    force_y: NDArray[np.float64]
+    force_z: NDArray[np.float64]
+    moment_x: NDArray[np.float64]
+    moment_y: NDArray[np.float64]
+    moment_z: NDArray[np.float64]
+    energy: NDArray[np.float64]
+    work: NDArray[np.float64]
+    released: NDArray[np.float64]
 
 
-def of_memory(numbers: Mapping[str, bytearray], counts: Mapping[str, bytearray]) -> Curve:
-    """The curve whose columns are these memories, which become those of the arrays."""
+class RateCurve(Columns):
+    """The columns of ``curve.csv`` of a pull at a rate: an array a column, an item a step in time.
+
+    Attributes
+    ----------
+    time : ndarray of float64
+        Since the pull began, s.
+    displacement, force : ndarray of float64
+        Of what pulls, nm and nN.
+    front : ndarray of float64
+        S of the peeling front of a beam, nm. Absent of a seta.
+    tips_attached : ndarray of int64
+        Tips of a seta that adhere. Absent of a beam, as the next two.
+    tip_forces, released : ndarray of float64
+        Sum of the forces of the tips along the pull, nN, and what events have released, aJ.
+    work, stored, adhesion, spring, kinetic, dissipated : ndarray of float64
+        Work of what pulls, and what becomes of it, aJ.
+    """
+
+    _UNITS = {
+        "time": "s",
+        "displacement": "nm",
+        "force": "nN",
+        "front": "nm",
+        "tips_attached": "",
+        "tip_forces": "nN",
+        "released": "aJ",
+        "work": "aJ",
+        "stored": "aJ",
+        "adhesion": "aJ",
+        "spring": "aJ",
+        "kinetic": "aJ",
+        "dissipated": "aJ",
+    }
+
+    time: NDArray[np.float64]
+    displacement: NDArray[np.float64]
+    force: NDArray[np.float64]
+    front: NDArray[np.float64]
+    tips_attached: NDArray[np.int64]
+    tip_forces: NDArray[np.float64]
+    released: NDArray[np.float64]
+    work: NDArray[np.float64]
+    stored: NDArray[np.float64]
+    adhesion: NDArray[np.float64]
+    spring: NDArray[np.float64]
+    kinetic: NDArray[np.float64]
+    dissipated: NDArray[np.float64]
+
+
+_Kind = TypeVar("_Kind", bound=Columns)
+
+
+def of_memory(
+    kind: type[_Kind],
+    numbers: Mapping[str, bytearray],
+    counts: Mapping[str, bytearray],
+    **more: NDArray[Any],
+) -> _Kind:
+    """The columns of this kind with these memories, which become those of the arrays, and with these arrays."""
     columns: dict[str, NDArray[Any]] = {name: np.frombuffer(memory) for name, memory in numbers.items()}
     columns |= {name: np.frombuffer(memory, dtype=np.int64) for name, memory in counts.items()}
-    return Curve({name: columns[name] for name in UNITS if name in columns})
+    columns |= more
+    return kind({name: columns[name] for name in kind._UNITS if name in columns})

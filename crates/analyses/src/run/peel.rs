@@ -13,6 +13,7 @@ use peelkit_report::{self as report, PartialFile, PartialRun, PeelSummary, Repor
 use peelkit_scene::Scene;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The path of a scene that can be computed.
 pub struct PeelRun<'s> {
@@ -38,27 +39,24 @@ impl<'s> PeelRun<'s> {
 }
 
 fn refuse_out_of_plane(scene: &Scene, asked: Asked) -> Result<(), Refusal> {
-    match NotOutOfPlane::of(&scene.model).filter(|_| asked.looks_out_of_plane()) {
-        Some(why) => {
-            let (what, option) = match asked.branch {
-                true => ("the branch out of the plane is not followed", "--branch"),
-                false => ("the stability out of the plane is not computed", "--out-of-plane"),
-            };
-            Err(Refusal::asked(format!("{what}: {why}"), why.remedy().replace("--out-of-plane", option)))
-        }
-        None => Ok(()),
-    }
+    let why = if asked.looks_out_of_plane() { NotOutOfPlane::of(&scene.model) } else { None };
+    let Some(why) = why else { return Ok(()) };
+    let (what, option) = match asked.branch {
+        true => ("the branch out of the plane is not followed", "--branch"),
+        false => ("the stability out of the plane is not computed", "--out-of-plane"),
+    };
+    Err(Refusal::asked(format!("{what}: {why}"), why.remedy().replace("--out-of-plane", option)))
 }
 
 /// Refuses a scene whose branch is none that is computed in space.
 fn refuse_branch(scene: &Scene, asked: Asked) -> Result<(), Refusal> {
-    match PeelModel::left_plane(&scene.model).check().err().filter(|_| asked.branch) {
-        Some(why) => Err(Refusal::asked(
+    let checked = if asked.branch { PeelModel::left_plane(&scene.model).check() } else { Ok(()) };
+    checked.map_err(|why| {
+        Refusal::asked(
             format!("the branch out of the plane is not followed: in space `{}` {}", why.key(), why.found()),
             "Omit --branch: --out-of-plane alone says where the planar path loses its stability.",
-        )),
-        None => Ok(()),
-    }
+        )
+    })
 }
 
 /// Refuses a scene that has no displacement-controlled test before its path is computed. What is wrong with its model is told with its path.
@@ -76,7 +74,7 @@ fn without_test(none: &NoTest) -> Refusal {
 /// What a run has found.
 pub struct PeelOutcome {
     /// The path
-    pub peel: Peel,
+    pub peel: Arc<Peel>,
     /// That the path took
     pub seconds: f64,
     /// The stability of the path against leaving its plane
@@ -95,7 +93,7 @@ pub struct PeelOutcome {
     missing: Option<String>,
     interrupted: bool,
     asked: Asked,
-    kept: Option<(PathBuf, PartialRun)>,
+    kept: Option<(PathBuf, Mutex<PartialRun>)>,
 }
 
 /// What there is of something that was asked for, and why it is missing.
@@ -141,8 +139,6 @@ impl Analysis for PeelRun<'_> {
         let (test, test_s) = timed(|| (asked.observed && !interrupted).then(|| observed(scene, session)));
         let test = test.transpose()?;
         Ok(PeelOutcome {
-            peel,
-            seconds,
             stability,
             branch,
             test,
@@ -152,7 +148,8 @@ impl Analysis for PeelRun<'_> {
             missing: no_exponents.or(unknown).or(not_followed),
             interrupted,
             asked,
-            kept: session.journal.map(|journal| journal.folder.to_path_buf()).zip(partial),
+            kept: session.journal.map(|journal| journal.folder.to_path_buf()).zip(partial.map(Mutex::new)),
+            ..PeelOutcome::of(Arc::new(peel), seconds)
         })
     }
 }
@@ -178,6 +175,24 @@ fn observed(scene: &Scene, session: &Session) -> Result<Observed, Refusal> {
 }
 
 impl PeelOutcome {
+    /// Of a path that took so many seconds, with nothing beside it.
+    pub fn of(peel: Arc<Peel>, seconds: f64) -> Self {
+        Self {
+            peel,
+            seconds,
+            stability: None,
+            branch: None,
+            test: None,
+            beside_s: [0.0; 3],
+            exponents: None,
+            taken: 0,
+            missing: None,
+            interrupted: false,
+            asked: Asked::default(),
+            kept: None,
+        }
+    }
+
     fn summary(&self, scene: &Scene) -> PeelSummary {
         let [stability_s, branch_s, test_s] = self.beside_s;
         let mut summary = PeelSummary::new(scene, &self.peel, self.seconds);
@@ -263,10 +278,11 @@ impl Outcome for PeelOutcome {
     }
 
     fn settle(&mut self, written: bool) -> Result<Option<String>, ReportError> {
-        let Some((folder, partial)) = &self.kept else { return Ok(None) };
+        let Some((folder, partial)) = &mut self.kept else { return Ok(None) };
         if !self.peel.unfinished {
             return if written { PartialRun::discard(folder).map(|()| None) } else { Ok(None) };
         }
+        let partial = partial.get_mut().unwrap_or_else(PoisonError::into_inner);
         Ok(Some(match partial.write_all()? {
             true => format!("its points are kept in {}", partial.path().display()),
             false => "it had no points to keep".into(),
